@@ -1,0 +1,125 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/check.hpp"
+#include "base/handle.hpp"
+
+namespace pantin {
+
+/// Why a handle is dead: what it named, when it went and who removed it.
+struct Obituary {
+  std::string what;                ///< "body 'arm'"
+  double time = 0.0;               ///< [s]
+  std::string who;                 ///< "scene.lua:12", "hand 1", "its lifetime", …
+  std::uint32_t generation = 0;    ///< of the handle that died
+  friend bool operator==(const Obituary&, const Obituary&) = default;
+};
+
+/// Rows of one kind. A row stays in its slot for life, so slots may be used as indices between two edits; the slots of
+/// the dead are given out again under a new generation.
+template <class Row>
+class Store {
+ public:
+  using Id = Handle<Row>;
+
+  Id add(Row row) {
+    std::uint32_t slot;
+    if (free_.empty()) {
+      slot = static_cast<std::uint32_t>(rows_.size());
+      rows_.push_back(std::move(row));
+      slots_.push_back({});
+    } else {
+      slot = free_.back();
+      free_.pop_back();
+      rows_[slot] = std::move(row);
+    }
+    slots_[slot].alive = true;
+    slots_[slot].generation++;
+    size_++;
+    return {slot + 1, slots_[slot].generation};
+  }
+
+  void remove(Id id, Obituary obituary) {
+    (void)(*this)[id];
+    Slot& s = slots_[id.slot - 1];
+    obituary.generation = id.generation;
+    s.obituary = std::move(obituary);
+    s.alive = false;
+    rows_[id.slot - 1] = Row{};
+    free_.push_back(id.slot - 1);
+    size_--;
+  }
+
+  bool alive(Id id) const {
+    return id.slot != 0 && id.slot <= slots_.size() && slots_[id.slot - 1].alive &&
+           slots_[id.slot - 1].generation == id.generation;
+  }
+
+  /// The row of a live handle; throws Error with the handle's story otherwise.
+  Row& operator[](Id id) {
+    if (!alive(id)) [[unlikely]]
+      throw Error(story(id));
+    return rows_[id.slot - 1];
+  }
+  const Row& operator[](Id id) const {
+    if (!alive(id)) [[unlikely]]
+      throw Error(story(id));
+    return rows_[id.slot - 1];
+  }
+
+  /// "body 'arm' was removed at 1.5 s by scene.lua:12"
+  std::string story(Id id) const {
+    if (!id) return "this names nothing";
+    if (id.slot > slots_.size()) return "this handle was never given out by this world";
+    const Obituary& o = slots_[id.slot - 1].obituary;
+    if (o.generation != id.generation) return "this was removed long ago, and its place has been used again since";
+    return text(o.what, " was removed at ", o.time, " s by ", o.who);
+  }
+
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+
+  /// Number of slots, dead ones included; `alive_at` tells which live.
+  std::uint32_t slots() const { return static_cast<std::uint32_t>(rows_.size()); }
+  bool alive_at(std::uint32_t slot) const { return slots_[slot].alive; }
+  Row& at_slot(std::uint32_t slot) { return rows_[slot]; }
+  const Row& at_slot(std::uint32_t slot) const { return rows_[slot]; }
+  Id id_at(std::uint32_t slot) const { return {slot + 1, slots_[slot].generation}; }
+
+  /// Live handles in the order of their rows' `serial`, that is, of making.
+  std::vector<Id> ids() const;
+
+ private:
+  struct Slot {
+    bool alive = false;
+    std::uint32_t generation = 0;
+    Obituary obituary;
+  };
+  std::vector<Row> rows_;
+  std::vector<Slot> slots_;
+  std::vector<std::uint32_t> free_;
+  std::size_t size_ = 0;
+};
+
+template <class Row>
+std::vector<Handle<Row>> Store<Row>::ids() const {
+  std::vector<Id> list;
+  list.reserve(size_);
+  bool sorted = true;
+  for (std::uint32_t s = 0; s < slots(); s++)
+    if (slots_[s].alive) {
+      sorted = sorted && (list.empty() || rows_[list.back().slot - 1].serial < rows_[s].serial);
+      list.push_back(id_at(s));
+    }
+  if (!sorted)
+    std::sort(list.begin(), list.end(),
+              [&](Id a, Id b) { return rows_[a.slot - 1].serial < rows_[b.slot - 1].serial; });
+  return list;
+}
+
+}  // namespace pantin

@@ -1,0 +1,49 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/lanes.hpp"
+#include "model/point.hpp"
+
+namespace pantin {
+
+/// What a body's points leave free: all six; five, where every point lies on one line and nothing has inertia about it
+/// (its spin about the line is 0); three, where all lie in one place.
+enum class Freedom : std::uint8_t { rigid, line, point };
+
+/// Points at fixed relative places. Mass, centre and inertia are the points', plus `own_mass` and `own_inertia` at the
+/// frame's origin; `update_mass` works them out whenever one changes.
+struct Body {
+  std::vector<PointId> points;
+  double own_mass = 0.0;          ///< [kg] given beside the points'
+  Mat3 own_inertia = zero33();    ///< [kg m²] about the frame's origin, in the frame's axes
+  Vec3 centre = zero3();          ///< [m] centre of mass in the body's frame
+  Quat axes;                      ///< principal axes to the body's frame
+  bool lifted = false;            ///< its smallest inertia was lifted to 1e-3 of the largest
+  std::string name;
+  std::uint64_t serial = 0;
+};
+
+using BodyId = Handle<Body>;
+
+/// What the solver reads and writes of a body each sub-step; at the same slot as its Body.
+struct Motion {
+  Vec3 x = zero3();        ///< [m] centre of mass
+  Vec3 p = zero3();        ///< [kg m/s] linear momentum
+  Vec3 angular = zero3();  ///< [kg m²/s] angular momentum about the centre, in principal axes
+  Vec3 inertia = zero3();  ///< [kg m²] principal moments; 0 where freedom is point
+  Quat q;                  ///< principal axes to the world
+  double mass = 0.0;       ///< [kg]
+  Freedom freedom = Freedom::rigid;
+  std::int32_t articulate = -1;  ///< index of its articulate, or -1 where nothing constrains it
+  Vec3 force = zero3();          ///< [N] pushes in this step, at the centre
+  Vec3 torque = zero3();         ///< [N m] pushes and twists in this step, about the centre, world axes
+};
+
+/// 1/I per principal axis; 0 where the body cannot turn.
+Vec3 inverse_inertia(const Motion& m);
+/// World axes, rad/s.
+Vec3 angular_velocity(const Motion& m);
+
+}  // namespace pantin

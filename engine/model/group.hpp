@@ -1,0 +1,25 @@
+#pragma once
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "model/body.hpp"
+#include "model/constraint.hpp"
+#include "model/particle.hpp"
+
+namespace pantin {
+
+struct Group;
+/// Any thing a script can name.
+using AnyId = std::variant<std::monostate, PointId, ParticleId, BodyId, ConstraintId, Handle<Group>>;
+
+/// A named set of things, in the order of adding.
+struct Group {
+  std::vector<AnyId> members;
+  std::string name;
+  std::uint64_t serial = 0;
+};
+
+using GroupId = Handle<Group>;
+
+}  // namespace pantin

@@ -1,0 +1,85 @@
+#pragma once
+// The rows of the world and what follows from them alone; no stepping.
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/store.hpp"
+#include "model/body.hpp"
+#include "model/constraint.hpp"
+#include "model/group.hpp"
+#include "model/particle.hpp"
+#include "model/point.hpp"
+
+namespace pantin {
+
+struct Model {
+  Store<Point> points;
+  Store<Particle> particles;
+  Store<Body> bodies;
+  std::vector<Motion> motion;  ///< (slots of bodies)
+  Store<Constraint> constraints;
+  Store<Group> groups;
+  std::uint64_t next_serial = 1;
+  bool topology_changed = true;             ///< an edit waits for `find_articulates`
+  std::vector<char> dirty_articulates;      ///< (articulates) to be found anew
+  std::vector<BodyId> untied_bodies;        ///< touched bodies that have no articulate
+  std::vector<PointId> untied_points;       ///< touched free points that have no articulate
+
+  Motion& motion_of(BodyId id) { return (void)bodies[id], motion[id.slot - 1]; }
+  const Motion& motion_of(BodyId id) const { return (void)bodies[id], motion[id.slot - 1]; }
+};
+
+/// Place and velocity of a point in the world, [m], [m/s].
+Vec3 position(const Model& m, PointId point);
+Vec3 velocity(const Model& m, PointId point);
+/// Place of a point relative to its body's centre of mass in principal axes, [m].
+Vec3 arm(const Model& m, PointId point);
+/// Mean of a ring's points (they coincide up to the gap), [m]; of a sleeping particle its hinge's.
+Vec3 position(const Model& m, ParticleId particle);
+Vec3 velocity(const Model& m, ParticleId particle);
+/// Sum of the points' masses, [kg].
+double mass(const Model& m, ParticleId particle);
+/// The hinge a particle sleeps in, or itself.
+ParticleId awake(const Model& m, ParticleId particle);
+/// The point at which a ring is pulled: of its heaviest body (ties: the oldest point).
+PointId star(const Model& m, ParticleId particle);
+
+/// The body's frame: place of its origin [m], orientation (frame to world).
+Vec3 origin(const Model& m, BodyId body);
+Quat orientation(const Model& m, BodyId body);
+/// Angular momentum about the centre of mass, world axes, [kg m²/s].
+Vec3 angular_momentum(const Model& m, BodyId body);
+/// Inertia about the centre of mass in the world's axes, [kg m²].
+Mat3 inertia(const Model& m, BodyId body);
+
+/// Works out mass, centre, principal axes and freedom of a body from its points and own mass, keeping its frame's place
+/// and the velocity of every point. Throws Error where the body has no mass, or mass in one place only and points
+/// elsewhere; the body is then as it was.
+void update_mass(Model& m, BodyId body);
+
+/// Marks what is tied to a thing to be found anew before the next step.
+void touch(Model& m, BodyId body);
+void touch(Model& m, PointId point);
+void touch(Model& m, ParticleId particle);
+void touch(Model& m, const Constraint& constraint);
+
+/// "body 'arm'", "hinge 'elbow'", "particle 7" …: how messages call a thing.
+std::string describe(const Model& m, PointId id);
+std::string describe(const Model& m, ParticleId id);
+std::string describe(const Model& m, BodyId id);
+std::string describe(const Model& m, ConstraintId id);
+std::string describe(const Model& m, GroupId id);
+std::string describe(const Model& m, const AnyId& id);
+bool alive(const Model& m, const AnyId& id);
+
+/// Principal moments and axes (columns) of a symmetric matrix by Jacobi's method with a fixed number of sweeps, moments
+/// in rising order, axes right-handed with signs nearest to the columns of `near`.
+struct Principal {
+  Vec3 moments;
+  Mat3 axes;
+};
+Principal principal_axes(const Mat3& symmetric, const Mat3& near);
+
+}  // namespace pantin

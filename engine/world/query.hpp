@@ -1,0 +1,21 @@
+#pragma once
+#include <string_view>
+#include <vector>
+
+#include "world/world.hpp"
+
+namespace pantin {
+
+/// The oldest living thing of that name, or monostate.
+AnyId find(const World& world, std::string_view name);
+/// Awake particles within `radius` [m] of a place, nearest first.
+std::vector<ParticleId> near(const World& world, Vec3 at, double radius);
+/// Awake particles in the order of making; hinges only with `hinges`.
+std::vector<ParticleId> particles(const World& world);
+std::vector<ParticleId> hinges(const World& world);
+/// Hinges that a body's points are in.
+std::vector<ParticleId> hinges_of(const World& world, BodyId body);
+/// Force of a hinge on one of its bodies in the last step, [N].
+Vec3 hinge_force(const World& world, ParticleId hinge, BodyId body);
+
+}  // namespace pantin

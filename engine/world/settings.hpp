@@ -1,0 +1,23 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "base/lanes.hpp"
+
+namespace pantin {
+
+/// verlet: the energy-momentum step with exact hinges, second order. euler: the paper's semi-implicit Euler with its
+/// Newton iteration on the positions, kept to compare.
+enum class Integrator : std::uint8_t { verlet, euler };
+
+struct Settings {
+  Vec3 gravity = vec(0, -9.81, 0);  ///< [m/s²]
+  double step = 1.0 / 240.0;        ///< [s] > 0
+  Integrator integrator = Integrator::verlet;
+  bool energy_return = true;  ///< give back what the velocity projection took
+  double tolerance = 1e-6;    ///< points of a new hinge may be this far apart, relative to the size of their bodies
+  std::uint64_t seed = 1;
+  double boltzmann = 1.0;  ///< [J/K] > 0
+};
+
+}  // namespace pantin

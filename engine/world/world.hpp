@@ -1,0 +1,111 @@
+#pragma once
+// The world: model rows and all that goes with them through time. Made and changed by the functions of `edit.hpp`,
+// moved by `step()` of step.hpp, read by `measure.hpp`, `query.hpp` and `hands.hpp`.
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/profile.hpp"
+#include "base/random.hpp"
+#include "model/model.hpp"
+#include "world/choreography.hpp"
+#include "world/input.hpp"
+#include "world/settings.hpp"
+
+namespace pantin {
+
+struct Articulate;
+
+/// What can grab: the mouse, a finger, a stick, a script.
+struct Hand {
+  Vec3 position = zero3();  ///< [m]
+  Vec3 velocity = zero3();  ///< [m/s] over the last step
+  bool pressed = false;
+  bool placed = false;       ///< has been given a position
+  ConstraintId grab;         ///< the follow that holds what it grabbed, or null
+  std::function<Vec3(double)> path;  ///< scripted: place at time t [s]
+};
+
+/// Something that happened; told to scripts in the next step.
+struct Notice {
+  enum class Kind : std::uint8_t { removed, cut, grab, drop, press, release, key, button };
+  Kind kind = Kind::key;
+  AnyId thing;
+  std::int32_t hand = -1;
+  std::string text;  ///< name of the key or button; story of what was removed
+};
+
+/// A number recorded at the end of each step.
+struct Probe {
+  std::string name;
+  std::function<double()> read;
+  std::vector<double> values;  ///< (steps since it was added)
+  std::uint64_t first_step = 0;
+};
+
+/// Counts since the start.
+struct Stats {
+  std::uint64_t newton_iterations = 0;
+  std::uint64_t solves = 0;          ///< articulate steps solved
+  std::uint64_t factorisations = 0;
+  std::uint64_t halved_steps = 0;
+  std::uint64_t safe_steps = 0;
+  std::uint64_t projections = 0;     ///< velocity projections that needed a factor of their own
+  std::uint32_t worst_iterations = 0;
+};
+
+/// How wrong the state is.
+struct Accuracy {
+  double hinge_gap = 0.0;   ///< [m] largest distance between points of one hinge, and of nails and rigid follows
+  double constraint = 0.0;  ///< [m] the same with rods
+  double energy = 0.0;      ///< |energy - start - work from outside| / largest kinetic energy so far
+};
+
+struct World : Model {
+  World();
+  ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  Settings settings;
+  double time = 0.0;        ///< [s] at the end of the last step
+  std::uint64_t steps = 0;  ///< done
+  double step_origin = 0.0;       ///< [s] time at the last change of the step's length
+  std::uint64_t step_count = 0;   ///< steps since then
+
+  Choreography choreography;
+  std::vector<Hand> hands;
+  Input input;                  ///< for the coming step; emptied by it
+  std::vector<Notice> notices;  ///< of the last step, told in the next; emptied then
+  std::vector<LogLine> log;
+  std::vector<Probe> probes;
+  Random random;
+
+  /// Called in `run_behaviours`, with the notices still there. Scripts may edit in it.
+  std::function<void()> behaviours;
+  /// Names who edits right now, for obituaries: the script's line, or "hand 1". Empty: "the program".
+  std::function<std::string()> who;
+
+  std::vector<std::unique_ptr<Articulate>> articulates;  ///< in the order of their smallest serial
+  std::vector<std::uint32_t> loose_bodies;               ///< slots of bodies that nothing constrains
+  std::vector<std::uint32_t> loose_points;               ///< slots of free points that nothing constrains
+
+  Stats stats;
+  Profile profile;
+  Accuracy error;        ///< at the end of the last step
+  Accuracy worst;        ///< largest so far
+  double work = 0.0;     ///< [J] done from outside since the start: hands, follows, pushes, edits
+  double start_energy = 0.0;    ///< [J] at the first step
+  double largest_kinetic = 0.0; ///< [J] so far
+
+  bool locked = false;   ///< inside a step, outside the phases in which scripts run
+  std::string failure;   ///< not empty: the state became non-finite; the world steps no more
+};
+
+/// Writes a line into the log, at the present time.
+void log_line(World& world, std::string kind, std::string text);
+
+}  // namespace pantin
