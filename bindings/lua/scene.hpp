@@ -1,0 +1,79 @@
+#pragma once
+// A scene: a Lua file that was run, and the world it built.
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "world/world.hpp"
+
+namespace pantin::lua {
+
+using Value = std::variant<double, bool, std::string>;
+
+struct SceneOptions {
+  std::map<std::string, std::string> set;  ///< `--set`: parameter or `scene.FIELD` to its text
+  double script_limit = 5.0;               ///< [s] of one call into the script; 0: none
+  std::size_t memory_limit = std::size_t{2} << 30;  ///< [bytes] of Lua's memory
+  std::string home;                        ///< folder that holds `scripts/lib` and `scripts/behaviours`
+};
+
+/// What `scene:param` declared.
+struct Parameter {
+  std::string name;
+  Value value;
+  Value initial;
+  std::optional<double> min, max, step;
+  std::vector<Value> choices;
+  std::string help;
+  bool live = false;  ///< has `on_change`; else a change rebuilds the scene
+};
+
+struct CameraWish {
+  std::optional<Vec3> at, look_at;  ///< [m]
+  AnyId follow;
+};
+
+/// Owns a Lua state and a World. Every call that runs a script throws Error whose text starts with "file.lua:line: ".
+class Scene {
+ public:
+  /// Runs the file. Errors of wrong use (no such file, `--set` of an unknown parameter) throw UsageError.
+  static std::unique_ptr<Scene> open(const std::string& path, const SceneOptions& options);
+  /// The same for a text, called `name` in messages; `require` looks in `folder`.
+  static std::unique_ptr<Scene> open_text(const std::string& source, const std::string& name,
+                                          const std::string& folder, const SceneOptions& options);
+  ~Scene();
+
+  World& world();
+  const World& world() const;
+  /// One step of the world with the script's callbacks; sets `finished` when the script asked for it.
+  void step();
+
+  const std::string& title() const;
+  std::optional<double> duration() const;  ///< [s]
+  double pace() const;                     ///< simulated s per real s
+  CameraWish camera() const;
+  bool finished() const;
+
+  const std::vector<Parameter>& parameters() const;
+  /// Applies a value live and returns true, or returns false: the scene must be opened again with it.
+  bool set_parameter(const std::string& name, const Value& value);
+  const std::vector<std::string>& buttons() const;  ///< names; press one by a Command of the world's input
+  const std::map<std::string, Value>& results() const;
+  std::vector<std::string> warnings() const;
+
+ private:
+  struct State;
+  explicit Scene(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+/// The command line was wrong (exit code 2).
+struct UsageError : Error {
+  using Error::Error;
+};
+
+}  // namespace pantin::lua
