@@ -1,0 +1,119 @@
+#pragma once
+// Bodies and particles tied by constraints, solved together. Nodes and rows hold working copies, laid out in the order in
+// which the factor eliminates the rows; `load` and `store` move the state between them and the model.
+//
+// Letters follow the equations: x place [m], q orientation, R its matrix, p momentum [kg m/s], P angular momentum in
+// principal axes [kg m²/s], O = I⁻¹P [rad/s], a the step's Cayley vector [rad], f the force of a row on its first point
+// [N] (the second gets -f), l arms in principal axes [m], r arms in the world [m]; 0 start and 1 end of a step of h [s].
+#include <cstdint>
+#include <vector>
+
+#include "articulates/factor.hpp"
+#include "base/lanes.hpp"
+#include "model/model.hpp"
+
+namespace pantin {
+
+/// A body or a free particle of an articulate.
+struct Node {
+  // end of the step being solved
+  Vec3 x1, p1, P1;
+  Quat q1;
+  Mat3 R1;
+  // its start
+  Vec3 x0, p0, P0, O0;
+  Quat q0;
+  Mat3 R0;
+  // unknown, and its last values
+  Vec3 a, a_last, a_saved;
+  // constants of the step
+  Vec3 inertia, inverse_inertia;
+  Vec3 force, torque;  // [N], [N m] constant in the step, world axes
+  double mass, inverse_mass;
+  double reach;  // [m] turns a rotation into a displacement in the residual
+  bool turns;    // has a rotation; a point mass has not
+  // work of an iteration
+  Vec3 row_force;  // Σ ±f
+  Mat3 row_moment;  // Σ ±l f'
+  Vec3 E, da, sum;  // residual of the rotation, its correction, Π1 + Q
+  Mat3 N, B;        // (1 - a^/2)⁻¹ and N A
+  Mat3 J_inverse;
+  Mat3 W;  // turns a moment into a rotation, world axes
+  Vec3 phi;
+  double c;  // 1/(1 + a·a/4)
+  // where it comes from
+  std::uint32_t slot;
+  bool is_body;
+};
+
+/// What a row wants: rigid keeps two points together; limited draws one to a place with a force up to a limit; rod keeps
+/// a distance.
+enum class RowKind : std::uint8_t { rigid, limited, rod };
+
+/// Ties a point of node a to a point of node b, or to a place of the world (b = -1), by one force.
+struct Row {
+  std::int32_t a = 0, b = -1;
+  Vec3 la = zero3(), lb = zero3();          // arms of the two points
+  Vec3 place0 = zero3(), place1 = zero3();  // [m] world end, at the start and end of the step
+  Vec3 velocity = zero3();                  // [m/s] of the world end at the end of the step
+  Vec3 offset = zero3();                    // [m] gap that cannot be closed
+  Vec3 f = zero3(), f_last = zero3(), f_saved = zero3(), df = zero3();
+  Vec3 ra0 = zero3(), rb0 = zero3(), ra1 = zero3(), rb1 = zero3();
+  Vec3 d0 = zero3(), d1 = zero3();  // [m] first point less second
+  Vec3 residual = zero3();
+  Mat3 M = zero33(), C = zero33();  // the row of Newton's matrix: M (change of d1) + C df = -residual; rigid: M = 1, C = 0
+  double length = 0.0;                       // [m] of a rod
+  double stiffness = 0.0, damping = 0.0;     // [N/m], [N s/m] of a limited row
+  double max_force = 0.0;                    // [N]
+  RowKind kind = RowKind::rigid;
+  bool fresh = true;  // f has no history
+  PointId member;     // of a hinge: the point that f pulls
+  PointId centre;     // of a hinge: the star's point, that -f pulls
+  ConstraintId constraint;
+};
+
+/// Two rows that meet at a node: a block of the matrix.
+struct Meeting {
+  std::uint32_t block;  // of the factor; diagonal where row == column
+  std::uint32_t row, column;
+  bool row_at_a, column_at_a;  // which end of the row sits on the node
+};
+
+struct Articulate {
+  std::vector<Node> nodes;
+  std::vector<Row> rows;  // in the order of elimination
+  std::vector<Meeting> meetings;
+  std::vector<std::uint32_t> first_meeting;  // (nodes + 1)
+  Factor factor;
+
+  double length = 0.0;       // [m] median arm: every length in a criterion is a multiple of it
+  double total_mass = 0.0;   // [kg]
+  double start_gap = 0.0;    // [m] largest at the start of the next step
+  double last_h = 0.0;       // [s] of the last good step; 0: no history
+  double epsilon = 1e-6;     // relative compliance of the factor: sets the speed of convergence, never the answer
+  double weakest_pivot = 1.0;  // of the last factor, relative to its diagonal
+  std::uint32_t good_steps = 0, wait = 20, projection_wait = 0;
+  bool lowered = false;      // epsilon was lowered in this step
+  bool extrapolate = false;  // a has two last values
+  bool all_rigid = true;
+  bool edited = true;        // new: velocities are still to be made consistent
+  bool safe = false;         // the last step was a safe one
+  std::uint64_t serial = 0;  // smallest of its things
+
+  bool weak() const { return weakest_pivot < 1e-4; }
+};
+
+/// Copies the model's state into the nodes' starts, with constant forces: gravity [m/s²], pushes and twists.
+void load(Articulate& articulate, const Model& model, Vec3 gravity);
+/// Writes the nodes' starts and the rows' forces back.
+void store(const Articulate& articulate, Model& model);
+/// Places and velocities of the rows' world ends from the constraints, and the limits of the limited rows.
+void load_targets(Articulate& articulate, const Model& model);
+
+/// What a drift did, for counting and the balance of energy.
+struct DriftReport {
+  std::uint32_t iterations = 0, factorisations = 0, halved = 0, safe = 0, projections = 0;
+  double work = 0.0;  // [J] of the world ends, pushes and twists
+};
+
+}  // namespace pantin

@@ -1,0 +1,84 @@
+#include "articulates/factor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pantin {
+
+namespace {
+
+/// 1/pivot with its sign; 0 where the pivot vanishes. Keeps the weakest pivot relative to its floor.
+double inverse_pivot(double pivot, double floor, double& weakest) {
+  const double size = std::fabs(pivot);
+  weakest = std::min(weakest, size / floor);
+  return size > floor ? 1.0 / pivot : 0.0;
+}
+
+/// Inverse by LDU without interchanges.
+Mat3 inverse_ldu(const Mat3& a, Vec3 floor, double& weakest) {
+  const double i0 = inverse_pivot(a[0][0], floor[0], weakest);
+  const double l10 = a[0][1] * i0, l20 = a[0][2] * i0, u01 = a[1][0] * i0, u02 = a[2][0] * i0;
+  const double i1 = inverse_pivot(a[1][1] - l10 * a[1][0], floor[1], weakest);
+  const double l21 = (a[1][2] - l20 * a[1][0]) * i1, u12 = (a[2][1] - l10 * a[2][0]) * i1;
+  const double c12 = a[2][1] - l10 * a[2][0];
+  const double i2 = inverse_pivot(a[2][2] - l20 * a[2][0] - l21 * c12, floor[2], weakest);
+  const double m20 = l21 * l10 - l20, n02 = u01 * u12 - u02;
+  const double t0 = n02 * i2, t1 = -u12 * i2;
+  return {{vec(i0 + u01 * i1 * l10 + t0 * m20, -i1 * l10 + t1 * m20, m20 * i2),
+           vec(-u01 * i1 - t0 * l21, i1 - t1 * l21, -l21 * i2), vec(t0, t1, i2)}};
+}
+
+}  // namespace
+
+void Factor::clear() {
+  std::fill(diagonal.begin(), diagonal.end(), zero33());
+  std::fill(lower.begin(), lower.end(), zero33());
+  std::fill(upper.begin(), upper.end(), zero33());
+}
+
+double Factor::factorise() {
+  double weakest = std::numeric_limits<double>::infinity();
+  const std::uint32_t* to = target.data();
+  for (std::uint32_t k = 0; k < rows; k++) {
+    const Mat3 pivot = diagonal[k] = inverse_ldu(diagonal[k], floor[k], weakest);
+    const std::uint32_t begin = first[k], count = first[k + 1] - begin;
+    if (count == 1) {  // chains and trees
+      const Mat3 l = lower[begin] * pivot;
+      diagonal[*to++ & ~on_diagonal] -= l * upper[begin];
+      lower[begin] = l;
+      upper[begin] = pivot * upper[begin];
+      continue;
+    }
+    for (std::uint32_t i = 0; i < count; i++) scratch[i] = lower[begin + i] * pivot;
+    for (std::uint32_t i = 0; i < count; i++)
+      for (std::uint32_t j = 0; j <= i; j++) {
+        const std::uint32_t t = *to++;
+        if (t & on_diagonal) {
+          diagonal[t & ~on_diagonal] -= scratch[i] * upper[begin + j];
+        } else {
+          lower[t] -= scratch[i] * upper[begin + j];
+          upper[t] -= scratch[j] * upper[begin + i];
+        }
+      }
+    for (std::uint32_t i = 0; i < count; i++) {
+      lower[begin + i] = scratch[i];
+      upper[begin + i] = pivot * upper[begin + i];
+    }
+  }
+  return weakest;
+}
+
+void Factor::solve(Vec3* y) const {
+  for (std::uint32_t k = 0; k < rows; k++) {
+    const Vec3 v = y[k];
+    for (std::uint32_t i = first[k]; i < first[k + 1]; i++) y[below[i]] -= lower[i] * v;
+  }
+  for (std::uint32_t k = rows; k-- > 0;) {
+    Vec3 v = diagonal[k] * y[k];
+    for (std::uint32_t i = first[k]; i < first[k + 1]; i++) v -= upper[i] * y[below[i]];
+    y[k] = v;
+  }
+}
+
+}  // namespace pantin

@@ -1,0 +1,43 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "base/lanes.hpp"
+
+namespace pantin {
+
+/// A sparse matrix of 3 x 3 blocks with symmetric pattern and unsymmetric values, and its LDU factor in place. Rows are
+/// numbered in the order of elimination; no interchanges.
+struct Factor {
+  std::uint32_t rows = 0;
+  std::vector<std::uint32_t> first;  // (rows + 1) first block below the diagonal of each column
+  std::vector<std::uint32_t> below;  // (blocks) row of each block below the diagonal, rising in a column
+  std::vector<std::uint32_t> target; // where each update of the elimination goes; diagonal: row | on_diagonal
+  std::vector<Mat3> diagonal;        // (rows); inverted by `factorise`
+  std::vector<Mat3> lower, upper;    // (blocks) entries (below[i], column) and (column, below[i])
+  std::vector<Vec3> floor;           // (rows) pivots below this are redundant
+  std::vector<Mat3> scratch;         // (tallest column)
+
+  static constexpr std::uint32_t on_diagonal = 0x80000000u;
+
+  /// Index of the block (row, column), row > column; it must be in the pattern.
+  std::uint32_t block(std::uint32_t row, std::uint32_t column) const;
+  void clear();
+  /// Factorises in place. A pivot below `floor` is a redundant row: its inverse is 0. Returns the smallest pivot relative
+  /// to its diagonal.
+  double factorise();
+  /// Solves in place; `y` (rows).
+  void solve(Vec3* y) const;
+};
+
+/// Greedy minimum-degree order of a graph, first in first out among equals, so that a chain is eliminated from both ends.
+struct Elimination {
+  std::vector<std::uint32_t> order;                // (rows) the row eliminated at each place
+  std::vector<std::vector<std::uint32_t>> columns;  // (places) places of the blocks below the diagonal, rising
+};
+/// `neighbours` (rows): rising lists without the row itself.
+Elimination minimum_degree(std::vector<std::vector<std::uint32_t>> neighbours);
+/// Lays out a factor for an elimination.
+Factor lay_out(const Elimination& elimination);
+
+}  // namespace pantin
