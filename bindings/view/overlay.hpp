@@ -1,0 +1,35 @@
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/color.hpp"
+#include "model/particle.hpp"
+#include "model/point.hpp"
+
+namespace pantin {
+
+/// A line of the world, drawn over the scene.
+struct OverlayLine {
+  Vec3 from = zero3();  ///< [m]
+  Vec3 to = zero3();    ///< [m]
+  Color color;
+  float width = 2.0f;  ///< [px]
+};
+
+/// What a picture shows beside the world. Empty: the world alone. (Grabs are constraints of the world and need nothing
+/// here.)
+struct Overlay {
+  std::vector<OverlayLine> lines;
+  PointId highlight;                                      ///< ringed, when alive: what the pointer is over
+  std::vector<std::string> status;                        ///< parts of the quiet line at the bottom
+  std::string message;                                    ///< above it, in warning colour: an error, "slow motion", …
+  std::string title;                                      ///< upper left
+  std::vector<std::pair<std::string, std::string>> help;  ///< {key, what it does}; shown as a card when not empty
+  std::vector<std::string> buttons;                       ///< names; `Renderer::pressed_button` tells which was pressed
+  double pointer_x = -1.0;                                ///< [px] for the buttons
+  double pointer_y = -1.0;                                ///< [px]
+  bool pointer_down = false;
+};
+
+}  // namespace pantin

@@ -1,0 +1,51 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "view/camera.hpp"
+#include "view/overlay.hpp"
+#include "view/stage.hpp"
+#include "world/world.hpp"
+
+namespace pantin {
+
+/// Draws a world with OpenGL 3.3 into a framebuffer of its own. Needs a current context: make a Window first.
+class Renderer {
+ public:
+  /// `samples` 0 for speed, 4 for pictures; `scale` of the text.
+  Renderer(int width, int height, int samples = 0, double scale = 1.0);
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  void resize(int width, int height);
+  int width() const;
+  int height() const;
+
+  /// Sets the ground and the sizes of what is drawn by a world at its start. Call it whenever a world was built anew; the
+  /// first `draw` does it by itself.
+  void open(const World& world);
+  const Stage& stage() const;
+
+  void draw(const World& world, const Camera& camera, const Overlay& overlay = {});
+
+  /// RGBA, 4 bytes a pixel, top row first.
+  std::vector<std::uint8_t> read_pixels();
+  /// The same, without a new vector.
+  void read_pixels(std::vector<std::uint8_t>& into);
+  /// Copies the picture to the window's own framebuffer of that size [px].
+  void show(int window_width, int window_height);
+
+  /// Name of the overlay's button that was pressed in the last `draw`, or empty.
+  const std::string& pressed_button() const;
+  /// The pointer was over a button or card in the last `draw`: a press there is not for the scene.
+  bool pointer_on_panel() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace pantin

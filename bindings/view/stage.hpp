@@ -1,0 +1,21 @@
+#pragma once
+#include "view/camera.hpp"
+#include "world/world.hpp"
+
+namespace pantin {
+
+/// What is known of a scene's size from the world at its start; sets the default sizes of what is drawn, and the ground.
+struct Stage {
+  double unit = 1.0;     ///< [m] typical distance between points that belong together
+  double size = 1.0;     ///< [m] largest edge of the box
+  Vec3 lower = zero3();  ///< [m] box that holds the points and where what hangs on nails will swing
+  Vec3 upper = zero3();  ///< [m]
+  double ground = 0.0;   ///< [m] height of the ground, below the box
+  bool empty = true;     ///< nothing was there yet
+};
+
+Stage find_stage(const World& world);
+/// A camera that sees the whole stage; `aspect` is width/height.
+Camera first_camera(const Stage& stage, double aspect);
+
+}  // namespace pantin

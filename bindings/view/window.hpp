@@ -1,0 +1,38 @@
+#pragma once
+#include <memory>
+#include <string>
+
+#include "view/gestures.hpp"
+
+namespace pantin {
+
+class Renderer;
+
+/// An SDL window with an OpenGL 3.3 core context, which it makes current. A hidden one needs no display: it uses SDL's
+/// offscreen driver. Throws Error, with SDL's words, where there is no display or no OpenGL.
+class Window {
+ public:
+  Window(const std::string& title, int width, int height, bool hidden = false);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  /// Takes all waiting events into `gestures`; false once the window is to be closed.
+  bool poll(Gestures& gestures);
+  /// Copies the renderer's picture to the window and shows it.
+  void present(Renderer& renderer);
+  void set_title(const std::string& title);
+  int width() const;   ///< [px] of the drawable
+  int height() const;  ///< [px]
+  /// OpenGL is done by the processor: draw without samples when it must be quick.
+  bool software() const;
+
+  /// A screen is there to open a visible window on.
+  static bool display_available();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace pantin
