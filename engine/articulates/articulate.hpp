@@ -91,16 +91,13 @@ struct Articulate {
   double start_gap = 0.0;    // [m] largest at the start of the next step
   double last_h = 0.0;       // [s] of the last good step; 0: no history
   double epsilon = 1e-6;     // relative compliance of the factor: sets the speed of convergence, never the answer
-  double weakest_pivot = 1.0;  // of the last factor, relative to its diagonal
   std::uint32_t good_steps = 0, wait = 20, projection_wait = 0;
   bool lowered = false;      // epsilon was lowered in this step
   bool extrapolate = false;  // a has two last values
   bool all_rigid = true;
   bool edited = true;        // new: velocities are still to be made consistent
-  bool safe = false;         // the last step was a safe one
+  bool weak = false;         // the last factor had weak pivots: its multipliers are not all determined
   std::uint64_t serial = 0;  // smallest of its things
-
-  bool weak() const { return weakest_pivot < 1e-4; }
 };
 
 /// Copies the model's state into the nodes' starts, with constant forces: gravity [m/s²], pushes and twists.

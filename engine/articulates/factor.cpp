@@ -2,27 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pantin {
 
 namespace {
 
-/// 1/pivot with its sign; 0 where the pivot vanishes. Keeps the weakest pivot relative to its floor.
-double inverse_pivot(double pivot, double floor, double& weakest) {
+/// 1/pivot with its sign; 0 where the pivot vanishes.
+double inverse_pivot(double pivot, double floor, bool& weak) {
   const double size = std::fabs(pivot);
-  weakest = std::min(weakest, size / floor);
+  weak = weak || size < floor * (Factor::weak / Factor::redundant);
   return size > floor ? 1.0 / pivot : 0.0;
 }
 
 /// Inverse by LDU without interchanges.
-Mat3 inverse_ldu(const Mat3& a, Vec3 floor, double& weakest) {
-  const double i0 = inverse_pivot(a[0][0], floor[0], weakest);
+Mat3 inverse_ldu(const Mat3& a, Vec3 floor, bool& weak) {
+  const double i0 = inverse_pivot(a[0][0], floor[0], weak);
   const double l10 = a[0][1] * i0, l20 = a[0][2] * i0, u01 = a[1][0] * i0, u02 = a[2][0] * i0;
-  const double i1 = inverse_pivot(a[1][1] - l10 * a[1][0], floor[1], weakest);
+  const double i1 = inverse_pivot(a[1][1] - l10 * a[1][0], floor[1], weak);
   const double l21 = (a[1][2] - l20 * a[1][0]) * i1, u12 = (a[2][1] - l10 * a[2][0]) * i1;
   const double c12 = a[2][1] - l10 * a[2][0];
-  const double i2 = inverse_pivot(a[2][2] - l20 * a[2][0] - l21 * c12, floor[2], weakest);
+  const double i2 = inverse_pivot(a[2][2] - l20 * a[2][0] - l21 * c12, floor[2], weak);
   const double m20 = l21 * l10 - l20, n02 = u01 * u12 - u02;
   const double t0 = n02 * i2, t1 = -u12 * i2;
   return {{vec(i0 + u01 * i1 * l10 + t0 * m20, -i1 * l10 + t1 * m20, m20 * i2),
@@ -37,11 +36,11 @@ void Factor::clear() {
   std::fill(upper.begin(), upper.end(), zero33());
 }
 
-double Factor::factorise() {
-  double weakest = std::numeric_limits<double>::infinity();
+bool Factor::factorise() {
+  bool weak_pivot = false;
   const std::uint32_t* to = target.data();
   for (std::uint32_t k = 0; k < rows; k++) {
-    const Mat3 pivot = diagonal[k] = inverse_ldu(diagonal[k], floor[k], weakest);
+    const Mat3 pivot = diagonal[k] = inverse_ldu(diagonal[k], floor[k], weak_pivot);
     const std::uint32_t begin = first[k], count = first[k + 1] - begin;
     if (count == 1) {  // chains and trees
       const Mat3 l = lower[begin] * pivot;
@@ -66,7 +65,7 @@ double Factor::factorise() {
       upper[begin + i] = pivot * upper[begin + i];
     }
   }
-  return weakest;
+  return weak_pivot;
 }
 
 void Factor::solve(Vec3* y) const {

@@ -15,17 +15,17 @@ struct Factor {
   std::vector<std::uint32_t> target; // where each update of the elimination goes; diagonal: row | on_diagonal
   std::vector<Mat3> diagonal;        // (rows); inverted by `factorise`
   std::vector<Mat3> lower, upper;    // (blocks) entries (below[i], column) and (column, below[i])
-  std::vector<Vec3> floor;           // (rows) pivots below this are redundant
+  std::vector<Vec3> floor;           // (rows) pivots below this are redundant: `redundant` times the diagonal
   std::vector<Mat3> scratch;         // (tallest column)
 
   static constexpr std::uint32_t on_diagonal = 0x80000000u;
+  static constexpr double redundant = 1e-12, weak = 1e-4;  // of the diagonal
 
   /// Index of the block (row, column), row > column; it must be in the pattern.
   std::uint32_t block(std::uint32_t row, std::uint32_t column) const;
   void clear();
-  /// Factorises in place. A pivot below `floor` is a redundant row: its inverse is 0. Returns the smallest pivot relative
-  /// to its diagonal.
-  double factorise();
+  /// Factorises in place. A pivot below `floor` is a redundant row: its inverse is 0. Returns whether a pivot is weak.
+  bool factorise();
   /// Solves in place; `y` (rows).
   void solve(Vec3* y) const;
 };

@@ -15,7 +15,7 @@ struct Queues {
   std::vector<char> gone;
   std::size_t lowest = 0;
 
-  explicit Queues(std::size_t n) : queue(n + 1), head(n + 1, 0), degree(n), gone(n, 0) {}
+  explicit Queues(std::uint32_t n) : queue(n + 1u), head(n + 1u, 0), degree(n), gone(n, 0) {}
 
   void put(std::uint32_t row, std::size_t d) {
     degree[row] = static_cast<std::uint32_t>(d);
@@ -37,7 +37,7 @@ struct Queues {
 }  // namespace
 
 Elimination minimum_degree(std::vector<std::vector<std::uint32_t>> neighbours) {
-  const std::size_t n = neighbours.size();
+  const auto n = static_cast<std::uint32_t>(neighbours.size());
   Elimination e;
   e.order.resize(n);
   e.columns.resize(n);

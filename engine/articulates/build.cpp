@@ -1,0 +1,204 @@
+// Makes the nodes and rows of an articulate, orders them by elimination and lays out the factor.
+#include <algorithm>
+#include <unordered_map>
+
+#include "articulates/islands.hpp"
+
+namespace pantin {
+
+namespace {
+
+struct Builder {
+  const Model& model;
+  const Ties& ties;
+  std::unordered_map<std::uint64_t, std::int32_t> node_of;  // 2 slot + is_body
+  std::vector<Node> nodes;
+  std::vector<Row> rows;
+
+  static std::uint64_t key(Thing t) { return 2ull * t.slot + (t.is_body ? 1 : 0); }
+
+  Thing holder(PointId point) const {
+    const Point& p = model.points[point];
+    return p.body ? Thing{p.body.slot - 1, true} : Thing{point.slot - 1, false};
+  }
+
+  void add_node(Thing t) {
+    Node n{};
+    n.slot = t.slot;
+    n.is_body = t.is_body;
+    if (t.is_body) {
+      const Motion& m = model.motion[t.slot];
+      n.mass = m.mass;
+      n.inertia = m.inertia;
+      n.inverse_inertia = inverse_inertia(m);
+      n.turns = m.freedom != Freedom::point;
+    } else {
+      n.mass = model.points.at_slot(t.slot).mass;
+      n.inertia = n.inverse_inertia = zero3();
+      n.turns = false;
+    }
+    n.inverse_mass = 1.0 / n.mass;
+    node_of[key(t)] = static_cast<std::int32_t>(nodes.size());
+    nodes.push_back(n);
+  }
+
+  void tie_a(Row& row, PointId point) const {
+    row.a = node_of.at(key(holder(point)));
+    row.la = arm(model, point);
+  }
+  void tie_b(Row& row, PointId point) const {
+    row.b = node_of.at(key(holder(point)));
+    row.lb = arm(model, point);
+  }
+
+  void add_hinge(const Particle& ring, PointId centre) {
+    for (PointId member : ring.points) {
+      if (member == centre) continue;
+      Row row;
+      tie_a(row, member);
+      tie_b(row, centre);
+      row.member = member;
+      row.centre = centre;
+      row.f = row.f_last = model.points[member].row_force;
+      rows.push_back(row);
+    }
+  }
+
+  void add_constraint(ConstraintId id) {
+    const Constraint& c = model.constraints[id];
+    Row row;
+    tie_a(row, c.a);
+    if (c.b) tie_b(row, c.b);
+    row.constraint = id;
+    row.length = c.length;
+    row.f = row.f_last = c.force;
+    row.kind = c.kind == ConstraintKind::rod        ? RowKind::rod
+               : std::isfinite(c.max_force)         ? RowKind::limited
+                                                    : RowKind::rigid;
+    rows.push_back(row);
+  }
+
+  void add_rows(Thing t) {
+    const auto visit = [&](PointId point) {
+      const ParticleId ring_id = model.points[point].particle;
+      const Particle& ring = model.particles[ring_id];
+      if (ring.is_hinge() && ring.points.front() == point) add_hinge(ring, star(model, ring_id));
+      for (std::uint32_t c : ties.of(point))
+        if (model.constraints.at_slot(c).a == point) add_constraint(model.constraints.id_at(c));
+    };
+    if (!t.is_body) return visit(model.points.id_at(t.slot));
+    for (PointId point : model.bodies.at_slot(t.slot).points) visit(point);
+  }
+
+  std::vector<std::vector<std::uint32_t>> rows_of_nodes() const {
+    std::vector<std::vector<std::uint32_t>> on(nodes.size());
+    for (std::uint32_t k = 0; k < rows.size(); k++) {
+      on[static_cast<std::size_t>(rows[k].a)].push_back(k);
+      if (rows[k].b >= 0) on[static_cast<std::size_t>(rows[k].b)].push_back(k);
+    }
+    return on;
+  }
+
+  std::vector<std::vector<std::uint32_t>> neighbours() const {
+    std::vector<std::vector<std::uint32_t>> graph(rows.size());
+    for (const auto& list : rows_of_nodes())
+      for (std::uint32_t i : list)
+        for (std::uint32_t j : list)
+          if (i != j) graph[i].push_back(j);
+    for (auto& list : graph) {
+      std::sort(list.begin(), list.end());
+      list.erase(std::unique(list.begin(), list.end()), list.end());
+    }
+    return graph;
+  }
+
+  /// Rows in the order of elimination, nodes in the order in which the rows meet them.
+  void sort(const std::vector<std::uint32_t>& order) {
+    std::vector<Row> sorted_rows;
+    sorted_rows.reserve(rows.size());
+    for (std::uint32_t k : order) sorted_rows.push_back(rows[k]);
+    rows = std::move(sorted_rows);
+    std::vector<std::int32_t> place(nodes.size(), -1);
+    std::vector<Node> sorted;
+    sorted.reserve(nodes.size());
+    const auto take = [&](std::int32_t& node) {
+      std::int32_t& p = place[static_cast<std::size_t>(node)];
+      if (p < 0) {
+        p = static_cast<std::int32_t>(sorted.size());
+        sorted.push_back(nodes[static_cast<std::size_t>(node)]);
+      }
+      node = p;
+    };
+    for (Row& row : rows) {
+      take(row.a);
+      if (row.b >= 0) take(row.b);
+    }
+    nodes = std::move(sorted);
+  }
+};
+
+void find_meetings(Articulate& a, const std::vector<std::vector<std::uint32_t>>& rows_of_nodes) {
+  a.first_meeting.assign(1, 0);
+  for (std::uint32_t n = 0; n < a.nodes.size(); n++) {
+    for (std::uint32_t i : rows_of_nodes[n])
+      for (std::uint32_t j : rows_of_nodes[n]) {
+        if (i < j) continue;
+        const auto at_a = [&](std::uint32_t k) { return a.rows[k].a == static_cast<std::int32_t>(n); };
+        a.meetings.push_back({i == j ? i : a.factor.block(i, j), i, j, at_a(i), at_a(j)});
+      }
+    a.first_meeting.push_back(static_cast<std::uint32_t>(a.meetings.size()));
+  }
+}
+
+void measure(Articulate& a, const Model& model) {
+  std::vector<double> lengths;
+  for (Row& row : a.rows) {
+    if (row.kind == RowKind::rod) lengths.push_back(row.length);
+    for (double l : {norm(row.la), row.b >= 0 ? norm(row.lb) : 0.0})
+      if (l > 0.0) lengths.push_back(l);
+    a.all_rigid = a.all_rigid && row.kind == RowKind::rigid;
+  }
+  if (!lengths.empty()) {
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::nth_element(lengths.begin(), middle, lengths.end());
+    a.length = *middle;
+  } else {  // points without arms: the size of their coordinates
+    for (const Row& row : a.rows)
+      if (row.member) a.length = std::max(a.length, norm(position(model, row.member)));
+    if (a.length == 0.0) a.length = 1.0;
+  }
+  for (Node& node : a.nodes) {
+    node.reach = 0.1 * a.length;
+    a.total_mass += node.mass;
+  }
+  for (const Row& row : a.rows) {
+    double& ra = a.nodes[static_cast<std::size_t>(row.a)].reach;
+    ra = std::max(ra, norm(row.la));
+    if (row.b < 0) continue;
+    double& rb = a.nodes[static_cast<std::size_t>(row.b)].reach;
+    rb = std::max(rb, norm(row.lb));
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Articulate> build_articulate(const Model& model, const Ties& ties, std::span<const Thing> things) {
+  Builder builder{model, ties, {}, {}, {}};
+  for (Thing t : things) builder.add_node(t);
+  for (Thing t : things) builder.add_rows(t);
+  const Elimination elimination = minimum_degree(builder.neighbours());
+  builder.sort(elimination.order);
+  auto articulate = std::make_unique<Articulate>();
+  articulate->factor = lay_out(elimination);
+  articulate->nodes = std::move(builder.nodes);
+  articulate->rows = std::move(builder.rows);
+  const Builder sorted{model, ties, {}, articulate->nodes, articulate->rows};
+  find_meetings(*articulate, sorted.rows_of_nodes());
+  measure(*articulate, model);
+  const Thing oldest = things.front();
+  articulate->serial =
+      oldest.is_body ? model.bodies.at_slot(oldest.slot).serial : model.points.at_slot(oldest.slot).serial;
+  return articulate;
+}
+
+}  // namespace pantin

@@ -1,0 +1,35 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "articulates/articulate.hpp"
+#include "model/model.hpp"
+
+namespace pantin {
+
+/// Finds anew what the edits since the last call touched: articulates that an edit made dirty are taken apart and their
+/// things, with the untied things that were touched, are gathered into articulates or found loose. Articulates stay in
+/// the order of their smallest serial.
+void find_articulates(Model& model, std::vector<std::unique_ptr<Articulate>>& articulates,
+                      std::vector<std::uint32_t>& loose_bodies, std::vector<std::uint32_t>& loose_points);
+
+/// A body or a free point, as the search sees it.
+struct Thing {
+  std::uint32_t slot;
+  bool is_body;
+};
+/// Ties of the things: which constraints each point has.
+class Ties {
+ public:
+  explicit Ties(const Model& model);
+  /// Slots of the enabled constraints on a point.
+  std::span<const std::uint32_t> of(PointId point) const;
+
+ private:
+  std::vector<std::uint32_t> first_, constraint_;  // (points + 1), (ends of constraints)
+};
+
+/// Builds the articulate of a connected set of things, in the order of their serials.
+std::unique_ptr<Articulate> build_articulate(const Model& model, const Ties& ties, std::span<const Thing> things);
+
+}  // namespace pantin
