@@ -41,13 +41,12 @@ bool may_include(std::string_view from, std::string_view to) {
     return place != engine_order.end() && std::find(engine_order.begin(), place + 1, to) != place + 1;
   }
   if (from == to || is_engine(to)) return true;
-  return from == "bindings/player" && (to.starts_with("bindings/") || to == "tests/bench");
+  return from == "bindings/player" && to.starts_with("bindings/");
 }
 
 // The file that `#include "name"` in `path` means, or nothing.
 std::string find_included(const Files& files, const std::string& path, const std::string& name) {
-  for (const std::string& start :
-       {folder_of(path), std::string("engine"), std::string("bindings"), std::string("tests")}) {
+  for (const std::string& start : {folder_of(path), std::string("engine"), std::string("bindings")}) {
     std::string candidate = (fs::path(start) / name).lexically_normal().generic_string();
     if (files.contains(candidate)) return candidate;
   }
@@ -88,7 +87,6 @@ std::vector<std::string> wrong_arrows(const Files& files) {
   std::vector<std::string> wrong;
   for (const auto& [path, text] : files) {
     const std::string folder = folder_of(path);
-    if (folder.starts_with("tests")) continue;
     if (is_engine(folder) && std::find(engine_order.begin(), engine_order.end(), folder) == engine_order.end()) {
       wrong.push_back(path + " lies in a folder without a place in the order");
     }
@@ -108,8 +106,7 @@ std::vector<std::string> wrong_arrows(const Files& files) {
 Files read_sources() {
   const fs::path root = PANTIN_SOURCE_DIR;
   Files files;
-  for (const auto* folder : {"engine", "bindings", "tests/bench"}) {
-    if (!fs::exists(root / folder)) continue;
+  for (const auto* folder : {"engine", "bindings"}) {
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
       const auto ending = entry.path().extension();
       if (ending != ".cpp" && ending != ".hpp") continue;
