@@ -1,0 +1,9 @@
+#pragma once
+#include <cstdint>
+
+namespace pantin {
+
+/// How often the test program has asked for memory since its start (operator new, every form).
+std::uint64_t allocations();
+
+}  // namespace pantin

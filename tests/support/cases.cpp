@@ -1,0 +1,119 @@
+#include "support/cases.hpp"
+
+#include <array>
+#include <numbers>
+#include <utility>
+
+#include "base/functions.hpp"
+
+namespace pantin::cases {
+
+namespace {
+
+void join(World& world, Chain& chain, PointId tail, PointId head) {
+  chain.hinges.push_back(add_hinge(world, std::array{tail, head}));
+}
+
+void append_rod(World& world, Chain& chain, double mass, double length, BodyDef def) {
+  const BodyId body = add_rod_body(world, mass, length, std::move(def));
+  chain.bodies.push_back(body);
+  chain.heads.push_back(point_of(world, body, 0));
+  chain.tails.push_back(point_of(world, body, 1));
+}
+
+}  // namespace
+
+Mat3 rod_inertia(double mass, double length) {
+  const double thickness = 0.1 * length;
+  const double along = mass / 12.0 * (2.0 * thickness * thickness);
+  const double across = mass / 12.0 * (length * length + thickness * thickness);
+  return diagonal(vec(along, across, across));
+}
+
+BodyId add_rod_body(World& world, double mass, double length, BodyDef def) {
+  PointDef head, tail;
+  head.at = vec(-0.5 * length, 0, 0);
+  head.name = "head";
+  tail.at = vec(0.5 * length, 0, 0);
+  tail.name = "tail";
+  def.points = {head, tail};
+  def.mass = mass;
+  def.inertia = rod_inertia(mass, length);
+  return add_body(world, def);
+}
+
+Chain add_chain(World& world, const ChainDef& def) {
+  Chain chain;
+  for (int i = 0; i < def.links; i++) {
+    BodyDef link;
+    link.at = def.start + vec((i + 0.5) * def.length, 0, 0);
+    link.name = text("link ", i + 1);
+    append_rod(world, chain, def.mass, def.length, link);
+    if (i > 0) join(world, chain, chain.tails[chain.tails.size() - 2], chain.heads.back());
+  }
+  if (def.pinned) chain.pin = add_nail(world, chain.heads.front());
+  return chain;
+}
+
+Chain add_heavy_chain(World& world, int links, double ratio) {
+  const double radius = 0.5;
+  Chain chain = add_chain(world, {.links = links});
+  BodyDef sphere;
+  sphere.at = vec(links + radius, 0, 0);
+  sphere.mass = ratio;
+  sphere.inertia = identity33() * (0.4 * ratio * radius * radius);
+  sphere.name = "sphere";
+  PointDef surface;
+  surface.at = vec(-radius, 0, 0);
+  sphere.points = {surface};
+  const BodyId body = add_body(world, sphere);
+  chain.bodies.push_back(body);
+  chain.heads.push_back(point_of(world, body, 0));
+  join(world, chain, chain.tails.back(), chain.heads.back());
+  return chain;
+}
+
+Chain add_ring(World& world, int links) {
+  const double pi = std::numbers::pi, inner = 0.5 / functions::tan(pi / links);
+  Chain ring;
+  for (int i = 0; i < links; i++) {
+    const double angle = 2.0 * pi * (i + 0.5) / links, turn = 0.5 * (angle + 0.5 * pi);
+    BodyDef side;
+    side.at = vec(inner * functions::cos(angle), inner * functions::sin(angle), 0);
+    side.orientation = {functions::cos(turn), 0, 0, functions::sin(turn)};
+    side.name = text("side ", i + 1);
+    append_rod(world, ring, 1.0, 1.0, side);
+  }
+  const std::size_t n = ring.bodies.size();
+  for (std::size_t i = 0; i < n; i++) join(world, ring, ring.tails[i], ring.heads[(i + 1) % n]);
+  ring.pin = add_nail(world, ring.heads[n / 4]);
+  return ring;
+}
+
+DoublePendulum add_double_pendulum(World& world) {
+  ParticleDef inner, outer;
+  inner.at = vec(1, 0, 0);
+  outer.at = vec(2, 0, 0);
+  DoublePendulum pendulum;
+  pendulum.inner = point_of(world, add_particle(world, inner));
+  pendulum.outer = point_of(world, add_particle(world, outer));
+  pendulum.upper = add_rod(world, pendulum.inner, zero3());
+  pendulum.lower = add_rod(world, pendulum.inner, pendulum.outer);
+  return pendulum;
+}
+
+BodyId add_top(World& world) {
+  world.settings.gravity = zero3();
+  BodyDef top;
+  top.mass = 1.0;
+  top.inertia = diagonal(vec(1, 2, 3));
+  top.spin = vec(0.01, 1, 0.01);
+  top.name = "top";
+  return add_body(world, top);
+}
+
+PointId point_of(const World& world, ParticleId particle) { return world.particles[particle].points.front(); }
+
+PointId point_of(const World& world, BodyId body, std::size_t index) { return world.bodies[body].points[index]; }
+
+}  // namespace pantin::cases

@@ -1,0 +1,29 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "world/world.hpp"
+
+namespace pantin {
+
+/// What a run was like, measured from outside after every step.
+struct Course {
+  double gap = 0.0;            ///< [m] largest distance between points that should coincide, at any step
+  double energy_change = 0.0;  ///< [J] largest |energy - start|
+  double kinetic = 0.0;        ///< [J] largest kinetic energy
+  bool finite = true;          ///< every place and velocity was a number after every step
+  std::string failure;         ///< World::failure at the end
+  double energy_error() const { return energy_change / kinetic; }
+};
+
+/// Steps until `time` [s], calling `each` after every step; stops at a failure.
+Course watch(World& world, double time, const std::function<void()>& each = {});
+
+/// Largest distance between points of one hinge, and of nailed points to their places, [m].
+double largest_gap(const World& world);
+bool all_finite(const World& world);
+/// Slope of log(error) over log(step) by least squares.
+double order_of(const std::vector<double>& steps, const std::vector<double>& errors);
+
+}  // namespace pantin
