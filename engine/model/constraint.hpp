@@ -19,6 +19,7 @@ struct Constraint {
   PointId b;                ///< of a rod; null where its other end is a place of the world
   Vec3 place = zero3();     ///< [m] nail's place, target of a follow at the end of this step, world end of a rod
   Vec3 previous = zero3();  ///< [m] `place` one step ago
+  Vec3 before = zero3();    ///< [m] `place` two steps ago, once `moves` is 2 or more
   Vec3 velocity = zero3();  ///< [m/s] of `place` at the end of this step
   double length = 0.0;      ///< [m] of a rod, > 0
   double max_force = std::numeric_limits<double>::infinity();  ///< [N] of a follow, > 0
@@ -27,7 +28,7 @@ struct Constraint {
   Vec3 away_rate = zero3();    ///< [m/s]
   std::function<Vec3(double)> target;  ///< of a follow: place at time t [s]; empty where `place` is set by hand
   std::int32_t hand = -1;              ///< of a hand's grab: index of the hand
-  std::uint32_t moves = 0;             ///< steps since the target was first sampled
+  std::uint32_t moves = 0;             ///< samples of the target since it last jumped
   bool enabled = true;
   Vec3 force = zero3();  ///< [N] on a in the last step; of a rod along it
   double tension = 0.0;  ///< [N] of a rod in the last step, > 0 when it pulls

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "base/color.hpp"
 #include "base/handle.hpp"
@@ -9,6 +10,7 @@
 namespace pantin {
 
 struct Body;
+struct Constraint;
 struct Particle;
 
 /// A point mass with local data. It belongs to at most one body, and always to one particle.
@@ -20,6 +22,7 @@ struct Point {
   Handle<Body> body;        ///< null when free
   Handle<Particle> own;     ///< the particle made with it, of this one point
   Handle<Particle> particle;  ///< the ring it is in now: `own`, or a hinge
+  std::vector<Handle<Constraint>> constraints;  ///< that hold this point, in the order of making
   Vec3 row_force = zero3();   ///< [N] of its ring on this point in the last step
   std::int32_t articulate = -1;  ///< of a free point: index of its articulate, or -1
   Color color;

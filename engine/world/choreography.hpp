@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,7 @@ struct Event {
   AnyId target;             ///< not applied when this is gone; monostate: none
   std::function<void()> action;
   std::string label;  ///< "scene.lua:12", for the log
-  EventState state = EventState::waiting;
+  std::shared_ptr<EventState> state;  ///< set by add_event; outlives the row, which goes when all is done
   std::uint64_t serial = 0;
 };
 
@@ -44,7 +45,9 @@ struct Choreography {
   std::vector<Due> heap;  ///< binary heap, earliest first
 };
 
+/// `first` [s] must not be past, `period` [s] 0 or > 0, `action` not empty.
 EventId add_event(World& world, Event event);
+/// Nothing happens when it is done already.
 void cancel(World& world, EventId event);
 /// Fires what is due up to `time` [s]. An event whose target is gone is dropped and logged with who removed it.
 void fire_events(World& world, double time);

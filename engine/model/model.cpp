@@ -1,0 +1,228 @@
+#include "model/model.hpp"
+
+#include "model/weigh.hpp"
+
+namespace pantin {
+
+Vec3 inverse_inertia(const Motion& m) {
+  Vec3 inverse = zero3();
+  for (int i = 0; i < 3; i++) inverse[i] = m.inertia[i] > 0.0 ? 1.0 / m.inertia[i] : 0.0;
+  return inverse;
+}
+
+Vec3 angular_velocity(const Motion& m) { return rotate(m.q, m.angular * inverse_inertia(m)); }
+
+Vec3 arm(const Model& m, PointId point) {
+  const Point& p = m.points[point];
+  if (!p.body) return zero3();
+  const Body& body = m.bodies[p.body];
+  return rotate(conjugate(body.axes), p.place - body.centre);
+}
+
+Vec3 position(const Model& m, PointId point) {
+  const Point& p = m.points[point];
+  if (!p.body) return p.place;
+  const Motion& motion = m.motion_of(p.body);
+  return motion.x + rotate(motion.q, arm(m, point));
+}
+
+Vec3 velocity(const Model& m, PointId point) {
+  const Point& p = m.points[point];
+  if (!p.body) return p.velocity;
+  const Motion& motion = m.motion_of(p.body);
+  return motion.p / motion.mass + cross(angular_velocity(motion), rotate(motion.q, arm(m, point)));
+}
+
+ParticleId awake(const Model& m, ParticleId particle) {
+  const Particle& p = m.particles[particle];
+  return p.asleep_in ? p.asleep_in : particle;
+}
+
+namespace {
+
+template <class Read>
+Vec3 mean(const Model& m, ParticleId particle, Read read) {
+  const Particle& ring = m.particles[awake(m, particle)];
+  // Sums differences to the first, so that points which coincide give their very place.
+  const Vec3 first = read(ring.points[0]);
+  Vec3 sum = zero3();
+  for (PointId p : ring.points) sum += read(p) - first;
+  return first + sum / static_cast<double>(ring.points.size());
+}
+
+template <class Row>
+std::string called(const char* kind, const Row& row) {
+  return row.name.empty() ? text(kind, " ", row.serial) : text(kind, " '", row.name, "'");
+}
+
+}  // namespace
+
+Vec3 position(const Model& m, ParticleId particle) {
+  return mean(m, particle, [&](PointId p) { return position(m, p); });
+}
+
+Vec3 velocity(const Model& m, ParticleId particle) {
+  return mean(m, particle, [&](PointId p) { return velocity(m, p); });
+}
+
+double mass(const Model& m, ParticleId particle) {
+  double sum = 0.0;
+  for (PointId p : m.particles[awake(m, particle)].points) sum += m.points[p].mass;
+  return sum;
+}
+
+PointId star(const Model& m, ParticleId particle) {
+  PointId best;
+  double most = -1.0;
+  for (PointId id : m.particles[awake(m, particle)].points) {
+    const Point& p = m.points[id];
+    const double weight = p.body ? m.motion_of(p.body).mass : p.mass;
+    if (weight < most || (weight == most && m.points[best].serial < p.serial)) continue;
+    best = id;
+    most = weight;
+  }
+  return best;
+}
+
+Quat orientation(const Model& m, BodyId body) {
+  return normalised(m.motion_of(body).q * conjugate(m.bodies[body].axes));
+}
+
+Vec3 origin(const Model& m, BodyId body) {
+  return m.motion_of(body).x - rotate(orientation(m, body), m.bodies[body].centre);
+}
+
+Vec3 angular_momentum(const Model& m, BodyId body) {
+  const Motion& motion = m.motion_of(body);
+  return rotate(motion.q, motion.angular);
+}
+
+Mat3 inertia(const Model& m, BodyId body) {
+  const Motion& motion = m.motion_of(body);
+  const Mat3 r = matrix(motion.q);
+  return times_transposed(r * diagonal(motion.inertia), r);
+}
+
+void update_mass(Model& m, BodyId id) {
+  Body& body = m.bodies[id];
+  Motion& motion = m.motion_of(id);
+  std::vector<MassPoint> points;
+  points.reserve(body.points.size());
+  for (PointId p : body.points) points.push_back({m.points[p].place, m.points[p].mass});
+  const std::string who = body.name.empty() ? "body" : describe(m, id);
+  const Weighed w = weigh(who, points, body.own_mass, body.own_inertia, body.axes);
+
+  const Vec3 from = origin(m, id), spin = angular_velocity(motion);
+  const Quat frame = orientation(m, id);
+  const Vec3 x = from + rotate(frame, w.centre);
+  const Vec3 speed = motion.mass > 0.0 ? motion.p / motion.mass + cross(spin, x - motion.x) : zero3();
+  body.centre = w.centre;
+  body.axes = w.axes;
+  body.lifted = w.lifted;
+  motion.x = x;
+  motion.q = normalised(frame * w.axes);
+  motion.mass = w.mass;
+  motion.inertia = w.moments;
+  motion.freedom = w.freedom;
+  motion.p = speed * w.mass;
+  motion.angular = w.moments * rotate(conjugate(motion.q), spin);
+  if (w.freedom == Freedom::line) motion.angular[0] = 0.0;
+}
+
+namespace {
+
+/// False where there is no articulate to mark.
+bool mark(Model& m, std::int32_t articulate) {
+  m.topology_changed = true;
+  if (articulate < 0) return false;
+  const auto index = static_cast<std::size_t>(articulate);
+  if (m.dirty_articulates.size() <= index) m.dirty_articulates.resize(index + 1, 0);
+  m.dirty_articulates[index] = 1;
+  return true;
+}
+
+}  // namespace
+
+void touch(Model& m, BodyId body) {
+  if (!mark(m, m.motion_of(body).articulate)) m.untied_bodies.push_back(body);
+}
+
+void touch(Model& m, PointId point) {
+  const Point& p = m.points[point];
+  if (p.body) return touch(m, p.body);
+  if (!mark(m, p.articulate)) m.untied_points.push_back(point);
+}
+
+void touch(Model& m, ParticleId particle) {
+  for (PointId p : m.particles[awake(m, particle)].points) touch(m, p);
+}
+
+void touch(Model& m, const Constraint& constraint) {
+  if (m.points.alive(constraint.a)) touch(m, constraint.a);
+  if (m.points.alive(constraint.b)) touch(m, constraint.b);
+}
+
+std::string describe(const Model& m, PointId id) {
+  if (!m.points.alive(id)) return m.points.story(id);
+  const Point& p = m.points[id];
+  if (!p.body) return called("particle", m.particles[p.own]);
+  if (!p.name.empty()) return text("point '", p.name, "' of ", describe(m, p.body));
+  const auto& all = m.bodies[p.body].points;
+  const auto place = std::find(all.begin(), all.end(), id) - all.begin();
+  return text("point ", place + 1, " of ", describe(m, p.body));
+}
+
+std::string describe(const Model& m, ParticleId id) {
+  if (!m.particles.alive(id)) return m.particles.story(id);
+  const Particle& p = m.particles[id];
+  return called(p.is_hinge() ? "hinge" : "particle", p);
+}
+
+std::string describe(const Model& m, BodyId id) {
+  return m.bodies.alive(id) ? called("body", m.bodies[id]) : m.bodies.story(id);
+}
+
+std::string describe(const Model& m, ConstraintId id) {
+  if (!m.constraints.alive(id)) return m.constraints.story(id);
+  const Constraint& c = m.constraints[id];
+  static constexpr const char* kinds[] = {"nail", "follow", "rod"};
+  return called(kinds[static_cast<std::size_t>(c.kind)], c);
+}
+
+std::string describe(const Model& m, GroupId id) {
+  return m.groups.alive(id) ? called("group", m.groups[id]) : m.groups.story(id);
+}
+
+std::string describe(const Model& m, const AnyId& id) {
+  return std::visit(
+      [&](const auto& which) -> std::string {
+        if constexpr (std::is_same_v<std::decay_t<decltype(which)>, std::monostate>)
+          return "nothing";
+        else
+          return describe(m, which);
+      },
+      id);
+}
+
+namespace {
+
+struct Alive {
+  const Model& m;
+  bool operator()(std::monostate) const { return false; }
+  bool operator()(PointId id) const { return m.points.alive(id); }
+  bool operator()(ParticleId id) const { return m.particles.alive(id); }
+  bool operator()(BodyId id) const { return m.bodies.alive(id); }
+  bool operator()(ConstraintId id) const { return m.constraints.alive(id); }
+  /// A group is gone when it had members and none lives.
+  bool operator()(GroupId id) const {
+    if (!m.groups.alive(id)) return false;
+    const auto& members = m.groups[id].members;
+    return members.empty() || std::any_of(members.begin(), members.end(), [&](const AnyId& a) { return alive(m, a); });
+  }
+};
+
+}  // namespace
+
+bool alive(const Model& m, const AnyId& id) { return std::visit(Alive{m}, id); }
+
+}  // namespace pantin

@@ -1,0 +1,96 @@
+#include "model/weigh.hpp"
+
+#include "model/model.hpp"
+
+namespace pantin {
+namespace {
+
+constexpr double same_place = 1e-13;    // relative to the largest coordinate: round-off of one place
+constexpr double same_line = 1e-9;      // relative to the extent
+constexpr double no_inertia = 1e-12;    // about a line, relative to that across it
+constexpr double no_moment = 1e-24;     // relative to mass x extent²
+constexpr double least_inertia = 1e-3;  // relative to the largest
+
+/// Places that count for the shape: all points, and the frame's origin where mass is given there.
+struct Shape {
+  double extent = 0.0;    // [m] farthest place from the first
+  double coordinate = 0;  // [m] largest
+  Vec3 along = zero3();   // direction of the farthest
+  bool line = true;       // all on one line
+  bool spot = true;       // all in one place
+};
+
+template <class Each>
+Shape shape_of(Vec3 first, const Each& each) {
+  Shape s;
+  each([&](Vec3 place, double) {
+    s.coordinate = std::fmax(s.coordinate, largest(place));
+    const double far = norm(place - first);
+    if (far > s.extent) s.extent = far, s.along = (place - first) / far;
+  });
+  s.spot = s.extent <= same_place * s.coordinate;
+  each([&](Vec3 place, double) {
+    const Vec3 d = place - first;
+    if (norm(d - s.along * dot(d, s.along)) > same_line * s.extent) s.line = false;
+  });
+  return s;
+}
+
+Mat3 about_distance(double mass, Vec3 r) { return (diagonal(vec(1, 1, 1) * norm2(r)) - outer(r, r)) * mass; }
+
+double largest_of(const Mat3& a) { return std::fmax(largest(a[0]), std::fmax(largest(a[1]), largest(a[2]))); }
+
+/// Moments as they are moved with: see Freedom.
+void settle(Weighed& w, const Shape& shape) {
+  const double most = w.moments[2];
+  if (shape.spot && !(most > 0.0)) {
+    w.freedom = Freedom::point;
+    w.moments = zero3();
+  } else if (shape.line && !shape.spot && w.moments[0] <= no_inertia * most) {
+    w.freedom = Freedom::line;
+    w.moments[0] = most;
+  } else {
+    w.lifted = w.moments[0] < least_inertia * most;
+    for (int i = 0; i < 2; i++) w.moments[i] = std::fmax(w.moments[i], least_inertia * most);
+  }
+}
+
+}  // namespace
+
+Weighed weigh(const std::string& who, std::span<const MassPoint> points, double own_mass, const Mat3& own_inertia,
+              const Quat& near) {
+  const auto each = [&](const auto& visit) {
+    if (own_mass > 0.0) visit(zero3(), own_mass);
+    for (const MassPoint& p : points) visit(p.place, p.mass);
+  };
+  const Vec3 first = own_mass > 0.0 || points.empty() ? zero3() : points[0].place;
+  Weighed w;
+  Vec3 moment = zero3();
+  each([&](Vec3 place, double mass) {
+    w.mass += mass;
+    moment += (place - first) * mass;
+  });
+  require(w.mass > 0.0, who, ": mass must be > 0 kg, got ", w.mass);
+  require(std::isfinite(w.mass), who, ": the masses add up to infinity; each must be smaller");
+  const Vec3 from_first = moment / w.mass;
+  w.centre = first + from_first;
+  Mat3 inertia = own_inertia;
+  each([&](Vec3 place, double mass) { inertia += about_distance(mass, place - first - from_first); });
+  bool good = finite(w.centre);
+  for (int i = 0; i < 3; i++) good = good && finite(inertia[i]);
+  require(good, who, ": its inertia is too large for a number; masses [kg] or places [m] must be smaller");
+
+  const Shape shape = shape_of(first, each);
+  const double tiny = shape.spot ? 0.0 : no_moment * w.mass * shape.extent * shape.extent;
+  if (shape.spot && !(largest_of(own_inertia) > 0.0)) inertia = zero33();
+  require(shape.spot || largest_of(inertia) > tiny, who,
+          ": all its mass is in one place but it has points elsewhere, so it has no inertia to turn with; give "
+          "`inertia` [kg m²], or give those points mass, or use a `rod` instead");
+  const Principal principal = principal_axes(inertia, matrix(near));
+  w.moments = principal.moments;
+  w.axes = quaternion(principal.axes);
+  settle(w, shape);
+  return w;
+}
+
+}  // namespace pantin

@@ -1,0 +1,30 @@
+#pragma once
+// What a body's masses come to: mass, centre, principal moments, and what its points leave free.
+#include <span>
+#include <string>
+
+#include "model/body.hpp"
+
+namespace pantin {
+
+/// A mass at a place of the body's frame; mass 0: an anchor.
+struct MassPoint {
+  Vec3 place;   ///< [m]
+  double mass;  ///< [kg] >= 0
+};
+
+struct Weighed {
+  double mass = 0.0;        ///< [kg]
+  Vec3 centre = zero3();    ///< [m] in the body's frame
+  Vec3 moments = zero3();   ///< [kg m²] principal, about the centre; of a line the first axis is the line
+  Quat axes;                ///< principal axes to the body's frame
+  Freedom freedom = Freedom::rigid;
+  bool lifted = false;      ///< the smallest moment was lifted to 1e-3 of the largest
+};
+
+/// Weighs points together with `own_mass` [kg] and `own_inertia` [kg m²] at the frame's origin. Axes come near to
+/// `near`. Throws Error, beginning with `who`, where there is no mass, or mass in one place only and points elsewhere.
+Weighed weigh(const std::string& who, std::span<const MassPoint> points, double own_mass, const Mat3& own_inertia,
+              const Quat& near);
+
+}  // namespace pantin
