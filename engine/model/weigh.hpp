@@ -14,12 +14,12 @@ struct MassPoint {
 };
 
 struct Weighed {
-  double mass = 0.0;        ///< [kg]
-  Vec3 centre = zero3();    ///< [m] in the body's frame
-  Vec3 moments = zero3();   ///< [kg m²] principal, about the centre; of a line the first axis is the line
-  Quat axes;                ///< principal axes to the body's frame
+  double mass = 0.0;       ///< [kg]
+  Vec3 centre = zero3();   ///< [m] in the body's frame
+  Vec3 moments = zero3();  ///< [kg m²] principal, about the centre; of a line the first axis is the line
+  Quat axes;               ///< principal axes to the body's frame
   Freedom freedom = Freedom::rigid;
-  bool lifted = false;      ///< the smallest moment was lifted to 1e-3 of the largest
+  bool lifted = false;  ///< the smallest moment was lifted to 1e-3 of the largest
 };
 
 /// Weighs points together with `own_mass` [kg] and `own_inertia` [kg m²] at the frame's origin. Axes come near to

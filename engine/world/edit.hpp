@@ -91,6 +91,7 @@ void set_velocity(World& world, PointId free_point, Vec3 velocity);
 void set_mass(World& world, PointId point, double mass);
 void set_position(World& world, BodyId body, Vec3 centre);
 void set_origin(World& world, BodyId body, Vec3 origin);
+/// Turns about the centre of mass; the spin in world axes stays.
 void set_orientation(World& world, BodyId body, Quat orientation);
 void set_velocity(World& world, BodyId body, Vec3 velocity);
 void set_spin(World& world, BodyId body, Vec3 spin);

@@ -1,0 +1,60 @@
+#include "world/edit.hpp"
+#include "world/editing.hpp"
+
+namespace pantin {
+
+using namespace editing;
+
+void push(World& world, BodyId body, Vec3 force, std::optional<Vec3> at) {
+  require_unlocked(world, "push");
+  require_finite("push", "force", force, "N");
+  if (at) require_finite("push", "at", *at, "m");
+  Motion& m = world.motion_of(body);
+  m.force += force;
+  if (at) m.torque += rotate(m.q, turning_part(m, cross(*at - m.x, force)));
+}
+
+void kick(World& world, BodyId body, Vec3 impulse, std::optional<Vec3> at) {
+  require_unlocked(world, "kick");
+  require_finite("kick", "impulse", impulse, "N s");
+  if (at) require_finite("kick", "at", *at, "m");
+  Motion& m = world.motion_of(body);
+  const double before = energy_of(world, body);
+  m.p += impulse;
+  if (at) m.angular += turning_part(m, cross(*at - m.x, impulse));
+  post(world, energy_of(world, body) - before);
+  touch_state(world, body);
+}
+
+void twist(World& world, BodyId body, Vec3 torque) {
+  require_unlocked(world, "twist");
+  require_finite("twist", "torque", torque, "N m");
+  Motion& m = world.motion_of(body);
+  require(m.freedom != Freedom::point, "twist: ", describe(world, body),
+          " cannot turn: its points are in one place, and it has no inertia");
+  const double along = m.freedom == Freedom::line ? std::fabs(dot(rotate(m.q, vec(1, 0, 0)), torque)) : 0.0;
+  require(along <= 1e-9 * norm(torque), "twist: ", describe(world, body),
+          " cannot turn about the line of its points, but the torque has ", along, " N m about it; give it `inertia`");
+  m.torque += torque;
+}
+
+void push(World& world, PointId id, Vec3 force) {
+  require_unlocked(world, "push");
+  Point& point = world.points[id];
+  if (point.body) return push(world, point.body, force, position(world, id));
+  require_finite("push", "force", force, "N");
+  point.force += force;
+}
+
+void kick(World& world, PointId id, Vec3 impulse) {
+  require_unlocked(world, "kick");
+  Point& point = world.points[id];
+  if (point.body) return kick(world, point.body, impulse, position(world, id));
+  require_finite("kick", "impulse", impulse, "N s");
+  const double before = energy_of(world, id);
+  point.velocity += impulse / point.mass;
+  post(world, energy_of(world, id) - before);
+  touch_state(world, id);
+}
+
+}  // namespace pantin

@@ -1,0 +1,143 @@
+#include "world/edit.hpp"
+#include "world/editing.hpp"
+
+namespace pantin {
+
+using namespace editing;
+
+namespace {
+
+void require_free(const World& world, const char* call, PointId point) {
+  const BodyId body = world.points[point].body;
+  require(!body, call, ": ", describe(world, point), " moves with its body; change ", body ? describe(world, body) : "",
+          " instead");
+}
+
+/// Changes a thing, counts the energy that this made, and marks what is tied to it.
+template <class Id, class Change>
+void changed(World& world, Id id, Change change) {
+  const double before = energy_of(world, id);
+  change();
+  post(world, energy_of(world, id) - before);
+  touch_state(world, id);
+}
+
+/// Changes what a body weighs; where that makes no body, `undo` puts it back.
+template <class Change, class Undo>
+void reweigh(World& world, BodyId body, Change change, Undo undo) {
+  const double before = energy_of(world, body);
+  change();
+  try {
+    weigh_again(world, body);
+  } catch (const Error&) {
+    undo();
+    throw;
+  }
+  post(world, energy_of(world, body) - before);
+  touch(world, body);
+}
+
+Vec3 angular_for(const Motion& m, Vec3 spin) { return m.inertia * turning_part(m, spin); }
+
+}  // namespace
+
+void set_position(World& world, PointId point, Vec3 at) {
+  require_unlocked(world, "position");
+  require_free(world, "position", point);
+  require_finite(describe(world, point), "position", at, "m");
+  changed(world, point, [&] { world.points[point].place = at; });
+}
+
+void set_velocity(World& world, PointId point, Vec3 velocity) {
+  require_unlocked(world, "velocity");
+  require_free(world, "velocity", point);
+  require_finite(describe(world, point), "velocity", velocity, "m/s");
+  changed(world, point, [&] { world.points[point].velocity = velocity; });
+}
+
+void set_mass(World& world, PointId id, double mass) {
+  require_unlocked(world, "mass");
+  Point& point = world.points[id];
+  const double old = point.mass;
+  if (point.body) {
+    require_not_negative(describe(world, id), "mass", mass, "kg");
+    reweigh(
+        world, point.body, [&] { point.mass = mass; }, [&] { point.mass = old; });
+  } else {
+    require_positive(describe(world, id), "mass", mass, "kg");
+    changed(world, id, [&] { point.mass = mass; });
+  }
+}
+
+void set_position(World& world, BodyId body, Vec3 centre) {
+  require_unlocked(world, "position");
+  require_finite(describe(world, body), "position", centre, "m");
+  changed(world, body, [&] { world.motion_of(body).x = centre; });
+}
+
+void set_origin(World& world, BodyId body, Vec3 origin) {
+  require_unlocked(world, "origin");
+  require_finite(describe(world, body), "origin", origin, "m");
+  changed(world, body,
+          [&] { world.motion_of(body).x = origin + rotate(orientation(world, body), world.bodies[body].centre); });
+}
+
+void set_orientation(World& world, BodyId body, Quat orientation) {
+  require_unlocked(world, "orientation");
+  const Quat frame = unit(describe(world, body), orientation);
+  changed(world, body, [&] {
+    Motion& m = world.motion_of(body);
+    const Vec3 spin = angular_velocity(m);
+    m.q = normalised(frame * world.bodies[body].axes);
+    m.angular = angular_for(m, spin);
+  });
+}
+
+void set_velocity(World& world, BodyId body, Vec3 velocity) {
+  require_unlocked(world, "velocity");
+  require_finite(describe(world, body), "velocity", velocity, "m/s");
+  changed(world, body, [&] {
+    Motion& m = world.motion_of(body);
+    m.p = velocity * m.mass;
+  });
+}
+
+void set_spin(World& world, BodyId body, Vec3 spin) {
+  require_unlocked(world, "spin");
+  require_finite(describe(world, body), "spin", spin, "rad/s");
+  changed(world, body, [&] {
+    Motion& m = world.motion_of(body);
+    m.angular = angular_for(m, spin);
+  });
+}
+
+void set_own_mass(World& world, BodyId id, double mass) {
+  require_unlocked(world, "mass");
+  require_not_negative(describe(world, id), "mass", mass, "kg");
+  Body& body = world.bodies[id];
+  const double old = body.own_mass;
+  reweigh(
+      world, id, [&] { body.own_mass = mass; }, [&] { body.own_mass = old; });
+}
+
+void set_own_inertia(World& world, BodyId id, const Mat3& inertia) {
+  require_unlocked(world, "inertia");
+  require_inertia(describe(world, id), inertia);
+  Body& body = world.bodies[id];
+  const Mat3 old = body.own_inertia;
+  reweigh(
+      world, id, [&] { body.own_inertia = inertia; }, [&] { body.own_inertia = old; });
+}
+
+void set_step(World& world, double step) {
+  require_unlocked(world, "step");
+  require_positive("scene", "step", step, "s");
+  world.settings.step = step;
+  world.step_origin = world.time;
+  world.step_count = 0;
+  // Three samples of a target at two distances in time give no velocity.
+  for (std::uint32_t s = 0; s < world.constraints.slots(); s++)
+    if (world.constraints.alive_at(s)) world.constraints.at_slot(s).moves = 0;
+}
+
+}  // namespace pantin

@@ -1,0 +1,191 @@
+#include "world/editing.hpp"
+
+#include "world/edit.hpp"
+
+namespace pantin::editing {
+
+void require_unlocked(const World& world, std::string_view call) {
+  require(!world.locked, call, ": the world cannot be edited while it steps; edit in an event or a step callback");
+}
+
+std::string to_text(Vec3 v) {
+  return text("(", static_cast<double>(v[0]), ", ", static_cast<double>(v[1]), ", ", static_cast<double>(v[2]), ")");
+}
+
+void require_finite(std::string_view call, std::string_view name, Vec3 v, std::string_view unit) {
+  if (!finite(v)) throw Error(text(call, ": ", name, " must be finite, got ", to_text(v), " ", unit));
+}
+void require_finite(std::string_view call, std::string_view name, double x, std::string_view unit) {
+  require(std::isfinite(x), call, ": ", name, " must be finite, got ", x, " ", unit);
+}
+void require_positive(std::string_view call, std::string_view name, double x, std::string_view unit) {
+  require(x > 0.0 && std::isfinite(x), call, ": ", name, " must be > 0 ", unit, " and finite, got ", x);
+}
+void require_positive_or_infinite(std::string_view call, std::string_view name, double x, std::string_view unit) {
+  require(x > 0.0, call, ": ", name, " must be > 0 ", unit, ", got ", x);
+}
+void require_not_negative(std::string_view call, std::string_view name, double x, std::string_view unit) {
+  require(x >= 0.0 && std::isfinite(x), call, ": ", name, " must be >= 0 ", unit, " and finite, got ", x);
+}
+
+void require_inertia(std::string_view call, const Mat3& inertia) {
+  double most = 0.0, skew = 0.0;
+  for (int i = 0; i < 3; i++) {
+    require(finite(inertia[i]), call, ": inertia must be finite, got ", to_text(inertia[i]), " kg m² in column ",
+            i + 1);
+    most = std::fmax(most, largest(inertia[i]));
+  }
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < i; j++) skew = std::fmax(skew, std::fabs(inertia[i][j] - inertia[j][i]));
+  require(skew <= 1e-9 * most, call, ": inertia must be symmetric, but two elements differ by ", skew, " kg m²");
+  const Vec3 moments = principal_axes(inertia, identity33()).moments;
+  require(moments[0] >= -1e-9 * most, call, ": inertia must not be negative about any axis; its principal moments are ",
+          to_text(moments), " kg m²");
+  require(moments[2] - moments[1] - moments[0] <= 1e-9 * most, call,
+          ": no body has this inertia, as one principal moment is larger than the sum of the others: ",
+          to_text(moments), " kg m²");
+}
+
+Quat unit(std::string_view call, const Quat& q) {
+  const double most = std::fmax(std::fmax(std::fabs(q.w), std::fabs(q.x)), std::fmax(std::fabs(q.y), std::fabs(q.z)));
+  const bool numbers = std::isfinite(q.w) && std::isfinite(q.x) && std::isfinite(q.y) && std::isfinite(q.z);
+  require(numbers && most > 0.0, call, ": orientation must be a finite quaternion other than 0, got (", q.w, ", ", q.x,
+          ", ", q.y, ", ", q.z, ")");
+  return normalised({q.w / most, q.x / most, q.y / most, q.z / most});
+}
+
+double energy_of(const World& world, BodyId body) {
+  const Motion& m = world.motion_of(body);
+  return 0.5 * norm2(m.p) / m.mass + 0.5 * dot(m.angular, m.angular * inverse_inertia(m)) -
+         m.mass * dot(world.settings.gravity, m.x);
+}
+
+double energy_of(const World& world, PointId free_point) {
+  const Point& p = world.points[free_point];
+  return p.mass * (0.5 * norm2(p.velocity) - dot(world.settings.gravity, p.place));
+}
+
+double energy_round(const World& world, PointId point) {
+  const BodyId body = world.points[point].body;
+  return body ? energy_of(world, body) : energy_of(world, point);
+}
+
+void post(World& world, double joules) {
+  if (world.steps > 0) world.work += joules;
+}
+
+std::string culprit(const World& world) {
+  std::string name = world.who ? world.who() : "";
+  return name.empty() ? "the program" : name;
+}
+
+Obituary obituary(const World& world, std::string what) { return {std::move(what), world.time, culprit(world)}; }
+
+void notice(World& world, Notice::Kind kind, const AnyId& thing, std::string story, std::int32_t hand) {
+  world.notices.push_back({kind, thing, hand, std::move(story)});
+}
+
+void weigh_again(World& world, BodyId body) {
+  const bool lifted = world.bodies[body].lifted;
+  update_mass(world, body);
+  if (world.bodies[body].lifted && !lifted)
+    log_line(world, "notice",
+             text(describe(world, body), ": its smallest moment of inertia was lifted to 1e-3 of its largest"));
+}
+
+void touch_state(World& world, BodyId body) {
+  if (world.motion_of(body).articulate >= 0) touch(world, body);
+}
+void touch_state(World& world, PointId point) {
+  const Point& p = world.points[point];
+  if (p.body) return touch_state(world, p.body);
+  if (p.articulate >= 0) touch(world, point);
+}
+
+double size_of(const Model& model, PointId point) {
+  const BodyId id = model.points[point].body;
+  if (!id) return 0.0;
+  const Body& body = model.bodies[id];
+  const Vec3 first = model.points[body.points[0]].place;
+  double size = 0.0;
+  for (PointId p : body.points) {
+    const Vec3 place = model.points[p].place;
+    size = std::fmax(size, std::fmax(norm(place - body.centre), norm(place - first)));
+  }
+  return size;
+}
+
+Vec3 turning_part(const Motion& motion, Vec3 v) {
+  if (motion.freedom == Freedom::point) return zero3();
+  Vec3 part = rotate(conjugate(motion.q), v);
+  if (motion.freedom == Freedom::line) part[0] = 0.0;
+  return part;
+}
+
+PointId make_point(World& world, Point row) {
+  row.serial = world.next_serial++;
+  const PointId point = world.points.add(std::move(row));
+  Particle particle;
+  particle.points = {point};
+  particle.born = world.time;
+  particle.serial = world.next_serial++;
+  const ParticleId own = world.particles.add(std::move(particle));
+  world.points[point].own = world.points[point].particle = own;
+  return point;
+}
+
+namespace {
+
+void wake(World& world, PointId id, const Particle& shared) {
+  Point& point = world.points[id];
+  Particle& own = world.particles[point.own];
+  own.asleep_in = {};
+  own.color = shared.color;
+  own.radius = shared.radius;
+  own.lifetime = std::numeric_limits<double>::infinity();
+  point.particle = point.own;
+  point.row_force = zero3();
+}
+
+}  // namespace
+
+void end_ring(World& world, ParticleId hinge, std::string who) {
+  touch(world, hinge);
+  const Particle shared = world.particles[hinge];
+  for (PointId p : shared.points) wake(world, p, shared);
+  const std::string what = shared.name.empty() ? text("hinge ", shared.serial) : text("hinge '", shared.name, "'");
+  world.particles.remove(hinge, {what, world.time, std::move(who)});
+}
+
+void leave_ring(World& world, PointId point, const std::string& who) {
+  const ParticleId hinge = world.points[point].particle;
+  if (hinge == world.points[point].own) return;
+  if (world.particles[hinge].points.size() <= 2) return end_ring(world, hinge, who);
+  touch(world, hinge);
+  wake(world, point, world.particles[hinge]);
+  std::erase(world.particles[hinge].points, point);
+}
+
+void erase_point(World& world, PointId point, const std::string& what) {
+  const std::vector<ConstraintId> constraints = world.points[point].constraints;
+  for (ConstraintId c : constraints) remove(world, c);
+  const ParticleId hinge = world.points[point].particle, own = world.points[point].own;
+  leave_ring(world, point, culprit(world));
+  if (hinge != own && !world.particles.alive(hinge))
+    notice(world, Notice::Kind::removed, hinge, world.particles.story(hinge));
+  world.particles.remove(own, obituary(world, what));
+  world.points.remove(point, obituary(world, what));
+}
+
+ConstraintId holder(const Model& model, ParticleId ring) {
+  for (PointId p : model.particles[awake(model, ring)].points)
+    for (ConstraintId id : model.points[p].constraints) {
+      const Constraint& c = model.constraints[id];
+      const bool rigid =
+          c.kind == ConstraintKind::nail || (c.kind == ConstraintKind::follow && !std::isfinite(c.max_force));
+      if (rigid) return id;
+    }
+  return {};
+}
+
+}  // namespace pantin::editing

@@ -1,0 +1,60 @@
+#pragma once
+// What every edit shares: checks, the energy it makes, and how things leave their rings. Not for use outside world/.
+#include <string>
+#include <string_view>
+
+#include "world/world.hpp"
+
+namespace pantin::editing {
+
+/// Throws Error unless the world may be edited now; `call` begins the message.
+void require_unlocked(const World& world, std::string_view call);
+
+std::string to_text(Vec3 v);
+/// "<call>: <name> must be finite, got (NaN, 0, 0) m"
+void require_finite(std::string_view call, std::string_view name, Vec3 v, std::string_view unit);
+void require_finite(std::string_view call, std::string_view name, double x, std::string_view unit);
+void require_positive(std::string_view call, std::string_view name, double x, std::string_view unit);
+/// Above zero, or infinite.
+void require_positive_or_infinite(std::string_view call, std::string_view name, double x, std::string_view unit);
+void require_not_negative(std::string_view call, std::string_view name, double x, std::string_view unit);
+/// Finite, symmetric, positive semidefinite and of a real body: no principal moment above the sum of the others.
+void require_inertia(std::string_view call, const Mat3& inertia);
+/// The quaternion at unit length; throws Error where it has none.
+Quat unit(std::string_view call, const Quat& q);
+
+/// Kinetic and potential energy of one thing, [J].
+double energy_of(const World& world, BodyId body);
+double energy_of(const World& world, PointId free_point);
+/// Of a free point, or of the body that the point belongs to.
+double energy_round(const World& world, PointId point);
+/// Adds to World::work, [J]; before the first step nothing is counted.
+void post(World& world, double joules);
+
+std::string culprit(const World& world);
+Obituary obituary(const World& world, std::string what);
+void notice(World& world, Notice::Kind kind, const AnyId& thing, std::string story, std::int32_t hand = -1);
+
+/// Works out a body's mass again; an inertia that had to be lifted is told in the log.
+void weigh_again(World& world, BodyId body);
+/// Marks what an edit of place or velocity concerns; what nothing ties has no history to lose.
+void touch_state(World& world, BodyId body);
+void touch_state(World& world, PointId point);
+/// The largest arm of a point's body or distance between its points, [m]; 0 of a free point.
+double size_of(const Model& model, PointId point);
+/// A spin, torque or moment in world axes, in principal axes: less its part along the line of a body that cannot turn
+/// about it; 0 for one that cannot turn at all.
+Vec3 turning_part(const Motion& motion, Vec3 v);
+
+/// A point with its own particle, in no body yet.
+PointId make_point(World& world, Point row);
+/// Ends a hinge: its points' own particles wake with copies of the shared data.
+void end_ring(World& world, ParticleId hinge, std::string who);
+/// Takes one point out of its hinge; a hinge of one point ends. `who` goes into its obituary.
+void leave_ring(World& world, PointId point, const std::string& who);
+/// Removes constraints of a point, takes it out of its ring, and removes it with its particle.
+void erase_point(World& world, PointId point, const std::string& what);
+/// The nail or rigid follow that already holds a ring in place, or null.
+ConstraintId holder(const Model& model, ParticleId ring);
+
+}  // namespace pantin::editing

@@ -1,0 +1,185 @@
+#include "world/edit.hpp"
+#include "world/editing.hpp"
+
+namespace pantin {
+
+using namespace editing;
+
+namespace {
+
+void require_point(const World& world, const char* call, PointId point) {
+  require(world.points.alive(point), call, ": ", world.points.story(point));
+}
+
+void require_free_of_holders(const World& world, const char* call, PointId point) {
+  const ConstraintId held = holder(world, world.points[point].particle);
+  if (!held) return;
+  const bool nailed = world.constraints[held].kind == ConstraintKind::nail;
+  throw Error(text(call, ": ", describe(world, world.points[point].particle), " is already ",
+                   nailed ? "nailed" : "held by a follow without max_force", " (", describe(world, held),
+                   "); remove that first"));
+}
+
+/// A point far from its place is drawn in; a deviation within the tolerance is not one.
+void start_from(const World& world, Constraint& c, Vec3 place) {
+  c.place = c.previous = c.before = place;
+  c.velocity = c.away = c.away_rate = zero3();
+  c.moves = 0;
+  if (std::isfinite(c.max_force)) return;
+  const Vec3 away = position(world, c.a) - place;
+  if (norm(away) <= world.settings.tolerance * size_of(world, c.a)) return;
+  c.away = away;
+  c.away_rate = velocity(world, c.a);
+}
+
+ConstraintId add(World& world, Constraint c) {
+  c.serial = world.next_serial++;
+  const PointId a = c.a, b = c.b;
+  const ConstraintId id = world.constraints.add(std::move(c));
+  world.points[a].constraints.push_back(id);
+  if (b) world.points[b].constraints.push_back(id);
+  touch(world, world.constraints[id]);
+  return id;
+}
+
+ConstraintId add_rod_row(World& world, Constraint c, Vec3 far_end, std::optional<double> length) {
+  const double distance = norm(position(world, c.a) - far_end);
+  c.kind = ConstraintKind::rod;
+  c.length = length.value_or(distance);
+  if (!length) require(distance > 0.0, "rod: its ends are in one place, so it has no length; a length must be > 0 m");
+  require_positive("rod", "length", c.length, "m");
+  require(std::fabs(distance - c.length) <= world.settings.tolerance * c.length, "rod: its ends are ", distance,
+          " m apart, but its length is given as ", c.length, " m; move them first, or set the length afterwards");
+  return add(world, std::move(c));
+}
+
+Constraint& of_kind(World& world, ConstraintId id, ConstraintKind kind, const char* call) {
+  require_unlocked(world, call);
+  Constraint& c = world.constraints[id];
+  require(c.kind == kind, call, ": ", describe(world, id), " has none");
+  return c;
+}
+
+}  // namespace
+
+ConstraintId add_nail(World& world, PointId point, std::optional<Vec3> at, double time_constant) {
+  require_unlocked(world, "nail");
+  require_point(world, "nail", point);
+  if (at) require_finite("nail", "at", *at, "m");
+  require_positive("nail", "time_constant", time_constant, "s");
+  require_free_of_holders(world, "nail", point);
+  Constraint c;
+  c.kind = ConstraintKind::nail;
+  c.a = point;
+  c.time_constant = time_constant;
+  start_from(world, c, at ? *at : position(world, point));
+  return add(world, std::move(c));
+}
+
+ConstraintId add_follow(World& world, PointId point, const FollowDef& def) {
+  require_unlocked(world, "follow");
+  require_point(world, "follow", point);
+  require_positive_or_infinite("follow", "max_force", def.max_force, "N");
+  require_positive("follow", "time_constant", def.time_constant, "s");
+  if (!std::isfinite(def.max_force)) require_free_of_holders(world, "follow", point);
+  Vec3 place = def.at;
+  if (def.hand >= 0) {
+    const auto hand = static_cast<std::size_t>(def.hand);
+    require(hand < world.hands.size(), "follow: there is no hand ", hand + 1);
+    require(world.hands[hand].placed, "follow: hand ", hand + 1, " has no position yet");
+    place = world.hands[hand].position;
+  } else if (def.target) {
+    place = def.target(world.time);
+  }
+  require_finite("follow", "target", place, "m");
+  Constraint c;
+  c.kind = ConstraintKind::follow;
+  c.a = point;
+  c.max_force = def.max_force;
+  c.time_constant = def.time_constant;
+  c.hand = def.hand;
+  if (def.hand < 0) c.target = def.target;
+  start_from(world, c, place);
+  return add(world, std::move(c));
+}
+
+ConstraintId add_rod(World& world, PointId a, PointId b, std::optional<double> length) {
+  require_unlocked(world, "rod");
+  require_point(world, "rod", a);
+  require_point(world, "rod", b);
+  const Point &pa = world.points[a], &pb = world.points[b];
+  require(pa.particle != pb.particle, "rod: its ends are one particle, ", describe(world, pa.particle),
+          "; a rod ties two");
+  require(!pa.body || pa.body != pb.body, "rod: both ends belong to ", describe(world, pa.body),
+          ", which is rigid already");
+  Constraint c;
+  c.a = a;
+  c.b = b;
+  return add_rod_row(world, std::move(c), position(world, b), length);
+}
+
+ConstraintId add_rod(World& world, PointId a, Vec3 place, std::optional<double> length) {
+  require_unlocked(world, "rod");
+  require_point(world, "rod", a);
+  require_finite("rod", "place", place, "m");
+  Constraint c;
+  c.a = a;
+  c.place = c.previous = c.before = place;
+  return add_rod_row(world, std::move(c), place, length);
+}
+
+void set_enabled(World& world, ConstraintId id, bool enabled) {
+  require_unlocked(world, "enabled");
+  Constraint& c = world.constraints[id];
+  if (c.enabled == enabled) return;
+  touch(world, c);
+  c.enabled = enabled;
+  c.force = zero3();
+  c.tension = 0.0;
+  if (enabled && c.kind != ConstraintKind::rod) start_from(world, c, c.place);
+}
+
+void set_length(World& world, ConstraintId rod, double length) {
+  Constraint& c = of_kind(world, rod, ConstraintKind::rod, "length");
+  require_positive("rod", "length", length, "m");
+  c.length = length;
+  touch(world, c);
+}
+
+void set_target(World& world, ConstraintId follow, std::function<Vec3(double)> target) {
+  Constraint& c = of_kind(world, follow, ConstraintKind::follow, "target");
+  require(c.hand < 0, "target: ", describe(world, follow), " belongs to hand ", c.hand + 1, " and goes where it goes");
+  const Vec3 place = target ? target(world.time) : c.place;
+  require_finite("follow", "target", place, "m");
+  start_from(world, c, place);
+  c.target = std::move(target);
+  touch(world, c);
+}
+
+void set_place(World& world, ConstraintId id, Vec3 place) {
+  require_unlocked(world, "place");
+  Constraint& c = world.constraints[id];
+  const std::string who = describe(world, id);
+  require_finite(who, "place", place, "m");
+  require(c.hand < 0, who, ": it belongs to hand ", c.hand + 1, " and goes where it goes");
+  if (c.kind == ConstraintKind::rod) {
+    require(!c.b, who, ": both its ends are points; move those");
+    c.place = c.previous = c.before = place;
+  } else {
+    c.target = nullptr;
+    start_from(world, c, place);
+  }
+  touch(world, c);
+}
+
+void set_max_force(World& world, ConstraintId follow, double force) {
+  Constraint& c = of_kind(world, follow, ConstraintKind::follow, "max_force");
+  require_positive_or_infinite("follow", "max_force", force, "N");
+  const bool was = std::isfinite(c.max_force), is = std::isfinite(force);
+  if (was && !is) require_free_of_holders(world, "follow", c.a);
+  c.max_force = force;
+  if (was != is) start_from(world, c, c.place);
+  touch(world, c);
+}
+
+}  // namespace pantin

@@ -1,0 +1,14 @@
+#include "world/world.hpp"
+
+#include "articulates/articulate.hpp"
+
+namespace pantin {
+
+World::World() = default;
+World::~World() = default;
+
+void log_line(World& world, std::string kind, std::string text) {
+  world.log.push_back({world.time, std::move(kind), std::move(text)});
+}
+
+}  // namespace pantin
