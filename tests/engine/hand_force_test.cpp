@@ -1,0 +1,70 @@
+// A hand far away pulls with its limit and never harder, whatever the step.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "step.hpp"
+#include "support/cases.hpp"
+#include "support/watch.hpp"
+#include "world/hands.hpp"
+
+using namespace pantin;
+
+TEST_CASE("hand: at 50 m it pulls with its limit and no more") {
+  const double limit = GENERATE(20.0, 200.0, 1e4), step_length = GENERATE(1.0 / 60, 1.0 / 240, 1.0 / 1000);
+  CAPTURE(limit, step_length);
+  World world;
+  world.settings.step = step_length;
+  const cases::Chain chain = cases::add_chain(world);
+  const std::int32_t hand = add_hand(world, [](double) { return vec(50, 0, 0); });
+  grab(world, hand, chain.tails.back(), limit);
+  double force = 0.0, first = 0.0;
+  const Course course = watch(world, 5.0, [&] {
+    const double now = norm(world.constraints[world.hands[0].grab].force);
+    if (world.steps == 1) first = now;
+    force = std::fmax(force, now);
+  });
+  CHECK(course.failure == "");
+  CHECK(course.finite);
+  CHECK(course.gap <= 1e-10);
+  CHECK(force <= limit * (1 + 1e-9));
+  CHECK(first >= 0.5 * limit);
+  CHECK(world.stats.safe_steps == 0);
+}
+
+TEST_CASE("hand: one that whips about never pulls harder than its limit") {
+  const double limit = GENERATE(20.0, 200.0, 1e4), step_length = GENERATE(1.0 / 60, 1.0 / 240);
+  CAPTURE(limit, step_length);
+  World world;
+  world.settings.step = step_length;
+  const cases::Chain chain = cases::add_chain(world);
+  const std::int32_t hand = add_hand(world);
+  world.input.moves.push_back({.hand = hand, .position = vec(10, 0, 0), .pressed = true});
+  step(world);
+  grab(world, hand, chain.tails.back(), limit);
+  double force = 0.0;
+  const Course course = watch(world, 4.0, [&] {
+    force = std::fmax(force, norm(world.constraints[world.hands[0].grab].force));
+    const double side = world.steps / 20 % 2 == 0 ? 50.0 : -50.0;
+    world.input.moves.push_back({.hand = hand, .position = vec(side, 0.3 * side, 10), .pressed = true});
+  });
+  CHECK(course.failure == "");
+  CHECK(course.finite);
+  CHECK(course.gap <= 1e-10);
+  CHECK(force <= limit * (1 + 1e-9));
+}
+
+TEST_CASE("hand: what it lets go of falls freely") {
+  World world;
+  ParticleDef def;
+  const PointId ball = cases::point_of(world, add_particle(world, def));
+  const std::int32_t hand = add_hand(world, [](double) { return vec(0, 1, 0); });
+  grab(world, hand, ball);
+  advance(world, 5.0);
+  CHECK(norm(position(world, ball) - vec(0, 1, 0)) <= 0.2);
+  CHECK(norm(velocity(world, ball)) <= 1e-3);
+  release(world, hand);
+  CHECK_FALSE(world.hands[0].grab);
+  const double speed = velocity(world, ball)[1];
+  step(world);
+  CHECK(velocity(world, ball)[1] == Approx(speed - 9.81 / 240).margin(1e-12));
+}
