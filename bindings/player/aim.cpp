@@ -1,0 +1,27 @@
+#include "player/aim.hpp"
+
+#include "world/measure.hpp"
+
+namespace pantin::player {
+
+Camera aim(const lua::Scene& scene, const Stage& stage, double aspect) {
+  Camera camera = first_camera(stage, aspect);
+  lua::CameraWish wish = scene.camera();
+  Vec3 target = wish.look_at.value_or(camera.target);
+  if (wish.at && norm(*wish.at - target) > 0.0)
+    camera.look(*wish.at, target);
+  else
+    camera.target = target;
+  return camera;
+}
+
+void Follower::move(const lua::Scene& scene, Camera& camera) {
+  AnyId thing = scene.camera().follow;
+  if (std::holds_alternative<std::monostate>(thing) || !alive(scene.world(), thing)) return last_.reset();
+  Bounds box = bounds(scene.world(), things_of(scene.world(), thing));
+  Vec3 place = 0.5 * (box.lower + box.upper);
+  if (last_ && finite(place)) camera.target += place - *last_;
+  last_ = place;
+}
+
+}  // namespace pantin::player

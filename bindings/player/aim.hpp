@@ -1,0 +1,22 @@
+#pragma once
+#include <optional>
+
+#include "lua/scene.hpp"
+#include "view/camera.hpp"
+#include "view/stage.hpp"
+
+namespace pantin::player {
+
+/// The camera that a scene wishes for, or one that sees the whole stage; `aspect` is width/height.
+Camera aim(const lua::Scene& scene, const Stage& stage, double aspect);
+
+/// Moves a camera along with the thing that the scene wants it to follow.
+class Follower {
+ public:
+  void move(const lua::Scene& scene, Camera& camera);
+
+ private:
+  std::optional<Vec3> last_;  ///< [m]
+};
+
+}  // namespace pantin::player

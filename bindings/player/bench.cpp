@@ -1,0 +1,32 @@
+#include "player/bench.hpp"
+
+#include <algorithm>
+#include <iostream>
+
+#include "lua/scene.hpp"
+
+namespace pantin::player {
+
+int bench(const std::vector<std::string>& arguments) {
+  std::vector<Benchmark> all = benchmarks();
+  std::sort(all.begin(), all.end(), [](const Benchmark& a, const Benchmark& b) { return a.name < b.name; });
+  if (arguments.empty()) {
+    if (all.empty()) throw lua::UsageError("this build has no benchmarks");
+    for (const Benchmark& benchmark : all) {
+      std::cout << benchmark.name << ": " << benchmark.help << "\n" << std::flush;
+      benchmark.run({});
+    }
+    return 0;
+  }
+  auto found = std::find_if(all.begin(), all.end(), [&](const Benchmark& b) { return b.name == arguments[0]; });
+  if (found == all.end()) {
+    std::string known;
+    for (const Benchmark& benchmark : all) known += (known.empty() ? "" : ", ") + benchmark.name;
+    throw lua::UsageError(
+        text("there is no benchmark '", arguments[0], "'; there are: ", known.empty() ? "none" : known));
+  }
+  found->run({arguments.begin() + 1, arguments.end()});
+  return 0;
+}
+
+}  // namespace pantin::player

@@ -1,0 +1,39 @@
+#include "player/closing.hpp"
+
+#include <cstdio>
+#include <iostream>
+
+#include "player/home.hpp"
+#include "player/message.hpp"
+#include "world/measure.hpp"
+
+namespace pantin::player {
+namespace {
+
+std::string show(const lua::Value& value) {
+  if (const double* number = std::get_if<double>(&value)) return to_text(*number);
+  if (const bool* truth = std::get_if<bool>(&value)) return *truth ? "true" : "false";
+  return std::get<std::string>(value);
+}
+
+}  // namespace
+
+void print_closing(const lua::Scene& scene, const std::string& path, double seconds) {
+  const World& world = scene.world();
+  char line[200];
+  std::snprintf(line, sizeof line, ": %.6g s in %llu steps, %.2g s of wall time\n", world.time,
+                static_cast<unsigned long long>(world.steps), seconds);
+  std::cout << scene_name(path) << line;
+  std::snprintf(line, sizeof line,
+                "  energy error %.2g (worst %.2g)   largest gap %.2g m (worst %.2g m)   hash %016llx\n",
+                world.error.energy, world.worst.energy, world.error.hinge_gap, world.worst.hinge_gap,
+                static_cast<unsigned long long>(state_hash(world)));
+  std::cout << line;
+  for (const Probe& probe : world.probes)
+    if (!probe.values.empty()) std::cout << "  " << probe.name << " " << to_text(probe.values.back()) << "\n";
+  for (const auto& [name, value] : scene.results()) std::cout << "  " << name << " " << show(value) << "\n";
+  std::cout << std::flush;
+  for (const std::string& warning : scene.warnings()) say(warning);
+}
+
+}  // namespace pantin::player

@@ -1,0 +1,40 @@
+#include "player/hand_path.hpp"
+
+#include <algorithm>
+
+namespace pantin::player {
+
+HandPath::HandPath(const World& world, const Input& frame, int steps) : commands_(frame.commands), steps_(steps) {
+  for (const HandMove& move : frame.moves) {
+    auto index = static_cast<std::size_t>(move.hand);
+    bool holds = index < world.hands.size() && world.hands[index].placed && world.hands[index].grab;
+    paths_.push_back({move, holds ? world.hands[index].position : move.position});
+  }
+}
+
+Input HandPath::input(int i) const {
+  Input input;
+  if (i == 0) input.commands = commands_;
+  double part = static_cast<double>(i + 1) / steps_;
+  for (const Path& path : paths_) {
+    HandMove move = path.end;
+    if (i + 1 < steps_) move.position = path.start + part * (path.end.position - path.start);
+    input.moves.push_back(move);
+  }
+  return input;
+}
+
+void keep_last_moves(Input& input) {
+  std::vector<HandMove> last;
+  for (const HandMove& move : input.moves) {
+    auto same_hand = [&](const HandMove& other) { return other.hand == move.hand; };
+    auto found = std::find_if(last.begin(), last.end(), same_hand);
+    if (found == last.end())
+      last.push_back(move);
+    else
+      *found = move;
+  }
+  input.moves = std::move(last);
+}
+
+}  // namespace pantin::player

@@ -1,0 +1,145 @@
+#include "player/options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+
+namespace pantin::player {
+namespace {
+
+constexpr std::array<const char*, 5> known_endings = {".csv", ".png", ".mp4", ".gif", ".webp"};
+
+std::string check_ending(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension();
+  if (std::find(known_endings.begin(), known_endings.end(), ending) != known_endings.end()) return "";
+  return text("'", path, "' must end in .csv (probes), .png (last frame), .mp4, .gif or .webp (film)");
+}
+
+std::string check_number(const std::string& value) {
+  double x = 0.0;
+  auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), x);
+  if (error == std::errc{} && end == value.data() + value.size() && std::isfinite(x) && x >= 0.0) return "";
+  return text("'", value, "' must be a number >= 0, in s");
+}
+
+std::string check_setting(const std::string& setting) {
+  auto equals = setting.find('=');
+  if (equals != std::string::npos && equals > 0) return "";
+  return text("'", setting, "' must be name=value");
+}
+
+std::string check_size(const std::string& size) {
+  try {
+    read_size(size);
+    return "";
+  } catch (const Error& error) { return error.what(); }
+}
+
+/// Each use takes one value, so that `--set links=5 chain` leaves "chain" to be the scene.
+void list_option(CLI::App& app, const std::string& name, std::vector<std::string>& values, const std::string& help,
+                 const std::string& kind, std::string (*check)(const std::string&)) {
+  app.add_option(name, values, help)->allow_extra_args(false)->check(check)->type_name(kind);
+}
+
+void add_scene_options(CLI::App& app, RunOptions& scene, std::vector<std::string>& settings, std::string& size) {
+  list_option(app, "--set", settings, "Sets a parameter of the scene, or a field: --set links=50 --set scene.step=1/60",
+              "K=V", check_setting);
+  app.add_option("--until", scene.until, "Ends at this simulated time, s")->check(check_number)->type_name("T");
+  list_option(app, "--out", scene.outputs,
+              "By its ending: .csv probes of each step, .png last frame, .mp4 .gif .webp film", "FILE", check_ending);
+  app.add_option("--summary", scene.summary, "Writes energies, errors, iterations, times and results as JSON")
+      ->type_name("FILE");
+  app.add_option("--size", size, "Of the window, picture or film, pixels")
+      ->check(check_size)
+      ->default_str("1280x720")
+      ->type_name("WxH");
+  app.add_option("--script-limit", scene.script_limit, "One call into the script may take this long, s; 0: no limit")
+      ->check(check_number)
+      ->default_str("5")
+      ->type_name("S");
+  app.add_option("--memory-limit", scene.memory_limit, "Of the script, in bytes or with a unit")
+      ->transform(CLI::AsSizeValue(true))
+      ->default_str("2GiB")
+      ->type_name("SIZE");
+}
+
+[[noreturn]] void refuse_command(const std::string& command) {
+  std::string what = command.empty() ? "a command is missing" : "there is no command '" + command + "'";
+  throw lua::UsageError(what + ": give play, run, test or bench (pantin --help tells more)");
+}
+
+std::string first_line(const std::string& message) { return message.substr(0, message.find('\n')); }
+
+}  // namespace
+
+Size read_size(const std::string& size) {
+  Size result;
+  const char* end = size.data() + size.size();
+  auto [x, bad_width] = std::from_chars(size.data(), end, result.width);
+  bool good = bad_width == std::errc{} && x != end && *x == 'x';
+  if (good) {
+    auto [rest, bad_height] = std::from_chars(x + 1, end, result.height);
+    good = bad_height == std::errc{} && rest == end;
+  }
+  good = good && std::min(result.width, result.height) >= 16 && std::max(result.width, result.height) <= 8192;
+  if (!good) throw lua::UsageError(text("'", size, "' must be WIDTHxHEIGHT, each 16 to 8192 pixels"));
+  return result;
+}
+
+lua::SceneOptions lua_options(const RunOptions& options, const std::string& home) {
+  lua::SceneOptions result;
+  result.set = options.set;
+  result.script_limit = options.script_limit;
+  result.memory_limit = options.memory_limit;
+  result.home = home;
+  return result;
+}
+
+Options read_options(int argc, const char* const* argv) {
+  Options options;
+  std::vector<std::string> settings;
+  std::string size;
+  CLI::App app("A physics engine to play with, scripted in Lua.", "pantin");
+  app.set_version_flag("--version", "pantin " PANTIN_VERSION);
+
+  CLI::App* play = app.add_subcommand("play", "Plays a scene in a window");
+  play->add_option("scene", options.run.scene, "A scene's file, or the name of a shipped one [chain]");
+  add_scene_options(*play, options.run, settings, size);
+  CLI::App* run = app.add_subcommand("run", "Runs a scene without a window");
+  run->add_option("scene", options.run.scene, "A scene's file, or the name of a shipped one")->required();
+  add_scene_options(*run, options.run, settings, size);
+  CLI::App* test = app.add_subcommand("test", "Runs tests written in Lua");
+  test->add_option("path", options.arguments, "Files, or folders of them [tests/scenes]");
+  CLI::App* bench = app.add_subcommand("bench", "Runs benchmarks");
+  bench->add_option("name", options.arguments, "Which, and its arguments [all]");
+  CLI::App* meta = app.add_subcommand("meta", "Prints the annotations for a Lua language server");
+  meta->group("");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    app.exit(success);
+    return options;
+  } catch (const CLI::ParseError& error) {
+    if (app.get_subcommands().empty()) refuse_command(argv[1]);
+    std::string command = "pantin";
+    for (CLI::App* used : app.get_subcommands()) command += " " + used->get_name();
+    throw lua::UsageError(first_line(error.what()) + " (" + command + " --help tells more)");
+  }
+  if (app.get_subcommands().empty()) refuse_command(argc > 1 ? argv[1] : "");
+  for (const std::string& setting : settings) {
+    auto equals = setting.find('=');
+    options.run.set[setting.substr(0, equals)] = setting.substr(equals + 1);
+  }
+  if (!size.empty()) options.run.size = read_size(size);
+  using Command = Options::Command;
+  options.command = *play ? Command::play : *run ? Command::run : *test ? Command::test : Command::bench;
+  if (*meta) options.command = Command::meta;
+  return options;
+}
+
+}  // namespace pantin::player

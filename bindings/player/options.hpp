@@ -1,0 +1,46 @@
+#pragma once
+// What the command line says.
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lua/scene.hpp"
+
+namespace pantin::player {
+
+struct Size {
+  int width = 1280;  ///< [pixels]
+  int height = 720;  ///< [pixels]
+};
+
+/// What `play` and `run` share.
+struct RunOptions {
+  std::string scene;  ///< a path or a shipped scene's name
+  std::map<std::string, std::string> set;
+  std::optional<double> until;  ///< [s] >= 0
+  std::vector<std::string> outputs;
+  std::string summary;  ///< empty: none
+  Size size;
+  double script_limit = 5.0;                        ///< [s] 0: none
+  std::size_t memory_limit = std::size_t{2} << 30;  ///< [bytes]
+};
+
+struct Options {
+  enum class Command { none, play, run, test, bench, meta };
+  Command command = Command::none;
+  RunOptions run;
+  std::vector<std::string> arguments;  ///< paths to test, or a benchmark and its arguments
+};
+
+/// Reads the command line. Help and version are printed and leave Command::none; wrong use throws UsageError.
+Options read_options(int argc, const char* const* argv);
+
+/// How the scene is to be opened.
+lua::SceneOptions lua_options(const RunOptions& options, const std::string& home);
+
+/// Reads "1280x720"; throws UsageError.
+Size read_size(const std::string& text);
+
+}  // namespace pantin::player

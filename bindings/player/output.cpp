@@ -1,0 +1,74 @@
+#include "player/output.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+
+#include "lua/scene.hpp"
+
+namespace fs = std::filesystem;
+
+namespace pantin::player {
+namespace {
+
+[[noreturn]] void refuse(const std::string& path, const std::string& why) {
+  throw lua::UsageError(text("cannot write ", path, ": ", why));
+}
+
+std::string temporary_name(const fs::path& target, int attempt) {
+  std::string name = text(".", target.stem().string(), ".part-", getpid(), "-", attempt, target.extension().string());
+  return target.parent_path() / name;
+}
+
+}  // namespace
+
+Output::Output(std::string path) : path_(std::move(path)) {
+  std::error_code failed;
+  fs::file_status status = fs::status(path_, failed);
+  if (fs::is_directory(status)) refuse(path_, "it is a folder");
+  if (path_.empty() || path_.back() == '/') refuse("'" + path_ + "'", "it names no file");
+  if (fs::exists(status) && access(path_.c_str(), W_OK) != 0) refuse(path_, std::strerror(errno));
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    target_ = temporary_ = path_;
+    return;
+  }
+  target_ = fs::weakly_canonical(path_, failed);
+  if (failed) refuse(path_, failed.message());
+  int file = -1;
+  for (int attempt = 0; attempt < 100 && file < 0; attempt++) {
+    temporary_ = temporary_name(target_, attempt);
+    file = open(temporary_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+    if (file < 0 && errno != EEXIST) refuse(path_, std::strerror(errno));
+  }
+  if (file < 0) refuse(path_, std::strerror(errno));
+  close(file);
+}
+
+Output::Output(Output&& other) noexcept
+    : path_(std::move(other.path_)),
+      target_(std::move(other.target_)),
+      temporary_(std::exchange(other.temporary_, "")) {}
+
+Output::~Output() {
+  if (!temporary_.empty() && temporary_ != target_) unlink(temporary_.c_str());
+}
+
+void Output::write(const std::string& text_) const {
+  std::ofstream file(temporary_, std::ios::binary);
+  file << text_;
+  file.close();
+  require(file.good(), "cannot write ", path_, ": ", std::strerror(errno));
+}
+
+void Output::keep() {
+  if (temporary_ != target_)
+    require(std::rename(temporary_.c_str(), target_.c_str()) == 0, "cannot write ", path_, ": ", std::strerror(errno));
+  temporary_.clear();
+}
+
+}  // namespace pantin::player

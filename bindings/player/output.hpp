@@ -1,0 +1,32 @@
+#pragma once
+#include <string>
+
+namespace pantin::player {
+
+/// A file to be written: grows under a temporary name beside its own, takes its own when it is complete, and is gone if
+/// it never is. A device or pipe is written to as it is.
+class Output {
+ public:
+  /// Makes the temporary file, so that a place that cannot be written to is known before a run: throws UsageError.
+  explicit Output(std::string path);
+  ~Output();
+  Output(Output&& other) noexcept;
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
+  Output& operator=(Output&&) = delete;
+
+  const std::string& path() const { return path_; }
+  /// Where to write to; it ends as `path` does.
+  const std::string& temporary() const { return temporary_; }
+  /// Writes a text as the whole of it. Throws Error.
+  void write(const std::string& text) const;
+  /// It is complete. Throws Error.
+  void keep();
+
+ private:
+  std::string path_;
+  std::string target_;     ///< what `path` leads to
+  std::string temporary_;  ///< empty: nothing to clean up
+};
+
+}  // namespace pantin::player

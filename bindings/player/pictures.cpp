@@ -1,0 +1,56 @@
+#include "player/pictures.hpp"
+
+#include <algorithm>
+
+#include "view/picture.hpp"
+
+namespace pantin::player {
+namespace {
+
+constexpr double film_rate = 60.0;  ///< [1/s]
+constexpr double animation_rate =
+    25.0;  ///< [1/s] of .gif and .webp, whose frame times are whole hundredths of a second
+
+bool is_mp4(const std::string& path) { return path.ends_with(".mp4"); }
+
+}  // namespace
+
+Pictures::Pictures(const lua::Scene& scene, Size size, const std::vector<std::string>& film_paths)
+    : scene_(scene),
+      window_(scene.title(), size.width, size.height, true),
+      renderer_(size.width, size.height, 4),
+      rate_(std::any_of(film_paths.begin(), film_paths.end(), is_mp4) ? film_rate : animation_rate) {
+  renderer_.open(scene.world());
+  camera_ = aim(scene, renderer_.stage(), static_cast<double>(size.width) / size.height);
+  for (const std::string& path : film_paths)
+    films_.push_back(std::make_unique<Film>(path, size.width, size.height, rate_));
+}
+
+void Pictures::draw() {
+  renderer_.draw(scene_.world(), camera_);
+  renderer_.read_pixels(pixels_);
+}
+
+void Pictures::add_frames() {
+  follower_.move(scene_, camera_);
+  if (films_.empty()) return;
+  const World& world = scene_.world();
+  bool drawn = false;
+  while (static_cast<double>(frames_) * scene_.pace() / rate_ <= world.time + 0.5 * world.settings.step) {
+    if (!drawn) draw();
+    drawn = true;
+    for (auto& film : films_) film->add(pixels_);
+    frames_++;
+  }
+}
+
+void Pictures::finish_films() {
+  for (auto& film : films_) film->finish();
+}
+
+void Pictures::write_picture(const std::string& path) {
+  draw();
+  write_png(path, pixels_, renderer_.width(), renderer_.height());
+}
+
+}  // namespace pantin::player

@@ -1,0 +1,41 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lua/scene.hpp"
+#include "player/aim.hpp"
+#include "player/options.hpp"
+#include "view/film.hpp"
+#include "view/renderer.hpp"
+#include "view/window.hpp"
+
+namespace pantin::player {
+
+/// Draws a scene without a window, for a last picture and for films at the scene's pace.
+class Pictures {
+ public:
+  /// `film_paths` are files to write films to, by their endings.
+  Pictures(const lua::Scene& scene, Size size, const std::vector<std::string>& film_paths);
+
+  /// Adds the frames that are due at the scene's present time; call it at the start and after each step.
+  void add_frames();
+  void finish_films();
+  void write_picture(const std::string& path);
+
+ private:
+  void draw();
+
+  const lua::Scene& scene_;
+  Window window_;
+  Renderer renderer_;
+  Camera camera_;
+  Follower follower_;
+  std::vector<std::unique_ptr<Film>> films_;
+  std::vector<std::uint8_t> pixels_;
+  double rate_;  ///< [1/s] frames per second of the film
+  std::uint64_t frames_ = 0;
+};
+
+}  // namespace pantin::player

@@ -1,0 +1,168 @@
+#include "player/player.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <thread>
+#include <utility>
+
+#include "player/hand_path.hpp"
+#include "player/interrupt.hpp"
+#include "player/message.hpp"
+#include "view/picture.hpp"
+#include "world/hands.hpp"
+
+namespace pantin::player {
+namespace {
+
+constexpr std::chrono::milliseconds shortest_frame{12};  // where no screen sets the pace
+constexpr int first_samples = 4;
+
+std::string window_title(const lua::Scene& scene) { return scene.title() + " - Pantin"; }
+
+double aspect(const Renderer& renderer) { return static_cast<double>(renderer.width()) / renderer.height(); }
+
+}  // namespace
+
+Player::Player(std::string path, const RunOptions& options, const std::string& home)
+    : path_(std::move(path)),
+      options_(options),
+      lua_options_(lua_options(options, home)),
+      scene_(lua::Scene::open(path_, lua_options_)),
+      window_(window_title(*scene_), options.size.width, options.size.height),
+      renderer_(window_.width(), window_.height(), window_.software() ? 0 : first_samples),
+      hands_([this] { return add_hand(scene_->world()); }) {
+  renderer_.open(scene_->world());
+  camera_ = aim(*scene_, renderer_.stage(), aspect(renderer_));
+}
+
+bool Player::frame() {
+  auto now = Clock::now();
+  double elapsed = std::chrono::duration<double>(now - last_).count();
+  last_ = now;
+  if (!window_.poll(gestures_) || Interrupt::asked()) return false;
+  fit_window();
+  Actions actions = hands_.apply(gestures_, scene_->world(), renderer_.stage(), renderer_.width(), renderer_.height(),
+                                 renderer_.pointer_on_panel(), camera_, waiting_);
+  keep_last_moves(waiting_);
+  if (actions.quit) return false;
+  act(actions);
+  take_steps(elapsed);
+  follower_.move(*scene_, camera_);
+  renderer_.draw(scene_->world(), camera_, overlay());
+  if (const std::string& name = renderer_.pressed_button(); !name.empty()) {
+    Command command;
+    command.kind = Command::Kind::button;
+    command.name = name;
+    waiting_.commands.push_back(command);
+  }
+  window_.present(renderer_);
+  status_.frame(scene_->world());
+  std::this_thread::sleep_until(now + shortest_frame);
+  return !(options_.until && at_end());
+}
+
+void Player::act(const Actions& actions) {
+  if (actions.restart) restart();
+  if (actions.help) help_ = !help_;
+  if (actions.pause) paused_ = !paused_;
+  if (actions.step) paused_ = single_step_ = true;
+  if (actions.picture) save_picture();
+}
+
+void Player::restart() {
+  std::unique_ptr<lua::Scene> fresh;
+  try {
+    fresh = lua::Scene::open(path_, lua_options_);
+  } catch (const std::exception& error) { return fail(error.what()); }
+  scene_ = std::move(fresh);
+  hands_.reset();
+  follower_ = {};
+  waiting_ = {};
+  times_ = {};
+  failure_.clear();
+  pacing_ = {};
+  paused_ = false;
+  renderer_.open(scene_->world());
+  window_.set_title(window_title(*scene_));
+}
+
+void Player::fit_window() {
+  if (window_.width() > 0 && window_.height() > 0 &&
+      (window_.width() != renderer_.width() || window_.height() != renderer_.height()))
+    renderer_.resize(window_.width(), window_.height());
+}
+
+bool Player::at_end() const {
+  const World& world = scene_->world();
+  return scene_->finished() || (options_.until && world.time >= *options_.until - 0.5 * world.settings.step);
+}
+
+void Player::take_steps(double elapsed) {
+  bool one = std::exchange(single_step_, false);
+  bool still = !failure_.empty() || at_end() || (paused_ && !one);
+  if (still) return pacing_.rest();
+  const World& world = scene_->world();
+  int due = one ? 1 : pacing_.begin_frame(elapsed, world.settings.step, scene_->pace());
+  if (due == 0) return pacing_.end_frame(0, 0.0);
+  HandPath path(world, std::exchange(waiting_, {}), due);
+  auto start = Clock::now();
+  int done = 0;
+  double seconds = 0.0;
+  while (done < due && failure_.empty() && !at_end() && (done == 0 || Pacing::has_time(seconds))) {
+    scene_->world().input = path.input(done++);
+    step_once();
+    seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  if (!one) pacing_.end_frame(done, seconds);
+}
+
+void Player::step_once() {
+  try {
+    scene_->step();
+    if (!scene_->world().failure.empty()) return fail(scene_->world().failure);
+    times_.add(scene_->world());
+  } catch (const std::exception& error) { fail(error.what()); }
+}
+
+void Player::fail(const std::string& why) {
+  failure_ = why;
+  paused_ = true;
+  say(why);
+}
+
+void Player::write_picture(const std::string& path) {
+  renderer_.draw(scene_->world(), camera_);
+  write_png(path, renderer_.read_pixels(), renderer_.width(), renderer_.height());
+}
+
+void Player::save_picture() {
+  char name[32];
+  int number = 1;
+  do { std::snprintf(name, sizeof name, "pantin-%04d.png", number++); } while (std::filesystem::exists(name));
+  try {
+    write_picture(name);
+    status_.note(std::string("wrote ") + name);
+    say(std::string("wrote ") + name);
+  } catch (const std::exception& error) { status_.note(error.what()); }
+}
+
+Overlay Player::overlay() const {
+  Overlay overlay;
+  overlay.title = scene_->title();
+  overlay.highlight = hands_.highlight();
+  overlay.status = status_.parts(scene_->world(), pacing_, scene_->pace(), paused_);
+  if (scene_->finished()) overlay.status[1] = "finished";
+  if (!help_) overlay.status.push_back("h: keys");
+  if (!failure_.empty()) overlay.message = failure_ + "   (r starts the scene again)";
+  if (help_) overlay.help = key_help();
+  overlay.buttons = scene_->buttons();
+  auto mouse = gestures_.pointers.find(0);
+  if (mouse != gestures_.pointers.end()) {
+    overlay.pointer_x = mouse->second.x;
+    overlay.pointer_y = mouse->second.y;
+    overlay.pointer_down = mouse->second.left;
+  }
+  return overlay;
+}
+
+}  // namespace pantin::player

@@ -1,0 +1,51 @@
+#include "player/program.hpp"
+
+#include <csignal>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+
+#include "lua/annotations.hpp"
+#include "lua/scene.hpp"
+#include "player/bench.hpp"
+#include "player/home.hpp"
+#include "player/message.hpp"
+#include "player/options.hpp"
+#include "player/play.hpp"
+#include "player/run.hpp"
+#include "player/test.hpp"
+
+namespace pantin::player {
+namespace {
+
+int do_command(const Options& options) {
+  switch (options.command) {
+    case Options::Command::none: return 0;
+    case Options::Command::play: return play(options.run, find_home());
+    case Options::Command::run: return run(options.run, find_home());
+    case Options::Command::test: return test(options.arguments, find_home());
+    case Options::Command::bench: return bench(options.arguments);
+    case Options::Command::meta: std::cout << lua::annotations(); return 0;
+  }
+  return 2;
+}
+
+}  // namespace
+
+int run_program(int argc, const char* const* argv) {
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    int code = do_command(read_options(argc, argv));
+    std::cout.flush();
+    return code;
+  } catch (const lua::UsageError& error) {
+    say(error.what());
+    return 2;
+  } catch (const std::bad_alloc&) { say("there is not enough memory for this"); } catch (const std::exception& error) {
+    say(error.what());
+  }
+  return 1;
+}
+
+}  // namespace pantin::player

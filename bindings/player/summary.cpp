@@ -1,0 +1,67 @@
+#include "player/summary.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "world/measure.hpp"
+
+namespace pantin::player {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json ns_per_phase(const World& world) {
+  Json result = Json::object();
+  for (std::size_t i = 0; i < phase_names.size(); i++)
+    result[std::string(phase_names[i])] =
+        static_cast<double>(world.profile.ns[i]) / static_cast<double>(std::max<std::uint64_t>(1, world.steps));
+  return result;
+}
+
+Json stats(const World& world) {
+  const Stats& s = world.stats;
+  return {{"articulates", world.articulates.size()},
+          {"bodies", world.bodies.size()},
+          {"constraints", world.constraints.size()},
+          {"newton_iterations", s.newton_iterations},
+          {"worst_iterations", s.worst_iterations},
+          {"solves", s.solves},
+          {"factorisations", s.factorisations},
+          {"halved_steps", s.halved_steps},
+          {"safe_steps", s.safe_steps},
+          {"projections", s.projections}};
+}
+
+Json results(const lua::Scene& scene) {
+  Json list = Json::object();
+  for (const auto& [name, value] : scene.results()) std::visit([&](const auto& v) { list[name] = v; }, value);
+  return list;
+}
+
+}  // namespace
+
+nlohmann::ordered_json summary(const lua::Scene& scene) {
+  const World& world = scene.world();
+  Energy now = energy(world);
+  char hash[17];
+  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(state_hash(world)));
+  Json result;
+  result["title"] = scene.title();
+  result["time"] = world.time;
+  result["steps"] = world.steps;
+  result["hash"] = hash;
+  result["energy"] = {{"kinetic", now.kinetic}, {"potential", now.potential}, {"total", now.total()}};
+  result["error"] = {{"hinge_gap", world.error.hinge_gap},
+                     {"constraint", world.error.constraint},
+                     {"energy", world.error.energy},
+                     {"worst_hinge_gap", world.worst.hinge_gap},
+                     {"worst_energy", world.worst.energy}};
+  result["stats"] = stats(world);
+  result["ns_per_phase"] = ns_per_phase(world);
+  result["results"] = results(scene);
+  result["warnings"] = scene.warnings();
+  if (!world.failure.empty()) result["failure"] = world.failure;
+  return result;
+}
+
+}  // namespace pantin::player

@@ -1,0 +1,41 @@
+#include "player/table.hpp"
+
+#include <charconv>
+#include <cmath>
+
+namespace pantin::player {
+namespace {
+
+std::string quoted(const std::string& name) {
+  if (name.find_first_of(",\"\r\n") == std::string::npos) return name;
+  std::string result = "\"";
+  for (char c : name) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + "\"";
+}
+
+void put(std::string& out, double value) {
+  char digits[32];
+  auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
+  out.append(digits, end);
+}
+
+}  // namespace
+
+std::string probe_table(const Times& times, const std::vector<Probe>& probes) {
+  std::string out = "time";
+  for (const Probe& probe : probes) out += "," + quoted(probe.name);
+  out += "\n";
+  for (std::size_t row = 0; row < times.values.size(); row++) {
+    put(out, times.values[row]);
+    for (const Probe& probe : probes) {
+      out += ",";
+      std::uint64_t step = times.first_step + row;
+      bool known = step >= probe.first_step && step - probe.first_step < probe.values.size();
+      if (known) put(out, probe.values[step - probe.first_step]);
+    }
+    out += "\n";
+  }
+  return out;
+}
+
+}  // namespace pantin::player

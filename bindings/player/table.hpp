@@ -1,0 +1,23 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "world/world.hpp"
+
+namespace pantin::player {
+
+/// The times of the steps, for a table of the probes.
+struct Times {
+  std::uint64_t first_step = 0;  ///< steps done before the first of them
+  std::vector<double> values;    ///< [s] (steps)
+  void add(const World& world) {
+    if (values.empty()) first_step = world.steps - 1;
+    values.push_back(world.time);
+  }
+};
+
+/// Comma-separated: `time` and the probes, a row per step. Numbers read back as the same doubles; a probe that was
+/// added later has empty cells before.
+std::string probe_table(const Times& times, const std::vector<Probe>& probes);
+
+}  // namespace pantin::player

@@ -1,0 +1,10 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace pantin::player {
+
+/// `pantin test`: the tests in Lua under the paths. Returns the exit code.
+int test(const std::vector<std::string>& paths, const std::string& home);
+
+}  // namespace pantin::player

@@ -1,0 +1,98 @@
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "lua/scene.hpp"
+#include "player/message.hpp"
+#include "player/options.hpp"
+
+using namespace pantin::player;
+using Catch::Contains;
+using pantin::lua::UsageError;
+
+namespace {
+
+Options read(std::vector<const char*> arguments) {
+  arguments.insert(arguments.begin(), "pantin");
+  return read_options(static_cast<int>(arguments.size()), arguments.data());
+}
+
+}  // namespace
+
+TEST_CASE("options: run with everything") {
+  Options o = read({"run",
+                    "--set",
+                    "links=5",
+                    "chain",
+                    "--set",
+                    "scene.step=1/60",
+                    "--until",
+                    "2.5",
+                    "--out",
+                    "a.csv",
+                    "--out",
+                    "b.mp4",
+                    "--summary",
+                    "s.json",
+                    "--size",
+                    "640x480",
+                    "--script-limit",
+                    "0",
+                    "--memory-limit",
+                    "64MiB"});
+  CHECK(o.command == Options::Command::run);
+  CHECK(o.run.scene == "chain");
+  CHECK(o.run.set == std::map<std::string, std::string>{{"links", "5"}, {"scene.step", "1/60"}});
+  CHECK(o.run.until == 2.5);
+  CHECK(o.run.outputs == std::vector<std::string>{"a.csv", "b.mp4"});
+  CHECK(o.run.summary == "s.json");
+  CHECK(o.run.size.width == 640);
+  CHECK(o.run.size.height == 480);
+  CHECK(o.run.script_limit == 0.0);
+  CHECK(o.run.memory_limit == std::size_t{64} << 20);
+}
+
+TEST_CASE("options: what is not said") {
+  Options o = read({"play"});
+  CHECK(o.command == Options::Command::play);
+  CHECK(o.run.scene.empty());
+  CHECK_FALSE(o.run.until);
+  CHECK(o.run.size.width == 1280);
+  CHECK(o.run.size.height == 720);
+  CHECK(o.run.script_limit == 5.0);
+  CHECK(o.run.memory_limit == std::size_t{2} << 30);
+}
+
+TEST_CASE("options: a value may hold an equals sign, or be empty") {
+  CHECK(read({"run", "chain", "--set", "text=a=b"}).run.set.at("text") == "a=b");
+  CHECK(read({"run", "chain", "--set", "text="}).run.set.at("text").empty());
+}
+
+TEST_CASE("options: tests and benchmarks take names") {
+  CHECK(read({"test", "a", "b"}).arguments == std::vector<std::string>{"a", "b"});
+  CHECK(read({"bench", "chain", "100"}).arguments == std::vector<std::string>{"chain", "100"});
+}
+
+TEST_CASE("options: wrong use names what is wrong and what is allowed") {
+  CHECK_THROWS_AS(read({}), UsageError);
+  CHECK_THROWS_WITH(read({"dance"}), Contains("dance"));
+  CHECK_THROWS_WITH(read({"run"}), Contains("scene"));
+  CHECK_THROWS_WITH(read({"run", "chain", "--out", "a.txt"}),
+                    Contains("a.txt") && Contains(".csv") && Contains(".webp"));
+  CHECK_THROWS_WITH(read({"run", "chain", "--set", "links"}), Contains("links") && Contains("name=value"));
+  CHECK_THROWS_WITH(read({"run", "chain", "--until", "-1"}), Contains("-1") && Contains(">= 0"));
+  CHECK_THROWS_WITH(read({"run", "chain", "--until", "nan"}), Contains("nan"));
+  CHECK_THROWS_WITH(read({"run", "chain", "--until", "soon"}), Contains("soon"));
+  CHECK_THROWS_WITH(read({"run", "chain", "--size", "0x5"}), Contains("0x5") && Contains("pixels"));
+  CHECK_THROWS_WITH(read({"run", "chain", "--size", "1280"}), Contains("WIDTHxHEIGHT"));
+  CHECK_THROWS_WITH(read({"run", "chain", "--memory-limit", "much"}), Contains("much"));
+  CHECK_THROWS_WITH(read({"run", "chain", "--colour", "red"}), Contains("--colour") && Contains("run --help"));
+}
+
+TEST_CASE("message: a script's line is known") {
+  CHECK(names_line("chain.lua:12: body: mass must be > 0 kg, got -1"));
+  CHECK(names_line("a folder/my chain.lua:3: x"));
+  CHECK_FALSE(names_line("there is no scene 'x': give a file"));
+  CHECK_FALSE(names_line("cannot write a.csv: 12: no"));
+  CHECK_FALSE(names_line(""));
+}

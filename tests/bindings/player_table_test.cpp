@@ -1,0 +1,39 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdlib>
+
+#include "player/table.hpp"
+
+using namespace pantin;
+using pantin::player::probe_table;
+using pantin::player::Times;
+
+TEST_CASE("table: a row per step, numbers that read back as the same doubles") {
+  Times times{0, {1.0 / 3.0, 2.0 / 3.0}};
+  Probe tip;
+  tip.name = "tip height";
+  tip.values = {0.1 + 0.2, -1e-300};
+  std::string csv = probe_table(times, {tip});
+  CHECK(csv == "time,tip height\n0.3333333333333333,0.30000000000000004\n0.6666666666666666,-1e-300\n");
+  CHECK(std::strtod("0.30000000000000004", nullptr) == 0.1 + 0.2);
+}
+
+TEST_CASE("table: a probe that was added later has empty cells before") {
+  Times times{0, {1, 2, 3}};
+  Probe early, late;
+  early.name = "a";
+  early.values = {10, 20, 30};
+  late.name = "b";
+  late.first_step = 2;
+  late.values = {300};
+  CHECK(probe_table(times, {early, late}) == "time,a,b\n1,10,\n2,20,\n3,30,300\n");
+}
+
+TEST_CASE("table: names with commas and quotes are quoted") {
+  Times times{0, {}};
+  Probe odd;
+  odd.name = "x, \"the\" place";
+  CHECK(probe_table(times, {odd}) == "time,\"x, \"\"the\"\" place\"\n");
+}
+
+TEST_CASE("table: without probes, the times") { CHECK(probe_table(Times{0, {0.5}}, {}) == "time\n0.5\n"); }
