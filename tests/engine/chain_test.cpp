@@ -81,7 +81,7 @@ TEST_CASE("chain: the error falls with the square of the step") {
   std::vector<double> errors;
   for (const double step : steps) errors.push_back(error_at_one_second(10, step, energy_return));
   CAPTURE(errors);
-  CHECK(order_of(steps, errors) == Approx(2.0).margin(0.1));
+  CHECK(exponent(steps, errors) == Approx(2.0).margin(0.1));
 }
 
 TEST_CASE("chain: a free one keeps momentum and angular momentum to round-off") {

@@ -63,7 +63,7 @@ TEST_CASE("double pendulum: the error falls with the square of the step") {
   std::vector<double> errors;
   for (const double step : steps) errors.push_back(angle_error(time, step));
   CAPTURE(errors);
-  CHECK(order_of(steps, errors) == Approx(2.0).margin(0.1));
+  CHECK(exponent(steps, errors) == Approx(2.0).margin(0.1));
 }
 
 TEST_CASE("double pendulum: rods keep their length, and energy stays with the return") {

@@ -50,17 +50,17 @@ bool all_finite(const World& world) {
                      [&](PointId id) { return finite(world.points[id].place) && finite(world.points[id].velocity); });
 }
 
-double order_of(const std::vector<double>& steps, const std::vector<double>& errors) {
-  const double n = static_cast<double>(steps.size());
-  double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
-  for (std::size_t i = 0; i < steps.size(); i++) {
-    const double a = std::log(steps[i]), b = std::log(errors[i]);
-    x += a;
-    y += b;
-    xx += a * a;
-    xy += a * b;
+double exponent(const std::vector<double>& x, const std::vector<double>& y) {
+  const double n = static_cast<double>(x.size());
+  double a = 0.0, b = 0.0, aa = 0.0, ab = 0.0;
+  for (std::size_t i = 0; i < x.size(); i++) {
+    const double u = std::log(x[i]), v = std::log(y[i]);
+    a += u;
+    b += v;
+    aa += u * u;
+    ab += u * v;
   }
-  return (n * xy - x * y) / (n * xx - x * x);
+  return (n * ab - a * b) / (n * aa - a * a);
 }
 
 }  // namespace pantin

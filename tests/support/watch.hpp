@@ -23,7 +23,7 @@ Course watch(World& world, double time, const std::function<void()>& each = {});
 /// Largest distance between points of one hinge, and of nailed points to their places, [m].
 double largest_gap(const World& world);
 bool all_finite(const World& world);
-/// Slope of log(error) over log(step) by least squares.
-double order_of(const std::vector<double>& steps, const std::vector<double>& errors);
+/// The power of x that y grows with: slope of log y over log x by least squares.
+double exponent(const std::vector<double>& x, const std::vector<double>& y);
 
 }  // namespace pantin
