@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/store.hpp"
 #include "model/group.hpp"
 
 namespace pantin {

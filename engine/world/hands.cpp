@@ -1,0 +1,225 @@
+#include "world/hands.hpp"
+
+#include <algorithm>
+
+#include "base/functions.hpp"
+#include "world/edit.hpp"
+#include "world/editing.hpp"
+#include "world/reach.hpp"
+
+namespace pantin {
+
+using namespace editing;
+
+namespace {
+
+constexpr std::int32_t most_hands = 256;
+
+Hand& hand_at(World& world, const char* call, std::int32_t hand) {
+  const auto index = static_cast<std::size_t>(hand);
+  require(hand >= 0 && index < world.hands.size(), call, ": there is no hand ", hand + 1, "; there are ",
+          world.hands.size());
+  return world.hands[index];
+}
+
+/// Hands of the outside come as they are needed: a second finger is a second hand.
+Hand& hand_of_input(World& world, std::int32_t hand) {
+  require(hand >= 0 && hand < most_hands, "hand: its number must be 1 to ", most_hands, ", got ", hand + 1);
+  const auto index = static_cast<std::size_t>(hand);
+  if (index >= world.hands.size()) world.hands.resize(index + 1);
+  return world.hands[index];
+}
+
+void place(Hand& hand, Vec3 at, double h) {
+  hand.velocity = hand.placed && h > 0.0 ? (at - hand.position) / h : zero3();
+  hand.position = at;
+  hand.placed = true;
+}
+
+void press(World& world, std::int32_t index, bool pressed) {
+  Hand& hand = world.hands[static_cast<std::size_t>(index)];
+  if (hand.pressed == pressed) return;
+  hand.pressed = pressed;
+  notice(world, pressed ? Notice::Kind::press : Notice::Kind::release, {}, "", index);
+}
+
+void move_hands(World& world, double time) {
+  const double h = time - world.time;
+  for (const HandMove& move : world.input.moves) {
+    const std::string who = text("hand ", move.hand + 1);
+    require_finite(who, "position", move.position, "m");
+    hand_of_input(world, move.hand);
+  }
+  for (Hand& hand : world.hands) hand.velocity = zero3();
+  for (const HandMove& move : world.input.moves) {
+    Hand& hand = world.hands[static_cast<std::size_t>(move.hand)];
+    if (hand.path) continue;
+    place(hand, move.position, h);
+    press(world, move.hand, move.pressed);
+  }
+  for (std::size_t i = 0; i < world.hands.size(); i++) {
+    if (!world.hands[i].path) continue;
+    const Vec3 at = world.hands[i].path(time);
+    require_finite(text("hand ", i + 1), "path", at, "m");
+    place(world.hands[i], at, h);
+  }
+}
+
+void drop_command(World& world, const Command& command, const std::string& story) {
+  static constexpr const char* names[] = {"grab", "release", "cut", "key", "button"};
+  log_line(world, "dropped",
+           text(names[static_cast<std::size_t>(command.kind)], " by hand ", command.hand + 1, ": ", story));
+}
+
+void carry_out(World& world, const Command& command) {
+  switch (command.kind) {
+    case Command::Kind::grab:
+      if (!world.points.alive(command.point)) return drop_command(world, command, world.points.story(command.point));
+      hand_of_input(world, command.hand);
+      return grab(world, command.hand, command.point,
+                  command.max_force == 0.0 ? std::optional<double>() : command.max_force);
+    case Command::Kind::release: return release(world, command.hand);
+    case Command::Kind::cut: {
+      if (!world.particles.alive(command.hinge))
+        return drop_command(world, command, world.particles.story(command.hinge));
+      cut(world, command.hinge);
+      world.notices.back().hand = command.hand;
+      return;
+    }
+    case Command::Kind::key: return notice(world, Notice::Kind::key, {}, command.name, command.hand);
+    case Command::Kind::button: return notice(world, Notice::Kind::button, {}, command.name, command.hand);
+  }
+}
+
+/// Restores what it changes, also when a command throws.
+struct Acting {
+  World& world;
+  bool locked = world.locked;
+  std::function<std::string()> who = world.who;
+  ~Acting() {
+    world.locked = locked;
+    world.who = who;
+  }
+};
+
+void carry_out_commands(World& world) {
+  if (world.input.commands.empty()) return;
+  Acting acting{world};
+  world.locked = false;
+  for (const Command& command : world.input.commands) {
+    world.who = [hand = command.hand] { return text("hand ", hand + 1); };
+    try {
+      carry_out(world, command);
+    } catch (const Error& error) {
+      // What a person does on the way is no fault of the scene: a hinge may have gone, a hand may have no place.
+      drop_command(world, command, error.what());
+    }
+  }
+}
+
+/// Critically damped approach to 0 (Barzel and Barr 1988): D(t) = (D0 + (D0' + D0/τ) t) exp(-t/τ).
+void draw_in(const World& world, Constraint& c, double h) {
+  if (norm2(c.away) == 0.0 && norm2(c.away_rate) == 0.0) return;
+  const Vec3 slope = c.away_rate + c.away / c.time_constant;
+  const double decay = functions::exp(-h / c.time_constant);
+  c.away = (c.away + slope * h) * decay;
+  c.away_rate = (c.away_rate - slope * (h / c.time_constant)) * decay;
+  const double size = std::fmax(size_of(world, c.a), largest(c.place));
+  if (norm(c.away) > 1e-14 * size || norm(c.away_rate) * c.time_constant > 1e-14 * size) return;
+  c.away = c.away_rate = zero3();
+}
+
+/// Moves the place of a follow on to `next` [m], a step of h [s] later.
+void move_place(Constraint& c, Vec3 next, double h) {
+  c.before = c.previous;
+  c.previous = c.place;
+  c.place = next;
+  c.moves++;
+  if (!(h > 0.0))
+    c.velocity = zero3();
+  else if (c.moves >= 2)
+    c.velocity = (3.0 * c.place - 4.0 * c.previous + c.before) / (2.0 * h);
+  else
+    c.velocity = (c.place - c.previous) / h;
+}
+
+void sample_targets(World& world, double time) {
+  const double h = time - world.time;
+  bool scripted = false;
+  for (std::uint32_t s = 0; s < world.constraints.slots(); s++) {
+    Constraint& c = world.constraints.at_slot(s);
+    if (!world.constraints.alive_at(s) || c.kind != ConstraintKind::follow) continue;
+    if (c.target)
+      scripted = true;
+    else
+      move_place(c, c.hand >= 0 ? world.hands[static_cast<std::size_t>(c.hand)].position : c.place, h);
+  }
+  if (!scripted) return;
+  // Scripts see each other's doings, so they are asked in the order of making.
+  for (ConstraintId id : world.constraints.ids()) {
+    if (!world.constraints[id].target) continue;
+    const Vec3 next = world.constraints[id].target(time);
+    require_finite(describe(world, id), "target", next, "m");
+    move_place(world.constraints[id], next, h);
+  }
+}
+
+}  // namespace
+
+std::int32_t add_hand(World& world, std::function<Vec3(double)> path) {
+  require_unlocked(world, "hand");
+  require(world.hands.size() < static_cast<std::size_t>(most_hands), "hand: there are ", most_hands, " already");
+  Hand hand;
+  if (path) {
+    const Vec3 at = path(world.time);
+    require_finite("hand", "path", at, "m");
+    place(hand, at, 0.0);
+    hand.path = std::move(path);
+  }
+  world.hands.push_back(std::move(hand));
+  return static_cast<std::int32_t>(world.hands.size()) - 1;
+}
+
+void grab(World& world, std::int32_t index, PointId point, std::optional<double> max_force) {
+  require_unlocked(world, "grab");
+  require(hand_at(world, "grab", index).placed, "grab: hand ", index + 1, " has no position yet");
+  require(world.points.alive(point), "grab: ", world.points.story(point));
+  if (max_force) require_positive_or_infinite("grab", "max_force", *max_force, "N");
+  FollowDef def;
+  def.hand = index;
+  def.max_force = max_force ? *max_force : usual_grab_force(world, point);
+  release(world, index);
+  const ConstraintId follow = add_follow(world, point, def);
+  hand_at(world, "grab", index).grab = follow;
+  notice(world, Notice::Kind::grab, point, describe(world, point), index);
+}
+
+void release(World& world, std::int32_t index) {
+  require_unlocked(world, "release");
+  const ConstraintId held = hand_at(world, "release", index).grab;
+  if (held) remove(world, held);
+}
+
+double usual_grab_force(const World& world, PointId point) {
+  const Things hanging = tied_to(world, point);
+  const double total = mass(world, hanging), weight = norm(world.settings.gravity);
+  if (weight > 0.0) return 20.0 * total * weight;
+  const Bounds box = bounds(world, hanging);
+  const double size = norm(box.upper - box.lower);
+  constexpr double patience = 0.2;  // [s]
+  // A thing without size moves by its drawn size, or 1 m.
+  const double drawn = world.points[point].radius;
+  return 2.0 * total * (size > 0.0 ? size : drawn > 0.0 ? drawn : 1.0) / (patience * patience);
+}
+
+void apply_input(World& world, double time) {
+  move_hands(world, time);
+  carry_out_commands(world);
+  sample_targets(world, time);
+  const double h = time - world.time;
+  for (std::uint32_t s = 0; s < world.constraints.slots(); s++)
+    if (world.constraints.alive_at(s) && world.constraints.at_slot(s).kind != ConstraintKind::rod)
+      draw_in(world, world.constraints.at_slot(s), h);
+}
+
+}  // namespace pantin

@@ -1,0 +1,183 @@
+#include "world/measure.hpp"
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "base/hash.hpp"
+
+namespace pantin {
+namespace {
+
+/// Collects bodies and free points, each once, in the order of meeting.
+struct Collect {
+  const World& world;
+  Things things;
+  std::unordered_set<BodyId> bodies;
+  std::unordered_set<PointId> points;
+  std::unordered_set<GroupId> groups;
+
+  void operator()(std::monostate) {}
+  void operator()(BodyId id) {
+    (void)world.bodies[id];
+    if (bodies.insert(id).second) things.bodies.push_back(id);
+  }
+  void operator()(PointId id) {
+    if (const BodyId body = world.points[id].body) return (*this)(body);
+    if (points.insert(id).second) things.free_points.push_back(id);
+  }
+  void operator()(ParticleId id) {
+    for (PointId p : world.particles[awake(world, id)].points) (*this)(p);
+  }
+  void operator()(ConstraintId id) {
+    const Constraint& c = world.constraints[id];
+    (*this)(c.a);
+    if (c.b) (*this)(c.b);
+  }
+  void operator()(GroupId id) {
+    const auto& members = world.groups[id].members;
+    if (!groups.insert(id).second) return;
+    for (const AnyId& member : members)
+      if (alive(world, member)) std::visit(*this, member);
+  }
+};
+
+void add(Energy& e, const Motion& m, Vec3 gravity) {
+  e.kinetic += 0.5 * norm2(m.p) / m.mass + 0.5 * dot(m.angular, m.angular * inverse_inertia(m));
+  e.potential -= m.mass * dot(gravity, m.x);
+}
+
+void add(Energy& e, const Point& free_point, Vec3 gravity) {
+  e.kinetic += 0.5 * free_point.mass * norm2(free_point.velocity);
+  e.potential -= free_point.mass * dot(gravity, free_point.place);
+}
+
+/// Length that a rod has too much, [m].
+double excess(const World& world, const Constraint& rod) {
+  const Vec3 end = rod.b ? position(world, rod.b) : rod.place;
+  return std::fabs(norm(position(world, rod.a) - end) - rod.length);
+}
+
+double ring_gap(const World& world, ParticleId id) {
+  const Vec3 centre = position(world, star(world, id));
+  double gap = 0.0;
+  for (PointId p : world.particles[id].points) gap = std::fmax(gap, norm(position(world, p) - centre));
+  return gap;
+}
+
+}  // namespace
+
+Things everything(const World& world) {
+  Things things;
+  things.bodies = world.bodies.ids();
+  things.free_points = world.points.ids();
+  std::erase_if(things.free_points, [&](PointId p) { return static_cast<bool>(world.points[p].body); });
+  return things;
+}
+
+Things things_of(const World& world, const AnyId& thing) {
+  Collect collect{world, {}, {}, {}, {}};
+  std::visit(collect, thing);
+  return std::move(collect.things);
+}
+
+Energy energy(const World& world, const Things& things) {
+  Energy e;
+  for (BodyId id : things.bodies) add(e, world.motion_of(id), world.settings.gravity);
+  for (PointId id : things.free_points) add(e, world.points[id], world.settings.gravity);
+  return e;
+}
+
+Energy energy(const World& world) {
+  // Every step asks for it, so no list is made.
+  Energy e;
+  for (std::uint32_t s = 0; s < world.bodies.slots(); s++)
+    if (world.bodies.alive_at(s)) add(e, world.motion[s], world.settings.gravity);
+  for (std::uint32_t s = 0; s < world.points.slots(); s++)
+    if (world.points.alive_at(s) && !world.points.at_slot(s).body)
+      add(e, world.points.at_slot(s), world.settings.gravity);
+  return e;
+}
+
+Vec3 momentum(const World& world, const Things& things) {
+  Vec3 sum = zero3();
+  for (BodyId id : things.bodies) sum += world.motion_of(id).p;
+  for (PointId id : things.free_points) sum += world.points[id].velocity * world.points[id].mass;
+  return sum;
+}
+
+Vec3 angular_momentum(const World& world, const Things& things) {
+  Vec3 sum = zero3();
+  for (BodyId id : things.bodies) {
+    const Motion& m = world.motion_of(id);
+    sum += cross(m.x, m.p) + rotate(m.q, m.angular);
+  }
+  for (PointId id : things.free_points) {
+    const Point& p = world.points[id];
+    sum += cross(p.place, p.velocity) * p.mass;
+  }
+  return sum;
+}
+
+double mass(const World& world, const Things& things) {
+  double sum = 0.0;
+  for (BodyId id : things.bodies) sum += world.motion_of(id).mass;
+  for (PointId id : things.free_points) sum += world.points[id].mass;
+  return sum;
+}
+
+Accuracy accuracy(const World& world) {
+  Accuracy a;
+  for (std::uint32_t s = 0; s < world.particles.slots(); s++)
+    if (world.particles.alive_at(s) && world.particles.at_slot(s).is_hinge())
+      a.hinge_gap = std::fmax(a.hinge_gap, ring_gap(world, world.particles.id_at(s)));
+  for (std::uint32_t s = 0; s < world.constraints.slots(); s++) {
+    const Constraint& c = world.constraints.at_slot(s);
+    if (!world.constraints.alive_at(s) || !c.enabled) continue;
+    if (c.kind == ConstraintKind::rod)
+      a.constraint = std::fmax(a.constraint, excess(world, c));
+    else if (c.kind == ConstraintKind::nail || !std::isfinite(c.max_force))
+      a.hinge_gap = std::fmax(a.hinge_gap, norm(position(world, c.a) - c.place - c.away));
+  }
+  a.constraint = std::fmax(a.constraint, a.hinge_gap);
+  if (world.steps > 0 && world.largest_kinetic > 0.0)
+    a.energy = std::fabs(energy(world).total() - world.start_energy - world.work) / world.largest_kinetic;
+  return a;
+}
+
+std::uint64_t state_hash(const World& world) {
+  Hash hash;
+  hash.add(world.time);
+  for (BodyId id : world.bodies.ids()) {
+    const Motion& m = world.motion_of(id);
+    hash.add(m.x);
+    for (double c : {m.q.w, m.q.x, m.q.y, m.q.z}) hash.add(c);
+    hash.add(m.p);
+    hash.add(m.angular);
+  }
+  for (PointId id : world.points.ids()) {
+    if (world.points[id].body) continue;
+    hash.add(world.points[id].place);
+    hash.add(world.points[id].velocity);
+  }
+  return hash.value;
+}
+
+Bounds bounds(const World& world, const Things& things) {
+  Bounds box;
+  bool any = false;
+  const auto take = [&](Vec3 p) {
+    for (int i = 0; i < 3; i++) {
+      box.lower[i] = any ? std::fmin(box.lower[i], p[i]) : p[i];
+      box.upper[i] = any ? std::fmax(box.upper[i], p[i]) : p[i];
+    }
+    any = true;
+  };
+  for (BodyId id : things.bodies) {
+    if (world.bodies[id].points.empty()) take(world.motion_of(id).x);
+    for (PointId p : world.bodies[id].points) take(position(world, p));
+  }
+  for (PointId p : things.free_points) take(position(world, p));
+  return box;
+}
+
+}  // namespace pantin

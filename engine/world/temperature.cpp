@@ -1,0 +1,67 @@
+#include <algorithm>
+#include <unordered_set>
+
+#include "world/measure.hpp"
+
+namespace pantin {
+namespace {
+
+/// Counts what the things can do: their own freedoms, less what ties among them take.
+struct Freedoms {
+  const World& world;
+  std::unordered_set<BodyId> bodies;
+  std::unordered_set<PointId> points;
+  std::unordered_set<ParticleId> rings;
+  std::unordered_set<ConstraintId> constraints;
+  long count = 0;
+  bool held = false;  // by a nail, a rigid follow, or a rod to a place
+
+  bool among(PointId id) const {
+    const BodyId body = world.points[id].body;
+    return body ? bodies.contains(body) : points.contains(id);
+  }
+
+  void ties_of(PointId id) {
+    const ParticleId ring = world.points[id].particle;
+    const auto& members = world.particles[ring].points;
+    if (members.size() > 1 && rings.insert(ring).second)
+      count -= 3 * (std::count_if(members.begin(), members.end(), [&](PointId p) { return among(p); }) - 1);
+    for (ConstraintId c : world.points[id].constraints)
+      if (constraints.insert(c).second) tie(world.constraints[c]);
+  }
+
+  void tie(const Constraint& c) {
+    if (!c.enabled) return;
+    if (c.kind == ConstraintKind::rod) {
+      if (!c.b) held = true;
+      if (!c.b || (among(c.a) && among(c.b))) count -= 1;
+    } else if (c.kind == ConstraintKind::nail || !std::isfinite(c.max_force)) {
+      held = true;
+      count -= 3;
+    }
+  }
+};
+
+}  // namespace
+
+double temperature(const World& world, const Things& things) {
+  Freedoms f{world,
+             {things.bodies.begin(), things.bodies.end()},
+             {things.free_points.begin(), things.free_points.end()},
+             {},
+             {}};
+  for (BodyId id : things.bodies) {
+    const Freedom freedom = world.motion_of(id).freedom;
+    f.count += freedom == Freedom::rigid ? 6 : freedom == Freedom::line ? 5 : 3;
+    for (PointId p : world.bodies[id].points) f.ties_of(p);
+  }
+  f.count += 3 * static_cast<long>(things.free_points.size());
+  for (PointId p : things.free_points) f.ties_of(p);
+  if (!f.held) f.count -= 3;
+  if (f.count <= 0) return 0.0;
+  double kinetic = energy(world, things).kinetic;
+  if (!f.held) kinetic -= 0.5 * norm2(momentum(world, things)) / mass(world, things);
+  return std::fmax(0.0, 2.0 * kinetic / (static_cast<double>(f.count) * world.settings.boltzmann));
+}
+
+}  // namespace pantin
