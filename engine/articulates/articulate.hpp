@@ -54,7 +54,8 @@ enum class RowKind : std::uint8_t { rigid, limited, rod };
 struct Row {
   std::int32_t a = 0, b = -1;
   Vec3 la = zero3(), lb = zero3();          // arms of the two points
-  Vec3 place0 = zero3(), place1 = zero3();  // [m] world end, at the start and end of the step
+  Vec3 place0 = zero3(), place1 = zero3();  // [m] world end, at the start and end of the step being solved
+  Vec3 whole0 = zero3(), whole1 = zero3();  // [m] the same of the whole step, where that is halved
   Vec3 velocity = zero3();                  // [m/s] of the world end at the end of the step
   Vec3 offset = zero3();                    // [m] gap that cannot be closed
   Vec3 f = zero3(), f_last = zero3(), f_saved = zero3(), df = zero3();
@@ -85,6 +86,7 @@ struct Articulate {
   std::vector<Meeting> meetings;
   std::vector<std::uint32_t> first_meeting;  // (nodes + 1)
   Factor factor;
+  std::vector<Vec3> right_side;  // (rows)
 
   double length = 0.0;       // [m] median arm: every length in a criterion is a multiple of it
   double total_mass = 0.0;   // [kg]
@@ -95,22 +97,40 @@ struct Articulate {
   bool lowered = false;      // epsilon was lowered in this step
   bool extrapolate = false;  // a has two last values
   bool all_rigid = true;
+  bool has_factor = false;   // the factor is of a Newton matrix
+  bool safe = false;         // the last step was a safe one
   bool edited = true;        // new: velocities are still to be made consistent
   bool weak = false;         // the last factor had weak pivots: its multipliers are not all determined
   std::uint64_t serial = 0;  // smallest of its things
 };
 
-/// Copies the model's state into the nodes' starts, with constant forces: gravity [m/s²], pushes and twists.
+/// Copies the model's state into the nodes, with constant forces: gravity [m/s²], pushes and twists; and the world ends
+/// and limits of the rows from their constraints.
 void load(Articulate& articulate, const Model& model, Vec3 gravity);
+/// Copies the state of one thing into a node.
+void load(Node& node, const Model& model, Vec3 gravity);
 /// Writes the nodes' starts and the rows' forces back.
 void store(const Articulate& articulate, Model& model);
-/// Places and velocities of the rows' world ends from the constraints, and the limits of the limited rows.
-void load_targets(Articulate& articulate, const Model& model);
+void store(const Node& node, Model& model);
+
+/// Kinetic energy of the nodes' starts, [J].
+double kinetic_energy(const Articulate& articulate);
+inline double kinetic_energy(const Node& n) { return 0.5 * (norm2(n.p0) * n.inverse_mass + dot(n.P0, n.O0)); }
+/// Largest distance that a row should have closed, at the nodes' ends, [m].
+double largest_gap(const Articulate& articulate);
 
 /// What a drift did, for counting and the balance of energy.
 struct DriftReport {
-  std::uint32_t iterations = 0, factorisations = 0, halved = 0, safe = 0, projections = 0;
-  double work = 0.0;  // [J] of the world ends, pushes and twists
+  std::uint32_t iterations = 0, factorisations = 0, halved = 0, safe = 0, projections = 0, offsets = 0;
+  double work = 0.0;  // [J] of the world ends, pushes and twists, and of making velocities consistent after an edit
+};
+
+/// What a drift needs to know of the world.
+struct DriftSettings {
+  double h;            ///< [s]
+  Vec3 gravity;        ///< [m/s²]
+  double tolerance;    ///< of a gap that cannot be closed, relative to the articulate's length
+  bool energy_return;
 };
 
 }  // namespace pantin

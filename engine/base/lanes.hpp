@@ -2,8 +2,11 @@
 // Vectors and matrices of the hot loops: one padded 4-lane vector of doubles per 3-vector. Only + - * / and sqrt, and
 // sums in a written order, so every compiler, lane width and optimisation level gives the same bits.
 #include <cmath>
+#include <limits>
 
 namespace pantin {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A 3-vector in four lanes. Make one with `vec(x, y, z)`; lanes 0, 1, 2 are x, y, z and lane 3 stays 0.
 using Vec3 = double __attribute__((vector_size(32)));

@@ -11,6 +11,7 @@ void push(World& world, BodyId body, Vec3 force, std::optional<Vec3> at) {
   if (at) require_finite("push", "at", *at, "m");
   Motion& m = world.motion_of(body);
   m.force += force;
+  world.pushed = true;
   if (at) m.torque += rotate(m.q, turning_part(m, cross(*at - m.x, force)));
 }
 
@@ -36,6 +37,7 @@ void twist(World& world, BodyId body, Vec3 torque) {
   require(along <= 1e-9 * norm(torque), "twist: ", describe(world, body),
           " cannot turn about the line of its points, but the torque has ", along, " N m about it; give it `inertia`");
   m.torque += torque;
+  world.pushed = true;
 }
 
 void push(World& world, PointId id, Vec3 force) {
@@ -44,6 +46,7 @@ void push(World& world, PointId id, Vec3 force) {
   if (point.body) return push(world, point.body, force, position(world, id));
   require_finite("push", "force", force, "N");
   point.force += force;
+  world.pushed = true;
 }
 
 void kick(World& world, PointId id, Vec3 impulse) {

@@ -111,6 +111,13 @@ void set_spin(World& world, BodyId body, Vec3 spin) {
   });
 }
 
+void set_lifetime(World& world, ParticleId id, double lifetime) {
+  require_unlocked(world, "lifetime");
+  require_positive_or_infinite(describe(world, id), "lifetime", lifetime, "s");
+  world.particles[id].lifetime = lifetime;
+  if (std::isfinite(lifetime)) world.mortals.push_back(id);
+}
+
 void set_own_mass(World& world, BodyId id, double mass) {
   require_unlocked(world, "mass");
   require_not_negative(describe(world, id), "mass", mass, "kg");

@@ -95,6 +95,7 @@ void set_origin(World& world, BodyId body, Vec3 origin);
 void set_orientation(World& world, BodyId body, Quat orientation);
 void set_velocity(World& world, BodyId body, Vec3 velocity);
 void set_spin(World& world, BodyId body, Vec3 spin);
+void set_lifetime(World& world, ParticleId particle, double lifetime);  ///< [s] from its making; > 0
 void set_own_mass(World& world, BodyId body, double mass);
 void set_own_inertia(World& world, BodyId body, const Mat3& inertia);
 

@@ -76,7 +76,7 @@ ParticleId add_particle(World& world, const ParticleDef& def) {
   row.color = def.color;
   const PointId point = make_point(world, std::move(row));
   const ParticleId id = world.points[point].own;
-  world.particles[id].lifetime = def.lifetime;
+  if (std::isfinite(def.lifetime)) set_lifetime(world, id, def.lifetime);
   world.particles[id].name = def.name;
   touch(world, point);
   post(world, energy_of(world, point));

@@ -101,8 +101,34 @@ struct World : Model {
   double start_energy = 0.0;    ///< [J] at the first step
   double largest_kinetic = 0.0; ///< [J] so far
 
+  std::vector<ParticleId> mortals;  ///< particles given a finite lifetime, the dead and the asleep among them
+  /// State of loose things at the start of the step, put back if it goes wrong.
+  struct SavedPoint {
+    Vec3 place, velocity;
+  };
+  std::vector<SavedPoint> saved_points;  ///< (loose_points)
+  std::vector<Motion> saved_motion;      ///< (loose_bodies)
+
+  bool pushed = false;   ///< pushes or twists wait for the coming step
   bool locked = false;   ///< inside a step, outside the phases in which scripts run
   std::string failure;   ///< not empty: the state became non-finite; the world steps no more
+};
+
+/// Time at the end of the coming step [s]: whole multiples of its length, however long the run.
+inline double next_time(const World& world) {
+  return world.step_origin + static_cast<double>(world.step_count + 1) * world.settings.step;
+}
+
+/// Forbids edits in its scope.
+class Lock {
+ public:
+  explicit Lock(World& world) : world_(world) { world_.locked = true; }
+  ~Lock() { world_.locked = false; }
+  Lock(const Lock&) = delete;
+  Lock& operator=(const Lock&) = delete;
+
+ private:
+  World& world_;
 };
 
 /// Writes a line into the log, at the present time.

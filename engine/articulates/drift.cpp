@@ -1,0 +1,82 @@
+#include "articulates/drift.hpp"
+
+#include "articulates/midpoint.hpp"
+#include "articulates/newton.hpp"
+#include "articulates/project.hpp"
+#include "articulates/safe_step.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr int most_halvings = 5;
+
+/// Work of world ends that move, of limited pulls, and of pushes and twists, in the step just solved [J].
+double work_of_step(const Articulate& a, Vec3 gravity) {
+  double work = 0.0;
+  for (const Row& row : a.rows) {
+    if (row.b >= 0) continue;
+    const Vec3 moved = row.place1 - row.place0;
+    work += dot(row.f, row.kind == RowKind::limited ? moved + row.d1 - row.d0 : moved);
+  }
+  for (const Node& n : a.nodes) {
+    work += dot(n.force - gravity * n.mass, n.x1 - n.x0);
+    if (n.turns) work += dot(n.torque, n.R0 * n.a);
+  }
+  return work;
+}
+
+void place_world_ends(Articulate& a, double from, double to) {
+  for (Row& row : a.rows) {
+    if (row.b >= 0) continue;
+    const Vec3 way = row.whole1 - row.whole0;
+    row.place0 = row.whole0 + way * from;
+    row.place1 = to == 1.0 ? row.whole1 : row.whole0 + way * to;
+  }
+}
+
+/// Moves over the part from … to (0 … 1) of the step.
+void drift_part(Articulate& a, const DriftSettings& settings, double from, double to, int depth, DriftReport& report) {
+  const double h = settings.h * (to - from);
+  place_world_ends(a, from, to);
+  if (a.start_gap > 1e-8 * a.length) return safe_step(a, settings, h, report);
+  place_rows_at_start(a);
+  if (solve_step(a, h, settings.gravity, report)) {
+    report.work += work_of_step(a, settings.gravity);
+    for (Node& n : a.nodes) commit(n);
+    for (Row& row : a.rows) row.fresh = false;
+    a.start_gap = largest_gap(a);
+    a.last_h = h;
+    a.safe = false;
+    if (a.epsilon < 1e-6 && !a.lowered && ++a.good_steps > a.wait) {
+      a.epsilon *= 10.0;
+      a.good_steps = 0;
+    }
+    return;
+  }
+  a.last_h = 0.0;
+  if (depth == most_halvings) return safe_step(a, settings, h, report);
+  report.halved++;
+  const double middle = 0.5 * (from + to);
+  drift_part(a, settings, from, middle, depth + 1, report);
+  drift_part(a, settings, middle, to, depth + 1, report);
+}
+
+}  // namespace
+
+void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
+  if (a.edited) {
+    place_world_ends(a, 0.0, 0.0);
+    place_rows_at_end(a);
+    a.start_gap = largest_gap(a);
+    if (a.start_gap <= 1e-8 * a.length) {
+      const double before = kinetic_energy(a);
+      make_consistent(a);
+      report.work += kinetic_energy(a) - before;
+    }
+    a.edited = false;
+  }
+  drift_part(a, settings, 0.0, 1.0, 0, report);
+}
+
+}  // namespace pantin

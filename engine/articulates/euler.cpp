@@ -1,0 +1,118 @@
+#include <algorithm>
+
+#include "articulates/drift.hpp"
+#include "articulates/newton.hpp"
+#include "articulates/rows.hpp"
+#include "articulates/safe_step.hpp"
+#include "base/functions.hpp"
+
+namespace pantin {
+
+namespace {
+
+/// End of the step from row_force and the moment of the row forces about the centre (in E), world axes.
+void evaluate_euler(Node& n, double h) {
+  n.p1 = n.p0 + (n.row_force + n.force) * h;
+  n.x1 = n.x0 + n.p1 * (h * n.inverse_mass);
+  if (!n.turns) return;
+  const Vec3 L = n.R0 * n.P0 + (n.E + n.torque) * h;
+  const Vec3 turn = n.inverse_inertia * transposed_times(n.R0, L) * h;
+  const double angle = norm(turn), s = functions::sin(0.5 * angle);
+  const Vec3 u = direction(turn) * s;
+  n.q1 = n.q0 * Quat{functions::cos(0.5 * angle), u[0], u[1], u[2]};
+  n.R1 = matrix(n.q1);
+  n.P1 = transposed_times(n.R1, L);
+}
+
+/// State and residuals for the present forces; returns the largest residual [m].
+double attempt_euler(Articulate& a, double h) {
+  for (Node& n : a.nodes) n.row_force = n.E = zero3();
+  for (const Row& row : a.rows) {
+    Node& first = a.nodes[static_cast<std::size_t>(row.a)];
+    first.row_force += row.f;
+    first.E += cross(row.ra0, row.f);
+    if (row.b < 0) continue;
+    Node& second = a.nodes[static_cast<std::size_t>(row.b)];
+    second.row_force -= row.f;
+    second.E -= cross(row.rb0, row.f);
+  }
+  for (Node& n : a.nodes) evaluate_euler(n, h);
+  place_rows_at_end(a);
+  double worst = 0.0;
+  for (Row& row : a.rows) {
+    const double r = rule(row).evaluate(row, {h, mobility(a, row)});
+    if (!std::isfinite(r)) return infinity;
+    worst = std::max(worst, r);
+  }
+  return worst;
+}
+
+/// Newton with line backtracking on the places at the end; false where it finds no better ones.
+bool solve_euler(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
+  const double tolerance = 1e-11 * a.length + 1e-10 * h * std::sqrt(norm(gravity) * a.length);
+  double e = attempt_euler(a, h);
+  for (int i = 0; i < 40 && e > tolerance; i++) {
+    for (Node& n : a.nodes)
+      if (n.turns) n.W = times_transposed(Mat3{{n.R0[0] * n.inverse_inertia[0], n.R0[1] * n.inverse_inertia[1],
+                                                n.R0[2] * n.inverse_inertia[2]}},
+                                          n.R0);
+    factorise(a, Arms::start, 1e-10, 1.0 / (h * h));
+    report.factorisations++;
+    for (std::size_t k = 0; k < a.rows.size(); k++) {
+      a.right_side[k] = a.rows[k].residual * (-1.0 / (h * h));
+      a.rows[k].f_saved = a.rows[k].f;
+    }
+    a.factor.solve(a.right_side.data());
+    double fraction = 1.0, e1 = infinity;
+    for (int halvings = 0; halvings <= 8; halvings++, fraction *= 0.5) {
+      for (std::size_t k = 0; k < a.rows.size(); k++) a.rows[k].f = a.rows[k].f_saved + a.right_side[k] * fraction;
+      e1 = attempt_euler(a, h);
+      report.iterations++;
+      if (e1 < e * (1.0 - 0.1 * fraction) || e1 <= tolerance) break;
+    }
+    if (!(e1 < e)) return false;
+    e = e1;
+  }
+  return e <= 100.0 * tolerance;
+}
+
+void commit_euler(Node& n) {
+  n.x0 = n.x1;
+  n.p0 = n.p1;
+  if (!n.turns) return;
+  n.P0 = n.P1;
+  n.q0 = n.q1;
+  n.R0 = n.R1;
+  n.O0 = n.inverse_inertia * n.P0;
+}
+
+}  // namespace
+
+void drift_euler(Articulate& a, const DriftSettings& settings, DriftReport& report) {
+  for (Row& row : a.rows) {
+    row.place0 = row.whole0;
+    row.place1 = row.whole1;
+  }
+  place_rows_at_start(a);
+  a.last_h = 0.0;
+  a.has_factor = false;
+  if (!solve_euler(a, settings.h, settings.gravity, report)) return safe_step(a, settings, settings.h, report);
+  double work = 0.0;
+  for (const Row& row : a.rows)
+    if (row.b < 0) work += dot(row.f, row.place1 - row.place0 + (row.d1 - row.d0));
+  for (Node& n : a.nodes) {
+    work += dot(n.force - settings.gravity * n.mass, n.x1 - n.x0);
+    commit_euler(n);
+  }
+  report.work += work;
+  a.start_gap = largest_gap(a);
+  a.safe = false;
+}
+
+void drift_euler_alone(Node& n, double h) {
+  n.row_force = n.E = zero3();
+  evaluate_euler(n, h);
+  commit_euler(n);
+}
+
+}  // namespace pantin

@@ -1,0 +1,212 @@
+// Newton's iteration on rotations and row forces together, with line backtracking (the paper's), on a factor that is
+// kept while it serves, with a compliance that adapts. Residuals are lengths in metres.
+#include "articulates/newton.hpp"
+
+#include <algorithm>
+
+#include "articulates/midpoint.hpp"
+#include "articulates/rows.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr double epsilon_highest = 1e-6, epsilon_lowest = 1e-10;
+constexpr std::uint32_t most_iterations = 40, most_halvings = 6;
+
+const Node& first(const Articulate& a, const Row& row) { return a.nodes[static_cast<std::size_t>(row.a)]; }
+const Node& second(const Articulate& a, const Row& row) { return a.nodes[static_cast<std::size_t>(row.b)]; }
+
+/// Adds forces `f` of the rows to the nodes' sums.
+template <Vec3 Row::*force>
+void gather_forces(Articulate& a) {
+  for (Node& n : a.nodes) {
+    n.row_force = zero3();
+    n.row_moment = zero33();
+  }
+  for (Row& row : a.rows) {
+    const Vec3 f = row.*force;
+    Node& na = a.nodes[static_cast<std::size_t>(row.a)];
+    na.row_force += f;
+    na.row_moment += outer(row.la, f);
+    if (row.b < 0) continue;
+    Node& nb = a.nodes[static_cast<std::size_t>(row.b)];
+    nb.row_force -= f;
+    nb.row_moment -= outer(row.lb, f);
+  }
+}
+
+/// State and residuals for the present unknowns; returns the largest residual [m].
+double attempt(Articulate& a, double h) {
+  gather_forces<&Row::f>(a);
+  double worst = 0.0;
+  for (Node& n : a.nodes) {
+    evaluate(n, h);
+    if (!n.turns) continue;
+    n.da = n.J_inverse * n.E * -1.0;
+    worst = std::max(worst, norm(n.da) * n.reach);
+    if (!std::isfinite(n.E[0] + n.E[1] + n.E[2])) return infinity;
+  }
+  place_rows_at_end(a);
+  for (Row& row : a.rows) {
+    const double r =
+        row.kind == RowKind::rigid ? evaluate_rigid(row, {}) : rule(row).evaluate(row, {h, mobility(a, row)});
+    if (!std::isfinite(r)) return infinity;
+    worst = std::max(worst, r);
+  }
+  return worst;
+}
+
+void renew_factor(Articulate& a, double h, DriftReport& report) {
+  for (Node& n : a.nodes) {
+    if (!n.turns) continue;
+    invert_jacobian(n, h);
+    n.da = n.J_inverse * n.E * -1.0;
+    weigh(n, h);
+  }
+  a.weak = factorise(a, Arms::mean, a.epsilon, 2.0 / (h * h));
+  a.has_factor = true;
+  report.factorisations++;
+}
+
+/// df of the rows and da of the nodes from the present residuals and the factor.
+void find_direction(Articulate& a, double h, std::vector<Vec3>& y) {
+  for (Node& n : a.nodes) n.phi = n.turns ? rotation(n, n.da) : zero3();
+  for (std::size_t k = 0; k < a.rows.size(); k++) {
+    const Row& row = a.rows[k];
+    Vec3 moved = cross(first(a, row).phi, row.ra1);
+    if (row.b >= 0) moved -= cross(second(a, row).phi, row.rb1);
+    y[k] = (row.kind == RowKind::rigid ? row.residual + moved : row.residual + row.M * moved) * (-2.0 / (h * h));
+  }
+  a.factor.solve(y.data());
+  for (std::size_t k = 0; k < a.rows.size(); k++) a.rows[k].df = y[k];
+  gather_forces<&Row::df>(a);
+  for (Node& n : a.nodes) {
+    if (!n.turns) continue;
+    const Vec3 tau = axial(n.N * (n.row_moment * n.R0));
+    n.da += n.J_inverse * (tau - cross(n.a, tau) * 0.5) * h;
+  }
+}
+
+void save_unknowns(Articulate& a) {
+  for (Row& row : a.rows) row.f_saved = row.f;
+  for (Node& n : a.nodes) {
+    n.a_saved = n.a;
+    n.phi = n.da;  // the direction: `attempt` overwrites da
+  }
+}
+
+void move_unknowns(Articulate& a, double fraction) {
+  for (Row& row : a.rows) row.f = row.f_saved + row.df * fraction;
+  for (Node& n : a.nodes) n.a = n.a_saved + n.phi * fraction;
+}
+
+void lower_epsilon(Articulate& a) {
+  a.epsilon = std::max(epsilon_lowest, 0.1 * a.epsilon);
+  a.good_steps = 0;
+  if (!a.lowered) a.wait = std::min(2 * a.wait, 2000u);
+  a.lowered = true;
+}
+
+/// The residual that counts as solved, [m].
+double goal(const Articulate& a, double h, Vec3 gravity) {
+  double speed2 = norm(gravity) * a.length, place = a.length;
+  for (const Node& n : a.nodes) {
+    speed2 = std::max(speed2, norm2(n.p0) * n.inverse_mass * n.inverse_mass);
+    place = std::max(place, largest(n.x0));
+  }
+  return std::max(1e-10 * std::fabs(h) * std::sqrt(speed2), 8e-16 * place);
+}
+
+void predict(Articulate& a, double h) {
+  const bool history = a.last_h != 0.0, same_h = a.last_h == h;
+  const double ratio = history ? h / a.last_h : 0.0;
+  for (Node& n : a.nodes) {
+    if (!n.turns) continue;
+    const Vec3 last = n.a;
+    n.a = !history ? n.O0 * h : a.extrapolate && same_h && !a.weak ? last * 2.0 - n.a_last : last * ratio;
+    n.a_last = last;
+    if (!same_h) n.J_inverse = diagonal(n.inverse_inertia * (0.5 * h));
+  }
+  for (Row& row : a.rows) {
+    const Vec3 last = row.f;
+    if (a.weak)
+      row.f = last * 0.95;  // forget multipliers that the equations do not determine
+    else if (!row.fresh && history)
+      row.f = last + (last - row.f_last) * ratio;
+    row.f_last = last;
+  }
+  a.extrapolate = history;
+}
+
+/// One damped Newton step along the direction in the nodes and rows. Returns the new residual.
+double search_line(Articulate& a, double h, double e, double tolerance, bool fresh, DriftReport& report) {
+  save_unknowns(a);
+  double largest_turn = 0.0;
+  for (const Node& n : a.nodes) largest_turn = std::max(largest_turn, n.turns ? norm2(n.phi) : 0.0);
+  double fraction = std::min(1.0, 1.0 / std::sqrt(largest_turn));
+  for (std::uint32_t halvings = 0;; halvings++) {
+    move_unknowns(a, fraction);
+    const double e1 = attempt(a, h);
+    report.iterations++;
+    const bool accepted = e1 < e * (1.0 - 0.1 * fraction) || e1 <= tolerance;
+    if (accepted || halvings >= most_halvings || (!fresh && halvings == 0)) return e1;
+    fraction *= 0.5;
+  }
+}
+
+}  // namespace
+
+void place_rows_at_start(Articulate& a) {
+  for (Row& row : a.rows) {
+    row.ra0 = first(a, row).R0 * row.la;
+    row.rb0 = row.b >= 0 ? second(a, row).R0 * row.lb : zero3();
+    row.d0 = first(a, row).x0 + row.ra0 - (row.b >= 0 ? second(a, row).x0 + row.rb0 : row.place0);
+  }
+}
+
+void place_rows_at_end(Articulate& a) {
+  for (Row& row : a.rows) {
+    row.ra1 = first(a, row).R1 * row.la;
+    row.rb1 = row.b >= 0 ? second(a, row).R1 * row.lb : zero3();
+    row.d1 = first(a, row).x1 + row.ra1 - (row.b >= 0 ? second(a, row).x1 + row.rb1 : row.place1);
+  }
+}
+
+bool solve_step(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
+  predict(a, h);
+  a.lowered = false;
+  const double tolerance = goal(a, h, gravity);
+  double e = attempt(a, h), gain = 1.0;
+  bool have_factor = false, fresh = false;
+  for (std::uint32_t i = 0; e > tolerance && i < most_iterations; i++) {
+    if (!have_factor || gain > 0.1) {
+      renew_factor(a, h, report);
+      have_factor = fresh = true;
+    }
+    find_direction(a, h, a.right_side);
+    double e1 = search_line(a, h, e, tolerance, fresh, report);
+    gain = e1 / e;
+    if (!(e1 < e)) {
+      move_unknowns(a, 0.0);
+      e = attempt(a, h);
+      gain = 1.0;
+      if (!fresh) continue;
+      if (e < 1e-4 * a.length && e > 100.0 * tolerance && a.epsilon > epsilon_lowest) {
+        lower_epsilon(a);
+        fresh = false;
+        continue;
+      }
+      return e < 100.0 * tolerance;
+    }
+    if (fresh && gain > 0.2 && e < 1e-4 * a.length && a.epsilon > epsilon_lowest) {
+      lower_epsilon(a);
+      gain = 1.0;
+    }
+    fresh = false;
+    e = e1;
+  }
+  return e <= 100.0 * tolerance;
+}
+
+}  // namespace pantin

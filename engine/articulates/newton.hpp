@@ -1,0 +1,25 @@
+#pragma once
+#include "articulates/articulate.hpp"
+
+namespace pantin {
+
+/// Solves one step of h for rotations and row forces together, from predicted unknowns; the result is in the nodes' ends.
+/// False where it does not converge; the starts are untouched.
+bool solve_step(Articulate& articulate, double h, Vec3 gravity, DriftReport& report);
+
+/// Sets r and d of all rows at the start, from the nodes' starts and `place0`.
+void place_rows_at_start(Articulate& articulate);
+/// The same at the end, from the nodes' ends and `place1`.
+void place_rows_at_end(Articulate& articulate);
+
+/// Where in the step the row forces act: at the arms of its start (the paper's scheme), the mean of both ends (the
+/// midpoint step), or its end (projections).
+enum class Arms : std::uint8_t { start, mean, end };
+/// Fills and factorises the rows' matrix: left arms at the end, right arms as told, weights W of the nodes, M and C of the
+/// rows (`scale` C is added), compliance `epsilon` relative to the diagonal. Returns whether a pivot is weak.
+bool factorise(Articulate& articulate, Arms right, double epsilon, double scale);
+
+/// tr(S_kk)/3 of a row from the nodes' masses and inverse inertia, [1/kg].
+double mobility(const Articulate& articulate, const Row& row);
+
+}  // namespace pantin

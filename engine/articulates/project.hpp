@@ -1,0 +1,14 @@
+#pragma once
+#include "articulates/articulate.hpp"
+
+namespace pantin {
+
+/// Takes out of the momenta what the rows forbid, S1 μ = -(G1 v1 - v_anchor), p += G'μ, once at the end of a full step;
+/// without it an odd-even velocity hides and grows. With `energy_return` the kinetic energy that this took is given back.
+void project_velocities(Articulate& articulate, const DriftSettings& settings, DriftReport& report);
+
+/// Makes momenta consistent after an edit (an inelastic meeting), with the least compliance that gives a sane energy:
+/// anchors may be near-singular or contradict each other. Arms at the nodes' ends; ends must equal starts.
+void make_consistent(Articulate& articulate);
+
+}  // namespace pantin

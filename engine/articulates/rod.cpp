@@ -1,0 +1,28 @@
+// A rod: g = (|d1|² - L²)/2L = 0 by a force along the mean direction d̄ = (d0 + d1)/2, so that force times displacement is
+// λ Δg exactly (discrete gradient; Gonzalez 1996). The force is a 3-vector like any row's, held to d̄ by two equations:
+//   n g + κ P f = 0,  n = d̄/|d̄|,  P = 1 - n n',  κ = (h²/2) mobility to make a force a length.
+#include "articulates/rows.hpp"
+
+namespace pantin {
+
+double evaluate_rod(Row& row, const RowContext& context) {
+  const Vec3 middle = (row.d0 + row.d1) * 0.5;
+  const double reach = norm(middle), kappa = 0.5 * context.h * context.h * context.mobility;
+  const Vec3 n = direction(middle);
+  const double g = (dot(row.d1, row.d1) - row.length * row.length) / (2.0 * row.length);
+  const double along = dot(row.f, n);
+  const Vec3 across = (row.f - n * along) * kappa;
+  const Mat3 P = identity33() - outer(n, n);
+  row.residual = n * g + across;
+  row.M = outer(n, row.d1 / row.length) - P * (kappa * along / (2.0 * std::fmax(reach, 1e-3 * row.length)));
+  row.C = P * kappa;
+  return norm(row.residual);
+}
+
+void project_rod(Row& row) {
+  const Vec3 n = direction(row.d1);
+  row.M = outer(n, n);
+  row.C = (identity33() - row.M);
+}
+
+}  // namespace pantin

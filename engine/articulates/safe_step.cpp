@@ -1,0 +1,154 @@
+#include "articulates/safe_step.hpp"
+
+#include <algorithm>
+
+#include "articulates/midpoint.hpp"
+#include "articulates/newton.hpp"
+#include "articulates/project.hpp"
+#include "articulates/rows.hpp"
+
+namespace pantin {
+
+namespace {
+
+void settle(Node& n) {
+  n.x1 = n.x0;
+  n.q1 = n.q0;
+  n.R1 = n.R0;
+}
+
+/// Forces of limited rows at the start of the step, softened as a backward step would; then all constant forces.
+void kick(Articulate& a, double h) {
+  for (Row& row : a.rows) {
+    row.f = zero3();
+    if (row.kind != RowKind::limited) continue;
+    const double give = 1.0 + h * (h * row.stiffness + row.damping) * mobility(a, row);
+    const Vec3 z = row.d0 * (-row.stiffness / give);
+    const double pull = norm(z);
+    row.f = pull > row.max_force ? z * (row.max_force / pull) : z;
+    Node& n = a.nodes[static_cast<std::size_t>(row.a)];
+    n.p0 += row.f * h;
+    if (n.turns) n.P0 += transposed_times(n.R0, cross(row.ra0, row.f)) * h;
+  }
+  for (Node& n : a.nodes) {
+    n.p0 += n.force * h;
+    n.P0 += transposed_times(n.R0, n.torque) * h;
+    n.O0 = n.inverse_inertia * n.P0;
+  }
+}
+
+/// Sets the residuals of the rows to their gaps, and M and C for a solve in the mass metric; returns Σ g² [m²].
+double gaps(Articulate& a) {
+  place_rows_at_end(a);
+  double sum = 0.0;
+  for (Row& row : a.rows) {
+    rule(row).project(row);
+    if (row.kind == RowKind::limited)
+      row.residual = zero3();
+    else if (row.kind == RowKind::rod)
+      row.residual = direction(row.d1) * (norm(row.d1) - row.length);
+    else
+      row.residual = row.d1 - row.offset;
+    sum += norm2(row.residual);
+  }
+  return std::isfinite(sum) ? sum : infinity;
+}
+
+void move_by_solution(Articulate& a) {
+  for (Node& n : a.nodes) {
+    n.row_force = n.E = zero3();
+    n.x0 = n.x1;
+    n.q0 = n.q1;
+    n.R0 = n.R1;
+  }
+  for (std::size_t k = 0; k < a.rows.size(); k++) {
+    const Row& row = a.rows[k];
+    const Vec3 f = a.right_side[k];
+    Node& first = a.nodes[static_cast<std::size_t>(row.a)];
+    first.row_force += f;
+    first.E += cross(row.ra1, f);
+    if (row.b < 0) continue;
+    Node& second = a.nodes[static_cast<std::size_t>(row.b)];
+    second.row_force -= f;
+    second.E -= cross(row.rb1, f);
+  }
+  for (Node& n : a.nodes) {
+    n.x1 = n.x0 + n.row_force * n.inverse_mass;
+    if (!n.turns) continue;
+    const Vec3 u = n.W * n.E * 0.5;
+    n.q1 = normalised(Quat{1.0, u[0], u[1], u[2]} * n.q0);
+    n.R1 = matrix(n.q1);
+  }
+}
+
+/// Closes the gaps of the nodes' ends by Levenberg and Marquardt; returns the largest that is left [m].
+double close_gaps(Articulate& a, double tolerance) {
+  double sum = gaps(a), epsilon = 1e-6, scale = 0.0;
+  if (!a.all_rigid)
+    for (const Row& row : a.rows) scale = std::max(scale, mobility(a, row));
+  for (int i = 0; i < 40 && sum > tolerance * tolerance && epsilon <= 1e3; i++) {
+    for (Node& n : a.nodes)
+      if (n.turns) n.W = times_transposed(Mat3{{n.R1[0] * n.inverse_inertia[0], n.R1[1] * n.inverse_inertia[1],
+                                                n.R1[2] * n.inverse_inertia[2]}},
+                                          n.R1);
+    factorise(a, Arms::end, epsilon, scale);
+    for (std::size_t k = 0; k < a.rows.size(); k++) a.right_side[k] = a.rows[k].residual * -1.0;
+    a.factor.solve(a.right_side.data());
+    move_by_solution(a);
+    const double now = gaps(a);
+    if (now < sum) {
+      const bool slow = now > 0.998 * sum;
+      sum = now;
+      epsilon = std::max(1e-12, 0.02 * epsilon);
+      if (slow) break;
+      continue;
+    }
+    for (Node& n : a.nodes) settle(n);
+    gaps(a);
+    epsilon *= 20.0;
+  }
+  return largest_gap(a);
+}
+
+/// A small gap that stays (a loop built a little too long) becomes the row's constant offset.
+void accept_gaps(Articulate& a, double gap, double tolerance, DriftReport& report) {
+  if (gap <= 1e-8 * a.length || gap > tolerance * a.length) return;
+  for (Row& row : a.rows)
+    if (row.kind == RowKind::rigid) row.offset = row.d1;
+  report.offsets++;
+  a.start_gap = 0.0;
+}
+
+}  // namespace
+
+void safe_step(Articulate& a, const DriftSettings& settings, double h, DriftReport& report) {
+  place_rows_at_start(a);
+  for (Node& n : a.nodes) settle(n);
+  kick(a, h);
+  place_rows_at_end(a);
+  make_consistent(a);
+  for (Node& n : a.nodes) {
+    n.x0 += n.p0 * (h * n.inverse_mass);
+    if (n.turns) turn_freely(n, h);
+    settle(n);
+  }
+  a.start_gap = close_gaps(a, 1e-9 * h * std::sqrt(norm(settings.gravity) * a.length) + 1e-12 * a.length);
+  for (Node& n : a.nodes) {
+    n.x0 = n.x1;
+    if (!n.turns) continue;
+    n.q0 = n.q1;
+    n.R0 = n.R1;
+    n.O0 = n.inverse_inertia * n.P0;
+  }
+  accept_gaps(a, a.start_gap, settings.tolerance, report);
+  make_consistent(a);
+  for (Row& row : a.rows) {
+    if (row.kind != RowKind::limited) row.f = zero3();
+    row.fresh = true;
+  }
+  a.last_h = 0.0;
+  a.safe = true;
+  report.safe++;
+}
+
+}  // namespace pantin

@@ -1,0 +1,13 @@
+#include "phases/phases.hpp"
+#include "world/hands.hpp"
+#include "world/measure.hpp"
+
+namespace pantin::phases {
+
+void begin_step(World& world) {
+  const Timed timed(world.profile, Phase::begin_step);
+  if (world.steps == 0) world.start_energy = energy(world).total();
+  apply_input(world, next_time(world));
+}
+
+}  // namespace pantin::phases

@@ -1,0 +1,87 @@
+#include "articulates/drift.hpp"
+
+#include "articulates/midpoint.hpp"
+#include "articulates/project.hpp"
+#include "phases/phases.hpp"
+
+namespace pantin::phases {
+
+namespace {
+
+void drift_points(World& world) {
+  for (std::uint32_t slot : world.loose_points) {
+    Point& p = world.points.at_slot(slot);
+    p.place += p.velocity * world.settings.step;
+  }
+}
+
+void drift_bodies(World& world) {
+  const bool euler = world.settings.integrator == Integrator::euler;
+  Node n{};
+  n.is_body = true;
+  for (std::uint32_t slot : world.loose_bodies) {
+    const Motion& m = world.motion[slot];
+    n.slot = slot;
+    n.mass = m.mass;
+    n.inverse_mass = 1.0 / m.mass;
+    n.inertia = m.inertia;
+    n.inverse_inertia = inverse_inertia(m);
+    n.turns = m.freedom != Freedom::point;
+    load(n, world, world.settings.gravity);
+    const Vec3 x = n.x0;
+    const double before = kinetic_energy(n);
+    euler ? drift_euler_alone(n, world.settings.step) : drift_alone(n, world.settings.step);
+    if (norm2(m.force) > 0.0 || norm2(m.torque) > 0.0)
+      world.work += kinetic_energy(n) - before - n.mass * dot(world.settings.gravity, n.x0 - x);
+    store(n, world);
+  }
+}
+
+void count(World& world, const DriftReport& report) {
+  world.stats.newton_iterations += report.iterations;
+  world.stats.factorisations += report.factorisations;
+  world.stats.halved_steps += report.halved;
+  world.stats.safe_steps += report.safe;
+  world.stats.projections += report.projections;
+  world.stats.solves++;
+  world.stats.worst_iterations = std::max(world.stats.worst_iterations, report.iterations);
+  world.work += report.work;
+}
+
+DriftSettings drift_settings(const World& world) {
+  return {world.settings.step, world.settings.gravity, world.settings.tolerance, world.settings.energy_return};
+}
+
+}  // namespace
+
+void drift(World& world) {
+  const Timed timed(world.profile, Phase::drift);
+  drift_points(world);
+  drift_bodies(world);
+  const DriftSettings settings = drift_settings(world);
+  for (auto& articulate : world.articulates) {
+    load(*articulate, world, settings.gravity);
+    DriftReport report;
+    if (world.settings.integrator == Integrator::euler)
+      drift_euler(*articulate, settings, report);
+    else
+      pantin::drift(*articulate, settings, report);
+    count(world, report);
+    if (report.offsets > 0)
+      log_line(world, "notice", "a gap that no motion can close was taken as a constant offset of its hinges");
+  }
+}
+
+void project_velocities(World& world) {
+  const Timed timed(world.profile, Phase::project_velocities);
+  if (world.settings.integrator == Integrator::euler) return;
+  const DriftSettings settings = drift_settings(world);
+  for (auto& articulate : world.articulates) {
+    DriftReport report;
+    pantin::project_velocities(*articulate, settings, report);
+    world.stats.projections += report.projections;
+    world.work += report.work;
+  }
+}
+
+}  // namespace pantin::phases

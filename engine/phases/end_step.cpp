@@ -1,0 +1,80 @@
+#include <algorithm>
+
+#include "articulates/articulate.hpp"
+#include "phases/phases.hpp"
+#include "world/measure.hpp"
+
+namespace pantin::phases {
+
+namespace {
+
+bool finite(const Node& n) {
+  return pantin::finite(n.x0) && pantin::finite(n.p0) && pantin::finite(n.P0) && std::isfinite(n.q0.w + n.q0.x + n.q0.y + n.q0.z);
+}
+
+/// Names the first thing whose new state is not finite; empty if all is well.
+std::string first_bad(const World& world) {
+  for (std::uint32_t slot : world.loose_points) {
+    const Point& p = world.points.at_slot(slot);
+    if (!pantin::finite(p.place) || !pantin::finite(p.velocity)) return describe(world, p.particle);
+  }
+  for (std::uint32_t slot : world.loose_bodies) {
+    const Motion& m = world.motion[slot];
+    if (!pantin::finite(m.x) || !pantin::finite(m.p) || !pantin::finite(m.angular) || !std::isfinite(m.q.w))
+      return describe(world, world.bodies.id_at(slot));
+  }
+  for (const auto& articulate : world.articulates)
+    for (const Node& n : articulate->nodes)
+      if (!finite(n))
+        return n.is_body ? describe(world, world.bodies.id_at(n.slot))
+                         : describe(world, world.points.at_slot(n.slot).particle);
+  return {};
+}
+
+void put_back(World& world) {
+  for (std::size_t i = 0; i < world.loose_points.size(); i++) {
+    Point& p = world.points.at_slot(world.loose_points[i]);
+    p.place = world.saved_points[i].place;
+    p.velocity = world.saved_points[i].velocity;
+  }
+  for (std::size_t i = 0; i < world.loose_bodies.size(); i++) world.motion[world.loose_bodies[i]] = world.saved_motion[i];
+}
+
+void end_pushes(World& world) {
+  for (std::uint32_t s = 0; s < world.bodies.slots(); s++) world.motion[s].force = world.motion[s].torque = zero3();
+  for (std::uint32_t s = 0; s < world.points.slots(); s++) world.points.at_slot(s).force = zero3();
+  world.pushed = false;
+}
+
+void measure_errors(World& world) {
+  const Energy e = energy(world);
+  world.largest_kinetic = std::max(world.largest_kinetic, e.kinetic);
+  world.error = accuracy(world);
+  world.worst.hinge_gap = std::max(world.worst.hinge_gap, world.error.hinge_gap);
+  world.worst.constraint = std::max(world.worst.constraint, world.error.constraint);
+  world.worst.energy = std::max(world.worst.energy, world.error.energy);
+}
+
+}  // namespace
+
+void end_step(World& world) {
+  const Timed timed(world.profile, Phase::end_step);
+  const double time = next_time(world);
+  if (const std::string bad = first_bad(world); !bad.empty()) {
+    put_back(world);
+    world.failure = text("the state of ", bad, " is no longer a finite number at ", time,
+                         " s; the scene is stopped at its last good state. Forces or speeds are too large for a step of ",
+                         world.settings.step, " s");
+    log_line(world, "failure", world.failure);
+    return;
+  }
+  for (auto& articulate : world.articulates) store(*articulate, world);
+  world.time = time;
+  world.step_count++;
+  world.steps++;
+  if (world.pushed) end_pushes(world);
+  measure_errors(world);
+  for (Probe& probe : world.probes) probe.values.push_back(probe.read());
+}
+
+}  // namespace pantin::phases

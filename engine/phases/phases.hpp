@@ -1,0 +1,26 @@
+#pragma once
+// The phases of a step, in their order: free functions over the world, each timed under its own name.
+#include "world/world.hpp"
+
+namespace pantin::phases {
+
+/// Moves hands, carries out the input's commands and samples the targets of follows, at the end of the coming step.
+void begin_step(World& world);
+/// Choreography: what is due up to the end of the coming step.
+void fire_events(World& world);
+/// "step" callbacks, and the notices of the last step.
+void run_behaviours(World& world);
+/// Ends of lifetimes: hinges are cut, others removed.
+void age_particles(World& world);
+/// Only what an edit made dirty.
+void find_articulates(World& world);
+/// Half a step of forces on free particles.
+void half_kick(World& world);
+/// Moves free particles and bodies on their own, and articulates by Newton's iteration.
+void drift(World& world);
+/// Takes out of the velocities what the constraints forbid.
+void project_velocities(World& world);
+/// Time, pushes' end, errors, probes, and the check that all is finite.
+void end_step(World& world);
+
+}  // namespace pantin::phases

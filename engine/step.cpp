@@ -1,0 +1,26 @@
+#include "step.hpp"
+
+#include "phases/phases.hpp"
+
+namespace pantin {
+
+void step(World& world) {
+  if (!world.failure.empty()) return;
+  phases::begin_step(world);
+  phases::fire_events(world);
+  phases::run_behaviours(world);
+  phases::age_particles(world);
+  const Lock lock(world);
+  phases::find_articulates(world);
+  phases::half_kick(world);
+  phases::drift(world);
+  phases::half_kick(world);
+  phases::project_velocities(world);
+  phases::end_step(world);
+}
+
+void advance(World& world, double until) {
+  while (world.failure.empty() && world.time < until - 0.5 * world.settings.step) step(world);
+}
+
+}  // namespace pantin
