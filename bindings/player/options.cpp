@@ -108,6 +108,7 @@ Options read_options(int argc, const char* const* argv) {
 
   CLI::App* play = app.add_subcommand("play", "Plays a scene in a window");
   play->add_option("scene", options.run.scene, "A scene's file, or the name of a shipped one [chain]");
+  play->add_flag("--paused", options.run.paused, "Waits for the space bar before it starts");
   add_scene_options(*play, options.run, settings, size);
   CLI::App* run = app.add_subcommand("run", "Runs a scene without a window");
   run->add_option("scene", options.run.scene, "A scene's file, or the name of a shipped one")->required();

@@ -23,6 +23,7 @@ struct RunOptions {
   std::vector<std::string> outputs;
   std::string summary;  ///< empty: none
   Size size;
+  bool paused = false;                              ///< `play` begins with a pause
   double script_limit = 5.0;                        ///< [s] 0: none
   std::size_t memory_limit = std::size_t{2} << 30;  ///< [bytes]
 };

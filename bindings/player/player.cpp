@@ -15,7 +15,7 @@ namespace pantin::player {
 namespace {
 
 constexpr std::chrono::milliseconds shortest_frame{12};  // where no screen sets the pace
-constexpr int first_samples = 4;
+constexpr int smooth_samples = 4;
 
 std::string window_title(const lua::Scene& scene) { return scene.title() + " - Pantin"; }
 
@@ -29,8 +29,9 @@ Player::Player(std::string path, const RunOptions& options, const std::string& h
       lua_options_(lua_options(options, home)),
       scene_(lua::Scene::open(path_, lua_options_)),
       window_(window_title(*scene_), options.size.width, options.size.height),
-      renderer_(window_.width(), window_.height(), window_.software() ? 0 : first_samples),
-      hands_([this] { return add_hand(scene_->world()); }) {
+      renderer_(window_.width(), window_.height(), window_.software() ? 0 : smooth_samples),
+      hands_([this] { return add_hand(scene_->world()); }),
+      paused_(options.paused) {
   renderer_.open(scene_->world());
   camera_ = aim(*scene_, renderer_.stage(), aspect(renderer_));
 }

@@ -59,7 +59,7 @@ class Player {
   Status status_;
   Times times_;
   Clock::time_point last_ = Clock::now();
-  bool paused_ = false;
+  bool paused_;
   bool help_ = false;
   bool single_step_ = false;
   std::string failure_;
