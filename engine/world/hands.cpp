@@ -91,7 +91,7 @@ void carry_out(World& world, const Command& command) {
   }
 }
 
-/// Restores what it changes, also when a command throws.
+/// Locks or unlocks the world and tells who acts, for a scope.
 struct Acting {
   World& world;
   bool locked = world.locked;
@@ -104,7 +104,7 @@ struct Acting {
 
 void carry_out_commands(World& world) {
   if (world.input.commands.empty()) return;
-  Acting acting{world};
+  const Acting acting{world};
   world.locked = false;
   for (const Command& command : world.input.commands) {
     world.who = [hand = command.hand] { return text("hand ", hand + 1); };
@@ -213,6 +213,8 @@ double usual_grab_force(const World& world, PointId point) {
 }
 
 void apply_input(World& world, double time) {
+  const Acting acting{world};
+  world.locked = true;  // paths and targets are functions of time: they look and answer
   move_hands(world, time);
   carry_out_commands(world);
   sample_targets(world, time);
