@@ -75,7 +75,7 @@ std::string describe(const Model& m, const AnyId& id);
 bool alive(const Model& m, const AnyId& id);
 
 /// Principal moments and axes (columns) of a symmetric matrix by Jacobi's method with a fixed number of sweeps, moments
-/// in rising order, axes right-handed with signs nearest to the columns of `near`.
+/// in rising order (up to round-off), axes right-handed with signs nearest to the columns of `near`.
 struct Principal {
   Vec3 moments;
   Mat3 axes;

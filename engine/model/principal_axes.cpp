@@ -5,12 +5,13 @@
 namespace pantin {
 namespace {
 
+constexpr double round_off = 4e-16;  // of a matrix scaled to 1
 constexpr int sweeps = 8;  // Jacobi's method converges quadratically; 5 are enough for 3 x 3
 
 /// Turns columns i and j so that the matrix has no element (i, j).
 void annihilate(Mat3& a, Mat3& axes, int i, int j) {
   const double off = a[j][i];
-  if (off == 0.0) return;
+  if (std::fabs(off) <= round_off) return;  // axes of equal moments do not turn for it
   const double theta = (a[j][j] - a[i][i]) / (2.0 * off);
   const double t = (theta < 0.0 ? -1.0 : 1.0) / (std::fabs(theta) + std::sqrt(theta * theta + 1.0));
   const double c = 1.0 / std::sqrt(t * t + 1.0), s = t * c;
@@ -41,7 +42,7 @@ Principal principal_axes(const Mat3& symmetric, const Mat3& near) {
   Mat3 axes = near * turn;
   double moments[3] = {a[0][0], a[1][1], a[2][2]};
   const auto order = [&](int i, int j) {
-    if (moments[i] <= moments[j]) return;
+    if (moments[i] <= moments[j] + round_off) return;
     std::swap(moments[i], moments[j]);
     std::swap(axes[i], axes[j]);
   };

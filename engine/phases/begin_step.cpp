@@ -6,7 +6,10 @@ namespace pantin::phases {
 
 void begin_step(World& world) {
   const Timed timed(world.profile, Phase::begin_step);
-  if (world.steps == 0) world.start_energy = energy(world).total();
+  if (world.steps == 0) {
+    world.start_energy = energy(world).total();
+    world.work = 0.0;
+  }
   apply_input(world, next_time(world));
 }
 

@@ -70,9 +70,7 @@ double energy_round(const World& world, PointId point) {
   return body ? energy_of(world, body) : energy_of(world, point);
 }
 
-void post(World& world, double joules) {
-  if (world.steps > 0) world.work += joules;
-}
+void post(World& world, double joules) { world.work += joules; }
 
 std::string culprit(const World& world) {
   std::string name = world.who ? world.who() : "";

@@ -28,7 +28,7 @@ double energy_of(const World& world, BodyId body);
 double energy_of(const World& world, PointId free_point);
 /// Of a free point, or of the body that the point belongs to.
 double energy_round(const World& world, PointId point);
-/// Adds to World::work, [J]; before the first step nothing is counted.
+/// Adds to World::work, [J]. The first step starts the balance anew, so building a scene is no work.
 void post(World& world, double joules);
 
 std::string culprit(const World& world);

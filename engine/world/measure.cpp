@@ -139,7 +139,7 @@ Accuracy accuracy(const World& world) {
       a.hinge_gap = std::fmax(a.hinge_gap, norm(position(world, c.a) - c.place - c.away));
   }
   a.constraint = std::fmax(a.constraint, a.hinge_gap);
-  if (world.steps > 0 && world.largest_kinetic > 0.0)
+  if (world.largest_kinetic > 0.0)
     a.energy = std::fabs(energy(world).total() - world.start_energy - world.work) / world.largest_kinetic;
   return a;
 }
