@@ -1,0 +1,27 @@
+// Places are relative to the eye, in units of the camera's distance, in the world's axes; colours are linear.
+uniform mat4 camera;      // projection * view
+uniform vec3 backward;    // camera's z axis
+uniform vec2 depth_row;   // of the projection: clip z = x * view z + y
+uniform float pixel;      // size of a pixel at distance 1
+uniform vec3 light;       // direction to the key light
+
+float depth_of(vec3 place) {
+  float z = dot(backward, place);
+  return 0.5 * (depth_row.x * z + depth_row.y) / -z + 0.5;
+}
+
+// Opacity at an edge where q falls through 0, one pixel wide.
+float coverage(float q) { return clamp(q / max(fwidth(q), 1e-20) + 0.5, 0.0, 1.0); }
+
+vec3 shown(vec3 color) { return pow(clamp(color, 0.0, 1.0), vec3(1.0 / 2.2)); }
+
+vec3 shade(vec3 color, vec3 normal, vec3 to_eye) {
+  vec3 sky = mix(vec3(0.27, 0.235, 0.21), vec3(0.52, 0.545, 0.58), 0.5 + 0.5 * normal.y);
+  float key = max(dot(normal, light), 0.0);
+  float fill = max(dot(normal, vec3(-0.7, 0.1, 0.6)), 0.0);
+  vec3 half_way = normalize(light + to_eye);
+  float shine = 0.22 * pow(max(dot(normal, half_way), 0.0), 48.0);
+  float edge = pow(1.0 - max(dot(normal, to_eye), 0.0), 3.0);
+  vec3 lit = color * (sky + key * vec3(0.70, 0.66, 0.60) + fill * vec3(0.05, 0.07, 0.10));
+  return lit + shine + 0.10 * edge * sky;
+}

@@ -1,0 +1,23 @@
+in vec3 spot;
+flat in vec3 centre_of;
+flat in mat3 inward;
+flat in vec3 paint_of;
+flat in vec3 second_of;
+out vec4 result;
+void main() {
+  vec3 ray = normalize(spot), d = inward * ray, c = inward * centre_of;
+  float dd = dot(d, d), t = dot(d, c) / dd;
+  vec3 off = c - d * t;
+  float q = 1.0 - dot(off, off);
+  float a = coverage(q);
+  if (a < least) discard;
+  float at = t - sqrt(max(q, 0.0) / dd);
+  vec3 p = d * at - c;
+  vec3 n = normalize(transpose(inward) * p);
+  float stripe = sin(3.0 * atan(p.z, p.x)) * length(p.xz);  // six segments, so that a spin is seen
+  float w = max(fwidth(stripe), 1e-6);
+  vec3 color = mix(second_of, paint_of, smoothstep(-w, w, stripe));
+  vec3 hit = ray * at;
+  gl_FragDepth = depth_of(hit);
+  result = vec4(shown(shade(color, n, -ray)), a);
+}

@@ -1,0 +1,10 @@
+layout(location = 0) in vec4 ball;
+out vec2 off;  // from the shadow's middle
+flat out vec2 edge;  // radius, softness
+void main() {
+  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
+  float height = ball.y - level;
+  edge = vec2(ball.w, softness(ball.w, height));
+  off = corner * (edge.x + edge.y);
+  gl_Position = height < -ball.w ? vec4(2.0) : on_map(fall(ball.xyz) + off);
+}

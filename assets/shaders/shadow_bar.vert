@@ -1,0 +1,17 @@
+layout(location = 0) in vec4 from;
+layout(location = 1) in vec4 to;
+out vec2 off;
+flat out vec2 along_of;
+flat out vec3 edge;  // radius, softness at both ends
+void main() {
+  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
+  vec2 a = fall(from.xyz), b = fall(to.xyz);
+  float heights = max(from.y, to.y) - level, size = length(b - a);
+  edge = vec3(from.w, softness(from.w, from.y - level), softness(from.w, to.y - level));
+  float wide = edge.x + max(edge.y, edge.z);
+  vec2 u = size > 0.0 ? (b - a) / size : vec2(1, 0);
+  along_of = b - a;
+  vec2 at = 0.5 * (a + b) + u * corner.x * (0.5 * size + wide) + vec2(-u.y, u.x) * corner.y * wide;
+  off = at - a;
+  gl_Position = heights < -from.w || to.w > 0.5 ? vec4(2.0) : on_map(at);
+}

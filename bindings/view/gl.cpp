@@ -1,0 +1,133 @@
+#include "view/gl.hpp"
+
+#include <algorithm>
+
+#include "base/check.hpp"
+#include "view/shaders.hpp"
+
+namespace pantin {
+
+namespace {
+
+std::string_view shader_text(const std::string& name) {
+  const auto found =
+      std::find_if(shader_texts.begin(), shader_texts.end(), [&](const auto& s) { return s.name == name; });
+  require(found != shader_texts.end(), "no shader is called '", name, "'");
+  return found->text;
+}
+
+GLuint compile(GLenum kind, const std::string& name, const std::string& text) {
+  const GLuint id = glCreateShader(kind);
+  const char* source = text.c_str();
+  glShaderSource(id, 1, &source, nullptr);
+  glCompileShader(id);
+  GLint good = 0;
+  glGetShaderiv(id, GL_COMPILE_STATUS, &good);
+  if (!good) {
+    char why[2000] = "";
+    glGetShaderInfoLog(id, sizeof why, nullptr, why);
+    throw Error(pantin::text("shader '", name, "': ", why));
+  }
+  return id;
+}
+
+}  // namespace
+
+Program::Program(const std::string& name, const std::string& common, const std::string& definitions) {
+  std::string head = "#version 330 core\n" + definitions;
+  if (!common.empty()) head += std::string(shader_text(common));
+  const GLuint vertex = compile(GL_VERTEX_SHADER, name + ".vert", head + std::string(shader_text(name + ".vert")));
+  const GLuint fragment = compile(GL_FRAGMENT_SHADER, name + ".frag", head + std::string(shader_text(name + ".frag")));
+  id_ = glCreateProgram();
+  glAttachShader(id_, vertex);
+  glAttachShader(id_, fragment);
+  glLinkProgram(id_);
+  glDeleteShader(vertex);
+  glDeleteShader(fragment);
+  GLint good = 0;
+  glGetProgramiv(id_, GL_LINK_STATUS, &good);
+  if (!good) {
+    char why[2000] = "";
+    glGetProgramInfoLog(id_, sizeof why, nullptr, why);
+    throw Error(text("shader '", name, "': ", why));
+  }
+}
+
+Program::~Program() { glDeleteProgram(id_); }
+
+Rows::Rows(std::initializer_list<int> attributes, bool each_instance) {
+  glGenVertexArrays(1, &array_);
+  glGenBuffers(1, &buffer_);
+  glBindVertexArray(array_);
+  glBindBuffer(GL_ARRAY_BUFFER, buffer_);
+  int total = 0;
+  for (const int n : attributes) total += n;
+  GLuint index = 0;
+  std::size_t offset = 0;
+  for (const int n : attributes) {
+    glEnableVertexAttribArray(index);
+    glVertexAttribPointer(index, n, GL_FLOAT, GL_FALSE, total * static_cast<int>(sizeof(float)),
+                          reinterpret_cast<const void*>(offset));
+    if (each_instance) glVertexAttribDivisor(index, 1);
+    offset += static_cast<std::size_t>(n) * sizeof(float);
+    index++;
+  }
+}
+
+Rows::~Rows() {
+  glDeleteBuffers(1, &buffer_);
+  glDeleteVertexArrays(1, &array_);
+}
+
+void Rows::send(const void* data, std::size_t bytes) {
+  glBindBuffer(GL_ARRAY_BUFFER, buffer_);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_STREAM_DRAW);
+}
+
+Target::Target(int width, int height, int samples, Format format, bool depth)
+    : width_(width), height_(height), texture_(format == Format::shade) {
+  GLint most = 0;
+  glGetIntegerv(GL_MAX_SAMPLES, &most);
+  samples_ = std::clamp(samples, 0, static_cast<int>(most));
+  glGenFramebuffers(1, &framebuffer_);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+  if (texture_) {
+    glGenTextures(1, &color_);
+    glBindTexture(GL_TEXTURE_2D, color_);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, width, height, 0, GL_RED, GL_UNSIGNED_BYTE, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_, 0);
+  } else {
+    glGenRenderbuffers(1, &color_);
+    glBindRenderbuffer(GL_RENDERBUFFER, color_);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_RGBA8, width, height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_);
+  }
+  if (depth) {
+    glGenRenderbuffers(1, &depth_);
+    glBindRenderbuffer(GL_RENDERBUFFER, depth_);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_DEPTH_COMPONENT24, width, height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
+  }
+  require(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE, "OpenGL gives no picture of ", width,
+          " x ", height, " pixels with ", samples_, " samples");
+}
+
+Target::~Target() {
+  glDeleteFramebuffers(1, &framebuffer_);
+  if (texture_)
+    glDeleteTextures(1, &color_);
+  else
+    glDeleteRenderbuffers(1, &color_);
+  if (depth_) glDeleteRenderbuffers(1, &depth_);
+}
+
+void Target::bind() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+  glViewport(0, 0, width_, height_);
+}
+
+}  // namespace pantin

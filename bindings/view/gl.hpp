@@ -1,0 +1,81 @@
+#pragma once
+// What OpenGL gives and must be given back, each as an object.
+#include <epoxy/gl.h>
+
+#include <Eigen/Core>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "base/lanes.hpp"
+
+namespace pantin {
+
+/// A vertex and a fragment shader by their names in assets/shaders, after a common text and definitions.
+class Program {
+ public:
+  Program(const std::string& name, const std::string& common, const std::string& definitions);
+  ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  void use() const { glUseProgram(id_); }
+  void set(const char* name, float value) const { glUniform1f(place(name), value); }
+  void set(const char* name, int value) const { glUniform1i(place(name), value); }
+  void set(const char* name, float x, float y) const { glUniform2f(place(name), x, y); }
+  void set(const char* name, Vec3 v) const {
+    glUniform3f(place(name), static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]));
+  }
+  void set(const char* name, const Eigen::Matrix4f& m) const { glUniformMatrix4fv(place(name), 1, GL_FALSE, m.data()); }
+
+ private:
+  GLint place(const char* name) const { return glGetUniformLocation(id_, name); }
+  GLuint id_ = 0;
+};
+
+/// Rows of floats that are sent anew for each picture.
+class Rows {
+ public:
+  /// Numbers of floats of the attributes 0, 1, …; `each_instance` steps them by instance rather than by vertex.
+  Rows(std::initializer_list<int> attributes, bool each_instance);
+  ~Rows();
+  Rows(const Rows&) = delete;
+  Rows& operator=(const Rows&) = delete;
+
+  template <class Row>
+  void send(const std::vector<Row>& rows) {
+    send(rows.data(), rows.size() * sizeof(Row));
+    count_ = static_cast<GLsizei>(rows.size());
+  }
+  GLsizei count() const { return count_; }
+  void bind() const { glBindVertexArray(array_); }
+
+ private:
+  void send(const void* data, std::size_t bytes);
+  GLuint array_ = 0, buffer_ = 0;
+  GLsizei count_ = 0;
+};
+
+/// A picture to draw into: colour and, with `depth`, a depth buffer; with samples, they are renderbuffers.
+class Target {
+ public:
+  enum class Format { color, shade };  ///< RGBA, or one channel that can be read as a texture
+  Target(int width, int height, int samples, Format format, bool depth);
+  ~Target();
+  Target(const Target&) = delete;
+  Target& operator=(const Target&) = delete;
+
+  void bind() const;
+  GLuint framebuffer() const { return framebuffer_; }
+  GLuint texture() const { return color_; }
+  int width() const { return width_; }
+  int height() const { return height_; }
+  int samples() const { return samples_; }
+
+ private:
+  int width_, height_, samples_;
+  bool texture_;
+  GLuint framebuffer_ = 0, color_ = 0, depth_ = 0;
+};
+
+}  // namespace pantin

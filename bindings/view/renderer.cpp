@@ -1,0 +1,278 @@
+#include "view/renderer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <optional>
+
+#include "base/check.hpp"
+#include "view/gl.hpp"
+#include "view/panel.hpp"
+#include "view/sketch.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr int shadow_pixels = 640;
+const Vec3 sky_high = vec(0.972, 0.953, 0.916), sky_low = vec(0.885, 0.845, 0.775), ground_ink = vec(0.30, 0.235, 0.17);
+
+// A round number (1, 2 or 5 times a power of ten) near a length.
+double round_length(double length) {
+  const double power = std::pow(10.0, std::floor(std::log10(length)));
+  const double part = length / power;
+  return power * (part < 1.5 ? 1.0 : part < 3.5 ? 2.0 : part < 7.5 ? 5.0 : 10.0);
+}
+
+std::string definitions(int samples) {
+  return samples > 0 ? "const float least = 1.0 / 256.0;\n" : "const float least = 0.5;\n";
+}
+
+}  // namespace
+
+struct Renderer::Parts {
+  int width, height, samples;
+  std::optional<Target> target;
+  std::optional<Target> resolved;
+  Target shadow{shadow_pixels, shadow_pixels, 0, Target::Format::shade, false};
+  Program ball, bar, egg, mesh, backdrop{"backdrop", "", ""}, ground{"ground", "common.glsl", ""};
+  Program shadow_ball{"shadow_ball", "shadow.glsl", ""}, shadow_bar{"shadow_bar", "shadow.glsl", ""},
+      shadow_mesh{"shadow_mesh", "shadow.glsl", ""};
+  Rows balls{{4, 4, 3}, true}, bars{{4, 4, 3}, true}, eggs{{3, 3, 3, 3, 3, 3}, true}, corners{{3, 3, 3}, false},
+      shades{{3, 3, 3}, false}, nothing{{1}, false};
+  Panel panel;
+  Sketcher sketcher;
+  Sketch sketch;
+  Stage stage;
+  std::vector<std::uint8_t> row;
+
+  Parts(int w, int h, int samples_wanted, double scale)
+      : width(w),
+        height(h),
+        samples(samples_wanted),
+        target(std::in_place, w, h, samples_wanted, Target::Format::color, true),
+        ball("ball", "common.glsl", definitions(target->samples())),
+        bar("bar", "common.glsl", definitions(target->samples())),
+        egg("egg", "common.glsl", definitions(target->samples())),
+        mesh("mesh", "common.glsl", definitions(target->samples())),
+        panel(scale) {
+    resolve_target();
+  }
+
+  void resolve_target() {
+    resolved.reset();
+    if (target->samples() > 0) resolved.emplace(width, height, 0, Target::Format::color, false);
+  }
+  const Target& picture() const { return resolved ? *resolved : *target; }
+  void draw_backdrop();
+  void draw_shadows(const Camera& camera);
+  void draw_ground(const Camera& camera);
+  void draw_things(const Camera& camera);
+  void set_camera(const Program& program, const Camera& camera) const;
+
+  // Of the last shadows: in units of the camera's distance, relative to the eye.
+  float shadow_x = 0.0f, shadow_z = 0.0f, shadow_reach = 1.0f;
+};
+
+Renderer::Renderer(int width, int height, int samples, double scale) {
+  require(width > 0 && height > 0, "a picture's size must be > 0 pixels, got ", width, " x ", height);
+  require(std::isfinite(scale) && scale > 0.0, "the scale of the text must be > 0, got ", scale);
+  parts_ = std::make_unique<Parts>(width, height, samples, scale);
+}
+
+Renderer::~Renderer() = default;
+
+void Renderer::resize(int width, int height) {
+  Parts& p = *parts_;
+  if ((width == p.width && height == p.height) || width <= 0 || height <= 0) return;
+  p.width = width;
+  p.height = height;
+  p.target.emplace(width, height, p.samples, Target::Format::color, true);
+  p.resolve_target();
+}
+
+int Renderer::width() const { return parts_->width; }
+int Renderer::height() const { return parts_->height; }
+const Stage& Renderer::stage() const { return parts_->stage; }
+const std::string& Renderer::pressed_button() const { return parts_->panel.pressed(); }
+bool Renderer::pointer_on_panel() const { return parts_->panel.under_pointer(); }
+
+void Renderer::open(const World& world) {
+  parts_->stage = find_stage(world);
+  parts_->sketcher.clear();
+}
+
+void Renderer::draw(const World& world, const Camera& camera, const Overlay& overlay) {
+  Parts& p = *parts_;
+  if (p.stage.empty) open(world);
+  p.sketcher.draw(world, camera, p.stage, overlay, p.height, p.sketch);
+  p.balls.send(p.sketch.balls);
+  p.bars.send(p.sketch.bars);
+  p.eggs.send(p.sketch.eggs);
+  p.corners.send(p.sketch.corners);
+  p.shades.send(p.sketch.shades);
+  p.draw_shadows(camera);
+  p.target->bind();
+  glClear(GL_DEPTH_BUFFER_BIT);
+  p.draw_backdrop();
+  p.draw_ground(camera);
+  p.draw_things(camera);
+  if (p.resolved) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, p.target->framebuffer());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, p.resolved->framebuffer());
+    glBlitFramebuffer(0, 0, p.width, p.height, 0, 0, p.width, p.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    p.resolved->bind();
+  }
+  p.panel.draw(overlay, p.width, p.height);
+}
+
+void Renderer::Parts::set_camera(const Program& program, const Camera& camera) const {
+  const Eigen::Matrix4f projection = camera.projection(static_cast<double>(width) / height);
+  program.use();
+  program.set("camera", Eigen::Matrix4f(projection * camera.view()));
+  program.set("backward", -camera.forward());
+  program.set("depth_row", projection(2, 2), projection(2, 3));
+  program.set("pixel", static_cast<float>(2.0 * std::tan(0.5 * camera.fov) / height));
+  program.set("light", key_light());
+}
+
+void Renderer::Parts::draw_backdrop() {
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+  nothing.bind();
+  backdrop.use();
+  backdrop.set("low", sky_low);
+  backdrop.set("high", sky_high);
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+// Draws the scene from the light onto a map of the ground, soft where it is high above it.
+void Renderer::Parts::draw_shadows(const Camera& camera) {
+  shadow.bind();
+  glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  glClear(GL_COLOR_BUFFER_BIT);
+  if (sketch.lower.x > sketch.upper.x) return;
+  const float level = static_cast<float>((stage.ground - camera.eye()[1]) / camera.distance);
+  const Vec3 light = key_light();
+  const float lx = static_cast<float>(light[0] / light[1]), lz = static_cast<float>(light[2] / light[1]);
+  const float h0 = std::max(sketch.lower.y - level, 0.0f), h1 = std::max(sketch.upper.y - level, 0.0f);
+  const float x0 = sketch.lower.x - std::max(lx * h0, lx * h1), x1 = sketch.upper.x - std::min(lx * h0, lx * h1);
+  const float z0 = sketch.lower.z - std::max(lz * h0, lz * h1), z1 = sketch.upper.z - std::min(lz * h0, lz * h1);
+  shadow_x = 0.5f * (x0 + x1);
+  shadow_z = 0.5f * (z0 + z1);
+  shadow_reach = 0.5f * std::max(x1 - x0, z1 - z0) * 1.02f + 0.10f * h1;
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_BLEND);
+  glBlendEquation(GL_MAX);
+  for (const Program* program : {&shadow_ball, &shadow_bar, &shadow_mesh}) {
+    program->use();
+    program->set("shadow_middle", shadow_x, shadow_z);
+    program->set("shadow_reach", shadow_reach);
+    program->set("level", level);
+    program->set("light", light);
+    program->set("size", static_cast<float>(stage.size / camera.distance));
+  }
+  corners.bind();
+  glDrawArrays(GL_TRIANGLES, 0, corners.count());
+  shades.bind();
+  glDrawArrays(GL_TRIANGLES, 0, shades.count());
+  shadow_ball.use();
+  balls.bind();
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, balls.count());
+  shadow_bar.use();
+  bars.bind();
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, bars.count());
+  glBlendEquation(GL_FUNC_ADD);
+}
+
+void Renderer::Parts::draw_ground(const Camera& camera) {
+  const Vec3 eye = camera.eye(), middle = (stage.lower + stage.upper) * 0.5;
+  const double unit = camera.distance, square = round_length(stage.size / 8.0);
+  const float level = static_cast<float>((stage.ground - eye[1]) / unit), size = static_cast<float>(stage.size / unit);
+  // Faded where the eye is below it, and where the scene has fallen through it.
+  const float above = std::clamp(-level / (0.03f * size), 0.0f, 1.0f);
+  const float fallen = sketch.lower.x > sketch.upper.x ? 0.0f : (level - sketch.lower.y) / size;
+  const float strength = above * std::clamp(1.0f - (fallen - 0.08f) / 0.25f, 0.0f, 1.0f);
+  if (!(strength > 0.0f)) return;
+  set_camera(ground, camera);
+  ground.set("level", level);
+  ground.set("middle", static_cast<float>((middle[0] - eye[0]) / unit),
+             static_cast<float>((middle[2] - eye[2]) / unit));
+  ground.set("reach", 2.2f * size);
+  ground.set("origin", static_cast<float>(std::fmod(eye[0] / square, 10.0)),
+             static_cast<float>(std::fmod(eye[2] / square, 10.0)));
+  ground.set("squares", static_cast<float>(unit / square));
+  ground.set("strength", strength);
+  ground.set("shadow", 0);
+  ground.set("shadow_middle", shadow_x, shadow_z);
+  ground.set("shadow_reach", shadow_reach);
+  ground.set("ink", ground_ink);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, shadow.texture());
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  nothing.bind();
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  glDisable(GL_BLEND);
+}
+
+void Renderer::Parts::draw_things(const Camera& camera) {
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_CULL_FACE);
+  if (target->samples() > 0) {
+    glEnable(GL_MULTISAMPLE);
+    glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+  }
+  set_camera(mesh, camera);
+  corners.bind();
+  glDrawArrays(GL_TRIANGLES, 0, corners.count());
+  set_camera(egg, camera);
+  eggs.bind();
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, eggs.count());
+  set_camera(ball, camera);
+  balls.bind();
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, balls.count());
+  set_camera(bar, camera);
+  bars.bind();
+  glEnable(GL_CULL_FACE);
+  glCullFace(GL_FRONT);
+  glDrawArraysInstanced(GL_TRIANGLES, 0, 36, bars.count());
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+  glDisable(GL_DEPTH_TEST);
+}
+
+std::vector<std::uint8_t> Renderer::read_pixels() {
+  std::vector<std::uint8_t> pixels;
+  read_pixels(pixels);
+  return pixels;
+}
+
+void Renderer::read_pixels(std::vector<std::uint8_t>& into) {
+  Parts& p = *parts_;
+  const std::size_t line = 4u * static_cast<std::size_t>(p.width), rows = static_cast<std::size_t>(p.height);
+  into.resize(line * rows);
+  p.row.resize(line);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, p.picture().framebuffer());
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, p.width, p.height, GL_RGBA, GL_UNSIGNED_BYTE, into.data());
+  for (std::size_t top = 0, bottom = rows - 1; top < bottom; top++, bottom--) {
+    std::memcpy(p.row.data(), &into[top * line], line);
+    std::memcpy(&into[top * line], &into[bottom * line], line);
+    std::memcpy(&into[bottom * line], p.row.data(), line);
+  }
+  for (std::size_t i = 3; i < into.size(); i += 4) into[i] = 255;
+}
+
+void Renderer::show(int window_width, int window_height) {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, parts_->picture().framebuffer());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  glBlitFramebuffer(0, 0, parts_->width, parts_->height, 0, 0, window_width, window_height, GL_COLOR_BUFFER_BIT,
+                    GL_NEAREST);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+}  // namespace pantin

@@ -1,0 +1,165 @@
+#include "view/shape.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "base/hash.hpp"
+#include "view/hull.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr double thin = 1e-4;        // of its length: points nearer than this to a line or plane lie in it
+constexpr double bar_part = 0.055;   // radius of a bar, of its length
+constexpr double plate_part = 0.02;  // half the thickness of a plate, of its size
+
+// The places of a body's points, and of its own mass where it has some.
+struct Places {
+  std::vector<Vec3> at;
+  Vec3 centre = zero3();
+  Mat3 axes = identity33();  // columns: directions of falling extent
+  Vec3 extent = zero3();     // [m] along them
+  Vec3 lower = zero3();      // [m] along them, from the centre
+  int dimension = 0;         // 0 a place, 1 a line, 2 a plane, 3 a volume
+};
+
+Places measure(const World& world, const Body& body) {
+  Places p;
+  for (const PointId id : body.points) p.at.push_back(world.points[id].place);
+  if (body.own_mass > 0.0 || p.at.empty()) p.at.push_back(zero3());
+  for (const Vec3 v : p.at) p.centre += v / static_cast<double>(p.at.size());
+  Mat3 spread = zero33();
+  double size = 0.0;
+  for (const Vec3 v : p.at) size = std::max(size, largest(v - p.centre));
+  if (!(size > 0.0)) return p;
+  for (const Vec3 v : p.at) spread += outer((v - p.centre) / size, (v - p.centre) / size);
+  const Mat3 rising = principal_axes(spread, identity33()).axes;
+  p.axes = {{rising[2], rising[1], cross(rising[2], rising[1])}};
+  for (int i = 0; i < 3; i++) {
+    double low = 0.0, high = 0.0;
+    for (const Vec3 v : p.at) {
+      low = std::min(low, dot(v - p.centre, p.axes[i]));
+      high = std::max(high, dot(v - p.centre, p.axes[i]));
+    }
+    p.lower[i] = low;
+    p.extent[i] = high - low;
+  }
+  p.dimension = p.extent[1] <= thin * p.extent[0] ? 1 : p.extent[2] <= thin * p.extent[0] ? 2 : 3;
+  return p;
+}
+
+// Half axes of the even ellipsoid of the body's own mass and inertia: a_i² = 5/(2 m) (I_j + I_k - I_i).
+Shape::Egg own_egg(const Body& body) {
+  Shape::Egg egg;
+  if (!(body.own_mass > 0.0) || !(trace(body.own_inertia) > 0.0)) return egg;
+  const double scale = trace(body.own_inertia);
+  const Principal own = principal_axes(body.own_inertia * (1.0 / scale), identity33());
+  double half[3], moment[3];
+  for (int i = 0; i < 3; i++) {
+    moment[i] = own.moments[i] * scale;
+    const double square = 2.5 / body.own_mass * (trace(body.own_inertia) - 2.0 * moment[i]);
+    half[i] = std::sqrt(std::max(square, 0.0));
+  }
+  const double most = std::max({half[0], half[1], half[2]});
+  // The axis of symmetry is the one whose moment lies farther from the middle one.
+  const int axis = moment[2] - moment[1] >= moment[1] - moment[0] ? 2 : 0;
+  const int order[3] = {(axis + 2) % 3, axis, (axis + 1) % 3};
+  for (int i = 0; i < 3; i++) egg.axes[i] = own.axes[order[i]] * std::max(half[order[i]], 0.02 * most);
+  return egg;
+}
+
+void add_triangle(Shape& shape, Vec3 a, Vec3 b, Vec3 c) {
+  const Vec3 normal = direction(cross(b - a, c - a));
+  for (const Vec3 v : {a, b, c}) shape.corners.push_back({v, normal});
+}
+
+void make_hull(Shape& shape, const Places& places) {
+  std::vector<Vec3> at = places.at;
+  if (places.dimension == 2) {
+    const Vec3 half = places.axes[2] * (plate_part * places.extent[0]);
+    for (const Vec3 v : places.at) at.push_back(v + half);
+    for (std::size_t i = 0; i < places.at.size(); i++) at[i] -= half;
+  }
+  for (const auto& f : convex_hull(at)) add_triangle(shape, at[f[0]], at[f[1]], at[f[2]]);
+  shape.joint = 0.03 * places.extent[0];
+}
+
+// A capsule along the points, with a ball for each mass on it.
+void make_line(Shape& shape, const World& world, const Body& body, const Places& places, const Stage& stage,
+               const Shape::Egg& egg) {
+  const Vec3 from = places.centre + places.axes[0] * places.lower[0];
+  const double length = places.extent[0];
+  double radius = bar_part * std::min(length, 2.0 * stage.unit);
+  double wide = 0.0;
+  for (int i = 0; i < 3; i++)
+    wide = std::max(wide, norm(egg.axes[i] - places.axes[0] * dot(egg.axes[i], places.axes[0])));
+  const bool round = wide > 0.18 * length;
+  if (wide > 0.0 && !round) radius = std::clamp(wide * std::sqrt(0.8), 0.03 * length, 0.1 * length);
+  double most = body.own_mass;
+  for (const PointId id : body.points) most = std::max(most, world.points[id].mass);
+  const bool weighted = !(trace(body.own_inertia) > 0.0);
+  if (round || weighted) radius *= 0.6;
+  if (round) shape.eggs.push_back(egg);
+  shape.bars.push_back({from, from + places.axes[0] * length, radius});
+  shape.joint = radius;
+  const auto ball = [&](Vec3 at, double mass, double given, Color color) {
+    if (given > 0.0) shape.balls.push_back({at, given, color});
+    if (!(given > 0.0) && weighted && mass > 0.0)
+      shape.balls.push_back({at, 3.2 * radius * std::cbrt(mass / most), color});
+  };
+  for (const PointId id : body.points) {
+    const Point& p = world.points[id];
+    ball(p.place, p.mass, p.radius, p.color);
+  }
+  ball(zero3(), body.own_mass, 0.0, shape.color);
+}
+
+}  // namespace
+
+Shape make_shape(const World& world, BodyId id, const Stage& stage) {
+  const Body& body = world.bodies[id];
+  Shape shape;
+  shape.color = body.points.empty() ? Color{0.93f, 0.55f, 0.27f, 1.0f} : world.points[body.points[0]].color;
+  const Places places = measure(world, body);
+  const Shape::Egg egg = own_egg(body);
+  if (places.dimension >= 2) {
+    make_hull(shape, places);
+    for (const PointId p : body.points)
+      if (world.points[p].radius > 0.0)
+        shape.balls.push_back({world.points[p].place, world.points[p].radius, world.points[p].color});
+  } else if (places.dimension == 1) {
+    make_line(shape, world, body, places, stage, egg);
+  } else if (norm(egg.axes[0]) > 0.0) {
+    shape.eggs.push_back(egg);
+    shape.joint = 0.1 * norm(egg.axes[0]);
+  } else {
+    const double given = body.points.empty() ? 0.0 : world.points[body.points[0]].radius;
+    shape.balls.push_back({places.centre, given > 0.0 ? given : 0.12 * stage.unit, shape.color});
+    shape.joint = 0.04 * stage.unit;
+  }
+  return shape;
+}
+
+const Shape& Shapes::of(const World& world, BodyId id, const Stage& stage) {
+  const Body& body = world.bodies[id];
+  Hash hash;
+  hash.add((std::uint64_t{id.generation} << 32) | body.points.size());
+  hash.add(body.own_mass);
+  for (int i = 0; i < 3; i++) hash.add(body.own_inertia[i]);
+  for (const PointId p : body.points) {
+    const Point& point = world.points[p];
+    hash.add(point.place);
+    hash.add(point.mass);
+    hash.add(point.radius);
+    for (const float c : {point.color.r, point.color.g, point.color.b})
+      hash.add(std::uint64_t{std::bit_cast<std::uint32_t>(c)});
+  }
+  if (rows_.size() < world.bodies.slots()) rows_.resize(world.bodies.slots());
+  Row& row = rows_[id.slot - 1];
+  if (row.hash != hash.value) row = {hash.value, make_shape(world, id, stage)};
+  return row.shape;
+}
+
+}  // namespace pantin

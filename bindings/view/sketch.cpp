@@ -1,0 +1,193 @@
+#include "view/sketch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pantin {
+
+namespace {
+
+constexpr Color paper = {1.00f, 0.965f, 0.89f, 1.0f}, deep = {0.13f, 0.24f, 0.30f, 1.0f},
+                iron = {0.25f, 0.27f, 0.30f, 1.0f}, grip = {0.85f, 0.20f, 0.26f, 1.0f};
+
+float linear(float c) { return std::pow(std::clamp(c, 0.0f, 1.0f), 2.2f); }
+Rgb linear(const Color& c) { return {linear(c.r), linear(c.g), linear(c.b)}; }
+Rgb mix(Rgb a, Rgb b, float part) {
+  return {a.r + (b.r - a.r) * part, a.g + (b.g - a.g) * part, a.b + (b.b - a.b) * part};
+}
+Float3 floats(Vec3 v) { return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])}; }
+
+void include(Sketch& s, Float3 p, float r) {
+  s.lower = {std::min(s.lower.x, p.x - r), std::min(s.lower.y, p.y - r), std::min(s.lower.z, p.z - r)};
+  s.upper = {std::max(s.upper.x, p.x + r), std::max(s.upper.y, p.y + r), std::max(s.upper.z, p.z + r)};
+}
+
+}  // namespace
+
+struct Sketcher::Eye {
+  Vec3 at, forward;
+  double unit;   // [m]
+  double pixel;  // size of a pixel at distance 1
+
+  Float3 place(Vec3 p) const { return floats((p - at) / unit); }
+  // A radius [m], but at least some pixels wide where it is.
+  float radius(double r, Vec3 p, double least) const {
+    return static_cast<float>(std::max(r / unit, least * pixel * std::max(dot(p - at, forward) / unit, 0.0)));
+  }
+  void ball(Sketch& s, Vec3 p, double r, double least, Rgb color, Sketch::Style style, Rgb second) const {
+    const float radius_of = radius(r, p, least);
+    s.balls.push_back({place(p), radius_of, color, static_cast<float>(style), second});
+    if (style != Sketch::ring) include(s, place(p), radius_of);
+  }
+  void bar(Sketch& s, Vec3 a, Vec3 b, double r, double least, Rgb color, bool unlit = false) const {
+    const float radius_of = radius(r, dot(a - at, forward) < dot(b - at, forward) ? a : b, least);
+    s.bars.push_back({place(a), radius_of, place(b), unlit ? 1.0f : 0.0f, color});
+    if (unlit) return;
+    include(s, place(a), radius_of);
+    include(s, place(b), radius_of);
+  }
+};
+
+namespace {
+
+// The outline of an egg's shadow: the ellipse to which the light projects its half axes.
+void shade_egg(Sketch& s, const Sketch::Egg& egg) {
+  constexpr int corners = 28;
+  const Vec3 light = key_light();
+  const float lx = static_cast<float>(light[0] / light[1]), lz = static_cast<float>(light[2] / light[1]);
+  float xx = 0.0f, xz = 0.0f, zz = 0.0f;
+  for (const Float3 a : {egg.x, egg.y, egg.z}) {
+    const float px = a.x - lx * a.y, pz = a.z - lz * a.y;
+    xx += px * px;
+    xz += px * pz;
+    zz += pz * pz;
+  }
+  const float l = std::sqrt(std::max(xx, 1e-30f)), m = xz / l, n = std::sqrt(std::max(zz - m * m, 0.0f));
+  Float3 last{};
+  for (int i = 0; i <= corners; i++) {
+    const float angle = 6.2831853f * static_cast<float>(i) / corners, c = std::cos(angle), d = std::sin(angle);
+    const Float3 next = {egg.at.x + l * c, egg.at.y, egg.at.z + m * c + n * d};
+    if (i > 0)
+      for (const Float3 v : {egg.at, last, next}) s.shades.push_back({v, {}, {}});
+    last = next;
+  }
+}
+
+}  // namespace
+
+Vec3 key_light() {
+  static const Vec3 to_light = direction(vec(-0.42, 0.85, 0.38));
+  return to_light;
+}
+
+double drawn_radius(const World& world, PointId id, const Stage& stage) {
+  const Point& point = world.points[id];
+  const Particle& particle = world.particles[point.particle];
+  const double given = particle.radius.value_or(point.radius);
+  return given > 0.0 && given < 3.0 * stage.unit ? given : 0.1 * stage.unit;
+}
+
+void Sketcher::draw(const World& world, const Camera& camera, const Stage& stage, const Overlay& overlay, int height,
+                    Sketch& sketch) {
+  sketch.balls.clear();
+  sketch.bars.clear();
+  sketch.eggs.clear();
+  sketch.corners.clear();
+  sketch.shades.clear();
+  sketch.lower = {1e30f, 1e30f, 1e30f};
+  sketch.upper = {-1e30f, -1e30f, -1e30f};
+  const Eye eye{camera.eye(), camera.forward(), camera.distance, 2.0 * std::tan(0.5 * camera.fov) / height};
+  joints_.assign(world.particles.slots(), 0.0f);
+  for (std::uint32_t s = 0; s < world.bodies.slots(); s++)
+    if (world.bodies.alive_at(s)) draw_body(world, world.bodies.id_at(s), eye, stage, sketch);
+  draw_particles(world, eye, stage, sketch);
+  draw_constraints(world, eye, stage, sketch);
+  draw_overlay(world, eye, overlay, sketch);
+}
+
+void Sketcher::draw_body(const World& world, BodyId id, const Eye& eye, const Stage& stage, Sketch& sketch) {
+  const Shape& shape = shapes_.of(world, id, stage);
+  const Vec3 at = origin(world, id);
+  const Mat3 turn = matrix(orientation(world, id));
+  if (!finite(at)) return;
+  const Rgb color = linear(shape.color), light = mix(color, linear(paper), 0.75f);
+  for (const Shape::Bar& b : shape.bars) eye.bar(sketch, at + turn * b.from, at + turn * b.to, b.radius, 0.8, color);
+  for (const Shape::Ball& b : shape.balls)
+    eye.ball(sketch, at + turn * b.at, b.radius, 1.0, linear(b.color), Sketch::plain, {});
+  for (const Shape::Egg& e : shape.eggs) {
+    const Mat3 axes = turn * e.axes;
+    sketch.eggs.push_back({eye.place(at + turn * e.at), floats(axes[0] / eye.unit), floats(axes[1] / eye.unit),
+                           floats(axes[2] / eye.unit), color, light});
+    const double most = std::max({norm(axes[0]), norm(axes[1]), norm(axes[2])});
+    include(sketch, eye.place(at + turn * e.at), static_cast<float>(most / eye.unit));
+    shade_egg(sketch, sketch.eggs.back());
+  }
+  for (const Shape::Corner& c : shape.corners) {
+    sketch.corners.push_back({eye.place(at + turn * c.at), floats(turn * c.normal), color});
+    include(sketch, sketch.corners.back().at, 0.0f);
+  }
+  for (const PointId p : world.bodies[id].points) {
+    float& joint = joints_[world.points[p].particle.slot - 1];
+    joint = std::max(joint, static_cast<float>(shape.joint / stage.unit));
+  }
+}
+
+void Sketcher::draw_particles(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch) {
+  const Rgb cream = linear(paper), dark = linear(deep);
+  for (std::uint32_t s = 0; s < world.particles.slots(); s++) {
+    const Particle& particle = world.particles.at_slot(s);
+    if (!world.particles.alive_at(s) || particle.asleep_in || particle.points.empty()) continue;
+    const Point& first = world.points[particle.points[0]];
+    if (!particle.is_hinge() && first.body) continue;
+    const Vec3 at = position(world, world.particles.id_at(s));
+    if (!finite(at)) continue;
+    if (!particle.is_hinge()) {
+      eye.ball(sketch, at, drawn_radius(world, particle.points[0], stage), 1.0,
+               linear(particle.color.value_or(first.color)), Sketch::plain, {});
+      continue;
+    }
+    const double joint = joints_[s] > 0.0f ? static_cast<double>(joints_[s]) * stage.unit : 0.05 * stage.unit;
+    const double radius = particle.radius.value_or(1.45 * joint);
+    if (radius / eye.unit < 0.5 * eye.pixel * std::max(dot(at - eye.at, eye.forward) / eye.unit, 0.0)) continue;
+    // A colour that is not just its first point's was meant.
+    const bool own = particle.color && !(*particle.color == first.color);
+    eye.ball(sketch, at, radius, 1.0, own ? linear(*particle.color) : cream, Sketch::hinge, dark);
+  }
+}
+
+void Sketcher::draw_constraints(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch) {
+  const Rgb metal = linear(iron), red = linear(grip);
+  for (std::uint32_t s = 0; s < world.constraints.slots(); s++) {
+    const Constraint& c = world.constraints.at_slot(s);
+    if (!world.constraints.alive_at(s) || !c.enabled || !world.points.alive(c.a)) continue;
+    const Vec3 a = position(world, c.a);
+    if (!finite(a)) continue;
+    const double joint = std::max(static_cast<double>(joints_[world.points[c.a].particle.slot - 1]), 0.04) * stage.unit;
+    if (c.kind == ConstraintKind::rod) {
+      const Vec3 b = c.b ? position(world, c.b) : c.place;
+      eye.bar(sketch, a, b, 0.025 * std::min(c.length, stage.unit), 0.8, metal);
+      if (!c.b) eye.ball(sketch, b, 1.7 * joint, 2.0, metal, Sketch::hinge, metal);
+    } else if (c.hand < 0) {
+      eye.ball(sketch, c.place, 1.6 * joint, 2.0, metal, Sketch::hinge,
+               mix(metal, red, c.kind == ConstraintKind::nail ? 0.0f : 0.6f));
+    } else {
+      const double pull = std::isfinite(c.max_force) && c.max_force > 0.0 ? norm(c.force) / c.max_force : 0.5;
+      const double width = 1.2 + 2.3 * std::clamp(std::sqrt(pull), 0.0, 1.0);  // [px]
+      eye.bar(sketch, a, c.place, 0.0, width, red, true);
+      eye.ball(sketch, c.place, 0.0, 5.5, red, Sketch::plain, {});
+    }
+  }
+}
+
+void Sketcher::draw_overlay(const World& world, const Eye& eye, const Overlay& overlay, Sketch& sketch) {
+  for (const OverlayLine& line : overlay.lines)
+    if (finite(line.from) && finite(line.to))
+      eye.bar(sketch, line.from, line.to, 0.0, 0.5 * static_cast<double>(line.width), linear(line.color), true);
+  if (!world.points.alive(overlay.highlight)) return;
+  const PointId id = overlay.highlight;
+  const double joint = static_cast<double>(joints_[world.points[id].particle.slot - 1]);
+  const Vec3 at = position(world, id);
+  if (finite(at)) eye.ball(sketch, at, 0.0, 11.0 + (joint > 0.0 ? 3.0 : 0.0), linear(grip), Sketch::ring, {});
+}
+
+}  // namespace pantin

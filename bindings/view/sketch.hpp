@@ -1,0 +1,74 @@
+#pragma once
+#include <vector>
+
+#include "view/overlay.hpp"
+#include "view/shape.hpp"
+
+namespace pantin {
+
+struct Rgb {
+  float r = 0.0f, g = 0.0f, b = 0.0f;
+};
+struct Float3 {
+  float x = 0.0f, y = 0.0f, z = 0.0f;
+};
+
+/// What is to be drawn of a world, as rows of floats for the shaders: places relative to the eye in units of the camera's
+/// distance, linear colours.
+struct Sketch {
+  enum Style { plain = 0, hinge = 1, ring = 2 };  ///< of a ball; of a bar 1 is unlit
+  struct Ball {
+    Float3 at;
+    float radius;
+    Rgb color;
+    float style;
+    Rgb second;
+  };
+  struct Bar {
+    Float3 from;
+    float radius;
+    Float3 to;
+    float style;
+    Rgb color;
+  };
+  struct Egg {
+    Float3 at, x, y, z;
+    Rgb color, second;
+  };
+  struct Corner {
+    Float3 at, normal;
+    Rgb color;
+  };
+  std::vector<Ball> balls;
+  std::vector<Bar> bars;
+  std::vector<Egg> eggs;
+  std::vector<Corner> corners;
+  std::vector<Corner> shades;  ///< shadows of the eggs, on the ground
+  Float3 lower, upper;         ///< box of all balls, bars, eggs and corners
+};
+
+/// Fills a sketch, of which one is kept so that nothing is allocated once it has grown.
+class Sketcher {
+ public:
+  void draw(const World& world, const Camera& camera, const Stage& stage, const Overlay& overlay, int height,
+            Sketch& sketch);
+  void clear() { shapes_.clear(); }
+
+ private:
+  struct Eye;
+  void draw_body(const World& world, BodyId body, const Eye& eye, const Stage& stage, Sketch& sketch);
+  void draw_particles(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch);
+  void draw_constraints(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch);
+  void draw_overlay(const World& world, const Eye& eye, const Overlay& overlay, Sketch& sketch);
+
+  Shapes shapes_;
+  std::vector<float> joints_;  // [m] (slots of particles): what a hinge should exceed
+};
+
+/// Radius [m] at which a free particle, or a point of a body, is drawn.
+double drawn_radius(const World& world, PointId point, const Stage& stage);
+
+/// Direction to the key light, of length 1.
+Vec3 key_light();
+
+}  // namespace pantin

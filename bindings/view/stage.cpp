@@ -1,0 +1,163 @@
+#include "view/stage.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <unordered_map>
+
+namespace pantin {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Lengths of bodies and rods, [m].
+std::vector<double> lengths(const World& world) {
+  std::vector<double> list;
+  for (std::uint32_t s = 0; s < world.bodies.slots(); s++) {
+    const Body& body = world.bodies.at_slot(s);
+    if (!world.bodies.alive_at(s)) continue;
+    Vec3 lower = zero3(), upper = zero3();
+    bool first = body.own_mass <= 0.0;
+    for (const PointId id : body.points) {
+      const Vec3 p = world.points[id].place;
+      for (int i = 0; i < 3; i++) {
+        lower[i] = first ? p[i] : std::fmin(lower[i], p[i]);
+        upper[i] = first ? p[i] : std::fmax(upper[i], p[i]);
+      }
+      first = false;
+    }
+    const Motion& m = world.motion[s];
+    const double extent = norm(upper - lower);
+    const double turning = m.mass > 0.0 ? 2.0 * std::sqrt(2.5 * largest(m.inertia) / m.mass) : 0.0;
+    if (extent > 0.0 || turning > 0.0) list.push_back(extent > 0.0 ? extent : turning);
+  }
+  for (std::uint32_t s = 0; s < world.constraints.slots(); s++)
+    if (world.constraints.alive_at(s) && world.constraints.at_slot(s).kind == ConstraintKind::rod)
+      list.push_back(world.constraints.at_slot(s).length);
+  return list;
+}
+
+// Typical distance of a free point to its nearest, from a sample; 0: there are not two.
+double nearest_distance(const World& world) {
+  std::vector<Vec3> free;
+  for (std::uint32_t s = 0; s < world.points.slots(); s++)
+    if (world.points.alive_at(s) && !world.points.at_slot(s).body) free.push_back(world.points.at_slot(s).place);
+  std::vector<double> list;
+  for (std::size_t i = 0; i < free.size(); i += 1 + free.size() / 64) {
+    double best = infinity;
+    for (const Vec3 p : free)
+      if (const double d = norm(p - free[i]); d > 0.0) best = std::fmin(best, d);
+    if (best < infinity) list.push_back(best);
+  }
+  return list.empty() ? 0.0 : median(list);
+}
+
+struct Reached {
+  double length = infinity;  // [m] of the way from the anchor
+  Vec3 anchor = zero3();
+};
+
+// Ways along bodies, rings and rods from nails and other fixed places: what hangs there stays that near.
+class Reach {
+ public:
+  explicit Reach(const World& world) : world_(world), reached_(world.points.slots()) {
+    for (std::uint32_t s = 0; s < world.constraints.slots(); s++) {
+      const Constraint& c = world.constraints.at_slot(s);
+      if (!world.constraints.alive_at(s)) continue;
+      if (c.kind == ConstraintKind::rod && c.b) rods_[c.a.slot].push_back({c.b, c.length});
+      if (c.kind == ConstraintKind::rod && c.b) rods_[c.b.slot].push_back({c.a, c.length});
+      if (c.hand >= 0 || (c.kind == ConstraintKind::rod && c.b)) continue;
+      offer(c.a, c.kind == ConstraintKind::rod ? c.length : 0.0, c.place);
+    }
+    expanded_.assign(world.bodies.slots(), 0);
+    while (!queue_.empty()) {
+      const auto [key, id] = queue_.top();
+      queue_.pop();
+      if (const Reached r = reached_[id.slot - 1]; - key <= r.length - r.anchor[1]) expand(id, r);
+    }
+  }
+  const std::vector<Reached>& reached() const { return reached_; }
+
+ private:
+  // The lowest that a point can hang is the highest that its anchors allow.
+  void offer(PointId id, double length, Vec3 anchor) {
+    if (!world_.points.alive(id)) return;
+    Reached& r = reached_[id.slot - 1];
+    if (length - anchor[1] >= r.length - r.anchor[1]) return;
+    r = {length, anchor};
+    queue_.push({-(length - anchor[1]), id});
+  }
+  void expand(PointId id, const Reached& r) {
+    const Point& point = world_.points[id];
+    for (const PointId other : world_.particles[point.particle].points) offer(other, r.length, r.anchor);
+    if (const auto found = rods_.find(id.slot); found != rods_.end())
+      for (const auto& [other, length] : found->second) offer(other, r.length + length, r.anchor);
+    if (!point.body || (world_.bodies[point.body].points.size() > 64 && expanded_[point.body.slot - 1]++)) return;
+    for (const PointId other : world_.bodies[point.body].points)
+      offer(other, r.length + norm(world_.points[other].place - point.place), r.anchor);
+  }
+
+  const World& world_;
+  std::vector<Reached> reached_;
+  std::vector<char> expanded_;
+  std::unordered_map<std::uint32_t, std::vector<std::pair<PointId, double>>> rods_;
+  std::priority_queue<std::pair<double, PointId>> queue_;
+};
+
+void include(Stage& stage, Vec3 p) {
+  for (int i = 0; i < 3; i++) {
+    stage.lower[i] = stage.empty ? p[i] : std::fmin(stage.lower[i], p[i]);
+    stage.upper[i] = stage.empty ? p[i] : std::fmax(stage.upper[i], p[i]);
+  }
+  stage.empty = false;
+}
+
+void find_box(const World& world, Stage& stage) {
+  for (std::uint32_t s = 0; s < world.bodies.slots(); s++)
+    if (world.bodies.alive_at(s)) include(stage, world.motion[s].x);
+  for (std::uint32_t s = 0; s < world.points.slots(); s++)
+    if (world.points.alive_at(s)) include(stage, position(world, world.points.id_at(s)));
+  if (stage.empty || !(world.settings.gravity[1] < 0.0)) return;
+  const Reach reach(world);
+  for (std::uint32_t s = 0; s < world.points.slots(); s++) {
+    const Reached& r = reach.reached()[s];
+    if (!world.points.alive_at(s) || r.length == infinity) continue;
+    const Vec3 p = position(world, world.points.id_at(s));
+    include(stage, r.anchor - vec(0, r.length, 0));
+    include(stage, vec(2.0 * r.anchor[0] - p[0], p[1], p[2]));  // swung over to the other side
+  }
+}
+
+}  // namespace
+
+Stage find_stage(const World& world) {
+  Stage stage;
+  find_box(world, stage);
+  stage.size = largest(stage.upper - stage.lower);
+  std::vector<double> list = lengths(world);
+  stage.unit = list.empty() ? nearest_distance(world) : median(list);
+  if (!(stage.unit > 0.0)) stage.unit = stage.size > 0.0 ? stage.size : 1.0;
+  if (!(stage.size > 0.0)) stage.size = stage.unit;
+  stage.size = std::fmax(stage.size, stage.unit);
+  const double low = stage.lower[1];
+  stage.ground = low >= -1e-6 * stage.size && low < 0.6 * stage.size ? 0.0 : low - 0.1 * stage.size;
+  return stage;
+}
+
+Camera first_camera(const Stage& stage, double aspect) {
+  Camera camera;
+  const Vec3 margin = vec(1, 1, 1) * (0.12 * stage.unit);
+  const Vec3 floor = vec(0, std::fmin(0.0, stage.ground - stage.lower[1]), 0);
+  camera.frame(stage.lower - margin + floor * 0.5, stage.upper + margin, aspect);
+  return camera;
+}
+
+}  // namespace pantin
