@@ -88,13 +88,15 @@ double kinetic_energy(const Articulate& a) {
   return t;
 }
 
-double largest_gap(const Articulate& a) {
-  double gap = 0.0;
+Gaps largest_gaps(const Articulate& a) {
+  Gaps gaps;
   for (const Row& row : a.rows) {
-    if (row.kind == RowKind::limited) continue;
-    gap = std::max(gap, row.kind == RowKind::rod ? std::fabs(norm(row.d1) - row.length) : norm(row.d1 - row.offset));
+    if (row.kind == RowKind::rigid)
+      gaps.points = std::max(gaps.points, norm(row.d1 - row.offset));
+    else if (row.kind == RowKind::rod)
+      gaps.rods = std::max(gaps.rods, std::fabs(norm(row.d1) - row.length));
   }
-  return gap;
+  return gaps;
 }
 
 }  // namespace pantin

@@ -116,8 +116,13 @@ void store(const Node& node, Model& model);
 /// Kinetic energy of the nodes' starts, [J].
 double kinetic_energy(const Articulate& articulate);
 inline double kinetic_energy(const Node& n) { return 0.5 * (norm2(n.p0) * n.inverse_mass + dot(n.P0, n.O0)); }
-/// Largest distance that a row should have closed, at the nodes' ends, [m].
-double largest_gap(const Articulate& articulate);
+/// Largest distances that rows should have closed, at the nodes' ends, [m].
+struct Gaps {
+  double points = 0.0;  ///< of hinges, nails and rigid follows
+  double rods = 0.0;    ///< of a rod's length
+  double all() const { return std::fmax(points, rods); }
+};
+Gaps largest_gaps(const Articulate& articulate);
 
 /// What a drift did, for counting and the balance of energy.
 struct DriftReport {

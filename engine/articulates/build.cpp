@@ -192,6 +192,7 @@ std::unique_ptr<Articulate> build_articulate(const Model& model, const Ties& tie
   articulate->factor = lay_out(elimination);
   articulate->nodes = std::move(builder.nodes);
   articulate->rows = std::move(builder.rows);
+  articulate->right_side.resize(articulate->rows.size());
   const Builder sorted{model, ties, {}, articulate->nodes, articulate->rows};
   find_meetings(*articulate, sorted.rows_of_nodes());
   measure(*articulate, model);

@@ -45,7 +45,7 @@ void drift_part(Articulate& a, const DriftSettings& settings, double from, doubl
     report.work += work_of_step(a, settings.gravity);
     for (Node& n : a.nodes) commit(n);
     for (Row& row : a.rows) row.fresh = false;
-    a.start_gap = largest_gap(a);
+    a.start_gap = largest_gaps(a).all();
     a.last_h = h;
     a.safe = false;
     if (a.epsilon < 1e-6 && !a.lowered && ++a.good_steps > a.wait) {
@@ -68,7 +68,7 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   if (a.edited) {
     place_world_ends(a, 0.0, 0.0);
     place_rows_at_end(a);
-    a.start_gap = largest_gap(a);
+    a.start_gap = largest_gaps(a).all();
     if (a.start_gap <= 1e-8 * a.length) {
       const double before = kinetic_energy(a);
       make_consistent(a);

@@ -105,7 +105,7 @@ void drift_euler(Articulate& a, const DriftSettings& settings, DriftReport& repo
     commit_euler(n);
   }
   report.work += work;
-  a.start_gap = largest_gap(a);
+  a.start_gap = largest_gaps(a).all();
   a.safe = false;
 }
 

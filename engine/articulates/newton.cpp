@@ -115,7 +115,7 @@ double goal(const Articulate& a, double h, Vec3 gravity) {
     speed2 = std::max(speed2, norm2(n.p0) * n.inverse_mass * n.inverse_mass);
     place = std::max(place, largest(n.x0));
   }
-  return std::max(1e-10 * std::fabs(h) * std::sqrt(speed2), 8e-16 * place);
+  return std::max(3e-11 * std::fabs(h) * std::sqrt(speed2), 8e-16 * place);
 }
 
 void predict(Articulate& a, double h) {

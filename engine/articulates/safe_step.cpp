@@ -107,7 +107,7 @@ double close_gaps(Articulate& a, double tolerance) {
     gaps(a);
     epsilon *= 20.0;
   }
-  return largest_gap(a);
+  return largest_gaps(a).all();
 }
 
 /// A small gap that stays (a loop built a little too long) becomes the row's constant offset.

@@ -119,6 +119,7 @@ void carry_out_commands(World& world) {
 
 /// Critically damped approach to 0 (Barzel and Barr 1988): D(t) = (D0 + (D0' + D0/τ) t) exp(-t/τ).
 void draw_in(const World& world, Constraint& c, double h) {
+  c.previous_away = c.away;
   if (norm2(c.away) == 0.0 && norm2(c.away_rate) == 0.0) return;
   const Vec3 slope = c.away_rate + c.away / c.time_constant;
   const double decay = functions::exp(-h / c.time_constant);

@@ -100,6 +100,7 @@ struct World : Model {
   double work = 0.0;     ///< [J] done from outside since the start: hands, follows, pushes, edits
   double start_energy = 0.0;    ///< [J] at the first step
   double largest_kinetic = 0.0; ///< [J] so far
+  double worst_energy = 0.0;    ///< [J] largest |energy - start - work| so far
 
   std::vector<ParticleId> mortals;  ///< particles given a finite lifetime, the dead and the asleep among them
   /// State of loose things at the start of the step, put back if it goes wrong.
