@@ -8,9 +8,17 @@ namespace pantin {
 
 namespace {
 
+std::vector<std::vector<std::uint32_t>> rows_of_nodes(std::size_t nodes, const std::vector<Row>& rows) {
+  std::vector<std::vector<std::uint32_t>> on(nodes);
+  for (std::uint32_t k = 0; k < rows.size(); k++) {
+    on[static_cast<std::size_t>(rows[k].a)].push_back(k);
+    if (rows[k].b >= 0) on[static_cast<std::size_t>(rows[k].b)].push_back(k);
+  }
+  return on;
+}
+
 struct Builder {
   const Model& model;
-  const Ties& ties;
   std::unordered_map<std::uint64_t, std::int32_t> node_of;  // 2 slot + is_body
   std::vector<Node> nodes;
   std::vector<Row> rows;
@@ -83,25 +91,16 @@ struct Builder {
       const ParticleId ring_id = model.points[point].particle;
       const Particle& ring = model.particles[ring_id];
       if (ring.is_hinge() && ring.points.front() == point) add_hinge(ring, star(model, ring_id));
-      for (std::uint32_t c : ties.of(point))
-        if (model.constraints.at_slot(c).a == point) add_constraint(model.constraints.id_at(c));
+      for (ConstraintId id : model.points[point].constraints)
+        if (model.constraints[id].enabled && model.constraints[id].a == point) add_constraint(id);
     };
     if (!t.is_body) return visit(model.points.id_at(t.slot));
     for (PointId point : model.bodies.at_slot(t.slot).points) visit(point);
   }
 
-  std::vector<std::vector<std::uint32_t>> rows_of_nodes() const {
-    std::vector<std::vector<std::uint32_t>> on(nodes.size());
-    for (std::uint32_t k = 0; k < rows.size(); k++) {
-      on[static_cast<std::size_t>(rows[k].a)].push_back(k);
-      if (rows[k].b >= 0) on[static_cast<std::size_t>(rows[k].b)].push_back(k);
-    }
-    return on;
-  }
-
   std::vector<std::vector<std::uint32_t>> neighbours() const {
     std::vector<std::vector<std::uint32_t>> graph(rows.size());
-    for (const auto& list : rows_of_nodes())
+    for (const auto& list : rows_of_nodes(nodes.size(), rows))
       for (std::uint32_t i : list)
         for (std::uint32_t j : list)
           if (i != j) graph[i].push_back(j);
@@ -137,11 +136,12 @@ struct Builder {
   }
 };
 
-void find_meetings(Articulate& a, const std::vector<std::vector<std::uint32_t>>& rows_of_nodes) {
+void find_meetings(Articulate& a) {
+  const auto on = rows_of_nodes(a.nodes.size(), a.rows);
   a.first_meeting.assign(1, 0);
   for (std::uint32_t n = 0; n < a.nodes.size(); n++) {
-    for (std::uint32_t i : rows_of_nodes[n])
-      for (std::uint32_t j : rows_of_nodes[n]) {
+    for (std::uint32_t i : on[n])
+      for (std::uint32_t j : on[n]) {
         if (i < j) continue;
         const auto at_a = [&](std::uint32_t k) { return a.rows[k].a == static_cast<std::int32_t>(n); };
         a.meetings.push_back({i == j ? i : a.factor.block(i, j), i, j, at_a(i), at_a(j)});
@@ -182,8 +182,8 @@ void measure(Articulate& a, const Model& model) {
 
 }  // namespace
 
-std::unique_ptr<Articulate> build_articulate(const Model& model, const Ties& ties, std::span<const Thing> things) {
-  Builder builder{model, ties, {}, {}, {}};
+std::unique_ptr<Articulate> build_articulate(const Model& model, std::span<const Thing> things) {
+  Builder builder{model, {}, {}, {}};
   for (Thing t : things) builder.add_node(t);
   for (Thing t : things) builder.add_rows(t);
   const Elimination elimination = minimum_degree(builder.neighbours());
@@ -193,8 +193,7 @@ std::unique_ptr<Articulate> build_articulate(const Model& model, const Ties& tie
   articulate->nodes = std::move(builder.nodes);
   articulate->rows = std::move(builder.rows);
   articulate->right_side.resize(articulate->rows.size());
-  const Builder sorted{model, ties, {}, articulate->nodes, articulate->rows};
-  find_meetings(*articulate, sorted.rows_of_nodes());
+    find_meetings(*articulate);
   measure(*articulate, model);
   const Thing oldest = things.front();
   articulate->serial =

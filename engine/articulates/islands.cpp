@@ -4,33 +4,13 @@
 
 namespace pantin {
 
-Ties::Ties(const Model& model) : first_(model.points.slots() + 1, 0) {
-  const auto each_end = [&](auto&& visit) {
-    for (std::uint32_t c = 0; c < model.constraints.slots(); c++) {
-      if (!model.constraints.alive_at(c) || !model.constraints.at_slot(c).enabled) continue;
-      const Constraint& k = model.constraints.at_slot(c);
-      visit(k.a.slot - 1, c);
-      if (k.b) visit(k.b.slot - 1, c);
-    }
-  };
-  each_end([&](std::uint32_t point, std::uint32_t) { first_[point + 1]++; });
-  for (std::size_t i = 1; i < first_.size(); i++) first_[i] += first_[i - 1];
-  constraint_.resize(first_.back());
-  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  each_end([&](std::uint32_t point, std::uint32_t c) { constraint_[next[point]++] = c; });
-}
-
-std::span<const std::uint32_t> Ties::of(PointId point) const {
-  return std::span(constraint_).subspan(first_[point.slot - 1], first_[point.slot] - first_[point.slot - 1]);
-}
-
 namespace {
 
 /// Walks over what constraints tie together.
 class Search {
  public:
-  Search(const Model& model, const Ties& ties)
-      : model_(model), ties_(ties), body_seen_(model.bodies.slots()), point_seen_(model.points.slots()) {}
+  explicit Search(const Model& model)
+      : model_(model), body_seen_(model.bodies.slots()), point_seen_(model.points.slots()) {}
 
   bool seen(Thing t) const { return t.is_body ? body_seen_[t.slot] : point_seen_[t.slot]; }
 
@@ -68,15 +48,16 @@ class Search {
       constrained_ = true;
       for (PointId member : ring.points) add(member);
     }
-    for (std::uint32_t c : ties_.of(point)) {
+    for (ConstraintId id : model_.points[point].constraints) {
+      const Constraint& c = model_.constraints[id];
+      if (!c.enabled) continue;
       constrained_ = true;
-      add(model_.constraints.at_slot(c).a);
-      if (model_.constraints.at_slot(c).b) add(model_.constraints.at_slot(c).b);
+      add(c.a);
+      if (c.b) add(c.b);
     }
   }
 
   const Model& model_;
-  const Ties& ties_;
   std::vector<char> body_seen_, point_seen_;
   std::vector<Thing> found_;
   bool constrained_ = false;
@@ -126,8 +107,7 @@ void find_articulates(Model& model, std::vector<std::unique_ptr<Articulate>>& ar
                       std::vector<std::uint32_t>& loose_bodies, std::vector<std::uint32_t>& loose_points) {
   if (!model.topology_changed) return;
   const std::vector<Thing> start = touched(model, articulates);
-  const Ties ties(model);
-  Search search(model, ties);
+  Search search(model);
   for (Thing t : start) {
     if (search.seen(t)) continue;
     bool constrained = false;
@@ -136,7 +116,7 @@ void find_articulates(Model& model, std::vector<std::unique_ptr<Articulate>>& ar
     if (!constrained) continue;
     std::sort(things.begin(), things.end(),
               [&](Thing a, Thing b) { return serial_of(model, a) < serial_of(model, b); });
-    articulates.push_back(build_articulate(model, ties, things));
+    articulates.push_back(build_articulate(model, things));
   }
   std::erase(articulates, nullptr);
   std::sort(articulates.begin(), articulates.end(),

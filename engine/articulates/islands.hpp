@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "articulates/articulate.hpp"
@@ -18,18 +19,7 @@ struct Thing {
   std::uint32_t slot;
   bool is_body;
 };
-/// Ties of the things: which constraints each point has.
-class Ties {
- public:
-  explicit Ties(const Model& model);
-  /// Slots of the enabled constraints on a point.
-  std::span<const std::uint32_t> of(PointId point) const;
-
- private:
-  std::vector<std::uint32_t> first_, constraint_;  // (points + 1), (ends of constraints)
-};
-
 /// Builds the articulate of a connected set of things, in the order of their serials.
-std::unique_ptr<Articulate> build_articulate(const Model& model, const Ties& ties, std::span<const Thing> things);
+std::unique_ptr<Articulate> build_articulate(const Model& model, std::span<const Thing> things);
 
 }  // namespace pantin
