@@ -10,8 +10,10 @@ void fire_events(World& world) {
 
 void run_behaviours(World& world) {
   const Timed timed(world.profile, Phase::run_behaviours);
+  const auto told = static_cast<std::ptrdiff_t>(world.notices.size());
   if (world.behaviours) world.behaviours();
-  world.notices.clear();
+  // What the scripts themselves did is told in the next step.
+  world.notices.erase(world.notices.begin(), world.notices.begin() + told);
 }
 
 }  // namespace pantin::phases
