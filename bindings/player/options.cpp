@@ -62,7 +62,7 @@ void add_scene_options(CLI::App& app, RunOptions& scene, std::vector<std::string
       ->default_str("5")
       ->type_name("S");
   app.add_option("--memory-limit", scene.memory_limit, "Of the script, in bytes or with a unit")
-      ->transform(CLI::AsSizeValue(true))
+      ->transform(CLI::AsSizeValue(true).description(""))
       ->default_str("2GiB")
       ->type_name("SIZE");
 }

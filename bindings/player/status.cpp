@@ -14,8 +14,8 @@ std::string print(const char* format, double value) {
 
 std::string speed(const Pacing& pacing, double pace, bool paused) {
   if (paused) return "paused";
-  if (pacing.slow_motion()) return print("slow motion %.2g x", pace * pacing.speed());
-  return print("speed %.3g x", pace);
+  if (pacing.slow_motion()) return print("slow motion %.2g×", pace * pacing.speed());
+  return print("speed %.3g×", pace);
 }
 
 }  // namespace
