@@ -12,8 +12,8 @@ using namespace pantin;
 
 namespace {
 
-/// A rod of two point masses of 0.5 kg, 1 m apart, with `along` [kg m²] as own inertia about its axis.
-BodyId add_two_masses(World& world, Vec3 at, double along, Vec3 spin = zero3()) {
+/// A rod of two point masses of 0.5 kg, 1 m apart.
+BodyId add_two_masses(World& world, Vec3 at) {
   PointDef head, tail;
   head.at = vec(-0.5, 0, 0);
   tail.at = vec(0.5, 0, 0);
@@ -21,19 +21,32 @@ BodyId add_two_masses(World& world, Vec3 at, double along, Vec3 spin = zero3()) 
   BodyDef def;
   def.points = {head, tail};
   def.at = at;
-  def.inertia = diagonal(vec(along, 0, 0));
+  return add_body(world, def);
+}
+
+/// A rod of 1 kg with anchors 1 m apart, and `along` [kg m²] for its inertia about its axis, that turns about its head.
+BodyId add_rod_with(World& world, Vec3 at, double along, Vec3 spin) {
+  PointDef head, tail;
+  head.at = vec(-0.5, 0, 0);
+  tail.at = vec(0.5, 0, 0);
+  BodyDef def;
+  def.points = {head, tail};
+  def.at = at;
+  def.mass = 1.0;
+  def.inertia = diagonal(vec(along, 0.25, 0.25));
   def.spin = spin;
   def.velocity = cross(spin, vec(0.5, 0, 0));
   return add_body(world, def);
 }
 
-/// Place of the end of `links` such rods hanging on a nail, let go from horizontal with a push sideways, after each
-/// step up to `time` [s].
-std::vector<Vec3> motion_of_end(int links, double along, double time) {
+/// Place of the end of `links` such rods hanging on a nail, after each step up to `time` [s], let go from horizontal; with
+/// `sideways` the first turns about the vertical too.
+std::vector<Vec3> motion_of_end(int links, double along, double time, bool sideways = false) {
   World world;
+  world.settings.energy_return = !sideways;
   std::vector<BodyId> rods;
   for (int i = 0; i < links; i++) {
-    rods.push_back(add_two_masses(world, vec(i + 0.5, 0, 0), along, links == 1 ? vec(0, 2, 0) : zero3()));
+    rods.push_back(add_rod_with(world, vec(i + 0.5, 0, 0), along, sideways ? vec(0, 2, 0) : zero3()));
     const std::size_t k = rods.size() - 1;
     if (i == 0)
       add_nail(world, cases::point_of(world, rods[k], 0));
@@ -46,7 +59,7 @@ std::vector<Vec3> motion_of_end(int links, double along, double time) {
   CHECK(course.failure == "");
   CHECK(course.finite);
   CHECK(course.gap <= 1e-10);
-  CHECK(course.energy_error() <= 1e-9);
+  CHECK(course.energy_error() <= (sideways ? 1e-4 : 1e-9));
   return places;
 }
 
@@ -66,6 +79,14 @@ TEST_CASE("rods: inertia about the axis of one rod on a nail is not seen") {
   CHECK(largest_difference(line, motion_of_end(1, along, 5.0)) <= 1e-9);
 }
 
+// The return scales the motion relative to a common turn, which a rod has a part of about its own axis.
+TEST_CASE("rods: nor is it when the rod turns about the vertical, without the energy return") {
+  const std::vector<Vec3> line = motion_of_end(1, 0.0, 5.0, true);
+  const double along = GENERATE(1e-12, 1e-6, 1e-3, 0.05, 0.25);
+  CAPTURE(along);
+  CHECK(largest_difference(line, motion_of_end(1, along, 5.0, true)) <= 1e-9);
+}
+
 TEST_CASE("rods: inertia about the axes of three rods in a chain is not seen") {
   const std::vector<Vec3> line = motion_of_end(3, 0.0, 1.0);
   const double along = GENERATE(1e-12, 1e-6, 1e-3, 0.05, 0.25);
@@ -74,18 +95,20 @@ TEST_CASE("rods: inertia about the axes of three rods in a chain is not seen") {
 }
 
 TEST_CASE("rods: two point masses get no spin about their line") {
-  const double step = GENERATE(1.0 / 60, 1.0 / 240);
+  const double step_length = GENERATE(1.0 / 60, 1.0 / 240);
+  CAPTURE(step_length);
   World world;
-  world.settings.step = step;
+  world.settings.step = step_length;
   std::vector<BodyId> rods;
   for (int i = 0; i < 5; i++) {
-    rods.push_back(add_two_masses(world, vec(i + 0.5, 0, 0), 0.0));
+    rods.push_back(add_two_masses(world, vec(i + 0.5, 0, 0)));
     const std::size_t k = rods.size() - 1;
     if (i > 0)
       add_hinge(world, std::vector{cases::point_of(world, rods[k - 1], 1), cases::point_of(world, rods[k], 0)});
   }
   add_nail(world, cases::point_of(world, rods[0], 0));
   kick(world, cases::point_of(world, rods[4], 1), vec(0, 0, 2));
+  step(world);  // the hinges answer the kick
   double spin = 0.0;
   const Course course = watch(world, 5.0, [&] {
     for (const BodyId rod : rods) {
@@ -199,6 +222,7 @@ TEST_CASE("rods: an anchor off the line of the masses is held up by a lifted ine
   CHECK(world.bodies[hanger].lifted);
   CHECK(world.motion_of(hanger).inertia[0] == Approx(1e-3 * 0.5));
   kick(world, hanger, vec(0.3, 0, 1));
+  step(world);  // the nail answers the kick
   const Course course = watch(world, 5.0);
   CHECK(course.failure == "");
   CHECK(course.finite);

@@ -12,6 +12,7 @@ struct Course {
   double gap = 0.0;            ///< [m] largest distance between points that should coincide, at any step
   double energy_change = 0.0;  ///< [J] largest |energy - start|
   double kinetic = 0.0;        ///< [J] largest kinetic energy
+  double worst_error = 0.0;    ///< largest |energy - start| / largest kinetic energy until then
   bool finite = true;          ///< every place and velocity was a number after every step
   std::string failure;         ///< World::failure at the end
   double energy_error() const { return energy_change / kinetic; }
