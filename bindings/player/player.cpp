@@ -109,7 +109,7 @@ void Player::take_steps(double elapsed) {
   auto start = Clock::now();
   int done = 0;
   double seconds = 0.0;
-  while (done < due && failure_.empty() && !at_end() && (done == 0 || Pacing::has_time(seconds))) {
+  while (done < due && failure_.empty() && !at_end() && (done == 0 || pacing_.has_time(seconds))) {
     scene_->world().input = path.input(done++);
     step_once();
     seconds = std::chrono::duration<double>(Clock::now() - start).count();

@@ -12,7 +12,7 @@ int play_frames(Pacing& pacing, int frames, double elapsed, double step, double 
   for (int i = 0; i < frames; i++) {
     int due = pacing.begin_frame(elapsed, step, pace);
     int done = 0;
-    while (done < due && (done == 0 || Pacing::has_time(done * cost))) done++;
+    while (done < due && (done == 0 || pacing.has_time(done * cost))) done++;
     pacing.end_frame(done, done * cost);
     steps += done;
   }
@@ -48,13 +48,25 @@ TEST_CASE("pacing: a scene that is too slow runs in slow motion and says so") {
   for (int i = 0; i < 400; i++) {
     int done = play_frames(pacing, 1, frame, 1.0 / 240.0, 1.0, cost);
     frame = 0.005 + done * cost;  // drawing, and the steps
-    CHECK(frame <= 0.005 + Pacing::budget + cost);
+    CHECK(frame <= 0.005 + Pacing::least_budget + cost);
     clock += frame;
     steps += done;
   }
   CHECK(steps > 400);
   CHECK(pacing.slow_motion());
   CHECK(pacing.speed() == Approx(steps / 240.0 / clock).epsilon(0.1));
+}
+
+TEST_CASE("pacing: where drawing is slow, steps may take as long as it does") {
+  Pacing pacing;
+  double frame = 0.1, steps = 0.0, clock = 0.0;
+  for (int i = 0; i < 100; i++) {
+    int done = play_frames(pacing, 1, frame, 1.0 / 240.0, 1.0, 0.01);
+    frame = 0.08 + done * 0.01;
+    clock += frame;
+    steps += done;
+  }
+  CHECK(steps * 0.01 == Approx(0.5 * clock).epsilon(0.15));
 }
 
 TEST_CASE("pacing: one step that takes longer than a frame is still taken") {
@@ -67,7 +79,7 @@ TEST_CASE("pacing: a stall is not made up for") {
   Pacing pacing;
   play_frames(pacing, 60, 1.0 / 60.0, 1.0 / 240.0, 1.0, 1e-5);
   int after_stall = play_frames(pacing, 1, 30.0, 1.0 / 240.0, 1.0, 1e-5);
-  CHECK(after_stall <= 25);
+  CHECK(after_stall <= 60);
   CHECK(play_frames(pacing, 60, 1.0 / 60.0, 1.0 / 240.0, 1.0, 1e-5) == Approx(240).margin(1));
 }
 
