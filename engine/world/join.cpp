@@ -107,7 +107,6 @@ ParticleId add_hinge(World& world, std::span<const PointId> points, const HingeD
   for (const Member& m : members) ring.points.push_back(m.point);
   ring.serial = world.next_serial++;
   const ParticleId hinge = world.particles.add(std::move(ring));
-  if (std::isfinite(def.lifetime)) world.mortals.push_back(hinge);
   if (std::isfinite(def.lifetime)) set_lifetime(world, hinge, def.lifetime);
   for (const Member& m : members) {
     const ParticleId old = world.points[m.point].particle;

@@ -78,7 +78,6 @@ ParticleId add_particle(World& world, const ParticleDef& def) {
   const ParticleId id = world.points[point].own;
   if (std::isfinite(def.lifetime)) set_lifetime(world, id, def.lifetime);
   world.particles[id].name = def.name;
-  if (std::isfinite(def.lifetime)) world.mortals.push_back(id);
   touch(world, point);
   post(world, energy_of(world, point));
   return id;
