@@ -26,9 +26,8 @@ void main() {
   float shade = 0.0;
   vec2 uv = 0.5 * (spot.xz - shadow_middle) / shadow_reach + 0.5;
   if (all(greaterThan(uv, vec2(0.0))) && all(lessThan(uv, vec2(1.0)))) {
-    vec2 e = vec2(1.5, 0.5) / vec2(textureSize(shadow, 0));
-    shade = 0.25 * (texture(shadow, uv + e.xy).r + texture(shadow, uv - e.xy).r + texture(shadow, uv + vec2(-e.y, e.x)).r +
-                    texture(shadow, uv + vec2(e.y, -e.x)).r);
+    vec2 e = vec2(1.2, 0.4) / vec2(textureSize(shadow, 0)), f = vec2(-e.y, e.x);
+    shade = 0.25 * (texture(shadow, uv + e).r + texture(shadow, uv - e).r + texture(shadow, uv + f).r + texture(shadow, uv - f).r);
   }
   result = vec4(ink, (grid + (1.0 - grid) * 0.42 * shade * min(1.0, 2.0 * fade)) * strength);
 }

@@ -6,5 +6,5 @@ void main() {
   float height = ball.y - level;
   edge = vec2(ball.w, softness(ball.w, height));
   off = corner * (edge.x + edge.y);
-  gl_Position = height < -ball.w ? vec4(2.0) : on_map(fall(ball.xyz) + off);
+  gl_Position = height < -ball.w || edge.x < 0.03 * edge.y ? vec4(2.0) : on_map(fall(ball.xyz) + off);
 }

@@ -34,10 +34,12 @@ GLuint compile(GLenum kind, const std::string& name, const std::string& text) {
 }  // namespace
 
 Program::Program(const std::string& name, const std::string& common, const std::string& definitions) {
-  std::string head = "#version 330 core\n" + definitions;
-  if (!common.empty()) head += std::string(shader_text(common));
-  const GLuint vertex = compile(GL_VERTEX_SHADER, name + ".vert", head + std::string(shader_text(name + ".vert")));
-  const GLuint fragment = compile(GL_FRAGMENT_SHADER, name + ".frag", head + std::string(shader_text(name + ".frag")));
+  const std::string version = "#version 330 core\n";
+  const std::string head = definitions + (common.empty() ? std::string() : std::string(shader_text(common)));
+  const GLuint vertex =
+      compile(GL_VERTEX_SHADER, name + ".vert", version + head + std::string(shader_text(name + ".vert")));
+  const GLuint fragment = compile(GL_FRAGMENT_SHADER, name + ".frag",
+                                  version + "#define FRAGMENT\n" + head + std::string(shader_text(name + ".frag")));
   id_ = glCreateProgram();
   glAttachShader(id_, vertex);
   glAttachShader(id_, fragment);

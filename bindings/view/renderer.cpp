@@ -14,7 +14,7 @@ namespace pantin {
 
 namespace {
 
-constexpr int shadow_pixels = 640;
+constexpr int shadow_pixels = 360;
 const Vec3 sky_high = vec(0.972, 0.953, 0.916), sky_low = vec(0.885, 0.845, 0.775), ground_ink = vec(0.30, 0.235, 0.17);
 
 // A round number (1, 2 or 5 times a power of ten) near a length.
@@ -173,8 +173,10 @@ void Renderer::Parts::draw_shadows(const Camera& camera) {
     program->set("light", light);
     program->set("size", static_cast<float>(stage.size / camera.distance));
   }
+  shadow_mesh.set("solid", 1.0f);
   corners.bind();
   glDrawArrays(GL_TRIANGLES, 0, corners.count());
+  shadow_mesh.set("solid", 0.0f);
   shades.bind();
   glDrawArrays(GL_TRIANGLES, 0, shades.count());
   shadow_ball.use();
@@ -239,7 +241,7 @@ void Renderer::Parts::draw_things(const Camera& camera) {
   bars.bind();
   glEnable(GL_CULL_FACE);
   glCullFace(GL_FRONT);
-  glDrawArraysInstanced(GL_TRIANGLES, 0, 36, bars.count());
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 14, bars.count());
   glDisable(GL_CULL_FACE);
   glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
   glDisable(GL_DEPTH_TEST);

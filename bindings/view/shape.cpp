@@ -83,7 +83,7 @@ void make_hull(Shape& shape, const Places& places) {
     for (std::size_t i = 0; i < places.at.size(); i++) at[i] -= half;
   }
   for (const auto& f : convex_hull(at)) add_triangle(shape, at[f[0]], at[f[1]], at[f[2]]);
-  shape.joint = 0.03 * places.extent[0];
+  shape.joints.assign(shape.joints.size(), 0.03 * places.extent[0]);
 }
 
 // A capsule along the points, with a ball for each mass on it.
@@ -103,15 +103,16 @@ void make_line(Shape& shape, const World& world, const Body& body, const Places&
   if (round || weighted) radius *= 0.6;
   if (round) shape.eggs.push_back(egg);
   shape.bars.push_back({from, from + places.axes[0] * length, radius});
-  shape.joint = radius;
   const auto ball = [&](Vec3 at, double mass, double given, Color color) {
     if (given > 0.0) shape.balls.push_back({at, given, color});
     if (!(given > 0.0) && weighted && mass > 0.0)
       shape.balls.push_back({at, 3.2 * radius * std::cbrt(mass / most), color});
   };
-  for (const PointId id : body.points) {
-    const Point& p = world.points[id];
+  for (std::size_t i = 0; i < body.points.size(); i++) {
+    const Point& p = world.points[body.points[i]];
+    const std::size_t before = shape.balls.size();
     ball(p.place, p.mass, p.radius, p.color);
+    shape.joints[i] = shape.balls.size() > before ? 0.78 * shape.balls.back().radius : radius;
   }
   ball(zero3(), body.own_mass, 0.0, shape.color);
 }
@@ -122,6 +123,7 @@ Shape make_shape(const World& world, BodyId id, const Stage& stage) {
   const Body& body = world.bodies[id];
   Shape shape;
   shape.color = body.points.empty() ? Color{0.93f, 0.55f, 0.27f, 1.0f} : world.points[body.points[0]].color;
+  shape.joints.assign(body.points.size(), 0.0);
   const Places places = measure(world, body);
   const Shape::Egg egg = own_egg(body);
   if (places.dimension >= 2) {
@@ -133,11 +135,11 @@ Shape make_shape(const World& world, BodyId id, const Stage& stage) {
     make_line(shape, world, body, places, stage, egg);
   } else if (norm(egg.axes[0]) > 0.0) {
     shape.eggs.push_back(egg);
-    shape.joint = 0.1 * norm(egg.axes[0]);
+    shape.joints.assign(shape.joints.size(), 0.1 * norm(egg.axes[0]));
   } else {
     const double given = body.points.empty() ? 0.0 : world.points[body.points[0]].radius;
     shape.balls.push_back({places.centre, given > 0.0 ? given : 0.12 * stage.unit, shape.color});
-    shape.joint = 0.04 * stage.unit;
+    shape.joints.assign(shape.joints.size(), 0.78 * shape.balls.back().radius);
   }
   return shape;
 }

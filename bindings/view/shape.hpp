@@ -30,7 +30,7 @@ struct Shape {
   std::vector<Egg> eggs;
   std::vector<Corner> corners;  ///< three for each triangle
   Color color;
-  double joint = 0.0;  ///< [m] radius that a hinge of this body should exceed
+  std::vector<double> joints;  ///< [m] (points of the body): radius that a hinge or nail there should exceed
 };
 
 /// Points on a line become a capsule, in a plane a plate, in space their hull; an inertia without such points an ellipsoid.

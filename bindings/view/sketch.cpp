@@ -29,6 +29,7 @@ struct Sketcher::Eye {
   double unit;   // [m]
   double pixel;  // size of a pixel at distance 1
 
+  double pixel_at(Vec3 p) const { return pixel * std::max(dot(p - at, forward), 1e-3 * unit); }  // [m]
   Float3 place(Vec3 p) const { return floats((p - at) / unit); }
   // A radius [m], but at least some pixels wide where it is.
   float radius(double r, Vec3 p, double least) const {
@@ -51,7 +52,7 @@ struct Sketcher::Eye {
 namespace {
 
 // The outline of an egg's shadow: the ellipse to which the light projects its half axes.
-void shade_egg(Sketch& s, const Sketch::Egg& egg) {
+void shade_egg(Sketch& s, const Sketch::Egg& egg, float level) {
   constexpr int corners = 28;
   const Vec3 light = key_light();
   const float lx = static_cast<float>(light[0] / light[1]), lz = static_cast<float>(light[2] / light[1]);
@@ -63,13 +64,18 @@ void shade_egg(Sketch& s, const Sketch::Egg& egg) {
     zz += pz * pz;
   }
   const float l = std::sqrt(std::max(xx, 1e-30f)), m = xz / l, n = std::sqrt(std::max(zz - m * m, 0.0f));
-  Float3 last{};
-  for (int i = 0; i <= corners; i++) {
-    const float angle = 6.2831853f * static_cast<float>(i) / corners, c = std::cos(angle), d = std::sin(angle);
-    const Float3 next = {egg.at.x + l * c, egg.at.y, egg.at.z + m * c + n * d};
-    if (i > 0)
-      for (const Float3 v : {egg.at, last, next}) s.shades.push_back({v, {}, {}});
-    last = next;
+  // Dark within, fading across its rim.
+  const float high = std::max(egg.at.y - level, 0.0f), soft = std::min(0.9f, 0.08f + 0.10f * high / std::max(l, 1e-9f));
+  const auto at = [&](float angle, float part, float dark) {
+    const float c = std::cos(angle) * part, d = std::sin(angle) * part;
+    s.shades.push_back({{egg.at.x + l * c, egg.at.y, egg.at.z + m * c + n * d}, {}, {dark, dark, dark}});
+  };
+  for (int i = 0; i < corners; i++) {
+    const float a = 6.2831853f * static_cast<float>(i) / corners, b = 6.2831853f * static_cast<float>(i + 1) / corners;
+    const float in = 1.0f - soft, out = 1.0f + soft;
+    at(0.0f, 0.0f, 1.0f), at(a, in, 1.0f), at(b, in, 1.0f);
+    at(a, in, 1.0f), at(a, out, 0.0f), at(b, in, 1.0f);
+    at(b, in, 1.0f), at(a, out, 0.0f), at(b, out, 0.0f);
   }
 }
 
@@ -111,7 +117,10 @@ void Sketcher::draw_body(const World& world, BodyId id, const Eye& eye, const St
   const Mat3 turn = matrix(orientation(world, id));
   if (!finite(at)) return;
   const Rgb color = linear(shape.color), light = mix(color, linear(paper), 0.75f);
-  for (const Shape::Bar& b : shape.bars) eye.bar(sketch, at + turn * b.from, at + turn * b.to, b.radius, 0.8, color);
+  for (const Shape::Bar& b : shape.bars) {
+    const Vec3 from = at + turn * b.from, to = at + turn * b.to;
+    eye.bar(sketch, from, to, b.radius, std::clamp(0.1 * norm(to - from) / eye.pixel_at(from), 0.8, 2.4), color);
+  }
   for (const Shape::Ball& b : shape.balls)
     eye.ball(sketch, at + turn * b.at, b.radius, 1.0, linear(b.color), Sketch::plain, {});
   for (const Shape::Egg& e : shape.eggs) {
@@ -120,15 +129,16 @@ void Sketcher::draw_body(const World& world, BodyId id, const Eye& eye, const St
                            floats(axes[2] / eye.unit), color, light});
     const double most = std::max({norm(axes[0]), norm(axes[1]), norm(axes[2])});
     include(sketch, eye.place(at + turn * e.at), static_cast<float>(most / eye.unit));
-    shade_egg(sketch, sketch.eggs.back());
+    shade_egg(sketch, sketch.eggs.back(), static_cast<float>((stage.ground - eye.at[1]) / eye.unit));
   }
   for (const Shape::Corner& c : shape.corners) {
     sketch.corners.push_back({eye.place(at + turn * c.at), floats(turn * c.normal), color});
     include(sketch, sketch.corners.back().at, 0.0f);
   }
-  for (const PointId p : world.bodies[id].points) {
-    float& joint = joints_[world.points[p].particle.slot - 1];
-    joint = std::max(joint, static_cast<float>(shape.joint / stage.unit));
+  const std::vector<PointId>& points = world.bodies[id].points;
+  for (std::size_t i = 0; i < points.size(); i++) {
+    float& joint = joints_[world.points[points[i]].particle.slot - 1];
+    joint = std::max(joint, static_cast<float>(shape.joints[i] / stage.unit));
   }
 }
 
@@ -147,11 +157,13 @@ void Sketcher::draw_particles(const World& world, const Eye& eye, const Stage& s
       continue;
     }
     const double joint = joints_[s] > 0.0f ? static_cast<double>(joints_[s]) * stage.unit : 0.05 * stage.unit;
-    const double radius = particle.radius.value_or(1.45 * joint);
-    if (radius / eye.unit < 0.5 * eye.pixel * std::max(dot(at - eye.at, eye.forward) / eye.unit, 0.0)) continue;
+    const double given = particle.radius.value_or(0.0), pixel = eye.pixel_at(at);
+    const double radius = given > 0.0 ? given : 1.45 * joint;
+    if (radius < 0.5 * pixel) continue;
     // A colour that is not just its first point's was meant.
     const bool own = particle.color && !(*particle.color == first.color);
-    eye.ball(sketch, at, radius, 1.0, own ? linear(*particle.color) : cream, Sketch::hinge, dark);
+    eye.ball(sketch, at, radius, std::min(3.8, 2.2 * joint / pixel), own ? linear(*particle.color) : cream,
+             Sketch::hinge, dark);
   }
 }
 
@@ -163,12 +175,13 @@ void Sketcher::draw_constraints(const World& world, const Eye& eye, const Stage&
     const Vec3 a = position(world, c.a);
     if (!finite(a)) continue;
     const double joint = std::max(static_cast<double>(joints_[world.points[c.a].particle.slot - 1]), 0.04) * stage.unit;
+    const double least = std::min(4.5, 3.2 * joint / eye.pixel_at(a));  // [px]
     if (c.kind == ConstraintKind::rod) {
       const Vec3 b = c.b ? position(world, c.b) : c.place;
       eye.bar(sketch, a, b, 0.025 * std::min(c.length, stage.unit), 0.8, metal);
-      if (!c.b) eye.ball(sketch, b, 1.7 * joint, 2.0, metal, Sketch::hinge, metal);
+      if (!c.b) eye.ball(sketch, b, 1.7 * joint, least, metal, Sketch::hinge, metal);
     } else if (c.hand < 0) {
-      eye.ball(sketch, c.place, 1.6 * joint, 2.0, metal, Sketch::hinge,
+      eye.ball(sketch, c.place, 1.6 * joint, least, metal, Sketch::hinge,
                mix(metal, red, c.kind == ConstraintKind::nail ? 0.0f : 0.6f));
     } else {
       const double pull = std::isfinite(c.max_force) && c.max_force > 0.0 ? norm(c.force) / c.max_force : 0.5;

@@ -131,6 +131,7 @@ void find_box(const World& world, Stage& stage) {
     const Reached& r = reach.reached()[s];
     if (!world.points.alive_at(s) || r.length == infinity) continue;
     const Vec3 p = position(world, world.points.id_at(s));
+    if (p[1] - r.anchor[1] > 0.3 * r.length) continue;  // it stands there, as a top does
     include(stage, r.anchor - vec(0, r.length, 0));
     include(stage, vec(2.0 * r.anchor[0] - p[0], p[1], p[2]));  // swung over to the other side
   }
