@@ -32,6 +32,7 @@ struct Node {
   double mass, inverse_mass;
   double reach;  // [m] turns a rotation into a displacement in the residual
   bool turns;    // has a rotation; a point mass has not
+  Vec3 coupled;  // 1 or 0 per principal axis: 0 about an axis of symmetry that all arms lie on, where spin is its own
   // work of an iteration
   Vec3 row_force;  // Σ ±f
   Mat3 row_moment;  // Σ ±l f'

@@ -150,6 +150,26 @@ void find_meetings(Articulate& a) {
   }
 }
 
+/// Clears `coupled` about the axis of symmetry that both arms lie on.
+void find_free_axes(Articulate& a) {
+  for (Node& n : a.nodes) n.coupled = n.turns ? vec(1, 1, 1) : zero3();
+  const auto differs = [](double x, double y) { return std::fabs(x - y) > 1e-9 * std::fmax(x, y); };
+  for (int axis = 0; axis < 3; axis++) {
+    const int j = (axis + 1) % 3, k = (axis + 2) % 3;
+    std::vector<char> free(a.nodes.size(), 1);
+    const auto visit = [&](std::int32_t node, Vec3 l) {
+      if (node >= 0 && std::fmax(std::fabs(l[j]), std::fabs(l[k])) > 1e-9 * a.nodes[static_cast<std::size_t>(node)].reach)
+        free[static_cast<std::size_t>(node)] = 0;
+    };
+    for (const Row& row : a.rows) {
+      visit(row.a, row.la);
+      visit(row.b, row.lb);
+    }
+    for (std::size_t n = 0; n < a.nodes.size(); n++)
+      if (free[n] && !differs(a.nodes[n].inertia[j], a.nodes[n].inertia[k])) a.nodes[n].coupled[axis] = 0.0;
+  }
+}
+
 void measure(Articulate& a, const Model& model) {
   std::vector<double> lengths;
   for (Row& row : a.rows) {
@@ -178,6 +198,7 @@ void measure(Articulate& a, const Model& model) {
     double& rb = a.nodes[static_cast<std::size_t>(row.b)].reach;
     rb = std::max(rb, norm(row.lb));
   }
+  find_free_axes(a);
 }
 
 }  // namespace

@@ -140,7 +140,7 @@ Mat3 inertia_about(const Articulate& a, Vec3 X) {
   Mat3 total = zero33();
   for (const Node& n : a.nodes) {
     Mat3 scaled = n.R0;
-    for (int i = 0; i < 3; i++) scaled[i] *= n.inertia[i];
+    for (int i = 0; i < 3; i++) scaled[i] *= n.inertia[i] * n.coupled[i];
     if (n.turns) total += times_transposed(scaled, n.R0);
     const Vec3 d = n.x0 - X;
     total += (identity33() * norm2(d) - outer(d, d)) * n.mass;
@@ -150,7 +150,7 @@ Mat3 inertia_about(const Articulate& a, Vec3 X) {
 
 Vec3 angular_momentum_about(const Articulate& a, Vec3 X) {
   Vec3 L = zero3();
-  for (const Node& n : a.nodes) L += cross(n.x0 - X, n.p0) + (n.turns ? n.R0 * n.P0 : zero3());
+  for (const Node& n : a.nodes) L += cross(n.x0 - X, n.p0) + n.R0 * (n.P0 * n.coupled);
   return L;
 }
 
@@ -209,25 +209,25 @@ RigidMotion kept_motion(const Articulate& a, Vec3 gravity) {
   return m;
 }
 
-/// Scales the motion relative to the kept rigid motion so that the kinetic energy is `kinetic` again [J].
+/// Scales the motion relative to the kept rigid motion so that the kinetic energy is `kinetic` again [J]. Spin that
+/// nothing couples to stays as it is.
 void return_energy(Articulate& a, double kinetic, Vec3 gravity) {
   const RigidMotion rigid = kept_motion(a, gravity);
   const auto rigid_p = [&](const Node& n) { return (rigid.V + cross(rigid.w, n.x0 - rigid.X)) * n.mass; };
   const auto rigid_P = [&](const Node& n) { return n.inertia * transposed_times(n.R0, rigid.w); };
-  double kept = 0.0;
+  double relative = 0.0;
   for (const Node& n : a.nodes) {
-    const Vec3 p = rigid_p(n), P = rigid_P(n);
-    kept += 0.5 * (norm2(p) * n.inverse_mass + (n.turns ? dot(P, n.inverse_inertia * P) : 0.0));
+    const Vec3 p = n.p0 - rigid_p(n), P = (n.P0 - rigid_P(n)) * n.coupled;
+    relative += 0.5 * (norm2(p) * n.inverse_mass + dot(P, n.inverse_inertia * P));
   }
-  const double now = kinetic_energy(a), relative = now - kept;
+  const double now = kinetic_energy(a);
   if (!(relative > 1e-9 * now)) return;
-  const double factor = std::min(1.2, std::sqrt(std::max(0.0, (kinetic - kept) / relative)));
+  const double factor = std::min(1.2, std::sqrt(std::max(0.0, 1.0 + (kinetic - now) / relative)));
   for (Node& n : a.nodes) {
     const Vec3 p = rigid_p(n);
     n.p0 = p + (n.p0 - p) * factor;
     if (!n.turns) continue;
-    const Vec3 P = rigid_P(n);
-    n.P0 = P + (n.P0 - P) * factor;
+    n.P0 += (n.P0 - rigid_P(n)) * n.coupled * (factor - 1.0);
     n.O0 = n.inverse_inertia * n.P0;
   }
 }

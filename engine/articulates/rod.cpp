@@ -11,12 +11,15 @@ double evaluate_rod(Row& row, const RowContext& context) {
   const Vec3 n = direction(middle);
   const double g = (dot(row.d1, row.d1) - row.length * row.length) / (2.0 * row.length);
   const double along = dot(row.f, n);
-  const Vec3 across = (row.f - n * along) * kappa;
+  const Vec3 across = row.f - n * along;
   const Mat3 P = identity33() - outer(n, n);
-  row.residual = n * g + across;
+  row.residual = n * g + across * kappa;
   row.M = outer(n, row.d1 / row.length) - P * (kappa * along / (2.0 * std::fmax(reach, 1e-3 * row.length)));
   row.C = P * kappa;
-  return norm(row.residual);
+  // A force across the rod does work on its turning: it counts as the gap that would do as much.
+  const double way = norm(row.d1 - row.d0);
+  const double weight = std::fmax(kappa, way / std::fmax(norm(row.f), 1e-3 * way / kappa));
+  return std::fmax(std::fabs(g), norm(across) * weight);
 }
 
 void project_rod(Row& row) {
