@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "player/hand_path.hpp"
+#include "player/home.hpp"
 #include "player/interrupt.hpp"
 #include "player/message.hpp"
 #include "view/picture.hpp"
@@ -17,8 +18,6 @@ namespace {
 constexpr std::chrono::milliseconds shortest_frame{12};  // where no screen sets the pace
 constexpr int smooth_samples = 4;
 
-std::string window_title(const lua::Scene& scene) { return scene.title() + " - Pantin"; }
-
 double aspect(const Renderer& renderer) { return static_cast<double>(renderer.width()) / renderer.height(); }
 
 }  // namespace
@@ -28,13 +27,15 @@ Player::Player(std::string path, const RunOptions& options, const std::string& h
       options_(options),
       lua_options_(lua_options(options, home)),
       scene_(lua::Scene::open(path_, lua_options_)),
-      window_(window_title(*scene_), options.size.width, options.size.height),
+      window_(title() + " - Pantin", options.size.width, options.size.height),
       renderer_(window_.width(), window_.height(), window_.software() ? 0 : smooth_samples),
       hands_([this] { return add_hand(scene_->world()); }),
       paused_(options.paused) {
   renderer_.open(scene_->world());
   camera_ = aim(*scene_, renderer_.stage(), aspect(renderer_));
 }
+
+std::string Player::title() const { return scene_->title().empty() ? scene_name(path_) : scene_->title(); }
 
 bool Player::frame() {
   auto now = Clock::now();
@@ -84,7 +85,7 @@ void Player::restart() {
   pacing_ = {};
   paused_ = false;
   renderer_.open(scene_->world());
-  window_.set_title(window_title(*scene_));
+  window_.set_title(title() + " - Pantin");
 }
 
 void Player::fit_window() {
@@ -149,7 +150,7 @@ void Player::save_picture() {
 
 Overlay Player::overlay() const {
   Overlay overlay;
-  overlay.title = scene_->title();
+  overlay.title = title();
   overlay.highlight = hands_.highlight();
   overlay.status = status_.parts(scene_->world(), pacing_, scene_->pace(), paused_);
   if (scene_->finished()) overlay.status[1] = "finished";

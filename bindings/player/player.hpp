@@ -34,6 +34,7 @@ class Player {
  private:
   using Clock = std::chrono::steady_clock;
 
+  std::string title() const;
   void act(const Actions& actions);
   void restart();
   void fit_window();

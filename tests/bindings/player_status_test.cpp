@@ -1,0 +1,41 @@
+#include <catch2/catch.hpp>
+
+#include "player/status.hpp"
+
+using namespace pantin;
+using namespace pantin::player;
+using Catch::Contains;
+using Catch::VectorContains;
+
+TEST_CASE("status: time, speed, error and gap") {
+  World world;
+  world.time = 3.456;
+  world.error.energy = 1.25e-12;
+  world.error.constraint = 3e-15;
+  Status status;
+  Pacing pacing;
+  std::vector<std::string> parts = status.parts(world, pacing, 0.5, false);
+  CHECK_THAT(parts, VectorContains(std::string("3.46 s")));
+  CHECK_THAT(parts, VectorContains(std::string("speed 0.5×")));
+  CHECK_THAT(parts, VectorContains(std::string("energy error 1.2e-12")) ||
+                        VectorContains(std::string("energy error 1.3e-12")));
+  CHECK_THAT(parts, VectorContains(std::string("largest gap 3.0e-15 m")));
+  CHECK_THAT(status.parts(world, pacing, 1.0, true), VectorContains(std::string("paused")));
+}
+
+TEST_CASE("status: slow motion says how slow, at the scene's pace") {
+  World world;
+  Pacing pacing;
+  for (int i = 0; i < 200; i++) {
+    pacing.begin_frame(0.1, 0.01, 2.0);
+    pacing.end_frame(5, 0.09);
+  }
+  CHECK_THAT(Status().parts(world, pacing, 2.0, false), VectorContains(std::string("slow motion 0.5×")));
+}
+
+TEST_CASE("status: a note is shown") {
+  World world;
+  Status status;
+  status.note("wrote pantin-0001.png");
+  CHECK(status.parts(world, Pacing(), 1.0, false).back() == "wrote pantin-0001.png");
+}
