@@ -108,14 +108,19 @@ void lower_epsilon(Articulate& a) {
   a.lowered = true;
 }
 
-/// The residual that counts as solved, [m].
-double goal(const Articulate& a, double h, Vec3 gravity) {
+/// The residual that counts as solved, and the size of its round-off, [m].
+struct Goal {
+  double tolerance, round_off;
+};
+
+Goal goal(const Articulate& a, double h, Vec3 gravity) {
   double speed2 = norm(gravity) * a.length, place = a.length;
   for (const Node& n : a.nodes) {
     speed2 = std::max(speed2, norm2(n.p0) * n.inverse_mass * n.inverse_mass);
     place = std::max(place, largest(n.x0));
   }
-  return std::max(3e-11 * std::fabs(h) * std::sqrt(speed2), 8e-16 * place);
+  const double round_off = 8e-16 * place;
+  return {std::max(3e-11 * std::fabs(h) * std::sqrt(speed2), round_off), round_off};
 }
 
 void predict(Articulate& a, double h) {
@@ -176,7 +181,7 @@ void place_rows_at_end(Articulate& a) {
 bool solve_step(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   predict(a, h);
   a.lowered = false;
-  const double tolerance = goal(a, h, gravity);
+  const auto [tolerance, round_off] = goal(a, h, gravity);
   double e = attempt(a, h), gain = 1.0;
   bool have_factor = false, fresh = false;
   for (std::uint32_t i = 0; e > tolerance && i < most_iterations; i++) {
@@ -199,6 +204,7 @@ bool solve_step(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
       }
       return e < 100.0 * tolerance;
     }
+    if (fresh && gain > 0.2 && e1 < 10.0 * round_off) return true;
     if (fresh && gain > 0.2 && e < 1e-4 * a.length && a.epsilon > epsilon_lowest) {
       lower_epsilon(a);
       gain = 1.0;

@@ -7,24 +7,30 @@ namespace pantin::phases {
 
 namespace {
 
-bool finite(const Node& n) {
-  return pantin::finite(n.x0) && pantin::finite(n.p0) && pantin::finite(n.P0) && std::isfinite(n.q0.w + n.q0.x + n.q0.y + n.q0.z);
+/// A place that is a number, and a kinetic energy that is one.
+bool sound(Vec3 place, const Quat& q, double kinetic) {
+  return finite(place) && std::isfinite(q.w + q.x + q.y + q.z) && std::isfinite(kinetic);
+}
+
+double kinetic_energy(const Point& free) { return 0.5 * free.mass * norm2(free.velocity); }
+
+double kinetic_energy(const Motion& m) {
+  return 0.5 * (norm2(m.p) / m.mass + dot(m.angular, m.angular * inverse_inertia(m)));
 }
 
 /// Names the first thing whose new state is not finite; empty if all is well.
 std::string first_bad(const World& world) {
   for (std::uint32_t slot : world.loose_points) {
     const Point& p = world.points.at_slot(slot);
-    if (!pantin::finite(p.place) || !pantin::finite(p.velocity)) return describe(world, p.particle);
+    if (!sound(p.place, {}, kinetic_energy(p))) return describe(world, p.particle);
   }
   for (std::uint32_t slot : world.loose_bodies) {
     const Motion& m = world.motion[slot];
-    if (!pantin::finite(m.x) || !pantin::finite(m.p) || !pantin::finite(m.angular) || !std::isfinite(m.q.w))
-      return describe(world, world.bodies.id_at(slot));
+    if (!sound(m.x, m.q, kinetic_energy(m))) return describe(world, world.bodies.id_at(slot));
   }
   for (const auto& articulate : world.articulates)
     for (const Node& n : articulate->nodes)
-      if (!finite(n))
+      if (!sound(n.x0, n.q0, pantin::kinetic_energy(n)))
         return n.is_body ? describe(world, world.bodies.id_at(n.slot))
                          : describe(world, world.points.at_slot(n.slot).particle);
   return {};
@@ -52,7 +58,7 @@ void measure_errors(World& world) {
   Accuracy now;
   for (const auto& articulate : world.articulates) {
     for (const Node& n : articulate->nodes) {
-      kinetic += kinetic_energy(n);
+      kinetic += pantin::kinetic_energy(n);
       potential -= n.mass * dot(gravity, n.x0);
     }
     const Gaps gaps = largest_gaps(*articulate);
@@ -61,12 +67,12 @@ void measure_errors(World& world) {
   }
   for (std::uint32_t slot : world.loose_bodies) {
     const Motion& m = world.motion[slot];
-    kinetic += 0.5 * (norm2(m.p) / m.mass + dot(m.angular, m.angular * inverse_inertia(m)));
+    kinetic += kinetic_energy(m);
     potential -= m.mass * dot(gravity, m.x);
   }
   for (std::uint32_t slot : world.loose_points) {
     const Point& p = world.points.at_slot(slot);
-    kinetic += 0.5 * p.mass * norm2(p.velocity);
+    kinetic += kinetic_energy(p);
     potential -= p.mass * dot(gravity, p.place);
   }
   world.largest_kinetic = std::max(world.largest_kinetic, kinetic);
