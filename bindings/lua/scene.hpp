@@ -12,13 +12,15 @@
 
 namespace pantin::lua {
 
+struct Script;
+
 using Value = std::variant<double, bool, std::string>;
 
 struct SceneOptions {
-  std::map<std::string, std::string> set;  ///< `--set`: parameter or `scene.FIELD` to its text
-  double script_limit = 5.0;               ///< [s] of one call into the script; 0: none
+  std::map<std::string, std::string> set;           ///< `--set`: parameter or `scene.FIELD` to its text
+  double script_limit = 5.0;                        ///< [s] of one call into the script; 0: none
   std::size_t memory_limit = std::size_t{2} << 30;  ///< [bytes] of Lua's memory
-  std::string home;                        ///< folder that holds `scripts/lib` and `scripts/behaviours`
+  std::string home;                                 ///< folder that holds `scripts/lib` and `scripts/behaviours`
 };
 
 /// What `scene:param` declared.
@@ -29,7 +31,8 @@ struct Parameter {
   std::optional<double> min, max, step;
   std::vector<Value> choices;
   std::string help;
-  bool live = false;  ///< has `on_change`; else a change rebuilds the scene
+  bool live = false;     ///< has `on_change`; else a change rebuilds the scene
+  bool integer = false;  ///< its default is a whole number without a point
 };
 
 struct CameraWish {
@@ -43,8 +46,8 @@ class Scene {
   /// Runs the file. Errors of wrong use (no such file, `--set` of an unknown parameter) throw UsageError.
   static std::unique_ptr<Scene> open(const std::string& path, const SceneOptions& options);
   /// The same for a text, called `name` in messages; `require` looks in `folder`.
-  static std::unique_ptr<Scene> open_text(const std::string& source, const std::string& name,
-                                          const std::string& folder, const SceneOptions& options);
+  static std::unique_ptr<Scene> open_text(const std::string& source, const std::string& name, const std::string& folder,
+                                          const SceneOptions& options);
   ~Scene();
 
   World& world();
@@ -64,6 +67,8 @@ class Scene {
   const std::vector<std::string>& buttons() const;  ///< names; press one by a Command of the world's input
   const std::map<std::string, Value>& results() const;
   std::vector<std::string> warnings() const;
+  /// The inside, for the bindings alone.
+  Script& script();
 
  private:
   struct State;

@@ -1,0 +1,267 @@
+#include "lua/annotations.hpp"
+
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+#include "lua/fields.hpp"
+
+namespace pantin::lua {
+namespace {
+
+/// What is not made from the tables: values, options and results that are plain tables, and free functions.
+const char* const head = R"(---@meta
+-- Written by `pantin meta` from the tables of the bindings; do not edit. In brackets: units.
+
+---@class vec
+---@field x number
+---@field y number
+---@field z number
+---@operator add(vec): vec
+---@operator sub(vec): vec
+---@operator unm: vec
+---@operator mul(number): vec
+---@operator div(number): vec
+local vec_methods = {}
+---@param other vec
+---@return number
+function vec_methods:dot(other) end
+---@param other vec
+---@return vec
+function vec_methods:cross(other) end
+---@return number
+function vec_methods:length() end
+---@return vec
+function vec_methods:normalized() end
+
+---@class quat
+---@field w number
+---@field x number
+---@field y number
+---@field z number
+---@operator mul(quat): quat
+local quat_methods = {}
+---@param v vec
+---@return vec
+function quat_methods:rotate(v) end
+---@return quat
+function quat_methods:inverse() end
+
+---@alias color string|number[] "#rgb", "#rrggbb", "#rrggbbaa" or { r, g, b, a } of 0 to 1
+---@alias Thing Point|Particle|Body|Nail|Follow|Rod|Group
+
+---@class Energy
+---@field kinetic number [J]
+---@field potential number [J]
+---@field total number [J]
+
+---@class Accuracy
+---@field hinge_gap number [m]
+---@field constraint number [m]
+---@field energy number relative
+---@field worst_hinge_gap number [m]
+---@field worst_constraint number [m]
+---@field worst_energy number relative
+
+---@class Stats
+---@field steps integer
+---@field articulates integer
+---@field newton_iterations integer
+---@field worst_iterations integer
+---@field solves integer
+---@field factorisations integer
+---@field halved_steps integer
+---@field safe_steps integer
+---@field projections integer
+---@field ns table<string, number> [ns] per phase
+
+---@class LogLine
+---@field time number [s]
+---@field kind string
+---@field text string
+
+---@class Camera
+---@field at? vec [m]
+---@field look_at? vec [m]
+---@field follow? Thing
+
+---@class ParamOptions
+---@field min? number
+---@field max? number
+---@field step? number
+---@field help? string
+---@field choices? any[]
+---@field on_change? fun(value: any)
+
+---@class ParticleOptions
+---@field at? vec [m]
+---@field velocity? vec [m/s]
+---@field mass? number [kg]
+---@field radius? number [m]
+---@field color? color
+---@field lifetime? number [s]
+---@field name? string
+
+---@class PointOptions
+---@field at? vec [m]
+---@field mass? number [kg]
+---@field radius? number [m]
+---@field color? color
+
+---@class BodyOptions
+---@field points? table<integer|string, vec|PointOptions>
+---@field at? vec [m]
+---@field orientation? quat
+---@field velocity? vec [m/s]
+---@field spin? vec [rad/s]
+---@field mass? number [kg]
+---@field inertia? vec|table [kg m²]
+---@field color? color
+---@field name? string
+
+---@class HingeOptions
+---@field color? color
+---@field radius? number [m]
+---@field lifetime? number [s]
+---@field name? string
+
+---@class TieOptions
+---@field time_constant? number [s]
+---@field name? string
+
+---@class FollowOptions: TieOptions
+---@field max_force? number [N]
+
+)";
+
+const char* const tail = R"(---@type Scene
+scene = nil
+
+---@param x number
+---@param y number
+---@param z number
+---@return vec
+function vec(x, y, z) end
+
+---@param axis vec
+---@param angle number [rad]
+---@return quat
+function quat(axis, angle) end
+
+---@param file string
+---@return table[] rows by column number and by column name
+function read_table(file) end
+
+---@class Expectation
+local Expectation = {}
+---@param value number|vec
+---@param tolerance number
+function Expectation:near(value, tolerance) end
+---@param value number
+function Expectation:below(value) end
+---@param value number
+function Expectation:above(value) end
+---@param value any
+function Expectation:equal(value) end
+function Expectation:is_true() end
+---@param text string
+function Expectation:fails(text) end
+
+---@param name string
+---@param body function
+function test(name, body) end
+---@param value any
+---@return Expectation
+function expect(value) end
+---@param path string
+---@param params? table<string, any>
+---@return OpenedScene
+function open(path, params) end
+---@param source string
+---@param params? table<string, any>
+---@return OpenedScene
+function open_text(source, params) end
+)";
+
+struct Parameter {
+  std::string name, type, unit;
+};
+
+std::string_view trimmed(std::string_view s) {
+  while (s.starts_with(' ')) s.remove_prefix(1);
+  while (s.ends_with(' ')) s.remove_suffix(1);
+  return s;
+}
+
+/// Splits at commas outside of brackets.
+std::vector<std::string_view> split(std::string_view s) {
+  std::vector<std::string_view> parts;
+  int depth = 0;
+  std::size_t from = 0;
+  for (std::size_t i = 0; i <= s.size(); i++) {
+    if (i == s.size() || (s[i] == ',' && depth == 0)) {
+      if (const auto part = trimmed(s.substr(from, i - from)); !part.empty()) parts.push_back(part);
+      from = i + 1;
+    } else if (s[i] == '(' || s[i] == '{') {
+      depth++;
+    } else if (s[i] == ')' || s[i] == '}') {
+      depth--;
+    }
+  }
+  return parts;
+}
+
+/// "force: vec [N]" into its parts.
+std::vector<Parameter> parameters_of(const Method& method) {
+  std::vector<Parameter> parameters;
+  for (std::string_view part : split(method.parameters)) {
+    const auto colon = part.find(':');
+    std::string_view type = trimmed(part.substr(colon + 1));
+    Parameter p{std::string(trimmed(part.substr(0, colon))), "", ""};
+    if (const auto bracket = type.rfind(" ["); bracket != type.npos && type.ends_with(']')) {
+      p.unit = type.substr(bracket);
+      type = type.substr(0, bracket);
+    }
+    p.type = type;
+    parameters.push_back(p);
+  }
+  return parameters;
+}
+
+void write_method(std::ostringstream& out, const Type& type, const Method& method) {
+  out << "---" << method.doc << "\n";
+  std::string names;
+  for (const Parameter& p : parameters_of(method)) {
+    out << "---@param " << p.name << " " << p.type << p.unit << "\n";
+    std::string name = p.name;
+    if (name.ends_with('?')) name.pop_back();
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  for (std::string_view returned : split(method.returns)) out << "---@return " << returned << "\n";
+  out << "function " << type.name << ":" << method.name << "(" << names << ") end\n";
+}
+
+void write_type(std::ostringstream& out, const Type& type) {
+  out << "---" << type.doc << "\n---@class " << type.name << "\n";
+  for (const Field& field : type.fields) {
+    out << "---@field " << field.name << " " << field.type << " ";
+    if (*field.unit) out << "[" << field.unit << "] ";
+    out << field.doc << (field.write ? "" : " (read only)") << "\n";
+  }
+  if (type.more) out << "---@field [string] Point its named points\n";
+  out << "local " << type.name << " = {}\n";
+  for (const Method& method : type.methods) write_method(out, type, method);
+  out << "\n";
+}
+
+}  // namespace
+
+std::string annotations() {
+  std::ostringstream out;
+  out << head;
+  for (const Type* type : all_types()) write_type(out, *type);
+  out << tail;
+  return out.str();
+}
+
+}  // namespace pantin::lua

@@ -1,0 +1,61 @@
+// `name`, `alive`, `data`, `remove`: what every thing has.
+#include "lua/arguments.hpp"
+#include "lua/fields.hpp"
+#include "lua/guard.hpp"
+#include "lua/script.hpp"
+#include "world/edit.hpp"
+
+namespace pantin::lua {
+namespace {
+
+/// The place of a thing's name in its row; null for what has none.
+std::string* name_of(const Self& self) {
+  World& w = self.world;
+  switch (self.ref.kind) {
+    case Kind::point: return &w.points[self.ref.id<PointId>()].name;
+    case Kind::particle: return &w.particles[self.ref.id<ParticleId>()].name;
+    case Kind::body: return &w.bodies[self.ref.id<BodyId>()].name;
+    case Kind::nail:
+    case Kind::follow:
+    case Kind::rod: return &w.constraints[self.ref.id<ConstraintId>()].name;
+    case Kind::group: return &w.groups[self.ref.id<GroupId>()].name;
+    default: return nullptr;
+  }
+}
+
+void read_name(const Self& self) {
+  const std::string& name = *name_of(self);
+  lua_pushlstring(self.state, name.data(), name.size());
+}
+
+void write_name(const Self& self, int index) {
+  const std::string name = check_text(self.state, index, type_of(self.ref.kind).word, "name");
+  require(self.ref.kind != Kind::point || !self.world.points[self.ref.id<PointId>()].body,
+          "point: name of a body's point is given with the body and stays");
+  *name_of(self) = name;
+}
+
+void read_alive(const Self& self) { lua_pushboolean(self.state, alive(self.ref)); }
+void read_data(const Self& self) { push_data(self.state, self.ref); }
+
+int remove_thing(lua_State* state) {
+  const Ref* ref = to_ref(state, 1);
+  require(ref, "remove: call it with a colon, thing:remove()");
+  require_alive(*ref);
+  remove(ref->script->world, any_of(*ref));
+  return 0;
+}
+
+}  // namespace
+
+void add_common_fields(Type& type) {
+  type.fields.push_back({"name", "string", "", "what messages and scene:find call it", read_name, write_name});
+  type.fields.push_back({"alive", "boolean", "", "whether it still exists", read_alive, nullptr, true});
+  type.fields.push_back({"data", "table", "", "a table of yours, which goes with the thing", read_data, nullptr});
+}
+
+void add_common_remove(Type& type) {
+  type.methods.push_back({"remove", guard<remove_thing>, "", "", "Takes it out of the world."});
+}
+
+}  // namespace pantin::lua

@@ -1,0 +1,113 @@
+// Nail, follow and rod.
+#include "lua/arguments.hpp"
+#include "lua/fields.hpp"
+#include "lua/guard.hpp"
+#include "lua/script.hpp"
+#include "lua/tie_options.hpp"
+#include "world/edit.hpp"
+
+namespace pantin::lua {
+namespace {
+
+ConstraintId id_of(const Self& self) { return self.ref.id<ConstraintId>(); }
+Constraint& row(const Self& self) { return self.world.constraints[id_of(self)]; }
+
+void read_end(const Self& self, PointId point) {
+  if (point)
+    push_thing(self.state, self.script, point);
+  else
+    lua_pushnil(self.state);
+}
+
+const Field enabled = {"enabled",
+                       "boolean",
+                       "",
+                       "whether it acts",
+                       [](const Self& s) { lua_pushboolean(s.state, row(s).enabled); },
+                       [](const Self& s, int i) {
+                         set_enabled(s.world, id_of(s), check_boolean(s.state, i, type_of(s.ref.kind).word, "enabled"));
+                       }};
+const Field force = {"force",
+                     "vec",
+                     "N",
+                     "what it exerted on its point in the last step",
+                     [](const Self& s) { push(s.state, row(s).force); },
+                     nullptr};
+const Field point = {"point", "Point", "", "the point that it holds", [](const Self& s) { read_end(s, row(s).a); },
+                     nullptr};
+
+Type make_nail() {
+  Type type{"Nail", "nail", "Keeps a point at a place of the world.", {}, {}};
+  type.fields = {point,
+                 {"at", "vec", "m", "the place; the point is drawn to a new one",
+                  [](const Self& s) { push(s.state, row(s).place); },
+                  [](const Self& s, int i) { set_place(s.world, id_of(s), check_vec(s.state, i, "nail", "at", "m")); }},
+                 force,
+                 enabled};
+  add_common_fields(type);
+  add_common_remove(type);
+  return type;
+}
+
+Type make_follow() {
+  Type type{"Follow", "follow", "Keeps a point to a moving target; with max_force it never pulls harder.", {}, {}};
+  type.fields = {point,
+                 {"target", "vec", "m", "where the target is; written as a vec or a function of time [s]",
+                  [](const Self& s) { push(s.state, row(s).place); },
+                  [](const Self& s, int i) {
+                    if (lua_isfunction(s.state, i))
+                      set_target(s.world, id_of(s), place_of_time(Callback(s.state, i), "follow: target"));
+                    else
+                      set_place(s.world, id_of(s), check_vec(s.state, i, "follow", "target", "m"));
+                  }},
+                 {"max_force", "number", "N", "never pulls harder; math.huge: no limit",
+                  [](const Self& s) { lua_pushnumber(s.state, row(s).max_force); },
+                  [](const Self& s, int i) {
+                    set_max_force(s.world, id_of(s), check_number_or_infinity(s.state, i, "follow", "max_force", "N"));
+                  }},
+                 force,
+                 enabled};
+  add_common_fields(type);
+  add_common_remove(type);
+  return type;
+}
+
+Type make_rod() {
+  Type type{"Rod", "rod", "Keeps two points, or a point and a place, at a distance.", {}, {}};
+  type.fields = {
+      {"a", "Point", "", "its first point", [](const Self& s) { read_end(s, row(s).a); }, nullptr},
+      {"b", "Point?", "", "its second point, or nil where that end is a place",
+       [](const Self& s) { read_end(s, row(s).b); }, nullptr},
+      {"at", "vec", "m", "place of its second end; written where no point is there",
+       [](const Self& s) { push(s.state, row(s).b ? position(s.world, row(s).b) : row(s).place); },
+       [](const Self& s, int i) {
+         require(!row(s).b, "rod: at can be written only of a rod whose end is a place; this one ends at a point");
+         set_place(s.world, id_of(s), check_vec(s.state, i, "rod", "at", "m"));
+       }},
+      {"length", "number", "m", "the distance that it keeps",
+       [](const Self& s) { lua_pushnumber(s.state, row(s).length); },
+       [](const Self& s, int i) { set_length(s.world, id_of(s), check_number(s.state, i, "rod", "length", "m")); }},
+      {"force", "number", "N", "tension in the last step, > 0 when it pulls",
+       [](const Self& s) { lua_pushnumber(s.state, row(s).tension); }, nullptr},
+      enabled};
+  add_common_fields(type);
+  add_common_remove(type);
+  return type;
+}
+
+}  // namespace
+
+const Type& nail_type() {
+  static const Type type = make_nail();
+  return type;
+}
+const Type& follow_type() {
+  static const Type type = make_follow();
+  return type;
+}
+const Type& rod_type() {
+  static const Type type = make_rod();
+  return type;
+}
+
+}  // namespace pantin::lua

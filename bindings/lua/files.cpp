@@ -1,0 +1,30 @@
+#include "lua/files.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace pantin::lua {
+
+std::optional<std::string> read_file(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return {};
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return {};
+  return std::string{std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string path_in(const std::string& folder, const std::string& name) {
+  return folder.empty() ? name : folder + "/" + name;
+}
+
+bool stays_inside(const std::string& path) {
+  const std::filesystem::path p(path);
+  if (path.empty() || p.is_absolute() || path.find('\\') != std::string::npos || path.find('\0') != std::string::npos)
+    return false;
+  for (const auto& part : p)
+    if (part == "..") return false;
+  return true;
+}
+
+}  // namespace pantin::lua

@@ -1,0 +1,137 @@
+#include "lua/measures.hpp"
+
+#include "articulates/articulate.hpp"
+#include "lua/arguments.hpp"
+#include "lua/guard.hpp"
+#include "lua/script.hpp"
+#include "world/measure.hpp"
+#include "world/query.hpp"
+
+namespace pantin::lua {
+namespace {
+
+void set(lua_State* state, const char* name, double value) {
+  lua_pushnumber(state, value);
+  lua_setfield(state, -2, name);
+}
+void set(lua_State* state, const char* name, std::uint64_t value) {
+  lua_pushinteger(state, static_cast<lua_Integer>(value));
+  lua_setfield(state, -2, name);
+}
+void set(lua_State* state, const char* name, const std::string& value) {
+  lua_pushlstring(state, value.data(), value.size());
+  lua_setfield(state, -2, name);
+}
+
+void push_energy(lua_State* state, const Energy& energy) {
+  lua_createtable(state, 0, 3);
+  set(state, "kinetic", energy.kinetic);
+  set(state, "potential", energy.potential);
+  set(state, "total", energy.total());
+}
+
+Things members(const Self& self) { return things_of(self.world, self.ref.id<GroupId>()); }
+
+void read_error(const Self& self) {
+  const Accuracy now = accuracy(self.world);
+  const Accuracy& worst = self.world.worst;
+  lua_createtable(self.state, 0, 6);
+  set(self.state, "hinge_gap", now.hinge_gap);
+  set(self.state, "constraint", now.constraint);
+  set(self.state, "energy", now.energy);
+  set(self.state, "worst_hinge_gap", std::fmax(worst.hinge_gap, now.hinge_gap));
+  set(self.state, "worst_constraint", std::fmax(worst.constraint, now.constraint));
+  set(self.state, "worst_energy", std::fmax(worst.energy, now.energy));
+}
+
+void read_stats(const Self& self) {
+  const Stats& s = self.world.stats;
+  lua_newtable(self.state);
+  set(self.state, "steps", self.world.steps);
+  set(self.state, "articulates", std::uint64_t{self.world.articulates.size()});
+  set(self.state, "newton_iterations", s.newton_iterations);
+  set(self.state, "worst_iterations", std::uint64_t{s.worst_iterations});
+  set(self.state, "solves", s.solves);
+  set(self.state, "factorisations", s.factorisations);
+  set(self.state, "halved_steps", s.halved_steps);
+  set(self.state, "safe_steps", s.safe_steps);
+  set(self.state, "projections", s.projections);
+  lua_newtable(self.state);
+  for (std::size_t i = 0; i < phase_names.size(); i++)
+    set(self.state, std::string(phase_names[i]).c_str(), static_cast<double>(self.world.profile.ns[i]));
+  lua_setfield(self.state, -2, "ns");
+}
+
+void read_log(const Self& self) {
+  const auto& log = self.world.log;
+  lua_createtable(self.state, static_cast<int>(log.size()), 0);
+  lua_Integer i = 0;
+  for (const LogLine& line : log) {
+    lua_createtable(self.state, 0, 3);
+    set(self.state, "time", line.time);
+    set(self.state, "kind", line.kind);
+    set(self.state, "text", line.text);
+    lua_rawseti(self.state, -2, ++i);
+  }
+}
+
+}  // namespace
+
+std::vector<Field> group_measures() {
+  return {
+      {"energy", "Energy", "J", "{ kinetic, potential, total } of its things",
+       [](const Self& s) { push_energy(s.state, energy(s.world, members(s))); }, nullptr},
+      {"momentum", "vec", "kg m/s", "sum over its things",
+       [](const Self& s) { push(s.state, momentum(s.world, members(s))); }, nullptr},
+      {"angular_momentum", "vec", "kg m²/s", "sum over its things about the world's origin",
+       [](const Self& s) { push(s.state, angular_momentum(s.world, members(s))); }, nullptr},
+      {"temperature", "number", "K", "of its things, relative to their common motion; in J while scene.boltzmann is 1",
+       [](const Self& s) { lua_pushnumber(s.state, temperature(s.world, members(s))); }, nullptr},
+      {"mass", "number", "kg", "sum over its things",
+       [](const Self& s) { lua_pushnumber(s.state, mass(s.world, members(s))); }, nullptr},
+  };
+}
+
+std::vector<Field> scene_measures() {
+  return {
+      {"time", "number", "s", "simulated time", [](const Self& s) { lua_pushnumber(s.state, s.world.time); }, nullptr},
+      {"energy", "Energy", "J", "{ kinetic, potential, total }",
+       [](const Self& s) { push_energy(s.state, energy(s.world)); }, nullptr},
+      {"momentum", "vec", "kg m/s", "sum over all things",
+       [](const Self& s) { push(s.state, momentum(s.world, everything(s.world))); }, nullptr},
+      {"angular_momentum", "vec", "kg m²/s", "sum over all things about the world's origin",
+       [](const Self& s) { push(s.state, angular_momentum(s.world, everything(s.world))); }, nullptr},
+      {"temperature", "number", "K", "relative to the common motion; in J while scene.boltzmann is 1",
+       [](const Self& s) { lua_pushnumber(s.state, temperature(s.world, everything(s.world))); }, nullptr},
+      {"error", "Accuracy", "", "{ hinge_gap [m], constraint [m], energy (relative) } now, and worst_… since the start",
+       read_error, nullptr},
+      {"stats", "Stats", "", "counts since the start, and ns per phase", read_stats, nullptr},
+      {"log", "LogLine[]", "", "{ time [s], kind, text } of all that was logged", read_log, nullptr},
+      {"bodies", "Body[]", "", "all bodies, in the order of making",
+       [](const Self& s) { push_list(s.state, s.script, s.world.bodies.ids()); }, nullptr},
+      {"particles", "Particle[]", "", "all particles that are no hinges, and do not sleep in one",
+       [](const Self& s) { push_list(s.state, s.script, particles(s.world)); }, nullptr},
+      {"hinges", "Particle[]", "", "all hinges", [](const Self& s) { push_list(s.state, s.script, hinges(s.world)); },
+       nullptr},
+      {"connections", "table", "", "all connections", [](const Self& s) { lua_newtable(s.state); }, nullptr},
+  };
+}
+
+int scene_find(lua_State* state) {
+  const Ref* ref = to_ref(state, 1);
+  require(ref && ref->kind == Kind::scene, "scene: call find with a colon, scene:find(…)");
+  push_thing(state, *ref->script, find(ref->script->world, check_text(state, 2, "find", "argument 1, the name,")));
+  return 1;
+}
+
+int scene_near(lua_State* state) {
+  const Ref* ref = to_ref(state, 1);
+  require(ref && ref->kind == Kind::scene, "scene: call near with a colon, scene:near(…)");
+  const Vec3 at = check_vec(state, 2, "near", "argument 1, the place,", "m");
+  const double radius = check_number_or_infinity(state, 3, "near", "argument 2, the radius,", "m");
+  require(radius >= 0, "near: argument 2, the radius, must be >= 0 m, got ", radius);
+  push_list(state, *ref->script, near(ref->script->world, at, radius));
+  return 1;
+}
+
+}  // namespace pantin::lua

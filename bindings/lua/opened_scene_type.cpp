@@ -1,0 +1,81 @@
+// A scene that a test opened.
+#include <algorithm>
+
+#include "lua/arguments.hpp"
+#include "lua/fields.hpp"
+#include "lua/guard.hpp"
+#include "lua/measures.hpp"
+#include "lua/script.hpp"
+#include "step.hpp"
+
+namespace pantin::lua {
+namespace {
+
+void step_once(World& world) {
+  const Outside outside;
+  step(world);
+  require(world.failure.empty(), world.failure);
+}
+
+int step_opened(lua_State* state) {
+  step_once(check_self(state, Kind::scene, "step").world);
+  return 0;
+}
+
+int advance_opened(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "advance");
+  const double seconds = check_number(state, 2, "advance", "argument 1, the time,", "s");
+  require(seconds >= 0, "advance: argument 1, the time, must be >= 0 s, got ", seconds);
+  const double until = self.world.time + seconds;
+  while (self.world.time < until - 0.5 * self.world.settings.step) step_once(self.world);
+  return 0;
+}
+
+int read_probe(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "read");
+  const std::string name = check_text(state, 2, "read", "argument 1, the probe,");
+  std::vector<std::string> names;
+  for (const Probe& probe : self.world.probes) {
+    names.push_back(probe.name);
+    if (probe.name != name) continue;
+    const Outside outside;
+    lua_pushnumber(state, probe.read());
+    return 1;
+  }
+  throw Error(text("read: there is no probe '", name, "'.", suggestion(name, names), " There are: ", joined(names)));
+}
+
+int read_result(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "result");
+  const std::string name = check_text(state, 2, "result", "argument 1, the name,");
+  const auto found = self.script.results.find(name);
+  require(found != self.script.results.end(), "result: there is no result '", name, "'");
+  push_value(state, found->second);
+  return 1;
+}
+
+Type make() {
+  Type type{"OpenedScene", "opened scene", "A scene that a test opened.", {}, {}};
+  type.fields = scene_measures();
+  type.fields.push_back({"finished", "boolean", "", "whether it called scene:finish()",
+                         [](const Self& s) { lua_pushboolean(s.state, s.script.finished); }, nullptr});
+  type.methods = {
+      {"advance", guard<advance_opened>, "seconds: number [s]", "", "Steps on for a time."},
+      {"step", guard<step_opened>, "", "", "Does one step."},
+      {"read", guard<read_probe>, "name: string", "number", "The present number of a probe."},
+      {"result", guard<read_result>, "name: string", "number|boolean|string", "A result that the scene gave."},
+      {"find", guard<scene_find>, "name: string", "Thing?", "The oldest living thing of that name."},
+      {"near", guard<scene_near>, "at: vec [m], radius: number [m]", "Particle[]",
+       "Particles within a radius, nearest first."},
+  };
+  return type;
+}
+
+}  // namespace
+
+const Type& type_of_opened_scene() {
+  static const Type type = make();
+  return type;
+}
+
+}  // namespace pantin::lua

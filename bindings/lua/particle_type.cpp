@@ -1,0 +1,133 @@
+#include "lua/arguments.hpp"
+#include "lua/fields.hpp"
+#include "lua/guard.hpp"
+#include "lua/script.hpp"
+#include "lua/targets.hpp"
+#include "world/edit.hpp"
+#include "world/query.hpp"
+
+namespace pantin::lua {
+namespace {
+
+ParticleId id_of(const Self& self) { return self.ref.id<ParticleId>(); }
+Particle& row(const Self& self) { return self.world.particles[id_of(self)]; }
+/// What it answers for: itself, or the hinge it sleeps in.
+Particle& ring(const Self& self) { return self.world.particles[awake(self.world, id_of(self))]; }
+
+/// The point of a particle of one point, which is not in a hinge.
+PointId only_point(const Self& self, const char* field) {
+  require(!ring(self).is_hinge(), "particle: ", field,
+          " of a hinge belongs to its points; change theirs or their bodies'");
+  return row(self).points[0];
+}
+
+int push_force(lua_State* state) {
+  const Self self = check_self(state, Kind::particle, "push");
+  push(self.world, star(self.world, id_of(self)), check_vec(state, 2, "push", "force", "N"));
+  return 0;
+}
+
+int kick_particle(lua_State* state) {
+  const Self self = check_self(state, Kind::particle, "kick");
+  kick(self.world, star(self.world, id_of(self)), check_vec(state, 2, "kick", "impulse", "N s"));
+  return 0;
+}
+
+int cut_hinge(lua_State* state) {
+  const Self self = check_self(state, Kind::particle, "cut");
+  require(row(self).is_hinge(), "cut: ", describe(self.ref), " is no hinge");
+  if (lua_isnoneornil(state, 2))
+    cut(self.world, id_of(self));
+  else
+    cut(self.world, id_of(self), check_body(state, 2, "cut", argument(1)));
+  return 0;
+}
+
+int force_of_hinge(lua_State* state) {
+  const Self self = check_self(state, Kind::particle, "force");
+  require(row(self).is_hinge(), "force: ", describe(self.ref), " is no hinge");
+  push(state, hinge_force(self.world, id_of(self), check_body(state, 2, "force", argument(1))));
+  return 1;
+}
+
+void read_bodies(const Self& self) {
+  std::vector<BodyId> bodies;
+  for (PointId p : ring(self).points)
+    if (const BodyId body = self.world.points[p].body) bodies.push_back(body);
+  push_list(self.state, self.script, bodies);
+}
+
+std::vector<Field> look_and_life() {
+  return {
+      {"lifetime", "number", "s", "goes when its age reaches this; a hinge is cut; math.huge: never",
+       [](const Self& s) { lua_pushnumber(s.state, ring(s).lifetime); },
+       [](const Self& s, int i) {
+         const double life = check_number_or_infinity(s.state, i, "particle", "lifetime", "s");
+         set_lifetime(s.world, awake(s.world, id_of(s)), life);
+       }},
+      {"age", "number", "s", "time since it was made",
+       [](const Self& s) { lua_pushnumber(s.state, s.world.time - ring(s).born); }, nullptr},
+      {"color", "color", "", "color; overrides its points'",
+       [](const Self& s) { push(s.state, ring(s).color.value_or(s.world.points[ring(s).points[0]].color)); },
+       [](const Self& s, int i) { ring(s).color = check_color(s.state, i, "particle", "color"); }},
+      {"radius", "number", "m", "drawn size; overrides its points'",
+       [](const Self& s) {
+         lua_pushnumber(s.state, ring(s).radius.value_or(s.world.points[ring(s).points[0]].radius));
+       },
+       [](const Self& s, int i) {
+         const double radius = check_number(s.state, i, "particle", "radius", "m");
+         require(radius >= 0, "particle: radius must be >= 0 m, got ", radius);
+         ring(s).radius = radius;
+       }},
+      {"points", "Point[]", "", "its points, in the order of joining",
+       [](const Self& s) { push_list(s.state, s.script, ring(s).points); }, nullptr},
+      {"bodies", "Body[]", "", "the bodies of its points", read_bodies, nullptr},
+      {"is_hinge", "boolean", "", "whether it joins two points or more",
+       [](const Self& s) { lua_pushboolean(s.state, ring(s).is_hinge()); }, nullptr},
+  };
+}
+
+Type make() {
+  Type type{"Particle",
+            "particle",
+            "A ring of one or more points. One point: an ordinary particle. More: a hinge, whose points coincide.",
+            {},
+            {}};
+  type.fields = {
+      {"position", "vec", "m", "place in the world; written only of a free particle",
+       [](const Self& s) { push(s.state, position(s.world, id_of(s))); },
+       [](const Self& s, int i) {
+         set_position(s.world, only_point(s, "position"), check_vec(s.state, i, "particle", "position", "m"));
+       }},
+      {"velocity", "vec", "m/s", "velocity in the world; written only of a free particle",
+       [](const Self& s) { push(s.state, velocity(s.world, id_of(s))); },
+       [](const Self& s, int i) {
+         set_velocity(s.world, only_point(s, "velocity"), check_vec(s.state, i, "particle", "velocity", "m/s"));
+       }},
+      {"mass", "number", "kg", "mass; of a hinge its points' sum, which is not written",
+       [](const Self& s) { lua_pushnumber(s.state, mass(s.world, awake(s.world, id_of(s)))); },
+       [](const Self& s, int i) {
+         set_mass(s.world, only_point(s, "mass"), check_number(s.state, i, "particle", "mass", "kg"));
+       }},
+  };
+  for (Field& field : look_and_life()) type.fields.push_back(field);
+  type.methods = {
+      {"push", guard<push_force>, "force: vec [N]", "", "Pulls for the coming step."},
+      {"kick", guard<kick_particle>, "impulse: vec [N s]", "", "Changes the velocity at once."},
+      {"cut", guard<cut_hinge>, "body?: Body", "", "Frees all members of a hinge, or those of one body."},
+      {"force", guard<force_of_hinge>, "body: Body", "vec",
+       "Force [N] of a hinge on one of its bodies in the last step."},
+  };
+  add_common_fields(type);
+  add_common_remove(type);
+  return type;
+}
+
+}  // namespace
+
+const Type& particle_type() {
+  static const Type type = make();
+  return type;
+}
+
+}  // namespace pantin::lua

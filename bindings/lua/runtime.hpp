@@ -1,0 +1,85 @@
+#pragma once
+// A Lua state with its limits of time and memory.
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <string>
+#include <type_traits>
+
+#include "base/random.hpp"
+#include "lua/guard.hpp"
+#include "lua/watchdog.hpp"
+
+namespace pantin::lua {
+
+struct Limits {
+  double seconds = 0.0;   ///< [s] of one call into the script; 0: none
+  std::size_t bytes = 0;  ///< of Lua's memory
+};
+
+class Runtime {
+ public:
+  explicit Runtime(Limits limits);
+  ~Runtime();
+  Runtime(const Runtime&) = delete;
+  Runtime& operator=(const Runtime&) = delete;
+
+  static Runtime& of(lua_State* state) { return **static_cast<Runtime**>(lua_getextraspace(state)); }
+  /// The innermost runtime whose script runs on this thread, or null.
+  static Runtime* current();
+
+  /// Runs `body(state)` protected and within the limits. Errors of Lua leave as ScriptError, StaleHandle or UsageError;
+  /// exceptions of C++ leave as they are.
+  template <class Body>
+  void run(Body&& body) {
+    Job job{&body, [](void* b, lua_State* state) { (*static_cast<std::remove_reference_t<Body>*>(b))(state); }, {}};
+    run_job(job);
+  }
+  /// Pushes the chunk of a text; `name` is what messages call it.
+  void load(lua_State* state, const std::string& source, const std::string& name);
+
+  /// The state that runs: the main one, or a coroutine.
+  lua_State* active() const { return watch_.running.load(std::memory_order_relaxed); }
+  Watch& watch() { return watch_; }
+
+  std::string folder;         ///< of the scene: where `require` looks first, and `read_table`
+  std::string home;           ///< holds scripts/lib and scripts/behaviours
+  Random* random = nullptr;   ///< source of math.random
+  std::string stale_message;  ///< text of the last error that a StaleHandle became
+  std::string usage_message;  ///< text of the last error that a UsageError became
+
+ private:
+  struct Job {
+    void* body;
+    void (*call)(void*, lua_State*);
+    std::exception_ptr thrown;
+  };
+  static int start(lua_State* state);
+  static void* allocate(void* self, void* block, std::size_t old_size, std::size_t new_size);
+  void run_job(Job& job);
+  [[noreturn]] void fail(lua_State* state, int status);
+
+  Limits limits_;
+  std::size_t bytes_ = 0;
+  std::string refused_at_;  ///< place at which memory was refused last
+  lua_State* main_ = nullptr;
+  Watch watch_;
+};
+
+/// While it lives, the time of the script that is running does not count: the engine is at work.
+class Outside {
+ public:
+  Outside();
+  ~Outside();
+  Outside(const Outside&) = delete;
+  Outside& operator=(const Outside&) = delete;
+
+ private:
+  Runtime* paused_;
+  std::int64_t left_ = 0;  ///< [ns]
+};
+
+}  // namespace pantin::lua

@@ -1,0 +1,53 @@
+#include "lua/sandbox.hpp"
+
+#include "lua/guard.hpp"
+
+namespace pantin::lua {
+namespace {
+
+/// `__gc` is refused: no limit of time reaches a finalizer.
+int set_metatable(lua_State* state) {
+  if (lua_istable(state, 2)) {
+    lua_pushliteral(state, "__gc");
+    lua_rawget(state, 2);
+    require(lua_isnil(state, -1), "setmetatable: __gc is not allowed in scenes");
+    lua_pop(state, 1);
+  }
+  lua_pushvalue(state, lua_upvalueindex(1));
+  lua_insert(state, 1);
+  lua_call(state, lua_gettop(state) - 1, 1);
+  return 1;
+}
+
+void forget(lua_State* state, const char* name) {
+  lua_pushnil(state);
+  lua_setfield(state, -2, name);
+}
+
+}  // namespace
+
+void open_sandbox(lua_State* state) {
+  const luaL_Reg libraries[] = {{LUA_GNAME, luaopen_base},        {LUA_TABLIBNAME, luaopen_table},
+                                {LUA_STRLIBNAME, luaopen_string}, {LUA_MATHLIBNAME, luaopen_math},
+                                {LUA_UTF8LIBNAME, luaopen_utf8},  {LUA_COLIBNAME, luaopen_coroutine}};
+  for (const luaL_Reg& library : libraries) {
+    luaL_requiref(state, library.name, library.func, 1);
+    lua_pop(state, 1);
+  }
+  lua_pushglobaltable(state);
+  for (const char* name : {"dofile", "loadfile", "load", "collectgarbage"}) forget(state, name);
+  lua_getfield(state, -1, "setmetatable");
+  lua_pushcclosure(state, guard<set_metatable>, 1);
+  lua_setfield(state, -2, "setmetatable");
+  lua_getfield(state, -1, "string");
+  forget(state, "dump");
+  lua_pop(state, 2);
+  open_math(state);
+  open_pairs(state);
+  open_coroutines(state);
+  open_require(state);
+  open_read_table(state);
+  open_values(state);
+}
+
+}  // namespace pantin::lua

@@ -1,0 +1,89 @@
+#include "lua/scene.hpp"
+
+#include <filesystem>
+
+#include "lua/files.hpp"
+#include "lua/script.hpp"
+#include "step.hpp"
+
+namespace pantin::lua {
+
+Script::Script(const SceneOptions& given) : options(given), runtime({given.script_limit, given.memory_limit}) {
+  runtime.random = &world.random;
+  runtime.home = given.home;
+  world.random = Random{world.settings.seed, 0};
+  world.behaviours = [this] { run_behaviours(*this); };
+  world.who = [] {
+    const Runtime* running = Runtime::current();
+    return running ? where(running->active()) : std::string{};
+  };
+}
+
+struct Scene::State {
+  Script script;
+};
+
+Scene::Scene(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Scene::~Scene() = default;
+
+std::unique_ptr<Scene> Scene::open(const std::string& path, const SceneOptions& options) {
+  const auto source = read_file(path);
+  if (!source) {
+    std::error_code error;
+    const bool there = std::filesystem::exists(path, error);
+    throw UsageError(text(path, ": ", there ? "cannot be read as a file" : "there is no such file"));
+  }
+  const std::filesystem::path file(path);
+  return open_text(*source, file.filename(), file.parent_path(), options);
+}
+
+std::unique_ptr<Scene> Scene::open_text(const std::string& source, const std::string& name, const std::string& folder,
+                                        const SceneOptions& options) {
+  const Outside outside;
+  std::unique_ptr<Scene> scene(new Scene(std::unique_ptr<State>(new State{Script(options)})));
+  Script& script = scene->state_->script;
+  script.runtime.folder = folder;
+  script.runtime.run([&](lua_State* state) { open_scene(state, script); });
+  apply_settings(script);
+  script.runtime.run([&](lua_State* state) {
+    script.runtime.load(state, source, name);
+    lua_call(state, 0, 0);
+  });
+  check_parameters_known(script);
+  return scene;
+}
+
+World& Scene::world() { return state_->script.world; }
+const World& Scene::world() const { return state_->script.world; }
+
+void Scene::step() {
+  const Outside outside;
+  pantin::step(world());
+}
+
+const std::string& Scene::title() const { return state_->script.title; }
+std::optional<double> Scene::duration() const { return state_->script.duration; }
+double Scene::pace() const { return state_->script.pace; }
+CameraWish Scene::camera() const {
+  const Script& script = state_->script;
+  return {script.camera_at, script.camera_look_at, script.camera_follow};
+}
+bool Scene::finished() const { return state_->script.finished; }
+const std::vector<Parameter>& Scene::parameters() const { return state_->script.parameters; }
+bool Scene::set_parameter(const std::string& name, const Value& value) {
+  const Outside outside;
+  return change_parameter(state_->script, name, value);
+}
+const std::vector<std::string>& Scene::buttons() const { return state_->script.buttons; }
+const std::map<std::string, Value>& Scene::results() const { return state_->script.results; }
+
+std::vector<std::string> Scene::warnings() const {
+  std::vector<std::string> warnings;
+  for (const LogLine& line : world().log)
+    if (line.kind == "warning") warnings.push_back(line.text);
+  return warnings;
+}
+
+Script& Scene::script() { return state_->script; }
+
+}  // namespace pantin::lua

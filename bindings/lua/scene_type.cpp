@@ -1,0 +1,262 @@
+// `scene`: its settings, and the table of all that it can do.
+#include <cmath>
+
+#include "lua/arguments.hpp"
+#include "lua/body_options.hpp"
+#include "lua/events.hpp"
+#include "lua/fields.hpp"
+#include "lua/guard.hpp"
+#include "lua/measures.hpp"
+#include "lua/parameters.hpp"
+#include "lua/script.hpp"
+#include "lua/targets.hpp"
+#include "lua/tie_options.hpp"
+#include "world/edit.hpp"
+
+namespace pantin::lua {
+namespace {
+
+double check_positive(const Self& s, int index, const char* name, const char* unit) {
+  const double value = check_number(s.state, index, "scene", name, unit);
+  require(value > 0, "scene: ", name, " must be > 0", *unit ? " " : "", unit, ", got ", value);
+  return value;
+}
+
+void require_unlocked(const Self& s, const char* name) {
+  require(!s.world.locked, "scene: ", name,
+          " cannot be written while the world steps; write it in an event or a step callback");
+}
+
+void write_camera(const Self& s, int index) {
+  require(lua_istable(s.state, index), "scene: camera must be a table { at, look_at, follow }, got ",
+          kind_of_value(s.state, index));
+  const Options o(s.state, index, "scene: camera", {"at", "look_at", "follow"});
+  const auto at = o.vector("at", "m"), look_at = o.vector("look_at", "m");
+  AnyId follow;
+  if (o.has("follow")) {
+    const Ref& ref = check_thing(s.state, o.push("follow"), "scene: camera", "follow");
+    follow = any_of(ref);
+    lua_pop(s.state, 1);
+  }
+  s.script.camera_at = at;
+  s.script.camera_look_at = look_at;
+  s.script.camera_follow = follow;
+}
+
+void read_camera(const Self& s) {
+  lua_newtable(s.state);
+  const auto set = [&](const char* name, const std::optional<Vec3>& v) {
+    if (!v) return;
+    push(s.state, *v);
+    lua_setfield(s.state, -2, name);
+  };
+  set("at", s.script.camera_at);
+  set("look_at", s.script.camera_look_at);
+  push_thing(s.state, s.script, s.script.camera_follow);
+  lua_setfield(s.state, -2, "follow");
+}
+
+void write_integrator(const Self& s, int index) {
+  require_unlocked(s, "integrator");
+  const std::string name = check_text(s.state, index, "scene", "integrator");
+  require(name == "verlet" || name == "euler", "scene: integrator must be \"verlet\" or \"euler\", got \"", name, "\"");
+  s.world.settings.integrator = name == "verlet" ? Integrator::verlet : Integrator::euler;
+}
+
+void write_seed(const Self& s, int index) {
+  const double seed = check_number(s.state, index, "scene", "seed", "");
+  require(seed >= 0 && seed < 0x1p53 && std::trunc(seed) == seed,
+          "scene: seed must be a whole number from 0 to 2^53, got ", seed);
+  s.world.settings.seed = static_cast<std::uint64_t>(seed);
+  s.world.random = Random{s.world.settings.seed, 0};
+}
+
+std::vector<Field> show_settings() {
+  return {
+      {"title", "string", "", "what the window and the pictures are called",
+       [](const Self& s) { lua_pushstring(s.state, s.script.title.c_str()); },
+       [](const Self& s, int i) { s.script.title = check_text(s.state, i, "scene", "title"); }},
+      {"duration", "number?", "s", "end of a headless run",
+       [](const Self& s) {
+         if (s.script.duration)
+           lua_pushnumber(s.state, *s.script.duration);
+         else
+           lua_pushnil(s.state);
+       },
+       [](const Self& s, int i) { s.script.duration = check_positive(s, i, "duration", "s"); }},
+      {"pace", "number", "", "simulated s per real s", [](const Self& s) { lua_pushnumber(s.state, s.script.pace); },
+       [](const Self& s, int i) { s.script.pace = check_positive(s, i, "pace", ""); }},
+      {"camera", "Camera", "", "{ at [m], look_at [m], follow = thing }", read_camera, write_camera},
+      {"store", "table", "", "plain values of yours", [](const Self& s) { push_store(s.state, s.script); },
+       [](const Self& s, int i) {
+         require(lua_istable(s.state, i), "scene: store must be a table, got ", kind_of_value(s.state, i));
+         lua_pushvalue(s.state, i);
+         lua_rawsetp(s.state, LUA_REGISTRYINDEX, &s.script.keys[kind_count + 1]);
+       }},
+  };
+}
+
+std::vector<Field> engine_settings() {
+  return {
+      {"gravity", "vec", "m/s²", "uniform acceleration", [](const Self& s) { push(s.state, s.world.settings.gravity); },
+       [](const Self& s, int i) {
+         require_unlocked(s, "gravity");
+         s.world.settings.gravity = check_vec(s.state, i, "scene", "gravity", "m/s²");
+       }},
+      {"step", "number", "s", "length of one step",
+       [](const Self& s) { lua_pushnumber(s.state, s.world.settings.step); },
+       [](const Self& s, int i) { set_step(s.world, check_positive(s, i, "step", "s")); }},
+      {"integrator", "string", "", "\"verlet\", or \"euler\" (the paper's)",
+       [](const Self& s) {
+         lua_pushstring(s.state, s.world.settings.integrator == Integrator::verlet ? "verlet" : "euler");
+       },
+       write_integrator},
+      {"energy_return", "boolean", "", "give back what the velocity projection took",
+       [](const Self& s) { lua_pushboolean(s.state, s.world.settings.energy_return); },
+       [](const Self& s, int i) {
+         require_unlocked(s, "energy_return");
+         s.world.settings.energy_return = check_boolean(s.state, i, "scene", "energy_return");
+       }},
+      {"tolerance", "number", "", "points of a new hinge may be this far apart, relative to the size of their bodies",
+       [](const Self& s) { lua_pushnumber(s.state, s.world.settings.tolerance); },
+       [](const Self& s, int i) { s.world.settings.tolerance = check_positive(s, i, "tolerance", ""); }},
+      {"seed", "integer", "", "of math.random",
+       [](const Self& s) { lua_pushinteger(s.state, static_cast<lua_Integer>(s.world.settings.seed)); }, write_seed},
+      {"boltzmann", "number", "J/K", "k_B; temperature is in J while it is 1",
+       [](const Self& s) { lua_pushnumber(s.state, s.world.settings.boltzmann); },
+       [](const Self& s, int i) { s.world.settings.boltzmann = check_positive(s, i, "boltzmann", "J/K"); }},
+  };
+}
+
+int scene_particle(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "particle");
+  const Options o(state, 2, "particle", {"at", "velocity", "mass", "radius", "color", "lifetime", "name"});
+  ParticleDef def;
+  def.at = o.vector("at", "m").value_or(def.at);
+  def.velocity = o.vector("velocity", "m/s").value_or(def.velocity);
+  def.mass = o.number("mass", "kg").value_or(def.mass);
+  def.radius = o.number("radius", "m").value_or(def.radius);
+  def.color = o.color("color").value_or(def.color);
+  def.lifetime = o.number_or_infinity("lifetime", "s").value_or(def.lifetime);
+  def.name = o.string("name").value_or("");
+  push_thing(state, self.script, add_particle(self.world, def));
+  return 1;
+}
+
+int scene_body(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "body");
+  push_thing(state, self.script, add_body(self.world, body_def(state, 2)));
+  return 1;
+}
+
+int scene_group(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "group");
+  push_thing(state, self.script, add_group(self.world, check_text(state, 2, "group", "argument 1, the name,")));
+  return 1;
+}
+
+int scene_result(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "result");
+  const std::string name = check_text(state, 2, "result", "argument 1, the name,");
+  Value value;
+  switch (lua_type(state, 3)) {
+    case LUA_TNUMBER: value = check_number(state, 3, "result", "argument 2, the value,", ""); break;
+    case LUA_TBOOLEAN: value = lua_toboolean(state, 3) != 0; break;
+    default: value = check_text(state, 3, "result", "argument 2, the value,");
+  }
+  self.script.results.insert_or_assign(name, std::move(value));
+  return 0;
+}
+
+int scene_finish(lua_State* state) {
+  check_self(state, Kind::scene, "finish").script.finished = true;
+  return 0;
+}
+
+void read_hands(const Self& s) {
+  lua_newtable(s.state);
+  for (std::size_t i = 0; i < s.world.hands.size(); i++) {
+    push_hand(s.state, s.script, static_cast<std::int32_t>(i));
+    lua_rawseti(s.state, -2, static_cast<lua_Integer>(i + 1));
+  }
+}
+
+std::vector<Method> making() {
+  return {
+      {"particle", guard<scene_particle>, "options?: ParticleOptions", "Particle",
+       "Makes a free particle of one point."},
+      {"body", guard<scene_body>, "options: BodyOptions", "Body", "Makes a rigid body."},
+      {"hinge", guard<scene_hinge>, "a: Point|Particle, b: Point|Particle, ...: Point|Particle|HingeOptions",
+       "Particle", "Joins points of two or more bodies, or free particles, into one particle."},
+      {"nail", guard<scene_nail>, "point: Point|Particle, at?: vec|TieOptions [m], options?: TieOptions", "Nail",
+       "Keeps a point at a place, or where it is."},
+      {"follow", guard<scene_follow>,
+       "point: Point|Particle, target: vec|Hand|fun(t: number): vec, options?: FollowOptions", "Follow",
+       "Keeps a point to a target: a place [m], a function of time [s] or a hand."},
+      {"rod", guard<scene_rod>, "a: Point|Particle|vec, b: Point|Particle|vec, length?: number [m]", "Rod",
+       "Keeps two points, or a point and a place, at a distance, or at their present one."},
+      {"group", guard<scene_group>, "name: string", "Group", "Makes a named set of things."},
+      {"find", guard<scene_find>, "name: string", "Thing?", "The oldest living thing of that name."},
+      {"near", guard<scene_near>, "at: vec [m], radius: number [m]", "Particle[]",
+       "Particles within a radius, nearest first."},
+      {"hand", guard<scene_hand>, "options?: { path: fun(t: number): vec }", "Hand",
+       "Makes a hand; with a path, place [m] of time [s], it moves by itself."},
+  };
+}
+
+std::vector<Method> telling() {
+  return {
+      {"param", guard<scene_param>, "name: string, default: any, options?: ParamOptions", "any",
+       "Declares a parameter and returns its value."},
+      {"at", guard<scene_at>, "time: number [s], target_or_action: Thing|function, action?: function", "Event",
+       "Does it once, in the step that reaches the time."},
+      {"after", guard<scene_after>, "delay: number [s], target_or_action: Thing|function, action?: function", "Event",
+       "Does it once, a while from now."},
+      {"every", guard<scene_every>, "period: number [s], target_or_action: Thing|function, action?: function", "Event",
+       "Does it again and again."},
+      {"on", guard<scene_on>, "moment: string, action: function", "Subscription",
+       "Calls a function at each \"step\" (dt), \"press\" \"release\" (hand), \"key\" (name), \"grab\" \"drop\" "
+       "(thing, hand), "
+       "\"cut\" (hinge), \"removed\" (thing, story)."},
+      {"button", guard<scene_button>, "name: string, action: function", "", "Puts a button in the window."},
+      {"probe", guard<scene_probe>, "name: string, read: fun(): number", "", "Records a number each step."},
+      {"result", guard<scene_result>, "name: string, value: number|boolean|string", "",
+       "Puts a value into the summary."},
+      {"finish", guard<scene_finish>, "", "", "Ends the run."},
+  };
+}
+
+Type make() {
+  Type type{"Scene", "scene", "The scene that is being run.", {}, {}};
+  type.fields = show_settings();
+  for (const auto& list : {engine_settings(), scene_measures()})
+    type.fields.insert(type.fields.end(), list.begin(), list.end());
+  type.fields.push_back({"hands", "Hand[]", "", "the mouse, fingers, sticks, and scripted hands", read_hands, nullptr});
+  type.methods = making();
+  const std::vector<Method> more = telling();
+  type.methods.insert(type.methods.end(), more.begin(), more.end());
+  return type;
+}
+
+}  // namespace
+
+void push_store(lua_State* state, Script& script) {
+  const void* key = &script.keys[kind_count + 1];
+  if (lua_rawgetp(state, LUA_REGISTRYINDEX, key) != LUA_TNIL) return;
+  lua_pop(state, 1);
+  lua_newtable(state);
+  lua_pushvalue(state, -1);
+  lua_rawsetp(state, LUA_REGISTRYINDEX, key);
+}
+
+void open_scene(lua_State* state, Script& script) {
+  push_ref(state, {Tag::ref, Kind::scene, 1, 1, 1, &script});
+  lua_setglobal(state, "scene");
+}
+
+const Type& scene_type() {
+  static const Type type = make();
+  return type;
+}
+
+}  // namespace pantin::lua

@@ -1,0 +1,69 @@
+#pragma once
+// What a scene is, inside: its Lua state, its world, and what the script declared.
+#include <lua.hpp>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "lua/callback.hpp"
+#include "lua/handles.hpp"
+#include "lua/runtime.hpp"
+#include "lua/scene.hpp"
+
+namespace pantin::lua {
+
+/// A function that waits for something: `scene:on(name, function)`.
+struct Subscription {
+  std::string name;
+  std::optional<Callback> function;  ///< empty: cancelled
+};
+
+struct Script {
+  explicit Script(const SceneOptions& options);
+
+  SceneOptions options;
+  Runtime runtime;  ///< outlives the world, which holds functions of it
+  World world;
+
+  std::string title;
+  std::optional<double> duration;                 ///< [s]
+  double pace = 1.0;                              ///< simulated s per real s
+  std::optional<Vec3> camera_at, camera_look_at;  ///< [m]
+  AnyId camera_follow;
+  bool finished = false;
+
+  std::vector<Parameter> parameters;
+  std::map<std::string, Callback> on_change;
+  std::set<std::string> fixed;  ///< settings that `--set` gave: what the file assigns is ignored
+  std::vector<std::string> buttons;
+  std::map<std::string, Callback> button_functions;
+  std::map<std::string, Value> results;
+  std::vector<Subscription> subscriptions;
+  std::vector<Notice> notices;  ///< made by callbacks of the last step, told in the next
+  std::size_t data_count = 0;   ///< tables of things' data
+  std::size_t data_sweep = 64;  ///< count at which the dead ones are dropped
+
+  /// Addresses are keys of the Lua registry: per kind the handles given out, then their data, then scene.store.
+  std::array<char, kind_count + 2> keys{};
+};
+
+/// Tells the callbacks of the script what happened in the last step, and that a step begins.
+void run_behaviours(Script& script);
+/// Applies `--set scene.FIELD=…`; throws UsageError.
+void apply_settings(Script& script);
+/// Throws UsageError where `--set` names a parameter that the script did not declare.
+void check_parameters_known(const Script& script);
+/// Calls the parameter's `on_change` with a new value; false where it has none.
+bool change_parameter(Script& script, const std::string& name, const Value& value);
+/// Reads a number as `--set` gives it: "0.5", "1/60".
+std::optional<double> number_of_text(const std::string& text);
+void push_value(lua_State* state, const Value& value);
+/// Puts `scene` into the globals.
+void open_scene(lua_State* state, Script& script);
+/// Pushes `scene.store`.
+void push_store(lua_State* state, Script& script);
+
+}  // namespace pantin::lua

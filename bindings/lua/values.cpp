@@ -1,0 +1,318 @@
+#include "lua/values.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <string_view>
+
+#include "base/functions.hpp"
+#include "lua/arguments.hpp"
+#include "lua/guard.hpp"
+#include "lua/handles.hpp"
+#include "lua/sandbox.hpp"
+
+namespace pantin::lua {
+namespace {
+
+struct VecData {
+  Tag tag;
+  double v[3];
+};
+struct QuatData {
+  Tag tag;
+  Quat q;
+};
+
+const char vec_key = 0, quat_key = 0;
+
+std::string number_text(double value) { return to_text(value == 0.0 ? 0.0 : value); }
+
+/// An operand, or an error that says what the operation needs.
+Vec3 operand(lua_State* state, int index, const char* operation) {
+  const auto v = to_vec(state, index);
+  require(v.has_value(), "vec ", operation, " needs two vecs, got ", kind_of_value(state, index));
+  return *v;
+}
+
+int make_vec(lua_State* state) {
+  double v[3];
+  for (int i = 0; i < 3; i++) {
+    if (lua_type(state, i + 1) != LUA_TNUMBER)
+      throw Error(text("vec: ", "xyz"[i], " must be a number, got ", kind_of_value(state, i + 1)));
+    v[i] = lua_tonumber(state, i + 1);
+  }
+  require(lua_gettop(state) == 3, "vec: takes three numbers, got ", lua_gettop(state), " values");
+  push(state, vec(v[0], v[1], v[2]));
+  return 1;
+}
+
+int vec_add(lua_State* state) { return push(state, operand(state, 1, "+") + operand(state, 2, "+")), 1; }
+int vec_subtract(lua_State* state) { return push(state, operand(state, 1, "-") - operand(state, 2, "-")), 1; }
+int vec_negate(lua_State* state) { return push(state, zero3() - operand(state, 1, "-")), 1; }
+
+int vec_multiply(lua_State* state) {
+  const auto a = to_vec(state, 1), b = to_vec(state, 2);
+  require(!(a && b), "vec * vec could mean two things: write a:dot(b) or a:cross(b)");
+  const int other = a ? 2 : 1;
+  require(lua_type(state, other) == LUA_TNUMBER, "vec * needs a number, got ", kind_of_value(state, other));
+  push(state, (a ? *a : *b) * static_cast<double>(lua_tonumber(state, other)));
+  return 1;
+}
+
+int vec_divide(lua_State* state) {
+  const auto a = to_vec(state, 1);
+  require(a && lua_type(state, 2) == LUA_TNUMBER, "vec / needs a vec and a number, got ", kind_of_value(state, 1),
+          " / ", kind_of_value(state, 2));
+  push(state, *a / static_cast<double>(lua_tonumber(state, 2)));
+  return 1;
+}
+
+int vec_equal(lua_State* state) {
+  const auto a = to_vec(state, 1), b = to_vec(state, 2);
+  lua_pushboolean(state, a && b && same(*a, *b));
+  return 1;
+}
+
+int vec_text(lua_State* state) {
+  const Vec3 v = operand(state, 1, "tostring");
+  const std::string s = text("vec(", number_text(v[0]), ", ", number_text(v[1]), ", ", number_text(v[2]), ")");
+  lua_pushlstring(state, s.data(), s.size());
+  return 1;
+}
+
+int vec_dot(lua_State* state) {
+  return lua_pushnumber(state, dot(operand(state, 1, ":dot"), operand(state, 2, ":dot"))), 1;
+}
+int vec_cross(lua_State* state) {
+  return push(state, cross(operand(state, 1, ":cross"), operand(state, 2, ":cross"))), 1;
+}
+int vec_length(lua_State* state) { return lua_pushnumber(state, norm(operand(state, 1, ":length"))), 1; }
+int vec_normalized(lua_State* state) {
+  const Vec3 v = operand(state, 1, ":normalized");
+  require(norm(v) > 0.0, "vec(0, 0, 0) has no direction to be normalized to");
+  push(state, v / norm(v));
+  return 1;
+}
+
+int vec_index(lua_State* state) {
+  const Vec3 v = operand(state, 1, "field");
+  std::string_view key;
+  if (lua_type(state, 2) == LUA_TSTRING) key = lua_tostring(state, 2);
+  if (key.size() == 1 && key[0] >= 'x' && key[0] <= 'z') {
+    lua_pushnumber(state, v[key[0] - 'x']);
+    return 1;
+  }
+  lua_pushvalue(state, 2);
+  lua_rawget(state, lua_upvalueindex(1));
+  require(!lua_isnil(state, -1), "vec: unknown field '", luaL_tolstring(state, 2, nullptr),
+          "'; it has x, y, z and the methods dot, cross, length, normalized");
+  return 1;
+}
+
+int vec_change(lua_State* state) {
+  const std::string key = luaL_tolstring(state, 2, nullptr);
+  throw Error(text("vec: ", key, " of a vec cannot be changed; instead of thing.position.", key,
+                   " = … write thing.position = vec(x, y, z), or add: thing.position + vec(0, 1, 0)"));
+}
+
+int make_quat(lua_State* state) {
+  const auto axis = to_vec(state, 1);
+  require(axis && finite(*axis) && norm(*axis) > 0.0,
+          "quat: argument 1 must be an axis, a finite vec that is not 0, got ", kind_of_value(state, 1));
+  const double half = check_number(state, 2, "quat", "argument 2, the angle,", "rad") / 2.0;
+  const Vec3 u = *axis / norm(*axis) * functions::sin(half);
+  push(state, Quat{functions::cos(half), u[0], u[1], u[2]});
+  return 1;
+}
+
+Quat quat_operand(lua_State* state, int index) {
+  const auto q = to_quat(state, index);
+  require(q.has_value(), "quat: must be a quat, got ", kind_of_value(state, index));
+  return *q;
+}
+
+int quat_multiply(lua_State* state) {
+  require(!to_vec(state, 2), "quat * vec: write q:rotate(v)");
+  push(state, quat_operand(state, 1) * quat_operand(state, 2));
+  return 1;
+}
+
+int quat_equal(lua_State* state) {
+  const Quat a = quat_operand(state, 1), b = quat_operand(state, 2);
+  lua_pushboolean(state, a.w == b.w && a.x == b.x && a.y == b.y && a.z == b.z);
+  return 1;
+}
+
+int quat_text(lua_State* state) {
+  const Quat q = quat_operand(state, 1);
+  const std::string s = text("quat of w ", q.w, ", x ", q.x, ", y ", q.y, ", z ", q.z);
+  lua_pushlstring(state, s.data(), s.size());
+  return 1;
+}
+
+int quat_rotate(lua_State* state) {
+  push(state, rotate(quat_operand(state, 1), check_vec(state, 2, "quat", "argument 1 of rotate", "")));
+  return 1;
+}
+
+int quat_inverse(lua_State* state) { return push(state, conjugate(quat_operand(state, 1))), 1; }
+
+int quat_index(lua_State* state) {
+  const Quat q = quat_operand(state, 1);
+  std::string_view key;
+  if (lua_type(state, 2) == LUA_TSTRING) key = lua_tostring(state, 2);
+  const double parts[] = {q.w, q.x, q.y, q.z};
+  if (key.size() == 1 && key[0] >= 'w' && key[0] <= 'z') {
+    lua_pushnumber(state, parts[key[0] - 'w']);
+    return 1;
+  }
+  lua_pushvalue(state, 2);
+  lua_rawget(state, lua_upvalueindex(1));
+  require(!lua_isnil(state, -1), "quat: unknown field '", luaL_tolstring(state, 2, nullptr),
+          "'; it has w, x, y, z and the methods rotate, inverse");
+  return 1;
+}
+
+int quat_change(lua_State*) { throw Error("quat: cannot be changed; make a new one with quat(axis, angle)"); }
+
+void open_value(lua_State* state, const char* name, const void* key, const luaL_Reg* operators, const luaL_Reg* methods,
+                lua_CFunction index) {
+  lua_newtable(state);
+  luaL_setfuncs(state, operators, 0);
+  lua_pushstring(state, name);
+  lua_setfield(state, -2, "__name");
+  lua_pushstring(state, name);
+  lua_setfield(state, -2, "__metatable");
+  lua_newtable(state);
+  luaL_setfuncs(state, methods, 0);
+  lua_pushcclosure(state, index, 1);
+  lua_setfield(state, -2, "__index");
+  lua_rawsetp(state, LUA_REGISTRYINDEX, key);
+}
+
+std::optional<Color> color_of_text(std::string_view s) {
+  if (s.empty() || s[0] != '#') return {};
+  unsigned digits[8];
+  const std::size_t count = s.size() - 1;
+  if (count != 3 && count != 6 && count != 8) return {};
+  for (std::size_t i = 0; i < count; i++) {
+    const char c = s[i + 1];
+    if (c >= '0' && c <= '9')
+      digits[i] = static_cast<unsigned>(c - '0');
+    else if ((c | 32) >= 'a' && (c | 32) <= 'f')
+      digits[i] = static_cast<unsigned>((c | 32) - 'a' + 10);
+    else
+      return {};
+  }
+  float part[4] = {0, 0, 0, 1};
+  for (std::size_t i = 0; i < (count == 8 ? 4 : 3); i++) {
+    const unsigned byte = count == 3 ? digits[i] * 17 : digits[2 * i] * 16 + digits[2 * i + 1];
+    part[i] = static_cast<float>(byte) / 255.0f;
+  }
+  return Color{part[0], part[1], part[2], part[3]};
+}
+
+}  // namespace
+
+std::optional<Tag> tag_of(lua_State* state, int index) {
+  if (lua_type(state, index) != LUA_TUSERDATA) return {};
+  return *static_cast<const Tag*>(lua_touserdata(state, index));
+}
+
+void push(lua_State* state, Vec3 v) {
+  auto* data = static_cast<VecData*>(lua_newuserdatauv(state, sizeof(VecData), 0));
+  *data = {Tag::vec, {v[0], v[1], v[2]}};
+  lua_rawgetp(state, LUA_REGISTRYINDEX, &vec_key);
+  lua_setmetatable(state, -2);
+}
+
+void push(lua_State* state, const Quat& q) {
+  auto* data = static_cast<QuatData*>(lua_newuserdatauv(state, sizeof(QuatData), 0));
+  *data = {Tag::quat, q};
+  lua_rawgetp(state, LUA_REGISTRYINDEX, &quat_key);
+  lua_setmetatable(state, -2);
+}
+
+void push(lua_State* state, const Color& color) {
+  const float parts[] = {color.r, color.g, color.b, color.a};
+  int byte[4];
+  for (int i = 0; i < 4; i++)
+    byte[i] = static_cast<int>(std::lround(std::fmin(std::fmax(parts[i], 0.0f), 1.0f) * 255.0f));
+  char buffer[16];
+  if (byte[3] == 255)
+    std::snprintf(buffer, sizeof buffer, "#%02x%02x%02x", byte[0], byte[1], byte[2]);
+  else
+    std::snprintf(buffer, sizeof buffer, "#%02x%02x%02x%02x", byte[0], byte[1], byte[2], byte[3]);
+  lua_pushstring(state, buffer);
+}
+
+std::optional<Vec3> to_vec(lua_State* state, int index) {
+  if (tag_of(state, index) != Tag::vec) return {};
+  const auto* data = static_cast<const VecData*>(lua_touserdata(state, index));
+  return vec(data->v[0], data->v[1], data->v[2]);
+}
+
+std::optional<Quat> to_quat(lua_State* state, int index) {
+  if (tag_of(state, index) != Tag::quat) return {};
+  return static_cast<const QuatData*>(lua_touserdata(state, index))->q;
+}
+
+std::optional<Color> to_color(lua_State* state, int index) {
+  if (lua_type(state, index) == LUA_TSTRING) return color_of_text(lua_tostring(state, index));
+  if (!lua_istable(state, index)) return {};
+  index = lua_absindex(state, index);
+  const auto length = lua_rawlen(state, index);
+  if (length != 3 && length != 4) return {};
+  float part[4] = {0, 0, 0, 1};
+  for (lua_Unsigned i = 0; i < length; i++) {
+    lua_rawgeti(state, index, static_cast<lua_Integer>(i + 1));
+    const bool number = lua_type(state, -1) == LUA_TNUMBER;
+    const double value = number ? lua_tonumber(state, -1) : -1.0;
+    lua_pop(state, 1);
+    if (!(value >= 0.0 && value <= 1.0)) return {};
+    part[i] = static_cast<float>(value);
+  }
+  return Color{part[0], part[1], part[2], part[3]};
+}
+
+const char* kind_of_value(lua_State* state, int index) {
+  switch (lua_type(state, index)) {
+    case LUA_TNONE:
+    case LUA_TNIL: return "nil";
+    case LUA_TBOOLEAN: return "a boolean";
+    case LUA_TNUMBER: return "a number";
+    case LUA_TSTRING: return "a string";
+    case LUA_TTABLE: return "a table";
+    case LUA_TFUNCTION: return "a function";
+    case LUA_TTHREAD: return "a coroutine";
+    default: break;
+  }
+  const auto tag = tag_of(state, index);
+  if (tag == Tag::vec) return "a vec";
+  if (tag == Tag::quat) return "a quat";
+  return tag == Tag::ref ? kind_of_thing(state, index) : "a userdata";
+}
+
+void open_values(lua_State* state) {
+  const luaL_Reg vec_operators[] = {
+      {"__add", guard<vec_add>},       {"__sub", guard<vec_subtract>},    {"__unm", guard<vec_negate>},
+      {"__mul", guard<vec_multiply>},  {"__div", guard<vec_divide>},      {"__eq", guard<vec_equal>},
+      {"__tostring", guard<vec_text>}, {"__newindex", guard<vec_change>}, {nullptr, nullptr}};
+  const luaL_Reg vec_methods[] = {{"dot", guard<vec_dot>},
+                                  {"cross", guard<vec_cross>},
+                                  {"length", guard<vec_length>},
+                                  {"normalized", guard<vec_normalized>},
+                                  {nullptr, nullptr}};
+  open_value(state, "vec", &vec_key, vec_operators, vec_methods, guard<vec_index>);
+  const luaL_Reg quat_operators[] = {{"__mul", guard<quat_multiply>},
+                                     {"__eq", guard<quat_equal>},
+                                     {"__tostring", guard<quat_text>},
+                                     {"__newindex", guard<quat_change>},
+                                     {nullptr, nullptr}};
+  const luaL_Reg quat_methods[] = {
+      {"rotate", guard<quat_rotate>}, {"inverse", guard<quat_inverse>}, {nullptr, nullptr}};
+  open_value(state, "quat", &quat_key, quat_operators, quat_methods, guard<quat_index>);
+  lua_register(state, "vec", guard<make_vec>);
+  lua_register(state, "quat", guard<make_quat>);
+}
+
+}  // namespace pantin::lua

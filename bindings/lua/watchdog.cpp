@@ -1,0 +1,146 @@
+#include "lua/watchdog.hpp"
+
+#include <signal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <stop_token>
+#include <thread>
+#include <vector>
+
+#include "lua/runtime.hpp"
+
+namespace pantin::lua {
+
+std::int64_t now_ns() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+namespace {
+
+/// The watch whose script runs on this thread: the handler touches no other.
+thread_local std::atomic<Watch*> watched{nullptr};
+
+void stop_script(lua_State* state, lua_Debug*) {
+  const Watch& watch = Runtime::of(state).watch();
+  if (!watch.over) {  // left over on a coroutine that slept when the time was up
+    lua_sethook(state, nullptr, 0, 0);
+    return;
+  }
+  luaL_where(state, 0);
+  lua_pushfstring(state, "%sthe script did not come back within %f s and was stopped (--script-limit)",
+                  lua_tostring(state, -1), watch.limit);
+  lua_error(state);
+}
+
+void time_is_up(Watch& watch) {
+  const std::int64_t deadline = watch.deadline;
+  if (deadline == 0 || now_ns() < deadline) return;
+  watch.over = true;
+  if (lua_State* state = watch.running) lua_sethook(state, stop_script, LUA_MASKCOUNT, 1);
+}
+
+void on_signal(int, siginfo_t* info, void*) {
+  if (info->si_code != SI_QUEUE) return;
+  Watch* watch = watched;
+  if (watch && watch == info->si_value.sival_ptr) time_is_up(*watch);
+}
+
+void send(Watch& watch) {
+#if defined(__SANITIZE_THREAD__)
+  time_is_up(watch);  // the sanitizer holds signals back while a loop calls nothing
+#else
+  sigval value{};
+  value.sival_ptr = &watch;
+  pthread_sigqueue(watch.thread, SIGURG, value);
+#endif
+}
+
+/// The thread that looks at all watches.
+class Watchdog {
+ public:
+  static Watchdog& instance() {
+    static Watchdog watchdog;
+    return watchdog;
+  }
+  void add(Watch* watch) {
+    const std::lock_guard lock(mutex_);
+    watches_.push_back(watch);
+  }
+  void remove(Watch* watch) {
+    const std::lock_guard lock(mutex_);
+    std::erase(watches_, watch);
+  }
+
+ private:
+  Watchdog() {
+    struct sigaction action {};
+    action.sa_sigaction = on_signal;
+    action.sa_flags = SA_SIGINFO | SA_RESTART;
+    sigaction(SIGURG, &action, nullptr);
+    thread_ = std::jthread([this](std::stop_token stop) { look(stop); });
+  }
+  void look(const std::stop_token& stop) {
+    using namespace std::chrono_literals;
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, nullptr);
+    std::unique_lock lock(mutex_);
+    while (!stop.stop_requested()) {
+      wake_.wait_for(lock, stop, 20ms, [] { return false; });
+      for (Watch* watch : watches_) {
+        const std::int64_t deadline = watch->deadline;
+        if (deadline != 0 && !watch->over && now_ns() >= deadline) send(*watch);
+      }
+    }
+  }
+
+  std::mutex mutex_;
+  std::condition_variable_any wake_;
+  std::vector<Watch*> watches_;
+  std::jthread thread_;  // last: it stops before the others go
+};
+
+}  // namespace
+
+Watch::Watch() { Watchdog::instance().add(this); }
+Watch::~Watch() { Watchdog::instance().remove(this); }
+
+Watch* Watch::enter(lua_State* state, double seconds) {
+  Watch* previous = watched.exchange(this);
+  if (depth++ > 0) return previous;
+  limit = seconds;
+  running = state;
+  thread = pthread_self();
+  over = false;
+  if (seconds > 0) deadline = now_ns() + static_cast<std::int64_t>(std::min(seconds, 1e9) * 1e9);
+  return previous;
+}
+
+void Watch::leave(Watch* previous) {
+  if (--depth == 0) {
+    deadline = 0;
+    if (over) lua_sethook(running, nullptr, 0, 0);
+    over = false;
+  }
+  watched = previous;
+}
+
+void Watch::switch_to(lua_State* state) {
+  running = state;
+  if (over) lua_sethook(state, stop_script, LUA_MASKCOUNT, 1);
+}
+
+std::int64_t Watch::pause() {
+  const std::int64_t end = deadline.exchange(0);
+  return end == 0 ? 0 : std::max<std::int64_t>(end - now_ns(), 1);
+}
+
+void Watch::resume(std::int64_t left) {
+  if (left > 0) deadline = now_ns() + left;
+}
+
+}  // namespace pantin::lua

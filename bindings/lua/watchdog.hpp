@@ -1,0 +1,41 @@
+#pragma once
+// Stops a script that runs too long. A hook in place would cost half the speed of tight loops, so one is set only when
+// the time is up: a thread looks every few milliseconds and sends the script's thread a signal, whose handler sets the
+// hook (the one thing Lua allows there). The hook raises at every instruction, so that `pcall` cannot swallow it.
+#include <pthread.h>
+#include <lua.hpp>
+
+#include <atomic>
+#include <cstdint>
+
+namespace pantin::lua {
+
+/// The clock of one runtime.
+struct Watch {
+  Watch();
+  ~Watch();
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
+
+  /// Begins a call that may take `seconds` (0: as long as it likes); nested calls share the time of the outermost.
+  /// Returns the watch of this thread so far, to be given to `leave`.
+  Watch* enter(lua_State* state, double seconds);
+  void leave(Watch* previous);
+  /// Moves to another coroutine, which meets its end too if the time is up.
+  void switch_to(lua_State* state);
+  /// [ns] left; stops the clock until `resume`.
+  std::int64_t pause();
+  void resume(std::int64_t left);
+
+  double limit = 0.0;  ///< [s]
+  std::atomic<lua_State*> running{nullptr};
+  std::atomic<std::int64_t> deadline{0};  ///< [ns] of the steady clock; 0: none
+  std::atomic<bool> over{false};          ///< the time is up
+  std::atomic<pthread_t> thread{};
+  int depth = 0;
+};
+
+/// [ns] of the steady clock.
+std::int64_t now_ns();
+
+}  // namespace pantin::lua
