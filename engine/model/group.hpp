@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <unordered_set>
 #include <variant>
 #include <vector>
 
@@ -16,6 +17,7 @@ using AnyId = std::variant<std::monostate, PointId, ParticleId, BodyId, Constrai
 /// A named set of things, in the order of adding.
 struct Group {
   std::vector<AnyId> members;
+  std::unordered_set<AnyId> known;  ///< the same, to ask whether one is in it
   std::string name;
   std::uint64_t serial = 0;
 };

@@ -36,16 +36,15 @@ void add_to_group(World& world, GroupId group, AnyId thing) {
   const bool there = inner ? world.groups.alive(std::get<GroupId>(thing)) : alive(world, thing);
   require(there, who, ": what is added must be alive: ", describe(world, thing));
   require(!inner || !holds(world, std::get<GroupId>(thing), group), who, ": a group cannot hold itself");
-  auto& members = world.groups[group].members;
-  if (std::find(members.begin(), members.end(), thing) == members.end()) members.push_back(std::move(thing));
+  Group& row = world.groups[group];
+  if (row.known.insert(thing).second) row.members.push_back(std::move(thing));
 }
 
 void remove_from_group(World& world, GroupId group, AnyId thing) {
   require_unlocked(world, "group");
-  auto& members = world.groups[group].members;
-  const auto place = std::find(members.begin(), members.end(), thing);
-  require(place != members.end(), describe(world, group), ": ", describe(world, thing), " is not in it");
-  members.erase(place);
+  Group& row = world.groups[group];
+  require(row.known.erase(thing) == 1, describe(world, group), ": ", describe(world, thing), " is not in it");
+  std::erase(row.members, thing);
 }
 
 }  // namespace pantin
