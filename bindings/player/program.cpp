@@ -1,0 +1,56 @@
+#include "player/program.hpp"
+
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+
+#include "lua/annotations.hpp"
+#include "lua/scene.hpp"
+#include "player/bench.hpp"
+#include "player/home.hpp"
+#include "player/message.hpp"
+#include "player/options.hpp"
+#include "player/play.hpp"
+#include "player/run.hpp"
+#include "player/test.hpp"
+
+namespace pantin::player {
+namespace {
+
+int do_command(const Options& options) {
+  switch (options.command) {
+    case Options::Command::none: return 0;
+    case Options::Command::play: return play(options.run, find_home());
+    case Options::Command::run: return run(options.run, find_home());
+    case Options::Command::test: return test(options.arguments, find_home());
+    case Options::Command::bench: return bench(options.arguments);
+    case Options::Command::meta: std::cout << lua::annotations(); return 0;
+  }
+  return 2;
+}
+
+}  // namespace
+
+int run_program(int argc, const char* const* argv) {
+  // A full pipe, disk or quota is a failed write, which is told as such.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  // Without this variable OpenGL's libraries write to standard error, even where there is no display to look for.
+  setenv("XDG_RUNTIME_DIR", "/tmp", 0);
+  try {
+    int code = do_command(read_options(argc, argv));
+    std::cout.flush();
+    return code;
+  } catch (const lua::UsageError& error) {
+    say(error.what());
+    return 2;
+  } catch (const std::bad_alloc&) { say("there is not enough memory for this"); } catch (const std::exception& error) {
+    say(error.what());
+  }
+  return 1;
+}
+
+}  // namespace pantin::player

@@ -1,0 +1,25 @@
+#include "player/test.hpp"
+
+#include <cstdio>
+#include <filesystem>
+
+#include "lua/tests.hpp"
+
+namespace pantin::player {
+
+int test(const std::vector<std::string>& given, const std::string& home) {
+  std::vector<std::string> paths = given;
+  if (paths.empty()) {
+    std::string usual = std::filesystem::path(home) / "tests" / "scenes";
+    if (!std::filesystem::is_directory(usual)) throw lua::UsageError("give the files or folders to test");
+    paths.push_back(usual);
+  }
+  lua::SceneOptions options;
+  options.home = home;
+  lua::TestOutcome outcome = lua::run_tests(paths, options, stdout);
+  if (outcome.passed + outcome.failed == 0) throw Error("there are no tests in " + paths.front());
+  std::printf("%d passed, %d failed\n", outcome.passed, outcome.failed);
+  return outcome.failed == 0 ? 0 : 1;
+}
+
+}  // namespace pantin::player

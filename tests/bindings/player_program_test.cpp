@@ -1,0 +1,205 @@
+// The built program as a person uses it: exit codes, messages, outputs.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+#include "support/process.hpp"
+
+using namespace pantin::support;
+using Catch::Contains;
+
+namespace {
+
+Process::Options options(std::vector<std::string> arguments, const std::string& folder) {
+  arguments.insert(arguments.begin(), PANTIN_PROGRAM);
+  return {arguments, {"PANTIN_HOME=" PANTIN_SOURCE_DIR, "DISPLAY", "WAYLAND_DISPLAY"}, folder, -1};
+}
+
+Finished use(const Folder& folder, std::vector<std::string> arguments) {
+  return finish(options(std::move(arguments), folder.path));
+}
+
+const char* const swing = R"(
+scene.title = "Swing"
+local mass = scene:param("mass", 1, { min = 0.1, max = 10 })
+local bob = scene:particle { at = vec(1, 0, 0), mass = mass }
+scene:rod(bob, vec(0, 0, 0))
+scene:probe("height", function() return bob.position.y end)
+scene:result("mass", mass)
+)";
+
+std::size_t lines(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+}  // namespace
+
+TEST_CASE("program: help and version") {
+  Folder folder;
+  Finished help = use(folder, {"--help"});
+  CHECK(help.code == 0);
+  CHECK_THAT(help.out, Contains("play") && Contains("run") && Contains("test") && Contains("bench"));
+  CHECK_THAT(help.out, !Contains("meta"));
+  Finished version = use(folder, {"--version"});
+  CHECK(version.code == 0);
+  CHECK_THAT(version.out, Contains("pantin 0."));
+}
+
+TEST_CASE("program: wrong use exits 2 with one line") {
+  Folder folder;
+  write_file(folder / "swing.lua", swing);
+  std::vector<std::vector<std::string>> wrong = {
+      {},
+      {"dance"},
+      {"run"},
+      {"run", "missing.lua"},
+      {"run", "no such scene"},
+      {"run", "swing.lua", "--out", "a.txt"},
+      {"run", "swing.lua", "--set", "massive=3"},
+      {"run", "swing.lua", "--set", "mass=heavy"},
+      {"run", "swing.lua", "--out", "missing/a.csv"},
+      {"run", "swing.lua", "--out", "a.csv", "--out", "./a.csv"},
+      {"run", "swing.lua", "--until", "nan"},
+      {"bench", "no such benchmark"},
+  };
+  for (const auto& arguments : wrong) {
+    Finished result = use(folder, arguments);
+    INFO(result.err);
+    CHECK(result.code == 2);
+    CHECK(result.err.starts_with("pantin: "));
+    CHECK(lines(result.err) == 1);
+    CHECK(folder.files() == std::vector<std::string>{"swing.lua"});
+  }
+}
+
+TEST_CASE("program: a table and a summary of a run") {
+  Folder folder;
+  write_file(folder / "swing.lua", swing);
+  Finished result = use(folder, {"run", "swing.lua", "--until", "0.5", "--set", "mass=2", "--set", "scene.step=1/100",
+                                 "--out", "a.csv", "--summary", "s.json"});
+  INFO(result.err);
+  REQUIRE(result.code == 0);
+  CHECK(result.err.empty());
+  CHECK(folder.files() == std::vector<std::string>{"a.csv", "s.json", "swing.lua"});
+
+  std::istringstream table(read_file(folder / "a.csv"));
+  std::string line;
+  std::getline(table, line);
+  CHECK(line == "time,height");
+  double time = 0.0, height = 0.0;
+  int rows = 0;
+  for (char comma = 0; table >> time >> comma >> height; rows++) {
+    REQUIRE(comma == ',');
+    REQUIRE(height < 0.0);
+  }
+  CHECK(rows == 50);
+  CHECK(time == Approx(0.5));
+
+  auto summary = nlohmann::json::parse(read_file(folder / "s.json"));
+  CHECK(summary["steps"] == 50);
+  CHECK(summary["time"].get<double>() == time);
+  CHECK(summary["hash"].get<std::string>().size() == 16);
+  CHECK(summary["results"]["mass"] == 2.0);
+  CHECK(summary["energy"]["total"].get<double>() ==
+        Approx(summary["energy"]["kinetic"].get<double>() + summary["energy"]["potential"].get<double>()));
+  CHECK(summary["energy"]["potential"].get<double>() == Approx(2 * 9.81 * height));
+  CHECK(summary["error"]["worst_energy"].get<double>() >= summary["error"]["energy"].get<double>());
+  CHECK(summary["stats"]["articulates"] == 1);
+  CHECK(summary["stats"]["newton_iterations"].get<int>() >= 50);
+  CHECK(summary["ns_per_phase"]["drift"].get<double>() > 0.0);
+  CHECK(summary["warnings"].is_array());
+}
+
+TEST_CASE("program: two runs end in the same bits") {
+  Folder folder;
+  write_file(folder / "swing.lua", swing);
+  for (const char* name : {"1.json", "2.json"})
+    REQUIRE(use(folder, {"run", "swing.lua", "--until", "1", "--summary", name}).code == 0);
+  CHECK(nlohmann::json::parse(read_file(folder / "1.json"))["hash"] ==
+        nlohmann::json::parse(read_file(folder / "2.json"))["hash"]);
+}
+
+TEST_CASE("program: a scene's errors exit 1 with file and line, and leave no output") {
+  Folder folder;
+  struct Case {
+    std::string script, line, says;
+  };
+  std::vector<Case> cases = {
+      {"local x = (1", "bad.lua:1: ", ""},
+      {"\nscene:body { mass = -1, points = { vec(0, 0, 0) } }", "bad.lua:2: ", "mass"},
+      {"scene.colour = 3", "bad.lua:1: ", "colour"},
+      {"scene:at(0.1,\nfunction() error('boom') end)", "bad.lua:2: ", "boom"},
+      {"scene:on('step', function()\n  local p = nil + 1\nend)", "bad.lua:2: ", ""},
+      {"while true do\nend", "bad.lua:1: ", ""},
+      {"local t = {}\nwhile true do t[#t + 1] = ('x'):rep(1e6) .. #t end", "bad.lua:2: ", "memory"},
+  };
+  for (const Case& bad : cases) {
+    write_file(folder / "bad.lua", bad.script);
+    Finished result = use(folder, {"run", "bad.lua", "--until", "1", "--script-limit", "1", "--memory-limit", "64MiB",
+                                   "--out", "a.csv", "--summary", "s.json"});
+    INFO(bad.script << "\n" << result.err);
+    CHECK(result.code == 1);
+    CHECK_THAT(result.err, Contains(bad.line) && Contains(bad.says));
+    CHECK_FALSE(result.err.starts_with("pantin: "));
+    CHECK(lines(result.err) == 1);
+    CHECK(folder.files() == std::vector<std::string>{"bad.lua"});
+  }
+}
+
+TEST_CASE("program: the scene says when to end") {
+  Folder folder;
+  write_file(folder / "a.lua", "scene.duration = 0.25\nscene:particle {}\n");
+  write_file(folder / "b.lua", "scene:particle {}\nscene:at(0.125, function() scene:finish() end)\n");
+  REQUIRE(use(folder, {"run", "a.lua", "--summary", "a.json"}).code == 0);
+  REQUIRE(use(folder, {"run", "b.lua", "--summary", "b.json"}).code == 0);
+  CHECK(nlohmann::json::parse(read_file(folder / "a.json"))["time"].get<double>() == Approx(0.25));
+  CHECK(nlohmann::json::parse(read_file(folder / "b.json"))["time"].get<double>() == Approx(0.125).margin(1.0 / 240));
+}
+
+TEST_CASE("program: Ctrl-C ends with what there is") {
+  Folder folder;
+  write_file(folder / "swing.lua", swing);
+  Process process(
+      options({"run", "swing.lua", "--until", "1e6", "--out", "a.csv", "--summary", "s.json"}, folder.path));
+  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  REQUIRE_FALSE(process.wait(0.0));
+  process.signal(SIGINT);
+  REQUIRE(process.wait(20.0) == 0);
+  auto summary = nlohmann::json::parse(read_file(folder / "s.json"));
+  CHECK(summary["steps"].get<std::size_t>() > 0);
+  CHECK(lines(read_file(folder / "a.csv")) == summary["steps"].get<std::size_t>() + 1);
+  CHECK_THAT(process.err(), Contains("stopped at"));
+}
+
+TEST_CASE("program: a picture and films", "[slow]") {
+  Folder folder;
+  write_file(folder / "swing.lua", swing);
+  Finished result = use(folder, {"run", "swing.lua", "--until", "0.5", "--size", "160x120", "--out", "a.png", "--out",
+                                 "a.mp4", "--out", "a.gif", "--out", "a.webp"});
+  INFO(result.err);
+  REQUIRE(result.code == 0);
+  CHECK(read_file(folder / "a.png").substr(1, 3) == "PNG");
+  CHECK(read_file(folder / "a.mp4").substr(4, 4) == "ftyp");
+  CHECK(read_file(folder / "a.gif").substr(0, 4) == "GIF8");
+  CHECK(read_file(folder / "a.webp").substr(8, 4) == "WEBP");
+  CHECK(folder.files().size() == 5);
+  Finished count = finish({{"ffprobe", "-v", "error", "-count_frames", "-select_streams", "v", "-show_entries",
+                            "stream=nb_read_frames", "-of", "csv=p=0", folder / "a.mp4"},
+                           {},
+                           "",
+                           -1});
+  CHECK(std::stoi(count.out) == 31);
+}
+
+TEST_CASE("program: play without a display says so and makes a picture and a film", "[slow]") {
+  Folder folder;
+  write_file(folder / "swing.lua", swing);
+  Finished result = use(folder, {"play", "swing.lua", "--until", "0.25", "--size", "160x120"});
+  INFO(result.err);
+  CHECK(result.code == 0);
+  CHECK_THAT(result.err, Contains("no display"));
+  CHECK(folder.files() == std::vector<std::string>{"swing.lua", "swing.mp4", "swing.png"});
+}
