@@ -144,24 +144,21 @@ void move_place(Constraint& c, Vec3 next, double h) {
     c.velocity = (c.place - c.previous) / h;
 }
 
+Vec3 next_place(const World& world, ConstraintId id, double time) {
+  const Constraint& c = world.constraints[id];
+  if (c.hand >= 0) return world.hands[static_cast<std::size_t>(c.hand)].position;
+  if (!c.target) return c.place;
+  const Vec3 next = c.target(time);
+  if (!finite(next)) require_finite(describe(world, id), "target", next, "m");
+  return next;
+}
+
 void sample_targets(World& world, double time) {
   const double h = time - world.time;
-  bool scripted = false;
   for (std::uint32_t s = 0; s < world.constraints.slots(); s++) {
-    Constraint& c = world.constraints.at_slot(s);
-    if (!world.constraints.alive_at(s) || c.kind != ConstraintKind::follow) continue;
-    if (c.target)
-      scripted = true;
-    else
-      move_place(c, c.hand >= 0 ? world.hands[static_cast<std::size_t>(c.hand)].position : c.place, h);
-  }
-  if (!scripted) return;
-  // Scripts see each other's doings, so they are asked in the order of making.
-  for (ConstraintId id : world.constraints.ids()) {
-    if (!world.constraints[id].target) continue;
-    const Vec3 next = world.constraints[id].target(time);
-    require_finite(describe(world, id), "target", next, "m");
-    move_place(world.constraints[id], next, h);
+    if (!world.constraints.alive_at(s) || world.constraints.at_slot(s).kind != ConstraintKind::follow) continue;
+    const Vec3 next = next_place(world, world.constraints.id_at(s), time);
+    move_place(world.constraints.at_slot(s), next, h);
   }
 }
 

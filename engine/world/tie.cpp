@@ -165,11 +165,11 @@ void set_place(World& world, ConstraintId id, Vec3 place) {
   if (c.kind == ConstraintKind::rod) {
     require(!c.b, who, ": both its ends are points; move those");
     c.place = c.previous = c.before = place;
+    touch(world, c);
   } else {
     c.target = nullptr;
     start_from(world, c, place);
   }
-  touch(world, c);
 }
 
 void set_max_force(World& world, ConstraintId follow, double force) {
@@ -178,7 +178,8 @@ void set_max_force(World& world, ConstraintId follow, double force) {
   const bool was = std::isfinite(c.max_force), is = std::isfinite(force);
   if (was && !is) require_free_of_holders(world, "follow", c.a);
   c.max_force = force;
-  if (was != is) start_from(world, c, c.place);
+  if (was == is) return;
+  start_from(world, c, c.place);
   touch(world, c);
 }
 
