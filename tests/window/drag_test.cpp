@@ -1,0 +1,201 @@
+// A real window on a virtual screen, and a real mouse: X events from the server, not pushed ones.
+#include <unistd.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstdio>
+#include <memory>
+#include <sstream>
+#include <thread>
+
+#include "lua/scene.hpp"
+#include "player/aim.hpp"
+#include "support/process.hpp"
+#include "view/stage.hpp"
+#include "world/query.hpp"
+
+using namespace pantin;
+using namespace pantin::support;
+
+namespace {
+
+constexpr int width = 960, height = 540;
+const std::string chain = PANTIN_SOURCE_DIR "/scripts/scenes/chain.lua";
+
+void pause(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
+
+/// A screen that nobody sees.
+class Screen {
+ public:
+  Screen() {
+    int ends[2];
+    REQUIRE(pipe(ends) == 0);
+    server_ = std::make_unique<Process>(Process::Options{
+        {"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0", "1280x720x24", "-nolisten", "tcp", "-noreset"},
+        {},
+        "",
+        ends[1]});
+    close(ends[1]);
+    std::string number;
+    for (char c = 0; read(ends[0], &c, 1) == 1 && c != '\n';) number += c;
+    close(ends[0]);
+    INFO(server_->err());
+    REQUIRE_FALSE(number.empty());
+    display = ":" + number;
+  }
+  std::string display;
+
+ private:
+  std::unique_ptr<Process> server_;
+};
+
+/// `pantin play` of the chain on a screen, with what a hand can do to it.
+class Play {
+ public:
+  Play(const Screen& screen, const Folder& folder, const std::string& until)
+      : environment_({"DISPLAY=" + screen.display, "SDL_VIDEODRIVER", "WAYLAND_DISPLAY", "LIBGL_ALWAYS_SOFTWARE=1",
+                      "PANTIN_HOME=" PANTIN_SOURCE_DIR}),
+        process_({{PANTIN_PROGRAM, "play", "chain", "--paused", "--until", until, "--out", "tip.csv", "--size",
+                   std::to_string(width) + "x" + std::to_string(height)},
+                  environment_,
+                  folder.path,
+                  -1}) {
+    // Left to itself, xdotool would wait for ever.
+    Finished found = finish(
+        {{"timeout", "30", "xdotool", "search", "--sync", "--onlyvisible", "--name", "Pantin"}, environment_, "", -1});
+    INFO(process_.err() << found.err);
+    REQUIRE(found.code == 0);
+    window_ = found.out.substr(0, found.out.find('\n'));
+    pause(0.5);  // until the first frame is drawn
+  }
+
+  void hand(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "xdotool");
+    Finished done = finish({arguments, environment_, "", -1});
+    INFO(done.err);
+    REQUIRE(done.code == 0);
+  }
+  void move(double x, double y) {
+    hand({"mousemove", "--window", window_, std::to_string(static_cast<int>(x)), std::to_string(static_cast<int>(y))});
+  }
+  void end() {
+    std::optional<int> code = process_.wait(90.0);
+    INFO(process_.err());
+    REQUIRE(code == 0);
+  }
+
+ private:
+  std::vector<std::string> environment_;
+  Process process_;
+  std::string window_;
+};
+
+/// Where the window shows a place of the scene at its start.
+Projected pixel(const lua::Scene& scene, Vec3 place) {
+  Camera camera = player::aim(scene, find_stage(scene.world()), static_cast<double>(width) / height);
+  std::optional<Projected> result = camera.project(place, width, height);
+  REQUIRE(result);
+  REQUIRE((result->x > 0 && result->x < width && result->y > 0 && result->y < height));
+  return *result;
+}
+
+struct Row {
+  double time, height;
+};
+std::vector<Row> read_tip(const Folder& folder) {
+  std::istringstream table(read_file(folder / "tip.csv"));
+  std::string line;
+  std::getline(table, line);
+  REQUIRE(line.starts_with("time,tip height"));
+  std::vector<Row> rows;
+  while (std::getline(table, line)) {
+    Row row{};
+    REQUIRE(std::sscanf(line.c_str(), "%lf,%lf", &row.time, &row.height) == 2);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+double lowest(const std::vector<Row>& rows) {
+  double result = rows.at(0).height;
+  for (const Row& row : rows) result = std::min(result, row.height);
+  return result;
+}
+
+bool can_play() {
+  bool can = have_program("Xvfb") && have_program("xdotool");
+  if (!can) WARN("Xvfb or xdotool is not installed: the window is not tested");
+  return can;
+}
+
+std::unique_ptr<lua::Scene> open_chain() {
+  lua::SceneOptions options;
+  options.home = PANTIN_SOURCE_DIR;
+  return lua::Scene::open(chain, options);
+}
+
+/// The place of the chain's free end: the furthest from the nail.
+Vec3 tip_place(const World& world) {
+  Vec3 tip = zero3();
+  for (ParticleId particle : particles(world))
+    if (Vec3 place = position(world, particle); place[0] > tip[0]) tip = place;
+  return tip;
+}
+
+}  // namespace
+
+TEST_CASE("window: the chain's end is held by the mouse", "[window]") {
+  if (!can_play()) return;
+  Screen screen;
+  Folder folder;
+  std::unique_ptr<lua::Scene> scene = open_chain();
+  Vec3 tip = tip_place(scene->world());
+  Projected start = pixel(*scene, tip);
+  Projected end = pixel(*scene, tip + vec(-4, 0, 0));
+
+  Play play(screen, folder, "4");
+  play.move(start.x, start.y);
+  play.hand({"mousedown", "1"});
+  pause(0.2);
+  play.hand({"key", "space"});
+  for (int i = 1; i <= 20; i++) {
+    play.move(start.x + i / 20.0 * (end.x - start.x), start.y + i / 20.0 * (end.y - start.y));
+    pause(0.05);
+  }
+  play.end();
+
+  // Left alone, the end falls by most of the chain's length; held, it stays where the pointer is.
+  std::vector<Row> held = read_tip(folder);
+  REQUIRE(held.size() == 960);
+  CHECK(held.back().time == Approx(4.0));
+  CHECK(held.back().height == Approx(tip[1]).margin(1.0));
+  CHECK(lowest(held) > tip[1] - 2.0);
+  Finished alone = finish({{PANTIN_PROGRAM, "run", "chain", "--until", "4", "--out", "tip.csv"},
+                           {"PANTIN_HOME=" PANTIN_SOURCE_DIR},
+                           folder.path,
+                           -1});
+  REQUIRE(alone.code == 0);
+  CHECK(lowest(read_tip(folder)) < tip[1] - 10.0);
+}
+
+TEST_CASE("window: a hinge is cut under the pointer", "[window]") {
+  if (!can_play()) return;
+  Screen screen;
+  Folder folder;
+  std::unique_ptr<lua::Scene> scene = open_chain();
+  std::vector<ParticleId> joints = hinges(scene->world());
+  REQUIRE_FALSE(joints.empty());
+  Projected middle = pixel(*scene, position(scene->world(), joints[joints.size() / 2]));
+  Vec3 tip = tip_place(scene->world());
+  double length = tip[0];
+
+  Play play(screen, folder, "3.5");
+  play.move(middle.x, middle.y);
+  pause(0.2);
+  play.hand({"key", "x"});
+  pause(0.2);
+  play.hand({"key", "space"});
+  play.end();
+  // Falling freely for 3.5 s, 60 m, the end is below all that a whole chain could reach.
+  CHECK(read_tip(folder).back().height < tip[1] - length - 5.0);
+}
