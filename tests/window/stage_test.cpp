@@ -1,0 +1,51 @@
+#include "view/stage.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "window/small_worlds.hpp"
+
+using namespace pantin;
+
+TEST_CASE("the stage of a chain holds it where it hangs, with the ground below", "[view]") {
+  const double size = GENERATE(1e-9, 1.0, 1e6);
+  World world;
+  small_worlds::chain(world, 5, size);
+  const Stage stage = find_stage(world);
+  CHECK(stage.unit == Approx(size));
+  CHECK(stage.lower[1] == Approx(-size));
+  CHECK(stage.upper[0] == Approx(5 * size));
+  CHECK(stage.lower[0] == Approx(-5 * size));
+  CHECK(stage.ground < -size);
+}
+
+TEST_CASE("a top stands on the ground", "[view]") {
+  World world;
+  small_worlds::top(world);
+  CHECK(find_stage(world).ground == 0.0);
+}
+
+TEST_CASE("an empty world, one particle and a cloud have sizes too", "[view]") {
+  World world;
+  CHECK(find_stage(world).empty);
+  CHECK(find_stage(world).size > 0.0);
+  small_worlds::particle(world, vec(1, 2, 3));
+  CHECK(find_stage(world).size > 0.0);
+  CHECK_FALSE(find_stage(world).empty);
+  for (int i = 1; i < 50; i++) small_worlds::particle(world, vec(1 + 0.25 * i, 2, 3));
+  CHECK(find_stage(world).unit == Approx(0.25));
+}
+
+TEST_CASE("the first camera sees the whole stage", "[view]") {
+  World world;
+  small_worlds::chain(world, 5);
+  const Stage stage = find_stage(world);
+  const Camera camera = first_camera(stage, 1280.0 / 720.0);
+  for (const Vec3 corner : {stage.lower, stage.upper}) {
+    const auto seen = camera.project(corner, 1280, 720);
+    REQUIRE(seen);
+    CHECK(seen->x > 0.0);
+    CHECK(seen->x < 1280.0);
+    CHECK(seen->y > 0.0);
+    CHECK(seen->y < 720.0);
+  }
+}
