@@ -1,0 +1,201 @@
+#include "view/renderer.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+#include <vector>
+
+#include "base/check.hpp"
+#include "view/window.hpp"
+#include "window/small_worlds.hpp"
+#include "world/hands.hpp"
+
+using namespace pantin;
+
+namespace {
+
+constexpr int width = 640, height = 360;
+
+struct Still {
+  std::vector<std::uint8_t> pixels;
+
+  int at(int x, int y, int channel) const {
+    return pixels[4u * static_cast<std::size_t>(y * width + x) + static_cast<std::size_t>(channel)];
+  }
+  // Largest difference of a channel.
+  int apart(const Still& other, int x, int y) const {
+    int most = 0;
+    for (int c = 0; c < 3; c++) most = std::max(most, std::abs(at(x, y, c) - other.at(x, y, c)));
+    return most;
+  }
+  // Pixels that differ clearly.
+  int covered(const Still& other) const {
+    int n = 0;
+    for (int y = 0; y < height; y++)
+      for (int x = 0; x < width; x++) n += apart(other, x, y) > 24;
+    return n;
+  }
+};
+
+Still draw(const World& world, const Camera& camera, int samples = 0, const Overlay& overlay = {}) {
+  Renderer renderer(width, height, samples);
+  renderer.open(world);
+  renderer.draw(world, camera, overlay);
+  return {renderer.read_pixels()};
+}
+
+Camera camera_of(const World& world) { return first_camera(find_stage(world), 640.0 / 360.0); }
+
+// Where a place is drawn, whole pixels.
+std::pair<int, int> pixel(const Camera& camera, Vec3 place) {
+  const auto seen = camera.project(place, width, height);
+  REQUIRE(seen);
+  return {static_cast<int>(seen->x), static_cast<int>(seen->y)};
+}
+
+}  // namespace
+
+TEST_CASE("rods show where they are, hinges stand out from them", "[window]") {
+  const double size = GENERATE(1e-9, 1.0, 1e6);
+  const int samples = GENERATE(0, 4);
+  const Window window("test", width, height, true);
+  World world;
+  const auto rods = small_worlds::chain(world, 3, size);
+  const Camera camera = camera_of(world);
+  const Still bare = draw(World{}, camera, samples), still = draw(world, camera, samples);
+  for (const BodyId rod : rods) {
+    const auto [x, y] = pixel(camera, world.motion_of(rod).x);
+    CHECK(still.apart(bare, x, y) > 40);
+    CHECK(still.at(x, y, 0) > still.at(x, y, 2) + 40);  // orange
+  }
+  const auto [hx, hy] = pixel(camera, position(world, world.bodies[rods[0]].points[1]));
+  const auto [rx, ry] = pixel(camera, world.motion_of(rods[0]).x);
+  CHECK(still.at(hx, hy, 2) > still.at(rx, ry, 2) + 60);  // cream, not orange
+  const int covered = still.covered(bare);
+  CHECK(covered > 300);
+  CHECK(covered < width * height / 4);
+}
+
+TEST_CASE("two pictures of one world are the same, one of a later time is not", "[window]") {
+  const Window window("test", width, height, true);
+  World world;
+  small_worlds::chain(world, 3);
+  const Camera camera = camera_of(world);
+  const Still one = draw(world, camera);
+  CHECK(one.pixels == draw(world, camera).pixels);
+  set_position(world, world.bodies.ids()[2], vec(1.5, 2.5, 0));
+  CHECK(one.covered(draw(world, camera)) > 50);
+}
+
+TEST_CASE("a ball's edge is smooth with samples, and its middle has its colour", "[window]") {
+  const Window window("test", width, height, true);
+  World world;
+  ParticleDef def;
+  def.at = vec(0, 1, 0);
+  def.radius = 0.5;
+  def.color = {0.1f, 0.2f, 0.9f, 1.0f};
+  add_particle(world, def);
+  Camera camera;
+  camera.look(vec(0, 1, 6), vec(0, 1, 0));
+  const Still still = draw(world, camera, 4), coarse = draw(world, camera, 0);
+  CHECK(still.at(width / 2, height / 2, 2) > still.at(width / 2, height / 2, 0) + 60);
+  const auto shades = [](const Still& s) {
+    std::set<int> values;
+    for (int y = 120; y < 240; y++)
+      for (int x = 280; x < 360; x++) values.insert(s.at(x, y, 0));
+    return values.size();
+  };
+  CHECK(shades(still) > shades(coarse));
+  CHECK(still.covered(coarse) < 900);  // but for the edge they are alike
+  const double area = M_PI * std::pow(0.5 / camera.project(vec(0, 1, 0), width, height)->pixel, 2);
+  const int covered = coarse.covered(draw(World{}, camera));
+  CHECK(covered > 0.8 * area);
+  CHECK(covered < 2.2 * area);  // with its shadow
+}
+
+TEST_CASE("plates, solids, single points and tops are all visible", "[window]") {
+  const Window window("test", width, height, true);
+  World world;
+  BodyDef def;
+  const int kind = GENERATE(0, 1, 2, 3);
+  for (int i = 0; i < 8; i++) {
+    PointDef point;
+    point.mass = 1.0;
+    point.at = vec(i & 1, (i >> 1) & 1, kind == 1 ? i >> 2 : 0);
+    if (kind == 2) point.at = zero3();
+    def.points.push_back(point);
+  }
+  if (kind == 3) {
+    small_worlds::top(world);
+  } else {
+    add_body(world, def);
+  }
+  const Camera camera = camera_of(world);
+  const Still still = draw(world, camera), bare = draw(World{}, camera);
+  const auto [x, y] = pixel(camera, world.motion_of(world.bodies.ids()[0]).x);
+  CHECK(still.apart(bare, x, y) > 24);
+  CHECK(still.covered(bare) > 200);
+}
+
+TEST_CASE("a hand's pull, a highlight, lines and text are drawn", "[window]") {
+  const Window window("test", width, height, true);
+  World world;
+  const auto rods = small_worlds::chain(world, 3);
+  const Camera camera = camera_of(world);
+  const Still still = draw(world, camera);
+  Overlay overlay;
+  overlay.highlight = world.bodies[rods[2]].points[1];
+  CHECK(draw(world, camera, 0, overlay).covered(still) > 20);
+  overlay = {};
+  overlay.lines.push_back({vec(0, 0, 0), vec(3, 1, 0), {0.0f, 0.0f, 0.0f, 1.0f}, 3.0f});
+  CHECK(draw(world, camera, 0, overlay).covered(still) > 100);
+  overlay = {};
+  overlay.status = {"time 1.50 s", "1.00 × real time"};
+  const Still text = draw(world, camera, 0, overlay);
+  int low = 0, high = 0;
+  for (int y = 0; y < height; y++)
+    for (int x = 0; x < width; x++) (y > height - 40 ? low : high) += text.apart(still, x, y) > 24;
+  CHECK(low > 100);
+  CHECK(high == 0);
+  world.hands.resize(1);
+  world.hands[0].position = vec(3, 1, 0);
+  world.hands[0].placed = true;
+  grab(world, 0, world.bodies[rods[2]].points[1], 100.0);
+  const Still pulled = draw(world, camera);
+  const auto [x, y] = pixel(camera, vec(3, 1, 0));
+  CHECK(pulled.apart(still, x, y) > 60);
+}
+
+TEST_CASE("a button answers to the pointer of the overlay", "[window]") {
+  const Window window("test", width, height, true);
+  Renderer renderer(width, height);
+  World world;
+  Overlay overlay;
+  overlay.buttons = {"cut all", "kick"};
+  overlay.pointer_x = 30;
+  overlay.pointer_y = 25;
+  std::string pressed;
+  for (int frame = 0; frame < 6; frame++) {
+    overlay.pointer_down = frame == 3;
+    renderer.draw(world, Camera{}, overlay);
+    if (!renderer.pressed_button().empty()) pressed += renderer.pressed_button() + ";";
+  }
+  CHECK(pressed == "cut all;");
+  CHECK(renderer.pointer_on_panel());
+  overlay.pointer_x = 500;
+  renderer.draw(world, Camera{}, overlay);
+  renderer.draw(world, Camera{}, overlay);
+  CHECK_FALSE(renderer.pointer_on_panel());
+}
+
+TEST_CASE("a renderer can change its size", "[window]") {
+  const Window window("test", width, height, true);
+  Renderer renderer(width, height, 4);
+  World world;
+  small_worlds::chain(world, 2);
+  renderer.resize(320, 200);
+  renderer.draw(world, camera_of(world));
+  CHECK(renderer.read_pixels().size() == 4u * 320u * 200u);
+  CHECK_THROWS_WITH(Renderer(0, 10), Catch::Contains("must be > 0 pixels, got 0 x 10"));
+}

@@ -1,0 +1,104 @@
+#include "view/window.hpp"
+
+#include <SDL.h>
+
+#include <catch2/catch.hpp>
+
+using namespace pantin;
+
+namespace {
+
+void push_motion(int x, int y) {
+  SDL_Event event = {};
+  event.type = SDL_MOUSEMOTION;
+  event.motion.x = x;
+  event.motion.y = y;
+  SDL_PushEvent(&event);
+}
+
+void push_button(Uint32 type, Uint8 button, int x, int y) {
+  SDL_Event event = {};
+  event.type = type;
+  event.button.button = button;
+  event.button.x = x;
+  event.button.y = y;
+  SDL_PushEvent(&event);
+}
+
+void push_finger(Uint32 type, SDL_FingerID finger, float x, float y) {
+  SDL_Event event = {};
+  event.type = type;
+  event.tfinger.touchId = 7;
+  event.tfinger.fingerId = finger;
+  event.tfinger.x = x;
+  event.tfinger.y = y;
+  SDL_PushEvent(&event);
+}
+
+void push_key(Uint32 type, SDL_Keycode key) {
+  SDL_Event event = {};
+  event.type = type;
+  event.key.keysym.sym = key;
+  SDL_PushEvent(&event);
+}
+
+}  // namespace
+
+TEST_CASE("events make gestures, and the state follows from events alone", "[window]") {
+  Window window("test", 400, 200, true);
+  Gestures gestures;
+  REQUIRE(window.poll(gestures));
+  push_motion(10, 20);
+  push_motion(15, 18);
+  push_button(SDL_MOUSEBUTTONDOWN, SDL_BUTTON_LEFT, 15, 18);
+  push_key(SDL_KEYDOWN, SDLK_LSHIFT);
+  push_key(SDL_KEYDOWN, SDLK_SPACE);
+  push_key(SDL_KEYDOWN, SDLK_x);
+  REQUIRE(window.poll(gestures));
+  CHECK(gestures.width == 400);
+  CHECK(gestures.height == 200);
+  REQUIRE(gestures.events.size() == 3);
+  CHECK(gestures.events[1].dx == 5.0);
+  CHECK(gestures.events[1].dy == -2.0);
+  CHECK(gestures.events[2].kind == PointerEvent::Kind::press);
+  CHECK(gestures.pointers.at(0).left);
+  CHECK(gestures.pointers.at(0).x == 15.0);
+  CHECK(gestures.shift);
+  CHECK(gestures.keys == std::vector<std::string>{"left shift", "space", "x"});
+  push_button(SDL_MOUSEBUTTONUP, SDL_BUTTON_LEFT, 16, 18);
+  push_key(SDL_KEYUP, SDLK_LSHIFT);
+  REQUIRE(window.poll(gestures));
+  CHECK_FALSE(gestures.pointers.at(0).left);
+  CHECK_FALSE(gestures.shift);
+  CHECK(gestures.keys.empty());
+}
+
+TEST_CASE("each finger is a pointer of its own while it touches", "[window]") {
+  Window window("test", 400, 200, true);
+  Gestures gestures;
+  push_finger(SDL_FINGERDOWN, 50, 0.25f, 0.5f);
+  push_finger(SDL_FINGERDOWN, 51, 0.5f, 0.5f);
+  push_finger(SDL_FINGERMOTION, 50, 0.75f, 0.5f);
+  window.poll(gestures);
+  REQUIRE(gestures.pointers.size() == 2);
+  CHECK(gestures.pointers.at(1).x == Approx(300));
+  CHECK(gestures.pointers.at(2).x == Approx(200));
+  CHECK(gestures.pointers.at(2).left);
+  push_finger(SDL_FINGERUP, 50, 0.75f, 0.5f);
+  window.poll(gestures);
+  REQUIRE(gestures.events.size() == 1);
+  CHECK(gestures.events[0].kind == PointerEvent::Kind::release);
+  CHECK(gestures.events[0].pointer == 1);
+  CHECK(gestures.pointers.size() == 1);
+}
+
+TEST_CASE("closing the window ends polling", "[window]") {
+  Window window("test", 64, 64, true);
+  Gestures gestures;
+  REQUIRE(window.poll(gestures));
+  SDL_Event event = {};
+  event.type = SDL_QUIT;
+  SDL_PushEvent(&event);
+  CHECK_FALSE(window.poll(gestures));
+  CHECK(gestures.quit);
+}
