@@ -28,11 +28,11 @@ int play(const RunOptions& given, const std::string& home) {
   if (options.scene.empty()) options.scene = "chain";
   std::string path = find_scene(options.scene, home);
   if (!Window::display_available()) return play_unseen(options, home);
+  Interrupt interrupt;
   Outputs outputs(options);
   if (!outputs.films().empty())
     throw lua::UsageError("play writes .csv and .png; films are made by `pantin run SCENE --out FILE`");
 
-  Interrupt interrupt;
   Player player(path, options, home);
   while (player.frame()) {}
   outputs.write_tables(player.times(), player.scene().world());

@@ -21,7 +21,7 @@ void run_to(lua::Scene& scene, double until, After after) {
   World& world = scene.world();
   while (world.time < until - 0.5 * world.settings.step && !scene.finished() && !Interrupt::asked()) {
     scene.step();
-    require(world.failure.empty(), "the scene stopped after ", world.time, " s: ", world.failure);
+    require(world.failure.empty(), world.failure);
     after();
     progress.show(world.time);
   }
@@ -31,8 +31,8 @@ void run_to(lua::Scene& scene, double until, After after) {
 
 int run(const RunOptions& options, const std::string& home) {
   std::string path = find_scene(options.scene, home);
-  Outputs outputs(options);
   Interrupt interrupt;
+  Outputs outputs(options);
   auto start = std::chrono::steady_clock::now();
   std::unique_ptr<lua::Scene> scene = lua::Scene::open(path, lua_options(options, home));
   World& world = scene->world();

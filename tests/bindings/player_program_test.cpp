@@ -4,7 +4,6 @@
 #include <csignal>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <thread>
 
 #include "support/process.hpp"
 
@@ -164,8 +163,8 @@ TEST_CASE("program: Ctrl-C ends with what there is") {
   write_file(folder / "swing.lua", swing);
   Process process(
       options({"run", "swing.lua", "--until", "1e6", "--out", "a.csv", "--summary", "s.json"}, folder.path));
-  std::this_thread::sleep_for(std::chrono::milliseconds(700));
-  REQUIRE_FALSE(process.wait(0.0));
+  while (folder.files().size() < 3 && !process.wait(0.01)) {}
+  REQUIRE_FALSE(process.wait(0.5));  // by then it is in the middle of its steps
   process.signal(SIGINT);
   REQUIRE(process.wait(20.0) == 0);
   auto summary = nlohmann::json::parse(read_file(folder / "s.json"));
