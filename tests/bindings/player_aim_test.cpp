@@ -1,0 +1,64 @@
+#include <catch2/catch.hpp>
+
+#include "player/aim.hpp"
+
+using namespace pantin;
+using namespace pantin::player;
+
+namespace {
+
+std::unique_ptr<lua::Scene> open(const std::string& script) {
+  lua::SceneOptions options;
+  options.home = PANTIN_SOURCE_DIR;
+  return lua::Scene::open_text(script, "aim.lua", ".", options);
+}
+
+Camera aim_at(const lua::Scene& scene) { return aim(scene, find_stage(scene.world()), 16.0 / 9.0); }
+
+double distance(Vec3 a, Vec3 b) { return norm(a - b); }
+
+}  // namespace
+
+TEST_CASE("aim: without a wish all is in the picture") {
+  auto scene = open("for i = 1, 5 do scene:particle { at = vec(i * 10, 0, 0) } end");
+  Camera camera = aim_at(*scene);
+  for (double x : {10.0, 50.0}) {
+    auto seen = camera.project(vec(x, 0, 0), 1280, 720);
+    REQUIRE(seen);
+    CHECK((seen->x > 0 && seen->x < 1280 && seen->y > 0 && seen->y < 720));
+  }
+}
+
+TEST_CASE("aim: the scene's camera") {
+  auto scene = open("scene:particle {} scene.camera = { at = vec(3, 4, 5), look_at = vec(0, 1, 0) }");
+  Camera camera = aim_at(*scene);
+  CHECK(distance(camera.eye(), vec(3, 4, 5)) < 1e-9);
+  CHECK(distance(camera.target, vec(0, 1, 0)) < 1e-9);
+}
+
+TEST_CASE("aim: a place to look at alone keeps the usual distance") {
+  auto plain = open("scene:particle { at = vec(1, 0, 0) } scene:particle {}");
+  auto wished =
+      open("scene:particle { at = vec(1, 0, 0) } scene:particle {} scene.camera = { look_at = vec(0, 5, 0) }");
+  CHECK(distance(aim_at(*wished).target, vec(0, 5, 0)) < 1e-12);
+  CHECK(aim_at(*wished).distance == Approx(aim_at(*plain).distance));
+}
+
+TEST_CASE("aim: the camera goes along with what it follows, and stays when that is gone") {
+  auto scene = open(R"(
+    local p = scene:particle { velocity = vec(2, 0, 0) }
+    scene.gravity = vec(0, 0, 0)
+    scene.camera = { follow = p }
+    scene:at(1, function() p:remove() end)
+  )");
+  Camera camera = aim_at(*scene);
+  Vec3 start = camera.target;
+  Follower follower;
+  follower.move(*scene, camera);
+  for (int i = 0; i < 120; i++) scene->step();
+  follower.move(*scene, camera);
+  CHECK(distance(camera.target, start + vec(1, 0, 0)) < 1e-9);
+  for (int i = 0; i < 240; i++) scene->step();
+  follower.move(*scene, camera);
+  CHECK(distance(camera.target, start + vec(1, 0, 0)) < 1e-9);
+}
