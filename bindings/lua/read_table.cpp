@@ -48,7 +48,7 @@ struct Csv {
     lua_createtable(state, static_cast<int>(cells.size()), static_cast<int>(columns.size()));
     for (std::size_t i = 0; i < cells.size(); i++) {
       const auto value = number_of(cells[i]);
-      pantin::require(value.has_value(), "read_table: ", name, ":", line, ": column ", i + 1,
+      require(value.has_value(), "read_table: ", name, ":", line, ": column ", i + 1,
                       " must be a number, got '", cells[i], "'");
       lua_pushnumber(state, *value);
       if (!columns.empty()) {
@@ -69,7 +69,7 @@ struct Csv {
       for (const auto& cell : cells) names = names && !cell.empty() && !number_of(cell);
       if (names) return columns.assign(cells.begin(), cells.end());
     }
-    pantin::require(cells.size() == width, "read_table: ", name, ":", line, ": must have ", width,
+    require(cells.size() == width, "read_table: ", name, ":", line, ": must have ", width,
                     " columns like the first line, got ", cells.size());
     add_row(cells, line);
   }
@@ -77,11 +77,11 @@ struct Csv {
 
 int read_table(lua_State* state) {
   const std::string name = check_text(state, 1, "read_table", "argument 1, the file,");
-  pantin::require(stays_inside(name), "read_table: '", name,
+  require(stays_inside(name), "read_table: '", name,
                   "' must be a file below the scene's folder, not an absolute path or one with ..");
   const std::string path = path_in(Runtime::of(state).folder, name);
   const auto content = read_file(path);
-  pantin::require(content.has_value(), "read_table: there is no file '", path, "'");
+  require(content.has_value(), "read_table: there is no file '", path, "'");
   lua_newtable(state);
   Csv csv{state, name, {}};
   std::string_view rest = *content;

@@ -18,7 +18,7 @@ int require_file(lua_State* state) {
   const std::string name = check_text(state, 1, "require", "argument 1");
   std::string path = name;
   if (path.find('/') == std::string::npos) std::replace(path.begin(), path.end(), '.', '/');
-  pantin::require(!name.starts_with('.') && stays_inside(path), "require: '", name,
+  require(!name.starts_with('.') && stays_inside(path), "require: '", name,
                   "' must be a name like \"grid\" or \"folder.grid\", not an absolute path or one with ..");
   path += ".lua";
   const std::string folders[] = {runtime.folder.empty() ? "." : runtime.folder, path_in(runtime.home, "scripts/lib"),
@@ -27,7 +27,7 @@ int require_file(lua_State* state) {
   for (const std::string& folder : folders) {
     const std::string file = path_in(folder, path);
     if (lua_getfield(state, lua_upvalueindex(1), file.c_str()) != LUA_TNIL) {
-      pantin::require(lua_touserdata(state, -1) != &loading, "require: '", name, "' requires itself");
+      require(lua_touserdata(state, -1) != &loading, "require: '", name, "' requires itself");
       return 1;
     }
     lua_pop(state, 1);

@@ -30,16 +30,18 @@ std::string text(const Parts&... parts) {
   return out.str();
 }
 
-/// Throws Error with the joined message unless `condition` holds.
+/// Throws Error with the joined message.
 template <class... Parts>
-void require(bool condition, const Parts&... message) {
-  if (!condition) [[unlikely]]
-    throw Error(text(message...));
+[[noreturn, gnu::noinline, gnu::cold]] void refuse(const Parts&... message) {
+  throw Error(text(message...));
 }
 
 [[noreturn]] void assumption_failed(const char* condition, const char* file, int line);
 
 }  // namespace pantin
+
+/// Throws Error with the joined message unless `condition` holds; the message is worked out only then.
+#define require(condition, ...) ((condition) ? static_cast<void>(0) : ::pantin::refuse(__VA_ARGS__))
 
 #if defined(PANTIN_ASSUME) && PANTIN_ASSUME
 #define assume(condition) \
