@@ -1,6 +1,7 @@
 #include "lua/guard.hpp"
 
 #include <new>
+#include <string_view>
 
 #include "lua/runtime.hpp"
 #include "lua/scene.hpp"
@@ -11,7 +12,8 @@ std::string where(lua_State* state) {
   lua_Debug frame;
   for (int level = 0; lua_getstack(state, level, &frame); level++) {
     lua_getinfo(state, "Sl", &frame);
-    if (frame.currentline > 0) return text(frame.short_src, ":", frame.currentline);
+    if (frame.currentline > 0 && std::string_view(frame.source) != own_chunk)
+      return text(frame.short_src, ":", frame.currentline);
   }
   return "";
 }

@@ -18,6 +18,9 @@ struct StaleHandle : Error {
   using Error::Error;
 };
 
+/// Source of chunks that are part of the program; no place of a script is in them.
+inline constexpr const char* own_chunk = "@pantin";
+
 /// "scene.lua:12", the innermost line of a script that runs on this state; empty where none does.
 std::string where(lua_State* state);
 

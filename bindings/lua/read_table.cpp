@@ -48,8 +48,8 @@ struct Csv {
     lua_createtable(state, static_cast<int>(cells.size()), static_cast<int>(columns.size()));
     for (std::size_t i = 0; i < cells.size(); i++) {
       const auto value = number_of(cells[i]);
-      require(value.has_value(), "read_table: ", name, ":", line, ": column ", i + 1,
-                      " must be a number, got '", cells[i], "'");
+      require(value.has_value(), "read_table: ", name, ":", line, ": column ", i + 1, " must be a number, got '",
+              cells[i], "'");
       lua_pushnumber(state, *value);
       if (!columns.empty()) {
         lua_pushvalue(state, -1);
@@ -70,7 +70,7 @@ struct Csv {
       if (names) return columns.assign(cells.begin(), cells.end());
     }
     require(cells.size() == width, "read_table: ", name, ":", line, ": must have ", width,
-                    " columns like the first line, got ", cells.size());
+            " columns like the first line, got ", cells.size());
     add_row(cells, line);
   }
 };
@@ -78,7 +78,7 @@ struct Csv {
 int read_table(lua_State* state) {
   const std::string name = check_text(state, 1, "read_table", "argument 1, the file,");
   require(stays_inside(name), "read_table: '", name,
-                  "' must be a file below the scene's folder, not an absolute path or one with ..");
+          "' must be a file below the scene's folder, not an absolute path or one with ..");
   const std::string path = path_in(Runtime::of(state).folder, name);
   const auto content = read_file(path);
   require(content.has_value(), "read_table: there is no file '", path, "'");

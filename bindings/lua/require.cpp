@@ -19,7 +19,7 @@ int require_file(lua_State* state) {
   std::string path = name;
   if (path.find('/') == std::string::npos) std::replace(path.begin(), path.end(), '.', '/');
   require(!name.starts_with('.') && stays_inside(path), "require: '", name,
-                  "' must be a name like \"grid\" or \"folder.grid\", not an absolute path or one with ..");
+          "' must be a name like \"grid\" or \"folder.grid\", not an absolute path or one with ..");
   path += ".lua";
   const std::string folders[] = {runtime.folder.empty() ? "." : runtime.folder, path_in(runtime.home, "scripts/lib"),
                                  path_in(runtime.home, "scripts/behaviours")};

@@ -1,6 +1,6 @@
 #include "lua/sandbox.hpp"
 
-#include "lua/guard.hpp"
+#include "lua/runtime.hpp"
 
 namespace pantin::lua {
 namespace {
@@ -18,6 +18,16 @@ int set_metatable(lua_State* state) {
   lua_call(state, lua_gettop(state) - 1, 1);
   return 1;
 }
+
+/// Lua runs the message handler of its own xpcall inside of the hook that stops a script, where no hook reaches it.
+const char* const own_xpcall = R"(
+  local pcall, select = pcall, select
+  local function handle(handler, ok, ...)
+    if ok then return true, ... end
+    return false, select(2, pcall(handler, ...))
+  end
+  function xpcall(f, handler, ...) return handle(handler, pcall(f, ...)) end
+)";
 
 void forget(lua_State* state, const char* name) {
   lua_pushnil(state);
@@ -42,6 +52,8 @@ void open_sandbox(lua_State* state) {
   lua_getfield(state, -1, "string");
   forget(state, "dump");
   lua_pop(state, 2);
+  Runtime::of(state).load(state, own_xpcall, own_chunk + 1);
+  lua_call(state, 0, 0);
   open_math(state);
   open_pairs(state);
   open_coroutines(state);

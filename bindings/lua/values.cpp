@@ -103,8 +103,9 @@ int vec_index(lua_State* state) {
   }
   lua_pushvalue(state, 2);
   lua_rawget(state, lua_upvalueindex(1));
-  require(!lua_isnil(state, -1), "vec: unknown field '", luaL_tolstring(state, 2, nullptr),
-          "'; it has x, y, z and the methods dot, cross, length, normalized");
+  if (lua_isnil(state, -1))
+    throw Error(text("vec: unknown field '", luaL_tolstring(state, 2, nullptr),
+                     "'; it has x, y, z and the methods dot, cross, length, normalized"));
   return 1;
 }
 
@@ -167,8 +168,9 @@ int quat_index(lua_State* state) {
   }
   lua_pushvalue(state, 2);
   lua_rawget(state, lua_upvalueindex(1));
-  require(!lua_isnil(state, -1), "quat: unknown field '", luaL_tolstring(state, 2, nullptr),
-          "'; it has w, x, y, z and the methods rotate, inverse");
+  if (lua_isnil(state, -1))
+    throw Error(text("quat: unknown field '", luaL_tolstring(state, 2, nullptr),
+                     "'; it has w, x, y, z and the methods rotate, inverse"));
   return 1;
 }
 

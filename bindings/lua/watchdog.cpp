@@ -30,9 +30,10 @@ void stop_script(lua_State* state, lua_Debug*) {
     lua_sethook(state, nullptr, 0, 0);
     return;
   }
-  luaL_where(state, 0);
-  lua_pushfstring(state, "%sthe script did not come back within %f s and was stopped (--script-limit)",
-                  lua_tostring(state, -1), watch.limit);
+  const std::string place = where(state);
+  const std::string message = text(place, place.empty() ? "" : ": ", "the script did not come back within ",
+                                   watch.limit, " s and was stopped (--script-limit)");
+  lua_pushlstring(state, message.data(), message.size());
   lua_error(state);
 }
 

@@ -1,0 +1,44 @@
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <iterator>
+
+#include "bindings/lua_support.hpp"
+#include "lua/annotations.hpp"
+#include "lua/fields.hpp"
+
+using namespace pantin;
+using namespace pantin::lua_tests;
+
+TEST_CASE("scripts/meta/pantin.lua is what the tables of the bindings say") {
+  std::ifstream file(std::string(PANTIN_SOURCE_DIR) + "/scripts/meta/pantin.lua");
+  const std::string written{std::istreambuf_iterator<char>(file), {}};
+  INFO("write it anew with: pantin meta > scripts/meta/pantin.lua");
+  CHECK(written == lua::annotations());
+}
+
+TEST_CASE("every field that is listed can be read, and every method is there") {
+  const std::string things = R"(
+    local body = scene:body { mass = 1, inertia = vec(1, 1, 1), points = { head = vec(0, 0, 0) } }
+    local other = scene:body { mass = 1, inertia = vec(1, 1, 1), points = { head = vec(0, 0, 0) } }
+    local things = { Scene = scene, Body = body, Point = body.head, Particle = scene:hinge(body.head, other.head),
+      Nail = scene:nail(body.head), Follow = scene:follow(scene:particle(), vec(0, 0, 0), { max_force = 1 }),
+      Rod = scene:rod(scene:particle(), vec(0, 1, 0)), Group = scene:group "g", Hand = scene:hand(),
+      Event = scene:at(1, print), Subscription = scene:on("step", print) }
+    things.Group:add(body)
+  )";
+  for (const lua::Type* type : lua::all_types()) {
+    if (std::string(type->name) == "OpenedScene") continue;
+    CAPTURE(type->name);
+    for (const lua::Field& field : type->fields) {
+      CAPTURE(field.name);
+      const std::string at = "things." + std::string(type->name) + "." + field.name;
+      CHECK(failure(things + "local x = " + at) == "");
+      if (field.write)
+        CHECK_FALSE(failure(things + at + " = coroutine.create(print)").empty());
+      else
+        CHECK_THAT(failure(things + at + " = 1"), Catch::Contains("can be read, not written"));
+    }
+    for (const lua::Method& method : type->methods)
+      CHECK(failure(things + "assert(type(things." + type->name + "." + method.name + ") == 'function')") == "");
+  }
+}

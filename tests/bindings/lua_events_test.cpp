@@ -1,0 +1,121 @@
+#include "bindings/lua_support.hpp"
+#include "world/hands.hpp"
+
+using namespace pantin;
+using namespace pantin::lua_tests;
+using Catch::Contains;
+using Catch::StartsWith;
+
+namespace {
+
+std::string text_of(const lua::Scene& scene) { return std::get<std::string>(scene.results().at("x")); }
+
+}  // namespace
+
+TEST_CASE("events fire in the step that reaches their time, in the order of adding") {
+  const auto scene = open(R"(
+    scene.step = 0.25
+    local s = ""
+    local function say(word) return function() s = s .. word .. scene.time .. " " scene:result("x", s) end end
+    scene:at(0.5, say "b") scene:at(0.5, say "c") scene:at(0, say "a") scene:every(0.75, say "e") scene:after(1, say "f"))");
+  for (int i = 0; i < 6; i++) scene->step();
+  CHECK(text_of(*scene) == "a0.0 b0.25 c0.25 e0.5 f0.75 e1.25 ");
+}
+
+TEST_CASE("an event knows its state and can be cancelled") {
+  CHECK(failure(R"(
+    local p = scene:particle()
+    local gone = scene:at(0.02, p, function() error "must not run" end)
+    local cancelled = scene:at(0.01, function() error "must not run" end)
+    local fired = scene:at(0.01, p, function(target) assert(target == p) p:remove() end)
+    assert(fired.state == "waiting") cancelled:cancel() assert(cancelled.state == "cancelled")
+    scene:at(0.03, function()
+      assert(gone.state == "dropped" and fired.state == "fired")
+      fired:cancel() assert(fired.state == "fired")
+      assert(scene.log[1].kind == "dropped" and scene.log[1].text:find "scene.lua:3" and scene.log[1].text:find "removed at")
+    end))") == "");
+}
+
+TEST_CASE("using a removed thing in an event ends that action only") {
+  const auto scene = open(
+      "local p = scene:particle { name = 'p' } p:remove()\nlocal n = 0\nscene:every(scene.step, function()\n"
+      "n = n + 1 scene:result('x', n)\np.mass = 3\nerror 'not reached' end)");
+  scene->step();
+  scene->step();
+  CHECK(std::get<double>(scene->results().at("x")) == 2.0);
+  REQUIRE(scene->world().log.size() == 2);
+  CHECK(scene->world().log[0].kind == "dropped");
+  CHECK(scene->world().log[0].text == "scene.lua:5: particle 'p' was removed at 0 s by scene.lua:1");
+}
+
+TEST_CASE("an error in a callback leaves the step with its line") {
+  CHECK(failure("scene:at(0.01, function()\nlocal x = nil\nx.y = 1 end)") ==
+        "scene.lua:3: attempt to index a nil value (local 'x')");
+  CHECK(failure("scene:on('step', function()\nscene:body { mass = -1, points = { vec(0, 0, 0) } } end)") ==
+        "scene.lua:2: body: mass must be > 0 kg, got -1");
+  CHECK(failure("local p = scene:particle { name = 'p' } p:remove()\nscene:on('step', function()\np.mass = 1 end)") ==
+        "scene.lua:3: particle 'p' was removed at 0 s by scene.lua:1");
+  CHECK_THAT(failure("scene:probe('x', function()\nerror('no') end)"), StartsWith("scene.lua:2: no"));
+  CHECK_THAT(failure("scene:probe('x', function()\nscene:particle() return 1 end)"),
+             Contains("cannot be edited while it steps"));
+}
+
+TEST_CASE("wrong calls are told") {
+  CHECK_THAT(failure("scene:at(-1, print)"), Contains("at: argument 1, the time, must be >= 0 s, got -1"));
+  CHECK_THAT(failure("scene:every(0, print)"), Contains("every: argument 1, the period, must be > 0 s, got 0"));
+  CHECK_THAT(failure("scene:after('x', print)"),
+             Contains("after: argument 1, the delay, must be a number [s], got a string"));
+  CHECK_THAT(failure("scene:at(1, 3, print)"), Contains("must be a thing of the scene, got a number"));
+  CHECK_THAT(failure("scene:at(1)"), Contains("at: argument 2"));
+  CHECK_THAT(failure("scene:on('steps', print)"), Contains("unknown moment 'steps'. Did you mean 'step'?"));
+}
+
+TEST_CASE("callbacks hear what happened, until they are cancelled") {
+  const auto scene = open(R"(
+    local s = ""
+    local function say(...) for _, word in ipairs { ... } do s = s .. tostring(word) .. " " end scene:result("x", s) end
+    local p = scene:particle { name = "p" }
+    scene:on("key", function(name) say("key", name) end)
+    scene:on("grab", function(thing, hand) say("grab", hand) end)
+    scene:on("drop", function(thing, hand) say("drop", hand) end)
+    scene:on("removed", function(thing, story) say(story) end)
+    scene:button("go", function() say "go" end)
+    local sub sub = scene:on("step", function(dt) say(dt == scene.step) sub:cancel() end)
+    scene:after(0.02, function() p:remove() end))");
+  World& world = scene->world();
+  REQUIRE(scene->buttons() == std::vector<std::string>{"go"});
+  const auto command = [&](Command::Kind kind, const char* name) {
+    Command c;
+    c.kind = kind;
+    c.name = name;
+    world.input.commands.push_back(c);
+  };
+  command(Command::Kind::key, "k");
+  command(Command::Kind::button, "go");
+  for (int i = 0; i < 10; i++) scene->step();
+  CHECK_THAT(text_of(*scene), Contains("true") && Contains("key k") && Contains("go") &&
+                                  Contains("particle 'p' was removed at") && Contains("by scene.lua:11"));
+}
+
+TEST_CASE("what callbacks do is told in the next step") {
+  const auto scene = open(R"(
+    local p = scene:particle()
+    scene:on("removed", function(thing) scene:result("x", thing == p) end)
+    scene:on("step", function() if p.alive then p:remove() end end))");
+  scene->step();
+  CHECK(scene->results().empty());
+  scene->step();
+  CHECK(std::get<bool>(scene->results().at("x")));
+}
+
+TEST_CASE("scripted hands move, grab and let go") {
+  CHECK(failure(R"(
+    scene.gravity = vec(0, 0, 0)
+    local p = scene:particle()
+    local hand = scene:hand { path = function(t) return vec(t, 0, 0) end }
+    hand:grab(p, { max_force = 100 })
+    assert(scene.hands[1] == hand)
+    scene:at(0.02, function() assert(hand.position.x > 0 and p.velocity.x > 0) hand:release() end))") == "");
+  CHECK_THAT(failure("scene:hand { path = 3 }"), Contains("hand: path must be a function, got a number"));
+  CHECK_THAT(failure("scene:hand():grab(3)"), Contains("grab: argument 1 must be a point or a particle"));
+}

@@ -1,0 +1,78 @@
+#include <chrono>
+
+#include "bindings/lua_support.hpp"
+
+using namespace pantin;
+using namespace pantin::lua_tests;
+using Catch::Contains;
+using Catch::StartsWith;
+
+TEST_CASE("a script that does not come back is stopped with its line") {
+  const std::string stopped = "the script did not come back within 0.2 s and was stopped (--script-limit)";
+  CHECK(failure("local x = 0\nwhile true do x = x + 1 end") == "scene.lua:2: " + stopped);
+  SECTION("in a callback") {
+    CHECK(failure("scene:on('step', function()\nwhile true do end end)") == "scene.lua:2: " + stopped);
+    CHECK(failure("scene:at(0.01, function()\n\nwhile true do end end)") == "scene.lua:3: " + stopped);
+  }
+  SECTION("pcall and xpcall cannot swallow it") {
+    CHECK(failure("while true do pcall(function() while true do end end) end") == "scene.lua:1: " + stopped);
+    CHECK(failure("while true do xpcall(function() while true do end end, function() while true do end end) end") ==
+          "scene.lua:1: " + stopped);
+  }
+  SECTION("nor can coroutines") {
+    CHECK_THAT(failure("coroutine.wrap(function() while true do end end)()"), Contains(stopped));
+    CHECK(failure(
+              "local co = coroutine.create(function() while true do pcall(function() while true do end end) end end)\n"
+              "while true do coroutine.resume(co) end") == "scene.lua:2: " + stopped);
+    CHECK_THAT(
+        failure("local co = coroutine.create(function() local x <close> = setmetatable({}, { __close = function() "
+                "while true do end end }) coroutine.yield() end)\ncoroutine.resume(co) coroutine.close(co)\n"
+                "while true do end"),
+        Contains(stopped));
+  }
+  SECTION("0 is no limit, and time in many short calls does not add up") {
+    auto o = options();
+    o.script_limit = 0;
+    const auto scene = lua::Scene::open_text("local x = 0 for i = 1, 3e7 do x = x + 1 end", "scene.lua", "", o);
+    CHECK(failure("scene:on('step', function() for i = 1, 2e6 do end end)") == "");
+  }
+}
+
+TEST_CASE("a script that was stopped in a callback can be stepped on") {
+  const auto scene = open(
+      "local bad = true scene:on('step', function() while bad do end end) "
+      "scene:button('good', function() bad = false end)");
+  CHECK_THROWS_WITH(scene->step(), Contains("did not come back"));
+  Command press;
+  press.kind = Command::Kind::button;
+  press.name = "good";
+  scene->world().input.commands.push_back(press);
+  try {
+    scene->step();
+  } catch (const Error&) {}
+  CHECK_NOTHROW(scene->step());
+}
+
+TEST_CASE("memory of a script is capped, with the line") {
+  CHECK(failure("local t = {}\nfor i = 1, 1e9 do\n  t[i] = { i }\nend") ==
+        "scene.lua:3: Lua's memory is full: the limit is 16 MiB (--memory-limit)");
+  CHECK_THAT(failure("local s = 'x'\nwhile true do s = s .. s end"), StartsWith("scene.lua:2: Lua's memory is full"));
+  CHECK_THAT(failure("scene:on('step', function()\nlocal s = string.rep('x', 1e9) end)"),
+             StartsWith("scene.lua:2: Lua's memory"));
+  CHECK(failure("local ok = pcall(string.rep, 'x', 1e9) assert(not ok)") == "");
+  auto tiny = options();
+  tiny.memory_limit = 1000;
+  CHECK_THROWS_AS(lua::Scene::open_text("", "scene.lua", "", tiny), lua::UsageError);
+  tiny.memory_limit = 20000;
+  CHECK_THROWS_AS(lua::Scene::open_text("", "scene.lua", "", tiny), Error);
+}
+
+TEST_CASE("a script that calls itself for ever is stopped") {
+  auto roomy = options();
+  roomy.memory_limit = std::size_t{1} << 30;
+  CHECK_THROWS_WITH(lua::Scene::open_text("local function f() return 1 + f() end\nf()", "scene.lua", "", roomy),
+                    StartsWith("scene.lua:1: stack overflow"));
+  CHECK(failure(
+            "local t = setmetatable({}, {}) getmetatable(t).__index = function(t, k) return t[k] end\nlocal x = t.x") !=
+        "");
+}

@@ -1,0 +1,82 @@
+#include "bindings/lua_support.hpp"
+
+#include <cmath>
+
+#include "base/functions.hpp"
+
+using namespace pantin;
+using namespace pantin::lua_tests;
+using Catch::Contains;
+using Catch::StartsWith;
+
+TEST_CASE("a scene reaches no files, no other code and no finalizers") {
+  for (const char* name :
+       {"io", "os", "debug", "package", "load", "dofile", "loadfile", "collectgarbage", "string.dump"})
+    CHECK(word("scene:result('x', type(" + std::string(name) + "))") == "nil");
+  CHECK(failure("setmetatable({}, { __gc = function() end })") ==
+        "scene.lua:1: setmetatable: __gc is not allowed in scenes");
+  CHECK(word("scene:result('x', tostring(getmetatable(scene)))") == "scene");
+  CHECK_THAT(failure("\x1bLua"), Contains("scene.lua"));
+}
+
+TEST_CASE("pairs and next go in the same order in every run") {
+  const std::string keys = R"(
+    local b = scene:body { mass = 1, points = { vec(0, 0, 0) }, name = "late" }
+    local t = { b = 1, a = 1, [true] = 1, [3] = 1, [2.5] = 1, [b] = 1, [-1] = 1, zz = 1, [false] = 1 }
+  )";
+  CHECK(word(keys + R"(local s = "" for k in pairs(t) do s = s .. tostring(k) .. " " end scene:result("x", s))") ==
+        "-1 2.5 3 a b zz false true body 'late' ");
+  CHECK(
+      word(
+          keys +
+          R"(local s, k = "", next(t) while k ~= nil do s = s .. tostring(k) .. " " k = next(t, k) end scene:result("x", s))") ==
+      "-1 2.5 3 a b zz false true body 'late' ");
+  CHECK(number("local t = { a = 1, b = 2, c = 3 } local n = 0 for k in pairs(t) do n = n + 1 t.c = nil end "
+               "scene:result('x', n)") == 2);
+  CHECK(number("local t = setmetatable({}, { __pairs = function() return function(_, k) if not k then return 7 end end "
+               "end }) "
+               "for k in pairs(t) do scene:result('x', k) end") == 7);
+  CHECK_THAT(failure("for k in pairs { [{}] = 1 } do end"), StartsWith("scene.lua:1: pairs: a key that is a table"));
+}
+
+TEST_CASE("random numbers come from scene.seed") {
+  const std::string draw = " local s = '' for i = 1, 5 do s = s .. math.random(1000) .. ' ' end scene:result('x', s)";
+  CHECK(word(draw) == word(draw));
+  CHECK(word("scene.seed = 1" + draw) == word(draw));
+  CHECK(word("scene.seed = 2" + draw) != word(draw));
+  CHECK(word(R"(
+    local low, high, sum = 9, 0, 0
+    for i = 1, 10000 do
+      local n, u = math.random(3, 8), math.random()
+      assert(math.type(n) == "integer" and u >= 0 and u < 1)
+      low, high, sum = math.min(low, n), math.max(high, n), sum + u
+    end
+    assert(math.abs(sum / 10000 - 0.5) < 0.02)
+    assert(math.random(1, 1) == 1 and math.type(math.random(0)) == "integer")
+    assert(math.random(math.mininteger, math.maxinteger) ~= math.random(math.mininteger, math.maxinteger))
+    scene:result("x", low .. " " .. high))") == "3 8");
+  CHECK_THAT(failure("math.randomseed(3)"), Contains("scene.seed"));
+  CHECK_THAT(failure("math.random(2, 1)"), Contains("interval is empty"));
+}
+
+TEST_CASE("elementary functions and ^ have the engine's bits") {
+  CHECK(number("scene:result('x', math.sin(1.1) + math.exp(0.3) * math.atan(1, 3))") ==
+        functions::sin(1.1) + functions::exp(0.3) * functions::atan2(1, 3));
+  CHECK(number("local b, e = 1.7, 3.3 scene:result('x', b ^ e)") == functions::pow(1.7, 3.3));
+  CHECK(number("scene:result('x', 1.7 ^ 3.3)") == functions::pow(1.7, 3.3));
+  CHECK(number("scene:result('x', math.log(8, 2))") == 3.0);
+  CHECK(std::pow(2.0, 10.0) == 1024.0);
+}
+
+TEST_CASE("require looks in the scene's folder, then in the libraries, and nowhere else") {
+  CHECK_THAT(failure("require 'nowhere'"), Contains("there is no 'nowhere'") && Contains("./nowhere.lua") &&
+                                               Contains("scripts/lib/nowhere.lua") &&
+                                               Contains("scripts/behaviours/nowhere.lua"));
+  for (const char* name : {"../secret", "/etc/passwd", "", "..secret", "a/../../b"})
+    CHECK_THAT(failure("require '" + std::string(name) + "'"), Contains("must be a name like"));
+}
+
+TEST_CASE("xpcall calls its handler and gives what it returns") {
+  CHECK(word("scene:result('x', select(2, xpcall(error, function(m) return m .. '!' end, 'no', 0)))") == "no!");
+  CHECK(number("scene:result('x', select(2, xpcall(math.max, print, 3, 4)))") == 4);
+}
