@@ -23,7 +23,7 @@ TEST_CASE("every field that is listed can be read, and every method is there") {
     local things = { Scene = scene, Body = body, Point = body.head, Particle = scene:hinge(body.head, other.head),
       Nail = scene:nail(body.head), Follow = scene:follow(scene:particle(), vec(0, 0, 0), { max_force = 1 }),
       Rod = scene:rod(scene:particle(), vec(0, 1, 0)), Group = scene:group "g", Hand = scene:hand(),
-      Event = scene:at(1, print), Subscription = scene:on("step", print) }
+      Event = scene:at(1, type), Subscription = scene:on("step", type) }
     things.Group:add(body)
   )";
   for (const lua::Type* type : lua::all_types()) {
