@@ -1,0 +1,49 @@
+-- A skipping rope: two hands turn it. Take either end out of its hand, or a hand by its end, and turn it yourself.
+local links = scene:param("links", 36, { min = 8, max = 200, step = 1, help = "number of links" })
+local rate = scene:param("rate", 1.3, { min = 0, max = 3, help = "turns per second" })
+local span, slack, swing = 3.4, 1.45, 0.28 -- m between the hands, rope per span, m radius of the hands
+
+scene.title = "Skipping rope"
+scene.duration = 12
+scene.camera = { at = vec(0.6, 1.9, 6.0), look_at = vec(0, 1.0, 0) }
+
+-- The rope hangs in a zigzag at first: equal links between the hands.
+local length = span * slack / links
+local step, drop = span / links, math.sqrt(length ^ 2 - (span / links) ^ 2)
+local mass = 0.012 * 36 / links -- kg
+
+local function corner(i)
+  return vec(-span / 2 + i * step, 1.25 - (i % 2) * drop, 0)
+end
+
+local rope = scene:group "rope"
+local first, previous
+for i = 1, links do
+  local a, b = corner(i - 1), corner(i)
+  local link = scene:body {
+    points = {
+      head = { at = vec(-length / 2, 0, 0), mass = mass / 2, radius = 0.025 },
+      tail = { at = vec(length / 2, 0, 0), mass = mass / 2, radius = 0.025 },
+    },
+    at = (a + b) / 2, orientation = quat(vec(0, 0, 1), math.atan(b.y - a.y, b.x - a.x)),
+    color = i % 6 < 3 and "#c2413b" or "#f6ead2",
+  }
+  if previous then rope:add(scene:hinge(previous.tail, link.head, { radius = 0.025 })) end
+  rope:add(link)
+  first, previous = first or link, link
+end
+
+local function hand(x, point)
+  local turning = scene:hand {
+    path = function(t)
+      local soft = math.min(1, t / 2) -- both start gently
+      local a = 2 * math.pi * rate * t * soft
+      return vec(x, 1.25 - swing * soft * math.cos(a), swing * soft * math.sin(a))
+    end,
+  }
+  turning:grab(point, { max_force = 200 })
+end
+hand(-span / 2, first.head)
+hand(span / 2, previous.tail)
+
+scene:probe("middle height", function() return rope.alive and rope:bounds().y or 0 end)
