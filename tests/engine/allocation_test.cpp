@@ -59,3 +59,13 @@ TEST_CASE("allocation: not even the safe step allocates when it is warm") {
   REQUIRE(world.stats.safe_steps > 0);
   CHECK(allocations_in(world, 100) == 0);
 }
+
+TEST_CASE("allocation: a target that is a function of time costs no memory") {
+  World world;
+  const cases::Chain chain = cases::add_chain(world);
+  FollowDef follow;
+  follow.target = [](double time) { return vec(10 - time, 0, 0); };
+  add_follow(world, chain.tails.back(), follow);
+  for (int i = 0; i < 50; i++) step(world);
+  CHECK(allocations_in(world, 100) == 0);
+}
