@@ -12,12 +12,26 @@
 namespace pantin::player {
 namespace {
 
+int play_in_window(const RunOptions& options, const std::string& home) {
+  Interrupt interrupt;
+  Outputs outputs(options);
+  if (!outputs.films().empty())
+    throw lua::UsageError("play writes .csv and .png; films are made by `pantin run SCENE --out FILE`");
+  Player player(find_scene(options.scene, home), options, home);
+  while (player.frame()) {}
+  outputs.write_tables(player.times(), player.scene().world());
+  for (const std::string& picture : outputs.temporaries(".png")) player.write_picture(picture);
+  outputs.write_summary(player.scene());
+  outputs.keep();
+  return player.failure().empty() ? 0 : 1;
+}
+
 /// What `play` does where nothing can be seen.
-int play_unseen(RunOptions options, const std::string& home) {
+int play_unseen(RunOptions options, const std::string& home, const std::string& why) {
   std::string name = scene_name(find_scene(options.scene, home));
   options.outputs.push_back(name + ".png");
   options.outputs.push_back(name + ".mp4");
-  say(text("there is no display to play on: running the scene to ", name, ".png and ", name, ".mp4 instead"));
+  say(text(why, ": running the scene to ", name, ".png and ", name, ".mp4 instead"));
   return run(options, home);
 }
 
@@ -26,20 +40,12 @@ int play_unseen(RunOptions options, const std::string& home) {
 int play(const RunOptions& given, const std::string& home) {
   RunOptions options = given;
   if (options.scene.empty()) options.scene = "chain";
-  std::string path = find_scene(options.scene, home);
-  if (!Window::display_available()) return play_unseen(options, home);
-  Interrupt interrupt;
-  Outputs outputs(options);
-  if (!outputs.films().empty())
-    throw lua::UsageError("play writes .csv and .png; films are made by `pantin run SCENE --out FILE`");
-
-  Player player(path, options, home);
-  while (player.frame()) {}
-  outputs.write_tables(player.times(), player.scene().world());
-  for (const std::string& picture : outputs.temporaries(".png")) player.write_picture(picture);
-  outputs.write_summary(player.scene());
-  outputs.keep();
-  return player.failure().empty() ? 0 : 1;
+  if (!Window::display_available()) return play_unseen(options, home, "there is no display to play on");
+  std::string why;
+  try {
+    return play_in_window(options, home);
+  } catch (const NoWindow& error) { why = error.what(); }
+  return play_unseen(options, home, why);
 }
 
 }  // namespace pantin::player

@@ -18,6 +18,12 @@ namespace {
 constexpr std::chrono::milliseconds shortest_frame{12};  // where no screen sets the pace
 constexpr int smooth_samples = 4;
 
+Window open_window(const std::string& title, Size size) {
+  try {
+    return Window(title, size.width, size.height);
+  } catch (const Error& error) { throw NoWindow(error.what()); }
+}
+
 double aspect(const Renderer& renderer) { return static_cast<double>(renderer.width()) / renderer.height(); }
 
 }  // namespace
@@ -27,7 +33,7 @@ Player::Player(std::string path, const RunOptions& options, const std::string& h
       options_(options),
       lua_options_(lua_options(options, home)),
       scene_(lua::Scene::open(path_, lua_options_)),
-      window_(title() + " - Pantin", options.size.width, options.size.height),
+      window_(open_window(title() + " - Pantin", options.size)),
       renderer_(window_.width(), window_.height(), window_.software() ? 0 : smooth_samples),
       hands_([this] { return add_hand(scene_->world()); }),
       paused_(options.paused) {

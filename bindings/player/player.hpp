@@ -15,10 +15,15 @@
 
 namespace pantin::player {
 
+/// There is a screen, but no window with OpenGL can be opened on it.
+struct NoWindow : Error {
+  using Error::Error;
+};
+
 /// A scene in a window, with hands in it.
 class Player {
  public:
-  /// Opens the scene and the window; throws what either throws.
+  /// Opens the scene and the window; throws what the scene throws, or NoWindow.
   Player(std::string path, const RunOptions& options, const std::string& home);
 
   /// One frame: input, the steps that are due, a picture. False once it is over.

@@ -158,6 +158,21 @@ TEST_CASE("program: the scene says when to end") {
   CHECK(nlohmann::json::parse(read_file(folder / "b.json"))["time"].get<double>() == Approx(0.125).margin(1.0 / 240));
 }
 
+TEST_CASE("program: tests in Lua") {
+  Folder folder;
+  write_file(folder / "good.lua", "test('a sum', function() expect(1 + 1):equal(2) end)");
+  write_file(folder / "bad.lua", "test('a sum', function()\nexpect(1 + 1):equal(3) end)");
+  write_file(folder / "none.lua", "");
+  Finished good = use(folder, {"test", "good.lua"});
+  CHECK(good.code == 0);
+  CHECK_THAT(good.out, Contains("1 passed, 0 failed"));
+  Finished bad = use(folder, {"test", "bad.lua"});
+  CHECK(bad.code == 1);
+  CHECK_THAT(bad.out, Contains("bad.lua:2") && Contains("0 passed, 1 failed"));
+  CHECK(use(folder, {"test", "none.lua"}).code == 1);
+  CHECK(use(folder, {"test", "missing.lua"}).code == 2);
+}
+
 TEST_CASE("program: Ctrl-C ends with what there is") {
   Folder folder;
   write_file(folder / "swing.lua", swing);
