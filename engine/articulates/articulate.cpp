@@ -47,12 +47,11 @@ void store(const Node& n, Model& model) {
 
 namespace {
 
-void load_constraint(Row& row, const Constraint& c, double total_mass) {
+void load_constraint(Condition& row, const Constraint& c, double total_mass) {
   row.whole0 = c.previous + c.previous_away;
   row.whole1 = c.place + c.away;
   row.velocity = c.velocity + c.away_rate;
   row.length = c.length;
-  if (row.kind != RowKind::limited) return;
   row.max_force = c.max_force;
   row.stiffness = total_mass / (c.time_constant * c.time_constant);  // critically damped for all that hangs at it
   row.damping = 2.0 * total_mass / c.time_constant;
@@ -62,8 +61,7 @@ void load_constraint(Row& row, const Constraint& c, double total_mass) {
 
 void load(Articulate& a, const Model& model, Vec3 gravity) {
   for (Node& n : a.nodes) load(n, model, gravity);
-  for (Row& row : a.rows)
-    if (row.constraint) load_constraint(row, model.constraints[row.constraint], a.total_mass);
+  for (Condition& c : a.conditions) load_constraint(c, model.constraints[c.constraint], a.total_mass);
 }
 
 void store(const Articulate& a, Model& model) {
@@ -71,8 +69,8 @@ void store(const Articulate& a, Model& model) {
   for (const Row& row : a.rows)
     if (row.centre) model.points[row.centre].row_force = zero3();
   for (const Row& row : a.rows) {
-    if (row.constraint) {
-      Constraint& c = model.constraints[row.constraint];
+    if (row.condition >= 0) {
+      Constraint& c = model.constraints[condition(a, row).constraint];
       c.force = row.f;
       c.tension = -dot(row.f, direction(row.d1));
       continue;
@@ -94,7 +92,7 @@ Gaps largest_gaps(const Articulate& a) {
     if (row.kind == RowKind::rigid)
       gaps.points = std::max(gaps.points, norm(row.d1 - row.offset));
     else if (row.kind == RowKind::rod)
-      gaps.rods = std::max(gaps.rods, std::fabs(norm(row.d1) - row.length));
+      gaps.rods = std::max(gaps.rods, std::fabs(norm(row.d1) - condition(a, row).length));
   }
   return gaps;
 }

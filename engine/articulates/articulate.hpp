@@ -34,7 +34,7 @@ struct Node {
   bool turns;    // has a rotation; a point mass has not
   Vec3 coupled;  // 1 or 0 per principal axis: 0 about an axis of symmetry that all arms lie on, where spin is its own
   // work of an iteration
-  Vec3 row_force;  // Σ ±f
+  Vec3 row_force;   // Σ ±f
   Mat3 row_moment;  // Σ ±l f'
   Vec3 E, da, sum;  // residual of the rotation, its correction, Π1 + Q
   Mat3 N, B;        // (1 - a^/2)⁻¹ and N A
@@ -54,23 +54,29 @@ enum class RowKind : std::uint8_t { rigid, limited, rod };
 /// Ties a point of node a to a point of node b, or to a place of the world (b = -1), by one force.
 struct Row {
   std::int32_t a = 0, b = -1;
-  Vec3 la = zero3(), lb = zero3();          // arms of the two points
-  Vec3 place0 = zero3(), place1 = zero3();  // [m] world end, at the start and end of the step being solved
-  Vec3 whole0 = zero3(), whole1 = zero3();  // [m] the same of the whole step, where that is halved
-  Vec3 velocity = zero3();                  // [m/s] of the world end at the end of the step
-  Vec3 offset = zero3();                    // [m] gap that cannot be closed
+  std::int32_t condition = -1;  // of a row that a constraint made; a hinge has none
+  RowKind kind = RowKind::rigid;
+  bool fresh = true;                // f has no history
+  Vec3 la = zero3(), lb = zero3();  // arms of the two points
   Vec3 f = zero3(), f_last = zero3(), f_saved = zero3(), df = zero3();
   Vec3 ra0 = zero3(), rb0 = zero3(), ra1 = zero3(), rb1 = zero3();
   Vec3 d0 = zero3(), d1 = zero3();  // [m] first point less second
   Vec3 residual = zero3();
-  Mat3 M = zero33(), C = zero33();  // the row of Newton's matrix: M (change of d1) + C df = -residual; rigid: M = 1, C = 0
-  double length = 0.0;                       // [m] of a rod
-  double stiffness = 0.0, damping = 0.0;     // [N/m], [N s/m] of a limited row
-  double max_force = 0.0;                    // [N]
-  RowKind kind = RowKind::rigid;
-  bool fresh = true;  // f has no history
-  PointId member;     // of a hinge: the point that f pulls
-  PointId centre;     // of a hinge: the star's point, that -f pulls
+  Vec3 offset = zero3();  // [m] gap that cannot be closed
+  PointId member;         // of a hinge: the point that f pulls
+  PointId centre;         // of a hinge: the star's point, that -f pulls
+};
+
+/// What the row of a constraint has beyond a hinge's: a world end, a matrix of its own, limits.
+struct Condition {
+  Vec3 place0 = zero3(), place1 = zero3();  // [m] world end, at the start and end of the step being solved
+  Vec3 whole0 = zero3(), whole1 = zero3();  // [m] the same of the whole step, where that is halved
+  Vec3 velocity = zero3();                  // [m/s] of the world end at the end of the step
+  Mat3 M = zero33(),
+       C = zero33();    // the row of Newton's matrix: M (change of d1) + C df = -residual; rigid: M = 1, C = 0
+  double length = 0.0;  // [m] of a rod
+  double stiffness = 0.0, damping = 0.0;  // [N/m], [N s/m] of a limited row
+  double max_force = 0.0;                 // [N]
   ConstraintId constraint;
 };
 
@@ -84,16 +90,17 @@ struct Meeting {
 struct Articulate {
   std::vector<Node> nodes;
   std::vector<Row> rows;  // in the order of elimination
+  std::vector<Condition> conditions;
   std::vector<Meeting> meetings;
   std::vector<std::uint32_t> first_meeting;  // (nodes + 1)
   Factor factor;
   std::vector<Vec3> right_side;  // (rows)
 
-  double length = 0.0;       // [m] median arm: every length in a criterion is a multiple of it
-  double total_mass = 0.0;   // [kg]
-  double start_gap = 0.0;    // [m] largest at the start of the next step
-  double last_h = 0.0;       // [s] of the last good step; 0: no history
-  double epsilon = 1e-6;     // relative compliance of the factor: sets the speed of convergence, never the answer
+  double length = 0.0;      // [m] median arm: every length in a criterion is a multiple of it
+  double total_mass = 0.0;  // [kg]
+  double start_gap = 0.0;   // [m] largest at the start of the next step
+  double last_h = 0.0;      // [s] of the last good step; 0: no history
+  double epsilon = 1e-6;    // relative compliance of the factor: sets the speed of convergence, never the answer
   std::uint32_t good_steps = 0, wait = 20, projection_wait = 0;
   bool lowered = false;      // epsilon was lowered in this step
   bool extrapolate = false;  // a has two last values
@@ -104,6 +111,13 @@ struct Articulate {
   bool weak = false;         // the last factor had weak pivots: its multipliers are not all determined
   std::uint64_t serial = 0;  // smallest of its things
 };
+
+inline Condition& condition(Articulate& a, const Row& row) {
+  return a.conditions[static_cast<std::size_t>(row.condition)];
+}
+inline const Condition& condition(const Articulate& a, const Row& row) {
+  return a.conditions[static_cast<std::size_t>(row.condition)];
+}
 
 /// Copies the model's state into the nodes, with constant forces: gravity [m/s²], pushes and twists; and the world ends
 /// and limits of the rows from their constraints.
@@ -133,9 +147,9 @@ struct DriftReport {
 
 /// What a drift needs to know of the world.
 struct DriftSettings {
-  double h;            ///< [s]
-  Vec3 gravity;        ///< [m/s²]
-  double tolerance;    ///< of a gap that cannot be closed, relative to the articulate's length
+  double h;          ///< [s]
+  Vec3 gravity;      ///< [m/s²]
+  double tolerance;  ///< of a gap that cannot be closed, relative to the articulate's length
   bool energy_return;
 };
 

@@ -22,6 +22,7 @@ struct Builder {
   std::unordered_map<std::uint64_t, std::int32_t> node_of;  // 2 slot + is_body
   std::vector<Node> nodes;
   std::vector<Row> rows;
+  std::vector<Condition> conditions;
 
   static std::uint64_t key(Thing t) { return 2ull * t.slot + (t.is_body ? 1 : 0); }
 
@@ -77,12 +78,15 @@ struct Builder {
     Row row;
     tie_a(row, c.a);
     if (c.b) tie_b(row, c.b);
-    row.constraint = id;
-    row.length = c.length;
+    row.condition = static_cast<std::int32_t>(conditions.size());
+    Condition condition;
+    condition.constraint = id;
+    condition.length = c.length;
+    conditions.push_back(condition);
     row.f = row.f_last = c.force;
-    row.kind = c.kind == ConstraintKind::rod        ? RowKind::rod
-               : std::isfinite(c.max_force)         ? RowKind::limited
-                                                    : RowKind::rigid;
+    row.kind = c.kind == ConstraintKind::rod ? RowKind::rod
+               : std::isfinite(c.max_force)  ? RowKind::limited
+                                             : RowKind::rigid;
     rows.push_back(row);
   }
 
@@ -158,7 +162,8 @@ void find_free_axes(Articulate& a) {
     const int j = (axis + 1) % 3, k = (axis + 2) % 3;
     std::vector<char> free(a.nodes.size(), 1);
     const auto visit = [&](std::int32_t node, Vec3 l) {
-      if (node >= 0 && std::fmax(std::fabs(l[j]), std::fabs(l[k])) > 1e-9 * a.nodes[static_cast<std::size_t>(node)].reach)
+      if (node >= 0 &&
+          std::fmax(std::fabs(l[j]), std::fabs(l[k])) > 1e-9 * a.nodes[static_cast<std::size_t>(node)].reach)
         free[static_cast<std::size_t>(node)] = 0;
     };
     for (const Row& row : a.rows) {
@@ -173,7 +178,7 @@ void find_free_axes(Articulate& a) {
 void measure(Articulate& a, const Model& model) {
   std::vector<double> lengths;
   for (Row& row : a.rows) {
-    if (row.kind == RowKind::rod) lengths.push_back(row.length);
+    if (row.kind == RowKind::rod) lengths.push_back(condition(a, row).length);
     for (double l : {norm(row.la), row.b >= 0 ? norm(row.lb) : 0.0})
       if (l > 0.0) lengths.push_back(l);
     a.all_rigid = a.all_rigid && row.kind == RowKind::rigid;
@@ -204,7 +209,7 @@ void measure(Articulate& a, const Model& model) {
 }  // namespace
 
 std::unique_ptr<Articulate> build_articulate(const Model& model, std::span<const Thing> things) {
-  Builder builder{model, {}, {}, {}};
+  Builder builder{model, {}, {}, {}, {}};
   for (Thing t : things) builder.add_node(t);
   for (Thing t : things) builder.add_rows(t);
   const Elimination elimination = minimum_degree(builder.neighbours());
@@ -213,8 +218,9 @@ std::unique_ptr<Articulate> build_articulate(const Model& model, std::span<const
   articulate->factor = lay_out(elimination);
   articulate->nodes = std::move(builder.nodes);
   articulate->rows = std::move(builder.rows);
+  articulate->conditions = std::move(builder.conditions);
   articulate->right_side.resize(articulate->rows.size());
-    find_meetings(*articulate);
+  find_meetings(*articulate);
   measure(*articulate, model);
   const Thing oldest = things.front();
   articulate->serial =

@@ -16,7 +16,7 @@ double work_of_step(const Articulate& a, Vec3 gravity) {
   double work = 0.0;
   for (const Row& row : a.rows) {
     if (row.b >= 0) continue;
-    const Vec3 moved = row.place1 - row.place0;
+    const Vec3 moved = condition(a, row).place1 - condition(a, row).place0;
     work += dot(row.f, row.kind == RowKind::limited ? moved + row.d1 - row.d0 : moved);
   }
   for (const Node& n : a.nodes) {
@@ -27,11 +27,10 @@ double work_of_step(const Articulate& a, Vec3 gravity) {
 }
 
 void place_world_ends(Articulate& a, double from, double to) {
-  for (Row& row : a.rows) {
-    if (row.b >= 0) continue;
-    const Vec3 way = row.whole1 - row.whole0;
-    row.place0 = row.whole0 + way * from;
-    row.place1 = to == 1.0 ? row.whole1 : row.whole0 + way * to;
+  for (Condition& c : a.conditions) {
+    const Vec3 way = c.whole1 - c.whole0;
+    c.place0 = c.whole0 + way * from;
+    c.place1 = to == 1.0 ? c.whole1 : c.whole0 + way * to;
   }
 }
 

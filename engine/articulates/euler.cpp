@@ -40,7 +40,7 @@ double attempt_euler(Articulate& a, double h) {
   place_rows_at_end(a);
   double worst = 0.0;
   for (Row& row : a.rows) {
-    const double r = rule(row).evaluate(row, {h, mobility(a, row)});
+    const double r = residual(a, row, h);
     if (!std::isfinite(r)) return infinity;
     worst = std::max(worst, r);
   }
@@ -53,9 +53,10 @@ bool solve_euler(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   double e = attempt_euler(a, h);
   for (int i = 0; i < 40 && e > tolerance; i++) {
     for (Node& n : a.nodes)
-      if (n.turns) n.W = times_transposed(Mat3{{n.R0[0] * n.inverse_inertia[0], n.R0[1] * n.inverse_inertia[1],
-                                                n.R0[2] * n.inverse_inertia[2]}},
-                                          n.R0);
+      if (n.turns)
+        n.W = times_transposed(
+            Mat3{{n.R0[0] * n.inverse_inertia[0], n.R0[1] * n.inverse_inertia[1], n.R0[2] * n.inverse_inertia[2]}},
+            n.R0);
     factorise(a, Arms::start, 1e-10, 1.0 / (h * h));
     report.factorisations++;
     for (std::size_t k = 0; k < a.rows.size(); k++) {
@@ -89,9 +90,9 @@ void commit_euler(Node& n) {
 }  // namespace
 
 void drift_euler(Articulate& a, const DriftSettings& settings, DriftReport& report) {
-  for (Row& row : a.rows) {
-    row.place0 = row.whole0;
-    row.place1 = row.whole1;
+  for (Condition& c : a.conditions) {
+    c.place0 = c.whole0;
+    c.place1 = c.whole1;
   }
   place_rows_at_start(a);
   a.last_h = 0.0;
@@ -99,7 +100,7 @@ void drift_euler(Articulate& a, const DriftSettings& settings, DriftReport& repo
   if (!solve_euler(a, settings.h, settings.gravity, report)) return safe_step(a, settings, settings.h, report);
   double work = 0.0;
   for (const Row& row : a.rows)
-    if (row.b < 0) work += dot(row.f, row.place1 - row.place0 + (row.d1 - row.d0));
+    if (row.b < 0) work += dot(row.f, condition(a, row).place1 - condition(a, row).place0 + (row.d1 - row.d0));
   for (Node& n : a.nodes) {
     work += dot(n.force - settings.gravity * n.mass, n.x1 - n.x0);
     commit_euler(n);

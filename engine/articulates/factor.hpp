@@ -10,13 +10,13 @@ namespace pantin {
 /// numbered in the order of elimination; no interchanges.
 struct Factor {
   std::uint32_t rows = 0;
-  std::vector<std::uint32_t> first;  // (rows + 1) first block below the diagonal of each column
-  std::vector<std::uint32_t> below;  // (blocks) row of each block below the diagonal, rising in a column
-  std::vector<std::uint32_t> target; // where each update of the elimination goes; diagonal: row | on_diagonal
-  std::vector<Mat3> diagonal;        // (rows); inverted by `factorise`
-  std::vector<Mat3> lower, upper;    // (blocks) entries (below[i], column) and (column, below[i])
-  std::vector<Vec3> floor;           // (rows) pivots below this are redundant: `redundant` times the diagonal
-  std::vector<Mat3> scratch;         // (tallest column)
+  std::vector<std::uint32_t> first;   // (rows + 1) first block below the diagonal of each column
+  std::vector<std::uint32_t> below;   // (blocks) row of each block below the diagonal, rising in a column
+  std::vector<std::uint32_t> target;  // where each update of the elimination goes; diagonal: row | on_diagonal
+  std::vector<Mat3> diagonal;         // (rows); inverted by `factorise`
+  std::vector<Mat3> lower, upper;     // (blocks) entries (below[i], column) and (column, below[i])
+  std::vector<Vec3> floor;            // (rows) pivots below this are redundant: `redundant` times the diagonal
+  std::vector<Mat3> scratch;          // (tallest column)
 
   static constexpr std::uint32_t on_diagonal = 0x80000000u;
   static constexpr double redundant = 1e-12, weak = 1e-4;  // of the diagonal
@@ -32,7 +32,7 @@ struct Factor {
 
 /// Greedy minimum-degree order of a graph, first in first out among equals, so that a chain is eliminated from both ends.
 struct Elimination {
-  std::vector<std::uint32_t> order;                // (rows) the row eliminated at each place
+  std::vector<std::uint32_t> order;                 // (rows) the row eliminated at each place
   std::vector<std::vector<std::uint32_t>> columns;  // (places) places of the blocks below the diagonal, rising
 };
 /// `neighbours` (rows): rising lists without the row itself.

@@ -4,26 +4,26 @@
 
 namespace pantin {
 
-double evaluate_limited(Row& row, const RowContext& context) {
-  const double k = row.stiffness + row.damping / context.h;
-  const Vec3 z = row.d1 * k - row.d0 * (row.damping / context.h);
+double evaluate_limited(Row& row, Condition& c, const RowContext& context) {
+  const double k = c.stiffness + c.damping / context.h;
+  const Vec3 z = row.d1 * k - row.d0 * (c.damping / context.h);
   const double pull = norm(z);
-  row.C = identity33();
-  if (pull <= row.max_force) {
+  c.C = identity33();
+  if (pull <= c.max_force) {
     row.residual = row.f + z;
-    row.M = row.C * k;
+    c.M = c.C * k;
     return norm(row.residual) / k;
   }
   const Vec3 u = z / pull;
-  const double secant = k * row.max_force / pull;
-  row.residual = row.f + u * row.max_force;
-  row.M = (row.C - outer(u, u)) * secant;
+  const double secant = k * c.max_force / pull;
+  row.residual = row.f + u * c.max_force;
+  c.M = (c.C - outer(u, u)) * secant;
   return norm(row.residual) / secant;
 }
 
-void project_limited(Row& row) {
-  row.M = zero33();
-  row.C = identity33();
+void project_limited(const Row&, Condition& c) {
+  c.M = zero33();
+  c.C = identity33();
 }
 
 }  // namespace pantin

@@ -72,7 +72,8 @@ std::int32_t& articulate_of(Model& model, Thing t) {
 }
 
 bool lives(const Model& model, Thing t) {
-  return t.is_body ? model.bodies.alive_at(t.slot) : model.points.alive_at(t.slot) && !model.points.at_slot(t.slot).body;
+  return t.is_body ? model.bodies.alive_at(t.slot)
+                   : model.points.alive_at(t.slot) && !model.points.at_slot(t.slot).body;
 }
 
 /// Living things of dirty articulates, which are dropped, and touched untied ones.
@@ -119,8 +120,7 @@ void find_articulates(Model& model, std::vector<std::unique_ptr<Articulate>>& ar
     articulates.push_back(build_articulate(model, things));
   }
   std::erase(articulates, nullptr);
-  std::sort(articulates.begin(), articulates.end(),
-            [](const auto& a, const auto& b) { return a->serial < b->serial; });
+  std::sort(articulates.begin(), articulates.end(), [](const auto& a, const auto& b) { return a->serial < b->serial; });
   for (std::size_t i = 0; i < articulates.size(); i++)
     for (const Node& node : articulates[i]->nodes)
       articulate_of(model, {node.slot, node.is_body}) = static_cast<std::int32_t>(i);

@@ -28,12 +28,12 @@ void add_meeting(Articulate& a, const Meeting& m, const Node& node, Arms right) 
   const Pair at_i = arms(i, m.row_at_a, right), at_j = arms(j, m.column_at_a, right);
   const Mat3 k = coupling(node.W, at_i.left, at_j.right * sign, inverse_mass);
   if (m.row == m.column) {
-    a.factor.diagonal[m.block] += i.kind == RowKind::rigid ? k : i.M * k;
+    a.factor.diagonal[m.block] += i.kind == RowKind::rigid ? k : condition(a, i).M * k;
     return;
   }
-  a.factor.lower[m.block] += i.kind == RowKind::rigid ? k : i.M * k;
+  a.factor.lower[m.block] += i.kind == RowKind::rigid ? k : condition(a, i).M * k;
   const Mat3 l = coupling(node.W, at_j.left, at_i.right * sign, inverse_mass);
-  a.factor.upper[m.block] += j.kind == RowKind::rigid ? l : j.M * l;
+  a.factor.upper[m.block] += j.kind == RowKind::rigid ? l : condition(a, j).M * l;
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ bool factorise(Articulate& a, Arms right, double epsilon, double scale) {
       add_meeting(a, a.meetings[m], a.nodes[n], right);
   for (std::size_t k = 0; k < a.rows.size(); k++) {
     Mat3& d = a.factor.diagonal[k];
-    if (a.rows[k].kind != RowKind::rigid) d += a.rows[k].C * scale;
+    if (a.rows[k].kind != RowKind::rigid) d += condition(a, a.rows[k]).C * scale;
     const double compliance = a.rows[k].kind == RowKind::limited ? 0.0 : epsilon * trace(d) / 3.0;
     Vec3& floor = a.factor.floor[k];
     for (int i = 0; i < 3; i++) {
@@ -58,8 +58,8 @@ bool factorise(Articulate& a, Arms right, double epsilon, double scale) {
 
 double mobility(const Articulate& a, const Row& row) {
   const auto end = [](const Node& n, Vec3 l) {
-    const double turning = dot(n.inverse_inertia, vec(l[1] * l[1] + l[2] * l[2], l[2] * l[2] + l[0] * l[0],
-                                                      l[0] * l[0] + l[1] * l[1]));
+    const double turning =
+        dot(n.inverse_inertia, vec(l[1] * l[1] + l[2] * l[2], l[2] * l[2] + l[0] * l[0], l[0] * l[0] + l[1] * l[1]));
     return n.inverse_mass + turning / 3.0;
   };
   const double first = end(a.nodes[static_cast<std::size_t>(row.a)], row.la);

@@ -49,8 +49,7 @@ double attempt(Articulate& a, double h) {
   }
   place_rows_at_end(a);
   for (Row& row : a.rows) {
-    const double r =
-        row.kind == RowKind::rigid ? evaluate_rigid(row, {}) : rule(row).evaluate(row, {h, mobility(a, row)});
+    const double r = residual(a, row, h);
     if (!std::isfinite(r)) return infinity;
     worst = std::max(worst, r);
   }
@@ -76,7 +75,8 @@ void find_direction(Articulate& a, double h, std::vector<Vec3>& y) {
     const Row& row = a.rows[k];
     Vec3 moved = cross(first(a, row).phi, row.ra1);
     if (row.b >= 0) moved -= cross(second(a, row).phi, row.rb1);
-    y[k] = (row.kind == RowKind::rigid ? row.residual + moved : row.residual + row.M * moved) * (-2.0 / (h * h));
+    y[k] = (row.kind == RowKind::rigid ? row.residual + moved : row.residual + condition(a, row).M * moved) *
+           (-2.0 / (h * h));
   }
   a.factor.solve(y.data());
   for (std::size_t k = 0; k < a.rows.size(); k++) a.rows[k].df = y[k];
@@ -166,7 +166,7 @@ void place_rows_at_start(Articulate& a) {
   for (Row& row : a.rows) {
     row.ra0 = first(a, row).R0 * row.la;
     row.rb0 = row.b >= 0 ? second(a, row).R0 * row.lb : zero3();
-    row.d0 = first(a, row).x0 + row.ra0 - (row.b >= 0 ? second(a, row).x0 + row.rb0 : row.place0);
+    row.d0 = first(a, row).x0 + row.ra0 - (row.b >= 0 ? second(a, row).x0 + row.rb0 : condition(a, row).place0);
   }
 }
 
@@ -174,7 +174,7 @@ void place_rows_at_end(Articulate& a) {
   for (Row& row : a.rows) {
     row.ra1 = first(a, row).R1 * row.la;
     row.rb1 = row.b >= 0 ? second(a, row).R1 * row.lb : zero3();
-    row.d1 = first(a, row).x1 + row.ra1 - (row.b >= 0 ? second(a, row).x1 + row.rb1 : row.place1);
+    row.d1 = first(a, row).x1 + row.ra1 - (row.b >= 0 ? second(a, row).x1 + row.rb1 : condition(a, row).place1);
   }
 }
 

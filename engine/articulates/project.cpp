@@ -23,7 +23,7 @@ double forbidden_velocity(Articulate& a) {
     }
     const Node& first = a.nodes[static_cast<std::size_t>(row.a)];
     Vec3 v = end_velocity(first, row.ra1);
-    v -= row.b < 0 ? row.velocity : end_velocity(a.nodes[static_cast<std::size_t>(row.b)], row.rb1);
+    v -= row.b < 0 ? condition(a, row).velocity : end_velocity(a.nodes[static_cast<std::size_t>(row.b)], row.rb1);
     if (row.kind == RowKind::rod) {
       const Vec3 n = direction(row.d1);
       v = n * dot(n, v);
@@ -58,7 +58,7 @@ double apply_projection(Articulate& a) {
     if (row.b >= 0)
       add_impulse(a.nodes[static_cast<std::size_t>(row.b)], row.rb1, impulse * -1.0);
     else
-      work += dot(impulse, row.velocity);
+      work += dot(impulse, condition(a, row).velocity);
   }
   return work;
 }
@@ -85,7 +85,8 @@ void factorise_exactly(Articulate& a, double epsilon) {
       for (int i = 0; i < 3; i++) scaled[i] *= n.inverse_inertia[i];
       n.W = times_transposed(scaled, n.R0);
     }
-  for (Row& row : a.rows) rule(row).project(row);
+  for (Row& row : a.rows)
+    if (row.kind != RowKind::rigid) rule(row).project(row, condition(a, row));
   double scale = 0.0;
   if (!a.all_rigid)
     for (const Row& row : a.rows) scale = std::max(scale, mobility(a, row));
@@ -107,7 +108,7 @@ double iterate_projection(Articulate& a, int most, double speed) {
 double fastest(const Articulate& a) {
   double v2 = 0.0;
   for (const Node& n : a.nodes) v2 = std::max(v2, norm2(n.p0) * n.inverse_mass * n.inverse_mass);
-  for (const Row& row : a.rows) v2 = std::max(v2, norm2(row.velocity));
+  for (const Condition& c : a.conditions) v2 = std::max(v2, norm2(c.velocity));
   return std::sqrt(v2);
 }
 
@@ -170,7 +171,7 @@ RigidMotion kept_motion(const Articulate& a, Vec3 gravity) {
   Vec3 axis = zero3();
   for (const Row& row : a.rows) {
     if (row.b >= 0) continue;
-    const Vec3 place = row.whole1;
+    const Vec3 place = condition(a, row).whole1;
     if (!pinned) {
       pinned = true;
       m.X = place;
@@ -234,7 +235,9 @@ void return_energy(Articulate& a, double kinetic, Vec3 gravity) {
 
 bool may_return(const Articulate& a) {
   for (const Row& row : a.rows)
-    if (row.kind == RowKind::limited || norm2(row.velocity) > 0.0) return false;
+    if (row.kind == RowKind::limited) return false;
+  for (const Condition& c : a.conditions)
+    if (norm2(c.velocity) > 0.0) return false;
   return !a.safe;
 }
 
@@ -247,7 +250,7 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
     report.projections++;
     factorise_exactly(a, 1e-10);
     a.has_factor = false;
-    report.work += iterate_projection(a, 2, fastest(a));
+    report.work += iterate_projection(a, 1, fastest(a));
   }
   if (settings.energy_return && may_return(a)) return_energy(a, kinetic, settings.gravity);
 }
@@ -255,7 +258,7 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
 void make_consistent(Articulate& a) {
   const double speed = fastest(a);
   double anchors = 0.0;
-  for (const Row& row : a.rows) anchors = std::max(anchors, norm2(row.velocity));
+  for (const Condition& c : a.conditions) anchors = std::max(anchors, norm2(c.velocity));
   const double sane = std::max(1.001 * kinetic_energy(a), 0.5 * a.total_mass * anchors);
   save_momenta(a);
   for (double epsilon = 1e-10;; epsilon *= 100.0) {

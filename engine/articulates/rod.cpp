@@ -5,27 +5,27 @@
 
 namespace pantin {
 
-double evaluate_rod(Row& row, const RowContext& context) {
+double evaluate_rod(Row& row, Condition& c, const RowContext& context) {
   const Vec3 middle = (row.d0 + row.d1) * 0.5;
   const double reach = norm(middle), kappa = 0.5 * context.h * context.h * context.mobility;
   const Vec3 n = direction(middle);
-  const double g = (dot(row.d1, row.d1) - row.length * row.length) / (2.0 * row.length);
+  const double g = (dot(row.d1, row.d1) - c.length * c.length) / (2.0 * c.length);
   const double along = dot(row.f, n);
   const Vec3 across = row.f - n * along;
   const Mat3 P = identity33() - outer(n, n);
   row.residual = n * g + across * kappa;
-  row.M = outer(n, row.d1 / row.length) - P * (kappa * along / (2.0 * std::fmax(reach, 1e-3 * row.length)));
-  row.C = P * kappa;
+  c.M = outer(n, row.d1 / c.length) - P * (kappa * along / (2.0 * std::fmax(reach, 1e-3 * c.length)));
+  c.C = P * kappa;
   // A force across the rod does work on its turning: it counts as the gap that would do as much.
   const double way = norm(row.d1 - row.d0);
   const double weight = std::fmax(kappa, way / std::fmax(norm(row.f), 1e-3 * way / kappa));
   return std::fmax(std::fabs(g), norm(across) * weight);
 }
 
-void project_rod(Row& row) {
+void project_rod(const Row& row, Condition& c) {
   const Vec3 n = direction(row.d1);
-  row.M = outer(n, n);
-  row.C = (identity33() - row.M);
+  c.M = outer(n, n);
+  c.C = (identity33() - c.M);
 }
 
 }  // namespace pantin

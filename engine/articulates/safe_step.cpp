@@ -22,10 +22,11 @@ void kick(Articulate& a, double h) {
   for (Row& row : a.rows) {
     row.f = zero3();
     if (row.kind != RowKind::limited) continue;
-    const double give = 1.0 + h * (h * row.stiffness + row.damping) * mobility(a, row);
-    const Vec3 z = row.d0 * (-row.stiffness / give);
+    const Condition& c = condition(a, row);
+    const double give = 1.0 + h * (h * c.stiffness + c.damping) * mobility(a, row);
+    const Vec3 z = row.d0 * (-c.stiffness / give);
     const double pull = norm(z);
-    row.f = pull > row.max_force ? z * (row.max_force / pull) : z;
+    row.f = pull > c.max_force ? z * (c.max_force / pull) : z;
     Node& n = a.nodes[static_cast<std::size_t>(row.a)];
     n.p0 += row.f * h;
     if (n.turns) n.P0 += transposed_times(n.R0, cross(row.ra0, row.f)) * h;
@@ -42,11 +43,11 @@ double gaps(Articulate& a) {
   place_rows_at_end(a);
   double sum = 0.0;
   for (Row& row : a.rows) {
-    rule(row).project(row);
+    if (row.kind != RowKind::rigid) rule(row).project(row, condition(a, row));
     if (row.kind == RowKind::limited)
       row.residual = zero3();
     else if (row.kind == RowKind::rod)
-      row.residual = direction(row.d1) * (norm(row.d1) - row.length);
+      row.residual = direction(row.d1) * (norm(row.d1) - condition(a, row).length);
     else
       row.residual = row.d1 - row.offset;
     sum += norm2(row.residual);
@@ -88,9 +89,10 @@ double close_gaps(Articulate& a, double tolerance) {
     for (const Row& row : a.rows) scale = std::max(scale, mobility(a, row));
   for (int i = 0; i < 40 && sum > tolerance * tolerance && epsilon <= 1e3; i++) {
     for (Node& n : a.nodes)
-      if (n.turns) n.W = times_transposed(Mat3{{n.R1[0] * n.inverse_inertia[0], n.R1[1] * n.inverse_inertia[1],
-                                                n.R1[2] * n.inverse_inertia[2]}},
-                                          n.R1);
+      if (n.turns)
+        n.W = times_transposed(
+            Mat3{{n.R1[0] * n.inverse_inertia[0], n.R1[1] * n.inverse_inertia[1], n.R1[2] * n.inverse_inertia[2]}},
+            n.R1);
     factorise(a, Arms::end, epsilon, scale);
     for (std::size_t k = 0; k < a.rows.size(); k++) a.right_side[k] = a.rows[k].residual * -1.0;
     a.factor.solve(a.right_side.data());

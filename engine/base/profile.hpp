@@ -20,8 +20,8 @@ enum class Phase {
 };
 
 inline constexpr std::array<std::string_view, 9> phase_names = {
-    "begin_step", "fire_events",  "run_behaviours",     "age_particles", "find_articulates",
-    "half_kick",  "drift",        "project_velocities", "end_step",
+    "begin_step", "fire_events", "run_behaviours",     "age_particles", "find_articulates",
+    "half_kick",  "drift",       "project_velocities", "end_step",
 };
 
 /// Wall time spent in each phase since the start.

@@ -13,10 +13,10 @@ namespace pantin {
 
 /// Why a handle is dead: what it named, when it went and who removed it.
 struct Obituary {
-  std::string what;                ///< "body 'arm'"
-  double time = 0.0;               ///< [s]
-  std::string who;                 ///< "scene.lua:12", "hand 1", "its lifetime", …
-  std::uint32_t generation = 0;    ///< of the handle that died
+  std::string what;              ///< "body 'arm'"
+  double time = 0.0;             ///< [s]
+  std::string who;               ///< "scene.lua:12", "hand 1", "its lifetime", …
+  std::uint32_t generation = 0;  ///< of the handle that died
   friend bool operator==(const Obituary&, const Obituary&) = default;
 };
 

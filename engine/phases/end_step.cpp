@@ -42,7 +42,8 @@ void put_back(World& world) {
     p.place = world.saved_points[i].place;
     p.velocity = world.saved_points[i].velocity;
   }
-  for (std::size_t i = 0; i < world.loose_bodies.size(); i++) world.motion[world.loose_bodies[i]] = world.saved_motion[i];
+  for (std::size_t i = 0; i < world.loose_bodies.size(); i++)
+    world.motion[world.loose_bodies[i]] = world.saved_motion[i];
 }
 
 void end_pushes(World& world) {
@@ -94,9 +95,10 @@ void end_step(World& world) {
   const double time = next_time(world);
   if (const std::string bad = first_bad(world); !bad.empty()) {
     put_back(world);
-    world.failure = text("the state of ", bad, " is no longer a finite number at ", time,
-                         " s; the scene is stopped at its last good state. Forces or speeds are too large for a step of ",
-                         world.settings.step, " s");
+    world.failure =
+        text("the state of ", bad, " is no longer a finite number at ", time,
+             " s; the scene is stopped at its last good state. Forces or speeds are too large for a step of ",
+             world.settings.step, " s");
     log_line(world, "failure", world.failure);
     return;
   }
