@@ -37,7 +37,7 @@ TEST_CASE("look keeps the eye where it was asked to be", "[view]") {
   camera.look(vec(-3, 2, 5), vec(0.5, 1, 0));
   CHECK(norm(camera.eye() - vec(-3, 2, 5)) < 1e-12);
   const Camera before = camera;
-  camera.look(vec(NAN, 0, 0), zero3());
+  camera.look(vec(std::nan(""), 0, 0), zero3());
   camera.look(vec(1, 1, 1), vec(1, 1, 1));
   CHECK(norm(camera.eye() - before.eye()) == 0.0);
 }

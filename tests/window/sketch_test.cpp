@@ -1,6 +1,7 @@
 #include "view/sketch.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "support/allocations.hpp"
 #include "window/small_worlds.hpp"
@@ -41,7 +42,7 @@ TEST_CASE("a place that is not a number is left out", "[view]") {
   World world;
   const ParticleId particle = small_worlds::particle(world, vec(0, 1, 0));
   const Stage stage = find_stage(world);
-  world.points[world.particles[particle].points[0]].place = vec(NAN, 0, 0);
+  world.points[world.particles[particle].points[0]].place = vec(std::nan(""), 0, 0);
   Sketcher sketcher;
   Sketch sketch;
   sketcher.draw(world, Camera{}, stage, {}, 720, sketch);
