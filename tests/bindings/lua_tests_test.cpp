@@ -1,6 +1,7 @@
 // The runner of tests written in Lua, and what reads files: on a folder of its own.
 #include "lua/tests.hpp"
 
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -37,14 +38,11 @@ struct Ran {
 };
 
 Ran run(const std::vector<std::string>& paths) {
-  char* buffer = nullptr;
-  std::size_t size = 0;
-  std::FILE* out = open_memstream(&buffer, &size);
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> out(std::tmpfile(), std::fclose);
   Ran ran;
-  ran.outcome = lua::run_tests(paths, options(), out);
-  std::fclose(out);
-  ran.printed.assign(buffer, size);
-  std::free(buffer);
+  ran.outcome = lua::run_tests(paths, options(), out.get());
+  std::rewind(out.get());
+  for (int c = std::fgetc(out.get()); c != EOF; c = std::fgetc(out.get())) ran.printed += static_cast<char>(c);
   return ran;
 }
 
