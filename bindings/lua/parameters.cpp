@@ -169,7 +169,8 @@ int scene_param(lua_State* state) {
 }
 
 void apply_settings(Script& script) {
-  for (const auto& [name, given] : script.options.set) {
+  for (const auto& setting : script.options.set) {
+    const std::string &name = setting.first, &given = setting.second;
     if (!name.starts_with("scene.")) continue;
     const std::string field_name = name.substr(6);
     const std::string what = text("--set ", name, "=", given, ": ");
