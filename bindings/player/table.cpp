@@ -23,7 +23,7 @@ void put(std::string& out, double value) {
 
 std::string probe_table(const Times& times, const std::vector<Probe>& probes) {
   std::string out = "time";
-  for (const Probe& probe : probes) out += "," + quoted(probe.name);
+  for (const Probe& probe : probes) out.append(1, ',').append(quoted(probe.name));
   out += "\n";
   for (std::size_t row = 0; row < times.values.size(); row++) {
     put(out, times.values[row]);

@@ -100,7 +100,11 @@ struct Articulate {
   double total_mass = 0.0;  // [kg]
   double start_gap = 0.0;   // [m] largest at the start of the next step
   double last_h = 0.0;      // [s] of the last good step; 0: no history
-  double epsilon = 1e-6;    // relative compliance of the factor: sets the speed of convergence, never the answer
+  /// Relative compliance of the factor, between `least_epsilon` and `most_epsilon`: sets the speed of convergence, never
+  /// the answer. Redundant loops that change shape want much, large mass ratios and long chains little. Rows without a
+  /// loop are never redundant.
+  static constexpr double least_epsilon = 1e-10;
+  double most_epsilon = 1e-6, epsilon = 1e-6;
   std::uint32_t good_steps = 0, wait = 20, projection_wait = 0;
   bool lowered = false;      // epsilon was lowered in this step
   bool extrapolate = false;  // a has two last values

@@ -175,6 +175,12 @@ void find_free_axes(Articulate& a) {
   }
 }
 
+/// Whether the rows make no loop; the world counts as one node.
+bool is_tree(const Articulate& a) {
+  const bool anchored = std::any_of(a.rows.begin(), a.rows.end(), [](const Row& row) { return row.b < 0; });
+  return a.rows.size() + 1 == a.nodes.size() + (anchored ? 1 : 0);
+}
+
 void measure(Articulate& a, const Model& model) {
   std::vector<double> lengths;
   for (Row& row : a.rows) {
@@ -204,6 +210,7 @@ void measure(Articulate& a, const Model& model) {
     rb = std::max(rb, norm(row.lb));
   }
   find_free_axes(a);
+  if (is_tree(a)) a.most_epsilon = a.epsilon = Articulate::least_epsilon;
 }
 
 }  // namespace

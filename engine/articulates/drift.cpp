@@ -1,5 +1,7 @@
 #include "articulates/drift.hpp"
 
+#include <algorithm>
+
 #include "articulates/midpoint.hpp"
 #include "articulates/newton.hpp"
 #include "articulates/project.hpp"
@@ -47,8 +49,8 @@ void drift_part(Articulate& a, const DriftSettings& settings, double from, doubl
     a.start_gap = largest_gaps(a).all();
     a.last_h = h;
     a.safe = false;
-    if (a.epsilon < 1e-6 && !a.lowered && ++a.good_steps > a.wait) {
-      a.epsilon *= 10.0;
+    if (a.epsilon < a.most_epsilon && !a.lowered && ++a.good_steps > a.wait) {
+      a.epsilon = std::min(a.most_epsilon, 10.0 * a.epsilon);
       a.good_steps = 0;
     }
     return;

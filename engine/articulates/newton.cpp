@@ -11,7 +11,6 @@ namespace pantin {
 
 namespace {
 
-constexpr double epsilon_highest = 1e-6, epsilon_lowest = 1e-10;
 constexpr std::uint32_t most_iterations = 40, most_halvings = 6;
 
 const Node& first(const Articulate& a, const Row& row) { return a.nodes[static_cast<std::size_t>(row.a)]; }
@@ -102,7 +101,7 @@ void move_unknowns(Articulate& a, double fraction) {
 }
 
 void lower_epsilon(Articulate& a) {
-  a.epsilon = std::max(epsilon_lowest, 0.1 * a.epsilon);
+  a.epsilon = std::max(Articulate::least_epsilon, 0.1 * a.epsilon);
   a.good_steps = 0;
   if (!a.lowered) a.wait = std::min(2 * a.wait, 2000u);
   a.lowered = true;
@@ -184,8 +183,13 @@ bool solve_step(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   const auto [tolerance, round_off] = goal(a, h, gravity);
   double e = attempt(a, h), gain = 1.0;
   bool have_factor = false, fresh = false;
+  int old_uses = 0;
   for (std::uint32_t i = 0; e > tolerance && i < most_iterations; i++) {
-    if (!have_factor || gain > 0.1) {
+    // An old factor often gains little once, and much the next time.
+    const bool serves = gain <= 0.1 || (gain <= 0.5 && old_uses < 2);
+    old_uses++;
+    if (!have_factor || !serves) {
+      old_uses = 0;
       renew_factor(a, h, report);
       have_factor = fresh = true;
     }
@@ -197,7 +201,7 @@ bool solve_step(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
       e = attempt(a, h);
       gain = 1.0;
       if (!fresh) continue;
-      if (e < 1e-4 * a.length && e > 100.0 * tolerance && a.epsilon > epsilon_lowest) {
+      if (e < 1e-4 * a.length && e > 100.0 * tolerance && a.epsilon > Articulate::least_epsilon) {
         lower_epsilon(a);
         fresh = false;
         continue;
@@ -205,7 +209,7 @@ bool solve_step(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
       return e < 100.0 * tolerance;
     }
     if (fresh && gain > 0.2 && e1 < 10.0 * round_off) return true;
-    if (fresh && gain > 0.2 && e < 1e-4 * a.length && a.epsilon > epsilon_lowest) {
+    if (fresh && gain > 0.2 && e < 1e-4 * a.length && a.epsilon > Articulate::least_epsilon) {
       lower_epsilon(a);
       gain = 1.0;
     }

@@ -128,7 +128,7 @@ bool project_with_newton_factor(Articulate& a, double& work) {
     return true;
   }
   restore_momenta(a);
-  a.projection_wait = 30;
+  a.projection_wait = 100;
   return false;
 }
 

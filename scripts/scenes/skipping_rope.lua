@@ -4,6 +4,7 @@ local rate = scene:param("rate", 1.3, { min = 0, max = 3, help = "turns per seco
 local span, slack, swing = 3.4, 1.45, 0.28 -- m between the hands, rope per span, m radius of the hands
 
 scene.title = "Skipping rope"
+scene.step = 1 / 960 -- a light rope whips fast
 scene.duration = 12
 scene.camera = { at = vec(0.6, 1.9, 6.0), look_at = vec(0, 1.0, 0) }
 
