@@ -37,9 +37,8 @@ struct Node {
   Vec3 row_force;   // Σ ±f
   Mat3 row_moment;  // Σ ±l f'
   Vec3 E, da, sum;  // residual of the rotation, its correction, Π1 + Q
-  Mat3 N, B;        // (1 - a^/2)⁻¹ and N A
+  Mat3 B;           // (1 - a^/2)⁻¹ A
   Mat3 J_inverse;
-  Mat3 W;  // turns a moment into a rotation, world axes
   Vec3 phi;
   double c;  // 1/(1 + a·a/4)
   // where it comes from
@@ -58,7 +57,7 @@ struct Row {
   RowKind kind = RowKind::rigid;
   bool fresh = true;                // f has no history
   Vec3 la = zero3(), lb = zero3();  // arms of the two points
-  Vec3 f = zero3(), f_last = zero3(), f_saved = zero3(), df = zero3();
+  Vec3 f = zero3(), f_last = zero3(), f_saved = zero3();
   Vec3 ra0 = zero3(), rb0 = zero3(), ra1 = zero3(), rb1 = zero3();
   Vec3 d0 = zero3(), d1 = zero3();  // [m] first point less second
   Vec3 residual = zero3();

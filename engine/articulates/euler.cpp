@@ -52,11 +52,6 @@ bool solve_euler(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   const double tolerance = 1e-11 * a.length + 1e-10 * h * std::sqrt(norm(gravity) * a.length);
   double e = attempt_euler(a, h);
   for (int i = 0; i < 40 && e > tolerance; i++) {
-    for (Node& n : a.nodes)
-      if (n.turns)
-        n.W = times_transposed(
-            Mat3{{n.R0[0] * n.inverse_inertia[0], n.R0[1] * n.inverse_inertia[1], n.R0[2] * n.inverse_inertia[2]}},
-            n.R0);
     factorise(a, Arms::start, 1e-10, 1.0 / (h * h));
     report.factorisations++;
     for (std::size_t k = 0; k < a.rows.size(); k++) {

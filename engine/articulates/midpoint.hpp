@@ -6,11 +6,18 @@
 
 namespace pantin {
 
-/// (1 + a^/2)⁻¹ b.
-inline Vec3 left_inverse(const Mat3& N, Vec3 b) { return transposed_times(N, b); }
+/// N = (1 - a^/2)⁻¹ = c (1 + a^/2 + a a'/4), c = 1/(1 + a·a/4).
+inline Mat3 half_turn(const Node& n) {
+  Mat3 N = hat(n.a * (0.5 * n.c));
+  for (int k = 0; k < 3; k++) {
+    N[k] += n.a * (0.25 * n.c * n.a[k]);
+    N[k][k] += n.c;
+  }
+  return N;
+}
 
 /// The end of the step from `a`, `row_force` and `row_moment`: x1 p1 q1 R1 P1, and the residual E of the rotation:
-///   N = (1 - a^/2)⁻¹ = c (1 + a^/2 + a a'/4),  B = N Σ ±l f' R0,  Q = P0 + h (axial B + R0' torque),
+///   B = N Σ ±l f' R0,  Q = P0 + h (axial B + R0' torque),
 ///   Π1 = I (2a/h - O0),  E = Π1 - Q + a x (Π1 + Q)/2,  P1 = 2 (1 + a^/2)⁻¹ Q - Q.
 inline void evaluate(Node& n, double h) {
   n.p1 = n.p0 + (n.row_force + n.force) * h;
@@ -18,17 +25,13 @@ inline void evaluate(Node& n, double h) {
   if (!n.turns) return;
   const Vec3 a = n.a;
   n.c = 1.0 / (1.0 + 0.25 * dot(a, a));
-  n.N = hat(a * (0.5 * n.c));
-  for (int k = 0; k < 3; k++) {
-    n.N[k] += a * (0.25 * n.c * a[k]);
-    n.N[k][k] += n.c;
-  }
-  n.B = n.N * (n.row_moment * n.R0);
+  const Mat3 N = half_turn(n);
+  n.B = N * (n.row_moment * n.R0);
   const Vec3 Q = n.P0 + (axial(n.B) + transposed_times(n.R0, n.torque)) * h;
   const Vec3 Pi = n.inertia * (a * (2.0 / h) - n.O0);
   n.sum = Pi + Q;
   n.E = Pi - Q + cross(a, n.sum) * 0.5;
-  n.P1 = left_inverse(n.N, Q) * 2.0 - Q;
+  n.P1 = transposed_times(N, Q) * 2.0 - Q;
   const double w = std::sqrt(n.c);
   const Vec3 u = a * (0.5 * w);
   n.q1 = n.q0 * Quat{w, u[0], u[1], u[2]};
@@ -55,10 +58,10 @@ inline void invert_jacobian(Node& n, double h) {
 }
 
 /// W = (2/h) c R0 (1 + a^/2) J⁻¹ (1 - a^/2) R0': the rotation at the end that a moment of unit force makes, times 2/h².
-inline void weigh(Node& n, double h) {
+inline Mat3 weight(const Node& n, double h) {
   const Mat3 half = hat(n.a * 0.5);
-  Mat3 left = n.R0 + n.R0 * half, right = identity33() - half;
-  n.W = times_transposed((left * (n.c * 2.0 / h)) * (n.J_inverse * right), n.R0);
+  const Mat3 left = n.R0 + n.R0 * half, right = identity33() - half;
+  return times_transposed((left * (n.c * 2.0 / h)) * (n.J_inverse * right), n.R0);
 }
 
 /// Rotation at the end, world axes, for a change da of the Cayley vector.

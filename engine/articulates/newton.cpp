@@ -16,41 +16,40 @@ constexpr std::uint32_t most_iterations = 40, most_halvings = 6;
 const Node& first(const Articulate& a, const Row& row) { return a.nodes[static_cast<std::size_t>(row.a)]; }
 const Node& second(const Articulate& a, const Row& row) { return a.nodes[static_cast<std::size_t>(row.b)]; }
 
-/// Adds forces `f` of the rows to the nodes' sums.
-template <Vec3 Row::*force>
-void gather_forces(Articulate& a) {
-  for (Node& n : a.nodes) {
-    n.row_force = zero3();
-    n.row_moment = zero33();
-  }
-  for (Row& row : a.rows) {
-    const Vec3 f = row.*force;
-    Node& na = a.nodes[static_cast<std::size_t>(row.a)];
-    na.row_force += f;
-    na.row_moment += outer(row.la, f);
-    if (row.b < 0) continue;
-    Node& nb = a.nodes[static_cast<std::size_t>(row.b)];
-    nb.row_force -= f;
-    nb.row_moment -= outer(row.lb, f);
-  }
+/// Adds the force f of a row to the sums of its nodes, which whoever uses them leaves at 0.
+void add_force(Articulate& a, const Row& row, Vec3 f) {
+  Node& na = a.nodes[static_cast<std::size_t>(row.a)];
+  na.row_force += f;
+  na.row_moment += outer(row.la, f);
+  if (row.b < 0) return;
+  Node& nb = a.nodes[static_cast<std::size_t>(row.b)];
+  nb.row_force -= f;
+  nb.row_moment -= outer(row.lb, f);
 }
 
-/// State and residuals for the present unknowns; returns the largest residual [m].
-double attempt(Articulate& a, double h) {
-  gather_forces<&Row::f>(a);
+/// Moves the unknowns from their saved values by a fraction of the direction (forces in `right_side`, rotations in phi),
+/// with states and residuals; returns the largest residual [m].
+double attempt(Articulate& a, double h, double fraction) {
+  for (std::size_t k = 0; k < a.rows.size(); k++) {
+    Row& row = a.rows[k];
+    row.f = row.f_saved + a.right_side[k] * fraction;
+    add_force(a, row, row.f);
+  }
   double worst = 0.0;
   for (Node& n : a.nodes) {
+    n.a = n.a_saved + n.phi * fraction;
     evaluate(n, h);
+    n.row_force = zero3();
+    n.row_moment = zero33();
     if (!n.turns) continue;
     n.da = n.J_inverse * n.E * -1.0;
-    worst = std::max(worst, norm(n.da) * n.reach);
-    if (!std::isfinite(n.E[0] + n.E[1] + n.E[2])) return infinity;
+    const double r = norm(n.da) * n.reach;
+    worst = std::isfinite(r) ? std::max(worst, r) : infinity;
   }
   place_rows_at_end(a);
   for (Row& row : a.rows) {
     const double r = residual(a, row, h);
-    if (!std::isfinite(r)) return infinity;
-    worst = std::max(worst, r);
+    worst = std::isfinite(r) ? std::max(worst, r) : infinity;
   }
   return worst;
 }
@@ -60,44 +59,37 @@ void renew_factor(Articulate& a, double h, DriftReport& report) {
     if (!n.turns) continue;
     invert_jacobian(n, h);
     n.da = n.J_inverse * n.E * -1.0;
-    weigh(n, h);
   }
-  a.weak = factorise(a, Arms::mean, a.epsilon, 2.0 / (h * h));
+  a.weak = factorise(a, Arms::mean, a.epsilon, 2.0 / (h * h), h);
   a.has_factor = true;
   report.factorisations++;
 }
 
-/// df of the rows and da of the nodes from the present residuals and the factor.
-void find_direction(Articulate& a, double h, std::vector<Vec3>& y) {
+/// The direction from the present residuals and the factor; saves the unknowns that it starts from.
+void find_direction(Articulate& a, double h) {
   for (Node& n : a.nodes) n.phi = n.turns ? rotation(n, n.da) : zero3();
   for (std::size_t k = 0; k < a.rows.size(); k++) {
     const Row& row = a.rows[k];
     Vec3 moved = cross(first(a, row).phi, row.ra1);
     if (row.b >= 0) moved -= cross(second(a, row).phi, row.rb1);
-    y[k] = (row.kind == RowKind::rigid ? row.residual + moved : row.residual + condition(a, row).M * moved) *
-           (-2.0 / (h * h));
+    if (row.kind != RowKind::rigid) moved = condition(a, row).M * moved;
+    a.right_side[k] = (row.residual + moved) * (-2.0 / (h * h));
   }
-  a.factor.solve(y.data());
-  for (std::size_t k = 0; k < a.rows.size(); k++) a.rows[k].df = y[k];
-  gather_forces<&Row::df>(a);
-  for (Node& n : a.nodes) {
-    if (!n.turns) continue;
-    const Vec3 tau = axial(n.N * (n.row_moment * n.R0));
-    n.da += n.J_inverse * (tau - cross(n.a, tau) * 0.5) * h;
+  a.factor.solve(a.right_side.data());
+  for (std::size_t k = 0; k < a.rows.size(); k++) {
+    a.rows[k].f_saved = a.rows[k].f;
+    add_force(a, a.rows[k], a.right_side[k]);
   }
-}
-
-void save_unknowns(Articulate& a) {
-  for (Row& row : a.rows) row.f_saved = row.f;
   for (Node& n : a.nodes) {
     n.a_saved = n.a;
-    n.phi = n.da;  // the direction: `attempt` overwrites da
+    n.phi = n.da;
+    if (n.turns) {
+      const Vec3 tau = axial(half_turn(n) * (n.row_moment * n.R0));
+      n.phi += n.J_inverse * (tau - cross(n.a, tau) * 0.5) * h;
+    }
+    n.row_force = zero3();
+    n.row_moment = zero33();
   }
-}
-
-void move_unknowns(Articulate& a, double fraction) {
-  for (Row& row : a.rows) row.f = row.f_saved + row.df * fraction;
-  for (Node& n : a.nodes) n.a = n.a_saved + n.phi * fraction;
 }
 
 void lower_epsilon(Articulate& a) {
@@ -126,32 +118,35 @@ void predict(Articulate& a, double h) {
   const bool history = a.last_h != 0.0, same_h = a.last_h == h;
   const double ratio = history ? h / a.last_h : 0.0;
   for (Node& n : a.nodes) {
+    n.phi = n.row_force = zero3();
+    n.row_moment = zero33();
     if (!n.turns) continue;
     const Vec3 last = n.a;
-    n.a = !history ? n.O0 * h : a.extrapolate && same_h && !a.weak ? last * 2.0 - n.a_last : last * ratio;
+    n.a_saved = !history ? n.O0 * h : a.extrapolate && same_h && !a.weak ? last * 2.0 - n.a_last : last * ratio;
     n.a_last = last;
     if (!same_h) n.J_inverse = diagonal(n.inverse_inertia * (0.5 * h));
   }
   for (Row& row : a.rows) {
     const Vec3 last = row.f;
     if (a.weak)
-      row.f = last * 0.95;  // forget multipliers that the equations do not determine
+      row.f_saved = last * 0.95;  // forget multipliers that the equations do not determine
     else if (!row.fresh && history)
-      row.f = last + (last - row.f_last) * ratio;
+      row.f_saved = last + (last - row.f_last) * ratio;
+    else
+      row.f_saved = last;
     row.f_last = last;
   }
+  std::fill(a.right_side.begin(), a.right_side.end(), zero3());
   a.extrapolate = history;
 }
 
 /// One damped Newton step along the direction in the nodes and rows. Returns the new residual.
 double search_line(Articulate& a, double h, double e, double tolerance, bool fresh, DriftReport& report) {
-  save_unknowns(a);
   double largest_turn = 0.0;
   for (const Node& n : a.nodes) largest_turn = std::max(largest_turn, n.turns ? norm2(n.phi) : 0.0);
   double fraction = std::min(1.0, 1.0 / std::sqrt(largest_turn));
   for (std::uint32_t halvings = 0;; halvings++) {
-    move_unknowns(a, fraction);
-    const double e1 = attempt(a, h);
+    const double e1 = attempt(a, h, fraction);
     report.iterations++;
     const bool accepted = e1 < e * (1.0 - 0.1 * fraction) || e1 <= tolerance;
     if (accepted || halvings >= most_halvings || (!fresh && halvings == 0)) return e1;
@@ -181,7 +176,7 @@ bool solve_step(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   predict(a, h);
   a.lowered = false;
   const auto [tolerance, round_off] = goal(a, h, gravity);
-  double e = attempt(a, h), gain = 1.0;
+  double e = attempt(a, h, 0.0), gain = 1.0;
   bool have_factor = false, fresh = false;
   int old_uses = 0;
   for (std::uint32_t i = 0; e > tolerance && i < most_iterations; i++) {
@@ -193,12 +188,11 @@ bool solve_step(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
       renew_factor(a, h, report);
       have_factor = fresh = true;
     }
-    find_direction(a, h, a.right_side);
+    find_direction(a, h);
     double e1 = search_line(a, h, e, tolerance, fresh, report);
     gain = e1 / e;
     if (!(e1 < e)) {
-      move_unknowns(a, 0.0);
-      e = attempt(a, h);
+      e = attempt(a, h, 0.0);
       gain = 1.0;
       if (!fresh) continue;
       if (e < 1e-4 * a.length && e > 100.0 * tolerance && a.epsilon > Articulate::least_epsilon) {

@@ -15,9 +15,12 @@ void place_rows_at_end(Articulate& articulate);
 /// Where in the step the row forces act: at the arms of its start (the paper's scheme), the mean of both ends (the
 /// midpoint step), or its end (projections).
 enum class Arms : std::uint8_t { start, mean, end };
-/// Fills and factorises the rows' matrix: left arms at the end, right arms as told, weights W of the nodes, M and C of the
-/// rows (`scale` C is added), compliance `epsilon` relative to the diagonal. Returns whether a pivot is weak.
-bool factorise(Articulate& articulate, Arms right, double epsilon, double scale);
+/// Fills and factorises the rows' matrix: left arms at the end, right arms as told, M and C of the rows (`scale` C is
+/// added), compliance `epsilon` relative to the diagonal. Nodes turn by R I⁻¹ R' of the start or end, or, with arms at the
+/// mean of a step of `h`, as Newton's matrix says. Returns whether a pivot is weak.
+bool factorise(Articulate& articulate, Arms right, double epsilon, double scale, double h = 0.0);
+/// R I⁻¹ R' with the rotation at the start or end of the step.
+Mat3 inverse_inertia(const Node& node, const Mat3& R);
 
 /// tr(S_kk)/3 of a row from the nodes' masses and inverse inertia, [1/kg].
 double mobility(const Articulate& articulate, const Row& row);

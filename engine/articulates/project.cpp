@@ -79,12 +79,6 @@ void restore_momenta(Articulate& a) {
 }
 
 void factorise_exactly(Articulate& a, double epsilon) {
-  for (Node& n : a.nodes)
-    if (n.turns) {
-      Mat3 scaled = n.R0;
-      for (int i = 0; i < 3; i++) scaled[i] *= n.inverse_inertia[i];
-      n.W = times_transposed(scaled, n.R0);
-    }
   for (Row& row : a.rows)
     if (row.kind != RowKind::rigid) rule(row).project(row, condition(a, row));
   double scale = 0.0;

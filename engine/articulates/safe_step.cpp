@@ -76,7 +76,7 @@ void move_by_solution(Articulate& a) {
   for (Node& n : a.nodes) {
     n.x1 = n.x0 + n.row_force * n.inverse_mass;
     if (!n.turns) continue;
-    const Vec3 u = n.W * n.E * 0.5;
+    const Vec3 u = inverse_inertia(n, n.R0) * n.E * 0.5;
     n.q1 = normalised(Quat{1.0, u[0], u[1], u[2]} * n.q0);
     n.R1 = matrix(n.q1);
   }
@@ -88,11 +88,6 @@ double close_gaps(Articulate& a, double tolerance) {
   if (!a.all_rigid)
     for (const Row& row : a.rows) scale = std::max(scale, mobility(a, row));
   for (int i = 0; i < 40 && sum > tolerance * tolerance && epsilon <= 1e3; i++) {
-    for (Node& n : a.nodes)
-      if (n.turns)
-        n.W = times_transposed(
-            Mat3{{n.R1[0] * n.inverse_inertia[0], n.R1[1] * n.inverse_inertia[1], n.R1[2] * n.inverse_inertia[2]}},
-            n.R1);
     factorise(a, Arms::end, epsilon, scale);
     for (std::size_t k = 0; k < a.rows.size(); k++) a.right_side[k] = a.rows[k].residual * -1.0;
     a.factor.solve(a.right_side.data());
