@@ -25,7 +25,7 @@ struct Node {
   Quat q0;
   Mat3 R0;
   // unknown, and its last values
-  Vec3 a, a_last, a_saved;
+  Vec3 a, a_last, a_before, a_saved;
   // constants of the step
   Vec3 inertia, inverse_inertia;
   Vec3 force, torque;  // [N], [N m] constant in the step, world axes
@@ -57,7 +57,7 @@ struct Row {
   RowKind kind = RowKind::rigid;
   bool fresh = true;                // f has no history
   Vec3 la = zero3(), lb = zero3();  // arms of the two points
-  Vec3 f = zero3(), f_last = zero3(), f_saved = zero3();
+  Vec3 f = zero3(), f_last = zero3(), f_before = zero3(), f_saved = zero3();
   Vec3 ra0 = zero3(), rb0 = zero3(), ra1 = zero3(), rb1 = zero3();
   Vec3 d0 = zero3(), d1 = zero3();  // [m] first point less second
   Vec3 residual = zero3();
@@ -105,8 +105,8 @@ struct Articulate {
   static constexpr double least_epsilon = 1e-10;
   double most_epsilon = 1e-6, epsilon = 1e-6;
   std::uint32_t good_steps = 0, wait = 20, projection_wait = 0;
-  bool lowered = false;      // epsilon was lowered in this step
-  bool extrapolate = false;  // a has two last values
+  bool lowered = false;       // epsilon was lowered in this step
+  std::uint32_t history = 0;  // how many last steps the unknowns may be extrapolated from
   bool all_rigid = true;
   bool has_factor = false;   // the factor is of a Newton matrix
   bool safe = false;         // the last step was a safe one

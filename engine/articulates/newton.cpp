@@ -115,14 +115,21 @@ Goal goal(const Articulate& a, double h, Vec3 gravity) {
 }
 
 void predict(Articulate& a, double h) {
-  const bool history = a.last_h != 0.0, same_h = a.last_h == h;
-  const double ratio = history ? h / a.last_h : 0.0;
+  const bool same_h = a.last_h == h;
+  if (!same_h) a.history = std::min(a.history, 1u);
+  if (a.last_h == 0.0) a.history = 0;
+  const double ratio = a.last_h != 0.0 ? h / a.last_h : 0.0;
+  const std::uint32_t order = a.weak ? std::min(a.history, 1u) : a.history;
   for (Node& n : a.nodes) {
     n.phi = n.row_force = zero3();
     n.row_moment = zero33();
     if (!n.turns) continue;
     const Vec3 last = n.a;
-    n.a_saved = !history ? n.O0 * h : a.extrapolate && same_h && !a.weak ? last * 2.0 - n.a_last : last * ratio;
+    n.a_saved = order == 0   ? n.O0 * h
+                : order == 1 ? last * ratio
+                : order == 2 ? last * 2.0 - n.a_last
+                             : (last - n.a_last) * 3.0 + n.a_before;
+    n.a_before = n.a_last;
     n.a_last = last;
     if (!same_h) n.J_inverse = diagonal(n.inverse_inertia * (0.5 * h));
   }
@@ -130,14 +137,15 @@ void predict(Articulate& a, double h) {
     const Vec3 last = row.f;
     if (a.weak)
       row.f_saved = last * 0.95;  // forget multipliers that the equations do not determine
-    else if (!row.fresh && history)
-      row.f_saved = last + (last - row.f_last) * ratio;
     else
-      row.f_saved = last;
+      row.f_saved = row.fresh || order == 0 ? last
+                    : order < 3             ? last + (last - row.f_last) * ratio
+                                            : (last - row.f_last) * 3.0 + row.f_before;
+    row.f_before = row.f_last;
     row.f_last = last;
   }
   std::fill(a.right_side.begin(), a.right_side.end(), zero3());
-  a.extrapolate = history;
+  a.history = std::min(a.history + 1, 3u);
 }
 
 /// One damped Newton step along the direction in the nodes and rows. Returns the new residual.
