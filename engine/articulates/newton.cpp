@@ -188,7 +188,7 @@ bool solve_step(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   bool have_factor = false, fresh = false;
   int old_uses = 0;
   for (std::uint32_t i = 0; e > tolerance && i < most_iterations; i++) {
-    // An old factor often gains little once, and much the next time.
+    // Near the end an old factor often gains nothing at first, and much the next time.
     const bool serves = gain <= 0.1 || (gain <= 0.5 && old_uses < 2);
     old_uses++;
     if (!have_factor || !serves) {
@@ -199,6 +199,11 @@ bool solve_step(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
     find_direction(a, h);
     double e1 = search_line(a, h, e, tolerance, fresh, report);
     gain = e1 / e;
+    if (!fresh && old_uses == 1 && gain < 4.0 && e < 1e-6 * a.length) {
+      gain = std::min(gain, 0.5);
+      e = e1;
+      continue;
+    }
     if (!(e1 < e)) {
       e = attempt(a, h, 0.0);
       gain = 1.0;
