@@ -15,35 +15,38 @@
 namespace pantin {
 
 /// A body or a free particle of an articulate.
-struct Node {
-  // end of the step being solved
-  Vec3 x1, p1, P1;
-  Quat q1;
+struct alignas(64) Node {
+  // what the rows read and write, on cache lines of their own
+  Vec3 x1;
   Mat3 R1;
+  Vec3 row_force;   // Σ ±f
+  Mat3 row_moment;  // Σ ±l f'
+  Vec3 phi;         // rotation, or direction of a
+  Vec3 a;           // unknown
+  Vec3 a_saved;
+  Vec3 da;  // correction by the node's own residual
+  // the rest of the end of the step being solved
+  Vec3 p1, P1;
+  Quat q1;
   // its start
   Vec3 x0, p0, P0, O0;
   Quat q0;
   Mat3 R0;
-  // unknown, and its last values
-  Vec3 a, a_last, a_before, a_saved;
   // constants of the step
-  Vec3 inertia, inverse_inertia;
   Vec3 force, torque;  // [N], [N m] constant in the step, world axes
+  Vec3 inertia, inverse_inertia;
   double mass, inverse_mass;
   double reach;  // [m] turns a rotation into a displacement in the residual
-  bool turns;    // has a rotation; a point mass has not
-  Vec3 coupled;  // 1 or 0 per principal axis: 0 about an axis of symmetry that all arms lie on, where spin is its own
-  // work of an iteration
-  Vec3 row_force;   // Σ ±f
-  Mat3 row_moment;  // Σ ±l f'
-  Vec3 E, da, sum;  // residual of the rotation, its correction, Π1 + Q
-  Mat3 B;           // (1 - a^/2)⁻¹ A
+  double c;      // 1/(1 + a·a/4)
   Mat3 J_inverse;
-  Vec3 phi;
-  double c;  // 1/(1 + a·a/4)
+  Vec3 E, sum;  // residual of the rotation, Π1 + Q
+  Mat3 B;       // (1 - a^/2)⁻¹ A
+  Vec3 a_last, a_before;
+  Vec3 coupled;  // 1 or 0 per principal axis: 0 about an axis of symmetry that all arms lie on, where spin is its own
   // where it comes from
   std::uint32_t slot;
   bool is_body;
+  bool turns;  // has a rotation; a point mass has not
 };
 
 /// What a row wants: rigid keeps two points together; limited draws one to a place with a force up to a limit; rod keeps
@@ -51,19 +54,20 @@ struct Node {
 enum class RowKind : std::uint8_t { rigid, limited, rod };
 
 /// Ties a point of node a to a point of node b, or to a place of the world (b = -1), by one force.
-struct Row {
+struct alignas(64) Row {
   std::int32_t a = 0, b = -1;
   std::int32_t condition = -1;  // of a row that a constraint made; a hinge has none
   RowKind kind = RowKind::rigid;
-  bool fresh = true;                // f has no history
-  Vec3 la = zero3(), lb = zero3();  // arms of the two points
-  Vec3 f = zero3(), f_last = zero3(), f_before = zero3(), f_saved = zero3();
-  Vec3 ra0 = zero3(), rb0 = zero3(), ra1 = zero3(), rb1 = zero3();
-  Vec3 d0 = zero3(), d1 = zero3();  // [m] first point less second
+  bool fresh = true;  // f has no history
   Vec3 residual = zero3();
-  Vec3 offset = zero3();  // [m] gap that cannot be closed
-  PointId member;         // of a hinge: the point that f pulls
-  PointId centre;         // of a hinge: the star's point, that -f pulls
+  Vec3 ra1 = zero3(), rb1 = zero3();
+  Vec3 la = zero3(), lb = zero3();  // arms of the two points
+  Vec3 d1 = zero3();                // [m] first point less second
+  Vec3 offset = zero3();            // [m] gap that cannot be closed
+  Vec3 f = zero3(), f_saved = zero3(), f_last = zero3(), f_before = zero3();
+  Vec3 ra0 = zero3(), rb0 = zero3(), d0 = zero3();
+  PointId member;  // of a hinge: the point that f pulls
+  PointId centre;  // of a hinge: the star's point, that -f pulls
 };
 
 /// What the row of a constraint has beyond a hinge's: a world end, a matrix of its own, limits.
