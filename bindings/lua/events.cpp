@@ -155,12 +155,9 @@ int scene_hand(lua_State* state) {
 }
 
 void run_behaviours(Script& script) {
-  std::vector<Notice> notices = std::move(script.notices);
-  script.notices.clear();
-  std::vector<Notice>& fresh = script.world.notices;
-  const auto known = static_cast<std::ptrdiff_t>(fresh.size());
-  notices.insert(notices.end(), fresh.begin(), fresh.end());
-  for (const Notice& notice : notices) {
+  const std::size_t known = script.world.notices.size();  // callbacks may add more, for the next step
+  for (std::size_t i = 0; i < known; i++) {
+    const Notice notice = script.world.notices[i];
     if (notice.kind == Notice::Kind::button) {
       const auto found = script.button_functions.find(notice.text);
       if (found == script.button_functions.end()) continue;
@@ -174,7 +171,6 @@ void run_behaviours(Script& script) {
     lua_pushnumber(state, script.world.settings.step);
     return 1;
   });
-  script.notices.assign(fresh.begin() + known, fresh.end());
 }
 
 const Type& event_type() {

@@ -42,7 +42,6 @@ struct Script {
   std::map<std::string, Callback> button_functions;
   std::map<std::string, Value> results;
   std::vector<Subscription> subscriptions;
-  std::vector<Notice> notices;  ///< made by callbacks of the last step, told in the next
   std::size_t data_count = 0;   ///< tables of things' data
   std::size_t data_sweep = 64;  ///< count at which the dead ones are dropped
 

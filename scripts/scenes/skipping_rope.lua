@@ -18,7 +18,7 @@ local function corner(i)
 end
 
 local rope = scene:group "rope"
-local first, previous
+local first, middle, previous
 for i = 1, links do
   local a, b = corner(i - 1), corner(i)
   local link = scene:body {
@@ -32,6 +32,7 @@ for i = 1, links do
   if previous then rope:add(scene:hinge(previous.tail, link.head, { radius = 0.025 })) end
   rope:add(link)
   first, previous = first or link, link
+  if i == links // 2 then middle = link end
 end
 
 local function hand(x, point)
@@ -47,4 +48,4 @@ end
 hand(-span / 2, first.head)
 hand(span / 2, previous.tail)
 
-scene:probe("middle height", function() return rope.alive and rope:bounds().y or 0 end)
+scene:probe("middle height", function() return middle.alive and middle.position.y or 0 end)

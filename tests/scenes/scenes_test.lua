@@ -1,0 +1,89 @@
+test("chain: hinges hold and energy stays, however heavy its end", function()
+  for _, ratio in ipairs { 1, 1000, 1e6 } do
+    local chain = open("scenes/chain.lua", { links = 20, ratio = ratio })
+    chain:advance(3)
+    expect(chain.error.worst_hinge_gap):below(1e-9)
+    expect(chain.error.worst_energy):below(1e-8)
+    expect(chain.stats.safe_steps):equal(0)
+  end
+end)
+
+test("chain: the end swings down as far as the chain is long", function()
+  local chain = open("scenes/chain.lua", { links = 20 })
+  local lowest = 4
+  for _ = 1, 240 * 5 do
+    chain:step()
+    lowest = math.min(lowest, chain:read "tip height")
+  end
+  expect(lowest):near(-16, 0.5)
+end)
+
+test("pendulum: the rods keep their length", function()
+  local pendulum = open("scenes/pendulum.lua")
+  pendulum:advance(5)
+  expect(pendulum.error.constraint):below(1e-10)
+  expect(pendulum.error.worst_energy):below(1e-9)
+end)
+
+test("pendulum: a small swing has the period of the closed form", function()
+  local scene = open_text [[
+    local bob = scene:particle { at = vec(0.01, -math.sqrt(1 - 0.0001), 0) }
+    scene:rod(vec(0, 0, 0), bob)
+    scene:probe("x", function() return bob.position.x end)
+  ]]
+  local crossings, last = {}, 0.01
+  for i = 1, 240 * 10 do
+    scene:step()
+    local x = scene:read "x"
+    if last > 0 and x <= 0 then crossings[#crossings + 1] = (i - x / (x - last)) / 240 end
+    last = x
+  end
+  local period = (crossings[#crossings] - crossings[1]) / (#crossings - 1)
+  expect(period):near(2 * math.pi * math.sqrt(1 / 9.81) * (1 + 0.01 ^ 2 / 16), 1e-4)
+end)
+
+test("top: leans and turns, but does not fall while it spins", function()
+  local top = open("scenes/top.lua")
+  top:advance(5)
+  expect(top:read "lean"):below(0.6)
+  expect(top.error.worst_energy):below(1e-7)
+end)
+
+test("top: without spin it falls", function()
+  local top = open("scenes/top.lua", { spin = 0 })
+  top:advance(1)
+  expect(top:read "lean"):above(1.5)
+end)
+
+test("top: what gravity cannot turn stays", function()
+  local top = open("scenes/top.lua")
+  local before = top.angular_momentum.y
+  top:advance(3)
+  expect(top.angular_momentum.y):near(before, 1e-9 * before)
+end)
+
+test("skipping rope: swings round its hands, and its hinges hold", function()
+  local rope = open("scenes/skipping_rope.lua")
+  local low, high = math.huge, -math.huge
+  for i = 1, 960 * 6 do
+    rope:step()
+    if i > 960 * 4 then
+      low, high = math.min(low, rope:read "middle height"), math.max(high, rope:read "middle height")
+    end
+  end
+  expect(low):below(0.6)
+  expect(high):above(1.9)
+  expect(rope.error.worst_hinge_gap):below(1e-9)
+end)
+
+test("a notice is told once", function()
+  local scene = open_text [[
+    local told = 0
+    local a = scene:particle { at = vec(0, 0, 0) }
+    scene:on("step", function() if a.alive then a:remove() end end)
+    scene:on("removed", function() told = told + 1 end)
+    scene:probe("told", function() return told end)
+  ]]
+  for _ = 1, 5 do scene:step() end
+  expect(scene:read "told"):equal(1)
+end)
