@@ -111,6 +111,7 @@ struct Articulate {
   std::uint32_t good_steps = 0, wait = 20, projection_wait = 0;
   bool lowered = false;       // epsilon was lowered in this step
   std::uint32_t history = 0;  // how many last steps the unknowns may be extrapolated from
+  bool rough = false;         // the last prediction was far off: the motion is not smooth at this step length
   bool all_rigid = true;
   bool has_factor = false;   // the factor is of a Newton matrix
   bool safe = false;         // the last step was a safe one

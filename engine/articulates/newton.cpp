@@ -119,7 +119,7 @@ void predict(Articulate& a, double h) {
   if (!same_h) a.history = std::min(a.history, 1u);
   if (a.last_h == 0.0) a.history = 0;
   const double ratio = a.last_h != 0.0 ? h / a.last_h : 0.0;
-  const std::uint32_t order = a.weak ? std::min(a.history, 1u) : a.history;
+  const std::uint32_t order = std::min(a.history, a.weak ? 1u : a.rough ? 2u : 3u);
   for (Node& n : a.nodes) {
     n.phi = n.row_force = zero3();
     n.row_moment = zero33();
@@ -185,6 +185,7 @@ bool solve_step(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   a.lowered = false;
   const auto [tolerance, round_off] = goal(a, h, gravity);
   double e = attempt(a, h, 0.0), gain = 1.0;
+  a.rough = e > 1e-3 * a.length;
   bool have_factor = false, fresh = false;
   int old_uses = 0;
   for (std::uint32_t i = 0; e > tolerance && i < most_iterations; i++) {

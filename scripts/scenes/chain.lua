@@ -31,7 +31,7 @@ if ratio > 1 then
   local heavy, radius = ratio * mass, 0.5
   local ball = scene:body {
     mass = heavy, inertia = vec(1, 1, 1) * (0.4 * heavy * radius ^ 2), at = vec(links * length + radius, 4, 0),
-    points = { top = vec(-radius, 0, 0), middle = { at = vec(0, 0, 0), radius = radius } }, color = "#3f6f9f",
+    points = { top = vec(-radius, 0, 0), middle = vec(0, 0, 0) }, color = "#3f6f9f",
   }
   chain:add(scene:hinge(previous.tail, ball.top))
 end

@@ -6,7 +6,7 @@ local span, slack, swing = 3.4, 1.45, 0.28 -- m between the hands, rope per span
 scene.title = "Skipping rope"
 scene.step = 1 / 960 -- a light rope whips fast
 scene.duration = 12
-scene.camera = { at = vec(0.6, 1.9, 6.0), look_at = vec(0, 1.0, 0) }
+scene.camera = { at = vec(0.8, 2.0, 7.6), look_at = vec(0, 1.25, 0) }
 
 -- The rope hangs in a zigzag at first: equal links between the hands.
 local length = span * slack / links
