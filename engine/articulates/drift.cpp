@@ -56,6 +56,7 @@ void drift_part(Articulate& a, const DriftSettings& settings, double from, doubl
     return;
   }
   a.last_h = 0.0;
+  for (Row& row : a.rows) row.f = row.f_last;
   if (depth == most_halvings) return safe_step(a, settings, h, report);
   report.halved++;
   const double middle = 0.5 * (from + to);
