@@ -23,10 +23,10 @@ struct Constraint {
   Vec3 velocity = zero3();  ///< [m/s] of `place` at the end of this step
   double length = 0.0;      ///< [m] of a rod, > 0
   double max_force = std::numeric_limits<double>::infinity();  ///< [N] of a follow, > 0
-  double time_constant = 0.0;  ///< [s] how fast a far point is drawn in, or a limited follow answers; > 0
-  Vec3 away = zero3();         ///< [m] deviation still to be drawn in (nail; follow without max_force)
-  Vec3 away_rate = zero3();    ///< [m/s]
-  Vec3 previous_away = zero3();  ///< [m] `away` one step ago
+  double time_constant = 0.0;          ///< [s] how fast a far point is drawn in, or a limited follow answers; > 0
+  Vec3 away = zero3();                 ///< [m] deviation still to be drawn in (nail; follow without max_force)
+  Vec3 away_rate = zero3();            ///< [m/s]
+  Vec3 previous_away = zero3();        ///< [m] `away` one step ago
   std::function<Vec3(double)> target;  ///< of a follow: place at time t [s]; empty where `place` is set by hand
   std::int32_t hand = -1;              ///< of a hand's grab: index of the hand
   std::uint32_t moves = 0;             ///< samples of the target since it last jumped

@@ -22,10 +22,10 @@ struct Model {
   Store<Constraint> constraints;
   Store<Group> groups;
   std::uint64_t next_serial = 1;
-  bool topology_changed = true;             ///< an edit waits for `find_articulates`
-  std::vector<char> dirty_articulates;      ///< (articulates) to be found anew
-  std::vector<BodyId> untied_bodies;        ///< touched bodies that have no articulate
-  std::vector<PointId> untied_points;       ///< touched free points that have no articulate
+  bool topology_changed = true;         ///< an edit waits for `find_articulates`
+  std::vector<char> dirty_articulates;  ///< (articulates) to be found anew
+  std::vector<BodyId> untied_bodies;    ///< touched bodies that have no articulate
+  std::vector<PointId> untied_points;   ///< touched free points that have no articulate
 
   Motion& motion_of(BodyId id) { return (void)bodies[id], motion[id.slot - 1]; }
   const Motion& motion_of(BodyId id) const { return (void)bodies[id], motion[id.slot - 1]; }

@@ -13,12 +13,12 @@ namespace pantin {
 /// A ring of one or more points with global data. A ring of two or more is a hinge: its points coincide. While a point
 /// is in a hinge, the particle made with the point sleeps (`asleep_in`), and answers for the hinge.
 struct Particle {
-  std::vector<PointId> points;          ///< members; of a sleeping particle its one point
-  Handle<Particle> asleep_in;           ///< the hinge its point is in now, or null
-  double born = 0.0;                    ///< [s]
+  std::vector<PointId> points;                                ///< members; of a sleeping particle its one point
+  Handle<Particle> asleep_in;                                 ///< the hinge its point is in now, or null
+  double born = 0.0;                                          ///< [s]
   double lifetime = std::numeric_limits<double>::infinity();  ///< [s]; a hinge is cut at its end, others removed
-  std::optional<Color> color;           ///< overrides its points'
-  std::optional<double> radius;         ///< [m] overrides its points'
+  std::optional<Color> color;                                 ///< overrides its points'
+  std::optional<double> radius;                               ///< [m] overrides its points'
   std::string name;
   std::uint64_t serial = 0;
 

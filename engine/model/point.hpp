@@ -15,16 +15,16 @@ struct Particle;
 
 /// A point mass with local data. It belongs to at most one body, and always to one particle.
 struct Point {
-  Vec3 place = zero3();     ///< [m] in the body's frame; in the world when free
-  Vec3 velocity = zero3();  ///< [m/s] of a free point; unused when it belongs to a body
-  Vec3 force = zero3();     ///< [N] pushes on a free point in this step
-  double mass = 0.0;        ///< [kg] 0: an anchor (of a body only)
-  Handle<Body> body;        ///< null when free
-  Handle<Particle> own;     ///< the particle made with it, of this one point
-  Handle<Particle> particle;  ///< the ring it is in now: `own`, or a hinge
+  Vec3 place = zero3();                         ///< [m] in the body's frame; in the world when free
+  Vec3 velocity = zero3();                      ///< [m/s] of a free point; unused when it belongs to a body
+  Vec3 force = zero3();                         ///< [N] pushes on a free point in this step
+  double mass = 0.0;                            ///< [kg] 0: an anchor (of a body only)
+  Handle<Body> body;                            ///< null when free
+  Handle<Particle> own;                         ///< the particle made with it, of this one point
+  Handle<Particle> particle;                    ///< the ring it is in now: `own`, or a hinge
   std::vector<Handle<Constraint>> constraints;  ///< that hold this point, in the order of making
-  Vec3 row_force = zero3();   ///< [N] of its ring on this point in the last step
-  std::int32_t articulate = -1;  ///< of a free point: index of its articulate, or -1
+  Vec3 row_force = zero3();                     ///< [N] of its ring on this point in the last step
+  std::int32_t articulate = -1;                 ///< of a free point: index of its articulate, or -1
   Color color;
   double radius = 0.0;  ///< [m] drawn size
   std::string name;     ///< of a body's named point

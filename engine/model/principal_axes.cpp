@@ -6,7 +6,7 @@ namespace pantin {
 namespace {
 
 constexpr double round_off = 4e-16;  // of a matrix scaled to 1
-constexpr int sweeps = 8;  // Jacobi's method converges quadratically; 5 are enough for 3 x 3
+constexpr int sweeps = 8;            // Jacobi's method converges quadratically; 5 are enough for 3 x 3
 
 /// Turns columns i and j so that the matrix has no element (i, j).
 void annihilate(Mat3& a, Mat3& axes, int i, int j) {

@@ -16,12 +16,12 @@ enum class EventState : std::uint8_t { waiting, fired, dropped, cancelled };
 
 /// Something set to happen at a time. A repeating one is due at `first + k * period`, k = 0, 1, …, exactly.
 struct Event {
-  double first = 0.0;   ///< [s]
-  double period = 0.0;  ///< [s] 0: once
+  double first = 0.0;       ///< [s]
+  double period = 0.0;      ///< [s] 0: once
   std::uint64_t fired = 0;  ///< how often so far
   AnyId target;             ///< not applied when this is gone; monostate: none
   std::function<void()> action;
-  std::string label;  ///< "scene.lua:12", for the log
+  std::string label;                  ///< "scene.lua:12", for the log
   std::shared_ptr<EventState> state;  ///< set by add_event; outlives the row, which goes when all is done
   std::uint64_t serial = 0;
 };

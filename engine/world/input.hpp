@@ -21,10 +21,10 @@ struct Command {
   enum class Kind : std::uint8_t { grab, release, cut, key, button };
   Kind kind = Kind::key;
   std::int32_t hand = 0;
-  PointId point;          ///< grab
-  double max_force = 0.0; ///< [N] grab; 0 takes `usual_grab_force`
-  ParticleId hinge;       ///< cut
-  std::string name;       ///< key or button
+  PointId point;           ///< grab
+  double max_force = 0.0;  ///< [N] grab; 0 takes `usual_grab_force`
+  ParticleId hinge;        ///< cut
+  std::string name;        ///< key or button
 };
 
 /// All that the outside told the world for one step; plain data, so that play can be replayed.
