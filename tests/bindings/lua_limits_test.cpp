@@ -70,6 +70,7 @@ TEST_CASE("memory of a script is capped, with the line") {
 TEST_CASE("a script that calls itself for ever is stopped") {
   auto roomy = options();
   roomy.memory_limit = std::size_t{1} << 30;
+  roomy.script_limit = 60;
   CHECK_THROWS_WITH(lua::Scene::open_text("local function f() return 1 + f() end\nf()", "scene.lua", "", roomy),
                     StartsWith("scene.lua:1: stack overflow"));
   CHECK(failure(
