@@ -85,6 +85,11 @@ void open_math(lua_State* state) {
                                {nullptr, nullptr}};
   lua_getglobal(state, "math");
   luaL_setfuncs(state, replaced, 0);
+  // Leftovers of Lua 5.3 that some builds of Lua have, with the C library's bits.
+  for (const char* name : {"cosh", "sinh", "tanh", "pow", "frexp", "ldexp", "log10"}) {
+    lua_pushnil(state);
+    lua_setfield(state, -2, name);
+  }
   lua_pop(state, 1);
 }
 

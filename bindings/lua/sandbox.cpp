@@ -56,6 +56,7 @@ void open_sandbox(lua_State* state) {
   lua_call(state, 0, 0);
   open_math(state);
   open_pairs(state);
+  open_sort(state);
   open_coroutines(state);
   open_require(state);
   open_read_table(state);

@@ -39,6 +39,24 @@ TEST_CASE("pairs and next go in the same order in every run") {
   CHECK_THAT(failure("for k in pairs { [{}] = 1 } do end"), StartsWith("scene.lua:1: pairs: a key that is a table"));
 }
 
+TEST_CASE("table.sort is stable, also where Lua's own would look at the clock") {
+  CHECK(word("local t = { 5, 2.5, 9, -1, 2 } table.sort(t) scene:result('x', table.concat(t, ' '))") == "-1 2 2.5 5 9");
+  CHECK(word("local t = { 'b', 'a' } table.sort(t, function(a, b) return a > b end) scene:result('x', t[1] .. t[2])") ==
+        "ba");
+  CHECK(word(R"(
+    local t = {}
+    for i = 1, 1000 do t[i] = { key = i * 7919 % 3, place = i } end
+    table.sort(t, function(a, b) return a.key < b.key end)
+    for i = 2, #t do
+      assert(t[i - 1].key < t[i].key or t[i - 1].key == t[i].key and t[i - 1].place < t[i].place)
+    end
+    table.sort({})
+    table.sort({ 1 })
+    scene:result("x", "stable"))") == "stable");
+  CHECK_THAT(failure("table.sort { 1, 'a' }"), StartsWith("scene.lua:1: sort: cannot compare a string with a number"));
+  CHECK_THAT(failure("table.sort({ 1, 2 }, 3)"), StartsWith("scene.lua:1: ") && Contains("function expected"));
+}
+
 TEST_CASE("random numbers come from scene.seed") {
   const std::string draw = " local s = '' for i = 1, 5 do s = s .. math.random(1000) .. ' ' end scene:result('x', s)";
   CHECK(word(draw) == word(draw));
@@ -65,6 +83,8 @@ TEST_CASE("elementary functions and ^ have the engine's bits") {
   CHECK(number("local b, e = 1.7, 3.3 scene:result('x', b ^ e)") == functions::pow(1.7, 3.3));
   CHECK(number("scene:result('x', 1.7 ^ 3.3)") == functions::pow(1.7, 3.3));
   CHECK(number("scene:result('x', math.log(8, 2))") == 3.0);
+  for (const char* name : {"cosh", "sinh", "tanh", "pow", "log10"})
+    CHECK(word("scene:result('x', type(math." + std::string(name) + "))") == "nil");
   CHECK(std::pow(2.0, 10.0) == 1024.0);
 }
 
