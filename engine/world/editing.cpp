@@ -186,4 +186,18 @@ ConstraintId holder(const Model& model, ParticleId ring) {
   return {};
 }
 
+void require_free_of_holders(const World& world, std::string_view call, PointId point, ConstraintId but) {
+  const ConstraintId held = holder(world, world.points[point].particle);
+  if (!held || held == but) return;
+  const bool nailed = world.constraints[held].kind == ConstraintKind::nail;
+  throw Error(text(call, ": ", describe(world, world.points[point].particle), " is already ",
+                   nailed ? "nailed" : "held by a follow without max_force", " (", describe(world, held),
+                   "); remove that first"));
+}
+
+Vec3 present(World& world, const std::function<Vec3(double)>& place) {
+  const Lock lock(world);
+  return place(world.time);
+}
+
 }  // namespace pantin::editing

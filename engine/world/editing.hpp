@@ -56,5 +56,10 @@ void leave_ring(World& world, PointId point, const std::string& who);
 void erase_point(World& world, PointId point, const std::string& what);
 /// The nail or rigid follow that already holds a ring in place, or null.
 ConstraintId holder(const Model& model, ParticleId ring);
+/// Throws Error where something other than `but` holds the point's ring in place already.
+void require_free_of_holders(const World& world, std::string_view call, PointId point, ConstraintId but = {});
+
+/// Where a target or path is now, [m]. It looks and answers: the world is locked meanwhile.
+Vec3 present(World& world, const std::function<Vec3(double)>& place);
 
 }  // namespace pantin::editing

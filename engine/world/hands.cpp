@@ -1,6 +1,6 @@
 #include "world/hands.hpp"
 
-#include <algorithm>
+#include <utility>
 
 #include "base/functions.hpp"
 #include "world/edit.hpp"
@@ -43,15 +43,14 @@ void press(World& world, std::int32_t index, bool pressed) {
   notice(world, pressed ? Notice::Kind::press : Notice::Kind::release, {}, "", index);
 }
 
-void move_hands(World& world, double time) {
+void move_hands(World& world, const Input& input, double time) {
   const double h = time - world.time;
-  for (const HandMove& move : world.input.moves) {
-    const std::string who = text("hand ", move.hand + 1);
-    require_finite(who, "position", move.position, "m");
+  for (const HandMove& move : input.moves) {
+    if (!finite(move.position)) require_finite(text("hand ", move.hand + 1), "position", move.position, "m");
     hand_of_input(world, move.hand);
   }
   for (Hand& hand : world.hands) hand.velocity = zero3();
-  for (const HandMove& move : world.input.moves) {
+  for (const HandMove& move : input.moves) {
     Hand& hand = world.hands[static_cast<std::size_t>(move.hand)];
     if (hand.path) continue;
     place(hand, move.position, h);
@@ -60,7 +59,7 @@ void move_hands(World& world, double time) {
   for (std::size_t i = 0; i < world.hands.size(); i++) {
     if (!world.hands[i].path) continue;
     const Vec3 at = world.hands[i].path(time);
-    require_finite(text("hand ", i + 1), "path", at, "m");
+    if (!finite(at)) require_finite(text("hand ", i + 1), "path", at, "m");
     place(world.hands[i], at, h);
   }
 }
@@ -91,22 +90,11 @@ void carry_out(World& world, const Command& command) {
   }
 }
 
-/// Locks or unlocks the world and tells who acts, for a scope.
-struct Acting {
-  World& world;
-  bool locked = world.locked;
-  std::function<std::string()> who = world.who;
-  ~Acting() {
-    world.locked = locked;
-    world.who = who;
-  }
-};
-
-void carry_out_commands(World& world) {
-  if (world.input.commands.empty()) return;
-  const Acting acting{world};
+void carry_out_commands(World& world, const Input& input) {
+  if (input.commands.empty()) return;
+  const Acting acting(world);
   world.locked = false;
-  for (const Command& command : world.input.commands) {
+  for (const Command& command : input.commands) {
     world.who = [hand = command.hand] { return text("hand ", hand + 1); };
     try {
       carry_out(world, command);
@@ -169,7 +157,7 @@ std::int32_t add_hand(World& world, std::function<Vec3(double)> path) {
   require(world.hands.size() < static_cast<std::size_t>(most_hands), "hand: there are ", most_hands, " already");
   Hand hand;
   if (path) {
-    const Vec3 at = path(world.time);
+    const Vec3 at = present(world, path);
     require_finite("hand", "path", at, "m");
     place(hand, at, 0.0);
     hand.path = std::move(path);
@@ -186,6 +174,7 @@ void grab(World& world, std::int32_t index, PointId point, std::optional<double>
   FollowDef def;
   def.hand = index;
   def.max_force = max_force ? *max_force : usual_grab_force(world, point);
+  if (!std::isfinite(def.max_force)) require_free_of_holders(world, "grab", point, hand_at(world, "grab", index).grab);
   release(world, index);
   const ConstraintId follow = add_follow(world, point, def);
   hand_at(world, "grab", index).grab = follow;
@@ -211,10 +200,11 @@ double usual_grab_force(const World& world, PointId point) {
 }
 
 void apply_input(World& world, double time) {
-  const Acting acting{world};
+  const Input input = std::exchange(world.input, {});
+  const Acting acting(world);
   world.locked = true;  // paths and targets are functions of time: they look and answer
-  move_hands(world, time);
-  carry_out_commands(world);
+  move_hands(world, input, time);
+  carry_out_commands(world, input);
   sample_targets(world, time);
   const double h = time - world.time;
   for (std::uint32_t s = 0; s < world.constraints.slots(); s++)

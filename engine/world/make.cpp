@@ -113,8 +113,9 @@ PointId add_point(World& world, BodyId body, const PointDef& def) {
   check(call, def);
   for (PointId p : world.bodies[body].points)
     require(def.name.empty() || world.points[p].name != def.name, call, ": the name '", def.name, "' is taken");
-  std::vector<MassPoint> masses = {{def.at, def.mass}};
+  std::vector<MassPoint> masses;
   for (PointId p : world.bodies[body].points) masses.push_back({world.points[p].place, world.points[p].mass});
+  masses.push_back({def.at, def.mass});
   const Body& row = world.bodies[body];
   weigh(describe(world, body), masses, row.own_mass, row.own_inertia, row.axes);
 

@@ -11,15 +11,6 @@ void require_point(const World& world, const char* call, PointId point) {
   require(world.points.alive(point), call, ": ", world.points.story(point));
 }
 
-void require_free_of_holders(const World& world, const char* call, PointId point) {
-  const ConstraintId held = holder(world, world.points[point].particle);
-  if (!held) return;
-  const bool nailed = world.constraints[held].kind == ConstraintKind::nail;
-  throw Error(text(call, ": ", describe(world, world.points[point].particle), " is already ",
-                   nailed ? "nailed" : "held by a follow without max_force", " (", describe(world, held),
-                   "); remove that first"));
-}
-
 /// A point far from its place is drawn in; a deviation within the tolerance is not one.
 void start_from(const World& world, Constraint& c, Vec3 place) {
   c.place = c.previous = c.before = place;
@@ -89,7 +80,7 @@ ConstraintId add_follow(World& world, PointId point, const FollowDef& def) {
     require(world.hands[hand].placed, "follow: hand ", hand + 1, " has no position yet");
     place = world.hands[hand].position;
   } else if (def.target) {
-    place = def.target(world.time);
+    place = present(world, def.target);
   }
   require_finite("follow", "target", place, "m");
   Constraint c;
@@ -149,7 +140,7 @@ void set_length(World& world, ConstraintId rod, double length) {
 void set_target(World& world, ConstraintId follow, std::function<Vec3(double)> target) {
   Constraint& c = of_kind(world, follow, ConstraintKind::follow, "target");
   require(c.hand < 0, "target: ", describe(world, follow), " belongs to hand ", c.hand + 1, " and goes where it goes");
-  const Vec3 place = target ? target(world.time) : c.place;
+  const Vec3 place = target ? present(world, target) : c.place;
   require_finite("follow", "target", place, "m");
   start_from(world, c, place);
   c.target = std::move(target);

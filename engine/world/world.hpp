@@ -24,8 +24,8 @@ struct Hand {
   Vec3 position = zero3();  ///< [m]
   Vec3 velocity = zero3();  ///< [m/s] over the last step
   bool pressed = false;
-  bool placed = false;       ///< has been given a position
-  ConstraintId grab;         ///< the follow that holds what it grabbed, or null
+  bool placed = false;               ///< has been given a position
+  ConstraintId grab;                 ///< the follow that holds what it grabbed, or null
   std::function<Vec3(double)> path;  ///< scripted: place at time t [s]
 };
 
@@ -49,11 +49,11 @@ struct Probe {
 /// Counts since the start.
 struct Stats {
   std::uint64_t newton_iterations = 0;
-  std::uint64_t solves = 0;          ///< articulate steps solved
+  std::uint64_t solves = 0;  ///< articulate steps solved
   std::uint64_t factorisations = 0;
   std::uint64_t halved_steps = 0;
   std::uint64_t safe_steps = 0;
-  std::uint64_t projections = 0;     ///< velocity projections that needed a factor of their own
+  std::uint64_t projections = 0;  ///< velocity projections that needed a factor of their own
   std::uint32_t worst_iterations = 0;
 };
 
@@ -71,10 +71,10 @@ struct World : Model {
   World& operator=(const World&) = delete;
 
   Settings settings;
-  double time = 0.0;        ///< [s] at the end of the last step
-  std::uint64_t steps = 0;  ///< done
-  double step_origin = 0.0;       ///< [s] time at the last change of the step's length
-  std::uint64_t step_count = 0;   ///< steps since then
+  double time = 0.0;             ///< [s] at the end of the last step
+  std::uint64_t steps = 0;       ///< done
+  double step_origin = 0.0;      ///< [s] time at the last change of the step's length
+  std::uint64_t step_count = 0;  ///< steps since then
 
   Choreography choreography;
   std::vector<Hand> hands;
@@ -95,12 +95,12 @@ struct World : Model {
 
   Stats stats;
   Profile profile;
-  Accuracy error;        ///< at the end of the last step
-  Accuracy worst;        ///< largest so far
-  double work = 0.0;     ///< [J] done from outside since the start: hands, follows, pushes, edits
-  double start_energy = 0.0;    ///< [J] at the first step
-  double largest_kinetic = 0.0; ///< [J] so far
-  double worst_energy = 0.0;    ///< [J] largest |energy - start - work| so far
+  Accuracy error;                ///< at the end of the last step
+  Accuracy worst;                ///< largest so far
+  double work = 0.0;             ///< [J] done from outside since the start: hands, follows, pushes, edits
+  double start_energy = 0.0;     ///< [J] at the first step
+  double largest_kinetic = 0.0;  ///< [J] so far
+  double worst_energy = 0.0;     ///< [J] largest |energy - start - work| so far
 
   std::vector<ParticleId> mortals;  ///< particles given a finite lifetime, the dead and the asleep among them
   /// State of loose things at the start of the step, put back if it goes wrong.
@@ -110,9 +110,9 @@ struct World : Model {
   std::vector<SavedPoint> saved_points;  ///< (loose_points)
   std::vector<Motion> saved_motion;      ///< (loose_bodies)
 
-  bool pushed = false;   ///< pushes or twists wait for the coming step
-  bool locked = false;   ///< inside a step, outside the phases in which scripts run
-  std::string failure;   ///< not empty: the state became non-finite; the world steps no more
+  bool pushed = false;  ///< pushes or twists wait for the coming step
+  bool locked = false;  ///< inside a step, outside the phases in which scripts run
+  std::string failure;  ///< not empty: the state became non-finite; the world steps no more
 };
 
 /// Time at the end of the coming step [s]: whole multiples of its length, however long the run.
@@ -130,6 +130,23 @@ class Lock {
 
  private:
   World& world_;
+};
+
+/// Puts back at the end of its scope whether the world is locked, and who acts.
+class Acting {
+ public:
+  explicit Acting(World& world) : world_(world), locked_(world.locked), who_(world.who) {}
+  ~Acting() {
+    world_.locked = locked_;
+    world_.who = std::move(who_);
+  }
+  Acting(const Acting&) = delete;
+  Acting& operator=(const Acting&) = delete;
+
+ private:
+  World& world_;
+  bool locked_;
+  std::function<std::string()> who_;
 };
 
 /// Writes a line into the log, at the present time.

@@ -15,7 +15,7 @@ namespace {
 void feed(World& world, Input input, double h = 0.1) {
   world.input = std::move(input);
   apply_input(world, world.time + h);
-  world.input = {};
+  CHECK((world.input.moves.empty() && world.input.commands.empty()));
   world.time += h;
 }
 
@@ -114,6 +114,19 @@ TEST_CASE("bad grabs are errors") {
   CHECK_THROWS_WITH(grab(t.world, 0, p, -5), Contains("max_force must be > 0 N"));
   remove(t.world, t.a);
   CHECK_THROWS_WITH(grab(t.world, 0, p), Contains("was removed"));
+}
+
+TEST_CASE("a grab that is refused leaves the hand with what it holds") {
+  Two t;
+  feed(t.world, move(0, zero3()));
+  const PointId left = left_of(t.world, t.a), right = right_of(t.world, t.b);
+  add_nail(t.world, right);
+  grab(t.world, 0, left, infinity);
+  const ConstraintId held = t.world.hands[0].grab;
+  CHECK_THROWS_WITH(grab(t.world, 0, right, infinity), Contains("is already nailed"));
+  CHECK(t.world.hands[0].grab == held);
+  CHECK(t.world.constraints.alive(held));
+  CHECK_NOTHROW(grab(t.world, 0, left, infinity));  // its own hold is no hindrance
 }
 
 TEST_CASE("what is grabbed and removed leaves the hand empty") {

@@ -27,6 +27,24 @@ TEST_CASE("a nail holds a point where it is, or draws it in") {
                     Contains("nail: at must be finite"));
 }
 
+TEST_CASE("a target cannot edit, not even when it is asked for the first time") {
+  Two t;
+  const PointId point = left_of(t.world, t.a);
+  const auto meddling = [&](double) {
+    add_particle(t.world, {});
+    return zero3();
+  };
+  FollowDef def;
+  def.target = meddling;
+  CHECK_THROWS_WITH(add_follow(t.world, point, def), Contains("cannot be edited"));
+  CHECK(t.world.constraints.empty());
+  def.target = [](double) { return zero3(); };
+  const ConstraintId follow = add_follow(t.world, point, def);
+  CHECK_THROWS_WITH(set_target(t.world, follow, meddling), Contains("cannot be edited"));
+  CHECK(same(t.world.constraints[follow].target(0.0), zero3()));
+  CHECK_FALSE(t.world.locked);
+}
+
 TEST_CASE("two nailed rings do not join") {
   World world;
   const BodyId a = add_body(world, rod_at(zero3())), b = add_body(world, rod_at(zero3()));
