@@ -99,10 +99,7 @@ std::vector<Field> show_settings() {
 std::vector<Field> engine_settings() {
   return {
       {"gravity", "vec", "m/s²", "uniform acceleration", [](const Self& s) { push(s.state, s.world.settings.gravity); },
-       [](const Self& s, int i) {
-         require_unlocked(s, "gravity");
-         s.world.settings.gravity = check_vec(s.state, i, "scene", "gravity", "m/s²");
-       }},
+       [](const Self& s, int i) { set_gravity(s.world, check_vec(s.state, i, "scene", "gravity", "m/s²")); }},
       {"step", "number", "s", "length of one step",
        [](const Self& s) { lua_pushnumber(s.state, s.world.settings.step); },
        [](const Self& s, int i) { set_step(s.world, check_positive(s, i, "step", "s")); }},

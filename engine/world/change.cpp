@@ -1,5 +1,8 @@
+#include <utility>
+
 #include "world/edit.hpp"
 #include "world/editing.hpp"
+#include "world/measure.hpp"
 
 namespace pantin {
 
@@ -114,8 +117,8 @@ void set_spin(World& world, BodyId body, Vec3 spin) {
 void set_lifetime(World& world, ParticleId id, double lifetime) {
   require_unlocked(world, "lifetime");
   require_positive_or_infinite(describe(world, id), "lifetime", lifetime, "s");
-  world.particles[id].lifetime = lifetime;
-  if (std::isfinite(lifetime)) world.mortals.push_back(id);
+  const double old = std::exchange(world.particles[id].lifetime, lifetime);
+  if (std::isfinite(lifetime) && !std::isfinite(old)) world.mortals.push_back(id);
 }
 
 void set_own_mass(World& world, BodyId id, double mass) {
@@ -134,6 +137,14 @@ void set_own_inertia(World& world, BodyId id, const Mat3& inertia) {
   const Mat3 old = body.own_inertia;
   reweigh(
       world, id, [&] { body.own_inertia = inertia; }, [&] { body.own_inertia = old; });
+}
+
+void set_gravity(World& world, Vec3 gravity) {
+  require_unlocked(world, "gravity");
+  require_finite("scene", "gravity", gravity, "m/s²");
+  const double before = energy(world).potential;
+  world.settings.gravity = gravity;
+  post(world, energy(world).potential - before);
 }
 
 void set_step(World& world, double step) {

@@ -22,9 +22,9 @@ struct ParticleDef {
 };
 
 struct PointDef {
-  Vec3 at = zero3();   ///< [m] in the body's frame
-  double mass = 0.0;   ///< [kg] >= 0; 0: an anchor
-  double radius = 0.0; ///< [m] >= 0; 0: the window chooses
+  Vec3 at = zero3();    ///< [m] in the body's frame
+  double mass = 0.0;    ///< [kg] >= 0; 0: an anchor
+  double radius = 0.0;  ///< [m] >= 0; 0: the window chooses
   std::optional<Color> color;
   std::string name;
 };
@@ -43,7 +43,7 @@ struct BodyDef {
 
 struct HingeDef {
   std::optional<Color> color;
-  std::optional<double> radius;  ///< [m]
+  std::optional<double> radius;                               ///< [m]
   double lifetime = std::numeric_limits<double>::infinity();  ///< [s] > 0
   std::string name;
 };
@@ -100,18 +100,20 @@ void set_own_mass(World& world, BodyId body, double mass);
 void set_own_inertia(World& world, BodyId body, const Mat3& inertia);
 
 // Acts. A push or twist lasts for the coming step; a kick is an impulse now. `at` [m] in the world, default the centre.
-void push(World& world, BodyId body, Vec3 force, std::optional<Vec3> at = {});      ///< [N]
-void kick(World& world, BodyId body, Vec3 impulse, std::optional<Vec3> at = {});    ///< [N s]
-void twist(World& world, BodyId body, Vec3 torque);                                 ///< [N m]
-void push(World& world, PointId point, Vec3 force);                                 ///< [N]
-void kick(World& world, PointId point, Vec3 impulse);                               ///< [N s]
+void push(World& world, BodyId body, Vec3 force, std::optional<Vec3> at = {});    ///< [N]
+void kick(World& world, BodyId body, Vec3 impulse, std::optional<Vec3> at = {});  ///< [N s]
+void twist(World& world, BodyId body, Vec3 torque);                               ///< [N m]
+void push(World& world, PointId point, Vec3 force);                               ///< [N]
+void kick(World& world, PointId point, Vec3 impulse);                             ///< [N s]
 
 void set_enabled(World& world, ConstraintId constraint, bool enabled);
 void set_length(World& world, ConstraintId rod, double length);  ///< [m]
 void set_target(World& world, ConstraintId follow, std::function<Vec3(double)> target);
-void set_place(World& world, ConstraintId constraint, Vec3 place);  ///< [m] nail's, follow's target, rod's world end
+void set_place(World& world, ConstraintId constraint, Vec3 place);    ///< [m] nail's, follow's target, rod's world end
 void set_max_force(World& world, ConstraintId follow, double force);  ///< [N]
 
+/// Changes gravity [m/s²] from now on; the energy that things gain by it is work from outside.
+void set_gravity(World& world, Vec3 gravity);
 /// Changes the length of a step [s] from the next step on.
 void set_step(World& world, double step);
 

@@ -85,7 +85,6 @@ Particle shared_data(const World& world, PointId first, const HingeDef& def) {
   const Particle& last = world.particles[point.particle];
   Particle ring;
   ring.born = world.time;
-  ring.lifetime = def.lifetime;
   ring.color = def.color ? *def.color : last.color.value_or(point.color);
   ring.radius = def.radius ? *def.radius : last.radius.value_or(point.radius);
   ring.name = def.name;

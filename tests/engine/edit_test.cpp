@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "step.hpp"
 #include "support/rods.hpp"
 #include "world/measure.hpp"
 
@@ -205,6 +206,7 @@ TEST_CASE("edits count the energy that they make") {
   expect_balance([&] { remove(world, body); });
   expect_balance([&] { remove(world, ball); });
   expect_balance([&] { add_body(world, rod_at(vec(0, 5, 0))); });
+  expect_balance([&] { set_gravity(world, vec(1, -2, 3)); });
   CHECK(energy(world).total() != 0.0);
 }
 
@@ -223,6 +225,38 @@ TEST_CASE("a group holds any living thing once, and never itself") {
   remove(t.world, group);
   CHECK_THROWS_WITH(add_to_group(t.world, group, t.b), Contains("group 'all' was removed"));
   CHECK(t.world.bodies.alive(t.b));
+}
+
+TEST_CASE("gravity that is no number is an error") {
+  World world;
+  CHECK_THROWS_WITH(set_gravity(world, vec(0, not_a_number, 0)), Contains("gravity must be finite"));
+  CHECK(same(world.settings.gravity, vec(0, -9.81, 0)));
+}
+
+TEST_CASE("a lifetime written again and again is waited for once, and may be taken back") {
+  World world;
+  const ParticleId id = add_particle(world, {});
+  for (int i = 1; i < 100; i++) set_lifetime(world, id, 0.01 * i);
+  CHECK(world.mortals == std::vector<ParticleId>{id});
+  set_lifetime(world, id, infinity);
+  step(world);
+  CHECK(world.mortals.empty());
+  set_lifetime(world, id, 0.01);
+  advance(world, 0.02);
+  CHECK_FALSE(world.particles.alive(id));
+}
+
+TEST_CASE("the end of the lifetime of a point that its body needs is dropped and logged") {
+  World world;
+  world.who = [] { return std::string("the test"); };
+  const BodyId body = add_body(world, rod_at(zero3(), "rod"));
+  for (PointId p : world.bodies[body].points) set_lifetime(world, world.points[p].own, 0.01);
+  advance(world, 0.02);
+  CHECK(world.bodies[body].points.size() == 1);
+  REQUIRE(world.log.size() == 1);
+  CHECK(world.log[0].kind == "dropped");
+  CHECK_THAT(world.log[0].text, Contains("point 1 of body 'rod'") && Contains("mass must be > 0 kg"));
+  CHECK(world.who() == "the test");
 }
 
 TEST_CASE("a step's length changes from the present time on") {
