@@ -138,6 +138,8 @@ int scene_probe(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "probe");
   const std::string name = check_text(state, 2, "probe", "argument 1, the name,");
   const Callback function = check_function(state, 3, "probe", "argument 2");
+  require(!self.world.locked,
+          "probe: probes cannot be added while the world steps; add them in an event or a step callback");
   for (const Probe& probe : self.world.probes)
     require(probe.name != name, "probe: there is a probe '", name, "' already");
   self.world.probes.push_back(

@@ -1,5 +1,6 @@
 #include "player/player.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <thread>
@@ -168,7 +169,11 @@ Overlay Player::overlay() const {
   if (mouse != gestures_.pointers.end()) {
     overlay.pointer_x = mouse->second.x;
     overlay.pointer_y = mouse->second.y;
-    overlay.pointer_down = mouse->second.left;
+    // A quick click is over before the frame is drawn; the buttons are to see it all the same.
+    overlay.pointer_down =
+        mouse->second.left || std::ranges::any_of(gestures_.events, [](const PointerEvent& e) {
+          return e.pointer == 0 && e.kind == PointerEvent::Kind::press && e.button == PointerEvent::Button::left;
+        });
   }
   return overlay;
 }

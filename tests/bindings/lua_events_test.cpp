@@ -58,6 +58,8 @@ TEST_CASE("an error in a callback leaves the step with its line") {
   CHECK_THAT(failure("scene:probe('x', function()\nerror('no') end)"), StartsWith("scene.lua:2: no"));
   CHECK_THAT(failure("scene:probe('x', function()\nscene:particle() return 1 end)"),
              Contains("cannot be edited while it steps"));
+  CHECK_THAT(failure("scene:probe('x', function()\nscene:probe('y', function() return 1 end) return 1 end)"),
+             StartsWith("scene.lua:2: probe: probes cannot be added while the world steps"));
 }
 
 TEST_CASE("wrong calls are told") {

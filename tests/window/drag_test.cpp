@@ -199,3 +199,20 @@ TEST_CASE("window: a hinge is cut under the pointer", "[window]") {
   // Falling freely for 3.5 s, 60 m, the end is below all that a whole chain could reach.
   CHECK(read_tip(folder).back().height < tip[1] - length - 5.0);
 }
+
+TEST_CASE("window: a button answers to a quick click", "[window]") {
+  if (!can_play()) return;
+  Screen screen;
+  Folder folder;
+  std::unique_ptr<lua::Scene> scene = open_chain();
+  Vec3 tip = tip_place(scene->world());
+
+  Play play(screen, folder, "3.5");
+  play.move(50, 57);  // on "let go"
+  pause(0.3);
+  play.hand({"click", "1"});
+  pause(0.3);
+  play.hand({"key", "space"});
+  play.end();
+  CHECK(read_tip(folder).back().height < tip[1] - tip[0] - 5.0);
+}
