@@ -34,7 +34,7 @@ Json stats(const World& world) {
 
 Json results(const lua::Scene& scene) {
   Json list = Json::object();
-  for (const auto& [name, value] : scene.results()) std::visit([&](const auto& v) { list[name] = v; }, value);
+  for (const auto& result : scene.results()) std::visit([&](const auto& v) { list[result.first] = v; }, result.second);
   return list;
 }
 

@@ -4,11 +4,11 @@
 
 namespace pantin::phases {
 
-/// Moves hands, carries out the input's commands and samples the targets of follows, at the end of the coming step.
+/// Moves hands to the end of the coming step, and carries out the input's commands.
 void begin_step(World& world);
 /// Choreography: what is due up to the end of the coming step.
 void fire_events(World& world);
-/// "step" callbacks, and the notices of the last step.
+/// "step" callbacks, and the notices of the last step; then the targets of follows at the end of the coming step.
 void run_behaviours(World& world);
 /// Ends of lifetimes: hinges are cut, others removed.
 void age_particles(World& world);

@@ -1,5 +1,6 @@
 // The two phases in which scripts run and may edit.
 #include "phases/phases.hpp"
+#include "world/hands.hpp"
 
 namespace pantin::phases {
 
@@ -14,6 +15,7 @@ void run_behaviours(World& world) {
   if (world.behaviours) world.behaviours();
   // What the scripts themselves did is told in the next step.
   world.notices.erase(world.notices.begin(), world.notices.begin() + told);
+  sample_targets(world);
 }
 
 }  // namespace pantin::phases

@@ -114,7 +114,7 @@ void set_max_force(World& world, ConstraintId follow, double force);  ///< [N]
 
 /// Changes gravity [m/s²] from now on; the energy that things gain by it is work from outside.
 void set_gravity(World& world, Vec3 gravity);
-/// Changes the length of a step [s] from the next step on.
+/// Changes the length of a step [s], from the step that is about to be done.
 void set_step(World& world, double step);
 
 }  // namespace pantin

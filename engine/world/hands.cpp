@@ -141,15 +141,6 @@ Vec3 next_place(const World& world, ConstraintId id, double time) {
   return next;
 }
 
-void sample_targets(World& world, double time) {
-  const double h = time - world.time;
-  for (std::uint32_t s = 0; s < world.constraints.slots(); s++) {
-    if (!world.constraints.alive_at(s) || world.constraints.at_slot(s).kind != ConstraintKind::follow) continue;
-    const Vec3 next = next_place(world, world.constraints.id_at(s), time);
-    move_place(world.constraints.at_slot(s), next, h);
-  }
-}
-
 }  // namespace
 
 std::int32_t add_hand(World& world, std::function<Vec3(double)> path) {
@@ -205,11 +196,20 @@ void apply_input(World& world, double time) {
   world.locked = true;  // paths and targets are functions of time: they look and answer
   move_hands(world, input, time);
   carry_out_commands(world, input);
-  sample_targets(world, time);
-  const double h = time - world.time;
-  for (std::uint32_t s = 0; s < world.constraints.slots(); s++)
-    if (world.constraints.alive_at(s) && world.constraints.at_slot(s).kind != ConstraintKind::rod)
-      draw_in(world, world.constraints.at_slot(s), h);
+}
+
+void sample_targets(World& world) {
+  const Acting acting(world);
+  world.locked = true;
+  const double time = next_time(world), h = world.settings.step;
+  for (std::uint32_t s = 0; s < world.constraints.slots(); s++) {
+    if (!world.constraints.alive_at(s) || world.constraints.at_slot(s).kind == ConstraintKind::rod) continue;
+    if (world.constraints.at_slot(s).kind == ConstraintKind::follow) {
+      const Vec3 next = next_place(world, world.constraints.id_at(s), time);
+      move_place(world.constraints.at_slot(s), next, h);
+    }
+    draw_in(world, world.constraints.at_slot(s), h);
+  }
 }
 
 }  // namespace pantin

@@ -13,5 +13,8 @@ void release(World& world, std::int32_t hand);
 double usual_grab_force(const World& world, PointId point);
 /// Moves the hands to `time` [s], and carries out the input's commands.
 void apply_input(World& world, double time);
+/// Places of the targets of follows at the end of the coming step, and how far what is drawn in has come by then. After
+/// the scripts, which may make follows or change the step's length.
+void sample_targets(World& world);
 
 }  // namespace pantin

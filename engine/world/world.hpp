@@ -44,6 +44,7 @@ struct Probe {
   std::function<double()> read;
   std::vector<double> values;  ///< (steps since it was added)
   std::uint64_t first_step = 0;
+  double latest = 0.0;  ///< read in this step
 };
 
 /// Counts since the start.
