@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "articulates/drift.hpp"
+#include "articulates/midpoint.hpp"
 #include "articulates/newton.hpp"
 #include "articulates/rows.hpp"
 #include "articulates/safe_step.hpp"
@@ -72,16 +73,6 @@ bool solve_euler(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   return e <= 100.0 * tolerance;
 }
 
-void commit_euler(Node& n) {
-  n.x0 = n.x1;
-  n.p0 = n.p1;
-  if (!n.turns) return;
-  n.P0 = n.P1;
-  n.q0 = n.q1;
-  n.R0 = n.R1;
-  n.O0 = n.inverse_inertia * n.P0;
-}
-
 }  // namespace
 
 void drift_euler(Articulate& a, const DriftSettings& settings, DriftReport& report) {
@@ -98,7 +89,7 @@ void drift_euler(Articulate& a, const DriftSettings& settings, DriftReport& repo
     if (row.b < 0) work += dot(row.f, condition(a, row).place1 - condition(a, row).place0 + (row.d1 - row.d0));
   for (Node& n : a.nodes) {
     work += dot(n.force - settings.gravity * n.mass, n.x1 - n.x0);
-    commit_euler(n);
+    commit(n);
   }
   report.work += work;
   a.start_gap = largest_gaps(a).all();
@@ -108,7 +99,7 @@ void drift_euler(Articulate& a, const DriftSettings& settings, DriftReport& repo
 void drift_euler_alone(Node& n, double h) {
   n.row_force = n.E = zero3();
   evaluate_euler(n, h);
-  commit_euler(n);
+  commit(n);
 }
 
 }  // namespace pantin
