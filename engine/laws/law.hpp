@@ -1,0 +1,86 @@
+#pragma once
+// A law: how particles pull at each other, or are pulled. Library laws and a scene's own are made by the same functions.
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "laws/expression.hpp"
+#include "laws/program.hpp"
+
+namespace pantin {
+
+/// What acts where an expression cannot be had: a function called for each pair, bond or particle. Single-threaded.
+class Called {
+ public:
+  virtual ~Called() = default;
+  /// What one block gives: `column(i)` of each of `inputs`, in the order of Law::inputs_wanted, and the particles (slots of
+  /// Model::particles) of each place: `particles[who][k]`.
+  struct Block {
+    int n = 0;
+    std::span<const double* const> inputs;             ///< (inputs) columns of n values
+    std::span<const std::uint32_t* const> particles;   ///< (particles of the law) columns of n slots
+    std::span<double* const> outputs;                  ///< (outputs) columns to be written
+    double time = 0.0;                                 ///< [s]
+    std::span<const double> parameters;                ///< (parameters) when they are the same for all, else empty
+    std::span<const double* const> parameter_columns;  ///< (parameters) columns, else empty
+  };
+  /// Writes the outputs of the law: its forces, then its energy if it has one. Throws Error with the law's line.
+  virtual void run(const Block& block) = 0;
+};
+
+enum class LawKind : std::uint8_t {
+  central,  ///< a pair pulls along its line. Output: tension / distance, positive where it pulls
+  pair,     ///< a pair. Outputs: x, y, z of the force on a
+  point,    ///< one particle. Outputs: x, y, z of the force
+  many,     ///< `count` particles. Outputs: x, y, z of the force on each
+};
+
+struct Parameter {
+  std::string name;
+  double value = 0.0;
+  std::string unit;
+};
+
+struct Law {
+  std::string name;  ///< "lennard_jones", or where a scene's own was written: "scene.lua:12"
+  LawKind kind = LawKind::central;
+  int count = 2;                                            ///< particles
+  double cutoff = std::numeric_limits<double>::infinity();  ///< [m] of a pair
+  bool one_sided = false;                                   ///< b feels nothing of what a feels
+  int exclude = 0;                                          ///< pairs within so many connections are left out
+  std::vector<Parameter> parameters;
+
+  Expressions graph;
+  std::vector<Expr> force;         ///< outputs as `kind` says
+  Expr energy = no_expression;     ///< [J]; none: the law is without energy
+  Expr stiffness = no_expression;  ///< [N/m] of a central law: rate of tension with distance
+  std::shared_ptr<Called> called;  ///< instead of the expressions
+  bool called_energy = false;      ///< `called` gives an energy too
+
+  bool has_energy() const { return energy != no_expression || called_energy; }
+  /// Depends on velocities, on time or noise. What depends on time or velocities has no energy to keep.
+  bool moving = false, timed = false;
+};
+
+struct LawDef {
+  std::string name;
+  double cutoff = std::numeric_limits<double>::infinity();  ///< [m]
+  bool shift = true;                                        ///< a potential with a cutoff is 0 there
+  bool one_sided = false;
+  int exclude = 0;
+  std::vector<Parameter> parameters;
+};
+
+/// Laws from expressions of `graph`, whose derivatives are taken here. Throw Error where an expression depends on what
+/// its kind of law does not have.
+Law central_potential(const LawDef& def, Expressions graph, Expr potential);  ///< [J] of distance2, attributes, …
+Law central_tension(const LawDef& def, Expressions graph, Expr tension);  ///< [N] pulls when positive; may use approach
+Law pair_force(const LawDef& def, Expressions graph, std::span<const Expr> force_on_a);  ///< (3) [N]
+Law point_potential(const LawDef& def, Expressions graph, Expr potential);  ///< [J] of place and attributes of a
+Law point_force(const LawDef& def, Expressions graph, std::span<const Expr> force);   ///< (3) [N]
+Law many_potential(const LawDef& def, int count, Expressions graph, Expr potential);  ///< [J] of `count` places
+
+}  // namespace pantin

@@ -1,0 +1,61 @@
+#pragma once
+// A law made ready to run over blocks of pairs, bonds or particles: a flat list of operations on slots, each slot a
+// column of one value per pair. Same bits for any lane width: every operation is element by element.
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "laws/expression.hpp"
+
+namespace pantin {
+
+struct Instruction;
+
+struct Program {
+  std::vector<Input> inputs;         ///< slot i holds inputs[i]
+  std::vector<Instruction> uniform;  ///< depends on uniform inputs only: run once for all blocks
+  std::vector<Instruction> code;
+  std::vector<std::int32_t> outputs;  ///< slots
+  std::int32_t slots = 0;
+  std::size_t operations() const;  ///< in `code`
+  ~Program();
+};
+
+/// Whether an input is the same for everything that one run goes over: time always; parameters where `parameters` says.
+struct Uniform {
+  bool parameters = true;
+};
+
+/// Makes a program for some expressions of a graph.
+Program lower(const Expressions& graph, std::span<const Expr> outputs, Uniform uniform = {});
+
+/// The memory to run a program in; one for each thread.
+class Machine {
+ public:
+  static constexpr int block = 512;  ///< values in a slot
+
+  explicit Machine(const Program& program);
+  ~Machine();
+  Machine(Machine&&) noexcept;
+
+  /// Index of an input in the program, or -1 where it does not depend on it.
+  int input(const Input& input) const;
+  /// The column of an input, to be filled (64-byte aligned).
+  double* column(int input);
+  /// Reads an input in place instead: `values` must be readable up to the next multiple of 16 values.
+  void bind(int input, const double* values);
+  /// Sets a whole column to one value: how uniform inputs are given.
+  void fill(int input, double value);
+  /// Runs what depends on uniform inputs only; call after they were filled.
+  void run_uniform();
+  /// Runs on the first n values of every column, n <= block; values up to the next multiple of 16 may be touched.
+  void run(int n);
+  const double* output(int k) const;
+
+ private:
+  struct Memory;
+  std::unique_ptr<Memory> memory_;
+};
+
+}  // namespace pantin
