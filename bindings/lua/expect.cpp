@@ -4,6 +4,7 @@
 
 #include "lua/arguments.hpp"
 #include "lua/guard.hpp"
+#include "lua/tostring.hpp"
 #include "lua/values.hpp"
 
 namespace pantin::lua {
@@ -22,7 +23,7 @@ std::string shown(lua_State* state, int index) {
   const bool quoted = lua_type(state, index) == LUA_TSTRING;
   const std::string s = lua_type(state, index) == LUA_TNUMBER && !lua_isinteger(state, index)
                             ? to_text(lua_tonumber(state, index))
-                            : luaL_tolstring(state, index, nullptr);
+                            : std::string(push_text(state, index));
   return quoted ? text("\"", s, "\"") : s;
 }
 
@@ -72,7 +73,7 @@ int fails(lua_State* state) {
   require(lua_isfunction(state, 1), "fails: expect must be given a function, got ", kind_of_value(state, 1));
   lua_pushvalue(state, 1);
   require(lua_pcall(state, 0, 0, 0) != LUA_OK, "expected an error with \"", wanted, "\", but there was none");
-  const std::string message = luaL_tolstring(state, -1, nullptr);
+  const std::string message(push_text(state, -1));
   require(message.find(wanted) != std::string::npos, "expected an error with \"", wanted, "\", got \"", message, "\"");
   return 0;
 }
@@ -89,7 +90,7 @@ int expect(lua_State* state) {
 
 /// An expectation that is no function of ours would check nothing.
 int unknown(lua_State* state) {
-  throw Error(text("expect: unknown expectation '", luaL_tolstring(state, 2, nullptr),
+  throw Error(text("expect: unknown expectation '", push_text(state, 2),
                    "'. Known are near, below, above, equal, is_true, fails"));
 }
 

@@ -5,6 +5,7 @@
 #include "lua/arguments.hpp"
 #include "lua/guard.hpp"
 #include "lua/script.hpp"
+#include "lua/tostring.hpp"
 #include "world/edit.hpp"
 
 namespace pantin::lua {
@@ -23,7 +24,7 @@ std::vector<std::string> names_of(const Type& type, bool methods) {
 }
 
 [[noreturn]] void unknown(lua_State* state, const Type& type, const char* what) {
-  const std::string name = luaL_tolstring(state, 2, nullptr);
+  const std::string name(push_text(state, 2));
   std::vector<std::string> methods;
   for (const Method& m : type.methods) methods.push_back(m.name);
   throw Error(text(type.word, ": ", what, " '", name, "'.", suggestion(name, names_of(type, true)),

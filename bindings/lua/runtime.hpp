@@ -48,6 +48,7 @@ class Runtime {
   std::string folder;         ///< of the scene: where `require` looks first, and `read_table`
   std::string home;           ///< holds scripts/lib and scripts/behaviours
   Random* random = nullptr;   ///< source of math.random
+  lua_Integer shown = 0;      ///< values that were given a number to be shown by
   std::string stale_message;  ///< text of the last error that a StaleHandle became
   std::string usage_message;  ///< text of the last error that a UsageError became
 

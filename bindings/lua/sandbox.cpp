@@ -13,10 +13,7 @@ int set_metatable(lua_State* state) {
     require(lua_isnil(state, -1), "setmetatable: __gc is not allowed in scenes");
     lua_pop(state, 1);
   }
-  lua_pushvalue(state, lua_upvalueindex(1));
-  lua_insert(state, 1);
-  lua_call(state, lua_gettop(state) - 1, 1);
-  return 1;
+  return lua_tocfunction(state, lua_upvalueindex(1))(state);
 }
 
 /// Lua runs the message handler of its own xpcall inside of the hook that stops a script, where no hook reaches it.
@@ -49,14 +46,15 @@ void open_sandbox(lua_State* state) {
   lua_getfield(state, -1, "setmetatable");
   lua_pushcclosure(state, guard<set_metatable>, 1);
   lua_setfield(state, -2, "setmetatable");
-  lua_getfield(state, -1, "string");
-  forget(state, "dump");
-  lua_pop(state, 2);
+  lua_pop(state, 1);
   Runtime::of(state).load(state, own_xpcall, own_chunk + 1);
   lua_call(state, 0, 0);
   open_math(state);
   open_pairs(state);
   open_sort(state);
+  open_strings(state);
+  open_tables(state);
+  open_tostring(state);
   open_coroutines(state);
   open_require(state);
   open_read_table(state);

@@ -6,6 +6,7 @@
 #include "lua/guard.hpp"
 #include "lua/sandbox.hpp"
 #include "lua/values.hpp"
+#include "lua/watchdog.hpp"
 
 namespace pantin::lua {
 namespace {
@@ -38,9 +39,10 @@ bool before(lua_State* state, lua_Integer i, lua_Integer j) {
 }
 
 /// Merges the sorted runs [begin, middle) and [middle, end) of the table at `from` into the one at `to`.
-void merge(lua_State* state, lua_Integer begin, lua_Integer middle, lua_Integer end) {
+void merge(lua_State* state, lua_Integer begin, lua_Integer middle, lua_Integer end, Steps& steps) {
   lua_Integer i = begin, j = middle;
   for (lua_Integer k = begin; k < end; k++) {
+    steps.count();
     const bool right = i == middle || (j < end && before(state, j, i));
     lua_rawgeti(state, from, right ? j++ : i++);
     lua_rawseti(state, to, k);
@@ -60,9 +62,10 @@ int sort(lua_State* state) {
     lua_geti(state, list, i);
     lua_rawseti(state, from, i);
   }
+  Steps steps(state);
   for (lua_Integer run = 1; run < count; run *= 2) {
     for (lua_Integer begin = 1; begin <= count; begin += 2 * run)
-      merge(state, begin, std::min(begin + run, count + 1), std::min(begin + 2 * run, count + 1));
+      merge(state, begin, std::min(begin + run, count + 1), std::min(begin + 2 * run, count + 1), steps);
     lua_insert(state, from);  // what was merged is merged next
   }
   for (lua_Integer i = 1; i <= count; i++) {

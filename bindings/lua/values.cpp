@@ -9,6 +9,7 @@
 #include "lua/guard.hpp"
 #include "lua/handles.hpp"
 #include "lua/sandbox.hpp"
+#include "lua/tostring.hpp"
 
 namespace pantin::lua {
 namespace {
@@ -104,13 +105,13 @@ int vec_index(lua_State* state) {
   lua_pushvalue(state, 2);
   lua_rawget(state, lua_upvalueindex(1));
   if (lua_isnil(state, -1))
-    throw Error(text("vec: unknown field '", luaL_tolstring(state, 2, nullptr),
+    throw Error(text("vec: unknown field '", push_text(state, 2),
                      "'; it has x, y, z and the methods dot, cross, length, normalized"));
   return 1;
 }
 
 int vec_change(lua_State* state) {
-  const std::string key = luaL_tolstring(state, 2, nullptr);
+  const std::string key(push_text(state, 2));
   throw Error(text("vec: ", key, " of a vec cannot be changed; instead of thing.position.", key,
                    " = … write thing.position = vec(x, y, z), or add: thing.position + vec(0, 1, 0)"));
 }
@@ -169,8 +170,8 @@ int quat_index(lua_State* state) {
   lua_pushvalue(state, 2);
   lua_rawget(state, lua_upvalueindex(1));
   if (lua_isnil(state, -1))
-    throw Error(text("quat: unknown field '", luaL_tolstring(state, 2, nullptr),
-                     "'; it has w, x, y, z and the methods rotate, inverse"));
+    throw Error(
+        text("quat: unknown field '", push_text(state, 2), "'; it has w, x, y, z and the methods rotate, inverse"));
   return 1;
 }
 

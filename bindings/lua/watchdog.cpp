@@ -24,15 +24,18 @@ namespace {
 /// The watch whose script runs on this thread: the handler touches no other.
 thread_local std::atomic<Watch*> watched{nullptr};
 
+std::string why_stopped(lua_State* state) {
+  const std::string place = where(state);
+  return text(place, place.empty() ? "" : ": ", "the script did not come back within ",
+              Runtime::of(state).watch().limit, " s and was stopped (--script-limit)");
+}
+
 void stop_script(lua_State* state, lua_Debug*) {
-  const Watch& watch = Runtime::of(state).watch();
-  if (!watch.over) {  // left over on a coroutine that slept when the time was up
+  if (!Runtime::of(state).watch().over) {  // left over on a coroutine that slept when the time was up
     lua_sethook(state, nullptr, 0, 0);
     return;
   }
-  const std::string place = where(state);
-  const std::string message = text(place, place.empty() ? "" : ": ", "the script did not come back within ",
-                                   watch.limit, " s and was stopped (--script-limit)");
+  const std::string message = why_stopped(state);
   lua_pushlstring(state, message.data(), message.size());
   lua_error(state);
 }
@@ -142,6 +145,11 @@ std::int64_t Watch::pause() {
 
 void Watch::resume(std::int64_t left) {
   if (left > 0) deadline = now_ns() + left;
+}
+
+void Steps::ask() {
+  count_ = 0;
+  if (Runtime::of(state_).watch().over) throw ScriptError(why_stopped(state_));
 }
 
 }  // namespace pantin::lua

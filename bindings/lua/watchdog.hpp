@@ -6,6 +6,7 @@
 #include <lua.hpp>
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 
 namespace pantin::lua {
@@ -37,5 +38,23 @@ struct Watch {
 
 /// [ns] of the steady clock.
 std::int64_t now_ns();
+
+/// Counts the steps of a loop in C++ that a script entered, where no hook reaches it.
+class Steps {
+ public:
+  explicit Steps(lua_State* state) : state_(state) {}
+  /// Throws ScriptError once the script's time is up.
+  void count(std::size_t steps = 1) {
+    count_ += steps;
+    if (count_ >= often) ask();
+  }
+
+ private:
+  static constexpr std::size_t often = 4096;
+  void ask();
+
+  lua_State* state_;
+  std::size_t count_ = 0;
+};
 
 }  // namespace pantin::lua

@@ -30,6 +30,23 @@ TEST_CASE("a script that does not come back is stopped with its line") {
                 "while true do end"),
         Contains(stopped));
   }
+  SECTION("nor can one long call of a library's function") {
+    const char* const calls[] = {"s:find('.-.-.-b')",
+                                 "s:match('.-.-.-b')",
+                                 "s:gmatch('.-.-.-b')()",
+                                 "s:gsub('.-.-.-b', '')",
+                                 "pcall(string.find, s, '.-.-.-b')",
+                                 "s:find(s:sub(1, 500000) .. 'b', 1, true)",
+                                 "('('):rep(1e6):find('%b()')",
+                                 "s:find('[' .. s .. 'b-z]*x')",
+                                 "table.move({}, 1, 1e15, 2)",
+                                 "table.insert(setmetatable({}, { __len = function() return 1e15 end }), 1, 0)",
+                                 "table.remove(setmetatable({}, { __len = function() return 1e15 end }), 1)"};
+    for (const char* call : calls)
+      CHECK(failure(text("local s = ('a'):rep(1e6);\n", call)) == "scene.lua:2: " + stopped);
+    CHECK(failure("assert(string.rep('', 1e15) == '')") == "");
+    CHECK_THAT(failure("string.format('%99999d', 1)"), StartsWith("scene.lua:1: invalid conversion"));
+  }
   SECTION("0 is no limit, and time in many short calls does not add up") {
     auto o = options();
     o.script_limit = 0;

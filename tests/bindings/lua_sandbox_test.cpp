@@ -100,3 +100,23 @@ TEST_CASE("xpcall calls its handler and gives what it returns") {
   CHECK(word("scene:result('x', select(2, xpcall(error, function(m) return m .. '!' end, 'no', 0)))") == "no!");
   CHECK(number("scene:result('x', select(2, xpcall(math.max, print, 3, 4)))") == 4);
 }
+
+TEST_CASE("no text has an address in it: what is shown is numbered in the order of showing") {
+  CHECK(word(R"(
+    local t, f = {}, function() end
+    scene:result("x", tostring(t) .. " " .. tostring(f) .. " " .. tostring(t) .. " " .. tostring(print) .. " " ..
+      tostring(coroutine.create(f)) .. " " .. tostring({}) .. " " .. tostring(nil) .. " " .. tostring(1.5)))") ==
+        "table: 1 function: 2 table: 1 function: 3 thread: 4 table: 5 nil 1.5");
+  CHECK(word("local t = {} scene:result('x', string.format('%5.1f %% %s %d %q %s', 1, t, 2, 'a', vec(1, 2, 3)))") ==
+        "  1.0 % table: 1 2 \"a\" vec(1, 2, 3)");
+  CHECK(word("scene:result('x', tostring(setmetatable({}, { __name = 'leaf' })) .. tostring(setmetatable({}, "
+             "{ __tostring = function() return '!' end })))") == "leaf: 1!");
+  CHECK(failure("string.format('%d %p', 1, {})") ==
+        "scene.lua:1: format: %p would give an address, which differs from run to run; use %s");
+  CHECK_THAT(failure("string.format('%d', 'x')"),
+             StartsWith("scene.lua:1: bad argument #2 to 'format' (number expected, got string)"));
+  CHECK_THAT(failure("string.format('%d %s', 1)"), Contains("bad argument #3 to 'format' (no value)"));
+  CHECK_THAT(failure("local x = scene[{}]"), StartsWith("scene.lua:1: scene: unknown field 'table: 1'"));
+  CHECK_THAT(failure("setmetatable(scene, {})"),
+             StartsWith("scene.lua:1: bad argument #1 to 'setmetatable' (table expected, got scene)"));
+}

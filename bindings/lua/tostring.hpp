@@ -1,0 +1,11 @@
+#pragma once
+#include <lua.hpp>
+#include <string_view>
+
+namespace pantin::lua {
+
+/// Pushes what `tostring` gives for a value. Tables, functions and coroutines are numbered in the order in which they were
+/// first shown, "table: 1": Lua's own addresses differ from run to run.
+std::string_view push_text(lua_State* state, int index);
+
+}  // namespace pantin::lua
