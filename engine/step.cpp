@@ -1,5 +1,6 @@
 #include "step.hpp"
 
+#include "base/subnormals.hpp"
 #include "phases/phases.hpp"
 
 namespace pantin {
@@ -11,11 +12,14 @@ void step(World& world) {
   phases::run_behaviours(world);
   phases::age_particles(world);
   const Lock lock(world);
-  phases::find_articulates(world);
-  phases::half_kick(world);
-  phases::drift(world);
-  phases::half_kick(world);
-  phases::project_velocities(world);
+  {
+    const SubnormalsAreZero subnormals_are_zero;
+    phases::find_articulates(world);
+    phases::half_kick(world);
+    phases::drift(world);
+    phases::half_kick(world);
+    phases::project_velocities(world);
+  }
   phases::end_step(world);
 }
 

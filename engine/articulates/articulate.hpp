@@ -45,6 +45,7 @@ struct alignas(64) Node {
   Vec3 coupled;  // 1 or 0 per principal axis: 0 about an axis of symmetry that all arms lie on, where spin is its own
   // where it comes from
   std::uint32_t slot;
+  std::uint32_t first_row;
   bool is_body;
   bool turns;  // has a rotation; a point mass has not
 };
@@ -88,6 +89,14 @@ struct Meeting {
   std::uint32_t block;  // of the factor; diagonal where row == column
   std::uint32_t row, column;
   bool row_at_a, column_at_a;  // which end of the row sits on the node
+  bool first;                  // the first to reach its block
+};
+
+/// How far a sweep in the order of elimination may go in each kind of work, one after the other, so that all it needs is
+/// done and what it reads is still in the cache: nodes whose rows are all below `forces`, rows whose nodes are all below
+/// `nodes`, columns of the factor that reach only rows below `rows`.
+struct Wave {
+  std::uint32_t forces = 0, nodes = 0, rows = 0, columns = 0;
 };
 
 struct Articulate {
@@ -96,6 +105,7 @@ struct Articulate {
   std::vector<Condition> conditions;
   std::vector<Meeting> meetings;
   std::vector<std::uint32_t> first_meeting;  // (nodes + 1)
+  std::vector<Wave> waves;                   // ends of the stretches; the last reaches all
   Factor factor;
   std::vector<Vec3> right_side;  // (rows)
 

@@ -124,17 +124,18 @@ struct Builder {
     std::vector<std::int32_t> place(nodes.size(), -1);
     std::vector<Node> sorted;
     sorted.reserve(nodes.size());
-    const auto take = [&](std::int32_t& node) {
+    const auto take = [&](std::int32_t& node, std::uint32_t row) {
       std::int32_t& p = place[static_cast<std::size_t>(node)];
       if (p < 0) {
         p = static_cast<std::int32_t>(sorted.size());
         sorted.push_back(nodes[static_cast<std::size_t>(node)]);
+        sorted.back().first_row = row;
       }
       node = p;
     };
-    for (Row& row : rows) {
-      take(row.a);
-      if (row.b >= 0) take(row.b);
+    for (std::uint32_t k = 0; k < rows.size(); k++) {
+      take(rows[k].a, k);
+      if (rows[k].b >= 0) take(rows[k].b, k);
     }
     nodes = std::move(sorted);
   }
@@ -142,15 +143,46 @@ struct Builder {
 
 void find_meetings(Articulate& a) {
   const auto on = rows_of_nodes(a.nodes.size(), a.rows);
+  std::vector<char> reached(a.factor.below.size(), 0), diagonal_reached(a.rows.size(), 0);
   a.first_meeting.assign(1, 0);
   for (std::uint32_t n = 0; n < a.nodes.size(); n++) {
     for (std::uint32_t i : on[n])
       for (std::uint32_t j : on[n]) {
         if (i < j) continue;
         const auto at_a = [&](std::uint32_t k) { return a.rows[k].a == static_cast<std::int32_t>(n); };
-        a.meetings.push_back({i == j ? i : a.factor.block(i, j), i, j, at_a(i), at_a(j)});
+        const std::uint32_t block = i == j ? i : a.factor.block(i, j);
+        char& mark = i == j ? diagonal_reached[block] : reached[block];
+        a.meetings.push_back({block, i, j, at_a(i), at_a(j), !mark});
+        mark = 1;
       }
     a.first_meeting.push_back(static_cast<std::uint32_t>(a.meetings.size()));
+  }
+  for (std::uint32_t& t : a.factor.target) {
+    if (t & Factor::on_diagonal || reached[t]) continue;
+    reached[t] = 1;
+    t |= Factor::is_first;
+  }
+}
+
+void find_waves(Articulate& a) {
+  constexpr std::uint32_t stretch = 8;
+  const auto rows = static_cast<std::uint32_t>(a.rows.size()), nodes = static_cast<std::uint32_t>(a.nodes.size());
+  std::vector<std::uint32_t> last_row(nodes, 0);
+  const auto last_node = [&](std::uint32_t k) {
+    return static_cast<std::uint32_t>(std::max(a.rows[k].a, a.rows[k].b));
+  };
+  for (std::uint32_t k = 0; k < rows; k++)
+    for (std::int32_t n : {a.rows[k].a, a.rows[k].b})
+      if (n >= 0) last_row[static_cast<std::size_t>(n)] = k;
+  Wave w;
+  while (w.forces < rows) {
+    w.forces = std::min(rows, w.forces + stretch);
+    while (w.nodes < nodes && last_row[w.nodes] < w.forces) w.nodes++;
+    while (w.rows < rows && last_node(w.rows) < w.nodes) w.rows++;
+    const std::vector<std::uint32_t>&first = a.factor.first, &below = a.factor.below;
+    while (w.columns < w.rows && (first[w.columns + 1] == first[w.columns] || below[first[w.columns + 1] - 1] < w.rows))
+      w.columns++;
+    a.waves.push_back(w);
   }
 }
 
@@ -228,6 +260,7 @@ std::unique_ptr<Articulate> build_articulate(const Model& model, std::span<const
   articulate->conditions = std::move(builder.conditions);
   articulate->right_side.resize(articulate->rows.size());
   find_meetings(*articulate);
+  find_waves(*articulate);
   measure(*articulate, model);
   const Thing oldest = things.front();
   articulate->serial =

@@ -53,13 +53,12 @@ bool solve_euler(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   const double tolerance = 1e-11 * a.length + 1e-10 * h * std::sqrt(norm(gravity) * a.length);
   double e = attempt_euler(a, h);
   for (int i = 0; i < 40 && e > tolerance; i++) {
-    factorise(a, Arms::start, 1e-10, 1.0 / (h * h));
+    factorise(a, {Arms::start, 1e-10, 1.0 / (h * h), -1.0 / (h * h)});
     report.factorisations++;
-    for (std::size_t k = 0; k < a.rows.size(); k++) {
-      a.right_side[k] = a.rows[k].residual * (-1.0 / (h * h));
+    for (std::size_t k = a.rows.size(); k-- > 0;) {
+      a.factor.substitute_back(static_cast<std::uint32_t>(k), a.right_side.data());
       a.rows[k].f_saved = a.rows[k].f;
     }
-    a.factor.solve(a.right_side.data());
     double fraction = 1.0, e1 = infinity;
     for (int halvings = 0; halvings <= 8; halvings++, fraction *= 0.5) {
       for (std::size_t k = 0; k < a.rows.size(); k++) a.rows[k].f = a.rows[k].f_saved + a.right_side[k] * fraction;

@@ -1,6 +1,5 @@
 #include "articulates/factor.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace pantin {
@@ -30,54 +29,45 @@ Mat3 inverse_ldu(const Mat3& a, Vec3 floor, bool& weak) {
 
 }  // namespace
 
-void Factor::clear() {
-  std::fill(diagonal.begin(), diagonal.end(), zero33());
-  std::fill(lower.begin(), lower.end(), zero33());
-  std::fill(upper.begin(), upper.end(), zero33());
-}
-
-bool Factor::factorise() {
+bool Factor::eliminate(std::uint32_t k, const std::uint32_t*& to) {
   bool weak_pivot = false;
-  const std::uint32_t* to = target.data();
-  for (std::uint32_t k = 0; k < rows; k++) {
-    const Mat3 pivot = diagonal[k] = inverse_ldu(diagonal[k], floor[k], weak_pivot);
-    const std::uint32_t begin = first[k], count = first[k + 1] - begin;
-    if (count == 1) {  // chains and trees
-      const Mat3 l = lower[begin] * pivot;
-      diagonal[*to++ & ~on_diagonal] -= l * upper[begin];
-      lower[begin] = l;
-      upper[begin] = pivot * upper[begin];
-      continue;
-    }
-    for (std::uint32_t i = 0; i < count; i++) scratch[i] = lower[begin + i] * pivot;
-    for (std::uint32_t i = 0; i < count; i++)
-      for (std::uint32_t j = 0; j <= i; j++) {
-        const std::uint32_t t = *to++;
-        if (t & on_diagonal) {
-          diagonal[t & ~on_diagonal] -= scratch[i] * upper[begin + j];
-        } else {
-          lower[t] -= scratch[i] * upper[begin + j];
-          upper[t] -= scratch[j] * upper[begin + i];
-        }
+  const Mat3 pivot = diagonal[k] = inverse_ldu(diagonal[k], floor[k], weak_pivot);
+  const std::uint32_t begin = first[k], count = first[k + 1] - begin;
+  if (count == 1) {  // chains and trees
+    const Mat3 l = lower[begin] * pivot;
+    diagonal[*to++ & ~on_diagonal] -= l * upper[begin];
+    lower[begin] = l;
+    upper[begin] = pivot * upper[begin];
+    return weak_pivot;
+  }
+  for (std::uint32_t i = 0; i < count; i++) scratch[i] = lower[begin + i] * pivot;
+  for (std::uint32_t i = 0; i < count; i++)
+    for (std::uint32_t j = 0; j <= i; j++) {
+      const std::uint32_t t = *to++, block = t & ~(on_diagonal | is_first);
+      if (t & on_diagonal) {
+        diagonal[block] -= scratch[i] * upper[begin + j];
+        continue;
       }
-    for (std::uint32_t i = 0; i < count; i++) {
-      lower[begin + i] = scratch[i];
-      upper[begin + i] = pivot * upper[begin + i];
+      if (t & is_first) lower[block] = upper[block] = zero33();
+      lower[block] -= scratch[i] * upper[begin + j];
+      upper[block] -= scratch[j] * upper[begin + i];
     }
+  for (std::uint32_t i = 0; i < count; i++) {
+    lower[begin + i] = scratch[i];
+    upper[begin + i] = pivot * upper[begin + i];
   }
   return weak_pivot;
 }
 
-void Factor::solve(Vec3* y) const {
-  for (std::uint32_t k = 0; k < rows; k++) {
-    const Vec3 v = y[k];
-    for (std::uint32_t i = first[k]; i < first[k + 1]; i++) y[below[i]] -= lower[i] * v;
-  }
-  for (std::uint32_t k = rows; k-- > 0;) {
-    Vec3 v = diagonal[k] * y[k];
-    for (std::uint32_t i = first[k]; i < first[k + 1]; i++) v -= upper[i] * y[below[i]];
-    y[k] = v;
-  }
+void Factor::substitute_forward(std::uint32_t k, Vec3* y) const {
+  const Vec3 v = y[k];
+  for (std::uint32_t i = first[k]; i < first[k + 1]; i++) y[below[i]] -= lower[i] * v;
+}
+
+void Factor::substitute_back(std::uint32_t k, Vec3* y) const {
+  Vec3 v = diagonal[k] * y[k];
+  for (std::uint32_t i = first[k]; i < first[k + 1]; i++) v -= upper[i] * y[below[i]];
+  y[k] = v;
 }
 
 }  // namespace pantin

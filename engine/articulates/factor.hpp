@@ -12,22 +12,23 @@ struct Factor {
   std::uint32_t rows = 0;
   std::vector<std::uint32_t> first;   // (rows + 1) first block below the diagonal of each column
   std::vector<std::uint32_t> below;   // (blocks) row of each block below the diagonal, rising in a column
-  std::vector<std::uint32_t> target;  // where each update of the elimination goes; diagonal: row | on_diagonal
+  std::vector<std::uint32_t> target;  // block, or row of the diagonal, that each update of the elimination reaches
   std::vector<Mat3> diagonal;         // (rows); inverted by `factorise`
   std::vector<Mat3> lower, upper;     // (blocks) entries (below[i], column) and (column, below[i])
   std::vector<Vec3> floor;            // (rows) pivots below this are redundant: `redundant` times the diagonal
   std::vector<Mat3> scratch;          // (tallest column)
 
-  static constexpr std::uint32_t on_diagonal = 0x80000000u;
-  static constexpr double redundant = 1e-12, weak = 1e-4;  // of the diagonal
+  static constexpr std::uint32_t on_diagonal = 0x80000000u, is_first = 0x40000000u;  // flags of `target`
+  static constexpr double redundant = 1e-12, weak = 1e-4;                            // of the diagonal
 
   /// Index of the block (row, column), row > column; it must be in the pattern.
   std::uint32_t block(std::uint32_t row, std::uint32_t column) const;
-  void clear();
-  /// Factorises in place. A pivot below `floor` is a redundant row: its inverse is 0. Returns whether a pivot is weak.
-  bool factorise();
-  /// Solves in place; `y` (rows).
-  void solve(Vec3* y) const;
+  /// Eliminates one column, all before it being done. `to` runs along `target`. A pivot below `floor` is a redundant row:
+  /// its inverse is 0. Returns whether a pivot is weak.
+  bool eliminate(std::uint32_t column, const std::uint32_t*& to);
+  /// The parts of a solution in place, `y` (rows): columns rising, then columns falling.
+  void substitute_forward(std::uint32_t column, Vec3* y) const;
+  void substitute_back(std::uint32_t column, Vec3* y) const;
 };
 
 /// Greedy minimum-degree order of a graph, first in first out among equals, so that a chain is eliminated from both ends.

@@ -23,18 +23,31 @@ Pair arms(const Row& row, bool at_a, Arms right) {
   return {end, right == Arms::mean ? (end + start) * 0.5 : right == Arms::start ? start : end};
 }
 
+void add(Mat3& block, const Meeting& m, const Row& row, const Articulate& a, const Mat3& k) {
+  const Mat3 part = row.kind == RowKind::rigid ? k : condition(a, row).M * k;
+  block = m.first ? part : block + part;
+}
+
 void add_meeting(Articulate& a, const Meeting& m, const Node& node, const Mat3& W, Arms right) {
   const Row &i = a.rows[m.row], &j = a.rows[m.column];
   const double sign = m.row_at_a == m.column_at_a ? 1.0 : -1.0, inverse_mass = sign * node.inverse_mass;
   const Pair at_i = arms(i, m.row_at_a, right), at_j = arms(j, m.column_at_a, right);
   const Mat3 k = coupling(W, at_i.left, at_j.right * sign, inverse_mass);
-  if (m.row == m.column) {
-    a.factor.diagonal[m.block] += i.kind == RowKind::rigid ? k : condition(a, i).M * k;
-    return;
+  if (m.row == m.column) return add(a.factor.diagonal[m.block], m, i, a, k);
+  add(a.factor.lower[m.block], m, i, a, k);
+  add(a.factor.upper[m.block], m, j, a, coupling(W, at_j.left, at_i.right * sign, inverse_mass));
+}
+
+/// Adds the compliance to the diagonal block of a row, and says which pivots will count as redundant.
+void finish_diagonal(Articulate& a, std::uint32_t k, const System& system) {
+  const Row& row = a.rows[k];
+  Mat3& d = a.factor.diagonal[k];
+  if (row.kind != RowKind::rigid) d += condition(a, row).C * system.scale;
+  const double compliance = row.kind == RowKind::limited ? 0.0 : system.epsilon * trace(d) / 3.0;
+  for (int i = 0; i < 3; i++) {
+    d[i][i] += compliance;
+    a.factor.floor[k][i] = std::fabs(d[i][i]) * Factor::redundant;
   }
-  a.factor.lower[m.block] += i.kind == RowKind::rigid ? k : condition(a, i).M * k;
-  const Mat3 l = coupling(W, at_j.left, at_i.right * sign, inverse_mass);
-  a.factor.upper[m.block] += j.kind == RowKind::rigid ? l : condition(a, j).M * l;
 }
 
 Mat3 weight(const Node& n, Arms right, double h) {
@@ -50,24 +63,56 @@ Mat3 inverse_inertia(const Node& n, const Mat3& R) {
   return times_transposed(Mat3{{R[0] * i[0], R[1] * i[1], R[2] * i[2]}}, R);
 }
 
-bool factorise(Articulate& a, Arms right, double epsilon, double scale, double h) {
-  a.factor.clear();
-  for (std::size_t n = 0; n < a.nodes.size(); n++) {
-    const Mat3 W = weight(a.nodes[n], right, h);
-    for (std::uint32_t m = a.first_meeting[n]; m < a.first_meeting[n + 1]; m++)
-      add_meeting(a, a.meetings[m], a.nodes[n], W, right);
+void set_right_side(Articulate& a, std::uint32_t k, const System& system) {
+  const Row& row = a.rows[k];
+  Vec3 side = row.residual;
+  if (system.right == Arms::mean) {
+    Vec3 moved = cross(a.nodes[static_cast<std::size_t>(row.a)].phi, row.ra1);
+    if (row.b >= 0) moved -= cross(a.nodes[static_cast<std::size_t>(row.b)].phi, row.rb1);
+    side += row.kind == RowKind::rigid ? moved : condition(a, row).M * moved;
   }
-  for (std::size_t k = 0; k < a.rows.size(); k++) {
-    Mat3& d = a.factor.diagonal[k];
-    if (a.rows[k].kind != RowKind::rigid) d += condition(a, a.rows[k]).C * scale;
-    const double compliance = a.rows[k].kind == RowKind::limited ? 0.0 : epsilon * trace(d) / 3.0;
-    Vec3& floor = a.factor.floor[k];
-    for (int i = 0; i < 3; i++) {
-      d[i][i] += compliance;
-      floor[i] = std::fabs(d[i][i]) * Factor::redundant;
+  a.right_side[k] = side * system.right_scale;
+}
+
+bool factorise(Articulate& a, const System& system) {
+  bool weak = false;
+  Wave done;
+  const std::uint32_t* to = a.factor.target.data();
+  for (const Wave& wave : a.waves) {
+    for (; done.nodes < wave.nodes; done.nodes++) {
+      Node& n = a.nodes[done.nodes];
+      if (system.right == Arms::mean && n.turns) {
+        invert_jacobian(n, system.h);
+        n.da = n.J_inverse * n.E * -1.0;
+        n.phi = rotation(n, n.da);
+      }
+      const Mat3 W = weight(n, system.right, system.h);
+      for (std::uint32_t m = a.first_meeting[done.nodes]; m < a.first_meeting[done.nodes + 1]; m++)
+        add_meeting(a, a.meetings[m], n, W, system.right);
+    }
+    for (; done.rows < wave.rows; done.rows++) {
+      finish_diagonal(a, done.rows, system);
+      set_right_side(a, done.rows, system);
+    }
+    for (; done.columns < wave.columns; done.columns++) {
+      weak = a.factor.eliminate(done.columns, to) || weak;
+      a.factor.substitute_forward(done.columns, a.right_side.data());
     }
   }
-  return a.factor.factorise();
+  return weak;
+}
+
+void reuse_factor(Articulate& a, const System& system) {
+  Wave done;
+  for (const Wave& wave : a.waves) {
+    if (system.right == Arms::mean)
+      for (; done.nodes < wave.nodes; done.nodes++) {
+        Node& n = a.nodes[done.nodes];
+        if (n.turns) n.phi = rotation(n, n.da);
+      }
+    for (; done.rows < wave.rows; done.rows++) set_right_side(a, done.rows, system);
+    for (; done.columns < wave.columns; done.columns++) a.factor.substitute_forward(done.columns, a.right_side.data());
+  }
 }
 
 double mobility(const Articulate& a, const Row& row) {

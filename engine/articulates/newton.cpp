@@ -27,69 +27,67 @@ void add_force(Articulate& a, const Row& row, Vec3 f) {
   nb.row_moment -= outer(row.lb, f);
 }
 
+void place_row_at_end(const Articulate& a, Row& row) {
+  row.ra1 = first(a, row).R1 * row.la;
+  row.rb1 = row.b >= 0 ? second(a, row).R1 * row.lb : zero3();
+  row.d1 = first(a, row).x1 + row.ra1 - (row.b >= 0 ? second(a, row).x1 + row.rb1 : condition(a, row).place1);
+}
+
 /// Moves the unknowns from their saved values by a fraction of the direction (forces in `right_side`, rotations in phi),
 /// with states and residuals; returns the largest residual [m].
 double attempt(Articulate& a, double h, double fraction) {
-  for (std::size_t k = 0; k < a.rows.size(); k++) {
-    Row& row = a.rows[k];
-    row.f = row.f_saved + a.right_side[k] * fraction;
-    add_force(a, row, row.f);
-  }
   double worst = 0.0;
-  for (Node& n : a.nodes) {
-    n.a = n.a_saved + n.phi * fraction;
-    evaluate(n, h);
-    n.row_force = zero3();
-    n.row_moment = zero33();
-    if (!n.turns) continue;
-    n.da = n.J_inverse * n.E * -1.0;
-    const double r = norm(n.da) * n.reach;
-    worst = std::isfinite(r) ? std::max(worst, r) : infinity;
-  }
-  place_rows_at_end(a);
-  for (Row& row : a.rows) {
-    const double r = residual(a, row, h);
-    worst = std::isfinite(r) ? std::max(worst, r) : infinity;
+  const auto count = [&](double r) { worst = std::isfinite(r) ? std::max(worst, r) : infinity; };
+  Wave done;
+  for (const Wave& wave : a.waves) {
+    for (; done.forces < wave.forces; done.forces++) {
+      Row& row = a.rows[done.forces];
+      row.f = row.f_saved + a.right_side[done.forces] * fraction;
+      add_force(a, row, row.f);
+    }
+    for (; done.nodes < wave.nodes; done.nodes++) {
+      Node& n = a.nodes[done.nodes];
+      n.a = n.a_saved + n.phi * fraction;
+      evaluate(n, h);
+      n.row_force = zero3();
+      n.row_moment = zero33();
+      if (!n.turns) continue;
+      n.da = n.J_inverse * n.E * -1.0;
+      count(norm(n.da) * n.reach);
+    }
+    for (; done.rows < wave.rows; done.rows++) {
+      Row& row = a.rows[done.rows];
+      place_row_at_end(a, row);
+      count(residual(a, row, h));
+    }
   }
   return worst;
 }
 
-void renew_factor(Articulate& a, double h, DriftReport& report) {
-  for (Node& n : a.nodes) {
-    if (!n.turns) continue;
-    invert_jacobian(n, h);
-    n.da = n.J_inverse * n.E * -1.0;
-  }
-  a.weak = factorise(a, Arms::mean, a.epsilon, 2.0 / (h * h), h);
-  a.has_factor = true;
-  report.factorisations++;
-}
-
-/// The direction from the present residuals and the factor; saves the unknowns that it starts from.
-void find_direction(Articulate& a, double h) {
-  for (Node& n : a.nodes) n.phi = n.turns ? rotation(n, n.da) : zero3();
-  for (std::size_t k = 0; k < a.rows.size(); k++) {
-    const Row& row = a.rows[k];
-    Vec3 moved = cross(first(a, row).phi, row.ra1);
-    if (row.b >= 0) moved -= cross(second(a, row).phi, row.rb1);
-    if (row.kind != RowKind::rigid) moved = condition(a, row).M * moved;
-    a.right_side[k] = (row.residual + moved) * (-2.0 / (h * h));
-  }
-  a.factor.solve(a.right_side.data());
-  for (std::size_t k = 0; k < a.rows.size(); k++) {
-    a.rows[k].f_saved = a.rows[k].f;
-    add_force(a, a.rows[k], a.right_side[k]);
-  }
-  for (Node& n : a.nodes) {
-    n.a_saved = n.a;
-    n.phi = n.da;
-    if (n.turns) {
-      const Vec3 tau = axial(half_turn(n) * (n.row_moment * n.R0));
-      n.phi += n.J_inverse * (tau - cross(n.a, tau) * 0.5) * h;
+/// Finishes the direction from the half solved right side: forces in `right_side`, rotations in phi; saves the unknowns
+/// that it starts from. Returns the largest rotation.
+double find_direction(Articulate& a, double h) {
+  double largest_turn = 0.0;
+  std::size_t n = a.nodes.size();
+  for (std::size_t k = a.rows.size(); k-- > 0;) {
+    Row& row = a.rows[k];
+    a.factor.substitute_back(static_cast<std::uint32_t>(k), a.right_side.data());
+    row.f_saved = row.f;
+    add_force(a, row, a.right_side[k]);
+    for (; n > 0 && a.nodes[n - 1].first_row == k; n--) {
+      Node& node = a.nodes[n - 1];
+      node.a_saved = node.a;
+      node.phi = zero3();
+      if (node.turns) {
+        const Vec3 tau = axial(half_turn(node) * (node.row_moment * node.R0));
+        node.phi = node.da + node.J_inverse * (tau - cross(node.a, tau) * 0.5) * h;
+        largest_turn = std::max(largest_turn, norm2(node.phi));
+      }
+      node.row_force = zero3();
+      node.row_moment = zero33();
     }
-    n.row_force = zero3();
-    n.row_moment = zero33();
   }
+  return std::sqrt(largest_turn);
 }
 
 void lower_epsilon(Articulate& a) {
@@ -150,9 +148,7 @@ void predict(Articulate& a, double h) {
 
 /// One damped Newton step along the direction in the nodes and rows. Returns the new residual.
 double search_line(Articulate& a, double h, double e, double tolerance, bool fresh, DriftReport& report) {
-  double largest_turn = 0.0;
-  for (const Node& n : a.nodes) largest_turn = std::max(largest_turn, n.turns ? norm2(n.phi) : 0.0);
-  double fraction = std::min(1.0, 1.0 / std::sqrt(largest_turn));
+  double fraction = std::min(1.0, 1.0 / find_direction(a, h));
   for (std::uint32_t halvings = 0;; halvings++) {
     const double e1 = attempt(a, h, fraction);
     report.iterations++;
@@ -173,11 +169,7 @@ void place_rows_at_start(Articulate& a) {
 }
 
 void place_rows_at_end(Articulate& a) {
-  for (Row& row : a.rows) {
-    row.ra1 = first(a, row).R1 * row.la;
-    row.rb1 = row.b >= 0 ? second(a, row).R1 * row.lb : zero3();
-    row.d1 = first(a, row).x1 + row.ra1 - (row.b >= 0 ? second(a, row).x1 + row.rb1 : condition(a, row).place1);
-  }
+  for (Row& row : a.rows) place_row_at_end(a, row);
 }
 
 bool solve_step(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
@@ -192,12 +184,15 @@ bool solve_step(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
     // Near the end an old factor often gains nothing at first, and much the next time.
     const bool serves = gain <= 0.1 || (gain <= 0.5 && old_uses < 2);
     old_uses++;
+    const System system{Arms::mean, a.epsilon, 2.0 / (h * h), -2.0 / (h * h), h};
     if (!have_factor || !serves) {
       old_uses = 0;
-      renew_factor(a, h, report);
-      have_factor = fresh = true;
+      a.weak = factorise(a, system);
+      a.has_factor = have_factor = fresh = true;
+      report.factorisations++;
+    } else {
+      reuse_factor(a, system);
     }
-    find_direction(a, h);
     double e1 = search_line(a, h, e, tolerance, fresh, report);
     gain = e1 / e;
     if (!fresh && old_uses == 1 && gain < 4.0 && e < 1e-6 * a.length) {

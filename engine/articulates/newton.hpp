@@ -15,10 +15,19 @@ void place_rows_at_end(Articulate& articulate);
 /// Where in the step the row forces act: at the arms of its start (the paper's scheme), the mean of both ends (the
 /// midpoint step), or its end (projections).
 enum class Arms : std::uint8_t { start, mean, end };
-/// Fills and factorises the rows' matrix: left arms at the end, right arms as told, M and C of the rows (`scale` C is
-/// added), compliance `epsilon` relative to the diagonal. Nodes turn by R I⁻¹ R' of the start or end, or, with arms at the
-/// mean of a step of `h`, as Newton's matrix says. Returns whether a pivot is weak.
-bool factorise(Articulate& articulate, Arms right, double epsilon, double scale, double h = 0.0);
+/// The rows' matrix and right side: left arms at the end, right arms as told, M and C of the rows (`scale` C is added),
+/// compliance `epsilon` relative to the diagonal. Nodes turn by R I⁻¹ R' of the start or end, or, with arms at the mean of
+/// a step of `h`, as Newton's matrix says. The right side is `right_scale` times the residual, with Newton's matrix also
+/// what the nodes' own residuals move.
+struct System {
+  Arms right;
+  double epsilon, scale, right_scale, h = 0.0;
+};
+/// Fills and factorises the matrix and takes its right side through the first half of the solution, whose second half is
+/// `Factor::substitute_back`. Returns whether a pivot is weak.
+bool factorise(Articulate& articulate, const System& system);
+/// The same for another right side on the factor at hand.
+void reuse_factor(Articulate& articulate, const System& system);
 /// R I⁻¹ R' with the rotation at the start or end of the step.
 Mat3 inverse_inertia(const Node& node, const Mat3& R);
 

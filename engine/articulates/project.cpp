@@ -9,6 +9,9 @@ namespace pantin {
 
 namespace {
 
+/// The right side alone, on a factor at hand.
+constexpr System same_system{Arms::end, 0.0, 0.0, -1.0};
+
 Vec3 end_velocity(const Node& n, Vec3 arm) {
   return n.p0 * n.inverse_mass + (n.turns ? cross(n.R0 * n.O0, arm) : zero3());
 }
@@ -41,13 +44,12 @@ void add_impulse(Node& n, Vec3 arm, Vec3 impulse) {
   n.O0 = n.inverse_inertia * n.P0;
 }
 
-/// One solve with the factor at hand; returns the work of moving anchors [J].
+/// Finishes the solution of the half solved right side and applies the impulses; returns the work of moving anchors [J].
 double apply_projection(Articulate& a) {
-  for (std::size_t k = 0; k < a.rows.size(); k++) a.right_side[k] = a.rows[k].residual * -1.0;
-  a.factor.solve(a.right_side.data());
   double work = 0.0;
-  for (std::size_t k = 0; k < a.rows.size(); k++) {
+  for (std::size_t k = a.rows.size(); k-- > 0;) {
     const Row& row = a.rows[k];
+    a.factor.substitute_back(static_cast<std::uint32_t>(k), a.right_side.data());
     if (row.kind == RowKind::limited) continue;
     Vec3 impulse = a.right_side[k];
     if (row.kind == RowKind::rod) {
@@ -84,16 +86,21 @@ void factorise_exactly(Articulate& a, double epsilon) {
   double scale = 0.0;
   if (!a.all_rigid)
     for (const Row& row : a.rows) scale = std::max(scale, mobility(a, row));
-  factorise(a, Arms::end, epsilon, scale);
+  factorise(a, {Arms::end, epsilon, scale, -1.0});
 }
 
-/// Iterates with the factor at hand until nothing forbidden is left; returns the work of moving anchors [J].
-double iterate_projection(Articulate& a, int most, double speed) {
+/// Solves for the velocities' residuals on a new factor, then again on that factor until nothing forbidden is left;
+/// returns the work of moving anchors [J].
+double iterate_projection(Articulate& a, int most, double speed, double epsilon) {
   double last = infinity, work = 0.0;
   for (int i = 0; i < most; i++) {
     const double v = forbidden_velocity(a);
     if (v < 1e-13 * speed || v > 0.5 * last) break;
     last = v;
+    if (i == 0)
+      factorise_exactly(a, epsilon);
+    else
+      reuse_factor(a, same_system);
     work += apply_projection(a);
   }
   return work;
@@ -115,6 +122,7 @@ bool project_with_newton_factor(Articulate& a, double& work) {
   }
   save_momenta(a);
   const double kinetic = kinetic_energy(a), before = forbidden_velocity(a);
+  reuse_factor(a, same_system);
   const double done = apply_projection(a);
   const double after = forbidden_velocity(a);
   if (after <= 0.2 * before + 1e-12 * fastest(a) && kinetic_energy(a) <= kinetic * (1.0 + 1e-12) + std::fabs(done)) {
@@ -242,9 +250,8 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   const double kinetic = kinetic_energy(a);
   if (!project_with_newton_factor(a, report.work)) {
     report.projections++;
-    factorise_exactly(a, 1e-10);
     a.has_factor = false;
-    report.work += iterate_projection(a, 1, fastest(a));
+    report.work += iterate_projection(a, 1, fastest(a), 1e-10);
   }
   if (settings.energy_return && may_return(a)) return_energy(a, kinetic, settings.gravity);
 }
@@ -256,8 +263,7 @@ void make_consistent(Articulate& a) {
   const double sane = std::max(1.001 * kinetic_energy(a), 0.5 * a.total_mass * anchors);
   save_momenta(a);
   for (double epsilon = 1e-10;; epsilon *= 100.0) {
-    factorise_exactly(a, epsilon);
-    iterate_projection(a, 3, speed);
+    iterate_projection(a, 3, speed, epsilon);
     if (kinetic_energy(a) <= sane || epsilon > 1e-3) break;
     restore_momenta(a);
   }

@@ -88,9 +88,9 @@ double close_gaps(Articulate& a, double tolerance) {
   if (!a.all_rigid)
     for (const Row& row : a.rows) scale = std::max(scale, mobility(a, row));
   for (int i = 0; i < 40 && sum > tolerance * tolerance && epsilon <= 1e3; i++) {
-    factorise(a, Arms::end, epsilon, scale);
-    for (std::size_t k = 0; k < a.rows.size(); k++) a.right_side[k] = a.rows[k].residual * -1.0;
-    a.factor.solve(a.right_side.data());
+    factorise(a, {Arms::end, epsilon, scale, -1.0});
+    for (std::size_t k = a.rows.size(); k-- > 0;)
+      a.factor.substitute_back(static_cast<std::uint32_t>(k), a.right_side.data());
     move_by_solution(a);
     const double now = gaps(a);
     if (now < sum) {
