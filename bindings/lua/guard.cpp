@@ -13,7 +13,7 @@ std::string where(lua_State* state) {
   for (int level = 0; lua_getstack(state, level, &frame); level++) {
     lua_getinfo(state, "Sl", &frame);
     if (frame.currentline > 0 && std::string_view(frame.source) != own_chunk)
-      return text(frame.short_src, ":", frame.currentline);
+      return std::string(frame.short_src) + ":" + std::to_string(frame.currentline);
   }
   return "";
 }

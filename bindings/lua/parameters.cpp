@@ -35,6 +35,17 @@ Value check_value(lua_State* state, int index, const std::string& what, const st
       text(what, ": ", name, " must be a number, true or false, or a string, got ", kind_of_value(state, index)));
 }
 
+/// Throws Error where a number is none of base, base ± step, base ± 2 step, …, up to round-off.
+void check_step(const Parameter& p, double value) {
+  if (!p.step) return;
+  const double base = p.min.value_or(std::get<double>(p.initial)), step = *p.step;
+  const double count = (value - base) / step, below = std::floor(count);
+  const double round_off = 1e-9 * std::max(1.0, std::fabs(count));
+  if (std::fabs(count - std::round(count)) <= round_off) return;
+  throw Error(text(p.name, " goes in steps of ", step, " from ", base, ", so it must be ", base + below * step, " or ",
+                   base + (below + 1) * step, ", got ", value));
+}
+
 /// Throws Error where the value is not allowed.
 void check_allowed(const Parameter& p, const Value& value) {
   require(value.index() == p.initial.index(), p.name, " must be ", type_name(p.initial), ", got ", type_name(value));
@@ -42,6 +53,7 @@ void check_allowed(const Parameter& p, const Value& value) {
     require(std::isfinite(*number), p.name, " must be a finite number, got ", *number);
     require(!p.min || *number >= *p.min, p.name, " must be at least ", p.min.value_or(0), ", got ", *number);
     require(!p.max || *number <= *p.max, p.name, " must be at most ", p.max.value_or(0), ", got ", *number);
+    check_step(p, *number);
   }
   if (p.choices.empty() || std::find(p.choices.begin(), p.choices.end(), value) != p.choices.end()) return;
   std::vector<std::string> names;

@@ -32,7 +32,7 @@ int require_file(lua_State* state) {
     }
     lua_pop(state, 1);
     const auto source = read_file(file);
-    places += "\n  " + file;
+    places += (places.empty() ? "" : ", ") + file;
     if (!source) continue;
     lua_pushlightuserdata(state, const_cast<char*>(&loading));
     lua_setfield(state, lua_upvalueindex(1), file.c_str());
@@ -47,7 +47,7 @@ int require_file(lua_State* state) {
     lua_setfield(state, lua_upvalueindex(1), file.c_str());
     return 1;
   }
-  throw Error(text("require: there is no '", name, "'; looked for", places));
+  throw Error(text("require: there is no '", name, "'; looked for ", places));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "lua/error_text.hpp"
 #include "lua/sandbox.hpp"
 #include "lua/scene.hpp"
 
@@ -85,9 +86,11 @@ void Runtime::run_job(Job& job) {
   lua_State* state = active();
   const Inside inside(*this, state, limits_.seconds);
   require(lua_checkstack(state, 8) != 0, "the script called itself too deeply");
+  lua_pushcfunction(state, describe_error);
   lua_pushcfunction(state, start);
   lua_pushlightuserdata(state, &job);
-  const int status = lua_pcall(state, 1, 0, 0);
+  const int status = lua_pcall(state, 1, 0, -3);
+  lua_remove(state, status == LUA_OK ? -1 : -2);
   if (status != LUA_OK) fail(state, status);
   if (job.thrown) std::rethrow_exception(job.thrown);
 }
@@ -97,10 +100,8 @@ void Runtime::fail(lua_State* state, int status) {
   if (status == LUA_ERRMEM)
     message = text(refused_at_.empty() ? "" : refused_at_ + ": ", "Lua's memory is full: the limit is ",
                    limits_.bytes >> 20, " MiB (--memory-limit)");
-  else if (lua_type(state, -1) == LUA_TSTRING)
-    message = lua_tostring(state, -1);
   else
-    message = text("the script raised an error that is no text but a ", luaL_typename(state, -1));
+    message = lua_tostring(state, -1);
   lua_pop(state, 1);
   if (message == stale_message) throw StaleHandle(message);
   if (message == usage_message) throw UsageError(message);

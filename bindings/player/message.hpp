@@ -5,7 +5,5 @@ namespace pantin::player {
 
 /// Prints a line on standard error: "pantin: message", or as it is when it starts with a script's "file.lua:12: ".
 void say(const std::string& message);
-/// Whether a message starts with a script's file and line.
-bool names_line(const std::string& message);
 
 }  // namespace pantin::player

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <utility>
 
 namespace pantin::player {
 namespace {
@@ -39,21 +40,34 @@ std::string check_size(const std::string& size) {
   } catch (const Error& error) { return error.what(); }
 }
 
+std::string check_bytes(const std::string& bytes) {
+  try {
+    read_bytes(bytes);
+    return "";
+  } catch (const Error& error) { return error.what(); }
+}
+
+/// What is read after the command line as a whole is known to be right.
+struct Texts {
+  std::vector<std::string> settings;
+  std::string size, memory;
+};
+
 /// Each use takes one value, so that `--set links=5 chain` leaves "chain" to be the scene.
 void list_option(CLI::App& app, const std::string& name, std::vector<std::string>& values, const std::string& help,
                  const std::string& kind, std::string (*check)(const std::string&)) {
   app.add_option(name, values, help)->allow_extra_args(false)->check(check)->type_name(kind);
 }
 
-void add_scene_options(CLI::App& app, RunOptions& scene, std::vector<std::string>& settings, std::string& size) {
-  list_option(app, "--set", settings, "Sets a parameter of the scene, or a field: --set links=50 --set scene.step=1/60",
-              "K=V", check_setting);
+void add_scene_options(CLI::App& app, RunOptions& scene, Texts& texts) {
+  list_option(app, "--set", texts.settings,
+              "Sets a parameter of the scene, or a field: --set links=50 --set scene.step=1/60", "K=V", check_setting);
   app.add_option("--until", scene.until, "Ends at this simulated time, s")->check(check_number)->type_name("T");
   list_option(app, "--out", scene.outputs,
               "By its ending: .csv probes of each step, .png last frame, .mp4 .gif .webp film", "FILE", check_ending);
   app.add_option("--summary", scene.summary, "Writes energies, errors, iterations, times and results as JSON")
       ->type_name("FILE");
-  app.add_option("--size", size, "Of the window, picture or film, pixels")
+  app.add_option("--size", texts.size, "Of the window, picture or film, pixels")
       ->check(check_size)
       ->default_str("1280x720")
       ->type_name("WxH");
@@ -61,8 +75,8 @@ void add_scene_options(CLI::App& app, RunOptions& scene, std::vector<std::string
       ->check(check_number)
       ->default_str("5")
       ->type_name("S");
-  app.add_option("--memory-limit", scene.memory_limit, "Of the script, in bytes or with a unit")
-      ->transform(CLI::AsSizeValue(true).description(""))
+  app.add_option("--memory-limit", texts.memory, "Of the script's memory, at least 1MiB")
+      ->check(check_bytes)
       ->default_str("2GiB")
       ->type_name("SIZE");
 }
@@ -90,6 +104,19 @@ Size read_size(const std::string& size) {
   return result;
 }
 
+std::size_t read_bytes(const std::string& bytes) {
+  constexpr std::pair<const char*, double> units[] = {{"", 1},         {"B", 1},        {"kB", 1e3},
+                                                      {"MB", 1e6},     {"GB", 1e9},     {"KiB", 0x1p10},
+                                                      {"kiB", 0x1p10}, {"MiB", 0x1p20}, {"GiB", 0x1p30}};
+  double number = 0.0;
+  const char* const end = bytes.data() + bytes.size();
+  const auto [rest, bad] = std::from_chars(bytes.data(), end, number);
+  for (const auto& [name, unit] : units)
+    if (bad == std::errc{} && std::string(rest, end) == name && number * unit >= 0x1p20 && number * unit < 0x1p60)
+      return static_cast<std::size_t>(number * unit);
+  throw lua::UsageError(text("'", bytes, "' must be a size of 1MiB or more, with a unit: 512MiB, 1.5GB, 2GiB"));
+}
+
 lua::SceneOptions lua_options(const RunOptions& options, const std::string& home) {
   lua::SceneOptions result;
   result.set = options.set;
@@ -101,18 +128,17 @@ lua::SceneOptions lua_options(const RunOptions& options, const std::string& home
 
 Options read_options(int argc, const char* const* argv) {
   Options options;
-  std::vector<std::string> settings;
-  std::string size;
+  Texts texts;
   CLI::App app("A physics engine to play with, scripted in Lua.", "pantin");
   app.set_version_flag("--version", "pantin " PANTIN_VERSION);
 
   CLI::App* play = app.add_subcommand("play", "Plays a scene in a window");
   play->add_option("scene", options.run.scene, "A scene's file, or the name of a shipped one [chain]");
   play->add_flag("--paused", options.run.paused, "Waits for the space bar before it starts");
-  add_scene_options(*play, options.run, settings, size);
+  add_scene_options(*play, options.run, texts);
   CLI::App* run = app.add_subcommand("run", "Runs a scene without a window");
   run->add_option("scene", options.run.scene, "A scene's file, or the name of a shipped one")->required();
-  add_scene_options(*run, options.run, settings, size);
+  add_scene_options(*run, options.run, texts);
   CLI::App* test = app.add_subcommand("test", "Runs tests written in Lua");
   test->add_option("path", options.arguments, "Files, or folders of them [tests/scenes]");
   CLI::App* bench = app.add_subcommand("bench", "Runs benchmarks");
@@ -132,11 +158,12 @@ Options read_options(int argc, const char* const* argv) {
     throw lua::UsageError(first_line(error.what()) + " (" + command + " --help tells more)");
   }
   if (app.get_subcommands().empty()) refuse_command(argc > 1 ? argv[1] : "");
-  for (const std::string& setting : settings) {
+  for (const std::string& setting : texts.settings) {
     auto equals = setting.find('=');
     options.run.set[setting.substr(0, equals)] = setting.substr(equals + 1);
   }
-  if (!size.empty()) options.run.size = read_size(size);
+  if (!texts.size.empty()) options.run.size = read_size(texts.size);
+  if (!texts.memory.empty()) options.run.memory_limit = read_bytes(texts.memory);
   using Command = Options::Command;
   options.command = *play ? Command::play : *run ? Command::run : *test ? Command::test : Command::bench;
   if (*meta) options.command = Command::meta;

@@ -43,5 +43,7 @@ lua::SceneOptions lua_options(const RunOptions& options, const std::string& home
 
 /// Reads "1280x720"; throws UsageError.
 Size read_size(const std::string& text);
+/// Reads "512MiB" as bytes, at least 1 MiB; throws UsageError.
+std::size_t read_bytes(const std::string& text);
 
 }  // namespace pantin::player

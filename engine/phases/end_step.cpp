@@ -36,6 +36,11 @@ std::string first_bad(const World& world) {
   return {};
 }
 
+std::string last_act(const World& world) {
+  if (world.last_actor.empty()) return {};
+  return text("; the last to act on the scene was ", world.last_actor, ", at ", world.last_act, " s");
+}
+
 void put_back(World& world) {
   for (std::size_t i = 0; i < world.loose_points.size(); i++) {
     Point& p = world.points.at_slot(world.loose_points[i]);
@@ -98,7 +103,7 @@ void end_step(World& world) {
     world.failure =
         text("the state of ", bad, " is no longer a finite number at ", time,
              " s; the scene is stopped at its last good state. Forces or speeds are too large for a step of ",
-             world.settings.step, " s");
+             world.settings.step, " s", last_act(world));
     log_line(world, "failure", world.failure);
     return;
   }

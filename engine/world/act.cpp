@@ -9,6 +9,7 @@ void push(World& world, BodyId body, Vec3 force, std::optional<Vec3> at) {
   require_unlocked(world, "push");
   require_finite("push", "force", force, "N");
   if (at) require_finite("push", "at", *at, "m");
+  acted(world);
   Motion& m = world.motion_of(body);
   m.force += force;
   world.pushed = true;
@@ -19,6 +20,7 @@ void kick(World& world, BodyId body, Vec3 impulse, std::optional<Vec3> at) {
   require_unlocked(world, "kick");
   require_finite("kick", "impulse", impulse, "N s");
   if (at) require_finite("kick", "at", *at, "m");
+  acted(world);
   Motion& m = world.motion_of(body);
   const double before = energy_of(world, body);
   m.p += impulse;
@@ -36,6 +38,7 @@ void twist(World& world, BodyId body, Vec3 torque) {
   const double along = m.freedom == Freedom::line ? std::fabs(dot(rotate(m.q, vec(1, 0, 0)), torque)) : 0.0;
   require(along <= 1e-9 * norm(torque), "twist: ", describe(world, body),
           " cannot turn about the line of its points, but the torque has ", along, " N m about it; give it `inertia`");
+  acted(world);
   m.torque += torque;
   world.pushed = true;
 }
@@ -45,6 +48,7 @@ void push(World& world, PointId id, Vec3 force) {
   Point& point = world.points[id];
   if (point.body) return push(world, point.body, force, position(world, id));
   require_finite("push", "force", force, "N");
+  acted(world);
   point.force += force;
   world.pushed = true;
 }
@@ -54,6 +58,7 @@ void kick(World& world, PointId id, Vec3 impulse) {
   Point& point = world.points[id];
   if (point.body) return kick(world, point.body, impulse, position(world, id));
   require_finite("kick", "impulse", impulse, "N s");
+  acted(world);
   const double before = energy_of(world, id);
   point.velocity += impulse / point.mass;
   post(world, energy_of(world, id) - before);

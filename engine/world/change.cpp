@@ -19,6 +19,7 @@ void require_free(const World& world, const char* call, PointId point) {
 /// Changes a thing, counts the energy that this made, and marks what is tied to it.
 template <class Id, class Change>
 void changed(World& world, Id id, Change change) {
+  acted(world);
   const double before = energy_of(world, id);
   change();
   post(world, energy_of(world, id) - before);
@@ -28,6 +29,7 @@ void changed(World& world, Id id, Change change) {
 /// Changes what a body weighs; where that makes no body, `undo` puts it back.
 template <class Change, class Undo>
 void reweigh(World& world, BodyId body, Change change, Undo undo) {
+  acted(world);
   const double before = energy_of(world, body);
   change();
   try {
@@ -142,6 +144,7 @@ void set_own_inertia(World& world, BodyId id, const Mat3& inertia) {
 void set_gravity(World& world, Vec3 gravity) {
   require_unlocked(world, "gravity");
   require_finite("scene", "gravity", gravity, "m/s²");
+  acted(world);
   const double before = energy(world).potential;
   world.settings.gravity = gravity;
   post(world, energy(world).potential - before);
@@ -150,6 +153,7 @@ void set_gravity(World& world, Vec3 gravity) {
 void set_step(World& world, double step) {
   require_unlocked(world, "step");
   require_positive("scene", "step", step, "s");
+  acted(world);
   world.settings.step = step;
   world.step_origin = world.time;
   world.step_count = 0;

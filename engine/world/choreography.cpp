@@ -34,6 +34,11 @@ std::string name_of(const Event& event) {
   return event.label.empty() ? text("event ", event.serial) : text("event ", event.label);
 }
 
+/// "scene.lua:12: ", where the event is known to come from.
+std::string place_of(const Choreography& c, EventId id) {
+  return c.events.alive(id) && !c.events[id].label.empty() ? c.events[id].label + ": " : "choreography: ";
+}
+
 void finish(World& world, EventId id, EventState state) {
   Choreography& c = world.choreography;
   *c.events[id].state = state;
@@ -101,7 +106,7 @@ void fire_events(World& world, double time) {
   auto& heap = world.choreography.heap;
   const double reached = with_round_off(time);
   for (std::uint64_t count = 0; !heap.empty() && heap.front().time <= reached; count++) {
-    require(count < most_at_once, "choreography: ", most_at_once,
+    require(count < most_at_once, place_of(world.choreography, heap.front().event), most_at_once,
             " events in one step; does one set itself again without a delay, or is a period far below the step?");
     std::pop_heap(heap.begin(), heap.end(), later);
     const Choreography::Due due = heap.back();

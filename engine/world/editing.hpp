@@ -32,6 +32,8 @@ double energy_round(const World& world, PointId point);
 void post(World& world, double joules);
 
 std::string culprit(const World& world);
+/// Remembers who acts, for the case that the state goes wrong.
+void acted(World& world);
 Obituary obituary(const World& world, std::string what);
 void notice(World& world, Notice::Kind kind, const AnyId& thing, std::string story, std::int32_t hand = -1);
 

@@ -111,9 +111,11 @@ struct World : Model {
   std::vector<SavedPoint> saved_points;  ///< (loose_points)
   std::vector<Motion> saved_motion;      ///< (loose_bodies)
 
-  bool pushed = false;  ///< pushes or twists wait for the coming step
-  bool locked = false;  ///< inside a step, outside the phases in which scripts run
-  std::string failure;  ///< not empty: the state became non-finite; the world steps no more
+  std::string last_actor;  ///< who pushed, kicked or changed a thing last; empty: nobody yet
+  double last_act = 0.0;   ///< [s] when
+  bool pushed = false;     ///< pushes or twists wait for the coming step
+  bool locked = false;     ///< inside a step, outside the phases in which scripts run
+  std::string failure;     ///< not empty: the state became non-finite; the world steps no more
 };
 
 /// Time at the end of the coming step [s]: whole multiples of its length, however long the run.

@@ -62,6 +62,30 @@ TEST_CASE("an error in a callback leaves the step with its line") {
              StartsWith("scene.lua:2: probe: probes cannot be added while the world steps"));
 }
 
+TEST_CASE("an error is told with a line, whatever was raised and wherever") {
+  CHECK(failure("\nerror()") == "scene.lua:2: error without a message");
+  CHECK(failure("\nerror({})") == "scene.lua:2: error: {}");
+  CHECK(failure("error { code = 3, reason = 'full', vec(1, 2, 3), { 1 } }") ==
+        "scene.lua:1: error: { [1] = a vec, [2] = a table, code = 3, reason = \"full\" }");
+  CHECK(failure("error(setmetatable({}, { __tostring = function() return 'mine' end }))") ==
+        "scene.lua:1: error: mine");
+  CHECK(failure("\nerror('no place', 0)") == "scene.lua:2: no place");
+  CHECK(failure("\nassert(false)") == "scene.lua:2: assertion failed!");
+  CHECK(failure("scene:on('step', function()\nerror(3 == 4) end)") == "scene.lua:2: error: false");
+  CHECK(failure("\ncoroutine.wrap(function() error {} end)()") == "scene.lua:2: error: {}");
+  CHECK_THAT(failure("\nsetmetatable(scene, {})"), StartsWith("scene.lua:2: bad argument #1 to 'setmetatable'"));
+  CHECK_THAT(failure("\nsetmetatable(setmetatable({}, { __metatable = 1 }), {})"),
+             StartsWith("scene.lua:2: cannot change a protected metatable"));
+}
+
+TEST_CASE("a state that goes wrong is told with who acted last") {
+  const auto scene =
+      open("local p = scene:particle { name = 'comet' }\nscene:at(0.1, function()\np:kick(vec(1e308, 0, 0)) end)");
+  for (int i = 0; i < 3000 && scene->world().failure.empty(); i++) scene->step();
+  CHECK_THAT(scene->world().failure,
+             Contains("comet") && Contains("the last to act on the scene was scene.lua:3, at 0.09"));
+}
+
 TEST_CASE("wrong calls are told") {
   CHECK_THAT(failure("scene:at(-1, print)"), Contains("at: argument 1, the time, must be >= 0 s, got -1"));
   CHECK_THAT(failure("scene:every(0, print)"), Contains("every: argument 1, the period, must be > 0 s, got 0"));

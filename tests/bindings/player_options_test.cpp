@@ -2,12 +2,13 @@
 #include <string>
 #include <vector>
 
+#include "lua/error_text.hpp"
 #include "lua/scene.hpp"
-#include "player/message.hpp"
 #include "player/options.hpp"
 
 using namespace pantin::player;
 using Catch::Contains;
+using pantin::text;
 using pantin::lua::UsageError;
 
 namespace {
@@ -63,6 +64,13 @@ TEST_CASE("options: what is not said") {
   CHECK(o.run.memory_limit == std::size_t{2} << 30);
 }
 
+TEST_CASE("options: sizes of memory have units") {
+  CHECK(read_bytes("1048576") == 1 << 20);
+  CHECK(read_bytes("1.5GB") == 1'500'000'000);
+  CHECK(read_bytes("64MiB") == 64 << 20);
+  CHECK(read_bytes("2GiB") == std::size_t{2} << 30);
+}
+
 TEST_CASE("options: a value may hold an equals sign, or be empty") {
   CHECK(read({"run", "chain", "--set", "text=a=b"}).run.set.at("text") == "a=b");
   CHECK(read({"run", "chain", "--set", "text="}).run.set.at("text").empty());
@@ -85,14 +93,16 @@ TEST_CASE("options: wrong use names what is wrong and what is allowed") {
   CHECK_THROWS_WITH(read({"run", "chain", "--until", "soon"}), Contains("soon"));
   CHECK_THROWS_WITH(read({"run", "chain", "--size", "0x5"}), Contains("0x5") && Contains("pixels"));
   CHECK_THROWS_WITH(read({"run", "chain", "--size", "1280"}), Contains("WIDTHxHEIGHT"));
-  CHECK_THROWS_WITH(read({"run", "chain", "--memory-limit", "much"}), Contains("much"));
+  for (const char* wrong : {"much", "0.1", "0", "-1GiB", "64kB", "1 furlong", "1e30GiB"})
+    CHECK_THROWS_WITH(read({"run", "chain", text("--memory-limit=", wrong).c_str()}),
+                      Contains(text("'", wrong, "' must be a size of 1MiB or more")));
   CHECK_THROWS_WITH(read({"run", "chain", "--colour", "red"}), Contains("--colour") && Contains("run --help"));
 }
 
 TEST_CASE("message: a script's line is known") {
-  CHECK(names_line("chain.lua:12: body: mass must be > 0 kg, got -1"));
-  CHECK(names_line("a folder/my chain.lua:3: x"));
-  CHECK_FALSE(names_line("there is no scene 'x': give a file"));
-  CHECK_FALSE(names_line("cannot write a.csv: 12: no"));
-  CHECK_FALSE(names_line(""));
+  CHECK(pantin::lua::names_place("chain.lua:12: body: mass must be > 0 kg, got -1"));
+  CHECK(pantin::lua::names_place("a folder/my chain.lua:3: x"));
+  CHECK_FALSE(pantin::lua::names_place("there is no scene 'x': give a file"));
+  CHECK_FALSE(pantin::lua::names_place("cannot write a.csv: 12: no"));
+  CHECK_FALSE(pantin::lua::names_place(""));
 }

@@ -85,10 +85,11 @@ TEST_CASE("an event that sets itself again without a delay is an error, not a ha
   std::function<void()> again = [&] {
     Event e;
     e.action = again;
+    e.label = "scene.lua:2";
     add_event(s.world, e);
   };
   again();
-  CHECK_THROWS_WITH(fire_events(s.world, 0), Contains("1000000 events in one step"));
+  CHECK_THROWS_WITH(fire_events(s.world, 0), Contains("scene.lua:2: 1000000 events in one step"));
 }
 
 TEST_CASE("an event whose target is gone is dropped and logged with who removed it") {
