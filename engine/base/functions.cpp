@@ -11,6 +11,9 @@ double asin(double x) { return Sleef_cinz_asind1_u10purec(x); }
 double acos(double x) { return Sleef_cinz_acosd1_u10purec(x); }
 double atan(double x) { return Sleef_cinz_atand1_u10purec(x); }
 double atan2(double y, double x) { return Sleef_cinz_atan2d1_u10purec(y, x); }
+double sinh(double x) { return Sleef_cinz_sinhd1_u10purec(x); }
+double cosh(double x) { return Sleef_cinz_coshd1_u10purec(x); }
+double tanh(double x) { return Sleef_cinz_tanhd1_u10purec(x); }
 double exp(double x) { return Sleef_cinz_expd1_u10purec(x); }
 double log(double x) { return Sleef_cinz_logd1_u10purec(x); }
 double log2(double x) { return Sleef_cinz_log2d1_u10purec(x); }

@@ -1,13 +1,17 @@
 #pragma once
 // What a force law is: a graph of sums, products and functions of what a law may see of its particles. Nodes are shared
 // and kept in a canonical form, so that equal expressions are one node.
+#include <compare>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
+
+#include "laws/spline.hpp"
 
 namespace pantin {
 
@@ -33,6 +37,7 @@ struct Input {
   friend auto operator<=>(const Input&, const Input&) = default;
 };
 
+/// Comparisons with NaN are false. `minimum` and `maximum` are the second where it is less (greater), else the first.
 enum class Function : std::uint8_t {
   exp,
   log,
@@ -42,14 +47,19 @@ enum class Function : std::uint8_t {
   asin,
   acos,
   atan,
-  atan2,
+  atan2,  ///< of y, x
+  sinh,
+  cosh,
   tanh,
+  power,  ///< the first to the power of the second
   abs,
   floor,
   minimum,
   maximum,
-  less,    ///< 1 where the first is below the second, else 0
-  select,  ///< the second where the first is not 0, else the third
+  less,           ///< 1 where the first is below the second, else 0
+  less_or_equal,  ///< 1 where the first is not above the second, else 0
+  select,         ///< the second where the first is not 0, else the third
+  spline,         ///< a Spline or a derivative of it
 };
 
 /// A node of one graph.
@@ -59,36 +69,49 @@ inline constexpr Expr no_expression = -1;
 class Expressions {
  public:
   enum class Kind : std::uint8_t { constant, input, sum, product, function };
+  using Terms = std::vector<std::pair<Expr, double>>;
   struct Node {
     Kind kind = Kind::constant;
     Function function{};
-    double value = 0.0;  ///< of a constant; constant part of a sum
-    std::vector<std::pair<Expr, double>>
-        terms;                ///< sum: node, coefficient. product: node, exponent. function: arguments
-    std::uint32_t input = 0;  ///< index into `inputs()`
+    double value = 0.0;       ///< of a constant; constant part of a sum; order of the derivative of a spline
+    std::uint32_t index = 0;  ///< into `inputs()` or `splines()`
+    Terms terms;              ///< sum: node, coefficient. product: node, exponent. function: arguments
     bool positive = false;    ///< known to be > 0
   };
 
   Expr constant(double value);
   Expr input(const Input& input);
-  Expr add(Expr a, Expr b);
-  Expr subtract(Expr a, Expr b);
-  Expr scale(Expr a, double factor);
+  Expr add(Expr a, Expr b) { return add_scaled(a, b, 1.0); }
+  Expr subtract(Expr a, Expr b) { return add_scaled(a, b, -1.0); }
+  Expr scale(Expr a, double factor) { return add_scaled(constant(0.0), a, factor); }
   Expr multiply(Expr a, Expr b);
-  Expr divide(Expr a, Expr b);
+  Expr divide(Expr a, Expr b) { return multiply(a, power(b, -1.0)); }
   Expr power(Expr a, double exponent);
-  Expr power(Expr a, Expr exponent);
+  Expr power(Expr a, Expr exponent) { return apply(Function::power, a, exponent); }
+  Expr square_root(Expr a) { return power(a, 0.5); }
+  /// Does not apply to Function::spline, which has a function of its own.
   Expr apply(Function f, Expr a, Expr b = no_expression, Expr c = no_expression);
   Expr select(Expr condition, Expr yes, Expr no) { return apply(Function::select, condition, yes, no); }
-  Expr square_root(Expr a) { return power(a, 0.5); }
+  Expr ceiling(Expr a) { return scale(apply(Function::floor, scale(a, -1.0)), -1.0); }
+  /// a - b floor(a / b), Lua's %.
+  Expr modulo(Expr a, Expr b) { return subtract(a, multiply(b, apply(Function::floor, divide(a, b)))); }
+  /// The derivative of order 0 to 3 of a spline at a; 0 beyond.
+  Expr spline(std::shared_ptr<const Spline> spline, Expr a, int order = 0);
+
+  /// sum of coefficient times node, plus a constant
+  Expr sum(double constant, const Terms& terms);
+  /// product of node to the power of exponent
+  Expr product(const Terms& terms);
 
   const Node& operator[](Expr e) const { return nodes_[static_cast<std::size_t>(e)]; }
   std::size_t size() const { return nodes_.size(); }
   const std::vector<Input>& inputs() const { return inputs_; }
+  const std::vector<std::shared_ptr<const Spline>>& splines() const { return splines_; }
   bool is_constant(Expr e) const { return (*this)[e].kind == Kind::constant; }
   bool is_constant(Expr e, double value) const { return is_constant(e) && (*this)[e].value == value; }
-  /// The inputs that an expression depends on, sorted.
+  /// The inputs that some expressions depend on, sorted.
   std::vector<Input> inputs_of(std::span<const Expr> outputs) const;
+  bool depends_on(Expr e, Role role) const;
 
   /// The expression with one input replaced everywhere.
   Expr replaced(Expr e, const Input& input, Expr by);
@@ -96,9 +119,25 @@ class Expressions {
   double evaluate(Expr e, std::span<const double> inputs) const;
 
  private:
+  using Powers = std::map<Expr, double>;
+  using Key = std::tuple<int, int, double, std::uint32_t, Terms>;
+
   std::vector<Node> nodes_;
   std::vector<Input> inputs_;
-  std::map<std::tuple<int, int, double, std::uint32_t, std::vector<std::pair<Expr, double>>>, Expr> known_;
+  std::vector<std::shared_ptr<const Spline>> splines_;
+  std::map<Key, Expr> known_;
+  std::map<std::uint64_t, Expr> constants_;  ///< by bits, so that 0, -0 and NaN are found too
+
+  Expr intern(Node node);
+  Expr add_scaled(Expr a, Expr b, double factor);
+  Expr finish_sum(double constant, const std::map<Expr, double>& terms);
+  Expr finish_product(const Powers& powers);
+  Expr simplified(Function f, Expr a, Expr b, Expr c);
+  bool is_positive(const Node& node) const;
+  bool is_scaled(Expr e) const;
+  bool may_split(const Terms& terms, double exponent) const;
+  void multiply_in(Powers& powers, Expr base, double exponent);
+  void raise_in(Powers& powers, Expr base, double inner, double outer);
 };
 
 }  // namespace pantin

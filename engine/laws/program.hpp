@@ -10,7 +10,31 @@
 
 namespace pantin {
 
-struct Instruction;
+/// a, b, c are slots; x, y are numbers.
+enum class Operation : std::uint8_t {
+  multiply,                    ///< a b
+  multiply_number,             ///< a x
+  add,                         ///< a + b
+  add_number,                  ///< a + x
+  subtract,                    ///< a - b
+  multiply_add,                ///< a b + c
+  multiply_number_add,         ///< a x + b
+  multiply_add_number,         ///< a b + x
+  multiply_number_add_number,  ///< a x + y
+  reciprocal,                  ///< 1 / a
+  square,                      ///< a a
+  divide,                      ///< a / b
+  set,                         ///< x
+  square_root,
+  function,  ///< `function` of a, b, c; of a spline: x is the order of the derivative, c its index
+};
+
+struct Instruction {
+  Operation operation = Operation::set;
+  Function function{};
+  std::int32_t to = -1, a = -1, b = -1, c = -1;
+  double x = 0.0, y = 0.0;
+};
 
 struct Program {
   std::vector<Input> inputs;         ///< slot i holds inputs[i]
@@ -18,8 +42,9 @@ struct Program {
   std::vector<Instruction> code;
   std::vector<std::int32_t> outputs;  ///< slots
   std::int32_t slots = 0;
-  std::size_t operations() const;  ///< in `code`
-  ~Program();
+  std::vector<std::shared_ptr<const Spline>> splines;
+
+  std::size_t operations() const { return code.size(); }
 };
 
 /// Whether an input is the same for everything that one run goes over: time always; parameters where `parameters` says.
@@ -38,6 +63,7 @@ class Machine {
   explicit Machine(const Program& program);
   ~Machine();
   Machine(Machine&&) noexcept;
+  Machine& operator=(Machine&&) noexcept;
 
   /// Index of an input in the program, or -1 where it does not depend on it.
   int input(const Input& input) const;
@@ -47,10 +73,11 @@ class Machine {
   void bind(int input, const double* values);
   /// Sets a whole column to one value: how uniform inputs are given.
   void fill(int input, double value);
-  /// Runs what depends on uniform inputs only; call after they were filled.
+  /// Runs what depends on uniform inputs only; call after they were filled, and once where there are none.
   void run_uniform();
   /// Runs on the first n values of every column, n <= block; values up to the next multiple of 16 may be touched.
   void run(int n);
+  /// n values; may be the column of an input.
   const double* output(int k) const;
 
  private:

@@ -29,6 +29,9 @@ TEST_CASE("elementary functions agree with the C library") {
     same_as(functions::tan(x), std::tan(x));
     same_as(functions::atan(x), std::atan(x));
     same_as(functions::exp(x), std::exp(x));
+    same_as(functions::sinh(x), std::sinh(x));
+    same_as(functions::cosh(x), std::cosh(x));
+    same_as(functions::tanh(x), std::tanh(x));
     for (double y : numbers) same_as(functions::atan2(x, y), std::atan2(x, y));
   }
 }

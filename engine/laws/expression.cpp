@@ -1,0 +1,399 @@
+#include "laws/expression.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "base/check.hpp"
+#include "base/functions.hpp"
+
+namespace pantin {
+
+namespace {
+
+bool is_integer(double x) { return x == std::floor(x); }
+bool is_even(double x) { return is_integer(x / 2.0); }
+
+double power_of(double x, double exponent) {
+  if (exponent == -1.0) return 1.0 / x;
+  if (exponent == 0.5) return std::sqrt(x);
+  if (exponent == 1.0) return x;
+  if (exponent == 2.0) return x * x;
+  return functions::pow(x, exponent);
+}
+
+double value_of(Function f, double a, double b, double c) {
+  switch (f) {
+    case Function::exp: return functions::exp(a);
+    case Function::log: return functions::log(a);
+    case Function::sin: return functions::sin(a);
+    case Function::cos: return functions::cos(a);
+    case Function::tan: return functions::tan(a);
+    case Function::asin: return functions::asin(a);
+    case Function::acos: return functions::acos(a);
+    case Function::atan: return functions::atan(a);
+    case Function::atan2: return functions::atan2(a, b);
+    case Function::sinh: return functions::sinh(a);
+    case Function::cosh: return functions::cosh(a);
+    case Function::tanh: return functions::tanh(a);
+    case Function::power: return power_of(a, b);
+    case Function::abs: return std::fabs(a);
+    case Function::floor: return std::floor(a);
+    case Function::minimum: return b < a ? b : a;
+    case Function::maximum: return b > a ? b : a;
+    case Function::less: return a < b ? 1.0 : 0.0;
+    case Function::less_or_equal: return a <= b ? 1.0 : 0.0;
+    case Function::select: return a != 0.0 ? b : c;
+    case Function::spline: break;
+  }
+  assume(false);
+  return 0.0;
+}
+
+// Which nodes some outputs are made of. Nodes come after those that they are made of.
+std::vector<bool> needed_by(const Expressions& graph, std::span<const Expr> outputs) {
+  std::vector<bool> needed(graph.size(), false);
+  for (Expr e : outputs) needed[static_cast<std::size_t>(e)] = true;
+  for (std::size_t i = needed.size(); i-- > 0;) {
+    if (!needed[i]) continue;
+    for (const auto& [term, factor] : graph[static_cast<Expr>(i)].terms) needed[static_cast<std::size_t>(term)] = true;
+  }
+  return needed;
+}
+
+}  // namespace
+
+bool Expressions::is_positive(const Node& node) const {
+  const auto positive = [this](Expr e) { return (*this)[e].positive; };
+  switch (node.kind) {
+    case Kind::constant: return node.value > 0.0;
+    case Kind::input: return inputs_[node.index].role == Role::distance2;
+    case Kind::sum:
+      return node.value >= 0.0 && std::all_of(node.terms.begin(), node.terms.end(),
+                                              [&](auto& t) { return t.second > 0.0 && positive(t.first); });
+    case Kind::product:
+      return std::all_of(node.terms.begin(), node.terms.end(), [&](auto& t) { return positive(t.first); });
+    case Kind::function: break;
+  }
+  const auto argument = [&](std::size_t i) { return positive(node.terms[i].first); };
+  switch (node.function) {
+    case Function::exp:
+    case Function::cosh: return true;
+    case Function::minimum: return argument(0) && argument(1);
+    case Function::maximum: return argument(0) || argument(1);
+    case Function::select: return argument(1) && argument(2);
+    case Function::power: return argument(0);
+    default: return false;
+  }
+}
+
+Expr Expressions::intern(Node node) {
+  Key key{static_cast<int>(node.kind), static_cast<int>(node.function), node.value, node.index, node.terms};
+  if (const auto found = known_.find(key); found != known_.end()) return found->second;
+  const auto e = static_cast<Expr>(nodes_.size());
+  node.positive = is_positive(node);
+  nodes_.push_back(std::move(node));
+  known_.emplace(std::move(key), e);
+  return e;
+}
+
+Expr Expressions::constant(double value) {
+  const auto [place, fresh] = constants_.try_emplace(std::bit_cast<std::uint64_t>(value), static_cast<Expr>(size()));
+  if (fresh) {
+    Node node;
+    node.value = value;
+    node.positive = value > 0.0;
+    nodes_.push_back(std::move(node));
+  }
+  return place->second;
+}
+
+Expr Expressions::input(const Input& input) {
+  const auto found = std::find(inputs_.begin(), inputs_.end(), input);
+  Node node;
+  node.kind = Kind::input;
+  node.index = static_cast<std::uint32_t>(found - inputs_.begin());
+  if (found == inputs_.end()) inputs_.push_back(input);
+  return intern(std::move(node));
+}
+
+Expr Expressions::spline(std::shared_ptr<const Spline> spline, Expr a, int order) {
+  if (order > 3) return constant(0.0);
+  if (is_constant(a)) return constant(spline->evaluate((*this)[a].value, order));
+  const auto found = std::find(splines_.begin(), splines_.end(), spline);
+  Node node;
+  node.kind = Kind::function;
+  node.function = Function::spline;
+  node.value = order;
+  node.index = static_cast<std::uint32_t>(found - splines_.begin());
+  node.terms = {{a, 0.0}};
+  if (found == splines_.end()) splines_.push_back(std::move(spline));
+  return intern(std::move(node));
+}
+
+bool Expressions::is_scaled(Expr e) const {
+  const Node& node = (*this)[e];
+  return node.kind == Kind::sum && node.value == 0.0 && node.terms.size() == 1;
+}
+
+Expr Expressions::finish_sum(double constant_part, const std::map<Expr, double>& terms) {
+  Node node;
+  node.kind = Kind::sum;
+  node.value = constant_part;
+  bool is_number = !std::isnan(constant_part);
+  for (const auto& [e, factor] : terms) {
+    if (factor != 0.0) node.terms.emplace_back(e, factor);
+    is_number = is_number && !std::isnan(factor);
+  }
+  if (!is_number) return constant(std::numeric_limits<double>::quiet_NaN());
+  if (node.terms.empty()) return constant(constant_part);
+  if (node.terms.size() == 1 && constant_part == 0.0 && node.terms[0].second == 1.0) return node.terms[0].first;
+  return intern(std::move(node));
+}
+
+Expr Expressions::add_scaled(Expr a, Expr b, double factor) { return sum(0.0, {{a, 1.0}, {b, factor}}); }
+
+Expr Expressions::sum(double constant_part, const Terms& terms) {
+  std::map<Expr, double> merged;
+  for (const auto& [e, factor] : terms) {
+    const Node& node = (*this)[e];
+    if (node.kind == Kind::constant) {
+      constant_part += factor * node.value;
+    } else if (node.kind == Kind::sum && factor != 0.0) {
+      constant_part += factor * node.value;
+      for (const auto& [inner, inner_factor] : node.terms) merged[inner] += factor * inner_factor;
+    } else {
+      merged[e] += factor;
+    }
+  }
+  return finish_sum(constant_part, merged);
+}
+
+// Puts base^exponent into a product. Exponents add up unless that would turn the square of a root, which is NaN below
+// 0, into a whole power.
+void Expressions::multiply_in(Powers& powers, Expr base, double exponent) {
+  const auto found = powers.find(base);
+  if (found == powers.end()) {
+    powers[base] = exponent;
+    return;
+  }
+  const double total = found->second + exponent;
+  const bool loses_roots = total != 0.0 && is_integer(total) && !is_integer(exponent) && !(*this)[base].positive;
+  if (!loses_roots) {
+    found->second = total;
+    return;
+  }
+  Node root;
+  root.kind = Kind::product;
+  root.terms = {{base, exponent}};
+  multiply_in(powers, intern(std::move(root)), 1.0);
+}
+
+Expr Expressions::finish_product(const Powers& powers) {
+  Node node;
+  node.kind = Kind::product;
+  for (const auto& [base, exponent] : powers) {
+    if (exponent != 0.0) node.terms.emplace_back(base, exponent);
+  }
+  if (node.terms.empty()) return constant(1.0);
+  if (node.terms.size() == 1 && node.terms[0].second == 1.0) return node.terms[0].first;
+  return intern(std::move(node));
+}
+
+Expr Expressions::product(const Terms& terms) {
+  Expr result = constant(1.0);
+  for (const auto& [base, exponent] : terms) result = multiply(result, power(base, exponent));
+  return result;
+}
+
+Expr Expressions::multiply(Expr a, Expr b) {
+  double factor = 1.0;
+  Powers powers;
+  for (Expr e : {a, b}) {
+    if (is_constant(e)) {
+      factor *= (*this)[e].value;
+      continue;
+    }
+    if (is_scaled(e)) {
+      const auto [inner, inner_factor] = (*this)[e].terms[0];
+      factor *= inner_factor;
+      e = inner;
+    }
+    if ((*this)[e].kind == Kind::product) {
+      const Terms terms = (*this)[e].terms;
+      for (const auto& [base, exponent] : terms) multiply_in(powers, base, exponent);
+    } else {
+      multiply_in(powers, e, 1.0);
+    }
+  }
+  return scale(finish_product(powers), factor);
+}
+
+// Whether (x y …)^exponent is x^exponent y^exponent …: of factors whose sign is not known there may be one.
+bool Expressions::may_split(const Terms& terms, double exponent) const {
+  if (is_integer(exponent)) return true;
+  return std::count_if(terms.begin(), terms.end(), [this](const auto& term) {
+           return !(*this)[term.first].positive && !is_even(term.second);
+         }) <= 1;
+}
+
+// Puts (base^inner)^outer into a product.
+void Expressions::raise_in(Powers& powers, Expr base, double inner, double outer) {
+  const double exponent = inner * outer;
+  if ((*this)[base].positive || (is_integer(inner) && is_integer(outer))) {
+    multiply_in(powers, base, exponent);
+  } else if (is_even(inner)) {
+    multiply_in(powers, apply(Function::abs, base), exponent);
+  } else if (!is_integer(exponent)) {
+    multiply_in(powers, base, exponent);
+  } else {
+    Node root;
+    root.kind = Kind::product;
+    root.terms = {{base, inner}};
+    multiply_in(powers, intern(std::move(root)), outer);
+  }
+}
+
+Expr Expressions::power(Expr a, double exponent) {
+  if (exponent == 0.0) return constant(1.0);
+  if (exponent == 1.0) return a;
+  if (is_constant(a)) return constant(power_of((*this)[a].value, exponent));
+  if (!std::isfinite(exponent)) return apply(Function::power, a, constant(exponent));
+  double factor = 1.0;
+  if (is_scaled(a) && (is_integer(exponent) || (*this)[a].terms[0].second > 0.0)) {
+    factor = power_of((*this)[a].terms[0].second, exponent);
+    a = (*this)[a].terms[0].first;
+  }
+  const Node node = (*this)[a];
+  if (node.kind == Kind::function && node.function == Function::exp) {
+    return scale(apply(Function::exp, scale(node.terms[0].first, exponent)), factor);
+  }
+  Powers powers;
+  if (node.kind == Kind::product && may_split(node.terms, exponent)) {
+    for (const auto& [base, inner] : node.terms) raise_in(powers, base, inner, exponent);
+  } else {
+    powers[a] = exponent;
+  }
+  return scale(finish_product(powers), factor);
+}
+
+// What a function comes down to, or nothing.
+Expr Expressions::simplified(Function f, Expr a, Expr b, Expr c) {
+  switch (f) {
+    case Function::log: {
+      const Node& node = (*this)[a];
+      if (node.kind == Kind::function && node.function == Function::exp) return node.terms[0].first;
+      if (node.kind != Kind::product || node.terms.size() != 1 || !node.positive) return no_expression;
+      const auto [base, exponent] = node.terms[0];
+      return scale(apply(Function::log, base), exponent);
+    }
+    case Function::exp: {
+      const Node& node = (*this)[a];
+      if (node.kind != Kind::function || node.function != Function::log) return no_expression;
+      return (*this)[node.terms[0].first].positive ? node.terms[0].first : no_expression;
+    }
+    case Function::abs: {
+      if ((*this)[a].positive) return a;
+      if (!is_scaled(a)) return no_expression;
+      const auto [inner, factor] = (*this)[a].terms[0];
+      return scale(apply(Function::abs, inner), std::fabs(factor));
+    }
+    case Function::power:
+      return is_constant(b) && std::isfinite((*this)[b].value) ? power(a, (*this)[b].value) : no_expression;
+    case Function::minimum:
+    case Function::maximum: return a == b ? a : no_expression;
+    case Function::less: return a == b ? constant(0.0) : no_expression;
+    case Function::select:
+      if (is_constant(a)) return (*this)[a].value != 0.0 ? b : c;
+      return b == c ? b : no_expression;
+    default: return no_expression;
+  }
+}
+
+Expr Expressions::apply(Function f, Expr a, Expr b, Expr c) {
+  assume(f != Function::spline);
+  Node node;
+  node.kind = Kind::function;
+  node.function = f;
+  bool all_constant = true;
+  double values[3] = {};
+  for (Expr e : {a, b, c}) {
+    if (e == no_expression) break;
+    values[node.terms.size()] = (*this)[e].value;
+    all_constant = all_constant && is_constant(e);
+    node.terms.emplace_back(e, 0.0);
+  }
+  if (all_constant) return constant(value_of(f, values[0], values[1], values[2]));
+  const Expr simple = simplified(f, a, b, c);
+  return simple != no_expression ? simple : intern(std::move(node));
+}
+
+std::vector<Input> Expressions::inputs_of(std::span<const Expr> outputs) const {
+  std::vector<Input> found;
+  const auto needed = needed_by(*this, outputs);
+  for (std::size_t i = 0; i < needed.size(); i++) {
+    if (needed[i] && nodes_[i].kind == Kind::input) found.push_back(inputs_[nodes_[i].index]);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+bool Expressions::depends_on(Expr e, Role role) const {
+  const auto found = inputs_of({&e, 1});
+  return std::any_of(found.begin(), found.end(), [&](const Input& input) { return input.role == role; });
+}
+
+Expr Expressions::replaced(Expr e, const Input& input, Expr by) {
+  const auto needed = needed_by(*this, {&e, 1});
+  std::vector<Expr> now(needed.size(), no_expression);
+  for (std::size_t i = 0; i < needed.size(); i++) {
+    if (!needed[i]) continue;
+    Node node = nodes_[i];
+    for (auto& term : node.terms) term.first = now[static_cast<std::size_t>(term.first)];
+    const auto argument = [&](std::size_t k) { return k < node.terms.size() ? node.terms[k].first : no_expression; };
+    switch (node.kind) {
+      case Kind::constant: now[i] = static_cast<Expr>(i); break;
+      case Kind::input: now[i] = inputs_[node.index] == input ? by : static_cast<Expr>(i); break;
+      case Kind::sum: now[i] = sum(node.value, node.terms); break;
+      case Kind::product: now[i] = product(node.terms); break;
+      case Kind::function:
+        now[i] = node.function == Function::spline
+                     ? spline(splines_[node.index], argument(0), static_cast<int>(node.value))
+                     : apply(node.function, argument(0), argument(1), argument(2));
+    }
+  }
+  return now[static_cast<std::size_t>(e)];
+}
+
+double Expressions::evaluate(Expr e, std::span<const double> inputs) const {
+  const auto needed = needed_by(*this, {&e, 1});
+  std::vector<double> values(needed.size(), 0.0);
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(e); i++) {
+    if (!needed[i]) continue;
+    const Node& node = nodes_[i];
+    const auto argument = [&](std::size_t k) {
+      return k < node.terms.size() ? values[static_cast<std::size_t>(node.terms[k].first)] : 0.0;
+    };
+    double value = node.value;
+    switch (node.kind) {
+      case Kind::constant: break;
+      case Kind::input: value = inputs[node.index]; break;
+      case Kind::sum:
+        for (std::size_t k = 0; k < node.terms.size(); k++) value += node.terms[k].second * argument(k);
+        break;
+      case Kind::product:
+        value = 1.0;
+        for (std::size_t k = 0; k < node.terms.size(); k++) value *= power_of(argument(k), node.terms[k].second);
+        break;
+      case Kind::function:
+        value = node.function == Function::spline
+                    ? splines_[node.index]->evaluate(argument(0), static_cast<int>(node.value))
+                    : value_of(node.function, argument(0), argument(1), argument(2));
+    }
+    values[i] = value;
+  }
+  return values[static_cast<std::size_t>(e)];
+}
+
+}  // namespace pantin
