@@ -53,9 +53,22 @@ int cancel_event(lua_State* state) {
   return 0;
 }
 
+/// Drops what was cancelled once it is most of the list.
+void tidy(Script& script) {
+  if (script.telling > 0 || 2 * script.cancelled <= script.subscriptions.size() + 64) return;
+  std::erase_if(script.subscriptions, [](const Subscription& s) { return !s.function; });
+  script.cancelled = 0;
+}
+
 int cancel_subscription(lua_State* state) {
   const Self self = check_self(state, Kind::subscription, "cancel");
-  self.script.subscriptions[self.ref.slot - 1].function.reset();
+  auto& list = self.script.subscriptions;
+  const auto found = std::lower_bound(list.begin(), list.end(), self.ref.serial,
+                                      [](const Subscription& s, std::uint64_t serial) { return s.serial < serial; });
+  if (found == list.end() || found->serial != self.ref.serial || !found->function) return 0;
+  found->function.reset();
+  self.script.cancelled++;
+  tidy(self.script);
   return 0;
 }
 
@@ -96,13 +109,26 @@ int push_notice(lua_State* state, Script& script, const Notice& notice) {
   return 0;
 }
 
+/// Keeps the subscriptions in their places while it lives.
+struct Telling {
+  explicit Telling(Script& s) : script(s) { script.telling++; }
+  ~Telling() { script.telling--; }
+  Telling(const Telling&) = delete;
+  Telling& operator=(const Telling&) = delete;
+  Script& script;
+};
+
 /// Calls those who wait for a moment, in the order of asking; those who ask meanwhile wait for the next.
 void tell(Script& script, std::string_view moment, const std::function<int(lua_State*)>& push) {
-  for (std::size_t i = 0, count = script.subscriptions.size(); i < count; i++) {
-    if (script.subscriptions[i].name != moment) continue;
-    const std::optional<Callback> function = script.subscriptions[i].function;
-    if (function) function->call(push);
+  {
+    const Telling telling(script);
+    for (std::size_t i = 0, count = script.subscriptions.size(); i < count; i++) {
+      if (script.subscriptions[i].name != moment) continue;
+      const std::optional<Callback> function = script.subscriptions[i].function;
+      if (function) function->call(push);
+    }
   }
+  tidy(script);
 }
 
 }  // namespace
@@ -118,9 +144,10 @@ int scene_on(lua_State* state) {
   require(std::find(names.begin(), names.end(), name) != names.end(), "on: unknown moment '", name, "'.",
           suggestion(name, names), " Known are ", joined(names));
   const Callback function = check_function(state, 3, "on", "argument 2");
-  self.script.subscriptions.push_back({name, function});
-  const auto slot = static_cast<std::uint32_t>(self.script.subscriptions.size());
-  push_ref(state, {Tag::ref, Kind::subscription, slot, 1, slot, &self.script});
+  const std::uint64_t serial = ++self.script.subscribed;
+  self.script.subscriptions.push_back({serial, name, function});
+  push_ref(state, {Tag::ref, Kind::subscription, static_cast<std::uint32_t>(serial),
+                   static_cast<std::uint32_t>(serial >> 32), serial, &self.script});
   return 1;
 }
 

@@ -17,6 +17,7 @@ namespace pantin::lua {
 
 /// A function that waits for something: `scene:on(name, function)`.
 struct Subscription {
+  std::uint64_t serial;
   std::string name;
   std::optional<Callback> function;  ///< empty: cancelled
 };
@@ -41,9 +42,12 @@ struct Script {
   std::vector<std::string> buttons;
   std::map<std::string, Callback> button_functions;
   std::map<std::string, Value> results;
-  std::vector<Subscription> subscriptions;
-  std::size_t data_count = 0;   ///< tables of things' data
-  std::size_t data_sweep = 64;  ///< count at which the dead ones are dropped
+  std::vector<Subscription> subscriptions;  ///< in the order of asking
+  std::uint64_t subscribed = 0;             ///< serial of the last
+  std::size_t cancelled = 0;                ///< subscriptions that are only there to be dropped
+  int telling = 0;                          ///< calls that go through the subscriptions now
+  std::size_t data_count = 0;               ///< tables of things' data
+  std::size_t data_sweep = 64;              ///< count at which the dead ones are dropped
 
   /// Addresses are keys of the Lua registry: per kind the handles given out, then their data, then scene.store.
   std::array<char, kind_count + 2> keys{};

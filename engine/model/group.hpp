@@ -18,6 +18,7 @@ using AnyId = std::variant<std::monostate, PointId, ParticleId, BodyId, Constrai
 struct Group {
   std::vector<AnyId> members;
   std::unordered_set<AnyId> known;  ///< the same, to ask whether one is in it
+  std::size_t sweep = 64;           ///< number of members at which the dead are dropped
   std::string name;
   std::uint64_t serial = 0;
 };

@@ -1,4 +1,5 @@
 #include "bindings/lua_support.hpp"
+#include "lua/script.hpp"
 #include "world/hands.hpp"
 
 using namespace pantin;
@@ -121,6 +122,28 @@ TEST_CASE("callbacks hear what happened, until they are cancelled") {
   for (int i = 0; i < 10; i++) scene->step();
   CHECK_THAT(text_of(*scene), Contains("true") && Contains("key k") && Contains("go") &&
                                   Contains("particle 'p' was removed at") && Contains("by scene.lua:11"));
+}
+
+TEST_CASE("subscriptions that were cancelled leave nothing behind, and the others keep their order") {
+  const auto scene = open(R"(
+    local order = ""
+    local function say(word) return function() order = order .. word end end
+    scene:on("step", say "a")
+    local old = scene:on("step", error) old:cancel()
+    scene:on("step", function()
+      for i = 1, 1000 do
+        local sub = scene:on("step", error)
+        sub:cancel() sub:cancel()
+      end
+      old:cancel()
+    end)
+    scene:on("step", say "b")
+    scene:probe("x", function() scene:result("x", order) return 0 end))");
+  for (int i = 0; i < 100; i++) scene->step();
+  std::string order;
+  for (int i = 0; i < 100; i++) order += "ab";
+  CHECK(text_of(*scene) == order);
+  CHECK(scene->script().subscriptions.size() < 100);
 }
 
 TEST_CASE("what callbacks do is told in the next step") {

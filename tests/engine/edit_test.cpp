@@ -210,6 +210,31 @@ TEST_CASE("edits count the energy that they make") {
   CHECK(energy(world).total() != 0.0);
 }
 
+TEST_CASE("a group keeps no list of the dead, and its living in their order") {
+  World world;
+  const GroupId group = add_group(world, "rain"), empty = add_group(world, "empty");
+  const auto drop = [&] {
+    const ParticleId p = add_particle(world, {});
+    add_to_group(world, group, p);
+    return p;
+  };
+  add_to_group(world, group, empty);
+  std::vector<AnyId> living = {empty, drop(), drop()};
+  for (int i = 0; i < 100'000; i++) {
+    if (i % 40'000 == 0) living.push_back(drop());
+    remove(world, drop());
+  }
+  const Group& row = world.groups[group];
+  CHECK(row.members.size() <= 64);
+  CHECK(row.known.size() == row.members.size());
+  std::vector<AnyId> found;
+  for (const AnyId& thing : row.members)
+    if (thing == AnyId{empty} || alive(world, thing)) found.push_back(thing);
+  CHECK(found == living);
+  for (const AnyId& thing : living) remove_from_group(world, group, thing);
+  CHECK_FALSE(alive(world, group));
+}
+
 TEST_CASE("a group holds any living thing once, and never itself") {
   Two t;
   const GroupId group = add_group(t.world, "all"), inner = add_group(t.world, "inner");
