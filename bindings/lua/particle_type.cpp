@@ -1,6 +1,7 @@
 #include "lua/arguments.hpp"
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
+#include "lua/pushes.hpp"
 #include "lua/script.hpp"
 #include "lua/targets.hpp"
 #include "world/edit.hpp"
@@ -19,18 +20,6 @@ PointId only_point(const Self& self, const char* field) {
   require(!ring(self).is_hinge(), "particle: ", field,
           " of a hinge belongs to its points; change theirs or their bodies'");
   return row(self).points[0];
-}
-
-int push_force(lua_State* state) {
-  const Self self = check_self(state, Kind::particle, "push");
-  push(self.world, star(self.world, id_of(self)), check_vec(state, 2, "push", "force", "N"));
-  return 0;
-}
-
-int kick_particle(lua_State* state) {
-  const Self self = check_self(state, Kind::particle, "kick");
-  kick(self.world, star(self.world, id_of(self)), check_vec(state, 2, "kick", "impulse", "N s"));
-  return 0;
 }
 
 int cut_hinge(lua_State* state) {
@@ -111,13 +100,11 @@ Type make() {
        }},
   };
   for (Field& field : look_and_life()) type.fields.push_back(field);
-  type.methods = {
-      {"push", guard<push_force>, "force: vec [N]", "", "Pulls for the coming step."},
-      {"kick", guard<kick_particle>, "impulse: vec [N s]", "", "Changes the velocity at once."},
-      {"cut", guard<cut_hinge>, "body?: Body", "", "Frees all members of a hinge, or those of one body."},
-      {"force", guard<force_of_hinge>, "body: Body", "vec",
-       "Force [N] of a hinge on one of its bodies in the last step."},
-  };
+  type.methods = pushes<Kind::particle>();
+  type.methods.push_back(
+      {"cut", guard<cut_hinge>, "body?: Body", "", "Frees all members of a hinge, or those of one body."});
+  type.methods.push_back({"force", guard<force_of_hinge>, "body: Body", "vec",
+                          "Force [N] of a hinge on one of its bodies in the last step."});
   add_common_fields(type);
   add_common_remove(type);
   return type;

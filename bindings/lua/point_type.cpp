@@ -1,6 +1,7 @@
 #include "lua/arguments.hpp"
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
+#include "lua/pushes.hpp"
 #include "lua/script.hpp"
 #include "world/edit.hpp"
 
@@ -9,18 +10,6 @@ namespace {
 
 PointId id_of(const Self& self) { return self.ref.id<PointId>(); }
 Point& row(const Self& self) { return self.world.points[id_of(self)]; }
-
-int push_force(lua_State* state) {
-  const Self self = check_self(state, Kind::point, "push");
-  push(self.world, id_of(self), check_vec(state, 2, "push", "force", "N"));
-  return 0;
-}
-
-int kick_point(lua_State* state) {
-  const Self self = check_self(state, Kind::point, "kick");
-  kick(self.world, id_of(self), check_vec(state, 2, "kick", "impulse", "N s"));
-  return 0;
-}
 
 Type make() {
   Type type{"Point", "point", "A point mass. It belongs to at most one body, and always to one particle.", {}, {}};
@@ -56,10 +45,7 @@ Type make() {
       {"particle", "Particle", "", "the particle it is in now: its own, or a hinge",
        [](const Self& s) { push_thing(s.state, s.script, row(s).particle); }, nullptr},
   };
-  type.methods = {
-      {"push", guard<push_force>, "force: vec [N]", "", "Pulls for the coming step."},
-      {"kick", guard<kick_point>, "impulse: vec [N s]", "", "Changes the velocity at once."},
-  };
+  type.methods = pushes<Kind::point>();
   add_common_fields(type);
   add_common_remove(type);
   return type;

@@ -1,0 +1,35 @@
+#pragma once
+// `push` and `kick` of a point, and of a particle, which is pushed at the point that stands for it.
+#include <vector>
+
+#include "lua/arguments.hpp"
+#include "lua/fields.hpp"
+#include "lua/guard.hpp"
+#include "lua/targets.hpp"
+#include "world/edit.hpp"
+
+namespace pantin::lua {
+
+template <Kind kind>
+int push_force(lua_State* state) {
+  const Self self = check_self(state, kind, "push");
+  const PointId point = check_point(state, 1, "push", type_of(kind).word);
+  push(self.world, point, check_vec(state, 2, "push", "force", "N"));
+  return 0;
+}
+
+template <Kind kind>
+int kick_at_once(lua_State* state) {
+  const Self self = check_self(state, kind, "kick");
+  const PointId point = check_point(state, 1, "kick", type_of(kind).word);
+  kick(self.world, point, check_vec(state, 2, "kick", "impulse", "N s"));
+  return 0;
+}
+
+template <Kind kind>
+std::vector<Method> pushes() {
+  return {{"push", guard<push_force<kind>>, "force: vec [N]", "", "Pulls for the coming step."},
+          {"kick", guard<kick_at_once<kind>>, "impulse: vec [N s]", "", "Changes the velocity at once."}};
+}
+
+}  // namespace pantin::lua
