@@ -13,6 +13,11 @@ struct ScriptError : Error {
   using Error::Error;
 };
 
+/// A script was stopped because the program is to end.
+struct Interrupted : ScriptError {
+  using ScriptError::ScriptError;
+};
+
 /// A removed thing was used; the text is its story.
 struct StaleHandle : Error {
   using Error::Error;

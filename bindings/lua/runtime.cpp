@@ -105,6 +105,7 @@ void Runtime::fail(lua_State* state, int status) {
   lua_pop(state, 1);
   if (message == stale_message) throw StaleHandle(message);
   if (message == usage_message) throw UsageError(message);
+  if (watch_.over && scripts_interrupted()) throw Interrupted(message);
   throw ScriptError(message);
 }
 

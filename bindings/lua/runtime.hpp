@@ -31,7 +31,7 @@ class Runtime {
   /// The innermost runtime whose script runs on this thread, or null.
   static Runtime* current();
 
-  /// Runs `body(state)` protected and within the limits. Errors of Lua leave as ScriptError, StaleHandle or UsageError;
+  /// Runs `body(state)` protected and within the limits. Errors of Lua leave as ScriptError, Interrupted, StaleHandle or UsageError;
   /// exceptions of C++ leave as they are.
   template <class Body>
   void run(Body&& body) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <limits>
 #include <mutex>
 #include <stop_token>
 #include <thread>
@@ -21,13 +22,26 @@ std::int64_t now_ns() {
 
 namespace {
 
+constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max() / 2;  // [ns]
+constexpr std::int64_t moment = 200'000'000;                                  // [ns] to end in after an interrupt
+
+/// [ns] of the steady clock: when scripts are to have ended.
+std::atomic<std::int64_t> last_call{never};
+static_assert(std::atomic<std::int64_t>::is_always_lock_free, "a signal's handler writes it");
+
+bool time_is_over(const Watch& watch) {
+  const std::int64_t deadline = watch.deadline;
+  return deadline != 0 && now_ns() >= std::min(deadline, last_call.load());
+}
+
 /// The watch whose script runs on this thread: the handler touches no other.
 thread_local std::atomic<Watch*> watched{nullptr};
 
 std::string why_stopped(lua_State* state) {
-  const std::string place = where(state);
-  return text(place, place.empty() ? "" : ": ", "the script did not come back within ",
-              Runtime::of(state).watch().limit, " s and was stopped (--script-limit)");
+  const std::string place = where(state), begin = place.empty() ? "" : place + ": ";
+  if (scripts_interrupted()) return begin + "the script was interrupted";
+  return text(begin, "the script did not come back within ", Runtime::of(state).watch().limit,
+              " s and was stopped (--script-limit)");
 }
 
 void stop_script(lua_State* state, lua_Debug*) {
@@ -41,8 +55,7 @@ void stop_script(lua_State* state, lua_Debug*) {
 }
 
 void time_is_up(Watch& watch) {
-  const std::int64_t deadline = watch.deadline;
-  if (deadline == 0 || now_ns() < deadline) return;
+  if (!time_is_over(watch)) return;
   watch.over = true;
   if (lua_State* state = watch.running) lua_sethook(state, stop_script, LUA_MASKCOUNT, 1);
 }
@@ -95,10 +108,8 @@ class Watchdog {
     std::unique_lock lock(mutex_);
     while (!stop.stop_requested()) {
       wake_.wait_for(lock, stop, 20ms, [] { return false; });
-      for (Watch* watch : watches_) {
-        const std::int64_t deadline = watch->deadline;
-        if (deadline != 0 && !watch->over && now_ns() >= deadline) send(*watch);
-      }
+      for (Watch* watch : watches_)
+        if (!watch->over && time_is_over(*watch)) send(*watch);
     }
   }
 
@@ -110,6 +121,10 @@ class Watchdog {
 
 }  // namespace
 
+void interrupt_scripts() noexcept { last_call = now_ns() + moment; }
+bool scripts_interrupted() noexcept { return last_call != never; }
+void allow_scripts() noexcept { last_call = never; }
+
 Watch::Watch() { Watchdog::instance().add(this); }
 Watch::~Watch() { Watchdog::instance().remove(this); }
 
@@ -120,7 +135,7 @@ Watch* Watch::enter(lua_State* state, double seconds) {
   running = state;
   thread = pthread_self();
   over = false;
-  if (seconds > 0) deadline = now_ns() + static_cast<std::int64_t>(std::min(seconds, 1e9) * 1e9);
+  deadline = seconds > 0 ? now_ns() + static_cast<std::int64_t>(std::min(seconds, 1e9) * 1e9) : never;
   return previous;
 }
 

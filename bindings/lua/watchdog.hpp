@@ -30,7 +30,7 @@ struct Watch {
 
   double limit = 0.0;  ///< [s]
   std::atomic<lua_State*> running{nullptr};
-  std::atomic<std::int64_t> deadline{0};  ///< [ns] of the steady clock; 0: none
+  std::atomic<std::int64_t> deadline{0};  ///< [ns] of the steady clock; 0: no call is going on
   std::atomic<bool> over{false};          ///< the time is up
   std::atomic<pthread_t> thread{};
   int depth = 0;
@@ -38,6 +38,13 @@ struct Watch {
 
 /// [ns] of the steady clock.
 std::int64_t now_ns();
+
+/// From now on a script that does not come back within a moment is stopped, whatever its limit, and its error leaves as
+/// Interrupted. May be called by a signal's handler.
+void interrupt_scripts() noexcept;
+bool scripts_interrupted() noexcept;
+/// Scripts may take their time again.
+void allow_scripts() noexcept;
 
 /// Counts the steps of a loop in C++ that a script entered, where no hook reaches it.
 class Steps {

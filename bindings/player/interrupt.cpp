@@ -2,17 +2,32 @@
 
 #include <csignal>
 
+#include "lua/watchdog.hpp"
+#include "player/unfinished.hpp"
+
 namespace pantin::player {
 namespace {
+
 volatile std::sig_atomic_t interrupted = 0;
-void note(int) { interrupted = 1; }
+
+void note(int number) {
+  if (interrupted == 0) {
+    interrupted = 1;
+    return lua::interrupt_scripts();
+  }
+  Unfinished::remove_all();
+  std::signal(number, SIG_DFL);
+  std::raise(number);
+}
+
 }  // namespace
 
 Interrupt::Interrupt() {
   interrupted = 0;
+  lua::allow_scripts();
   struct sigaction action {};
   action.sa_handler = note;
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  action.sa_flags = SA_RESTART;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
 }
@@ -20,6 +35,7 @@ Interrupt::Interrupt() {
 Interrupt::~Interrupt() {
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
+  lua::allow_scripts();
 }
 
 bool Interrupt::asked() { return interrupted != 0; }

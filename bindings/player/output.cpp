@@ -47,12 +47,14 @@ Output::Output(std::string path) : path_(std::move(path)) {
   }
   if (file < 0) refuse(path_, std::strerror(errno));
   close(file);
+  unfinished_ = Unfinished(temporary_);
 }
 
 Output::Output(Output&& other) noexcept
     : path_(std::move(other.path_)),
       target_(std::move(other.target_)),
-      temporary_(std::exchange(other.temporary_, "")) {}
+      temporary_(std::exchange(other.temporary_, "")),
+      unfinished_(std::move(other.unfinished_)) {}
 
 Output::~Output() {
   if (!temporary_.empty() && temporary_ != target_) unlink(temporary_.c_str());
@@ -69,6 +71,7 @@ void Output::keep() {
   if (temporary_ != target_)
     require(std::rename(temporary_.c_str(), target_.c_str()) == 0, "cannot write ", path_, ": ", std::strerror(errno));
   temporary_.clear();
+  unfinished_ = {};
 }
 
 }  // namespace pantin::player

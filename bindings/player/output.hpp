@@ -1,6 +1,8 @@
 #pragma once
 #include <string>
 
+#include "player/unfinished.hpp"
+
 namespace pantin::player {
 
 /// A file to be written: grows under a temporary name beside its own, takes its own when it is complete, and is gone if
@@ -27,6 +29,7 @@ class Output {
   std::string path_;
   std::string target_;     ///< what `path` leads to
   std::string temporary_;  ///< empty: nothing to clean up
+  Unfinished unfinished_;
 };
 
 }  // namespace pantin::player

@@ -6,6 +6,7 @@
 #include <thread>
 #include <utility>
 
+#include "lua/guard.hpp"
 #include "player/hand_path.hpp"
 #include "player/home.hpp"
 #include "player/interrupt.hpp"
@@ -23,6 +24,12 @@ Window open_window(const std::string& title, Size size) {
   try {
     return Window(title, size.width, size.height);
   } catch (const Error& error) { throw NoWindow(error.what()); }
+}
+
+/// Whether a hand did something that only a step carries out.
+bool waits_for_step(const Input& input) {
+  return std::ranges::any_of(
+      input.commands, [](const Command& c) { return c.kind == Command::Kind::cut || c.kind == Command::Kind::button; });
 }
 
 double aspect(const Renderer& renderer) { return static_cast<double>(renderer.width()) / renderer.height(); }
@@ -130,7 +137,9 @@ void Player::step_once() {
     scene_->step();
     if (!scene_->world().failure.empty()) return fail(scene_->world().failure);
     times_.add(scene_->world());
-  } catch (const std::exception& error) { fail(error.what()); }
+  } catch (const lua::Interrupted& error) { say(error.what()); } catch (const std::exception& error) {
+    fail(error.what());
+  }
 }
 
 void Player::fail(const std::string& why) {
@@ -160,7 +169,10 @@ Overlay Player::overlay() const {
   overlay.title = title();
   overlay.highlight = hands_.highlight();
   overlay.status = status_.parts(scene_->world(), pacing_, scene_->pace(), paused_);
-  if (scene_->finished()) overlay.status[1] = "finished";
+  if (scene_->finished())
+    overlay.status[1] = "finished";
+  else if (paused_ && failure_.empty() && waits_for_step(waiting_))
+    overlay.status[1] = "paused: what you did shows with the next step (space, or .)";
   if (!help_) overlay.status.push_back("h: keys");
   if (!failure_.empty()) overlay.message = failure_ + "   (r starts the scene again)";
   if (help_) overlay.help = key_help();

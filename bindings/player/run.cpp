@@ -3,6 +3,7 @@
 #include <chrono>
 #include <memory>
 
+#include "lua/guard.hpp"
 #include "player/closing.hpp"
 #include "player/home.hpp"
 #include "player/interrupt.hpp"
@@ -14,13 +15,15 @@
 namespace pantin::player {
 namespace {
 
-/// Steps to the end, or to Ctrl-C, or to the script's own end. `after` is called after each step.
+/// Steps to the end, or to Ctrl-C, which may come in the middle of a script, or to the script's own end. `after` is called after each step.
 template <class After>
 void run_to(lua::Scene& scene, double until, After after) {
   Progress progress(until);
   World& world = scene.world();
   while (world.time < until - 0.5 * world.settings.step && !scene.finished() && !Interrupt::asked()) {
-    scene.step();
+    try {
+      scene.step();
+    } catch (const lua::Interrupted& error) { return say(error.what()); }
     require(world.failure.empty(), world.failure);
     after();
     progress.show(world.time);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <csignal>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -186,6 +187,46 @@ TEST_CASE("program: Ctrl-C ends with what there is") {
   CHECK(summary["steps"].get<std::size_t>() > 0);
   CHECK(lines(read_file(folder / "a.csv")) == summary["steps"].get<std::size_t>() + 1);
   CHECK_THAT(process.err(), Contains("stopped at"));
+}
+
+TEST_CASE("program: one Ctrl-C ends a script that loops, whatever its limit, and a second one kills without a trace") {
+  Folder folder;
+  write_file(folder / "opens.lua", "local s = ('a'):rep(1e6)\ns:find('.-.-.-b')");
+  write_file(folder / "steps.lua", "scene:at(0.1, function()\nwhile true do end end)");
+  const auto start = [&](const char* scene) {
+    return std::make_unique<Process>(
+        options({"run", scene, "--script-limit", "0", "--out", "a.csv", "--summary", "s.json"}, folder.path));
+  };
+  const auto loops = [&](Process& process) {
+    while (folder.files().size() < 4 && !process.wait(0.01)) {}
+    REQUIRE_FALSE(process.wait(0.3));
+  };
+  SECTION("while the scene is built") {
+    auto process = start("opens.lua");
+    loops(*process);
+    process->signal(SIGINT);
+    CHECK(process->wait(20.0) == 1);
+    CHECK(process->err() == "opens.lua:2: the script was interrupted\n");
+    CHECK(folder.files().size() == 2);
+  }
+  SECTION("in a step: what there is is kept") {
+    auto process = start("steps.lua");
+    loops(*process);
+    process->signal(SIGINT);
+    CHECK(process->wait(20.0) == 0);
+    CHECK_THAT(process->err(), Contains("steps.lua:2: the script was interrupted") && Contains("stopped at 0.09"));
+    CHECK(nlohmann::json::parse(read_file(folder / "s.json"))["steps"] == 23);
+    CHECK(folder.files().size() == 4);
+  }
+  SECTION("twice") {
+    auto process = start("steps.lua");
+    loops(*process);
+    process->signal(SIGINT);
+    process->wait(0.05);
+    process->signal(SIGINT);
+    CHECK(process->wait(20.0) == 128 + SIGINT);
+    CHECK(folder.files().size() == 2);
+  }
 }
 
 TEST_CASE("program: a picture and films", "[slow]") {
