@@ -6,12 +6,14 @@ local span, slack, swing = 3.4, 1.45, 0.28 -- m between the hands, rope per span
 scene.title = "Skipping rope"
 scene.step = 1 / 960 -- a light rope whips fast
 scene.duration = 12
-scene.camera = { at = vec(0.8, 2.0, 7.6), look_at = vec(0, 1.25, 0) }
+scene.camera = { at = vec(0.7, 1.9, 5.6), look_at = vec(0, 1.2, 0) }
 
 -- The rope hangs in a zigzag at first: equal links between the hands.
 local length = span * slack / links
 local step, drop = span / links, math.sqrt(length ^ 2 - (span / links) ^ 2)
 local mass = 0.012 * 36 / links -- kg
+local bead = 0.3 * length -- m, drawn radius
+local colours = { "#c2413b", "#e8833a", "#3f6f9f" }
 
 local function corner(i)
   return vec(-span / 2 + i * step, 1.25 - (i % 2) * drop, 0)
@@ -21,15 +23,16 @@ local rope = scene:group "rope"
 local first, middle, previous
 for i = 1, links do
   local a, b = corner(i - 1), corner(i)
+  local colour = colours[(i - 1) // 4 % #colours + 1]
   local link = scene:body {
     points = {
-      head = { at = vec(-length / 2, 0, 0), mass = mass / 2, radius = 0.025 },
-      tail = { at = vec(length / 2, 0, 0), mass = mass / 2, radius = 0.025 },
+      head = { at = vec(-length / 2, 0, 0), mass = mass / 2, radius = bead },
+      tail = { at = vec(length / 2, 0, 0), mass = mass / 2, radius = bead },
     },
     at = (a + b) / 2, orientation = quat(vec(0, 0, 1), math.atan(b.y - a.y, b.x - a.x)),
-    color = i % 6 < 3 and "#c2413b" or "#f6ead2",
+    color = "#6b4f3a",
   }
-  if previous then rope:add(scene:hinge(previous.tail, link.head, { radius = 0.025 })) end
+  if previous then rope:add(scene:hinge(previous.tail, link.head, { radius = 1.1 * bead, color = colour })) end
   rope:add(link)
   first, previous = first or link, link
   if i == links // 2 then middle = link end
