@@ -7,6 +7,7 @@ namespace pantin {
 
 void step(World& world) {
   if (!world.failure.empty()) return;
+  world.profile.begin();
   phases::begin_step(world);
   phases::fire_events(world);
   phases::run_behaviours(world);

@@ -86,15 +86,19 @@ double kinetic_energy(const Articulate& a) {
   return t;
 }
 
-Gaps largest_gaps(const Articulate& a) {
-  Gaps gaps;
+void measure_gaps(Articulate& a) {
+  a.gaps = {};
   for (const Row& row : a.rows) {
-    if (row.kind == RowKind::rigid)
-      gaps.points = std::max(gaps.points, norm(row.d1 - row.offset));
-    else if (row.kind == RowKind::rod)
-      gaps.rods = std::max(gaps.rods, std::fabs(norm(row.d1) - condition(a, row).length));
+    if (row.kind == RowKind::rigid) {
+      a.gaps.points = std::max(a.gaps.points, norm(row.d1));
+      a.gaps.open = std::max(a.gaps.open, norm(row.d1 - row.offset));
+    } else if (row.kind == RowKind::rod) {
+      const Condition& c = condition(a, row);
+      const double gap = norm(row.d1) - c.length;
+      a.gaps.rods = std::max(a.gaps.rods, std::fabs(gap));
+      a.gaps.open = std::max(a.gaps.open, std::fabs(gap - c.accepted));
+    }
   }
-  return gaps;
 }
 
 }  // namespace pantin

@@ -59,7 +59,6 @@ struct alignas(64) Row {
   std::int32_t a = 0, b = -1;
   std::int32_t condition = -1;  // of a row that a constraint made; a hinge has none
   RowKind kind = RowKind::rigid;
-  bool fresh = true;  // f has no history
   Vec3 residual = zero3();
   Vec3 ra1 = zero3(), rb1 = zero3();
   Vec3 la = zero3(), lb = zero3();  // arms of the two points
@@ -77,8 +76,9 @@ struct Condition {
   Vec3 whole0 = zero3(), whole1 = zero3();  // [m] the same of the whole step, where that is halved
   Vec3 velocity = zero3();                  // [m/s] of the world end at the end of the step
   Mat3 M = zero33(),
-       C = zero33();    // the row of Newton's matrix: M (change of d1) + C df = -residual; rigid: M = 1, C = 0
-  double length = 0.0;  // [m] of a rod
+       C = zero33();      // the row of Newton's matrix: M (change of d1) + C df = -residual; rigid: M = 1, C = 0
+  double length = 0.0;    // [m] of a rod
+  double accepted = 0.0;  // [m] what a rod is longer than that because no motion can make it shorter
   double stiffness = 0.0, damping = 0.0;  // [N/m], [N s/m] of a limited row
   double max_force = 0.0;                 // [N]
   ConstraintId constraint;
@@ -99,10 +99,19 @@ struct Wave {
   std::uint32_t forces = 0, nodes = 0, rows = 0, columns = 0;
 };
 
+/// Largest distances that rows should have closed, [m].
+struct Gaps {
+  double points = 0.0;  ///< of hinges, nails and rigid follows
+  double rods = 0.0;    ///< of a rod's length
+  double open = 0.0;    ///< of all, but for offsets that were accepted
+  double all() const { return std::fmax(points, rods); }
+};
+
 struct Articulate {
   std::vector<Node> nodes;
   std::vector<Row> rows;  // in the order of elimination
   std::vector<Condition> conditions;
+  std::vector<std::uint32_t> anchored;  // rows with a world end
   std::vector<Meeting> meetings;
   std::vector<std::uint32_t> first_meeting;  // (nodes + 1)
   std::vector<Wave> waves;                   // ends of the stretches; the last reaches all
@@ -111,7 +120,7 @@ struct Articulate {
 
   double length = 0.0;      // [m] median arm: every length in a criterion is a multiple of it
   double total_mass = 0.0;  // [kg]
-  double start_gap = 0.0;   // [m] largest at the start of the next step
+  Gaps gaps;                // at the start of the next step
   double last_h = 0.0;      // [s] of the last good step; 0: no history
   /// Relative compliance of the factor, between `least_epsilon` and `most_epsilon`: sets the speed of convergence, never
   /// the answer. Redundant loops that change shape want much, large mass ratios and long chains little. Rows without a
@@ -122,7 +131,9 @@ struct Articulate {
   bool lowered = false;       // epsilon was lowered in this step
   std::uint32_t history = 0;  // how many last steps the unknowns may be extrapolated from
   bool rough = false;         // the last prediction was far off: the motion is not smooth at this step length
+  bool fresh = true;          // the rows' forces have no history
   bool all_rigid = true;
+  bool limited = false;      // has limited rows
   bool has_factor = false;   // the factor is of a Newton matrix
   bool safe = false;         // the last step was a safe one
   bool edited = true;        // new: velocities are still to be made consistent
@@ -149,13 +160,8 @@ void store(const Node& node, Model& model);
 /// Kinetic energy of the nodes' starts, [J].
 double kinetic_energy(const Articulate& articulate);
 inline double kinetic_energy(const Node& n) { return 0.5 * (norm2(n.p0) * n.inverse_mass + dot(n.P0, n.O0)); }
-/// Largest distances that rows should have closed, at the nodes' ends, [m].
-struct Gaps {
-  double points = 0.0;  ///< of hinges, nails and rigid follows
-  double rods = 0.0;    ///< of a rod's length
-  double all() const { return std::fmax(points, rods); }
-};
-Gaps largest_gaps(const Articulate& articulate);
+/// Finds `gaps` anew from the rows at the end of the step.
+void measure_gaps(Articulate& articulate);
 
 /// What a drift did, for counting and the balance of energy.
 struct DriftReport {

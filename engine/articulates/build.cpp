@@ -164,6 +164,11 @@ void find_meetings(Articulate& a) {
   }
 }
 
+void find_anchors(Articulate& a) {
+  for (std::uint32_t k = 0; k < a.rows.size(); k++)
+    if (a.rows[k].b < 0) a.anchored.push_back(k);
+}
+
 void find_waves(Articulate& a) {
   constexpr std::uint32_t stretch = 8;
   const auto rows = static_cast<std::uint32_t>(a.rows.size()), nodes = static_cast<std::uint32_t>(a.nodes.size());
@@ -220,6 +225,7 @@ void measure(Articulate& a, const Model& model) {
     for (double l : {norm(row.la), row.b >= 0 ? norm(row.lb) : 0.0})
       if (l > 0.0) lengths.push_back(l);
     a.all_rigid = a.all_rigid && row.kind == RowKind::rigid;
+    a.limited = a.limited || row.kind == RowKind::limited;
   }
   if (!lengths.empty()) {
     const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
@@ -261,6 +267,7 @@ std::unique_ptr<Articulate> build_articulate(const Model& model, std::span<const
   articulate->right_side.resize(articulate->rows.size());
   find_meetings(*articulate);
   find_waves(*articulate);
+  find_anchors(*articulate);
   measure(*articulate, model);
   const Thing oldest = things.front();
   articulate->serial =

@@ -13,17 +13,19 @@ namespace {
 
 constexpr int most_halvings = 5;
 
-/// Work of world ends that move, of limited pulls, and of pushes and twists, in the step just solved [J].
-double work_of_step(const Articulate& a, Vec3 gravity) {
+/// Makes the end of the step just solved the start of the next; returns the work of world ends that move, of limited pulls,
+/// and of pushes and twists [J].
+double commit(Articulate& a, Vec3 gravity) {
   double work = 0.0;
-  for (const Row& row : a.rows) {
-    if (row.b >= 0) continue;
+  for (std::uint32_t k : a.anchored) {
+    const Row& row = a.rows[k];
     const Vec3 moved = condition(a, row).place1 - condition(a, row).place0;
     work += dot(row.f, row.kind == RowKind::limited ? moved + row.d1 - row.d0 : moved);
   }
-  for (const Node& n : a.nodes) {
+  for (Node& n : a.nodes) {
     work += dot(n.force - gravity * n.mass, n.x1 - n.x0);
     if (n.turns) work += dot(n.torque, n.R0 * n.a);
+    commit(n);
   }
   return work;
 }
@@ -40,13 +42,12 @@ void place_world_ends(Articulate& a, double from, double to) {
 void drift_part(Articulate& a, const DriftSettings& settings, double from, double to, int depth, DriftReport& report) {
   const double h = settings.h * (to - from);
   place_world_ends(a, from, to);
-  if (a.start_gap > 1e-8 * a.length) return safe_step(a, settings, h, report);
+  if (a.gaps.open > 1e-8 * a.length) return safe_step(a, settings, h, report);
   place_rows_at_start(a);
   if (solve_step(a, h, settings.gravity, report)) {
-    report.work += work_of_step(a, settings.gravity);
-    for (Node& n : a.nodes) commit(n);
-    for (Row& row : a.rows) row.fresh = false;
-    a.start_gap = largest_gaps(a).all();
+    report.work += commit(a, settings.gravity);
+    a.fresh = false;
+    measure_gaps(a);
     a.last_h = h;
     a.safe = false;
     if (a.epsilon < a.most_epsilon && !a.lowered && ++a.good_steps > a.wait) {
@@ -70,8 +71,8 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   if (a.edited) {
     place_world_ends(a, 0.0, 0.0);
     place_rows_at_end(a);
-    a.start_gap = largest_gaps(a).all();
-    if (a.start_gap <= 1e-8 * a.length) {
+    measure_gaps(a);
+    if (a.gaps.open <= 1e-8 * a.length) {
       const double before = kinetic_energy(a);
       make_consistent(a);
       report.work += kinetic_energy(a) - before;

@@ -91,7 +91,7 @@ void drift_euler(Articulate& a, const DriftSettings& settings, DriftReport& repo
     commit(n);
   }
   report.work += work;
-  a.start_gap = largest_gaps(a).all();
+  measure_gaps(a);
   a.safe = false;
 }
 

@@ -50,6 +50,17 @@ void finish_diagonal(Articulate& a, std::uint32_t k, const System& system) {
   }
 }
 
+void set_right_side(Articulate& a, std::uint32_t k, const System& system) {
+  const Row& row = a.rows[k];
+  Vec3 side = row.residual;
+  if (system.right == Arms::mean) {
+    Vec3 moved = cross(a.nodes[static_cast<std::size_t>(row.a)].phi, row.ra1);
+    if (row.b >= 0) moved -= cross(a.nodes[static_cast<std::size_t>(row.b)].phi, row.rb1);
+    side += row.kind == RowKind::rigid ? moved : condition(a, row).M * moved;
+  }
+  a.right_side[k] = side * system.right_scale;
+}
+
 Mat3 weight(const Node& n, Arms right, double h) {
   if (!n.turns) return zero33();
   if (right == Arms::mean) return weight(n, h);
@@ -61,17 +72,6 @@ Mat3 weight(const Node& n, Arms right, double h) {
 Mat3 inverse_inertia(const Node& n, const Mat3& R) {
   const Vec3 i = n.inverse_inertia;
   return times_transposed(Mat3{{R[0] * i[0], R[1] * i[1], R[2] * i[2]}}, R);
-}
-
-void set_right_side(Articulate& a, std::uint32_t k, const System& system) {
-  const Row& row = a.rows[k];
-  Vec3 side = row.residual;
-  if (system.right == Arms::mean) {
-    Vec3 moved = cross(a.nodes[static_cast<std::size_t>(row.a)].phi, row.ra1);
-    if (row.b >= 0) moved -= cross(a.nodes[static_cast<std::size_t>(row.b)].phi, row.rb1);
-    side += row.kind == RowKind::rigid ? moved : condition(a, row).M * moved;
-  }
-  a.right_side[k] = side * system.right_scale;
 }
 
 bool factorise(Articulate& a, const System& system) {
@@ -105,11 +105,10 @@ bool factorise(Articulate& a, const System& system) {
 void reuse_factor(Articulate& a, const System& system) {
   Wave done;
   for (const Wave& wave : a.waves) {
-    if (system.right == Arms::mean)
-      for (; done.nodes < wave.nodes; done.nodes++) {
-        Node& n = a.nodes[done.nodes];
-        if (n.turns) n.phi = rotation(n, n.da);
-      }
+    for (; done.nodes < wave.nodes; done.nodes++) {
+      Node& n = a.nodes[done.nodes];
+      if (n.turns) n.phi = rotation(n, n.da);
+    }
     for (; done.rows < wave.rows; done.rows++) set_right_side(a, done.rows, system);
     for (; done.columns < wave.columns; done.columns++) a.factor.substitute_forward(done.columns, a.right_side.data());
   }

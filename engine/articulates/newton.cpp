@@ -136,9 +136,9 @@ void predict(Articulate& a, double h) {
     if (a.weak)
       row.f_saved = last * 0.95;  // forget multipliers that the equations do not determine
     else
-      row.f_saved = row.fresh || order == 0 ? last
-                    : order < 3             ? last + (last - row.f_last) * ratio
-                                            : (last - row.f_last) * 3.0 + row.f_before;
+      row.f_saved = a.fresh || order == 0 ? last
+                    : order < 3           ? last + (last - row.f_last) * ratio
+                                          : (last - row.f_last) * 3.0 + row.f_before;
     row.f_before = row.f_last;
     row.f_last = last;
   }

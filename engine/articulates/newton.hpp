@@ -26,7 +26,7 @@ struct System {
 /// Fills and factorises the matrix and takes its right side through the first half of the solution, whose second half is
 /// `Factor::substitute_back`. Returns whether a pivot is weak.
 bool factorise(Articulate& articulate, const System& system);
-/// The same for another right side on the factor at hand.
+/// The same for another right side on the factor of Newton's matrix at hand.
 void reuse_factor(Articulate& articulate, const System& system);
 /// R I⁻¹ R' with the rotation at the start or end of the step.
 Mat3 inverse_inertia(const Node& node, const Mat3& R);

@@ -7,6 +7,10 @@ namespace pantin {
 /// without it an odd-even velocity hides and grows. With `energy_return` the kinetic energy that this took is given back.
 void project_velocities(Articulate& articulate, const DriftSettings& settings, DriftReport& report);
 
+/// Scales the motion relative to the kept rigid motion, by 1.2 at most, so that the kinetic energy is `kinetic` again [J].
+/// Spin that nothing couples to stays as it is; nothing is given back where an anchor moves or a pull is limited.
+void return_energy(Articulate& articulate, double kinetic, Vec3 gravity);
+
 /// Makes momenta consistent after an edit (an inelastic meeting), with the least compliance that gives a sane energy:
 /// anchors may be near-singular or contradict each other. Arms at the nodes' ends; ends must equal starts.
 void make_consistent(Articulate& articulate);

@@ -9,12 +9,13 @@ double evaluate_rod(Row& row, Condition& c, const RowContext& context) {
   const Vec3 middle = (row.d0 + row.d1) * 0.5;
   const double reach = norm(middle), kappa = 0.5 * context.h * context.h * context.mobility;
   const Vec3 n = direction(middle);
-  const double g = (dot(row.d1, row.d1) - c.length * c.length) / (2.0 * c.length);
+  const double length = c.length + c.accepted;
+  const double g = (dot(row.d1, row.d1) - length * length) / (2.0 * length);
   const double along = dot(row.f, n);
   const Vec3 across = row.f - n * along;
   const Mat3 P = identity33() - outer(n, n);
   row.residual = n * g + across * kappa;
-  c.M = outer(n, row.d1 / c.length) - P * (kappa * along / (2.0 * std::fmax(reach, 1e-3 * c.length)));
+  c.M = outer(n, row.d1 / length) - P * (kappa * along / (2.0 * std::fmax(reach, 1e-3 * length)));
   c.C = P * kappa;
   // A force across the rod does work on its turning: it counts as the gap that would do as much.
   const double way = norm(row.d1 - row.d0);

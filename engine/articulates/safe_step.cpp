@@ -47,7 +47,7 @@ double gaps(Articulate& a) {
     if (row.kind == RowKind::limited)
       row.residual = zero3();
     else if (row.kind == RowKind::rod)
-      row.residual = direction(row.d1) * (norm(row.d1) - condition(a, row).length);
+      row.residual = direction(row.d1) * (norm(row.d1) - condition(a, row).length - condition(a, row).accepted);
     else
       row.residual = row.d1 - row.offset;
     sum += norm2(row.residual);
@@ -82,8 +82,8 @@ void move_by_solution(Articulate& a) {
   }
 }
 
-/// Closes the gaps of the nodes' ends by Levenberg and Marquardt; returns the largest that is left [m].
-double close_gaps(Articulate& a, double tolerance) {
+/// Closes the gaps of the nodes' ends by Levenberg and Marquardt, as far as it can.
+void close_gaps(Articulate& a, double tolerance) {
   double sum = gaps(a), epsilon = 1e-6, scale = 0.0;
   if (!a.all_rigid)
     for (const Row& row : a.rows) scale = std::max(scale, mobility(a, row));
@@ -104,16 +104,18 @@ double close_gaps(Articulate& a, double tolerance) {
     gaps(a);
     epsilon *= 20.0;
   }
-  return largest_gaps(a).all();
+  measure_gaps(a);
 }
 
 /// A small gap that stays (a loop built a little too long) becomes the row's constant offset.
-void accept_gaps(Articulate& a, double gap, double tolerance, DriftReport& report) {
-  if (gap <= 1e-8 * a.length || gap > tolerance * a.length) return;
-  for (Row& row : a.rows)
+void accept_gaps(Articulate& a, double tolerance, DriftReport& report) {
+  if (a.gaps.open <= 1e-8 * a.length || a.gaps.open > tolerance * a.length) return;
+  for (Row& row : a.rows) {
     if (row.kind == RowKind::rigid) row.offset = row.d1;
+    if (row.kind == RowKind::rod) condition(a, row).accepted = norm(row.d1) - condition(a, row).length;
+  }
   report.offsets++;
-  a.start_gap = 0.0;
+  measure_gaps(a);
 }
 
 }  // namespace
@@ -129,7 +131,7 @@ void safe_step(Articulate& a, const DriftSettings& settings, double h, DriftRepo
     if (n.turns) turn_freely(n, h);
     settle(n);
   }
-  a.start_gap = close_gaps(a, 1e-9 * h * std::sqrt(norm(settings.gravity) * a.length) + 1e-12 * a.length);
+  close_gaps(a, 1e-9 * h * std::sqrt(norm(settings.gravity) * a.length) + 1e-12 * a.length);
   for (Node& n : a.nodes) {
     n.x0 = n.x1;
     if (!n.turns) continue;
@@ -137,12 +139,11 @@ void safe_step(Articulate& a, const DriftSettings& settings, double h, DriftRepo
     n.R0 = n.R1;
     n.O0 = n.inverse_inertia * n.P0;
   }
-  accept_gaps(a, a.start_gap, settings.tolerance, report);
+  accept_gaps(a, settings.tolerance, report);
   make_consistent(a);
-  for (Row& row : a.rows) {
+  for (Row& row : a.rows)
     if (row.kind != RowKind::limited) row.f = zero3();
-    row.fresh = true;
-  }
+  a.fresh = true;
   a.last_h = 0.0;
   a.safe = true;
   report.safe++;

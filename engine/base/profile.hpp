@@ -27,21 +27,28 @@ inline constexpr std::array<std::string_view, 9> phase_names = {
 /// Wall time spent in each phase since the start.
 struct Profile {
   std::array<std::int64_t, phase_names.size()> ns{};  ///< [ns]
+  std::chrono::steady_clock::time_point now;  ///< the clock when last looked at: a look takes as long as a hinge
+
+  /// Before the first phase of a step.
+  void begin() { now = std::chrono::steady_clock::now(); }
 };
 
-/// Adds the time of a scope to its phase.
+/// Adds the time since the last phase ended to this one, which ends with the scope.
 class Timed {
  public:
-  Timed(Profile& profile, Phase phase) : ns_(profile.ns[static_cast<std::size_t>(phase)]) {}
+  Timed(Profile& profile, Phase phase) : profile_(profile), phase_(phase) {}
   ~Timed() {
-    ns_ += std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now() - start_).count();
+    const auto before = profile_.now;
+    profile_.begin();
+    profile_.ns[static_cast<std::size_t>(phase_)] +=
+        std::chrono::duration_cast<std::chrono::nanoseconds>(profile_.now - before).count();
   }
   Timed(const Timed&) = delete;
   Timed& operator=(const Timed&) = delete;
 
  private:
-  std::int64_t& ns_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Profile& profile_;
+  Phase phase_;
 };
 
 }  // namespace pantin

@@ -67,9 +67,8 @@ void measure_errors(World& world) {
       kinetic += pantin::kinetic_energy(n);
       potential -= n.mass * dot(gravity, n.x0);
     }
-    const Gaps gaps = largest_gaps(*articulate);
-    now.hinge_gap = std::max(now.hinge_gap, gaps.points);
-    now.constraint = std::max(now.constraint, gaps.all());
+    now.hinge_gap = std::max(now.hinge_gap, articulate->gaps.points);
+    now.constraint = std::max(now.constraint, articulate->gaps.all());
   }
   for (std::uint32_t slot : world.loose_bodies) {
     const Motion& m = world.motion[slot];
