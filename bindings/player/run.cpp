@@ -20,6 +20,8 @@ template <class After>
 void run_to(lua::Scene& scene, double until, After after) {
   Progress progress(until);
   World& world = scene.world();
+  require(until <= world.time || until - world.time >= 0.5 * world.settings.step, "run: the end, ", until,
+          " s, is less than half a step of ", world.settings.step, " s away, so that nothing would move");
   while (world.time < until - 0.5 * world.settings.step && !scene.finished() && !Interrupt::asked()) {
     try {
       scene.step();

@@ -48,6 +48,14 @@ TEST_CASE("program: help and version") {
   CHECK_THAT(version.out, Contains("pantin 0."));
 }
 
+TEST_CASE("program: an end before the first step is an error that names both") {
+  Folder folder;
+  write_file(folder / "swing.lua", swing);
+  Finished result = use(folder, {"run", "swing.lua", "--until", "5", "--set", "scene.step=1e9"});
+  CHECK(result.code != 0);
+  CHECK_THAT(result.err, Contains("5 s") && Contains("1e+09 s"));
+}
+
 TEST_CASE("program: wrong use exits 2 with one line") {
   Folder folder;
   write_file(folder / "swing.lua", swing);
