@@ -51,7 +51,9 @@ void load_constraint(Condition& row, const Constraint& c, double total_mass) {
   row.whole0 = c.previous + c.previous_away;
   row.whole1 = c.place + c.away;
   row.velocity = c.velocity + c.away_rate;
-  row.length = c.length;
+  row.whole_length0 = c.length + c.previous_excess;
+  row.whole_length1 = c.length + c.excess;
+  row.length_rate = c.excess_rate;
   row.max_force = c.max_force;
   row.stiffness = total_mass / (c.time_constant * c.time_constant);  // critically damped for all that hangs at it
   row.damping = 2.0 * total_mass / c.time_constant;
@@ -62,6 +64,11 @@ void load_constraint(Condition& row, const Constraint& c, double total_mass) {
 void load(Articulate& a, const Model& model, Vec3 gravity) {
   for (Node& n : a.nodes) load(n, model, gravity);
   for (Condition& c : a.conditions) load_constraint(c, model.constraints[c.constraint], a.total_mass);
+}
+
+void disturb(Articulate& a) {
+  a.edited = true;
+  a.last_h = 0.0;
 }
 
 void store(const Articulate& a, Model& model) {

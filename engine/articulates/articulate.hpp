@@ -76,11 +76,14 @@ struct Condition {
   Vec3 whole0 = zero3(), whole1 = zero3();  // [m] the same of the whole step, where that is halved
   Vec3 velocity = zero3();                  // [m/s] of the world end at the end of the step
   Mat3 M = zero33(),
-       C = zero33();      // the row of Newton's matrix: M (change of d1) + C df = -residual; rigid: M = 1, C = 0
-  double length = 0.0;    // [m] of a rod
-  double accepted = 0.0;  // [m] what a rod is longer than that because no motion can make it shorter
+       C = zero33();    // the row of Newton's matrix: M (change of d1) + C df = -residual; rigid: M = 1, C = 0
+  double length = 0.0;  // [m] of a rod, at the end of the step being solved
+  double whole_length0 = 0.0, whole_length1 = 0.0;  // [m] at the start and end of the whole step
+  double length_rate = 0.0;                         // [m/s]
+  double accepted = 0.0;                  // [m] what a rod is longer than that because no motion can make it shorter
   double stiffness = 0.0, damping = 0.0;  // [N/m], [N s/m] of a limited row
   double max_force = 0.0;                 // [N]
+  std::uint32_t row = 0;
   ConstraintId constraint;
 };
 
@@ -111,7 +114,6 @@ struct Articulate {
   std::vector<Node> nodes;
   std::vector<Row> rows;  // in the order of elimination
   std::vector<Condition> conditions;
-  std::vector<std::uint32_t> anchored;  // rows with a world end
   std::vector<Meeting> meetings;
   std::vector<std::uint32_t> first_meeting;  // (nodes + 1)
   std::vector<Wave> waves;                   // ends of the stretches; the last reaches all
@@ -148,11 +150,15 @@ inline const Condition& condition(const Articulate& a, const Row& row) {
   return a.conditions[static_cast<std::size_t>(row.condition)];
 }
 
+inline const Row& row(const Articulate& a, const Condition& c) { return a.rows[c.row]; }
+
 /// Copies the model's state into the nodes, with constant forces: gravity [m/s²], pushes and twists; and the world ends
 /// and limits of the rows from their constraints.
 void load(Articulate& articulate, const Model& model, Vec3 gravity);
 /// Copies the state of one thing into a node.
 void load(Node& node, const Model& model, Vec3 gravity);
+/// After an edit of velocities: the unknowns have no history, and the velocities are to be made consistent.
+void disturb(Articulate& articulate);
 /// Writes the nodes' starts and the rows' forces back.
 void store(const Articulate& articulate, Model& model);
 void store(const Node& node, Model& model);

@@ -138,6 +138,8 @@ struct Builder {
       if (rows[k].b >= 0) take(rows[k].b, k);
     }
     nodes = std::move(sorted);
+    for (std::uint32_t k = 0; k < rows.size(); k++)
+      if (rows[k].condition >= 0) conditions[static_cast<std::size_t>(rows[k].condition)].row = k;
   }
 };
 
@@ -162,11 +164,6 @@ void find_meetings(Articulate& a) {
     reached[t] = 1;
     t |= Factor::is_first;
   }
-}
-
-void find_anchors(Articulate& a) {
-  for (std::uint32_t k = 0; k < a.rows.size(); k++)
-    if (a.rows[k].b < 0) a.anchored.push_back(k);
 }
 
 void find_waves(Articulate& a) {
@@ -267,7 +264,6 @@ std::unique_ptr<Articulate> build_articulate(const Model& model, std::span<const
   articulate->right_side.resize(articulate->rows.size());
   find_meetings(*articulate);
   find_waves(*articulate);
-  find_anchors(*articulate);
   measure(*articulate, model);
   const Thing oldest = things.front();
   articulate->serial =

@@ -13,15 +13,9 @@ namespace {
 
 constexpr int most_halvings = 5;
 
-/// Makes the end of the step just solved the start of the next; returns the work of world ends that move, of limited pulls,
-/// and of pushes and twists [J].
+/// Makes the end of the step just solved the start of the next; returns the work of the rows, and of pushes and twists [J].
 double commit(Articulate& a, Vec3 gravity) {
-  double work = 0.0;
-  for (std::uint32_t k : a.anchored) {
-    const Row& row = a.rows[k];
-    const Vec3 moved = condition(a, row).place1 - condition(a, row).place0;
-    work += dot(row.f, row.kind == RowKind::limited ? moved + row.d1 - row.d0 : moved);
-  }
+  double work = work_of_rows(a);
   for (Node& n : a.nodes) {
     work += dot(n.force - gravity * n.mass, n.x1 - n.x0);
     if (n.turns) work += dot(n.torque, n.R0 * n.a);
@@ -30,18 +24,19 @@ double commit(Articulate& a, Vec3 gravity) {
   return work;
 }
 
-void place_world_ends(Articulate& a, double from, double to) {
+void set_conditions(Articulate& a, double from, double to) {
   for (Condition& c : a.conditions) {
     const Vec3 way = c.whole1 - c.whole0;
     c.place0 = c.whole0 + way * from;
     c.place1 = to == 1.0 ? c.whole1 : c.whole0 + way * to;
+    c.length = to == 1.0 ? c.whole_length1 : c.whole_length0 + (c.whole_length1 - c.whole_length0) * to;
   }
 }
 
 /// Moves over the part from … to (0 … 1) of the step.
 void drift_part(Articulate& a, const DriftSettings& settings, double from, double to, int depth, DriftReport& report) {
   const double h = settings.h * (to - from);
-  place_world_ends(a, from, to);
+  set_conditions(a, from, to);
   if (a.gaps.open > 1e-8 * a.length) return safe_step(a, settings, h, report);
   place_rows_at_start(a);
   if (solve_step(a, h, settings.gravity, report)) {
@@ -69,7 +64,7 @@ void drift_part(Articulate& a, const DriftSettings& settings, double from, doubl
 
 void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   if (a.edited) {
-    place_world_ends(a, 0.0, 0.0);
+    set_conditions(a, 0.0, 0.0);
     place_rows_at_end(a);
     measure_gaps(a);
     if (a.gaps.open <= 1e-8 * a.length) {

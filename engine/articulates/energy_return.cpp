@@ -52,8 +52,9 @@ struct Anchors {
 
 Anchors anchors(const Articulate& a) {
   Anchors found;
-  for (std::uint32_t k : a.anchored) {
-    const Vec3 place = condition(a, a.rows[k]).whole1;
+  for (const Condition& c : a.conditions) {
+    if (row(a, c).b >= 0) continue;
+    const Vec3 place = c.whole1;
     if (found.kind == Anchorage::none) found = {Anchorage::place, place, zero3()};
     const Vec3 d = place - found.place;
     if (norm(d) <= 1e-9 * a.length) continue;
@@ -105,7 +106,7 @@ RigidMotion kept_motion(const Articulate& a, Vec3 gravity) {
 bool may_return(const Articulate& a) {
   if (a.safe || a.limited) return false;
   return std::none_of(a.conditions.begin(), a.conditions.end(),
-                      [](const Condition& c) { return norm2(c.velocity) > 0.0; });
+                      [](const Condition& c) { return norm2(c.velocity) > 0.0 || c.length_rate != 0.0; });
 }
 
 }  // namespace

@@ -78,14 +78,13 @@ void drift_euler(Articulate& a, const DriftSettings& settings, DriftReport& repo
   for (Condition& c : a.conditions) {
     c.place0 = c.whole0;
     c.place1 = c.whole1;
+    c.length = c.whole_length1;
   }
   place_rows_at_start(a);
   a.last_h = 0.0;
   a.has_factor = false;
   if (!solve_euler(a, settings.h, settings.gravity, report)) return safe_step(a, settings, settings.h, report);
-  double work = 0.0;
-  for (const Row& row : a.rows)
-    if (row.b < 0) work += dot(row.f, condition(a, row).place1 - condition(a, row).place0 + (row.d1 - row.d0));
+  double work = work_of_rows(a);
   for (Node& n : a.nodes) {
     work += dot(n.force - settings.gravity * n.mass, n.x1 - n.x0);
     commit(n);

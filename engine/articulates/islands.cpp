@@ -106,6 +106,8 @@ void rebuild_loose(const Model& model, std::vector<std::uint32_t>& bodies, std::
 
 void find_articulates(Model& model, std::vector<std::unique_ptr<Articulate>>& articulates,
                       std::vector<std::uint32_t>& loose_bodies, std::vector<std::uint32_t>& loose_points) {
+  for (std::int32_t i : model.disturbed) disturb(*articulates[static_cast<std::size_t>(i)]);
+  model.disturbed.clear();
   if (!model.topology_changed) return;
   const std::vector<Thing> start = touched(model, articulates);
   Search search(model);

@@ -172,6 +172,16 @@ void place_rows_at_end(Articulate& a) {
   for (Row& row : a.rows) place_row_at_end(a, row);
 }
 
+double work_of_rows(const Articulate& a) {
+  double work = 0.0;
+  for (const Condition& c : a.conditions) {
+    const Row& r = row(a, c);
+    if (r.b < 0) work += dot(r.f, c.place1 - c.place0);
+    if (r.kind == RowKind::limited || c.whole_length1 != c.whole_length0) work += dot(r.f, r.d1 - r.d0);
+  }
+  return work;
+}
+
 bool solve_step(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   predict(a, h);
   a.lowered = false;

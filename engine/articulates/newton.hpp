@@ -7,6 +7,9 @@ namespace pantin {
 /// False where it does not converge; the starts are untouched.
 bool solve_step(Articulate& articulate, double h, Vec3 gravity, DriftReport& report);
 
+/// Work of world ends that move, of limited pulls and of rods that change their length, in the step just solved [J].
+double work_of_rows(const Articulate& articulate);
+
 /// Sets r and d of all rows at the start, from the nodes' starts and `place0`.
 void place_rows_at_start(Articulate& articulate);
 /// The same at the end, from the nodes' ends and `place1`.

@@ -22,7 +22,7 @@ void find_forbidden_velocity(const Articulate& a, Row& row) {
       row.b < 0 ? condition(a, row).velocity : end_velocity(a.nodes[static_cast<std::size_t>(row.b)], row.rb1);
   if (row.kind != RowKind::rod) return;
   const Vec3 n = direction(row.d1);
-  row.residual = n * dot(n, row.residual);
+  row.residual = n * (dot(n, row.residual) - condition(a, row).length_rate);
 }
 
 struct Velocities {
@@ -63,7 +63,7 @@ void add_impulse(Node& n, Vec3 arm, Vec3 impulse) {
   n.O0 = n.inverse_inertia * n.P0;
 }
 
-/// Finishes the solution of the half solved right side and applies the impulses; returns the work of moving anchors [J].
+/// Finishes the solution of the half solved right side and applies the impulses; returns the work of moving anchors and changing lengths [J].
 double apply_projection(Articulate& a) {
   double work = 0.0;
   for (std::size_t k = a.rows.size(); k-- > 0;) {
@@ -74,6 +74,7 @@ double apply_projection(Articulate& a) {
     if (row.kind == RowKind::rod) {
       const Vec3 n = direction(row.d1);
       impulse = n * dot(n, impulse);
+      work += dot(n, impulse) * condition(a, row).length_rate;
     }
     add_impulse(a.nodes[static_cast<std::size_t>(row.a)], row.ra1, impulse);
     if (row.b >= 0)

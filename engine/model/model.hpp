@@ -24,6 +24,7 @@ struct Model {
   std::uint64_t next_serial = 1;
   bool topology_changed = true;         ///< an edit waits for `find_articulates`
   std::vector<char> dirty_articulates;  ///< (articulates) to be found anew
+  std::vector<std::int32_t> disturbed;  ///< articulates whose velocities an edit changed
   std::vector<BodyId> untied_bodies;    ///< touched bodies that have no articulate
   std::vector<PointId> untied_points;   ///< touched free points that have no articulate
 

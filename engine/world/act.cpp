@@ -26,7 +26,7 @@ void kick(World& world, BodyId body, Vec3 impulse, std::optional<Vec3> at) {
   m.p += impulse;
   if (at) m.angular += turning_part(m, cross(*at - m.x, impulse));
   post(world, energy_of(world, body) - before);
-  touch_state(world, body);
+  touch_velocity(world, body);
 }
 
 void twist(World& world, BodyId body, Vec3 torque) {
@@ -62,7 +62,7 @@ void kick(World& world, PointId id, Vec3 impulse) {
   const double before = energy_of(world, id);
   point.velocity += impulse / point.mass;
   post(world, energy_of(world, id) - before);
-  touch_state(world, id);
+  touch_velocity(world, id);
 }
 
 }  // namespace pantin

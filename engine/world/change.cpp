@@ -16,14 +16,25 @@ void require_free(const World& world, const char* call, PointId point) {
           " instead");
 }
 
-/// Changes a thing, counts the energy that this made, and marks what is tied to it.
+/// Changes a thing and counts the energy that this made.
 template <class Id, class Change>
-void changed(World& world, Id id, Change change) {
+void counted(World& world, Id id, Change change) {
   acted(world);
   const double before = energy_of(world, id);
   change();
   post(world, energy_of(world, id) - before);
+}
+
+/// The same, and marks what is tied to the thing.
+template <class Id, class Change>
+void changed(World& world, Id id, Change change) {
+  counted(world, id, change);
   touch_state(world, id);
+}
+template <class Id, class Change>
+void changed_velocity(World& world, Id id, Change change) {
+  counted(world, id, change);
+  touch_velocity(world, id);
 }
 
 /// Changes what a body weighs; where that makes no body, `undo` puts it back.
@@ -57,7 +68,7 @@ void set_velocity(World& world, PointId point, Vec3 velocity) {
   require_unlocked(world, "velocity");
   require_free(world, "velocity", point);
   require_finite(describe(world, point), "velocity", velocity, "m/s");
-  changed(world, point, [&] { world.points[point].velocity = velocity; });
+  changed_velocity(world, point, [&] { world.points[point].velocity = velocity; });
 }
 
 void set_mass(World& world, PointId id, double mass) {
@@ -101,7 +112,7 @@ void set_orientation(World& world, BodyId body, Quat orientation) {
 void set_velocity(World& world, BodyId body, Vec3 velocity) {
   require_unlocked(world, "velocity");
   require_finite(describe(world, body), "velocity", velocity, "m/s");
-  changed(world, body, [&] {
+  changed_velocity(world, body, [&] {
     Motion& m = world.motion_of(body);
     m.p = velocity * m.mass;
   });
@@ -110,7 +121,7 @@ void set_velocity(World& world, BodyId body, Vec3 velocity) {
 void set_spin(World& world, BodyId body, Vec3 spin) {
   require_unlocked(world, "spin");
   require_finite(describe(world, body), "spin", spin, "rad/s");
-  changed(world, body, [&] {
+  changed_velocity(world, body, [&] {
     Motion& m = world.motion_of(body);
     m.angular = angular_for(m, spin);
   });

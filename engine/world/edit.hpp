@@ -107,7 +107,7 @@ void push(World& world, PointId point, Vec3 force);                             
 void kick(World& world, PointId point, Vec3 impulse);                             ///< [N s]
 
 void set_enabled(World& world, ConstraintId constraint, bool enabled);
-void set_length(World& world, ConstraintId rod, double length);  ///< [m]
+void set_length(World& world, ConstraintId rod, double length);  ///< [m]; it is drawn in within some 0.1 s
 void set_target(World& world, ConstraintId follow, std::function<Vec3(double)> target);
 void set_place(World& world, ConstraintId constraint, Vec3 place);    ///< [m] nail's, follow's target, rod's world end
 void set_max_force(World& world, ConstraintId follow, double force);  ///< [N]

@@ -105,6 +105,16 @@ void touch_state(World& world, PointId point) {
   if (p.articulate >= 0) touch(world, point);
 }
 
+void touch_velocity(World& world, BodyId body) {
+  const std::int32_t articulate = world.motion_of(body).articulate;
+  if (articulate >= 0) world.disturbed.push_back(articulate);
+}
+void touch_velocity(World& world, PointId point) {
+  const Point& p = world.points[point];
+  if (p.body) return touch_velocity(world, p.body);
+  if (p.articulate >= 0) world.disturbed.push_back(p.articulate);
+}
+
 double size_of(const Model& model, PointId point) {
   const BodyId id = model.points[point].body;
   if (!id) return 0.0;

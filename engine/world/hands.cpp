@@ -105,17 +105,27 @@ void carry_out_commands(World& world, const Input& input) {
   }
 }
 
-/// Critically damped approach to 0 (Barzel and Barr 1988): D(t) = (D0 + (D0' + D0/τ) t) exp(-t/τ).
+double size(Vec3 v) { return norm(v); }
+double size(double x) { return std::fabs(x); }
+
+/// Critically damped approach to 0 in a time of h (Barzel and Barr 1988): D(t) = (D0 + (D0' + D0/τ) t) exp(-t/τ), until
+/// `least` is left [m].
+template <class Deviation>
+void approach(Deviation& away, Deviation& rate, double h, double tau, double least) {
+  if (size(away) == 0.0 && size(rate) == 0.0) return;
+  const Deviation slope = rate + away / tau;
+  const double decay = functions::exp(-h / tau);
+  away = (away + slope * h) * decay;
+  rate = (rate - slope * (h / tau)) * decay;
+  if (size(away) <= least && size(rate) * tau <= least) away = rate = Deviation{};
+}
+
 void draw_in(const World& world, Constraint& c, double h) {
   c.previous_away = c.away;
-  if (norm2(c.away) == 0.0 && norm2(c.away_rate) == 0.0) return;
-  const Vec3 slope = c.away_rate + c.away / c.time_constant;
-  const double decay = functions::exp(-h / c.time_constant);
-  c.away = (c.away + slope * h) * decay;
-  c.away_rate = (c.away_rate - slope * (h / c.time_constant)) * decay;
-  const double size = std::fmax(size_of(world, c.a), largest(c.place));
-  if (norm(c.away) > 1e-14 * size || norm(c.away_rate) * c.time_constant > 1e-14 * size) return;
-  c.away = c.away_rate = zero3();
+  c.previous_excess = c.excess;
+  const double least = 1e-14 * std::fmax(size_of(world, c.a), largest(c.place));
+  approach(c.away, c.away_rate, h, c.time_constant, least);
+  approach(c.excess, c.excess_rate, h, c.time_constant, least);
 }
 
 /// Moves the place of a follow on to `next` [m], a step of h [s] later.
@@ -203,7 +213,7 @@ void sample_targets(World& world) {
   world.locked = true;
   const double time = next_time(world), h = world.settings.step;
   for (std::uint32_t s = 0; s < world.constraints.slots(); s++) {
-    if (!world.constraints.alive_at(s) || world.constraints.at_slot(s).kind == ConstraintKind::rod) continue;
+    if (!world.constraints.alive_at(s)) continue;
     if (world.constraints.at_slot(s).kind == ConstraintKind::follow) {
       const Vec3 next = next_place(world, world.constraints.id_at(s), time);
       move_place(world.constraints.at_slot(s), next, h);

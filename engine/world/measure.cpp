@@ -51,10 +51,10 @@ void add(Energy& e, const Point& free_point, Vec3 gravity) {
   e.potential -= free_point.mass * dot(gravity, free_point.place);
 }
 
-/// Length that a rod has too much, [m].
+/// Length that a rod has too much or too little, but for what is still drawn in, [m].
 double excess(const World& world, const Constraint& rod) {
   const Vec3 end = rod.b ? position(world, rod.b) : rod.place;
-  return std::fabs(norm(position(world, rod.a) - end) - rod.length);
+  return std::fabs(norm(position(world, rod.a) - end) - rod.length - rod.excess);
 }
 
 double ring_gap(const World& world, ParticleId id) {

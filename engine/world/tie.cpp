@@ -23,6 +23,16 @@ void start_from(const World& world, Constraint& c, Vec3 place) {
   c.away_rate = velocity(world, c.a);
 }
 
+/// The same for a rod, whose length is drawn in.
+void start_length(const World& world, Constraint& rod) {
+  const Vec3 d = position(world, rod.a) - (rod.b ? position(world, rod.b) : rod.place);
+  const Vec3 v = velocity(world, rod.a) - (rod.b ? velocity(world, rod.b) : zero3());
+  const double excess = norm(d) - rod.length;
+  const bool far = std::fabs(excess) > world.settings.tolerance * rod.length;
+  rod.excess = far ? excess : 0.0;
+  rod.excess_rate = far ? dot(direction(d), v) : 0.0;
+}
+
 ConstraintId add(World& world, Constraint c) {
   c.serial = world.next_serial++;
   const PointId a = c.a, b = c.b;
@@ -36,6 +46,7 @@ ConstraintId add(World& world, Constraint c) {
 ConstraintId add_rod_row(World& world, Constraint c, Vec3 far_end, std::optional<double> length) {
   const double distance = norm(position(world, c.a) - far_end);
   c.kind = ConstraintKind::rod;
+  c.time_constant = 0.1;
   c.length = length.value_or(distance);
   if (!length) require(distance > 0.0, "rod: its ends are in one place, so it has no length; a length must be > 0 m");
   require_positive("rod", "length", c.length, "m");
@@ -127,13 +138,15 @@ void set_enabled(World& world, ConstraintId id, bool enabled) {
   c.enabled = enabled;
   c.force = zero3();
   c.tension = 0.0;
-  if (enabled && c.kind != ConstraintKind::rod) start_from(world, c, c.place);
+  if (!enabled) return;
+  c.kind == ConstraintKind::rod ? start_length(world, c) : start_from(world, c, c.place);
 }
 
 void set_length(World& world, ConstraintId rod, double length) {
   Constraint& c = of_kind(world, rod, ConstraintKind::rod, "length");
   require_positive("rod", "length", length, "m");
   c.length = length;
+  start_length(world, c);
   touch(world, c);
 }
 
@@ -156,6 +169,7 @@ void set_place(World& world, ConstraintId id, Vec3 place) {
   if (c.kind == ConstraintKind::rod) {
     require(!c.b, who, ": both its ends are points; move those");
     c.place = c.previous = c.before = place;
+    start_length(world, c);
     touch(world, c);
   } else {
     c.target = nullptr;

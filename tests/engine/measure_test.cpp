@@ -113,9 +113,11 @@ TEST_CASE("accuracy finds the gaps of hinges, nails and rods") {
   Two t;
   CHECK(accuracy(t.world).constraint == 0.0);
   const ConstraintId rod = add_rod(t.world, left_of(t.world, t.a), right_of(t.world, t.b));
-  set_length(t.world, rod, 1.75);
-  CHECK(accuracy(t.world).hinge_gap == 0.0);
+  set_length(t.world, rod, 1.75);  // drawn in, so no error
+  CHECK(accuracy(t.world).constraint == 0.0);
+  set_position(t.world, t.b, t.world.motion_of(t.b).x + vec(0.25, 0, 0));
   CHECK(accuracy(t.world).constraint == Approx(0.25));
+  set_position(t.world, t.b, t.world.motion_of(t.b).x - vec(0.25, 0, 0));
   set_enabled(t.world, rod, false);
   set_position(t.world, t.b, t.world.motion_of(t.b).x + vec(0, 0.125, 0));
   CHECK(accuracy(t.world).hinge_gap == Approx(0.125));

@@ -121,6 +121,23 @@ TEST_CASE("running edits: a mass changed in flight keeps the velocities of all p
   CHECK(course.energy_error() <= 1e-9);
 }
 
+TEST_CASE("running edits: a kick leaves the graph as it is, and moves the chain as one found anew") {
+  World kept, anew;
+  const cases::Chain chain = cases::add_chain(kept);
+  cases::add_chain(anew);
+  for (World* world : {&kept, &anew}) {
+    advance(*world, 0.5);
+    kick(*world, chain.bodies[4], vec(1, 2, 3));
+    set_spin(*world, chain.bodies[6], vec(0, 0, 2));
+  }
+  touch(anew, chain.bodies[4]);
+  const Articulate* before = kept.articulates.front().get();
+  for (World* world : {&kept, &anew}) advance(*world, 1.0);
+  CHECK(kept.articulates.front().get() == before);
+  CHECK(kept.stats.safe_steps == 0);
+  for (const BodyId body : chain.bodies) CHECK(norm(kept.motion_of(body).x - anew.motion_of(body).x) < 1e-9);
+}
+
 TEST_CASE("running edits: a link taken out of the middle leaves two chains") {
   World world;
   const cases::Chain chain = cases::add_chain(world);
