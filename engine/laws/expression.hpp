@@ -62,6 +62,9 @@ enum class Function : std::uint8_t {
   spline,         ///< a Spline or a derivative of it
 };
 
+/// A function of numbers, as many of these as it takes; any but `spline`.
+double value_of(Function f, double a, double b = 0.0, double c = 0.0);
+
 /// A node of one graph.
 using Expr = std::int32_t;
 inline constexpr Expr no_expression = -1;
@@ -95,7 +98,7 @@ class Expressions {
   Expr ceiling(Expr a) { return scale(apply(Function::floor, scale(a, -1.0)), -1.0); }
   /// a - b floor(a / b), Lua's %.
   Expr modulo(Expr a, Expr b) { return subtract(a, multiply(b, apply(Function::floor, divide(a, b)))); }
-  /// The derivative of order 0 to 3 of a spline at a; 0 beyond.
+  /// The derivative of order 0 to 3 of a spline at a, 0 beyond; of order -1 its integral.
   Expr spline(std::shared_ptr<const Spline> spline, Expr a, int order = 0);
 
   /// sum of coefficient times node, plus a constant
@@ -134,6 +137,7 @@ class Expressions {
   Expr finish_product(const Powers& powers);
   Expr simplified(Function f, Expr a, Expr b, Expr c);
   bool is_positive(const Node& node) const;
+  bool is_not_negative(Expr e) const;
   bool is_scaled(Expr e) const;
   bool may_split(const Terms& terms, double exponent) const;
   void multiply_in(Powers& powers, Expr base, double exponent);

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -42,6 +42,7 @@ struct Parameter {
   std::string name;
   double value = 0.0;
   std::string unit;
+  bool present = false;  ///< the caller gives each connection its value: what is measured when it is made
 };
 
 struct Law {
@@ -49,8 +50,9 @@ struct Law {
   LawKind kind = LawKind::central;
   int count = 2;                                            ///< particles
   double cutoff = std::numeric_limits<double>::infinity();  ///< [m] of a pair
-  bool one_sided = false;                                   ///< b feels nothing of what a feels
-  int exclude = 0;                                          ///< pairs within so many connections are left out
+  bool touching = false;   ///< 0 unless the distance is below the sum of the radii of a and b
+  bool one_sided = false;  ///< b feels nothing of what a feels
+  int exclude = 0;         ///< pairs within so many connections are left out
   std::vector<Parameter> parameters;
 
   Expressions graph;
@@ -60,27 +62,39 @@ struct Law {
   std::shared_ptr<Called> called;  ///< instead of the expressions
   bool called_energy = false;      ///< `called` gives an energy too
 
+  bool moving = false;  ///< depends on velocities
+  bool timed = false;   ///< depends on time or noise
+
+  /// Neither what depends on time nor what is one-sided has an energy to keep.
   bool has_energy() const { return energy != no_expression || called_energy; }
-  /// Depends on velocities, on time or noise. What depends on time or velocities has no energy to keep.
-  bool moving = false, timed = false;
 };
 
 struct LawDef {
   std::string name;
   double cutoff = std::numeric_limits<double>::infinity();  ///< [m]
   bool shift = true;                                        ///< a potential with a cutoff is 0 there
+  bool touching = false;
   bool one_sided = false;
   int exclude = 0;
   std::vector<Parameter> parameters;
 };
 
+/// The rate of distance of a pair [m/s].
+Expr rate_of_distance(Expressions& graph);
+
 /// Laws from expressions of `graph`, whose derivatives are taken here. Throw Error where an expression depends on what
-/// its kind of law does not have.
-Law central_potential(const LawDef& def, Expressions graph, Expr potential);  ///< [J] of distance2, attributes, …
-Law central_tension(const LawDef& def, Expressions graph, Expr tension);  ///< [N] pulls when positive; may use approach
-Law pair_force(const LawDef& def, Expressions graph, std::span<const Expr> force_on_a);  ///< (3) [N]
-Law point_potential(const LawDef& def, Expressions graph, Expr potential);  ///< [J] of place and attributes of a
-Law point_force(const LawDef& def, Expressions graph, std::span<const Expr> force);   ///< (3) [N]
-Law many_potential(const LawDef& def, int count, Expressions graph, Expr potential);  ///< [J] of `count` places
+/// its kind of law does not have, or on a parameter that is not in `def`.
+/// `potential` [J] of distance2, attributes, parameters and time.
+Law central_potential(const LawDef& def, Expressions graph, Expr potential);
+/// `tension` [N] pulls when positive; of approach and noise too.
+Law central_tension(const LawDef& def, Expressions graph, Expr tension);
+/// (3) [N] of distance2, approach, displacement, relative velocity, attributes, parameters, time and noise.
+Law pair_force(const LawDef& def, Expressions graph, std::span<const Expr> force_on_a);
+/// `potential` [J] of place and attributes of a, parameters and time.
+Law point_potential(const LawDef& def, Expressions graph, Expr potential);
+/// (3) [N] of velocity and noise too.
+Law point_force(const LawDef& def, Expressions graph, std::span<const Expr> force);
+/// `potential` [J] of the places and attributes of `count` particles, parameters and time.
+Law many_potential(const LawDef& def, int count, Expressions graph, Expr potential);
 
 }  // namespace pantin

@@ -111,6 +111,14 @@ TEST_CASE("a spline goes through its points and is smooth") {
       CHECK(spline.evaluate(knot - 1e-12, order) == Approx(spline.evaluate(knot, order)).margin(1e-9));
     }
   }
+  const double h = 1e-3;
+  for (double at : {-0.4, 0.3, 0.5, 1.9, 3.8}) {
+    CHECK((spline.evaluate(at + h, -1) - spline.evaluate(at - h, -1)) / (2.0 * h) ==
+          Approx(spline.evaluate(at)).margin(1e-5));
+  }
+  CHECK(spline.evaluate(3.5, -1) == 0.0);
+  CHECK(spline.evaluate(-1.0) == Approx(1.0 - spline.evaluate(0.0, 1)));
+  CHECK(spline.evaluate(4.5) == Approx(spline.evaluate(3.5, 1)));
   CHECK(spline.evaluate(0.0, 2) == 0.0);
   CHECK(spline.evaluate(3.5, 2) == Approx(0.0).margin(1e-12));
   CHECK_THROWS_WITH(Spline(std::vector{1.0, 1.0}, std::vector{0.0, 2.0}), Catch::Contains("must rise"));
