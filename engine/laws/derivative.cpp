@@ -31,7 +31,7 @@ Choice choice(Expressions& graph, const Node& node) {
 
 Expr by_argument_of_power(Expressions& graph, Expr e, Expr a, Expr b, std::size_t k) {
   if (k == 1) return graph.multiply(e, graph.apply(Function::log, a));
-  return graph.multiply(b, graph.power(a, graph.add(b, graph.constant(-1.0))));
+  return graph.multiply(b, graph.raise(a, graph.add(b, graph.constant(-1.0))));
 }
 
 Expr by_argument_of_atan2(Expressions& graph, Expr y, Expr x, std::size_t k) {
@@ -105,21 +105,26 @@ class Reverse {
   std::vector<Expr> gradient(Expr e) {
     if (const auto found = known_.find(e); found != known_.end()) return found->second;
     const auto needed = nodes_of(graph_, e);
-    std::vector<Expr> adjoint(needed.size(), graph_.constant(0.0));
-    adjoint.back() = graph_.constant(1.0);
-    std::vector<Expr> total(xs_.size(), graph_.constant(0.0));
+    std::vector<Expressions::Terms> adjoint(needed.size());  // what each node's is the sum of
+    adjoint.back() = {{graph_.constant(1.0), 1.0}};
+    std::vector<Expressions::Terms> parts(xs_.size());
     for (std::size_t i = needed.size(); i-- > 0;) {
-      if (!needed[i] || graph_.is_constant(adjoint[i], 0.0)) continue;
+      if (!needed[i]) continue;
+      const Expr mine = graph_.sum_of_sums(adjoint[i]);
+      adjoint[i] = {{mine, 1.0}};
+      if (graph_.is_constant(mine, 0.0)) continue;
       const Node node = graph_[static_cast<Expr>(i)];
       if (node.kind == Kind::function && is_choice(node.function)) {
-        add_choice(total, node, adjoint[i]);
+        add_choice(parts, node, mine);
       } else {
-        pass_down(adjoint, node, static_cast<Expr>(i));
+        pass_down(adjoint, node, static_cast<Expr>(i), mine);
       }
     }
+    std::vector<Expr> total;
     for (std::size_t k = 0; k < xs_.size(); k++) {
       const auto x = static_cast<std::size_t>(xs_[k]);
-      if (x < adjoint.size()) total[k] = graph_.add(total[k], adjoint[x]);
+      if (x < needed.size() && needed[x]) parts[k].push_back(adjoint[x][0]);
+      total.push_back(graph_.sum_of_sums(parts[k]));
     }
     return known_[e] = total;
   }
@@ -130,25 +135,26 @@ class Reverse {
   std::map<Expr, std::vector<Expr>> known_;
 
   // The gradients of both are found apart and one is chosen: an adjoint of 0 would not make an infinity 0.
-  void add_choice(std::vector<Expr>& total, const Node& node, Expr adjoint) {
+  void add_choice(std::vector<Expressions::Terms>& parts, const Node& node, Expr adjoint) {
     const auto [condition, yes, no] = choice(graph_, node);
     const auto of_yes = gradient(yes), of_no = gradient(no);
-    for (std::size_t k = 0; k < total.size(); k++) {
+    for (std::size_t k = 0; k < parts.size(); k++) {
       const Expr chosen = graph_.select(condition, of_yes[k], of_no[k]);
-      total[k] = graph_.add(total[k], graph_.multiply(adjoint, chosen));
+      parts[k].emplace_back(graph_.multiply(adjoint, chosen), 1.0);
     }
   }
 
-  void pass_down(std::vector<Expr>& adjoint, const Node& node, Expr e) {
-    const Expr mine = adjoint[static_cast<std::size_t>(e)];
+  void pass_down(std::vector<Expressions::Terms>& adjoint, const Node& node, Expr e, Expr mine) {
     for (std::size_t k = 0; k < node.terms.size(); k++) {
       const auto [inner, factor] = node.terms[k];
       if (graph_.is_constant(inner)) continue;
-      const Expr partial = node.kind == Kind::sum       ? graph_.constant(factor)
-                           : node.kind == Kind::product ? by_base(graph_, node, k)
-                                                        : by_argument(graph_, e, node, k);
-      Expr& theirs = adjoint[static_cast<std::size_t>(inner)];
-      theirs = graph_.add(theirs, graph_.multiply(mine, partial));
+      auto& theirs = adjoint[static_cast<std::size_t>(inner)];
+      if (node.kind == Kind::sum) {
+        theirs.emplace_back(mine, factor);
+      } else {
+        const Expr partial = node.kind == Kind::product ? by_base(graph_, node, k) : by_argument(graph_, e, node, k);
+        theirs.emplace_back(graph_.multiply(mine, partial), 1.0);
+      }
     }
   }
 };

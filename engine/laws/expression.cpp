@@ -134,6 +134,22 @@ Expr Expressions::sum(double constant_part, const Terms& terms) {
   return finish_sum(constant_part, merged);
 }
 
+Expr Expressions::sum_of_sums(const Terms& terms) {
+  std::map<Expr, double> closed;
+  Terms open;
+  for (const auto& [e, factor] : terms) {
+    if ((*this)[e].kind == Kind::sum && !is_scaled(e)) {
+      closed[e] += factor;
+    } else {
+      open.emplace_back(e, factor);
+    }
+  }
+  if (closed.size() < 2) return sum(0.0, terms);
+  const Expr rest = sum(0.0, open);
+  if (!is_constant(rest)) closed[rest] += 1.0;
+  return finish_sum(is_constant(rest) ? (*this)[rest].value : 0.0, closed);
+}
+
 // Puts base^exponent into a product. Exponents add up unless that would turn the square of a root, which is NaN below
 // 0, into a whole power.
 void Expressions::multiply_in(Powers& powers, Expr base, double exponent) {

@@ -90,7 +90,8 @@ class Expressions {
   Expr multiply(Expr a, Expr b);
   Expr divide(Expr a, Expr b) { return multiply(a, power(b, -1.0)); }
   Expr power(Expr a, double exponent);
-  Expr power(Expr a, Expr exponent) { return apply(Function::power, a, exponent); }
+  Expr power(Expr a, int exponent) = delete;  ///< would be taken for a node: write 2.0, or `raise`
+  Expr raise(Expr a, Expr exponent) { return apply(Function::power, a, exponent); }
   Expr square_root(Expr a) { return power(a, 0.5); }
   /// Does not apply to Function::spline, which has a function of its own.
   Expr apply(Function f, Expr a, Expr b = no_expression, Expr c = no_expression);
@@ -103,6 +104,8 @@ class Expressions {
 
   /// sum of coefficient times node, plus a constant
   Expr sum(double constant, const Terms& terms);
+  /// The same, but sums among the terms are not opened: what they share with others stays shared.
+  Expr sum_of_sums(const Terms& terms);
   /// product of node to the power of exponent
   Expr product(const Terms& terms);
 

@@ -76,7 +76,7 @@ void set_force_from_potential(Law& law, Expr potential) {
   for (int who = 0; who < law.count; who++) {
     for (const Input& x : places(who)) xs.push_back(x);
   }
-  for (Expr slope : gradient(law.graph, potential, xs)) law.force.push_back(law.graph.scale(slope, -1.0));
+  law.force = gradient(law.graph, law.graph.scale(potential, -1.0), xs);
   if (!law.timed) law.energy = potential;
 }
 

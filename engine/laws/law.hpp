@@ -76,7 +76,7 @@ struct LawDef {
   bool touching = false;
   bool one_sided = false;
   int exclude = 0;
-  std::vector<Parameter> parameters;
+  std::vector<Parameter> parameters = {};
 };
 
 /// The rate of distance of a pair [m/s].

@@ -1,0 +1,70 @@
+#pragma once
+// The laws that come with the engine: each an expression with named parameters, and where it is from.
+#include <limits>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/lanes.hpp"
+#include "laws/law.hpp"
+
+namespace pantin {
+
+struct LibraryParameter {
+  enum class Given {
+    required,  ///< by the scene
+    optional,  ///< else `value`, or where that is NaN what `doc` says
+    present,   ///< by the scene, else for each connection what it is when that is made: distance or angle
+    world,     ///< by whoever runs the law, before each step, never by the scene: "step" and "boltzmann"
+  };
+  enum class Range { any, positive, not_negative, sign, whole };  ///< sign: -1 to 1, whole: 1, 2, …
+
+  const char* name;
+  const char* unit;
+  const char* doc;
+  Given given = Given::required;
+  double value = 0.0;
+  Range range = Range::any;
+  bool is_vector = false;  ///< "v" is given as a vector; the law's own parameters are "v_x", "v_y", "v_z"
+};
+
+/// What a scene says of a law.
+struct LawArguments {
+  std::map<std::string, double> numbers;
+  std::map<std::string, Vec3> vectors;
+  std::vector<double> distances, potentials, tensions;  ///< of `table` [m], [J] or [N]
+  std::optional<double> cutoff;                         ///< [m] of laws of pairs
+  bool shift = true;                                    ///< a potential with a cutoff is 0 there
+  bool one_sided = false;
+  int exclude = 0;
+};
+
+class LawMaker;
+
+struct LibraryLaw {
+  const char* name;
+  const char* doc;
+  const char* source;
+  LawKind kind;
+  int count;  ///< particles
+  std::vector<LibraryParameter> parameters;
+  std::vector<Law> (*make)(LawMaker&);
+};
+
+/// All of them, in a fixed order.
+const std::vector<LibraryLaw>& library();
+/// The law of that name, or none.
+const LibraryLaw* find_library_law(std::string_view name);
+
+/// The law, and after it, where it also dissipates, the part that has no energy: both act, with the same parameters. Throws
+/// Error for what is missing, unknown or out of range, with its name and unit.
+std::vector<Law> make_library_law(std::string_view name, const LawArguments& arguments);
+
+/// The value of a parameter that is the present one: distance [m] of two places, angle [rad] at the second of three,
+/// torsion [rad] of four.
+double present_value(std::span<const Vec3> places);
+
+}  // namespace pantin
