@@ -65,7 +65,8 @@ enum class Function : std::uint8_t {
 /// A function of numbers, as many of these as it takes; any but `spline`.
 double value_of(Function f, double a, double b = 0.0, double c = 0.0);
 
-/// A node of one graph.
+/// A node of one graph. What is 0 or 1 whatever its finite values are is taken to be so: 0 x, x - x, x / x. Nothing else
+/// that is not a number becomes one: the square root of x² is |x|, the square of the root of x is not x.
 using Expr = std::int32_t;
 inline constexpr Expr no_expression = -1;
 

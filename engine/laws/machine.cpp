@@ -1,133 +1,75 @@
-#include <sleef.h>
-
 #include <algorithm>
-#include <cstring>
 #include <new>
+#include <optional>
 
-#include "base/check.hpp"
+#include "laws/kernels.hpp"
 #include "laws/program.hpp"
-
-// The same bits whatever the width: SLEEF's variants without contraction differ in nothing else (machine_test).
-#if defined(__AVX512F__)
-#define PANTIN_LANES 8
-#define PANTIN_SLEEF(name, kind) Sleef_cinz_##name##d8_##kind##avx512fnofma
-#define PANTIN_SQUARE_ROOT Sleef_sqrtd8_avx512fnofma
-#elif defined(__AVX__)
-#define PANTIN_LANES 4
-#define PANTIN_SLEEF(name, kind) Sleef_cinz_##name##d4_##kind##avx
-#define PANTIN_SQUARE_ROOT Sleef_sqrtd4_avx
-#else
-#define PANTIN_LANES 2
-#define PANTIN_SLEEF(name, kind) Sleef_cinz_##name##d2_##kind##sse2
-#define PANTIN_SQUARE_ROOT Sleef_sqrtd2_sse2
-#endif
 
 namespace pantin {
 
 namespace {
 
-constexpr int lanes = PANTIN_LANES;
-constexpr int stride = 2 * lanes;  // two vectors at a time
-constexpr int padding = 16;
+// An instruction seen from one of its operands: shape, and the slots of the
+// others in b and c.
+struct Seen {
+  kernels::Shape shape;
+  std::int32_t b, c;
+};
+std::optional<Seen> seen_from(const Instruction& i, std::int32_t slot) {
+  if (!kernels::is_arithmetic(i.operation)) return std::nullopt;
+  const auto shape = static_cast<kernels::Shape>(i.operation);
+  const bool in_a = i.a == slot, in_b = i.b == slot, in_c = i.c == slot;
+  if (in_a + in_b + in_c != 1) return std::nullopt;
+  if (in_a) return Seen{shape, i.b, i.c};
+  switch (i.operation) {
+    case Operation::multiply:
+    case Operation::add:
+    case Operation::multiply_add_number: return Seen{shape, i.a, -1};
+    case Operation::multiply_add: return in_b ? Seen{shape, i.a, i.c} : Seen{kernels::Shape::add_product, i.a, i.b};
+    case Operation::subtract: return Seen{kernels::Shape::subtract_from, i.a, -1};
+    case Operation::multiply_number_add: return Seen{kernels::Shape::add_multiple, i.a, -1};
+    default: return std::nullopt;
+  }
+}
 
-using Vector = double __attribute__((vector_size(lanes * sizeof(double))));
-using Unaligned = double __attribute__((vector_size(lanes * sizeof(double)), aligned(alignof(double)), may_alias));
-using Bits = std::int64_t __attribute__((vector_size(lanes * sizeof(double))));
-
-Vector load(const double* from) { return *reinterpret_cast<const Unaligned*>(from); }
-void store(double* to, Vector v) { *reinterpret_cast<Unaligned*>(to) = v; }
-Vector all(double x) { return Vector{} + x; }
-
-struct Columns {
-  double* to;
-  const double *a, *b, *c;
+// Instructions to be run together: the second, where there is one, is all that
+// reads what the first gives.
+struct Stage {
+  Instruction first;
+  Instruction second{};
+  kernels::Two run_both = nullptr;
 };
 
-// to[k] = f(k) for k in steps of a vector
-template <class F>
-void each(int n, double* to, F f) {
-  for (int k = 0; k < n; k += stride) {
-    const Vector first = f(k), second = f(k + lanes);
-    store(to + k, first);
-    store(to + k + lanes, second);
+bool reads(const Instruction& i, std::int32_t slot) {
+  const bool index_in_c = i.operation == Operation::function && i.function == Function::spline;
+  return i.a == slot || i.b == slot || (i.c == slot && !index_in_c);
+}
+
+// Whether a slot is read from instruction `from` on, before it is written.
+bool is_needed(const std::vector<Instruction>& code, const std::vector<std::int32_t>& outputs, std::size_t from,
+               std::int32_t slot) {
+  for (std::size_t k = from; k < code.size(); k++) {
+    if (reads(code[k], slot)) return true;
+    if (code[k].to == slot) return false;
   }
+  return std::find(outputs.begin(), outputs.end(), slot) != outputs.end();
 }
 
-template <class F>
-void unary(int n, const Columns& at, F f) {
-  each(n, at.to, [&, a = at.a](int k) { return f(load(a + k)); });
-}
-template <class F>
-void binary(int n, const Columns& at, F f) {
-  each(n, at.to, [&, a = at.a, b = at.b](int k) { return f(load(a + k), load(b + k)); });
-}
-
-Vector absolute(Vector v) {
-  Bits bits;
-  std::memcpy(&bits, &v, sizeof bits);
-  bits &= std::int64_t{0x7fffffffffffffff};
-  std::memcpy(&v, &bits, sizeof v);
-  return v;
-}
-
-void run_spline(int n, const Columns& at, const Spline& spline, int order) {
-  for (int k = 0; k < n; k++) at.to[k] = spline.evaluate(at.a[k], order);
-}
-
-void run_choice(Function f, int n, const Columns& at) {
-  const Vector zero{}, one = all(1.0);
-  switch (f) {
-    case Function::minimum: return binary(n, at, [](Vector a, Vector b) { return b < a ? b : a; });
-    case Function::maximum: return binary(n, at, [](Vector a, Vector b) { return b > a ? b : a; });
-    case Function::less: return binary(n, at, [&](Vector a, Vector b) { return a < b ? one : zero; });
-    case Function::less_or_equal: return binary(n, at, [&](Vector a, Vector b) { return a <= b ? one : zero; });
-    case Function::select:
-      return each(n, at.to, [&](int k) { return load(at.a + k) != zero ? load(at.b + k) : load(at.c + k); });
-    default: assume(false);
+std::vector<Stage> stages_of(const std::vector<Instruction>& code, const std::vector<std::int32_t>& outputs) {
+  std::vector<Stage> made;
+  for (std::size_t k = 0; k < code.size(); k++) {
+    made.push_back({code[k]});
+    if (k + 1 == code.size() || !kernels::is_arithmetic(code[k].operation)) continue;
+    const std::int32_t between = code[k].to;
+    const auto seen = seen_from(code[k + 1], between);
+    if (!seen || (code[k + 1].to != between && is_needed(code, outputs, k + 2, between))) continue;
+    Stage& stage = made.back();
+    stage.second = code[++k];
+    stage.second.b = seen->b;
+    stage.second.c = seen->c;
+    stage.run_both = kernels::arithmetic(stage.first.operation, seen->shape);
   }
-}
-
-void run_function(Function f, int n, const Columns& at) {
-  switch (f) {
-    case Function::exp: return unary(n, at, [](Vector a) { return PANTIN_SLEEF(exp, u10)(a); });
-    case Function::log: return unary(n, at, [](Vector a) { return PANTIN_SLEEF(log, u10)(a); });
-    case Function::sin: return unary(n, at, [](Vector a) { return PANTIN_SLEEF(sin, u10)(a); });
-    case Function::cos: return unary(n, at, [](Vector a) { return PANTIN_SLEEF(cos, u10)(a); });
-    case Function::tan: return unary(n, at, [](Vector a) { return PANTIN_SLEEF(tan, u10)(a); });
-    case Function::asin: return unary(n, at, [](Vector a) { return PANTIN_SLEEF(asin, u10)(a); });
-    case Function::acos: return unary(n, at, [](Vector a) { return PANTIN_SLEEF(acos, u10)(a); });
-    case Function::atan: return unary(n, at, [](Vector a) { return PANTIN_SLEEF(atan, u10)(a); });
-    case Function::atan2: return binary(n, at, [](Vector a, Vector b) { return PANTIN_SLEEF(atan2, u10)(a, b); });
-    case Function::sinh: return unary(n, at, [](Vector a) { return PANTIN_SLEEF(sinh, u10)(a); });
-    case Function::cosh: return unary(n, at, [](Vector a) { return PANTIN_SLEEF(cosh, u10)(a); });
-    case Function::tanh: return unary(n, at, [](Vector a) { return PANTIN_SLEEF(tanh, u10)(a); });
-    case Function::power: return binary(n, at, [](Vector a, Vector b) { return PANTIN_SLEEF(pow, u10)(a, b); });
-    case Function::floor: return unary(n, at, [](Vector a) { return PANTIN_SLEEF(floor, )(a); });
-    case Function::abs: return unary(n, at, absolute);
-    default: run_choice(f, n, at);
-  }
-}
-
-void run_operation(const Instruction& i, int n, const Columns& at) {
-  const Vector x = all(i.x), y = all(i.y);
-  const auto *a = at.a, *b = at.b, *c = at.c;
-  switch (i.operation) {
-    case Operation::multiply: return each(n, at.to, [=](int k) { return load(a + k) * load(b + k); });
-    case Operation::multiply_number: return each(n, at.to, [=](int k) { return load(a + k) * x; });
-    case Operation::add: return each(n, at.to, [=](int k) { return load(a + k) + load(b + k); });
-    case Operation::add_number: return each(n, at.to, [=](int k) { return load(a + k) + x; });
-    case Operation::subtract: return each(n, at.to, [=](int k) { return load(a + k) - load(b + k); });
-    case Operation::multiply_add: return each(n, at.to, [=](int k) { return load(a + k) * load(b + k) + load(c + k); });
-    case Operation::multiply_number_add: return each(n, at.to, [=](int k) { return load(a + k) * x + load(b + k); });
-    case Operation::multiply_add_number: return each(n, at.to, [=](int k) { return load(a + k) * load(b + k) + x; });
-    case Operation::multiply_number_add_number: return each(n, at.to, [=](int k) { return load(a + k) * x + y; });
-    case Operation::reciprocal: return each(n, at.to, [=](int k) { return all(1.0) / load(a + k); });
-    case Operation::square: return each(n, at.to, [=](int k) { return load(a + k) * load(a + k); });
-    case Operation::divide: return each(n, at.to, [=](int k) { return load(a + k) / load(b + k); });
-    case Operation::set: return each(n, at.to, [=](int) { return x; });
-    case Operation::square_root: return unary(n, at, [](Vector v) { return PANTIN_SQUARE_ROOT(v); });
-    case Operation::function: return run_function(i.function, n, at);
-  }
+  return made;
 }
 
 constexpr auto alignment = std::align_val_t{64};
@@ -141,24 +83,42 @@ struct Machine::Memory {
   Program program;
   std::unique_ptr<double[], Free> values;
   std::vector<double*> columns;  // by slot; of a bound input somewhere else, only read
+  std::vector<Stage> uniform, code;
 
   explicit Memory(const Program& made) : program(made) {
     const std::size_t size = static_cast<std::size_t>(program.slots) * block;
     values.reset(static_cast<double*>(::operator new[](std::max<std::size_t>(size, 1) * sizeof(double), alignment)));
     std::fill_n(values.get(), size, 0.0);
     for (std::int32_t i = 0; i < program.slots; i++) columns.push_back(values.get() + i * block);
+    for (const Instruction& i : program.uniform) uniform.push_back({i});
+    code = stages_of(program.code, program.outputs);
   }
 
   double* at(std::int32_t slot) const { return slot < 0 ? nullptr : columns[static_cast<std::size_t>(slot)]; }
 
-  void run(const std::vector<Instruction>& code, int n) const {
-    for (const Instruction& i : code) {
-      if (i.operation == Operation::function && i.function == Function::spline) {
-        const Spline& spline = *program.splines[static_cast<std::size_t>(i.c)];
-        run_spline(n, {at(i.to), at(i.a), nullptr, nullptr}, spline, static_cast<int>(i.x));
+  void run(const std::vector<Stage>& stages, int n) const {
+    for (const Stage& stage : stages) {
+      const Instruction &i = stage.first, &j = stage.second;
+      if (stage.run_both != nullptr) {
+        stage.run_both(n, at(j.to), at(i.a), {at(i.b), at(i.c), i.x, i.y}, {at(j.b), at(j.c), j.x, j.y});
       } else {
-        run_operation(i, n, {at(i.to), at(i.a), at(i.b), at(i.c)});
+        run(i, n);
       }
+    }
+  }
+
+  void run(const Instruction& i, int n) const {
+    if (kernels::is_arithmetic(i.operation)) {
+      kernels::arithmetic(i.operation)(n, at(i.to), at(i.a), {at(i.b), at(i.c), i.x, i.y});
+    } else if (i.operation == Operation::set) {
+      kernels::fill(n, at(i.to), i.x);
+    } else if (i.operation == Operation::square_root) {
+      kernels::square_root(n, at(i.to), at(i.a));
+    } else if (i.function == Function::spline) {
+      const Spline& spline = *program.splines[static_cast<std::size_t>(i.c)];
+      kernels::spline(n, at(i.to), at(i.a), spline, static_cast<int>(i.x));
+    } else {
+      kernels::function(i.function, n, {at(i.to), at(i.a), at(i.b), at(i.c)});
     }
   }
 };
@@ -186,9 +146,11 @@ void Machine::bind(int input, const double* values) {
 
 void Machine::fill(int input, double value) { std::fill_n(column(input), block, value); }
 
-void Machine::run_uniform() { memory_->run(memory_->program.uniform, block); }
+void Machine::run_uniform() { memory_->run(memory_->uniform, block); }
 
-void Machine::run(int n) { memory_->run(memory_->program.code, (n + padding - 1) / padding * padding); }
+void Machine::run(int n) {
+  memory_->run(memory_->code, (n + kernels::padding - 1) / kernels::padding * kernels::padding);
+}
 
 const double* Machine::output(int k) const {
   return memory_->at(memory_->program.outputs[static_cast<std::size_t>(k)]);
