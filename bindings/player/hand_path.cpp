@@ -4,7 +4,7 @@
 
 namespace pantin::player {
 
-HandPath::HandPath(const World& world, const Input& frame, int steps) : commands_(frame.commands), steps_(steps) {
+HandPath::HandPath(const World& world, const StepInput& frame, int steps) : commands_(frame.commands), steps_(steps) {
   for (const HandMove& move : frame.moves) {
     auto index = static_cast<std::size_t>(move.hand);
     bool holds = index < world.hands.size() && world.hands[index].placed && world.hands[index].grab;
@@ -12,8 +12,8 @@ HandPath::HandPath(const World& world, const Input& frame, int steps) : commands
   }
 }
 
-Input HandPath::input(int i) const {
-  Input input;
+StepInput HandPath::input(int i) const {
+  StepInput input;
   if (i == 0) input.commands = commands_;
   double part = static_cast<double>(i + 1) / steps_;
   for (const Path& path : paths_) {
@@ -24,7 +24,7 @@ Input HandPath::input(int i) const {
   return input;
 }
 
-void keep_last_moves(Input& input) {
+void keep_last_moves(StepInput& input) {
   std::vector<HandMove> last;
   for (const HandMove& move : input.moves) {
     auto same_hand = [&](const HandMove& other) { return other.hand == move.hand; };

@@ -8,9 +8,9 @@ namespace pantin::player {
 class HandPath {
  public:
   /// `frame` is what came in since the last frame; `steps` > 0 will be taken.
-  HandPath(const World& world, const Input& frame, int steps);
+  HandPath(const World& world, const StepInput& frame, int steps);
   /// The input of step `i`, from 0.
-  Input input(int i) const;
+  StepInput input(int i) const;
 
  private:
   struct Path {
@@ -23,6 +23,6 @@ class HandPath {
 };
 
 /// Keeps the last move of each hand only.
-void keep_last_moves(Input& input);
+void keep_last_moves(StepInput& input);
 
 }  // namespace pantin::player

@@ -27,7 +27,7 @@ Window open_window(const std::string& title, Size size) {
 }
 
 /// Whether a hand did something that only a step carries out.
-bool waits_for_step(const Input& input) {
+bool waits_for_step(const StepInput& input) {
   return std::ranges::any_of(
       input.commands, [](const Command& c) { return c.kind == Command::Kind::cut || c.kind == Command::Kind::button; });
 }

@@ -60,7 +60,7 @@ class Player {
   Follower follower_;
   PlayerInput hands_;
   Gestures gestures_;
-  Input waiting_;  ///< what hands did since the last step
+  StepInput waiting_;  ///< what hands did since the last step
   Pacing pacing_;
   Status status_;
   Times times_;

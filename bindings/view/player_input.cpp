@@ -17,7 +17,7 @@ struct PlayerInput::Frame {
   int width, height;
   bool on_panel;
   Camera& camera;
-  Input& input;
+  StepInput& input;
   Actions& actions;
 };
 
@@ -40,7 +40,7 @@ const std::vector<std::pair<std::string, std::string>>& key_help() {
 }
 
 Actions PlayerInput::apply(const Gestures& gestures, const World& world, const Stage& stage, int width, int height,
-                           bool on_panel, Camera& camera, Input& input) {
+                           bool on_panel, Camera& camera, StepInput& input) {
   Actions actions;
   actions.quit = gestures.quit;
   if (width <= 0 || height <= 0) return actions;

@@ -37,7 +37,7 @@ class PlayerInput {
   /// Appends moves and commands to `input`, for the coming step. `on_panel`: the pointer is over a button, so a press is
   /// not for the scene. Sizes in px of the picture.
   Actions apply(const Gestures& gestures, const World& world, const Stage& stage, int width, int height, bool on_panel,
-                Camera& camera, Input& input);
+                Camera& camera, StepInput& input);
   /// The world was built anew: its hands are gone, and nothing is held.
   void reset();
   /// What the mouse holds or is over, or null.

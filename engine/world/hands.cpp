@@ -43,7 +43,7 @@ void press(World& world, std::int32_t index, bool pressed) {
   notice(world, pressed ? Notice::Kind::press : Notice::Kind::release, {}, "", index);
 }
 
-void move_hands(World& world, const Input& input, double time) {
+void move_hands(World& world, const StepInput& input, double time) {
   const double h = time - world.time;
   for (const HandMove& move : input.moves) {
     if (!finite(move.position)) require_finite(text("hand ", move.hand + 1), "position", move.position, "m");
@@ -90,7 +90,7 @@ void carry_out(World& world, const Command& command) {
   }
 }
 
-void carry_out_commands(World& world, const Input& input) {
+void carry_out_commands(World& world, const StepInput& input) {
   if (input.commands.empty()) return;
   const Acting acting(world);
   world.locked = false;
@@ -201,7 +201,7 @@ double usual_grab_force(const World& world, PointId point) {
 }
 
 void apply_input(World& world, double time) {
-  const Input input = std::exchange(world.input, {});
+  const StepInput input = std::exchange(world.input, {});
   const Acting acting(world);
   world.locked = true;  // paths and targets are functions of time: they look and answer
   move_hands(world, input, time);

@@ -28,7 +28,7 @@ struct Command {
 };
 
 /// All that the outside told the world for one step; plain data, so that play can be replayed.
-struct Input {
+struct StepInput {
   std::vector<HandMove> moves;
   std::vector<Command> commands;
 };

@@ -79,7 +79,7 @@ struct World : Model {
 
   Choreography choreography;
   std::vector<Hand> hands;
-  Input input;                  ///< for the coming step; emptied by it
+  StepInput input;              ///< for the coming step; emptied by it
   std::vector<Notice> notices;  ///< of the last step, told in the next; emptied then
   std::vector<LogLine> log;
   std::vector<Probe> probes;

@@ -15,7 +15,7 @@ TEST_CASE("hand path: a hand that holds something moves evenly over the steps of
   world.hands[0].placed = true;
   grab(world, hand, point);
 
-  Input frame;
+  StepInput frame;
   frame.moves.push_back({hand, vec(5, 2, 0), true});
   frame.commands.push_back({});
   HandPath path(world, frame, 4);
@@ -31,14 +31,14 @@ TEST_CASE("hand path: a hand that holds nothing is there at once") {
   World world;
   std::int32_t hand = add_hand(world);
   world.hands[0].placed = true;
-  Input frame;
+  StepInput frame;
   frame.moves.push_back({hand, vec(5, 2, 0), false});
   HandPath path(world, frame, 2);
   CHECK(path.input(0).moves.at(0).position[0] == 5.0);
 }
 
 TEST_CASE("hand path: of the moves that wait, the last of each hand stays") {
-  Input input;
+  StepInput input;
   input.moves = {{0, vec(1, 0, 0), false}, {1, vec(2, 0, 0), true}, {0, vec(3, 0, 0), true}};
   keep_last_moves(input);
   REQUIRE(input.moves.size() == 2);

@@ -13,7 +13,7 @@ using Catch::Contains;
 namespace {
 
 /// Gives the world a step's input; the time goes on as a step's end does it.
-void feed(World& world, Input input, double h = 0.1) {
+void feed(World& world, StepInput input, double h = 0.1) {
   world.input = std::move(input);
   world.step_origin = world.time;
   world.settings.step = h;
@@ -23,14 +23,14 @@ void feed(World& world, Input input, double h = 0.1) {
   world.time += h;
 }
 
-Input move(std::int32_t hand, Vec3 at, bool pressed = false) {
-  Input input;
+StepInput move(std::int32_t hand, Vec3 at, bool pressed = false) {
+  StepInput input;
   input.moves.push_back({hand, at, pressed});
   return input;
 }
 
-Input command(Command::Kind kind, std::int32_t hand = 0) {
-  Input input;
+StepInput command(Command::Kind kind, std::int32_t hand = 0) {
+  StepInput input;
   input.commands.resize(1);
   input.commands[0].kind = kind;
   input.commands[0].hand = hand;
@@ -157,7 +157,7 @@ TEST_CASE("the usual force lifts all that hangs at the point twenty times over")
 TEST_CASE("commands grab, cut and press keys, and are told as the hand's doing") {
   Two t;
   feed(t.world, move(0, zero3()));
-  Input input = command(Command::Kind::grab);
+  StepInput input = command(Command::Kind::grab);
   input.commands[0].point = left_of(t.world, t.a);
   input.commands[0].max_force = 7;
   feed(t.world, input);
@@ -181,7 +181,7 @@ TEST_CASE("commands grab, cut and press keys, and are told as the hand's doing")
 TEST_CASE("a command on a thing that is gone is dropped and logged") {
   Two t;
   feed(t.world, move(0, zero3()));
-  Input input = command(Command::Kind::cut);
+  StepInput input = command(Command::Kind::cut);
   input.commands[0].hinge = t.hinge;
   cut(t.world, t.hinge);
   CHECK_NOTHROW(feed(t.world, input));
