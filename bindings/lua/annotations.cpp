@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lua/fields.hpp"
+#include "lua/force_annotations.hpp"
 
 namespace pantin::lua {
 namespace {
@@ -260,7 +261,7 @@ std::string annotations() {
   std::ostringstream out;
   out << head;
   for (const Type* type : all_types()) write_type(out, *type);
-  out << tail;
+  out << force_annotations() << tail;
   return out.str();
 }
 

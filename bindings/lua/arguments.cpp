@@ -87,13 +87,12 @@ Callback check_function(lua_State* state, int index, const std::string& what, co
   return Callback(state, index);
 }
 
-Options::Options(lua_State* state, int index, std::string what, std::initializer_list<const char*> known)
+Options::Options(lua_State* state, int index, std::string what, std::vector<std::string> names)
     : state_(state), what_(std::move(what)) {
   if (lua_isnoneornil(state, index)) return;
   require(lua_istable(state, index), what_, ": the options must be a table { name = value }, got ",
           kind_of_value(state, index));
   index_ = lua_absindex(state, index);
-  const std::vector<std::string> names(known.begin(), known.end());
   std::vector<std::string> wrong;  // the order of lua_next differs from run to run
   lua_pushnil(state);
   while (lua_next(state, index_)) {

@@ -1,6 +1,5 @@
 #pragma once
 // Checking what scripts give. Every check throws Error that names the value, what it must be, and what came.
-#include <initializer_list>
 #include <lua.hpp>
 #include <optional>
 #include <string>
@@ -29,7 +28,7 @@ Callback check_function(lua_State* state, int index, const std::string& what, co
 class Options {
  public:
   /// Nothing at `index` is an empty table.
-  Options(lua_State* state, int index, std::string what, std::initializer_list<const char*> known);
+  Options(lua_State* state, int index, std::string what, std::vector<std::string> known);
 
   bool has(const char* key) const;
   /// Pushes the value and returns its index.

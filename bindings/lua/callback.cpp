@@ -23,6 +23,7 @@ Callback::Callback(lua_State* state, int index) {
 }
 
 void Callback::push(lua_State* state) const { lua_rawgeti(state, LUA_REGISTRYINDEX, held_->reference); }
+Runtime& Callback::runtime() const { return held_->runtime; }
 const std::string& Callback::place() const { return held_->place; }
 
 void Callback::call(const std::function<int(lua_State*)>& push_arguments,

@@ -26,6 +26,7 @@ class Callback {
   /// "scene.lua:12": where the function begins.
   const std::string& place() const;
   void push(lua_State* state) const;
+  Runtime& runtime() const;
 
  private:
   struct Held;

@@ -4,6 +4,8 @@
 
 #include "lua/arguments.hpp"
 #include "lua/guard.hpp"
+#include "lua/law_run.hpp"
+#include "lua/runtime.hpp"
 #include "lua/script.hpp"
 #include "lua/tostring.hpp"
 #include "world/edit.hpp"
@@ -46,6 +48,7 @@ int index(lua_State* state) {
   if (found == LUA_TLIGHTUSERDATA) {
     const Field& field = *static_cast<const Field*>(lua_touserdata(state, -1));
     if (!field.of_dead) require_alive(self.ref);
+    if (LawRun* law = Runtime::of(state).law) law->on_thing(state, field.name);
     field.read(self);
     return 1;
   }

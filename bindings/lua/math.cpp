@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "base/functions.hpp"
+#include "lua/law_run.hpp"
 #include "lua/runtime.hpp"
 #include "lua/sandbox.hpp"
 
@@ -48,6 +49,7 @@ std::uint64_t below(Random& random, std::uint64_t last) {
 }
 
 int random_number(lua_State* state) {
+  forbid_in_law(state, "math.random", "noise()");
   Random& random = *Runtime::of(state).random;
   const int count = lua_gettop(state);
   if (count == 0) {
@@ -78,6 +80,9 @@ void open_math(lua_State* state) {
                                {"asin", guard<unary<functions::asin>>},
                                {"acos", guard<unary<functions::acos>>},
                                {"atan", guard<arc_tangent>},
+                               {"sinh", guard<unary<functions::sinh>>},
+                               {"cosh", guard<unary<functions::cosh>>},
+                               {"tanh", guard<unary<functions::tanh>>},
                                {"exp", guard<unary<functions::exp>>},
                                {"log", guard<logarithm>},
                                {"random", guard<random_number>},
@@ -86,7 +91,7 @@ void open_math(lua_State* state) {
   lua_getglobal(state, "math");
   luaL_setfuncs(state, replaced, 0);
   // Leftovers of Lua 5.3 that some builds of Lua have, with the C library's bits.
-  for (const char* name : {"cosh", "sinh", "tanh", "pow", "frexp", "ldexp", "log10"}) {
+  for (const char* name : {"pow", "frexp", "ldexp", "log10"}) {
     lua_pushnil(state);
     lua_setfield(state, -2, name);
   }

@@ -15,6 +15,8 @@
 
 namespace pantin::lua {
 
+class LawRun;
+
 struct Limits {
   double seconds = 0.0;   ///< [s] of one call into the script; 0: none
   std::size_t bytes = 0;  ///< of Lua's memory
@@ -49,6 +51,8 @@ class Runtime {
   std::string home;           ///< holds scripts/lib and scripts/behaviours
   Random* random = nullptr;   ///< source of math.random
   lua_Integer shown = 0;      ///< values that were given a number to be shown by
+  LawRun* law = nullptr;      ///< the law whose function runs, or null
+  std::uint64_t traces = 0;   ///< that were begun so far
   std::string stale_message;  ///< text of the last error that a StaleHandle became
   std::string usage_message;  ///< text of the last error that a UsageError became
 

@@ -1,5 +1,7 @@
 #include "lua/sandbox.hpp"
 
+#include "lua/force.hpp"
+#include "lua/law_run.hpp"
 #include "lua/runtime.hpp"
 
 namespace pantin::lua {
@@ -50,6 +52,7 @@ void open_sandbox(lua_State* state) {
   Runtime::of(state).load(state, own_xpcall, own_chunk + 1);
   lua_call(state, 0, 0);
   open_math(state);
+  open_law_math(state);
   open_pairs(state);
   open_sort(state);
   open_strings(state);
@@ -59,6 +62,8 @@ void open_sandbox(lua_State* state) {
   open_require(state);
   open_read_table(state);
   open_values(state);
+  open_law_run(state);
+  open_force(state);
 }
 
 }  // namespace pantin::lua

@@ -10,6 +10,7 @@ void open_sandbox(lua_State* state);
 
 // Its parts.
 void open_math(lua_State* state);
+void open_law_math(lua_State* state);
 void open_pairs(lua_State* state);
 void open_sort(lua_State* state);
 void open_strings(lua_State* state);

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "base/functions.hpp"
+#include "lua/algebra.hpp"
 #include "lua/arguments.hpp"
 #include "lua/guard.hpp"
 #include "lua/handles.hpp"
@@ -35,6 +36,7 @@ Vec3 operand(lua_State* state, int index, const char* operation) {
 }
 
 int make_vec(lua_State* state) {
+  if (has_law_value(state, 3)) return law_vec(state, VecOperation::make);
   double v[3];
   for (int i = 0; i < 3; i++) {
     if (lua_type(state, i + 1) != LUA_TNUMBER)
@@ -46,11 +48,18 @@ int make_vec(lua_State* state) {
   return 1;
 }
 
-int vec_add(lua_State* state) { return push(state, operand(state, 1, "+") + operand(state, 2, "+")), 1; }
-int vec_subtract(lua_State* state) { return push(state, operand(state, 1, "-") - operand(state, 2, "-")), 1; }
+int vec_add(lua_State* state) {
+  if (has_law_value(state, 2)) return law_vec(state, VecOperation::add);
+  return push(state, operand(state, 1, "+") + operand(state, 2, "+")), 1;
+}
+int vec_subtract(lua_State* state) {
+  if (has_law_value(state, 2)) return law_vec(state, VecOperation::subtract);
+  return push(state, operand(state, 1, "-") - operand(state, 2, "-")), 1;
+}
 int vec_negate(lua_State* state) { return push(state, zero3() - operand(state, 1, "-")), 1; }
 
 int vec_multiply(lua_State* state) {
+  if (has_law_value(state, 2)) return law_vec(state, VecOperation::multiply);
   const auto a = to_vec(state, 1), b = to_vec(state, 2);
   require(!(a && b), "vec * vec could mean two things: write a:dot(b) or a:cross(b)");
   const int other = a ? 2 : 1;
@@ -60,6 +69,7 @@ int vec_multiply(lua_State* state) {
 }
 
 int vec_divide(lua_State* state) {
+  if (has_law_value(state, 2)) return law_vec(state, VecOperation::divide);
   const auto a = to_vec(state, 1);
   require(a && lua_type(state, 2) == LUA_TNUMBER, "vec / needs a vec and a number, got ", kind_of_value(state, 1),
           " / ", kind_of_value(state, 2));
@@ -81,9 +91,11 @@ int vec_text(lua_State* state) {
 }
 
 int vec_dot(lua_State* state) {
+  if (has_law_value(state, 2)) return law_vec(state, VecOperation::dot);
   return lua_pushnumber(state, dot(operand(state, 1, ":dot"), operand(state, 2, ":dot"))), 1;
 }
 int vec_cross(lua_State* state) {
+  if (has_law_value(state, 2)) return law_vec(state, VecOperation::cross);
   return push(state, cross(operand(state, 1, ":cross"), operand(state, 2, ":cross"))), 1;
 }
 int vec_length(lua_State* state) { return lua_pushnumber(state, norm(operand(state, 1, ":length"))), 1; }
@@ -290,9 +302,20 @@ const char* kind_of_value(lua_State* state, int index) {
     default: break;
   }
   const auto tag = tag_of(state, index);
-  if (tag == Tag::vec) return "a vec";
-  if (tag == Tag::quat) return "a quat";
-  return tag == Tag::ref ? kind_of_thing(state, index) : "a userdata";
+  if (!tag) return "a userdata";
+  switch (*tag) {
+    case Tag::vec:
+    case Tag::symbol_vec:
+    case Tag::dual_vec: return "a vec";
+    case Tag::quat: return "a quat";
+    case Tag::ref: return kind_of_thing(state, index);
+    case Tag::symbol:
+    case Tag::dual: return "a number";
+    case Tag::law_particle: return "a particle of a law";
+    case Tag::law_own: return "the parameters of a law";
+    case Tag::law: break;
+  }
+  return "a law";
 }
 
 void open_values(lua_State* state) {

@@ -10,7 +10,7 @@
 namespace pantin::lua {
 
 /// The first word of every userdata of ours, which are all there are.
-enum class Tag : std::uint32_t { vec, quat, ref };
+enum class Tag : std::uint32_t { vec, quat, ref, symbol, symbol_vec, dual, dual_vec, law_particle, law_own, law };
 
 std::optional<Tag> tag_of(lua_State* state, int index);
 

@@ -60,7 +60,8 @@ struct Law {
   Expr energy = no_expression;     ///< [J]; none: the law is without energy
   Expr stiffness = no_expression;  ///< [N/m] of a central law: rate of tension with distance
   std::shared_ptr<Called> called;  ///< instead of the expressions
-  bool called_energy = false;      ///< `called` gives an energy too
+  std::vector<Input> inputs_wanted;  ///< by `called`
+  bool called_energy = false;        ///< `called` gives an energy too
 
   bool moving = false;  ///< depends on velocities
   bool timed = false;   ///< depends on time or noise

@@ -166,6 +166,8 @@ const LibraryLaw* find_library_law(std::string_view name) {
   return found == library().end() ? nullptr : &*found;
 }
 
+void check_law_arguments(const LibraryLaw& law, const LawArguments& arguments) { LawMaker(law, arguments); }
+
 std::vector<Law> make_library_law(std::string_view name, const LawArguments& arguments) {
   const LibraryLaw* law = find_library_law(name);
   require(law != nullptr, "there is no law \"", name, "\"");

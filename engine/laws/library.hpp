@@ -59,6 +59,8 @@ const std::vector<LibraryLaw>& library();
 /// The law of that name, or none.
 const LibraryLaw* find_library_law(std::string_view name);
 
+/// Throws Error for what is missing, unknown or out of range, with its name and unit.
+void check_law_arguments(const LibraryLaw& law, const LawArguments& arguments);
 /// The law, and after it, where it also dissipates, the part that has no energy: both act, with the same parameters. Throws
 /// Error for what is missing, unknown or out of range, with its name and unit.
 std::vector<Law> make_library_law(std::string_view name, const LawArguments& arguments);

@@ -476,6 +476,271 @@ function OpenedScene:find(name) end
 ---@return Particle[]
 function OpenedScene:near(at, radius) end
 
+---A law: how particles pull at each other, or are pulled. It does not change.
+---@class Law
+
+---What a law sees of a particle: mass, radius, age, lifetime and its family's attributes.
+---@class LawParticle
+---@field position vec [m] of laws of single particles and of `force.many`
+---@field velocity vec [m/s] of forces on single particles
+---@field [string] number
+
+---@class OwnLawOptions
+---@field parameters? table<string, number> seen by the function as `own`; may be changed while the law acts
+---@field strict? boolean an error where the function cannot be traced, and would be called every time
+---@field exact? boolean false: == and ~= on numbers, always false of a traced one, are traced as that
+---@field name? string in the ledger
+
+---@class PairLawOptions
+---@field cutoff? number [m] no force beyond
+---@field shift? boolean the energy is 0 at the cutoff; true unless given
+---@field one_sided? boolean b feels nothing of what a feels
+---@field exclude? integer pairs within so many connections are left out
+---@field implicit? boolean solved with the articulate: for stiff connections
+
+---@class OwnPairLawOptions: OwnLawOptions, PairLawOptions
+---@field potential? fun(r: number, a: LawParticle, b: LawParticle, own: table, t: number): number [J] of the distance
+---@field tension? fun(r: number, rate: number, a: LawParticle, b: LawParticle, own: table, t: number): number [N] pulls when positive
+---@field force? fun(d: vec, u: vec, a: LawParticle, b: LawParticle, own: table, t: number): vec [N] on a; d and u: place and velocity of b relative to a
+
+---@class OwnPointLawOptions: OwnLawOptions
+---@field potential? fun(p: LawParticle, own: table, t: number): number [J]
+---@field force? fun(p: LawParticle, own: table, t: number): vec [N]
+
+---@class OwnManyLawOptions: OwnLawOptions
+---@field count integer 2, 3 or 4 particles
+---@field potential fun(p: LawParticle[], own: table, t: number): number [J]
+
+force = {}
+---A law between two particles, of one of three functions.
+---@param options OwnPairLawOptions
+---@return Law
+function force.pair(options) end
+---A law on each of some particles, of one of two functions.
+---@param options OwnPointLawOptions
+---@return Law
+function force.point(options) end
+---A law of several particles at once.
+---@param options OwnManyLawOptions
+---@return Law
+function force.many(options) end
+---@class SpringOptions: PairLawOptions
+---@field stiffness number [N/m] k
+---@field length? number [m] at which there is no force; the present one unless given
+---@field damping? number [N s/m] c; without it the spring only stores energy; 0
+---@field name? string in the ledger
+
+---V = k (r - l)² / 2, with damping c also a tension c dr/dt (R. Hooke, De Potentia Restitutiva, 1678)
+---@param options SpringOptions
+---@return Law
+function force.spring(options) end
+---@class DamperOptions: PairLawOptions
+---@field damping number [N s/m] c
+---@field name? string in the ledger
+
+---tension c dr/dt (Lord Rayleigh, The Theory of Sound, vol. 1, 1877, § 81)
+---@param options DamperOptions
+---@return Law
+function force.damper(options) end
+---@class GravitationOptions: PairLawOptions
+---@field constant? number [N m²/kg²] G; 6.6743e-11
+---@field softening? number [m] s; 0
+---@field name? string in the ledger
+
+---V = -G m m' / sqrt(r² + s²) (I. Newton, Principia, 1687, book 3, proposition 7; softening: H. C. Plummer, MNRAS 71, 1911, p. 460)
+---@param options GravitationOptions
+---@return Law
+function force.gravitation(options) end
+---@class CoulombOptions: PairLawOptions
+---@field constant? number [N m²/C²] k; 8987551787.368176
+---@field name? string in the ledger
+
+---V = k q q' / r (C. A. Coulomb, Premier mémoire sur l'électricité et le magnétisme, 1785)
+---@param options CoulombOptions
+---@return Law
+function force.coulomb(options) end
+---@class MorseOptions: PairLawOptions
+---@field depth number [J] D
+---@field steepness number [1/m] a
+---@field length? number [m] at which there is no force; the present one unless given
+---@field name? string in the ledger
+
+---V = D (exp(-2 a (r - l)) - 2 exp(-a (r - l))) (P. M. Morse, Phys. Rev. 34, 1929, p. 57, eq. 4)
+---@param options MorseOptions
+---@return Law
+function force.morse(options) end
+---@class BuckinghamOptions: PairLawOptions
+---@field repulsion number [J] A
+---@field steepness number [1/m] B
+---@field attraction number [J m⁶] C
+---@field name? string in the ledger
+
+---V = A exp(-B r) - C / r⁶; without bound where r is very small (R. A. Buckingham, Proc. R. Soc. A 168, 1938, p. 264)
+---@param options BuckinghamOptions
+---@return Law
+function force.buckingham(options) end
+---@class YukawaOptions: PairLawOptions
+---@field strength number [J m] g
+---@field screening number [m] λ
+---@field name? string in the ledger
+
+---V = g exp(-r / λ) / r, repulsive where g > 0 (H. Yukawa, Proc. Phys.-Math. Soc. Japan 17, 1935, p. 48)
+---@param options YukawaOptions
+---@return Law
+function force.yukawa(options) end
+---@class TableOptions: PairLawOptions
+---@field distances number[] [m] rising
+---@field potentials? number[] [J] at the distances
+---@field tensions? number[] [N] at the distances, instead
+---@field name? string in the ledger
+
+---a natural cubic spline through given potentials or tensions; straight before the first point, cut off at the last (C. de Boor, A Practical Guide to Splines, 1978, ch. IV)
+---@param options TableOptions
+---@return Law
+function force.table(options) end
+---@class LennardJonesOptions: PairLawOptions
+---@field epsilon number [J] ε
+---@field sigma number [m] σ
+---@field name? string in the ledger
+
+---V = 4 ε ((σ/r)¹² - (σ/r)⁶), cut off at 2.5 σ unless it is said where (J. E. Lennard-Jones, Proc. Phys. Soc. 43, 1931, p. 461)
+---@param options LennardJonesOptions
+---@return Law
+function force.lennard_jones(options) end
+---@class WcaOptions: PairLawOptions
+---@field epsilon number [J] ε
+---@field sigma number [m] σ
+---@field name? string in the ledger
+
+---V = 4 ε ((σ/r)¹² - (σ/r)⁶) + ε up to 2^(1/6) σ, 0 beyond (J. D. Weeks, D. Chandler and H. C. Andersen, J. Chem. Phys. 54, 1971, p. 5237, eq. 4)
+---@param options WcaOptions
+---@return Law
+function force.wca(options) end
+---@class HydrophobicOptions: PairLawOptions
+---@field strength number [J] ε
+---@field size number [m] b
+---@field range? number [m] w; 1.6 b
+---@field attraction? number h; 1
+---@field name? string in the ledger
+
+---a core as wca's with ε and σ = b, and around it a well -h ε cos²(π x / 2), x = (r - 2^(1/6) b) / w from 0 to 1: attraction between like (h = 1, tails that shun water), none (0) or repulsion (-1) between others. Makes droplets, membranes and vesicles of bodies with a head and tails (I. R. Cooke, K. Kremer and M. Deserno, Phys. Rev. E 72, 2005, 011506, eqs. 1 and 4)
+---@param options HydrophobicOptions
+---@return Law
+function force.hydrophobic(options) end
+---@class RepelOptions: PairLawOptions
+---@field stiffness number [N/m^1.5] k
+---@field name? string in the ledger
+
+---balls that touch push with k overlap^1.5, the overlap that of their radii (H. Hertz, J. reine angew. Math. 92, 1882, p. 156)
+---@param options RepelOptions
+---@return Law
+function force.repel(options) end
+---@class FlockOptions: PairLawOptions
+---@field sight number [m] beyond it neighbours do not matter
+---@field separation? number [N m] s; 0
+---@field alignment? number [N s/m] a; 0
+---@field cohesion? number [N/m] c; 0
+---@field name? string in the ledger
+
+---each follows its neighbours: w (c d + a u - s d / r²), d and u the place and velocity of the other relative to it, w = (1 - r²/sight²)² (C. W. Reynolds, Computer Graphics 21 (4), 1987, p. 25)
+---@param options FlockOptions
+---@return Law
+function force.flock(options) end
+---@class DragOptions
+---@field linear? number [N s/m] c; 0
+---@field quadratic? number [N s²/m²] q; 0
+---@field name? string in the ledger
+
+----(c + q |v|) v (G. G. Stokes, Trans. Camb. Phil. Soc. 9, 1851, p. 8 (linear); Newton, Principia, 1687, book 2 (quadratic))
+---@param options DragOptions
+---@return Law
+function force.drag(options) end
+---@class WindOptions
+---@field velocity vec [m/s] u
+---@field linear? number [N s/m] c; 0
+---@field quadratic? number [N s²/m²] q; 0
+---@field name? string in the ledger
+
+---drag in air that moves with velocity u: (c + q |u - v|) (u - v) (as drag)
+---@param options WindOptions
+---@return Law
+function force.wind(options) end
+---@class VortexOptions
+---@field centre? vec [m] a point of the axis
+---@field axis vec direction that the air circles by the right-hand rule
+---@field circulation number [m²/s] Γ
+---@field core number [m] distance where the air is fastest
+---@field linear? number [N s/m] c; 0
+---@field quadratic? number [N s²/m²] q; 0
+---@field name? string in the ledger
+
+---drag in air that circles an axis: u = Γ s / (2 π (core² + s²)) at distance s from it (W. Kaufmann, Ingenieur-Archiv 31, 1962, p. 1)
+---@param options VortexOptions
+---@return Law
+function force.vortex(options) end
+---@class BuoyancyOptions
+---@field density number [kg/m³] of the liquid
+---@field surface? number [m] height y of the surface; 0
+---@field gravity? number [m/s²] weight per mass; 9.81
+---@field name? string in the ledger
+
+---a ball is lifted along y by the weight of the liquid that it displaces (Archimedes, On Floating Bodies, book 1, propositions 5 to 7; volume of a cap: π h² (3 R - h) / 3)
+---@param options BuoyancyOptions
+---@return Law
+function force.buoyancy(options) end
+---@class ThermostatOptions
+---@field rate number [1/s] γ
+---@field temperature number [K] T
+---@field name? string in the ledger
+
+----γ m v + sqrt(2 γ m k T / h) noise, k Boltzmann's constant and h the step of the scene (P. Langevin, C. R. Acad. Sci. 146, 1908, p. 530; discrete: A. Brünger, C. L. Brooks and M. Karplus, Chem. Phys. Lett. 105, 1984, p. 495)
+---@param options ThermostatOptions
+---@return Law
+function force.thermostat(options) end
+---@class WallOptions
+---@field through? vec [m] a point of the plane
+---@field normal vec out of the wall
+---@field stiffness number [N/m] k
+---@field damping? number [N s/m] c; 0
+---@field friction? number μ; 0
+---@field slip? number [m/s] speed below which friction is less than full; 0.01
+---@field name? string in the ledger
+
+---a ball that reaches behind a plane is pushed out: N = max(k overlap - c v_n, 0), with friction μ N against its sliding v, as v / sqrt(v² + slip²) (P. A. Cundall and O. D. L. Strack, Géotechnique 29, 1979, p. 47)
+---@param options WallOptions
+---@return Law
+function force.wall(options) end
+---@class AngleOptions
+---@field stiffness number [J] k
+---@field angle? number [rad] θ where there is no force; the present one unless given
+---@field name? string in the ledger
+
+---V = k (θ - θ0)² / 2 of the angle at the second of three particles; no force where they are in line (E. B. Wilson, J. C. Decius and P. C. Cross, Molecular Vibrations, 1955, ch. 4)
+---@param options AngleOptions
+---@return Law
+function force.angle(options) end
+---@class TorsionOptions
+---@field stiffness number [J] k
+---@field angle? number [rad] θ where there is no force; the present one unless given
+---@field fold? number n, minima of a turn; 1
+---@field name? string in the ledger
+
+---V = k (1 - cos(n (φ - φ0))) of the torsion of four particles, IUPAC's sign; no force where three are in line (B. R. Brooks et al., J. Comput. Chem. 4, 1983, p. 187, eq. 4; derivative by the graph's reverse mode)
+---@param options TorsionOptions
+---@return Law
+function force.torsion(options) end
+
+---In the function of a law: a normal deviate of mean 0 and variance 1, one for each call, pair and step.
+---@return number
+function noise() end
+
+---@generic T
+---@param condition boolean
+---@param yes T
+---@param no T
+---@return T
+function where(condition, yes, no) end
+
 ---@type Scene
 scene = nil
 

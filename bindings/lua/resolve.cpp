@@ -1,0 +1,168 @@
+// From what a scene wrote to a law that can be run: traced where it can be, else called.
+#include <algorithm>
+#include <cmath>
+
+#include "lua/arguments.hpp"
+#include "lua/force.hpp"
+#include "lua/guard.hpp"
+#include "lua/law_check.hpp"
+#include "lua/script.hpp"
+#include "lua/trace.hpp"
+
+namespace pantin::lua {
+namespace {
+
+constexpr double sample_times[] = {0.0, 0.7, 13.0};  // [s]
+
+Law traced_law(const LawFunction& f, Traced traced) {
+  const Expr first = traced.outputs[0];
+  switch (f.form) {
+    case LawForm::pair_potential: return central_potential(f.def, std::move(traced.graph), first);
+    case LawForm::pair_tension: return central_tension(f.def, std::move(traced.graph), first);
+    case LawForm::pair_force: return pair_force(f.def, std::move(traced.graph), traced.outputs);
+    case LawForm::point_potential: return point_potential(f.def, std::move(traced.graph), first);
+    case LawForm::point_force: return point_force(f.def, std::move(traced.graph), traced.outputs);
+    case LawForm::many_potential: break;
+  }
+  return many_potential(f.def, f.count, std::move(traced.graph), first);
+}
+
+/// Runs the function on samples; throws its error where it came through on none of them.
+void check_runs(CalledLaw& called) {
+  Samples samples(called, sample_times[0]);
+  const Outcome tried = outcome(called, nullptr, samples.block());
+  if (std::any_of(tried.failures.begin(), tried.failures.end(), [](const std::string& f) { return f.empty(); })) return;
+  throw ScriptError(tried.failures[0]);
+}
+
+/// The expressions of a law that does on all samples what its function does, or nothing and the reason.
+std::shared_ptr<const Law> try_trace(CalledLaw& called, std::string& reason) {
+  Traced traced = trace(called.law().function.runtime(), called.law());
+  reason = traced.refusal;
+  if (!reason.empty()) return {};
+  const auto law = std::make_shared<const Law>(traced_law(called.law(), std::move(traced)));
+  for (double time : sample_times) {
+    Samples samples(called, time);
+    const std::string difference = disagreement(called, *law, samples.block());
+    if (difference.empty()) continue;
+    reason = text(called.law().function.place(), ": ", difference);
+    return {};
+  }
+  return law;
+}
+
+void warn(Script& script, LawSpec& spec, const LawFunction& f, const std::string& reason) {
+  if (spec.warned) return;
+  spec.warned = true;
+  const char* each = is_pair(f.form) ? "pair" : f.form == LawForm::many_potential ? "connection" : "particle";
+  // Measured with Lennard-Jones as a tension and as a potential, whose function works with derivatives too.
+  const char* cost = is_potential(f.form) ? "some 300 times slower than traced (a force or tension: 50)"
+                                          : "some 50 times slower than traced";
+  log_line(script.world, "warning",
+           text(f.function.place(), ": this law is called in Lua for every ", each, ", ", cost,
+                " and on one core; it cannot be traced: ", reason));
+}
+
+/// Attributes that a law of the library reads must be there.
+void check_attributes(const LawSpec& spec, std::span<const KnownNames> known) {
+  const std::vector<std::string>& common = common_attributes();
+  for (const std::shared_ptr<const Law>& law : spec.library->laws)
+    for (const Input& input : law->graph.inputs_of(law->force)) {
+      const auto has = [&](const std::vector<std::string>& names) {
+        return std::find(names.begin(), names.end(), input.name) != names.end();
+      };
+      if (input.role != Role::attribute || has(common)) continue;
+      const KnownNames& names = known[input.who];
+      require(has(names.attributes), spec.word, ": reads the attribute '", input.name, "', which ", names.whose,
+              " has not; give it attributes = { ", input.name, " = … }");
+    }
+}
+
+LawFunction function_of(lua_State* state, int index, const LawSpec& spec, std::span<const KnownNames> known) {
+  lua_getiuservalue(state, index, 1);
+  LawFunction f{Callback(state, lua_gettop(state)), spec.form, spec.count, spec.def,
+                {known.begin(), known.end()},       spec.exact};
+  lua_pop(state, 1);
+  if (f.def.name.empty()) f.def.name = f.function.place();
+  return f;
+}
+
+/// Whether the function takes the time.
+bool takes_time(const LawFunction& f) {
+  bool takes = false;
+  f.function.runtime().run([&](lua_State* state) {
+    lua_Debug function;
+    f.function.push(state);
+    lua_getinfo(state, ">u", &function);
+    const int last = is_pair(f.form) ? (f.form == LawForm::pair_potential ? 5 : 6) : 3;
+    takes = function.isvararg || function.nparams >= last;
+  });
+  return takes;
+}
+
+LawKind kind_of(LawForm form) {
+  if (form == LawForm::pair_force) return LawKind::pair;
+  if (is_pair(form)) return LawKind::central;
+  return form == LawForm::many_potential ? LawKind::many : LawKind::point;
+}
+
+ResolvedLaw make_ready(LawSpec& spec, const LawFunction& f, Script& script, bool exchangeable) {
+  const auto called = std::make_shared<CalledLaw>(f);
+  check_runs(*called);
+  std::string reason;
+  const std::shared_ptr<const Law> law = try_trace(*called, reason);
+  if (exchangeable && is_pair(f.form) && !f.def.one_sided) {
+    const std::string difference = asymmetry(*called, law.get(), sample_times[1]);
+    require(difference.empty(), f.function.place(), ": ", difference);
+  }
+  std::vector<double> values;
+  for (const pantin::Parameter& p : f.def.parameters) values.push_back(p.value);
+  if (law) return {{law}, values, called, spec.implicit};
+  require(!spec.strict, spec.word, ": strict = true, and the law cannot be traced: ", reason);
+  require(!spec.implicit, spec.word, ": implicit needs a law that can be traced, and this one cannot: ", reason);
+  warn(script, spec, f, reason);
+  return {{called_law(called)}, values, nullptr, false};
+}
+
+}  // namespace
+
+std::shared_ptr<const Law> called_law(const std::shared_ptr<CalledLaw>& function) {
+  const LawFunction& f = function->law();
+  Law law;
+  law.name = f.def.name;
+  law.kind = kind_of(f.form);
+  law.count = f.count;
+  law.cutoff = f.def.cutoff;
+  law.one_sided = f.def.one_sided;
+  law.exclude = f.def.exclude;
+  law.parameters = f.def.parameters;
+  law.called = function;
+  law.inputs_wanted = function->inputs_wanted();
+  law.moving = !is_potential(f.form);
+  law.timed = takes_time(f) || function->noises > 0;
+  law.called_energy = is_potential(f.form) && !law.timed && !law.one_sided;
+  return std::make_shared<const Law>(std::move(law));
+}
+
+ResolvedLaw resolve_law(lua_State* state, int index, Script& script, std::span<const KnownNames> known,
+                        bool exchangeable) {
+  LawSpec* spec = to_law(state, index);
+  require(spec, "a law is needed, as force.spring{ … } makes one, got ", kind_of_value(state, index));
+  assume(static_cast<std::size_t>(spec->count) == known.size());
+  if (spec->library) {
+    check_attributes(*spec, known);
+    return *spec->library;
+  }
+  for (const LawSpec::Ready& ready : spec->ready)
+    if (ready.exchangeable == exchangeable && std::equal(known.begin(), known.end(), ready.known.begin()))
+      return ready.law;
+  const LawFunction f = function_of(state, lua_absindex(state, index), *spec, known);
+  spec->ready.push_back({{known.begin(), known.end()}, exchangeable, make_ready(*spec, f, script, exchangeable)});
+  return spec->ready.back().law;
+}
+
+std::string recheck_law(const ResolvedLaw& law, const Called::Block& block) {
+  return law.function ? disagreement(*law.function, *law.laws[0], block) : "";
+}
+
+}  // namespace pantin::lua
