@@ -197,6 +197,8 @@ void CalledLaw::run(const Block& block) {
                   column[k]);
       }
     });
+  } catch (const Interrupted&) { throw; } catch (const StaleHandle&) {
+    throw;
   } catch (const Error& error) { throw ScriptError(text(error.what(), ", ", calls.seen())); }
 }
 
@@ -212,7 +214,7 @@ std::vector<std::string> CalledLaw::try_each(const Block& block) {
         LawCall call(state, calls);
         calls.evaluate(state, call, k);
       });
-    } catch (const ScriptError& error) {
+    } catch (const Interrupted&) { throw; } catch (const ScriptError& error) {
       if (runtime.watch().over) throw;
       failures[k] = error.what();
     }

@@ -42,8 +42,13 @@ int index(lua_State* state) {
   lua_pushvalue(state, 2);
   lua_rawget(state, lua_upvalueindex(1));
   const int found = lua_type(state, -1);
-  if (found == LUA_TFUNCTION) return 1;
   const Type& type = type_at_upvalue(state);
+  if (found == LUA_TFUNCTION) {
+    if (LawRun* law = Runtime::of(state).law)
+      law->mistake(state,
+                   text("a law reads numbers and returns; it cannot call ", type.word, ":", lua_tostring(state, 2)));
+    return 1;
+  }
   const Self self = self_at(state, 1);
   if (found == LUA_TLIGHTUSERDATA) {
     const Field& field = *static_cast<const Field*>(lua_touserdata(state, -1));
@@ -61,6 +66,8 @@ int index(lua_State* state) {
 
 int new_index(lua_State* state) {
   const Type& type = type_at_upvalue(state);
+  if (LawRun* law = Runtime::of(state).law)
+    law->mistake(state, text("a law reads numbers and returns; it cannot write to a ", type.word));
   const Self self = self_at(state, 1);
   lua_pushvalue(state, 2);
   lua_rawget(state, lua_upvalueindex(1));

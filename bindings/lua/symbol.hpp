@@ -43,7 +43,8 @@ struct SymbolAlgebra {
   /// Takes one side of a branch; the trace goes back for the other.
   bool less(Expr a, Expr b) const;
   bool less_or_equal(Expr a, Expr b) const;
-  [[noreturn]] bool equal(Expr a, Expr b) const;
+  /// Refused, unless the law allows what is then always false.
+  bool equal(Expr a, Expr b) const;
   void push_floor(lua_State* to, Expr a) const { push(to, graph.apply(Function::floor, a)); }
   [[noreturn]] std::string text(Expr a) const;
   [[noreturn]] double plain(Expr a, const char* what) const;

@@ -181,6 +181,43 @@ TEST_CASE("noise is counted in the order of its calls") {
   CHECK_THAT(failure("noise()"), Contains("scene.lua:1: noise: may be called only inside the function of a law"));
 }
 
+TEST_CASE("laws as people write them are traced") {
+  const std::string laws[] = {
+      "cutoff = 2.5, potential = function(r, a, b) local s = (a.radius + b.radius) / r return 4.8 * (s^12 - s^6) end",
+      "cutoff = 1.2, tension = function(r, rate) return -500 * (1.2 - r)^1.5 + 2 * rate * (1.2 - r)^0.5 end",
+      "cutoff = 3, potential = function(r, a, b) return 138.9 * a.charge * b.charge * math.exp(-r / 0.7) / r end",
+      "cutoff = 3, potential = function(r) local x = (r - 2) / 1 if x < 0 then return 1 / r end local y = 1 - x return "
+      "y * y * y * (6 * x * x + 3 * x + 1) / r end",
+      "potential = function(r) local x = math.max(0, math.min(1, (r - 1) / 2)) return 7 * x * x * (3 - 2 * x) end",
+      "potential = function(r) return 1.5 * (1 - math.exp(-2 * (r - 1.1)))^2 - 1.5 end",
+      "potential = function(r) return -7.5 * math.log(1 - (math.min(r, 1.49) / 1.5)^2) end",
+      "tension = function(r, rate, a, b, own, t) return 3 * math.sin(2 * math.pi * t) * (r - 1) / (1 + r * r) end",
+      "tension = function(r, rate, a, b) return -6.7e-11 * a.mass * b.mass / (r * r + 1e-4)^1.5 * r end",
+      "tension = function(r) local m = 0 for k = 1, 20 do m = m + math.cos(k * r) / k^2 end return m end",
+      "cutoff = 1e-9, potential = function(r) return 1.6e-21 * ((3.4e-10 / r)^12 - (3.4e-10 / r)^6) end",
+      "force = function(d, u, a, b) local r = d:length() local n = d / r return n * (40 * (r - 1)) + n * u:dot(n) * "
+      "0.3 end",
+      "force = function(d, u) if d:dot(d) > 9 then return vec(0, 0, 0) end return 0.1 * d:normalized() + 0.4 * u end",
+      "force = function(d, u, a, b, own, t) return d * (a.charge * b.charge * math.cos(t)) end",
+  };
+  for (const std::string& law : laws) {
+    CAPTURE(law);
+    CHECK(refusal("law = force.pair { strict = true, " + law + " }", true) == "");
+  }
+  const std::string fields[] = {
+      "potential = function(p) return 0.5 * p.mass * 9.81 * p.position:length() end",
+      "force = function(p, own, t) return vec(math.sin(t), 0, 0) - 0.1 * p.velocity end",
+      "force = function(p) local v = p.velocity return -0.5 * v:length() * v end",
+      "force = function(p) if p.position.y > 0 then return vec(0, 0, 0) end return vec(0, -1e4 * p.position.y, 0) end",
+      "force = function(p) return p.charge * (vec(0, 1, 0) + p.velocity:cross(vec(0, 0, 2))) end",
+      "force = function(p) return vec(noise(), noise(), noise()) * math.sqrt(p.mass) - p.velocity * 2 end",
+  };
+  for (const std::string& law : fields) {
+    CAPTURE(law);
+    CHECK(refusal("law = force.point { strict = true, " + law + " }") == "");
+  }
+}
+
 TEST_CASE("what cannot be traced is told, with the line") {
   const auto reason = [](const std::string& body) {
     return refusal("law = force.pair { strict = true, tension = function(r, rate, a, b, own, t)\n" + body + "\nend }");
@@ -206,6 +243,8 @@ TEST_CASE("what cannot be traced is told, with the line") {
   CHECK(reason("if own == nil then return r end return 2 * r") == "");
   CHECK(refusal("law = force.pair { exact = false, strict = true, tension = function(r) return r == 1.234 and 2 or r "
                 "end }") == "");
+  CHECK(refusal("law = force.pair { exact = false, strict = true, tension = function(r, rate, a, b) return a.charge == "
+                "b.mass * 17.3 and 2 or r end }") == "");
   // In what the law calls, too.
   CHECK_THAT(refusal("local function f(r)\n return r ~= 1 and r or 2 end\nlaw = force.pair { strict = true, tension = "
                      "function(r) return f(r) end }"),
@@ -226,6 +265,10 @@ TEST_CASE("mistakes in a law are errors, however it is run") {
   CHECK_THAT(message("return os.time() * r"), Contains("scene.lua:2: attempt to index a nil value (global 'os')"));
   CHECK_THAT(message("return a.position.x"),
              Contains("scene.lua:2: a law of the distance sees no position; give force"));
+  CHECK_THAT(message("scene.pace = 2 return r"),
+             Contains("scene.lua:2: a law reads numbers and returns; it cannot write to a scene"));
+  CHECK_THAT(message("scene:particle() return r"),
+             Contains("scene.lua:2: a law reads numbers and returns; it cannot call scene:particle"));
   CHECK_THAT(message("own.range = 2 return r"), Contains("scene.lua:2: a law reads its arguments and returns"));
   CHECK_THAT(message("return vec(r, 0, 0)"), Contains("the law must return a number [J], got a vec"));
   CHECK_THAT(message("local x = r"), Contains("scene.lua:1: the law must return a number [J], got nil"));
