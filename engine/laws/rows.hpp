@@ -16,8 +16,8 @@ namespace pantin {
 struct Row {
   std::uint32_t site = 0;
   std::uint32_t begin = 0;  ///< in the list of its slab
-  std::uint16_t count = 0;  ///< a multiple of 4, at most 512; filled up with the dummy
-  std::uint16_t shift = 0;  ///< index into Rows::shifts
+  std::uint32_t count = 0;  ///< a multiple of 4; filled up with the dummy
+  std::uint32_t shift = 0;  ///< index into Rows::shifts
 };
 
 /// Rows that one task goes through, in their order.
@@ -60,7 +60,7 @@ class Rows {
 
  private:
   struct Work;
-  void build_by_cells(const Sites& sites, const Box& box, Workers& workers);
+  void build_by_cells(const Sites& sites, Workers& workers);
   void build_all(const Sites& sites);
 
   std::vector<std::vector<Slab>> phases_;
@@ -70,25 +70,5 @@ class Rows {
   double cutoff_ = 0.0, reach_ = 0.0, least_distance2_ = 0.0;
   Vec3 shifts_[27] = {};
 };
-
-/// The order of places by cells of the given width [m]: element k is the site to be put at k.
-std::vector<std::uint32_t> cell_order(std::span<const Vec3> places, const Box& box, double width);
-
-/// Watches how far sites have moved since rows were built.
-class Skin {
- public:
-  /// Starts to watch; the rows are good while no site has moved more than half of `width` [m].
-  void restart(const Sites& sites, double width);
-  bool spent(const Sites& sites) const;
-  double width() const { return width_; }  ///< [m]
-
- private:
-  AlignedVector<Vec3> start_;
-  double width_ = 0.0;
-};
-
-/// A skin for which building rows and evaluating them together cost least, if sites go on as they move now. A function of
-/// their velocities, dt [s], and cutoff [m]; at most half the cutoff.
-double best_skin(const Sites& sites, double dt, double cutoff);
 
 }  // namespace pantin

@@ -1,0 +1,52 @@
+#pragma once
+// Finding the neighbours of the sites of one line of cells after the other.
+#include <cstdint>
+#include <vector>
+
+#include "laws/cells.hpp"
+#include "laws/rows.hpp"
+
+namespace pantin {
+
+bool has_exclusions(const Sites& sites, std::uint32_t i);
+/// Takes those out of [begin, end) that site i never interacts with; gives the new end.
+std::uint32_t* without_excluded(const Sites& sites, std::uint32_t i, std::uint32_t* begin, std::uint32_t* end);
+/// Ends a row of the slab: `count` neighbours from `begin`, filled up with the dummy.
+void close_row(Slab& slab, std::uint32_t site, std::size_t begin, std::size_t count, std::size_t shift,
+               std::uint32_t dummy);
+
+/// Writes the rows of a few lines of cells.
+class Scanner {
+ public:
+  Scanner(const Sites& sites, const Grid& grid, const Cells& a, const Cells& b, bool within, double reach,
+          const Vec3* shifts)
+      : sites_(sites), grid_(grid), a_(a), b_(b), within_(within), reach2_(reach * reach), shifts_(shifts) {}
+
+  /// Adds the rows of a line of `a`; gives the number of pairs, or one more than Rows::most_pairs when they are too many.
+  std::uint64_t add_line(Slab& slab, std::size_t line);
+
+ private:
+  /// The neighbour cells of a line, seen at one shift along it.
+  struct Piece {
+    std::size_t shift = 0;
+    std::uint32_t low = 0, high = 0, end = 0;  ///< cells, which move on as the line is gone along
+    std::int32_t turns = 0;                    ///< boxes, along the line
+    bool self = false;
+  };
+
+  void find_pieces(const Cells::Line& line);
+  void add_pieces(std::int32_t layer, std::int32_t row, std::size_t shift, bool self);
+  void move_on(std::int32_t at);
+  std::uint64_t add_site(Slab& slab, std::size_t k);
+  std::size_t stride(Grid::Axis k) const { return grid_.axis[k] == 0 ? 1 : grid_.axis[k] == 1 ? 3 : 9; }
+
+  const Sites& sites_;
+  const Grid& grid_;
+  const Cells &a_, &b_;
+  bool within_;
+  double reach2_;
+  const Vec3* shifts_;
+  std::vector<Piece> pieces_;
+};
+
+}  // namespace pantin
