@@ -57,7 +57,7 @@ Program::Program(const std::string& name, const std::string& common, const std::
 
 Program::~Program() { glDeleteProgram(id_); }
 
-Rows::Rows(std::initializer_list<int> attributes, bool each_instance) {
+FloatRows::FloatRows(std::initializer_list<int> attributes, bool each_instance) {
   glGenVertexArrays(1, &array_);
   glGenBuffers(1, &buffer_);
   glBindVertexArray(array_);
@@ -76,12 +76,12 @@ Rows::Rows(std::initializer_list<int> attributes, bool each_instance) {
   }
 }
 
-Rows::~Rows() {
+FloatRows::~FloatRows() {
   glDeleteBuffers(1, &buffer_);
   glDeleteVertexArrays(1, &array_);
 }
 
-void Rows::send(const void* data, std::size_t bytes) {
+void FloatRows::send(const void* data, std::size_t bytes) {
   glBindBuffer(GL_ARRAY_BUFFER, buffer_);
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_STREAM_DRAW);
 }

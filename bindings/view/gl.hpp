@@ -34,13 +34,13 @@ class Program {
 };
 
 /// Rows of floats that are sent anew for each picture.
-class Rows {
+class FloatRows {
  public:
   /// Numbers of floats of the attributes 0, 1, …; `each_instance` steps them by instance rather than by vertex.
-  Rows(std::initializer_list<int> attributes, bool each_instance);
-  ~Rows();
-  Rows(const Rows&) = delete;
-  Rows& operator=(const Rows&) = delete;
+  FloatRows(std::initializer_list<int> attributes, bool each_instance);
+  ~FloatRows();
+  FloatRows(const FloatRows&) = delete;
+  FloatRows& operator=(const FloatRows&) = delete;
 
   template <class Row>
   void send(const std::vector<Row>& rows) {

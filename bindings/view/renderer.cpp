@@ -38,7 +38,7 @@ struct Renderer::Parts {
   Program ball, bar, egg, mesh, backdrop{"backdrop", "", ""}, ground{"ground", "common.glsl", ""};
   Program shadow_ball{"shadow_ball", "shadow.glsl", ""}, shadow_bar{"shadow_bar", "shadow.glsl", ""},
       shadow_mesh{"shadow_mesh", "shadow.glsl", ""};
-  Rows balls{{4, 4, 3}, true}, bars{{4, 4, 3}, true}, eggs{{3, 3, 3, 3, 3, 3}, true}, corners{{3, 3, 3}, false},
+  FloatRows balls{{4, 4, 3}, true}, bars{{4, 4, 3}, true}, eggs{{3, 3, 3, 3, 3, 3}, true}, corners{{3, 3, 3}, false},
       shades{{3, 3, 3}, false}, nothing{{1}, false};
   Panel panel;
   Sketcher sketcher;

@@ -13,7 +13,7 @@
 
 namespace pantin {
 
-/// A law of single particles made ready for some families.
+/// A law of single particles made ready for some sites.
 class Fields {
  public:
   /// Throws Error where the law wants an attribute that is not among `names`.
@@ -22,8 +22,8 @@ class Fields {
   Fields(Fields&&) noexcept;
   Fields& operator=(Fields&&) noexcept;
 
-  /// Takes the sites of some families: after every edit and whenever sites were put in another order.
-  void arrange(const Sites& sites, std::span<const std::uint32_t> families);
+  /// Takes the sites to act on: after every edit and whenever sites were put in another order.
+  void arrange(std::span<const std::uint32_t> members);
 
   /// Adds the forces to Sites::force, or to Sites::open_force for a law without energy.
   void add_forces(Sites& sites, const Box& box, const Instant& instant, std::span<const double> parameters,

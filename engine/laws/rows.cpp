@@ -57,9 +57,9 @@ void cut_slabs(const Grid& grid, const Cells& cells, bool within, std::vector<st
 /// All pairs, in square pieces of their table: rows of a tile of a, neighbours of a tile of b.
 class Tiles {
  public:
-  Tiles(const Sites& sites, const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b, bool within,
+  Tiles(const Omitted& omitted, const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b, bool within,
         bool listed)
-      : sites_(sites), a_(a), b_(b), within_(within), listed_(listed) {
+      : omitted_(omitted), a_(a), b_(b), within_(within), listed_(listed) {
     count_ = std::max(a.size(), b.size()) < 512 ? 1 : 16;
     stride_ = (b.size() / count_ + 1 + 3) / 4 * 4 + 4;
   }
@@ -69,7 +69,7 @@ class Tiles {
 
   /// Writes the list that the rows of all slabs share; must outlive them.
   void fill(std::vector<std::uint32_t>& tiled) {
-    tiled.assign(count_ * stride_, sites_.dummy());
+    tiled.assign(count_ * stride_, omitted_.sites.dummy());
     for (std::size_t tile = 0; tile < count_; tile++)
       std::copy(b_.begin() + at(b_, tile), b_.begin() + at(b_, tile + 1),
                 tiled.begin() + static_cast<std::ptrdiff_t>(tile * stride_));
@@ -97,10 +97,10 @@ class Tiles {
       const std::size_t first = slab.own.size();
       slab.own.resize(first + count);
       std::copy_n(tiled_ + begin, count, slab.own.begin() + first);
-      count = static_cast<std::size_t>(without_excluded(sites_, site, slab.own.begin() + first, slab.own.end()) -
+      count = static_cast<std::size_t>(omitted_.remove(site, slab.own.begin() + first, slab.own.end()) -
                                        (slab.own.begin() + first));
       slab.own.resize(first);
-      if (count > 0) close_row(slab, site, first, count, unshifted, sites_.dummy());
+      if (count > 0) close_row(slab, site, first, count, unshifted, omitted_.sites.dummy());
     } else if (count > 0) {
       slab.rows.push_back(
           {site, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>((count + 3) / 4 * 4), unshifted});
@@ -108,7 +108,7 @@ class Tiles {
     pairs_ += count;
   }
 
-  const Sites& sites_;
+  Omitted omitted_;
   const std::vector<std::uint32_t>&a_, &b_;
   bool within_, listed_;
   std::size_t count_ = 1, stride_ = 4, pairs_ = 0;
@@ -123,9 +123,10 @@ Rows::Rows(Rows&&) noexcept = default;
 Rows& Rows::operator=(Rows&&) noexcept = default;
 
 void Rows::build(const Sites& sites, const Box& box, std::span<const std::uint32_t> a, std::span<const std::uint32_t> b,
-                 double cutoff, double skin, Workers& workers) {
+                 double cutoff, double skin, Workers& workers, const Exclusions& further) {
   require(!box.periodic() || 2.0 * cutoff <= std::min({box.edge[0], box.edge[1], box.edge[2]}), "the cutoff of ",
           cutoff, " m is longer than half of the periodic box");
+  const Omitted omitted{sites, further};
   within_ = std::equal(a.begin(), a.end(), b.begin(), b.end());
   cutoff_ = cutoff;
   reach_ = cutoff + skin;
@@ -147,17 +148,18 @@ void Rows::build(const Sites& sites, const Box& box, std::span<const std::uint32
   least_distance2_ = 1e-24 * scale * scale;
   if (work_->a.empty() || (!within_ && work_->b.empty())) return;
   if (cutoff < infinity)
-    build_by_cells(sites, workers);
+    build_by_cells(omitted, workers);
   else
-    build_all(sites);
+    build_all(omitted);
   for (std::vector<Slab>& phase : phases_)
     for (Slab& slab : phase) {
       if (slab.list == nullptr) slab.list = slab.own.data();
-      for (const Row& row : slab.rows) slots_ += row.count;
+      for (const NeighbourRow& row : slab.rows) slots_ += row.count;
     }
 }
 
-void Rows::build_by_cells(const Sites& sites, Workers& workers) {
+void Rows::build_by_cells(const Omitted& omitted, Workers& workers) {
+  const Sites& sites = omitted.sites;
   Work& work = *work_;
   const std::span<const Vec3> places(sites.x.data(), sites.n);
   work.cells_a.fill(work.grid, places, work.a);
@@ -178,7 +180,7 @@ void Rows::build_by_cells(const Sites& sites, Workers& workers) {
     slab.rows.clear();
     slab.own.resize(0);
     slab.list = nullptr;
-    Scanner scanner(sites, work.grid, a, b, within_, reach_, shifts_);
+    Scanner scanner(omitted, work.grid, a, b, within_, reach_, shifts_);
     for (std::size_t line = work.slab_begin[k]; line < work.slab_begin[k + 1]; line++)
       if ((work.pairs += scanner.add_line(slab, line)) > most_pairs) refuse_pairs(a.n + b.n, cutoff_);
   });
@@ -187,16 +189,16 @@ void Rows::build_by_cells(const Sites& sites, Workers& workers) {
   for (std::size_t k = 0; k < count; k++) phases_[k % 2].push_back(std::move(work.slabs[k]));
 }
 
-void Rows::build_all(const Sites& sites) {
+void Rows::build_all(const Omitted& omitted) {
   Work& work = *work_;
   const std::vector<std::uint32_t>&a = work.a, &b = within_ ? work.a : work.b;
-  const auto excludes = [&](std::uint32_t i) { return has_exclusions(sites, i); };
+  const auto excludes = [&](std::uint32_t i) { return omitted.has(i); };
   const bool listed = std::any_of(a.begin(), a.end(), excludes);
   const std::uint64_t most = listed ? most_pairs : most_pairs_uncut;
   const std::uint64_t count = within_ ? a.size() * (a.size() - 1) / 2 : a.size() * b.size();
   require(count <= most, a.size() + (within_ ? 0 : b.size()), " particles have ", count, " pairs, more than the ", most,
           " that a law without a cutoff may have: give it a cutoff");
-  Tiles tiles(sites, a, b, within_, listed);
+  Tiles tiles(omitted, a, b, within_, listed);
   tiles.fill(work.tiled);
   const std::size_t n = tiles.count();
   if (within_) {
@@ -221,7 +223,7 @@ std::size_t Rows::memory() const {
   std::size_t bytes = work_->tiled.capacity() * sizeof(std::uint32_t);
   for (const std::vector<Slab>& phase : phases_)
     for (const Slab& slab : phase)
-      bytes += slab.rows.capacity() * sizeof(Row) + slab.own.capacity() * sizeof(std::uint32_t);
+      bytes += slab.rows.capacity() * sizeof(NeighbourRow) + slab.own.capacity() * sizeof(std::uint32_t);
   return bytes;
 }
 

@@ -13,7 +13,7 @@
 namespace pantin {
 
 /// Neighbours of one site, all seen at the same periodic shift.
-struct Row {
+struct NeighbourRow {
   std::uint32_t site = 0;
   std::uint32_t begin = 0;  ///< in the list of its slab
   std::uint32_t count = 0;  ///< a multiple of 4; filled up with the dummy
@@ -22,10 +22,12 @@ struct Row {
 
 /// Rows that one task goes through, in their order.
 struct Slab {
-  std::vector<Row> rows;
+  std::vector<NeighbourRow> rows;
   AlignedVector<std::uint32_t> own;     ///< neighbours
   const std::uint32_t* list = nullptr;  ///< `own`, or the members themselves where all pairs are meant
 };
+
+struct Omitted;
 
 /// All pairs of two sets of families nearer than cutoff + skin, each once.
 class Rows {
@@ -42,9 +44,9 @@ class Rows {
 
   /// Pairs within one set (a and b equal) or between two without a common family; with the sets in their order a row's
   /// site is of a. In a box the places must be wrapped. Throws Error where a place is not finite, the cutoff is longer
-  /// than half the box, or the pairs are too many.
+  /// than half the box, or the pairs are too many. Pairs of `further` are left out as those of Sites::excluded are.
   void build(const Sites& sites, const Box& box, std::span<const std::uint32_t> a, std::span<const std::uint32_t> b,
-             double cutoff, double skin, Workers& workers);
+             double cutoff, double skin, Workers& workers, const Exclusions& further = {});
 
   /// Slabs of one phase touch no site in common; the phases follow each other.
   const std::vector<std::vector<Slab>>& phases() const { return phases_; }
@@ -60,8 +62,8 @@ class Rows {
 
  private:
   struct Work;
-  void build_by_cells(const Sites& sites, Workers& workers);
-  void build_all(const Sites& sites);
+  void build_by_cells(const Omitted& omitted, Workers& workers);
+  void build_all(const Omitted& omitted);
 
   std::vector<std::vector<Slab>> phases_;
   std::unique_ptr<Work> work_;

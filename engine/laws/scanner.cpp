@@ -71,18 +71,19 @@ std::int32_t turns_of(const Grid& grid, Grid::Axis k, std::int32_t cell) {
 
 }  // namespace
 
-bool has_exclusions(const Sites& sites, std::uint32_t i) {
-  return sites.kin[i] != 0 || (!sites.excluded_begin.empty() && sites.excluded_begin[i] != sites.excluded_begin[i + 1]);
+bool Omitted::has(std::uint32_t i) const {
+  return sites.kin[i] != 0 || !sites.excluded.of(i).empty() || !further.of(i).empty();
 }
 
-std::uint32_t* without_excluded(const Sites& sites, std::uint32_t i, std::uint32_t* begin, std::uint32_t* end) {
+std::uint32_t* Omitted::remove(std::uint32_t i, std::uint32_t* begin, std::uint32_t* end) const {
   if (sites.kin[i] != 0)
     end = std::remove_if(begin, end, [&](std::uint32_t j) { return sites.kin[j] == sites.kin[i]; });
-  if (sites.excluded_begin.empty()) return end;
-  const std::uint32_t* first = sites.excluded.data() + sites.excluded_begin[i];
-  const std::uint32_t* last = sites.excluded.data() + sites.excluded_begin[i + 1];
-  if (first == last) return end;
-  return std::remove_if(begin, end, [&](std::uint32_t j) { return std::find(first, last, j) != last; });
+  for (const std::span<const std::uint32_t> list : {sites.excluded.of(i), further.of(i)}) {
+    if (list.empty()) continue;
+    end = std::remove_if(begin, end,
+                         [&](std::uint32_t j) { return std::find(list.begin(), list.end(), j) != list.end(); });
+  }
+  return end;
 }
 
 void close_row(Slab& slab, std::uint32_t site, std::size_t begin, std::size_t count, std::size_t shift,
@@ -134,7 +135,7 @@ void Scanner::move_on(std::int32_t at) {
 
 std::uint64_t Scanner::add_site(Slab& slab, std::size_t k) {
   const std::uint32_t site = a_.site[k];
-  const bool excludes = has_exclusions(sites_, site);
+  const bool excludes = omitted_.has(site);
   std::uint64_t pairs = 0;
   for (auto piece = pieces_.begin(); piece != pieces_.end();) {
     const std::size_t shift = piece->shift, begin = slab.own.size();
@@ -153,12 +154,12 @@ std::uint64_t Scanner::add_site(Slab& slab, std::size_t k) {
       const std::size_t from = piece->self ? k + 1 : b_.cells[piece->low].begin;
       out = scan(b_, from, b_.cells[piece->high].begin, target, out);
     }
-    if (excludes) out = without_excluded(sites_, site, first, out);
+    if (excludes) out = omitted_.remove(site, first, out);
     const auto count = static_cast<std::size_t>(out - first);
     slab.own.resize(begin);
     if (count == 0) continue;
     slab.own.resize(begin + count);
-    close_row(slab, site, begin, count, shift, sites_.dummy());
+    close_row(slab, site, begin, count, shift, omitted_.sites.dummy());
     pairs += count;
   }
   return pairs;

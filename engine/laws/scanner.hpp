@@ -8,9 +8,16 @@
 
 namespace pantin {
 
-bool has_exclusions(const Sites& sites, std::uint32_t i);
-/// Takes those out of [begin, end) that site i never interacts with; gives the new end.
-std::uint32_t* without_excluded(const Sites& sites, std::uint32_t i, std::uint32_t* begin, std::uint32_t* end);
+/// Which pairs are left out.
+struct Omitted {
+  const Sites& sites;
+  const Exclusions& further;
+
+  bool has(std::uint32_t i) const;  ///< any with site i
+  /// Takes those out of [begin, end) that site i does not interact with; gives the new end.
+  std::uint32_t* remove(std::uint32_t i, std::uint32_t* begin, std::uint32_t* end) const;
+};
+
 /// Ends a row of the slab: `count` neighbours from `begin`, filled up with the dummy.
 void close_row(Slab& slab, std::uint32_t site, std::size_t begin, std::size_t count, std::size_t shift,
                std::uint32_t dummy);
@@ -18,9 +25,9 @@ void close_row(Slab& slab, std::uint32_t site, std::size_t begin, std::size_t co
 /// Writes the rows of a few lines of cells.
 class Scanner {
  public:
-  Scanner(const Sites& sites, const Grid& grid, const Cells& a, const Cells& b, bool within, double reach,
+  Scanner(const Omitted& omitted, const Grid& grid, const Cells& a, const Cells& b, bool within, double reach,
           const Vec3* shifts)
-      : sites_(sites), grid_(grid), a_(a), b_(b), within_(within), reach2_(reach * reach), shifts_(shifts) {}
+      : omitted_(omitted), grid_(grid), a_(a), b_(b), within_(within), reach2_(reach * reach), shifts_(shifts) {}
 
   /// Adds the rows of a line of `a`; gives the number of pairs, or one more than Rows::most_pairs when they are too many.
   std::uint64_t add_line(Slab& slab, std::size_t line);
@@ -40,7 +47,7 @@ class Scanner {
   std::uint64_t add_site(Slab& slab, std::size_t k);
   std::size_t stride(Grid::Axis k) const { return grid_.axis[k] == 0 ? 1 : grid_.axis[k] == 1 ? 3 : 9; }
 
-  const Sites& sites_;
+  Omitted omitted_;
   const Grid& grid_;
   const Cells &a_, &b_;
   bool within_;

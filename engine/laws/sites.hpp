@@ -22,6 +22,17 @@ struct Box {
   Vec3 nearest(Vec3 d) const;
 };
 
+/// Pairs of sites that never interact, each listed for both: those of site i are list[begin[i] … begin[i + 1]). No begins:
+/// none.
+struct Exclusions {
+  std::vector<std::uint32_t> begin, list;
+
+  std::span<const std::uint32_t> of(std::uint32_t i) const {
+    if (begin.empty()) return {};
+    return std::span(list).subspan(begin[i], begin[i + 1] - begin[i]);
+  }
+};
+
 /// Every array holds `n` values and `padding` more. The first of those is the dummy, a site so far away that it is
 /// beyond every cutoff, and of no consequence without one; rows are filled up with it.
 struct Sites {
@@ -32,13 +43,11 @@ struct Sites {
   AlignedVector<Vec3> v;           ///< [m/s]
   AlignedVector<Vec3> force;       ///< [N] of laws with energy
   AlignedVector<Vec3> open_force;  ///< [N] of laws without
-  std::vector<std::uint32_t> particle;  ///< slot in Model::particles
-  std::vector<std::uint64_t> serial;    ///< of the particle
-  std::vector<std::uint32_t> family;    ///< index
-  std::vector<std::uint32_t> kin;       ///< sites of equal kin, not 0, never interact
-  /// Further sites that site i never interacts with: excluded[excluded_begin[i] … excluded_begin[i + 1]), each pair listed
-  /// for both. No begins: none.
-  std::vector<std::uint32_t> excluded_begin, excluded;
+  std::vector<std::uint32_t> particle;            ///< slot in Model::particles
+  std::vector<std::uint64_t> serial;              ///< of the particle
+  std::vector<std::uint32_t> family;              ///< index
+  std::vector<std::uint32_t> kin;                 ///< sites of equal kin, not 0, never interact
+  Exclusions excluded;                            ///< further ones
   std::vector<std::string> names;                 ///< of the attributes
   std::vector<AlignedVector<double>> attributes;  ///< one column for each name; a site that has it not holds any value
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <limits>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,7 +25,7 @@ std::vector<Pair> pairs_of(const Sites& sites, const Rows& rows) {
   std::vector<Pair> pairs;
   for (const auto& phase : rows.phases())
     for (const Slab& slab : phase)
-      for (const Row& row : slab.rows)
+      for (const NeighbourRow& row : slab.rows)
         for (std::uint32_t k = 0; k < row.count; k++) {
           const std::uint32_t j = slab.list[row.begin + k];
           if (j == sites.dummy()) continue;
@@ -40,10 +41,8 @@ bool has(const Families& families, std::uint32_t family) {
 
 bool excluded(const Sites& sites, std::uint32_t i, std::uint32_t j) {
   if (sites.kin[i] != 0 && sites.kin[i] == sites.kin[j]) return true;
-  if (sites.excluded_begin.empty()) return false;
-  const auto begin = sites.excluded.begin() + sites.excluded_begin[i];
-  const auto end = sites.excluded.begin() + sites.excluded_begin[i + 1];
-  return std::find(begin, end, j) != end;
+  const std::span<const std::uint32_t> list = sites.excluded.of(i);
+  return std::find(list.begin(), list.end(), j) != list.end();
 }
 
 /// Each pair once for every image that is within reach.
@@ -72,6 +71,18 @@ void check_rows(const Sites& sites, const Box& box, const Families& a, const Fam
   CHECK(pairs_of(sites, rows) == expected);
 }
 
+/// Pairs whose numbers differ by `step`.
+Exclusions apart(const Sites& sites, std::uint32_t step) {
+  Exclusions exclusions;
+  for (std::uint32_t i = 0; i < sites.n; i++) {
+    exclusions.begin.push_back(static_cast<std::uint32_t>(exclusions.list.size()));
+    if (i >= step) exclusions.list.push_back(i - step);
+    if (i + step < sites.n) exclusions.list.push_back(i + step);
+  }
+  exclusions.begin.push_back(static_cast<std::uint32_t>(exclusions.list.size()));
+  return exclusions;
+}
+
 Box cube(double edge) { return {vec(edge, edge, edge)}; }
 
 }  // namespace
@@ -94,7 +105,7 @@ TEST_CASE("rows: in a row a neighbour is within reach at the row's shift") {
   rows.build(sites, cube(10.0), Families{0}, Families{0}, 2.0, 0.2, workers);
   for (const auto& phase : rows.phases())
     for (const Slab& slab : phase)
-      for (const Row& row : slab.rows)
+      for (const NeighbourRow& row : slab.rows)
         for (std::uint32_t k = 0; k < row.count; k++) {
           const std::uint32_t j = slab.list[row.begin + k];
           if (j != sites.dummy()) REQUIRE(norm(sites.x[j] + rows.shifts()[row.shift] - sites.x[row.site]) < 2.2);
@@ -127,15 +138,19 @@ TEST_CASE("rows: a flat scene and a straight one are sorted along their length")
 TEST_CASE("rows: points of a body and excluded pairs are left out") {
   Sites sites = cases::random_sites({.count = 300});
   for (std::uint32_t i = 0; i < sites.n; i++) sites.kin[i] = i % 3 == 0 ? 0 : 1 + i / 7;
-  for (std::uint32_t i = 0; i < sites.n; i++) {
-    sites.excluded_begin.push_back(static_cast<std::uint32_t>(sites.excluded.size()));
-    if (i >= 5) sites.excluded.push_back(i - 5);
-    if (i + 5 < sites.n) sites.excluded.push_back(i + 5);
-  }
-  sites.excluded_begin.push_back(static_cast<std::uint32_t>(sites.excluded.size()));
+  const Exclusions further = apart(sites, 5);
+  sites.excluded = apart(sites, 3);
   check_rows(sites, {}, {0}, {0}, 3.0, 0.3);
   check_rows(sites, cube(10.0), {0}, {0}, 3.0, 0.3);
   check_rows(sites, {}, {0}, {0}, infinity, 0.0);
+  Workers workers;
+  for (const double cutoff : {3.0, infinity}) {
+    Rows rows;
+    rows.build(sites, {}, Families{0}, Families{0}, cutoff, 0.0, workers, further);
+    std::vector<Pair> expected = all_pairs(sites, {}, {0}, {0}, cutoff);
+    std::erase_if(expected, [](const Pair& pair) { return pair.second - pair.first == 5; });
+    CHECK(pairs_of(sites, rows) == expected);
+  }
 }
 
 TEST_CASE("rows: two clusters far apart, along every axis") {
@@ -173,7 +188,7 @@ TEST_CASE("rows: the same for any number of threads, and slabs of a phase share 
         REQUIRE((owner[i] == 0 || owner[i] == s + 1));
         owner[i] = s + 1;
       };
-      for (const Row& row : slab.rows) {
+      for (const NeighbourRow& row : slab.rows) {
         take(row.site);
         for (std::uint32_t k = 0; k < row.count; k++) take(slab.list[row.begin + k]);
       }
