@@ -27,6 +27,7 @@ inline Sites random_sites(const RandomSites& def = {}) {
   Sites sites;
   sites.names = {"charge", "radius"};
   sites.resize(def.count);
+  sites.clear_forces();
   for (std::size_t i = 0; i < sites.n; i++) sites.x[i] = cube(def.edge);
   const std::vector<std::uint32_t> order = cell_order({sites.x.data(), sites.n}, {}, def.cell);
   const AlignedVector<Vec3> x = sites.x;
