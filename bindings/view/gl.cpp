@@ -33,7 +33,7 @@ GLuint compile(GLenum kind, const std::string& name, const std::string& text) {
 
 }  // namespace
 
-Program::Program(const std::string& name, const std::string& common, const std::string& definitions) {
+ShaderProgram::ShaderProgram(const std::string& name, const std::string& common, const std::string& definitions) {
   const std::string version = "#version 330 core\n";
   const std::string head = definitions + (common.empty() ? std::string() : std::string(shader_text(common)));
   const GLuint vertex =
@@ -55,7 +55,7 @@ Program::Program(const std::string& name, const std::string& common, const std::
   }
 }
 
-Program::~Program() { glDeleteProgram(id_); }
+ShaderProgram::~ShaderProgram() { glDeleteProgram(id_); }
 
 FloatRows::FloatRows(std::initializer_list<int> attributes, bool each_instance) {
   glGenVertexArrays(1, &array_);

@@ -12,12 +12,12 @@
 namespace pantin {
 
 /// A vertex and a fragment shader by their names in assets/shaders, after a common text and definitions.
-class Program {
+class ShaderProgram {
  public:
-  Program(const std::string& name, const std::string& common, const std::string& definitions);
-  ~Program();
-  Program(const Program&) = delete;
-  Program& operator=(const Program&) = delete;
+  ShaderProgram(const std::string& name, const std::string& common, const std::string& definitions);
+  ~ShaderProgram();
+  ShaderProgram(const ShaderProgram&) = delete;
+  ShaderProgram& operator=(const ShaderProgram&) = delete;
 
   void use() const { glUseProgram(id_); }
   void set(const char* name, float value) const { glUniform1f(place(name), value); }

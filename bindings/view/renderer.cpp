@@ -35,8 +35,8 @@ struct Renderer::Parts {
   std::optional<Target> target;
   std::optional<Target> resolved;
   Target shadow{shadow_pixels, shadow_pixels, 0, Target::Format::shade, false};
-  Program ball, bar, egg, mesh, backdrop{"backdrop", "", ""}, ground{"ground", "common.glsl", ""};
-  Program shadow_ball{"shadow_ball", "shadow.glsl", ""}, shadow_bar{"shadow_bar", "shadow.glsl", ""},
+  ShaderProgram ball, bar, egg, mesh, backdrop{"backdrop", "", ""}, ground{"ground", "common.glsl", ""};
+  ShaderProgram shadow_ball{"shadow_ball", "shadow.glsl", ""}, shadow_bar{"shadow_bar", "shadow.glsl", ""},
       shadow_mesh{"shadow_mesh", "shadow.glsl", ""};
   FloatRows balls{{4, 4, 3}, true}, bars{{4, 4, 3}, true}, eggs{{3, 3, 3, 3, 3, 3}, true}, corners{{3, 3, 3}, false},
       shades{{3, 3, 3}, false}, nothing{{1}, false};
@@ -68,7 +68,7 @@ struct Renderer::Parts {
   void draw_shadows(const Camera& camera);
   void draw_ground(const Camera& camera);
   void draw_things(const Camera& camera);
-  void set_camera(const Program& program, const Camera& camera) const;
+  void set_camera(const ShaderProgram& program, const Camera& camera) const;
 
   // Of the last shadows: in units of the camera's distance, relative to the eye.
   float shadow_x = 0.0f, shadow_z = 0.0f, shadow_reach = 1.0f;
@@ -126,7 +126,7 @@ void Renderer::draw(const World& world, const Camera& camera, const Overlay& ove
   p.panel.draw(overlay, p.width, p.height);
 }
 
-void Renderer::Parts::set_camera(const Program& program, const Camera& camera) const {
+void Renderer::Parts::set_camera(const ShaderProgram& program, const Camera& camera) const {
   const Eigen::Matrix4f projection = camera.projection(static_cast<double>(width) / height);
   program.use();
   program.set("camera", Eigen::Matrix4f(projection * camera.view()));
@@ -165,7 +165,7 @@ void Renderer::Parts::draw_shadows(const Camera& camera) {
   glDisable(GL_CULL_FACE);
   glEnable(GL_BLEND);
   glBlendEquation(GL_MAX);
-  for (const Program* program : {&shadow_ball, &shadow_bar, &shadow_mesh}) {
+  for (const ShaderProgram* program : {&shadow_ball, &shadow_bar, &shadow_mesh}) {
     program->use();
     program->set("shadow_middle", shadow_x, shadow_z);
     program->set("shadow_reach", shadow_reach);

@@ -36,6 +36,7 @@ LawBlock::LawBlock(const Law& law, bool with_energy, std::span<const std::string
   if (!called_) machine_.emplace(program);
   distance2 = memory_.data() + used_++ * length;
   parameters_.resize(law.parameters.size());
+  called_parameters_.reserve(law.parameters.size());
   for (const Input& input : inputs) take_input(law, names, input);
   for (std::size_t k = 0; k < outputs; k++) called_outputs_.push_back(memory_.data() + used_++ * length);
   if (!called_) return;
@@ -127,7 +128,7 @@ void LawBlock::make_noise(int n, const Sites& sites_of_all) {
 void LawBlock::call(int n, const Sites& sites_of_all, double limit2) {
   nearer_.clear();
   for (std::size_t k = 0; k < static_cast<std::size_t>(n); k++)
-    if (distance2[k] < limit2) nearer_.push_back(k);
+    if (limit2 == infinity || distance2[k] < limit2) nearer_.push_back(k);
   const std::size_t count = nearer_.size();
   for (const Seen& column : seen_)
     for (std::size_t k = 0; k < count; k++) column.to[k] = column.from[nearer_[k]];

@@ -1,0 +1,125 @@
+#include "laws/fields.hpp"
+
+#include <algorithm>
+
+#include "base/check.hpp"
+#include "base/compensated.hpp"
+#include "laws/block.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr std::size_t block_size = LawBlock::most, task_size = 4 * block_size;
+
+/// Places are seen within the box.
+void gather(LawBlock& law, std::span<const std::uint32_t> members, const Sites& sites, const Box& box) {
+  for (std::size_t k = 0; k < members.size(); k++) {
+    const Vec3 x = box.wrapped(sites.x[members[k]]), v = sites.v[members[k]];
+    for (std::size_t c = 0; c < 3; c++) {
+      if (law.place[0][c] != nullptr) law.place[0][c][k] = x[static_cast<int>(c)];
+      if (law.velocity[0][c] != nullptr) law.velocity[0][c][k] = v[static_cast<int>(c)];
+    }
+  }
+  for (const LawBlock::Attribute& attribute : law.attributes) {
+    const double* column = sites.attributes[attribute.column].data();
+    for (std::size_t k = 0; k < members.size(); k++) attribute.to[k] = column[members[k]];
+  }
+  if (law.wants_sites) std::copy(members.begin(), members.end(), law.sites[0]);
+}
+
+}  // namespace
+
+struct Fields::Kernel {
+  std::shared_ptr<const Law> law;
+  std::vector<LawBlock> plain, energetic;  // one for each worker
+  std::vector<std::uint32_t> members;
+  std::vector<CompensatedSum> energies;
+
+  /// Calls each(block, members of it) when the law has been run, for the blocks of one task.
+  template <class Each>
+  void run(LawBlock& block, std::size_t task, const Sites& sites, const Box& box, Each each) const {
+    const std::size_t end = std::min((task + 1) * task_size, members.size());
+    for (std::size_t begin = task * task_size; begin < end; begin += block_size) {
+      const auto some = std::span(members).subspan(begin, std::min(block_size, end - begin));
+      gather(block, some, sites, box);
+      block.run(static_cast<int>(some.size()), sites);
+      each(block, some);
+    }
+  }
+  void add_task(LawBlock& block, std::size_t task, Sites& sites, const Box& box, CompensatedSum* energy) const;
+  double add(std::vector<LawBlock>& blocks, Sites& sites, const Box& box, const Instant& instant,
+             std::span<const double> parameters, Workers& workers, bool with_energy);
+};
+
+void Fields::Kernel::add_task(LawBlock& block, std::size_t task, Sites& sites, const Box& box,
+                              CompensatedSum* energy) const {
+  Vec3* force = law->has_energy() ? sites.force.data() : sites.open_force.data();
+  if (energy != nullptr) *energy = {};
+  run(block, task, sites, box, [&](const LawBlock& made, std::span<const std::uint32_t> some) {
+    const double *x = made.output(0), *y = made.output(1), *z = made.output(2);
+    for (std::size_t k = 0; k < some.size(); k++) force[some[k]] += vec(x[k], y[k], z[k]);
+    for (std::size_t k = 0; energy != nullptr && k < some.size(); k++) energy->add(made.output(3)[k]);
+  });
+}
+
+double Fields::Kernel::add(std::vector<LawBlock>& blocks, Sites& sites, const Box& box, const Instant& instant,
+                           std::span<const double> parameters, Workers& workers, bool with_energy) {
+  const std::size_t tasks = (members.size() + task_size - 1) / task_size;
+  for (LawBlock& block : blocks) block.set(instant, parameters);
+  energies.resize(std::max(energies.size(), tasks));
+  const auto add_one = [&](std::size_t task, int worker) {
+    add_task(blocks[static_cast<std::size_t>(worker)], task, sites, box, with_energy ? &energies[task] : nullptr);
+  };
+  if (law->called)
+    for (std::size_t task = 0; task < tasks; task++) add_one(task, 0);
+  else
+    workers.run(tasks, add_one);
+  CompensatedSum total;
+  for (std::size_t task = 0; with_energy && task < tasks; task++) total.add(energies[task]);
+  return total.value();
+}
+
+Fields::Fields(std::shared_ptr<const Law> law, std::span<const std::string> names, const Workers& workers)
+    : kernel_(std::make_unique<Kernel>()) {
+  assume(law->kind == LawKind::point);
+  kernel_->law = std::move(law);
+  for (int k = 0; k < workers.count(); k++) {
+    kernel_->plain.emplace_back(*kernel_->law, false, names);
+    if (kernel_->law->has_energy()) kernel_->energetic.emplace_back(*kernel_->law, true, names);
+  }
+}
+
+Fields::~Fields() = default;
+Fields::Fields(Fields&&) noexcept = default;
+Fields& Fields::operator=(Fields&&) noexcept = default;
+
+void Fields::arrange(std::span<const std::uint32_t> members) {
+  kernel_->members.assign(members.begin(), members.end());
+}
+
+void Fields::add_forces(Sites& sites, const Box& box, const Instant& instant, std::span<const double> parameters,
+                        Workers& workers) {
+  kernel_->add(kernel_->plain, sites, box, instant, parameters, workers, false);
+}
+
+double Fields::add_forces_and_energy(Sites& sites, const Box& box, const Instant& instant,
+                                     std::span<const double> parameters, Workers& workers) {
+  const bool has = kernel_->law->has_energy();
+  return kernel_->add(has ? kernel_->energetic : kernel_->plain, sites, box, instant, parameters, workers, has);
+}
+
+std::optional<BadForce> Fields::find_bad(const Sites& sites, const Box& box, const Instant& instant,
+                                         std::span<const double> parameters) {
+  LawBlock& block = kernel_->plain.front();
+  block.set(instant, parameters);
+  std::optional<BadForce> bad;
+  for (std::size_t task = 0; task * task_size < kernel_->members.size() && !bad; task++)
+    kernel_->run(block, task, sites, box, [&](const LawBlock& made, std::span<const std::uint32_t> some) {
+      for (std::size_t k = 0; k < some.size() && !bad; k++)
+        if (!finite(vec(made.output(0)[k], made.output(1)[k], made.output(2)[k]))) bad = BadForce{{some[k]}, 1, 0.0};
+    });
+  return bad;
+}
+
+}  // namespace pantin
