@@ -32,40 +32,43 @@ struct Stretch {
   std::size_t n;
 };
 
-void store4(double* to, Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+void store4(double* to, Vec3 a, Vec3 b, Vec3 c, Vec3 d, Vec3 least) {
   a *= a;
   b *= b;
   c *= c;
   d *= d;
   const Vec3 ab = __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
   const Vec3 cd = __builtin_shufflevector(c, d, 0, 4, 2, 6) + __builtin_shufflevector(c, d, 1, 5, 3, 7);
-  *reinterpret_cast<Vec3*>(to) =
-      __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
+  const Vec3 sum = __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
+  *reinterpret_cast<Vec3*>(to) = sum > least ? sum : least;
 }
 
 template <bool periodic>
 void gather_distances(BondBlock& block, const Arranged& bonds, Stretch at, const Sites& sites, const Box& box,
-                      double least2) {
+                      double least2, const AlignedVector<Vec3>& forces) {
   const std::uint32_t *a = bonds.sites[0].data() + at.begin, *b = bonds.sites[1].data() + at.begin;
   const Vec3* x = sites.x.data();
   Vec3* d = block.d.data();
   double* r2 = block.law.distance2;
+  const Vec3 least = zero3() + least2;
   const auto vector = [&](std::size_t k) { return periodic ? box.nearest(x[b[k]] - x[a[k]]) : x[b[k]] - x[a[k]]; };
+  const Vec3* force = forces.data();
   std::size_t k = 0;
   for (; k + 4 <= at.n; k += 4) {
+    for (std::size_t l = k; l < k + 4; l++) __builtin_prefetch(force + b[l], 1);  // for the scatter
     const Vec3 p = vector(k), q = vector(k + 1), r = vector(k + 2), s = vector(k + 3);
     d[k] = p;
     d[k + 1] = q;
     d[k + 2] = r;
     d[k + 3] = s;
-    store4(r2 + k, p, q, r, s);
+    store4(r2 + k, p, q, r, s, least);
   }
   for (; k < at.n; k++) {
     d[k] = vector(k);
     const Vec3 c = d[k] * d[k];
-    r2[k] = (c[0] + c[1]) + c[2];
+    const double sum = (c[0] + c[1]) + c[2];
+    r2[k] = sum > least2 ? sum : least2;
   }
-  for (k = 0; k < at.n; k++) r2[k] = r2[k] < least2 ? least2 : r2[k];
 }
 
 void gather_components(const AlignedVector<Vec3>& from, std::size_t n, const LawBlock::Vector& to) {
@@ -148,7 +151,8 @@ struct Bonds::Kernel {
   std::vector<BondBlock> plain, energetic;  // one for each worker
   bool own_parameters = false;              // what the blocks are made for
   Arranged bonds;
-  AlignedVector<double> pull;  // tension / distance, by position
+  AlignedVector<double> pull;  // tension / distance at the last evaluation, by position
+  BondBlock* last = nullptr;   // that of the evaluation, while the pulls are still to be found
   double least2 = 0.0;         // [m²]
   std::vector<CompensatedSum> energies;
 
@@ -156,6 +160,10 @@ struct Bonds::Kernel {
   void make_blocks();
   void gather(BondBlock& block, Stretch at, const Sites& sites, const Box& box) const;
   void scatter(const BondBlock& block, Stretch at, Sites& sites) const;
+  void keep_pulls(const BondBlock& block, Stretch at) {
+    if (law->kind == LawKind::central) std::copy_n(block.law.output(0), at.n, pull.begin() + at.begin);
+  }
+  void find_pulls(const Sites& sites, const Box& box);
   void add_range(BondBlock& block, Arranged::Range range, Sites& sites, const Box& box, CompensatedSum* energy);
   double add(std::vector<BondBlock>& blocks, Sites& sites, const Box& box, const Instant& instant,
              std::span<const double> parameters, Workers& shared, bool with_energy);
@@ -179,10 +187,11 @@ void Bonds::Kernel::gather(BondBlock& block, Stretch at, const Sites& sites, con
     gather_places(block.law, bonds, at, sites, box, count());
     return;
   }
+  const AlignedVector<Vec3>& forces = law->has_energy() ? sites.force : sites.open_force;
   if (box.periodic())
-    gather_distances<true>(block, bonds, at, sites, box, least2);
+    gather_distances<true>(block, bonds, at, sites, box, least2, forces);
   else
-    gather_distances<false>(block, bonds, at, sites, box, least2);
+    gather_distances<false>(block, bonds, at, sites, box, least2, forces);
   if (block.law.wants_displacement) gather_components(block.d, at.n, block.law.displacement);
   if (block.law.wants_motion) gather_motion(block, bonds, at, sites);
 }
@@ -205,7 +214,7 @@ void Bonds::Kernel::add_range(BondBlock& block, Arranged::Range range, Sites& si
     gather(block, at, sites, box);
     block.law.run(static_cast<int>(at.n), sites);
     scatter(block, at, sites);
-    if (law->kind == LawKind::central) std::copy_n(block.law.output(0), at.n, pull.begin() + at.begin);
+    if (law->called) keep_pulls(block, at);
     if (energy == nullptr) continue;
     const double* each =
         block.law.output(law->kind == LawKind::central ? 1 : 3 * (law->kind == LawKind::pair ? 1 : count()));
@@ -214,11 +223,22 @@ void Bonds::Kernel::add_range(BondBlock& block, Arranged::Range range, Sites& si
   if (energy != nullptr) *energy = sum;
 }
 
+void Bonds::Kernel::find_pulls(const Sites& sites, const Box& box) {
+  for (std::size_t begin = 0; begin < bonds.n; begin += block_size) {
+    const Stretch at{begin, std::min(block_size, bonds.n - begin)};
+    gather(*last, at, sites, box);
+    last->law.run(static_cast<int>(at.n), sites);
+    keep_pulls(*last, at);
+  }
+  last = nullptr;
+}
+
 double Bonds::Kernel::add(std::vector<BondBlock>& blocks, Sites& sites, const Box& box, const Instant& instant,
                           std::span<const double> parameters, Workers& shared, bool with_energy) {
   if (bonds.n == 0) return 0.0;
   const bool serial = law->called || bonds.phases.size() == 1;
   for (std::size_t k = 0; k < (serial ? 1 : blocks.size()); k++) blocks[k].law.set(instant, parameters);
+  last = law->called ? nullptr : &blocks.front();
   CompensatedSum total;
   for (const std::vector<Arranged::Range>& phase : bonds.phases) {
     energies.resize(std::max(energies.size(), phase.size()));
@@ -259,6 +279,7 @@ void Bonds::arrange(const Ties& ties, const Sites& sites) {
     k.make_blocks();
   }
   k.pull.assign(k.bonds.n, 0.0);
+  k.last = nullptr;
   double longest2 = 0.0;
   for (std::size_t i = 0; i < k.bonds.n; i++)
     longest2 = std::max(longest2, norm2(sites.x[k.bonds.sites[1][i]] - sites.x[k.bonds.sites[0][i]]));
@@ -277,6 +298,7 @@ double Bonds::add_forces_and_energy(Sites& sites, const Box& box, const Instant&
 }
 
 double Bonds::tension(std::size_t connection, const Sites& sites, const Box& box) const {
+  if (kernel_->last != nullptr) kernel_->find_pulls(sites, box);
   const Arranged& bonds = kernel_->bonds;
   const std::size_t k = bonds.position[connection];
   return kernel_->pull[k] * norm(box.nearest(sites.x[bonds.sites[1][k]] - sites.x[bonds.sites[0][k]]));
