@@ -7,7 +7,8 @@ namespace pantin {
 namespace {
 
 constexpr std::size_t serial_connections = 4096;  // fewer are not worth sharing out
-constexpr std::uint32_t least_range = 1024;       // sites
+constexpr std::size_t least_range = 1024;         // sites
+constexpr std::size_t most_ranges = 32;
 
 struct Ends {
   std::uint32_t low, high;
@@ -52,30 +53,23 @@ void Arranged::arrange(const Ties& ties, std::size_t site_count) {
   }
 }
 
-/// Ranges of sites so wide that most connections lie within one; those that do not lie, but for a few, within one of the
-/// same width that begin half a width earlier.
+/// Ranges of sites so wide that from most connections the ends are in one or in neighbouring ones: of such ranges every
+/// other one may be gone through at once. A few connections reach further, and come last.
 void Arranged::number_groups(const Ties& ties, std::size_t site_count) {
   group_.assign(n, 0);
-  groups_ = first_phase_ = 1;
-  second_phase_ = 0;
+  ranges_ = 0;
   if (n < serial_connections) return;
   reach_.resize(n);
   for (std::size_t k = 0; k < n; k++) reach_[k] = ends_of(ties, k).high - ends_of(ties, k).low;
   const auto most = reach_.begin() + static_cast<std::ptrdiff_t>(n - 1 - n / 50);
   std::nth_element(reach_.begin(), most, reach_.end());
-  const std::uint64_t width = std::max<std::uint64_t>(least_range, 4 * (std::uint64_t{*most} + 1)), half = width / 2;
-  if (2 * width > site_count) return;
-  first_phase_ = site_count / width + 1;
-  second_phase_ = first_phase_ + 1;
-  groups_ = first_phase_ + second_phase_ + 1;
+  const std::size_t width = std::max({least_range, site_count / most_ranges + 1, std::size_t{*most}});
+  if (4 * width > site_count) return;
+  ranges_ = (site_count + width - 1) / width;
   for (std::size_t k = 0; k < n; k++) {
     const Ends ends = ends_of(ties, k);
-    std::uint64_t group = groups_ - 1;
-    if (ends.low / width == ends.high / width)
-      group = ends.low / width;
-    else if ((ends.low + half) / width == (ends.high + half) / width)
-      group = first_phase_ + (ends.low + half) / width;
-    group_[k] = static_cast<std::uint32_t>(group);
+    const std::size_t low = ends.low / width, high = ends.high / width;
+    group_[k] = static_cast<std::uint32_t>(high <= low + 1 ? low : ranges_);
   }
 }
 
@@ -84,13 +78,12 @@ void Arranged::sort_by_group_and_first(const Ties& ties, std::size_t site_count)
   connection.resize(n);
   for (std::size_t k = 0; k < n; k++) connection[k] = static_cast<std::uint32_t>(k);
   counting_sort(connection, sorted_, count_, site_count, [&](std::uint32_t k) { return ties.sites[k * count]; });
-  counting_sort(sorted_, connection, count_, groups_, [&](std::uint32_t k) { return group_[k]; });
-  phases.assign(groups_ == 1 ? 1 : 3, {});
+  counting_sort(sorted_, connection, count_, ranges_ + 1, [&](std::uint32_t k) { return group_[k]; });
+  phases.assign(ranges_ == 0 ? 1 : 3, {});
   std::size_t begin = 0;
-  for (std::size_t group = 0; group < groups_; group++) {
+  for (std::size_t group = 0; group <= ranges_; group++) {
     const std::size_t end = count_[group];
-    const std::size_t phase = group < first_phase_ ? 0 : group < first_phase_ + second_phase_ ? 1 : 2;
-    if (end > begin) phases[phase].push_back({begin, end});
+    if (end > begin) phases[group < ranges_ ? group % 2 : phases.size() - 1].push_back({begin, end});
     begin = end;
   }
 }

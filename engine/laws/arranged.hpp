@@ -28,7 +28,7 @@ struct Arranged {
   void number_groups(const Ties& ties, std::size_t site_count);
   void sort_by_group_and_first(const Ties& ties, std::size_t site_count);
 
-  std::size_t groups_ = 1, first_phase_ = 1, second_phase_ = 0;  // groups, and how many of them are in the phases
+  std::size_t ranges_ = 0;  // those that are shared out; what is in none of them has the next number
   std::vector<std::uint32_t> group_, reach_, sorted_, count_;
 };
 
