@@ -1,6 +1,6 @@
 #pragma once
-// Connections in the order in which they are gone through: in ranges of sites that may be gone through at once, and there
-// by their first sites.
+// Connections in the order in which they are gone through: in ranges of sites that may be gone through at once, and
+// there by their first sites.
 #include <array>
 #include <cstdint>
 #include <vector>

@@ -34,8 +34,8 @@ struct Rows::Work {
 
 namespace {
 
-/// Cuts lines into slabs so thick that what a slab reaches is in itself and its neighbours: first lines, and an end. Every
-/// other slab then meets none of the others, in a box because their number is even.
+/// Cuts lines into slabs so thick that what a slab reaches is in itself and its neighbours: first lines, and an end.
+/// Every other slab then meets none of the others, in a box because their number is even.
 void cut_slabs(const Grid& grid, const Cells& cells, bool within, std::vector<std::size_t>& begin) {
   const std::int32_t thick = within ? Grid::around : 2 * Grid::around;
   const std::size_t end = cells.lines.size() - 1;

@@ -1,6 +1,6 @@
 #pragma once
-// Which sites are near enough to interact: neighbour rows (Verlet 1967), found by cells and kept until something has moved
-// too far.
+// Which sites are near enough to interact: neighbour rows (Verlet 1967), found by cells and kept until something has
+// moved too far.
 #include <cstdint>
 #include <memory>
 #include <span>

@@ -18,8 +18,8 @@ class Skin {
   double width_ = 0.0;
 };
 
-/// A skin for which building rows and evaluating them together cost least, if sites go on as they move now. A function of
-/// their velocities, dt [s], and cutoff [m]; at most half the cutoff.
+/// A skin for which building rows and evaluating them together cost least, if sites go on as they move now. A function
+/// of their velocities, dt [s], and cutoff [m]; at most half the cutoff.
 double best_skin(const Sites& sites, double dt, double cutoff);
 
 }  // namespace pantin
