@@ -16,10 +16,15 @@ void step(World& world) {
   {
     const SubnormalsAreZero subnormals_are_zero;
     phases::find_articulates(world);
+    phases::refresh_forces(world);
+    if (!world.failure.empty()) return;
     phases::half_kick(world);
     phases::drift(world);
-    phases::half_kick(world);
+    phases::find_pairs(world);
+    phases::apply_forces(world);
+    phases::half_kick_to_end(world);
     phases::project_velocities(world);
+    phases::break_connections(world);
   }
   phases::end_step(world);
 }

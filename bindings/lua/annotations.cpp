@@ -49,7 +49,7 @@ function quat_methods:rotate(v) end
 function quat_methods:inverse() end
 
 ---@alias color string|number[] "#rgb", "#rrggbb", "#rrggbbaa" or { r, g, b, a } of 0 to 1
----@alias Thing Point|Particle|Body|Nail|Follow|Rod|Group
+---@alias Thing Point|Particle|Body|Nail|Follow|Rod|Group|Family|Connection|Interaction|Field
 
 ---@class Energy
 ---@field kinetic number [J]
@@ -63,6 +63,11 @@ function quat_methods:inverse() end
 ---@field worst_hinge_gap number [m]
 ---@field worst_constraint number [m]
 ---@field worst_energy number relative
+
+---@class Ledger
+---@field laws table<string, number> [J] given to the motion by each law with energy
+---@field without_energy string[] names of the laws at work that have no energy
+---@field open number [J] work of all of those
 
 ---@class Stats
 ---@field steps integer
@@ -249,7 +254,7 @@ void write_type(std::ostringstream& out, const Type& type) {
     if (*field.unit) out << "[" << field.unit << "] ";
     out << field.doc << (field.write ? "" : " (read only)") << "\n";
   }
-  if (type.more) out << "---@field [string] Point its named points\n";
+  if (type.more) out << "---@field [string] " << type.more_doc << "\n";
   out << "local " << type.name << " = {}\n";
   for (const Method& method : type.methods) write_method(out, type, method);
   out << "\n";

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lua/arguments.hpp"
+#include "lua/family_options.hpp"
 #include "lua/fields.hpp"
 #include "lua/values.hpp"
 
@@ -61,14 +62,18 @@ PointDef point_def(lua_State* state, int index, const std::string& call, const s
     return def;
   }
   require(lua_istable(state, index), call, ": ", name,
-          " must be a vec [m] or a table { at, mass, color, radius }, got ", kind_of_value(state, index));
+          " must be a vec [m] or a table { at, mass, color, radius, family }, got ", kind_of_value(state, index));
   const std::string what = text(call, ": ", name);
-  const Options o = may_name ? Options(state, index, what, {"at", "mass", "color", "radius", "name"})
-                             : Options(state, index, what, {"at", "mass", "color", "radius"});
+  std::vector<std::string> known = {"at", "mass", "color", "radius"};
+  if (may_name) known.push_back("name");
+  const FamilyOption family = family_option(state, index, what, known);
+  const Options o(state, index, what, known);
   def.at = o.vector("at", "m").value_or(def.at);
   def.mass = o.number("mass", "kg").value_or(def.mass);
   def.radius = o.number("radius", "m").value_or(def.radius);
   def.color = o.color("color");
+  def.family = family.id;
+  def.attributes = attribute_options(o, family.attributes);
   if (may_name && o.has("name")) {
     def.name = *o.string("name");
     check_point_name(what, def.name);

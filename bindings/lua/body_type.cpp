@@ -156,6 +156,7 @@ Type make() {
   add_common_fields(type);
   add_common_remove(type);
   type.more = named_point;
+  type.more_doc = "Point its named points";
   return type;
 }
 

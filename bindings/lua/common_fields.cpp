@@ -19,6 +19,10 @@ std::string* name_of(const Self& self) {
     case Kind::follow:
     case Kind::rod: return &w.constraints[self.ref.id<ConstraintId>()].name;
     case Kind::group: return &w.groups[self.ref.id<GroupId>()].name;
+    case Kind::family: return &w.families[self.ref.id<FamilyId>()].name;
+    case Kind::connection: return &w.connections[self.ref.id<ConnectionId>()].name;
+    case Kind::interaction: return &w.interactions[self.ref.id<InteractionId>()].name;
+    case Kind::field: return &w.fields[self.ref.id<FieldId>()].name;
     default: return nullptr;
   }
 }

@@ -72,12 +72,13 @@ int cancel_subscription(lua_State* state) {
   return 0;
 }
 
-const char* const moments[] = {"step", "press", "release", "key", "grab", "drop", "cut", "removed"};
+const char* const moments[] = {"step", "press", "release", "key", "grab", "drop", "cut", "broke", "removed"};
 
 const char* name_of(Notice::Kind kind) {
   switch (kind) {
     case Notice::Kind::removed: return "removed";
     case Notice::Kind::cut: return "cut";
+    case Notice::Kind::broke: return "broke";
     case Notice::Kind::grab: return "grab";
     case Notice::Kind::drop: return "drop";
     case Notice::Kind::press: return "press";
@@ -100,6 +101,10 @@ int push_notice(lua_State* state, Script& script, const Notice& notice) {
       push_hand(state, script, notice.hand);
       return 2;
     case Notice::Kind::cut: push_thing(state, script, notice.thing); return 1;
+    case Notice::Kind::broke:
+      push_thing(state, script, notice.thing);
+      lua_pushnumber(state, notice.force);
+      return 2;
     case Notice::Kind::removed:
       push_thing(state, script, notice.thing);
       lua_pushlstring(state, notice.text.data(), notice.text.size());

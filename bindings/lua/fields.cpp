@@ -80,6 +80,10 @@ int new_index(lua_State* state) {
     return 0;
   }
   require(!lua_isfunction(state, -1), type.word, ": ", lua_tostring(state, 2), " is a method and cannot be written");
+  if (type.write_more && lua_type(state, 2) == LUA_TSTRING) {
+    require_alive(self.ref);
+    if (type.write_more(self, lua_tostring(state, 2), 3)) return 0;
+  }
   unknown(state, type, "cannot write unknown field");
 }
 
@@ -100,6 +104,10 @@ const Type& type_of(Kind kind) {
     case Kind::follow: return follow_type();
     case Kind::rod: return rod_type();
     case Kind::group: return group_type();
+    case Kind::family: return family_type();
+    case Kind::connection: return connection_type();
+    case Kind::interaction: return interaction_type();
+    case Kind::field: return field_type();
     case Kind::event: return event_type();
     case Kind::hand: return hand_type();
     case Kind::subscription: return subscription_type();

@@ -42,6 +42,8 @@ struct Type {
   std::vector<Field> fields;
   std::vector<Method> methods;
   bool (*more)(const Self&, const char* name) = nullptr;  ///< pushes a value that only this one has, or returns false
+  bool (*write_more)(const Self&, const char* name, int index) = nullptr;  ///< writes one, or returns false
+  const char* more_doc = "";                                               ///< type and meaning of those values
   lua_CFunction length = nullptr;                         ///< of `#`
 };
 
@@ -74,6 +76,10 @@ const Type& nail_type();
 const Type& follow_type();
 const Type& rod_type();
 const Type& group_type();
+const Type& family_type();
+const Type& connection_type();
+const Type& interaction_type();
+const Type& field_type();
 const Type& event_type();
 const Type& hand_type();
 const Type& subscription_type();

@@ -101,9 +101,11 @@ std::string values_of(const LawArguments& arguments) {
 
 Laws make_laws(const LibraryLaw& law, const LawArguments& arguments, const std::string& name) {
   Laws laws;
-  for (Law& made : make_library_law(law.name, arguments)) {
-    if (!name.empty()) made.name = name;
-    laws.push_back(std::make_shared<const Law>(std::move(made)));
+  std::vector<Law> parts = make_library_law(law.name, arguments);
+  for (std::size_t i = parts.size(); i-- > 0;) {
+    if (!name.empty()) parts[i].name = name;
+    if (!laws.empty()) parts[i].also = laws.front();
+    laws.insert(laws.begin(), std::make_shared<const Law>(std::move(parts[i])));
   }
   return laws;
 }

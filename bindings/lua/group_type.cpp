@@ -125,7 +125,7 @@ int clusters_of(lua_State* state) {
 
 Type make() {
   Type type{"Group", "group", "A named set of things. It is gone when no member lives.", {}, {}};
-  type.fields = group_measures();
+  type.fields = thing_measures();
   type.methods = {
       {"add", guard<add_things>, "thing: Thing, ...: Thing", "Group", "Adds things; returns the group."},
       {"remove", guard<remove_things>, "thing?: Thing, ...: Thing", "",

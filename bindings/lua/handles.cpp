@@ -71,8 +71,9 @@ void remember(lua_State* state, const Ref& ref) {
   lua_pop(state, 1);
 }
 
-const char* const words[] = {"a point", "a particle", "a body", "a nail",         "a follow", "a rod",
-                             "a group", "an event",   "a hand", "a subscription", "a scene"};
+const char* const words[] = {"a point", "a particle", "a body",   "a nail",         "a follow",
+                             "a rod",   "a group",    "a family", "a connection",   "an interaction",
+                             "a field", "an event",   "a hand",   "a subscription", "a scene"};
 
 }  // namespace
 
@@ -89,6 +90,10 @@ AnyId any_of(const Ref& ref) {
     case Kind::follow:
     case Kind::rod: return ref.id<ConstraintId>();
     case Kind::group: return ref.id<GroupId>();
+    case Kind::family: return ref.id<FamilyId>();
+    case Kind::connection: return ref.id<ConnectionId>();
+    case Kind::interaction: return ref.id<InteractionId>();
+    case Kind::field: return ref.id<FieldId>();
     default: return {};
   }
 }
@@ -109,6 +114,14 @@ void push_thing(lua_State* state, Script& script, const AnyId& thing) {
     return push_ref(state, ref_of(script, Kind::body, *body, w.bodies));
   if (const auto* group = std::get_if<GroupId>(&thing))
     return push_ref(state, ref_of(script, Kind::group, *group, w.groups));
+  if (const auto* family = std::get_if<FamilyId>(&thing))
+    return push_ref(state, ref_of(script, Kind::family, *family, w.families));
+  if (const auto* connection = std::get_if<ConnectionId>(&thing))
+    return push_ref(state, ref_of(script, Kind::connection, *connection, w.connections));
+  if (const auto* interaction = std::get_if<InteractionId>(&thing))
+    return push_ref(state, ref_of(script, Kind::interaction, *interaction, w.interactions));
+  if (const auto* field = std::get_if<FieldId>(&thing))
+    return push_ref(state, ref_of(script, Kind::field, *field, w.fields));
   if (const auto* id = std::get_if<ConstraintId>(&thing)) {
     const Kind kind = w.constraints.alive(*id) ? kind_of(w.constraints[*id].kind) : Kind::nail;
     return push_ref(state, ref_of(script, kind, *id, w.constraints));
@@ -160,6 +173,10 @@ void require_alive(const Ref& ref) {
     case Kind::follow:
     case Kind::rod: return check(w.constraints, ref.id<ConstraintId>());
     case Kind::group: return check(w.groups, ref.id<GroupId>());
+    case Kind::family: return check(w.families, ref.id<FamilyId>());
+    case Kind::connection: return check(w.connections, ref.id<ConnectionId>());
+    case Kind::interaction: return check(w.interactions, ref.id<InteractionId>());
+    case Kind::field: return check(w.fields, ref.id<FieldId>());
     default: return;
   }
 }

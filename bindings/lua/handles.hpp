@@ -14,8 +14,24 @@ namespace pantin::lua {
 
 struct Script;
 
-enum class Kind : std::uint32_t { point, particle, body, nail, follow, rod, group, event, hand, subscription, scene };
-inline constexpr std::size_t kind_count = 11;
+enum class Kind : std::uint32_t {
+  point,
+  particle,
+  body,
+  nail,
+  follow,
+  rod,
+  group,
+  family,
+  connection,
+  interaction,
+  field,
+  event,
+  hand,
+  subscription,
+  scene
+};
+inline constexpr std::size_t kind_count = 15;
 
 /// The userdata.
 struct Ref {

@@ -4,6 +4,7 @@
 #include "lua/arguments.hpp"
 #include "lua/guard.hpp"
 #include "lua/script.hpp"
+#include "world/forces.hpp"
 #include "world/measure.hpp"
 #include "world/query.hpp"
 
@@ -30,7 +31,7 @@ void push_energy(lua_State* state, const Energy& energy) {
   set(state, "total", energy.total());
 }
 
-Things members(const Self& self) { return things_of(self.world, self.ref.id<GroupId>()); }
+Things members(const Self& self) { return things_of(self.world, any_of(self.ref)); }
 
 void read_error(const Self& self) {
   const Accuracy now = accuracy(self.world);
@@ -42,6 +43,21 @@ void read_error(const Self& self) {
   set(self.state, "worst_hinge_gap", std::fmax(worst.hinge_gap, now.hinge_gap));
   set(self.state, "worst_constraint", std::fmax(worst.constraint, now.constraint));
   set(self.state, "worst_energy", std::fmax(worst.energy, now.energy));
+}
+
+void read_ledger(const Self& self) {
+  const LawLedger ledger = law_ledger(self.world);
+  lua_createtable(self.state, 0, 3);
+  lua_newtable(self.state);
+  for (const auto& [name, joules] : ledger.given) set(self.state, name.c_str(), joules);
+  lua_setfield(self.state, -2, "laws");
+  lua_newtable(self.state);
+  for (std::size_t i = 0; i < ledger.without_energy.size(); i++) {
+    lua_pushstring(self.state, ledger.without_energy[i].c_str());
+    lua_rawseti(self.state, -2, static_cast<lua_Integer>(i + 1));
+  }
+  lua_setfield(self.state, -2, "without_energy");
+  set(self.state, "open", ledger.open);
 }
 
 void read_stats(const Self& self) {
@@ -77,7 +93,7 @@ void read_log(const Self& self) {
 
 }  // namespace
 
-std::vector<Field> group_measures() {
+std::vector<Field> thing_measures() {
   return {
       {"energy", "Energy", "J", "{ kinetic, potential, total } of its things",
        [](const Self& s) { push_energy(s.state, energy(s.world, members(s))); }, nullptr},
@@ -105,6 +121,10 @@ std::vector<Field> scene_measures() {
        [](const Self& s) { lua_pushnumber(s.state, temperature(s.world, everything(s.world))); }, nullptr},
       {"error", "Accuracy", "", "{ hinge_gap [m], constraint [m], energy (relative) } now, and worst_… since the start",
        read_error, nullptr},
+      {"ledger", "Ledger", "J",
+       "what the laws gave to the motion since the start: { laws = { name = J }, without_energy = { names }, open = J "
+       "}",
+       read_ledger, nullptr},
       {"stats", "Stats", "", "counts since the start, and ns per phase", read_stats, nullptr},
       {"log", "LogLine[]", "", "{ time [s], kind, text } of all that was logged", read_log, nullptr},
       {"bodies", "Body[]", "", "all bodies, in the order of making",
@@ -113,7 +133,8 @@ std::vector<Field> scene_measures() {
        [](const Self& s) { push_list(s.state, s.script, particles(s.world)); }, nullptr},
       {"hinges", "Particle[]", "", "all hinges", [](const Self& s) { push_list(s.state, s.script, hinges(s.world)); },
        nullptr},
-      {"connections", "table", "", "all connections", [](const Self& s) { lua_newtable(s.state); }, nullptr},
+      {"connections", "Connection[]", "", "all connections, in the order of making",
+       [](const Self& s) { push_list(s.state, s.script, s.world.connections.ids()); }, nullptr},
   };
 }
 

@@ -7,7 +7,7 @@
 namespace pantin::lua {
 
 /// energy, momentum, angular_momentum, temperature of the things of a group.
-std::vector<Field> group_measures();
+std::vector<Field> thing_measures();
 /// time, energy, momentum, angular_momentum, temperature, error, stats, log and the lists of things of a scene.
 std::vector<Field> scene_measures();
 int scene_find(lua_State* state);

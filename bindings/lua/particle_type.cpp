@@ -46,8 +46,32 @@ void read_bodies(const Self& self) {
   push_list(self.state, self.script, bodies);
 }
 
+/// Attributes of its family, by name.
+bool read_attribute(const Self& self, const char* name) {
+  const Particle& particle = ring(self);
+  if (!particle.family) return false;
+  const std::ptrdiff_t found = self.world.families[particle.family].find(name);
+  if (found < 0) return false;
+  lua_pushnumber(self.state, particle.values[static_cast<std::size_t>(found)]);
+  return true;
+}
+
+bool write_attribute(const Self& self, const char* name, int index) {
+  const Particle& particle = ring(self);
+  if (!particle.family || self.world.families[particle.family].find(name) < 0) return false;
+  set_attribute(self.world, id_of(self), name, check_number(self.state, index, "particle", name, ""));
+  return true;
+}
+
 std::vector<Field> look_and_life() {
   return {
+      {"family", "Family?", "", "its family, whose attributes are fields of it: p.charge",
+       [](const Self& s) { push_thing(s.state, s.script, ring(s).family ? AnyId(ring(s).family) : AnyId()); },
+       [](const Self& s, int i) {
+         FamilyId family;
+         if (!lua_isnil(s.state, i)) family = check_kind(s.state, i, Kind::family, "particle", "family").id<FamilyId>();
+         set_family(s.world, id_of(s), family);
+       }},
       {"lifetime", "number", "s", "goes when its age reaches this; a hinge is cut; math.huge: never",
        [](const Self& s) { lua_pushnumber(s.state, ring(s).lifetime); },
        [](const Self& s, int i) {
@@ -65,8 +89,7 @@ std::vector<Field> look_and_life() {
        },
        [](const Self& s, int i) {
          const double radius = check_number(s.state, i, "particle", "radius", "m");
-         require(radius >= 0, "particle: radius must be >= 0 m, got ", radius);
-         ring(s).radius = radius;
+         set_radius(s.world, awake(s.world, id_of(s)), radius);
        }},
       {"points", "Point[]", "", "its points, in the order of joining",
        [](const Self& s) { push_list(s.state, s.script, ring(s).points); }, nullptr},
@@ -107,6 +130,9 @@ Type make() {
                           "Force [N] of a hinge on one of its bodies in the last step."});
   add_common_fields(type);
   add_common_remove(type);
+  type.more = read_attribute;
+  type.write_more = write_attribute;
+  type.more_doc = "number attributes of its family";
   return type;
 }
 

@@ -4,8 +4,10 @@
 #include "lua/arguments.hpp"
 #include "lua/body_options.hpp"
 #include "lua/events.hpp"
+#include "lua/family_options.hpp"
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
+#include "lua/influence_options.hpp"
 #include "lua/measures.hpp"
 #include "lua/parameters.hpp"
 #include "lua/script.hpp"
@@ -114,6 +116,18 @@ std::vector<Field> engine_settings() {
          require_unlocked(s, "energy_return");
          s.world.settings.energy_return = check_boolean(s.state, i, "scene", "energy_return");
        }},
+      {"box", "vec?", "m", "edges of the periodic box; nil: open space",
+       [](const Self& s) {
+         if (s.world.settings.box)
+           push(s.state, *s.world.settings.box);
+         else
+           lua_pushnil(s.state);
+       },
+       [](const Self& s, int i) {
+         std::optional<Vec3> box;
+         if (!lua_isnil(s.state, i)) box = check_vec(s.state, i, "scene", "box", "m");
+         set_box(s.world, box);
+       }},
       {"tolerance", "number", "", "points of a new hinge may be this far apart, relative to the size of their bodies",
        [](const Self& s) { lua_pushnumber(s.state, s.world.settings.tolerance); },
        [](const Self& s, int i) { s.world.settings.tolerance = check_positive(s, i, "tolerance", ""); }},
@@ -127,13 +141,17 @@ std::vector<Field> engine_settings() {
 
 int scene_particle(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "particle");
-  const Options o(state, 2, "particle", {"at", "velocity", "mass", "radius", "color", "lifetime", "name"});
   ParticleDef def;
+  std::vector<std::string> known = {"at", "velocity", "mass", "radius", "color", "lifetime", "name"};
+  const FamilyOption family = family_option(state, 2, "particle", known);
+  const Options o(state, 2, "particle", known);
   def.at = o.vector("at", "m").value_or(def.at);
   def.velocity = o.vector("velocity", "m/s").value_or(def.velocity);
-  def.mass = o.number("mass", "kg").value_or(def.mass);
-  def.radius = o.number("radius", "m").value_or(def.radius);
-  def.color = o.color("color").value_or(def.color);
+  def.mass = o.number("mass", "kg");
+  def.radius = o.number("radius", "m");
+  def.color = o.color("color");
+  def.family = family.id;
+  def.attributes = attribute_options(o, family.attributes);
   def.lifetime = o.number_or_infinity("lifetime", "s").value_or(def.lifetime);
   def.name = o.string("name").value_or("");
   push_thing(state, self.script, add_particle(self.world, def));
@@ -193,6 +211,15 @@ std::vector<Method> making() {
       {"rod", guard<scene_rod>, "a: Point|Particle|vec, b: Point|Particle|vec, length?: number [m]", "Rod",
        "Keeps two points, or a point and a place, at a distance, or at their present one."},
       {"group", guard<scene_group>, "name: string", "Group", "Makes a named set of things."},
+      {"family", guard<scene_family>, "name: string, options?: FamilyOptions", "Family",
+       "Makes a family of particles, with named numeric attributes."},
+      {"connect", guard<scene_connect>,
+       "a: Point|Particle|vec|table, b: Point|Particle|vec|Law, law?: Law, options?: ConnectOptions", "Connection",
+       "Ties two particles by a law; or a list of two, three or four."},
+      {"interact", guard<scene_interact>, "a: Family, b: Family, law: Law", "Interaction",
+       "A law between all pairs of two families, or within one."},
+      {"field", guard<scene_field>, "target: Family|Group|Scene, law: Law", "Field",
+       "A law on each particle of a family, of a group or of the scene."},
       {"find", guard<scene_find>, "name: string", "Thing?", "The oldest living thing of that name."},
       {"near", guard<scene_near>, "at: vec [m], radius: number [m]", "Particle[]",
        "Particles within a radius, nearest first."},
@@ -214,7 +241,7 @@ std::vector<Method> telling() {
       {"on", guard<scene_on>, "moment: string, action: function", "Subscription",
        "Calls a function at each \"step\" (dt), \"press\" \"release\" (hand), \"key\" (name), \"grab\" \"drop\" "
        "(thing, hand), "
-       "\"cut\" (hinge), \"removed\" (thing, story)."},
+       "\"cut\" (hinge), \"broke\" (connection, force [N]), \"removed\" (thing, story)."},
       {"button", guard<scene_button>, "name: string, action: function", "", "Puts a button in the window."},
       {"probe", guard<scene_probe>, "name: string, read: fun(): number", "", "Records a number each step."},
       {"result", guard<scene_result>, "name: string, value: number|boolean|string", "",

@@ -32,7 +32,11 @@ int scene_hinge(lua_State* state) {
   std::vector<PointId> points;
   for (int i = 2; i <= count - (with_options ? 1 : 0); i++) points.push_back(hinge_member(state, i));
   HingeDef def;
-  const Options o(state, with_options ? count : count + 1, "hinge", {"color", "radius", "lifetime", "name"});
+  const Options o(state, with_options ? count : count + 1, "hinge", {"color", "radius", "lifetime", "name", "family"});
+  if (o.has("family")) {
+    def.family = check_kind(state, o.push("family"), Kind::family, "hinge", "family").id<FamilyId>();
+    lua_pop(state, 1);
+  }
   def.color = o.color("color");
   def.radius = o.number("radius", "m");
   def.lifetime = o.number_or_infinity("lifetime", "s").value_or(def.lifetime);

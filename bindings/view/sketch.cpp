@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "world/forces.hpp"
+
 namespace pantin {
 
 namespace {
 
 constexpr Color paper = {1.00f, 0.965f, 0.89f, 1.0f}, deep = {0.13f, 0.24f, 0.30f, 1.0f},
-                iron = {0.25f, 0.27f, 0.30f, 1.0f}, grip = {0.85f, 0.20f, 0.26f, 1.0f};
+                iron = {0.25f, 0.27f, 0.30f, 1.0f}, grip = {0.85f, 0.20f, 0.26f, 1.0f},
+                thread = {0.52f, 0.52f, 0.50f, 1.0f}, strut = {0.16f, 0.40f, 0.78f, 1.0f};
 
 float linear(float c) { return std::pow(std::clamp(c, 0.0f, 1.0f), 2.2f); }
 Rgb linear(const Color& c) { return {linear(c.r), linear(c.g), linear(c.b)}; }
@@ -108,6 +111,7 @@ void Sketcher::draw(const World& world, const Camera& camera, const Stage& stage
     if (world.bodies.alive_at(s)) draw_body(world, world.bodies.id_at(s), eye, stage, sketch);
   draw_particles(world, eye, stage, sketch);
   draw_constraints(world, eye, stage, sketch);
+  draw_connections(world, eye, stage, sketch);
   draw_overlay(world, eye, overlay, sketch);
 }
 
@@ -189,6 +193,25 @@ void Sketcher::draw_constraints(const World& world, const Eye& eye, const Stage&
       eye.bar(sketch, a, c.place, 0.0, width, red, true);
       eye.ball(sketch, c.place, 0.0, 5.5, red, Sketch::plain, {});
     }
+  }
+}
+
+/// Pairs that a law ties: red where it pulls, blue where it pushes, by the largest load of all.
+void Sketcher::draw_connections(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch) {
+  if (world.connections.empty()) return;
+  const std::vector<double> loads = tensions(world);
+  double most = 0.0;
+  for (double load : loads) most = std::fmax(most, std::fabs(load));
+  const Rgb slack = linear(thread), pull = linear(grip), press = linear(strut);
+  for (std::uint32_t s = 0; s < world.connections.slots(); s++) {
+    const Connection& c = world.connections.at_slot(s);
+    if (!world.connections.alive_at(s) || !c.enabled || c.count != 2) continue;
+    const auto place = [&](std::size_t i) { return c.particles[i] ? position(world, c.particles[i]) : c.places[i]; };
+    const Vec3 a = place(0), b = place(1);
+    if (!finite(a) || !finite(b)) continue;
+    const double load = most > 0.0 ? loads[s] / most : 0.0;
+    const auto part = static_cast<float>(std::sqrt(std::fabs(load)));
+    eye.bar(sketch, a, b, 0.012 * std::min(norm(b - a), stage.unit), 0.6, mix(slack, load > 0.0 ? pull : press, part));
   }
 }
 

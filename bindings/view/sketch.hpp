@@ -59,6 +59,7 @@ class Sketcher {
   void draw_body(const World& world, BodyId body, const Eye& eye, const Stage& stage, Sketch& sketch);
   void draw_particles(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch);
   void draw_constraints(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch);
+  void draw_connections(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch);
   void draw_overlay(const World& world, const Eye& eye, const Overlay& overlay, Sketch& sketch);
 
   Shapes shapes_;

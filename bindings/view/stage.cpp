@@ -49,7 +49,7 @@ std::vector<double> lengths(const World& world) {
 double nearest_distance(const World& world) {
   std::vector<Vec3> free;
   for (std::uint32_t s = 0; s < world.points.slots(); s++)
-    if (world.points.alive_at(s) && !world.points.at_slot(s).body) free.push_back(world.points.at_slot(s).place);
+    if (world.points.alive_at(s) && !world.points.at_slot(s).body) free.push_back(world.free_motion[s].x);
   std::vector<double> list;
   for (std::size_t i = 0; i < free.size(); i += 1 + free.size() / 64) {
     double best = infinity;

@@ -16,13 +16,13 @@ void load(Node& n, const Model& model, Vec3 gravity) {
     n.force = gravity * n.mass + m.force;
     n.torque = m.torque;
   } else {
-    const Point& p = model.points.at_slot(n.slot);
-    n.x0 = p.place;
-    n.p0 = p.velocity * n.mass;
+    const FreeMotion& m = model.free_motion[n.slot];
+    n.x0 = m.x;
+    n.p0 = m.v * n.mass;
     n.P0 = n.O0 = n.torque = zero3();
     n.q0 = {};
     n.R0 = identity33();
-    n.force = gravity * n.mass + p.force;
+    n.force = gravity * n.mass + model.points.at_slot(n.slot).force;
   }
   n.x1 = n.x0;
   n.p1 = n.p0;
@@ -39,9 +39,7 @@ void store(const Node& n, Model& model) {
     m.angular = n.P0;
     m.q = n.turns ? normalised(n.q0) : n.q0;
   } else {
-    Point& p = model.points.at_slot(n.slot);
-    p.place = n.x0;
-    p.velocity = n.p0 * n.inverse_mass;
+    model.free_motion[n.slot] = {n.x0, n.p0 * n.inverse_mass};
   }
 }
 

@@ -140,6 +140,7 @@ struct Articulate {
   bool safe = false;         // the last step was a safe one
   bool edited = true;        // new: velocities are still to be made consistent
   bool weak = false;         // the last factor had weak pivots: its multipliers are not all determined
+  bool pulled = false;       // laws act on it: its kinetic energy is no longer gravity's alone
   std::uint64_t serial = 0;  // smallest of its things
 };
 

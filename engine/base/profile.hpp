@@ -13,15 +13,21 @@ enum class Phase {
   run_behaviours,
   age_particles,
   find_articulates,
+  refresh_forces,
   half_kick,
   drift,
+  find_pairs,
+  apply_forces,
+  half_kick_to_end,
   project_velocities,
+  break_connections,
   end_step,
 };
 
-inline constexpr std::array<std::string_view, 9> phase_names = {
-    "begin_step", "fire_events", "run_behaviours",     "age_particles", "find_articulates",
-    "half_kick",  "drift",       "project_velocities", "end_step",
+inline constexpr std::array<std::string_view, 14> phase_names = {
+    "begin_step",        "fire_events", "run_behaviours", "age_particles", "find_articulates", "refresh_forces",
+    "half_kick",         "drift",       "find_pairs",     "apply_forces",  "half_kick_to_end", "project_velocities",
+    "break_connections", "end_step",
 };
 
 /// Wall time spent in each phase since the start.

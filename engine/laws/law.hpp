@@ -56,10 +56,11 @@ struct Law {
   std::vector<Parameter> parameters;
 
   Expressions graph;
-  std::vector<Expr> force;         ///< outputs as `kind` says
-  Expr energy = no_expression;     ///< [J]; none: the law is without energy
-  Expr stiffness = no_expression;  ///< [N/m] of a central law: rate of tension with distance
-  std::shared_ptr<Called> called;  ///< instead of the expressions
+  std::vector<Expr> force;           ///< outputs as `kind` says
+  Expr energy = no_expression;       ///< [J]; none: the law is without energy
+  Expr stiffness = no_expression;    ///< [N/m] of a central law: rate of tension with distance
+  std::shared_ptr<const Law> also;   ///< the part without energy that acts with it, with the same parameters
+  std::shared_ptr<Called> called;    ///< instead of the expressions
   std::vector<Input> inputs_wanted;  ///< by `called`
   bool called_energy = false;        ///< `called` gives an energy too
 

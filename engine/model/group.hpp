@@ -6,13 +6,16 @@
 
 #include "model/body.hpp"
 #include "model/constraint.hpp"
+#include "model/family.hpp"
+#include "model/influence.hpp"
 #include "model/particle.hpp"
 
 namespace pantin {
 
 struct Group;
 /// Any thing a script can name.
-using AnyId = std::variant<std::monostate, PointId, ParticleId, BodyId, ConstraintId, Handle<Group>>;
+using AnyId = std::variant<std::monostate, PointId, ParticleId, BodyId, ConstraintId, Handle<Group>, FamilyId,
+                           ConnectionId, InteractionId, FieldId>;
 
 /// A named set of things, in the order of adding.
 struct Group {
@@ -22,7 +25,5 @@ struct Group {
   std::string name;
   std::uint64_t serial = 0;
 };
-
-using GroupId = Handle<Group>;
 
 }  // namespace pantin

@@ -21,14 +21,14 @@ Vec3 arm(const Model& m, PointId point) {
 
 Vec3 position(const Model& m, PointId point) {
   const Point& p = m.points[point];
-  if (!p.body) return p.place;
+  if (!p.body) return m.free_motion[point.slot - 1].x;
   const Motion& motion = m.motion_of(p.body);
   return motion.x + rotate(motion.q, arm(m, point));
 }
 
 Vec3 velocity(const Model& m, PointId point) {
   const Point& p = m.points[point];
-  if (!p.body) return p.velocity;
+  if (!p.body) return m.free_motion[point.slot - 1].v;
   const Motion& motion = m.motion_of(p.body);
   return motion.p / motion.mass + cross(angular_velocity(motion), rotate(motion.q, arm(m, point)));
 }
@@ -193,6 +193,22 @@ std::string describe(const Model& m, GroupId id) {
   return m.groups.alive(id) ? called("group", m.groups[id]) : m.groups.story(id);
 }
 
+std::string describe(const Model& m, FamilyId id) {
+  return m.families.alive(id) ? called("family", m.families[id]) : m.families.story(id);
+}
+
+std::string describe(const Model& m, ConnectionId id) {
+  return m.connections.alive(id) ? called("connection", m.connections[id]) : m.connections.story(id);
+}
+
+std::string describe(const Model& m, InteractionId id) {
+  return m.interactions.alive(id) ? called("interaction", m.interactions[id]) : m.interactions.story(id);
+}
+
+std::string describe(const Model& m, FieldId id) {
+  return m.fields.alive(id) ? called("field", m.fields[id]) : m.fields.story(id);
+}
+
 std::string describe(const Model& m, const AnyId& id) {
   return std::visit(
       [&](const auto& which) -> std::string {
@@ -213,6 +229,10 @@ struct Alive {
   bool operator()(ParticleId id) const { return m.particles.alive(id); }
   bool operator()(BodyId id) const { return m.bodies.alive(id); }
   bool operator()(ConstraintId id) const { return m.constraints.alive(id); }
+  bool operator()(FamilyId id) const { return m.families.alive(id); }
+  bool operator()(ConnectionId id) const { return m.connections.alive(id); }
+  bool operator()(InteractionId id) const { return m.interactions.alive(id); }
+  bool operator()(FieldId id) const { return m.fields.alive(id); }
   /// A group is gone when it had members and none lives.
   bool operator()(GroupId id) const {
     if (!m.groups.alive(id)) return false;

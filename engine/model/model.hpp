@@ -8,7 +8,9 @@
 #include "base/store.hpp"
 #include "model/body.hpp"
 #include "model/constraint.hpp"
+#include "model/family.hpp"
 #include "model/group.hpp"
+#include "model/influence.hpp"
 #include "model/particle.hpp"
 #include "model/point.hpp"
 
@@ -16,18 +18,26 @@ namespace pantin {
 
 struct Model {
   Store<Point> points;
+  std::vector<FreeMotion> free_motion;  ///< (slots of points)
   Store<Particle> particles;
   Store<Body> bodies;
   std::vector<Motion> motion;  ///< (slots of bodies)
   Store<Constraint> constraints;
   Store<Group> groups;
+  Store<Family> families;
+  Store<Connection> connections;
+  Store<Interaction> interactions;
+  Store<Field> fields;
   std::uint64_t next_serial = 1;
   bool topology_changed = true;         ///< an edit waits for `find_articulates`
+  bool influences_changed = false;      ///< an edit concerns which laws act on what
   std::vector<char> dirty_articulates;  ///< (articulates) to be found anew
   std::vector<std::int32_t> disturbed;  ///< articulates whose velocities an edit changed
   std::vector<BodyId> untied_bodies;    ///< touched bodies that have no articulate
   std::vector<PointId> untied_points;   ///< touched free points that have no articulate
 
+  FreeMotion& motion_of(PointId id) { return (void)points[id], free_motion[id.slot - 1]; }
+  const FreeMotion& motion_of(PointId id) const { return (void)points[id], free_motion[id.slot - 1]; }
   Motion& motion_of(BodyId id) { return (void)bodies[id], motion[id.slot - 1]; }
   const Motion& motion_of(BodyId id) const { return (void)bodies[id], motion[id.slot - 1]; }
 };
@@ -72,6 +82,10 @@ std::string describe(const Model& m, ParticleId id);
 std::string describe(const Model& m, BodyId id);
 std::string describe(const Model& m, ConstraintId id);
 std::string describe(const Model& m, GroupId id);
+std::string describe(const Model& m, FamilyId id);
+std::string describe(const Model& m, ConnectionId id);
+std::string describe(const Model& m, InteractionId id);
+std::string describe(const Model& m, FieldId id);
 std::string describe(const Model& m, const AnyId& id);
 bool alive(const Model& m, const AnyId& id);
 

@@ -6,15 +6,21 @@
 #include <vector>
 
 #include "base/color.hpp"
+#include "model/family.hpp"
 #include "model/point.hpp"
 
 namespace pantin {
+
+struct Connection;
 
 /// A ring of one or more points with global data. A ring of two or more is a hinge: its points coincide. While a point
 /// is in a hinge, the particle made with the point sleeps (`asleep_in`), and answers for the hinge.
 struct Particle {
   std::vector<PointId> points;                                ///< members; of a sleeping particle its one point
   Handle<Particle> asleep_in;                                 ///< the hinge its point is in now, or null
+  FamilyId family;                                            ///< null: of no family
+  std::vector<double> values;                                 ///< (attributes of its family)
+  std::vector<Handle<Connection>> connections;                ///< that hold it, in the order of making
   double born = 0.0;                                          ///< [s]
   double lifetime = std::numeric_limits<double>::infinity();  ///< [s]; a hinge is cut at its end, others removed
   std::optional<Color> color;                                 ///< overrides its points'

@@ -15,8 +15,7 @@ struct Particle;
 
 /// A point mass with local data. It belongs to at most one body, and always to one particle.
 struct Point {
-  Vec3 place = zero3();                         ///< [m] in the body's frame; in the world when free
-  Vec3 velocity = zero3();                      ///< [m/s] of a free point; unused when it belongs to a body
+  Vec3 place = zero3();                         ///< [m] in the body's frame; unused when free
   Vec3 force = zero3();                         ///< [N] pushes on a free point in this step
   double mass = 0.0;                            ///< [kg] 0: an anchor (of a body only)
   Handle<Body> body;                            ///< null when free
@@ -29,6 +28,12 @@ struct Point {
   double radius = 0.0;  ///< [m] drawn size
   std::string name;     ///< of a body's named point
   std::uint64_t serial = 0;
+};
+
+/// What a step reads and writes of a free point; at the same slot as its Point.
+struct FreeMotion {
+  Vec3 x = zero3();  ///< [m]
+  Vec3 v = zero3();  ///< [m/s]
 };
 
 using PointId = Handle<Point>;

@@ -7,7 +7,7 @@ namespace pantin::phases {
 void begin_step(World& world) {
   const Timed timed(world.profile, Phase::begin_step);
   if (world.steps == 0) {
-    world.start_energy = energy(world).total();
+    world.start_energy = energy(world, everything(world)).total();  // laws add theirs when they begin to act
     world.work = 0.0;
   }
   apply_input(world, next_time(world));

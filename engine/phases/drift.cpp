@@ -10,8 +10,8 @@ namespace {
 
 void drift_points(World& world) {
   for (std::uint32_t slot : world.loose_points) {
-    Point& p = world.points.at_slot(slot);
-    p.place += p.velocity * world.settings.step;
+    FreeMotion& m = world.free_motion[slot];
+    m.x += m.v * world.settings.step;
   }
 }
 

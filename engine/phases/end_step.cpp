@@ -2,6 +2,7 @@
 
 #include "articulates/articulate.hpp"
 #include "phases/phases.hpp"
+#include "world/forces.hpp"
 
 namespace pantin::phases {
 
@@ -12,8 +13,6 @@ bool sound(Vec3 place, const Quat& q, double kinetic) {
   return finite(place) && std::isfinite(q.w + q.x + q.y + q.z) && std::isfinite(kinetic);
 }
 
-double kinetic_energy(const Point& free) { return 0.5 * free.mass * norm2(free.velocity); }
-
 double kinetic_energy(const Motion& m) {
   return 0.5 * (norm2(m.p) / m.mass + dot(m.angular, m.angular * inverse_inertia(m)));
 }
@@ -21,8 +20,8 @@ double kinetic_energy(const Motion& m) {
 /// Names the first thing whose new state is not finite; empty if all is well.
 std::string first_bad(const World& world) {
   for (std::uint32_t slot : world.loose_points) {
-    const Point& p = world.points.at_slot(slot);
-    if (!sound(p.place, {}, kinetic_energy(p))) return describe(world, p.particle);
+    const FreeMotion& m = world.free_motion[slot];
+    if (!sound(m.x, {}, norm2(m.v))) return describe(world, world.points.at_slot(slot).particle);
   }
   for (std::uint32_t slot : world.loose_bodies) {
     const Motion& m = world.motion[slot];
@@ -41,14 +40,21 @@ std::string last_act(const World& world) {
   return text("; the last to act on the scene was ", world.last_actor, ", at ", world.last_act, " s");
 }
 
+/// The first law that gave a force, or the first thing whose state, is not finite; empty if all is well.
+std::string what_went_bad(const World& world, double time) {
+  const std::string thing = first_bad(world);
+  if (thing.empty()) return {};
+  if (const std::string law = bad_force(world); !law.empty()) return law;
+  return text("the state of ", thing, " is no longer a finite number at ", time,
+              " s: forces or speeds are too large for a step of ", world.settings.step, " s");
+}
+
 void put_back(World& world) {
-  for (std::size_t i = 0; i < world.loose_points.size(); i++) {
-    Point& p = world.points.at_slot(world.loose_points[i]);
-    p.place = world.saved_points[i].place;
-    p.velocity = world.saved_points[i].velocity;
-  }
+  for (std::size_t i = 0; i < world.loose_points.size(); i++)
+    world.free_motion[world.loose_points[i]] = world.saved_points[i];
   for (std::size_t i = 0; i < world.loose_bodies.size(); i++)
     world.motion[world.loose_bodies[i]] = world.saved_motion[i];
+  take_back_kick(world);
 }
 
 void end_pushes(World& world) {
@@ -76,14 +82,18 @@ void measure_errors(World& world) {
     potential -= m.mass * dot(gravity, m.x);
   }
   for (std::uint32_t slot : world.loose_points) {
-    const Point& p = world.points.at_slot(slot);
-    kinetic += kinetic_energy(p);
-    potential -= p.mass * dot(gravity, p.place);
+    const double mass = world.points.at_slot(slot).mass;
+    const FreeMotion& m = world.free_motion[slot];
+    kinetic += 0.5 * mass * norm2(m.v);
+    potential -= mass * dot(gravity, m.x);
   }
   world.largest_kinetic = std::max(world.largest_kinetic, kinetic);
-  const double wrong = std::fabs(kinetic + potential - world.start_energy - world.work);
-  world.worst_energy = std::max(world.worst_energy, wrong);
-  if (world.largest_kinetic > 0.0) {
+  now.energy = world.error.energy;
+  const bool told = !world.forces || world.influences_changed || world.forces->told;
+  if (told && world.largest_kinetic > 0.0) {
+    if (world.forces && !world.influences_changed) potential += world.forces->energy;
+    const double wrong = std::fabs(kinetic + potential - world.start_energy - world.work);
+    world.worst_energy = std::max(world.worst_energy, wrong);
     now.energy = wrong / world.largest_kinetic;
     world.worst.energy = world.worst_energy / world.largest_kinetic;
   }
@@ -97,12 +107,12 @@ void measure_errors(World& world) {
 void end_step(World& world) {
   const Timed timed(world.profile, Phase::end_step);
   const double time = next_time(world);
-  if (const std::string bad = first_bad(world); !bad.empty()) {
+  std::string bad = what_went_bad(world, time);
+  if (bad.empty()) bad = world.trouble;
+  if (!bad.empty()) {
     put_back(world);
     world.failure =
-        text("the state of ", bad, " is no longer a finite number at ", time,
-             " s; the scene is stopped at its last good state. Forces or speeds are too large for a step of ",
-             world.settings.step, " s", last_act(world));
+        text(bad, "; the scene is stopped at its last good state", world.trouble.empty() ? last_act(world) : "");
     log_line(world, "failure", world.failure);
     return;
   }

@@ -1,16 +1,37 @@
 #include "phases/phases.hpp"
+#include "world/forces.hpp"
 
 namespace pantin::phases {
 
+namespace {
+
+void kick_loose_points(World& world, double half) {
+  if (norm2(world.settings.gravity) == 0.0 && !world.pushed) return;
+  for (std::uint32_t slot : world.loose_points) {
+    const Point& p = world.points.at_slot(slot);
+    FreeMotion& m = world.free_motion[slot];
+    const Vec3 before = m.v;
+    m.v += (world.settings.gravity + p.force / p.mass) * half;
+    world.work += dot(p.force, before + m.v) * (0.5 * half);
+  }
+}
+
+}  // namespace
+
 void half_kick(World& world) {
+  if (world.loose_points.empty() && !world.forces) return;
   const Timed timed(world.profile, Phase::half_kick);
   const double half = 0.5 * world.settings.step;
-  for (std::uint32_t slot : world.loose_points) {
-    Point& p = world.points.at_slot(slot);
-    const Vec3 before = p.velocity;
-    p.velocity += (world.settings.gravity + p.force / p.mass) * half;
-    world.work += dot(p.force, before + p.velocity) * (0.5 * half);
-  }
+  kick_loose_points(world, half);
+  kick(world, half);
+}
+
+void half_kick_to_end(World& world) {
+  if (world.loose_points.empty() && !world.forces) return;
+  const Timed timed(world.profile, Phase::half_kick_to_end);
+  const double half = 0.5 * world.settings.step;
+  kick_loose_points(world, half);
+  kick_to_end(world, half);
 }
 
 }  // namespace pantin::phases

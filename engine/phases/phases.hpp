@@ -14,8 +14,18 @@ void run_behaviours(World& world);
 void age_particles(World& world);
 /// Only what an edit made dirty.
 void find_articulates(World& world);
-/// Half a step of forces on free particles.
+/// After an edit: laws act on what there now is, with the forces of the present state.
+void refresh_forces(World& world);
+/// Half a step of forces: on free particles gravity and pushes, on all that laws act on theirs.
 void half_kick(World& world);
+/// The same at the end of a step.
+void half_kick_to_end(World& world);
+/// Neighbours, only when something has moved too far.
+void find_pairs(World& world);
+/// Forces of the laws at the places after the drift.
+void apply_forces(World& world);
+/// Ends connections that were pulled harder or further than they bear.
+void break_connections(World& world);
 /// Moves free particles and bodies on their own, and articulates by Newton's iteration.
 void drift(World& world);
 /// Takes out of the velocities what the constraints forbid.

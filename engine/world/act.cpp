@@ -23,6 +23,7 @@ void kick(World& world, BodyId body, Vec3 impulse, std::optional<Vec3> at) {
   acted(world);
   Motion& m = world.motion_of(body);
   const double before = energy_of(world, body);
+  disturb_forces(world);
   m.p += impulse;
   if (at) m.angular += turning_part(m, cross(*at - m.x, impulse));
   post(world, energy_of(world, body) - before);
@@ -60,7 +61,8 @@ void kick(World& world, PointId id, Vec3 impulse) {
   require_finite("kick", "impulse", impulse, "N s");
   acted(world);
   const double before = energy_of(world, id);
-  point.velocity += impulse / point.mass;
+  disturb_forces(world);
+  world.motion_of(id).v += impulse / point.mass;
   post(world, energy_of(world, id) - before);
   touch_velocity(world, id);
 }

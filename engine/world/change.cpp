@@ -20,6 +20,7 @@ void require_free(const World& world, const char* call, PointId point) {
 template <class Id, class Change>
 void counted(World& world, Id id, Change change) {
   acted(world);
+  disturb_forces(world);
   const double before = energy_of(world, id);
   change();
   post(world, energy_of(world, id) - before);
@@ -41,6 +42,7 @@ void changed_velocity(World& world, Id id, Change change) {
 template <class Change, class Undo>
 void reweigh(World& world, BodyId body, Change change, Undo undo) {
   acted(world);
+  disturb_forces(world);
   const double before = energy_of(world, body);
   change();
   try {
@@ -61,14 +63,14 @@ void set_position(World& world, PointId point, Vec3 at) {
   require_unlocked(world, "position");
   require_free(world, "position", point);
   require_finite(describe(world, point), "position", at, "m");
-  changed(world, point, [&] { world.points[point].place = at; });
+  changed(world, point, [&] { world.motion_of(point).x = at; });
 }
 
 void set_velocity(World& world, PointId point, Vec3 velocity) {
   require_unlocked(world, "velocity");
   require_free(world, "velocity", point);
   require_finite(describe(world, point), "velocity", velocity, "m/s");
-  changed_velocity(world, point, [&] { world.points[point].velocity = velocity; });
+  changed_velocity(world, point, [&] { world.motion_of(point).v = velocity; });
 }
 
 void set_mass(World& world, PointId id, double mass) {
@@ -159,6 +161,13 @@ void set_gravity(World& world, Vec3 gravity) {
   const double before = energy(world).potential;
   world.settings.gravity = gravity;
   post(world, energy(world).potential - before);
+}
+
+void set_box(World& world, std::optional<Vec3> box) {
+  require_unlocked(world, "box");
+  for (int i = 0; box && i < 3; i++) require_positive("scene", "box", (*box)[i], "m");
+  disturb_forces(world);
+  world.settings.box = box;
 }
 
 void set_step(World& world, double step) {

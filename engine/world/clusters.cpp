@@ -30,7 +30,7 @@ std::vector<std::vector<AnyId>> clusters(const World& world, GroupId group, doub
   std::vector<AnyId> ids;
   std::vector<Vec3> places;
   for (BodyId b : things.bodies) ids.emplace_back(b), places.push_back(world.motion_of(b).x);
-  for (PointId p : things.free_points) ids.emplace_back(p), places.push_back(world.points[p].place);
+  for (PointId p : things.free_points) ids.emplace_back(p), places.push_back(world.motion_of(p).x);
 
   std::vector<std::size_t> by_x(ids.size());
   std::iota(by_x.begin(), by_x.end(), std::size_t{0});

@@ -2,29 +2,50 @@
 // Making, joining, cutting, changing and removing things, between two steps. Every function checks its input and throws
 // Error, leaving the world as it was. Changes of energy are added to World::work.
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "laws/law.hpp"
 #include "world/world.hpp"
 
 namespace pantin {
 
+/// A named value of a family's attribute.
+struct AttributeDef {
+  std::string name;
+  double value = 0.0;
+};
+
+struct FamilyDef {
+  std::vector<AttributeDef> attributes;  ///< with the value of a particle that gives none
+  std::optional<Color> color;
+  std::optional<double> radius;  ///< [m] >= 0
+  std::optional<double> mass;    ///< [kg] > 0
+  std::string name;              ///< not empty, and of no other family
+};
+
 struct ParticleDef {
-  Vec3 at = zero3();        ///< [m]
-  Vec3 velocity = zero3();  ///< [m/s]
-  double mass = 1.0;        ///< [kg] > 0
-  double radius = 0.05;     ///< [m] >= 0
-  Color color = {0.35f, 0.62f, 0.85f, 1.0f};
+  Vec3 at = zero3();                                          ///< [m]
+  Vec3 velocity = zero3();                                    ///< [m/s]
+  std::optional<double> mass;                                 ///< [kg] > 0; not given: its family's, else 1
+  std::optional<double> radius;                               ///< [m] >= 0; not given: its family's, else 0.05
+  std::optional<Color> color;                                 ///< not given: its family's, else blue
   double lifetime = std::numeric_limits<double>::infinity();  ///< [s] > 0
+  FamilyId family;                                            ///< null: of none
+  std::vector<AttributeDef> attributes;                       ///< of its family's
   std::string name;
 };
 
 struct PointDef {
-  Vec3 at = zero3();    ///< [m] in the body's frame
-  double mass = 0.0;    ///< [kg] >= 0; 0: an anchor
-  double radius = 0.0;  ///< [m] >= 0; 0: the window chooses
+  FamilyId family;                       ///< of its particle; null: of none
+  std::vector<AttributeDef> attributes;  ///< of its family's
+  Vec3 at = zero3();                     ///< [m] in the body's frame
+  double mass = 0.0;                     ///< [kg] >= 0; 0: an anchor
+  double radius = 0.0;                   ///< [m] >= 0; 0: the window chooses
   std::optional<Color> color;
   std::string name;
 };
@@ -42,6 +63,7 @@ struct BodyDef {
 };
 
 struct HingeDef {
+  FamilyId family;  ///< null: the first point's
   std::optional<Color> color;
   std::optional<double> radius;                               ///< [m]
   double lifetime = std::numeric_limits<double>::infinity();  ///< [s] > 0
@@ -55,6 +77,30 @@ struct FollowDef {
   double max_force = std::numeric_limits<double>::infinity();  ///< [N] > 0
   double time_constant = 0.05;                                 ///< [s] > 0
 };
+
+/// One end of a connection: a particle, or a place of the world [m] where that is null.
+struct End {
+  ParticleId particle;
+  Vec3 place = zero3();
+};
+
+struct ConnectionDef {
+  std::vector<End> ends;           ///< as many as the law acts on; at least one a particle, all different
+  std::vector<double> parameters;  ///< (parameters of the law); empty: the law's
+  double max_force = std::numeric_limits<double>::infinity();   ///< [N] > 0, tension at which it breaks
+  double max_length = std::numeric_limits<double>::infinity();  ///< [m] > 0 at which it breaks
+  std::string name;
+};
+
+FamilyId add_family(World& world, const FamilyDef& def);
+/// Ties particles by a law. It goes when one of them goes.
+ConnectionId add_connection(World& world, std::shared_ptr<const Law> law, const ConnectionDef& def);
+/// A law between all pairs of two families, or of one with itself. `parameters` as of a connection.
+InteractionId add_interaction(World& world, std::shared_ptr<const Law> law, FamilyId a, FamilyId b,
+                              std::vector<double> parameters = {});
+/// A law on each particle of a family; of a group, those of its bodies too; or of the whole scene (monostate).
+FieldId add_field(World& world, std::shared_ptr<const Law> law, const AnyId& target,
+                  std::vector<double> parameters = {});
 
 ParticleId add_particle(World& world, const ParticleDef& def);
 BodyId add_body(World& world, const BodyDef& def);
@@ -79,7 +125,11 @@ void remove(World& world, BodyId body);
 void remove(World& world, ParticleId particle);
 void remove(World& world, PointId point);
 void remove(World& world, ConstraintId constraint);
-void remove(World& world, GroupId group);  ///< the set, not its members
+void remove(World& world, ConnectionId connection);
+void remove(World& world, InteractionId interaction);
+void remove(World& world, FieldId field);
+void remove(World& world, GroupId group);    ///< the set, not its members
+void remove(World& world, FamilyId family);  ///< only one without particles and laws
 void remove(World& world, const AnyId& thing);
 
 PointId add_point(World& world, BodyId body, const PointDef& def);
@@ -96,6 +146,10 @@ void set_orientation(World& world, BodyId body, Quat orientation);
 void set_velocity(World& world, BodyId body, Vec3 velocity);
 void set_spin(World& world, BodyId body, Vec3 spin);
 void set_lifetime(World& world, ParticleId particle, double lifetime);  ///< [s] from its making; > 0
+/// A particle's own: of a hinge the ring's, not its members'. Attributes that both families have are kept.
+void set_family(World& world, ParticleId particle, FamilyId family);
+void set_radius(World& world, ParticleId particle, double radius);  ///< [m] >= 0
+void set_attribute(World& world, ParticleId particle, std::string_view name, double value);
 void set_own_mass(World& world, BodyId body, double mass);
 void set_own_inertia(World& world, BodyId body, const Mat3& inertia);
 
@@ -107,6 +161,14 @@ void push(World& world, PointId point, Vec3 force);                             
 void kick(World& world, PointId point, Vec3 impulse);                             ///< [N s]
 
 void set_enabled(World& world, ConstraintId constraint, bool enabled);
+void set_enabled(World& world, ConnectionId connection, bool enabled);
+void set_enabled(World& world, InteractionId interaction, bool enabled);
+void set_enabled(World& world, FieldId field, bool enabled);
+/// Writes a parameter of a law in use, by its index; the energy that this makes is work from outside.
+void set_parameter(World& world, ConnectionId connection, std::size_t index, double value);
+void set_parameter(World& world, InteractionId interaction, std::size_t index, double value);
+void set_parameter(World& world, FieldId field, std::size_t index, double value);
+void set_breaks_at(World& world, ConnectionId connection, double max_force, double max_length);  ///< [N], [m] > 0
 void set_length(World& world, ConstraintId rod, double length);  ///< [m]; it is drawn in within some 0.1 s
 void set_target(World& world, ConstraintId follow, std::function<Vec3(double)> target);
 void set_place(World& world, ConstraintId constraint, Vec3 place);    ///< [m] nail's, follow's target, rod's world end
@@ -114,6 +176,8 @@ void set_max_force(World& world, ConstraintId follow, double force);  ///< [N]
 
 /// Changes gravity [m/s²] from now on; the energy that things gain by it is work from outside.
 void set_gravity(World& world, Vec3 gravity);
+/// Edges of the periodic box in which laws see the nearest image of a particle [m], or open space.
+void set_box(World& world, std::optional<Vec3> box);
 /// Changes the length of a step [s], from the step that is about to be done.
 void set_step(World& world, double step);
 

@@ -61,8 +61,8 @@ double energy_of(const World& world, BodyId body) {
 }
 
 double energy_of(const World& world, PointId free_point) {
-  const Point& p = world.points[free_point];
-  return p.mass * (0.5 * norm2(p.velocity) - dot(world.settings.gravity, p.place));
+  const FreeMotion& m = world.motion_of(free_point);
+  return world.points[free_point].mass * (0.5 * norm2(m.v) - dot(world.settings.gravity, m.x));
 }
 
 double energy_round(const World& world, PointId point) {
@@ -138,6 +138,7 @@ Vec3 turning_part(const Motion& motion, Vec3 v) {
 PointId make_point(World& world, Point row) {
   row.serial = world.next_serial++;
   const PointId point = world.points.add(std::move(row));
+  world.free_motion.resize(world.points.slots());
   Particle particle;
   particle.points = {point};
   particle.born = world.time;
@@ -155,6 +156,8 @@ void wake(World& world, PointId id, const Particle& shared) {
   own.asleep_in = {};
   own.color = shared.color;
   own.radius = shared.radius;
+  own.family = shared.family;
+  own.values = shared.values;
   own.lifetime = std::numeric_limits<double>::infinity();
   point.particle = point.own;
   point.row_force = zero3();
@@ -163,8 +166,10 @@ void wake(World& world, PointId id, const Particle& shared) {
 }  // namespace
 
 void end_ring(World& world, ParticleId hinge, std::string who) {
+  disturb_forces(world);
   touch(world, hinge);
   const Particle shared = world.particles[hinge];
+  for (ConnectionId c : shared.connections) remove(world, c);
   for (PointId p : shared.points) wake(world, p, shared);
   const std::string what = shared.name.empty() ? text("hinge ", shared.serial) : text("hinge '", shared.name, "'");
   world.particles.remove(hinge, {what, world.time, std::move(who)});
@@ -174,6 +179,7 @@ void leave_ring(World& world, PointId point, const std::string& who) {
   const ParticleId hinge = world.points[point].particle;
   if (hinge == world.points[point].own) return;
   if (world.particles[hinge].points.size() <= 2) return end_ring(world, hinge, who);
+  disturb_forces(world);
   touch(world, hinge);
   wake(world, point, world.particles[hinge]);
   std::erase(world.particles[hinge].points, point);
@@ -183,6 +189,8 @@ void erase_point(World& world, PointId point, const std::string& what) {
   const std::vector<ConstraintId> constraints = world.points[point].constraints;
   for (ConstraintId c : constraints) remove(world, c);
   const ParticleId hinge = world.points[point].particle, own = world.points[point].own;
+  const std::vector<ConnectionId> connections = world.particles[own].connections;
+  for (ConnectionId c : connections) remove(world, c);
   leave_ring(world, point, culprit(world));
   if (hinge != own && !world.particles.alive(hinge))
     notice(world, Notice::Kind::removed, hinge, world.particles.story(hinge));

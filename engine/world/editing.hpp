@@ -1,9 +1,11 @@
 #pragma once
 // What every edit shares: checks, the energy it makes, and how things leave their rings. Not for use outside world/.
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "world/world.hpp"
+#include "world/edit.hpp"
 
 namespace pantin::editing {
 
@@ -30,6 +32,17 @@ double energy_of(const World& world, PointId free_point);
 double energy_round(const World& world, PointId point);
 /// Adds to World::work, [J]. The first step starts the balance anew, so building a scene is no work.
 void post(World& world, double joules);
+
+/// Call before an edit that may change what laws act on, or what they see of it: the energy of the laws before the edit
+/// leaves the balance, and comes back with the forces of the next step.
+void disturb_forces(World& world);
+/// Values of a family's attributes: those given, else the family's. Throws Error for a name that it does not have.
+std::vector<double> attribute_values(std::string_view call, const Family& family, std::span<const AttributeDef> given);
+
+/// Whether a law's parameter of that name is the world's own: the length of its step, and k_B.
+inline bool given_by_world(std::string_view name) { return name == "step" || name == "boltzmann"; }
+/// Ends a connection that bore no more than `force` [N]; told as "broke". May be called inside a step.
+void break_connection(World& world, ConnectionId connection, double force);
 
 std::string culprit(const World& world);
 /// Remembers who acts, for the case that the state goes wrong.

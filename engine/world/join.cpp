@@ -87,6 +87,8 @@ Particle shared_data(const World& world, PointId first, const HingeDef& def) {
   ring.born = world.time;
   ring.color = def.color ? *def.color : last.color.value_or(point.color);
   ring.radius = def.radius ? *def.radius : last.radius.value_or(point.radius);
+  ring.family = def.family ? def.family : last.family;
+  ring.values = ring.family == last.family ? last.values : attribute_values("hinge", world.families[ring.family], {});
   ring.name = def.name;
   return ring;
 }
@@ -103,6 +105,7 @@ ParticleId add_hinge(World& world, std::span<const PointId> points, const HingeD
   require_one_holder(world, members);
 
   Particle ring = shared_data(world, points[0], def);
+  disturb_forces(world);
   for (const Member& m : members) ring.points.push_back(m.point);
   ring.serial = world.next_serial++;
   const ParticleId hinge = world.particles.add(std::move(ring));

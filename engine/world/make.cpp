@@ -10,7 +10,8 @@ using namespace editing;
 
 namespace {
 
-void check(const std::string& call, const PointDef& def) {
+void check(const World& world, const std::string& call, const PointDef& def) {
+  attribute_values(call, def.family ? world.families[def.family] : Family{}, def.attributes);
   require_finite(call, "place", def.at, "m");
   require_not_negative(call, "mass", def.mass, "kg");
   require_not_negative(call, "radius", def.radius, "m");
@@ -27,8 +28,17 @@ Point row_of(const PointDef& def, Color usual, BodyId body) {
   return row;
 }
 
+PointId make_body_point(World& world, const PointDef& def, Color usual, BodyId body) {
+  const Family family = def.family ? world.families[def.family] : Family{};
+  const PointId point = make_point(world, row_of(def, family.color.value_or(usual), body));
+  Particle& particle = world.particles[world.points[point].own];
+  particle.family = def.family;
+  particle.values = attribute_values("point", family, def.attributes);
+  return point;
+}
+
 /// Checks all numbers, and that the masses make a body.
-void check(const std::string& who, const BodyDef& def) {
+void check(const World& world, const std::string& who, const BodyDef& def) {
   require_finite(who, "at", def.at, "m");
   require_finite(who, "velocity", def.velocity, "m/s");
   require_finite(who, "spin", def.spin, "rad/s");
@@ -38,7 +48,7 @@ void check(const std::string& who, const BodyDef& def) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < def.points.size(); i++) {
     const PointDef& p = def.points[i];
-    check(p.name.empty() ? text(who, ": point ", i + 1) : text(who, ": point '", p.name, "'"), p);
+    check(world, p.name.empty() ? text(who, ": point ", i + 1) : text(who, ": point '", p.name, "'"), p);
     if (!p.name.empty()) names.push_back(p.name);
     masses.push_back({p.at, p.mass});
   }
@@ -63,21 +73,28 @@ void start(World& world, BodyId id, const BodyDef& def, const Quat& frame) {
 ParticleId add_particle(World& world, const ParticleDef& def) {
   const std::string call = def.name.empty() ? "particle" : text("particle '", def.name, "'");
   require_unlocked(world, call);
+  const Family family = def.family ? world.families[def.family] : Family{};
+  const double mass = def.mass.value_or(family.mass.value_or(1.0));
+  const double radius = def.radius.value_or(family.radius.value_or(0.05));
   require_finite(call, "at", def.at, "m");
   require_finite(call, "velocity", def.velocity, "m/s");
-  require_positive(call, "mass", def.mass, "kg");
-  require_not_negative(call, "radius", def.radius, "m");
+  require_positive(call, "mass", mass, "kg");
+  require_not_negative(call, "radius", radius, "m");
+  std::vector<double> values = attribute_values(call, family, def.attributes);
   require_positive_or_infinite(call, "lifetime", def.lifetime, "s");
   Point row;
-  row.place = def.at;
-  row.velocity = def.velocity;
-  row.mass = def.mass;
-  row.radius = def.radius;
-  row.color = def.color;
+  row.mass = mass;
+  row.radius = radius;
+  row.color = def.color.value_or(family.color.value_or(Color{0.35f, 0.62f, 0.85f, 1.0f}));
+  disturb_forces(world);
   const PointId point = make_point(world, std::move(row));
+  world.motion_of(point) = {def.at, def.velocity};
   const ParticleId id = world.points[point].own;
   if (std::isfinite(def.lifetime)) set_lifetime(world, id, def.lifetime);
-  world.particles[id].name = def.name;
+  Particle& particle = world.particles[id];
+  particle.name = def.name;
+  particle.family = def.family;
+  particle.values = std::move(values);
   touch(world, point);
   post(world, energy_of(world, point));
   return id;
@@ -86,8 +103,9 @@ ParticleId add_particle(World& world, const ParticleDef& def) {
 BodyId add_body(World& world, const BodyDef& def) {
   const std::string who = def.name.empty() ? "body" : text("body '", def.name, "'");
   require_unlocked(world, who);
-  check(who, def);
+  check(world, who, def);
   const Quat frame = unit(who, def.orientation);
+  disturb_forces(world);
   Body row;
   row.own_mass = def.mass;
   row.own_inertia = def.inertia;
@@ -96,10 +114,7 @@ BodyId add_body(World& world, const BodyDef& def) {
   const BodyId id = world.bodies.add(std::move(row));
   world.motion.resize(world.bodies.slots());
   world.motion_of(id) = Motion{};
-  for (const PointDef& p : def.points) {
-    const PointId point = make_point(world, row_of(p, def.color, id));
-    world.bodies[id].points.push_back(point);
-  }
+  for (const PointDef& p : def.points) world.bodies[id].points.push_back(make_body_point(world, p, def.color, id));
   weigh_again(world, id);
   start(world, id, def, frame);
   touch(world, id);
@@ -110,7 +125,7 @@ BodyId add_body(World& world, const BodyDef& def) {
 PointId add_point(World& world, BodyId body, const PointDef& def) {
   const std::string call = text(describe(world, body), ": point");
   require_unlocked(world, call);
-  check(call, def);
+  check(world, call, def);
   for (PointId p : world.bodies[body].points)
     require(def.name.empty() || world.points[p].name != def.name, call, ": the name '", def.name, "' is taken");
   std::vector<MassPoint> masses;
@@ -121,7 +136,8 @@ PointId add_point(World& world, BodyId body, const PointDef& def) {
 
   const Color usual = row.points.empty() ? BodyDef{}.color : world.points[row.points[0]].color;
   const double before = energy_of(world, body);
-  const PointId point = make_point(world, row_of(def, usual, body));
+  disturb_forces(world);
+  const PointId point = make_body_point(world, def, usual, body);
   world.bodies[body].points.push_back(point);
   weigh_again(world, body);
   touch(world, body);

@@ -4,6 +4,7 @@
 #include <unordered_set>
 
 #include "base/hash.hpp"
+#include "world/forces.hpp"
 
 namespace pantin {
 namespace {
@@ -33,6 +34,23 @@ struct Collect {
     (*this)(c.a);
     if (c.b) (*this)(c.b);
   }
+  void operator()(FamilyId id) {
+    for (ParticleId p : world.particles.ids())
+      if (world.particles[p].family == id && !world.particles[p].asleep_in) (*this)(p);
+  }
+  void operator()(ConnectionId id) {
+    const Connection& c = world.connections[id];
+    for (std::uint32_t i = 0; i < c.count; i++) (*this)(c.particles[i]);
+  }
+  void operator()(InteractionId id) {
+    for (FamilyId family : {world.interactions[id].a, world.interactions[id].b}) (*this)(family);
+  }
+  void operator()(FieldId id) {
+    const Field& f = world.fields[id];
+    if (f.family) return (*this)(f.family);
+    if (f.group) return (*this)(f.group);
+    for (ParticleId p : world.particles.ids()) (*this)(p);
+  }
   void operator()(GroupId id) {
     const auto& members = world.groups[id].members;
     if (!groups.insert(id).second) return;
@@ -46,9 +64,9 @@ void add(Energy& e, const Motion& m, Vec3 gravity) {
   e.potential -= m.mass * dot(gravity, m.x);
 }
 
-void add(Energy& e, const Point& free_point, Vec3 gravity) {
-  e.kinetic += 0.5 * free_point.mass * norm2(free_point.velocity);
-  e.potential -= free_point.mass * dot(gravity, free_point.place);
+void add(Energy& e, double mass, const FreeMotion& m, Vec3 gravity) {
+  e.kinetic += 0.5 * mass * norm2(m.v);
+  e.potential -= mass * dot(gravity, m.x);
 }
 
 /// Length that a rod has too much or too little, but for what is still drawn in, [m].
@@ -83,7 +101,7 @@ Things things_of(const World& world, const AnyId& thing) {
 Energy energy(const World& world, const Things& things) {
   Energy e;
   for (BodyId id : things.bodies) add(e, world.motion_of(id), world.settings.gravity);
-  for (PointId id : things.free_points) add(e, world.points[id], world.settings.gravity);
+  for (PointId id : things.free_points) add(e, world.points[id].mass, world.motion_of(id), world.settings.gravity);
   return e;
 }
 
@@ -94,14 +112,15 @@ Energy energy(const World& world) {
     if (world.bodies.alive_at(s)) add(e, world.motion[s], world.settings.gravity);
   for (std::uint32_t s = 0; s < world.points.slots(); s++)
     if (world.points.alive_at(s) && !world.points.at_slot(s).body)
-      add(e, world.points.at_slot(s), world.settings.gravity);
+      add(e, world.points.at_slot(s).mass, world.free_motion[s], world.settings.gravity);
+  e.potential += law_energy(world);
   return e;
 }
 
 Vec3 momentum(const World& world, const Things& things) {
   Vec3 sum = zero3();
   for (BodyId id : things.bodies) sum += world.motion_of(id).p;
-  for (PointId id : things.free_points) sum += world.points[id].velocity * world.points[id].mass;
+  for (PointId id : things.free_points) sum += world.motion_of(id).v * world.points[id].mass;
   return sum;
 }
 
@@ -112,8 +131,8 @@ Vec3 angular_momentum(const World& world, const Things& things) {
     sum += cross(m.x, m.p) + rotate(m.q, m.angular);
   }
   for (PointId id : things.free_points) {
-    const Point& p = world.points[id];
-    sum += cross(p.place, p.velocity) * p.mass;
+    const FreeMotion& m = world.motion_of(id);
+    sum += cross(m.x, m.v) * world.points[id].mass;
   }
   return sum;
 }
@@ -156,8 +175,8 @@ std::uint64_t state_hash(const World& world) {
   }
   for (PointId id : world.points.ids()) {
     if (world.points[id].body) continue;
-    hash.add(world.points[id].place);
-    hash.add(world.points[id].velocity);
+    hash.add(world.motion_of(id).x);
+    hash.add(world.motion_of(id).v);
   }
   return hash.value;
 }

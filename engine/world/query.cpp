@@ -32,12 +32,22 @@ AnyId find(const World& world, std::string_view name) {
   oldest.look(world.particles);
   oldest.look(world.constraints);
   oldest.look(world.groups);
+  oldest.look(world.families);
+  oldest.look(world.connections);
+  oldest.look(world.interactions);
+  oldest.look(world.fields);
   return oldest.id;
 }
 
 std::vector<ParticleId> particles(const World& world) {
   std::vector<ParticleId> list = world.particles.ids();
   std::erase_if(list, [&](ParticleId p) { return static_cast<bool>(world.particles[p].asleep_in); });
+  return list;
+}
+
+std::vector<ParticleId> particles(const World& world, FamilyId family) {
+  std::vector<ParticleId> list = particles(world);
+  std::erase_if(list, [&](ParticleId p) { return world.particles[p].family != family; });
   return list;
 }
 

@@ -10,8 +10,9 @@ namespace pantin {
 AnyId find(const World& world, std::string_view name);
 /// Awake particles within `radius` [m] of a place, nearest first.
 std::vector<ParticleId> near(const World& world, Vec3 at, double radius);
-/// Awake particles in the order of making; hinges only with `hinges`.
+/// Awake particles in the order of making; of one family; hinges only.
 std::vector<ParticleId> particles(const World& world);
+std::vector<ParticleId> particles(const World& world, FamilyId family);
 std::vector<ParticleId> hinges(const World& world);
 /// Hinges that a body's points are in.
 std::vector<ParticleId> hinges_of(const World& world, BodyId body);

@@ -8,6 +8,7 @@ using namespace editing;
 void remove(World& world, BodyId id) {
   require_unlocked(world, "remove");
   const std::string what = describe(world, id);
+  disturb_forces(world);
   touch(world, id);
   post(world, -energy_of(world, id));
   const std::vector<PointId> points = world.bodies[id].points;
@@ -25,6 +26,7 @@ void remove(World& world, PointId id) {
   const std::string what = describe(world, id);
   require(!point.body, "remove: ", what, " goes with its body; use remove_point to take it off");
   const ParticleId own = point.own;
+  disturb_forces(world);
   touch(world, id);
   post(world, -energy_of(world, id));
   erase_point(world, id, what);
@@ -76,6 +78,7 @@ void remove_point(World& world, PointId id) {
   require(static_cast<bool>(body), "remove_point: ", what, " belongs to no body; use remove");
   const ParticleId own = world.points[id].own;
   const double before = energy_of(world, body);
+  disturb_forces(world);
   auto& points = world.bodies[body].points;
   const std::vector<PointId> all = points;
   std::erase(points, id);

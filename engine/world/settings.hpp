@@ -1,6 +1,6 @@
 #pragma once
 #include <cstdint>
-#include <string>
+#include <optional>
 
 #include "base/lanes.hpp"
 
@@ -16,6 +16,7 @@ struct Settings {
   Integrator integrator = Integrator::verlet;
   bool energy_return = true;  ///< give back what the velocity projection took
   double tolerance = 1e-6;    ///< points of a new hinge may be this far apart, relative to the size of their bodies
+  std::optional<Vec3> box;    ///< [m] edges of the periodic box, each > 0; none: open space
   std::uint64_t seed = 1;
   double boltzmann = 1.0;  ///< [J/K] > 0
 };

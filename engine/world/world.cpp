@@ -1,10 +1,12 @@
 #include "world/world.hpp"
 
 #include "articulates/articulate.hpp"
+#include "base/parallel.hpp"
+#include "world/forces.hpp"
 
 namespace pantin {
 
-World::World() = default;
+World::World() : workers(std::make_unique<Workers>()) {}
 World::~World() = default;
 
 void log_line(World& world, std::string kind, std::string text) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,6 +19,8 @@
 namespace pantin {
 
 struct Articulate;
+struct Forces;
+class Workers;
 
 /// What can grab: the mouse, a finger, a stick, a script.
 struct Hand {
@@ -31,11 +34,12 @@ struct Hand {
 
 /// Something that happened; told to scripts in the next step.
 struct Notice {
-  enum class Kind : std::uint8_t { removed, cut, grab, drop, press, release, key, button };
+  enum class Kind : std::uint8_t { removed, cut, broke, grab, drop, press, release, key, button };
   Kind kind = Kind::key;
   AnyId thing;
   std::int32_t hand = -1;
-  std::string text;  ///< name of the key or button; story of what was removed
+  std::string text;    ///< name of the key or button; story of what was removed
+  double force = 0.0;  ///< [N] at which it broke
 };
 
 /// A number recorded at the end of each step.
@@ -94,6 +98,11 @@ struct World : Model {
   std::vector<std::uint32_t> loose_bodies;               ///< slots of bodies that nothing constrains
   std::vector<std::uint32_t> loose_points;               ///< slots of free points that nothing constrains
 
+  std::unique_ptr<Forces> forces;               ///< of the laws; null where none acts
+  std::unique_ptr<Workers> workers;             ///< threads
+  std::map<std::string, double> given_by_laws;  ///< [J] since the start, up to when the laws at work began to act
+  double open_work = 0.0;                       ///< [J] done by laws without energy; part of `work`
+
   Stats stats;
   Profile profile;
   Accuracy error;                ///< at the end of the last step
@@ -105,16 +114,14 @@ struct World : Model {
 
   std::vector<ParticleId> mortals;  ///< particles given a finite lifetime, the dead and the asleep among them
   /// State of loose things at the start of the step, put back if it goes wrong.
-  struct SavedPoint {
-    Vec3 place, velocity;
-  };
-  std::vector<SavedPoint> saved_points;  ///< (loose_points)
+  std::vector<FreeMotion> saved_points;  ///< (loose_points)
   std::vector<Motion> saved_motion;      ///< (loose_bodies)
 
   std::string last_actor;  ///< who pushed, kicked or changed a thing last; empty: nobody yet
   double last_act = 0.0;   ///< [s] when
   bool pushed = false;     ///< pushes or twists wait for the coming step
   bool locked = false;     ///< inside a step, outside the phases in which scripts run
+  std::string trouble;     ///< not empty: a law failed in this step
   std::string failure;     ///< not empty: the state became non-finite; the world steps no more
 };
 

@@ -36,7 +36,7 @@ function quat_methods:rotate(v) end
 function quat_methods:inverse() end
 
 ---@alias color string|number[] "#rgb", "#rrggbb", "#rrggbbaa" or { r, g, b, a } of 0 to 1
----@alias Thing Point|Particle|Body|Nail|Follow|Rod|Group
+---@alias Thing Point|Particle|Body|Nail|Follow|Rod|Group|Family|Connection|Interaction|Field
 
 ---@class Energy
 ---@field kinetic number [J]
@@ -50,6 +50,11 @@ function quat_methods:inverse() end
 ---@field worst_hinge_gap number [m]
 ---@field worst_constraint number [m]
 ---@field worst_energy number relative
+
+---@class Ledger
+---@field laws table<string, number> [J] given to the motion by each law with energy
+---@field without_energy string[] names of the laws at work that have no energy
+---@field open number [J] work of all of those
 
 ---@class Stats
 ---@field steps integer
@@ -147,6 +152,7 @@ function Point:remove() end
 ---@field position vec [m] place in the world; written only of a free particle
 ---@field velocity vec [m/s] velocity in the world; written only of a free particle
 ---@field mass number [kg] mass; of a hinge its points' sum, which is not written
+---@field family Family? its family, whose attributes are fields of it: p.charge
 ---@field lifetime number [s] goes when its age reaches this; a hinge is cut; math.huge: never
 ---@field age number [s] time since it was made (read only)
 ---@field color color color; overrides its points'
@@ -157,6 +163,7 @@ function Point:remove() end
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
 ---@field data table a table of yours, which goes with the thing (read only)
+---@field [string] number attributes of its family
 local Particle = {}
 ---Pulls for the coming step.
 ---@param force vec [N]
@@ -290,6 +297,61 @@ function Group:bounds() end
 ---@return Thing[][]
 function Group:clusters(distance) end
 
+---Particles of a kind, with named numeric attributes that laws read.
+---@class Family
+---@field attributes table<string, number> values of a particle that gives none (read only)
+---@field particles Particle[] its living particles, in the order of making (read only)
+---@field energy Energy [J] { kinetic, potential, total } of its things (read only)
+---@field momentum vec [kg m/s] sum over its things (read only)
+---@field angular_momentum vec [kg m²/s] sum over its things about the world's origin (read only)
+---@field temperature number [K] of its things, relative to their common motion; in J while scene.boltzmann is 1 (read only)
+---@field mass number [kg] sum over its things (read only)
+---@field name string what messages and scene:find call it
+---@field alive boolean whether it still exists (read only)
+---@field data table a table of yours, which goes with the thing (read only)
+local Family = {}
+---Takes it out of the world.
+function Family:remove() end
+
+---Ties two, three or four particles by a law.
+---@class Connection
+---@field particles table what it ties: particles, or places [m] (read only)
+---@field force number [N] tension in the last step, positive where it pulls; 0 of a law of three or four (read only)
+---@field breaks_at table { force [N], length [m] } at which it breaks
+---@field parameters table<string, number> of its law: read and written by name (read only)
+---@field energy number? [J] of its law now; nil where the law has none (read only)
+---@field enabled boolean whether it acts
+---@field name string what messages and scene:find call it
+---@field alive boolean whether it still exists (read only)
+---@field data table a table of yours, which goes with the thing (read only)
+local Connection = {}
+---Takes it out of the world.
+function Connection:remove() end
+
+---A law between all pairs of two families, or within one.
+---@class Interaction
+---@field parameters table<string, number> of its law: read and written by name (read only)
+---@field energy number? [J] of its law now; nil where the law has none (read only)
+---@field enabled boolean whether it acts
+---@field name string what messages and scene:find call it
+---@field alive boolean whether it still exists (read only)
+---@field data table a table of yours, which goes with the thing (read only)
+local Interaction = {}
+---Takes it out of the world.
+function Interaction:remove() end
+
+---A law on each particle of a family, of a group or of the scene.
+---@class Field
+---@field parameters table<string, number> of its law: read and written by name (read only)
+---@field energy number? [J] of its law now; nil where the law has none (read only)
+---@field enabled boolean whether it acts
+---@field name string what messages and scene:find call it
+---@field alive boolean whether it still exists (read only)
+---@field data table a table of yours, which goes with the thing (read only)
+local Field = {}
+---Takes it out of the world.
+function Field:remove() end
+
 ---Something set to happen.
 ---@class Event
 ---@field state string "waiting", "fired", "dropped" or "cancelled" (read only)
@@ -327,6 +389,7 @@ function Subscription:cancel() end
 ---@field step number [s] length of one step
 ---@field integrator string "verlet", or "euler" (the paper's)
 ---@field energy_return boolean give back what the velocity projection took
+---@field box vec? [m] edges of the periodic box; nil: open space
 ---@field tolerance number points of a new hinge may be this far apart, relative to the size of their bodies
 ---@field seed integer of math.random
 ---@field boltzmann number [J/K] k_B; temperature is in J while it is 1
@@ -336,12 +399,13 @@ function Subscription:cancel() end
 ---@field angular_momentum vec [kg m²/s] sum over all things about the world's origin (read only)
 ---@field temperature number [K] relative to the common motion; in J while scene.boltzmann is 1 (read only)
 ---@field error Accuracy { hinge_gap [m], constraint [m], energy (relative) } now, and worst_… since the start (read only)
+---@field ledger Ledger [J] what the laws gave to the motion since the start: { laws = { name = J }, without_energy = { names }, open = J } (read only)
 ---@field stats Stats counts since the start, and ns per phase (read only)
 ---@field log LogLine[] { time [s], kind, text } of all that was logged (read only)
 ---@field bodies Body[] all bodies, in the order of making (read only)
 ---@field particles Particle[] all particles that are no hinges, and do not sleep in one (read only)
 ---@field hinges Particle[] all hinges (read only)
----@field connections table all connections (read only)
+---@field connections Connection[] all connections, in the order of making (read only)
 ---@field hands Hand[] the mouse, fingers, sticks, and scripted hands (read only)
 local Scene = {}
 ---Makes a free particle of one point.
@@ -380,6 +444,29 @@ function Scene:rod(a, b, length) end
 ---@param name string
 ---@return Group
 function Scene:group(name) end
+---Makes a family of particles, with named numeric attributes.
+---@param name string
+---@param options? FamilyOptions
+---@return Family
+function Scene:family(name, options) end
+---Ties two particles by a law; or a list of two, three or four.
+---@param a Point|Particle|vec|table
+---@param b Point|Particle|vec|Law
+---@param law? Law
+---@param options? ConnectOptions
+---@return Connection
+function Scene:connect(a, b, law, options) end
+---A law between all pairs of two families, or within one.
+---@param a Family
+---@param b Family
+---@param law Law
+---@return Interaction
+function Scene:interact(a, b, law) end
+---A law on each particle of a family, of a group or of the scene.
+---@param target Family|Group|Scene
+---@param law Law
+---@return Field
+function Scene:field(target, law) end
 ---The oldest living thing of that name.
 ---@param name string
 ---@return Thing?
@@ -417,7 +504,7 @@ function Scene:after(delay, target_or_action, action) end
 ---@param action? function
 ---@return Event
 function Scene:every(period, target_or_action, action) end
----Calls a function at each "step" (dt), "press" "release" (hand), "key" (name), "grab" "drop" (thing, hand), "cut" (hinge), "removed" (thing, story).
+---Calls a function at each "step" (dt), "press" "release" (hand), "key" (name), "grab" "drop" (thing, hand), "cut" (hinge), "broke" (connection, force [N]), "removed" (thing, story).
 ---@param moment string
 ---@param action function
 ---@return Subscription
@@ -445,12 +532,13 @@ function Scene:finish() end
 ---@field angular_momentum vec [kg m²/s] sum over all things about the world's origin (read only)
 ---@field temperature number [K] relative to the common motion; in J while scene.boltzmann is 1 (read only)
 ---@field error Accuracy { hinge_gap [m], constraint [m], energy (relative) } now, and worst_… since the start (read only)
+---@field ledger Ledger [J] what the laws gave to the motion since the start: { laws = { name = J }, without_energy = { names }, open = J } (read only)
 ---@field stats Stats counts since the start, and ns per phase (read only)
 ---@field log LogLine[] { time [s], kind, text } of all that was logged (read only)
 ---@field bodies Body[] all bodies, in the order of making (read only)
 ---@field particles Particle[] all particles that are no hinges, and do not sleep in one (read only)
 ---@field hinges Particle[] all hinges (read only)
----@field connections table all connections (read only)
+---@field connections Connection[] all connections, in the order of making (read only)
 ---@field finished boolean whether it called scene:finish() (read only)
 local OpenedScene = {}
 ---Steps on for a time.

@@ -23,7 +23,11 @@ TEST_CASE("every field that is listed can be read, and every method is there") {
     local things = { Scene = scene, Body = body, Point = body.head, Particle = scene:hinge(body.head, other.head),
       Nail = scene:nail(body.head), Follow = scene:follow(scene:particle(), vec(0, 0, 0), { max_force = 1 }),
       Rod = scene:rod(scene:particle(), vec(0, 1, 0)), Group = scene:group "g", Hand = scene:hand(),
-      Event = scene:at(1, type), Subscription = scene:on("step", type) }
+      Event = scene:at(1, type), Subscription = scene:on("step", type), Family = scene:family("f") }
+    local spring, drag = force.spring { stiffness = 1 }, force.drag { linear = 1 }
+    things.Connection = scene:connect(scene:particle(), vec(0, 1, 0), spring)
+    things.Interaction = scene:interact(things.Family, things.Family, force.gravitation {})
+    things.Field = scene:field(scene, drag)
     things.Group:add(body)
   )";
   for (const lua::Type* type : lua::all_types()) {

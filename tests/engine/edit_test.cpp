@@ -24,8 +24,8 @@ TEST_CASE("a particle is made with what was given") {
   def.lifetime = 3;
   const ParticleId id = add_particle(world, def);
   const Point& p = world.points[point_of(world, id)];
-  CHECK(same(p.place, def.at));
-  CHECK(same(p.velocity, def.velocity));
+  CHECK(same(position(world, id), def.at));
+  CHECK(same(velocity(world, id), def.velocity));
   CHECK(p.mass == 2.0);
   CHECK(p.own == id);
   CHECK(world.particles[id].name == "ball");

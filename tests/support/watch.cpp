@@ -47,7 +47,7 @@ bool all_finite(const World& world) {
   }
   const std::vector<PointId> points = world.points.ids();
   return std::all_of(points.begin(), points.end(),
-                     [&](PointId id) { return finite(world.points[id].place) && finite(world.points[id].velocity); });
+                     [&](PointId id) { return finite(position(world, id)) && finite(velocity(world, id)); });
 }
 
 double exponent(const std::vector<double>& x, const std::vector<double>& y) {

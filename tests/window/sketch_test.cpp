@@ -42,7 +42,7 @@ TEST_CASE("a place that is not a number is left out", "[view]") {
   World world;
   const ParticleId particle = small_worlds::particle(world, vec(0, 1, 0));
   const Stage stage = find_stage(world);
-  world.points[world.particles[particle].points[0]].place = vec(std::nan(""), 0, 0);
+  world.motion_of(world.particles[particle].points[0]).x = vec(std::nan(""), 0, 0);
   Sketcher sketcher;
   Sketch sketch;
   sketcher.draw(world, Camera{}, stage, {}, 720, sketch);

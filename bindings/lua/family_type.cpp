@@ -1,0 +1,42 @@
+#include "lua/arguments.hpp"
+#include "lua/fields.hpp"
+#include "lua/measures.hpp"
+#include "lua/script.hpp"
+#include "world/edit.hpp"
+#include "world/query.hpp"
+
+namespace pantin::lua {
+namespace {
+
+FamilyId id_of(const Self& self) { return self.ref.id<FamilyId>(); }
+const Family& row(const Self& self) { return self.world.families[id_of(self)]; }
+
+void read_attributes(const Self& self) {
+  lua_newtable(self.state);
+  for (const Family::Attribute& a : row(self).attributes) {
+    lua_pushnumber(self.state, a.value);
+    lua_setfield(self.state, -2, a.name.c_str());
+  }
+}
+
+Type make() {
+  Type type{"Family", "family", "Particles of a kind, with named numeric attributes that laws read.", {}, {}};
+  type.fields = {
+      {"attributes", "table<string, number>", "", "values of a particle that gives none", read_attributes, nullptr},
+      {"particles", "Particle[]", "", "its living particles, in the order of making",
+       [](const Self& s) { push_list(s.state, s.script, particles(s.world, id_of(s))); }, nullptr},
+  };
+  for (Field& field : thing_measures()) type.fields.push_back(field);
+  add_common_fields(type);
+  add_common_remove(type);
+  return type;
+}
+
+}  // namespace
+
+const Type& family_type() {
+  static const Type type = make();
+  return type;
+}
+
+}  // namespace pantin::lua

@@ -1,0 +1,145 @@
+#include "lua/influence_options.hpp"
+
+#include <algorithm>
+
+#include "laws/library.hpp"
+#include "lua/arguments.hpp"
+#include "lua/fields.hpp"
+#include "lua/force.hpp"
+#include "lua/script.hpp"
+#include "lua/targets.hpp"
+#include "world/edit.hpp"
+
+namespace pantin::lua {
+namespace {
+
+KnownNames names_of(const World& world, FamilyId family) {
+  KnownNames known{describe(world, family), {}};
+  for (const Family::Attribute& a : world.families[family].attributes) known.attributes.push_back(a.name);
+  return known;
+}
+
+KnownNames names_of(const World& world, const End& end) {
+  if (!end.particle) return {"a place of the world", {}};
+  const FamilyId family = world.particles[awake(world, end.particle)].family;
+  return family ? names_of(world, family) : KnownNames{describe(world, end.particle), {}};
+}
+
+/// What a law may read of any particle of the scene: each must have it when the law acts.
+KnownNames names_of_all(const World& world) {
+  KnownNames known{"the scene", {}};
+  for (FamilyId family : world.families.ids())
+    for (const Family::Attribute& a : world.families[family].attributes) known.attributes.push_back(a.name);
+  std::sort(known.attributes.begin(), known.attributes.end());
+  known.attributes.erase(std::unique(known.attributes.begin(), known.attributes.end()), known.attributes.end());
+  return known;
+}
+
+/// A particle, a point for its particle, or a place of the world.
+End end_at(lua_State* state, int index, const std::string& name) {
+  if (to_vec(state, index)) return {{}, check_vec(state, index, "connect", name, "m")};
+  const Ref* ref = to_ref(state, index);
+  require(!ref || ref->kind != Kind::body, "connect: ", name,
+          " must be a particle, a point or a vec, got a body; name one of its points");
+  require(ref && (ref->kind == Kind::point || ref->kind == Kind::particle), "connect: ", name,
+          " must be a particle, a point or a vec, got ", kind_of_value(state, index));
+  require_alive(*ref);
+  if (ref->kind == Kind::particle) return {ref->id<ParticleId>()};
+  return {ref->script->world.points[ref->id<PointId>()].own};
+}
+
+/// The ends of a connection, and where the law stands among the arguments.
+std::vector<End> ends_of(lua_State* state, int& law) {
+  std::vector<End> ends;
+  if (lua_istable(state, 2)) {
+    const auto count = lua_rawlen(state, 2);
+    for (lua_Unsigned i = 1; i <= count; i++) {
+      lua_rawgeti(state, 2, static_cast<lua_Integer>(i));
+      ends.push_back(end_at(state, lua_gettop(state), text("element ", i, " of argument 1")));
+      lua_pop(state, 1);
+    }
+    law = 3;
+  } else {
+    ends = {end_at(state, 2, argument(1)), end_at(state, 3, argument(2))};
+    law = 4;
+  }
+  return ends;
+}
+
+std::vector<Vec3> places_of(const World& world, const std::vector<End>& ends) {
+  std::vector<Vec3> places;
+  for (const End& end : ends) places.push_back(end.particle ? position(world, end.particle) : end.place);
+  return places;
+}
+
+std::vector<std::string> parameter_names(const Law& law) {
+  std::vector<std::string> names;
+  for (const pantin::Parameter& p : law.parameters) names.push_back(p.name);
+  return names;
+}
+
+/// Between all pairs there is no present distance to stand for what was not given.
+void require_values(const char* call, const Law& law) {
+  for (const pantin::Parameter& p : law.parameters)
+    require(!p.present, call, ": ", law.name, ": ", p.name, " must be given", p.unit.empty() ? "" : ", in ", p.unit);
+}
+
+}  // namespace
+
+int scene_connect(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "connect");
+  int at = 0;
+  ConnectionDef def;
+  def.ends = ends_of(state, at);
+  std::vector<KnownNames> known;
+  for (const End& end : def.ends) known.push_back(names_of(self.world, end));
+  const ResolvedLaw resolved = resolve_law(state, at, self.script, known, false);
+  const std::shared_ptr<const Law>& law = resolved.laws.front();
+  std::vector<std::string> names = parameter_names(*law);
+  const std::vector<std::string> parameters = names;
+  names.insert(names.end(), {"breaks_at", "name"});
+  const Options o(state, at + 1, "connect", names);
+  def.parameters = resolved.values;
+  for (std::size_t k = 0; k < parameters.size(); k++) {
+    const auto given = o.number(parameters[k].c_str(), law->parameters[k].unit.c_str());
+    if (given)
+      def.parameters[k] = *given;
+    else if (law->parameters[k].present)
+      def.parameters[k] = present_value(places_of(self.world, def.ends));
+  }
+  if (o.has("breaks_at")) {
+    const Options limits(state, o.push("breaks_at"), "connect: breaks_at", {"force", "length"});
+    def.max_force = limits.number_or_infinity("force", "N").value_or(infinity);
+    def.max_length = limits.number_or_infinity("length", "m").value_or(infinity);
+    lua_pop(state, 1);
+  }
+  def.name = o.string("name").value_or("");
+  push_thing(state, self.script, add_connection(self.world, law, def));
+  return 1;
+}
+
+int scene_interact(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "interact");
+  const auto a = check_kind(state, 2, Kind::family, "interact", argument(1)).id<FamilyId>();
+  const auto b = check_kind(state, 3, Kind::family, "interact", argument(2)).id<FamilyId>();
+  const KnownNames known[] = {names_of(self.world, a), names_of(self.world, b)};
+  const ResolvedLaw resolved = resolve_law(state, 4, self.script, known, a == b);
+  require_values("interact", *resolved.laws.front());
+  push_thing(state, self.script, add_interaction(self.world, resolved.laws.front(), a, b, resolved.values));
+  return 1;
+}
+
+int scene_field(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "field");
+  const Ref* ref = to_ref(state, 2);
+  require(ref && (ref->kind == Kind::family || ref->kind == Kind::group || ref->kind == Kind::scene),
+          "field: argument 1 must be a family, a group or the scene, got ", kind_of_value(state, 2));
+  require_alive(*ref);
+  const KnownNames known[] = {ref->kind == Kind::family ? names_of(self.world, ref->id<FamilyId>())
+                                                        : names_of_all(self.world)};
+  const ResolvedLaw resolved = resolve_law(state, 3, self.script, known, false);
+  push_thing(state, self.script, add_field(self.world, resolved.laws.front(), any_of(*ref), resolved.values));
+  return 1;
+}
+
+}  // namespace pantin::lua

@@ -1,0 +1,133 @@
+#pragma once
+// The laws at work: which particles they act on, as the hot loops of laws/ read them, and the forces that come of it.
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "laws/bonds.hpp"
+#include "laws/cells.hpp"
+#include "laws/fields.hpp"
+#include "laws/pairs.hpp"
+#include "laws/rows.hpp"
+#include "laws/sites.hpp"
+#include "laws/skin.hpp"
+#include "world/world.hpp"
+
+namespace pantin {
+
+/// A body, or a free point that is tied, on which laws act through its sites.
+struct Mover {
+  std::uint32_t slot = 0;  ///< of Model::bodies or points
+  bool is_body = true;
+  std::int32_t articulate = -1;                      ///< index, or -1
+  std::uint32_t node = 0;                            ///< of the articulate
+  Vec3 force = zero3(), torque = zero3();            ///< [N], [N m] of laws with energy; world axes, about the centre
+  Vec3 open_force = zero3(), open_torque = zero3();  ///< of those without
+  Vec3 start_p = zero3(), start_P = zero3();         ///< momenta at the start of the step
+  Vec3 half_p = zero3(), half_P = zero3();           ///< momenta before the kick that is being swept
+};
+
+/// A site on a mover.
+struct Attached {
+  std::uint32_t site = 0, mover = 0;
+  Vec3 arm = zero3();  ///< [m] in principal axes
+  Vec3 r = zero3();    ///< [m] the same in the world
+};
+
+/// A law of an interaction at work.
+struct ActingInteraction {
+  InteractionId id;
+  std::shared_ptr<const Law> law;
+  Pairs pairs;
+  Rows rows;
+  Exclusions bonded;      ///< pairs within so many connections as the law leaves out
+  double energy = 0.0;    ///< [J] when it was last told
+  double at_first = 0.0;  ///< [J] when it began to act
+};
+
+/// A law of a field at work.
+struct ActingField {
+  FieldId id;
+  std::shared_ptr<const Law> law;
+  Fields fields;
+  double energy = 0.0, at_first = 0.0;
+};
+
+/// Connections of one law at work.
+struct ActingConnections {
+  std::shared_ptr<const Law> law;
+  std::vector<ConnectionId> ids;       ///< in the order of making
+  std::vector<std::uint64_t> serials;  ///< of them
+  Ties ties;
+  Bonds bonds;
+  double energy = 0.0, at_first = 0.0;
+};
+
+struct Forces {
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+  Sites sites;
+  std::vector<std::uint32_t> point;    ///< (sites) slot of a free point that nothing ties, or `none`
+  std::vector<double> inverse_mass;    ///< (sites) [1/kg] of such a point, else 0
+  std::vector<Vec3> image;             ///< (sites) [m] in a periodic box: place of the particle less that of the site
+  std::vector<std::uint32_t> site_of;  ///< (slots of particles), or `none`
+  std::vector<Mover> movers;
+  std::vector<Attached> attached;
+  std::vector<ActingInteraction> interactions;
+  std::vector<ActingField> fields;
+  std::vector<ActingConnections> connections;
+  Skin skin;
+  bool rows = false;    ///< some interaction keeps rows
+  bool moving = false;  ///< some law depends on velocities
+  bool open = false;    ///< some law is without energy
+
+  std::vector<Vec3> still;   ///< (sites) [N] open forces of laws that do not depend on velocities
+  std::vector<Vec3> half_v;  ///< (sites) [m/s] before the kick that is being swept
+  double energy = 0.0;       ///< [J] of all laws, when it was last told
+  bool told = false;         ///< in the last step
+};
+
+/// Makes the laws act on what the model now holds, and finds the forces of the present state, where an edit has changed
+/// either. Throws Error where a law reads what a particle has not.
+void refresh_forces(World& world);
+/// Reads where particles now are, and finds the pairs anew once something has moved too far.
+void find_pairs(World& world);
+/// Forces of the present state, after a drift.
+void apply_forces(World& world);
+/// Changes velocities and momenta by the forces over `half` [s]. Work of laws without energy goes to World::work.
+void kick(World& world, double half);
+/// Momenta of movers as they were before the step's first kick.
+void take_back_kick(World& world);
+/// The same at the end of a step: laws that depend on velocities see those at its end (trapezoidal rule).
+void kick_to_end(World& world, double half);
+
+/// What laws have given to the motion since the start, by their names.
+struct LawLedger {
+  std::map<std::string, double> given;      ///< [J] by laws with energy: what their energy has fallen by
+  std::vector<std::string> without_energy;  ///< names of laws at work that have none, sorted
+  double open = 0.0;                        ///< [J] all their work
+};
+LawLedger law_ledger(const World& world);
+
+/// "lennard_jones: the force between …", of the first force that is not finite; empty where there is none.
+std::string bad_force(const World& world);
+
+/// Energy of all laws in the present state, [J].
+double law_energy(const World& world);
+/// Of one; none where its law has no energy, or does not act.
+std::optional<double> law_energy(const World& world, ConnectionId id);
+std::optional<double> law_energy(const World& world, InteractionId id);
+std::optional<double> law_energy(const World& world, FieldId id);
+/// Tension of a connection in the last step [N], positive where it pulls; 0 of three or four particles.
+double tension(const World& world, ConnectionId id);
+std::vector<double> tensions(const World& world);  ///< (slots of connections)
+
+/// What laws read by name: mass [kg], radius [m], age [s], lifetime [s], or an attribute of its family; none where it has
+/// no such attribute.
+std::optional<double> attribute(const World& world, ParticleId particle, std::string_view name);
+
+}  // namespace pantin

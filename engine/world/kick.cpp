@@ -1,0 +1,178 @@
+// What the forces of the laws do to velocities and momenta.
+#include "articulates/articulate.hpp"
+#include "world/forces.hpp"
+#include "world/forces_build.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr std::uint32_t none = Forces::none;
+
+/// The momenta of a mover: after a drift those of its articulate's working copy, else of the model.
+struct Momenta {
+  Vec3* p = nullptr;  // [kg m/s], or of a free point
+  Vec3* v = nullptr;  // [m/s]
+  Vec3* P = nullptr;  // [kg m²/s] in principal axes; null where it cannot turn
+  Node* node = nullptr;
+  double inverse_mass = 0.0;
+  Vec3 inverse_inertia = zero3();
+  Quat q;
+  bool line = false;  // cannot turn about its first axis
+
+  Vec3 velocity() const { return v ? *v : *p * inverse_mass; }
+  Vec3 spin() const { return P ? rotate(q, *P * inverse_inertia) : zero3(); }
+  void add(Vec3 impulse, Vec3 twist) {
+    if (v)
+      *v += impulse * inverse_mass;
+    else
+      *p += impulse;
+    if (!P) return;
+    Vec3 turn = rotate(conjugate(q), twist);
+    if (line) turn[0] = 0.0;
+    *P += turn;
+    if (node) node->O0 = inverse_inertia * *P;
+  }
+};
+
+Momenta momenta_of(World& world, const Mover& m, bool drifted) {
+  Momenta s;
+  if (m.is_body) {
+    Motion& motion = world.motion[m.slot];
+    s.p = &motion.p;
+    s.P = motion.freedom != Freedom::point ? &motion.angular : nullptr;
+    s.inverse_mass = 1.0 / motion.mass;
+    s.inverse_inertia = inverse_inertia(motion);
+    s.q = motion.q;
+    s.line = motion.freedom == Freedom::line;
+  } else {
+    s.v = &world.free_motion[m.slot].v;
+    s.inverse_mass = 1.0 / world.points.at_slot(m.slot).mass;
+  }
+  if (!drifted || m.articulate < 0) return s;
+  Node& n = world.articulates[static_cast<std::size_t>(m.articulate)]->nodes[m.node];
+  s.node = &n;
+  s.v = nullptr;
+  s.p = &n.p0;
+  s.P = s.P ? &n.P0 : nullptr;
+  s.q = n.q0;
+  return s;
+}
+
+double kick_points(World& world, Forces& f, double half) {
+  double work = 0.0;
+  for (std::size_t i = 0; i < f.sites.n; i++) {
+    if (f.point[i] == none) continue;
+    Vec3& v = world.free_motion[f.point[i]].v;
+    const Vec3 change = (f.sites.force[i] + f.sites.open_force[i]) * (f.inverse_mass[i] * half);
+    if (f.open) work += dot(f.sites.open_force[i], v + change * 0.5) * half;
+    v += change;
+  }
+  return work;
+}
+
+double kick_movers(World& world, Forces& f, double half, bool drifted) {
+  double work = 0.0;
+  for (const Mover& m : f.movers) {
+    Momenta s = momenta_of(world, m, drifted);
+    const Vec3 v = s.velocity(), spin = s.spin();
+    s.add((m.force + m.open_force) * half, (m.torque + m.open_torque) * half);
+    work += (dot(m.open_force, v + s.velocity()) + dot(m.open_torque, spin + s.spin())) * (0.5 * half);
+  }
+  return work;
+}
+
+void post_open(World& world, double work) {
+  world.work += work;
+  world.open_work += work;
+}
+
+void save(World& world, Forces& f) {
+  f.half_v.resize(f.sites.n);
+  for (std::size_t i = 0; i < f.sites.n; i++)
+    if (f.point[i] != none) f.half_v[i] = world.free_motion[f.point[i]].v;
+  for (Mover& m : f.movers) {
+    const Momenta s = momenta_of(world, m, true);
+    m.half_p = s.v ? *s.v : *s.p;
+    m.half_P = s.P ? *s.P : zero3();
+  }
+}
+
+void restore_movers(World& world, Forces& f) {
+  for (Mover& m : f.movers) {
+    Momenta s = momenta_of(world, m, true);
+    (s.v ? *s.v : *s.p) = m.half_p;
+    if (s.P) *s.P = m.half_P;
+    s.add(zero3(), zero3());
+  }
+}
+
+void restore(World& world, Forces& f) {
+  for (std::size_t i = 0; i < f.sites.n; i++)
+    if (f.point[i] != none) world.free_motion[f.point[i]].v = f.half_v[i];
+  restore_movers(world, f);
+}
+
+/// Where the iteration u -> g(u) of a point's velocity goes to, from two of its steps, component by component (Aitken
+/// 1926): exact for a drag that is linear. Slopes of g above ½ are taken for ½: no drag has them.
+Vec3 limit(Vec3 u0, Vec3 u1, Vec3 u2) {
+  Vec3 result = u2;
+  for (int k = 0; k < 3; k++) {
+    const double step = u1[k] - u0[k];
+    if (step == 0.0) continue;
+    const double slope = std::fmin((u2[k] - u1[k]) / step, 0.5);
+    result[k] = u1[k] + (u2[k] - u1[k]) / (1.0 - slope);
+  }
+  return result;
+}
+
+/// Guesses the velocities at the end of the step: the limit of the guesses from the half step's and from one guess on.
+void improve(World& world, Forces& f, double half) {
+  for (std::size_t i = 0; i < f.sites.n; i++) {
+    if (f.point[i] == none) continue;
+    const Vec3 next = f.half_v[i] + (f.sites.force[i] + f.sites.open_force[i]) * (f.inverse_mass[i] * half);
+    Vec3& v = world.free_motion[f.point[i]].v;
+    v = limit(f.half_v[i], v, next);
+  }
+}
+
+}  // namespace
+
+void kick(World& world, double half) {
+  if (!world.forces) return;
+  Forces& f = *world.forces;
+  for (Mover& m : f.movers) {
+    const Momenta s = momenta_of(world, m, false);
+    m.start_p = s.v ? *s.v : *s.p;
+    m.start_P = s.P ? *s.P : zero3();
+  }
+  post_open(world, kick_points(world, f, half) + kick_movers(world, f, half, false));
+}
+
+void take_back_kick(World& world) {
+  if (!world.forces) return;
+  for (const Mover& m : world.forces->movers) {
+    Momenta s = momenta_of(world, m, false);
+    (s.v ? *s.v : *s.p) = m.start_p;
+    if (s.P) *s.P = m.start_P;
+  }
+}
+
+void kick_to_end(World& world, double half) {
+  if (!world.forces) return;
+  Forces& f = *world.forces;
+  if (f.moving) {
+    save(world, f);
+    kick_points(world, f, half);
+    kick_movers(world, f, half, true);
+    run_moving_laws(world, f);
+    improve(world, f, half);
+    restore_movers(world, f);
+    kick_movers(world, f, half, true);
+    run_moving_laws(world, f);
+    restore(world, f);
+  }
+  post_open(world, kick_points(world, f, half) + kick_movers(world, f, half, true));
+}
+
+}  // namespace pantin

@@ -1,0 +1,43 @@
+-- A flock: each bird sees its neighbours, keeps its distance, flies where they fly and stays with them. Be the hawk: drag one.
+local count = scene:param("birds", 400, { min = 2, max = 10000, step = 1, help = "number of birds" })
+
+scene.title = "Flock"
+scene.duration = 60
+scene.gravity = vec(0, 0, 0)
+scene.step = 1 / 120
+
+local room = 3 * count ^ (1 / 3) -- m, radius of the sky
+scene.camera = { at = vec(0, 0.5 * room, 2.2 * room), look_at = vec(0, 0, 0) }
+
+local birds = scene:family("birds", { color = "#2f4858", radius = 0.16, mass = 1 })
+local flock = scene:group "flock"
+local function any() return 2 * math.random() - 1 end
+for i = 1, count do
+  flock:add(scene:particle {
+    family = birds, at = vec(any(), any(), any()) * (0.6 * room), velocity = vec(any(), any(), any()) * 4,
+    color = i % 9 == 0 and "#e8833a" or "#2f4858",
+  })
+end
+
+scene:interact(birds, birds, force.flock { sight = 3, separation = 6, alignment = 0.5, cohesion = 0.5 })
+
+-- Each bird likes a speed of 6 m/s, turns back at the edge of the sky, and wanders a little.
+scene:field(birds, force.point {
+  parameters = { speed = 6, room = room },
+  force = function(p, own, t)
+    local v, x = p.velocity, p.position
+    local cruise = v * (0.4 * (1 - v:dot(v) / own.speed ^ 2))
+    local out = math.max(x:length() / own.room - 0.8, 0)
+    return cruise - x * (12 * out / own.room) + vec(noise(), noise(), noise())
+  end,
+})
+
+--- How far all fly one way: 1 all, 0 none.
+scene:probe("order", function()
+  local sum, speed = vec(0, 0, 0), 0
+  for bird in flock:each() do
+    sum = sum + bird.velocity
+    speed = speed + bird.velocity:length()
+  end
+  return sum:length() / speed
+end)
