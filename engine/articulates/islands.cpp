@@ -76,7 +76,7 @@ bool lives(const Model& model, Thing t) {
                    : model.points.alive_at(t.slot) && !model.points.at_slot(t.slot).body;
 }
 
-/// Living things of dirty articulates, which are dropped, and touched untied ones.
+/// Things of dirty articulates, which are dropped, and touched untied ones; the dead among them.
 std::vector<Thing> touched(Model& model, std::vector<std::unique_ptr<Articulate>>& articulates) {
   std::vector<Thing> list;
   for (std::size_t i = 0; i < articulates.size() && i < model.dirty_articulates.size(); i++) {
@@ -84,22 +84,27 @@ std::vector<Thing> touched(Model& model, std::vector<std::unique_ptr<Articulate>
     for (const Node& node : articulates[i]->nodes) list.push_back({node.slot, node.is_body});
     articulates[i].reset();
   }
-  for (BodyId id : model.untied_bodies)
-    if (model.bodies.alive(id)) list.push_back({id.slot - 1, true});
-  for (PointId id : model.untied_points)
-    if (model.points.alive(id)) list.push_back({id.slot - 1, false});
-  std::erase_if(list, [&](Thing t) { return !lives(model, t); });
+  for (BodyId id : model.untied_bodies) list.push_back({id.slot - 1, true});
+  for (PointId id : model.untied_points) list.push_back({id.slot - 1, false});
   return list;
 }
 
-void rebuild_loose(const Model& model, std::vector<std::uint32_t>& bodies, std::vector<std::uint32_t>& points) {
-  bodies.clear();
-  for (std::uint32_t s = 0; s < model.bodies.slots(); s++)
-    if (model.bodies.alive_at(s) && model.motion[s].articulate < 0) bodies.push_back(s);
-  points.clear();
-  for (std::uint32_t s = 0; s < model.points.slots(); s++)
-    if (model.points.alive_at(s) && !model.points.at_slot(s).body && model.points.at_slot(s).articulate < 0)
-      points.push_back(s);
+/// Puts the slots of `things` into a rising list of loose ones, or takes them out: whichever holds now.
+void update_loose(Model& model, const std::vector<Thing>& things, bool bodies, std::vector<std::uint32_t>& loose) {
+  std::vector<std::uint32_t> in, out;
+  for (Thing t : things) {
+    if (t.is_body != bodies) continue;
+    const bool is_loose = lives(model, t) && articulate_of(model, t) < 0;
+    if (std::binary_search(loose.begin(), loose.end(), t.slot) != is_loose) (is_loose ? in : out).push_back(t.slot);
+  }
+  if (in.empty() && out.empty()) return;
+  std::sort(in.begin(), in.end());
+  in.erase(std::unique(in.begin(), in.end()), in.end());
+  std::sort(out.begin(), out.end());
+  std::erase_if(loose, [&](std::uint32_t slot) { return std::binary_search(out.begin(), out.end(), slot); });
+  const auto old = static_cast<std::ptrdiff_t>(loose.size());
+  loose.insert(loose.end(), in.begin(), in.end());
+  std::inplace_merge(loose.begin(), loose.begin() + old, loose.end());
 }
 
 }  // namespace
@@ -109,12 +114,15 @@ void find_articulates(Model& model, std::vector<std::unique_ptr<Articulate>>& ar
   for (std::int32_t i : model.disturbed) disturb(*articulates[static_cast<std::size_t>(i)]);
   model.disturbed.clear();
   if (!model.topology_changed) return;
-  const std::vector<Thing> start = touched(model, articulates);
+  std::vector<Thing> changed = touched(model, articulates);
   Search search(model);
-  for (Thing t : start) {
-    if (search.seen(t)) continue;
+  const std::size_t count = changed.size();
+  for (std::size_t i = 0; i < count; i++) {
+    const Thing t = changed[i];
+    if (!lives(model, t) || search.seen(t)) continue;
     bool constrained = false;
     std::vector<Thing> things = search.from(t, constrained);
+    changed.insert(changed.end(), things.begin(), things.end());
     for (Thing u : things) articulate_of(model, u) = -1;
     if (!constrained) continue;
     std::sort(things.begin(), things.end(),
@@ -130,7 +138,8 @@ void find_articulates(Model& model, std::vector<std::unique_ptr<Articulate>>& ar
   model.untied_bodies.clear();
   model.untied_points.clear();
   model.topology_changed = false;
-  rebuild_loose(model, loose_bodies, loose_points);
+  update_loose(model, changed, true, loose_bodies);
+  update_loose(model, changed, false, loose_points);
 }
 
 }  // namespace pantin

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +12,11 @@
 #include "base/handle.hpp"
 
 namespace pantin {
+
+/// How a particle is drawn: a lit ball, a soft disc of light, or a line of light along its velocity.
+enum class Look : std::uint8_t { ball, glow, streak };
+
+struct Courses;
 
 /// Particles of a kind, with named numeric attributes that laws may read.
 struct Family {
@@ -22,6 +28,8 @@ struct Family {
   std::optional<Color> color;         ///< of a particle that gives none, like the next two
   std::optional<double> radius;       ///< [m]
   std::optional<double> mass;         ///< [kg]
+  std::optional<Look> look;
+  std::shared_ptr<const Courses> courses;  ///< of a particle that gives none; null: none
   std::string name;
   std::uint64_t serial = 0;
 

@@ -6,6 +6,7 @@
 
 #include "model/body.hpp"
 #include "model/constraint.hpp"
+#include "model/emitter.hpp"
 #include "model/family.hpp"
 #include "model/influence.hpp"
 #include "model/particle.hpp"
@@ -15,7 +16,7 @@ namespace pantin {
 struct Group;
 /// Any thing a script can name.
 using AnyId = std::variant<std::monostate, PointId, ParticleId, BodyId, ConstraintId, Handle<Group>, FamilyId,
-                           ConnectionId, InteractionId, FieldId>;
+                           ConnectionId, InteractionId, FieldId, EmitterId>;
 
 /// A named set of things, in the order of adding.
 struct Group {

@@ -209,6 +209,10 @@ std::string describe(const Model& m, FieldId id) {
   return m.fields.alive(id) ? called("field", m.fields[id]) : m.fields.story(id);
 }
 
+std::string describe(const Model& m, EmitterId id) {
+  return m.emitters.alive(id) ? called("emitter", m.emitters[id]) : m.emitters.story(id);
+}
+
 std::string describe(const Model& m, const AnyId& id) {
   return std::visit(
       [&](const auto& which) -> std::string {
@@ -233,6 +237,7 @@ struct Alive {
   bool operator()(ConnectionId id) const { return m.connections.alive(id); }
   bool operator()(InteractionId id) const { return m.interactions.alive(id); }
   bool operator()(FieldId id) const { return m.fields.alive(id); }
+  bool operator()(EmitterId id) const { return m.emitters.alive(id); }
   /// A group is gone when it had members and none lives.
   bool operator()(GroupId id) const {
     if (!m.groups.alive(id)) return false;

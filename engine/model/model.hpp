@@ -8,6 +8,7 @@
 #include "base/store.hpp"
 #include "model/body.hpp"
 #include "model/constraint.hpp"
+#include "model/emitter.hpp"
 #include "model/family.hpp"
 #include "model/group.hpp"
 #include "model/influence.hpp"
@@ -28,6 +29,7 @@ struct Model {
   Store<Connection> connections;
   Store<Interaction> interactions;
   Store<Field> fields;
+  Store<Emitter> emitters;
   std::uint64_t next_serial = 1;
   bool topology_changed = true;         ///< an edit waits for `find_articulates`
   bool influences_changed = false;      ///< an edit concerns which laws act on what
@@ -86,6 +88,7 @@ std::string describe(const Model& m, FamilyId id);
 std::string describe(const Model& m, ConnectionId id);
 std::string describe(const Model& m, InteractionId id);
 std::string describe(const Model& m, FieldId id);
+std::string describe(const Model& m, EmitterId id);
 std::string describe(const Model& m, const AnyId& id);
 bool alive(const Model& m, const AnyId& id);
 

@@ -12,6 +12,7 @@
 namespace pantin {
 
 struct Connection;
+struct Emitter;
 
 /// A ring of one or more points with global data. A ring of two or more is a hinge: its points coincide. While a point
 /// is in a hinge, the particle made with the point sleeps (`asleep_in`), and answers for the hinge.
@@ -23,8 +24,12 @@ struct Particle {
   std::vector<Handle<Connection>> connections;                ///< that hold it, in the order of making
   double born = 0.0;                                          ///< [s]
   double lifetime = std::numeric_limits<double>::infinity();  ///< [s]; a hinge is cut at its end, others removed
+  double awaited = std::numeric_limits<double>::infinity();   ///< [s] time for which it is in World::mortals
   std::optional<Color> color;                                 ///< overrides its points'
   std::optional<double> radius;                               ///< [m] overrides its points'
+  std::optional<Look> look;                                   ///< overrides its family's
+  std::shared_ptr<const Courses> courses;                     ///< what of it follows its age; null: nothing
+  Handle<Emitter> emitter;                                    ///< that made it, or null
   std::string name;
   std::uint64_t serial = 0;
 

@@ -1,7 +1,6 @@
-#include <algorithm>
-
 #include "phases/phases.hpp"
-#include "world/edit.hpp"
+#include "world/emitter.hpp"
+#include "world/life.hpp"
 
 namespace pantin::phases {
 
@@ -23,21 +22,14 @@ void end_life(World& world, ParticleId id) {
 
 void age_particles(World& world) {
   const Timed timed(world.profile, Phase::age_particles);
-  if (world.mortals.empty()) return;
-  std::vector<ParticleId> ended;
-  std::erase_if(world.mortals, [&](ParticleId id) {
-    if (!world.particles.alive(id)) return true;
-    const Particle& p = world.particles[id];
-    if (!std::isfinite(p.lifetime)) return true;
-    if (p.asleep_in || p.born + p.lifetime > world.time) return false;
-    ended.push_back(id);
-    return true;
-  });
-  if (ended.empty()) return;
-  const Acting acting(world);
-  world.who = [] { return std::string("the end of its lifetime"); };
-  for (ParticleId id : ended)
-    if (world.particles.alive(id)) end_life(world, id);
+  const std::vector<ParticleId> ended = take_ended(world, with_round_off(next_time(world)));
+  if (!ended.empty()) {
+    const Acting acting(world);
+    world.who = [] { return std::string("the end of its lifetime"); };
+    for (ParticleId id : ended)
+      if (world.particles.alive(id)) end_life(world, id);
+  }
+  emit(world);
 }
 
 }  // namespace pantin::phases

@@ -6,12 +6,17 @@ namespace pantin::phases {
 namespace {
 
 void kick_loose_points(World& world, double half) {
-  if (norm2(world.settings.gravity) == 0.0 && !world.pushed) return;
+  const Vec3 gravity = world.settings.gravity;
+  if (!world.pushed) {
+    if (norm2(gravity) == 0.0) return;
+    for (std::uint32_t slot : world.loose_points) world.free_motion[slot].v += gravity * half;
+    return;
+  }
   for (std::uint32_t slot : world.loose_points) {
     const Point& p = world.points.at_slot(slot);
     FreeMotion& m = world.free_motion[slot];
     const Vec3 before = m.v;
-    m.v += (world.settings.gravity + p.force / p.mass) * half;
+    m.v += (gravity + p.force / p.mass) * half;
     world.work += dot(p.force, before + m.v) * (0.5 * half);
   }
 }

@@ -10,7 +10,7 @@ void begin_step(World& world);
 void fire_events(World& world);
 /// "step" callbacks, and the notices of the last step; then the targets of follows at the end of the coming step.
 void run_behaviours(World& world);
-/// Ends of lifetimes: hinges are cut, others removed.
+/// Ends of lifetimes up to the end of the coming step: hinges are cut, others removed. Then what emitters make.
 void age_particles(World& world);
 /// Only what an edit made dirty.
 void find_articulates(World& world);

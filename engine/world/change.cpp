@@ -1,7 +1,6 @@
-#include <utility>
-
 #include "world/edit.hpp"
 #include "world/editing.hpp"
+#include "world/life.hpp"
 #include "world/measure.hpp"
 
 namespace pantin {
@@ -132,8 +131,8 @@ void set_spin(World& world, BodyId body, Vec3 spin) {
 void set_lifetime(World& world, ParticleId id, double lifetime) {
   require_unlocked(world, "lifetime");
   require_positive_or_infinite(describe(world, id), "lifetime", lifetime, "s");
-  const double old = std::exchange(world.particles[id].lifetime, lifetime);
-  if (std::isfinite(lifetime) && !std::isfinite(old)) world.mortals.push_back(id);
+  world.particles[id].lifetime = lifetime;
+  await_end(world, id);
 }
 
 void set_own_mass(World& world, BodyId id, double mass) {

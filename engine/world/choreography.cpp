@@ -27,9 +27,6 @@ void tidy(Choreography& c) {
   std::make_heap(c.heap.begin(), c.heap.end(), later);
 }
 
-/// Times that agree up to the round-off of a step's multiplication are the same time.
-double with_round_off(double time) { return time + 4.0 * std::numeric_limits<double>::epsilon() * std::fabs(time); }
-
 std::string name_of(const Event& event) {
   return event.label.empty() ? text("event ", event.serial) : text("event ", event.label);
 }

@@ -25,10 +25,14 @@ struct FamilyDef {
   std::optional<Color> color;
   std::optional<double> radius;  ///< [m] >= 0
   std::optional<double> mass;    ///< [kg] > 0
-  std::string name;              ///< not empty, and of no other family
+  std::optional<Look> look;
+  std::shared_ptr<const Courses> courses;  ///< of "color", "radius" and its attributes; null: none
+  std::string name;                        ///< not empty, and of no other family
 };
 
 struct ParticleDef {
+  static constexpr Color usual_color = {0.35f, 0.62f, 0.85f, 1.0f};
+
   Vec3 at = zero3();                                          ///< [m]
   Vec3 velocity = zero3();                                    ///< [m/s]
   std::optional<double> mass;                                 ///< [kg] > 0; not given: its family's, else 1
@@ -37,6 +41,8 @@ struct ParticleDef {
   double lifetime = std::numeric_limits<double>::infinity();  ///< [s] > 0
   FamilyId family;                                            ///< null: of none
   std::vector<AttributeDef> attributes;                       ///< of its family's
+  std::optional<Look> look;                                   ///< not given: its family's, else a ball
+  std::shared_ptr<const Courses> courses;                     ///< besides its family's; null: none
   std::string name;
 };
 
@@ -128,8 +134,9 @@ void remove(World& world, ConstraintId constraint);
 void remove(World& world, ConnectionId connection);
 void remove(World& world, InteractionId interaction);
 void remove(World& world, FieldId field);
-void remove(World& world, GroupId group);    ///< the set, not its members
-void remove(World& world, FamilyId family);  ///< only one without particles and laws
+void remove(World& world, GroupId group);      ///< the set, not its members
+void remove(World& world, FamilyId family);    ///< only one without particles and laws
+void remove(World& world, EmitterId emitter);  ///< its particles live on
 void remove(World& world, const AnyId& thing);
 
 PointId add_point(World& world, BodyId body, const PointDef& def);
@@ -149,6 +156,8 @@ void set_lifetime(World& world, ParticleId particle, double lifetime);  ///< [s]
 /// A particle's own: of a hinge the ring's, not its members'. Attributes that both families have are kept.
 void set_family(World& world, ParticleId particle, FamilyId family);
 void set_radius(World& world, ParticleId particle, double radius);  ///< [m] >= 0
+void set_color(World& world, ParticleId particle, const Color& color);
+void set_look(World& world, ParticleId particle, Look look);
 void set_attribute(World& world, ParticleId particle, std::string_view name, double value);
 void set_own_mass(World& world, BodyId body, double mass);
 void set_own_inertia(World& world, BodyId body, const Mat3& inertia);

@@ -156,6 +156,8 @@ void wake(World& world, PointId id, const Particle& shared) {
   own.asleep_in = {};
   own.color = shared.color;
   own.radius = shared.radius;
+  own.look = shared.look;
+  own.courses = shared.courses;
   own.family = shared.family;
   own.values = shared.values;
   own.lifetime = std::numeric_limits<double>::infinity();
@@ -194,6 +196,8 @@ void erase_point(World& world, PointId point, const std::string& what) {
   leave_ring(world, point, culprit(world));
   if (hinge != own && !world.particles.alive(hinge))
     notice(world, Notice::Kind::removed, hinge, world.particles.story(hinge));
+  if (const EmitterId emitter = world.particles[own].emitter; world.emitters.alive(emitter))
+    world.emitters[emitter].count--;
   world.particles.remove(own, obituary(world, what));
   world.points.remove(point, obituary(world, what));
 }

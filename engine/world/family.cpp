@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "world/edit.hpp"
+#include "world/courses.hpp"
 #include "world/editing.hpp"
 
 namespace pantin {
@@ -58,6 +58,8 @@ FamilyId add_family(World& world, const FamilyDef& def) {
   row.color = def.color;
   row.radius = def.radius;
   row.mass = def.mass;
+  row.look = def.look;
+  row.courses = courses_of(call, row, def.courses, false, false, {});
   row.name = def.name;
   row.serial = world.next_serial++;
   return world.families.add(std::move(row));
@@ -76,13 +78,28 @@ void set_family(World& world, ParticleId id, FamilyId family) {
   disturb_forces(world);
   particle.values = attribute_values("family", next, kept);
   particle.family = family;
+  particle.courses = next.courses;
 }
 
 void set_radius(World& world, ParticleId particle, double radius) {
   require_unlocked(world, "radius");
   require_not_negative(describe(world, particle), "radius", radius, "m");
   disturb_forces(world);
-  world.particles[particle].radius = radius;
+  Particle& row = world.particles[particle];
+  row.radius = radius;
+  row.courses = without(row.courses, "radius");
+}
+
+void set_color(World& world, ParticleId particle, const Color& color) {
+  require_unlocked(world, "color");
+  Particle& row = world.particles[particle];
+  row.color = color;
+  row.courses = without(row.courses, "color");
+}
+
+void set_look(World& world, ParticleId particle, Look look) {
+  require_unlocked(world, "look");
+  world.particles[particle].look = look;
 }
 
 void set_attribute(World& world, ParticleId id, std::string_view name, double value) {
@@ -96,6 +113,7 @@ void set_attribute(World& world, ParticleId id, std::string_view name, double va
   require_finite(who, name, value, "");
   disturb_forces(world);
   particle.values[static_cast<std::size_t>(found)] = value;
+  particle.courses = without(particle.courses, name);
 }
 
 void remove(World& world, FamilyId id) {

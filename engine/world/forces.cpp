@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "articulates/articulate.hpp"
+#include "world/courses.hpp"
 #include "world/editing.hpp"
 #include "world/forces_build.hpp"
 
@@ -192,18 +193,26 @@ void collect(Forces& f) {
   }
 }
 
-void refresh_ages(const World& world, Forces& f) {
-  for (std::size_t c = 0; c < f.sites.names.size(); c++) {
-    if (f.sites.names[c] != "age") continue;
-    for (std::size_t i = 0; i < f.sites.n; i++)
-      if (f.sites.particle[i] != none)
-        f.sites.attributes[c][i] = world.time - world.particles.at_slot(f.sites.particle[i]).born;
+/// Ages, and what follows them, at a time [s].
+void refresh_ages(const World& world, Forces& f, double time) {
+  Sites& s = f.sites;
+  for (std::size_t c = 0; c < s.names.size(); c++) {
+    if (s.names[c] == "age")
+      for (std::size_t i = 0; i < s.n; i++)
+        if (s.particle[i] != none)
+          s.attributes[c][i] = std::fmax(0.0, time - world.particles.at_slot(s.particle[i]).born);
+    double* const column = s.attributes[c].data();
+    if (f.followed[c]) follow_courses(world, s.names[c], time, s.particle, {&column, 1});
   }
+}
+
+bool follows(const Forces& f) {
+  return std::any_of(f.followed.begin(), f.followed.end(), [](char c) { return c != 0; });
 }
 
 /// Forces at the places and velocities that the sites now have; the energy where it is asked for.
 double evaluate(const World& world, Forces& f, const Instant& instant, bool with_energy) {
-  refresh_ages(world, f);
+  refresh_ages(world, f, instant.time);
   f.sites.clear_forces();
   double energy = run_laws(world, f, instant, {false, true}, with_energy);
   if (f.moving) {
@@ -258,8 +267,19 @@ void editing::disturb_forces(World& world) {
   world.influences_changed = true;
 }
 
-void refresh_forces(World& world) {
-  if (!world.influences_changed) return;
+namespace {
+
+/// Energy of the laws at the present places, with ages of another time [s]; forces stay, ages do not.
+double energy_at_ages(const World& world, Forces& f, double time) {
+  const auto force = f.sites.force, open = f.sites.open_force;
+  refresh_ages(world, f, time);
+  const double energy = run_laws(world, f, instant_of(world, time, world.steps), {false, true}, true);
+  f.sites.force = force;
+  f.sites.open_force = open;
+  return energy;
+}
+
+void make_forces(World& world) {
   world.forces = build_forces(world);
   world.influences_changed = false;
   for (const auto& articulate : world.articulates) articulate->pulled = false;
@@ -273,6 +293,17 @@ void refresh_forces(World& world) {
   (world.steps == 0 ? world.start_energy : world.work) += f.energy;
 }
 
+}  // namespace
+
+void refresh_forces(World& world) {
+  if (world.influences_changed) make_forces(world);
+  if (!world.forces || !follows(*world.forces)) return;
+  // What changes with age alone is work from outside: half of it at the places before the drift, half at those after.
+  Forces& f = *world.forces;
+  const double energy = f.energy;
+  editing::post(world, 0.5 * (energy_at_ages(world, f, next_time(world)) - energy));
+}
+
 void find_pairs(World& world) {
   if (!world.forces) return;
   Forces& f = *world.forces;
@@ -284,8 +315,10 @@ void apply_forces(World& world) {
   if (!world.forces) return;
   Forces& f = *world.forces;
   if (f.moving) read_velocities(world, f, true);
-  f.told = tells_energy(world, f);
+  f.told = tells_energy(world, f) || follows(f);
+  const double before = follows(f) ? energy_at_ages(world, f, world.time) : 0.0;
   f.energy = evaluate(world, f, instant_of(world, next_time(world), world.steps + 1), f.told);
+  if (follows(f)) editing::post(world, 0.5 * (f.energy - before));
 }
 
 void run_moving_laws(World& world, Forces& f) {
@@ -304,6 +337,7 @@ auto with_present_laws(const World& world, Read read) -> decltype(read(*world.fo
     const std::unique_ptr<Forces> fresh = build_forces(world);
     if (!fresh) return {};
     start(world, *fresh);
+    refresh_ages(world, *fresh, world.time);
     return read(*fresh);
   }
   if (!world.forces) return {};

@@ -81,9 +81,10 @@ struct Forces {
   std::vector<ActingField> fields;
   std::vector<ActingConnections> connections;
   Skin skin;
-  bool rows = false;    ///< some interaction keeps rows
-  bool moving = false;  ///< some law depends on velocities
-  bool open = false;    ///< some law is without energy
+  bool rows = false;           ///< some interaction keeps rows
+  bool moving = false;         ///< some law depends on velocities
+  bool open = false;           ///< some law is without energy
+  std::vector<char> followed;  ///< (names of attributes) whether it follows the age of some site
 
   std::vector<Vec3> still;   ///< (sites) [N] open forces of laws that do not depend on velocities
   std::vector<Vec3> half_v;  ///< (sites) [m/s] before the kick that is being swept

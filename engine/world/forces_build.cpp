@@ -6,11 +6,14 @@
 #include <unordered_map>
 
 #include "articulates/articulate.hpp"
+#include "world/courses.hpp"
 #include "world/editing.hpp"
 
 namespace pantin {
 
-std::optional<double> attribute(const World& world, ParticleId id, std::string_view name) {
+namespace {
+
+std::optional<double> stored_attribute(const World& world, ParticleId id, std::string_view name) {
   const Particle& particle = world.particles[awake(world, id)];
   if (name == "mass") return mass(world, id);
   if (name == "radius") return particle.radius.value_or(world.points[particle.points[0]].radius);
@@ -20,6 +23,13 @@ std::optional<double> attribute(const World& world, ParticleId id, std::string_v
   const std::ptrdiff_t found = world.families[particle.family].find(name);
   if (found < 0) return {};
   return particle.values[static_cast<std::size_t>(found)];
+}
+
+}  // namespace
+
+std::optional<double> attribute(const World& world, ParticleId id, std::string_view name) {
+  if (const auto value = course_value(world, awake(world, id), name, world.time)) return value;
+  return stored_attribute(world, id, name);
 }
 
 namespace {
@@ -170,13 +180,17 @@ struct Builder {
   }
 };
 
-/// Columns of what the laws at work read.
-void fill_attributes(const World& world, Sites& sites) {
+/// Columns of what the laws at work read, but for what follows the age of particles.
+void fill_attributes(const World& world, Forces& forces) {
+  Sites& sites = forces.sites;
+  forces.followed.assign(sites.names.size(), 0);
   for (std::size_t c = 0; c < sites.names.size(); c++)
     for (std::size_t i = 0; i < sites.n; i++) {
       if (sites.particle[i] == none) continue;
-      const auto value = attribute(world, world.particles.id_at(sites.particle[i]), sites.names[c]);
+      const auto value = stored_attribute(world, world.particles.id_at(sites.particle[i]), sites.names[c]);
       sites.attributes[c][i] = value.value_or(std::numeric_limits<double>::quiet_NaN());
+      const Courses* courses = world.particles.at_slot(sites.particle[i]).courses.get();
+      if (courses && courses->find(sites.names[c])) forces.followed[c] = 1;
     }
 }
 
@@ -393,7 +407,7 @@ std::unique_ptr<Forces> build_forces(const World& world) {
   names.erase(std::unique(names.begin(), names.end()), names.end());
   builder.add_sites();
   builder.exclude_relatives();
-  fill_attributes(world, forces->sites);
+  fill_attributes(world, *forces);
 
   std::vector<std::uint32_t> place_sites(builder.places.size());
   std::iota(place_sites.begin(), place_sites.end(),

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "laws/course.hpp"
 #include "world/edit.hpp"
 #include "world/editing.hpp"
 
@@ -89,6 +90,10 @@ Particle shared_data(const World& world, PointId first, const HingeDef& def) {
   ring.radius = def.radius ? *def.radius : last.radius.value_or(point.radius);
   ring.family = def.family ? def.family : last.family;
   ring.values = ring.family == last.family ? last.values : attribute_values("hinge", world.families[ring.family], {});
+  ring.look = last.look;
+  ring.courses = ring.family == last.family ? last.courses : world.families[ring.family].courses;
+  if (def.color) ring.courses = without(ring.courses, "color");
+  if (def.radius) ring.courses = without(ring.courses, "radius");
   ring.name = def.name;
   return ring;
 }

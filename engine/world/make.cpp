@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "model/weigh.hpp"
-#include "world/edit.hpp"
+#include "world/courses.hpp"
 #include "world/editing.hpp"
 
 namespace pantin {
@@ -34,6 +34,7 @@ PointId make_body_point(World& world, const PointDef& def, Color usual, BodyId b
   Particle& particle = world.particles[world.points[point].own];
   particle.family = def.family;
   particle.values = attribute_values("point", family, def.attributes);
+  particle.courses = courses_of("point", family, nullptr, def.radius > 0.0, def.color.has_value(), def.attributes);
   return point;
 }
 
@@ -81,11 +82,12 @@ ParticleId add_particle(World& world, const ParticleDef& def) {
   require_positive(call, "mass", mass, "kg");
   require_not_negative(call, "radius", radius, "m");
   std::vector<double> values = attribute_values(call, family, def.attributes);
+  auto courses = courses_of(call, family, def.courses, def.radius.has_value(), def.color.has_value(), def.attributes);
   require_positive_or_infinite(call, "lifetime", def.lifetime, "s");
   Point row;
   row.mass = mass;
   row.radius = radius;
-  row.color = def.color.value_or(family.color.value_or(Color{0.35f, 0.62f, 0.85f, 1.0f}));
+  row.color = def.color.value_or(family.color.value_or(ParticleDef::usual_color));
   disturb_forces(world);
   const PointId point = make_point(world, std::move(row));
   world.motion_of(point) = {def.at, def.velocity};
@@ -95,6 +97,8 @@ ParticleId add_particle(World& world, const ParticleDef& def) {
   particle.name = def.name;
   particle.family = def.family;
   particle.values = std::move(values);
+  particle.look = def.look;
+  particle.courses = std::move(courses);
   touch(world, point);
   post(world, energy_of(world, point));
   return id;

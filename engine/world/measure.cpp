@@ -51,6 +51,10 @@ struct Collect {
     if (f.group) return (*this)(f.group);
     for (ParticleId p : world.particles.ids()) (*this)(p);
   }
+  void operator()(EmitterId id) {
+    for (ParticleId p : world.particles.ids())
+      if (world.particles[p].emitter == id) (*this)(p);
+  }
   void operator()(GroupId id) {
     const auto& members = world.groups[id].members;
     if (!groups.insert(id).second) return;

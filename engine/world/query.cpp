@@ -36,6 +36,7 @@ AnyId find(const World& world, std::string_view name) {
   oldest.look(world.connections);
   oldest.look(world.interactions);
   oldest.look(world.fields);
+  oldest.look(world.emitters);
   return oldest.id;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // The world: model rows and all that goes with them through time. Made and changed by the functions of `edit.hpp`,
 // moved by `step()` of step.hpp, read by `measure.hpp`, `query.hpp` and `hands.hpp`.
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -49,6 +50,13 @@ struct Probe {
   std::vector<double> values;  ///< (steps since it was added)
   std::uint64_t first_step = 0;
   double latest = 0.0;  ///< read in this step
+};
+
+/// A particle with a finite lifetime, in the queue for its end.
+struct Mortal {
+  double time = 0.0;  ///< [s] of the end
+  std::uint64_t serial = 0;
+  ParticleId particle;
 };
 
 /// Counts since the start.
@@ -112,7 +120,7 @@ struct World : Model {
   double largest_kinetic = 0.0;  ///< [J] so far
   double worst_energy = 0.0;     ///< [J] largest |energy - start - work| so far
 
-  std::vector<ParticleId> mortals;  ///< particles given a finite lifetime, the dead and the asleep among them
+  std::vector<Mortal> mortals;  ///< binary heap, earliest first; the dead among them
   /// State of loose things at the start of the step, put back if it goes wrong.
   std::vector<FreeMotion> saved_points;  ///< (loose_points)
   std::vector<Motion> saved_motion;      ///< (loose_bodies)
@@ -128,6 +136,11 @@ struct World : Model {
 /// Time at the end of the coming step [s]: whole multiples of its length, however long the run.
 inline double next_time(const World& world) {
   return world.step_origin + static_cast<double>(world.step_count + 1) * world.settings.step;
+}
+
+/// A little later: times that agree up to the round-off of a step's multiplication are the same time.
+inline double with_round_off(double time) {
+  return time + 4.0 * std::numeric_limits<double>::epsilon() * std::fabs(time);
 }
 
 /// Forbids edits in its scope.
