@@ -24,6 +24,8 @@ double round_length(double length) {
   return power * (part < 1.5 ? 1.0 : part < 3.5 ? 2.0 : part < 7.5 ? 5.0 : 10.0);
 }
 
+const char* const light_definitions = "const float veil = 0.75;\n";
+
 std::string definitions(int samples) {
   return samples > 0 ? "const float least = 1.0 / 256.0;\n" : "const float least = 0.5;\n";
 }
@@ -35,11 +37,11 @@ struct Renderer::Parts {
   std::optional<Target> target;
   std::optional<Target> resolved;
   Target shadow{shadow_pixels, shadow_pixels, 0, Target::Format::shade, false};
-  ShaderProgram ball, bar, egg, mesh, backdrop{"backdrop", "", ""}, ground{"ground", "common.glsl", ""};
+  ShaderProgram ball, bar, egg, mesh, glow, streak, backdrop{"backdrop", "", ""}, ground{"ground", "common.glsl", ""};
   ShaderProgram shadow_ball{"shadow_ball", "shadow.glsl", ""}, shadow_bar{"shadow_bar", "shadow.glsl", ""},
       shadow_mesh{"shadow_mesh", "shadow.glsl", ""};
   FloatRows balls{{4, 4, 3}, true}, bars{{4, 4, 3}, true}, eggs{{3, 3, 3, 3, 3, 3}, true}, corners{{3, 3, 3}, false},
-      shades{{3, 3, 3}, false}, nothing{{1}, false};
+      shades{{3, 3, 3}, false}, glows{{4, 4}, true}, streaks{{4, 3, 4}, true}, nothing{{1}, false};
   Panel panel;
   Sketcher sketcher;
   Sketch sketch;
@@ -55,6 +57,8 @@ struct Renderer::Parts {
         bar("bar", "common.glsl", definitions(target->samples())),
         egg("egg", "common.glsl", definitions(target->samples())),
         mesh("mesh", "common.glsl", definitions(target->samples())),
+        glow("glow", "common.glsl", light_definitions),
+        streak("streak", "common.glsl", light_definitions),
         panel(scale) {
     resolve_target();
   }
@@ -68,6 +72,7 @@ struct Renderer::Parts {
   void draw_shadows(const Camera& camera);
   void draw_ground(const Camera& camera);
   void draw_things(const Camera& camera);
+  void draw_lights(const Camera& camera);
   void set_camera(const ShaderProgram& program, const Camera& camera) const;
 
   // Of the last shadows: in units of the camera's distance, relative to the eye.
@@ -111,12 +116,15 @@ void Renderer::draw(const World& world, const Camera& camera, const Overlay& ove
   p.eggs.send(p.sketch.eggs);
   p.corners.send(p.sketch.corners);
   p.shades.send(p.sketch.shades);
+  p.glows.send(p.sketch.glows);
+  p.streaks.send(p.sketch.streaks);
   p.draw_shadows(camera);
   p.target->bind();
   glClear(GL_DEPTH_BUFFER_BIT);
   p.draw_backdrop();
   p.draw_ground(camera);
   p.draw_things(camera);
+  p.draw_lights(camera);
   if (p.resolved) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, p.target->framebuffer());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, p.resolved->framebuffer());
@@ -244,6 +252,24 @@ void Renderer::Parts::draw_things(const Camera& camera) {
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 14, bars.count());
   glDisable(GL_CULL_FACE);
   glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+  glDisable(GL_DEPTH_TEST);
+}
+
+// Soft things after the solid ones that may hide them; in the order of their slots, which stays from picture to picture.
+void Renderer::Parts::draw_lights(const Camera& camera) {
+  if (glows.count() == 0 && streaks.count() == 0) return;
+  glEnable(GL_DEPTH_TEST);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  set_camera(glow, camera);
+  glows.bind();
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, glows.count());
+  set_camera(streak, camera);
+  streaks.bind();
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, streaks.count());
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
   glDisable(GL_DEPTH_TEST);
 }
 

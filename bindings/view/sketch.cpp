@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "world/courses.hpp"
 #include "world/forces.hpp"
 
 namespace pantin {
@@ -12,6 +13,8 @@ namespace {
 constexpr Color paper = {1.00f, 0.965f, 0.89f, 1.0f}, deep = {0.13f, 0.24f, 0.30f, 1.0f},
                 iron = {0.25f, 0.27f, 0.30f, 1.0f}, grip = {0.85f, 0.20f, 0.26f, 1.0f},
                 thread = {0.52f, 0.52f, 0.50f, 1.0f}, strut = {0.16f, 0.40f, 0.78f, 1.0f};
+
+constexpr double streak_time = 0.03;  // [s] of its flight that a streak shows
 
 float linear(float c) { return std::pow(std::clamp(c, 0.0f, 1.0f), 2.2f); }
 Rgb linear(const Color& c) { return {linear(c.r), linear(c.g), linear(c.b)}; }
@@ -103,6 +106,8 @@ void Sketcher::draw(const World& world, const Camera& camera, const Stage& stage
   sketch.eggs.clear();
   sketch.corners.clear();
   sketch.shades.clear();
+  sketch.glows.clear();
+  sketch.streaks.clear();
   sketch.lower = {1e30f, 1e30f, 1e30f};
   sketch.upper = {-1e30f, -1e30f, -1e30f};
   const Eye eye{camera.eye(), camera.forward(), camera.distance, 2.0 * std::tan(0.5 * camera.fov) / height};
@@ -148,6 +153,7 @@ void Sketcher::draw_body(const World& world, BodyId id, const Eye& eye, const St
 
 void Sketcher::draw_particles(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch) {
   const Rgb cream = linear(paper), dark = linear(deep);
+  appearance_.update(world);
   for (std::uint32_t s = 0; s < world.particles.slots(); s++) {
     const Particle& particle = world.particles.at_slot(s);
     if (!world.particles.alive_at(s) || particle.asleep_in || particle.points.empty()) continue;
@@ -156,8 +162,7 @@ void Sketcher::draw_particles(const World& world, const Eye& eye, const Stage& s
     const Vec3 at = position(world, world.particles.id_at(s));
     if (!finite(at)) continue;
     if (!particle.is_hinge()) {
-      eye.ball(sketch, at, drawn_radius(world, particle.points[0], stage), 1.0,
-               linear(particle.color.value_or(first.color)), Sketch::plain, {});
+      draw_free(world, s, at, eye, stage, sketch);
       continue;
     }
     const double joint = joints_[s] > 0.0f ? static_cast<double>(joints_[s]) * stage.unit : 0.05 * stage.unit;
@@ -169,6 +174,30 @@ void Sketcher::draw_particles(const World& world, const Eye& eye, const Stage& s
     eye.ball(sketch, at, radius, std::min(3.8, 2.2 * joint / pixel), own ? linear(*particle.color) : cream,
              Sketch::hinge, dark);
   }
+}
+
+/// A free particle, as its look says.
+void Sketcher::draw_free(const World& world, std::uint32_t slot, Vec3 at, const Eye& eye, const Stage& stage,
+                         Sketch& sketch) {
+  const Particle& particle = world.particles.at_slot(slot);
+  const PointId point = particle.points[0];
+  const Color color = appearance_.color(slot).value_or(particle.color.value_or(world.points[point].color));
+  const auto followed = appearance_.radius(slot);
+  if (followed && !(*followed > 0.0)) return;
+  const double radius = followed ? *followed : drawn_radius(world, point, stage);
+  const Look look = look_of(world, particle);
+  if (look == Look::ball) return eye.ball(sketch, at, radius, 1.0, linear(color), Sketch::plain, {});
+  // What is thinner than a pixel is drawn as wide as one, and fainter.
+  const double pixel = eye.pixel_at(at), least = std::max(radius, (look == Look::glow ? 1.2 : 0.8) * pixel);
+  const double fainter = look == Look::glow ? (radius / least) * (radius / least) : radius / least;
+  const float opacity = color.a * static_cast<float>(fainter);
+  if (!(opacity > 0.002f)) return;
+  const Rgb shown = {color.r, color.g, color.b};
+  const auto width = static_cast<float>(least / eye.unit);
+  if (look == Look::glow) return sketch.glows.push_back({eye.place(at), width, shown, opacity});
+  Vec3 trail = velocity(world, point) * streak_time;
+  if (const double length = norm(trail); length > 0.25 * stage.size) trail *= 0.25 * stage.size / length;
+  sketch.streaks.push_back({eye.place(at), width, eye.place(at - trail), shown, opacity});
 }
 
 void Sketcher::draw_constraints(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch) {

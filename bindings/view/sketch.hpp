@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "view/appearance.hpp"
 #include "view/overlay.hpp"
 #include "view/shape.hpp"
 
@@ -39,12 +40,29 @@ struct Sketch {
     Float3 at, normal;
     Rgb color;
   };
+  /// A soft disc of light; its color is as shown.
+  struct Glow {
+    Float3 at;
+    float radius;
+    Rgb color;
+    float opacity;
+  };
+  /// A line of light along a velocity.
+  struct Streak {
+    Float3 head;
+    float radius;
+    Float3 tail;
+    Rgb color;
+    float opacity;
+  };
   std::vector<Ball> balls;
   std::vector<Bar> bars;
   std::vector<Egg> eggs;
   std::vector<Corner> corners;
   std::vector<Corner> shades;  ///< shadows of the eggs, on the ground
-  Float3 lower, upper;         ///< box of all balls, bars, eggs and corners
+  std::vector<Glow> glows;
+  std::vector<Streak> streaks;
+  Float3 lower, upper;  ///< box of all balls, bars, eggs and corners
 };
 
 /// Fills a sketch, of which one is kept so that nothing is allocated once it has grown.
@@ -58,11 +76,13 @@ class Sketcher {
   struct Eye;
   void draw_body(const World& world, BodyId body, const Eye& eye, const Stage& stage, Sketch& sketch);
   void draw_particles(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch);
+  void draw_free(const World& world, std::uint32_t slot, Vec3 at, const Eye& eye, const Stage& stage, Sketch& sketch);
   void draw_constraints(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch);
   void draw_connections(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch);
   void draw_overlay(const World& world, const Eye& eye, const Overlay& overlay, Sketch& sketch);
 
   Shapes shapes_;
+  Appearance appearance_;
   std::vector<float> joints_;  // [m] (slots of particles): what a hinge should exceed
 };
 

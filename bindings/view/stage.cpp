@@ -120,11 +120,26 @@ void include(Stage& stage, Vec3 p) {
   stage.empty = false;
 }
 
+// Where the particles of an emitter begin, and where most of them fly.
+void include_flight(const World& world, const Emitter& emitter, Stage& stage) {
+  const bool carried = world.points.alive(emitter.point);
+  const Vec3 base = carried ? position(world, emitter.point) : zero3();
+  const double longest = std::fmin(emitter.longest, 1.5);  // [s]
+  const double aside = norm(emitter.velocity) * std::sin(std::fmin(emitter.spread, 1.57));
+  for (const double time : {0.0, 0.5 * longest, longest}) {
+    const Vec3 way = emitter.velocity * time + world.settings.gravity * (0.5 * time * time);
+    const Vec3 margin = vec(1, 0, 1) * (aside * time);
+    include(stage, base + emitter.lower + way - margin);
+    include(stage, base + emitter.upper + way + margin);
+  }
+}
+
 void find_box(const World& world, Stage& stage) {
   for (std::uint32_t s = 0; s < world.bodies.slots(); s++)
     if (world.bodies.alive_at(s)) include(stage, world.motion[s].x);
   for (std::uint32_t s = 0; s < world.points.slots(); s++)
     if (world.points.alive_at(s)) include(stage, position(world, world.points.id_at(s)));
+  for (EmitterId id : world.emitters.ids()) include_flight(world, world.emitters[id], stage);
   if (stage.empty || !(world.settings.gravity[1] < 0.0)) return;
   const Reach reach(world);
   for (std::uint32_t s = 0; s < world.points.slots(); s++) {

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "window/small_worlds.hpp"
+#include "world/emitter.hpp"
 
 using namespace pantin;
 
@@ -48,4 +49,19 @@ TEST_CASE("the first camera sees the whole stage", "[view]") {
     CHECK(seen->y > 0.0);
     CHECK(seen->y < 720.0);
   }
+}
+
+TEST_CASE("the stage of an emitter holds what it will make", "[view]") {
+  World world;
+  EmitterDef def;
+  def.place.at = vec(0, 2, 0);
+  def.rate = 10;
+  def.velocity = vec(3, 0, 0);
+  def.shortest = def.longest = 0.5;
+  add_emitter(world, def);
+  const Stage stage = find_stage(world);
+  CHECK_FALSE(stage.empty);
+  CHECK(stage.upper[0] == Approx(1.5));
+  CHECK(stage.upper[1] == Approx(2.0));
+  CHECK(stage.lower[1] == Approx(2.0 - 0.5 * 9.81 * 0.25));
 }
