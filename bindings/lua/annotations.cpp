@@ -49,7 +49,9 @@ function quat_methods:rotate(v) end
 function quat_methods:inverse() end
 
 ---@alias color string|number[] "#rgb", "#rrggbb", "#rrggbbaa" or { r, g, b, a } of 0 to 1
----@alias Thing Point|Particle|Body|Nail|Follow|Rod|Group|Family|Connection|Interaction|Field
+---@alias Look "ball"|"glow"|"streak"
+---@alias Course<T> T|fun(age: number, life: number): T
+---@alias Thing Point|Particle|Body|Nail|Follow|Rod|Group|Family|Connection|Interaction|Field|Emitter
 
 ---@class Energy
 ---@field kinetic number [J]
@@ -103,10 +105,36 @@ function quat_methods:inverse() end
 ---@field at? vec [m]
 ---@field velocity? vec [m/s]
 ---@field mass? number [kg]
----@field radius? number [m]
----@field color? color
+---@field radius? Course<number> [m]
+---@field color? Course<color>
+---@field look? Look
+---@field family? Family
 ---@field lifetime? number [s]
 ---@field name? string
+---@field [string] Course<number> attributes of its family
+
+---@class FamilyOptions
+---@field attributes? table<string, Course<number>>|string[] values of a particle that gives none
+---@field color? Course<color>
+---@field radius? Course<number> [m]
+---@field mass? number [kg]
+---@field look? Look
+
+---@class EmitterOptions
+---@field rate number|fun(t: number): number [1/s]
+---@field at? vec|vec[]|Point|Particle [m] a place, a box { vec, vec }, or what carries it
+---@field velocity? vec [m/s]
+---@field spread? number [rad]
+---@field lifetime? number|{ min: number, max: number } [s]
+---@field max? integer
+---@field family? Family
+---@field mass? number [kg]
+---@field radius? Course<number> [m]
+---@field color? Course<color>
+---@field look? Look
+---@field enabled? boolean
+---@field name? string
+---@field [string] Course<number> attributes of its family
 
 ---@class PointOptions
 ---@field at? vec [m]

@@ -42,6 +42,7 @@ class Options {
   std::optional<std::string> string(const char* key) const;
   std::optional<Callback> function(const char* key) const;
   const std::string& what() const { return what_; }
+  lua_State* state() const { return state_; }
 
  private:
   template <class Read>

@@ -23,6 +23,7 @@ std::string* name_of(const Self& self) {
     case Kind::connection: return &w.connections[self.ref.id<ConnectionId>()].name;
     case Kind::interaction: return &w.interactions[self.ref.id<InteractionId>()].name;
     case Kind::field: return &w.fields[self.ref.id<FieldId>()].name;
+    case Kind::emitter: return &w.emitters[self.ref.id<EmitterId>()].name;
     default: return nullptr;
   }
 }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "lua/course_options.hpp"
 #include "lua/fields.hpp"
+#include "lua/look_options.hpp"
 #include "lua/script.hpp"
 #include "lua/targets.hpp"
 
@@ -10,25 +12,26 @@ namespace pantin::lua {
 namespace {
 
 /// Attributes are a list of names, which start at 0, or a table of names and values.
-std::vector<AttributeDef> attribute_defs(lua_State* state, int table, const std::string& what) {
+void read_attributes(lua_State* state, int table, const std::string& what, Looks& looks) {
   require(lua_istable(state, table), what, ": attributes must be a table { charge = 1 } or { \"charge\" }, got ",
           kind_of_value(state, table));
-  std::vector<AttributeDef> defs;
   lua_pushnil(state);
   while (lua_next(state, table)) {
     const int value = lua_gettop(state), key = value - 1;
     if (lua_type(state, key) == LUA_TSTRING) {
       const std::string name = lua_tostring(state, key);
-      defs.push_back({name, check_number(state, value, what, text("attribute '", name, "'"), "")});
+      const bool follows = lua_isfunction(state, value);
+      if (follows) looks.courses = with(looks.courses.get(), course_of(state, value, what, name));
+      looks.attributes.push_back(
+          {name, follows ? 0.0 : check_number(state, value, what, text("attribute '", name, "'"), "")});
     } else {
-      defs.push_back({check_text(state, value, what, "an attribute's name"), 0.0});
+      looks.attributes.push_back({check_text(state, value, what, "an attribute's name"), 0.0});
     }
     lua_pop(state, 1);
   }
-  for (const AttributeDef& def : defs)
+  for (const AttributeDef& def : looks.attributes)
     require(!has_member(particle_type(), def.name), what, ": an attribute cannot be called '", def.name,
             "', which a particle has already");
-  return defs;
 }
 
 }  // namespace
@@ -61,13 +64,17 @@ int scene_family(lua_State* state) {
   FamilyDef def;
   def.name = check_text(state, 2, "family", "argument 1, the name,");
   const std::string what = text("family '", def.name, "'");
-  const Options o(state, 3, what, {"attributes", "color", "radius", "mass"});
+  const Options o(state, 3, what, {"attributes", "color", "radius", "mass", "look"});
+  Looks looks = look_options(o, {});
   if (o.has("attributes")) {
-    def.attributes = attribute_defs(state, o.push("attributes"), what);
+    read_attributes(state, o.push("attributes"), what, looks);
     lua_pop(state, 1);
   }
-  def.color = o.color("color");
-  def.radius = o.number("radius", "m");
+  def.attributes = looks.attributes;
+  def.color = looks.color;
+  def.radius = looks.radius;
+  def.look = looks.look;
+  def.courses = looks.courses;
   def.mass = o.number("mass", "kg");
   push_thing(state, self.script, add_family(self.world, def));
   return 1;

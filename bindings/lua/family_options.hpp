@@ -16,10 +16,11 @@ struct FamilyOption {
 };
 /// Reads it, and adds its attributes to the names of known options.
 FamilyOption family_option(lua_State* state, int index, const std::string& what, std::vector<std::string>& known);
+
 /// The attributes that were given, as numbers.
 std::vector<AttributeDef> attribute_options(const Options& options, const std::vector<std::string>& attributes);
 
-/// `scene:family(name, { attributes, color, radius, mass })`.
+/// `scene:family(name, { attributes, color, radius, mass, look })`.
 int scene_family(lua_State* state);
 
 }  // namespace pantin::lua

@@ -44,7 +44,7 @@ struct Type {
   bool (*more)(const Self&, const char* name) = nullptr;  ///< pushes a value that only this one has, or returns false
   bool (*write_more)(const Self&, const char* name, int index) = nullptr;  ///< writes one, or returns false
   const char* more_doc = "";                                               ///< type and meaning of those values
-  lua_CFunction length = nullptr;                         ///< of `#`
+  lua_CFunction length = nullptr;                                          ///< of `#`
 };
 
 const Type& type_of(Kind kind);
@@ -80,6 +80,7 @@ const Type& family_type();
 const Type& connection_type();
 const Type& interaction_type();
 const Type& field_type();
+const Type& emitter_type();
 const Type& event_type();
 const Type& hand_type();
 const Type& subscription_type();

@@ -71,9 +71,9 @@ void remember(lua_State* state, const Ref& ref) {
   lua_pop(state, 1);
 }
 
-const char* const words[] = {"a point", "a particle", "a body",   "a nail",         "a follow",
-                             "a rod",   "a group",    "a family", "a connection",   "an interaction",
-                             "a field", "an event",   "a hand",   "a subscription", "a scene"};
+const char* const words[] = {"a point",  "a particle", "a body",         "a nail",         "a follow", "a rod",
+                             "a group",  "a family",   "a connection",   "an interaction", "a field",  "an emitter",
+                             "an event", "a hand",     "a subscription", "a scene"};
 
 }  // namespace
 
@@ -94,6 +94,7 @@ AnyId any_of(const Ref& ref) {
     case Kind::connection: return ref.id<ConnectionId>();
     case Kind::interaction: return ref.id<InteractionId>();
     case Kind::field: return ref.id<FieldId>();
+    case Kind::emitter: return ref.id<EmitterId>();
     default: return {};
   }
 }
@@ -122,6 +123,8 @@ void push_thing(lua_State* state, Script& script, const AnyId& thing) {
     return push_ref(state, ref_of(script, Kind::interaction, *interaction, w.interactions));
   if (const auto* field = std::get_if<FieldId>(&thing))
     return push_ref(state, ref_of(script, Kind::field, *field, w.fields));
+  if (const auto* emitter = std::get_if<EmitterId>(&thing))
+    return push_ref(state, ref_of(script, Kind::emitter, *emitter, w.emitters));
   if (const auto* id = std::get_if<ConstraintId>(&thing)) {
     const Kind kind = w.constraints.alive(*id) ? kind_of(w.constraints[*id].kind) : Kind::nail;
     return push_ref(state, ref_of(script, kind, *id, w.constraints));
@@ -177,6 +180,7 @@ void require_alive(const Ref& ref) {
     case Kind::connection: return check(w.connections, ref.id<ConnectionId>());
     case Kind::interaction: return check(w.interactions, ref.id<InteractionId>());
     case Kind::field: return check(w.fields, ref.id<FieldId>());
+    case Kind::emitter: return check(w.emitters, ref.id<EmitterId>());
     default: return;
   }
 }

@@ -26,12 +26,13 @@ enum class Kind : std::uint32_t {
   connection,
   interaction,
   field,
+  emitter,
   event,
   hand,
   subscription,
   scene
 };
-inline constexpr std::size_t kind_count = 15;
+inline constexpr std::size_t kind_count = 16;
 
 /// The userdata.
 struct Ref {

@@ -172,6 +172,11 @@ void LawCall::call() {
   run_.noises = 0;
   lua_pushvalue(state_, base_);
   const LawForm form = run_.law.form;
+  if (is_course(form)) {
+    run_.push_attribute(state_, 0, "age");
+    run_.push_attribute(state_, 0, "lifetime");
+    return lua_call(state_, 2, 1);
+  }
   if (form == LawForm::pair_force) {
     run_.push(state_, Seen::displacement);
     run_.push(state_, Seen::relative_velocity);

@@ -1,9 +1,12 @@
 #include "lua/arguments.hpp"
+#include "lua/course_options.hpp"
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
+#include "lua/look_options.hpp"
 #include "lua/pushes.hpp"
 #include "lua/script.hpp"
 #include "lua/targets.hpp"
+#include "world/courses.hpp"
 #include "world/edit.hpp"
 #include "world/query.hpp"
 
@@ -46,19 +49,28 @@ void read_bodies(const Self& self) {
   push_list(self.state, self.script, bodies);
 }
 
+/// Makes a field follow the function of (age, life) at `index`, or returns false where there is none.
+bool write_course(const Self& self, const char* name, int index) {
+  if (!lua_isfunction(self.state, index)) return false;
+  set_course(self.world, id_of(self), course_of(self.state, index, "particle", name));
+  return true;
+}
+
 /// Attributes of its family, by name.
 bool read_attribute(const Self& self, const char* name) {
   const Particle& particle = ring(self);
   if (!particle.family) return false;
   const std::ptrdiff_t found = self.world.families[particle.family].find(name);
   if (found < 0) return false;
-  lua_pushnumber(self.state, particle.values[static_cast<std::size_t>(found)]);
+  const auto followed = course_value(self.world, awake(self.world, id_of(self)), name, self.world.time);
+  lua_pushnumber(self.state, followed.value_or(particle.values[static_cast<std::size_t>(found)]));
   return true;
 }
 
 bool write_attribute(const Self& self, const char* name, int index) {
   const Particle& particle = ring(self);
   if (!particle.family || self.world.families[particle.family].find(name) < 0) return false;
+  if (write_course(self, name, index)) return true;
   set_attribute(self.world, id_of(self), name, check_number(self.state, index, "particle", name, ""));
   return true;
 }
@@ -80,17 +92,25 @@ std::vector<Field> look_and_life() {
        }},
       {"age", "number", "s", "time since it was made",
        [](const Self& s) { lua_pushnumber(s.state, s.world.time - ring(s).born); }, nullptr},
-      {"color", "color", "", "color; overrides its points'",
-       [](const Self& s) { push(s.state, ring(s).color.value_or(s.world.points[ring(s).points[0]].color)); },
-       [](const Self& s, int i) { ring(s).color = check_color(s.state, i, "particle", "color"); }},
-      {"radius", "number", "m", "drawn size; overrides its points'",
-       [](const Self& s) {
-         lua_pushnumber(s.state, ring(s).radius.value_or(s.world.points[ring(s).points[0]].radius));
-       },
+      {"color", "color|fun(age: number, life: number): color", "",
+       "color, or a function of age and lifetime [s]; overrides its points'",
+       [](const Self& s) { push(s.state, present_color(s.world, awake(s.world, id_of(s)))); },
        [](const Self& s, int i) {
+         if (write_course(s, "color", i)) return;
+         set_color(s.world, awake(s.world, id_of(s)), check_color(s.state, i, "particle", "color"));
+       }},
+      {"radius", "number|fun(age: number, life: number): number", "m",
+       "size, or a function of age and lifetime [s]; overrides its points'",
+       [](const Self& s) { lua_pushnumber(s.state, present_radius(s.world, awake(s.world, id_of(s)))); },
+       [](const Self& s, int i) {
+         if (write_course(s, "radius", i)) return;
          const double radius = check_number(s.state, i, "particle", "radius", "m");
          set_radius(s.world, awake(s.world, id_of(s)), radius);
        }},
+      {"look", "string", "",
+       "\"ball\", \"glow\" (a soft disc of light) or \"streak\" (a line of light along its velocity)",
+       [](const Self& s) { lua_pushstring(s.state, name_of(look_of(s.world, ring(s)))); },
+       [](const Self& s, int i) { set_look(s.world, awake(s.world, id_of(s)), check_look(s.state, i, "particle")); }},
       {"points", "Point[]", "", "its points, in the order of joining",
        [](const Self& s) { push_list(s.state, s.script, ring(s).points); }, nullptr},
       {"bodies", "Body[]", "", "the bodies of its points", read_bodies, nullptr},

@@ -22,7 +22,9 @@ Law traced_law(const LawFunction& f, Traced traced) {
     case LawForm::pair_force: return pair_force(f.def, std::move(traced.graph), traced.outputs);
     case LawForm::point_potential: return point_potential(f.def, std::move(traced.graph), first);
     case LawForm::point_force: return point_force(f.def, std::move(traced.graph), traced.outputs);
-    case LawForm::many_potential: break;
+    case LawForm::many_potential:
+    case LawForm::number_course:
+    case LawForm::color_course: break;
   }
   return many_potential(f.def, f.count, std::move(traced.graph), first);
 }

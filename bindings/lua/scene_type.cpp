@@ -3,11 +3,13 @@
 
 #include "lua/arguments.hpp"
 #include "lua/body_options.hpp"
+#include "lua/emitter_options.hpp"
 #include "lua/events.hpp"
 #include "lua/family_options.hpp"
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
 #include "lua/influence_options.hpp"
+#include "lua/look_options.hpp"
 #include "lua/measures.hpp"
 #include "lua/parameters.hpp"
 #include "lua/script.hpp"
@@ -142,16 +144,19 @@ std::vector<Field> engine_settings() {
 int scene_particle(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "particle");
   ParticleDef def;
-  std::vector<std::string> known = {"at", "velocity", "mass", "radius", "color", "lifetime", "name"};
+  std::vector<std::string> known = {"at", "velocity", "mass", "radius", "color", "look", "lifetime", "name"};
   const FamilyOption family = family_option(state, 2, "particle", known);
   const Options o(state, 2, "particle", known);
   def.at = o.vector("at", "m").value_or(def.at);
   def.velocity = o.vector("velocity", "m/s").value_or(def.velocity);
   def.mass = o.number("mass", "kg");
-  def.radius = o.number("radius", "m");
-  def.color = o.color("color");
   def.family = family.id;
-  def.attributes = attribute_options(o, family.attributes);
+  const Looks looks = look_options(o, family.attributes);
+  def.radius = looks.radius;
+  def.color = looks.color;
+  def.look = looks.look;
+  def.attributes = looks.attributes;
+  def.courses = looks.courses;
   def.lifetime = o.number_or_infinity("lifetime", "s").value_or(def.lifetime);
   def.name = o.string("name").value_or("");
   push_thing(state, self.script, add_particle(self.world, def));
@@ -220,6 +225,7 @@ std::vector<Method> making() {
        "A law between all pairs of two families, or within one."},
       {"field", guard<scene_field>, "target: Family|Group|Scene, law: Law", "Field",
        "A law on each particle of a family, of a group or of the scene."},
+      {"emitter", guard<scene_emitter>, "options: EmitterOptions", "Emitter", "Makes particles at a rate."},
       {"find", guard<scene_find>, "name: string", "Thing?", "The oldest living thing of that name."},
       {"near", guard<scene_near>, "at: vec [m], radius: number [m]", "Particle[]",
        "Particles within a radius, nearest first."},

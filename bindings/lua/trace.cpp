@@ -69,11 +69,35 @@ class Watched {
   Runtime& runtime_;
 };
 
+/// Red, green, blue and opacity of the color at the top, some of them traced; empty where it is none.
+std::vector<Expr> channels_of(lua_State* state, Expressions& graph) {
+  if (const auto color = to_color(state, -1)) {
+    std::vector<Expr> channels;
+    for (const float channel : {color->r, color->g, color->b, color->a})
+      channels.push_back(graph.constant(static_cast<double>(channel)));
+    return channels;
+  }
+  if (!lua_istable(state, -1)) return {};
+  const SymbolAlgebra algebra(state);
+  std::vector<Expr> channels;
+  const auto count = static_cast<lua_Integer>(lua_rawlen(state, -1));
+  for (lua_Integer i = 1; i <= count; i++) {
+    lua_rawgeti(state, -1, i);
+    if (const auto channel = algebra.read(state, -1)) channels.push_back(*channel);
+    lua_pop(state, 1);
+  }
+  if (channels.size() == 3) channels.push_back(graph.constant(1.0));
+  if (channels.size() != 4 || count > 4) channels.clear();
+  return channels;
+}
+
 /// Reads what the function returned.
 std::vector<Expr> outputs_of(lua_State* state, Trace& trace) {
   const SymbolAlgebra algebra(state);
   const LawFunction& law = trace.law;
-  if (gives_vec(law.form)) {
+  if (law.form == LawForm::color_course) {
+    if (auto channels = channels_of(state, trace.graph); !channels.empty()) return channels;
+  } else if (gives_vec(law.form)) {
     if (const auto v = algebra.read_vec(state, -1)) return {v->begin(), v->end()};
   } else if (const auto x = algebra.read(state, -1)) {
     return {*x};
