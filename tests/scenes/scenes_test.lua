@@ -87,3 +87,29 @@ test("a notice is told once", function()
   for _ = 1, 5 do scene:step() end
   expect(scene:read "told"):equal(1)
 end)
+
+test("fire: burns steadily above its hearth, and its smoke goes with the wind", function()
+  local fire = open("scenes/fire.lua", { wind = 1 })
+  fire:advance(4)
+  local flames = fire:find("flame").particles
+  expect(#flames):near(900 * 0.8, 60)
+  local height, smoke = 0, 0
+  for _, p in ipairs(flames) do height = height + p.position.y / #flames end
+  expect(height):above(0.3)
+  expect(height):below(1.2)
+  for _, p in ipairs(fire:find("smoke").particles) do smoke = math.max(smoke, p.position.x) end
+  expect(smoke):above(1)
+  expect(fire:read "embers"):above(5)
+end)
+
+test("waterfall: as many drops live as flow in a lifetime; they fall on the ground, not through it", function()
+  local fall = open("scenes/waterfall.lua", { flow = 300 })
+  fall:advance(3)
+  expect(fall:read "drops"):near(600, 25)
+  local lowest, run = math.huge, 0
+  for _, p in ipairs(fall:find("water").particles) do
+    lowest, run = math.min(lowest, p.position.y), math.max(run, p.position.x)
+  end
+  expect(lowest):above(-0.05)
+  expect(run):above(1.2)
+end)
