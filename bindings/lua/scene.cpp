@@ -1,5 +1,7 @@
 #include "lua/scene.hpp"
 
+#include "base/parallel.hpp"
+
 #include <filesystem>
 
 #include "lua/files.hpp"
@@ -9,6 +11,7 @@
 namespace pantin::lua {
 
 Script::Script(const SceneOptions& given) : options(given), runtime({given.script_limit, given.memory_limit}) {
+  world.workers = std::make_unique<Workers>(options.threads);
   runtime.random = &world.random;
   runtime.home = given.home;
   world.random = Random{world.settings.seed, 0};

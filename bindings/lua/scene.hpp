@@ -20,6 +20,7 @@ struct SceneOptions {
   std::map<std::string, std::string> set;           ///< `--set`: parameter or `scene.FIELD` to its text
   double script_limit = 5.0;                        ///< [s] of one call into the script; 0: none
   std::size_t memory_limit = std::size_t{2} << 30;  ///< [bytes] of Lua's memory
+  int threads = 1;                                  ///< for the laws; 0: as many as the machine has processors
   std::string home;                                 ///< folder that holds `scripts/lib` and `scripts/behaviours`
 };
 

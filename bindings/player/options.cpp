@@ -75,6 +75,8 @@ void add_scene_options(CLI::App& app, RunOptions& scene, Texts& texts) {
       ->check(check_number)
       ->default_str("5")
       ->type_name("S");
+  app.add_option("--threads", scene.threads, "Threads for the laws; 0: all processors. The results are the same")
+      ->check(CLI::Range(0, 256));
   app.add_option("--memory-limit", texts.memory, "Of the script's memory, at least 1MiB")
       ->check(check_bytes)
       ->default_str("2GiB")
@@ -122,6 +124,7 @@ lua::SceneOptions lua_options(const RunOptions& options, const std::string& home
   result.set = options.set;
   result.script_limit = options.script_limit;
   result.memory_limit = options.memory_limit;
+  result.threads = options.threads;
   result.home = home;
   return result;
 }

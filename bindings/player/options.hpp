@@ -26,6 +26,7 @@ struct RunOptions {
   bool paused = false;                              ///< `play` begins with a pause
   double script_limit = 5.0;                        ///< [s] 0: none
   std::size_t memory_limit = std::size_t{2} << 30;  ///< [bytes]
+  int threads = 0;                                  ///< 0: as many as the machine has processors
 };
 
 struct Options {

@@ -22,7 +22,7 @@ struct Best {
   }
 };
 
-struct Look {
+struct Line {
   const World& world;
   const Stage& stage;
   const Camera& camera;
@@ -43,7 +43,7 @@ struct Look {
 
 PointId pick_point(const World& world, const Stage& stage, const Camera& camera, double x, double y, int width,
                    int height, double reach) {
-  const Look look{world, stage, camera, x, y, width, height, reach};
+  const Line line{world, stage, camera, x, y, width, height, reach};
   Best best;
   PointId found;
   for (std::uint32_t s = 0; s < world.particles.slots(); s++) {
@@ -52,7 +52,7 @@ PointId pick_point(const World& world, const Stage& stage, const Camera& camera,
     const bool hinge = particle.is_hinge(), of_body = static_cast<bool>(world.points[particle.points[0]].body);
     const double radius = hinge || of_body ? 0.05 * stage.unit : drawn_radius(world, particle.points[0], stage);
     const ParticleId id = world.particles.id_at(s);
-    if (look.rate(best, position(world, id), radius, hinge ? hinge_bonus : 0.0))
+    if (line.rate(best, position(world, id), radius, hinge ? hinge_bonus : 0.0))
       found = hinge ? star(world, id) : particle.points[0];
   }
   return found;
@@ -60,13 +60,13 @@ PointId pick_point(const World& world, const Stage& stage, const Camera& camera,
 
 ParticleId pick_hinge(const World& world, const Stage& stage, const Camera& camera, double x, double y, int width,
                       int height, double reach) {
-  const Look look{world, stage, camera, x, y, width, height, reach};
+  const Line line{world, stage, camera, x, y, width, height, reach};
   Best best;
   ParticleId found;
   for (std::uint32_t s = 0; s < world.particles.slots(); s++) {
     if (!world.particles.alive_at(s) || !world.particles.at_slot(s).is_hinge()) continue;
     const ParticleId id = world.particles.id_at(s);
-    if (look.rate(best, position(world, id), 0.05 * stage.unit, 0.0)) found = id;
+    if (line.rate(best, position(world, id), 0.05 * stage.unit, 0.0)) found = id;
   }
   return found;
 }

@@ -96,7 +96,7 @@ double drawn_radius(const World& world, PointId id, const Stage& stage) {
   const Point& point = world.points[id];
   const Particle& particle = world.particles[point.particle];
   const double given = particle.radius.value_or(point.radius);
-  return given > 0.0 && given < 3.0 * stage.unit ? given : 0.1 * stage.unit;
+  return given > 0.0 && given < stage.size ? given : 0.1 * stage.unit;
 }
 
 void Sketcher::draw(const World& world, const Camera& camera, const Stage& stage, const Overlay& overlay, int height,

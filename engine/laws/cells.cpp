@@ -34,8 +34,9 @@ Bounds bounds_of(std::span<const Vec3> places, std::span<const std::uint32_t> a,
 
 void require_inside(const Bounds& bounds, const Box& box) {
   for (int k = 0; k < 3; k++)
-    require(bounds.low[k] >= 0.0 && bounds.high[k] <= box.edge[k],
-            "a particle is too far out of the periodic box to be followed: forces or speeds are too large for this step");
+    require(
+        bounds.low[k] >= 0.0 && bounds.high[k] <= box.edge[k],
+        "a particle is too far out of the periodic box to be followed: forces or speeds are too large for this step");
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ void run_or_fail(World& world, Run run) {
 }  // namespace
 
 void refresh_forces(World& world) {
-  if (!world.influences_changed) return;
+  if (!world.influences_changed && !world.forces) return;
   const Timed timed(world.profile, Phase::refresh_forces);
   try {
     pantin::refresh_forces(world);

@@ -36,7 +36,9 @@ function quat_methods:rotate(v) end
 function quat_methods:inverse() end
 
 ---@alias color string|number[] "#rgb", "#rrggbb", "#rrggbbaa" or { r, g, b, a } of 0 to 1
----@alias Thing Point|Particle|Body|Nail|Follow|Rod|Group|Family|Connection|Interaction|Field
+---@alias Look "ball"|"glow"|"streak"
+---@alias Course<T> T|fun(age: number, life: number): T
+---@alias Thing Point|Particle|Body|Nail|Follow|Rod|Group|Family|Connection|Interaction|Field|Emitter
 
 ---@class Energy
 ---@field kinetic number [J]
@@ -90,10 +92,36 @@ function quat_methods:inverse() end
 ---@field at? vec [m]
 ---@field velocity? vec [m/s]
 ---@field mass? number [kg]
----@field radius? number [m]
----@field color? color
+---@field radius? Course<number> [m]
+---@field color? Course<color>
+---@field look? Look
+---@field family? Family
 ---@field lifetime? number [s]
 ---@field name? string
+---@field [string] Course<number> attributes of its family
+
+---@class FamilyOptions
+---@field attributes? table<string, Course<number>>|string[] values of a particle that gives none
+---@field color? Course<color>
+---@field radius? Course<number> [m]
+---@field mass? number [kg]
+---@field look? Look
+
+---@class EmitterOptions
+---@field rate number|fun(t: number): number [1/s]
+---@field at? vec|vec[]|Point|Particle [m] a place, a box { vec, vec }, or what carries it
+---@field velocity? vec [m/s]
+---@field spread? number [rad]
+---@field lifetime? number|{ min: number, max: number } [s]
+---@field max? integer
+---@field family? Family
+---@field mass? number [kg]
+---@field radius? Course<number> [m]
+---@field color? Course<color>
+---@field look? Look
+---@field enabled? boolean
+---@field name? string
+---@field [string] Course<number> attributes of its family
 
 ---@class PointOptions
 ---@field at? vec [m]
@@ -155,8 +183,9 @@ function Point:remove() end
 ---@field family Family? its family, whose attributes are fields of it: p.charge
 ---@field lifetime number [s] goes when its age reaches this; a hinge is cut; math.huge: never
 ---@field age number [s] time since it was made (read only)
----@field color color color; overrides its points'
----@field radius number [m] drawn size; overrides its points'
+---@field color color|fun(age: number, life: number): color color, or a function of age and lifetime [s]; overrides its points'
+---@field radius number|fun(age: number, life: number): number [m] size, or a function of age and lifetime [s]; overrides its points'
+---@field look string "ball", "glow" (a soft disc of light) or "streak" (a line of light along its velocity)
 ---@field points Point[] its points, in the order of joining (read only)
 ---@field bodies Body[] the bodies of its points (read only)
 ---@field is_hinge boolean whether it joins two points or more (read only)
@@ -352,6 +381,25 @@ local Field = {}
 ---Takes it out of the world.
 function Field:remove() end
 
+---Makes particles at a rate.
+---@class Emitter
+---@field at vec|vec[]|Point [m] where particles begin: a place, a box { vec, vec }, or a point that carries it
+---@field rate number|fun(t: number): number [1/s] particles per second; read: of the last step
+---@field velocity vec [m/s] relative to the point that carries it
+---@field spread number [rad] half angle of the cone of velocities
+---@field lifetime number|table [s] of its particles, or { min, max } between which it is random
+---@field max number particles of it that may live at once
+---@field enabled boolean whether it makes particles
+---@field family Family? of its particles (read only)
+---@field count integer how many of its particles live (read only)
+---@field made integer how many it has made (read only)
+---@field name string what messages and scene:find call it
+---@field alive boolean whether it still exists (read only)
+---@field data table a table of yours, which goes with the thing (read only)
+local Emitter = {}
+---Takes it out of the world.
+function Emitter:remove() end
+
 ---Something set to happen.
 ---@class Event
 ---@field state string "waiting", "fired", "dropped" or "cancelled" (read only)
@@ -467,6 +515,10 @@ function Scene:interact(a, b, law) end
 ---@param law Law
 ---@return Field
 function Scene:field(target, law) end
+---Makes particles at a rate.
+---@param options EmitterOptions
+---@return Emitter
+function Scene:emitter(options) end
 ---The oldest living thing of that name.
 ---@param name string
 ---@return Thing?

@@ -5,7 +5,7 @@ local wind = scene:param("wind", 4, { min = 0, max = 30, help = "speed of the wi
 scene.title = "Cloth"
 scene.duration = 20
 scene.step = 1 / 1200
-scene.camera = { at = vec(2.2, 3.2, 5.2), look_at = vec(0, 2.1, 0) }
+scene.camera = { at = vec(1.4, 2.9, 3.9), look_at = vec(0, 2.45, 0.2) }
 
 local edge, mass = 2, 0.4 -- m, kg
 local gap = edge / (n - 1)

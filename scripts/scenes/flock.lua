@@ -6,8 +6,8 @@ scene.duration = 60
 scene.gravity = vec(0, 0, 0)
 scene.step = 1 / 120
 
-local room = 3 * count ^ (1 / 3) -- m, radius of the sky
-scene.camera = { at = vec(0, 0.5 * room, 2.2 * room), look_at = vec(0, 0, 0) }
+local room = 1.7 * count ^ (1 / 3) -- m, radius of the sky
+scene.camera = { at = vec(0, 0.5 * room, 2.1 * room), look_at = vec(0, 0, 0) }
 
 local birds = scene:family("birds", { color = "#2f4858", radius = 0.16, mass = 1 })
 local flock = scene:group "flock"
@@ -19,7 +19,7 @@ for i = 1, count do
   })
 end
 
-scene:interact(birds, birds, force.flock { sight = 3, separation = 6, alignment = 0.5, cohesion = 0.5 })
+scene:interact(birds, birds, force.flock { sight = 4, separation = 3, alignment = 1.5, cohesion = 0.25 })
 
 -- Each bird likes a speed of 6 m/s, turns back at the edge of the sky, and wanders a little.
 scene:field(birds, force.point {

@@ -12,7 +12,7 @@ local water = scene:family("water", { color = "#3a8fd0", radius = 0.5 })
 local kinds = { { oil, oil }, { water, water }, { oil, water } } -- what the two ends of a dumbbell are of
 
 local size = 2.2 * count ^ (1 / 3)
-scene.camera = { at = vec(0.6 * size, 0.9 * size, 2.6 * size), look_at = vec(0, 0, 0) }
+scene.camera = { at = vec(0.6 * size, 0.8 * size, 2.0 * size), look_at = vec(0, 0, 0) }
 
 local dumbbells = scene:group "dumbbells"
 local per_row = math.ceil(count ^ (1 / 3))
@@ -34,7 +34,7 @@ scene:interact(water, water, force.hydrophobic { strength = 0.4, size = 1 })
 scene:interact(oil, water, force.hydrophobic { strength = 1, size = 1, attraction = -1 })
 
 scene:field(scene, force.thermostat { temperature = warmth, rate = 0.5 })
-scene:field(scene, force.point { potential = function(p) return 0.002 * p.position:dot(p.position) end })
+scene:field(scene, force.point { potential = function(p) return 0.02 * p.position:dot(p.position) end })
 
 scene:probe("temperature", function() return scene.temperature end)
 scene:probe("largest drop", function() return #dumbbells:clusters(1.4)[1] end)

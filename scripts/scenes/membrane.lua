@@ -10,7 +10,7 @@ scene.step = 0.01
 -- Sizes and laws of Cooke, Kremer and Deserno (2005), with straight, rigid amphiphiles.
 local edge = 1.9 * count ^ (1 / 3)
 scene.box = vec(edge, edge, edge)
-scene.camera = { at = vec(1.4 * edge, 1.3 * edge, 2.4 * edge), look_at = vec(0.5, 0.45, 0.5) * edge }
+scene.camera = { at = vec(1.9 * edge, 1.5 * edge, 3.1 * edge), look_at = vec(0.5, 0.45, 0.5) * edge }
 
 local head = scene:family("head", { color = "#2f78b7", radius = 0.45 })
 local tail = scene:family("tail", { color = "#f0c05a", radius = 0.5 })

@@ -28,6 +28,7 @@ TEST_CASE("every field that is listed can be read, and every method is there") {
     things.Connection = scene:connect(scene:particle(), vec(0, 1, 0), spring)
     things.Interaction = scene:interact(things.Family, things.Family, force.gravitation {})
     things.Field = scene:field(scene, drag)
+    things.Emitter = scene:emitter { at = vec(0, 0, 0), rate = 1 }
     things.Group:add(body)
   )";
   for (const lua::Type* type : lua::all_types()) {
