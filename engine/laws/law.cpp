@@ -1,6 +1,7 @@
 #include "laws/law.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/check.hpp"
 #include "laws/derivative.hpp"
@@ -39,6 +40,9 @@ struct Sort {
 
 // A law without its expressions, when these depend on nothing that they must not.
 Law start(const LawDef& def, const Sort& sort, Expressions&& graph, std::span<const Expr> expressions) {
+  for (Expr e : expressions)
+    require(!graph.is_constant(e) || std::isfinite(graph[e].value), def.name, ": ", sort.name,
+            " must be a finite number, and this is always ", graph[e].value);
   require(def.cutoff > 0.0, def.name, ": the cutoff must be > 0 m, got ", def.cutoff);
   require(def.exclude >= 0, def.name, ": exclude must be a number of connections >= 0, got ", def.exclude);
   Law law;

@@ -31,6 +31,16 @@ scene:probe("height", function() return bob.position.y end)
 scene:result("mass", mass)
 )";
 
+const char* const gas = R"(
+scene.gravity = vec(0, 0, 0)
+local atoms = scene:family "atoms"
+for i = 1, 2000 do
+  scene:particle { family = atoms, at = vec(i % 13, i // 13 % 13, i // 169) * 1.1, velocity = vec(math.random(), 0, 1) }
+end
+scene:interact(atoms, atoms, force.lennard_jones { epsilon = 1, sigma = 1 })
+scene:field(atoms, force.thermostat { temperature = 1, rate = 1 })
+)";
+
 std::size_t lines(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
@@ -119,6 +129,18 @@ TEST_CASE("program: a table and a summary of a run") {
   CHECK(summary["stats"]["newton_iterations"].get<int>() >= 50);
   CHECK(summary["ns_per_phase"]["drift"].get<double>() > 0.0);
   CHECK(summary["warnings"].is_array());
+}
+
+TEST_CASE("program: laws end in the same bits on one, two and four threads") {
+  Folder folder;
+  write_file(folder / "gas.lua", gas);
+  std::string wanted;
+  for (const char* threads : {"1", "2", "4"}) {
+    REQUIRE(use(folder, {"run", "gas.lua", "--until", "0.2", "--threads", threads, "--summary", "gas.json"}).code == 0);
+    const std::string hash = nlohmann::json::parse(read_file(folder / "gas.json"))["hash"];
+    if (wanted.empty()) wanted = hash;
+    CHECK(hash == wanted);
+  }
 }
 
 TEST_CASE("program: two runs end in the same bits") {

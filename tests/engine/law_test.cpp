@@ -99,3 +99,11 @@ TEST_CASE("a law may depend only on what its kind has") {
   const Expr of_third = p.input({Role::attribute, 2, 0, "charge"});
   CHECK_THROWS_WITH(central_potential(def, p, of_third), Contains("the charge of particle 3"));
 }
+
+TEST_CASE("law: one that is never a finite number is refused") {
+  Expressions g;
+  const Expr nothing = g.constant(std::nan(""));
+  LawDef def;
+  def.name = "scene.lua:3";
+  CHECK_THROWS_WITH(central_potential(def, std::move(g), nothing), Catch::Contains("must be a finite number"));
+}
