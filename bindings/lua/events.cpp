@@ -201,6 +201,7 @@ void run_behaviours(Script& script) {
       tell(script, name_of(notice.kind), [&](lua_State* state) { return push_notice(state, script, notice); });
     }
   }
+  recheck_laws(script);
   tell(script, "step", [&](lua_State* state) {
     lua_pushnumber(state, script.world.settings.step);
     return 1;

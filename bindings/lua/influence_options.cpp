@@ -114,7 +114,9 @@ int scene_connect(lua_State* state) {
     lua_pop(state, 1);
   }
   def.name = o.string("name").value_or("");
-  push_thing(state, self.script, add_connection(self.world, law, def));
+  const ConnectionId id = add_connection(self.world, law, def);
+  watch_law(self.script, id, resolved);
+  push_thing(state, self.script, id);
   return 1;
 }
 
@@ -125,7 +127,9 @@ int scene_interact(lua_State* state) {
   const KnownNames known[] = {names_of(self.world, a), names_of(self.world, b)};
   const ResolvedLaw resolved = resolve_law(state, 4, self.script, known, a == b);
   require_values("interact", *resolved.laws.front());
-  push_thing(state, self.script, add_interaction(self.world, resolved.laws.front(), a, b, resolved.values));
+  const InteractionId id = add_interaction(self.world, resolved.laws.front(), a, b, resolved.values);
+  watch_law(self.script, id, resolved);
+  push_thing(state, self.script, id);
   return 1;
 }
 
@@ -138,7 +142,9 @@ int scene_field(lua_State* state) {
   const KnownNames known[] = {ref->kind == Kind::family ? names_of(self.world, ref->id<FamilyId>())
                                                         : names_of_all(self.world)};
   const ResolvedLaw resolved = resolve_law(state, 3, self.script, known, false);
-  push_thing(state, self.script, add_field(self.world, resolved.laws.front(), any_of(*ref), resolved.values));
+  const FieldId id = add_field(self.world, resolved.laws.front(), any_of(*ref), resolved.values);
+  watch_law(self.script, id, resolved);
+  push_thing(state, self.script, id);
   return 1;
 }
 

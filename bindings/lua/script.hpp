@@ -10,6 +10,7 @@
 
 #include "lua/callback.hpp"
 #include "lua/handles.hpp"
+#include "lua/recheck.hpp"
 #include "lua/runtime.hpp"
 #include "lua/scene.hpp"
 
@@ -46,8 +47,9 @@ struct Script {
   std::uint64_t subscribed = 0;             ///< serial of the last
   std::size_t cancelled = 0;                ///< subscriptions that are only there to be dropped
   int telling = 0;                          ///< calls that go through the subscriptions now
-  std::size_t data_count = 0;               ///< tables of things' data
-  std::size_t data_sweep = 64;              ///< count at which the dead ones are dropped
+  std::vector<TracedAtWork> traced;
+  std::size_t data_count = 0;   ///< tables of things' data
+  std::size_t data_sweep = 64;  ///< count at which the dead ones are dropped
 
   /// Addresses are keys of the Lua registry: per kind the handles given out, then their data, then scene.store.
   std::array<char, kind_count + 2> keys{};

@@ -177,6 +177,8 @@ void set_enabled(World& world, FieldId field, bool enabled);
 void set_parameter(World& world, ConnectionId connection, std::size_t index, double value);
 void set_parameter(World& world, InteractionId interaction, std::size_t index, double value);
 void set_parameter(World& world, FieldId field, std::size_t index, double value);
+/// Puts another law with the same parameters in the place of one, wherever that acts.
+void replace_law(World& world, const std::shared_ptr<const Law>& law, const std::shared_ptr<const Law>& by);
 void set_breaks_at(World& world, ConnectionId connection, double max_force, double max_length);  ///< [N], [m] > 0
 void set_length(World& world, ConstraintId rod, double length);  ///< [m]; it is drawn in within some 0.1 s
 void set_target(World& world, ConstraintId follow, std::function<Vec3(double)> target);

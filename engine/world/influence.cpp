@@ -188,6 +188,18 @@ void set_parameter(World& world, FieldId id, std::size_t index, double value) {
   write_parameter(*world.fields[id].law, world.fields[id].parameters, index, value);
 }
 
+void replace_law(World& world, const std::shared_ptr<const Law>& law, const std::shared_ptr<const Law>& by) {
+  require_unlocked(world, "replace_law");
+  disturb_forces(world);
+  const auto replace = [&](auto& rows) {
+    for (std::uint32_t s = 0; s < rows.slots(); s++)
+      if (rows.alive_at(s) && rows.at_slot(s).law == law) rows.at_slot(s).law = by;
+  };
+  replace(world.connections);
+  replace(world.interactions);
+  replace(world.fields);
+}
+
 void set_breaks_at(World& world, ConnectionId id, double max_force, double max_length) {
   require_unlocked(world, "breaks_at");
   require_positive_or_infinite("connection", "breaks_at.force", max_force, "N");

@@ -1,0 +1,135 @@
+#include "lua/recheck.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "laws/sites.hpp"
+#include "lua/script.hpp"
+#include "world/edit.hpp"
+#include "world/forces.hpp"
+#include "world/query.hpp"
+
+namespace pantin::lua {
+namespace {
+
+constexpr std::size_t samples = 4;
+using Together = std::vector<End>;  // what one evaluation of a law sees
+
+Vec3 place(const World& world, const End& end) { return end.particle ? position(world, end.particle) : end.place; }
+Vec3 speed(const World& world, const End& end) { return end.particle ? velocity(world, end.particle) : zero3(); }
+Vec3 apart(const World& world, const End& a, const End& b) {
+  return Box{world.settings.box.value_or(zero3())}.nearest(place(world, b) - place(world, a));
+}
+
+/// Particles here and there in a list.
+std::vector<ParticleId> some(const World& world, const std::vector<ParticleId>& list) {
+  std::vector<ParticleId> chosen;
+  for (std::size_t k = 0; k < std::min(samples, list.size()); k++)
+    chosen.push_back(list[(k * 7919 + world.steps * 104729) % list.size()]);
+  return chosen;
+}
+
+/// A particle of one family and the nearest of the other, a few times.
+std::vector<Together> pairs_of(const World& world, const Interaction& row) {
+  std::vector<Together> list;
+  const std::vector<ParticleId> others = particles(world, row.b);
+  for (ParticleId a : some(world, particles(world, row.a))) {
+    ParticleId nearest;
+    double least = infinity;
+    for (ParticleId b : others)
+      if (const double d = norm2(apart(world, {a}, {b})); b != a && d < least) least = d, nearest = b;
+    if (nearest) list.push_back({{a}, {nearest}});
+  }
+  return list;
+}
+
+std::vector<Together> met_by(const World& world, const AnyId& id) {
+  std::vector<Together> list;
+  if (const auto* interaction = std::get_if<InteractionId>(&id))
+    return pairs_of(world, world.interactions[*interaction]);
+  if (const auto* connection = std::get_if<ConnectionId>(&id)) {
+    const Connection& row = world.connections[*connection];
+    Together ends;
+    for (std::uint32_t i = 0; i < row.count; i++)
+      ends.push_back({row.particles[i], row.places.empty() ? zero3() : row.places[i]});
+    return {ends};
+  }
+  const pantin::Field& field = world.fields[std::get<FieldId>(id)];
+  if (field.group) return {};  // whose members may be anything
+  for (ParticleId p : some(world, field.family ? particles(world, field.family) : particles(world)))
+    list.push_back({{p}});
+  return list;
+}
+
+double value(const World& world, const Together& ends, const Input& input) {
+  switch (input.role) {
+    case Role::distance2: return norm2(apart(world, ends[0], ends[1]));
+    case Role::approach: return dot(apart(world, ends[0], ends[1]), speed(world, ends[1]) - speed(world, ends[0]));
+    case Role::displacement: return apart(world, ends[0], ends[1])[input.component];
+    case Role::relative_velocity: return (speed(world, ends[1]) - speed(world, ends[0]))[input.component];
+    case Role::place: return place(world, ends[input.who])[input.component];
+    case Role::velocity: return speed(world, ends[input.who])[input.component];
+    case Role::attribute:
+      return ends[input.who].particle ? attribute(world, ends[input.who].particle, input.name).value_or(0.0) : 0.0;
+    case Role::noise: return 0.3 + 0.1 * input.component;
+    case Role::parameter:
+    case Role::time: break;
+  }
+  return 0.0;
+}
+
+const std::vector<double>& parameters_of(const World& world, const AnyId& id) {
+  if (const auto* interaction = std::get_if<InteractionId>(&id)) return world.interactions[*interaction].parameters;
+  if (const auto* connection = std::get_if<ConnectionId>(&id)) return world.connections[*connection].parameters;
+  return world.fields[std::get<FieldId>(id)].parameters;
+}
+
+std::string disagreement(const World& world, const TracedAtWork& at_work) {
+  const std::vector<Together> met = met_by(world, at_work.id);
+  if (met.empty()) return {};
+  const std::vector<Input> wanted = at_work.law.function->inputs_wanted();
+  std::vector<std::vector<double>> columns(wanted.size());
+  std::vector<const double*> inputs;
+  for (std::size_t c = 0; c < wanted.size(); c++) {
+    for (const Together& ends : met) columns[c].push_back(value(world, ends, wanted[c]));
+    inputs.push_back(columns[c].data());
+  }
+  std::vector<std::vector<std::uint32_t>> slots(met[0].size());
+  std::vector<const std::uint32_t*> particles;
+  for (std::size_t who = 0; who < slots.size(); who++) {
+    for (const Together& ends : met) slots[who].push_back(ends[who].particle ? ends[who].particle.slot - 1 : 0);
+    particles.push_back(slots[who].data());
+  }
+  Called::Block block;
+  block.n = static_cast<int>(met.size());
+  block.inputs = inputs;
+  block.particles = particles;
+  block.time = world.time;
+  block.parameters = parameters_of(world, at_work.id);
+  return recheck_law(at_work.law, block);
+}
+
+}  // namespace
+
+void watch_law(Script& script, const AnyId& id, const ResolvedLaw& law) {
+  if (!law.function || law.laws.front()->called) return;
+  for (const TracedAtWork& known : script.traced)
+    if (known.law.function == law.function) return;
+  script.traced.push_back({id, law});
+}
+
+void recheck_laws(Script& script) {
+  World& world = script.world;
+  if (script.traced.empty() || !std::has_single_bit(world.steps)) return;
+  std::erase_if(script.traced, [&](const TracedAtWork& t) { return !alive(world, t.id); });
+  for (std::size_t i = 0; i < script.traced.size(); i++) {
+    const TracedAtWork at_work = script.traced[i];
+    const std::string found = disagreement(world, at_work);
+    if (found.empty()) continue;
+    log_line(world, "warning", found);
+    replace_law(world, at_work.law.laws.front(), called_law(at_work.law.function));
+    script.traced.erase(script.traced.begin() + static_cast<std::ptrdiff_t>(i--));
+  }
+}
+
+}  // namespace pantin::lua
