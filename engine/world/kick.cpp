@@ -1,7 +1,7 @@
 // What the forces of the laws do to velocities and momenta.
 #include "articulates/articulate.hpp"
 #include "world/forces.hpp"
-#include "world/forces_build.hpp"
+#include "world/forces_parts.hpp"
 
 namespace pantin {
 

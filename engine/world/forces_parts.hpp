@@ -1,0 +1,56 @@
+#pragma once
+// Not for use outside world/.
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "world/forces.hpp"
+
+namespace pantin {
+
+/// Makes the laws of the model ready to act; null where there are none. Places are not yet read.
+std::unique_ptr<Forces> build_forces(const World& world);
+/// Gives the fields their sites; after every change of their order.
+void arrange_fields(const World& world, Forces& forces);
+/// Evaluates laws that depend on velocities again, at the present ones.
+void run_moving_laws(World& world, Forces& forces);
+/// The particles of a point, body, particle or group, as they were made: some may sleep in hinges.
+std::vector<ParticleId> particles_of(const World& world, const AnyId& thing);
+/// Pairs of sites with no more than `steps` connections between them.
+Exclusions bonded(const Forces& forces, int steps);
+/// From pairs of n sites, each in both orders.
+Exclusions exclusions(std::size_t n, std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs);
+
+/// The periodic box, or open space.
+Box box_of(const World& world);
+/// State of the sites: of what articulates hold after a drift as they have it, before as the model has it.
+void read_places(const World& world, Forces& forces, bool drifted);
+void read_velocities(const World& world, Forces& forces, bool drifted);
+/// Sorts the sites by cells and builds the rows anew.
+void build_rows(const World& world, Forces& forces, bool drifted);
+/// Reads the present state into laws that were just built.
+void start(const World& world, Forces& forces);
+/// Ages, and what follows them, at a time [s].
+void refresh_ages(const World& world, Forces& forces, double time);
+
+Instant instant_of(const World& world, double time, std::uint64_t number);
+/// Values of a law's parameters; "step" is the length of the step [s], "boltzmann" k_B [J/K].
+std::vector<double> present_parameters(const World& world, const Law& law, const std::vector<double>& given);
+
+/// Laws that depend on velocities, and the others.
+struct Which {
+  bool moving, still;
+};
+/// Adds the forces of the laws; gives the energy [J] of those that have one where it is asked for.
+double run_laws(const World& world, Forces& forces, const Instant& instant, Which which, bool with_energy);
+
+/// Calls `use(name, law, what acts)` for all laws at work.
+template <class Use>
+void each_law(const World& world, Forces& f, Use use) {
+  const auto name = [](const auto& row, const Law& law) { return row.name.empty() ? law.name : row.name; };
+  for (ActingInteraction& a : f.interactions) use(name(world.interactions[a.id], *a.law), *a.law, a);
+  for (ActingConnections& a : f.connections) use(a.law->name, *a.law, a);
+  for (ActingField& a : f.fields) use(name(world.fields[a.id], *a.law), *a.law, a);
+}
+
+}  // namespace pantin

@@ -1,0 +1,161 @@
+// What the laws at work tell: their energies, loads, and what went wrong.
+#include <algorithm>
+
+#include "world/editing.hpp"
+#include "world/forces_parts.hpp"
+
+namespace pantin {
+
+namespace {
+
+/// Calls `read` with the laws of the present state at work, which it may run; what they were is put back.
+template <class Read>
+auto with_present_laws(const World& world, Read read) -> decltype(read(*world.forces)) {
+  if (world.influences_changed) {
+    const std::unique_ptr<Forces> fresh = build_forces(world);
+    if (!fresh) return {};
+    start(world, *fresh);
+    refresh_ages(world, *fresh, world.time);
+    return read(*fresh);
+  }
+  if (!world.forces) return {};
+  Forces& f = *world.forces;
+  const auto force = f.sites.force, open = f.sites.open_force;
+  auto result = read(f);
+  f.sites.force = force;
+  f.sites.open_force = open;
+  return result;
+}
+
+Instant present(const World& world) { return instant_of(world, world.time, world.steps); }
+
+}  // namespace
+
+namespace {
+
+/// Number of a connection among those of its law.
+std::optional<std::size_t> find(const World& world, const ActingConnections& acting, ConnectionId id) {
+  const auto at = std::lower_bound(acting.serials.begin(), acting.serials.end(), world.connections[id].serial);
+  const auto k = static_cast<std::size_t>(at - acting.serials.begin());
+  if (k == acting.ids.size() || acting.ids[k] != id) return {};
+  return k;
+}
+
+}  // namespace
+
+double law_energy(const World& world) {
+  return with_present_laws(world, [&](Forces& f) { return run_laws(world, f, present(world), {false, true}, true); });
+}
+
+std::optional<double> law_energy(const World& world, InteractionId id) {
+  const Interaction& row = world.interactions[id];
+  if (!row.law->has_energy()) return {};
+  return with_present_laws(world, [&](Forces& f) -> std::optional<double> {
+    for (ActingInteraction& a : f.interactions)
+      if (a.id == id && a.law == row.law)
+        return a.pairs.add_forces_and_energy(f.sites, a.rows, present(world),
+                                             present_parameters(world, *a.law, row.parameters), *world.workers);
+    return {};
+  });
+}
+
+std::optional<double> law_energy(const World& world, FieldId id) {
+  const pantin::Field& row = world.fields[id];
+  if (!row.law->has_energy()) return {};
+  return with_present_laws(world, [&](Forces& f) -> std::optional<double> {
+    for (ActingField& a : f.fields)
+      if (a.id == id && a.law == row.law)
+        return a.fields.add_forces_and_energy(f.sites, box_of(world), present(world),
+                                              present_parameters(world, *a.law, row.parameters), *world.workers);
+    return {};
+  });
+}
+
+/// One connection by itself.
+double energy_of(const World& world, Forces& f, const ActingConnections& acting, std::size_t k) {
+  const auto count = static_cast<std::ptrdiff_t>(acting.ties.count), at = static_cast<std::ptrdiff_t>(k) * count;
+  Ties one{acting.ties.count, {acting.ties.sites.begin() + at, acting.ties.sites.begin() + at + count}, {}};
+  for (const auto& column : acting.ties.parameters) one.parameters.push_back({column[k]});
+  Bonds bond(acting.law, f.sites.names, *world.workers);
+  bond.arrange(one, f.sites);
+  return bond.add_forces_and_energy(f.sites, box_of(world), present(world), {}, *world.workers);
+}
+
+std::optional<double> law_energy(const World& world, ConnectionId id) {
+  const Connection& row = world.connections[id];
+  if (!row.law->has_energy()) return {};
+  return with_present_laws(world, [&](Forces& f) -> std::optional<double> {
+    for (ActingConnections& a : f.connections) {
+      const auto k = a.law == row.law ? find(world, a, id) : std::nullopt;
+      if (k) return energy_of(world, f, a, *k);
+    }
+    return {};
+  });
+}
+
+double tension(const World& world, ConnectionId id) {
+  const Connection& row = world.connections[id];
+  if (!world.forces || row.law->kind != LawKind::central) return 0.0;
+  double sum = 0.0;
+  for (const ActingConnections& a : world.forces->connections)
+    if (const auto k = find(world, a, id)) sum += a.bonds.tension(*k, world.forces->sites, box_of(world));
+  return sum;
+}
+
+std::vector<double> tensions(const World& world) {
+  std::vector<double> list(world.connections.slots(), 0.0);
+  if (!world.forces) return list;
+  for (const ActingConnections& a : world.forces->connections)
+    for (std::size_t k = 0; a.law->kind == LawKind::central && k < a.ids.size(); k++)
+      list[a.ids[k].slot - 1] += a.bonds.tension(k, world.forces->sites, box_of(world));
+  return list;
+}
+
+LawLedger law_ledger(const World& world) {
+  LawLedger ledger{world.given_by_laws, {}, world.open_work};
+  if (!world.forces || world.influences_changed) return ledger;
+  law_energy(world);
+  each_law(world, *world.forces, [&](const std::string& name, const Law& law, const auto& acting) {
+    if (law.has_energy())
+      ledger.given[name] += acting.at_first - acting.energy;
+    else
+      ledger.without_energy.push_back(name);
+  });
+  std::sort(ledger.without_energy.begin(), ledger.without_energy.end());
+  const auto end = std::unique(ledger.without_energy.begin(), ledger.without_energy.end());
+  ledger.without_energy.erase(end, ledger.without_energy.end());
+  return ledger;
+}
+
+std::string bad_force(const World& world) {
+  if (!world.forces) return {};
+  Forces& f = *world.forces;
+  const Instant instant = instant_of(world, next_time(world), world.steps + 1);
+  const auto name = [&](std::uint32_t site) {
+    return f.sites.particle[site] == Forces::none ? std::string("a place")
+                                                  : describe(world, world.particles.id_at(f.sites.particle[site]));
+  };
+  const auto message = [&](const Law& law, const BadForce& bad) {
+    std::string between = name(bad.sites[0]);
+    for (int i = 1; i < bad.count; i++) between += " and " + name(bad.sites[i]);
+    return bad.count == 1 ? text(law.name, ": the force on ", between, " is not a finite number")
+                          : text(law.name, ": the force between ", between,
+                                 " is not a finite number, at a distance of ", bad.distance, " m");
+  };
+  for (ActingInteraction& a : f.interactions) {
+    const Interaction& row = world.interactions[a.id];
+    if (const auto bad = a.pairs.find_bad(f.sites, a.rows, instant, present_parameters(world, *a.law, row.parameters)))
+      return message(*a.law, *bad);
+  }
+  for (ActingConnections& a : f.connections)
+    if (const auto bad = a.bonds.find_bad(f.sites, box_of(world), instant, {})) return message(*a.law, *bad);
+  for (ActingField& a : f.fields) {
+    const pantin::Field& row = world.fields[a.id];
+    if (const auto bad =
+            a.fields.find_bad(f.sites, box_of(world), instant, present_parameters(world, *a.law, row.parameters)))
+      return message(*a.law, *bad);
+  }
+  return {};
+}
+
+}  // namespace pantin
