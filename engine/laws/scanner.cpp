@@ -125,11 +125,14 @@ void Scanner::add_pieces(std::int32_t layer, std::int32_t row, std::size_t shift
 
 void Scanner::move_on(std::int32_t at) {
   const std::int32_t around = Grid::around, n = grid_.cells[Grid::line];
+  ranges_.clear();
   for (Piece& piece : pieces_) {
     const std::int32_t from = (piece.self ? at : at - around) - piece.turns * n, to = at + around - piece.turns * n;
     while (piece.low < piece.end && b_.cells[piece.low].at < from) piece.low++;
     piece.high = std::max(piece.high, piece.low);
     while (piece.high < piece.end && b_.cells[piece.high].at <= to) piece.high++;
+    const std::uint32_t begin = b_.cells[piece.low].begin, end = b_.cells[piece.high].begin;
+    if (begin < end) ranges_.push_back({piece.shift, begin, end, piece.self});
   }
 }
 
@@ -137,23 +140,15 @@ std::uint64_t Scanner::add_site(Slab& slab, std::size_t k) {
   const std::uint32_t site = a_.site[k];
   const bool excludes = omitted_.has(site);
   std::uint64_t pairs = 0;
-  for (auto piece = pieces_.begin(); piece != pieces_.end();) {
-    const std::size_t shift = piece->shift, begin = slab.own.size();
+  for (auto range = ranges_.begin(); range != ranges_.end();) {
+    const std::size_t shift = range->shift, begin = slab.own.size();
     std::size_t candidates = 0;
-    auto last = piece;
-    for (; last != pieces_.end() && last->shift == shift; last++)
-      candidates += b_.cells[last->high].begin - b_.cells[last->low].begin;
-    if (candidates == 0) {
-      piece = last;
-      continue;
-    }
+    auto last = range;
+    for (; last != ranges_.end() && last->shift == shift; last++) candidates += last->end - last->begin;
     slab.own.resize(begin + candidates + 4);
     const Target target{a_.x[k] - shifts_[shift][0], a_.y[k] - shifts_[shift][1], a_.z[k] - shifts_[shift][2], reach2_};
     std::uint32_t *first = slab.own.data() + begin, *out = first;
-    for (; piece != last; piece++) {
-      const std::size_t from = piece->self ? k + 1 : b_.cells[piece->low].begin;
-      out = scan(b_, from, b_.cells[piece->high].begin, target, out);
-    }
+    for (; range != last; range++) out = scan(b_, range->self ? k + 1 : range->begin, range->end, target, out);
     if (excludes) out = omitted_.remove(site, first, out);
     const auto count = static_cast<std::size_t>(out - first);
     slab.own.resize(begin);

@@ -41,6 +41,13 @@ class Scanner {
     bool self = false;
   };
 
+  /// What of `b` the sites of a cell look at, by places in its order.
+  struct Range {
+    std::size_t shift = 0;
+    std::uint32_t begin = 0, end = 0;
+    bool self = false;  ///< each site only at what comes after it
+  };
+
   void find_pieces(const Cells::Line& line);
   void add_pieces(std::int32_t layer, std::int32_t row, std::size_t shift, bool self);
   void move_on(std::int32_t at);
@@ -54,6 +61,7 @@ class Scanner {
   double reach2_;
   const Vec3* shifts_;
   std::vector<Piece> pieces_;
+  std::vector<Range> ranges_;  ///< not empty, in the order of the pieces
 };
 
 }  // namespace pantin

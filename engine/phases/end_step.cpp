@@ -17,9 +17,28 @@ double kinetic_energy(const Motion& m) {
   return 0.5 * (norm2(m.p) / m.mass + dot(m.angular, m.angular * inverse_inertia(m)));
 }
 
+struct OfLoosePoints {
+  double kinetic = 0.0;       ///< [J]
+  Vec3 mass_place = zero3();  ///< [kg m] sum of mass times place
+  bool finite = true;         ///< these sums are; then all states are
+};
+
+OfLoosePoints measure_loose_points(const World& world) {
+  Vec3 kinetic = zero3(), mass_place = zero3(), unsound = zero3();
+  for (std::size_t i = 0; i < world.loose_points.size(); i++) {
+    const FreeMotion& m = world.free_motion[world.loose_points[i]];
+    kinetic += m.v * m.v * world.loose_masses[i];
+    mass_place += m.x * world.loose_masses[i];
+    unsound += m.x * 0.0;
+  }
+  const double sum = 0.5 * (kinetic[0] + kinetic[1] + kinetic[2]);
+  return {sum, mass_place, std::isfinite(sum) && finite(unsound)};
+}
+
 /// Names the first thing whose new state is not finite; empty if all is well.
-std::string first_bad(const World& world) {
-  for (std::uint32_t slot : world.loose_points) {
+std::string first_bad(const World& world, const OfLoosePoints& points) {
+  for (std::size_t i = 0; !points.finite && i < world.loose_points.size(); i++) {
+    const std::uint32_t slot = world.loose_points[i];
     const FreeMotion& m = world.free_motion[slot];
     if (!sound(m.x, {}, norm2(m.v))) return describe(world, world.points.at_slot(slot).particle);
   }
@@ -41,8 +60,8 @@ std::string last_act(const World& world) {
 }
 
 /// The first law that gave a force, or the first thing whose state, is not finite; empty if all is well.
-std::string what_went_bad(const World& world, double time) {
-  const std::string thing = first_bad(world);
+std::string what_went_bad(const World& world, const OfLoosePoints& points, double time) {
+  const std::string thing = first_bad(world, points);
   if (thing.empty()) return {};
   if (const std::string law = bad_force(world); !law.empty()) return law;
   return text("the state of ", thing, " is no longer a finite number at ", time,
@@ -64,9 +83,9 @@ void end_pushes(World& world) {
 }
 
 /// Energies and gaps from the working copies, which are at hand; `accuracy()` finds the same from the model's rows.
-void measure_errors(World& world) {
+void measure_errors(World& world, const OfLoosePoints& points) {
   const Vec3 gravity = world.settings.gravity;
-  double kinetic = 0.0, potential = 0.0;
+  double kinetic = points.kinetic, potential = -dot(gravity, points.mass_place);
   Accuracy now;
   for (const auto& articulate : world.articulates) {
     for (const Node& n : articulate->nodes) {
@@ -80,12 +99,6 @@ void measure_errors(World& world) {
     const Motion& m = world.motion[slot];
     kinetic += kinetic_energy(m);
     potential -= m.mass * dot(gravity, m.x);
-  }
-  for (std::uint32_t slot : world.loose_points) {
-    const double mass = world.points.at_slot(slot).mass;
-    const FreeMotion& m = world.free_motion[slot];
-    kinetic += 0.5 * mass * norm2(m.v);
-    potential -= mass * dot(gravity, m.x);
   }
   world.largest_kinetic = std::max(world.largest_kinetic, kinetic);
   now.energy = world.error.energy;
@@ -107,7 +120,8 @@ void measure_errors(World& world) {
 void end_step(World& world) {
   const Timed timed(world.profile, Phase::end_step);
   const double time = next_time(world);
-  std::string bad = what_went_bad(world, time);
+  const OfLoosePoints points = measure_loose_points(world);
+  std::string bad = what_went_bad(world, points, time);
   if (bad.empty()) bad = world.trouble;
   if (!bad.empty()) {
     put_back(world);
@@ -121,7 +135,7 @@ void end_step(World& world) {
   world.step_count++;
   world.steps++;
   if (world.pushed) end_pushes(world);
-  measure_errors(world);
+  measure_errors(world, points);
   for (Probe& probe : world.probes) probe.latest = probe.read();  // one that fails leaves no row half recorded
   for (Probe& probe : world.probes) probe.values.push_back(probe.latest);
 }

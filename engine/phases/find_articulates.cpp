@@ -6,9 +6,15 @@ namespace pantin::phases {
 
 namespace {
 
+void read_masses(World& world) {
+  world.loose_masses.clear();
+  for (std::uint32_t slot : world.loose_points) world.loose_masses.push_back(world.points.at_slot(slot).mass);
+}
+
 void save_loose(World& world) {
-  world.saved_points.clear();
-  for (std::uint32_t slot : world.loose_points) world.saved_points.push_back(world.free_motion[slot]);
+  world.saved_points.resize(world.loose_points.size());
+  for (std::size_t i = 0; i < world.loose_points.size(); i++)
+    world.saved_points[i] = world.free_motion[world.loose_points[i]];
   world.saved_motion.clear();
   for (std::uint32_t slot : world.loose_bodies) world.saved_motion.push_back(world.motion[slot]);
 }
@@ -19,6 +25,7 @@ void find_articulates(World& world) {
   const Timed timed(world.profile, Phase::find_articulates);
   if (world.topology_changed) editing::disturb_forces(world);
   pantin::find_articulates(world, world.articulates, world.loose_bodies, world.loose_points);
+  if (world.influences_changed) read_masses(world);  // every edit of a mass says so
   save_loose(world);
 }
 

@@ -92,7 +92,8 @@ bool follows(const Forces& f) {
 /// Forces at the places and velocities that the sites now have; the energy where it is asked for.
 double evaluate(const World& world, Forces& f, const Instant& instant, bool with_energy) {
   refresh_ages(world, f, instant.time);
-  f.sites.clear_forces();
+  std::fill(f.sites.force.begin(), f.sites.force.end(), zero3());
+  if (f.open) std::fill(f.sites.open_force.begin(), f.sites.open_force.end(), zero3());
   double energy = run_laws(world, f, instant, {false, true}, with_energy);
   if (f.moving) {
     f.still.assign(f.sites.open_force.begin(), f.sites.open_force.end());

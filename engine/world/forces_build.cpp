@@ -135,6 +135,7 @@ struct Builder {
     const std::vector<std::uint32_t> slots = slots_by_serial();
     Sites& sites = forces.sites;
     sites.resize(slots.size() + places.size());
+    sites.clear_forces();
     std::fill(sites.kin.begin(), sites.kin.end(), 0u);
     std::fill(sites.family.begin(), sites.family.end(), none);
     forces.point.assign(sites.n, none);

@@ -61,11 +61,16 @@ Momenta momenta_of(World& world, const Mover& m, bool drifted) {
 
 double kick_points(World& world, Forces& f, double half) {
   double work = 0.0;
+  FreeMotion* motion = world.free_motion.data();
   for (std::size_t i = 0; i < f.sites.n; i++) {
     if (f.point[i] == none) continue;
-    Vec3& v = world.free_motion[f.point[i]].v;
-    const Vec3 change = (f.sites.force[i] + f.sites.open_force[i]) * (f.inverse_mass[i] * half);
-    if (f.open) work += dot(f.sites.open_force[i], v + change * 0.5) * half;
+    Vec3& v = motion[f.point[i]].v;
+    if (!f.open) {
+      v += f.sites.force[i] * (f.inverse_mass[i] * half);
+      continue;
+    }
+    const Vec3 open = f.sites.open_force[i], change = (f.sites.force[i] + open) * (f.inverse_mass[i] * half);
+    work += dot(open, v + change * 0.5) * half;
     v += change;
   }
   return work;

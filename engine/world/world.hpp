@@ -105,6 +105,7 @@ struct World : Model {
   std::vector<std::unique_ptr<Articulate>> articulates;  ///< in the order of their smallest serial
   std::vector<std::uint32_t> loose_bodies;               ///< slots of bodies that nothing constrains
   std::vector<std::uint32_t> loose_points;               ///< slots of free points that nothing constrains
+  std::vector<double> loose_masses;                      ///< (loose_points) [kg]
 
   std::unique_ptr<Forces> forces;               ///< of the laws; null where none acts
   std::unique_ptr<Workers> workers;             ///< threads
