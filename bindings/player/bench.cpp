@@ -7,14 +7,15 @@
 
 namespace pantin::player {
 
-int bench(const std::vector<std::string>& arguments) {
+int bench(const BenchOptions& options) {
+  const std::vector<std::string>& arguments = options.arguments;
   std::vector<Benchmark> all = benchmarks();
   std::sort(all.begin(), all.end(), [](const Benchmark& a, const Benchmark& b) { return a.name < b.name; });
   if (arguments.empty()) {
     if (all.empty()) throw lua::UsageError("this build has no benchmarks");
     for (const Benchmark& benchmark : all) {
       std::cout << benchmark.name << ": " << benchmark.help << "\n" << std::flush;
-      benchmark.run({});
+      benchmark.run({{}, options.peers});
     }
     return 0;
   }
@@ -25,7 +26,7 @@ int bench(const std::vector<std::string>& arguments) {
     throw lua::UsageError(
         text("there is no benchmark '", arguments[0], "'; there are: ", known.empty() ? "none" : known));
   }
-  found->run({arguments.begin() + 1, arguments.end()});
+  found->run({{arguments.begin() + 1, arguments.end()}, options.peers});
   return 0;
 }
 

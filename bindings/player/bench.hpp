@@ -5,11 +5,16 @@
 
 namespace pantin::player {
 
+struct BenchOptions {
+  std::vector<std::string> arguments;  ///< of the benchmark
+  bool peers = false;                  ///< measure other engines too, in the same run
+};
+
 /// A benchmark, run by `pantin bench NAME ARGUMENTS…`; prints a table.
 struct Benchmark {
   std::string name;
   std::string help;
-  void (*run)(const std::vector<std::string>& arguments);
+  void (*run)(const BenchOptions& options);
 };
 
 inline std::vector<Benchmark>& benchmarks() {
@@ -23,6 +28,6 @@ struct Register {
 };
 
 /// `pantin bench`: the first argument names one, the rest are its own; without arguments all run. Throws UsageError.
-int bench(const std::vector<std::string>& arguments);
+int bench(const BenchOptions& options);
 
 }  // namespace pantin::player

@@ -146,6 +146,7 @@ Options read_options(int argc, const char* const* argv) {
   test->add_option("path", options.arguments, "Files, or folders of them [tests/scenes]");
   CLI::App* bench = app.add_subcommand("bench", "Runs benchmarks");
   bench->add_option("name", options.arguments, "Which, and its arguments [all]");
+  bench->add_flag("--peers", options.peers, "Measures other engines, too, where they are installed");
   CLI::App* meta = app.add_subcommand("meta", "Prints the annotations for a Lua language server");
   meta->group("");
 

@@ -34,6 +34,7 @@ struct Options {
   Command command = Command::none;
   RunOptions run;
   std::vector<std::string> arguments;  ///< paths to test, or a benchmark and its arguments
+  bool peers = false;                  ///< of `bench`
 };
 
 /// Reads the command line. Help and version are printed and leave Command::none; wrong use throws UsageError.

@@ -26,7 +26,7 @@ int do_command(const Options& options) {
     case Options::Command::play: return play(options.run, find_home());
     case Options::Command::run: return run(options.run, find_home());
     case Options::Command::test: return test(options.arguments, find_home());
-    case Options::Command::bench: return bench(options.arguments);
+    case Options::Command::bench: return bench({options.arguments, options.peers});
     case Options::Command::meta: std::cout << lua::annotations(); return 0;
   }
   return 2;

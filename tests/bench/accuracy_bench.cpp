@@ -62,7 +62,7 @@ Outcome outcome(const HardCase& hard, double rate, bool energy_return, const Eig
   return {course.gap, course.energy_error(), error, world.stats.halved_steps, world.stats.safe_steps};
 }
 
-void run(const std::vector<std::string>&) {
+void run(const player::BenchOptions&) {
   std::printf("5 s from horizontal; error: last body's centre at 1 s from minimal coordinates, to round-off\n");
   std::printf("%-16s %7s %10s %12s %12s %12s %7s %5s\n", "case", "step", "gap, m", "energy", "... without", "error, m",
               "halved", "safe");

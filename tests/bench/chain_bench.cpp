@@ -88,8 +88,8 @@ std::vector<int> lengths(const std::vector<std::string>& arguments) {
   return list;
 }
 
-void bench_chain(const std::vector<std::string>& arguments) {
-  const std::vector<int> list = lengths(arguments);
+void bench_chain(const player::BenchOptions& options) {
+  const std::vector<int> list = lengths(options.arguments);
   std::printf("chain at 1/240 s, from %.2f s to %.2f s, one thread's processor time\n", warm_steps / 240.0,
               (warm_steps + measured_steps) / 240.0);
   std::printf("%8s %14s %12s %12s %14s %12s\n", "links", "ns/hinge/step", "iterations", "factors", "ns/3x3 product",

@@ -79,6 +79,8 @@ TEST_CASE("options: a value may hold an equals sign, or be empty") {
 TEST_CASE("options: tests and benchmarks take names") {
   CHECK(read({"test", "a", "b"}).arguments == std::vector<std::string>{"a", "b"});
   CHECK(read({"bench", "chain", "100"}).arguments == std::vector<std::string>{"chain", "100"});
+  CHECK_FALSE(read({"bench", "forces"}).peers);
+  CHECK(read({"bench", "forces", "--peers"}).peers);
 }
 
 TEST_CASE("options: wrong use names what is wrong and what is allowed") {
