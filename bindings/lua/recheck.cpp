@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <span>
 
 #include "laws/sites.hpp"
 #include "lua/script.hpp"
@@ -29,24 +30,37 @@ std::vector<ParticleId> some(const World& world, const std::vector<ParticleId>& 
   return chosen;
 }
 
-/// A particle of one family and the nearest of the other, a few times.
-std::vector<Together> pairs_of(const World& world, const Interaction& row) {
+/// A particle here and there in the rows of an interaction, and the nearest in its row.
+std::vector<Together> pairs_of(const World& world, InteractionId id) {
   std::vector<Together> list;
-  const std::vector<ParticleId> others = particles(world, row.b);
-  for (ParticleId a : some(world, particles(world, row.a))) {
-    ParticleId nearest;
+  if (!world.forces || world.influences_changed) return list;  // what acts is found anew in this step
+  const Forces& forces = *world.forces;
+  const Sites& sites = forces.sites;
+  const auto acting = std::find_if(forces.interactions.begin(), forces.interactions.end(),
+                                   [&](const ActingInteraction& a) { return a.id == id; });
+  if (acting == forces.interactions.end()) return list;
+  std::vector<const Slab*> slabs;
+  for (const std::vector<Slab>& phase : acting->rows.phases())
+    for (const Slab& slab : phase)
+      if (!slab.rows.empty()) slabs.push_back(&slab);
+  const auto particle = [&](std::uint32_t site) { return world.particles.id_at(sites.particle[site]); };
+  for (std::size_t k = 0; k < samples && !slabs.empty(); k++) {
+    const std::size_t number = k * 7919 + world.steps * 104729;
+    const Slab& slab = *slabs[number % slabs.size()];
+    const NeighbourRow& row = slab.rows[number % slab.rows.size()];
+    std::uint32_t nearest = sites.dummy();
     double least = infinity;
-    for (ParticleId b : others)
-      if (const double d = norm2(apart(world, {a}, {b})); b != a && d < least) least = d, nearest = b;
-    if (nearest) list.push_back({{a}, {nearest}});
+    for (std::uint32_t j : std::span(slab.list + row.begin, row.count))
+      if (const double d = norm2(sites.x[j] - sites.x[row.site] + acting->rows.shifts()[row.shift]); d < least)
+        least = d, nearest = j;
+    if (nearest != sites.dummy()) list.push_back({{particle(row.site)}, {particle(nearest)}});
   }
   return list;
 }
 
 std::vector<Together> met_by(const World& world, const AnyId& id) {
   std::vector<Together> list;
-  if (const auto* interaction = std::get_if<InteractionId>(&id))
-    return pairs_of(world, world.interactions[*interaction]);
+  if (const auto* interaction = std::get_if<InteractionId>(&id)) return pairs_of(world, *interaction);
   if (const auto* connection = std::get_if<ConnectionId>(&id)) {
     const Connection& row = world.connections[*connection];
     Together ends;
