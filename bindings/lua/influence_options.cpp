@@ -93,6 +93,9 @@ int scene_connect(lua_State* state) {
   def.ends = ends_of(state, at);
   std::vector<KnownNames> known;
   for (const End& end : def.ends) known.push_back(names_of(self.world, end));
+  if (const LawSpec* spec = to_law(state, at); spec && spec->kind != LawKind::point)
+    require(static_cast<std::size_t>(spec->count) == def.ends.size(), "connect: ", spec->word, " ties ", spec->count,
+            " particles, got ", def.ends.size());
   const ResolvedLaw resolved = resolve_law(state, at, self.script, known, false);
   const std::shared_ptr<const Law>& law = resolved.laws.front();
   std::vector<std::string> names = parameter_names(*law);

@@ -46,8 +46,15 @@ std::optional<std::array<Expr, 3>> SymbolAlgebra::read_vec(lua_State* from, int 
   return std::array<Expr, 3>{data->parts[0], data->parts[1], data->parts[2]};
 }
 
+namespace {
+/// Derivatives of more would take seconds.
+constexpr std::size_t most_operations = 600;
+std::string text_of_limit() { return pantin::text("more than ", most_operations, " operations (a long loop?)"); }
+}  // namespace
+
 void SymbolAlgebra::push(lua_State* to, Expr e) const {
   if (graph.is_constant(e)) return lua_pushnumber(to, graph[e].value);
+  if (graph.size() > most_operations) trace.refuse(state, text_of_limit());
   *static_cast<SymbolData*>(lua_newuserdatauv(to, sizeof(SymbolData), 0)) = {Tag::symbol, trace.serial(), {e, e, e}};
   set_algebra_metatable(to, Tag::symbol);
 }

@@ -24,6 +24,7 @@ struct Connection {
   double max_length = std::numeric_limits<double>::infinity();  ///< [m] at which it breaks
   bool enabled = true;
   std::string name;
+  std::string place_of_making;  ///< "scene.lua:12", or empty
   std::uint64_t serial = 0;
 };
 
@@ -33,6 +34,7 @@ struct Interaction {
   std::vector<double> parameters;  ///< (parameters of the law)
   bool enabled = true;
   std::string name;
+  std::string place_of_making;  ///< "scene.lua:12", or empty
   std::uint64_t serial = 0;
 };
 
@@ -46,6 +48,7 @@ struct Field {
   std::vector<double> parameters;  ///< (parameters of the law)
   bool enabled = true;
   std::string name;
+  std::string place_of_making;  ///< "scene.lua:12", or empty
   std::uint64_t serial = 0;
 };
 

@@ -62,7 +62,9 @@ std::string last_act(const World& world) {
 /// The first law that gave a force, or the first thing whose state, is not finite; empty if all is well.
 std::string what_went_bad(const World& world, const OfLoosePoints& points, double time) {
   const std::string thing = first_bad(world, points);
-  if (thing.empty()) return {};
+  const Forces* forces = world.forces.get();
+  const bool energy_lost = forces && forces->told && !std::isfinite(forces->energy);
+  if (thing.empty() && !energy_lost) return {};
   if (const std::string law = bad_force(world); !law.empty()) return law;
   return text("the state of ", thing, " is no longer a finite number at ", time,
               " s: forces or speeds are too large for a step of ", world.settings.step, " s");

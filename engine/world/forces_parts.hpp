@@ -21,6 +21,12 @@ Exclusions bonded(const Forces& forces, int steps);
 /// From pairs of n sites, each in both orders.
 Exclusions exclusions(std::size_t n, std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs);
 
+/// A law as messages name it: "scene.lua:12", or where one of the library was put to use, "scene.lua:3: lennard_jones".
+template <class Row>
+std::string law_in_place(const Row& row) {
+  const bool own = row.law->name.find(':') != std::string::npos;
+  return own || row.place_of_making.empty() ? row.law->name : row.place_of_making + ": " + row.law->name;
+}
 /// The periodic box, or open space.
 Box box_of(const World& world);
 /// State of the sites: of what articulates hold after a drift as they have it, before as the model has it.

@@ -131,7 +131,7 @@ void build_rows(const World& world, Forces& f, bool drifted) {
     const std::uint32_t of_a[] = {row.a.slot - 1}, of_b[] = {row.b.slot - 1};
     try {
       a.rows.build(f.sites, box, of_a, of_b, reach_of(world, f, a), skin, *world.workers, a.bonded);
-    } catch (const Error& error) { throw Error(text(a.law->name, ": ", error.what())); }
+    } catch (const Error& error) { throw Error(text(law_in_place(row), ": ", error.what())); }
   }
   f.skin.restart(f.sites, skin);
   f.rows = reach > 0.0;

@@ -69,6 +69,7 @@ ConnectionId add_connection(World& world, std::shared_ptr<const Law> law, const 
   row.max_force = def.max_force;
   row.max_length = def.max_length;
   row.name = def.name;
+  row.place_of_making = world.who ? world.who() : "";
   row.serial = world.next_serial++;
   for (std::size_t i = 0; i < def.ends.size(); i++) {
     row.particles[i] = def.ends[i].particle;
@@ -92,6 +93,7 @@ InteractionId add_interaction(World& world, std::shared_ptr<const Law> law, Fami
   row.law = std::move(law);
   row.a = a;
   row.b = b;
+  row.place_of_making = world.who ? world.who() : "";
   row.serial = world.next_serial++;
   disturb_forces(world);
   return world.interactions.add(std::move(row));
@@ -113,6 +115,7 @@ FieldId add_field(World& world, std::shared_ptr<const Law> law, const AnyId& tar
   }
   row.parameters = checked_parameters("field", *law, std::move(parameters));
   row.law = std::move(law);
+  row.place_of_making = world.who ? world.who() : "";
   row.serial = world.next_serial++;
   disturb_forces(world);
   return world.fields.add(std::move(row));

@@ -135,25 +135,33 @@ std::string bad_force(const World& world) {
     return f.sites.particle[site] == Forces::none ? std::string("a place")
                                                   : describe(world, world.particles.id_at(f.sites.particle[site]));
   };
-  const auto message = [&](const Law& law, const BadForce& bad) {
+  const auto message = [&](const auto& row, const BadForce& bad) {
     std::string between = name(bad.sites[0]);
     for (int i = 1; i < bad.count; i++) between += " and " + name(bad.sites[i]);
-    return bad.count == 1 ? text(law.name, ": the force on ", between, " is not a finite number")
-                          : text(law.name, ": the force between ", between,
-                                 " is not a finite number, at a distance of ", bad.distance, " m");
+    const std::string distance = bad.count == 1 ? "" : text(", at a distance of ", bad.distance, " m");
+    return text(law_in_place(row), ": the force ", bad.count == 1 ? "on " : "between ", between,
+                " is not a finite number", distance);
+  };
+  const auto energy = [&](const auto& row, const auto& acting) {
+    return std::isfinite(acting.energy) ? "" : text(law_in_place(row), ": its energy is not a finite number");
   };
   for (ActingInteraction& a : f.interactions) {
     const Interaction& row = world.interactions[a.id];
-    if (const auto bad = a.pairs.find_bad(f.sites, a.rows, instant, present_parameters(world, *a.law, row.parameters)))
-      return message(*a.law, *bad);
+    const auto bad = a.pairs.find_bad(f.sites, a.rows, instant, present_parameters(world, *a.law, row.parameters));
+    if (bad) return message(row, *bad);
+    if (const std::string lost = energy(row, a); !lost.empty()) return lost;
   }
-  for (ActingConnections& a : f.connections)
-    if (const auto bad = a.bonds.find_bad(f.sites, box_of(world), instant, {})) return message(*a.law, *bad);
+  for (ActingConnections& a : f.connections) {
+    if (a.ids.empty()) continue;
+    const Connection& row = world.connections[a.ids[0]];
+    if (const auto bad = a.bonds.find_bad(f.sites, box_of(world), instant, {})) return message(row, *bad);
+    if (const std::string lost = energy(row, a); !lost.empty()) return lost;
+  }
   for (ActingField& a : f.fields) {
     const pantin::Field& row = world.fields[a.id];
-    if (const auto bad =
-            a.fields.find_bad(f.sites, box_of(world), instant, present_parameters(world, *a.law, row.parameters)))
-      return message(*a.law, *bad);
+    const auto parameters = present_parameters(world, *a.law, row.parameters);
+    if (const auto bad = a.fields.find_bad(f.sites, box_of(world), instant, parameters)) return message(row, *bad);
+    if (const std::string lost = energy(row, a); !lost.empty()) return lost;
   }
   return {};
 }
