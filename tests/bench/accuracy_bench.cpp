@@ -56,7 +56,7 @@ Outcome outcome(const HardCase& hard, double rate, bool energy_return, const Eig
   const BodyId last = hard.make(world);
   double error = -1.0;
   const auto one = static_cast<std::uint64_t>(rate);
-  const Course course = watch(world, 5.0, [&] {
+  const Watched course = watch(world, 5.0, [&] {
     if (reference && world.steps == one) error = norm(world.motion_of(last).x - vec(reference->x(), reference->y(), 0));
   });
   return {course.gap, course.energy_error(), error, world.stats.halved_steps, world.stats.safe_steps};

@@ -95,7 +95,7 @@ TEST_CASE("bad state: points within the tolerance are joined, and the gap is clo
   step(world);
   CHECK(world.failure == "");
   CHECK(norm(position(world, chain.tails.back()) - position(world, head)) <= 1e-10);
-  const Course course = watch(world, 2.0);
+  const Watched course = watch(world, 2.0);
   CHECK(course.gap <= 1e-10);
 }
 
@@ -110,7 +110,7 @@ TEST_CASE("bad state: a loop built too long by less than the tolerance runs on")
   add_hinge(world, std::vector{cases::point_of(world, beam, 0), cases::point_of(world, first, 0)});
   add_hinge(world, std::vector{cases::point_of(world, first, 1), cases::point_of(world, second, 0)});
   add_hinge(world, std::vector{cases::point_of(world, beam, 1), cases::point_of(world, second, 1)});
-  const Course course = watch(world, 2.0);
+  const Watched course = watch(world, 2.0);
   CHECK(course.failure == "");
   CHECK(course.finite);
   CHECK(course.gap <= 2 * excess);

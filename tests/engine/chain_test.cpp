@@ -30,7 +30,7 @@ void keeps_hinges_and_energy(int links, double step) {
   World world;
   world.settings.step = step;
   cases::add_chain(world, {.links = links});
-  const Course course = watch(world, 5.0);
+  const Watched course = watch(world, 5.0);
   CHECK(course.failure == "");
   CHECK(course.finite);
   CHECK(course.gap <= 1e-10);
@@ -58,7 +58,7 @@ TEST_CASE("chain: without the energy return the projection takes little") {
   World world;
   world.settings.energy_return = false;
   cases::add_chain(world);
-  const Course course = watch(world, 5.0);
+  const Watched course = watch(world, 5.0);
   CHECK(course.failure == "");
   CHECK(course.gap <= 1e-10);
   CHECK(course.energy_error() <= 5e-4);
@@ -95,7 +95,7 @@ TEST_CASE("chain: a free one keeps momentum and angular momentum to round-off") 
   const Things all = everything(world);
   const Vec3 p = momentum(world, all), l = angular_momentum(world, all);
   double dp = 0.0, dl = 0.0;
-  const Course course = watch(world, 5.0, [&] {
+  const Watched course = watch(world, 5.0, [&] {
     dp = std::fmax(dp, norm(momentum(world, all) - p));
     dl = std::fmax(dl, norm(angular_momentum(world, all) - l));
   });

@@ -73,7 +73,7 @@ TEST_CASE("double pendulum: rods keep their length, and energy stays with the re
   world.settings.step = step;
   const cases::DoublePendulum pendulum = cases::add_double_pendulum(world);
   double stretch = 0.0;
-  const Course course = watch(world, 5.0, [&] {
+  const Watched course = watch(world, 5.0, [&] {
     const Vec3 a = position(world, pendulum.inner), b = position(world, pendulum.outer);
     stretch = std::fmax(stretch, std::fmax(std::fabs(norm(a) - 1), std::fabs(norm(b - a) - 1)));
   });

@@ -142,7 +142,7 @@ TEST_CASE("forces: a spring on a hinge pulls the bodies that it joins") {
   ConnectionDef def;
   def.ends = {{chain.hinges[1]}, {ParticleId{}, vec(2, 3, 0)}};
   add_connection(world, spring(30, 1), def);
-  const Course course = watch(world, 2.0);
+  const Watched course = watch(world, 2.0);
   CHECK(course.gap <= 1e-10);
   CHECK(world.worst.energy <= 1e-3);
   CHECK(position(world, chain.hinges[1])[1] > -1.5);

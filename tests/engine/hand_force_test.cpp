@@ -18,7 +18,7 @@ TEST_CASE("hand: at 50 m it pulls with its limit and no more") {
   const std::int32_t hand = add_hand(world, [](double) { return vec(50, 0, 0); });
   grab(world, hand, chain.tails.back(), limit);
   double force = 0.0, first = 0.0;
-  const Course course = watch(world, 5.0, [&] {
+  const Watched course = watch(world, 5.0, [&] {
     const double now = norm(world.constraints[world.hands[0].grab].force);
     if (world.steps == 1) first = now;
     force = std::fmax(force, now);
@@ -42,7 +42,7 @@ TEST_CASE("hand: one that whips about never pulls harder than its limit") {
   step(world);
   grab(world, hand, chain.tails.back(), limit);
   double force = 0.0;
-  const Course course = watch(world, 4.0, [&] {
+  const Watched course = watch(world, 4.0, [&] {
     force = std::fmax(force, norm(world.constraints[world.hands[0].grab].force));
     const double side = world.steps / 20 % 2 == 0 ? 50.0 : -50.0;
     world.input.moves.push_back({.hand = hand, .position = vec(side, 0.3 * side, 10), .pressed = true});

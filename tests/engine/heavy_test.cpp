@@ -15,7 +15,7 @@ TEST_CASE("heavy: no mass ratio needs the safe step") {
   World world;
   world.settings.step = step;
   cases::add_heavy_chain(world, links, ratio);
-  const Course course = watch(world, 5.0);
+  const Watched course = watch(world, 5.0);
   CHECK(course.failure == "");
   CHECK(course.finite);
   CHECK(world.stats.safe_steps == 0);

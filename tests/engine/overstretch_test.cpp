@@ -37,7 +37,7 @@ TEST_CASE("overstretch: gaps are shared at the worst, and close when the end com
   follow.target = [rest](double time) { return vec(pull(time, rest), 0, 0); };
   add_follow(world, chain.tails.back(), follow);
 
-  const Course out = watch(world, 1.0);
+  const Watched out = watch(world, 1.0);
   CHECK(out.failure == "");
   CHECK(out.finite);
   const auto [least, largest] = extreme_gaps(world, chain);
@@ -46,10 +46,10 @@ TEST_CASE("overstretch: gaps are shared at the worst, and close when the end com
   CHECK(world.error.hinge_gap >= largest * (1 - 1e-12));
   CHECK(world.stats.safe_steps > 0);
 
-  const Course back = watch(world, 3.0);
+  const Watched back = watch(world, 3.0);
   CHECK(back.failure == "");
   CHECK(back.finite);
-  const Course after = watch(world, 5.0);
+  const Watched after = watch(world, 5.0);
   CHECK(after.failure == "");
   CHECK(after.finite);
   CHECK(after.gap <= 1e-10);
@@ -64,10 +64,10 @@ TEST_CASE("overstretch: a chain torn from both ends by two followers stays whole
   right.target = [](double time) { return vec(10 + std::min(3 * time, 3.0) * (time < 2) - (time >= 2), 0, 0); };
   add_follow(world, chain.heads.front(), left);
   add_follow(world, chain.tails.back(), right);
-  const Course torn = watch(world, 3.0);
+  const Watched torn = watch(world, 3.0);
   CHECK(torn.failure == "");
   CHECK(torn.finite);
-  const Course after = watch(world, 5.0);
+  const Watched after = watch(world, 5.0);
   CHECK(after.failure == "");
   CHECK(after.gap <= 1e-10);
 }

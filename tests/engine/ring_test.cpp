@@ -13,7 +13,7 @@ TEST_CASE("ring: keeps its hinges and its energy for 5 s") {
   World world;
   world.settings.step = step;
   cases::add_ring(world, 24);
-  const Course course = watch(world, 5.0);
+  const Watched course = watch(world, 5.0);
   CHECK(course.failure == "");
   CHECK(course.finite);
   CHECK(course.gap <= 1e-10);
@@ -27,7 +27,7 @@ TEST_CASE("ring: without the energy return the projection takes little") {
   World world;
   world.settings.energy_return = false;
   cases::add_ring(world, 24);
-  const Course course = watch(world, 5.0);
+  const Watched course = watch(world, 5.0);
   CHECK(course.failure == "");
   CHECK(course.gap <= 1e-10);
   CHECK(course.energy_error() <= 1e-2);
@@ -37,7 +37,7 @@ TEST_CASE("ring: three rods are stiff, and swing as one body") {
   World world;
   const cases::Chain ring = cases::add_ring(world, 3);
   const double side = norm(world.motion_of(ring.bodies[0]).x - world.motion_of(ring.bodies[1]).x);
-  const Course course = watch(world, 5.0);
+  const Watched course = watch(world, 5.0);
   CHECK(course.failure == "");
   CHECK(course.gap <= 1e-10);
   CHECK(course.energy_error() <= 1e-9);

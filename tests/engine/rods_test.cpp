@@ -54,7 +54,7 @@ std::vector<Vec3> motion_of_end(int links, double along, double time, bool sidew
   }
   const PointId end = cases::point_of(world, rods.back(), 1);
   std::vector<Vec3> places;
-  const Course course = watch(world, time, [&] { places.push_back(position(world, end)); });
+  const Watched course = watch(world, time, [&] { places.push_back(position(world, end)); });
   CHECK(course.failure == "");
   CHECK(course.finite);
   CHECK(course.gap <= 1e-10);
@@ -108,7 +108,7 @@ TEST_CASE("rods: two point masses get no spin about their line") {
   kick(world, cases::point_of(world, rods[4], 1), vec(0, 0, 2));
   step(world);  // the hinges answer the kick
   double spin = 0.0;
-  const Course course = watch(world, 5.0, [&] {
+  const Watched course = watch(world, 5.0, [&] {
     for (const BodyId rod : rods) {
       const Vec3 axis =
           position(world, cases::point_of(world, rod, 1)) - position(world, cases::point_of(world, rod, 0));
@@ -134,7 +134,7 @@ TEST_CASE("rods: a body of one point is a mass on a hinge") {
   const BodyId bob = add_body(world, def);
   add_hinge(world, std::vector{chain.tails.back(), cases::point_of(world, bob, 0)});
   CHECK(world.motion_of(bob).freedom == Freedom::point);
-  const Course course = watch(world, 5.0);
+  const Watched course = watch(world, 5.0);
   CHECK(course.failure == "");
   CHECK(course.finite);
   CHECK(course.gap <= 1e-10);
@@ -163,7 +163,7 @@ TEST_CASE("rods: a free particle in a hinge moves as a body of one point does") 
     }
     add_hinge(*world, std::vector{chain.tails[0], bob});
     std::vector<Vec3>& places = world == &with_particle ? first : second;
-    const Course course = watch(*world, 2.0, [&] { places.push_back(position(*world, chain.tails.back())); });
+    const Watched course = watch(*world, 2.0, [&] { places.push_back(position(*world, chain.tails.back())); });
     CHECK(course.failure == "");
     CHECK(course.gap <= 1e-10);
     CHECK(course.energy_error() <= 1e-9);
@@ -180,7 +180,7 @@ TEST_CASE("rods: free particles alone may be a hinge, and fall as one") {
   def.mass = 3.0;
   const PointId b = cases::point_of(world, add_particle(world, def));
   add_hinge(world, std::vector{a, b});
-  const Course course = watch(world, 1.0);
+  const Watched course = watch(world, 1.0);
   CHECK(course.failure == "");
   CHECK(course.gap <= 1e-10);
   CHECK(norm(position(world, a) - vec(0.25, -0.5 * 9.81, 0)) <= 1e-3);
@@ -194,7 +194,7 @@ TEST_CASE("rods: a particle on one rod swings as a pendulum") {
   const PointId bob = cases::point_of(world, add_particle(world, def));
   const ConstraintId rod = add_rod(world, bob, zero3());
   double lowest = 0.0, tension = 0.0;
-  const Course course = watch(world, 5.0, [&] {
+  const Watched course = watch(world, 5.0, [&] {
     lowest = std::fmin(lowest, position(world, bob)[1]);
     tension = std::fmax(tension, world.constraints[rod].tension);
   });
@@ -221,7 +221,7 @@ TEST_CASE("rods: an anchor off the line of the masses is held up by a lifted ine
   CHECK(world.motion_of(hanger).inertia[0] == Approx(1e-3 * 0.5));
   kick(world, hanger, vec(0.3, 0, 1));
   step(world);  // the nail answers the kick
-  const Course course = watch(world, 5.0);
+  const Watched course = watch(world, 5.0);
   CHECK(course.failure == "");
   CHECK(course.finite);
   CHECK(course.gap <= 1e-10);

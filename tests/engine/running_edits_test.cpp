@@ -19,7 +19,7 @@ TEST_CASE("running edits: a chain cut hinge by hinge keeps momentum and angular 
   const Things all = everything(world);
   const Vec3 p = momentum(world, all), l = angular_momentum(world, all);
   for (std::size_t i = 0; i < chain.hinges.size(); i++) {
-    const Course course = watch(world, world.time + 10 * world.settings.step);
+    const Watched course = watch(world, world.time + 10 * world.settings.step);
     REQUIRE(course.failure == "");
     CHECK(course.gap <= 1e-10);
     cut(world, chain.hinges[i * 7 % chain.hinges.size()]);
@@ -35,13 +35,13 @@ TEST_CASE("running edits: a pinned chain in gravity falls apart link by link") {
   World world;
   const cases::Chain chain = cases::add_chain(world, {.links = 30});
   for (const ParticleId hinge : chain.hinges) {
-    const Course course = watch(world, world.time + 5 * world.settings.step);
+    const Watched course = watch(world, world.time + 5 * world.settings.step);
     REQUIRE(course.failure == "");
     CHECK(course.gap <= 1e-10);
     cut(world, hinge);
   }
   remove(world, chain.pin);
-  const Course course = watch(world, world.time + 1.0);
+  const Watched course = watch(world, world.time + 1.0);
   CHECK(course.failure == "");
   CHECK(course.finite);
   CHECK(course.energy_error() <= 1e-9);
@@ -62,7 +62,7 @@ TEST_CASE("running edits: two flying bodies joined at a common point keep moment
   const Vec3 p = momentum(world, all), l = angular_momentum(world, all);
   const PointId tail = cases::point_of(world, a, 1), head = cases::point_of(world, b, 0);
   add_hinge(world, std::vector{tail, head});
-  const Course course = watch(world, 2.0);
+  const Watched course = watch(world, 2.0);
   CHECK(course.failure == "");
   CHECK(course.gap <= 1e-10);
   CHECK(norm(velocity(world, tail) - velocity(world, head)) <= 1e-6);
@@ -95,7 +95,7 @@ TEST_CASE("running edits: hinges cut and made again every ten steps never fail")
   cases::Chain chain = cases::add_chain(world, {.links = 31});
   std::uint32_t random = 12345;
   for (int i = 0; i < 60; i++) {
-    const Course course = watch(world, world.time + 10 * world.settings.step);
+    const Watched course = watch(world, world.time + 10 * world.settings.step);
     REQUIRE(course.failure == "");
     CHECK(course.gap <= 1e-9);
     random = random * 1664525u + 1013904223u;
@@ -115,7 +115,7 @@ TEST_CASE("running edits: a mass changed in flight keeps the velocities of all p
   set_own_mass(world, chain.bodies[4], 50.0);
   CHECK(norm(velocity(world, chain.heads[4]) - head) <= 1e-12 * norm(head));
   CHECK(norm(velocity(world, chain.tails[4]) - tail) <= 1e-12 * norm(tail));
-  const Course course = watch(world, 3.0);
+  const Watched course = watch(world, 3.0);
   CHECK(course.failure == "");
   CHECK(course.gap <= 1e-10);
   CHECK(course.energy_error() <= 1e-9);
@@ -143,7 +143,7 @@ TEST_CASE("running edits: a link taken out of the middle leaves two chains") {
   const cases::Chain chain = cases::add_chain(world);
   advance(world, 0.5);
   remove(world, chain.bodies[5]);
-  const Course course = watch(world, 2.0);
+  const Watched course = watch(world, 2.0);
   CHECK(course.failure == "");
   CHECK(course.gap <= 1e-10);
   CHECK(course.energy_error() <= 1e-9);

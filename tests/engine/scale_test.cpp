@@ -31,7 +31,7 @@ Relative relative_figures(double length, double mass) {
   cases::Chain chain;
   World world, unreturned, short_run;
   make(world, chain, length, mass, true);
-  const Course course = watch(world, 5.0);
+  const Watched course = watch(world, 5.0);
   CHECK(course.failure == "");
   CHECK(course.finite);
   CHECK(world.stats.safe_steps == 0);

@@ -40,7 +40,7 @@ TEST_CASE("step: free particles and bodies fall on a parabola, to round-off") {
   rod.velocity = vec(3, 4, 5);
   rod.spin = vec(0, 0, 7);
   const BodyId body = cases::add_rod_body(world, 2, 1, rod);
-  const Course course = watch(world, 2.0);
+  const Watched course = watch(world, 2.0);
   const Vec3 place = vec(6, 8 - 0.5 * 9.81 * 4, 10);
   CHECK(norm(position(world, ball) - place) <= 1e-12);
   CHECK(norm(world.motion_of(body).x - place) <= 1e-12);
@@ -82,7 +82,7 @@ TEST_CASE("step: a tenth of a second is not too long") {
   World world;
   world.settings.step = 0.1;
   cases::add_chain(world);
-  const Course course = watch(world, 20.0);
+  const Watched course = watch(world, 20.0);
   CHECK(course.failure == "");
   CHECK(course.finite);
   CHECK(course.gap <= 1e-9);
@@ -96,7 +96,7 @@ TEST_CASE("step: a tenth of a second gives a ring no energy") {
   cases::add_ring(world, 24);
   const double start = energy(world).total();
   double highest = start;
-  const Course course = watch(world, 20.0, [&] { highest = std::fmax(highest, energy(world).total()); });
+  const Watched course = watch(world, 20.0, [&] { highest = std::fmax(highest, energy(world).total()); });
   CHECK(course.failure == "");
   CHECK(course.finite);
   CHECK(course.gap <= 1e-9);
@@ -107,7 +107,7 @@ TEST_CASE("step: a hundred thousand times the earth's gravity breaks nothing") {
   World world;
   world.settings.gravity = vec(0, -1e6, 0);
   cases::add_chain(world);
-  const Course course = watch(world, 5.0);
+  const Watched course = watch(world, 5.0);
   CHECK(course.failure == "");
   CHECK(course.finite);
   CHECK(course.gap <= 1e-7);
@@ -118,7 +118,7 @@ TEST_CASE("step: a rod spun at 10,000 rad/s on its pin keeps its energy") {
   const cases::Chain chain = cases::add_chain(world, {.links = 1});
   set_spin(world, chain.bodies[0], vec(0, 0, 1e4));
   set_velocity(world, chain.bodies[0], vec(0, 5e3, 0));
-  const Course course = watch(world, 5.0);
+  const Watched course = watch(world, 5.0);
   CHECK(course.failure == "");
   CHECK(course.finite);
   CHECK(course.gap <= 1e-7);
@@ -131,7 +131,7 @@ TEST_CASE("step: a point nailed far from its place is drawn there without a jump
   add_nail(world, chain.heads[0], vec(0, 1, 0), 0.1);
   double jump = 0.0;
   Vec3 last = position(world, chain.heads[0]);
-  const Course course = watch(world, 3.0, [&] {
+  const Watched course = watch(world, 3.0, [&] {
     const Vec3 now = position(world, chain.heads[0]);
     jump = std::fmax(jump, norm(now - last));
     last = now;

@@ -15,7 +15,7 @@ TEST_CASE("top: energy and angular momentum stay for 100 s") {
   const BodyId top = cases::add_top(world);
   const Vec3 start = angular_momentum(world, top);
   double drift = 0.0;
-  const Course course =
+  const Watched course =
       watch(world, 100.0, [&] { drift = std::fmax(drift, norm(angular_momentum(world, top) - start)); });
   CHECK(course.failure == "");
   CHECK(drift <= 1e-12 * norm(start));

@@ -8,8 +8,8 @@
 
 namespace pantin {
 
-Course watch(World& world, double time, const std::function<void()>& each) {
-  Course course;
+Watched watch(World& world, double time, const std::function<void()>& each) {
+  Watched course;
   const double start = energy(world).total();
   while (world.failure.empty() && world.time < time - 0.5 * world.settings.step) {
     step(world);

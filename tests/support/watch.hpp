@@ -8,7 +8,7 @@
 namespace pantin {
 
 /// What a run was like, measured from outside after every step.
-struct Course {
+struct Watched {
   double gap = 0.0;            ///< [m] largest distance between points that should coincide, at any step
   double energy_change = 0.0;  ///< [J] largest |energy - start|
   double kinetic = 0.0;        ///< [J] largest kinetic energy
@@ -19,7 +19,7 @@ struct Course {
 };
 
 /// Steps until `time` [s], calling `each` after every step; stops at a failure.
-Course watch(World& world, double time, const std::function<void()>& each = {});
+Watched watch(World& world, double time, const std::function<void()>& each = {});
 
 /// Largest distance between points of one hinge, and of nailed points to their places, [m].
 double largest_gap(const World& world);
