@@ -83,7 +83,8 @@ void Cells::sort(const Grid& grid, std::span<const Vec3> places, std::span<const
   keys_.resize(n);
   for (std::size_t k = 0; k < n; k++) {
     const Vec3 place = places[members[k]];
-    keys_[k] = {grid.cell(Grid::layer, place), grid.cell(Grid::row, place), grid.cell(Grid::line, place), members[k]};
+    keys_[k] = {grid.cell(Grid::of_layer, place), grid.cell(Grid::of_row, place), grid.cell(Grid::of_line, place),
+                members[k]};
   }
   const double numbers = static_cast<double>(grid.cells[0]) * grid.cells[1] * grid.cells[2];
   if (numbers > 4.0 * static_cast<double>(n) + 4096.0) {
@@ -93,7 +94,8 @@ void Cells::sort(const Grid& grid, std::span<const Vec3> places, std::span<const
     return;
   }
   const auto number = [&](const Key& key) {
-    return static_cast<std::size_t>((key.layer * grid.cells[Grid::row] + key.row) * grid.cells[Grid::line] + key.at);
+    return static_cast<std::size_t>((key.layer * grid.cells[Grid::of_row] + key.row) * grid.cells[Grid::of_line] +
+                                    key.at);
   };
   count_.assign(static_cast<std::size_t>(numbers) + 1, 0);
   for (const Key& key : keys_) count_[number(key) + 1]++;

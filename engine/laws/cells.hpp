@@ -14,7 +14,7 @@ namespace pantin {
 /// longest, lines of cells along the second, which are contiguous in memory.
 struct Grid {
   static constexpr std::int32_t around = 2;  ///< a site's neighbours are at most so many cells away, along each axis
-  enum Axis { layer, row, line };
+  enum Axis { of_layer, of_row, of_line };
 
   std::array<std::size_t, 3> axis{};        ///< of space: 0, 1, 2
   std::array<double, 3> origin{};           ///< [m]

@@ -44,14 +44,14 @@ void cut_slabs(const Grid& grid, const Cells& cells, bool within, std::vector<st
   const auto layer = [&](std::size_t line) { return cells.lines[line].layer; };
   // As many in both phases, and in each a number that two or four threads share out evenly.
   const auto wanted =
-      std::min(static_cast<std::size_t>(grid.cells[Grid::layer] / thick), cells.n / least_sites_of_a_slab);
+      std::min(static_cast<std::size_t>(grid.cells[Grid::of_layer] / thick), cells.n / least_sites_of_a_slab);
   const std::size_t count = std::max<std::size_t>(1, wanted < 8 ? wanted : wanted / 8 * 8);
   for (std::size_t line = 1; line < end; line++) {
     const bool new_layer = layer(line) != layer(line - 1);
     if (new_layer && layer(line) - layer(begin.back()) >= thick && site(line) >= begin.size() * cells.n / count)
       begin.push_back(line);
   }
-  const auto to_the_first = [&] { return layer(0) + grid.cells[Grid::layer] - layer(begin.back()); };
+  const auto to_the_first = [&] { return layer(0) + grid.cells[Grid::of_layer] - layer(begin.back()); };
   if (grid.periodic && begin.size() > 1 && to_the_first() < thick) begin.pop_back();
   if (grid.periodic && begin.size() % 2 == 1 && begin.size() > 1) begin.pop_back();
   begin.push_back(end);

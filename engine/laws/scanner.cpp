@@ -99,13 +99,13 @@ void Scanner::find_pieces(const Cells::Line& line) {
   pieces_.clear();
   for (std::int32_t i = within_ ? 0 : -Grid::around; i <= Grid::around; i++) {
     for (std::int32_t j = within_ && i == 0 ? 0 : -Grid::around; j <= Grid::around; j++) {
-      const std::int32_t layer_turns = turns_of(grid_, Grid::layer, line.layer + i);
-      const std::int32_t row_turns = turns_of(grid_, Grid::row, line.row + j);
+      const std::int32_t layer_turns = turns_of(grid_, Grid::of_layer, line.layer + i);
+      const std::int32_t row_turns = turns_of(grid_, Grid::of_row, line.row + j);
       if (std::abs(layer_turns) > 1 || std::abs(row_turns) > 1) continue;
-      const auto shift = static_cast<std::size_t>(13 + layer_turns * static_cast<std::int32_t>(stride(Grid::layer)) +
-                                                  row_turns * static_cast<std::int32_t>(stride(Grid::row)));
-      add_pieces(line.layer + i - layer_turns * grid_.cells[Grid::layer],
-                 line.row + j - row_turns * grid_.cells[Grid::row], shift, within_ && i == 0 && j == 0);
+      const auto shift = static_cast<std::size_t>(13 + layer_turns * static_cast<std::int32_t>(stride(Grid::of_layer)) +
+                                                  row_turns * static_cast<std::int32_t>(stride(Grid::of_row)));
+      add_pieces(line.layer + i - layer_turns * grid_.cells[Grid::of_layer],
+                 line.row + j - row_turns * grid_.cells[Grid::of_row], shift, within_ && i == 0 && j == 0);
     }
   }
   std::stable_sort(pieces_.begin(), pieces_.end(), [](const Piece& p, const Piece& q) { return p.shift < q.shift; });
@@ -118,13 +118,13 @@ void Scanner::add_pieces(std::int32_t layer, std::int32_t row, std::size_t shift
                       end = b_.lines[static_cast<std::size_t>(found) + 1].begin;
   for (std::int32_t turns = grid_.periodic ? -1 : 0; turns <= (grid_.periodic ? 1 : 0); turns++) {
     if (self && turns < 0) continue;
-    const auto along = static_cast<std::int32_t>(stride(Grid::line)) * turns;
+    const auto along = static_cast<std::int32_t>(stride(Grid::of_line)) * turns;
     pieces_.push_back({shift + static_cast<std::size_t>(along), begin, begin, end, turns, self && turns == 0});
   }
 }
 
 void Scanner::move_on(std::int32_t at) {
-  const std::int32_t around = Grid::around, n = grid_.cells[Grid::line];
+  const std::int32_t around = Grid::around, n = grid_.cells[Grid::of_line];
   ranges_.clear();
   for (Piece& piece : pieces_) {
     const std::int32_t from = (piece.self ? at : at - around) - piece.turns * n, to = at + around - piece.turns * n;
