@@ -63,8 +63,15 @@ void read_camera(const Self& s) {
 void write_integrator(const Self& s, int index) {
   require_unlocked(s, "integrator");
   const std::string name = check_text(s.state, index, "scene", "integrator");
-  require(name == "verlet" || name == "euler", "scene: integrator must be \"verlet\" or \"euler\", got \"", name, "\"");
-  s.world.settings.integrator = name == "verlet" ? Integrator::verlet : Integrator::euler;
+  std::string known;
+  for (const NamedIntegrator& named : integrators) {
+    if (named.name == name) {
+      s.world.settings.integrator = named.integrator;
+      return;
+    }
+    known += text(known.empty() ? "\"" : named.name == integrators.back().name ? " or \"" : ", \"", named.name, "\"");
+  }
+  throw Error(text("scene: integrator must be ", known, ", got \"", name, "\""));
 }
 
 void write_seed(const Self& s, int index) {
@@ -109,7 +116,8 @@ std::vector<Field> engine_settings() {
        [](const Self& s, int i) { set_step(s.world, check_positive(s, i, "step", "s")); }},
       {"integrator", "string", "", "\"verlet\", or \"euler\" (the paper's)",
        [](const Self& s) {
-         lua_pushstring(s.state, s.world.settings.integrator == Integrator::verlet ? "verlet" : "euler");
+         const std::string_view name = name_of(s.world.settings.integrator);
+         lua_pushlstring(s.state, name.data(), name.size());
        },
        write_integrator},
       {"energy_return", "boolean", "", "give back what the velocity projection took",

@@ -1,6 +1,8 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 #include "base/lanes.hpp"
 
@@ -9,6 +11,20 @@ namespace pantin {
 /// verlet: the energy-momentum step with exact hinges, second order. euler: the paper's semi-implicit Euler with its
 /// Newton iteration on the positions, kept to compare.
 enum class Integrator : std::uint8_t { verlet, euler };
+
+struct NamedIntegrator {
+  Integrator integrator;
+  std::string_view name;
+};
+/// Every integrator with the name that scenes give it.
+inline constexpr std::array integrators = {NamedIntegrator{Integrator::verlet, "verlet"},
+                                           NamedIntegrator{Integrator::euler, "euler"}};
+
+constexpr std::string_view name_of(Integrator integrator) {
+  for (const NamedIntegrator& known : integrators)
+    if (known.integrator == integrator) return known.name;
+  return "";
+}
 
 struct Settings {
   Vec3 gravity = vec(0, -9.81, 0);  ///< [m/s²]
