@@ -1,6 +1,7 @@
 #include "support/reference.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <cmath>
 #include <numbers>
 
@@ -67,9 +68,17 @@ PlaneChain heavy_plane_chain(int links, double ratio) {
   return chain;
 }
 
+PlaneChain plane_ring(int links) {
+  PlaneChain chain = plane_chain(links);
+  for (int i = 0; i < links; i++) chain.start(i) = std::numbers::pi * (1.0 + (2.0 * i + 1.0) / links);
+  chain.closed = true;
+  return chain;
+}
+
 // With e_j = (cos θ_j, sin θ_j), the centre of link i is at Σ_{j<i} L_j e_j + c_i e_i. Lagrange's equations:
 // Σ_k w_jk (cos(θ_j − θ_k) θ_k'' + sin(θ_j − θ_k) θ_k'²) + I_j θ_j'' = −g s_j cos θ_j,
 // s_j = m_j c_j + L_j M_j, w_jk = L_j s_k for j < k, w_jj = m_j c_j² + L_j² M_j, M_j the mass behind link j.
+// Closed: forces J'μ on the angles keep Σ L_j e_j, so that J θ'' = Σ L_j θ_j'² e_j.
 State rate(const PlaneChain& chain, const State& y) {
   const Eigen::Index n = y.size() / 2;
   const std::vector<double> behind = mass_behind(chain);
@@ -88,8 +97,23 @@ State rate(const PlaneChain& chain, const State& y) {
       push(k) += sine * y(n + j) * y(n + j);
     }
   }
+  const Eigen::LLT<Eigen::MatrixXd> factor(inertia);
+  State bend = factor.solve(push);
+  if (chain.closed) {
+    Eigen::MatrixXd across(n, 2);
+    Eigen::Vector2d inward = Eigen::Vector2d::Zero();
+    for (Eigen::Index j = 0; j < n; j++) {
+      const Eigen::Vector2d along =
+          chain.links[static_cast<std::size_t>(j)].length * Eigen::Vector2d(std::cos(y(j)), std::sin(y(j)));
+      across.row(j) << -along.y(), along.x();
+      inward += y(n + j) * y(n + j) * along;
+    }
+    const Eigen::MatrixXd yielding = factor.solve(across);
+    const Eigen::Matrix2d give = across.transpose() * yielding;
+    bend += yielding * give.inverse() * (inward - across.transpose() * bend);
+  }
   State dy(2 * n);
-  dy << y.tail(n), inertia.llt().solve(push);
+  dy << y.tail(n), bend;
   return dy;
 }
 

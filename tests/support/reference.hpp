@@ -25,11 +25,14 @@ struct PlaneChain {
   std::vector<Link> links;
   double gravity = 9.81;  ///< [m/s²]
   State start;            ///< angles from the x axis [rad], then their rates [rad/s]
+  bool closed = false;    ///< the tail of the last link is held at the origin
 };
 
 PlaneChain plane_chain(int links);
 /// With a solid sphere of radius 0.5 m and `ratio` [kg] jointed at its surface as the last link.
 PlaneChain heavy_plane_chain(int links, double ratio);
+/// A closed regular polygon of unit rods, its topmost corner held at the origin; links follow each other from there.
+PlaneChain plane_ring(int links);
 State rate(const PlaneChain& chain, const State& y);
 State advance(const PlaneChain& chain, double time, int pieces);
 /// Place of a link's centre of mass, [m].

@@ -24,6 +24,16 @@ TEST_CASE("reference: the heavy plane chain has converged") {
   CHECK(std::fabs(reference::energy(chain, once) - reference::energy(chain, chain.start)) <= 1e-6);
 }
 
+TEST_CASE("reference: the plane ring has converged, and stays closed") {
+  const reference::PlaneChain ring = reference::plane_ring(24);
+  const reference::State once = reference::advance(ring, 1.0, 50), twice = reference::advance(ring, 1.0, 100);
+  CHECK((reference::centre(ring, once, 11) - reference::centre(ring, twice, 11)).norm() <= 1e-9);
+  CHECK(std::fabs(reference::energy(ring, once) - reference::energy(ring, ring.start)) <= 1e-9);
+  Eigen::Vector2d end = Eigen::Vector2d::Zero();
+  for (int j = 0; j < 24; j++) end += Eigen::Vector2d(std::cos(once(j)), std::sin(once(j)));
+  CHECK(end.norm() <= 1e-10);
+}
+
 TEST_CASE("reference: the double pendulum has converged, and is a chain of two point masses") {
   const double time = GENERATE(1.0, 2.0);
   const reference::State once = reference::double_pendulum(time, 50), twice = reference::double_pendulum(time, 100);

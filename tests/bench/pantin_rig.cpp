@@ -1,0 +1,99 @@
+#include "bench/pantin_rig.hpp"
+
+#include <array>
+
+#include "base/check.hpp"
+#include "step.hpp"
+#include "world/edit.hpp"
+
+namespace pantin {
+
+namespace {
+
+Vec3 vec(const Eigen::Vector3d& v) { return pantin::vec(v.x(), v.y(), v.z()); }
+Eigen::Vector3d vector(const Vec3& v) { return {v[0], v[1], v[2]}; }
+
+class PantinRig : public peers::Rig {
+ public:
+  PantinRig(const peers::Mechanism& mechanism, double step, Integrator integrator, bool energy_return) {
+    world_.settings.step = step;
+    world_.settings.integrator = integrator;
+    world_.settings.energy_return = energy_return;
+    world_.settings.gravity = pantin::vec(0, -peers::gravity, 0);
+    for (std::size_t i = 0; i < mechanism.solids.size(); i++) add(mechanism, static_cast<int>(i));
+    for (std::size_t k = 0; k < mechanism.joints.size(); k++) join(mechanism, static_cast<int>(k));
+  }
+
+  void step() override {
+    pantin::step(world_);
+    require(world_.failure.empty(), world_.failure);
+  }
+
+  void read(std::vector<peers::SolidState>& state) override {
+    state.resize(bodies_.size());
+    for (std::size_t i = 0; i < bodies_.size(); i++) {
+      const Motion& motion = world_.motion_of(bodies_[i]);
+      const Quat q = orientation(world_, bodies_[i]);
+      state[i] = {vector(motion.x), Eigen::Quaterniond(q.w, q.x, q.y, q.z), vector(motion.p * (1.0 / motion.mass)),
+                  vector(angular_velocity(motion))};
+    }
+  }
+
+ private:
+  void add(const peers::Mechanism& mechanism, int solid) {
+    const peers::SolidDef& def = mechanism.solids[static_cast<std::size_t>(solid)];
+    const Eigen::Quaterniond q = def.orientation();
+    BodyDef body;
+    body.at = vec(def.at);
+    body.orientation = {q.w(), q.x(), q.y(), q.z()};
+    body.mass = def.mass;
+    body.inertia = diagonal(vec(def.moments));
+    for (std::size_t k = 0; k < mechanism.joints.size(); k++) {
+      const peers::BallJoint& joint = mechanism.joints[k];
+      for (const bool first : {true, false}) {
+        if ((first ? joint.a : joint.b) != solid) continue;
+        PointDef end;
+        end.at = vec(first ? joint.at_a : joint.at_b);
+        end.name = (first ? "a" : "b") + std::to_string(k);
+        body.points.push_back(end);
+      }
+    }
+    bodies_.push_back(add_body(world_, body));
+  }
+
+  PointId end(int solid, const std::string& name) const {
+    for (const PointId point : world_.bodies[bodies_[static_cast<std::size_t>(solid)]].points)
+      if (world_.points[point].name == name) return point;
+    throw Error(text("a solid has no end ", name));
+  }
+
+  void join(const peers::Mechanism& mechanism, int k) {
+    const peers::BallJoint& joint = mechanism.joints[static_cast<std::size_t>(k)];
+    const PointId b = end(joint.b, text("b", k));
+    if (joint.a < 0)
+      add_nail(world_, b);
+    else
+      add_hinge(world_, std::array{end(joint.a, text("a", k)), b});
+  }
+
+  World world_;
+  std::vector<BodyId> bodies_;
+};
+
+}  // namespace
+
+std::vector<peers::Setting> pantin_settings() {
+  std::vector<peers::Setting> all;
+  for (const bool energy_return : {false, true})
+    for (const NamedIntegrator& known : integrators) {
+      peers::Setting setting;
+      setting.name = text(known.name, energy_return ? " + return" : "");
+      setting.make = [integrator = known.integrator, energy_return](const peers::Mechanism& m, double step) {
+        return std::make_unique<PantinRig>(m, step, integrator, energy_return);
+      };
+      all.push_back(setting);
+    }
+  return all;
+}
+
+}  // namespace pantin
