@@ -9,7 +9,7 @@ namespace pantin {
 
 namespace {
 
-constexpr std::size_t length = LawBlock::most;
+constexpr std::size_t length = LawBlock::room;
 
 std::vector<Expr> outputs_of(const Law& law, bool with_energy) {
   std::vector<Expr> outputs = law.force;
@@ -30,7 +30,7 @@ LawBlock::LawBlock(const Law& law, bool with_energy, std::span<const std::string
   if (!called_) program = lower(law.graph, outputs_of(law, with_energy), uniform);
   const std::vector<Input>& inputs = called_ ? law.inputs_wanted : program.inputs;
   const std::size_t outputs = called_ ? forces_of(law) + (law.called_energy ? 1 : 0) : 0;
-  memory_.assign((1 + (called_ ? 2 : 1) * inputs.size() + outputs) * length, 1.0);
+  memory_.assign((1 + inputs.size() + outputs) * length, 1.0);
   slots_.assign(8 * length, 0);
   for (std::size_t who = 0; who < 4; who++) sites[who] = slots_.data() + who * length;
   if (!called_) machine_.emplace(program);
@@ -41,7 +41,6 @@ LawBlock::LawBlock(const Law& law, bool with_energy, std::span<const std::string
   for (std::size_t k = 0; k < outputs; k++) called_outputs_.push_back(memory_.data() + used_++ * length);
   if (!called_) return;
   wants_sites = true;
-  nearer_.reserve(length);
   for (std::size_t who = 0; who < count_; who++) called_particles_.push_back(slots_.data() + (4 + who) * length);
 }
 
@@ -52,12 +51,10 @@ double* LawBlock::take_column(const Input& input) {
 }
 
 void LawBlock::use_column(const Input& input, const double* from) {
-  if (machine_) {
+  if (machine_)
     machine_->bind(machine_->input(input), from);
-    return;
-  }
-  seen_.push_back({from, memory_.data() + used_++ * length});
-  called_inputs_.push_back(seen_.back().to);
+  else
+    called_inputs_.push_back(from);
 }
 
 void LawBlock::take_input(const Law& law, std::span<const std::string> names, const Input& input) {
@@ -109,12 +106,12 @@ void LawBlock::bind_parameter(std::size_t parameter, const double* values) {
     if (wanted == parameter) machine_->bind(input, values);
 }
 
-void LawBlock::run(int n, const Sites& sites_of_all, double limit2) {
+void LawBlock::run(int n, const Sites& sites_of_all) {
   if (!noise_.empty()) make_noise(n, sites_of_all);
   if (machine_)
     machine_->run(n);
   else
-    call(n, sites_of_all, limit2);
+    call(n, sites_of_all);
 }
 
 void LawBlock::make_noise(int n, const Sites& sites_of_all) {
@@ -125,18 +122,12 @@ void LawBlock::make_noise(int n, const Sites& sites_of_all) {
                            sites_of_all.serial[last[k]], noise.index);
 }
 
-void LawBlock::call(int n, const Sites& sites_of_all, double limit2) {
-  nearer_.clear();
-  for (std::size_t k = 0; k < static_cast<std::size_t>(n); k++)
-    if (limit2 == infinity || distance2[k] < limit2) nearer_.push_back(k);
-  const std::size_t count = nearer_.size();
-  for (const Seen& column : seen_)
-    for (std::size_t k = 0; k < count; k++) column.to[k] = column.from[nearer_[k]];
+void LawBlock::call(int n, const Sites& sites_of_all) {
   for (std::size_t who = 0; who < count_; who++)
-    for (std::size_t k = 0; k < count; k++)
-      slots_[(4 + who) * length + k] = sites_of_all.particle[sites[who][nearer_[k]]];
+    for (std::size_t k = 0; k < static_cast<std::size_t>(n); k++)
+      slots_[(4 + who) * length + k] = sites_of_all.particle[sites[who][k]];
   Called::Block block;
-  block.n = static_cast<int>(count);
+  block.n = n;
   block.inputs = called_inputs_;
   block.particles = called_particles_;
   block.outputs = called_outputs_;
@@ -145,10 +136,7 @@ void LawBlock::call(int n, const Sites& sites_of_all, double limit2) {
     block.parameters = parameters_;
   else
     block.parameter_columns = called_parameters_;
-  if (count > 0) called_->run(block);
-  for (double* column : called_outputs_)
-    for (std::size_t k = static_cast<std::size_t>(n), from = count; k-- > 0;)
-      column[k] = from > 0 && nearer_[from - 1] == k ? column[--from] : 0.0;
+  if (n > 0) called_->run(block);
 }
 
 }  // namespace pantin

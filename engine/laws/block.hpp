@@ -17,7 +17,8 @@ namespace pantin {
 /// Columns to be filled with what the law wants to see, null where it does not; then `run`, and columns to be read.
 class LawBlock {
  public:
-  static constexpr int most = Machine::block;  ///< values in a column
+  static constexpr int most = Machine::block;     ///< values in a column
+  static constexpr int room = Machine::distance;  ///< that a column has: what is written past its end does no harm
 
   struct Attribute {
     std::size_t who = 0;
@@ -42,8 +43,8 @@ class LawBlock {
   void set(const Instant& instant, std::span<const double> parameters);
   /// Reads a parameter in place: as many values as a block has, up to the next multiple of 16.
   void bind_parameter(std::size_t parameter, const double* values);
-  /// n <= most. What is called instead of a program does not see pairs that are not nearer than the limit [m²].
-  void run(int n, const Sites& sites_of_all, double limit2 = infinity);
+  /// n <= most.
+  void run(int n, const Sites& sites_of_all);
   /// The forces as LawKind says, then the energy.
   const double* output(std::size_t k) const {
     return machine_ ? machine_->output(static_cast<int>(k)) : called_outputs_[k];
@@ -59,7 +60,7 @@ class LawBlock {
   void use_column(const Input& input, const double* from);
   void take_input(const Law& law, std::span<const std::string> names, const Input& input);
   void make_noise(int n, const Sites& sites_of_all);
-  void call(int n, const Sites& sites_of_all, double limit2);
+  void call(int n, const Sites& sites_of_all);
 
   std::size_t count_;  // particles
   std::optional<Machine> machine_;
@@ -72,12 +73,6 @@ class LawBlock {
   int time_input_ = -1;
   Instant instant_;
   std::vector<double> parameters_;
-  struct Seen {
-    const double* from;
-    double* to;
-  };
-  std::vector<Seen> seen_;  // inputs of `called_`, and those of them that it sees
-  std::vector<std::size_t> nearer_;
   std::vector<const double*> called_inputs_, called_parameters_;
   std::vector<const std::uint32_t*> called_particles_;
   std::vector<double*> called_outputs_;

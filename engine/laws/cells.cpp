@@ -75,7 +75,7 @@ Grid make_grid(std::span<const Vec3> places, std::span<const std::uint32_t> a, s
 void Cells::fill(const Grid& grid, std::span<const Vec3> places, std::span<const std::uint32_t> members) {
   n = members.size();
   sort(grid, places, members);
-  find_cells();
+  find_cells(grid);
   copy_places(places);
 }
 
@@ -86,6 +86,7 @@ void Cells::sort(const Grid& grid, std::span<const Vec3> places, std::span<const
     keys_[k] = {grid.cell(Grid::of_layer, place), grid.cell(Grid::of_row, place), grid.cell(Grid::of_line, place),
                 members[k]};
   }
+  starts_.clear();
   const double numbers = static_cast<double>(grid.cells[0]) * grid.cells[1] * grid.cells[2];
   if (numbers > 4.0 * static_cast<double>(n) + 4096.0) {
     std::sort(keys_.begin(), keys_.end(), [](const Key& a, const Key& b) {
@@ -93,25 +94,31 @@ void Cells::sort(const Grid& grid, std::span<const Vec3> places, std::span<const
     });
     return;
   }
-  const auto number = [&](const Key& key) {
-    return static_cast<std::size_t>((key.layer * grid.cells[Grid::of_row] + key.row) * grid.cells[Grid::of_line] +
-                                    key.at);
-  };
-  count_.assign(static_cast<std::size_t>(numbers) + 1, 0);
-  for (const Key& key : keys_) count_[number(key) + 1]++;
-  for (std::size_t c = 1; c < count_.size(); c++) count_[c] += count_[c - 1];
+  // The count of a cell is put two places after it, so that at last its end is at the next.
+  starts_.assign(static_cast<std::size_t>(numbers) + 2, 0);
+  for (const Key& key : keys_) starts_[number_of(key, grid) + 2]++;
+  for (std::size_t c = 2; c < starts_.size(); c++) starts_[c] += starts_[c - 1];
   sorted_.resize(n);
-  for (const Key& key : keys_) sorted_[count_[number(key)]++] = key;
+  for (const Key& key : keys_) sorted_[starts_[number_of(key, grid) + 1]++] = key;
   keys_.swap(sorted_);
 }
 
-void Cells::find_cells() {
+std::size_t Cells::number_of(const Key& key, const Grid& grid) {
+  return static_cast<std::size_t>((key.layer * grid.cells[Grid::of_row] + key.row) * grid.cells[Grid::of_line] +
+                                  key.at);
+}
+
+void Cells::find_cells(const Grid& grid) {
   cells.clear();
   lines.clear();
+  line_starts_.clear();
   for (std::size_t k = 0; k < n; k++) {
     const Key& key = keys_[k];
     const bool new_line = k == 0 || key.layer != keys_[k - 1].layer || key.row != keys_[k - 1].row;
-    if (new_line) lines.push_back({key.layer, key.row, static_cast<std::uint32_t>(cells.size())});
+    if (new_line) {
+      lines.push_back({key.layer, key.row, static_cast<std::uint32_t>(cells.size())});
+      if (is_dense()) line_starts_.push_back(number_of({key.layer, key.row, 0, 0}, grid));
+    }
     if (new_line || key.at != keys_[k - 1].at) cells.push_back({static_cast<std::uint32_t>(k), key.at});
   }
   lines.push_back({0, 0, static_cast<std::uint32_t>(cells.size())});

@@ -49,6 +49,12 @@ struct Cells {
   std::size_t n = 0;
 
   void fill(const Grid& grid, std::span<const Vec3> places, std::span<const std::uint32_t> members);
+  /// Whether the grid has so few cells that each, occupied or not, has a number.
+  bool is_dense() const { return !starts_.empty(); }
+  /// First site of such a grid's cell, occupied or not, of a line; of the cell after the line's last, the end.
+  std::uint32_t begin_of(std::size_t line, std::int32_t at) const {
+    return starts_[line_starts_[line] + static_cast<std::size_t>(at)];
+  }
   /// Index of the line, or -1.
   std::ptrdiff_t find_line(std::int32_t layer, std::int32_t row) const;
 
@@ -58,11 +64,13 @@ struct Cells {
     std::uint32_t site;
   };
   void sort(const Grid& grid, std::span<const Vec3> places, std::span<const std::uint32_t> members);
-  void find_cells();
+  static std::size_t number_of(const Key& key, const Grid& grid);  // of a cell of a dense grid
+  void find_cells(const Grid& grid);
   void copy_places(std::span<const Vec3> places);
 
   std::vector<Key> keys_, sorted_;
-  std::vector<std::uint32_t> count_;
+  std::vector<std::uint32_t> starts_;     // of all cells of a dense grid, with an end; else empty
+  std::vector<std::size_t> line_starts_;  // (lines) in `starts_`
 };
 
 /// The order of places by cells of the given width [m]: element k is the site to be put at k.

@@ -86,10 +86,10 @@ struct Machine::Memory {
   std::vector<Stage> uniform, code;
 
   explicit Memory(const Program& made) : program(made) {
-    const std::size_t size = static_cast<std::size_t>(program.slots) * block;
+    const std::size_t size = static_cast<std::size_t>(program.slots) * distance;
     values.reset(static_cast<double*>(::operator new[](std::max<std::size_t>(size, 1) * sizeof(double), alignment)));
     std::fill_n(values.get(), size, 0.0);
-    for (std::int32_t i = 0; i < program.slots; i++) columns.push_back(values.get() + i * block);
+    for (std::int32_t i = 0; i < program.slots; i++) columns.push_back(values.get() + i * distance);
     for (const Instruction& i : program.uniform) uniform.push_back({i});
     code = stages_of(program.code, program.outputs);
   }
@@ -135,7 +135,7 @@ int Machine::input(const Input& input) const {
 }
 
 double* Machine::column(int input) {
-  double* own = memory_->values.get() + input * block;
+  double* own = memory_->values.get() + input * distance;
   memory_->columns[static_cast<std::size_t>(input)] = own;
   return own;
 }

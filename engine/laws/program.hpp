@@ -59,6 +59,8 @@ Program lower(const Expressions& graph, std::span<const Expr> outputs, Uniform u
 class Machine {
  public:
   static constexpr int block = 512;  ///< values in a slot
+  /// From slot to slot: with a power of 2 they would be in each other's way in the cache.
+  static constexpr int distance = block + 16;
 
   explicit Machine(const Program& program);
   ~Machine();

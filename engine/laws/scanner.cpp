@@ -1,12 +1,9 @@
 #include "laws/scanner.hpp"
 
-#ifdef __AVX2__
-#include <immintrin.h>
-#endif
-
 #include <algorithm>
-#include <array>
-#include <cstdlib>
+#include <utility>
+
+#include "laws/compress.hpp"
 
 namespace pantin {
 
@@ -16,51 +13,39 @@ struct Target {
   double x, y, z, reach2;
 };
 
-#ifdef __AVX2__
-/// Shuffles of four 4-byte lanes that bring those of a mask to the front.
-constexpr std::array<std::array<std::uint8_t, 16>, 16> make_compressions() {
-  std::array<std::array<std::uint8_t, 16>, 16> table{};
-  for (unsigned mask = 0; mask < 16; mask++) {
-    unsigned to = 0;
-    for (unsigned lane = 0; lane < 4; lane++) {
-      if ((mask >> lane & 1) == 0) continue;
-      for (unsigned byte = 0; byte < 4; byte++) table[mask][4 * to + byte] = static_cast<std::uint8_t>(4 * lane + byte);
-      to++;
-    }
-  }
-  return table;
-}
-alignas(16) constexpr std::array<std::array<std::uint8_t, 16>, 16> compressions = make_compressions();
-#endif
+/// Where the columns of cells are.
+struct CellColumns {
+  const double *x, *y, *z;
+  const std::uint32_t* site;
 
-/// Writes the sites of cells [k, end) that are within reach; gives the end of what it wrote. May write 4 sites further.
-std::uint32_t* scan(const Cells& cells, std::size_t k, std::size_t end, const Target& t, std::uint32_t* out) {
-  const double *x = cells.x.data(), *y = cells.y.data(), *z = cells.z.data();
-  const std::uint32_t* site = cells.site.data();
+  explicit CellColumns(const Cells& cells)
+      : x(cells.x.data()), y(cells.y.data()), z(cells.z.data()), site(cells.site.data()) {}
+};
+
+/// Writes those of four sites of cells, from the k-th on, that the mask names and that are within reach; gives the end
+/// of what it wrote. May write four.
+std::uint32_t* scan_four(const CellColumns& cells, std::size_t k, unsigned mask, const Target& t, std::uint32_t* out) {
+  const double *x = cells.x + k, *y = cells.y + k, *z = cells.z + k;
+  const std::uint32_t* site = cells.site + k;
 #ifdef __AVX2__
-  const __m256d tx = _mm256_set1_pd(t.x), ty = _mm256_set1_pd(t.y), tz = _mm256_set1_pd(t.z),
-                reach2 = _mm256_set1_pd(t.reach2);
-  for (; k < end; k += 4) {
-    const __m256d dx = _mm256_sub_pd(_mm256_loadu_pd(x + k), tx), dy = _mm256_sub_pd(_mm256_loadu_pd(y + k), ty),
-                  dz = _mm256_sub_pd(_mm256_loadu_pd(z + k), tz);
-    const __m256d d2 =
-        _mm256_add_pd(_mm256_add_pd(_mm256_mul_pd(dx, dx), _mm256_mul_pd(dy, dy)), _mm256_mul_pd(dz, dz));
-    auto mask = static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(d2, reach2, _CMP_LT_OQ)));
-    if (end - k < 4) mask &= (1u << (end - k)) - 1u;
-    const __m128i four = _mm_loadu_si128(reinterpret_cast<const __m128i*>(site + k));
-    const __m128i order = _mm_load_si128(reinterpret_cast<const __m128i*>(compressions[mask].data()));
-    _mm_storeu_si128(reinterpret_cast<__m128i*>(out), _mm_shuffle_epi8(four, order));
-    out += __builtin_popcount(mask);
-  }
+  const __m256d dx = _mm256_loadu_pd(x) - t.x, dy = _mm256_loadu_pd(y) - t.y, dz = _mm256_loadu_pd(z) - t.z;
+  const __m256d near = _mm256_cmp_pd(dx * dx + dy * dy + dz * dz, _mm256_set1_pd(t.reach2), _CMP_LT_OQ);
+  mask &= static_cast<unsigned>(_mm256_movemask_pd(near));
+  const __m128i four = _mm_loadu_si128(reinterpret_cast<const __m128i*>(site));
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(out), compressed(four, mask));
+  return out + __builtin_popcount(mask);
 #else
-  for (; k < end; k++) {
-    const double dx = x[k] - t.x, dy = y[k] - t.y, dz = z[k] - t.z;
-    *out = site[k];
-    out += dx * dx + dy * dy + dz * dz < t.reach2 ? 1 : 0;
+  for (int i = 0; i < 4; i++) {
+    const double dx = x[i] - t.x, dy = y[i] - t.y, dz = z[i] - t.z;
+    *out = site[i];
+    out += (mask >> i & 1u) != 0 && dx * dx + dy * dy + dz * dz < t.reach2 ? 1 : 0;
   }
-#endif
   return out;
+#endif
 }
+
+/// Lanes of those of four from k on that are before the end.
+std::uint32_t lanes_before(std::uint32_t end, std::uint32_t k) { return (1u << std::min(end - k, 4u)) - 1u; }
 
 /// How many boxes a cell number lies beyond the box; 0 in open space.
 std::int32_t turns_of(const Grid& grid, Grid::Axis k, std::int32_t cell) {
@@ -119,42 +104,73 @@ void Scanner::add_pieces(std::int32_t layer, std::int32_t row, std::size_t shift
   for (std::int32_t turns = grid_.periodic ? -1 : 0; turns <= (grid_.periodic ? 1 : 0); turns++) {
     if (self && turns < 0) continue;
     const auto along = static_cast<std::int32_t>(stride(Grid::of_line)) * turns;
-    pieces_.push_back({shift + static_cast<std::size_t>(along), begin, begin, end, turns, self && turns == 0});
+    pieces_.push_back({shift + static_cast<std::size_t>(along), static_cast<std::size_t>(found), begin, begin, end,
+                       turns, self && turns == 0});
   }
+}
+
+std::pair<std::uint32_t, std::uint32_t> Scanner::find_range(Piece& piece, std::int32_t from, std::int32_t to) const {
+  if (b_.is_dense()) {
+    const std::int32_t last = grid_.cells[Grid::of_line] - 1;
+    return {b_.begin_of(piece.line, std::max(from, 0)), b_.begin_of(piece.line, std::min(to, last) + 1)};
+  }
+  while (piece.low < piece.end && b_.cells[piece.low].at < from) piece.low++;
+  piece.high = std::max(piece.high, piece.low);
+  while (piece.high < piece.end && b_.cells[piece.high].at <= to) piece.high++;
+  return {b_.cells[piece.low].begin, b_.cells[piece.high].begin};
 }
 
 void Scanner::move_on(std::int32_t at) {
   const std::int32_t around = Grid::around, n = grid_.cells[Grid::of_line];
-  ranges_.clear();
+  views_.clear();
+  fours_.resize(0);
   for (Piece& piece : pieces_) {
     const std::int32_t from = (piece.self ? at : at - around) - piece.turns * n, to = at + around - piece.turns * n;
-    while (piece.low < piece.end && b_.cells[piece.low].at < from) piece.low++;
-    piece.high = std::max(piece.high, piece.low);
-    while (piece.high < piece.end && b_.cells[piece.high].at <= to) piece.high++;
-    const std::uint32_t begin = b_.cells[piece.low].begin, end = b_.cells[piece.high].begin;
-    if (begin < end) ranges_.push_back({piece.shift, begin, end, piece.self});
+    if (from >= n || to < 0) continue;
+    const auto [begin, end] = find_range(piece, from, to);
+    if (begin == end) continue;
+    if (views_.empty() || views_.back().shift != piece.shift) views_.push_back({piece.shift, fours_.size(), 0, 0});
+    if (piece.self)
+      views_.back().self_end = end;
+    else
+      add_fours(begin, end);
+    views_.back().end = fours_.size();
   }
 }
 
-std::uint64_t Scanner::add_site(Slab& slab, std::size_t k) {
+void Scanner::add_fours(std::uint32_t begin, std::uint32_t end) {
+  constexpr std::size_t often = 4;  // which are written whether needed or not: the processor cannot guess the number
+  const std::size_t first = fours_.size(), count = (end - begin + 3) / 4;
+  fours_.resize(first + std::max(count, often));
+  Four* four = fours_.data() + first;
+  const auto make = [&](std::size_t k) {
+    const auto at = static_cast<std::uint32_t>(begin + 4 * k);
+    four[k] = {at, lanes_before(end, at)};
+  };
+  for (std::size_t k = 0; k < often; k++) make(k);
+  for (std::size_t k = often; k < count; k++) make(k);
+  fours_.resize(first + count);
+}
+
+std::uint64_t Scanner::add_site(Slab& slab, std::uint32_t k) {
   const std::uint32_t site = a_.site[k];
   const bool excludes = omitted_.has(site);
+  const CellColumns columns(b_);
   std::uint64_t pairs = 0;
-  for (auto range = ranges_.begin(); range != ranges_.end();) {
-    const std::size_t shift = range->shift, begin = slab.own.size();
-    std::size_t candidates = 0;
-    auto last = range;
-    for (; last != ranges_.end() && last->shift == shift; last++) candidates += last->end - last->begin;
-    slab.own.resize(begin + candidates + 4);
-    const Target target{a_.x[k] - shifts_[shift][0], a_.y[k] - shifts_[shift][1], a_.z[k] - shifts_[shift][2], reach2_};
+  for (const View& view : views_) {
+    const std::size_t begin = slab.own.size(), after = view.self_end > k ? view.self_end - k : 0;
+    slab.own.resize(begin + 4 * (view.end - view.begin) + after + 4);
+    const Vec3 shift = shifts_[view.shift];
+    const Target target{a_.x[k] - shift[0], a_.y[k] - shift[1], a_.z[k] - shift[2], reach2_};
     std::uint32_t *first = slab.own.data() + begin, *out = first;
-    for (; range != last; range++) out = scan(b_, range->self ? k + 1 : range->begin, range->end, target, out);
+    for (std::uint32_t j = k + 1; j < view.self_end; j += 4)
+      out = scan_four(columns, j, lanes_before(view.self_end, j), target, out);
+    for (const Four *four = fours_.data() + view.begin, *end = fours_.data() + view.end; four != end; four++)
+      out = scan_four(columns, four->begin, four->lanes, target, out);
     if (excludes) out = omitted_.remove(site, first, out);
     const auto count = static_cast<std::size_t>(out - first);
-    slab.own.resize(begin);
-    if (count == 0) continue;
     slab.own.resize(begin + count);
-    close_row(slab, site, begin, count, shift, omitted_.sites.dummy());
+    if (count > 0) close_row(slab, site, begin, count, view.shift, omitted_.sites.dummy());
     pairs += count;
   }
   return pairs;
