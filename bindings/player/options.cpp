@@ -59,18 +59,11 @@ void list_option(CLI::App& app, const std::string& name, std::vector<std::string
   app.add_option(name, values, help)->allow_extra_args(false)->check(check)->type_name(kind);
 }
 
-void add_scene_options(CLI::App& app, RunOptions& scene, Texts& texts) {
+/// Of all that run a scene.
+void add_limits(CLI::App& app, RunOptions& scene, Texts& texts) {
   list_option(app, "--set", texts.settings,
               "Sets a parameter of the scene, or a field: --set links=50 --set scene.step=1/60", "K=V", check_setting);
   app.add_option("--until", scene.until, "Ends at this simulated time, s")->check(check_number)->type_name("T");
-  list_option(app, "--out", scene.outputs,
-              "By its ending: .csv probes of each step, .png last frame, .mp4 .gif .webp film", "FILE", check_ending);
-  app.add_option("--summary", scene.summary, "Writes energies, errors, iterations, times and results as JSON")
-      ->type_name("FILE");
-  app.add_option("--size", texts.size, "Of the window, picture or film, pixels")
-      ->check(check_size)
-      ->default_str("1280x720")
-      ->type_name("WxH");
   app.add_option("--script-limit", scene.script_limit, "One call into the script may take this long, s; 0: no limit")
       ->check(check_number)
       ->default_str("5")
@@ -83,9 +76,21 @@ void add_scene_options(CLI::App& app, RunOptions& scene, Texts& texts) {
       ->type_name("SIZE");
 }
 
+void add_scene_options(CLI::App& app, RunOptions& scene, Texts& texts) {
+  add_limits(app, scene, texts);
+  list_option(app, "--out", scene.outputs,
+              "By its ending: .csv probes of each step, .png last frame, .mp4 .gif .webp film", "FILE", check_ending);
+  app.add_option("--summary", scene.summary, "Writes energies, errors, iterations, times and results as JSON")
+      ->type_name("FILE");
+  app.add_option("--size", texts.size, "Of the window, picture or film, pixels")
+      ->check(check_size)
+      ->default_str("1280x720")
+      ->type_name("WxH");
+}
+
 [[noreturn]] void refuse_command(const std::string& command) {
   std::string what = command.empty() ? "a command is missing" : "there is no command '" + command + "'";
-  throw lua::UsageError(what + ": give play, run, test or bench (pantin --help tells more)");
+  throw lua::UsageError(what + ": give play, run, report, test or bench (pantin --help tells more)");
 }
 
 std::string first_line(const std::string& message) { return message.substr(0, message.find('\n')); }
@@ -142,6 +147,12 @@ Options read_options(int argc, const char* const* argv) {
   CLI::App* run = app.add_subcommand("run", "Runs a scene without a window");
   run->add_option("scene", options.run.scene, "A scene's file, or the name of a shipped one")->required();
   add_scene_options(*run, options.run, texts);
+  CLI::App* report =
+      app.add_subcommand("report", "Tells how exact a scene is with which step and integrator, at what cost");
+  report->add_option("scene", options.run.scene, "A scene's file, or the name of a shipped one")->required();
+  report->add_option("--out", options.prefix, "Writes PREFIX.json and PREFIX.svg [the scene's name and -report]")
+      ->type_name("PREFIX");
+  add_limits(*report, options.run, texts);
   CLI::App* test = app.add_subcommand("test", "Runs tests written in Lua");
   test->add_option("path", options.arguments, "Files, or folders of them [tests/scenes]");
   CLI::App* bench = app.add_subcommand("bench", "Runs benchmarks");
@@ -169,7 +180,11 @@ Options read_options(int argc, const char* const* argv) {
   if (!texts.size.empty()) options.run.size = read_size(texts.size);
   if (!texts.memory.empty()) options.run.memory_limit = read_bytes(texts.memory);
   using Command = Options::Command;
-  options.command = *play ? Command::play : *run ? Command::run : *test ? Command::test : Command::bench;
+  options.command = *play     ? Command::play
+                    : *run    ? Command::run
+                    : *report ? Command::report
+                    : *test   ? Command::test
+                              : Command::bench;
   if (*meta) options.command = Command::meta;
   return options;
 }

@@ -30,11 +30,12 @@ struct RunOptions {
 };
 
 struct Options {
-  enum class Command { none, play, run, test, bench, meta };
+  enum class Command { none, play, run, report, test, bench, meta };
   Command command = Command::none;
   RunOptions run;
   std::vector<std::string> arguments;  ///< paths to test, or a benchmark and its arguments
   bool peers = false;                  ///< of `bench`
+  std::string prefix;                  ///< of the files that `report` writes; empty: after the scene
 };
 
 /// Reads the command line. Help and version are printed and leave Command::none; wrong use throws UsageError.

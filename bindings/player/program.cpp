@@ -14,6 +14,7 @@
 #include "player/message.hpp"
 #include "player/options.hpp"
 #include "player/play.hpp"
+#include "player/report.hpp"
 #include "player/run.hpp"
 #include "player/test.hpp"
 
@@ -25,6 +26,7 @@ int do_command(const Options& options) {
     case Options::Command::none: return 0;
     case Options::Command::play: return play(options.run, find_home());
     case Options::Command::run: return run(options.run, find_home());
+    case Options::Command::report: return report(options.run, options.prefix, find_home());
     case Options::Command::test: return test(options.arguments, find_home());
     case Options::Command::bench: return bench({options.arguments, options.peers});
     case Options::Command::meta: std::cout << lua::annotations(); return 0;

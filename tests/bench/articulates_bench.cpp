@@ -57,7 +57,8 @@ struct Place {
 
 Place reference_place(const peers::Mechanism& mechanism) {
   const reference::PlaneChain chain = plane(mechanism);
-  const int pieces = static_cast<int>(mechanism.compare_at * (chain.links.size() > 50 ? 60 : 300));
+  const double stiff = chain.links.back().mass > 1e4 ? 10.0 : 1.0, many = chain.links.size() > 50 ? 0.2 : 1.0;
+  const int pieces = static_cast<int>(mechanism.compare_at * 300 * stiff * many);
   const auto with = [&](int n) {
     return reference::centre(chain, reference::advance(chain, mechanism.compare_at, n), mechanism.measured);
   };

@@ -1,6 +1,4 @@
 // `pantin bench chain`: time per hinge and step, and Newton iterations, of chains of growing length at 1/240 s.
-#include <time.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -10,8 +8,8 @@
 #include <vector>
 
 #include "base/check.hpp"
-#include "base/lanes.hpp"
 #include "player/bench.hpp"
+#include "player/machine.hpp"
 #include "step.hpp"
 #include "support/cases.hpp"
 #include "support/watch.hpp"
@@ -21,28 +19,6 @@ namespace pantin {
 namespace {
 
 constexpr int warm_steps = 60, measured_steps = 240;
-
-/// Processor time of this thread, which others on the machine do not lengthen, [ns].
-double thread_time() {
-  timespec now;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
-}
-
-/// A measure of the machine's present speed: one of many dependent 3 × 3 matrix products, best of ten windows, [ns].
-double product_time() {
-  constexpr int products = 20000;
-  const Mat3 turn = matrix(normalised({1.0, 0.1, 0.2, 0.3}));
-  Mat3 m = identity33();
-  double best = std::numeric_limits<double>::infinity();
-  for (int window = 0; window < 10; window++) {
-    const double start = thread_time();
-    for (int i = 0; i < products; i++) m = m * turn;
-    best = std::min(best, (thread_time() - start) / products);
-  }
-  require(std::isfinite(trace(m)), "the product of rotations is not finite");
-  return best;
-}
 
 struct Measured {
   double step = 0.0;            ///< [ns]
@@ -55,16 +31,16 @@ Measured measure(int links) {
   const int window = std::clamp(20000 / links, 12, measured_steps), windows = measured_steps / window;
   std::vector<double> best(static_cast<std::size_t>(windows), std::numeric_limits<double>::infinity());
   Measured measured;
-  const double begin = thread_time();
-  for (int run = 0; run < 3 || (run < 100 && thread_time() - begin < 3e8); run++) {
+  const double begin = player::thread_time();
+  for (int run = 0; run < 3 || (run < 100 && player::thread_time() - begin < 3e8); run++) {
     World world;
     cases::add_chain(world, {.links = links});
     for (int i = 0; i < warm_steps; i++) step(world);
     const Stats before = world.stats;
     for (double& time : best) {
-      const double start = thread_time();
+      const double start = player::thread_time();
       for (int i = 0; i < window; i++) step(world);
-      time = std::min(time, thread_time() - start);
+      time = std::min(time, player::thread_time() - start);
     }
     require(world.failure.empty(), "chain of ", links, " links: ", world.failure);
     const double steps = static_cast<double>(windows * window);
@@ -98,7 +74,7 @@ void bench_chain(const player::BenchOptions& options) {
   for (const int n : list) {
     const Measured measured = measure(n);
     std::printf("%8d %14.1f %12.2f %12.2f %14.2f %12.2f\n", n, measured.step / n, measured.iterations,
-                measured.factorisations, product_time(), measured.step / 1e3);
+                measured.factorisations, player::product_time(), measured.step / 1e3);
     std::fflush(stdout);
     if (n < 31 || n > 3000) continue;
     links.push_back(n);

@@ -288,3 +288,17 @@ TEST_CASE("program: play without a display says so and makes a picture and a fil
   CHECK_THAT(result.err, Contains("no display"));
   CHECK(folder.files() == std::vector<std::string>{"swing.lua", "swing.mp4", "swing.png"});
 }
+
+TEST_CASE("program: a report ends in what to choose, and leaves two files") {
+  Folder folder;
+  write_file(folder / "swing.lua", swing);
+  Finished told = use(folder, {"report", "swing.lua", "--until", "0.5"});
+  CHECK(told.code == 0);
+  CHECK_THAT(told.out, Contains("verlet") && Contains("choose scene.step = 1/"));
+  CHECK(folder.files() == std::vector<std::string>{"swing-report.json", "swing-report.svg", "swing.lua"});
+  const auto json = nlohmann::json::parse(read_file(folder / "swing-report.json"));
+  CHECK(json["runs"].size() >= 10);
+  CHECK(use(folder, {"report"}).code == 2);
+  CHECK(use(folder, {"report", "nothing"}).code == 2);
+  CHECK(use(folder, {"report", "swing.lua", "--until", "0.001"}).code == 1);
+}

@@ -1,0 +1,167 @@
+// What the runs of a study say about each other.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "player/study.hpp"
+
+namespace pantin::player {
+namespace {
+
+constexpr double apart = 0.01;  // of the size: runs that are further from each other show different motions
+const double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Root mean square over the things that both have, [m]; NaN where there are none.
+double distance(const Places& a, const Places& b) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end();) {
+    if (i->first < j->first)
+      ++i;
+    else if (j->first < i->first)
+      ++j;
+    else {
+      sum += norm2(i->second - j->second);
+      count++;
+      ++i, ++j;
+    }
+  }
+  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : nan;
+}
+
+/// Over the times that both reached, [m].
+std::vector<double> distances(const StudyRun& a, const StudyRun& b) {
+  std::vector<double> list;
+  for (std::size_t k = 0; k < std::min(a.places.size(), b.places.size()); k++)
+    list.push_back(distance(a.places[k], b.places[k]));
+  return list;
+}
+
+/// The largest of those until a time [s].
+double largest(const Study& study, const std::vector<double>& list, double until) {
+  double result = 0.0;
+  for (std::size_t k = 0; k < list.size() && study.times[k] <= until * (1 + 1e-9); k++)
+    if (!(list[k] <= result)) result = list[k];
+  return result;
+}
+
+/// [s] of the last time before the distance exceeds `limit`.
+double last_within(const Study& study, const std::vector<double>& list, double limit) {
+  double time = 0.0;
+  for (std::size_t k = 0; k < list.size() && list[k] <= limit; k++) time = study.times[k];
+  return time;
+}
+
+/// The run with the same integrator and the next longer step, or null.
+const StudyRun* coarser(const Study& study, std::size_t i) {
+  return i > 0 && study.runs[i - 1].integrator == study.runs[i].integrator ? &study.runs[i - 1] : nullptr;
+}
+
+bool complete(const Study& study, const StudyRun& run) { return run.places.size() == study.times.size(); }
+
+/// What two runs of an integrator, one with half the step of the other, are worth as the measure of all others.
+struct Worth {
+  double together = -1.0, comparable = 0.0, distance = 0.0;
+};
+
+bool better(const Worth& a, const Worth& b) {
+  if (a.comparable != b.comparable) return a.comparable > b.comparable;
+  return a.distance < b.distance;
+}
+
+/// Errors of runs that part soon after are not told: comparing ends where the finest is still sure of small ones, or
+/// where nothing is, of large ones.
+Worth worth(const Study& study, const std::vector<double>& list) {
+  Worth result;
+  result.together = result.comparable = last_within(study, list, apart * study.size);
+  if (result.together < study.until)
+    for (const double limit : {1e-5, 1e-4, 1e-3}) {
+      result.comparable = last_within(study, list, limit * study.size);
+      if (result.comparable > 0.0) break;
+    }
+  if (result.comparable == 0.0) result.comparable = result.together;
+  result.distance = largest(study, list, result.comparable);
+  return result;
+}
+
+/// The finest run of the integrator whose two finest runs stay together longest and, of those, are nearest.
+void choose_reference(Study& study) {
+  Worth best;
+  for (std::size_t i = 0; i < study.runs.size(); i++) {
+    const StudyRun* const before = coarser(study, i);
+    const bool last = i + 1 == study.runs.size() || study.runs[i + 1].integrator != study.runs[i].integrator ||
+                      !complete(study, study.runs[i + 1]);
+    if (!before || !last || !complete(study, study.runs[i])) continue;
+    const Worth now = worth(study, distances(study.runs[i], *before));
+    if (best.together >= 0.0 && !better(now, best)) continue;
+    best = now;
+    study.reference = i;
+  }
+  require(best.together >= 0.0,
+          "report: there was no time for two runs to be compared: give a shorter time by --until");
+  study.together = best.together;
+  study.comparable = best.comparable;
+}
+
+/// How fast the distance of the two finest runs grows where they part: slope of its logarithm over the last half of the
+/// times until then, by least squares, [1/s].
+double growth(const Study& study, const std::vector<double>& list) {
+  double n = 0, t = 0, y = 0, tt = 0, ty = 0;
+  for (std::size_t k = 0; k < list.size(); k++) {
+    const double time = study.times[k];
+    if (time < 0.5 * study.together || time > study.together * (1 + 1e-9) || !(list[k] > 0.0)) continue;
+    const double value = std::log(list[k]);
+    n += 1, t += time, y += value, tt += time * time, ty += time * value;
+  }
+  return n >= 3 ? (n * ty - t * y) / (n * tt - t * t) : 0.0;
+}
+
+void compare_run(Study& study, std::size_t i) {
+  StudyRun& run = study.runs[i];
+  const std::vector<double> list = distances(run, study.finest());
+  run.true_until = last_within(study, list, apart * study.size);
+  if (study.comparable == 0.0 || list.empty() || study.times[list.size() - 1] < study.comparable * (1 - 1e-9)) return;
+  run.error = largest(study, list, study.comparable);
+}
+
+/// Orders are told where both errors are above the reference's and small beside the size.
+void find_orders(Study& study) {
+  for (std::size_t i = 0; i < study.runs.size(); i++) {
+    const StudyRun* const before = coarser(study, i);
+    StudyRun& run = study.runs[i];
+    if (!before || i == study.reference || !(run.error > 3.0 * study.uncertain) || !(before->error < 0.1 * study.size))
+      continue;
+    run.order = std::log2(before->error / run.error) / std::log2(before->step / run.step);
+  }
+}
+
+}  // namespace
+
+void compare(Study& study) {
+  choose_reference(study);
+  const std::vector<double> list = distances(study.finest(), *coarser(study, study.reference));
+  for (std::size_t i = 0; i < study.runs.size(); i++)
+    if (i != study.reference) compare_run(study, i);
+  study.growth = growth(study, list);
+  // What the finest run lacks is what the last halving changed, less what it gained: a half for order 1, a third for 2.
+  study.uncertain = 0.5 * largest(study, list, study.comparable);
+  study.runs[study.reference].true_until = study.together;
+  if (study.comparable > 0.0) study.runs[study.reference].error = study.uncertain;
+  find_orders(study);
+}
+
+const StudyRun* cheapest(const Study& study, double error) {
+  constexpr double as_cheap = 1.2;  // clocks are no better
+  const auto serves = [&](const StudyRun& run) {
+    return run.trouble.empty() && run.error + (&run == &study.finest() ? 0.0 : study.uncertain) <= error;
+  };
+  double least = std::numeric_limits<double>::infinity();
+  for (const StudyRun& run : study.runs)
+    if (serves(run)) least = std::min(least, run.cost());
+  const StudyRun* best = nullptr;
+  for (const StudyRun& run : study.runs)
+    if (serves(run) && run.cost() <= as_cheap * least && (!best || run.error < best->error)) best = &run;
+  return best;
+}
+
+}  // namespace pantin::player

@@ -1,0 +1,55 @@
+#include "player/report.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "player/home.hpp"
+#include "player/interrupt.hpp"
+#include "player/machine.hpp"
+#include "player/message.hpp"
+#include "player/output.hpp"
+
+namespace pantin::player {
+namespace {
+
+constexpr double budget = 40.0;  // [s] of the clock
+
+/// A line on standard error that moves, where that is a terminal.
+class Line {
+ public:
+  ~Line() {
+    if (terminal_) std::cerr << "\r\033[K" << std::flush;
+  }
+  void show(const std::string& what, double part) const {
+    if (terminal_)
+      std::cerr << "\r\033[K" << std::min(100, static_cast<int>(100 * part)) << " %  " << what << std::flush;
+  }
+
+ private:
+  bool terminal_ = isatty(STDERR_FILENO) != 0;
+};
+
+}  // namespace
+
+int report(const RunOptions& options, const std::string& prefix, const std::string& home) {
+  const std::string start = prefix.empty() ? scene_name(find_scene(options.scene, home)) + "-report" : prefix;
+  Output json(start + ".json"), picture(start + ".svg");
+  Interrupt interrupt;
+  Study studied;
+  {
+    const Line line;
+    studied = study(options, home, budget, [&](const std::string& what, double part) { line.show(what, part); });
+  }
+  const double ns = product_time();
+  json.write(report_json(studied, ns).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  picture.write(report_picture(studied));
+  json.keep();
+  picture.keep();
+  std::cout << report_text(studied, ns) << std::flush;
+  for (const std::string& warning : studied.warnings) say(warning);
+  return 0;
+}
+
+}  // namespace pantin::player

@@ -1,0 +1,213 @@
+// What a report says in words and numbers.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "player/home.hpp"
+#include "player/plot.hpp"
+#include "player/report.hpp"
+
+namespace pantin::player {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double wanted = 1e-3;  // error, relative to the size
+
+template <class... Values>
+std::string format(const char* pattern, Values... values) {
+  char line[400];
+  std::snprintf(line, sizeof line, pattern, values...);
+  return line;
+}
+
+/// "1/240", or "0.0123" where that is no whole number.
+std::string show_step(double step) {
+  const double rate = 1.0 / step;
+  if (rate >= 1.0 && std::fabs(rate - std::round(rate)) < 1e-9 * rate) return format("1/%.0f", std::round(rate));
+  return format("%.4g", step);
+}
+
+std::string number(const char* pattern, double x) { return std::isfinite(x) ? format(pattern, x) : "-"; }
+
+double per_solve(const Stats& stats) {
+  return stats.solves > 0 ? static_cast<double>(stats.newton_iterations) / static_cast<double>(stats.solves) : 0.0;
+}
+
+std::string row(const Study& study, const StudyRun& run) {
+  const bool finest = &run == &study.finest();
+  std::string line =
+      format("%-9s %-9s %12s %6s %10.4g %12.4g %6.2f %6llu %5llu %10s %10s", run.integrator.c_str(),
+             show_step(run.step).c_str(),
+             finest ? ("(" + number("%.1e", run.error) + ")").c_str() : number("%.2e", run.error).c_str(),
+             number("%.1f", run.order).c_str(), 1e3 * run.cost(), 1e9 * run.seconds / static_cast<double>(run.steps),
+             per_solve(run.stats), static_cast<unsigned long long>(run.stats.halved_steps),
+             static_cast<unsigned long long>(run.stats.safe_steps), number("%.1e", run.worst.constraint).c_str(),
+             number("%.1e", run.worst.energy).c_str());
+  line += format(" %10.4g", run.true_until);
+  if (!run.trouble.empty()) line += "  " + run.trouble;
+  return line + "\n";
+}
+
+std::string table(const Study& study) {
+  std::string lines =
+      format("%-9s %-9s %12s %6s %10s %12s %6s %6s %5s %10s %10s %10s\n", "integr.", "step, s", "error, m", "order",
+             "ms/s", "ns/step", "iter.", "halved", "safe", "gap, m", "energy", "true to, s");
+  for (const StudyRun& run : study.runs) lines += row(study, run);
+  for (const Refused& refused : study.refused)
+    lines += format("%-9s ", refused.integrator.c_str()) + refused.why + "\n";
+  return lines;
+}
+
+bool still(const Study& study) { return !(study.moved > 1e-9 * study.size); }
+
+/// Runs of different steps differ from the first times on.
+bool never_together(const Study& study) { return study.together < 2.0 * study.times.front(); }
+
+std::string cause(const Study& study) {
+  if (study.random) return " Its script draws random numbers while it runs, others with every step.";
+  if (study.noisy) return " It has a law with noise in it, which is different with every step.";
+  if (study.emits) return " It has emitters, whose particles meet other ones with every step.";
+  return "";
+}
+
+std::string course(const Study& study) {
+  if (never_together(study))
+    return format(
+               "Runs with different steps part from the beginning (after %g s by more than a hundredth of the size): ",
+               study.times.front()) +
+           "no step can be told to be right." + cause(study) + " Compare averages of many runs instead.\n";
+  if (!study.parts()) return format("The two finest runs stay together for all of the %g s.\n", study.until);
+  std::string result = format("The two finest runs part after %g s", study.together);
+  if (study.growth * study.together > std::log(100.0))
+    result += format(": the motion is chaotic, a small error grows tenfold in %.2g s", std::log(10.0) / study.growth);
+  return result + format(". Errors are told until %g s.", study.comparable) + cause(study) + "\n";
+}
+
+/// Median of the orders of an integrator, NaN where none could be told.
+double order_of(const Study& study, const std::string& integrator) {
+  std::vector<double> orders;
+  for (const StudyRun& run : study.runs)
+    if (run.integrator == integrator && std::isfinite(run.order)) orders.push_back(run.order);
+  if (orders.empty()) return std::numeric_limits<double>::quiet_NaN();
+  std::nth_element(orders.begin(), orders.begin() + static_cast<std::ptrdiff_t>(orders.size() / 2), orders.end());
+  return orders[orders.size() / 2];
+}
+
+/// Where no run is exact enough: how far the best integrator would have to go by its order.
+std::string extrapolated(const Study& study, double error) {
+  const StudyRun* best = nullptr;
+  double cost = 0.0, step = 0.0;
+  for (const StudyRun& run : study.runs) {
+    const double order = order_of(study, run.integrator);
+    const StudyRun* const next = &run == &study.runs.back() ? nullptr : &run + 1;
+    const bool last = !next || next->integrator != run.integrator || next == &study.finest();
+    if (!last || &run == &study.finest() || !run.trouble.empty() || !(order > 0.5) || !(run.error > 0.0)) continue;
+    const double factor = std::pow(error / run.error, 1.0 / order);
+    if (best && run.cost() / factor >= cost) continue;
+    best = &run;
+    cost = run.cost() / factor;
+    step = run.step * factor;
+  }
+  if (!best) return "none of the steps tried is that exact, and the error does not fall with the step.";
+  return format(
+      "none of the steps tried is that exact; by its order %s would need scene.step of about 1/%.0f: some %.2g ms per "
+      "simulated second.",
+      best->integrator.c_str(), std::ceil(1.0 / step), 1e3 * cost);
+}
+
+}  // namespace
+
+std::string advice(const Study& study) {
+  if (still(study)) return "Nothing moves by itself in this scene, so there is no step to choose.";
+  const double error = wanted * study.size;
+  const std::string beginning =
+      format("For an error of %.2g m (1e-3 of the scene's size of %.3g m)", error, study.size) +
+      (study.parts() ? format(" until %g s ", study.comparable) : " ");
+  if (never_together(study)) return "No step can be recommended by its error.";
+  const StudyRun* const run = cheapest(study, error);
+  if (!run) return beginning + extrapolated(study, error);
+  return beginning + format(
+                         "choose scene.step = %s and scene.integrator = \"%s\": it costs %.3g ms per simulated second "
+                         "(error %.1e m).",
+                         show_step(run->step).c_str(), run->integrator.c_str(), 1e3 * run->cost(), run->error);
+}
+
+std::string report_text(const Study& study, double product_ns) {
+  std::string result = scene_name(study.path) + format(": %g s", study.until);
+  if (study.until < study.wanted_until * (1 - 1e-9)) result += format(" of its %g s", study.wanted_until);
+  result += format(", compared at %zu times; %zu points and bodies in %.3g m; energy return %s\n", study.times.size(),
+                   study.things, study.size, study.energy_return ? "on" : "off");
+  result += format(
+      "error: root mean square over points and bodies, from the run in brackets, whose own error is about that\n"
+      "ms/s: milliseconds of the clock per simulated second, while a 3x3 product took %.2g ns\n"
+      "true to: until then it is within a hundredth of the size\n",
+      product_ns);
+  result += table(study) + course(study);
+  return result + advice(study) + "\n";
+}
+
+namespace {
+
+Json of_run(const Study& study, const StudyRun& run) {
+  Json json;
+  json["integrator"] = run.integrator;
+  json["step"] = run.step;
+  if (!run.trouble.empty()) json["trouble"] = run.trouble;
+  json["reference"] = &run == &study.finest();
+  json["error"] = run.error;
+  json["order"] = run.order;
+  json["true_until"] = run.true_until;
+  json["ms_per_second"] = 1e3 * run.cost();
+  json["ns_per_step"] = 1e9 * run.seconds / static_cast<double>(run.steps);
+  json["steps"] = run.steps;
+  json["newton_iterations"] = run.stats.newton_iterations;
+  json["solves"] = run.stats.solves;
+  json["halved_steps"] = run.stats.halved_steps;
+  json["safe_steps"] = run.stats.safe_steps;
+  json["worst_hinge_gap"] = run.worst.hinge_gap;
+  json["worst_constraint"] = run.worst.constraint;
+  json["worst_energy"] = run.worst.energy;
+  return json;
+}
+
+}  // namespace
+
+nlohmann::ordered_json report_json(const Study& study, double product_ns) {
+  Json json;
+  json["scene"] = study.path;
+  json["title"] = study.title;
+  json["until"] = study.until;
+  json["asked_until"] = study.wanted_until;
+  json["size"] = study.size;
+  json["things"] = study.things;
+  json["moved"] = study.moved;
+  json["energy_return"] = study.energy_return;
+  json["together_until"] = study.together;
+  json["comparable_until"] = study.comparable;
+  json["growth"] = study.growth;
+  json["product_ns"] = product_ns;
+  json["runs"] = Json::array();
+  for (const StudyRun& run : study.runs) json["runs"].push_back(of_run(study, run));
+  json["left_out"] = Json::object();
+  for (const Refused& refused : study.refused) json["left_out"][refused.integrator] = refused.why;
+  json["advice"] = advice(study);
+  json["warnings"] = study.warnings;
+  return json;
+}
+
+std::string report_picture(const Study& study) {
+  Plot by_cost{scene_name(study.path), "milliseconds per simulated second", "error, m", {}};
+  Plot by_step{scene_name(study.path), "step, s", "error, m", {}};
+  for (const StudyRun& run : study.runs) {
+    if (by_cost.series.empty() || by_cost.series.back().name != run.integrator) {
+      by_cost.series.push_back({run.integrator, {}});
+      by_step.series.push_back({run.integrator, {}});
+    }
+    by_cost.series.back().points.emplace_back(1e3 * run.cost(), run.error);
+    by_step.series.back().points.emplace_back(run.step, run.error);
+  }
+  return draw_plots({by_cost, by_step}, 2);
+}
+
+}  // namespace pantin::player

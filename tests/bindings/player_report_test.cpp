@@ -1,0 +1,143 @@
+// What a report makes of the runs of a scene.
+#include "player/report.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "player/plot.hpp"
+#include "support/process.hpp"
+
+using namespace pantin;
+using namespace pantin::player;
+
+namespace {
+
+/// One thing that should be at (t, 0, 0), seen wrong by `wrong`(step, t).
+template <class Wrong>
+StudyRun seen(const Study& study, const std::string& integrator, double step, Wrong wrong) {
+  StudyRun run;
+  run.integrator = integrator;
+  run.step = step;
+  run.reached = study.until;
+  run.seconds = 1e-3 / step;
+  run.steps = static_cast<std::uint64_t>(study.until / step);
+  for (const double t : study.times) run.places.push_back({{1, vec(t + wrong(step, t), 0, 0)}});
+  return run;
+}
+
+Study empty_study() {
+  Study study;
+  study.path = "thing.lua";
+  study.until = study.wanted_until = 4.0;
+  study.times = {1.0, 2.0, 3.0, 4.0};
+  study.size = 10.0;
+  study.moved = 4.0;
+  return study;
+}
+
+constexpr double steps[] = {0.04, 0.02, 0.01, 0.005, 0.0025, 0.00125};
+
+Study study_text(const std::string& source, double until) {
+  const support::Folder folder;
+  support::write_file(folder / "scene.lua", source);
+  RunOptions options;
+  options.scene = folder / "scene.lua";
+  options.until = until;
+  return study(options, folder.path, 5.0, [](const std::string&, double) {});
+}
+
+constexpr const char* pendulum = R"(
+scene.step = 1 / 60
+local bob = scene:particle { at = vec(1, 0, 0) }
+scene:rod(vec(0, 0, 0), bob)
+)";
+
+const StudyRun& run_of(const Study& study, const std::string& integrator, double step) {
+  for (const StudyRun& run : study.runs)
+    if (run.integrator == integrator && std::fabs(run.step - step) < 1e-12) return run;
+  throw std::runtime_error("there is no such run");
+}
+
+}  // namespace
+
+TEST_CASE("report: errors, orders and the finest run are found from the places") {
+  Study study = empty_study();
+  for (const double step : steps)
+    study.runs.push_back(seen(study, "verlet", step, [](double h, double t) { return 3 * h * h * t; }));
+  for (const double step : steps)
+    study.runs.push_back(seen(study, "euler", step, [](double h, double t) { return 0.5 * h * t; }));
+  compare(study);
+  CHECK(study.finest().integrator == "verlet");
+  CHECK(study.finest().step == 0.00125);
+  CHECK_FALSE(study.parts());
+  CHECK(run_of(study, "verlet", 0.02).error == Approx(3 * 4 * 0.02 * 0.02).epsilon(0.01));
+  CHECK(run_of(study, "verlet", 0.02).order == Approx(2.0).margin(0.02));
+  CHECK(run_of(study, "euler", 0.0025).order == Approx(1.0).margin(0.02));
+  const StudyRun* const chosen = cheapest(study, 1e-2);
+  REQUIRE(chosen);
+  CHECK(chosen->integrator == "verlet");
+  CHECK(chosen->step == 0.02);
+  CHECK_THAT(advice(study), Catch::StartsWith("For an error of 0.01 m (1e-3 of the scene's size of 10 m) choose "
+                                              "scene.step = 1/50 and scene.integrator = \"verlet\""));
+}
+
+TEST_CASE("report: what no run reaches is told from the order") {
+  Study study = empty_study();
+  for (const double step : {0.04, 0.02, 0.01, 0.005})
+    study.runs.push_back(seen(study, "euler", step, [](double h, double t) { return 5 * h * t; }));
+  compare(study);
+  CHECK(cheapest(study, 1e-2) == nullptr);
+  CHECK_THAT(advice(study), Catch::Contains("none of the steps tried is that exact; by its order euler would need"));
+}
+
+TEST_CASE("report: comparing ends where the two finest runs part") {
+  Study study = empty_study();
+  for (const double step : steps)
+    study.runs.push_back(
+        seen(study, "verlet", step, [](double h, double t) { return h * h * std::pow(10.0, 2.0 * t); }));
+  compare(study);
+  CHECK(study.parts());
+  CHECK(study.together == 2.0);
+  CHECK(study.comparable == 1.0);
+  CHECK(run_of(study, "verlet", 0.04).true_until == 0.0);
+  CHECK_THAT(report_text(study, 1.0), Catch::Contains("The two finest runs part after 2 s"));
+}
+
+TEST_CASE("report: runs that never agree are told not to be comparable") {
+  Study study = empty_study();
+  study.random = true;
+  for (const double step : steps)
+    study.runs.push_back(seen(study, "verlet", step, [](double h, double) { return std::sin(1.0 / h); }));
+  compare(study);
+  CHECK_THAT(report_text(study, 1.0), Catch::Contains("draws random numbers"));
+  CHECK(advice(study) == "No step can be recommended by its error.");
+}
+
+TEST_CASE("report: a pendulum's errors fall as the integrators' orders say") {
+  const Study study = study_text(pendulum, 1.0);
+  CHECK(study.step == 1.0 / 60);
+  CHECK(study.size == study.moved);
+  CHECK(study.size > 1.0);
+  CHECK_FALSE(study.parts());
+  CHECK(run_of(study, "verlet", 1.0 / 60).order == Approx(2.0).margin(0.1));
+  CHECK(run_of(study, "euler", 1.0 / 240).order == Approx(1.0).margin(0.2));
+  CHECK(run_of(study, "verlet", 1.0 / 60).error < run_of(study, "euler", 1.0 / 60).error);
+  CHECK_THAT(report_text(study, 1.0), Catch::EndsWith("m).\n"));
+  CHECK(report_json(study, 1.0)["advice"] == advice(study));
+}
+
+TEST_CASE("report: a scene in which nothing moves says so, and one that is over at once is refused") {
+  CHECK_THAT(
+      advice(study_text("scene.gravity = vec(0, 0, 0) scene:particle {} scene:particle { at = vec(1, 0, 0) }", 0.5)),
+      Catch::StartsWith("Nothing moves by itself"));
+  CHECK_THROWS_WITH(study_text(pendulum, 0.05), Catch::Contains("at least 4 steps"));
+  CHECK_THROWS_WITH(study_text("scene:nail(1)", 1.0), Catch::Contains("scene.lua:1:"));
+}
+
+TEST_CASE("report: the picture names its series and holds only numbers") {
+  const std::string svg =
+      draw_plots({{"a < b", "x", "y", {{"one & two", {{1, 1e-3}, {10, 1e-6}, {0, 1}, {1, std::nan("")}}}}}}, 2);
+  CHECK_THAT(svg, Catch::StartsWith("<svg") && Catch::EndsWith("</svg>\n"));
+  CHECK_THAT(svg, Catch::Contains("one &amp; two") && Catch::Contains("a &lt; b") && Catch::Contains("10⁻⁶"));
+  CHECK_THAT(svg, !Catch::Contains("nan") && !Catch::Contains("inf"));
+}
