@@ -33,7 +33,7 @@ std::vector<ParticleId> some(const World& world, const std::vector<ParticleId>& 
 /// A particle here and there in the rows of an interaction, and the nearest in its row.
 std::vector<Together> pairs_of(const World& world, InteractionId id) {
   std::vector<Together> list;
-  if (!world.forces || world.influences_changed) return list;  // what acts is found anew in this step
+  if (!acting_now(world)) return list;  // what acts is found anew in this step
   const Forces& forces = *world.forces;
   const Sites& sites = forces.sites;
   const auto acting = std::find_if(forces.interactions.begin(), forces.interactions.end(),

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "articulates/islands.hpp"
 #include "phases/phases.hpp"
 #include "world/editing.hpp"
@@ -19,13 +21,22 @@ void save_loose(World& world) {
   for (std::uint32_t slot : world.loose_bodies) world.saved_motion.push_back(world.motion[slot]);
 }
 
+/// Whether something is to be found anew that is tied, or a body: not where free points were only born or have gone.
+bool ties_changed(const World& world) {
+  const auto& dirty = world.dirty_articulates;
+  return !world.untied_bodies.empty() || std::find(dirty.begin(), dirty.end(), 1) != dirty.end();
+}
+
 }  // namespace
 
 void find_articulates(World& world) {
   const Timed timed(world.profile, Phase::find_articulates);
-  if (world.topology_changed) editing::disturb_forces(world);
+  const bool topology_changed = world.topology_changed;
+  const std::size_t count = world.articulates.size();
+  if (topology_changed && ties_changed(world)) editing::disturb_forces(world);
   pantin::find_articulates(world, world.articulates, world.loose_bodies, world.loose_points);
-  if (world.influences_changed) read_masses(world);  // every edit of a mass says so
+  if (world.articulates.size() != count) editing::disturb_forces(world);
+  if (topology_changed || world.influences_changed) read_masses(world);  // every edit of a mass says so
   save_loose(world);
 }
 

@@ -130,7 +130,7 @@ void follow_courses(const World& world, std::string_view name, double time, std:
   const Courses* last = nullptr;
   std::size_t group = 0;
   for (std::uint32_t i = 0; i < slots.size(); i++) {
-    if (!world.particles.alive_at(slots[i])) continue;
+    if (slots[i] >= world.particles.slots() || !world.particles.alive_at(slots[i])) continue;
     const Courses* courses = world.particles.at_slot(slots[i]).courses.get();
     if (!courses) continue;
     if (courses != last) {

@@ -36,6 +36,12 @@ void post(World& world, double joules);
 /// Call before an edit that may change what laws act on, or what they see of it: the energy of the laws before the edit
 /// leaves the balance, and comes back with the forces of the next step.
 void disturb_forces(World& world);
+/// The same before a free particle of a family, or of none, is made, after which `note_birth` is to be called: what else
+/// laws act on stays as it is.
+void disturb_forces_by_birth(World& world, FamilyId family);
+void note_birth(World& world, ParticleId particle);
+/// The same before a free particle is removed.
+void disturb_forces_by_death(World& world, ParticleId particle);
 /// Values of a family's attributes: those given, else the family's. Throws Error for a name that it does not have.
 std::vector<double> attribute_values(std::string_view call, const Family& family, std::span<const AttributeDef> given);
 

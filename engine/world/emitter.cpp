@@ -107,6 +107,7 @@ void make(World& world, EmitterId id, const Base& base, double time, double end)
   particle.look = e.look;
   particle.courses = e.courses;
   particle.emitter = id;
+  note_birth(world, world.points[point].own);
   e.count++;
   if (std::isfinite(lifetime)) {
     particle.lifetime = lifetime;
@@ -146,7 +147,7 @@ void emit(World& world, EmitterId id, double end) {
           e.rate, " 1/s");
   Base base;
   if (e.point) base = {position(world, e.point), velocity(world, e.point)};
-  if (due >= 0.5 && e.rate > 0.0) disturb_forces(world);
+  if (due >= 0.5 && e.rate > 0.0) disturb_forces_by_birth(world, e.family);
   while (e.rate > 0.0) {
     const double time = e.origin + (static_cast<double>(e.since + 1) - e.phase) / e.rate;
     if (!(time <= reached)) break;

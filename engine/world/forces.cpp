@@ -125,20 +125,56 @@ bool tells_energy(const World& world, const Forces& f) {
   std::size_t pairs = 0;
   for (const ActingInteraction& a : f.interactions) pairs += a.rows.pairs();
   for (const ActingConnections& a : f.connections) pairs += a.ties.size();
-  return pairs <= few_pairs || (world.steps + 1) % 16 == 0;
+  // Where particles come and go it will be asked for before the next step.
+  return pairs <= few_pairs || (world.steps + 1) % 16 == 0 || f.settled_in == world.steps + 1;
+}
+
+}  // namespace
+
+bool acting_now(const World& world) { return world.forces && !world.influences_changed && !world.forces->unsettled; }
+
+namespace {
+
+/// The energy of the laws leaves the balance.
+void withdraw_energy(World& world) {
+  Forces& f = *world.forces;
+  editing::post(world, -(f.told ? f.energy : law_energy(world)));
+  each_law(world, f, [&](const std::string& name, const Law& law, auto& acting) {
+    if (law.has_energy()) world.given_by_laws[name] += acting.at_first - acting.energy;
+  });
+}
+
+void unsettle(World& world) {
+  if (world.forces->unsettled) return;
+  withdraw_energy(world);
+  world.forces->unsettled = true;
 }
 
 }  // namespace
 
 void editing::disturb_forces(World& world) {
   if (world.influences_changed) return;
-  if (world.forces) {
-    post(world, -law_energy(world));
-    each_law(world, *world.forces, [&](const std::string& name, const Law& law, auto& acting) {
-      if (law.has_energy()) world.given_by_laws[name] += acting.at_first - acting.energy;
-    });
-  }
+  if (acting_now(world)) withdraw_energy(world);
   world.influences_changed = true;
+}
+
+void editing::disturb_forces_by_birth(World& world, FamilyId family) {
+  if (!world.influences_changed && world.forces && acts_on_all(*world.forces, family)) unsettle(world);
+}
+
+void editing::note_birth(World& world, ParticleId particle) {
+  if (!world.influences_changed && world.forces && acts_on_all(*world.forces, world.particles[particle].family))
+    world.forces->born.push_back(particle);
+}
+
+void editing::disturb_forces_by_death(World& world, ParticleId particle) {
+  if (world.influences_changed || !world.forces) return;
+  std::vector<std::uint32_t>& sites = world.forces->site_of;
+  const std::uint32_t slot = particle.slot - 1;
+  if (slot >= sites.size() || sites[slot] == none) return;
+  unsettle(world);
+  world.forces->gone.push_back(sites[slot]);
+  sites[slot] = none;
 }
 
 namespace {
@@ -153,24 +189,35 @@ double energy_at_ages(const World& world, Forces& f, double time) {
   return energy;
 }
 
-void make_forces(World& world) {
-  world.forces = build_forces(world);
-  world.influences_changed = false;
-  for (const auto& articulate : world.articulates) articulate->pulled = false;
-  if (!world.forces) return;
+/// Forces of the present state with laws that were just changed; their energy comes into the balance.
+void start_acting(World& world) {
   Forces& f = *world.forces;
-  for (const Mover& m : f.movers)
-    if (m.articulate >= 0) world.articulates[static_cast<std::size_t>(m.articulate)]->pulled = true;
   start(world, f);
   f.energy = evaluate(world, f, instant_of(world, world.time, world.steps), true);
   each_law(world, f, [](const std::string&, const Law&, auto& acting) { acting.at_first = acting.energy; });
   (world.steps == 0 ? world.start_energy : world.work) += f.energy;
 }
 
+void make_forces(World& world) {
+  world.forces = build_forces(world);
+  world.influences_changed = false;
+  for (const auto& articulate : world.articulates) articulate->pulled = false;
+  if (!world.forces) return;
+  for (const Mover& m : world.forces->movers)
+    if (m.articulate >= 0) world.articulates[static_cast<std::size_t>(m.articulate)]->pulled = true;
+  start_acting(world);
+}
+
 }  // namespace
 
 void refresh_forces(World& world) {
-  if (world.influences_changed) make_forces(world);
+  if (world.influences_changed) {
+    make_forces(world);
+  } else if (world.forces && world.forces->unsettled) {
+    change_members(world, *world.forces);
+    world.forces->settled_in = world.steps + 1;
+    start_acting(world);
+  }
   if (!world.forces || !follows(*world.forces)) return;
   // What changes with age alone is work from outside: half of it at the places before the drift, half at those after.
   Forces& f = *world.forces;

@@ -84,13 +84,23 @@ struct Forces {
   bool rows = false;           ///< some interaction keeps rows
   bool moving = false;         ///< some law depends on velocities
   bool open = false;           ///< some law is without energy
+  bool everybody = false;      ///< some law acts on all particles
+  std::vector<char> families;  ///< (slots of families) whether some law acts on all of it
   std::vector<char> followed;  ///< (names of attributes) whether it follows the age of some site
 
   std::vector<Vec3> still;   ///< (sites) [N] open forces of laws that do not depend on velocities
   std::vector<Vec3> half_v;  ///< (sites) [m/s] before the kick that is being swept
   double energy = 0.0;       ///< [J] of all laws, when it was last told
   bool told = false;         ///< in the last step
+
+  bool unsettled = false;           ///< free particles were born or have gone since the forces were found
+  std::vector<ParticleId> born;     ///< those, in their order
+  std::vector<std::uint32_t> gone;  ///< sites of these
+  std::uint64_t settled_in = 0;     ///< the last step, counted from 1, that began with such changes
 };
+
+/// Whether the laws at work are those of the present rows: not where an edit waits for the next step.
+bool acting_now(const World& world);
 
 /// Makes the laws act on what the model now holds, and finds the forces of the present state, where an edit has changed
 /// either. Throws Error where a law reads what a particle has not.

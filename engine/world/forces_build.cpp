@@ -6,31 +6,9 @@
 #include <unordered_map>
 
 #include "articulates/articulate.hpp"
-#include "world/courses.hpp"
 #include "world/editing.hpp"
 
 namespace pantin {
-
-namespace {
-
-std::optional<double> stored_attribute(const World& world, ParticleId id, std::string_view name) {
-  const Particle& particle = world.particles[awake(world, id)];
-  if (name == "mass") return mass(world, id);
-  if (name == "radius") return particle.radius.value_or(world.points[particle.points[0]].radius);
-  if (name == "age") return world.time - particle.born;
-  if (name == "lifetime") return particle.lifetime;
-  if (!particle.family) return {};
-  const std::ptrdiff_t found = world.families[particle.family].find(name);
-  if (found < 0) return {};
-  return particle.values[static_cast<std::size_t>(found)];
-}
-
-}  // namespace
-
-std::optional<double> attribute(const World& world, ParticleId id, std::string_view name) {
-  if (const auto value = course_value(world, awake(world, id), name, world.time)) return value;
-  return stored_attribute(world, id, name);
-}
 
 namespace {
 
@@ -60,24 +38,24 @@ struct Builder {
 
   void want_all() {
     wanted.assign(world.particles.slots(), 0);
-    std::vector<char> family(world.families.slots(), 0);
+    std::vector<char>& family = forces.families;
+    family.assign(world.families.slots(), 0);
     for (InteractionId id : world.interactions.ids()) {
       const Interaction& row = world.interactions[id];
       if (!row.enabled) continue;
       family[row.a.slot - 1] = family[row.b.slot - 1] = 1;
     }
-    bool whole_scene = false;
     for (FieldId id : world.fields.ids()) {
       const Field& row = world.fields[id];
       if (!row.enabled) continue;
       if (row.family) family[row.family.slot - 1] = 1;
       if (row.group && world.groups.alive(row.group)) want(AnyId(row.group));
-      whole_scene = whole_scene || (!row.family && !row.group);
+      forces.everybody = forces.everybody || (!row.family && !row.group);
     }
     for (std::uint32_t s = 0; s < world.particles.slots(); s++) {
       const Particle& p = world.particles.at_slot(s);
       if (!world.particles.alive_at(s) || p.asleep_in) continue;
-      if (whole_scene || (p.family && family[p.family.slot - 1])) wanted[s] = 1;
+      if (acts_on_all(forces, p.family)) wanted[s] = 1;
     }
     for (ConnectionId id : world.connections.ids()) {
       const Connection& row = world.connections[id];
@@ -181,20 +159,6 @@ struct Builder {
   }
 };
 
-/// Columns of what the laws at work read, but for what follows the age of particles.
-void fill_attributes(const World& world, Forces& forces) {
-  Sites& sites = forces.sites;
-  forces.followed.assign(sites.names.size(), 0);
-  for (std::size_t c = 0; c < sites.names.size(); c++)
-    for (std::size_t i = 0; i < sites.n; i++) {
-      if (sites.particle[i] == none) continue;
-      const auto value = stored_attribute(world, world.particles.id_at(sites.particle[i]), sites.names[c]);
-      sites.attributes[c][i] = value.value_or(std::numeric_limits<double>::quiet_NaN());
-      const Courses* courses = world.particles.at_slot(sites.particle[i]).courses.get();
-      if (courses && courses->find(sites.names[c])) forces.followed[c] = 1;
-    }
-}
-
 /// Laws at work with what they act on, before there are sites.
 struct Active {
   std::vector<InteractionId> interactions;
@@ -233,69 +197,6 @@ struct Active {
     for (const Batch& batch : connections) use(*batch.law);
   }
 };
-
-std::vector<std::uint32_t> sites_of_field(const World& world, const Forces& forces, const pantin::Field& field) {
-  std::vector<std::uint32_t> list;
-  if (field.group) {
-    for (ParticleId p : particles_of(world, AnyId(field.group)))
-      list.push_back(forces.site_of[awake(world, p).slot - 1]);
-  } else {
-    for (std::uint32_t i = 0; i < forces.sites.n; i++)
-      if (forces.sites.particle[i] != none && (!field.family || forces.sites.family[i] == field.family.slot - 1))
-        list.push_back(i);
-  }
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-  return list;
-}
-
-std::vector<Input> inputs_of(const Law& law) {
-  if (law.called) return law.inputs_wanted;
-  std::vector<Expr> outputs = law.force;
-  if (law.energy != no_expression) outputs.push_back(law.energy);
-  return law.graph.inputs_of(outputs);
-}
-
-/// Throws where a law would read what one of its particles, in the role `who`, has not.
-void require_attributes(const World& world, const Sites& sites, const Law& law, std::span<const std::uint32_t> where,
-                        std::uint8_t who) {
-  if (law.called) return;  // tells by itself what it reads
-  for (const Input& input : inputs_of(law)) {
-    if (input.role != Role::attribute || input.who != who) continue;
-    for (std::uint32_t site : where) {
-      if (sites.particle[site] == none) continue;
-      const ParticleId id = world.particles.id_at(sites.particle[site]);
-      require(attribute(world, id, input.name).has_value(), law.name, ": it reads '", input.name, "', which ",
-              describe(world, id), " has not; give it a family with this attribute");
-    }
-  }
-}
-
-/// Every particle has what the laws that act on it read.
-void check_attributes(const World& world, const Forces& forces) {
-  for (const ActingInteraction& acting : forces.interactions) {
-    const Interaction& row = world.interactions[acting.id];
-    std::vector<std::uint32_t> of_a, of_b;
-    for (std::uint32_t i = 0; i < forces.sites.n; i++) {
-      if (forces.sites.family[i] == row.a.slot - 1) of_a.push_back(i);
-      if (forces.sites.family[i] == row.b.slot - 1) of_b.push_back(i);
-    }
-    require_attributes(world, forces.sites, *acting.law, of_a, 0);
-    require_attributes(world, forces.sites, *acting.law, of_b, 1);
-  }
-  for (const ActingField& acting : forces.fields) {
-    const pantin::Field& row = world.fields[acting.id];
-    require_attributes(world, forces.sites, *acting.law, sites_of_field(world, forces, row), 0);
-  }
-  for (const ActingConnections& acting : forces.connections)
-    for (int who = 0; who < acting.ties.count; who++) {
-      std::vector<std::uint32_t> ends;
-      for (std::size_t k = 0; k < acting.ties.size(); k++)
-        ends.push_back(
-            acting.ties.sites[k * static_cast<std::size_t>(acting.ties.count) + static_cast<std::size_t>(who)]);
-      require_attributes(world, forces.sites, *acting.law, ends, static_cast<std::uint8_t>(who));
-    }
-}
 
 void add_connections(const World& world, Forces& forces, const Active::Batch& batch,
                      std::span<const std::uint32_t> place_sites, std::size_t& next_place) {
@@ -336,11 +237,6 @@ std::vector<ParticleId> particles_of(const World& world, const AnyId& thing) {
   return list;
 }
 
-void arrange_fields(const World& world, Forces& forces) {
-  for (ActingField& acting : forces.fields)
-    acting.fields.arrange(sites_of_field(world, forces, world.fields[acting.id]));
-}
-
 std::unique_ptr<Forces> build_forces(const World& world) {
   const Active acting(world);
   if (acting.none_at_all()) return nullptr;
@@ -364,7 +260,9 @@ std::unique_ptr<Forces> build_forces(const World& world) {
   names.erase(std::unique(names.begin(), names.end()), names.end());
   builder.add_sites();
   builder.exclude_relatives();
-  fill_attributes(world, *forces);
+  std::vector<std::uint32_t> all(forces->sites.n);
+  std::iota(all.begin(), all.end(), 0u);
+  fill_attributes(world, *forces, all);
 
   std::vector<std::uint32_t> place_sites(builder.places.size());
   std::iota(place_sites.begin(), place_sites.end(),
@@ -378,7 +276,7 @@ std::unique_ptr<Forces> build_forces(const World& world) {
   for (FieldId id : acting.fields)
     for (auto law = world.fields[id].law; law; law = law->also)
       forces->fields.push_back({id, law, Fields(law, names, *world.workers)});
-  check_attributes(world, *forces);
+  check_attributes(world, *forces, all);
   return forces;
 }
 

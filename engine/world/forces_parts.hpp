@@ -1,6 +1,7 @@
 #pragma once
 // Not for use outside world/.
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,17 @@ namespace pantin {
 std::unique_ptr<Forces> build_forces(const World& world);
 /// Gives the fields their sites; after every change of their order.
 void arrange_fields(const World& world, Forces& forces);
+/// Reads what the laws at work read by name of some sites, in rising order, but for what follows the age of particles.
+void fill_attributes(const World& world, Forces& forces, std::span<const std::uint32_t> some);
+/// Throws Error where laws act on one of these sites, in rising order, that has not what they read.
+void check_attributes(const World& world, const Forces& forces, std::span<const std::uint32_t> some);
+std::vector<Input> inputs_of(const Law& law);
+/// Whether laws act on every free particle of a family, or of none where it is null.
+inline bool acts_on_all(const Forces& forces, FamilyId family) {
+  return forces.everybody || (family && family.slot <= forces.families.size() && forces.families[family.slot - 1]);
+}
+/// Gives sites to the particles that were born, and takes those of the gone away. Places are not yet read.
+void change_members(const World& world, Forces& forces);
 /// Evaluates laws that depend on velocities again, at the present ones.
 void run_moving_laws(World& world, Forces& forces);
 /// The particles of a point, body, particle or group, as they were made: some may sleep in hinges.

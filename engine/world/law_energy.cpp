@@ -11,7 +11,7 @@ namespace {
 /// Calls `read` with the laws of the present state at work, which it may run; what they were is put back.
 template <class Read>
 auto with_present_laws(const World& world, Read read) -> decltype(read(*world.forces)) {
-  if (world.influences_changed) {
+  if (!acting_now(world) && (world.forces || world.influences_changed)) {
     const std::unique_ptr<Forces> fresh = build_forces(world);
     if (!fresh) return {};
     start(world, *fresh);
@@ -113,7 +113,7 @@ std::vector<double> tensions(const World& world) {
 
 LawLedger law_ledger(const World& world) {
   LawLedger ledger{world.given_by_laws, {}, world.open_work};
-  if (!world.forces || world.influences_changed) return ledger;
+  if (!acting_now(world)) return ledger;
   law_energy(world);
   each_law(world, *world.forces, [&](const std::string& name, const Law& law, const auto& acting) {
     if (law.has_energy())

@@ -88,7 +88,7 @@ ParticleId add_particle(World& world, const ParticleDef& def) {
   row.mass = mass;
   row.radius = radius;
   row.color = def.color.value_or(family.color.value_or(ParticleDef::usual_color));
-  disturb_forces(world);
+  disturb_forces_by_birth(world, def.family);
   const PointId point = make_point(world, std::move(row));
   world.motion_of(point) = {def.at, def.velocity};
   const ParticleId id = world.points[point].own;
@@ -99,6 +99,7 @@ ParticleId add_particle(World& world, const ParticleDef& def) {
   particle.values = std::move(values);
   particle.look = def.look;
   particle.courses = std::move(courses);
+  note_birth(world, id);
   touch(world, point);
   post(world, energy_of(world, point));
   return id;

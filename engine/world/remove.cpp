@@ -26,7 +26,7 @@ void remove(World& world, PointId id) {
   const std::string what = describe(world, id);
   require(!point.body, "remove: ", what, " goes with its body; use remove_point to take it off");
   const ParticleId own = point.own;
-  disturb_forces(world);
+  disturb_forces_by_death(world, own);
   touch(world, id);
   post(world, -energy_of(world, id));
   erase_point(world, id, what);
