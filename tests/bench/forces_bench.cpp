@@ -126,11 +126,12 @@ void bench_melts(bool peers) {
   std::vector<MeltCase> list = {{"Lennard-Jones", lennard_jones, by_hand::Law::lennard_jones, infinity, {}, {}},
                                 {"four attributes", four_attributes, by_hand::Law::four_attributes, infinity, {}, {}},
                                 {"smooth switch", smooth_switch, by_hand::Law::smooth_switch, infinity, {}, {}}};
-  double cut = infinity, cut_opt = infinity;
+  double cut = infinity, cut_opt = infinity, safe = infinity;
   for (int round = 0; round < rounds; round++) {
     if (peers) {
-      cut = std::min(cut, run_lammps(""));
-      cut_opt = std::min(cut_opt, run_lammps("opt"));
+      cut = std::min(cut, run_lammps("", lammps_blind_lists));
+      cut_opt = std::min(cut_opt, run_lammps("opt", lammps_blind_lists));
+      safe = std::min(safe, run_lammps("", lammps_safe_lists));
     }
     for (MeltCase& of : list) {
       of.hand_seconds = std::min(of.hand_seconds, by_hand::run_melt(melt, melt_steps, of.hand));
@@ -142,10 +143,12 @@ void bench_melts(bool peers) {
               melt_steps, rounds);
   std::printf("%-44s %8s %8s %8s\n", "", "M/s", "ns", "ratio");
   if (peers) {
-    print_row("LAMMPS lj/cut", cut, atoms, 0.0);
-    print_row("LAMMPS lj/cut/opt, to lj/cut", cut_opt, atoms, cut);
+    print_row("LAMMPS lj/cut, list every 20 unchecked", cut, atoms, 0.0);
+    print_row("LAMMPS lj/cut/opt, the same, to lj/cut", cut_opt, atoms, cut);
+    print_row("LAMMPS lj/cut, list as atoms move, to lj/cut", safe, atoms, cut);
     print_row("Lua Lennard-Jones, to LAMMPS lj/cut", list[0].alone.seconds, atoms, cut);
     print_row("Lua Lennard-Jones, to LAMMPS lj/cut/opt", list[0].alone.seconds, atoms, cut_opt);
+    print_row("Lua Lennard-Jones, to lj/cut, list as it moves", list[0].alone.seconds, atoms, safe);
   }
   for (const MeltCase& of : list) {
     print_row(text(of.name, " by hand").c_str(), of.hand_seconds, atoms, 0.0);
@@ -261,6 +264,42 @@ void bench_springs() {
       n, n / best[0] * 1e-6, n / best[1] * 1e-6, best[0] / best[1], best[2] / best[3], wrong);
 }
 
+/// Seconds of a step of a steady stream, the fastest of some runs of steps, one thread.
+double time_stream(int alive, const char* laws) {
+  lua::SceneOptions options;
+  options.threads = 1;
+  const auto scene = lua::Scene::open_text(text("local alive, lifetime = ", alive, R"(, 3
+scene.step, scene.gravity = 0.01, vec(0, 0, 0)
+local drops = scene:family("drops", { mass = 1 })
+scene:emitter { family = drops, at = { vec(-10, -10, -10), vec(10, 10, 10) }, rate = alive / lifetime,
+  velocity = vec(0, 1, 0), lifetime = lifetime }
+)",
+                                                laws),
+                                           "stream.lua", "", options);
+  run(*scene, 301);
+  double best = infinity;
+  for (int round = 0; round < 3 * rounds; round++) {
+    const double start = now();
+    run(*scene, 10);
+    best = std::min(best, (now() - start) / 10.0);
+  }
+  require(scene->world().particles.size() + 1000 > static_cast<std::size_t>(alive), "the stream is not steady");
+  return best;
+}
+
+void bench_streams() {
+  constexpr int alive = 100000;
+  constexpr const char* field =
+      "scene:field(drops, force.point { potential = function(p) return p.position:dot(p.position) end })";
+  constexpr const char* pairs =
+      "scene:interact(drops, drops, force.pair { cutoff = 1, potential = function(r) return (1 - r)^2 end })";
+  std::printf(
+      "%d particles, of which a step makes and ends %d: %.2f ms a step without a law, %.2f with a field, "
+      "%.2f with one between pairs\n",
+      alive, alive / 300, 1e3 * time_stream(alive, ""), 1e3 * time_stream(alive, field),
+      1e3 * time_stream(alive, pairs));
+}
+
 void bench_forces(const player::BenchOptions& options) {
   bool peers = options.peers;
   if (peers && !support::have_program("lmp")) {
@@ -270,6 +309,7 @@ void bench_forces(const player::BenchOptions& options) {
   bench_melts(peers);
   bench_called();
   bench_springs();
+  bench_streams();
 }
 
 const player::Register forces_benchmark({"forces", "laws of Lua scenes; with --peers, LAMMPS too", bench_forces});

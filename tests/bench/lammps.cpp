@@ -20,7 +20,9 @@ velocity all create 1.44 87287 loop geom
 pair_style lj/cut 2.5
 pair_coeff 1 1 1.0 1.0 2.5
 neighbor 0.3 bin
-neigh_modify delay 0 every 20 check no
+neigh_modify )";
+
+constexpr const char* run_of_melt = R"(
 fix 1 all nve
 run 100
 )";
@@ -34,9 +36,9 @@ double number_before(const std::string& out, const std::string& what) {
 
 }  // namespace
 
-double run_lammps(const std::string& suffix) {
+double run_lammps(const std::string& suffix, const std::string& lists) {
   const support::Folder folder;
-  support::write_file(folder / "in.melt", melt);
+  support::write_file(folder / "in.melt", melt + lists + run_of_melt);
   std::vector<std::string> arguments = {"lmp", "-in", "in.melt", "-log", "none"};
   if (!suffix.empty()) arguments.insert(arguments.end(), {"-sf", suffix});
   const support::Finished ended = support::finish({arguments, {"OMP_NUM_THREADS=1"}, folder.path, -1});
