@@ -2,19 +2,19 @@
 #include <catch2/catch.hpp>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "support/sources.hpp"
+
 namespace {
 
 namespace fs = std::filesystem;
 
-using Files = std::map<std::string, std::string>;  // path in the repository, text
+using pantin::sources::Files;
 using Names = std::vector<std::string_view>;
 
 // Each may include itself and those to its left; "engine" is what lies in that folder itself: the step.
@@ -103,25 +103,10 @@ std::vector<std::string> wrong_arrows(const Files& files) {
   return wrong;
 }
 
-Files read_sources() {
-  const fs::path root = PANTIN_SOURCE_DIR;
-  Files files;
-  for (const auto* folder : {"engine", "bindings"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-      const auto ending = entry.path().extension();
-      if (ending != ".cpp" && ending != ".hpp") continue;
-      std::ifstream file(entry.path());
-      files[entry.path().lexically_relative(root).generic_string()] =
-          std::string(std::istreambuf_iterator<char>(file), {});
-    }
-  }
-  return files;
-}
-
 }  // namespace
 
 TEST_CASE("includes go one way only") {
-  const Files files = read_sources();
+  const Files files = pantin::sources::read({"engine", "bindings"});
   REQUIRE(!files.empty());
   CHECK(wrong_arrows(files) == std::vector<std::string>());
 }

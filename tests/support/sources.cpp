@@ -1,0 +1,26 @@
+#include "support/sources.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace pantin::sources {
+
+namespace fs = std::filesystem;
+
+Files read(std::initializer_list<const char*> folders) {
+  const fs::path root = PANTIN_SOURCE_DIR;
+  Files files;
+  for (const char* folder : folders) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      const auto ending = entry.path().extension();
+      if (ending != ".cpp" && ending != ".hpp") continue;
+      std::ifstream file(entry.path());
+      files[entry.path().lexically_relative(root).generic_string()] =
+          std::string(std::istreambuf_iterator<char>(file), {});
+    }
+  }
+  return files;
+}
+
+}  // namespace pantin::sources
