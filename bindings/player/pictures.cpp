@@ -27,7 +27,9 @@ Pictures::Pictures(const lua::Scene& scene, Size size, const std::vector<std::st
 }
 
 void Pictures::draw() {
-  renderer_.draw(scene_.world(), camera_);
+  Overlay overlay;
+  overlay.pace = scene_.pace();
+  renderer_.draw(scene_.world(), camera_, overlay);
   renderer_.read_pixels(pixels_);
 }
 

@@ -166,6 +166,7 @@ void Player::save_picture() {
 
 Overlay Player::overlay() const {
   Overlay overlay;
+  overlay.pace = scene_->pace();
   overlay.title = title();
   overlay.highlight = hands_.highlight();
   overlay.status = status_.parts(scene_->world(), pacing_, scene_->pace(), paused_);

@@ -20,6 +20,7 @@ struct OverlayLine {
 /// What a picture shows beside the world. Empty: the world alone. (Grabs are constraints of the world and need nothing
 /// here.)
 struct Overlay {
+  double pace = 1.0;  ///< simulated s per real s, for what is shown for a while
   std::vector<OverlayLine> lines;
   PointId highlight;                                      ///< ringed, when alive: what the pointer is over
   std::vector<std::string> status;                        ///< parts of the quiet line at the bottom

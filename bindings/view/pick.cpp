@@ -52,7 +52,7 @@ PointId pick_point(const World& world, const Stage& stage, const Camera& camera,
     const bool hinge = particle.is_hinge(), of_body = static_cast<bool>(world.points[particle.points[0]].body);
     const double radius = hinge || of_body ? 0.05 * stage.unit : drawn_radius(world, particle.points[0], stage);
     const ParticleId id = world.particles.id_at(s);
-    if (line.rate(best, position(world, id), radius, hinge ? hinge_bonus : 0.0))
+    if (line.rate(best, shown_place(world, particle.points[0]), radius, hinge ? hinge_bonus : 0.0))
       found = hinge ? star(world, id) : particle.points[0];
   }
   return found;
@@ -66,7 +66,7 @@ ParticleId pick_hinge(const World& world, const Stage& stage, const Camera& came
   for (std::uint32_t s = 0; s < world.particles.slots(); s++) {
     if (!world.particles.alive_at(s) || !world.particles.at_slot(s).is_hinge()) continue;
     const ParticleId id = world.particles.id_at(s);
-    if (line.rate(best, position(world, id), 0.05 * stage.unit, 0.0)) found = id;
+    if (line.rate(best, shown_place(world, star(world, id)), 0.05 * stage.unit, 0.0)) found = id;
   }
   return found;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "view/pick.hpp"
+#include "view/sketch.hpp"
 #include "world/measure.hpp"
 
 namespace pantin {
@@ -83,7 +84,7 @@ void PlayerInput::press(const Frame& frame, const PointerEvent& event) {
   const PointId point = pick_point(frame.world, frame.stage, frame.camera, event.x, event.y, frame.width, frame.height);
   if (!point) return;
   const Vec3 at = position(frame.world, point);
-  const auto seen = frame.camera.project(at, frame.width, frame.height);
+  const auto seen = frame.camera.project(shown_place(frame.world, point), frame.width, frame.height);
   if (!seen) return;
   Hold& hold = hold_of(event.pointer);
   hold.holding = true;
@@ -127,7 +128,8 @@ void PlayerInput::key(const Frame& frame, const std::string& name) {
   if (name == "h") a.help = !a.help;
   if (name == "q" || name == "escape") a.quit = true;
   if (name == "f") {
-    const Bounds box = bounds(frame.world, everything(frame.world));
+    const std::optional<Vec3>& edges = frame.world.settings.box;
+    const Bounds box = edges ? Bounds{zero3(), *edges} : bounds(frame.world, everything(frame.world));
     const Vec3 margin = vec(1, 1, 1) * (0.12 * frame.stage.unit);
     frame.camera.frame(box.lower - margin, box.upper + margin, static_cast<double>(frame.width) / frame.height);
   }

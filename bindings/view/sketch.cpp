@@ -1,8 +1,10 @@
 #include "view/sketch.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "laws/sites.hpp"
 #include "world/courses.hpp"
 #include "world/forces.hpp"
 
@@ -14,7 +16,10 @@ constexpr Color paper = {1.00f, 0.965f, 0.89f, 1.0f}, deep = {0.13f, 0.24f, 0.30
                 iron = {0.25f, 0.27f, 0.30f, 1.0f}, grip = {0.85f, 0.20f, 0.26f, 1.0f},
                 thread = {0.52f, 0.52f, 0.50f, 1.0f}, strut = {0.16f, 0.40f, 0.78f, 1.0f};
 
+constexpr Color spark = {1.00f, 0.62f, 0.18f, 1.0f};
+
 constexpr double streak_time = 0.03;  // [s] of its flight that a streak shows
+constexpr double break_time = 0.5;    // [s] for which a break is shown
 
 float linear(float c) { return std::pow(std::clamp(c, 0.0f, 1.0f), 2.2f); }
 Rgb linear(const Color& c) { return {linear(c.r), linear(c.g), linear(c.b)}; }
@@ -92,6 +97,17 @@ Vec3 key_light() {
   return to_light;
 }
 
+Vec3 image_shift(const World& world, Vec3 at) {
+  if (!world.settings.box || !finite(at)) return zero3();
+  return Box{*world.settings.box}.wrapped(at) - at;
+}
+
+Vec3 shown_place(const World& world, PointId id) {
+  const Vec3 at = position(world, id);
+  const BodyId body = world.points[id].body;
+  return at + image_shift(world, body ? world.motion_of(body).x : at);
+}
+
 double drawn_radius(const World& world, PointId id, const Stage& stage) {
   const Point& point = world.points[id];
   const Particle& particle = world.particles[point.particle];
@@ -117,12 +133,13 @@ void Sketcher::draw(const World& world, const Camera& camera, const Stage& stage
   draw_particles(world, eye, stage, sketch);
   draw_constraints(world, eye, stage, sketch);
   draw_connections(world, eye, stage, sketch);
+  draw_breaks(world, eye, stage, overlay.pace, sketch);
   draw_overlay(world, eye, overlay, sketch);
 }
 
 void Sketcher::draw_body(const World& world, BodyId id, const Eye& eye, const Stage& stage, Sketch& sketch) {
   const Shape& shape = shapes_.of(world, id, stage);
-  const Vec3 at = origin(world, id);
+  const Vec3 at = origin(world, id) + image_shift(world, world.motion_of(id).x);
   const Mat3 turn = matrix(orientation(world, id));
   if (!finite(at)) return;
   const Rgb color = linear(shape.color), light = mix(color, linear(paper), 0.75f);
@@ -159,7 +176,7 @@ void Sketcher::draw_particles(const World& world, const Eye& eye, const Stage& s
     if (!world.particles.alive_at(s) || particle.asleep_in || particle.points.empty()) continue;
     const Point& first = world.points[particle.points[0]];
     if (!particle.is_hinge() && first.body) continue;
-    const Vec3 at = position(world, world.particles.id_at(s));
+    const Vec3 place = position(world, world.particles.id_at(s)), at = place + image_shift(world, place);
     if (!finite(at)) continue;
     if (!particle.is_hinge()) {
       draw_free(world, s, at, eye, stage, sketch);
@@ -205,25 +222,36 @@ void Sketcher::draw_constraints(const World& world, const Eye& eye, const Stage&
   for (std::uint32_t s = 0; s < world.constraints.slots(); s++) {
     const Constraint& c = world.constraints.at_slot(s);
     if (!world.constraints.alive_at(s) || !c.enabled || !world.points.alive(c.a)) continue;
-    const Vec3 a = position(world, c.a);
+    const Vec3 a = shown_place(world, c.a), shift = a - position(world, c.a), place = c.place + shift;
     if (!finite(a)) continue;
     const double joint = std::max(static_cast<double>(joints_[world.points[c.a].particle.slot - 1]), 0.04) * stage.unit;
     const double least = std::min(4.5, 3.2 * joint / eye.pixel_at(a));  // [px]
     if (c.kind == ConstraintKind::rod) {
-      const Vec3 b = c.b ? position(world, c.b) : c.place;
+      const Vec3 b = c.b ? position(world, c.b) + shift : place;
       eye.bar(sketch, a, b, 0.025 * std::min(c.length, stage.unit), 0.8, metal);
       if (!c.b) eye.ball(sketch, b, 1.7 * joint, least, metal, Sketch::hinge, metal);
     } else if (c.hand < 0) {
-      eye.ball(sketch, c.place, 1.6 * joint, least, metal, Sketch::hinge,
+      eye.ball(sketch, place, 1.6 * joint, least, metal, Sketch::hinge,
                mix(metal, red, c.kind == ConstraintKind::nail ? 0.0f : 0.6f));
     } else {
       const double pull = std::isfinite(c.max_force) && c.max_force > 0.0 ? norm(c.force) / c.max_force : 0.5;
       const double width = 1.2 + 2.3 * std::clamp(std::sqrt(pull), 0.0, 1.0);  // [px]
-      eye.bar(sketch, a, c.place, 0.0, width, red, true);
-      eye.ball(sketch, c.place, 0.0, 5.5, red, Sketch::plain, {});
+      eye.bar(sketch, a, place, 0.0, width, red, true);
+      eye.ball(sketch, place, 0.0, 5.5, red, Sketch::plain, {});
     }
   }
 }
+
+namespace {
+
+/// In a periodic box the images nearest to each other, the first in the box.
+std::array<Vec3, 2> shown_ends(const World& world, Vec3 a, Vec3 b) {
+  if (!world.settings.box) return {a, b};
+  const Vec3 from = a + image_shift(world, a);
+  return {from, from + Box{*world.settings.box}.nearest(b - a)};
+}
+
+}  // namespace
 
 /// Pairs that a law ties: red where it pulls, blue where it pushes, by the largest load of all.
 void Sketcher::draw_connections(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch) {
@@ -235,12 +263,31 @@ void Sketcher::draw_connections(const World& world, const Eye& eye, const Stage&
   for (std::uint32_t s = 0; s < world.connections.slots(); s++) {
     const Connection& c = world.connections.at_slot(s);
     if (!world.connections.alive_at(s) || !c.enabled || c.count != 2) continue;
-    const auto place = [&](std::size_t i) { return c.particles[i] ? position(world, c.particles[i]) : c.places[i]; };
-    const Vec3 a = place(0), b = place(1);
+    const auto [a, b] = shown_ends(world, end_of(world, c, 0), end_of(world, c, 1));
     if (!finite(a) || !finite(b)) continue;
     const double load = most > 0.0 ? loads[s] / most : 0.0;
     const auto part = static_cast<float>(std::sqrt(std::fabs(load)));
     eye.bar(sketch, a, b, 0.012 * std::min(norm(b - a), stage.unit), 0.6, mix(slack, load > 0.0 ? pull : press, part));
+  }
+}
+
+/// What has just broken: its ends shrink back from a flash between them.
+void Sketcher::draw_breaks(const World& world, const Eye& eye, const Stage& stage, double pace, Sketch& sketch) {
+  for (const Break& broken : world.breaks) {
+    const double past = (world.time - broken.time) / (break_time * pace);
+    const auto [a, b] = shown_ends(world, broken.from, broken.to);
+    if (!(past >= 0.0 && past < 1.0) || !finite(a) || !finite(b)) continue;
+    const Vec3 middle = 0.5 * (a + b);
+    const auto left = static_cast<float>(1.0 - past);
+    const double width = std::max(0.02 * std::min(norm(b - a), stage.unit), 1.5 * eye.pixel_at(middle));
+    for (const Vec3 end : {a, b}) {
+      const Vec3 tip = middle + (end - middle) * past;
+      sketch.streaks.push_back(
+          {eye.place(end), static_cast<float>(width / eye.unit), eye.place(tip), {grip.r, grip.g, grip.b}, left});
+    }
+    const double flash = std::max(0.6 * std::min(norm(b - a), stage.unit), 7.0 * eye.pixel_at(middle));
+    sketch.glows.push_back(
+        {eye.place(middle), static_cast<float>(flash / eye.unit), {spark.r, spark.g, spark.b}, left * left});
   }
 }
 
@@ -251,7 +298,7 @@ void Sketcher::draw_overlay(const World& world, const Eye& eye, const Overlay& o
   if (!world.points.alive(overlay.highlight)) return;
   const PointId id = overlay.highlight;
   const double joint = static_cast<double>(joints_[world.points[id].particle.slot - 1]);
-  const Vec3 at = position(world, id);
+  const Vec3 at = shown_place(world, id);
   if (finite(at)) eye.ball(sketch, at, 0.0, 11.0 + (joint > 0.0 ? 3.0 : 0.0), linear(grip), Sketch::ring, {});
 }
 

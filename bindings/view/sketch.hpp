@@ -79,12 +79,18 @@ class Sketcher {
   void draw_free(const World& world, std::uint32_t slot, Vec3 at, const Eye& eye, const Stage& stage, Sketch& sketch);
   void draw_constraints(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch);
   void draw_connections(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch);
+  void draw_breaks(const World& world, const Eye& eye, const Stage& stage, double pace, Sketch& sketch);
   void draw_overlay(const World& world, const Eye& eye, const Overlay& overlay, Sketch& sketch);
 
   Shapes shapes_;
   Appearance appearance_;
   std::vector<float> joints_;  // [m] (slots of particles): what a hinge should exceed
 };
+
+/// What is to be added to a place [m] so that it shows where the periodic box has it; 0 in open space.
+Vec3 image_shift(const World& world, Vec3 at);
+/// Where a point is shown [m]; with its body, whose centre is in the box.
+Vec3 shown_place(const World& world, PointId point);
 
 /// Radius [m] at which a free particle, or a point of a body, is drawn.
 double drawn_radius(const World& world, PointId point, const Stage& stage);

@@ -65,6 +65,10 @@ Vec3 velocity(const Model& m, ParticleId particle) {
   return mean(m, particle, [&](PointId p) { return velocity(m, p); });
 }
 
+Vec3 end_of(const Model& m, const Connection& connection, std::size_t end) {
+  return connection.particles[end] ? position(m, connection.particles[end]) : connection.places[end];
+}
+
 double mass(const Model& m, ParticleId particle) {
   double sum = 0.0;
   for (PointId p : m.particles[awake(m, particle)].points) sum += m.points[p].mass;

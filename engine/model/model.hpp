@@ -52,6 +52,8 @@ Vec3 arm(const Model& m, PointId point);
 /// Mean of a ring's points (they coincide up to the gap), [m]; of a sleeping particle its hinge's.
 Vec3 position(const Model& m, ParticleId particle);
 Vec3 velocity(const Model& m, ParticleId particle);
+/// Where a connection ends, [m]: its particle, or its place.
+Vec3 end_of(const Model& m, const Connection& connection, std::size_t end);
 /// Sum of the points' masses, [kg].
 double mass(const Model& m, ParticleId particle);
 /// The hinge a particle sleeps in, or itself.

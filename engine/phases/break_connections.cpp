@@ -4,15 +4,6 @@
 
 namespace pantin::phases {
 
-namespace {
-
-double length(const World& world, const Connection& c) {
-  const auto place = [&](std::uint32_t i) { return c.particles[i] ? position(world, c.particles[i]) : c.places[i]; };
-  return norm(place(1) - place(0));
-}
-
-}  // namespace
-
 void break_connections(World& world) {
   if (!world.forces || !world.trouble.empty()) return;
   const Timed timed(world.profile, Phase::break_connections);
@@ -22,8 +13,8 @@ void break_connections(World& world) {
       const Connection& c = world.connections[id];
       if (c.law != acting.law) continue;
       if (!std::isfinite(c.max_force) && !std::isfinite(c.max_length)) continue;
-      const double force = tension(world, id);
-      if (std::fabs(force) > c.max_force || length(world, c) > c.max_length) broken.push_back({id, force});
+      const double force = tension(world, id), length = norm(end_of(world, c, 1) - end_of(world, c, 0));
+      if (std::fabs(force) > c.max_force || length > c.max_length) broken.push_back({id, force});
     }
   for (const auto& [id, force] : broken) editing::break_connection(world, id, force);
 }

@@ -141,6 +141,9 @@ void remove(World& world, ConnectionId id) {
 }
 
 void editing::break_connection(World& world, ConnectionId id, double force) {
+  const Connection& row = world.connections[id];
+  if (world.breaks.size() == most_breaks) world.breaks.pop_front();
+  world.breaks.push_back({end_of(world, row, 0), end_of(world, row, 1), next_time(world)});
   take_out(world, id, {describe(world, id), next_time(world), text("its load of ", force, " N")});
   world.notices.push_back({Notice::Kind::broke, id, -1, world.connections.story(id), force});
 }

@@ -3,6 +3,7 @@
 // moved by `step()` of step.hpp, read by `measure.hpp`, `query.hpp` and `hands.hpp`.
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <limits>
 #include <map>
@@ -42,6 +43,13 @@ struct Notice {
   std::string text;    ///< name of the key or button; story of what was removed
   double force = 0.0;  ///< [N] at which it broke
 };
+
+/// Where a connection broke, for whoever shows it.
+struct Break {
+  Vec3 from = zero3(), to = zero3();  ///< [m] its ends, of three or four the first two
+  double time = 0.0;                  ///< [s]
+};
+constexpr std::size_t most_breaks = 1024;
 
 /// A number recorded at the end of each step.
 struct Probe {
@@ -93,6 +101,7 @@ struct World : Model {
   std::vector<Hand> hands;
   StepInput input;              ///< for the coming step; emptied by it
   std::vector<Notice> notices;  ///< of the last step, told in the next; emptied then
+  std::deque<Break> breaks;      ///< the latest `most_breaks`, oldest first
   std::vector<LogLine> log;
   std::vector<Probe> probes;
   Random random;

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "laws/course.hpp"
+#include "laws/law.hpp"
 #include "support/allocations.hpp"
+#include "view/pick.hpp"
 #include "window/small_worlds.hpp"
 
 using namespace pantin;
@@ -102,4 +104,52 @@ TEST_CASE("radius and color that follow the age are those of now; a radius of 0 
   world.time = 0.75;
   sketcher.draw(world, camera, stage, {}, 720, sketch);
   CHECK(sketch.glows.empty());
+}
+
+TEST_CASE("a break is shown where it was, fades, and is gone", "[view]") {
+  World world;
+  small_worlds::particle(world, zero3());
+  world.breaks.push_back({vec(0, 1, 0), vec(2, 1, 0), 3.0});
+  const Stage stage = find_stage(world);
+  const Camera camera = first_camera(stage, 1.6);
+  const auto draw = [&](double time, double pace) {
+    world.time = time;
+    Overlay overlay;
+    overlay.pace = pace;
+    Sketch sketch;
+    Sketcher().draw(world, camera, stage, overlay, 720, sketch);
+    return sketch;
+  };
+  const Sketch fresh = draw(3.0, 1.0), old = draw(3.3, 1.0);
+  REQUIRE(fresh.streaks.size() == 2);
+  REQUIRE(fresh.glows.size() == 1);
+  CHECK(fresh.glows[0].opacity == 1.0f);
+  REQUIRE(old.glows.size() == 1);
+  CHECK(old.glows[0].opacity < 0.5f);
+  CHECK(draw(4.0, 1.0).glows.empty());
+  CHECK(draw(4.0, 10.0).glows.size() == 1);
+}
+
+TEST_CASE("in a periodic box things are shown where the box has them, and ties between nearest images", "[view]") {
+  World world;
+  const ParticleId a = small_worlds::particle(world, vec(-0.5, 1, 1)),
+                   b = small_worlds::particle(world, vec(10.5, 1, 1));
+  Expressions graph;
+  const Expr energy = graph.input({Role::distance2, 0, 0, {}});
+  ConnectionDef def;
+  def.ends = {{a}, {b}};
+  add_connection(world, std::make_shared<Law>(central_potential({.name = "tie"}, std::move(graph), energy)), def);
+  set_box(world, vec(10, 10, 10));
+  const PointId point = world.particles[a].points[0];
+  CHECK(shown_place(world, point)[0] == 9.5);
+  const Stage stage = find_stage(world);
+  Camera camera = first_camera(stage, 1.6);
+  camera.frame(zero3(), vec(10, 10, 10), 1.6);
+  Sketch sketch;
+  Sketcher().draw(world, camera, stage, {}, 720, sketch);
+  REQUIRE(sketch.bars.size() == 1);
+  CHECK(static_cast<double>(sketch.bars[0].to.x - sketch.bars[0].from.x) * camera.distance ==
+        Approx(1.0).epsilon(1e-4));
+  const auto seen = camera.project(vec(9.5, 1, 1), 1152, 720);
+  CHECK(pick_point(world, stage, camera, seen->x, seen->y, 1152, 720) == point);
 }
