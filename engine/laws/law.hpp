@@ -1,6 +1,7 @@
 #pragma once
 // A law: how particles pull at each other, or are pulled. Library laws and a scene's own are made by the same functions.
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <span>
@@ -63,6 +64,10 @@ struct Law {
   std::shared_ptr<Called> called;    ///< instead of the expressions
   std::vector<Input> inputs_wanted;  ///< by `called`
   bool called_energy = false;        ///< `called` gives an energy too
+
+  /// The law for other values of its parameters, where its cutoff comes of them; else empty. Throws Error for a value
+  /// that is out of range.
+  std::function<std::shared_ptr<Law>(std::span<const double>)> remade;
 
   bool moving = false;  ///< depends on velocities
   bool timed = false;   ///< depends on time or noise

@@ -166,13 +166,29 @@ const LibraryLaw* find_library_law(std::string_view name) {
   return found == library().end() ? nullptr : &*found;
 }
 
+namespace {
+
+/// A cutoff that was not given comes of parameters, and follows them.
+void follow_parameters(const LibraryLaw& library_law, const LawArguments& arguments, Law& law) {
+  law.remade = [&library_law, arguments, names = law.parameters](std::span<const double> values) {
+    LawArguments present = arguments;
+    for (std::size_t i = 0; i < names.size(); i++) present.numbers[names[i].name] = values[i];
+    return std::make_shared<Law>(make_library_law(library_law.name, present).front());
+  };
+}
+
+}  // namespace
+
 void check_law_arguments(const LibraryLaw& law, const LawArguments& arguments) { LawMaker(law, arguments); }
 
 std::vector<Law> make_library_law(std::string_view name, const LawArguments& arguments) {
   const LibraryLaw* law = find_library_law(name);
   require(law != nullptr, "there is no law \"", name, "\"");
   LawMaker maker(*law, arguments);
-  return law->make(maker);
+  std::vector<Law> made = law->make(maker);
+  const bool of_table = !arguments.distances.empty();
+  if (!arguments.cutoff && std::isfinite(made[0].cutoff) && !of_table) follow_parameters(*law, arguments, made[0]);
+  return made;
 }
 
 double present_value(std::span<const Vec3> places) {

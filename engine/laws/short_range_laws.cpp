@@ -52,7 +52,7 @@ std::vector<Law> repel(LawMaker& m) {
 }
 
 std::vector<Law> flock(LawMaker& m) {
-  m.def.cutoff = m.value("sight");
+  if (!m.arguments.cutoff) m.def.cutoff = m.value("sight");
   m.def.one_sided = true;
   const Symbol weight = pow(max(1.0 - m.distance2() / pow(m.parameter("sight"), 2), 0.0), 2);
   const Symbol together = m.parameter("cohesion") - m.parameter("separation") / m.distance2();

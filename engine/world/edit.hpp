@@ -175,6 +175,7 @@ void set_enabled(World& world, InteractionId interaction, bool enabled);
 void set_enabled(World& world, FieldId field, bool enabled);
 /// Writes a parameter of a law in use, by its index; the energy that this makes is work from outside.
 void set_parameter(World& world, ConnectionId connection, std::size_t index, double value);
+/// A cutoff that comes of parameters follows them.
 void set_parameter(World& world, InteractionId interaction, std::size_t index, double value);
 void set_parameter(World& world, FieldId field, std::size_t index, double value);
 /// Puts another law with the same parameters in the place of one, wherever that acts.

@@ -186,7 +186,15 @@ void set_parameter(World& world, ConnectionId id, std::size_t index, double valu
 void set_parameter(World& world, InteractionId id, std::size_t index, double value) {
   require_unlocked(world, "parameters");
   disturb_forces(world);
-  write_parameter(*world.interactions[id].law, world.interactions[id].parameters, index, value);
+  Interaction& row = world.interactions[id];
+  std::vector<double> values = row.parameters;
+  write_parameter(*row.law, values, index, value);
+  if (row.law->remade) {
+    const std::shared_ptr<Law> law = row.law->remade(values);
+    law->name = row.law->name;
+    row.law = law;
+  }
+  row.parameters = values;
 }
 void set_parameter(World& world, FieldId id, std::size_t index, double value) {
   require_unlocked(world, "parameters");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "laws/library.hpp"
 #include "step.hpp"
 #include "support/cases.hpp"
 #include "support/watch.hpp"
@@ -205,6 +206,40 @@ TEST_CASE("forces: a connection breaks under its load, is told, and pulls no mor
   CHECK(told == 1);
   CHECK_FALSE(world.connections.alive(c));
   CHECK(velocity(world, b)[0] > 5.0);
+  REQUIRE(world.breaks.size() == 1);
+  CHECK(norm(world.breaks[0].to - world.breaks[0].from) == Approx(1 + 30.0 / 40).margin(0.1));
+  CHECK(world.breaks[0].time > 0.0);
+  CHECK(world.breaks[0].time < 1.0);
+}
+
+TEST_CASE("forces: a cutoff that comes of a parameter follows it") {
+  World world;
+  weightless(world, 1.0 / 240);
+  FamilyDef def;
+  def.name = "atoms";
+  const FamilyId family = add_family(world, def);
+  const auto atom = [&](Vec3 at) {
+    ParticleDef made;
+    made.at = at;
+    made.family = family;
+    add_particle(world, made);
+  };
+  atom(zero3());
+  atom(vec(3, 0, 0));
+  LawArguments arguments;
+  arguments.numbers = {{"epsilon", 1.0}, {"sigma", 1.0}};
+  arguments.shift = false;
+  const auto law = std::make_shared<Law>(make_library_law("lennard_jones", arguments)[0]);
+  const InteractionId id = add_interaction(world, law, family, family);
+  step(world);
+  CHECK(*law_energy(world, id) == 0.0);
+  set_parameter(world, id, 1, 2.0);
+  step(world);
+  const double s6 = std::pow(2.0 / 3.0, 6);
+  CHECK(*law_energy(world, id) == Approx(4 * (s6 * s6 - s6)).epsilon(1e-3));
+  CHECK(world.interactions[id].law->cutoff == 5.0);
+  CHECK_THROWS_WITH(set_parameter(world, id, 1, -2.0), Catch::Contains("sigma must be > 0 m, got -2"));
+  CHECK(world.interactions[id].parameters[1] == 2.0);
 }
 
 TEST_CASE("forces: pairs of one body and pairs in one hinge do not interact") {
