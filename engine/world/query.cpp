@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "laws/sites.hpp"
 #include "world/editing.hpp"
 
 namespace pantin {
@@ -61,9 +62,11 @@ std::vector<ParticleId> hinges(const World& world) {
 std::vector<ParticleId> near(const World& world, Vec3 at, double radius) {
   editing::require_finite("near", "at", at, "m");
   editing::require_not_negative("near", "radius", radius, "m");
+  const Box box{world.settings.box.value_or(zero3())};
   std::vector<std::pair<double, ParticleId>> found;
   for (ParticleId p : particles(world))
-    if (const double distance = norm(position(world, p) - at); distance <= radius) found.push_back({distance, p});
+    if (const double distance = norm(box.nearest(position(world, p) - at)); distance <= radius)
+      found.push_back({distance, p});
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<ParticleId> list;
   for (const auto& [distance, p] : found) list.push_back(p);

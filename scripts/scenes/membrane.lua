@@ -1,11 +1,12 @@
 -- Amphiphiles: one head that likes water, two tails that shun it. From a random start they form surfaces.
-local count = scene:param("amphiphiles", 240, { min = 10, max = 4000, step = 1, help = "number of amphiphiles" })
+local count = scene:param("amphiphiles", 240, { min = 30, max = 4000, step = 1, help = "number of amphiphiles" })
 local warmth = scene:param("temperature", 0.9, { min = 0, max = 3, help = "temperature, in units of the attraction" })
 
 scene.title = "Membrane"
 scene.duration = 400
 scene.gravity = vec(0, 0, 0)
-scene.step = 0.01
+scene.step = 0.02
+scene.pace = 4
 
 -- Sizes and laws of Cooke, Kremer and Deserno (2005), with straight, rigid amphiphiles.
 local edge = 1.9 * count ^ (1 / 3)
@@ -46,7 +47,7 @@ end
 scene:interact(head, head, force.wca { epsilon = 1, sigma = 0.95 })
 scene:interact(head, tail, force.wca { epsilon = 1, sigma = 0.95 })
 scene:interact(tail, tail, force.hydrophobic { strength = 1, size = 1, range = 1.6 })
-scene:field(scene, force.thermostat { temperature = warmth, rate = 0.5 })
+scene:field(scene, force.thermostat { temperature = warmth, rate = 0.3 })
 
 scene:probe("energy of an amphiphile", function() return scene.energy.potential / count end)
 scene:probe("largest surface", function() return #amphiphiles:clusters(1.6)[1] / count end)

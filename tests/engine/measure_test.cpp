@@ -162,5 +162,7 @@ TEST_CASE("clusters are what is within the distance, biggest first") {
   CHECK(found[1] == std::vector<AnyId>{ids[0], ids[2]});
   CHECK(found[2] == std::vector<AnyId>{ids[5]});
   CHECK(clusters(world, group, 0.5).size() == 6);
+  set_box(world, vec(21, 5, 5));
+  CHECK(clusters(world, group, 1.0)[0] == std::vector<AnyId>{ids[1], ids[3], ids[4], ids[5]});
   CHECK_THROWS_WITH(clusters(world, group, -1), Contains("distance must be >= 0 m"));
 }

@@ -36,6 +36,9 @@ TEST_CASE("near gives particles within the radius, nearest first") {
   CHECK(near(world, zero3(), 3) == std::vector<ParticleId>{a, b, c});
   CHECK(near(world, zero3(), 2.5) == std::vector<ParticleId>{a, b});
   CHECK(near(world, zero3(), 0).empty());
+  set_box(world, vec(4, 4, 4));
+  CHECK(near(world, zero3(), 1) == std::vector<ParticleId>{c, a});
+  set_box(world, std::nullopt);
   CHECK_THROWS_WITH(near(world, zero3(), -1), Contains("radius must be >= 0 m"));
   CHECK_THROWS_WITH(near(world, vec(0, NAN, 0), 1), Contains("at must be finite"));
 }

@@ -14,35 +14,6 @@ test("flock: those who flew anyhow come to fly one way", function()
   expect(scene:read "order"):above(0.45)
 end)
 
---- Mean number of tails within a reach of the beads of a family, in a periodic box.
-local function tails_near(scene, family, edge, reach)
-  local function image(d) return d - edge * math.floor(d / edge + 0.5) end
-  local beads, tails = {}, {}
-  for _, p in ipairs(scene.particles) do
-    if p.family.name == family then beads[#beads + 1] = p.position end
-    if p.family.name == "tail" then tails[#tails + 1] = p.position end
-  end
-  local count = 0
-  for _, bead in ipairs(beads) do
-    for _, tail in ipairs(tails) do
-      local d = bead - tail
-      if image(d.x) ^ 2 + image(d.y) ^ 2 + image(d.z) ^ 2 < reach ^ 2 then count = count + 1 end
-    end
-  end
-  return count / #beads
-end
-
-test("membrane: amphiphiles gather, tails among tails and heads outside", function()
-  local count = 80
-  local scene = open("scenes/membrane.lua", { amphiphiles = count })
-  local edge = 1.9 * count ^ (1 / 3)
-  local energy, surface = scene:read "energy of an amphiphile", scene:read "largest surface"
-  scene:advance(20)
-  expect(scene:read "energy of an amphiphile"):below(energy - 6)
-  expect(scene:read "largest surface"):above(surface + 0.1)
-  expect(tails_near(scene, "tail", edge, 1.6)):above(2 * tails_near(scene, "head", edge, 1.6))
-end)
-
 test("cloth: hangs without a torn thread in calm air, and tears where it is pulled", function()
   local scene = open("scenes/cloth.lua", { threads = 10, wind = 0 })
   scene:advance(2)
