@@ -167,6 +167,15 @@ std::int32_t add_hand(World& world, std::function<Vec3(double)> path) {
   return static_cast<std::int32_t>(world.hands.size()) - 1;
 }
 
+namespace {
+
+/// A follow is as stiff as the mass of its articulate asks for; what connections tie to that is to be moved too.
+double answer(const World& world, PointId point) {
+  return std::sqrt(mass(world, tied_to(world, point, false)) / mass(world, tied_to(world, point, true)));
+}
+
+}  // namespace
+
 void grab(World& world, std::int32_t index, PointId point, std::optional<double> max_force) {
   require_unlocked(world, "grab");
   require(hand_at(world, "grab", index).placed, "grab: hand ", index + 1, " has no position yet");
@@ -175,6 +184,7 @@ void grab(World& world, std::int32_t index, PointId point, std::optional<double>
   FollowDef def;
   def.hand = index;
   def.max_force = max_force ? *max_force : usual_grab_force(world, point);
+  def.time_constant *= answer(world, point);
   if (!std::isfinite(def.max_force)) require_free_of_holders(world, "grab", point, hand_at(world, "grab", index).grab);
   release(world, index);
   const ConstraintId follow = add_follow(world, point, def);
@@ -189,7 +199,7 @@ void release(World& world, std::int32_t index) {
 }
 
 double usual_grab_force(const World& world, PointId point) {
-  const Things hanging = tied_to(world, point);
+  const Things hanging = tied_to(world, point, true);
   const double total = mass(world, hanging), weight = norm(world.settings.gravity);
   if (weight > 0.0) return 20.0 * total * weight;
   const Bounds box = bounds(world, hanging);

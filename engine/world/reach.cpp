@@ -27,13 +27,19 @@ struct Walk {
 
 }  // namespace
 
-Things tied_to(const World& world, PointId point) {
+Things tied_to(const World& world, PointId point, bool by_connections) {
   Walk walk{world, {}, {}, {}, {}};
   walk.meet(point);
   while (!walk.open.empty()) {
     const PointId id = walk.open.back();
     walk.open.pop_back();
-    for (PointId member : world.particles[world.points[id].particle].points) walk.meet(member);
+    const Particle& ring = world.particles[world.points[id].particle];
+    for (PointId member : ring.points) walk.meet(member);
+    for (ConnectionId c : ring.connections) {
+      const Connection& tie = world.connections[c];
+      for (std::uint32_t i = 0; by_connections && tie.enabled && i < tie.count; i++)
+        if (tie.particles[i]) walk.meet(world.particles[awake(world, tie.particles[i])].points[0]);
+    }
     for (ConstraintId c : world.points[id].constraints) {
       const Constraint& rod = world.constraints[c];
       if (rod.kind != ConstraintKind::rod || !rod.enabled) continue;

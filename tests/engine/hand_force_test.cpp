@@ -1,7 +1,10 @@
 // A hand far away pulls with its limit and never harder, whatever the step.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <memory>
+#include <vector>
 
+#include "laws/law.hpp"
 #include "step.hpp"
 #include "support/cases.hpp"
 #include "support/watch.hpp"
@@ -67,4 +70,31 @@ TEST_CASE("hand: what it lets go of falls freely") {
   const double speed = velocity(world, ball)[1];
   step(world);
   CHECK(velocity(world, ball)[1] == Approx(speed - 9.81 / 240).margin(1e-12));
+}
+
+TEST_CASE("hand: it moves what connections tie to what it holds, and tears them") {
+  Expressions graph;
+  const Expr stretch = graph.subtract(graph.square_root(graph.input({Role::distance2, 0, 0, {}})), graph.constant(0.1));
+  const Expr energy = graph.scale(graph.multiply(stretch, stretch), 20.0);
+  const auto spring = std::make_shared<Law>(central_potential({.name = "thread"}, std::move(graph), energy));
+  World world;
+  world.settings.step = 1.0 / 1000;
+  std::vector<ParticleId> knots;
+  for (int i = 0; i < 200; i++) {
+    ParticleDef def;
+    def.at = vec(0.1 * i, 0, 0);
+    def.mass = 0.002;
+    knots.push_back(add_particle(world, def));
+    if (i == 0) continue;
+    ConnectionDef tie;
+    tie.ends = {{knots[knots.size() - 2]}, {knots.back()}};
+    tie.max_length = 0.2;
+    add_connection(world, spring, tie);
+  }
+  add_nail(world, cases::point_of(world, knots.front()));
+  const std::int32_t hand = add_hand(world, [](double t) { return vec(19.9 + 20 * t, 0, 0); });
+  grab(world, hand, cases::point_of(world, knots.back()));
+  advance(world, 1.0);
+  CHECK(world.breaks.size() > 0);
+  CHECK(world.failure == "");
 }
