@@ -249,12 +249,7 @@ int vec_index(lua_State* state) {
     algebra.push(state, (*v)[static_cast<std::size_t>(key[0] - 'x')]);
     return 1;
   }
-  lua_pushvalue(state, 2);
-  lua_rawget(state, lua_upvalueindex(1));
-  if (lua_isnil(state, -1))
-    throw Error(text("vec: unknown field '", push_text(state, 2),
-                     "'; it has x, y, z and the methods dot, cross, length, normalized"));
-  return 1;
+  return push_vec_method(state);
 }
 
 template <class A>

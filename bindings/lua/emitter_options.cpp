@@ -93,12 +93,7 @@ int scene_emitter(lua_State* state) {
   def.spread = o.number("spread", "rad").value_or(def.spread);
   def.family = family.id;
   def.mass = o.number("mass", "kg");
-  const Looks looks = look_options(o, family.attributes);
-  def.radius = looks.radius;
-  def.color = looks.color;
-  def.look = looks.look;
-  def.attributes = looks.attributes;
-  def.courses = looks.courses;
+  take_looks(def, o, family.attributes);
   def.enabled = o.boolean("enabled").value_or(true);
   def.name = o.string("name").value_or("");
   push_thing(state, self.script, add_emitter(self.world, def));

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "laws/course.hpp"
@@ -21,6 +22,17 @@ struct Looks {
   std::shared_ptr<const Courses> courses;  ///< null: none
 };
 Looks look_options(const Options& options, const std::vector<std::string>& attributes);
+
+/// Puts them into the definition of a particle or an emitter.
+template <class Def>
+void take_looks(Def& def, const Options& options, const std::vector<std::string>& attributes) {
+  Looks looks = look_options(options, attributes);
+  def.radius = looks.radius;
+  def.color = looks.color;
+  def.look = looks.look;
+  def.attributes = std::move(looks.attributes);
+  def.courses = std::move(looks.courses);
+}
 
 /// "ball", "glow" or "streak".
 Look check_look(lua_State* state, int index, const std::string& what);

@@ -159,12 +159,7 @@ int scene_particle(lua_State* state) {
   def.velocity = o.vector("velocity", "m/s").value_or(def.velocity);
   def.mass = o.number("mass", "kg");
   def.family = family.id;
-  const Looks looks = look_options(o, family.attributes);
-  def.radius = looks.radius;
-  def.color = looks.color;
-  def.look = looks.look;
-  def.attributes = looks.attributes;
-  def.courses = looks.courses;
+  take_looks(def, o, family.attributes);
   def.lifetime = o.number_or_infinity("lifetime", "s").value_or(def.lifetime);
   def.name = o.string("name").value_or("");
   push_thing(state, self.script, add_particle(self.world, def));

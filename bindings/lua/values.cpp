@@ -114,12 +114,7 @@ int vec_index(lua_State* state) {
     lua_pushnumber(state, v[key[0] - 'x']);
     return 1;
   }
-  lua_pushvalue(state, 2);
-  lua_rawget(state, lua_upvalueindex(1));
-  if (lua_isnil(state, -1))
-    throw Error(text("vec: unknown field '", push_text(state, 2),
-                     "'; it has x, y, z and the methods dot, cross, length, normalized"));
-  return 1;
+  return push_vec_method(state);
 }
 
 int vec_change(lua_State* state) {
@@ -287,6 +282,15 @@ std::optional<Color> to_color(lua_State* state, int index) {
     part[i] = static_cast<float>(value);
   }
   return Color{part[0], part[1], part[2], part[3]};
+}
+
+int push_vec_method(lua_State* state) {
+  lua_pushvalue(state, 2);
+  lua_rawget(state, lua_upvalueindex(1));
+  if (lua_isnil(state, -1))
+    throw Error(text("vec: unknown field '", push_text(state, 2),
+                     "'; it has x, y, z and the methods dot, cross, length, normalized"));
+  return 1;
 }
 
 const char* kind_of_value(lua_State* state, int index) {

@@ -23,6 +23,9 @@ std::optional<Quat> to_quat(lua_State* state, int index);
 /// "#rgb", "#rrggbb", "#rrggbbaa" or { r, g, b[, a] }, 0 … 1.
 std::optional<Color> to_color(lua_State* state, int index);
 
+/// The method of vecs that argument 2 names; upvalue: the methods. Throws Error where there is none.
+int push_vec_method(lua_State* state);
+
 /// What messages call a value: "a number", "nil", "a vec", "a body".
 const char* kind_of_value(lua_State* state, int index);
 
