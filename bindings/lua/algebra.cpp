@@ -25,7 +25,8 @@ bool is_vec(lua_State* state, int index) {
 template <class A>
 typename A::Number operand(const A& algebra, lua_State* state, int index) {
   const auto x = algebra.read(state, index);
-  require(x.has_value(), "arithmetic needs numbers, got ", kind_of_value(state, index));
+  require(x.has_value(), "arithmetic needs numbers, got ", kind_of_value(state, index),
+          lua_isnil(state, index) ? " (a name that nothing was given to?)" : "");
   return *x;
 }
 
@@ -332,9 +333,7 @@ void push_metatable(lua_State* state, Tag tag) {
     default: push_vec_metatable<DualAlgebra>(state);
   }
   for (const char* field : {"__name", "__metatable"}) {
-    lua_pushstring(state, !number  ? "vec"
-                          : symbol ? "number that differs from pair to pair"
-                                   : "number with a derivative");
+    lua_pushstring(state, !number ? "vec" : symbol ? "number that differs from pair to pair" : number_with_derivative);
     lua_setfield(state, -2, field);
   }
   lua_pushvalue(state, -1);

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "lua/dual.hpp"
 #include "lua/runtime.hpp"
 #include "lua/tostring.hpp"
 #include "lua/values.hpp"
@@ -50,6 +51,16 @@ std::string error_text(lua_State* state, int index) {
   return text("error: ", table_text(state, index));
 }
 
+constexpr const char* loop_advice =
+    "; a loop counts with plain numbers: write math.floor(x), or give the law as a tension or force, which gets plain "
+    "numbers";
+
+/// What Lua's own messages leave open.
+const char* advice(const std::string& message) {
+  const auto says = [&](const char* part) { return message.find(part) != std::string::npos; };
+  return says("'for'") && says(number_with_derivative) && !says(loop_advice) ? loop_advice : "";
+}
+
 int describe(lua_State* state) {
   luaL_checkstack(state, 16, nullptr);
   std::string message;
@@ -57,11 +68,12 @@ int describe(lua_State* state) {
     std::size_t size = 0;
     const char* s = lua_tolstring(state, 1, &size);
     message.assign(s, size);
-    if (names_place(message) || message == Runtime::of(state).usage_message) return 1;
+    if (message == Runtime::of(state).usage_message) return 1;
+    message += advice(message);
   } else {
     message = error_text(state, 1);
   }
-  const std::string place = where(state);
+  const std::string place = names_place(message) ? "" : where(state);
   if (!place.empty()) message = text(place, ": ", message);
   lua_pushlstring(state, message.data(), message.size());
   return 1;

@@ -3,6 +3,7 @@
 #include <new>
 #include <string_view>
 
+#include "lua/error_text.hpp"
 #include "lua/runtime.hpp"
 #include "lua/scene.hpp"
 
@@ -22,7 +23,7 @@ namespace detail {
 namespace {
 
 std::string placed(lua_State* state, const char* message) {
-  const std::string place = where(state);
+  const std::string place = names_place(message) ? "" : where(state);
   return place.empty() ? message : text(place, ": ", message);
 }
 

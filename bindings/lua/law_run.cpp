@@ -121,7 +121,7 @@ void push_particles(lua_State* state, int count) {
     push_particle(state, who);
     lua_rawseti(state, -2, who + 1);
   }
-  push_metatable(state, &list_key, "particles of a law", guard<list_index>);
+  push_metatable(state, &list_key, "list of particles", guard<list_index>);
   lua_setmetatable(state, -2);
 }
 

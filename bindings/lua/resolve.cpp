@@ -149,7 +149,8 @@ std::shared_ptr<const Law> called_law(const std::shared_ptr<CalledLaw>& function
 ResolvedLaw resolve_law(lua_State* state, int index, Script& script, std::span<const KnownNames> known,
                         bool exchangeable) {
   LawSpec* spec = to_law(state, index);
-  require(spec, "a law is needed, as force.spring{ … } makes one, got ", kind_of_value(state, index));
+  require(spec, "a law is needed, as force.spring{ … } makes one, got ", kind_of_value(state, index),
+          lua_isfunction(state, index) ? "; write force.pair{ potential = function … }" : "");
   assume(static_cast<std::size_t>(spec->count) == known.size());
   if (spec->library) {
     check_attributes(*spec, known);

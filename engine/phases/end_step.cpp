@@ -59,23 +59,27 @@ std::string last_act(const World& world) {
   return text("; the last to act on the scene was ", world.last_actor, ", at ", world.last_act, " s");
 }
 
-/// The first law that gave a force, or the first thing whose state, is not finite; empty if all is well.
-std::string what_went_bad(const World& world, const OfLoosePoints& points, double time) {
-  const std::string thing = first_bad(world, points);
-  const Forces* forces = world.forces.get();
-  const bool energy_lost = forces && forces->told && !std::isfinite(forces->energy);
-  if (thing.empty() && !energy_lost) return {};
-  if (const std::string law = bad_force(world); !law.empty()) return law;
-  return text("the state of ", thing, " is no longer a finite number at ", time,
-              " s: forces or speeds are too large for a step of ", world.settings.step, " s");
-}
-
 void put_back(World& world) {
   for (std::size_t i = 0; i < world.loose_points.size(); i++)
     world.free_motion[world.loose_points[i]] = world.saved_points[i];
   for (std::size_t i = 0; i < world.loose_bodies.size(); i++)
     world.motion[world.loose_bodies[i]] = world.saved_motion[i];
   take_back_kick(world);
+}
+
+/// Puts the last good state back, and tells the first law that gave a force, or the first thing whose state, is not
+/// finite; empty if all is well.
+std::string undo_what_went_bad(World& world, const OfLoosePoints& points, double time) {
+  const std::string thing = first_bad(world, points);
+  const Forces* forces = world.forces.get();
+  const bool energy_lost = forces && forces->told && !std::isfinite(forces->energy);
+  if (thing.empty() && !energy_lost && world.trouble.empty()) return {};
+  put_back(world);
+  if (thing.empty() && !energy_lost) return world.trouble;
+  if (std::string law = bad_force(world); !law.empty()) return law;
+  if (thing.empty()) return "the energy of the laws is not a finite number";
+  return text("the state of ", thing, " is no longer a finite number at ", time,
+              " s: forces or speeds are too large for a step of ", world.settings.step, " s");
 }
 
 void end_pushes(World& world) {
@@ -123,10 +127,7 @@ void end_step(World& world) {
   const Timed timed(world.profile, Phase::end_step);
   const double time = next_time(world);
   const OfLoosePoints points = measure_loose_points(world);
-  std::string bad = what_went_bad(world, points, time);
-  if (bad.empty()) bad = world.trouble;
-  if (!bad.empty()) {
-    put_back(world);
+  if (const std::string bad = undo_what_went_bad(world, points, time); !bad.empty()) {
     world.failure =
         text(bad, "; the scene is stopped at its last good state", world.trouble.empty() ? last_act(world) : "");
     log_line(world, "failure", world.failure);

@@ -130,6 +130,11 @@ LawLedger law_ledger(const World& world) {
 std::string bad_force(const World& world) {
   if (!world.forces) return {};
   Forces& f = *world.forces;
+  if (std::any_of(f.sites.x.begin(), f.sites.x.begin() + static_cast<std::ptrdiff_t>(f.sites.n),
+                  [](Vec3 x) { return !finite(x); })) {
+    read_places(world, f, false);
+    read_velocities(world, f, false);
+  }
   const Instant instant = instant_of(world, next_time(world), world.steps + 1);
   const auto name = [&](std::uint32_t site) {
     return f.sites.particle[site] == Forces::none ? std::string("a place")

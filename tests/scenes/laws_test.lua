@@ -253,4 +253,31 @@ test("bad laws are told by their line", function()
   expect(law "force.lennard_jones { epsilon = 1 }"):fails("lennard_jones: sigma [m] is missing")
   expect(law "force.lennard_jones { epsilon = -1, sigma = 1 }"):fails("epsilon must be >= 0 J, got -1")
   expect(law "force.lennard_jones { epsilon = 1, sigma = 1, sgma = 2 }"):fails("sgma")
+  expect(law "force.pair { potential = function(r) local s = 0 for i = 1, r do s = s + i end return s * r end }")
+    :fails("write math.floor(x), or give the law as a tension")
+  expect(law "force.pair { potential = function(r) return strength * r end }")
+    :fails("arithmetic needs numbers, got nil (a name that nothing was given to?)")
+  expect(law "function(r) return r end"):fails("write force.pair{ potential = function … }")
+  expect(law "force.table { distances = { 1, 1 }, potentials = { 0, 1 } }"):fails("force.table: its places must rise")
+end)
+
+test("a message names a place once", function()
+  for _, law in ipairs { "function() end", "function() return 0 / 0 end", "function(r) local t return t.x * r end" } do
+    local ok, why = pcall(open_text, ([[
+      local f = scene:family "f"
+      scene:interact(f, f, force.pair { potential = %s })]]):format(law))
+    expect(ok):equal(false)
+    local _, places = why:gsub("text%.lua:", "")
+    expect(places):equal(1)
+  end
+end)
+
+test("two particles at one place, torn apart by a force that is not a number, are told with their distance", function()
+  local scene = open_text [[
+    local f = scene:family "f"
+    scene:particle { family = f }
+    scene:particle { family = f }
+    scene:interact(f, f, force.pair { force = function(d) return d / d:length() ^ 3 end })
+  ]]
+  expect(function() scene:step() end):fails "is not a finite number, at a distance of 0 m; the scene is stopped"
 end)
