@@ -149,7 +149,9 @@ void Player::fail(const std::string& why) {
 }
 
 void Player::write_picture(const std::string& path) {
-  renderer_.draw(scene_->world(), camera_);
+  Overlay overlay;
+  overlay.pace = scene_->pace();
+  renderer_.draw(scene_->world(), camera_, overlay);
   write_png(path, renderer_.read_pixels(), renderer_.width(), renderer_.height());
 }
 

@@ -127,8 +127,11 @@ Rows& Rows::operator=(Rows&&) noexcept = default;
 
 void Rows::build(const Sites& sites, const Box& box, std::span<const std::uint32_t> a, std::span<const std::uint32_t> b,
                  double cutoff, double skin, Workers& workers, const Exclusions& further) {
-  require(!box.periodic() || 2.0 * cutoff <= std::min({box.edge[0], box.edge[1], box.edge[2]}), "the cutoff of ",
-          cutoff, " m is longer than half of the periodic box");
+  const double half = 0.5 * std::min({box.edge[0], box.edge[1], box.edge[2]});
+  require(!box.periodic() || cutoff < infinity, "in a periodic box a law needs a cutoff, of at most half an edge, ",
+          half, " m");
+  require(!box.periodic() || cutoff <= half, "the cutoff of ", cutoff, " m is longer than half of the periodic box, ",
+          half, " m");
   const Omitted omitted{sites, further};
   within_ = std::equal(a.begin(), a.end(), b.begin(), b.end());
   cutoff_ = cutoff;

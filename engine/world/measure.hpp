@@ -42,7 +42,7 @@ struct Bounds {
 /// Box round all points of the things.
 Bounds bounds(const World& world, const Things& things);
 /// Free points and bodies of a group, sorted into clusters in which each is within `distance` [m] of another (places of
-/// free points, centres of bodies), biggest first.
+/// free points, centres of bodies; in a periodic box their nearest images), biggest first.
 std::vector<std::vector<AnyId>> clusters(const World& world, GroupId group, double distance);
 
 }  // namespace pantin

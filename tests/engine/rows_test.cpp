@@ -203,8 +203,9 @@ TEST_CASE("rows: what cannot be meant is refused") {
   const auto build = [&](const Box& box, double cutoff) {
     rows.build(sites, box, Families{0}, Families{0}, cutoff, 0.0, workers);
   };
-  CHECK_THROWS_WITH(build(cube(10.0), 5.1), "the cutoff of 5.1 m is longer than half of the periodic box");
-  CHECK_THROWS_WITH(build(cube(10.0), infinity), "the cutoff of infinity m is longer than half of the periodic box");
+  CHECK_THROWS_WITH(build(cube(10.0), 5.1), "the cutoff of 5.1 m is longer than half of the periodic box, 5 m");
+  CHECK_THROWS_WITH(build(cube(10.0), infinity),
+                    "in a periodic box a law needs a cutoff, of at most half an edge, 5 m");
   sites.x[77][1] = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_WITH(build({}, 1.0), Catch::Contains("not finite"));
   CHECK_THROWS_WITH(build({}, infinity), Catch::Contains("not finite"));
