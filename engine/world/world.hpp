@@ -101,7 +101,7 @@ struct World : Model {
   std::vector<Hand> hands;
   StepInput input;              ///< for the coming step; emptied by it
   std::vector<Notice> notices;  ///< of the last step, told in the next; emptied then
-  std::deque<Break> breaks;      ///< the latest `most_breaks`, oldest first
+  std::deque<Break> breaks;     ///< the latest `most_breaks`, oldest first
   std::vector<LogLine> log;
   std::vector<Probe> probes;
   Random random;
