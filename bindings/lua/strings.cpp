@@ -1,6 +1,5 @@
 // The part of Lua's string library that is made anew: what may take long asks the clock, and no address comes out.
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <string_view>
 
@@ -208,8 +207,7 @@ int repeat(lua_State* state) {
   luaL_Buffer buffer;
   char* to = luaL_buffinitsize(state, &buffer, count * each);
   const auto add = [&to](std::string_view part) {
-    std::memcpy(to, part.data(), part.size());
-    to += part.size();
+    to = std::copy(part.begin(), part.end(), to);
   };
   for (std::size_t i = 0; i < count; i++) {
     steps.count(1 + each / 256);
