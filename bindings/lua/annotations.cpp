@@ -157,6 +157,8 @@ function quat_methods:inverse() end
 ---@field color? color
 ---@field radius? number [m]
 ---@field lifetime? number [s]
+---@field axis? vec turns about it only; world axes
+---@field breaks_at? table { force [N], torque [N m] }
 ---@field name? string
 
 ---@class TieOptions
@@ -165,6 +167,32 @@ function quat_methods:inverse() end
 
 ---@class FollowOptions: TieOptions
 ---@field max_force? number [N]
+
+---@class ConstraintOptions
+---@field name? string
+---@field breaks_at? table { force [N], torque [N m], length [m] }
+
+---@class OrientOptions: ConstraintOptions
+---@field time_constant? number [s]
+
+---@class AlignOptions: OrientOptions
+---@field angle? number|fun(t: number): number [rad]
+
+---@class MotorOptions: OrientOptions
+---@field axis vec world axes
+---@field speed? number|fun(t: number): number [rad/s]
+---@field angle? number|fun(t: number): number [rad]
+---@field max_torque? number [N m]
+
+---@class LimitOptions: OrientOptions
+---@field axis? vec of an angle; world axes
+---@field min? number [rad] or [m]
+---@field max? number [rad] or [m]
+---@field length? number [m] of a distance, the same as max
+
+---@class PlaneOptions: OrientOptions
+---@field through? vec [m]
+---@field normal? vec
 
 )";
 

@@ -11,13 +11,11 @@ namespace {
 /// The place of a thing's name in its row; null for what has none.
 std::string* name_of(const Self& self) {
   World& w = self.world;
+  if (is_constraint(self.ref.kind)) return &w.constraints[self.ref.id<ConstraintId>()].name;
   switch (self.ref.kind) {
     case Kind::point: return &w.points[self.ref.id<PointId>()].name;
     case Kind::particle: return &w.particles[self.ref.id<ParticleId>()].name;
     case Kind::body: return &w.bodies[self.ref.id<BodyId>()].name;
-    case Kind::nail:
-    case Kind::follow:
-    case Kind::rod: return &w.constraints[self.ref.id<ConstraintId>()].name;
     case Kind::group: return &w.groups[self.ref.id<GroupId>()].name;
     case Kind::family: return &w.families[self.ref.id<FamilyId>()].name;
     case Kind::connection: return &w.connections[self.ref.id<ConnectionId>()].name;

@@ -1,5 +1,6 @@
 // Nail, follow and rod.
 #include "lua/arguments.hpp"
+#include "lua/constraint_fields.hpp"
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
 #include "lua/script.hpp"
@@ -9,31 +10,10 @@
 namespace pantin::lua {
 namespace {
 
-ConstraintId id_of(const Self& self) { return self.ref.id<ConstraintId>(); }
-Constraint& row(const Self& self) { return self.world.constraints[id_of(self)]; }
+ConstraintId id_of(const Self& self) { return constraint_of(self); }
+Constraint& row(const Self& self) { return constraint_row(self); }
 
-void read_end(const Self& self, PointId point) {
-  if (point)
-    push_thing(self.state, self.script, point);
-  else
-    lua_pushnil(self.state);
-}
-
-const Field enabled = {"enabled",
-                       "boolean",
-                       "",
-                       "whether it acts",
-                       [](const Self& s) { lua_pushboolean(s.state, row(s).enabled); },
-                       [](const Self& s, int i) {
-                         set_enabled(s.world, id_of(s), check_boolean(s.state, i, type_of(s.ref.kind).word, "enabled"));
-                       }};
-const Field force = {"force",
-                     "vec",
-                     "N",
-                     "what it exerted on its point in the last step",
-                     [](const Self& s) { push(s.state, row(s).force); },
-                     nullptr};
-const Field point = {"point", "Point", "", "the point that it holds", [](const Self& s) { read_end(s, row(s).a); },
+const Field point = {"point", "Point", "", "the point that it holds", [](const Self& s) { push_if(s, row(s).a); },
                      nullptr};
 
 Type make_nail() {
@@ -42,8 +22,9 @@ Type make_nail() {
                  {"at", "vec", "m", "the place; the point is drawn to a new one",
                   [](const Self& s) { push(s.state, row(s).place); },
                   [](const Self& s, int i) { set_place(s.world, id_of(s), check_vec(s.state, i, "nail", "at", "m")); }},
-                 force,
-                 enabled};
+                 force_field(),
+                 breaks_at_field(),
+                 enabled_field()};
   add_common_fields(type);
   add_common_remove(type);
   return type;
@@ -65,8 +46,9 @@ Type make_follow() {
                   [](const Self& s, int i) {
                     set_max_force(s.world, id_of(s), check_number_or_infinity(s.state, i, "follow", "max_force", "N"));
                   }},
-                 force,
-                 enabled};
+                 force_field(),
+                 breaks_at_field(),
+                 enabled_field()};
   add_common_fields(type);
   add_common_remove(type);
   return type;
@@ -74,22 +56,26 @@ Type make_follow() {
 
 Type make_rod() {
   Type type{"Rod", "rod", "Keeps two points, or a point and a place, at a distance.", {}, {}};
-  type.fields = {
-      {"a", "Point", "", "its first point", [](const Self& s) { read_end(s, row(s).a); }, nullptr},
-      {"b", "Point?", "", "its second point, or nil where that end is a place",
-       [](const Self& s) { read_end(s, row(s).b); }, nullptr},
-      {"at", "vec", "m", "place of its second end; written where no point is there",
-       [](const Self& s) { push(s.state, row(s).b ? position(s.world, row(s).b) : row(s).place); },
-       [](const Self& s, int i) {
-         require(!row(s).b, "rod: at can be written only of a rod whose end is a place; this one ends at a point");
-         set_place(s.world, id_of(s), check_vec(s.state, i, "rod", "at", "m"));
-       }},
-      {"length", "number", "m", "the distance that it keeps",
-       [](const Self& s) { lua_pushnumber(s.state, row(s).length); },
-       [](const Self& s, int i) { set_length(s.world, id_of(s), check_number(s.state, i, "rod", "length", "m")); }},
-      {"force", "number", "N", "tension in the last step, > 0 when it pulls",
-       [](const Self& s) { lua_pushnumber(s.state, row(s).tension); }, nullptr},
-      enabled};
+  type.fields = {{"a", "Point", "", "its first point", [](const Self& s) { push_if(s, row(s).a); }, nullptr},
+                 {"b", "Point?", "", "its second point, or nil where that end is a place",
+                  [](const Self& s) { push_if(s, row(s).b); }, nullptr},
+                 {"at", "vec", "m", "place of its second end; written where no point is there",
+                  [](const Self& s) { push(s.state, row(s).b ? position(s.world, row(s).b) : row(s).place); },
+                  [](const Self& s, int i) {
+                    require(!row(s).b,
+                            "rod: at can be written only of a rod whose end is a place; this one ends at a point");
+                    set_place(s.world, id_of(s), check_vec(s.state, i, "rod", "at", "m"));
+                  }},
+                 {"length", "number", "m", "the distance that it keeps; written as a number or a function of time [s]",
+                  [](const Self& s) { lua_pushnumber(s.state, row(s).length); },
+                  [](const Self& s, int i) {
+                    auto given = check_number_of_time(s, i, "rod", "length", "m");
+                    set_length(s.world, id_of(s), given.value, std::move(given.function));
+                  }},
+                 {"force", "number", "N", "tension in the last step, > 0 when it pulls",
+                  [](const Self& s) { lua_pushnumber(s.state, row(s).tension); }, nullptr},
+                 breaks_at_field(),
+                 enabled_field()};
   add_common_fields(type);
   add_common_remove(type);
   return type;

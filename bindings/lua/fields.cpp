@@ -103,6 +103,12 @@ const Type& type_of(Kind kind) {
     case Kind::nail: return nail_type();
     case Kind::follow: return follow_type();
     case Kind::rod: return rod_type();
+    case Kind::weld: return weld_type();
+    case Kind::orient: return orient_type();
+    case Kind::align: return align_type();
+    case Kind::motor: return motor_type();
+    case Kind::limit: return limit_type();
+    case Kind::on_plane: return on_plane_type();
     case Kind::group: return group_type();
     case Kind::family: return family_type();
     case Kind::connection: return connection_type();

@@ -11,9 +11,16 @@ Kind kind_of(ConstraintKind kind) {
   switch (kind) {
     case ConstraintKind::nail: return Kind::nail;
     case ConstraintKind::follow: return Kind::follow;
-    case ConstraintKind::rod: break;
+    case ConstraintKind::rod: return Kind::rod;
+    case ConstraintKind::weld: return Kind::weld;
+    case ConstraintKind::orient: return Kind::orient;
+    case ConstraintKind::align: return Kind::align;
+    case ConstraintKind::motor: return Kind::motor;
+    case ConstraintKind::limit: return Kind::limit;
+    case ConstraintKind::on_plane: return Kind::on_plane;
+    case ConstraintKind::axis: break;  // of a hinge, and no thing of its own
   }
-  return Kind::rod;
+  return Kind::nail;
 }
 
 lua_Integer key_of(const Ref& ref) {
@@ -72,6 +79,7 @@ void remember(lua_State* state, const Ref& ref) {
 }
 
 const char* const words[] = {"a point",  "a particle", "a body",         "a nail",         "a follow", "a rod",
+                             "a weld",   "an orient",  "an align",       "a motor",        "a limit",  "an on_plane",
                              "a group",  "a family",   "a connection",   "an interaction", "a field",  "an emitter",
                              "an event", "a hand",     "a subscription", "a scene"};
 
@@ -82,13 +90,11 @@ const Ref* to_ref(lua_State* state, int index) {
 }
 
 AnyId any_of(const Ref& ref) {
+  if (is_constraint(ref.kind)) return ref.id<ConstraintId>();
   switch (ref.kind) {
     case Kind::point: return ref.id<PointId>();
     case Kind::particle: return ref.id<ParticleId>();
     case Kind::body: return ref.id<BodyId>();
-    case Kind::nail:
-    case Kind::follow:
-    case Kind::rod: return ref.id<ConstraintId>();
     case Kind::group: return ref.id<GroupId>();
     case Kind::family: return ref.id<FamilyId>();
     case Kind::connection: return ref.id<ConnectionId>();
@@ -168,13 +174,11 @@ void require_alive(const Ref& ref) {
   const auto check = [](const auto& rows, auto id) {
     if (!rows.alive(id)) throw StaleHandle(rows.story(id));
   };
+  if (is_constraint(ref.kind)) return check(w.constraints, ref.id<ConstraintId>());
   switch (ref.kind) {
     case Kind::point: return check(w.points, ref.id<PointId>());
     case Kind::particle: return check(w.particles, ref.id<ParticleId>());
     case Kind::body: return check(w.bodies, ref.id<BodyId>());
-    case Kind::nail:
-    case Kind::follow:
-    case Kind::rod: return check(w.constraints, ref.id<ConstraintId>());
     case Kind::group: return check(w.groups, ref.id<GroupId>());
     case Kind::family: return check(w.families, ref.id<FamilyId>());
     case Kind::connection: return check(w.connections, ref.id<ConnectionId>());

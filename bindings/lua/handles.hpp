@@ -21,6 +21,12 @@ enum class Kind : std::uint32_t {
   nail,
   follow,
   rod,
+  weld,
+  orient,
+  align,
+  motor,
+  limit,
+  on_plane,
   group,
   family,
   connection,
@@ -32,7 +38,10 @@ enum class Kind : std::uint32_t {
   subscription,
   scene
 };
-inline constexpr std::size_t kind_count = 16;
+inline constexpr std::size_t kind_count = 22;
+
+/// Whether things of this kind are constraints.
+inline bool is_constraint(Kind kind) { return kind >= Kind::nail && kind <= Kind::on_plane; }
 
 /// The userdata.
 struct Ref {

@@ -1,4 +1,5 @@
 #include "lua/arguments.hpp"
+#include "lua/constraint_fields.hpp"
 #include "lua/course_options.hpp"
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
@@ -114,6 +115,16 @@ std::vector<Field> look_and_life() {
       {"points", "Point[]", "", "its points, in the order of joining",
        [](const Self& s) { push_list(s.state, s.script, ring(s).points); }, nullptr},
       {"bodies", "Body[]", "", "the bodies of its points", read_bodies, nullptr},
+      {"enabled", "boolean", "", "of a hinge: whether its points stay together",
+       [](const Self& s) { lua_pushboolean(s.state, ring(s).enabled); },
+       [](const Self& s, int i) {
+         set_enabled(s.world, awake(s.world, id_of(s)), check_boolean(s.state, i, "hinge", "enabled"));
+       }},
+      {"breaks_at", "table", "", "of a hinge: { force [N], torque [N m] } at which it breaks",
+       [](const Self& s) { push_breaking(s.state, ring(s).breaks_at); },
+       [](const Self& s, int i) {
+         set_breaks_at(s.world, awake(s.world, id_of(s)), check_breaking(s.state, i, "hinge: breaks_at"));
+       }},
       {"is_hinge", "boolean", "", "whether it joins two points or more",
        [](const Self& s) { lua_pushboolean(s.state, ring(s).is_hinge()); }, nullptr},
   };

@@ -3,6 +3,7 @@
 
 #include "lua/arguments.hpp"
 #include "lua/body_options.hpp"
+#include "lua/couple_options.hpp"
 #include "lua/emitter_options.hpp"
 #include "lua/events.hpp"
 #include "lua/family_options.hpp"
@@ -216,8 +217,23 @@ std::vector<Method> making() {
       {"follow", guard<scene_follow>,
        "point: Point|Particle, target: vec|Hand|fun(t: number): vec, options?: FollowOptions", "Follow",
        "Keeps a point to a target: a place [m], a function of time [s] or a hand."},
-      {"rod", guard<scene_rod>, "a: Point|Particle|vec, b: Point|Particle|vec, length?: number [m]", "Rod",
+      {"rod", guard<scene_rod>,
+       "a: Point|Particle|vec, b: Point|Particle|vec, length?: number|fun(t: number): number [m]", "Rod",
        "Keeps two points, or a point and a place, at a distance, or at their present one."},
+      {"weld", guard<scene_weld>, "a: Body, b: Body, options?: ConstraintOptions", "Weld",
+       "Keeps two bodies in their present relative place and orientation; it tells its load, and may break."},
+      {"orient", guard<scene_orient>, "body: Body, to?: quat|fun(t: number): quat, options?: OrientOptions", "Orient",
+       "Keeps the orientation of a body, or its present one."},
+      {"align", guard<scene_align>,
+       "a: Body, axis_a: vec, b: Body|vec, axis_b?: vec|AlignOptions, options?: AlignOptions", "Align",
+       "Keeps the angle between an axis of a and one of b, each in its body's frame; without b, one of the world."},
+      {"motor", guard<scene_motor>, "a: Body, b: Body|MotorOptions, options?: MotorOptions", "Motor",
+       "Turns a about an axis (world axes) against b, or without b against the world."},
+      {"limit", guard<scene_limit>,
+       "a: Body|Point|Particle, b: Body|Point|Particle|vec|LimitOptions, options?: LimitOptions", "Limit",
+       "Keeps the angle of a against b about an axis, 0 where it is now, or the distance of two points, in a range."},
+      {"on_plane", guard<scene_on_plane>, "point: Point|Particle, options?: PlaneOptions", "OnPlane",
+       "Keeps a point on a plane."},
       {"group", guard<scene_group>, "name: string", "Group", "Makes a named set of things."},
       {"family", guard<scene_family>, "name: string, options?: FamilyOptions", "Family",
        "Makes a family of particles, with named numeric attributes."},
@@ -250,7 +266,7 @@ std::vector<Method> telling() {
       {"on", guard<scene_on>, "moment: string, action: function", "Subscription",
        "Calls a function at each \"step\" (dt), \"press\" \"release\" (hand), \"key\" (name), \"grab\" \"drop\" "
        "(thing, hand), "
-       "\"cut\" (hinge), \"broke\" (connection, force [N]), \"removed\" (thing, story)."},
+       "\"cut\" (hinge), \"broke\" (connection, constraint or hinge, force [N]), \"removed\" (thing, story)."},
       {"button", guard<scene_button>, "name: string, action: function", "", "Puts a button in the window."},
       {"probe", guard<scene_probe>, "name: string, read: fun(): number", "", "Records a number each step."},
       {"result", guard<scene_result>, "name: string, value: number|boolean|string", "",

@@ -1,11 +1,12 @@
 #include "lua/tie_options.hpp"
 
 #include "lua/arguments.hpp"
+#include "lua/constraint_fields.hpp"
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
 #include "lua/script.hpp"
 #include "lua/targets.hpp"
-#include "world/edit.hpp"
+#include "world/constrain.hpp"
 
 namespace pantin::lua {
 namespace {
@@ -32,7 +33,8 @@ int scene_hinge(lua_State* state) {
   std::vector<PointId> points;
   for (int i = 2; i <= count - (with_options ? 1 : 0); i++) points.push_back(hinge_member(state, i));
   HingeDef def;
-  const Options o(state, with_options ? count : count + 1, "hinge", {"color", "radius", "lifetime", "name", "family"});
+  const Options o(state, with_options ? count : count + 1, "hinge",
+                  {"color", "radius", "lifetime", "name", "family", "axis", "breaks_at"});
   if (o.has("family")) {
     def.family = check_kind(state, o.push("family"), Kind::family, "hinge", "family").id<FamilyId>();
     lua_pop(state, 1);
@@ -41,7 +43,11 @@ int scene_hinge(lua_State* state) {
   def.radius = o.number("radius", "m");
   def.lifetime = o.number_or_infinity("lifetime", "s").value_or(def.lifetime);
   def.name = o.string("name").value_or("");
-  push_thing(state, self.script, add_hinge(self.world, points, def));
+  def.axis = o.vector("axis", "");
+  const ParticleId hinge = add_hinge(self.world, points, def);
+  if (o.has("breaks_at"))
+    set_breaks_at(self.world, hinge, check_breaking(state, o.push("breaks_at"), "hinge: breaks_at"));
+  push_thing(state, self.script, hinge);
   return 1;
 }
 
@@ -95,7 +101,11 @@ int scene_rod(lua_State* state) {
   require(!(place_first && place_second), "rod: one end must be a point or a particle, got two vecs");
   const PointId a = check_point(state, place_first ? 3 : 2, "rod", argument(place_first ? 2 : 1));
   std::optional<double> length;
-  if (!lua_isnoneornil(state, 4)) length = check_number(state, 4, "rod", "argument 3, the length,", "m");
+  NumberOrFunction given;
+  if (!lua_isnoneornil(state, 4)) {
+    given = check_number_of_time(self, 4, "rod", "argument 3, the length,", "m");
+    length = given.value;
+  }
   ConstraintId rod;
   if (place_first || place_second) {
     const int at = place_first ? 2 : 3;
@@ -103,6 +113,7 @@ int scene_rod(lua_State* state) {
   } else {
     rod = add_rod(self.world, a, check_point(state, 3, "rod", argument(2)), length);
   }
+  if (given.function) set_length(self.world, rod, given.value, std::move(given.function));
   push_thing(state, self.script, rod);
   return 1;
 }

@@ -71,11 +71,11 @@ class Reach {
   explicit Reach(const World& world) : world_(world), reached_(world.points.slots()) {
     for (std::uint32_t s = 0; s < world.constraints.slots(); s++) {
       const Constraint& c = world.constraints.at_slot(s);
-      if (!world.constraints.alive_at(s)) continue;
-      if (c.kind == ConstraintKind::rod && c.b) rods_[c.a.slot].push_back({c.b, c.length});
-      if (c.kind == ConstraintKind::rod && c.b) rods_[c.b.slot].push_back({c.a, c.length});
-      if (c.hand >= 0 || (c.kind == ConstraintKind::rod && c.b)) continue;
-      offer(c.a, c.kind == ConstraintKind::rod ? c.length : 0.0, c.place);
+      if (!world.constraints.alive_at(s) || !c.a || c.kind == ConstraintKind::on_plane) continue;
+      const double length = c.kind == ConstraintKind::rod ? c.length : c.kind == ConstraintKind::limit ? c.high : 0.0;
+      if (c.b) ties_[c.a.slot].push_back({c.b, length});
+      if (c.b) ties_[c.b.slot].push_back({c.a, length});
+      if (c.hand < 0 && !c.b) offer(c.a, length, c.place);
     }
     expanded_.assign(world.bodies.slots(), 0);
     while (!queue_.empty()) {
@@ -98,7 +98,7 @@ class Reach {
   void expand(PointId id, const Reached& r) {
     const Point& point = world_.points[id];
     for (const PointId other : world_.particles[point.particle].points) offer(other, r.length, r.anchor);
-    if (const auto found = rods_.find(id.slot); found != rods_.end())
+    if (const auto found = ties_.find(id.slot); found != ties_.end())
       for (const auto& [other, length] : found->second) offer(other, r.length + length, r.anchor);
     if (!point.body || (world_.bodies[point.body].points.size() > 64 && expanded_[point.body.slot - 1]++)) return;
     for (const PointId other : world_.bodies[point.body].points)
@@ -108,7 +108,7 @@ class Reach {
   const World& world_;
   std::vector<Reached> reached_;
   std::vector<char> expanded_;
-  std::unordered_map<std::uint32_t, std::vector<std::pair<PointId, double>>> rods_;
+  std::unordered_map<std::uint32_t, std::vector<std::pair<PointId, double>>> ties_;
   std::priority_queue<std::pair<double, PointId>> queue_;
 };
 

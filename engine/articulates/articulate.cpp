@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "articulates/conditions.hpp"
+#include "articulates/rows.hpp"
+
 namespace pantin {
 
 void load(Node& n, const Model& model, Vec3 gravity) {
@@ -43,25 +46,9 @@ void store(const Node& n, Model& model) {
   }
 }
 
-namespace {
-
-void load_constraint(Condition& row, const Constraint& c, double total_mass) {
-  row.whole0 = c.previous + c.previous_away;
-  row.whole1 = c.place + c.away;
-  row.velocity = c.velocity + c.away_rate;
-  row.whole_length0 = c.length + c.previous_excess;
-  row.whole_length1 = c.length + c.excess;
-  row.length_rate = c.excess_rate;
-  row.max_force = c.max_force;
-  row.stiffness = total_mass / (c.time_constant * c.time_constant);  // critically damped for all that hangs at it
-  row.damping = 2.0 * total_mass / c.time_constant;
-}
-
-}  // namespace
-
 void load(Articulate& a, const Model& model, Vec3 gravity) {
   for (Node& n : a.nodes) load(n, model, gravity);
-  for (Condition& c : a.conditions) load_constraint(c, model.constraints[c.constraint], a.total_mass);
+  for (Condition& c : a.conditions) load(c, row(a, c), model, a.total_mass);
 }
 
 void disturb(Articulate& a) {
@@ -75,9 +62,8 @@ void store(const Articulate& a, Model& model) {
     if (row.centre) model.points[row.centre].row_force = zero3();
   for (const Row& row : a.rows) {
     if (row.condition >= 0) {
-      Constraint& c = model.constraints[condition(a, row).constraint];
-      c.force = row.f;
-      c.tension = -dot(row.f, direction(row.d1));
+      if (!model.constraints.alive(condition(a, row).constraint)) continue;  // it broke in this step
+      store(condition(a, row), row, model.constraints[condition(a, row).constraint]);
       continue;
     }
     model.points[row.member].row_force = row.f;
@@ -94,15 +80,13 @@ double kinetic_energy(const Articulate& a) {
 void measure_gaps(Articulate& a) {
   a.gaps = {};
   for (const Row& row : a.rows) {
-    if (row.kind == RowKind::rigid) {
+    if (row.kind == RowKind::limited) continue;
+    const double open = norm(gap(a, row));
+    a.gaps.open = std::max(a.gaps.open, open);
+    if (row.kind == RowKind::rigid && row.lever == 0.0)
       a.gaps.points = std::max(a.gaps.points, norm(row.d1));
-      a.gaps.open = std::max(a.gaps.open, norm(row.d1 - row.offset));
-    } else if (row.kind == RowKind::rod) {
-      const Condition& c = condition(a, row);
-      const double gap = norm(row.d1) - c.length;
-      a.gaps.rods = std::max(a.gaps.rods, std::fabs(gap));
-      a.gaps.open = std::max(a.gaps.open, std::fabs(gap - c.accepted));
-    }
+    else
+      a.gaps.rods = std::max(a.gaps.rods, open + norm(row.offset) + std::fabs(condition(a, row).accepted));
   }
 }
 

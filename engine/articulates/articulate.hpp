@@ -5,6 +5,9 @@
 // Letters follow the equations: x place [m], q orientation, R its matrix, p momentum [kg m/s], P angular momentum in
 // principal axes [kg m²/s], O = I⁻¹P [rad/s], a the step's Cayley vector [rad], f the force of a row on its first point
 // [N] (the second gets -f), l arms in principal axes [m], r arms in the world [m]; 0 start and 1 end of a step of h [s].
+// A row of a couple ties rotations: lever f is a torque on its first node [N m], d is lever times a small rotation of the
+// first node against the second [m], l and r are axes (unit vectors). Its torque does the work lever f·(ā_a - ā_b) exactly,
+// ā = R0 a: a rigid couple does none, since equal relative rotations at both ends have equal ā.
 #include <cstdint>
 #include <vector>
 
@@ -21,6 +24,7 @@ struct alignas(64) Node {
   Mat3 R1;
   Vec3 row_force;   // Σ ±f
   Mat3 row_moment;  // Σ ±l f'
+  Vec3 row_torque;  // Σ ±lever f of couples
   Vec3 phi;         // rotation, or direction of a
   Vec3 a;           // unknown
   Vec3 a_saved;
@@ -51,14 +55,16 @@ struct alignas(64) Node {
 };
 
 /// What a row wants: rigid keeps two points together; limited draws one to a place with a force up to a limit; rod keeps
-/// a distance.
-enum class RowKind : std::uint8_t { rigid, limited, rod };
+/// a distance or keeps it in a range; plane keeps a point on a plane. Of couples, rigid keeps an orientation, axis keeps
+/// two axes together, align keeps the angle between them, turn drives the angle about an axis or keeps it in a range.
+enum class RowKind : std::uint8_t { rigid, limited, rod, plane, axis, align, turn };
 
 /// Ties a point of node a to a point of node b, or to a place of the world (b = -1), by one force.
 struct alignas(64) Row {
   std::int32_t a = 0, b = -1;
   std::int32_t condition = -1;  // of a row that a constraint made; a hinge has none
   RowKind kind = RowKind::rigid;
+  double lever = 0.0;  // [m] of a couple; 0: ties points
   Vec3 residual = zero3();
   Vec3 ra1 = zero3(), rb1 = zero3();
   Vec3 la = zero3(), lb = zero3();  // arms of the two points
@@ -75,6 +81,8 @@ struct Condition {
   Vec3 place0 = zero3(), place1 = zero3();  // [m] world end, at the start and end of the step being solved
   Vec3 whole0 = zero3(), whole1 = zero3();  // [m] the same of the whole step, where that is halved
   Vec3 velocity = zero3();                  // [m/s] of the world end at the end of the step
+  Mat3 kept = zero33();                     // projects on the directions in which velocities are forbidden,
+  Vec3 wanted = zero3();                    // [m/s] but for this one of d1
   Mat3 M = zero33(),
        C = zero33();    // the row of Newton's matrix: M (change of d1) + C df = -residual; rigid: M = 1, C = 0
   double length = 0.0;  // [m] of a rod, at the end of the step being solved
@@ -83,6 +91,19 @@ struct Condition {
   double accepted = 0.0;                  // [m] what a rod is longer than that because no motion can make it shorter
   double stiffness = 0.0, damping = 0.0;  // [N/m], [N s/m] of a limited row
   double max_force = 0.0;                 // [N]
+  // Of couples: principal axes of the second node, or the world, turned by `turn` are those of the first; `axis` is b's,
+  // at the ends of a step while it is drawn in.
+  Quat turn0, turn1, whole_turn0, whole_turn1;
+  Vec3 axis = zero3(), axis0 = zero3(), axis1 = zero3();
+  double angle0 = 0.0, angle1 = 0.0;  // [rad] of a turn at the start and end, turns counted
+  Vec3 normal = zero3();              // of a plane
+  // Of rows of one dimension: the range that its value is kept in, [m], and the range of its force, [N].
+  double low = 0.0, high = 0.0;
+  double lower = -infinity, upper = infinity;
+  bool ranged = false;      // low < high
+  bool held = true;         // the range, or the limit of the force, lets it act as a constraint
+  bool held_before = true;  // at the end of the last step
+  bool works = false;       // its force may do work
   std::uint32_t row = 0;
   ConstraintId constraint;
 };
@@ -136,6 +157,7 @@ struct Articulate {
   bool fresh = true;          // the rows' forces have no history
   bool all_rigid = true;
   bool limited = false;      // has limited rows
+  bool breakable = false;    // has constraints that may break
   bool has_factor = false;   // the factor is of a Newton matrix
   bool safe = false;         // the last step was a safe one
   bool edited = true;        // new: velocities are still to be made consistent
@@ -152,6 +174,9 @@ inline const Condition& condition(const Articulate& a, const Row& row) {
 }
 
 inline const Row& row(const Articulate& a, const Condition& c) { return a.rows[c.row]; }
+
+/// Whether a one-dimensional row began to hold in this step, by an inelastic meeting.
+bool struck(const Articulate& articulate);
 
 /// Copies the model's state into the nodes, with constant forces: gravity [m/s²], pushes and twists; and the world ends
 /// and limits of the rows from their constraints.

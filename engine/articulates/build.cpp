@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "articulates/conditions.hpp"
 #include "articulates/islands.hpp"
 
 namespace pantin {
@@ -23,6 +24,7 @@ struct Builder {
   std::vector<Node> nodes;
   std::vector<Row> rows;
   std::vector<Condition> conditions;
+  bool breakable = false;
 
   static std::uint64_t key(Thing t) { return 2ull * t.slot + (t.is_body ? 1 : 0); }
 
@@ -61,6 +63,7 @@ struct Builder {
   }
 
   void add_hinge(const Particle& ring, PointId centre) {
+    breakable = breakable || ring.breaks_at.possible();
     for (PointId member : ring.points) {
       if (member == centre) continue;
       Row row;
@@ -73,33 +76,58 @@ struct Builder {
     }
   }
 
+  /// A place or an axis in the frame of a body, in principal axes of its node.
+  std::int32_t tie(BodyId id, Vec3 v, bool is_axis, Vec3& arm) const {
+    const Body& body = model.bodies[id];
+    arm = rotate(conjugate(body.axes), is_axis ? v : v - body.centre);
+    return node_of.at(key({id.slot - 1, true}));
+  }
+
+  /// Least radius of gyration of the bodies of a couple, [m].
+  double lever(const Row& row) const {
+    const auto gyration = [&](std::int32_t node) {
+      const Node& n = nodes[static_cast<std::size_t>(node)];
+      return std::sqrt((n.inertia[0] + n.inertia[1] + n.inertia[2]) * (0.5 * n.inverse_mass));
+    };
+    return row.b < 0 ? gyration(row.a) : std::min(gyration(row.a), gyration(row.b));
+  }
+
   void add_constraint(ConstraintId id) {
     const Constraint& c = model.constraints[id];
-    Row row;
-    tie_a(row, c.a);
-    if (c.b) tie_b(row, c.b);
-    row.condition = static_cast<std::int32_t>(conditions.size());
-    Condition condition;
-    condition.constraint = id;
-    condition.length = c.length;
-    conditions.push_back(condition);
-    row.f = row.f_last = c.force;
-    row.kind = c.kind == ConstraintKind::rod ? RowKind::rod
-               : std::isfinite(c.max_force)  ? RowKind::limited
-                                             : RowKind::rigid;
-    rows.push_back(row);
+    breakable = breakable || c.breaks_at.possible();
+    for (const RowPlan& plan : plan_rows(c)) {
+      Row row;
+      row.kind = plan.kind;
+      if (plan.point_a) tie_a(row, plan.point_a);
+      if (plan.point_b) tie_b(row, plan.point_b);
+      if (plan.body_a) row.a = tie(plan.body_a, plan.arm_a, plan.couple, row.la);
+      if (plan.body_b) row.b = tie(plan.body_b, plan.arm_b, plan.couple, row.lb);
+      if (plan.couple) row.lever = lever(row);
+      row.condition = static_cast<std::int32_t>(conditions.size());
+      Condition condition;
+      condition.constraint = id;
+      condition.length = c.length;
+      condition.held = condition.held_before = c.kind != ConstraintKind::limit && std::isinf(c.max_torque);
+      conditions.push_back(condition);
+      row.f = row.f_last = plan.couple ? c.torque / row.lever : c.force;
+      rows.push_back(row);
+    }
   }
 
   void add_rows(Thing t) {
     const auto visit = [&](PointId point) {
       const ParticleId ring_id = model.points[point].particle;
       const Particle& ring = model.particles[ring_id];
-      if (ring.is_hinge() && ring.points.front() == point) add_hinge(ring, star(model, ring_id));
+      if (ring.joins() && ring.points.front() == point) add_hinge(ring, star(model, ring_id));
       for (ConstraintId id : model.points[point].constraints)
         if (model.constraints[id].enabled && model.constraints[id].a == point) add_constraint(id);
     };
     if (!t.is_body) return visit(model.points.id_at(t.slot));
-    for (PointId point : model.bodies.at_slot(t.slot).points) visit(point);
+    const Body& body = model.bodies.at_slot(t.slot);
+    for (PointId point : body.points) visit(point);
+    for (ConstraintId id : body.constraints)
+      if (model.constraints[id].enabled && model.constraints[id].body_a == model.bodies.id_at(t.slot))
+        add_constraint(id);
   }
 
   std::vector<std::vector<std::uint32_t>> neighbours() const {
@@ -201,28 +229,39 @@ void find_free_axes(Articulate& a) {
         free[static_cast<std::size_t>(node)] = 0;
     };
     for (const Row& row : a.rows) {
-      visit(row.a, row.la);
-      visit(row.b, row.lb);
+      const bool couple = row.lever > 0.0;
+      visit(row.a, couple ? vec(infinity, infinity, infinity) : row.la);
+      visit(row.b, couple ? vec(infinity, infinity, infinity) : row.lb);
     }
     for (std::size_t n = 0; n < a.nodes.size(); n++)
       if (free[n] && !differs(a.nodes[n].inertia[j], a.nodes[n].inertia[k])) a.nodes[n].coupled[axis] = 0.0;
   }
 }
 
-/// Whether the rows make no loop; the world counts as one node.
+/// Whether the rows make no loop; the world counts as one node, and a couple beside a row between points makes none.
 bool is_tree(const Articulate& a) {
   const bool anchored = std::any_of(a.rows.begin(), a.rows.end(), [](const Row& row) { return row.b < 0; });
-  return a.rows.size() + 1 == a.nodes.size() + (anchored ? 1 : 0);
+  std::vector<std::pair<std::int32_t, std::int32_t>> points, couples;
+  for (const Row& row : a.rows) (row.lever > 0.0 ? couples : points).push_back(std::minmax(row.a, row.b));
+  std::sort(couples.begin(), couples.end());
+  if (std::adjacent_find(couples.begin(), couples.end()) != couples.end()) return false;
+  std::sort(points.begin(), points.end());
+  const auto alone = std::count_if(couples.begin(), couples.end(), [&](const auto& pair) {
+    return !std::binary_search(points.begin(), points.end(), pair);
+  });
+  return points.size() + static_cast<std::size_t>(alone) + 1 == a.nodes.size() + (anchored ? 1 : 0);
 }
 
 void measure(Articulate& a, const Model& model) {
   std::vector<double> lengths;
   for (Row& row : a.rows) {
-    if (row.kind == RowKind::rod) lengths.push_back(condition(a, row).length);
-    for (double l : {norm(row.la), row.b >= 0 ? norm(row.lb) : 0.0})
-      if (l > 0.0) lengths.push_back(l);
+    if (row.kind == RowKind::rod && condition(a, row).length > 0.0) lengths.push_back(condition(a, row).length);
+    if (row.lever > 0.0) lengths.push_back(row.lever);
     a.all_rigid = a.all_rigid && row.kind == RowKind::rigid;
     a.limited = a.limited || row.kind == RowKind::limited;
+    if (row.lever > 0.0) continue;
+    for (double l : {norm(row.la), row.b >= 0 ? norm(row.lb) : 0.0})
+      if (l > 0.0) lengths.push_back(l);
   }
   if (!lengths.empty()) {
     const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
@@ -239,10 +278,10 @@ void measure(Articulate& a, const Model& model) {
   }
   for (const Row& row : a.rows) {
     double& ra = a.nodes[static_cast<std::size_t>(row.a)].reach;
-    ra = std::max(ra, norm(row.la));
+    ra = std::max(ra, row.lever > 0.0 ? row.lever : norm(row.la));
     if (row.b < 0) continue;
     double& rb = a.nodes[static_cast<std::size_t>(row.b)].reach;
-    rb = std::max(rb, norm(row.lb));
+    rb = std::max(rb, row.lever > 0.0 ? row.lever : norm(row.lb));
   }
   find_free_axes(a);
   if (is_tree(a)) a.most_epsilon = a.epsilon = Articulate::least_epsilon;
@@ -251,7 +290,7 @@ void measure(Articulate& a, const Model& model) {
 }  // namespace
 
 std::unique_ptr<Articulate> build_articulate(const Model& model, std::span<const Thing> things) {
-  Builder builder{model, {}, {}, {}, {}};
+  Builder builder{model, {}, {}, {}, {}, false};
   for (Thing t : things) builder.add_node(t);
   for (Thing t : things) builder.add_rows(t);
   const Elimination elimination = minimum_degree(builder.neighbours());
@@ -261,6 +300,7 @@ std::unique_ptr<Articulate> build_articulate(const Model& model, std::span<const
   articulate->nodes = std::move(builder.nodes);
   articulate->rows = std::move(builder.rows);
   articulate->conditions = std::move(builder.conditions);
+  articulate->breakable = builder.breakable;
   articulate->right_side.resize(articulate->rows.size());
   find_meetings(*articulate);
   find_waves(*articulate);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "articulates/conditions.hpp"
 #include "articulates/midpoint.hpp"
 #include "articulates/newton.hpp"
 #include "articulates/project.hpp"
@@ -24,15 +25,6 @@ double commit(Articulate& a, Vec3 gravity) {
   return work;
 }
 
-void set_conditions(Articulate& a, double from, double to) {
-  for (Condition& c : a.conditions) {
-    const Vec3 way = c.whole1 - c.whole0;
-    c.place0 = c.whole0 + way * from;
-    c.place1 = to == 1.0 ? c.whole1 : c.whole0 + way * to;
-    c.length = to == 1.0 ? c.whole_length1 : c.whole_length0 + (c.whole_length1 - c.whole_length0) * to;
-  }
-}
-
 /// Moves over the part from … to (0 … 1) of the step.
 void drift_part(Articulate& a, const DriftSettings& settings, double from, double to, int depth, DriftReport& report) {
   const double h = settings.h * (to - from);
@@ -42,6 +34,7 @@ void drift_part(Articulate& a, const DriftSettings& settings, double from, doubl
   if (solve_step(a, h, settings.gravity, report)) {
     report.work += commit(a, settings.gravity);
     a.fresh = false;
+    for (Condition& c : a.conditions) c.angle0 = c.angle1;
     measure_gaps(a);
     a.last_h = h;
     a.safe = false;
@@ -67,6 +60,7 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
     set_conditions(a, 0.0, 0.0);
     place_rows_at_end(a);
     measure_gaps(a);
+    for (Condition& c : a.conditions) c.held = !c.ranged && std::isinf(c.upper);  // the step finds out
     if (a.gaps.open <= 1e-8 * a.length) {
       const double before = kinetic_energy(a);
       make_consistent(a);

@@ -43,8 +43,8 @@ Vec3 locked_spin(const Moments& m, Vec3 axis) {
   return inertia > 0.0 ? axis * (dot(axis, m.angular) / inertia) : zero3();
 }
 
-/// Anchors on the world: none; of one place; of places on a line; others.
-enum class Anchorage : std::uint8_t { none, place, line, fixed };
+/// Anchors on the world: none; of orientation only; of one place; of places on a line; others.
+enum class Anchorage : std::uint8_t { none, attitude, place, line, fixed };
 struct Anchors {
   Anchorage kind = Anchorage::none;
   Vec3 place = zero3(), axis = zero3();
@@ -52,8 +52,17 @@ struct Anchors {
 
 Anchors anchors(const Articulate& a) {
   Anchors found;
+  Vec3 axis = zero3();
+  bool turned = false;
   for (const Condition& c : a.conditions) {
-    if (row(a, c).b >= 0) continue;
+    const Row& r = row(a, c);
+    if (r.b >= 0) continue;
+    if (r.kind == RowKind::plane) return {Anchorage::fixed, c.whole1, zero3()};
+    if (r.lever > 0.0) {
+      axis = !turned && r.kind == RowKind::axis ? r.rb1 : zero3();
+      turned = true;
+      continue;
+    }
     const Vec3 place = c.whole1;
     if (found.kind == Anchorage::none) found = {Anchorage::place, place, zero3()};
     const Vec3 d = place - found.place;
@@ -63,7 +72,11 @@ Anchors anchors(const Articulate& a) {
     found.kind = Anchorage::line;
     found.axis = u;
   }
-  return found;
+  if (!turned) return found;
+  if (found.kind == Anchorage::none) return {Anchorage::attitude, zero3(), zero3()};
+  if (found.kind == Anchorage::place && norm2(axis) > 0.0) return {Anchorage::line, found.place, axis};
+  if (found.kind == Anchorage::line && norm2(axis) > 0.0 && norm(cross(axis, found.axis)) <= 1e-9) return found;
+  return {Anchorage::fixed, found.place, zero3()};
 }
 
 /// The rigid motion whose momentum is kept by symmetry: velocity V at X, spin w; and the energies, [J].
@@ -81,7 +94,7 @@ RigidMotion rigid_motion(const Moments& m, Vec3 X, Vec3 w, Vec3 V = zero3(), dou
 /// about its own direction; a line: the turn about that line, if gravity is along it; else none.
 RigidMotion kept_motion(const Articulate& a, Vec3 gravity) {
   const Anchors held = anchors(a);
-  if (held.kind == Anchorage::none) {
+  if (held.kind == Anchorage::none || held.kind == Anchorage::attitude) {
     Vec3 X = zero3(), V = zero3();
     for (const Node& n : a.nodes) {
       X += n.x0 * n.mass;
@@ -89,7 +102,8 @@ RigidMotion kept_motion(const Articulate& a, Vec3 gravity) {
     }
     X = X / a.total_mass;
     const Moments m = moments_about(a, X);
-    return rigid_motion(m, X, locked_spin(m), V / a.total_mass, a.total_mass);
+    const Vec3 spin = held.kind == Anchorage::none ? locked_spin(m) : zero3();
+    return rigid_motion(m, X, spin, V / a.total_mass, a.total_mass);
   }
   const Moments m = moments_about(a, held.place);
   const double g = norm(gravity);
@@ -106,8 +120,9 @@ RigidMotion kept_motion(const Articulate& a, Vec3 gravity) {
 bool may_return(const Articulate& a) {
   if (a.pulled) return false;
   if (a.safe || a.limited) return false;
-  return std::none_of(a.conditions.begin(), a.conditions.end(),
-                      [](const Condition& c) { return norm2(c.velocity) > 0.0 || c.length_rate != 0.0; });
+  return !struck(a) && std::none_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) {
+    return norm2(c.velocity) > 0.0 || c.length_rate != 0.0 || (c.works && !c.ranged);
+  });
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include <algorithm>
 
+#include "articulates/conditions.hpp"
+#include "articulates/couple.hpp"
 #include "articulates/drift.hpp"
 #include "articulates/midpoint.hpp"
 #include "articulates/newton.hpp"
@@ -11,12 +13,12 @@ namespace pantin {
 
 namespace {
 
-/// End of the step from row_force and the moment of the row forces about the centre (in E), world axes.
+/// End of the step from row_force and the moment of the row forces about the centre, world axes.
 void evaluate_euler(Node& n, double h) {
   n.p1 = n.p0 + (n.row_force + n.force) * h;
   n.x1 = n.x0 + n.p1 * (h * n.inverse_mass);
   if (!n.turns) return;
-  const Vec3 L = n.R0 * n.P0 + (n.E + n.torque) * h;
+  const Vec3 L = n.R0 * n.P0 + (n.row_torque + n.torque) * h;
   const Vec3 turn = n.inverse_inertia * transposed_times(n.R0, L) * h;
   const double angle = norm(turn), s = functions::sin(0.5 * angle);
   const Vec3 u = direction(turn) * s;
@@ -27,15 +29,10 @@ void evaluate_euler(Node& n, double h) {
 
 /// State and residuals for the present forces; returns the largest residual [m].
 double attempt_euler(Articulate& a, double h) {
-  for (Node& n : a.nodes) n.row_force = n.E = zero3();
+  for (Node& n : a.nodes) n.row_force = n.row_torque = zero3();
   for (const Row& row : a.rows) {
-    Node& first = a.nodes[static_cast<std::size_t>(row.a)];
-    first.row_force += row.f;
-    first.E += cross(row.ra0, row.f);
-    if (row.b < 0) continue;
-    Node& second = a.nodes[static_cast<std::size_t>(row.b)];
-    second.row_force -= row.f;
-    second.E -= cross(row.rb0, row.f);
+    pull(a.nodes[static_cast<std::size_t>(row.a)], row, row.ra0, row.f);
+    if (row.b >= 0) pull(a.nodes[static_cast<std::size_t>(row.b)], row, row.rb0, row.f * -1.0);
   }
   for (Node& n : a.nodes) evaluate_euler(n, h);
   place_rows_at_end(a);
@@ -75,11 +72,7 @@ bool solve_euler(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
 }  // namespace
 
 void drift_euler(Articulate& a, const DriftSettings& settings, DriftReport& report) {
-  for (Condition& c : a.conditions) {
-    c.place0 = c.whole0;
-    c.place1 = c.whole1;
-    c.length = c.whole_length1;
-  }
+  set_conditions(a, 0.0, 1.0);
   place_rows_at_start(a);
   a.last_h = 0.0;
   a.has_factor = false;
@@ -95,7 +88,7 @@ void drift_euler(Articulate& a, const DriftSettings& settings, DriftReport& repo
 }
 
 void drift_euler_alone(Node& n, double h) {
-  n.row_force = n.E = zero3();
+  n.row_force = n.row_torque = zero3();
   evaluate_euler(n, h);
   commit(n);
 }

@@ -21,9 +21,6 @@ double evaluate_limited(Row& row, Condition& c, const RowContext& context) {
   return norm(row.residual) / secant;
 }
 
-void project_limited(const Row&, Condition& c) {
-  c.M = zero33();
-  c.C = identity33();
-}
+void project_limited(const Row&, Condition& c) { c.kept = zero33(); }
 
 }  // namespace pantin

@@ -1,4 +1,5 @@
-// Hinge, nail and rigid follow: two points stay together. M = 1 and C = 0 are left out of the products.
+// Hinge, nail, rigid follow, weld and orient: two points, or two orientations, stay together. M = 1 and C = 0 are left out
+// of the products.
 #include "articulates/newton.hpp"
 #include "articulates/rows.hpp"
 
@@ -13,10 +14,15 @@ double evaluate_rigid(Row& row) {
 
 }  // namespace
 
-const RowRule row_rules[3] = {
-    {[](Row& row, Condition&, const RowContext&) { return evaluate_rigid(row); }, [](const Row&, Condition&) {}},
-    {evaluate_limited, project_limited},
-    {evaluate_rod, project_rod},
+const RowRule row_rules[7] = {
+    {[](Row& row, Condition&, const RowContext&) { return evaluate_rigid(row); }, [](const Row&, Condition&) {},
+     [](const Row& row, const Condition&) { return row.d1 - row.offset; }},
+    {evaluate_limited, project_limited, [](const Row&, const Condition&) { return zero3(); }},
+    {evaluate_rod, project_rod, rod_gap},
+    {evaluate_plane, project_plane, plane_gap},
+    {evaluate_axis, project_axis, axis_gap},
+    {evaluate_align, project_align, align_gap},
+    {evaluate_turn, project_turn, turn_gap},
 };
 
 double residual(Articulate& a, Row& row, double h) {

@@ -25,7 +25,9 @@ class Search {
         visit(model_.points.id_at(t.slot));
         continue;
       }
-      for (PointId point : model_.bodies.at_slot(t.slot).points) visit(point);
+      const Body& body = model_.bodies.at_slot(t.slot);
+      for (PointId point : body.points) visit(point);
+      for (ConstraintId id : body.constraints) visit(model_.constraints[id]);
     }
     constrained = constrained_;
     return found_;
@@ -44,17 +46,19 @@ class Search {
   }
   void visit(PointId point) {
     const Particle& ring = model_.particles[model_.points[point].particle];
-    if (ring.is_hinge()) {
+    if (ring.joins()) {
       constrained_ = true;
       for (PointId member : ring.points) add(member);
     }
-    for (ConstraintId id : model_.points[point].constraints) {
-      const Constraint& c = model_.constraints[id];
-      if (!c.enabled) continue;
-      constrained_ = true;
-      add(c.a);
-      if (c.b) add(c.b);
-    }
+    for (ConstraintId id : model_.points[point].constraints) visit(model_.constraints[id]);
+  }
+  void visit(const Constraint& c) {
+    if (!c.enabled) return;
+    constrained_ = true;
+    for (PointId point : {c.a, c.b})
+      if (point) add(point);
+    for (BodyId body : {c.body_a, c.body_b})
+      if (body) add(Thing{body.slot - 1, true});
   }
 
   const Model& model_;

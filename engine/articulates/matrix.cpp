@@ -14,6 +14,14 @@ Mat3 coupling(const Mat3& W, Vec3 left, Vec3 right, double inverse_mass) {
   return k;
 }
 
+/// The same where one of the rows, or both, is a couple: lever W (s right)^, -left^ W s lever, or both.
+Mat3 coupling_of_couples(const Mat3& W, const Row& i, Vec3 left, const Row& j, Vec3 right, double sign) {
+  Mat3 k = j.lever > 0.0 ? W * (j.lever * sign) : W * hat(right * sign);
+  if (i.lever > 0.0) return k * i.lever;
+  for (int n = 0; n < 3; n++) k[n] = cross(k[n], left);
+  return k;
+}
+
 struct Pair {
   Vec3 left, right;
 };
@@ -32,6 +40,12 @@ void add_meeting(Articulate& a, const Meeting& m, const Node& node, const Mat3& 
   const Row &i = a.rows[m.row], &j = a.rows[m.column];
   const double sign = m.row_at_a == m.column_at_a ? 1.0 : -1.0, inverse_mass = sign * node.inverse_mass;
   const Pair at_i = arms(i, m.row_at_a, right), at_j = arms(j, m.column_at_a, right);
+  if (i.lever > 0.0 || j.lever > 0.0) {
+    const Mat3 k = coupling_of_couples(W, i, at_i.left, j, at_j.right, sign);
+    if (m.row == m.column) return add(a.factor.diagonal[m.block], m, i, a, k);
+    add(a.factor.lower[m.block], m, i, a, k);
+    return add(a.factor.upper[m.block], m, j, a, coupling_of_couples(W, j, at_j.left, i, at_i.right, sign));
+  }
   const Mat3 k = coupling(W, at_i.left, at_j.right * sign, inverse_mass);
   if (m.row == m.column) return add(a.factor.diagonal[m.block], m, i, a, k);
   add(a.factor.lower[m.block], m, i, a, k);
@@ -54,8 +68,10 @@ void set_right_side(Articulate& a, std::uint32_t k, const System& system) {
   const Row& row = a.rows[k];
   Vec3 side = row.residual;
   if (system.right == Arms::mean) {
-    Vec3 moved = cross(a.nodes[static_cast<std::size_t>(row.a)].phi, row.ra1);
-    if (row.b >= 0) moved -= cross(a.nodes[static_cast<std::size_t>(row.b)].phi, row.rb1);
+    const Vec3 turned_a = a.nodes[static_cast<std::size_t>(row.a)].phi,
+               turned_b = row.b >= 0 ? a.nodes[static_cast<std::size_t>(row.b)].phi : zero3();
+    Vec3 moved = row.lever > 0.0 ? (turned_a - turned_b) * row.lever : cross(turned_a, row.ra1);
+    if (row.b >= 0 && row.lever == 0.0) moved -= cross(turned_b, row.rb1);
     side += row.kind == RowKind::rigid ? moved : condition(a, row).M * moved;
   }
   a.right_side[k] = side * system.right_scale;
@@ -115,6 +131,11 @@ void reuse_factor(Articulate& a, const System& system) {
 }
 
 double mobility(const Articulate& a, const Row& row) {
+  if (row.lever > 0.0) {
+    double turning = trace(diagonal(a.nodes[static_cast<std::size_t>(row.a)].inverse_inertia));
+    if (row.b >= 0) turning += trace(diagonal(a.nodes[static_cast<std::size_t>(row.b)].inverse_inertia));
+    return turning * row.lever * row.lever / 3.0;
+  }
   const auto end = [](const Node& n, Vec3 l) {
     const double turning =
         dot(n.inverse_inertia, vec(l[1] * l[1] + l[2] * l[2], l[2] * l[2] + l[0] * l[0], l[0] * l[0] + l[1] * l[1]));

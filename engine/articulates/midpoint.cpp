@@ -5,8 +5,7 @@
 namespace pantin {
 
 bool solve_alone(Node& n, double h) {
-  n.row_force = zero3();
-  n.row_moment = zero33();
+  clear_sums(n);
   n.a = n.O0 * h;
   evaluate(n, h);
   if (!n.turns) return true;

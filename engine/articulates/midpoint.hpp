@@ -6,6 +6,11 @@
 
 namespace pantin {
 
+inline void clear_sums(Node& n) {
+  n.row_force = n.row_torque = zero3();
+  n.row_moment = zero33();
+}
+
 /// N = (1 - a^/2)⁻¹ = c (1 + a^/2 + a a'/4), c = 1/(1 + a·a/4).
 inline Mat3 half_turn(const Node& n) {
   Mat3 N = hat(n.a * (0.5 * n.c));
@@ -17,7 +22,7 @@ inline Mat3 half_turn(const Node& n) {
 }
 
 /// The end of the step from `a`, `row_force` and `row_moment`: x1 p1 q1 R1 P1, and the residual E of the rotation:
-///   B = N Σ ±l f' R0,  Q = P0 + h (axial B + R0' torque),
+///   B = N Σ ±l f' R0,  Q = P0 + h (axial B + R0' (torque + Σ ±lever f)),
 ///   Π1 = I (2a/h - O0),  E = Π1 - Q + a x (Π1 + Q)/2,  P1 = 2 (1 + a^/2)⁻¹ Q - Q.
 inline void evaluate(Node& n, double h) {
   n.p1 = n.p0 + (n.row_force + n.force) * h;
@@ -27,7 +32,7 @@ inline void evaluate(Node& n, double h) {
   n.c = 1.0 / (1.0 + 0.25 * dot(a, a));
   const Mat3 N = half_turn(n);
   n.B = N * (n.row_moment * n.R0);
-  const Vec3 Q = n.P0 + (axial(n.B) + transposed_times(n.R0, n.torque)) * h;
+  const Vec3 Q = n.P0 + (axial(n.B) + transposed_times(n.R0, n.torque + n.row_torque)) * h;
   const Vec3 Pi = n.inertia * (a * (2.0 / h) - n.O0);
   n.sum = Pi + Q;
   n.E = Pi - Q + cross(a, n.sum) * 0.5;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "articulates/couple.hpp"
 #include "articulates/midpoint.hpp"
 #include "articulates/rows.hpp"
 
@@ -19,6 +20,11 @@ const Node& second(const Articulate& a, const Row& row) { return a.nodes[static_
 /// Adds the force f of a row to the sums of its nodes, which whoever uses them leaves at 0.
 void add_force(Articulate& a, const Row& row, Vec3 f) {
   Node& na = a.nodes[static_cast<std::size_t>(row.a)];
+  if (row.lever > 0.0) {
+    na.row_torque += f * row.lever;
+    if (row.b >= 0) a.nodes[static_cast<std::size_t>(row.b)].row_torque -= f * row.lever;
+    return;
+  }
   na.row_force += f;
   na.row_moment += outer(row.la, f);
   if (row.b < 0) return;
@@ -27,7 +33,8 @@ void add_force(Articulate& a, const Row& row, Vec3 f) {
   nb.row_moment -= outer(row.lb, f);
 }
 
-void place_row_at_end(const Articulate& a, Row& row) {
+void place_row_at_end(Articulate& a, Row& row) {
+  if (row.lever > 0.0) return place_couple_at_end(a, row);
   row.ra1 = first(a, row).R1 * row.la;
   row.rb1 = row.b >= 0 ? second(a, row).R1 * row.lb : zero3();
   row.d1 = first(a, row).x1 + row.ra1 - (row.b >= 0 ? second(a, row).x1 + row.rb1 : condition(a, row).place1);
@@ -49,8 +56,7 @@ double attempt(Articulate& a, double h, double fraction) {
       Node& n = a.nodes[done.nodes];
       n.a = n.a_saved + n.phi * fraction;
       evaluate(n, h);
-      n.row_force = zero3();
-      n.row_moment = zero33();
+      clear_sums(n);
       if (!n.turns) continue;
       n.da = n.J_inverse * n.E * -1.0;
       count(norm(n.da) * n.reach);
@@ -79,12 +85,12 @@ double find_direction(Articulate& a, double h) {
       node.a_saved = node.a;
       node.phi = zero3();
       if (node.turns) {
-        const Vec3 tau = axial(half_turn(node) * (node.row_moment * node.R0));
+        const Vec3 tau =
+            axial(half_turn(node) * (node.row_moment * node.R0)) + transposed_times(node.R0, node.row_torque);
         node.phi = node.da + node.J_inverse * (tau - cross(node.a, tau) * 0.5) * h;
         largest_turn = std::max(largest_turn, norm2(node.phi));
       }
-      node.row_force = zero3();
-      node.row_moment = zero33();
+      clear_sums(node);
     }
   }
   return std::sqrt(largest_turn);
@@ -119,8 +125,8 @@ void predict(Articulate& a, double h) {
   const double ratio = a.last_h != 0.0 ? h / a.last_h : 0.0;
   const std::uint32_t order = std::min(a.history, a.weak ? 1u : a.rough ? 2u : 3u);
   for (Node& n : a.nodes) {
-    n.phi = n.row_force = zero3();
-    n.row_moment = zero33();
+    n.phi = zero3();
+    clear_sums(n);
     if (!n.turns) continue;
     const Vec3 last = n.a;
     n.a_saved = order == 0   ? n.O0 * h
@@ -162,6 +168,10 @@ double search_line(Articulate& a, double h, double e, double tolerance, bool fre
 
 void place_rows_at_start(Articulate& a) {
   for (Row& row : a.rows) {
+    if (row.lever > 0.0) {
+      place_couple_at_start(a, row);
+      continue;
+    }
     row.ra0 = first(a, row).R0 * row.la;
     row.rb0 = row.b >= 0 ? second(a, row).R0 * row.lb : zero3();
     row.d0 = first(a, row).x0 + row.ra0 - (row.b >= 0 ? second(a, row).x0 + row.rb0 : condition(a, row).place0);
@@ -176,8 +186,12 @@ double work_of_rows(const Articulate& a) {
   double work = 0.0;
   for (const Condition& c : a.conditions) {
     const Row& r = row(a, c);
+    if (r.lever > 0.0) {
+      if (c.works) work += work_of_couple(a, r);
+      continue;
+    }
     if (r.b < 0) work += dot(r.f, c.place1 - c.place0);
-    if (r.kind == RowKind::limited || c.whole_length1 != c.whole_length0) work += dot(r.f, r.d1 - r.d0);
+    if (c.works) work += dot(r.f, r.d1 - r.d0);
   }
   return work;
 }

@@ -17,12 +17,23 @@ void find_forbidden_velocity(const Articulate& a, Row& row) {
     row.residual = zero3();
     return;
   }
-  row.residual = end_velocity(a.nodes[static_cast<std::size_t>(row.a)], row.ra1);
-  row.residual -=
-      row.b < 0 ? condition(a, row).velocity : end_velocity(a.nodes[static_cast<std::size_t>(row.b)], row.rb1);
-  if (row.kind != RowKind::rod) return;
-  const Vec3 n = direction(row.d1);
-  row.residual = n * (dot(n, row.residual) - condition(a, row).length_rate);
+  const Node& first = a.nodes[static_cast<std::size_t>(row.a)];
+  row.residual = row.lever > 0.0 ? first.phi * row.lever : end_velocity(first, row.ra1);
+  if (row.b >= 0) {
+    const Node& second = a.nodes[static_cast<std::size_t>(row.b)];
+    row.residual -= row.lever > 0.0 ? second.phi * row.lever : end_velocity(second, row.rb1);
+  }
+  if (row.condition < 0) return;
+  const Condition& c = condition(a, row);
+  row.residual -= c.wanted;
+  if (row.kind != RowKind::rigid) row.residual = c.kept * row.residual;
+}
+
+void find_kept(Articulate& a) {
+  for (Condition& c : a.conditions) c.wanted = c.velocity;
+  if (a.all_rigid) return;
+  for (Row& row : a.rows)
+    if (row.kind != RowKind::rigid) rule(row).project(row, condition(a, row));
 }
 
 struct Velocities {
@@ -56,7 +67,12 @@ Velocities start_solution(Articulate& a) {
   return v;
 }
 
-void add_impulse(Node& n, Vec3 arm, Vec3 impulse) {
+void add_impulse(Node& n, const Row& row, Vec3 arm, Vec3 impulse) {
+  if (row.lever > 0.0) {
+    n.P0 += transposed_times(n.R0, impulse * row.lever);
+    n.O0 = n.inverse_inertia * n.P0;
+    return;
+  }
   n.p0 += impulse;
   if (!n.turns) return;
   n.P0 += transposed_times(n.R0, cross(arm, impulse));
@@ -71,16 +87,13 @@ double apply_projection(Articulate& a) {
     a.factor.substitute_back(static_cast<std::uint32_t>(k), a.right_side.data());
     if (row.kind == RowKind::limited) continue;
     Vec3 impulse = a.right_side[k];
-    if (row.kind == RowKind::rod) {
-      const Vec3 n = direction(row.d1);
-      impulse = n * dot(n, impulse);
-      work += dot(n, impulse) * condition(a, row).length_rate;
+    if (row.condition >= 0) {
+      const Condition& c = condition(a, row);
+      if (row.kind != RowKind::rigid) impulse = c.kept * impulse;
+      work += dot(impulse, c.wanted);
     }
-    add_impulse(a.nodes[static_cast<std::size_t>(row.a)], row.ra1, impulse);
-    if (row.b >= 0)
-      add_impulse(a.nodes[static_cast<std::size_t>(row.b)], row.rb1, impulse * -1.0);
-    else
-      work += dot(impulse, condition(a, row).velocity);
+    add_impulse(a.nodes[static_cast<std::size_t>(row.a)], row, row.ra1, impulse);
+    if (row.b >= 0) add_impulse(a.nodes[static_cast<std::size_t>(row.b)], row, row.rb1, impulse * -1.0);
   }
   return work;
 }
@@ -102,7 +115,11 @@ void restore_momenta(Articulate& a) {
 
 void factorise_exactly(Articulate& a, double epsilon) {
   for (Row& row : a.rows)
-    if (row.kind != RowKind::rigid) rule(row).project(row, condition(a, row));
+    if (row.kind != RowKind::rigid) {
+      Condition& c = condition(a, row);
+      c.M = c.kept;
+      c.C = identity33() - c.kept;
+    }
   double scale = 0.0;
   if (!a.all_rigid)
     for (const Row& row : a.rows) scale = std::max(scale, mobility(a, row));
@@ -136,12 +153,14 @@ bool project_with_newton_factor(Articulate& a, const Velocities& before, double&
 
 void project_velocities(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   if (a.safe) return;
+  find_kept(a);
   const Velocities before = start_solution(a);
   if (!project_with_newton_factor(a, before, report.work)) {
     report.projections++;
     a.has_factor = false;
     factorise_exactly(a, 1e-10);
-    report.work += apply_projection(a);
+    const double done = apply_projection(a);
+    report.work += struck(a) ? kinetic_energy(a) - before.kinetic : done;
   }
   if (settings.energy_return) return_energy(a, before.kinetic, settings.gravity);
 }
@@ -150,6 +169,7 @@ void make_consistent(Articulate& a) {
   double anchors = 0.0;
   for (const Condition& c : a.conditions) anchors = std::max(anchors, norm2(c.velocity));
   save_momenta(a);
+  find_kept(a);
   for (double epsilon = 1e-10;; epsilon *= 100.0) {
     Velocities v = start_solution(a);
     const double sane = std::max(1.001 * v.kinetic, 0.5 * a.total_mass * anchors);

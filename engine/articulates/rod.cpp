@@ -1,32 +1,41 @@
 // A rod: g = (|d1|² - L²)/2L = 0 by a force along the mean direction d̄ = (d0 + d1)/2, so that force times displacement is
-// λ Δg exactly (discrete gradient; Gonzalez 1996). The force is a 3-vector like any row's, held to d̄ by two equations:
-//   n g + κ P f = 0,  n = d̄/|d̄|,  P = 1 - n n',  κ = (h²/2) mobility to make a force a length.
+// λ Δg exactly (discrete gradient; Gonzalez 1996). The force is a 3-vector like any row's, held to n = d̄/|d̄|. A limit of
+// length is the same with two L.
 #include "articulates/rows.hpp"
 
 namespace pantin {
 
-double evaluate_rod(Row& row, Condition& c, const RowContext& context) {
-  const Vec3 middle = (row.d0 + row.d1) * 0.5;
-  const double reach = norm(middle), kappa = 0.5 * context.h * context.h * context.mobility;
-  const Vec3 n = direction(middle);
-  const double length = c.length + c.accepted;
-  const double g = (dot(row.d1, row.d1) - length * length) / (2.0 * length);
-  const double along = dot(row.f, n);
-  const Vec3 across = row.f - n * along;
-  const Mat3 P = identity33() - outer(n, n);
-  row.residual = n * g + across * kappa;
-  c.M = outer(n, row.d1 / length) - P * (kappa * along / (2.0 * std::fmax(reach, 1e-3 * length)));
-  c.C = P * kappa;
-  // A force across the rod does work on its turning: it counts as the gap that would do as much.
-  const double way = norm(row.d1 - row.d0);
-  const double weight = std::fmax(kappa, way / std::fmax(norm(row.f), 1e-3 * way / kappa));
-  return std::fmax(std::fabs(g), norm(across) * weight);
+namespace {
+
+double above(const Row& row, double length) {
+  return std::isinf(length) ? -infinity : (dot(row.d1, row.d1) - length * length) / (2.0 * length);
 }
 
-void project_rod(const Row& row, Condition& c) {
-  const Vec3 n = direction(row.d1);
-  c.M = outer(n, n);
-  c.C = (identity33() - c.M);
+}  // namespace
+
+double evaluate_rod(Row& row, Condition& c, const RowContext& context) {
+  const Vec3 middle = (row.d0 + row.d1) * 0.5;
+  const double reach = norm(middle);
+  Reading r{direction(middle), zero3(), 0.0, 0.0, 0.0, norm(row.d1 - row.d0)};
+  const double low = c.ranged ? low_end(c) : c.length, high = c.ranged ? high_end(c) : c.length;
+  const double length = (c.ranged ? std::fmin(high, std::fmax(low, norm(row.d1))) : c.length) + c.accepted;
+  r.gradient = row.d1 / length;
+  r.bend = 1.0 / (2.0 * std::fmax(reach, 1e-3 * length));
+  if (c.ranged) {
+    r.low = low > 0.0 ? above(row, low + c.accepted) : infinity;
+    r.high = above(row, high + c.accepted);
+  } else {
+    r.low = above(row, length);
+  }
+  return evaluate_reading(row, c, r, context);
+}
+
+void project_rod(const Row& row, Condition& c) { project_reading(c, row.d1); }
+
+Vec3 rod_gap(const Row& row, const Condition& c) {
+  const double length = norm(row.d1) - c.accepted;
+  return direction(row.d1) * (c.ranged ? missing(c, c.low > 0.0 ? length - low_end(c) : infinity, length - high_end(c))
+                                       : length - c.length);
 }
 
 }  // namespace pantin

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "articulates/couple.hpp"
 #include "articulates/midpoint.hpp"
 #include "articulates/newton.hpp"
 #include "articulates/project.hpp"
@@ -39,17 +40,18 @@ void kick(Articulate& a, double h) {
 }
 
 /// Sets the residuals of the rows to their gaps, and M and C for a solve in the mass metric; returns Σ g² [m²].
-double gaps(Articulate& a) {
+double find_gaps(Articulate& a) {
   place_rows_at_end(a);
   double sum = 0.0;
   for (Row& row : a.rows) {
-    if (row.kind != RowKind::rigid) rule(row).project(row, condition(a, row));
-    if (row.kind == RowKind::limited)
-      row.residual = zero3();
-    else if (row.kind == RowKind::rod)
-      row.residual = direction(row.d1) * (norm(row.d1) - condition(a, row).length - condition(a, row).accepted);
-    else
-      row.residual = row.d1 - row.offset;
+    row.residual = gap(a, row);
+    if (row.kind != RowKind::rigid) {
+      Condition& c = condition(a, row);
+      if (c.ranged || !std::isinf(c.upper)) c.held = norm2(row.residual) > 0.0;
+      rule(row).project(row, c);
+      c.M = c.kept;
+      c.C = identity33() - c.kept;
+    }
     sum += norm2(row.residual);
   }
   return std::isfinite(sum) ? sum : infinity;
@@ -57,26 +59,20 @@ double gaps(Articulate& a) {
 
 void move_by_solution(Articulate& a) {
   for (Node& n : a.nodes) {
-    n.row_force = n.E = zero3();
+    n.row_force = n.row_torque = zero3();
     n.x0 = n.x1;
     n.q0 = n.q1;
     n.R0 = n.R1;
   }
   for (std::size_t k = 0; k < a.rows.size(); k++) {
     const Row& row = a.rows[k];
-    const Vec3 f = a.right_side[k];
-    Node& first = a.nodes[static_cast<std::size_t>(row.a)];
-    first.row_force += f;
-    first.E += cross(row.ra1, f);
-    if (row.b < 0) continue;
-    Node& second = a.nodes[static_cast<std::size_t>(row.b)];
-    second.row_force -= f;
-    second.E -= cross(row.rb1, f);
+    pull(a.nodes[static_cast<std::size_t>(row.a)], row, row.ra1, a.right_side[k]);
+    if (row.b >= 0) pull(a.nodes[static_cast<std::size_t>(row.b)], row, row.rb1, a.right_side[k] * -1.0);
   }
   for (Node& n : a.nodes) {
     n.x1 = n.x0 + n.row_force * n.inverse_mass;
     if (!n.turns) continue;
-    const Vec3 u = inverse_inertia(n, n.R0) * n.E * 0.5;
+    const Vec3 u = inverse_inertia(n, n.R0) * n.row_torque * 0.5;
     n.q1 = normalised(Quat{1.0, u[0], u[1], u[2]} * n.q0);
     n.R1 = matrix(n.q1);
   }
@@ -84,7 +80,7 @@ void move_by_solution(Articulate& a) {
 
 /// Closes the gaps of the nodes' ends by Levenberg and Marquardt, as far as it can.
 void close_gaps(Articulate& a, double tolerance) {
-  double sum = gaps(a), epsilon = 1e-6, scale = 0.0;
+  double sum = find_gaps(a), epsilon = 1e-6, scale = 0.0;
   if (!a.all_rigid)
     for (const Row& row : a.rows) scale = std::max(scale, mobility(a, row));
   for (int i = 0; i < 40 && sum > tolerance * tolerance && epsilon <= 1e3; i++) {
@@ -92,7 +88,7 @@ void close_gaps(Articulate& a, double tolerance) {
     for (std::size_t k = a.rows.size(); k-- > 0;)
       a.factor.substitute_back(static_cast<std::uint32_t>(k), a.right_side.data());
     move_by_solution(a);
-    const double now = gaps(a);
+    const double now = find_gaps(a);
     if (now < sum) {
       const bool slow = now > 0.998 * sum;
       sum = now;
@@ -101,7 +97,7 @@ void close_gaps(Articulate& a, double tolerance) {
       continue;
     }
     for (Node& n : a.nodes) settle(n);
-    gaps(a);
+    find_gaps(a);
     epsilon *= 20.0;
   }
   measure_gaps(a);
@@ -110,10 +106,8 @@ void close_gaps(Articulate& a, double tolerance) {
 /// A small gap that stays (a loop built a little too long) becomes the row's constant offset.
 void accept_gaps(Articulate& a, double tolerance, DriftReport& report) {
   if (a.gaps.open <= 1e-8 * a.length || a.gaps.open > tolerance * a.length) return;
-  for (Row& row : a.rows) {
-    if (row.kind == RowKind::rigid) row.offset = row.d1;
-    if (row.kind == RowKind::rod) condition(a, row).accepted = norm(row.d1) - condition(a, row).length;
-  }
+  for (Row& row : a.rows)
+    if (row.kind != RowKind::limited) accept_gap(a, row);
   report.offsets++;
   measure_gaps(a);
 }
@@ -143,6 +137,7 @@ void safe_step(Articulate& a, const DriftSettings& settings, double h, DriftRepo
   make_consistent(a);
   for (Row& row : a.rows)
     if (row.kind != RowKind::limited) row.f = zero3();
+  for (Condition& c : a.conditions) c.angle0 = c.angle1;
   a.fresh = true;
   a.last_h = 0.0;
   a.safe = true;

@@ -16,11 +16,12 @@ enum class Freedom : std::uint8_t { rigid, line, point };
 /// frame's origin; `update_mass` works them out whenever one changes.
 struct Body {
   std::vector<PointId> points;
-  double own_mass = 0.0;        ///< [kg] given beside the points'
-  Mat3 own_inertia = zero33();  ///< [kg m²] about the frame's origin, in the frame's axes
-  Vec3 centre = zero3();        ///< [m] centre of mass in the body's frame
-  Quat axes;                    ///< principal axes to the body's frame
-  bool lifted = false;          ///< its smallest inertia was lifted to 1e-3 of the largest
+  std::vector<Handle<Constraint>> constraints;  ///< that tie its rotation, in the order of making
+  double own_mass = 0.0;                        ///< [kg] given beside the points'
+  Mat3 own_inertia = zero33();                  ///< [kg m²] about the frame's origin, in the frame's axes
+  Vec3 centre = zero3();                        ///< [m] centre of mass in the body's frame
+  Quat axes;                                    ///< principal axes to the body's frame
+  bool lifted = false;                          ///< its smallest inertia was lifted to 1e-3 of the largest
   std::string name;
   std::uint64_t serial = 0;
 };

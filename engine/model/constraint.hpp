@@ -1,43 +1,78 @@
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <string>
 
 #include "base/lanes.hpp"
+#include "model/body.hpp"
+#include "model/breaking.hpp"
+#include "model/particle.hpp"
 #include "model/point.hpp"
 
 namespace pantin {
 
 /// nail: a point stays at a place of the world. follow: a point keeps to a moving target; with a finite `max_force` it
-/// is a spring that never pulls harder. rod: two points, or a point and a place, keep their distance.
-enum class ConstraintKind : std::uint8_t { nail, follow, rod };
+/// is a spring that never pulls harder. rod: two points, or a point and a place, keep their distance. axis: a hinge's,
+/// two bodies turn about one axis only. weld: two bodies keep their relative place and orientation. orient: a body keeps
+/// an orientation. align: an axis of a body keeps its angle to one of another, or of the world. motor: turns a body
+/// about an axis, relative to another or to the world. limit: an angle about an axis stays between two, or a distance.
+/// on_plane: a point stays on a plane.
+enum class ConstraintKind : std::uint8_t { nail, follow, rod, axis, weld, orient, align, motor, limit, on_plane };
 
 struct Constraint {
   ConstraintKind kind = ConstraintKind::nail;
-  PointId a;
-  PointId b;                     ///< of a rod; null where its other end is a place of the world
+  PointId a;                     ///< the point that it ties; null where it ties rotations
+  PointId b;                     ///< of a rod or limit; null where its other end is a place of the world
+  BodyId body_a;                 ///< whose rotation it ties
+  BodyId body_b;                 ///< to this one's; null: to the world
+  ParticleId ring;               ///< of an axis: the hinge it belongs to
   Vec3 place = zero3();          ///< [m] nail's place, target of a follow at the end of this step, world end of a rod
   Vec3 previous = zero3();       ///< [m] `place` one step ago
   Vec3 before = zero3();         ///< [m] `place` two steps ago, once `moves` is 2 or more
   Vec3 velocity = zero3();       ///< [m/s] of `place` at the end of this step
-  double length = 0.0;           ///< [m] of a rod, > 0
-  double excess = 0.0;           ///< [m] of a rod: length still to be drawn in
-  double excess_rate = 0.0;      ///< [m/s]
-  double previous_excess = 0.0;  ///< [m] `excess` one step ago
-  double max_force = std::numeric_limits<double>::infinity();  ///< [N] of a follow, > 0
-  double time_constant = 0.0;          ///< [s] how fast a deviation is drawn in, or a limited follow answers; > 0
-  Vec3 away = zero3();                 ///< [m] deviation still to be drawn in (nail; follow without max_force)
-  Vec3 away_rate = zero3();            ///< [m/s]
-  Vec3 previous_away = zero3();        ///< [m] `away` one step ago
+  double length = 0.0;           ///< what it keeps at the end of this step: [m] of a rod; [rad] of a motor or an align
+  double previous_length = 0.0;  ///< one step ago
+  double before_length = 0.0;    ///< two steps ago, once `moves` is 2 or more
+  double length_rate = 0.0;      ///< [1/s] of it at the end of this step
+  double excess = 0.0;           ///< length still to be drawn in
+  double excess_rate = 0.0;      ///< [1/s]
+  double previous_excess = 0.0;  ///< `excess` one step ago
+  double low = 0.0, high = 0.0;  ///< [m] or [rad] of a limit
+  double max_force = std::numeric_limits<double>::infinity();   ///< [N] of a follow, > 0
+  double max_torque = std::numeric_limits<double>::infinity();  ///< [N m] of a motor, > 0
+  double time_constant = 0.0;             ///< [s] how fast a deviation is drawn in, or a limited follow answers; > 0
+  Vec3 away = zero3();                    ///< [m], [rad] of an orient: deviation still to be drawn in
+  Vec3 away_rate = zero3();               ///< [1/s]
+  Vec3 previous_away = zero3();           ///< `away` one step ago
+  Vec3 axis_a = zero3();                  ///< unit vector in the frame of body_a; of an on_plane its normal
+  Vec3 axis_b = zero3();                  ///< the same in body_b's frame, or the world's
+  Vec3 arm_a = zero3(), arm_b = zero3();  ///< [m] of a weld: its place in the frames of its bodies
+  Quat turn;                              ///< orientation of body_a in body_b's frame, or the world's, that counts as 0
+  Quat previous_turn;                     ///< the same one step ago
+  Vec3 spin = zero3(),
+       previous_spin = zero3();        ///< [rad/s] of an orient's target at the ends of this step and the last
+  bool by_speed = false;               ///< a motor that is told its speed, `length_rate`
+  double angle = 0.0;                  ///< [rad] of a motor or limit at the end of the last step, turns counted
   std::function<Vec3(double)> target;  ///< of a follow: place at time t [s]; empty where `place` is set by hand
-  std::int32_t hand = -1;              ///< of a hand's grab: index of the hand
-  std::uint32_t moves = 0;             ///< samples of the target since it last jumped
+  std::function<double(double)>
+      number;  ///< `length` at time t [s], or a motor's speed; empty where that is set by hand
+  std::function<Quat(double)> attitude;  ///< of an orient: `turn` at time t [s]
+  std::int32_t hand = -1;                ///< of a hand's grab: index of the hand
+  std::uint32_t moves = 0;               ///< samples of the target since it last jumped
   bool enabled = true;
-  Vec3 force = zero3();  ///< [N] on a in the last step; of a rod along it
-  double tension = 0.0;  ///< [N] of a rod in the last step, > 0 when it pulls
+  Breaking breaks_at;
+  Vec3 force = zero3();   ///< [N] on a in the last step; of a rod along it
+  Vec3 torque = zero3();  ///< [N m] on body_a in the last step
+  double tension = 0.0;   ///< [N] of a rod in the last step, > 0 when it pulls
   std::string name;
   std::uint64_t serial = 0;
+
+  /// Whether it leaves its point no freedom at all.
+  bool pins() const {
+    return kind == ConstraintKind::nail || (kind == ConstraintKind::follow && !std::isfinite(max_force));
+  }
 };
 
 using ConstraintId = Handle<Constraint>;

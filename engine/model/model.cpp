@@ -114,8 +114,12 @@ void update_mass(Model& m, BodyId id) {
   points.reserve(body.points.size());
   for (PointId p : body.points) points.push_back({m.points[p].place, m.points[p].mass});
   const std::string who = body.name.empty() ? "body" : describe(m, id);
-  const Weighed w = weigh(who, points, body.own_mass, body.own_inertia, body.axes);
+  Weighed w = weigh(who, points, body.own_mass, body.own_inertia, body.axes);
 
+  if (w.freedom == Freedom::line && !body.constraints.empty()) {  // what ties its rotation shows its spin
+    w.freedom = Freedom::rigid;
+    w.moments[0] = 1e-3 * w.moments[1];
+  }
   const Vec3 from = origin(m, id), spin = angular_velocity(motion);
   const Quat frame = orientation(m, id);
   const Vec3 x = from + rotate(frame, w.centre);
@@ -164,6 +168,8 @@ void touch(Model& m, ParticleId particle) {
 void touch(Model& m, const Constraint& constraint) {
   if (m.points.alive(constraint.a)) touch(m, constraint.a);
   if (m.points.alive(constraint.b)) touch(m, constraint.b);
+  for (BodyId body : {constraint.body_a, constraint.body_b})
+    if (m.bodies.alive(body)) touch(m, body);
 }
 
 std::string describe(const Model& m, PointId id) {
@@ -189,7 +195,8 @@ std::string describe(const Model& m, BodyId id) {
 std::string describe(const Model& m, ConstraintId id) {
   if (!m.constraints.alive(id)) return m.constraints.story(id);
   const Constraint& c = m.constraints[id];
-  static constexpr const char* kinds[] = {"nail", "follow", "rod"};
+  static constexpr const char* kinds[] = {"nail",  "follow", "rod",   "axis of a hinge", "weld",
+                                          "orient", "align", "motor", "limit",           "on_plane"};
   return called(kinds[static_cast<std::size_t>(c.kind)], c);
 }
 

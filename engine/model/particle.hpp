@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/color.hpp"
+#include "model/breaking.hpp"
 #include "model/family.hpp"
 #include "model/point.hpp"
 
@@ -30,9 +31,14 @@ struct Particle {
   std::optional<Look> look;                                   ///< overrides its family's
   std::shared_ptr<const Courses> courses;                     ///< what of it follows its age; null: nothing
   Handle<Emitter> emitter;                                    ///< that made it, or null
+  bool enabled = true;                                        ///< of a hinge: whether its points stay together
+  Breaking breaks_at;                                         ///< of a hinge
+  std::vector<Handle<Constraint>> axes;  ///< of a hinge with an axis: one from its first body to each other
   std::string name;
   std::uint64_t serial = 0;
 
+  /// Whether it joins points, and whether it does so now.
+  bool joins() const { return is_hinge() && enabled; }
   bool is_hinge() const { return points.size() > 1; }
 };
 

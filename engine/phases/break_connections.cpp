@@ -1,12 +1,15 @@
 #include "phases/phases.hpp"
+#include "world/constrain.hpp"
 #include "world/editing.hpp"
 #include "world/forces.hpp"
 
 namespace pantin::phases {
 
 void break_connections(World& world) {
-  if (!world.forces || !world.trouble.empty()) return;
+  if (!world.trouble.empty()) return;
   const Timed timed(world.profile, Phase::break_connections);
+  break_constraints(world);
+  if (!world.forces) return;
   std::vector<std::pair<ConnectionId, double>> broken;
   for (const ActingConnections& acting : world.forces->connections)
     for (ConnectionId id : acting.ids) {

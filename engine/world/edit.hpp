@@ -73,6 +73,7 @@ struct HingeDef {
   std::optional<Color> color;
   std::optional<double> radius;                               ///< [m]
   double lifetime = std::numeric_limits<double>::infinity();  ///< [s] > 0
+  std::optional<Vec3> axis;                                   ///< turns about it only; world axes, of any length but 0
   std::string name;
 };
 
@@ -181,7 +182,6 @@ void set_parameter(World& world, FieldId field, std::size_t index, double value)
 /// Puts another law with the same parameters in the place of one, wherever that acts.
 void replace_law(World& world, const std::shared_ptr<const Law>& law, const std::shared_ptr<const Law>& by);
 void set_breaks_at(World& world, ConnectionId connection, double max_force, double max_length);  ///< [N], [m] > 0
-void set_length(World& world, ConstraintId rod, double length);  ///< [m]; it is drawn in within some 0.1 s
 void set_target(World& world, ConstraintId follow, std::function<Vec3(double)> target);
 void set_place(World& world, ConstraintId constraint, Vec3 place);    ///< [m] nail's, follow's target, rod's world end
 void set_max_force(World& world, ConstraintId follow, double force);  ///< [N]

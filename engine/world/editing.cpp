@@ -170,6 +170,7 @@ void wake(World& world, PointId id, const Particle& shared) {
 void end_ring(World& world, ParticleId hinge, std::string who) {
   disturb_forces(world);
   touch(world, hinge);
+  drop_axes(world, hinge, {});
   const Particle shared = world.particles[hinge];
   for (ConnectionId c : shared.connections) remove(world, c);
   for (PointId p : shared.points) wake(world, p, shared);
@@ -183,6 +184,7 @@ void leave_ring(World& world, PointId point, const std::string& who) {
   if (world.particles[hinge].points.size() <= 2) return end_ring(world, hinge, who);
   disturb_forces(world);
   touch(world, hinge);
+  drop_axes(world, hinge, world.points[point].body);
   wake(world, point, world.particles[hinge]);
   std::erase(world.particles[hinge].points, point);
 }
@@ -206,8 +208,7 @@ ConstraintId holder(const Model& model, ParticleId ring) {
   for (PointId p : model.particles[awake(model, ring)].points)
     for (ConstraintId id : model.points[p].constraints) {
       const Constraint& c = model.constraints[id];
-      const bool rigid =
-          c.kind == ConstraintKind::nail || (c.kind == ConstraintKind::follow && !std::isfinite(c.max_force));
+      const bool rigid = c.pins();
       if (rigid) return id;
     }
   return {};

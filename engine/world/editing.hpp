@@ -47,6 +47,8 @@ std::vector<double> attribute_values(std::string_view call, const Family& family
 
 /// Whether a law's parameter of that name is the world's own: the length of its step, and k_B.
 inline bool given_by_world(std::string_view name) { return name == "step" || name == "boltzmann"; }
+/// Takes a constraint out of the rows of what it ties, and of the world.
+void take_out_constraint(World& world, ConstraintId constraint, Obituary obituary);
 /// Ends a connection that bore no more than `force` [N]; told as "broke". May be called inside a step.
 void break_connection(World& world, ConnectionId connection, double force);
 
@@ -74,6 +76,13 @@ Vec3 turning_part(const Motion& motion, Vec3 v);
 PointId make_point(World& world, Point row);
 /// Ends a hinge: its points' own particles wake with copies of the shared data.
 void end_ring(World& world, ParticleId hinge, std::string who);
+/// Whether the points of a hinge are within the scene's tolerance; throws Error where they are not.
+void require_together(const World& world, std::span<const PointId> points);
+/// Makes a hinge turn about an axis only [world axes]; `require_axis` throws Error where that cannot be.
+void add_axes(World& world, ParticleId hinge, Vec3 axis);
+void require_axis(const World& world, std::span<const BodyId> bodies, Vec3 axis);
+/// Ends the axes of a hinge that concern a body, or all (null).
+void drop_axes(World& world, ParticleId hinge, BodyId body);
 /// Takes one point out of its hinge; a hinge of one point ends. `who` goes into its obituary.
 void leave_ring(World& world, PointId point, const std::string& who);
 /// Removes constraints of a point, takes it out of its ring, and removes it with its particle.

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "base/functions.hpp"
 #include "world/edit.hpp"
 #include "world/editing.hpp"
 #include "world/reach.hpp"
@@ -105,52 +104,6 @@ void carry_out_commands(World& world, const StepInput& input) {
   }
 }
 
-double size(Vec3 v) { return norm(v); }
-double size(double x) { return std::fabs(x); }
-
-/// Critically damped approach to 0 in a time of h (Barzel and Barr 1988): D(t) = (D0 + (D0' + D0/τ) t) exp(-t/τ), until
-/// `least` is left [m].
-template <class Deviation>
-void approach(Deviation& away, Deviation& rate, double h, double tau, double least) {
-  if (size(away) == 0.0 && size(rate) == 0.0) return;
-  const Deviation slope = rate + away / tau;
-  const double decay = functions::exp(-h / tau);
-  away = (away + slope * h) * decay;
-  rate = (rate - slope * (h / tau)) * decay;
-  if (size(away) <= least && size(rate) * tau <= least) away = rate = Deviation{};
-}
-
-void draw_in(const World& world, Constraint& c, double h) {
-  c.previous_away = c.away;
-  c.previous_excess = c.excess;
-  const double least = 1e-14 * std::fmax(size_of(world, c.a), largest(c.place));
-  approach(c.away, c.away_rate, h, c.time_constant, least);
-  approach(c.excess, c.excess_rate, h, c.time_constant, least);
-}
-
-/// Moves the place of a follow on to `next` [m], a step of h [s] later.
-void move_place(Constraint& c, Vec3 next, double h) {
-  c.before = c.previous;
-  c.previous = c.place;
-  c.place = next;
-  c.moves++;
-  if (!(h > 0.0))
-    c.velocity = zero3();
-  else if (c.moves >= 2)
-    c.velocity = (3.0 * c.place - 4.0 * c.previous + c.before) / (2.0 * h);
-  else
-    c.velocity = (c.place - c.previous) / h;
-}
-
-Vec3 next_place(const World& world, ConstraintId id, double time) {
-  const Constraint& c = world.constraints[id];
-  if (c.hand >= 0) return world.hands[static_cast<std::size_t>(c.hand)].position;
-  if (!c.target) return c.place;
-  const Vec3 next = c.target(time);
-  if (!finite(next)) require_finite(describe(world, id), "target", next, "m");
-  return next;
-}
-
 }  // namespace
 
 std::int32_t add_hand(World& world, std::function<Vec3(double)> path) {
@@ -216,20 +169,6 @@ void apply_input(World& world, double time) {
   world.locked = true;  // paths and targets are functions of time: they look and answer
   move_hands(world, input, time);
   carry_out_commands(world, input);
-}
-
-void sample_targets(World& world) {
-  const Acting acting(world);
-  world.locked = true;
-  const double time = next_time(world), h = world.settings.step;
-  for (std::uint32_t s = 0; s < world.constraints.slots(); s++) {
-    if (!world.constraints.alive_at(s)) continue;
-    if (world.constraints.at_slot(s).kind == ConstraintKind::follow) {
-      const Vec3 next = next_place(world, world.constraints.id_at(s), time);
-      move_place(world.constraints.at_slot(s), next, h);
-    }
-    draw_in(world, world.constraints.at_slot(s), h);
-  }
 }
 
 }  // namespace pantin

@@ -48,17 +48,11 @@ void require_different_bodies(const World& world, const std::vector<Member>& mem
                    describe(world, twice->first), "; a hinge joins different bodies"));
 }
 
-void require_together(const World& world, std::span<const PointId> points) {
-  const Vec3 first = position(world, points[0]);
-  const double size = size_of(world, points[0]);
-  for (std::size_t i = 1; i < points.size(); i++) {
-    const Vec3 place = position(world, points[i]);
-    double length = std::fmax(size, size_of(world, points[i]));
-    if (!(length > 0.0)) length = std::fmax(largest(first), std::numeric_limits<double>::min());
-    const double gap = norm(place - first), allowed = world.settings.tolerance * length;
-    require(gap <= allowed, "hinge: points 1 and ", i + 1, " are ", gap, " m apart, and at most ", allowed,
-            " m (scene.tolerance times the size of their bodies) is allowed; move them together first");
-  }
+std::vector<BodyId> bodies_of(const World& world, const std::vector<Member>& members) {
+  std::vector<BodyId> bodies;
+  for (const Member& m : members)
+    if (const BodyId body = world.points[m.point].body) bodies.push_back(body);
+  return bodies;
 }
 
 void require_one_holder(const World& world, const std::vector<Member>& members) {
@@ -72,7 +66,7 @@ void require_one_holder(const World& world, const std::vector<Member>& members) 
       if (c.kind == ConstraintKind::rod)
         require(!c.b || !std::binary_search(all.begin(), all.end(), c.a == m.point ? c.b : c.a),
                 "hinge: ", describe(world, id), " keeps two of these points apart; remove it first");
-      else if (c.kind == ConstraintKind::nail || !std::isfinite(c.max_force)) {
+      else if (c.pins()) {
         require(!held, "hinge: the points are held twice, by ", held ? describe(world, held) : "", " and by ",
                 describe(world, id), "; remove one of them first");
         held = id;
@@ -100,6 +94,19 @@ Particle shared_data(const World& world, PointId first, const HingeDef& def) {
 
 }  // namespace
 
+void editing::require_together(const World& world, std::span<const PointId> points) {
+  const Vec3 first = position(world, points[0]);
+  const double size = size_of(world, points[0]);
+  for (std::size_t i = 1; i < points.size(); i++) {
+    const Vec3 place = position(world, points[i]);
+    double length = std::fmax(size, size_of(world, points[i]));
+    if (!(length > 0.0)) length = std::fmax(largest(first), std::numeric_limits<double>::min());
+    const double gap = norm(place - first), allowed = world.settings.tolerance * length;
+    require(gap <= allowed, "hinge: points 1 and ", i + 1, " are ", gap, " m apart, and at most ", allowed,
+            " m (scene.tolerance times the size of their bodies) is allowed; move them together first");
+  }
+}
+
 ParticleId add_hinge(World& world, std::span<const PointId> points, const HingeDef& def) {
   require_unlocked(world, "hinge");
   require_positive_or_infinite("hinge", "lifetime", def.lifetime, "s");
@@ -108,6 +115,7 @@ ParticleId add_hinge(World& world, std::span<const PointId> points, const HingeD
   require_different_bodies(world, members);
   require_together(world, points);
   require_one_holder(world, members);
+  if (def.axis) require_axis(world, bodies_of(world, members), *def.axis);
 
   Particle ring = shared_data(world, points[0], def);
   disturb_forces(world);
@@ -128,6 +136,7 @@ ParticleId add_hinge(World& world, std::span<const PointId> points, const HingeD
     world.particles[point.own].asleep_in = hinge;
   }
   touch(world, hinge);
+  if (def.axis) add_axes(world, hinge, *def.axis);
   return hinge;
 }
 

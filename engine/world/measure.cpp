@@ -4,6 +4,7 @@
 #include <unordered_set>
 
 #include "base/hash.hpp"
+#include "world/deviation.hpp"
 #include "world/forces.hpp"
 
 namespace pantin {
@@ -31,8 +32,10 @@ struct Collect {
   }
   void operator()(ConstraintId id) {
     const Constraint& c = world.constraints[id];
-    (*this)(c.a);
-    if (c.b) (*this)(c.b);
+    for (PointId point : {c.a, c.b})
+      if (point) (*this)(point);
+    for (BodyId body : {c.body_a, c.body_b})
+      if (body) (*this)(body);
   }
   void operator()(FamilyId id) {
     for (ParticleId p : world.particles.ids())
@@ -71,12 +74,6 @@ void add(Energy& e, const Motion& m, Vec3 gravity) {
 void add(Energy& e, double mass, const FreeMotion& m, Vec3 gravity) {
   e.kinetic += 0.5 * mass * norm2(m.v);
   e.potential -= mass * dot(gravity, m.x);
-}
-
-/// Length that a rod has too much or too little, but for what is still drawn in, [m].
-double excess(const World& world, const Constraint& rod) {
-  const Vec3 end = rod.b ? position(world, rod.b) : rod.place;
-  return std::fabs(norm(position(world, rod.a) - end) - rod.length - rod.excess);
 }
 
 double ring_gap(const World& world, ParticleId id) {
@@ -151,15 +148,13 @@ double mass(const World& world, const Things& things) {
 Accuracy accuracy(const World& world) {
   Accuracy a;
   for (std::uint32_t s = 0; s < world.particles.slots(); s++)
-    if (world.particles.alive_at(s) && world.particles.at_slot(s).is_hinge())
+    if (world.particles.alive_at(s) && world.particles.at_slot(s).joins())
       a.hinge_gap = std::fmax(a.hinge_gap, ring_gap(world, world.particles.id_at(s)));
   for (std::uint32_t s = 0; s < world.constraints.slots(); s++) {
     const Constraint& c = world.constraints.at_slot(s);
     if (!world.constraints.alive_at(s) || !c.enabled) continue;
-    if (c.kind == ConstraintKind::rod)
-      a.constraint = std::fmax(a.constraint, excess(world, c));
-    else if (c.kind == ConstraintKind::nail || !std::isfinite(c.max_force))
-      a.hinge_gap = std::fmax(a.hinge_gap, norm(position(world, c.a) - c.place - c.away));
+    double& worst = c.pins() || c.kind == ConstraintKind::weld ? a.hinge_gap : a.constraint;
+    worst = std::fmax(worst, present_gap(world, c));
   }
   a.constraint = std::fmax(a.constraint, a.hinge_gap);
   if (world.largest_kinetic > 0.0)

@@ -12,16 +12,22 @@ struct Walk {
   std::unordered_set<BodyId> bodies;
   std::unordered_set<PointId> free_points;
 
-  void meet(PointId id) {
-    const BodyId body = world.points[id].body;
-    if (!body) {
-      if (!free_points.insert(id).second) return;
-      found.free_points.push_back(id);
-      open.push_back(id);
-    } else if (bodies.insert(body).second) {
-      found.bodies.push_back(body);
-      for (PointId p : world.bodies[body].points) open.push_back(p);
+  void meet(BodyId body) {
+    if (!bodies.insert(body).second) return;
+    found.bodies.push_back(body);
+    for (PointId p : world.bodies[body].points) open.push_back(p);
+    for (ConstraintId id : world.bodies[body].constraints) {
+      const Constraint& c = world.constraints[id];
+      if (!c.enabled || !c.body_b) continue;
+      meet(c.body_a);
+      meet(c.body_b);
     }
+  }
+  void meet(PointId id) {
+    if (const BodyId body = world.points[id].body) return meet(body);
+    if (!free_points.insert(id).second) return;
+    found.free_points.push_back(id);
+    open.push_back(id);
   }
 };
 
@@ -41,10 +47,10 @@ Things tied_to(const World& world, PointId point, bool by_connections) {
         if (tie.particles[i]) walk.meet(world.particles[awake(world, tie.particles[i])].points[0]);
     }
     for (ConstraintId c : world.points[id].constraints) {
-      const Constraint& rod = world.constraints[c];
-      if (rod.kind != ConstraintKind::rod || !rod.enabled) continue;
-      walk.meet(rod.a);
-      if (rod.b) walk.meet(rod.b);
+      const Constraint& tie = world.constraints[c];
+      if (!tie.b || !tie.enabled) continue;
+      walk.meet(tie.a);
+      walk.meet(tie.b);
     }
   }
   return std::move(walk.found);

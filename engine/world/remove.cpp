@@ -15,6 +15,8 @@ void remove(World& world, BodyId id) {
   std::vector<std::string> names;
   for (PointId p : points) names.push_back(describe(world, p));
   for (std::size_t i = 0; i < points.size(); i++) erase_point(world, points[i], names[i]);
+  const std::vector<ConstraintId> constraints = world.bodies[id].constraints;
+  for (ConstraintId c : constraints) remove(world, c);
   world.bodies.remove(id, obituary(world, what));
   world.motion[id.slot - 1] = Motion{};
   notice(world, Notice::Kind::removed, id, world.bodies.story(id));
@@ -41,13 +43,8 @@ void remove(World& world, ParticleId id) {
 
 void remove(World& world, ConstraintId id) {
   require_unlocked(world, "remove");
-  const Constraint& c = world.constraints[id];
-  const std::string what = describe(world, id);
-  const std::int32_t hand = c.hand;
-  touch(world, c);
-  for (PointId p : {c.a, c.b})
-    if (p) std::erase(world.points[p].constraints, id);
-  world.constraints.remove(id, obituary(world, what));
+  const std::int32_t hand = world.constraints[id].hand;
+  take_out_constraint(world, id, obituary(world, describe(world, id)));
   const std::string story = world.constraints.story(id);
   const bool grab = hand >= 0 && world.hands[static_cast<std::size_t>(hand)].grab == id;
   if (grab) world.hands[static_cast<std::size_t>(hand)].grab = {};

@@ -24,21 +24,39 @@ struct Freedoms {
   void ties_of(PointId id) {
     const ParticleId ring = world.points[id].particle;
     const auto& members = world.particles[ring].points;
-    if (members.size() > 1 && rings.insert(ring).second)
+    if (world.particles[ring].joins() && rings.insert(ring).second)
       count -= 3 * (std::count_if(members.begin(), members.end(), [&](PointId p) { return among(p); }) - 1);
-    for (ConstraintId c : world.points[id].constraints)
+    ties(world.points[id].constraints);
+  }
+
+  void ties(const std::vector<ConstraintId>& list) {
+    for (ConstraintId c : list)
       if (constraints.insert(c).second) tie(world.constraints[c]);
   }
 
-  void tie(const Constraint& c) {
-    if (!c.enabled) return;
-    if (c.kind == ConstraintKind::rod) {
-      if (!c.b) held = true;
-      if (!c.b || (among(c.a) && among(c.b))) count -= 1;
-    } else if (c.kind == ConstraintKind::nail || !std::isfinite(c.max_force)) {
-      held = true;
-      count -= 3;
+  /// How many freedoms a constraint takes.
+  static long taken(const Constraint& c) {
+    switch (c.kind) {
+      case ConstraintKind::nail:
+      case ConstraintKind::follow: return c.pins() ? 3 : 0;
+      case ConstraintKind::rod:
+      case ConstraintKind::on_plane: return 1;
+      case ConstraintKind::axis: return 2;
+      case ConstraintKind::weld: return 6;
+      case ConstraintKind::orient: return 3;
+      case ConstraintKind::align: return c.length == 0.0 ? 2 : 1;
+      case ConstraintKind::motor: return std::isfinite(c.max_torque) ? 0 : 1;
+      case ConstraintKind::limit: break;
     }
+    return 0;
+  }
+
+  void tie(const Constraint& c) {
+    if (!c.enabled || taken(c) == 0) return;
+    if (c.a && !c.b) held = true;
+    if (c.b && !(among(c.a) && among(c.b))) return;
+    if (c.body_b && !(bodies.contains(c.body_a) && bodies.contains(c.body_b))) return;
+    count -= taken(c);
   }
 };
 
@@ -54,6 +72,7 @@ double temperature(const World& world, const Things& things) {
     const Freedom freedom = world.motion_of(id).freedom;
     f.count += freedom == Freedom::rigid ? 6 : freedom == Freedom::line ? 5 : 3;
     for (PointId p : world.bodies[id].points) f.ties_of(p);
+    f.ties(world.bodies[id].constraints);
   }
   f.count += 3 * static_cast<long>(things.free_points.size());
   for (PointId p : things.free_points) f.ties_of(p);

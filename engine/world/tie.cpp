@@ -1,3 +1,4 @@
+#include "world/deviation.hpp"
 #include "world/edit.hpp"
 #include "world/editing.hpp"
 
@@ -11,38 +12,6 @@ void require_point(const World& world, const char* call, PointId point) {
   require(world.points.alive(point), call, ": ", world.points.story(point));
 }
 
-/// A point far from its place is drawn in; a deviation within the tolerance is not one.
-void start_from(const World& world, Constraint& c, Vec3 place) {
-  c.place = c.previous = c.before = place;
-  c.velocity = c.away = c.away_rate = zero3();
-  c.moves = 0;
-  if (std::isfinite(c.max_force)) return;
-  const Vec3 away = position(world, c.a) - place;
-  if (norm(away) <= world.settings.tolerance * size_of(world, c.a)) return;
-  c.away = away;
-  c.away_rate = velocity(world, c.a);
-}
-
-/// The same for a rod, whose length is drawn in.
-void start_length(const World& world, Constraint& rod) {
-  const Vec3 d = position(world, rod.a) - (rod.b ? position(world, rod.b) : rod.place);
-  const Vec3 v = velocity(world, rod.a) - (rod.b ? velocity(world, rod.b) : zero3());
-  const double excess = norm(d) - rod.length;
-  const bool far = std::fabs(excess) > world.settings.tolerance * rod.length;
-  rod.excess = far ? excess : 0.0;
-  rod.excess_rate = far ? dot(direction(d), v) : 0.0;
-}
-
-ConstraintId add(World& world, Constraint c) {
-  c.serial = world.next_serial++;
-  const PointId a = c.a, b = c.b;
-  const ConstraintId id = world.constraints.add(std::move(c));
-  world.points[a].constraints.push_back(id);
-  if (b) world.points[b].constraints.push_back(id);
-  touch(world, world.constraints[id]);
-  return id;
-}
-
 ConstraintId add_rod_row(World& world, Constraint c, Vec3 far_end, std::optional<double> length) {
   const double distance = norm(position(world, c.a) - far_end);
   c.kind = ConstraintKind::rod;
@@ -50,9 +19,10 @@ ConstraintId add_rod_row(World& world, Constraint c, Vec3 far_end, std::optional
   c.length = length.value_or(distance);
   if (!length) require(distance > 0.0, "rod: its ends are in one place, so it has no length; a length must be > 0 m");
   require_positive("rod", "length", c.length, "m");
+  c.previous_length = c.before_length = c.length;
   require(std::fabs(distance - c.length) <= world.settings.tolerance * c.length, "rod: its ends are ", distance,
           " m apart, but its length is given as ", c.length, " m; move them first, or set the length afterwards");
-  return add(world, std::move(c));
+  return insert_constraint(world, std::move(c));
 }
 
 Constraint& of_kind(World& world, ConstraintId id, ConstraintKind kind, const char* call) {
@@ -74,8 +44,9 @@ ConstraintId add_nail(World& world, PointId point, std::optional<Vec3> at, doubl
   c.kind = ConstraintKind::nail;
   c.a = point;
   c.time_constant = time_constant;
-  start_from(world, c, at ? *at : position(world, point));
-  return add(world, std::move(c));
+  c.place = at ? *at : position(world, point);
+  start_constraint(world, c);
+  return insert_constraint(world, std::move(c));
 }
 
 ConstraintId add_follow(World& world, PointId point, const FollowDef& def) {
@@ -101,8 +72,9 @@ ConstraintId add_follow(World& world, PointId point, const FollowDef& def) {
   c.time_constant = def.time_constant;
   c.hand = def.hand;
   if (def.hand < 0) c.target = def.target;
-  start_from(world, c, place);
-  return add(world, std::move(c));
+  c.place = place;
+  start_constraint(world, c);
+  return insert_constraint(world, std::move(c));
 }
 
 ConstraintId add_rod(World& world, PointId a, PointId b, std::optional<double> length) {
@@ -136,18 +108,10 @@ void set_enabled(World& world, ConstraintId id, bool enabled) {
   if (c.enabled == enabled) return;
   touch(world, c);
   c.enabled = enabled;
-  c.force = zero3();
+  c.force = c.torque = zero3();
   c.tension = 0.0;
   if (!enabled) return;
-  c.kind == ConstraintKind::rod ? start_length(world, c) : start_from(world, c, c.place);
-}
-
-void set_length(World& world, ConstraintId rod, double length) {
-  Constraint& c = of_kind(world, rod, ConstraintKind::rod, "length");
-  require_positive("rod", "length", length, "m");
-  c.length = length;
-  start_length(world, c);
-  touch(world, c);
+  start_constraint(world, c);
 }
 
 void set_target(World& world, ConstraintId follow, std::function<Vec3(double)> target) {
@@ -155,7 +119,8 @@ void set_target(World& world, ConstraintId follow, std::function<Vec3(double)> t
   require(c.hand < 0, "target: ", describe(world, follow), " belongs to hand ", c.hand + 1, " and goes where it goes");
   const Vec3 place = target ? present(world, target) : c.place;
   require_finite("follow", "target", place, "m");
-  start_from(world, c, place);
+  c.place = place;
+  start_constraint(world, c);
   c.target = std::move(target);
   touch(world, c);
 }
@@ -168,13 +133,11 @@ void set_place(World& world, ConstraintId id, Vec3 place) {
   require(c.hand < 0, who, ": it belongs to hand ", c.hand + 1, " and goes where it goes");
   if (c.kind == ConstraintKind::rod) {
     require(!c.b, who, ": both its ends are points; move those");
-    c.place = c.previous = c.before = place;
-    start_length(world, c);
     touch(world, c);
-  } else {
-    c.target = nullptr;
-    start_from(world, c, place);
   }
+  c.target = nullptr;
+  c.place = place;
+  start_constraint(world, c);
 }
 
 void set_max_force(World& world, ConstraintId follow, double force) {
@@ -184,7 +147,7 @@ void set_max_force(World& world, ConstraintId follow, double force) {
   if (was && !is) require_free_of_holders(world, "follow", c.a);
   c.max_force = force;
   if (was == is) return;
-  start_from(world, c, c.place);
+  start_constraint(world, c);
   touch(world, c);
 }
 

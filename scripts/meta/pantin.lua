@@ -144,6 +144,8 @@ function quat_methods:inverse() end
 ---@field color? color
 ---@field radius? number [m]
 ---@field lifetime? number [s]
+---@field axis? vec turns about it only; world axes
+---@field breaks_at? table { force [N], torque [N m] }
 ---@field name? string
 
 ---@class TieOptions
@@ -152,6 +154,32 @@ function quat_methods:inverse() end
 
 ---@class FollowOptions: TieOptions
 ---@field max_force? number [N]
+
+---@class ConstraintOptions
+---@field name? string
+---@field breaks_at? table { force [N], torque [N m], length [m] }
+
+---@class OrientOptions: ConstraintOptions
+---@field time_constant? number [s]
+
+---@class AlignOptions: OrientOptions
+---@field angle? number|fun(t: number): number [rad]
+
+---@class MotorOptions: OrientOptions
+---@field axis vec world axes
+---@field speed? number|fun(t: number): number [rad/s]
+---@field angle? number|fun(t: number): number [rad]
+---@field max_torque? number [N m]
+
+---@class LimitOptions: OrientOptions
+---@field axis? vec of an angle; world axes
+---@field min? number [rad] or [m]
+---@field max? number [rad] or [m]
+---@field length? number [m] of a distance, the same as max
+
+---@class PlaneOptions: OrientOptions
+---@field through? vec [m]
+---@field normal? vec
 
 ---A point mass. It belongs to at most one body, and always to one particle.
 ---@class Point
@@ -188,6 +216,8 @@ function Point:remove() end
 ---@field look string "ball", "glow" (a soft disc of light) or "streak" (a line of light along its velocity)
 ---@field points Point[] its points, in the order of joining (read only)
 ---@field bodies Body[] the bodies of its points (read only)
+---@field enabled boolean of a hinge: whether its points stay together
+---@field breaks_at table of a hinge: { force [N], torque [N m] } at which it breaks
 ---@field is_hinge boolean whether it joins two points or more (read only)
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -254,7 +284,8 @@ function Body:remove() end
 ---@class Nail
 ---@field point Point the point that it holds (read only)
 ---@field at vec [m] the place; the point is drawn to a new one
----@field force vec [N] what it exerted on its point in the last step (read only)
+---@field force vec [N] what it exerted on its first point in the last step (read only)
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -268,7 +299,8 @@ function Nail:remove() end
 ---@field point Point the point that it holds (read only)
 ---@field target vec [m] where the target is; written as a vec or a function of time [s]
 ---@field max_force number [N] never pulls harder; math.huge: no limit
----@field force vec [N] what it exerted on its point in the last step (read only)
+---@field force vec [N] what it exerted on its first point in the last step (read only)
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -282,8 +314,9 @@ function Follow:remove() end
 ---@field a Point its first point (read only)
 ---@field b Point? its second point, or nil where that end is a place (read only)
 ---@field at vec [m] place of its second end; written where no point is there
----@field length number [m] the distance that it keeps
+---@field length number [m] the distance that it keeps; written as a number or a function of time [s]
 ---@field force number [N] tension in the last step, > 0 when it pulls (read only)
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -291,6 +324,99 @@ function Follow:remove() end
 local Rod = {}
 ---Takes it out of the world.
 function Rod:remove() end
+
+---Keeps two bodies in their relative place and orientation.
+---@class Weld
+---@field a Body its first body (read only)
+---@field b Body? its second body, or nil for the world (read only)
+---@field force vec [N] what it exerted on its first point in the last step (read only)
+---@field torque vec [N m] what it exerted on its first body in the last step (read only)
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks
+---@field enabled boolean whether it acts
+---@field name string what messages and scene:find call it
+---@field alive boolean whether it still exists (read only)
+---@field data table a table of yours, which goes with the thing (read only)
+local Weld = {}
+---Takes it out of the world.
+function Weld:remove() end
+
+---Keeps the orientation of a body.
+---@class Orient
+---@field a Body its first body (read only)
+---@field to quat the orientation; written as a quat or a function of time [s]; the body is drawn to a new one
+---@field torque vec [N m] what it exerted on its first body in the last step (read only)
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks
+---@field enabled boolean whether it acts
+---@field name string what messages and scene:find call it
+---@field alive boolean whether it still exists (read only)
+---@field data table a table of yours, which goes with the thing (read only)
+local Orient = {}
+---Takes it out of the world.
+function Orient:remove() end
+
+---Keeps the angle between an axis of a body and one of another.
+---@class Align
+---@field a Body its first body (read only)
+---@field b Body? its second body, or nil for the world (read only)
+---@field angle number [rad] the angle, 0 to π; written as a number or a function of time [s]
+---@field torque vec [N m] what it exerted on its first body in the last step (read only)
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks
+---@field enabled boolean whether it acts
+---@field name string what messages and scene:find call it
+---@field alive boolean whether it still exists (read only)
+---@field data table a table of yours, which goes with the thing (read only)
+local Align = {}
+---Takes it out of the world.
+function Align:remove() end
+
+---Turns a body about an axis, against another or the world.
+---@class Motor
+---@field a Body its first body (read only)
+---@field b Body? its second body, or nil for the world (read only)
+---@field speed number [rad/s] of a against b, where it keeps that; a number or a function of time [s]
+---@field angle number [rad] that it keeps, where it does; a number or a function of time [s]
+---@field turned number [rad] the angle of a against b now, turns counted (read only)
+---@field max_torque number [N m] never pushes harder; math.huge: no limit
+---@field torque vec [N m] what it exerted on its first body in the last step (read only)
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks
+---@field enabled boolean whether it acts
+---@field name string what messages and scene:find call it
+---@field alive boolean whether it still exists (read only)
+---@field data table a table of yours, which goes with the thing (read only)
+local Motor = {}
+---Takes it out of the world.
+function Motor:remove() end
+
+---Keeps an angle about an axis, or a distance, in a range.
+---@class Limit
+---@field min number least angle [rad] or distance [m]
+---@field max number greatest angle [rad] or distance [m]
+---@field value number the angle [rad] or distance [m] now (read only)
+---@field force vec [N] what it exerted on its first point in the last step (read only)
+---@field torque vec [N m] what it exerted on its first body in the last step (read only)
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks
+---@field enabled boolean whether it acts
+---@field name string what messages and scene:find call it
+---@field alive boolean whether it still exists (read only)
+---@field data table a table of yours, which goes with the thing (read only)
+local Limit = {}
+---Takes it out of the world.
+function Limit:remove() end
+
+---Keeps a point on a plane.
+---@class OnPlane
+---@field point Point the point that it holds (read only)
+---@field through vec [m] a place on the plane; the point is drawn to a new one
+---@field normal vec across the plane, of unit length
+---@field force vec [N] what it exerted on its first point in the last step (read only)
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks
+---@field enabled boolean whether it acts
+---@field name string what messages and scene:find call it
+---@field alive boolean whether it still exists (read only)
+---@field data table a table of yours, which goes with the thing (read only)
+local OnPlane = {}
+---Takes it out of the world.
+function OnPlane:remove() end
 
 ---A named set of things. It is gone when no member lives.
 ---@class Group
@@ -485,9 +611,46 @@ function Scene:follow(point, target, options) end
 ---Keeps two points, or a point and a place, at a distance, or at their present one.
 ---@param a Point|Particle|vec
 ---@param b Point|Particle|vec
----@param length? number [m]
+---@param length? number|fun(t: number): number [m]
 ---@return Rod
 function Scene:rod(a, b, length) end
+---Keeps two bodies in their present relative place and orientation; it tells its load, and may break.
+---@param a Body
+---@param b Body
+---@param options? ConstraintOptions
+---@return Weld
+function Scene:weld(a, b, options) end
+---Keeps the orientation of a body, or its present one.
+---@param body Body
+---@param to? quat|fun(t: number): quat
+---@param options? OrientOptions
+---@return Orient
+function Scene:orient(body, to, options) end
+---Keeps the angle between an axis of a and one of b, each in its body's frame; without b, one of the world.
+---@param a Body
+---@param axis_a vec
+---@param b Body|vec
+---@param axis_b? vec|AlignOptions
+---@param options? AlignOptions
+---@return Align
+function Scene:align(a, axis_a, b, axis_b, options) end
+---Turns a about an axis (world axes) against b, or without b against the world.
+---@param a Body
+---@param b Body|MotorOptions
+---@param options? MotorOptions
+---@return Motor
+function Scene:motor(a, b, options) end
+---Keeps the angle of a against b about an axis, 0 where it is now, or the distance of two points, in a range.
+---@param a Body|Point|Particle
+---@param b Body|Point|Particle|vec|LimitOptions
+---@param options? LimitOptions
+---@return Limit
+function Scene:limit(a, b, options) end
+---Keeps a point on a plane.
+---@param point Point|Particle
+---@param options? PlaneOptions
+---@return OnPlane
+function Scene:on_plane(point, options) end
 ---Makes a named set of things.
 ---@param name string
 ---@return Group
@@ -556,7 +719,7 @@ function Scene:after(delay, target_or_action, action) end
 ---@param action? function
 ---@return Event
 function Scene:every(period, target_or_action, action) end
----Calls a function at each "step" (dt), "press" "release" (hand), "key" (name), "grab" "drop" (thing, hand), "cut" (hinge), "broke" (connection, force [N]), "removed" (thing, story).
+---Calls a function at each "step" (dt), "press" "release" (hand), "key" (name), "grab" "drop" (thing, hand), "cut" (hinge), "broke" (connection, constraint or hinge, force [N]), "removed" (thing, story).
 ---@param moment string
 ---@param action function
 ---@return Subscription

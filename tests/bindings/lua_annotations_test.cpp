@@ -22,7 +22,10 @@ TEST_CASE("every field that is listed can be read, and every method is there") {
     local other = scene:body { mass = 1, inertia = vec(1, 1, 1), points = { head = vec(0, 0, 0) } }
     local things = { Scene = scene, Body = body, Point = body.head, Particle = scene:hinge(body.head, other.head),
       Nail = scene:nail(body.head), Follow = scene:follow(scene:particle(), vec(0, 0, 0), { max_force = 1 }),
-      Rod = scene:rod(scene:particle(), vec(0, 1, 0)), Group = scene:group "g", Hand = scene:hand(),
+      Rod = scene:rod(scene:particle(), vec(0, 1, 0)), Weld = scene:weld(body, other), Orient = scene:orient(body),
+      Align = scene:align(body, vec(1, 0, 0), vec(0, 1, 0)), OnPlane = scene:on_plane(scene:particle()),
+      Motor = scene:motor(body, { axis = vec(0, 1, 0), speed = 1 }),
+      Limit = scene:limit(body, other, { axis = vec(0, 1, 0), max = 1 }), Group = scene:group "g", Hand = scene:hand(),
       Event = scene:at(1, type), Subscription = scene:on("step", type), Family = scene:family("f") }
     local spring, drag = force.spring { stiffness = 1 }, force.drag { linear = 1 }
     things.Connection = scene:connect(scene:particle(), vec(0, 1, 0), spring)

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "world/constrain.hpp"
 #include "support/rods.hpp"
 
 using namespace pantin;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "step.hpp"
-#include "world/edit.hpp"
+#include "world/constrain.hpp"
 #include "world/measure.hpp"
 
 using namespace pantin;

@@ -1,4 +1,4 @@
-#include "world/edit.hpp"
+#include "world/constrain.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,0 +1,169 @@
+// Weld, orient, align, motor, limit and on_plane.
+#include "lua/arguments.hpp"
+#include "lua/constraint_fields.hpp"
+#include "lua/guard.hpp"
+#include "lua/script.hpp"
+#include "world/deviation.hpp"
+
+namespace pantin::lua {
+namespace {
+
+const Field body_a = {"a",    "Body", "", "its first body", [](const Self& s) { push_if(s, constraint_row(s).body_a); },
+                      nullptr};
+const Field body_b = {"b",
+                      "Body?",
+                      "",
+                      "its second body, or nil for the world",
+                      [](const Self& s) { push_if(s, constraint_row(s).body_b); },
+                      nullptr};
+
+Type with_common(Type type, std::vector<Field> fields) {
+  type.fields = std::move(fields);
+  type.fields.push_back(breaks_at_field());
+  type.fields.push_back(enabled_field());
+  add_common_fields(type);
+  add_common_remove(type);
+  return type;
+}
+
+/// A field that is a number, or a function of time where it is written.
+template <int of_speed>
+Field number_field(const char* name, const char* unit, const char* doc) {
+  return {name,
+          "number",
+          unit,
+          doc,
+          [](const Self& s) {
+            const Constraint& c = constraint_row(s);
+            lua_pushnumber(s.state, of_speed ? c.length_rate : c.length);
+          },
+          [](const Self& s, int i) {
+            const bool by_speed = constraint_row(s).by_speed;
+            require(by_speed == (of_speed != 0), type_of(s.ref.kind).word, ": this one keeps its ",
+                    by_speed ? "speed" : "angle", "; make another to keep its ", by_speed ? "angle" : "speed");
+            auto given = check_number_of_time(s, i, type_of(s.ref.kind).word, of_speed ? "speed" : "angle",
+                                              of_speed ? "rad/s" : "rad");
+            set_length(s.world, constraint_of(s), given.value, std::move(given.function));
+          }};
+}
+
+template <bool low>
+Field range_field(const char* name, const char* doc) {
+  return {name,
+          "number",
+          "",
+          doc,
+          [](const Self& s) { lua_pushnumber(s.state, low ? constraint_row(s).low : constraint_row(s).high); },
+          [](const Self& s, int i) {
+            const double value = check_number_or_infinity(s.state, i, "limit", low ? "min" : "max", "rad or m");
+            const Constraint& c = constraint_row(s);
+            set_range(s.world, constraint_of(s), low ? value : c.low, low ? c.high : value);
+          }};
+}
+
+Type make_weld() {
+  return with_common({"Weld", "weld", "Keeps two bodies in their relative place and orientation.", {}, {}},
+                     {body_a, body_b, force_field(), torque_field()});
+}
+
+Type make_orient() {
+  return with_common({"Orient", "orient", "Keeps the orientation of a body.", {}, {}},
+                     {body_a,
+                      {"to", "quat", "",
+                       "the orientation; written as a quat or a function of time [s]; the body is drawn to a new one",
+                       [](const Self& s) { push(s.state, constraint_row(s).turn); },
+                       [](const Self& s, int i) {
+                         if (!lua_isfunction(s.state, i))
+                           return set_attitude(s.world, constraint_of(s), check_quat(s.state, i, "orient", "to"));
+                         auto function = quat_of_time(Callback(s.state, i), "orient: to");
+                         Quat now;
+                         {
+                           const Lock lock(s.world);
+                           now = function(s.world.time);
+                         }
+                         set_attitude(s.world, constraint_of(s), now, std::move(function));
+                       }},
+                      torque_field()});
+}
+
+Type make_align() {
+  return with_common(
+      {"Align", "align", "Keeps the angle between an axis of a body and one of another.", {}, {}},
+      {body_a, body_b,
+       number_field<0>("angle", "rad", "the angle, 0 to π; written as a number or a function of time [s]"),
+       torque_field()});
+}
+
+Type make_motor() {
+  return with_common(
+      {"Motor", "motor", "Turns a body about an axis, against another or the world.", {}, {}},
+      {body_a,
+       body_b,
+       number_field<1>("speed", "rad/s", "of a against b, where it keeps that; a number or a function of time [s]"),
+       number_field<0>("angle", "rad", "that it keeps, where it does; a number or a function of time [s]"),
+       {"turned", "number", "rad", "the angle of a against b now, turns counted",
+        [](const Self& s) { lua_pushnumber(s.state, constraint_row(s).angle); }, nullptr},
+       {"max_torque", "number", "N m", "never pushes harder; math.huge: no limit",
+        [](const Self& s) { lua_pushnumber(s.state, constraint_row(s).max_torque); },
+        [](const Self& s, int i) {
+          set_max_torque(s.world, constraint_of(s), check_number_or_infinity(s.state, i, "motor", "max_torque", "N m"));
+        }},
+       torque_field()});
+}
+
+Type make_limit() {
+  return with_common(
+      {"Limit", "limit", "Keeps an angle about an axis, or a distance, in a range.", {}, {}},
+      {range_field<true>("min", "least angle [rad] or distance [m]"),
+       range_field<false>("max", "greatest angle [rad] or distance [m]"),
+       {"value", "number", "", "the angle [rad] or distance [m] now",
+        [](const Self& s) { lua_pushnumber(s.state, present_length(s.world, constraint_row(s))); }, nullptr},
+       force_field(),
+       torque_field()});
+}
+
+Type make_on_plane() {
+  return with_common({"OnPlane", "on_plane", "Keeps a point on a plane.", {}, {}},
+                     {{"point", "Point", "", "the point that it holds",
+                       [](const Self& s) { push_if(s, constraint_row(s).a); }, nullptr},
+                      {"through", "vec", "m", "a place on the plane; the point is drawn to a new one",
+                       [](const Self& s) { push(s.state, constraint_row(s).place); },
+                       [](const Self& s, int i) {
+                         set_place(s.world, constraint_of(s), check_vec(s.state, i, "on_plane", "through", "m"));
+                       }},
+                      {"normal", "vec", "", "across the plane, of unit length",
+                       [](const Self& s) { push(s.state, constraint_row(s).axis_a); },
+                       [](const Self& s, int i) {
+                         set_normal(s.world, constraint_of(s), check_vec(s.state, i, "on_plane", "normal", ""));
+                       }},
+                      force_field()});
+}
+
+}  // namespace
+
+const Type& weld_type() {
+  static const Type type = make_weld();
+  return type;
+}
+const Type& orient_type() {
+  static const Type type = make_orient();
+  return type;
+}
+const Type& align_type() {
+  static const Type type = make_align();
+  return type;
+}
+const Type& motor_type() {
+  static const Type type = make_motor();
+  return type;
+}
+const Type& limit_type() {
+  static const Type type = make_limit();
+  return type;
+}
+const Type& on_plane_type() {
+  static const Type type = make_on_plane();
+  return type;
+}
+
+}  // namespace pantin::lua

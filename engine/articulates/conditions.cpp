@@ -1,0 +1,137 @@
+#include "articulates/conditions.hpp"
+
+#include "base/functions.hpp"
+
+namespace pantin {
+
+namespace {
+
+bool by_points(const Constraint& c) { return static_cast<bool>(c.a); }
+
+RowPlan between_points(const Constraint& c, RowKind kind) { return {kind, false, c.a, c.b, {}, {}, zero3(), zero3()}; }
+RowPlan couple(const Constraint& c, RowKind kind) {
+  return {kind, true, {}, {}, c.body_a, c.body_b, c.axis_a, c.axis_b};
+}
+
+Quat quaternion_of(Vec3 rotation) {
+  const double angle = norm(rotation);
+  const Vec3 u = direction(rotation) * functions::sin(0.5 * angle);
+  return {functions::cos(0.5 * angle), u[0], u[1], u[2]};
+}
+
+Quat between(const Quat& from, const Quat& to, double part) {
+  if (part == 0.0) return from;
+  if (part == 1.0) return to;
+  const double same = from.w * to.w + from.x * to.x + from.y * to.y + from.z * to.z < 0.0 ? -part : part;
+  const double rest = 1.0 - part;
+  return normalised({from.w * rest + to.w * same, from.x * rest + to.x * same, from.y * rest + to.y * same,
+                     from.z * rest + to.z * same});
+}
+
+bool equal(const Quat& a, const Quat& b) { return a.w == b.w && a.x == b.x && a.y == b.y && a.z == b.z; }
+
+/// Frames of the bodies to principal axes: `turn` of a constraint as one between the nodes.
+Quat between_nodes(const Model& model, const Constraint& c, const Quat& turn) {
+  const Quat of_a = turn * model.bodies[c.body_a].axes;
+  return c.body_b ? conjugate(model.bodies[c.body_b].axes) * of_a : of_a;
+}
+
+void load_couple(Condition& condition, const Row& row, const Model& model, const Constraint& c) {
+  const Quat to_b = c.body_b ? conjugate(model.bodies[c.body_b].axes) : Quat{};
+  condition.whole_turn0 = between_nodes(model, c, c.previous_turn);
+  condition.whole_turn1 = between_nodes(model, c, c.turn);
+  condition.axis = condition.axis0 = condition.axis1 = rotate(to_b, c.axis_b);
+  condition.angle0 = condition.angle1 = c.angle;
+  condition.whole_length0 = row.lever * (c.previous_length + c.previous_excess);
+  condition.whole_length1 = row.lever * (c.length + c.excess);
+  condition.length_rate = row.lever * (c.length_rate + c.excess_rate);
+  condition.low = row.lever * c.low;
+  condition.high = row.lever * c.high;
+  condition.upper = c.max_torque / row.lever;
+  condition.lower = -condition.upper;
+  condition.velocity = zero3();
+  condition.whole0 = condition.whole1 = zero3();
+  if (c.kind == ConstraintKind::orient) {
+    condition.whole_turn0 = quaternion_of(c.previous_away) * condition.whole_turn0;
+    condition.whole_turn1 = quaternion_of(c.away) * condition.whole_turn1;
+    condition.velocity = (c.spin + c.away_rate) * row.lever;
+  } else if (row.kind == RowKind::axis) {  // an align that is drawn in turns its second axis
+    condition.velocity = c.away_rate * row.lever;
+    if (c.body_b) condition.velocity = rotate(orientation(model, c.body_b), condition.velocity);
+    condition.whole0 = rotate(to_b, c.previous_away);
+    condition.whole1 = rotate(to_b, c.away);
+  }
+  condition.works = c.kind == ConstraintKind::motor || condition.ranged ||
+                    condition.whole_length0 != condition.whole_length1 ||
+                    !equal(condition.whole_turn0, condition.whole_turn1) || !same(condition.whole0, condition.whole1);
+}
+
+}  // namespace
+
+std::vector<RowPlan> plan_rows(const Constraint& c) {
+  switch (c.kind) {
+    case ConstraintKind::nail: break;
+    case ConstraintKind::follow:
+      if (std::isfinite(c.max_force)) return {between_points(c, RowKind::limited)};
+      break;
+    case ConstraintKind::rod: return {between_points(c, RowKind::rod)};
+    case ConstraintKind::on_plane: return {between_points(c, RowKind::plane)};
+    case ConstraintKind::limit: return {by_points(c) ? between_points(c, RowKind::rod) : couple(c, RowKind::turn)};
+    case ConstraintKind::motor: return {couple(c, RowKind::turn)};
+    case ConstraintKind::axis: return {couple(c, RowKind::axis)};
+    case ConstraintKind::align: return {couple(c, c.length == 0.0 ? RowKind::axis : RowKind::align)};
+    case ConstraintKind::orient: return {couple(c, RowKind::rigid)};
+    case ConstraintKind::weld:
+      return {{RowKind::rigid, false, {}, {}, c.body_a, c.body_b, c.arm_a, c.arm_b}, couple(c, RowKind::rigid)};
+  }
+  return {between_points(c, RowKind::rigid)};
+}
+
+void load(Condition& condition, const Row& row, const Model& model, double total_mass) {
+  const Constraint& c = model.constraints[condition.constraint];
+  condition.ranged = c.kind == ConstraintKind::limit;
+  condition.held_before = condition.held;
+  if (row.lever > 0.0) return load_couple(condition, row, model, c);
+  condition.whole0 = c.previous + c.previous_away;
+  condition.whole1 = c.place + c.away;
+  condition.velocity = c.velocity + c.away_rate;
+  condition.whole_length0 = c.previous_length + c.previous_excess;
+  condition.whole_length1 = c.length + c.excess;
+  condition.length_rate = c.length_rate + c.excess_rate;
+  condition.low = c.low;
+  condition.high = c.high;
+  condition.normal = c.axis_a;
+  condition.works =
+      row.kind == RowKind::limited || condition.ranged || condition.whole_length1 != condition.whole_length0;
+  condition.max_force = c.max_force;
+  condition.stiffness = total_mass / (c.time_constant * c.time_constant);  // critically damped for all that hangs at it
+  condition.damping = 2.0 * total_mass / c.time_constant;
+}
+
+void store(const Condition& condition, const Row& row, Constraint& c) {
+  if (row.lever > 0.0) {
+    c.torque = row.f * row.lever;
+    c.angle = condition.angle1;
+    return;
+  }
+  c.force = row.f;
+  c.tension = -dot(row.f, direction(row.d1));
+}
+
+void set_conditions(Articulate& a, double from, double to) {
+  for (Condition& c : a.conditions) {
+    const Vec3 way = c.whole1 - c.whole0;
+    c.place0 = c.whole0 + way * from;
+    c.place1 = to == 1.0 ? c.whole1 : c.whole0 + way * to;
+    c.length = to == 1.0 ? c.whole_length1 : c.whole_length0 + (c.whole_length1 - c.whole_length0) * to;
+    const Row& r = row(a, c);
+    if (r.lever == 0.0) continue;
+    c.turn0 = between(c.whole_turn0, c.whole_turn1, from);
+    c.turn1 = between(c.whole_turn0, c.whole_turn1, to);
+    if (r.kind != RowKind::axis) continue;
+    c.axis0 = rotate(quaternion_of(c.place0), c.axis);
+    c.axis1 = rotate(quaternion_of(c.place1), c.axis);
+  }
+}
+
+}  // namespace pantin

@@ -1,0 +1,202 @@
+#include "world/deviation.hpp"
+
+#include <algorithm>
+
+#include "base/functions.hpp"
+#include "world/editing.hpp"
+
+namespace pantin {
+
+namespace {
+
+Vec3 second_end(const World& world, const Constraint& c) { return c.b ? position(world, c.b) : c.place; }
+
+Vec3 direction_of(const World& world, BodyId body, Vec3 axis) {
+  return body ? rotate(orientation(world, body), axis) : axis;
+}
+
+double gyration(const World& world, BodyId body) {
+  const Motion& m = world.motion_of(body);
+  return std::sqrt((m.inertia[0] + m.inertia[1] + m.inertia[2]) / (2.0 * m.mass));
+}
+
+/// Where body_b, or the world, wants body_a's frame.
+Quat wanted_orientation(const World& world, const Constraint& c) {
+  return c.body_b ? orientation(world, c.body_b) * c.turn : c.turn;
+}
+
+double angle_between(Vec3 u, Vec3 v) { return functions::atan2(norm(cross(u, v)), dot(u, v)); }
+
+Vec3 point_gap(const World& world, const Constraint& c) { return position(world, c.a) - c.place; }
+
+/// How far a value is outside the range of a limit.
+double outside(const Constraint& limit, double value) {
+  return std::fmax(0.0, value - limit.high) + std::fmin(0.0, value - limit.low);
+}
+
+}  // namespace
+
+double present_length(const World& world, const Constraint& c) {
+  if (c.a) return norm(position(world, c.a) - second_end(world, c));
+  const Vec3 axis = direction_of(world, c.body_a, c.axis_a);
+  if (c.kind == ConstraintKind::align) return angle_between(axis, direction_of(world, c.body_b, c.axis_b));
+  return c.angle;
+}
+
+Vec3 present_turn(const World& world, const Constraint& c) {
+  const Quat q = orientation(world, c.body_a) * conjugate(wanted_orientation(world, c));
+  const double sign = q.w < 0.0 ? -1.0 : 1.0, s = norm(vec(q.x, q.y, q.z));
+  return direction(vec(q.x, q.y, q.z)) * (2.0 * sign * functions::atan2(s, std::fabs(q.w)));
+}
+
+double lever(const World& world, const Constraint& c) {
+  const double a = gyration(world, c.body_a);
+  return c.body_b ? std::fmin(a, gyration(world, c.body_b)) : a;
+}
+
+double present_gap(const World& world, const Constraint& c) {
+  switch (c.kind) {
+    case ConstraintKind::nail:
+    case ConstraintKind::follow: return c.pins() ? norm(point_gap(world, c) - c.away) : 0.0;
+    case ConstraintKind::rod: return std::fabs(present_length(world, c) - c.length - c.excess);
+    case ConstraintKind::on_plane: return std::fabs(dot(c.axis_a, point_gap(world, c) - c.away));
+    case ConstraintKind::axis:
+      return lever(world, c) *
+             norm(cross(direction_of(world, c.body_a, c.axis_a), direction_of(world, c.body_b, c.axis_b)));
+    case ConstraintKind::align:
+      if (c.length == 0.0 && norm2(c.away) > 0.0) return 0.0;
+      return lever(world, c) * std::fabs(present_length(world, c) - c.length - c.excess);
+    case ConstraintKind::orient: return lever(world, c) * norm(present_turn(world, c) - c.away);
+    case ConstraintKind::weld: {
+      const auto place = [&](BodyId body, Vec3 arm) { return origin(world, body) + direction_of(world, body, arm); };
+      return std::fmax(norm(place(c.body_a, c.arm_a) - place(c.body_b, c.arm_b)),
+                       lever(world, c) * norm(present_turn(world, c)));
+    }
+    case ConstraintKind::motor: break;
+    case ConstraintKind::limit: {
+      const double past = std::fabs(outside(c, present_length(world, c))) - std::fabs(c.excess);
+      return std::fmax(0.0, c.a ? past : past * lever(world, c));
+    }
+  }
+  return 0.0;
+}
+
+namespace editing {
+
+namespace {
+
+void start_vector(const World& world, Constraint& c) {
+  Vec3 away = point_gap(world, c), rate = velocity(world, c.a);
+  if (c.kind == ConstraintKind::on_plane) {
+    away = c.axis_a * dot(c.axis_a, away);
+    rate = c.axis_a * dot(c.axis_a, rate);
+  }
+  const double size = size_of(world, c.a);
+  if (norm(away) <= world.settings.tolerance * (size > 0.0 || c.pins() ? size : largest(c.place))) return;
+  c.away = away;
+  c.away_rate = rate;
+}
+
+Vec3 relative_spin(const World& world, const Constraint& c) {
+  const Vec3 of_a = angular_velocity(world.motion_of(c.body_a));
+  return c.body_b ? of_a - angular_velocity(world.motion_of(c.body_b)) : of_a;
+}
+
+/// An align to 0 turns its second axis, so that the two are one at once; this is in body_b's frame.
+void start_align(const World& world, Constraint& c) {
+  const Quat frame = c.body_b ? orientation(world, c.body_b) : Quat{};
+  const Vec3 axis = rotate(conjugate(frame), direction_of(world, c.body_a, c.axis_a));
+  const double angle = angle_between(c.axis_b, axis);
+  if (angle <= world.settings.tolerance) return;
+  const Vec3 across = cross(c.axis_b, axis);
+  const Vec3 any = cross(c.axis_b, std::fabs(c.axis_b[0]) < 0.7 ? vec(1, 0, 0) : vec(0, 1, 0));
+  c.away = direction(norm(across) > 1e-9 ? across : any) * angle;
+  c.away_rate = direction(c.away) * dot(direction(c.away), rotate(conjugate(frame), relative_spin(world, c)));
+}
+
+double present_rate(const World& world, const Constraint& c) {
+  if (c.a) {
+    const Vec3 d = position(world, c.a) - second_end(world, c);
+    const Vec3 v = velocity(world, c.a) - (c.b ? velocity(world, c.b) : zero3());
+    return dot(direction(d), v);
+  }
+  const Vec3 axis = direction_of(world, c.body_a, c.axis_a);
+  const Vec3 about =
+      c.kind == ConstraintKind::align ? direction(cross(direction_of(world, c.body_b, c.axis_b), axis)) : axis;
+  return dot(about, relative_spin(world, c));
+}
+
+void start_scalar(const World& world, Constraint& c) {
+  const double value = present_length(world, c);
+  const double excess = c.kind == ConstraintKind::limit ? outside(c, value) : value - c.length;
+  const double size = c.a ? (c.kind == ConstraintKind::limit ? value : c.length) : 1.0;
+  if (std::fabs(excess) <= world.settings.tolerance * size) return;
+  c.excess = excess;
+  c.excess_rate = present_rate(world, c);
+}
+
+}  // namespace
+
+void start_constraint(const World& world, Constraint& c) {
+  c.previous = c.before = c.place;
+  c.previous_length = c.before_length = c.length;
+  c.previous_turn = c.turn;
+  c.velocity = c.away = c.away_rate = c.previous_away = c.spin = c.previous_spin = zero3();
+  c.excess = c.excess_rate = c.previous_excess = 0.0;
+  if (!c.by_speed) c.length_rate = 0.0;
+  c.moves = 0;
+  switch (c.kind) {
+    case ConstraintKind::follow:
+      if (c.pins()) start_vector(world, c);
+      return;
+    case ConstraintKind::nail:
+    case ConstraintKind::on_plane: return start_vector(world, c);
+    case ConstraintKind::align:
+      if (c.length == 0.0) return start_align(world, c);
+      return start_scalar(world, c);
+    case ConstraintKind::orient:
+      c.away = present_turn(world, c);
+      if (norm(c.away) <= world.settings.tolerance)
+        c.away = zero3();
+      else
+        c.away_rate = angular_velocity(world.motion_of(c.body_a));
+      return;
+    case ConstraintKind::motor:
+      if (!c.by_speed) start_scalar(world, c);
+      return;
+    case ConstraintKind::rod:
+    case ConstraintKind::limit: return start_scalar(world, c);
+    case ConstraintKind::axis:
+    case ConstraintKind::weld: return;
+  }
+}
+
+ConstraintId insert_constraint(World& world, Constraint c) {
+  c.serial = world.next_serial++;
+  const ConstraintId id = world.constraints.add(std::move(c));
+  const Constraint& row = world.constraints[id];
+  for (PointId point : {row.a, row.b})
+    if (point) world.points[point].constraints.push_back(id);
+  for (BodyId body : {row.body_a, row.body_b})
+    if (body) {
+      world.bodies[body].constraints.push_back(id);
+      if (world.motion_of(body).freedom == Freedom::line) weigh_again(world, body);
+    }
+  touch(world, row);
+  return id;
+}
+
+void take_out_constraint(World& world, ConstraintId id, Obituary obituary) {
+  const Constraint& c = world.constraints[id];
+  touch(world, c);
+  for (PointId point : {c.a, c.b})
+    if (point) std::erase(world.points[point].constraints, id);
+  for (BodyId body : {c.body_a, c.body_b})
+    if (body) std::erase(world.bodies[body].constraints, id);
+  if (c.ring && world.particles.alive(c.ring)) std::erase(world.particles[c.ring].axes, id);
+  world.constraints.remove(id, std::move(obituary));
+}
+
+}  // namespace editing
+
+}  // namespace pantin

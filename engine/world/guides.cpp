@@ -1,0 +1,85 @@
+// Constraints that guide points: on_plane, and limits of length.
+#include "world/constrain.hpp"
+#include "world/deviation.hpp"
+#include "world/editing.hpp"
+
+namespace pantin {
+
+using namespace editing;
+
+namespace {
+
+void require_point(const World& world, const char* call, PointId point) {
+  require(world.points.alive(point), call, ": ", world.points.story(point));
+}
+
+Vec3 unit_normal(Vec3 normal) {
+  require_finite("on_plane", "normal", normal, "");
+  require(norm(normal) > 0.0, "on_plane: normal must not be vec(0, 0, 0)");
+  return normal / norm(normal);
+}
+
+ConstraintId add_length_limit(World& world, Constraint c, const LimitDef& def) {
+  const double min = std::fmax(def.min, 0.0);
+  require(def.min >= 0.0 || std::isinf(def.min), "limit: min must be >= 0 m, got ", def.min);
+  require(def.max > 0.0 && min < def.max, "limit: min must be below max, got ", min, " and ", def.max, " m");
+  require(std::isfinite(def.max) || min > 0.0, "limit: min or max must be given");
+  require_positive("limit", "time_constant", def.time_constant, "s");
+  c.kind = ConstraintKind::limit;
+  c.time_constant = def.time_constant;
+  c.low = min;
+  c.high = def.max;
+  start_constraint(world, c);
+  return insert_constraint(world, std::move(c));
+}
+
+}  // namespace
+
+ConstraintId add_limit(World& world, PointId a, PointId b, const LimitDef& def) {
+  require_unlocked(world, "limit");
+  require_point(world, "limit", a);
+  require_point(world, "limit", b);
+  const Point &pa = world.points[a], &pb = world.points[b];
+  require(pa.particle != pb.particle, "limit: its ends are one particle, ", describe(world, pa.particle));
+  require(!pa.body || pa.body != pb.body, "limit: both ends belong to ", describe(world, pa.body),
+          ", which is rigid already");
+  Constraint c;
+  c.a = a;
+  c.b = b;
+  return add_length_limit(world, std::move(c), def);
+}
+
+ConstraintId add_limit(World& world, PointId a, Vec3 place, const LimitDef& def) {
+  require_unlocked(world, "limit");
+  require_point(world, "limit", a);
+  require_finite("limit", "place", place, "m");
+  Constraint c;
+  c.a = a;
+  c.place = place;
+  return add_length_limit(world, std::move(c), def);
+}
+
+ConstraintId add_on_plane(World& world, PointId point, const PlaneDef& def) {
+  require_unlocked(world, "on_plane");
+  require_point(world, "on_plane", point);
+  if (def.through) require_finite("on_plane", "through", *def.through, "m");
+  require_positive("on_plane", "time_constant", def.time_constant, "s");
+  Constraint c;
+  c.kind = ConstraintKind::on_plane;
+  c.a = point;
+  c.time_constant = def.time_constant;
+  c.place = def.through.value_or(position(world, point));
+  c.axis_a = unit_normal(def.normal);
+  start_constraint(world, c);
+  return insert_constraint(world, std::move(c));
+}
+
+void set_normal(World& world, ConstraintId id, Vec3 normal) {
+  require_unlocked(world, "normal");
+  Constraint& c = world.constraints[id];
+  require(c.kind == ConstraintKind::on_plane, "normal: ", describe(world, id), " has none");
+  c.axis_a = unit_normal(normal);
+  start_constraint(world, c);
+}
+
+}  // namespace pantin

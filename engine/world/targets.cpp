@@ -1,0 +1,100 @@
+// Targets and deviations of constraints at the end of the coming step.
+#include "base/functions.hpp"
+#include "world/editing.hpp"
+#include "world/hands.hpp"
+
+namespace pantin {
+
+using namespace editing;
+
+namespace {
+
+double size(Vec3 v) { return norm(v); }
+double size(double x) { return std::fabs(x); }
+
+/// Critically damped approach to 0 in a time of h (Barzel and Barr 1988): D(t) = (D0 + (D0' + D0/τ) t) exp(-t/τ), until
+/// `least` is left [m].
+template <class Deviation>
+void approach(Deviation& away, Deviation& rate, double h, double tau, double least) {
+  if (size(away) == 0.0 && size(rate) == 0.0) return;
+  const Deviation slope = rate + away / tau;
+  const double decay = functions::exp(-h / tau);
+  away = (away + slope * h) * decay;
+  rate = (rate - slope * (h / tau)) * decay;
+  if (size(away) <= least && size(rate) * tau <= least) away = rate = Deviation{};
+}
+
+void draw_in(const World& world, Constraint& c, double h) {
+  c.previous_away = c.away;
+  c.previous_excess = c.excess;
+  const double least = 1e-14 * (c.a ? std::fmax(size_of(world, c.a), largest(c.place)) : 1.0);
+  approach(c.away, c.away_rate, h, c.time_constant, least);
+  approach(c.excess, c.excess_rate, h, c.time_constant, least);
+}
+
+/// Of something known at the end of this step and the two before it, h apart [s]: its rate at the end.
+template <class Value>
+Value rate_at_end(Value now, Value last, Value before, double h, std::uint32_t moves) {
+  if (!(h > 0.0)) return Value{};
+  return moves >= 2 ? (3.0 * now - 4.0 * last + before) / (2.0 * h) : (now - last) / h;
+}
+
+void move_place(const World& world, ConstraintId id, Constraint& c, double time, double h) {
+  Vec3 next = c.hand >= 0 ? world.hands[static_cast<std::size_t>(c.hand)].position : c.place;
+  if (c.target) next = c.target(time);
+  if (!finite(next)) require_finite(describe(world, id), "target", next, "m");
+  c.before = c.previous;
+  c.previous = c.place;
+  c.place = next;
+  c.moves++;
+  c.velocity = rate_at_end(c.place, c.previous, c.before, h, c.moves);
+}
+
+void move_length(const World& world, ConstraintId id, Constraint& c, double time, double h) {
+  const char* what = c.kind == ConstraintKind::rod ? "length" : c.by_speed ? "speed" : "angle";
+  double next = c.by_speed ? c.length_rate : c.length;
+  if (c.number) next = c.number(time);
+  if (!std::isfinite(next))
+    require_finite(describe(world, id), what, next, c.kind == ConstraintKind::rod ? "m" : "rad");
+  if (c.by_speed) {
+    c.length_rate = next;
+    c.previous_length = c.angle;
+    c.length = c.angle + 2.0 * functions::atan(0.5 * next * h);  // what a step makes of a body of that spin
+    return;
+  }
+  if (c.kind == ConstraintKind::rod) require_positive(describe(world, id), what, next, "m");
+  c.before_length = c.previous_length;
+  c.previous_length = c.length;
+  c.length = next;
+  c.moves++;
+  c.length_rate = rate_at_end(c.length, c.previous_length, c.before_length, h, c.moves);
+}
+
+void move_attitude(const World& world, ConstraintId id, Constraint& c, double time, double h) {
+  c.previous_turn = c.turn;
+  c.turn = unit(describe(world, id), c.attitude(time));
+  const Quat q = c.turn * conjugate(c.previous_turn);
+  const Vec3 mean = vec(q.x, q.y, q.z) * ((q.w < 0.0 ? -2.0 : 2.0) / h);
+  c.moves++;
+  c.spin = c.moves >= 2 ? mean * 1.5 - c.previous_spin * 0.5 : mean;
+  c.previous_spin = mean;
+}
+
+}  // namespace
+
+void sample_targets(World& world) {
+  const Acting acting(world);
+  world.locked = true;
+  const double time = next_time(world), h = world.settings.step;
+  for (std::uint32_t s = 0; s < world.constraints.slots(); s++) {
+    if (!world.constraints.alive_at(s)) continue;
+    const ConstraintId id = world.constraints.id_at(s);
+    Constraint& c = world.constraints.at_slot(s);
+    if (c.kind == ConstraintKind::follow) move_place(world, id, c, time, h);
+    if (c.number || c.by_speed) move_length(world, id, c, time, h);
+    if (c.attitude) move_attitude(world, id, c, time, h);
+    draw_in(world, c, h);
+  }
+}
+
+}  // namespace pantin
