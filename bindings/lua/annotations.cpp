@@ -190,6 +190,13 @@ function quat_methods:inverse() end
 ---@field max? number [rad] or [m]
 ---@field length? number [m] of a distance, the same as max
 
+---@class StringOptions: OrientOptions
+---@field length? number|fun(t: number): number [m]
+
+---@class PathOptions: OrientOptions
+---@field smooth? boolean a spline with continuous curvature; else straight pieces
+---@field closed? boolean
+
 ---@class PlaneOptions: OrientOptions
 ---@field through? vec [m]
 ---@field normal? vec

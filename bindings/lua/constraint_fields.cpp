@@ -10,6 +10,15 @@ namespace pantin::lua {
 ConstraintId constraint_of(const Self& self) { return self.ref.id<ConstraintId>(); }
 Constraint& constraint_row(const Self& self) { return self.world.constraints[constraint_of(self)]; }
 
+Type constraint_type(Type type, std::vector<Field> fields) {
+  type.fields = std::move(fields);
+  type.fields.push_back(breaks_at_field());
+  type.fields.push_back(enabled_field());
+  add_common_fields(type);
+  add_common_remove(type);
+  return type;
+}
+
 Field enabled_field() {
   return {"enabled",
           "boolean",

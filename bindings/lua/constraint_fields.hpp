@@ -17,6 +17,8 @@ void push_if(const Self& self, Id id) {
     lua_pushnil(self.state);
 }
 
+/// The type with these fields and those that every constraint has.
+Type constraint_type(Type type, std::vector<Field> fields);
 Field enabled_field();
 Field force_field();   ///< as a vec
 Field torque_field();  ///< as a vec

@@ -1,4 +1,4 @@
-// Weld, orient, align, motor, limit and on_plane.
+// Weld, orient, align, motor and limit.
 #include "lua/arguments.hpp"
 #include "lua/constraint_fields.hpp"
 #include "lua/guard.hpp"
@@ -16,15 +16,6 @@ const Field body_b = {"b",
                       "its second body, or nil for the world",
                       [](const Self& s) { push_if(s, constraint_row(s).body_b); },
                       nullptr};
-
-Type with_common(Type type, std::vector<Field> fields) {
-  type.fields = std::move(fields);
-  type.fields.push_back(breaks_at_field());
-  type.fields.push_back(enabled_field());
-  add_common_fields(type);
-  add_common_remove(type);
-  return type;
-}
 
 /// A field that is a number, or a function of time where it is written.
 template <int of_speed>
@@ -62,32 +53,33 @@ Field range_field(const char* name, const char* doc) {
 }
 
 Type make_weld() {
-  return with_common({"Weld", "weld", "Keeps two bodies in their relative place and orientation.", {}, {}},
-                     {body_a, body_b, force_field(), torque_field()});
+  return constraint_type({"Weld", "weld", "Keeps two bodies in their relative place and orientation.", {}, {}},
+                         {body_a, body_b, force_field(), torque_field()});
 }
 
 Type make_orient() {
-  return with_common({"Orient", "orient", "Keeps the orientation of a body.", {}, {}},
-                     {body_a,
-                      {"to", "quat", "",
-                       "the orientation; written as a quat or a function of time [s]; the body is drawn to a new one",
-                       [](const Self& s) { push(s.state, constraint_row(s).turn); },
-                       [](const Self& s, int i) {
-                         if (!lua_isfunction(s.state, i))
-                           return set_attitude(s.world, constraint_of(s), check_quat(s.state, i, "orient", "to"));
-                         auto function = quat_of_time(Callback(s.state, i), "orient: to");
-                         Quat now;
-                         {
-                           const Lock lock(s.world);
-                           now = function(s.world.time);
-                         }
-                         set_attitude(s.world, constraint_of(s), now, std::move(function));
-                       }},
-                      torque_field()});
+  return constraint_type({"Orient", "orient", "Keeps the orientation of a body.", {}, {}},
+                         {body_a,
+                          {"to", "quat", "",
+                           "the orientation; written as a quat or a function of time [s]; the "
+                           "body is drawn to a new one",
+                           [](const Self& s) { push(s.state, constraint_row(s).turn); },
+                           [](const Self& s, int i) {
+                             if (!lua_isfunction(s.state, i))
+                               return set_attitude(s.world, constraint_of(s), check_quat(s.state, i, "orient", "to"));
+                             auto function = quat_of_time(Callback(s.state, i), "orient: to");
+                             Quat now;
+                             {
+                               const Lock lock(s.world);
+                               now = function(s.world.time);
+                             }
+                             set_attitude(s.world, constraint_of(s), now, std::move(function));
+                           }},
+                          torque_field()});
 }
 
 Type make_align() {
-  return with_common(
+  return constraint_type(
       {"Align", "align", "Keeps the angle between an axis of a body and one of another.", {}, {}},
       {body_a, body_b,
        number_field<0>("angle", "rad", "the angle, 0 to π; written as a number or a function of time [s]"),
@@ -95,11 +87,13 @@ Type make_align() {
 }
 
 Type make_motor() {
-  return with_common(
+  return constraint_type(
       {"Motor", "motor", "Turns a body about an axis, against another or the world.", {}, {}},
       {body_a,
        body_b,
-       number_field<1>("speed", "rad/s", "of a against b, where it keeps that; a number or a function of time [s]"),
+       number_field<1>("speed", "rad/s",
+                       "of a against b, where it keeps that; a number or a "
+                       "function of time [s]"),
        number_field<0>("angle", "rad", "that it keeps, where it does; a number or a function of time [s]"),
        {"turned", "number", "rad", "the angle of a against b now, turns counted",
         [](const Self& s) { lua_pushnumber(s.state, constraint_row(s).angle); }, nullptr},
@@ -112,7 +106,7 @@ Type make_motor() {
 }
 
 Type make_limit() {
-  return with_common(
+  return constraint_type(
       {"Limit", "limit", "Keeps an angle about an axis, or a distance, in a range.", {}, {}},
       {range_field<true>("min", "least angle [rad] or distance [m]"),
        range_field<false>("max", "greatest angle [rad] or distance [m]"),
@@ -120,23 +114,6 @@ Type make_limit() {
         [](const Self& s) { lua_pushnumber(s.state, present_length(s.world, constraint_row(s))); }, nullptr},
        force_field(),
        torque_field()});
-}
-
-Type make_on_plane() {
-  return with_common({"OnPlane", "on_plane", "Keeps a point on a plane.", {}, {}},
-                     {{"point", "Point", "", "the point that it holds",
-                       [](const Self& s) { push_if(s, constraint_row(s).a); }, nullptr},
-                      {"through", "vec", "m", "a place on the plane; the point is drawn to a new one",
-                       [](const Self& s) { push(s.state, constraint_row(s).place); },
-                       [](const Self& s, int i) {
-                         set_place(s.world, constraint_of(s), check_vec(s.state, i, "on_plane", "through", "m"));
-                       }},
-                      {"normal", "vec", "", "across the plane, of unit length",
-                       [](const Self& s) { push(s.state, constraint_row(s).axis_a); },
-                       [](const Self& s, int i) {
-                         set_normal(s.world, constraint_of(s), check_vec(s.state, i, "on_plane", "normal", ""));
-                       }},
-                      force_field()});
 }
 
 }  // namespace
@@ -161,9 +138,4 @@ const Type& limit_type() {
   static const Type type = make_limit();
   return type;
 }
-const Type& on_plane_type() {
-  static const Type type = make_on_plane();
-  return type;
-}
-
 }  // namespace pantin::lua

@@ -109,6 +109,8 @@ const Type& type_of(Kind kind) {
     case Kind::motor: return motor_type();
     case Kind::limit: return limit_type();
     case Kind::on_plane: return on_plane_type();
+    case Kind::string: return string_type();
+    case Kind::on_path: return on_path_type();
     case Kind::group: return group_type();
     case Kind::family: return family_type();
     case Kind::connection: return connection_type();

@@ -81,6 +81,8 @@ const Type& align_type();
 const Type& motor_type();
 const Type& limit_type();
 const Type& on_plane_type();
+const Type& string_type();
+const Type& on_path_type();
 const Type& group_type();
 const Type& family_type();
 const Type& connection_type();

@@ -18,6 +18,8 @@ Kind kind_of(ConstraintKind kind) {
     case ConstraintKind::motor: return Kind::motor;
     case ConstraintKind::limit: return Kind::limit;
     case ConstraintKind::on_plane: return Kind::on_plane;
+    case ConstraintKind::string: return Kind::string;
+    case ConstraintKind::on_path: return Kind::on_path;
     case ConstraintKind::axis: break;  // of a hinge, and no thing of its own
   }
   return Kind::nail;
@@ -78,10 +80,10 @@ void remember(lua_State* state, const Ref& ref) {
   lua_pop(state, 1);
 }
 
-const char* const words[] = {"a point",  "a particle", "a body",         "a nail",         "a follow", "a rod",
-                             "a weld",   "an orient",  "an align",       "a motor",        "a limit",  "an on_plane",
-                             "a group",  "a family",   "a connection",   "an interaction", "a field",  "an emitter",
-                             "an event", "a hand",     "a subscription", "a scene"};
+const char* const words[] = {"a point",  "a particle", "a body",   "a nail",   "a follow",       "a rod",
+                             "a weld",   "an orient",  "an align", "a motor",  "a limit",        "an on_plane",
+                             "a string", "an on_path", "a group",  "a family", "a connection",   "an interaction",
+                             "a field",  "an emitter", "an event", "a hand",   "a subscription", "a scene"};
 
 }  // namespace
 

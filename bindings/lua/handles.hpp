@@ -27,6 +27,8 @@ enum class Kind : std::uint32_t {
   motor,
   limit,
   on_plane,
+  string,
+  on_path,
   group,
   family,
   connection,
@@ -38,10 +40,10 @@ enum class Kind : std::uint32_t {
   subscription,
   scene
 };
-inline constexpr std::size_t kind_count = 22;
+inline constexpr std::size_t kind_count = 24;
 
 /// Whether things of this kind are constraints.
-inline bool is_constraint(Kind kind) { return kind >= Kind::nail && kind <= Kind::on_plane; }
+inline bool is_constraint(Kind kind) { return kind >= Kind::nail && kind <= Kind::on_path; }
 
 /// The userdata.
 struct Ref {

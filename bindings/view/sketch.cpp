@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "laws/sites.hpp"
+#include "model/path.hpp"
 #include "world/courses.hpp"
 #include "world/forces.hpp"
 
@@ -217,6 +218,43 @@ void Sketcher::draw_free(const World& world, std::uint32_t slot, Vec3 at, const 
   sketch.streaks.push_back({eye.place(at), width, eye.place(at - trail), shown, opacity});
 }
 
+void Sketcher::draw_path(const Path& path, const Eye& eye, const Stage& stage, Sketch& sketch) {
+  const int parts = (path.smooth() ? 12 : 1) * static_cast<int>(path.pieces());
+  for (int i = 0; i < parts; i++) {
+    const double scale = path.pieces() / parts;
+    eye.bar(sketch, path.place(i * scale), path.place((i + 1) * scale), 0.012 * stage.unit, 0.8, linear(iron));
+  }
+}
+
+/// A square in the plane, round the point that is on it.
+void Sketcher::draw_plane(Vec3 at, Vec3 normal, const Eye& eye, const Stage& stage, Sketch& sketch) {
+  const Vec3 u =
+      direction(cross(normal, std::fabs(normal[0]) < 0.7 ? vec(1, 0, 0) : vec(0, 1, 0))) * (0.4 * stage.unit);
+  const Vec3 v = cross(normal, u);
+  const Vec3 corners[] = {at + u + v, at - u + v, at - u - v, at + u - v};
+  for (int i = 0; i < 4; i++) eye.bar(sketch, corners[i], corners[(i + 1) % 4], 0.0, 0.6, linear(thread));
+}
+
+/// Strings, paths, planes and limits of length; false for other constraints.
+bool Sketcher::draw_guide(const World& world, const Constraint& c, const Eye& eye, const Stage& stage, Sketch& sketch) {
+  switch (c.kind) {
+    case ConstraintKind::string: {
+      const auto place = [&](const Passage& p) { return p.point ? position(world, p.point) : p.place; };
+      for (std::size_t i = 1; i < c.passages.size(); i++)
+        eye.bar(sketch, place(c.passages[i - 1]), place(c.passages[i]), 0.01 * stage.unit, 0.7, linear(thread));
+      for (const Passage& p : c.passages)
+        if (!p.point) eye.ball(sketch, p.place, 0.05 * stage.unit, 2.5, linear(iron), Sketch::hinge, linear(iron));
+      return true;
+    }
+    case ConstraintKind::on_path: draw_path(*c.path, eye, stage, sketch); return true;
+    case ConstraintKind::on_plane: draw_plane(position(world, c.a), c.axis_a, eye, stage, sketch); return true;
+    case ConstraintKind::limit:
+      eye.bar(sketch, position(world, c.a), c.b ? position(world, c.b) : c.place, 0.0, 0.6, linear(thread));
+      return true;
+    default: return false;
+  }
+}
+
 void Sketcher::draw_constraints(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch) {
   const Rgb metal = linear(iron), red = linear(grip);
   for (std::uint32_t s = 0; s < world.constraints.slots(); s++) {
@@ -226,6 +264,7 @@ void Sketcher::draw_constraints(const World& world, const Eye& eye, const Stage&
     if (!finite(a)) continue;
     const double joint = std::max(static_cast<double>(joints_[world.points[c.a].particle.slot - 1]), 0.04) * stage.unit;
     const double least = std::min(4.5, 3.2 * joint / eye.pixel_at(a));  // [px]
+    if (draw_guide(world, c, eye, stage, sketch)) continue;
     if (c.kind == ConstraintKind::rod) {
       const Vec3 b = c.b ? position(world, c.b) + shift : place;
       eye.bar(sketch, a, b, 0.025 * std::min(c.length, stage.unit), 0.8, metal);

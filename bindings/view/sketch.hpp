@@ -77,6 +77,10 @@ class Sketcher {
   void draw_body(const World& world, BodyId body, const Eye& eye, const Stage& stage, Sketch& sketch);
   void draw_particles(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch);
   void draw_free(const World& world, std::uint32_t slot, Vec3 at, const Eye& eye, const Stage& stage, Sketch& sketch);
+  static bool draw_guide(const World& world, const Constraint& constraint, const Eye& eye, const Stage& stage,
+                         Sketch& sketch);
+  static void draw_path(const Path& path, const Eye& eye, const Stage& stage, Sketch& sketch);
+  static void draw_plane(Vec3 at, Vec3 normal, const Eye& eye, const Stage& stage, Sketch& sketch);
   void draw_constraints(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch);
   void draw_connections(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch);
   void draw_breaks(const World& world, const Eye& eye, const Stage& stage, double pace, Sketch& sketch);

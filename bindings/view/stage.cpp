@@ -71,7 +71,8 @@ class Reach {
   explicit Reach(const World& world) : world_(world), reached_(world.points.slots()) {
     for (std::uint32_t s = 0; s < world.constraints.slots(); s++) {
       const Constraint& c = world.constraints.at_slot(s);
-      if (!world.constraints.alive_at(s) || !c.a || c.kind == ConstraintKind::on_plane) continue;
+      const bool held = c.pins() || c.kind == ConstraintKind::rod || c.kind == ConstraintKind::limit;
+      if (!world.constraints.alive_at(s) || !c.a || !(held || c.kind == ConstraintKind::follow)) continue;
       const double length = c.kind == ConstraintKind::rod ? c.length : c.kind == ConstraintKind::limit ? c.high : 0.0;
       if (c.b) ties_[c.a.slot].push_back({c.b, length});
       if (c.b) ties_[c.b.slot].push_back({c.a, length});

@@ -54,10 +54,11 @@ struct alignas(64) Node {
   bool turns;  // has a rotation; a point mass has not
 };
 
-/// What a row wants: rigid keeps two points together; limited draws one to a place with a force up to a limit; rod keeps
-/// a distance or keeps it in a range; plane keeps a point on a plane. Of couples, rigid keeps an orientation, axis keeps
-/// two axes together, align keeps the angle between them, turn drives the angle about an axis or keeps it in a range.
-enum class RowKind : std::uint8_t { rigid, limited, rod, plane, axis, align, turn };
+/// What a row wants: rigid keeps two points together; limited draws one to a place with a force up to a limit; rod
+/// keeps a distance or keeps it in a range; plane keeps a point on a plane; strand is a segment of a string; path keeps
+/// a point on a path. Of couples, rigid keeps an orientation, axis keeps two axes together, align keeps the angle
+/// between them, turn drives the angle about an axis or keeps it in a range.
+enum class RowKind : std::uint8_t { rigid, limited, rod, plane, axis, align, turn, strand, path };
 
 /// Ties a point of node a to a point of node b, or to a place of the world (b = -1), by one force.
 struct alignas(64) Row {
@@ -95,12 +96,17 @@ struct Condition {
   // at the ends of a step while it is drawn in.
   Quat turn0, turn1, whole_turn0, whole_turn1;
   Vec3 axis = zero3(), axis0 = zero3(), axis1 = zero3();
-  double angle0 = 0.0, angle1 = 0.0;  // [rad] of a turn at the start and end, turns counted
-  Vec3 normal = zero3();              // of a plane
+  double angle0 = 0.0,
+         angle1 = 0.0;         // [rad] of a turn at the start and end, turns counted
+  Vec3 normal = zero3();       // of a plane
+  const Path* path = nullptr;  // of a point on one; its parameter is `angle`
+  std::uint32_t part = 0;      // which row of its constraint it is
   // Of rows of one dimension: the range that its value is kept in, [m], and the range of its force, [N].
   double low = 0.0, high = 0.0;
   double lower = -infinity, upper = infinity;
-  bool ranged = false;      // low < high
+  bool ranged = false;  // low < high
+  // Of a segment of a string: by d1 in the equation of the head, and by the head's force in its own.
+  Mat3 into_head = zero33(), from_head = zero33();
   bool held = true;         // the range, or the limit of the force, lets it act as a constraint
   bool held_before = true;  // at the end of the last step
   bool works = false;       // its force may do work
@@ -116,9 +122,27 @@ struct Meeting {
   bool first;                  // the first to reach its block
 };
 
-/// How far a sweep in the order of elimination may go in each kind of work, one after the other, so that all it needs is
-/// done and what it reads is still in the cache: nodes whose rows are all below `forces`, rows whose nodes are all below
-/// `nodes`, columns of the factor that reach only rows below `rows`.
+/// A row that meets a segment of a string at a node: a part of the block of that row and the string's head.
+struct StrandMeeting {
+  std::uint32_t segment, column, node, block;
+  bool upper;
+  bool segment_at_a, column_at_a;
+};
+/// The block of a segment and its string's head.
+struct StrandLink {
+  std::uint32_t segment, block;
+};
+struct Strand {
+  std::uint32_t head;
+  std::vector<std::uint32_t> segments;  // rows, the head among them
+  std::vector<StrandMeeting> meetings;
+  std::vector<StrandLink> links;
+  std::vector<std::uint32_t> cleared;  // blocks that nothing else sets
+};
+
+/// How far a sweep in the order of elimination may go in each kind of work, one after the other, so that all it needs
+/// is done and what it reads is still in the cache: nodes whose rows are all below `forces`, rows whose nodes are all
+/// below `nodes`, columns of the factor that reach only rows below `rows`.
 struct Wave {
   std::uint32_t forces = 0, nodes = 0, rows = 0, columns = 0;
 };
@@ -136,6 +160,7 @@ struct Articulate {
   std::vector<Row> rows;  // in the order of elimination
   std::vector<Condition> conditions;
   std::vector<Meeting> meetings;
+  std::vector<Strand> strands;
   std::vector<std::uint32_t> first_meeting;  // (nodes + 1)
   std::vector<Wave> waves;                   // ends of the stretches; the last reaches all
   Factor factor;

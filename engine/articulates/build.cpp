@@ -4,6 +4,8 @@
 
 #include "articulates/conditions.hpp"
 #include "articulates/islands.hpp"
+#include "articulates/strand.hpp"
+#include "model/path.hpp"
 
 namespace pantin {
 
@@ -95,7 +97,7 @@ struct Builder {
   void add_constraint(ConstraintId id) {
     const Constraint& c = model.constraints[id];
     breakable = breakable || c.breaks_at.possible();
-    for (const RowPlan& plan : plan_rows(c)) {
+    for (const RowPlan& plan : plan_rows(model, c)) {
       Row row;
       row.kind = plan.kind;
       if (plan.point_a) tie_a(row, plan.point_a);
@@ -107,7 +109,9 @@ struct Builder {
       Condition condition;
       condition.constraint = id;
       condition.length = c.length;
-      condition.held = condition.held_before = c.kind != ConstraintKind::limit && std::isinf(c.max_torque);
+      condition.part = plan.part;
+      condition.held = condition.held_before =
+          c.kind != ConstraintKind::limit && c.kind != ConstraintKind::string && !c.path && std::isinf(c.max_torque);
       conditions.push_back(condition);
       row.f = row.f_last = plan.couple ? c.torque / row.lever : c.force;
       rows.push_back(row);
@@ -132,15 +136,39 @@ struct Builder {
 
   std::vector<std::vector<std::uint32_t>> neighbours() const {
     std::vector<std::vector<std::uint32_t>> graph(rows.size());
-    for (const auto& list : rows_of_nodes(nodes.size(), rows))
+    const auto on = rows_of_nodes(nodes.size(), rows);
+    for (const auto& list : on)
       for (std::uint32_t i : list)
         for (std::uint32_t j : list)
           if (i != j) graph[i].push_back(j);
+    meet_as_strings(on, graph);
     for (auto& list : graph) {
       std::sort(list.begin(), list.end());
       list.erase(std::unique(list.begin(), list.end()), list.end());
     }
     return graph;
+  }
+
+  /// Any segment of a string may become its head, which meets whatever its segments meet.
+  void meet_as_strings(const std::vector<std::vector<std::uint32_t>>& on,
+                       std::vector<std::vector<std::uint32_t>>& graph) const {
+    for (std::uint32_t i = 0; i < rows.size(); i++) {
+      if (rows[i].kind != RowKind::strand) continue;
+      const auto constraint_of = [&](std::uint32_t k) {
+        return conditions[static_cast<std::size_t>(rows[k].condition)].constraint;
+      };
+      for (std::uint32_t j = 0; j < rows.size(); j++) {
+        if (rows[j].kind != RowKind::strand || constraint_of(i) != constraint_of(j)) continue;
+        for (std::int32_t node : {rows[j].a, rows[j].b})
+          if (node >= 0)
+            for (std::uint32_t k : on[static_cast<std::size_t>(node)])
+              if (k != i) {
+                graph[i].push_back(k);
+                graph[k].push_back(i);
+              }
+        if (j != i) graph[i].push_back(j);
+      }
+    }
   }
 
   /// Rows in the order of elimination, nodes in the order in which the rows meet them.
@@ -187,6 +215,17 @@ void find_meetings(Articulate& a) {
       }
     a.first_meeting.push_back(static_cast<std::uint32_t>(a.meetings.size()));
   }
+  find_strands(a);
+  for (Strand& strand : a.strands) {
+    const auto clear = [&](std::uint32_t block) {
+      if (reached[block]) return;
+      reached[block] = 1;
+      strand.cleared.push_back(block);
+    };
+    for (const StrandMeeting& m : strand.meetings)
+      if (m.column != strand.head) clear(m.block);
+    for (const StrandLink& link : strand.links) clear(link.block);
+  }
   for (std::uint32_t& t : a.factor.target) {
     if (t & Factor::on_diagonal || reached[t]) continue;
     reached[t] = 1;
@@ -198,9 +237,13 @@ void find_waves(Articulate& a) {
   constexpr std::uint32_t stretch = 8;
   const auto rows = static_cast<std::uint32_t>(a.rows.size()), nodes = static_cast<std::uint32_t>(a.nodes.size());
   std::vector<std::uint32_t> last_row(nodes, 0);
-  const auto last_node = [&](std::uint32_t k) {
-    return static_cast<std::uint32_t>(std::max(a.rows[k].a, a.rows[k].b));
-  };
+  std::vector<std::uint32_t> last_node_of(rows);
+  for (std::uint32_t k = 0; k < rows; k++)
+    last_node_of[k] = static_cast<std::uint32_t>(std::max(a.rows[k].a, a.rows[k].b));
+  for (const Strand& strand : a.strands)
+    for (std::uint32_t k : strand.segments)
+      last_node_of[strand.head] = std::max(last_node_of[strand.head], last_node_of[k]);
+  const auto last_node = [&](std::uint32_t k) { return last_node_of[k]; };
   for (std::uint32_t k = 0; k < rows; k++)
     for (std::int32_t n : {a.rows[k].a, a.rows[k].b})
       if (n >= 0) last_row[static_cast<std::size_t>(n)] = k;
@@ -240,6 +283,7 @@ void find_free_axes(Articulate& a) {
 
 /// Whether the rows make no loop; the world counts as one node, and a couple beside a row between points makes none.
 bool is_tree(const Articulate& a) {
+  if (!a.strands.empty()) return false;
   const bool anchored = std::any_of(a.rows.begin(), a.rows.end(), [](const Row& row) { return row.b < 0; });
   std::vector<std::pair<std::int32_t, std::int32_t>> points, couples;
   for (const Row& row : a.rows) (row.lever > 0.0 ? couples : points).push_back(std::minmax(row.a, row.b));
@@ -255,6 +299,11 @@ bool is_tree(const Articulate& a) {
 void measure(Articulate& a, const Model& model) {
   std::vector<double> lengths;
   for (Row& row : a.rows) {
+    if (row.kind == RowKind::path) {
+      const auto& places = model.constraints[condition(a, row).constraint].path->places();
+      lengths.push_back(norm(places[1] - places[0]));
+    }
+    if (row.kind == RowKind::strand) lengths.push_back(model.constraints[condition(a, row).constraint].length);
     if (row.kind == RowKind::rod && condition(a, row).length > 0.0) lengths.push_back(condition(a, row).length);
     if (row.lever > 0.0) lengths.push_back(row.lever);
     a.all_rigid = a.all_rigid && row.kind == RowKind::rigid;

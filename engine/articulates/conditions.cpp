@@ -1,6 +1,7 @@
 #include "articulates/conditions.hpp"
 
 #include "base/functions.hpp"
+#include "model/path.hpp"
 
 namespace pantin {
 
@@ -8,9 +9,11 @@ namespace {
 
 bool by_points(const Constraint& c) { return static_cast<bool>(c.a); }
 
-RowPlan between_points(const Constraint& c, RowKind kind) { return {kind, false, c.a, c.b, {}, {}, zero3(), zero3()}; }
+RowPlan between_points(const Constraint& c, RowKind kind) {
+  return {kind, false, c.a, c.b, {}, {}, zero3(), zero3(), 0};
+}
 RowPlan couple(const Constraint& c, RowKind kind) {
-  return {kind, true, {}, {}, c.body_a, c.body_b, c.axis_a, c.axis_b};
+  return {kind, true, {}, {}, c.body_a, c.body_b, c.axis_a, c.axis_b, 0};
 }
 
 Quat quaternion_of(Vec3 rotation) {
@@ -66,9 +69,44 @@ void load_couple(Condition& condition, const Row& row, const Model& model, const
                     !equal(condition.whole_turn0, condition.whole_turn1) || !same(condition.whole0, condition.whole1);
 }
 
+/// Whether a segment of a string cannot change its length.
+bool is_fixed(const Model& model, const Passage& from, const Passage& to) {
+  if (!from.point || !to.point) return !from.point && !to.point;
+  const BodyId body = model.points[from.point].body;
+  return body && body == model.points[to.point].body;
+}
+
+std::vector<RowPlan> segments(const Model& model, const Constraint& c) {
+  std::vector<RowPlan> plans;
+  for (std::uint32_t i = 0; i + 1 < c.passages.size(); i++) {
+    PointId from = c.passages[i].point, to = c.passages[i + 1].point;
+    if (is_fixed(model, c.passages[i], c.passages[i + 1])) continue;
+    if (!from) std::swap(from, to);
+    plans.push_back({RowKind::strand, false, from, to, {}, {}, zero3(), zero3(), i});
+  }
+  return plans;
+}
+
+double fixed_length(const Model& model, const Constraint& c) {
+  const auto place = [&](const Passage& p) { return p.point ? position(model, p.point) : p.place; };
+  double sum = 0.0;
+  for (std::size_t i = 1; i < c.passages.size(); i++)
+    if (is_fixed(model, c.passages[i - 1], c.passages[i])) sum += norm(place(c.passages[i]) - place(c.passages[i - 1]));
+  return sum;
+}
+
+void load_strand(Condition& condition, const Model& model, const Constraint& c) {
+  const Passage &from = c.passages[condition.part], &to = c.passages[condition.part + 1];
+  condition.whole0 = condition.whole1 = from.point ? to.place : from.place;
+  condition.velocity = zero3();
+  const double fixed = fixed_length(model, c);
+  condition.whole_length0 -= fixed;
+  condition.whole_length1 -= fixed;
+}
+
 }  // namespace
 
-std::vector<RowPlan> plan_rows(const Constraint& c) {
+std::vector<RowPlan> plan_rows(const Model& model, const Constraint& c) {
   switch (c.kind) {
     case ConstraintKind::nail: break;
     case ConstraintKind::follow:
@@ -76,20 +114,23 @@ std::vector<RowPlan> plan_rows(const Constraint& c) {
       break;
     case ConstraintKind::rod: return {between_points(c, RowKind::rod)};
     case ConstraintKind::on_plane: return {between_points(c, RowKind::plane)};
+    case ConstraintKind::on_path: return {between_points(c, RowKind::path)};
+    case ConstraintKind::string: return segments(model, c);
     case ConstraintKind::limit: return {by_points(c) ? between_points(c, RowKind::rod) : couple(c, RowKind::turn)};
     case ConstraintKind::motor: return {couple(c, RowKind::turn)};
     case ConstraintKind::axis: return {couple(c, RowKind::axis)};
     case ConstraintKind::align: return {couple(c, c.length == 0.0 ? RowKind::axis : RowKind::align)};
     case ConstraintKind::orient: return {couple(c, RowKind::rigid)};
     case ConstraintKind::weld:
-      return {{RowKind::rigid, false, {}, {}, c.body_a, c.body_b, c.arm_a, c.arm_b}, couple(c, RowKind::rigid)};
+      return {{RowKind::rigid, false, {}, {}, c.body_a, c.body_b, c.arm_a, c.arm_b, 0}, couple(c, RowKind::rigid)};
   }
   return {between_points(c, RowKind::rigid)};
 }
 
 void load(Condition& condition, const Row& row, const Model& model, double total_mass) {
   const Constraint& c = model.constraints[condition.constraint];
-  condition.ranged = c.kind == ConstraintKind::limit;
+  condition.ranged =
+      c.kind == ConstraintKind::limit || c.kind == ConstraintKind::string || (c.path && !c.path->closed());
   condition.held_before = condition.held;
   if (row.lever > 0.0) return load_couple(condition, row, model, c);
   condition.whole0 = c.previous + c.previous_away;
@@ -101,6 +142,9 @@ void load(Condition& condition, const Row& row, const Model& model, double total
   condition.low = c.low;
   condition.high = c.high;
   condition.normal = c.axis_a;
+  condition.path = c.path.get();
+  if (c.path) condition.angle0 = condition.angle1 = c.along;
+  if (c.kind == ConstraintKind::string) load_strand(condition, model, c);
   condition.works =
       row.kind == RowKind::limited || condition.ranged || condition.whole_length1 != condition.whole_length0;
   condition.max_force = c.max_force;
@@ -114,8 +158,9 @@ void store(const Condition& condition, const Row& row, Constraint& c) {
     c.angle = condition.angle1;
     return;
   }
-  c.force = row.f;
+  if (c.path) c.along = condition.angle1;
   c.tension = -dot(row.f, direction(row.d1));
+  if (condition.part == 0) c.force = row.f;
 }
 
 void set_conditions(Articulate& a, double from, double to) {

@@ -57,7 +57,7 @@ Anchors anchors(const Articulate& a) {
   for (const Condition& c : a.conditions) {
     const Row& r = row(a, c);
     if (r.b >= 0) continue;
-    if (r.kind == RowKind::plane) return {Anchorage::fixed, c.whole1, zero3()};
+    if (r.kind == RowKind::plane || r.kind == RowKind::path) return {Anchorage::fixed, c.whole1, zero3()};
     if (r.lever > 0.0) {
       axis = !turned && r.kind == RowKind::axis ? r.rb1 : zero3();
       turned = true;

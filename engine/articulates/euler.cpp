@@ -7,6 +7,7 @@
 #include "articulates/newton.hpp"
 #include "articulates/rows.hpp"
 #include "articulates/safe_step.hpp"
+#include "articulates/strand.hpp"
 #include "base/functions.hpp"
 
 namespace pantin {
@@ -42,7 +43,7 @@ double attempt_euler(Articulate& a, double h) {
     if (!std::isfinite(r)) return infinity;
     worst = std::max(worst, r);
   }
-  return worst;
+  return std::max(worst, evaluate_strands(a, h));
 }
 
 /// Newton with line backtracking on the places at the end; false where it finds no better ones.

@@ -14,7 +14,7 @@ double evaluate_rigid(Row& row) {
 
 }  // namespace
 
-const RowRule row_rules[7] = {
+const RowRule row_rules[9] = {
     {[](Row& row, Condition&, const RowContext&) { return evaluate_rigid(row); }, [](const Row&, Condition&) {},
      [](const Row& row, const Condition&) { return row.d1 - row.offset; }},
     {evaluate_limited, project_limited, [](const Row&, const Condition&) { return zero3(); }},
@@ -23,6 +23,10 @@ const RowRule row_rules[7] = {
     {evaluate_axis, project_axis, axis_gap},
     {evaluate_align, project_align, align_gap},
     {evaluate_turn, project_turn, turn_gap},
+    // strands are done together, once all rows are placed
+    {[](Row&, Condition&, const RowContext&) { return 0.0; }, [](const Row&, Condition&) {},
+     [](const Row&, const Condition&) { return zero3(); }},
+    {evaluate_path, project_path, path_gap},
 };
 
 double residual(Articulate& a, Row& row, double h) {

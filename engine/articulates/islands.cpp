@@ -55,8 +55,7 @@ class Search {
   void visit(const Constraint& c) {
     if (!c.enabled) return;
     constrained_ = true;
-    for (PointId point : {c.a, c.b})
-      if (point) add(point);
+    c.each_point([&](PointId point) { add(point); });
     for (BodyId body : {c.body_a, c.body_b})
       if (body) add(Thing{body.slot - 1, true});
   }

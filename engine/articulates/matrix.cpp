@@ -1,6 +1,7 @@
 // The matrix S of the rows: blocks Σ over shared nodes of s_i s_j (1/m - r_i^ W r̄_j^).
 #include "articulates/midpoint.hpp"
 #include "articulates/newton.hpp"
+#include "articulates/strand.hpp"
 
 namespace pantin {
 
@@ -64,15 +65,29 @@ void finish_diagonal(Articulate& a, std::uint32_t k, const System& system) {
   }
 }
 
+/// Change of d1 that the nodes' own residuals make.
+Vec3 moved(const Articulate& a, const Row& row) {
+  const Vec3 turned_a = a.nodes[static_cast<std::size_t>(row.a)].phi,
+             turned_b = row.b >= 0 ? a.nodes[static_cast<std::size_t>(row.b)].phi : zero3();
+  if (row.lever > 0.0) return (turned_a - turned_b) * row.lever;
+  const Vec3 first = cross(turned_a, row.ra1);
+  return row.b >= 0 ? first - cross(turned_b, row.rb1) : first;
+}
+
+const Strand* strand_of_head(const Articulate& a, std::uint32_t k) {
+  for (const Strand& strand : a.strands)
+    if (strand.head == k) return &strand;
+  return nullptr;
+}
+
 void set_right_side(Articulate& a, std::uint32_t k, const System& system) {
   const Row& row = a.rows[k];
   Vec3 side = row.residual;
   if (system.right == Arms::mean) {
-    const Vec3 turned_a = a.nodes[static_cast<std::size_t>(row.a)].phi,
-               turned_b = row.b >= 0 ? a.nodes[static_cast<std::size_t>(row.b)].phi : zero3();
-    Vec3 moved = row.lever > 0.0 ? (turned_a - turned_b) * row.lever : cross(turned_a, row.ra1);
-    if (row.b >= 0 && row.lever == 0.0) moved -= cross(turned_b, row.rb1);
-    side += row.kind == RowKind::rigid ? moved : condition(a, row).M * moved;
+    side += row.kind == RowKind::rigid ? moved(a, row) : condition(a, row).M * moved(a, row);
+    if (row.kind == RowKind::strand)
+      if (const Strand* strand = strand_of_head(a, k))
+        side += into_head(a, *strand, [&](const Row& segment) { return moved(a, segment); });
   }
   a.right_side[k] = side * system.right_scale;
 }
@@ -81,6 +96,29 @@ Mat3 weight(const Node& n, Arms right, double h) {
   if (!n.turns) return zero33();
   if (right == Arms::mean) return weight(n, h);
   return inverse_inertia(n, right == Arms::start ? n.R0 : n.R1);
+}
+
+/// The parts of a string's head that its other segments make, once all their
+/// nodes are known.
+void add_strand(Articulate& a, const Strand& strand, const System& system) {
+  for (std::uint32_t block : strand.cleared) a.factor.lower[block] = a.factor.upper[block] = zero33();
+  for (const StrandMeeting& m : strand.meetings) {
+    const Row &i = a.rows[m.segment], &j = a.rows[m.column];
+    const Node& node = a.nodes[m.node];
+    const Mat3 W = weight(node, system.right, system.h);
+    const double sign = m.segment_at_a == m.column_at_a ? 1.0 : -1.0;
+    const Pair at_i = arms(i, m.segment_at_a, system.right), at_j = arms(j, m.column_at_a, system.right);
+    const Mat3 k = j.lever > 0.0 ? coupling_of_couples(W, i, at_i.left, j, at_j.right, sign)
+                                 : coupling(W, at_i.left, at_j.right * sign, sign * node.inverse_mass);
+    Mat3& block = m.column == strand.head ? a.factor.diagonal[m.block]
+                  : m.upper               ? a.factor.upper[m.block]
+                                          : a.factor.lower[m.block];
+    block += condition(a, i).into_head * k;
+  }
+  for (const StrandLink& link : strand.links) {
+    Mat3& block = link.segment > strand.head ? a.factor.lower[link.block] : a.factor.upper[link.block];
+    block += condition(a, a.rows[link.segment]).from_head * system.scale;
+  }
 }
 
 }  // namespace
@@ -107,6 +145,8 @@ bool factorise(Articulate& a, const System& system) {
         add_meeting(a, a.meetings[m], n, W, system.right);
     }
     for (; done.rows < wave.rows; done.rows++) {
+      if (a.rows[done.rows].kind == RowKind::strand)
+        if (const Strand* strand = strand_of_head(a, done.rows)) add_strand(a, *strand, system);
       finish_diagonal(a, done.rows, system);
       set_right_side(a, done.rows, system);
     }

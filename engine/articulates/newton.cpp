@@ -7,6 +7,7 @@
 #include "articulates/couple.hpp"
 #include "articulates/midpoint.hpp"
 #include "articulates/rows.hpp"
+#include "articulates/strand.hpp"
 
 namespace pantin {
 
@@ -67,6 +68,7 @@ double attempt(Articulate& a, double h, double fraction) {
       count(residual(a, row, h));
     }
   }
+  if (!a.strands.empty()) count(evaluate_strands(a, h));
   return worst;
 }
 

@@ -4,6 +4,7 @@
 
 #include "articulates/newton.hpp"
 #include "articulates/rows.hpp"
+#include "articulates/strand.hpp"
 
 namespace pantin {
 
@@ -29,11 +30,26 @@ void find_forbidden_velocity(const Articulate& a, Row& row) {
   if (row.kind != RowKind::rigid) row.residual = c.kept * row.residual;
 }
 
+/// Of a string's head that of the whole string; of its other segments 0, which
+/// have the head's impulse.
+Vec3 forbidden_of_strand(const Articulate& a, std::uint32_t k) {
+  for (const Strand& strand : a.strands) {
+    if (strand.head != k) continue;
+    const auto velocity = [&](const Row& row) {
+      const Vec3 first = end_velocity(a.nodes[static_cast<std::size_t>(row.a)], row.ra1);
+      return row.b < 0 ? first : first - end_velocity(a.nodes[static_cast<std::size_t>(row.b)], row.rb1);
+    };
+    return a.rows[k].residual + into_head(a, strand, velocity);
+  }
+  return zero3();
+}
+
 void find_kept(Articulate& a) {
   for (Condition& c : a.conditions) c.wanted = c.velocity;
   if (a.all_rigid) return;
   for (Row& row : a.rows)
     if (row.kind != RowKind::rigid) rule(row).project(row, condition(a, row));
+  project_strands(a);
 }
 
 struct Velocities {
@@ -56,6 +72,7 @@ Velocities start_solution(Articulate& a) {
     for (; done.rows < wave.rows; done.rows++) {
       Row& row = a.rows[done.rows];
       find_forbidden_velocity(a, row);
+      if (row.kind == RowKind::strand) row.residual = forbidden_of_strand(a, done.rows);
       v.forbidden = std::max(v.forbidden, norm2(row.residual));
       a.right_side[done.rows] = row.residual * -1.0;
     }
@@ -114,12 +131,7 @@ void restore_momenta(Articulate& a) {
 }
 
 void factorise_exactly(Articulate& a, double epsilon) {
-  for (Row& row : a.rows)
-    if (row.kind != RowKind::rigid) {
-      Condition& c = condition(a, row);
-      c.M = c.kept;
-      c.C = identity33() - c.kept;
-    }
+  set_kept_matrices(a);
   double scale = 0.0;
   if (!a.all_rigid)
     for (const Row& row : a.rows) scale = std::max(scale, mobility(a, row));
@@ -150,6 +162,21 @@ bool project_with_newton_factor(Articulate& a, const Velocities& before, double&
 }
 
 }  // namespace
+
+void set_kept_matrices(Articulate& a) {
+  for (Row& row : a.rows) {
+    if (row.kind == RowKind::rigid) continue;
+    Condition& c = condition(a, row);
+    c.M = c.kept;
+    c.C = identity33() - c.kept;
+  }
+  for (const Strand& strand : a.strands)
+    for (std::uint32_t k : strand.segments) {
+      if (k == strand.head) continue;
+      condition(a, a.rows[k]).M = zero33();
+      condition(a, a.rows[k]).C = identity33();
+    }
+}
 
 void project_velocities(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   if (a.safe) return;

@@ -11,6 +11,9 @@ void project_velocities(Articulate& articulate, const DriftSettings& settings, D
 /// Spin that nothing couples to stays as it is; nothing is given back where an anchor moves or a pull is limited.
 void return_energy(Articulate& articulate, double kinetic, Vec3 gravity);
 
+/// Sets M and C of the rows for projections, from what velocities are forbidden: M = kept, C = 1 - M.
+void set_kept_matrices(Articulate& articulate);
+
 /// Makes momenta consistent after an edit (an inelastic meeting), with the least compliance that gives a sane energy:
 /// anchors may be near-singular or contradict each other. Arms at the nodes' ends; ends must equal starts.
 void make_consistent(Articulate& articulate);

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "articulates/rows.hpp"
+#include "articulates/strand.hpp"
 
 namespace pantin {
 
@@ -62,12 +63,13 @@ double missing(const Condition& c, double low, double high) {
 
 Vec3 gap(const Articulate& a, const Row& row) {
   if (row.kind == RowKind::rigid) return row.d1 - row.offset;
+  if (row.kind == RowKind::strand) return strand_gap(a, row);
   return rule(row).gap(row, condition(a, row));
 }
 
 void accept_gap(Articulate& a, Row& row) {
   const Vec3 open = gap(a, row);
-  if (row.kind == RowKind::rigid || row.kind == RowKind::axis) {
+  if (row.kind == RowKind::rigid || row.kind == RowKind::axis || row.kind == RowKind::path) {
     row.offset += open;
     return;
   }

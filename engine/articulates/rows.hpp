@@ -20,7 +20,7 @@ struct RowRule {
 };
 
 /// (kinds)
-extern const RowRule row_rules[7];
+extern const RowRule row_rules[9];
 
 double evaluate_limited(Row& row, Condition& condition, const RowContext& context);
 void project_limited(const Row& row, Condition& condition);
@@ -39,6 +39,10 @@ Vec3 align_gap(const Row& row, const Condition& condition);
 double evaluate_turn(Row& row, Condition& condition, const RowContext& context);
 void project_turn(const Row& row, Condition& condition);
 Vec3 turn_gap(const Row& row, const Condition& condition);
+
+double evaluate_path(Row& row, Condition& condition, const RowContext& context);
+void project_path(const Row& row, Condition& condition);
+Vec3 path_gap(const Row& row, const Condition& condition);
 
 inline const RowRule& rule(const Row& row) { return row_rules[static_cast<std::size_t>(row.kind)]; }
 

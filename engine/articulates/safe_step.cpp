@@ -7,6 +7,7 @@
 #include "articulates/newton.hpp"
 #include "articulates/project.hpp"
 #include "articulates/rows.hpp"
+#include "articulates/strand.hpp"
 
 namespace pantin {
 
@@ -49,11 +50,11 @@ double find_gaps(Articulate& a) {
       Condition& c = condition(a, row);
       if (c.ranged || !std::isinf(c.upper)) c.held = norm2(row.residual) > 0.0;
       rule(row).project(row, c);
-      c.M = c.kept;
-      c.C = identity33() - c.kept;
     }
     sum += norm2(row.residual);
   }
+  project_strands(a);
+  set_kept_matrices(a);
   return std::isfinite(sum) ? sum : infinity;
 }
 

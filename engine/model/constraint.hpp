@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "base/lanes.hpp"
 #include "model/body.hpp"
@@ -15,11 +17,33 @@ namespace pantin {
 
 /// nail: a point stays at a place of the world. follow: a point keeps to a moving target; with a finite `max_force` it
 /// is a spring that never pulls harder. rod: two points, or a point and a place, keep their distance. axis: a hinge's,
-/// two bodies turn about one axis only. weld: two bodies keep their relative place and orientation. orient: a body keeps
-/// an orientation. align: an axis of a body keeps its angle to one of another, or of the world. motor: turns a body
-/// about an axis, relative to another or to the world. limit: an angle about an axis stays between two, or a distance.
-/// on_plane: a point stays on a plane.
-enum class ConstraintKind : std::uint8_t { nail, follow, rod, axis, weld, orient, align, motor, limit, on_plane };
+/// two bodies turn about one axis only. weld: two bodies keep their relative place and orientation. orient: a body
+/// keeps an orientation. align: an axis of a body keeps its angle to one of another, or of the world. motor: turns a
+/// body about an axis, relative to another or to the world. limit: an angle about an axis stays between two, or a
+/// distance. on_plane: a point stays on a plane. string: at most so long along its points, slides through the inner
+/// ones. on_path: a point stays on a path.
+enum class ConstraintKind : std::uint8_t {
+  nail,
+  follow,
+  rod,
+  axis,
+  weld,
+  orient,
+  align,
+  motor,
+  limit,
+  on_plane,
+  string,
+  on_path
+};
+
+/// A point, or a place of the world, that a string goes through.
+struct Passage {
+  PointId point;         ///< null: a place
+  Vec3 place = zero3();  ///< [m]
+};
+
+class Path;
 
 struct Constraint {
   ConstraintKind kind = ConstraintKind::nail;
@@ -52,12 +76,18 @@ struct Constraint {
   Quat turn;                              ///< orientation of body_a in body_b's frame, or the world's, that counts as 0
   Quat previous_turn;                     ///< the same one step ago
   Vec3 spin = zero3(),
-       previous_spin = zero3();        ///< [rad/s] of an orient's target at the ends of this step and the last
-  bool by_speed = false;               ///< a motor that is told its speed, `length_rate`
-  double angle = 0.0;                  ///< [rad] of a motor or limit at the end of the last step, turns counted
-  std::function<Vec3(double)> target;  ///< of a follow: place at time t [s]; empty where `place` is set by hand
-  std::function<double(double)>
-      number;  ///< `length` at time t [s], or a motor's speed; empty where that is set by hand
+       previous_spin = zero3();          ///< [rad/s] of an orient's target at the ends
+                                         ///< of this step and the last
+  std::vector<Passage> passages;         ///< of a string, from end to end
+  std::shared_ptr<const Path> path;      ///< of an on_path
+  double along = 0.0;                    ///< of an on_path: its parameter at the end of the last step
+  bool by_speed = false;                 ///< a motor that is told its speed, `length_rate`
+  double angle = 0.0;                    ///< [rad] of a motor or limit at the end of the last
+                                         ///< step, turns counted
+  std::function<Vec3(double)> target;    ///< of a follow: place at time t [s];
+                                         ///< empty where `place` is set by hand
+  std::function<double(double)> number;  ///< `length` at time t [s], or a motor's speed; empty where that
+                                         ///< is set by hand
   std::function<Quat(double)> attitude;  ///< of an orient: `turn` at time t [s]
   std::int32_t hand = -1;                ///< of a hand's grab: index of the hand
   std::uint32_t moves = 0;               ///< samples of the target since it last jumped
@@ -69,6 +99,15 @@ struct Constraint {
   std::string name;
   std::uint64_t serial = 0;
 
+  /// Calls `visit` with each point that it ties.
+  template <class Visit>
+  void each_point(Visit visit) const {
+    if (passages.empty())
+      for (PointId point : {a, b})
+        if (point) visit(point);
+    for (const Passage& passage : passages)
+      if (passage.point) visit(passage.point);
+  }
   /// Whether it leaves its point no freedom at all.
   bool pins() const {
     return kind == ConstraintKind::nail || (kind == ConstraintKind::follow && !std::isfinite(max_force));

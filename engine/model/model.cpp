@@ -166,8 +166,9 @@ void touch(Model& m, ParticleId particle) {
 }
 
 void touch(Model& m, const Constraint& constraint) {
-  if (m.points.alive(constraint.a)) touch(m, constraint.a);
-  if (m.points.alive(constraint.b)) touch(m, constraint.b);
+  constraint.each_point([&](PointId point) {
+    if (m.points.alive(point)) touch(m, point);
+  });
   for (BodyId body : {constraint.body_a, constraint.body_b})
     if (m.bodies.alive(body)) touch(m, body);
 }
@@ -195,8 +196,8 @@ std::string describe(const Model& m, BodyId id) {
 std::string describe(const Model& m, ConstraintId id) {
   if (!m.constraints.alive(id)) return m.constraints.story(id);
   const Constraint& c = m.constraints[id];
-  static constexpr const char* kinds[] = {"nail",  "follow", "rod",   "axis of a hinge", "weld",
-                                          "orient", "align", "motor", "limit",           "on_plane"};
+  static constexpr const char* kinds[] = {"nail",  "follow", "rod",   "axis of a hinge", "weld",   "orient",
+                                          "align", "motor",  "limit", "on_plane",        "string", "on_path"};
   return called(kinds[static_cast<std::size_t>(c.kind)], c);
 }
 

@@ -61,8 +61,18 @@ struct PlaneDef {
 /// Keeps a point on a plane.
 ConstraintId add_on_plane(World& world, PointId point, const PlaneDef& def = {});
 
-/// What a constraint keeps as a number: length of a rod [m], angle of a motor or align [rad], speed of a motor [rad/s].
-/// Given as a function it is that at time t [s].
+struct StringDef {
+  std::optional<double> length;                ///< [m] > 0; not given: the present one
+  double time_constant = usual_time_constant;  ///< [s] > 0
+};
+/// At most `length` along its points and places, two or more, through whose inner ones it slides; it may go slack.
+ConstraintId add_string(World& world, std::vector<Passage> passages, const StringDef& def = {});
+/// Keeps a point on a path; at the end of an open one it stops.
+ConstraintId add_on_path(World& world, PointId point, std::shared_ptr<const Path> path,
+                         double time_constant = usual_time_constant);
+
+/// What a constraint keeps as a number: length of a rod or string [m], angle of a motor or align [rad], speed of a
+/// motor [rad/s]. Given as a function it is that at time t [s].
 void set_length(World& world, ConstraintId constraint, double value, std::function<double(double)> function = {});
 void set_attitude(World& world, ConstraintId orient, const Quat& to, std::function<Quat(double)> target = {});
 void set_range(World& world, ConstraintId limit, double min, double max);  ///< [rad] or [m]

@@ -160,9 +160,10 @@ ConstraintId add_limit(World& world, BodyId a, BodyId b, Vec3 axis, const LimitD
 
 void set_length(World& world, ConstraintId id, double value, std::function<double(double)> function) {
   Constraint& c =
-      of_kinds(world, id, {ConstraintKind::rod, ConstraintKind::motor, ConstraintKind::align}, "a number to keep");
+      of_kinds(world, id, {ConstraintKind::rod, ConstraintKind::string, ConstraintKind::motor, ConstraintKind::align},
+               "a number to keep");
   const std::string who = describe(world, id);
-  if (c.kind == ConstraintKind::rod) require_positive(who, "length", value, "m");
+  if (c.kind == ConstraintKind::rod || c.kind == ConstraintKind::string) require_positive(who, "length", value, "m");
   if (c.kind == ConstraintKind::align) require_align_angle(who.c_str(), value);
   require_finite(who, c.by_speed ? "speed" : "angle", value, c.by_speed ? "rad/s" : "rad");
   c.number = std::move(function);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/functions.hpp"
+#include "model/path.hpp"
 #include "world/editing.hpp"
 
 namespace pantin {
@@ -25,6 +26,8 @@ Quat wanted_orientation(const World& world, const Constraint& c) {
   return c.body_b ? orientation(world, c.body_b) * c.turn : c.turn;
 }
 
+Vec3 place_of(const World& world, const Passage& p) { return p.point ? position(world, p.point) : p.place; }
+
 double angle_between(Vec3 u, Vec3 v) { return functions::atan2(norm(cross(u, v)), dot(u, v)); }
 
 Vec3 point_gap(const World& world, const Constraint& c) { return position(world, c.a) - c.place; }
@@ -37,6 +40,12 @@ double outside(const Constraint& limit, double value) {
 }  // namespace
 
 double present_length(const World& world, const Constraint& c) {
+  if (c.kind == ConstraintKind::string) {
+    double sum = 0.0;
+    for (std::size_t i = 1; i < c.passages.size(); i++)
+      sum += norm(place_of(world, c.passages[i]) - place_of(world, c.passages[i - 1]));
+    return sum;
+  }
   if (c.a) return norm(position(world, c.a) - second_end(world, c));
   const Vec3 axis = direction_of(world, c.body_a, c.axis_a);
   if (c.kind == ConstraintKind::align) return angle_between(axis, direction_of(world, c.body_b, c.axis_b));
@@ -59,6 +68,11 @@ double present_gap(const World& world, const Constraint& c) {
     case ConstraintKind::nail:
     case ConstraintKind::follow: return c.pins() ? norm(point_gap(world, c) - c.away) : 0.0;
     case ConstraintKind::rod: return std::fabs(present_length(world, c) - c.length - c.excess);
+    case ConstraintKind::string: return std::fmax(0.0, present_length(world, c) - c.length - c.excess);
+    case ConstraintKind::on_path: {
+      const Vec3 at = position(world, c.a) - c.away;
+      return norm(at - c.path->place(c.path->nearest(at, c.along)));
+    }
     case ConstraintKind::on_plane: return std::fabs(dot(c.axis_a, point_gap(world, c) - c.away));
     case ConstraintKind::axis:
       return lever(world, c) *
@@ -115,6 +129,16 @@ void start_align(const World& world, Constraint& c) {
 }
 
 double present_rate(const World& world, const Constraint& c) {
+  if (c.kind == ConstraintKind::string) {
+    double rate = 0.0;
+    const auto velocity_of = [&](const Passage& p) { return p.point ? velocity(world, p.point) : zero3(); };
+    for (std::size_t i = 1; i < c.passages.size(); i++) {
+      const Passage &from = c.passages[i - 1], &to = c.passages[i];
+      const Vec3 along = direction(place_of(world, to) - place_of(world, from));
+      rate += dot(along, velocity_of(to) - velocity_of(from));
+    }
+    return rate;
+  }
   if (c.a) {
     const Vec3 d = position(world, c.a) - second_end(world, c);
     const Vec3 v = velocity(world, c.a) - (c.b ? velocity(world, c.b) : zero3());
@@ -128,7 +152,9 @@ double present_rate(const World& world, const Constraint& c) {
 
 void start_scalar(const World& world, Constraint& c) {
   const double value = present_length(world, c);
-  const double excess = c.kind == ConstraintKind::limit ? outside(c, value) : value - c.length;
+  const double excess = c.kind == ConstraintKind::limit    ? outside(c, value)
+                        : c.kind == ConstraintKind::string ? std::fmax(0.0, value - c.length)
+                                                           : value - c.length;
   const double size = c.a ? (c.kind == ConstraintKind::limit ? value : c.length) : 1.0;
   if (std::fabs(excess) <= world.settings.tolerance * size) return;
   c.excess = excess;
@@ -165,7 +191,17 @@ void start_constraint(const World& world, Constraint& c) {
       if (!c.by_speed) start_scalar(world, c);
       return;
     case ConstraintKind::rod:
+    case ConstraintKind::string:
     case ConstraintKind::limit: return start_scalar(world, c);
+    case ConstraintKind::on_path: {
+      const Vec3 at = position(world, c.a);
+      c.along = c.path->nearest(at);
+      const Vec3 T = c.path->tangent(c.along), off = at - c.path->place(c.along), v = velocity(world, c.a);
+      if (norm(off) <= world.settings.tolerance * std::fmax(size_of(world, c.a), largest(at))) return;
+      c.away = off;
+      c.away_rate = v - T * dot(T, v);
+      return;
+    }
     case ConstraintKind::axis:
     case ConstraintKind::weld: return;
   }
@@ -175,8 +211,7 @@ ConstraintId insert_constraint(World& world, Constraint c) {
   c.serial = world.next_serial++;
   const ConstraintId id = world.constraints.add(std::move(c));
   const Constraint& row = world.constraints[id];
-  for (PointId point : {row.a, row.b})
-    if (point) world.points[point].constraints.push_back(id);
+  row.each_point([&](PointId point) { world.points[point].constraints.push_back(id); });
   for (BodyId body : {row.body_a, row.body_b})
     if (body) {
       world.bodies[body].constraints.push_back(id);
@@ -189,8 +224,7 @@ ConstraintId insert_constraint(World& world, Constraint c) {
 void take_out_constraint(World& world, ConstraintId id, Obituary obituary) {
   const Constraint& c = world.constraints[id];
   touch(world, c);
-  for (PointId point : {c.a, c.b})
-    if (point) std::erase(world.points[point].constraints, id);
+  c.each_point([&](PointId point) { std::erase(world.points[point].constraints, id); });
   for (BodyId body : {c.body_a, c.body_b})
     if (body) std::erase(world.bodies[body].constraints, id);
   if (c.ring && world.particles.alive(c.ring)) std::erase(world.particles[c.ring].axes, id);

@@ -1,4 +1,6 @@
-// Constraints that guide points: on_plane, and limits of length.
+// Constraints that guide points: on_plane, on_path, string, and limits of
+// length.
+#include "model/path.hpp"
 #include "world/constrain.hpp"
 #include "world/deviation.hpp"
 #include "world/editing.hpp"
@@ -70,6 +72,46 @@ ConstraintId add_on_plane(World& world, PointId point, const PlaneDef& def) {
   c.time_constant = def.time_constant;
   c.place = def.through.value_or(position(world, point));
   c.axis_a = unit_normal(def.normal);
+  start_constraint(world, c);
+  return insert_constraint(world, std::move(c));
+}
+
+ConstraintId add_string(World& world, std::vector<Passage> passages, const StringDef& def) {
+  require_unlocked(world, "string");
+  require(passages.size() >= 2, "string: needs two points or more, got ", passages.size());
+  require_positive("string", "time_constant", def.time_constant, "s");
+  Constraint c;
+  double fixed = 0.0;
+  for (std::size_t i = 0; i < passages.size(); i++) {
+    const Passage& p = passages[i];
+    if (p.point) require_point(world, "string", p.point);
+    if (!p.point) require_finite("string", "a place", p.place, "m");
+    if (p.point && !c.a) c.a = p.point;
+    for (std::size_t j = 0; j < i && p.point; j++)
+      require(!passages[j].point || world.points[passages[j].point].particle != world.points[p.point].particle,
+              "string: points ", j + 1, " and ", i + 1, " are one particle");
+    if (i > 0 && !p.point && !passages[i - 1].point) fixed += norm(p.place - passages[i - 1].place);
+  }
+  require(static_cast<bool>(c.a), "string: it goes through places only; one must be a point or a particle");
+  c.kind = ConstraintKind::string;
+  c.time_constant = def.time_constant;
+  c.passages = std::move(passages);
+  c.length = def.length.value_or(present_length(world, c));
+  require_positive("string", "length", c.length, "m");
+  require(c.length > fixed, "string: its places are ", fixed, " m apart, so it cannot be ", c.length, " m long");
+  start_constraint(world, c);
+  return insert_constraint(world, std::move(c));
+}
+
+ConstraintId add_on_path(World& world, PointId point, std::shared_ptr<const Path> path, double time_constant) {
+  require_unlocked(world, "on_path");
+  require_point(world, "on_path", point);
+  require_positive("on_path", "time_constant", time_constant, "s");
+  Constraint c;
+  c.kind = ConstraintKind::on_path;
+  c.a = point;
+  c.time_constant = time_constant;
+  c.path = std::move(path);
   start_constraint(world, c);
   return insert_constraint(world, std::move(c));
 }

@@ -32,8 +32,7 @@ struct Collect {
   }
   void operator()(ConstraintId id) {
     const Constraint& c = world.constraints[id];
-    for (PointId point : {c.a, c.b})
-      if (point) (*this)(point);
+    c.each_point([&](PointId point) { (*this)(point); });
     for (BodyId body : {c.body_a, c.body_b})
       if (body) (*this)(body);
   }

@@ -48,9 +48,7 @@ Things tied_to(const World& world, PointId point, bool by_connections) {
     }
     for (ConstraintId c : world.points[id].constraints) {
       const Constraint& tie = world.constraints[c];
-      if (!tie.b || !tie.enabled) continue;
-      walk.meet(tie.a);
-      walk.meet(tie.b);
+      if (tie.enabled) tie.each_point([&](PointId other) { walk.meet(other); });
     }
   }
   return std::move(walk.found);

@@ -51,18 +51,18 @@ void move_place(const World& world, ConstraintId id, Constraint& c, double time,
 }
 
 void move_length(const World& world, ConstraintId id, Constraint& c, double time, double h) {
-  const char* what = c.kind == ConstraintKind::rod ? "length" : c.by_speed ? "speed" : "angle";
+  const bool of_length = c.kind == ConstraintKind::rod || c.kind == ConstraintKind::string;
+  const char* what = of_length ? "length" : c.by_speed ? "speed" : "angle";
   double next = c.by_speed ? c.length_rate : c.length;
   if (c.number) next = c.number(time);
-  if (!std::isfinite(next))
-    require_finite(describe(world, id), what, next, c.kind == ConstraintKind::rod ? "m" : "rad");
+  if (!std::isfinite(next)) require_finite(describe(world, id), what, next, of_length ? "m" : "rad");
   if (c.by_speed) {
     c.length_rate = next;
     c.previous_length = c.angle;
     c.length = c.angle + 2.0 * functions::atan(0.5 * next * h);  // what a step makes of a body of that spin
     return;
   }
-  if (c.kind == ConstraintKind::rod) require_positive(describe(world, id), what, next, "m");
+  if (of_length) require_positive(describe(world, id), what, next, "m");
   c.before_length = c.previous_length;
   c.previous_length = c.length;
   c.length = next;

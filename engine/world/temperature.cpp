@@ -39,6 +39,7 @@ struct Freedoms {
     switch (c.kind) {
       case ConstraintKind::nail:
       case ConstraintKind::follow: return c.pins() ? 3 : 0;
+      case ConstraintKind::on_path: return 2;
       case ConstraintKind::rod:
       case ConstraintKind::on_plane: return 1;
       case ConstraintKind::axis: return 2;
@@ -46,6 +47,7 @@ struct Freedoms {
       case ConstraintKind::orient: return 3;
       case ConstraintKind::align: return c.length == 0.0 ? 2 : 1;
       case ConstraintKind::motor: return std::isfinite(c.max_torque) ? 0 : 1;
+      case ConstraintKind::string:
       case ConstraintKind::limit: break;
     }
     return 0;

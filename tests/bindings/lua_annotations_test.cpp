@@ -24,6 +24,8 @@ TEST_CASE("every field that is listed can be read, and every method is there") {
       Nail = scene:nail(body.head), Follow = scene:follow(scene:particle(), vec(0, 0, 0), { max_force = 1 }),
       Rod = scene:rod(scene:particle(), vec(0, 1, 0)), Weld = scene:weld(body, other), Orient = scene:orient(body),
       Align = scene:align(body, vec(1, 0, 0), vec(0, 1, 0)), OnPlane = scene:on_plane(scene:particle()),
+      String = scene:string({ scene:particle(), vec(0, 1, 0) }),
+      OnPath = scene:on_path(scene:particle(), { vec(0, 0, 0), vec(1, 0, 0) }),
       Motor = scene:motor(body, { axis = vec(0, 1, 0), speed = 1 }),
       Limit = scene:limit(body, other, { axis = vec(0, 1, 0), max = 1 }), Group = scene:group "g", Hand = scene:hand(),
       Event = scene:at(1, type), Subscription = scene:on("step", type), Family = scene:family("f") }

@@ -1,0 +1,97 @@
+// OnPlane, String and OnPath.
+#include "lua/arguments.hpp"
+#include "lua/constraint_fields.hpp"
+#include "lua/guard.hpp"
+#include "lua/script.hpp"
+#include "model/path.hpp"
+#include "world/deviation.hpp"
+
+namespace pantin::lua {
+namespace {
+
+const Field point = {
+    "point", "Point", "", "the point that it holds", [](const Self& s) { push_if(s, constraint_row(s).a); }, nullptr};
+
+Type make_on_plane() {
+  return constraint_type({"OnPlane", "on_plane", "Keeps a point on a plane.", {}, {}},
+                         {{"point", "Point", "", "the point that it holds",
+                           [](const Self& s) { push_if(s, constraint_row(s).a); }, nullptr},
+                          {"through", "vec", "m", "a place on the plane; the point is drawn to a new one",
+                           [](const Self& s) { push(s.state, constraint_row(s).place); },
+                           [](const Self& s, int i) {
+                             set_place(s.world, constraint_of(s), check_vec(s.state, i, "on_plane", "through", "m"));
+                           }},
+                          {"normal", "vec", "", "across the plane, of unit length",
+                           [](const Self& s) { push(s.state, constraint_row(s).axis_a); },
+                           [](const Self& s, int i) {
+                             set_normal(s.world, constraint_of(s), check_vec(s.state, i, "on_plane", "normal", ""));
+                           }},
+                          force_field()});
+}
+
+void read_points(const Self& s) {
+  lua_newtable(s.state);
+  lua_Integer i = 0;
+  for (const Passage& passage : constraint_row(s).passages) {
+    if (passage.point)
+      push_thing(s.state, s.script, passage.point);
+    else
+      push(s.state, passage.place);
+    lua_rawseti(s.state, -2, ++i);
+  }
+}
+
+Type make_string() {
+  return constraint_type(
+      {"String", "string", "Is at most so long along its points; slides through the inner ones.", {}, {}},
+      {{"points", "table", "", "what it goes through: points, or places [m]", read_points, nullptr},
+       {"length", "number", "m",
+        "the most that it is long; written as a number or a function of time "
+        "[s]",
+        [](const Self& s) { lua_pushnumber(s.state, constraint_row(s).length); },
+        [](const Self& s, int i) {
+          auto given = check_number_of_time(s, i, "string", "length", "m");
+          set_length(s.world, constraint_of(s), given.value, std::move(given.function));
+        }},
+       {"taken", "number", "m", "how long its way is now: less than its length where it is slack",
+        [](const Self& s) { lua_pushnumber(s.state, present_length(s.world, constraint_row(s))); }, nullptr},
+       {"force", "number", "N", "tension in the last step, 0 where it is slack",
+        [](const Self& s) { lua_pushnumber(s.state, constraint_row(s).tension); }, nullptr}});
+}
+
+void read_path(const Self& s) {
+  lua_newtable(s.state);
+  lua_Integer i = 0;
+  for (const Vec3& place : constraint_row(s).path->places()) {
+    push(s.state, place);
+    lua_rawseti(s.state, -2, ++i);
+  }
+}
+
+Type make_on_path() {
+  return constraint_type({"OnPath", "on_path", "Keeps a point on a path.", {}, {}},
+                         {point,
+                          {"path", "vec[]", "m", "the places that the path goes through", read_path, nullptr},
+                          {"along", "number", "",
+                           "where on the path the point is: 0 at the first place, 1 at the "
+                           "second, and so on",
+                           [](const Self& s) { lua_pushnumber(s.state, constraint_row(s).along); }, nullptr},
+                          force_field()});
+}
+
+}  // namespace
+
+const Type& on_plane_type() {
+  static const Type type = make_on_plane();
+  return type;
+}
+const Type& string_type() {
+  static const Type type = make_string();
+  return type;
+}
+const Type& on_path_type() {
+  static const Type type = make_on_path();
+  return type;
+}
+
+}  // namespace pantin::lua

@@ -1,0 +1,56 @@
+// A point on a path c(u): d = y - c(u) at the nearest u, which has two dimensions. The force has none along the chord
+// c(u1) - c(u0), the very displacement, so that it does no work: n the direction of the chord,
+//   y1 - c(u1) + κ n (n·f) = 0.
+// At the end of an open path the point is held there, as long as it would go on.
+#include "model/path.hpp"
+
+#include "articulates/rows.hpp"
+
+namespace pantin {
+
+namespace {
+
+/// Direction out of the path at the end where u is, or 0 inside.
+Vec3 way_out(const Path& path, double u) {
+  if (path.closed()) return zero3();
+  if (u >= path.pieces()) return path.tangent(u);
+  return u <= 0.0 ? path.tangent(u) * -1.0 : zero3();
+}
+
+}  // namespace
+
+double evaluate_path(Row& row, Condition& c, const RowContext& context) {
+  const Path& path = *c.path;
+  const double kappa = 0.5 * context.h * context.h * context.mobility;
+  c.angle1 = path.nearest(row.d1, c.angle0);
+  const Vec3 place = path.place(c.angle1), open = row.d1 - place, out = way_out(path, c.angle1);
+  if (norm2(out) > 0.0 && dot(row.f, out) * kappa < dot(open, out)) {
+    c.held = true;
+    row.residual = open - row.offset;
+    c.M = identity33();
+    c.C = zero33();
+    return norm(row.residual);
+  }
+  c.held = false;
+  const Vec3 chord = place - path.place(c.angle0), T = path.tangent(c.angle1);
+  const double way = norm(chord);
+  const Vec3 n = way > 1e-12 * norm(place) ? chord / way : T;
+  const double along = dot(row.f, n);
+  row.residual = open - row.offset + n * (along * kappa);
+  const double bend = way > 1e-12 * norm(place) ? dot(row.f, T - n * dot(n, T)) / way : 0.0;
+  c.M = identity33() - outer(T, T) + outer(n, T) * (kappa * bend);
+  c.C = outer(n, n) * kappa;
+  const double weight = std::fmax(kappa, way / std::fmax(norm(row.f), 1e-3 * way / kappa));
+  return std::fmax(norm(open - row.offset), std::fabs(along) * weight);
+}
+
+void project_path(const Row&, Condition& c) {
+  const Vec3 T = c.path->tangent(c.angle1);
+  c.kept = c.held ? identity33() : identity33() - outer(T, T);
+}
+
+Vec3 path_gap(const Row& row, const Condition& c) {
+  return row.d1 - c.path->place(c.path->nearest(row.d1, c.angle1)) - row.offset;
+}
+
+}  // namespace pantin

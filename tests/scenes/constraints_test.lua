@@ -1,0 +1,78 @@
+local function frame(code)
+  return open_text([[
+    local wall = scene:body { mass = 1, inertia = vec(1, 1, 1), name = "wall", points = { at = vec(0, 0, 0) } }
+    scene:nail(wall.at)
+    scene:orient(wall)
+    local arm = scene:body { mass = 2, inertia = vec(0.01, 0.2, 0.2), at = vec(0.5, 0, 0), name = "arm",
+                             points = { root = vec(-0.5, 0, 0), tip = vec(0.5, 0, 0) } }
+  ]] .. code)
+end
+
+test("a weld tells its load, and breaks at it", function()
+  local scene = frame [[
+    local weld = scene:weld(arm, wall, { name = "weld" })
+    scene:on("broke", function(thing, force) scene:result("broke", force) end)
+    scene:at(0.5, function() weld.breaks_at = { force = 19 } end)
+  ]]
+  scene:advance(0.4)
+  expect(scene:find("weld").force.y):near(2 * 9.81, 1e-6)
+  expect(scene:find("weld").torque.z):near(2 * 9.81 * 0.25, 1e-6)
+  scene:advance(0.2)
+  expect(scene:find("weld")):equal(nil)
+end)
+
+test("a hinge turns about its axis only, breaks at its load, and may rest", function()
+  local scene = frame [[
+    local hinge = scene:hinge(wall.at, arm.root, { axis = vec(0, 0, 1), name = "hinge", breaks_at = { force = 1e4 } })
+    arm.spin = vec(3, 2, 1)
+    scene:at(1, function() hinge.enabled = false end)
+    scene:at(1.5, function() hinge.breaks_at = nil end)
+  ]]
+  scene:advance(0.9)
+  local arm = scene:find("arm")
+  expect(math.abs(arm.spin.x) + math.abs(arm.spin.y)):below(1e-9)
+  expect(scene.error.worst_constraint):below(1e-10)
+  scene:advance(1)
+  expect(arm.position.y):below(-1)
+end)
+
+test("motors, limits and aligns take numbers or functions of time", function()
+  local scene = frame [[
+    scene:hinge(wall.at, arm.root)
+    local motor = scene:motor(arm, wall, { axis = vec(0, 0, 1), angle = function(t) return 0.5 * t end, name = "motor" })
+    scene:limit(arm, { axis = vec(0, 0, 1), max = 0.25, name = "limit" })
+    local free = scene:body { mass = 1, inertia = vec(1, 2, 3), at = vec(3, 0, 0) }
+    scene:align(free, vec(1, 0, 0), vec(0, 1, 0), { angle = 1 })
+    scene:at(0.4, function() motor.angle = 0.2 end)
+  ]]
+  scene:advance(1.5)
+  expect(scene:find("motor").turned):near(0.2, 1e-4)
+  expect(scene:find("limit").value):near(0.2, 1e-4)
+end)
+
+test("a string slides and goes slack, a bead keeps to its path, a point to its plane", function()
+  local scene = open_text [[
+    local a, b = scene:particle { at = vec(-1, -1, 0), mass = 2, name = "a" }, scene:particle { at = vec(1, -1, 0) }
+    scene:string({ a, vec(-1, 0, 0), vec(1, 0, 0), b }, { name = "string" })
+    local bead = scene:particle { at = vec(0, 0, 1), name = "bead" }
+    scene:on_path(bead, { vec(0, 0, 1), vec(1, -1, 1), vec(2, 0, 1) }, { smooth = true })
+    scene:on_plane(scene:particle { name = "sliding" }, { normal = vec(0, 1, 0) })
+  ]]
+  scene:advance(0.3)
+  expect(scene:find("a").position.y):near(-1 - 0.5 * 9.81 / 3 * 0.09, 1e-9)
+  expect(scene:find("string").force):near(2 * 2 * 9.81 / 3, 1e-7)
+  expect(scene:find("sliding").position.y):near(0, 1e-12)
+  expect(scene.error.worst_constraint):below(1e-10)
+end)
+
+test("what cannot be is an error at its line", function()
+  local function fails(code, text)
+    expect(function() open_text("local p = scene:particle()\n" .. code) end):fails(text)
+  end
+  fails("scene:motor(p, { axis = vec(0, 0, 1), speed = 1 })", "text.lua:2: motor: argument 1 must be a body")
+  fails("scene:on_path(p, { vec(0, 0, 0) })", "text.lua:2: on_path: a path needs two places or more, got 1")
+  fails("scene:on_plane(p, { time_constant = -1 })", "text.lua:2: on_plane: time_constant must be > 0 s")
+  fails("scene:limit(p, vec(0, 1, 0), { min = 2, max = 1 })", "text.lua:2: limit: min must be below max")
+  fails("scene:string({ p })", "text.lua:2: string: needs two points or more, got 1")
+  fails("scene:weld(p, p)", "text.lua:2: weld: argument 1 must be a body")
+end)
