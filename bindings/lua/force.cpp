@@ -109,8 +109,8 @@ void read_range(const Options& o, LawSpec& spec) {
   spec.def.shift = pair.shift.value_or(true);
   spec.def.one_sided = pair.one_sided;
   spec.def.exclude = pair.exclude;
-  spec.implicit = pair.implicit;
-  require(!spec.implicit || spec.form != LawForm::pair_force, o.what(),
+  spec.solve = pair.solve;
+  require(spec.solve == Solve::explicitly || spec.form != LawForm::pair_force, o.what(),
           ": implicit is for a potential or a tension, whose derivative is known");
 }
 
@@ -181,8 +181,20 @@ PairOptions read_pair_options(const Options& o) {
   require(exclude >= 0 && exclude <= 8 && exclude == std::floor(exclude), o.what(),
           ": exclude must be a whole number from 0 to 8, got ", exclude);
   pair.exclude = static_cast<int>(exclude);
-  pair.implicit = o.boolean("implicit").value_or(false);
+  pair.solve = read_implicit(o);
   return pair;
+}
+
+Solve read_implicit(const Options& o) {
+  if (!o.has("implicit")) return Solve::explicitly;
+  const int at = o.push("implicit");
+  const bool is_boolean = lua_isboolean(o.state(), at), on = lua_toboolean(o.state(), at) != 0;
+  const bool dissipative =
+      lua_type(o.state(), at) == LUA_TSTRING && std::string_view(lua_tostring(o.state(), at)) == "dissipative";
+  const std::string got = is_boolean || dissipative ? "" : kind_of_value(o.state(), at);
+  lua_pop(o.state(), 1);
+  require(got.empty(), o.what(), ": implicit must be true, false or \"dissipative\", got ", got);
+  return dissipative ? Solve::at_end : on ? Solve::at_middle : Solve::explicitly;
 }
 
 void push_law(lua_State* state, LawSpec spec) {

@@ -22,7 +22,7 @@ struct ResolvedLaw {
   std::vector<double> values;  ///< (parameters of the law); where one is `present` it is to be measured
   std::shared_ptr<CalledLaw>
       function;  ///< of a traced law of a scene: to be compared with now and then (`recheck_law`)
-  bool implicit = false;
+  Solve solve = Solve::explicitly;  ///< of its connections
 };
 
 /// A law as a scene wrote it.
@@ -35,7 +35,7 @@ struct LawSpec {
   LawDef def;
   bool strict = false;    ///< not to be traced is an error
   bool exact = true;      ///< an equality test is not traced
-  bool implicit = false;  ///< to be solved with the articulate
+  Solve solve = Solve::explicitly;  ///< of its connections
   bool warned = false;    ///< that it is called in Lua
 
   /// What was made ready so far, and for whom.

@@ -32,7 +32,13 @@ const char* const own_laws = R"(---A law: how particles pull at each other, or a
 ---@field shift? boolean the energy is 0 at the cutoff; true unless given
 ---@field one_sided? boolean b feels nothing of what a feels
 ---@field exclude? integer pairs within so many connections are left out
----@field implicit? boolean solved with the articulate: for stiff connections
+---@field implicit? boolean|"dissipative" connections are solved with what they tie, whatever their stiffness: with exact energy, or losing it
+
+---@class ConnectOptions
+---@field breaks_at? { force?: number, length?: number } [N] and [m] at which it breaks
+---@field implicit? boolean|"dissipative" as of the law, for this connection
+---@field name? string
+---@field [string] number of the law's parameters, for this connection
 
 ---@class OwnPairLawOptions: OwnLawOptions, PairLawOptions
 ---@field potential? fun(r: number, a: LawParticle, b: LawParticle, own: table, t: number): number [J] of the distance

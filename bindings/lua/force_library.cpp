@@ -152,14 +152,15 @@ int make(lua_State* state) {
   spec.count = law.count;
   const Options o(state, 1, spec.word, option_names(law));
   const LawArguments arguments = read_arguments(state, o, law);
-  if (is_of_pairs(law)) spec.implicit = read_pair_options(o).implicit;
-  require(!spec.implicit || law.kind == LawKind::central, o.what(), ": implicit is for laws of the distance");
+  if (is_of_pairs(law)) spec.solve = read_pair_options(o).solve;
+  require(spec.solve == Solve::explicitly || law.kind == LawKind::central, o.what(),
+          ": implicit is for laws of the distance");
   ResolvedLaw resolved;
   try {
     resolved.laws = find_laws(known, law, arguments, o.string("name").value_or(""));
   } catch (const Error& error) { throw Error(text("force.", error.what())); }
   resolved.values = parameter_values(*resolved.laws[0], arguments);
-  resolved.implicit = spec.implicit;
+  resolved.solve = spec.solve;
   spec.library = std::move(resolved);
   push_law(state, std::move(spec));
   return 1;

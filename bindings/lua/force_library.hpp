@@ -15,9 +15,11 @@ struct PairOptions {
   std::optional<bool> shift;
   bool one_sided = false;
   int exclude = 0;  ///< connections
-  bool implicit = false;
+  Solve solve = Solve::explicitly;
 };
 PairOptions read_pair_options(const Options& options);
+/// `implicit`: true, "dissipative" or false.
+Solve read_implicit(const Options& options);
 
 /// Pushes a law as a value. Its function, where it has one, is to be set as user value 1.
 void push_law(lua_State* state, LawSpec spec);

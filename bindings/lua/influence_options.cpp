@@ -6,6 +6,7 @@
 #include "lua/arguments.hpp"
 #include "lua/fields.hpp"
 #include "lua/force.hpp"
+#include "lua/force_library.hpp"
 #include "lua/script.hpp"
 #include "lua/targets.hpp"
 #include "world/edit.hpp"
@@ -100,7 +101,7 @@ int scene_connect(lua_State* state) {
   const std::shared_ptr<const Law>& law = resolved.laws.front();
   std::vector<std::string> names = parameter_names(*law);
   const std::vector<std::string> parameters = names;
-  names.insert(names.end(), {"breaks_at", "name"});
+  names.insert(names.end(), {"breaks_at", "implicit", "name"});
   const Options o(state, at + 1, "connect", names);
   def.parameters = resolved.values;
   for (std::size_t k = 0; k < parameters.size(); k++) {
@@ -116,6 +117,7 @@ int scene_connect(lua_State* state) {
     def.max_length = limits.number_or_infinity("length", "m").value_or(infinity);
     lua_pop(state, 1);
   }
+  def.solve = o.has("implicit") ? read_implicit(o) : resolved.solve;
   def.name = o.string("name").value_or("");
   const ConnectionId id = add_connection(self.world, law, def);
   watch_law(self.script, id, resolved);
@@ -130,6 +132,7 @@ int scene_interact(lua_State* state) {
   const KnownNames known[] = {names_of(self.world, a), names_of(self.world, b)};
   const ResolvedLaw resolved = resolve_law(state, 4, self.script, known, a == b);
   require_values("interact", *resolved.laws.front());
+  require(resolved.solve == Solve::explicitly, "interact: implicit is for connections");
   const InteractionId id = add_interaction(self.world, resolved.laws.front(), a, b, resolved.values);
   watch_law(self.script, id, resolved);
   push_thing(state, self.script, id);

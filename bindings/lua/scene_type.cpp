@@ -66,10 +66,7 @@ void write_integrator(const Self& s, int index) {
   const std::string name = check_text(s.state, index, "scene", "integrator");
   std::string known;
   for (const NamedIntegrator& named : integrators) {
-    if (named.name == name) {
-      s.world.settings.integrator = named.integrator;
-      return;
-    }
+    if (named.name == name) return set_integrator(s.world, named.integrator);
     known += text(known.empty() ? "\"" : named.name == integrators.back().name ? " or \"" : ", \"", named.name, "\"");
   }
   throw Error(text("scene: integrator must be ", known, ", got \"", name, "\""));
@@ -115,7 +112,8 @@ std::vector<Field> engine_settings() {
       {"step", "number", "s", "length of one step",
        [](const Self& s) { lua_pushnumber(s.state, s.world.settings.step); },
        [](const Self& s, int i) { set_step(s.world, check_positive(s, i, "step", "s")); }},
-      {"integrator", "string", "", "\"verlet\", or \"euler\" (the paper's)",
+      {"integrator", "string", "",
+       "\"verlet\", \"implicit\" (connections of any stiffness), or \"euler\" (the paper's)",
        [](const Self& s) {
          const std::string_view name = name_of(s.world.settings.integrator);
          lua_pushlstring(s.state, name.data(), name.size());

@@ -4,6 +4,7 @@
 
 #include "articulates/conditions.hpp"
 #include "articulates/rows.hpp"
+#include "articulates/stiff.hpp"
 
 namespace pantin {
 
@@ -48,7 +49,8 @@ void store(const Node& n, Model& model) {
 
 void load(Articulate& a, const Model& model, Vec3 gravity) {
   for (Node& n : a.nodes) load(n, model, gravity);
-  for (Condition& c : a.conditions) load(c, row(a, c), model, a.total_mass);
+  for (Condition& c : a.conditions)
+    if (!c.stiff) load(c, row(a, c), model, a.total_mass);
 }
 
 void disturb(Articulate& a) {
@@ -61,6 +63,7 @@ void store(const Articulate& a, Model& model) {
   for (const Row& row : a.rows)
     if (row.centre) model.points[row.centre].row_force = zero3();
   for (const Row& row : a.rows) {
+    if (row.kind == RowKind::stiff) continue;
     if (row.condition >= 0) {
       if (!model.constraints.alive(condition(a, row).constraint)) continue;  // it broke in this step
       store(condition(a, row), row, model.constraints[condition(a, row).constraint]);
@@ -69,6 +72,12 @@ void store(const Articulate& a, Model& model) {
     model.points[row.member].row_force = row.f;
     model.points[row.centre].row_force -= row.f;
   }
+}
+
+void tell_tensions(const Articulate& a, Model& model) {
+  for (const Row& row : a.rows)
+    if (row.kind == RowKind::stiff)
+      model.connections[condition(a, row).stiff->connection].tension = -dot(row.f, direction(row.d1));
 }
 
 double kinetic_energy(const Articulate& a) {
@@ -80,7 +89,7 @@ double kinetic_energy(const Articulate& a) {
 void measure_gaps(Articulate& a) {
   a.gaps = {};
   for (const Row& row : a.rows) {
-    if (row.kind == RowKind::limited) continue;
+    if (is_soft(row)) continue;
     const double open = norm(gap(a, row));
     a.gaps.open = std::max(a.gaps.open, open);
     if (row.kind == RowKind::rigid && row.lever == 0.0)

@@ -9,6 +9,7 @@
 // first node against the second [m], l and r are axes (unit vectors). Its torque does the work lever f·(ā_a - ā_b) exactly,
 // ā = R0 a: a rigid couple does none, since equal relative rotations at both ends have equal ā.
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "articulates/factor.hpp"
@@ -56,9 +57,11 @@ struct alignas(64) Node {
 
 /// What a row wants: rigid keeps two points together; limited draws one to a place with a force up to a limit; rod
 /// keeps a distance or keeps it in a range; plane keeps a point on a plane; strand is a segment of a string; path keeps
-/// a point on a path. Of couples, rigid keeps an orientation, axis keeps two axes together, align keeps the angle
-/// between them, turn drives the angle about an axis or keeps it in a range.
-enum class RowKind : std::uint8_t { rigid, limited, rod, plane, axis, align, turn, strand, path };
+/// a point on a path; stiff pulls by a law. Of couples, rigid keeps an orientation, axis keeps two axes together, align
+/// keeps the angle between them, turn drives the angle about an axis or keeps it in a range.
+enum class RowKind : std::uint8_t { rigid, limited, rod, plane, axis, align, turn, strand, path, stiff };
+
+struct StiffTie;
 
 /// Ties a point of node a to a point of node b, or to a place of the world (b = -1), by one force.
 struct alignas(64) Row {
@@ -111,7 +114,8 @@ struct Condition {
   bool held_before = true;  // at the end of the last step
   bool works = false;       // its force may do work
   std::uint32_t row = 0;
-  ConstraintId constraint;
+  ConstraintId constraint;          // null of a stiff row
+  std::shared_ptr<StiffTie> stiff;  // of a stiff row
 };
 
 /// Two rows that meet at a node: a block of the matrix.
@@ -183,6 +187,8 @@ struct Articulate {
   bool all_rigid = true;
   bool limited = false;      // has limited rows
   bool breakable = false;    // has constraints that may break
+  bool open = false;         // has rows that take energy or give it
+  bool yields = false;       // has no row but soft ones: its velocities are free
   bool has_factor = false;   // the factor is of a Newton matrix
   bool safe = false;         // the last step was a safe one
   bool edited = true;        // new: velocities are still to be made consistent
@@ -190,6 +196,9 @@ struct Articulate {
   bool pulled = false;       // laws act on it: its kinetic energy is no longer gravity's alone
   std::uint64_t serial = 0;  // smallest of its things
 };
+
+/// Whether a row forbids no motion, and only pulls.
+inline bool is_soft(const Row& row) { return row.kind == RowKind::limited || row.kind == RowKind::stiff; }
 
 inline Condition& condition(Articulate& a, const Row& row) {
   return a.conditions[static_cast<std::size_t>(row.condition)];
@@ -214,6 +223,9 @@ void disturb(Articulate& articulate);
 void store(const Articulate& articulate, Model& model);
 void store(const Node& node, Model& model);
 
+/// Writes the tensions of solved connections.
+void tell_tensions(const Articulate& articulate, Model& model);
+
 /// Kinetic energy of the nodes' starts, [J].
 double kinetic_energy(const Articulate& articulate);
 inline double kinetic_energy(const Node& n) { return 0.5 * (norm2(n.p0) * n.inverse_mass + dot(n.P0, n.O0)); }
@@ -223,6 +235,7 @@ void measure_gaps(Articulate& articulate);
 /// What a drift did, for counting and the balance of energy.
 struct DriftReport {
   std::uint32_t iterations = 0, factorisations = 0, halved = 0, safe = 0, projections = 0, offsets = 0;
+  double open_work = 0.0;  // [J] of solved laws without energy
   double work = 0.0;  // [J] of the world ends, pushes and twists, and of making velocities consistent after an edit
 };
 

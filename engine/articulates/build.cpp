@@ -4,6 +4,7 @@
 
 #include "articulates/conditions.hpp"
 #include "articulates/islands.hpp"
+#include "articulates/stiff.hpp"
 #include "articulates/strand.hpp"
 #include "model/path.hpp"
 
@@ -118,13 +119,51 @@ struct Builder {
     }
   }
 
+  /// Of a connection that is solved here: between the points at which its rings are pulled.
+  void add_stiff(ConnectionId id) {
+    const Connection& c = model.connections[id];
+    const bool swapped = !c.particles[0];  // a place of the world is always the second end
+    const ParticleId a = c.particles[swapped ? 1 : 0], b = c.particles[swapped ? 0 : 1];
+    if (b && holder(star(model, a)) == holder(star(model, b))) return;  // nothing between them can move
+    Row row;
+    Condition condition;
+    condition.stiff = std::make_shared<StiffTie>();
+    StiffTie& tie = *condition.stiff;
+    tie.connection = id;
+    tie.a = a;
+    tie.b = b;
+    tie.solve = c.solve;
+    tie_a(row, star(model, a));
+    if (b) tie_b(row, star(model, b));
+    if (!b) condition.whole0 = condition.whole1 = c.places[swapped ? 0 : 1];
+    const Vec3 d = position(model, a) - (b ? position(model, b) : condition.whole1);
+    tie.least2 = 1e-24 * (norm2(d) > 0.0 ? norm2(d) : 1.0);
+    for (auto law = c.law; law; law = law->also) tie.curves.emplace_back(*law);
+    tie.energy0.resize(tie.curves.size());
+    tie.energy1.resize(tie.curves.size());
+    row.kind = RowKind::stiff;
+    row.condition = static_cast<std::int32_t>(conditions.size());
+    row.f = row.f_last = direction(d) * -c.tension;
+    conditions.push_back(condition);
+    rows.push_back(row);
+  }
+
   void add_rows(Thing t) {
+    const auto visit_ring = [&](ParticleId ring) {
+      for (ConnectionId id : model.particles[ring].connections) {
+        const Connection& c = model.connections[id];
+        const ParticleId first = c.particles[0] ? c.particles[0] : c.particles[1];
+        if (c.enabled && c.solve != Solve::explicitly && first == ring) add_stiff(id);
+      }
+    };
     const auto visit = [&](PointId point) {
       const ParticleId ring_id = model.points[point].particle;
       const Particle& ring = model.particles[ring_id];
       if (ring.joins() && ring.points.front() == point) add_hinge(ring, star(model, ring_id));
       for (ConstraintId id : model.points[point].constraints)
         if (model.constraints[id].enabled && model.constraints[id].a == point) add_constraint(id);
+      visit_ring(model.points[point].own);
+      if (ring.is_hinge() && ring.points.front() == point) visit_ring(ring_id);
     };
     if (!t.is_body) return visit(model.points.id_at(t.slot));
     const Body& body = model.bodies.at_slot(t.slot);
@@ -305,13 +344,16 @@ void measure(Articulate& a, const Model& model) {
     }
     if (row.kind == RowKind::strand) lengths.push_back(model.constraints[condition(a, row).constraint].length);
     if (row.kind == RowKind::rod && condition(a, row).length > 0.0) lengths.push_back(condition(a, row).length);
+    if (row.kind == RowKind::stiff) lengths.push_back(1e12 * std::sqrt(condition(a, row).stiff->least2));
     if (row.lever > 0.0) lengths.push_back(row.lever);
     a.all_rigid = a.all_rigid && row.kind == RowKind::rigid;
     a.limited = a.limited || row.kind == RowKind::limited;
+    if (row.kind == RowKind::stiff) a.open = a.open || condition(a, row).stiff->is_open();
     if (row.lever > 0.0) continue;
     for (double l : {norm(row.la), row.b >= 0 ? norm(row.lb) : 0.0})
       if (l > 0.0) lengths.push_back(l);
   }
+  a.yields = std::all_of(a.rows.begin(), a.rows.end(), is_soft);
   if (!lengths.empty()) {
     const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
     std::nth_element(lengths.begin(), middle, lengths.end());

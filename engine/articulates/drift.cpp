@@ -32,6 +32,7 @@ void drift_part(Articulate& a, const DriftSettings& settings, double from, doubl
   if (a.gaps.open > 1e-8 * a.length) return safe_step(a, settings, h, report);
   place_rows_at_start(a);
   if (solve_step(a, h, settings.gravity, report)) {
+    report.open_work += work_of_open_laws(a);
     report.work += commit(a, settings.gravity);
     a.fresh = false;
     for (Condition& c : a.conditions) c.angle0 = c.angle1;

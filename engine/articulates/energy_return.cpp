@@ -57,7 +57,8 @@ Anchors anchors(const Articulate& a) {
   for (const Condition& c : a.conditions) {
     const Row& r = row(a, c);
     if (r.b >= 0) continue;
-    if (r.kind == RowKind::plane || r.kind == RowKind::path) return {Anchorage::fixed, c.whole1, zero3()};
+    const bool held = r.kind == RowKind::plane || r.kind == RowKind::path;
+    if (c.stiff || held) return {Anchorage::fixed, c.whole1, zero3()};  // no momentum is kept
     if (r.lever > 0.0) {
       axis = !turned && r.kind == RowKind::axis ? r.rb1 : zero3();
       turned = true;
@@ -119,7 +120,7 @@ RigidMotion kept_motion(const Articulate& a, Vec3 gravity) {
 
 bool may_return(const Articulate& a) {
   if (a.pulled) return false;
-  if (a.safe || a.limited) return false;
+  if (a.safe || a.limited || a.open) return false;
   return !struck(a) && std::none_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) {
     return norm2(c.velocity) > 0.0 || c.length_rate != 0.0 || (c.works && !c.ranged);
   });

@@ -21,6 +21,6 @@ double evaluate_limited(Row& row, Condition& c, const RowContext& context) {
   return norm(row.residual) / secant;
 }
 
-void project_limited(const Row&, Condition& c) { c.kept = zero33(); }
+void project_soft(const Row&, Condition& c) { c.kept = zero33(); }
 
 }  // namespace pantin

@@ -12,21 +12,23 @@ double evaluate_rigid(Row& row) {
   return norm(row.residual);
 }
 
+Vec3 no_gap(const Row&, const Condition&) { return zero3(); }
+
 }  // namespace
 
-const RowRule row_rules[9] = {
+const RowRule row_rules[10] = {
     {[](Row& row, Condition&, const RowContext&) { return evaluate_rigid(row); }, [](const Row&, Condition&) {},
      [](const Row& row, const Condition&) { return row.d1 - row.offset; }},
-    {evaluate_limited, project_limited, [](const Row&, const Condition&) { return zero3(); }},
+    {evaluate_limited, project_soft, no_gap},
     {evaluate_rod, project_rod, rod_gap},
     {evaluate_plane, project_plane, plane_gap},
     {evaluate_axis, project_axis, axis_gap},
     {evaluate_align, project_align, align_gap},
     {evaluate_turn, project_turn, turn_gap},
     // strands are done together, once all rows are placed
-    {[](Row&, Condition&, const RowContext&) { return 0.0; }, [](const Row&, Condition&) {},
-     [](const Row&, const Condition&) { return zero3(); }},
+    {[](Row&, Condition&, const RowContext&) { return 0.0; }, [](const Row&, Condition&) {}, no_gap},
     {evaluate_path, project_path, path_gap},
+    {evaluate_stiff, project_soft, no_gap},
 };
 
 double residual(Articulate& a, Row& row, double h) {

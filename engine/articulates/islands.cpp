@@ -40,12 +40,28 @@ class Search {
     mark = 1;
     found_.push_back(t);
   }
-  void add(PointId point) {
+  Thing holder(PointId point) const {
     const Point& p = model_.points[point];
-    add(p.body ? Thing{p.body.slot - 1, true} : Thing{point.slot - 1, false});
+    return p.body ? Thing{p.body.slot - 1, true} : Thing{point.slot - 1, false};
+  }
+  void add(PointId point) { add(holder(point)); }
+  /// What is tied by connections that are solved with their articulate.
+  void visit(const Particle& particle) {
+    for (ConnectionId id : particle.connections) {
+      const Connection& c = model_.connections[id];
+      if (!c.enabled || c.solve == Solve::explicitly) continue;
+      const Thing first = c.particles[0] ? holder(star(model_, c.particles[0])) : Thing{};
+      const Thing second = c.particles[1] ? holder(star(model_, c.particles[1])) : Thing{};
+      const bool inside = c.particles[0] && c.particles[1] && first == second;
+      constrained_ = constrained_ || !inside;
+      if (c.particles[0]) add(first);
+      if (c.particles[1]) add(second);
+    }
   }
   void visit(PointId point) {
     const Particle& ring = model_.particles[model_.points[point].particle];
+    visit(model_.particles[model_.points[point].own]);
+    visit(ring);
     if (ring.joins()) {
       constrained_ = true;
       for (PointId member : ring.points) add(member);

@@ -18,6 +18,7 @@ void find_articulates(Model& model, std::vector<std::unique_ptr<Articulate>>& ar
 struct Thing {
   std::uint32_t slot;
   bool is_body;
+  bool operator==(const Thing&) const = default;
 };
 /// Builds the articulate of a connected set of things, in the order of their serials.
 std::unique_ptr<Articulate> build_articulate(const Model& model, std::span<const Thing> things);

@@ -58,7 +58,7 @@ void finish_diagonal(Articulate& a, std::uint32_t k, const System& system) {
   const Row& row = a.rows[k];
   Mat3& d = a.factor.diagonal[k];
   if (row.kind != RowKind::rigid) d += condition(a, row).C * system.scale;
-  const double compliance = row.kind == RowKind::limited ? 0.0 : system.epsilon * trace(d) / 3.0;
+  const double compliance = is_soft(row) ? 0.0 : system.epsilon * trace(d) / 3.0;
   for (int i = 0; i < 3; i++) {
     d[i][i] += compliance;
     a.factor.floor[k][i] = std::fabs(d[i][i]) * Factor::redundant;

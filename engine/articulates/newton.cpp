@@ -7,6 +7,7 @@
 #include "articulates/couple.hpp"
 #include "articulates/midpoint.hpp"
 #include "articulates/rows.hpp"
+#include "articulates/stiff.hpp"
 #include "articulates/strand.hpp"
 
 namespace pantin {
@@ -166,6 +167,11 @@ double search_line(Articulate& a, double h, double e, double tolerance, bool fre
   }
 }
 
+/// Velocity of a point at the start, [m/s].
+Vec3 start_velocity(const Node& n, Vec3 arm) {
+  return n.p0 * n.inverse_mass + (n.turns ? cross(n.R0 * n.O0, arm) : zero3());
+}
+
 }  // namespace
 
 void place_rows_at_start(Articulate& a) {
@@ -177,6 +183,10 @@ void place_rows_at_start(Articulate& a) {
     row.ra0 = first(a, row).R0 * row.la;
     row.rb0 = row.b >= 0 ? second(a, row).R0 * row.lb : zero3();
     row.d0 = first(a, row).x0 + row.ra0 - (row.b >= 0 ? second(a, row).x0 + row.rb0 : condition(a, row).place0);
+    if (row.kind != RowKind::stiff) continue;
+    Vec3 v = start_velocity(first(a, row), row.ra0);
+    if (row.b >= 0) v -= start_velocity(second(a, row), row.rb0);
+    start_stiff(*condition(a, row).stiff, row, dot(row.d0, v));
   }
 }
 
@@ -188,6 +198,7 @@ double work_of_rows(const Articulate& a) {
   double work = 0.0;
   for (const Condition& c : a.conditions) {
     const Row& r = row(a, c);
+    if (c.stiff) continue;
     if (r.lever > 0.0) {
       if (c.works) work += work_of_couple(a, r);
       continue;
@@ -195,6 +206,14 @@ double work_of_rows(const Articulate& a) {
     if (r.b < 0) work += dot(r.f, c.place1 - c.place0);
     if (c.works) work += dot(r.f, r.d1 - r.d0);
   }
+  return work;
+}
+
+double work_of_open_laws(const Articulate& a) {
+  double work = 0.0;
+  if (!a.open) return work;
+  for (const Condition& c : a.conditions)
+    if (c.stiff) work += c.stiff->open_work(row(a, c));
   return work;
 }
 

@@ -14,7 +14,7 @@ Vec3 end_velocity(const Node& n, Vec3 arm) { return n.p0 * n.inverse_mass + cros
 
 /// Sets the residual of a row to its forbidden velocity.
 void find_forbidden_velocity(const Articulate& a, Row& row) {
-  if (row.kind == RowKind::limited) {
+  if (is_soft(row)) {
     row.residual = zero3();
     return;
   }
@@ -102,7 +102,7 @@ double apply_projection(Articulate& a) {
   for (std::size_t k = a.rows.size(); k-- > 0;) {
     const Row& row = a.rows[k];
     a.factor.substitute_back(static_cast<std::uint32_t>(k), a.right_side.data());
-    if (row.kind == RowKind::limited) continue;
+    if (is_soft(row)) continue;
     Vec3 impulse = a.right_side[k];
     if (row.condition >= 0) {
       const Condition& c = condition(a, row);
@@ -179,7 +179,7 @@ void set_kept_matrices(Articulate& a) {
 }
 
 void project_velocities(Articulate& a, const DriftSettings& settings, DriftReport& report) {
-  if (a.safe) return;
+  if (a.safe || a.yields) return;
   find_kept(a);
   const Velocities before = start_solution(a);
   if (!project_with_newton_factor(a, before, report.work)) {
@@ -193,6 +193,7 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
 }
 
 void make_consistent(Articulate& a) {
+  if (a.yields) return;
   double anchors = 0.0;
   for (const Condition& c : a.conditions) anchors = std::max(anchors, norm2(c.velocity));
   save_momenta(a);

@@ -20,10 +20,11 @@ struct RowRule {
 };
 
 /// (kinds)
-extern const RowRule row_rules[9];
+extern const RowRule row_rules[10];
 
 double evaluate_limited(Row& row, Condition& condition, const RowContext& context);
-void project_limited(const Row& row, Condition& condition);
+void project_soft(const Row& row, Condition& condition);
+double evaluate_stiff(Row& row, Condition& condition, const RowContext& context);
 double evaluate_rod(Row& row, Condition& condition, const RowContext& context);
 void project_rod(const Row& row, Condition& condition);
 Vec3 rod_gap(const Row& row, const Condition& condition);

@@ -7,6 +7,7 @@
 #include "articulates/newton.hpp"
 #include "articulates/project.hpp"
 #include "articulates/rows.hpp"
+#include "articulates/stiff.hpp"
 #include "articulates/strand.hpp"
 
 namespace pantin {
@@ -17,6 +18,25 @@ void settle(Node& n) {
   n.x1 = n.x0;
   n.q1 = n.q0;
   n.R1 = n.R0;
+}
+
+/// What pulls by a law keeps its length in a safe step, and with it its energy.
+void hold_stiff(Articulate& a) {
+  for (Row& row : a.rows) {
+    if (row.kind != RowKind::stiff) continue;
+    Condition& c = condition(a, row);
+    c.length = norm(row.d0);
+    c.accepted = 0.0;
+    row.offset = zero3();
+    row.kind = norm2(row.d0) > c.stiff->least2 ? RowKind::rod : RowKind::rigid;
+  }
+  a.yields = false;
+}
+void release_stiff(Articulate& a) {
+  for (Row& row : a.rows)
+    if (row.condition >= 0 && condition(a, row).stiff) row.kind = RowKind::stiff;
+  a.yields = std::all_of(a.rows.begin(), a.rows.end(), is_soft);
+  measure_gaps(a);
 }
 
 /// Forces of limited rows at the start of the step, softened as a backward step would; then all constant forces.
@@ -117,6 +137,7 @@ void accept_gaps(Articulate& a, double tolerance, DriftReport& report) {
 
 void safe_step(Articulate& a, const DriftSettings& settings, double h, DriftReport& report) {
   place_rows_at_start(a);
+  hold_stiff(a);
   for (Node& n : a.nodes) settle(n);
   kick(a, h);
   place_rows_at_end(a);
@@ -139,6 +160,7 @@ void safe_step(Articulate& a, const DriftSettings& settings, double h, DriftRepo
   for (Row& row : a.rows)
     if (row.kind != RowKind::limited) row.f = zero3();
   for (Condition& c : a.conditions) c.angle0 = c.angle1;
+  release_stiff(a);
   a.fresh = true;
   a.last_h = 0.0;
   a.safe = true;

@@ -297,11 +297,15 @@ double Bonds::add_forces_and_energy(Sites& sites, const Box& box, const Instant&
   return kernel_->add(has ? kernel_->energetic : kernel_->plain, sites, box, instant, parameters, workers, has);
 }
 
-double Bonds::tension(std::size_t connection, const Sites& sites, const Box& box) const {
+double Bonds::pull(std::size_t connection, const Sites& sites, const Box& box) const {
   if (kernel_->last != nullptr) kernel_->find_pulls(sites, box);
+  return kernel_->pull[kernel_->bonds.position[connection]];
+}
+
+double Bonds::tension(std::size_t connection, const Sites& sites, const Box& box) const {
   const Arranged& bonds = kernel_->bonds;
   const std::size_t k = bonds.position[connection];
-  return kernel_->pull[k] * norm(box.nearest(sites.x[bonds.sites[1][k]] - sites.x[bonds.sites[0][k]]));
+  return pull(connection, sites, box) * norm(box.nearest(sites.x[bonds.sites[1][k]] - sites.x[bonds.sites[0][k]]));
 }
 
 std::optional<BadForce> Bonds::find_bad(const Sites& sites, const Box& box, const Instant& instant,

@@ -44,6 +44,8 @@ class Bonds {
   /// Tension [N] of a connection (its number in Ties) of a central law at the last evaluation, for sites where they
   /// were then; positive: it pulls. The first call after an evaluation works them out for all.
   double tension(std::size_t connection, const Sites& sites, const Box& box) const;
+  /// The same over the distance, which may be 0, [N/m].
+  double pull(std::size_t connection, const Sites& sites, const Box& box) const;
   /// The first connection whose force is not finite. Slow: for a message.
   std::optional<BadForce> find_bad(const Sites& sites, const Box& box, const Instant& instant,
                                    std::span<const double> parameters);

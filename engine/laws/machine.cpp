@@ -84,12 +84,14 @@ struct Machine::Memory {
   std::unique_ptr<double[], Free> values;
   std::vector<double*> columns;  // by slot; of a bound input somewhere else, only read
   std::vector<Stage> uniform, code;
+  int capacity;  // values in a column
+  int stride;    // from slot to slot
 
-  explicit Memory(const Program& made) : program(made) {
-    const std::size_t size = static_cast<std::size_t>(program.slots) * distance;
+  Memory(const Program& made, int most) : program(made), capacity(most), stride(most + distance - block) {
+    const std::size_t size = static_cast<std::size_t>(program.slots) * static_cast<std::size_t>(stride);
     values.reset(static_cast<double*>(::operator new[](std::max<std::size_t>(size, 1) * sizeof(double), alignment)));
     std::fill_n(values.get(), size, 0.0);
-    for (std::int32_t i = 0; i < program.slots; i++) columns.push_back(values.get() + i * distance);
+    for (std::int32_t i = 0; i < program.slots; i++) columns.push_back(values.get() + i * stride);
     for (const Instruction& i : program.uniform) uniform.push_back({i});
     code = stages_of(program.code, program.outputs);
   }
@@ -123,7 +125,7 @@ struct Machine::Memory {
   }
 };
 
-Machine::Machine(const Program& program) : memory_(std::make_unique<Memory>(program)) {}
+Machine::Machine(const Program& program, int capacity) : memory_(std::make_unique<Memory>(program, capacity)) {}
 Machine::~Machine() = default;
 Machine::Machine(Machine&&) noexcept = default;
 Machine& Machine::operator=(Machine&&) noexcept = default;
@@ -135,7 +137,7 @@ int Machine::input(const Input& input) const {
 }
 
 double* Machine::column(int input) {
-  double* own = memory_->values.get() + input * distance;
+  double* own = memory_->values.get() + input * memory_->stride;
   memory_->columns[static_cast<std::size_t>(input)] = own;
   return own;
 }
@@ -144,9 +146,9 @@ void Machine::bind(int input, const double* values) {
   memory_->columns[static_cast<std::size_t>(input)] = const_cast<double*>(values);
 }
 
-void Machine::fill(int input, double value) { std::fill_n(column(input), block, value); }
+void Machine::fill(int input, double value) { std::fill_n(column(input), memory_->capacity, value); }
 
-void Machine::run_uniform() { memory_->run(memory_->uniform, block); }
+void Machine::run_uniform() { memory_->run(memory_->uniform, memory_->capacity); }
 
 void Machine::run(int n) {
   memory_->run(memory_->code, (n + kernels::padding - 1) / kernels::padding * kernels::padding);

@@ -62,7 +62,8 @@ class Machine {
   /// From slot to slot: with a power of 2 they would be in each other's way in the cache.
   static constexpr int distance = block + 16;
 
-  explicit Machine(const Program& program);
+  /// `capacity`: the most values that it will run on, a multiple of 16.
+  explicit Machine(const Program& program, int capacity = block);
   ~Machine();
   Machine(Machine&&) noexcept;
   Machine& operator=(Machine&&) noexcept;
@@ -77,7 +78,7 @@ class Machine {
   void fill(int input, double value);
   /// Runs what depends on uniform inputs only; call after they were filled, and once where there are none.
   void run_uniform();
-  /// Runs on the first n values of every column, n <= block; values up to the next multiple of 16 may be touched.
+  /// Runs on the first n values of every column, n <= capacity; values up to the next multiple of 16 may be touched.
   void run(int n);
   /// n values; may be the column of an input.
   const double* output(int k) const;

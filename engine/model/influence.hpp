@@ -14,6 +14,10 @@ namespace pantin {
 
 struct Law;
 
+/// How a connection acts: by forces at the ends of steps, or solved with its articulate, which no stiffness can make
+/// unstable: at the middle of the step, where energy is exact, or at its end, which dissipates.
+enum class Solve : std::uint8_t { explicitly, at_middle, at_end };
+
 struct Connection {
   std::shared_ptr<const Law> law;
   std::array<ParticleId, 4> particles;  ///< the first `count`
@@ -23,6 +27,10 @@ struct Connection {
   double max_force = std::numeric_limits<double>::infinity();   ///< [N] tension at which it breaks
   double max_length = std::numeric_limits<double>::infinity();  ///< [m] at which it breaks
   bool enabled = true;
+  Solve asked = Solve::explicitly;
+  Solve solve = Solve::explicitly;  ///< what it does: more than asked where the scene or its stiffness wants it
+  bool too_stiff = false;           ///< for explicit steps
+  double tension = 0.0;             ///< [N] in the last step, where it is solved
   std::string name;
   std::string place_of_making;  ///< "scene.lua:12", or empty
   std::uint64_t serial = 0;

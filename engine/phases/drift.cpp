@@ -45,7 +45,8 @@ void count(World& world, const DriftReport& report) {
   world.stats.projections += report.projections;
   world.stats.solves++;
   world.stats.worst_iterations = std::max(world.stats.worst_iterations, report.iterations);
-  world.work += report.work;
+  world.work += report.work + report.open_work;
+  world.open_work += report.open_work;
 }
 
 DriftSettings drift_settings(const World& world) {
@@ -66,6 +67,7 @@ void drift(World& world) {
       drift_euler(*articulate, settings, report);
     else
       pantin::drift(*articulate, settings, report);
+    tell_tensions(*articulate, world);
     count(world, report);
     if (report.offsets > 0)
       log_line(world, "notice", "a gap that no motion can close was taken as a constant offset of its hinges");

@@ -3,6 +3,7 @@
 #include "articulates/islands.hpp"
 #include "phases/phases.hpp"
 #include "world/editing.hpp"
+#include "world/solved.hpp"
 
 namespace pantin::phases {
 
@@ -31,9 +32,10 @@ bool ties_changed(const World& world) {
 
 void find_articulates(World& world) {
   const Timed timed(world.profile, Phase::find_articulates);
+  if (world.topology_changed && ties_changed(world)) editing::disturb_forces(world);
+  if (world.influences_changed) choose_solved(world);
   const bool topology_changed = world.topology_changed;
   const std::size_t count = world.articulates.size();
-  if (topology_changed && ties_changed(world)) editing::disturb_forces(world);
   pantin::find_articulates(world, world.articulates, world.loose_bodies, world.loose_points);
   if (world.articulates.size() != count) editing::disturb_forces(world);
   if (topology_changed || world.influences_changed) read_masses(world);  // every edit of a mass says so

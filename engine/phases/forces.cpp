@@ -22,6 +22,10 @@ void refresh_forces(World& world) {
   const Timed timed(world.profile, Phase::refresh_forces);
   try {
     pantin::refresh_forces(world);
+    while (world.influences_changed) {  // connections were found too stiff
+      find_articulates(world);
+      pantin::refresh_forces(world);
+    }
   } catch (const Error& error) {
     world.failure = error.what();
     log_line(world, "failure", world.failure);

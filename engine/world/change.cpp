@@ -167,6 +167,13 @@ void set_box(World& world, std::optional<Vec3> box) {
   for (int i = 0; box && i < 3; i++) require_positive("scene", "box", (*box)[i], "m");
   disturb_forces(world);
   world.settings.box = box;
+  world.stiffness_unknown = true;
+}
+
+void set_integrator(World& world, Integrator integrator) {
+  require_unlocked(world, "integrator");
+  disturb_forces(world);
+  world.settings.integrator = integrator;
 }
 
 void set_step(World& world, double step) {
@@ -174,6 +181,7 @@ void set_step(World& world, double step) {
   require_positive("scene", "step", step, "s");
   acted(world);
   world.settings.step = step;
+  world.stiffness_unknown = true;
   world.step_origin = world.time;
   world.step_count = 0;
   // Three samples of a target at two distances in time give no velocity.

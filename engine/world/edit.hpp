@@ -96,6 +96,7 @@ struct ConnectionDef {
   std::vector<double> parameters;  ///< (parameters of the law); empty: the law's
   double max_force = std::numeric_limits<double>::infinity();   ///< [N] > 0, tension at which it breaks
   double max_length = std::numeric_limits<double>::infinity();  ///< [m] > 0 at which it breaks
+  Solve solve = Solve::explicitly;  ///< other: in open space, and by a traced law of distance
   std::string name;
 };
 
@@ -190,6 +191,7 @@ void set_max_force(World& world, ConstraintId follow, double force);  ///< [N]
 void set_gravity(World& world, Vec3 gravity);
 /// Edges of the periodic box in which laws see the nearest image of a particle [m], or open space.
 void set_box(World& world, std::optional<Vec3> box);
+void set_integrator(World& world, Integrator integrator);
 /// Changes the length of a step [s], from the step that is about to be done.
 void set_step(World& world, double step);
 

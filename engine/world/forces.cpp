@@ -1,11 +1,13 @@
 #include "world/forces.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "articulates/articulate.hpp"
 #include "world/courses.hpp"
 #include "world/editing.hpp"
 #include "world/forces_parts.hpp"
+#include "world/solved.hpp"
 
 namespace pantin {
 
@@ -39,7 +41,7 @@ double run_laws(const World& world, Forces& f, const Instant& instant, Which whi
       a.pairs.add_forces(f.sites, a.rows, instant, parameters, *world.workers);
   }
   for (ActingConnections& a : f.connections) {
-    if (!runs(*a.law)) continue;
+    if (!runs(*a.law) || (a.solved && !(with_energy && a.law->has_energy()))) continue;
     if (with_energy)
       energy += a.energy = a.bonds.add_forces_and_energy(f.sites, box, instant, {}, *world.workers);
     else
@@ -87,6 +89,14 @@ namespace {
 
 bool follows(const Forces& f) {
   return std::any_of(f.followed.begin(), f.followed.end(), [](char c) { return c != 0; });
+}
+
+/// Whether solved laws read what changes by itself.
+bool changes(const Forces& f) {
+  return std::any_of(f.connections.begin(), f.connections.end(), [&](const ActingConnections& a) {
+    const auto& names = f.sites.names;
+    return a.solved && (a.law->timed || follows(f) || std::find(names.begin(), names.end(), "age") != names.end());
+  });
 }
 
 /// Forces at the places and velocities that the sites now have; the energy where it is asked for.
@@ -189,13 +199,39 @@ double energy_at_ages(const World& world, Forces& f, double time) {
   return energy;
 }
 
-/// Forces of the present state with laws that were just changed; their energy comes into the balance.
+bool stiffness_is_due(World& world) { return std::exchange(world.stiffness_unknown, false) || world.steps % 64 == 0; }
+
+/// The energy of the laws comes into the balance.
+void bring_in_energy(World& world) {
+  Forces& f = *world.forces;
+  each_law(world, f, [](const std::string&, const Law&, auto& acting) { acting.at_first = acting.energy; });
+  (world.steps == 0 ? world.start_energy : world.work) += f.energy;
+}
+
+/// Forces of the present state with laws that were just changed.
 void start_acting(World& world) {
   Forces& f = *world.forces;
   start(world, f);
+  if (stiffness_is_due(world) && find_too_stiff(world, f)) {
+    world.influences_changed = true;
+    return;
+  }
+  set_solved_inputs(world, false);
   f.energy = evaluate(world, f, instant_of(world, world.time, world.steps), true);
-  each_law(world, f, [](const std::string&, const Law&, auto& acting) { acting.at_first = acting.energy; });
-  (world.steps == 0 ? world.start_energy : world.work) += f.energy;
+  bring_in_energy(world);
+}
+
+/// The same where free particles were born or have gone.
+void settle(World& world) {
+  Forces& f = *world.forces;
+  f.settled_in = world.steps + 1;
+  if (f.told && are_apart(world, f)) {
+    f.energy += change_members_apart(world, f);
+    bring_in_energy(world);
+  } else {
+    change_members(world, f);
+    start_acting(world);
+  }
 }
 
 void make_forces(World& world) {
@@ -204,7 +240,7 @@ void make_forces(World& world) {
   for (const auto& articulate : world.articulates) articulate->pulled = false;
   if (!world.forces) return;
   for (const Mover& m : world.forces->movers)
-    if (m.articulate >= 0) world.articulates[static_cast<std::size_t>(m.articulate)]->pulled = true;
+    if (m.articulate >= 0 && m.pulled) world.articulates[static_cast<std::size_t>(m.articulate)]->pulled = true;
   start_acting(world);
 }
 
@@ -214,11 +250,13 @@ void refresh_forces(World& world) {
   if (world.influences_changed) {
     make_forces(world);
   } else if (world.forces && world.forces->unsettled) {
-    change_members(world, *world.forces);
-    world.forces->settled_in = world.steps + 1;
-    start_acting(world);
+    settle(world);
+  } else if (stiffness_is_due(world) && find_too_stiff(world, *world.forces)) {
+    editing::disturb_forces(world);
   }
-  if (!world.forces || !follows(*world.forces)) return;
+  if (!world.forces || world.influences_changed) return;
+  if (changes(*world.forces)) set_solved_inputs(world, true);
+  if (!follows(*world.forces)) return;
   // What changes with age alone is work from outside: half of it at the places before the drift, half at those after.
   Forces& f = *world.forces;
   const double energy = f.energy;

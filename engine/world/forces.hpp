@@ -25,6 +25,7 @@ struct Mover {
   bool is_body = true;
   std::int32_t articulate = -1;                      ///< index, or -1
   std::uint32_t node = 0;                            ///< of the articulate
+  bool pulled = false;                               ///< by laws that are not solved with the articulate
   Vec3 force = zero3(), torque = zero3();            ///< [N], [N m] of laws with energy; world axes, about the centre
   Vec3 open_force = zero3(), open_torque = zero3();  ///< of those without
   Vec3 start_p = zero3(), start_P = zero3();         ///< momenta at the start of the step
@@ -60,6 +61,7 @@ struct ActingField {
 /// Connections of one law at work.
 struct ActingConnections {
   std::shared_ptr<const Law> law;
+  bool solved = false;                 ///< articulates apply the forces; here they only tell their energy
   std::vector<ConnectionId> ids;       ///< in the order of making
   std::vector<std::uint64_t> serials;  ///< of them
   Ties ties;
@@ -103,7 +105,8 @@ struct Forces {
 bool acting_now(const World& world);
 
 /// Makes the laws act on what the model now holds, and finds the forces of the present state, where an edit has changed
-/// either. Throws Error where a law reads what a particle has not.
+/// either. Throws Error where a law reads what a particle has not. Where connections were found too stiff for explicit
+/// steps, `influences_changed` is set again: articulates are to be found anew first.
 void refresh_forces(World& world);
 /// Reads where particles now are, and finds the pairs anew once something has moved too far.
 void find_pairs(World& world);

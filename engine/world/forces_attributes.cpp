@@ -56,8 +56,10 @@ std::vector<std::uint32_t> of_family(const Sites& sites, std::span<const std::ui
   return list;
 }
 
-std::vector<std::uint32_t> of_field(const World& world, const Forces& forces, const pantin::Field& field,
-                                    std::span<const std::uint32_t> some) {
+}  // namespace
+
+std::vector<std::uint32_t> sites_of_field(const World& world, const Forces& forces, const pantin::Field& field,
+                                          std::span<const std::uint32_t> some) {
   if (field.family) return of_family(forces.sites, some, field.family);
   std::vector<std::uint32_t> list;
   if (!field.group) {
@@ -73,8 +75,6 @@ std::vector<std::uint32_t> of_field(const World& world, const Forces& forces, co
   list.erase(std::unique(list.begin(), list.end()), list.end());
   return list;
 }
-
-}  // namespace
 
 std::vector<Input> inputs_of(const Law& law) {
   if (law.called) return law.inputs_wanted;
@@ -104,7 +104,7 @@ void check_attributes(const World& world, const Forces& forces, std::span<const 
     require_attributes(world, sites, *acting.law, of_family(sites, some, row.b), 1);
   }
   for (const ActingField& acting : forces.fields)
-    require_attributes(world, sites, *acting.law, of_field(world, forces, world.fields[acting.id], some), 0);
+    require_attributes(world, sites, *acting.law, sites_of_field(world, forces, world.fields[acting.id], some), 0);
   for (const ActingConnections& acting : forces.connections)
     for (std::size_t who = 0; who < static_cast<std::size_t>(acting.ties.count); who++) {
       std::vector<std::uint32_t> ends;
@@ -118,7 +118,7 @@ void arrange_fields(const World& world, Forces& forces) {
   std::vector<std::uint32_t> all(forces.sites.n);
   std::iota(all.begin(), all.end(), 0u);
   for (ActingField& acting : forces.fields)
-    acting.fields.arrange(of_field(world, forces, world.fields[acting.id], all));
+    acting.fields.arrange(sites_of_field(world, forces, world.fields[acting.id], all));
 }
 
 }  // namespace pantin

@@ -18,7 +18,7 @@ constexpr std::uint32_t none = Forces::none;
 struct Builder {
   const World& world;
   Forces& forces;
-  std::vector<char> wanted = {};  // (slots of particles)
+  std::vector<char> wanted = {};  // (slots of particles) 1: by solved connections only, 2: by other laws too
   std::vector<Vec3> places = {};  // of sites that are places of the world
   std::vector<std::uint32_t> mover_of_body = {}, mover_of_point = {};
   std::vector<std::uint32_t> node_of_body = {}, node_of_point = {};
@@ -31,7 +31,10 @@ struct Builder {
         (articulate->nodes[i].is_body ? node_of_body : node_of_point)[articulate->nodes[i].slot] = i;
   }
 
-  void want(ParticleId id) { wanted[awake(world, id).slot - 1] = 1; }
+  void want(ParticleId id, char how = 2) {
+    char& mark = wanted[awake(world, id).slot - 1];
+    mark = std::max(mark, how);
+  }
   void want(const AnyId& thing) {
     for (ParticleId p : particles_of(world, thing)) want(p);
   }
@@ -55,12 +58,12 @@ struct Builder {
     for (std::uint32_t s = 0; s < world.particles.slots(); s++) {
       const Particle& p = world.particles.at_slot(s);
       if (!world.particles.alive_at(s) || p.asleep_in) continue;
-      if (acts_on_all(forces, p.family)) wanted[s] = 1;
+      if (acts_on_all(forces, p.family)) wanted[s] = 2;
     }
     for (ConnectionId id : world.connections.ids()) {
       const Connection& row = world.connections[id];
       for (std::uint32_t i = 0; row.enabled && i < row.count; i++)
-        if (row.particles[i]) want(row.particles[i]);
+        if (row.particles[i]) want(row.particles[i], row.solve == Solve::explicitly ? 2 : 1);
     }
   }
 
@@ -103,6 +106,7 @@ struct Builder {
     a.arm = arm(world, centre);
     a.mover = p.body ? mover(mover_of_body, p.body.slot - 1, true, world.motion_of(p.body).articulate)
                      : mover(mover_of_point, centre.slot - 1, false, p.articulate);
+    forces.movers[a.mover].pulled = forces.movers[a.mover].pulled || wanted[slot] == 2;
     forces.attached.push_back(a);
     const Particle& ring = world.particles.at_slot(slot);
     if (!ring.is_hinge() && p.body) forces.sites.kin[site] = p.body.slot;
@@ -165,6 +169,7 @@ struct Active {
   std::vector<FieldId> fields;
   struct Batch {
     std::shared_ptr<const Law> law;
+    bool solved;
     std::vector<ConnectionId> ids;
   };
   std::vector<Batch> connections;  // in the order of their first connection
@@ -174,13 +179,14 @@ struct Active {
       if (world.interactions[id].enabled) interactions.push_back(id);
     for (FieldId id : world.fields.ids())
       if (world.fields[id].enabled) fields.push_back(id);
-    std::unordered_map<const Law*, std::size_t> place;  // only looked up: its order reaches nothing
+    std::unordered_map<const Law*, std::size_t> places[2];  // only looked up: their order reaches nothing
     for (ConnectionId id : world.connections.ids()) {
       const Connection& row = world.connections[id];
       if (!row.enabled) continue;
+      const bool solved = row.solve != Solve::explicitly;
       for (auto law = row.law; law; law = law->also) {
-        const auto [found, is_new] = place.try_emplace(law.get(), connections.size());
-        if (is_new) connections.push_back({law, {}});
+        const auto [found, is_new] = places[solved].try_emplace(law.get(), connections.size());
+        if (is_new) connections.push_back({law, solved, {}});
         connections[found->second].ids.push_back(id);
       }
     }
@@ -198,9 +204,18 @@ struct Active {
   }
 };
 
+/// The law with its energy alone.
+std::shared_ptr<const Law> energy_alone(const Law& law) {
+  auto told = std::make_shared<Law>(law);
+  told->force = {told->graph.constant(0.0)};
+  told->also = nullptr;
+  return told;
+}
+
 void add_connections(const World& world, Forces& forces, const Active::Batch& batch,
                      std::span<const std::uint32_t> place_sites, std::size_t& next_place) {
-  ActingConnections acting{batch.law, {}, {}, {}, Bonds(batch.law, forces.sites.names, *world.workers)};
+  const auto law = batch.solved ? energy_alone(*batch.law) : batch.law;
+  ActingConnections acting{batch.law, batch.solved, {}, {}, {}, Bonds(law, forces.sites.names, *world.workers)};
   acting.ties.count = static_cast<int>(world.connections[batch.ids[0]].count);
   acting.ties.parameters.resize(batch.law->parameters.size());
   for (ConnectionId id : batch.ids) {

@@ -22,8 +22,17 @@ std::vector<Input> inputs_of(const Law& law);
 inline bool acts_on_all(const Forces& forces, FamilyId family) {
   return forces.everybody || (family && family.slot <= forces.families.size() && forces.families[family.slot - 1]);
 }
-/// Gives sites to the particles that were born, and takes those of the gone away. Places are not yet read.
-void change_members(const World& world, Forces& forces);
+/// Gives sites to the particles that were born, which are returned in rising order, and takes those of the gone away.
+/// Places are not yet read.
+std::vector<std::uint32_t> change_members(const World& world, Forces& forces);
+/// Whether what laws do to one free particle has to do with no other, and comes of its state alone.
+bool are_apart(const World& world, const Forces& forces);
+/// The same where they are apart, and the forces on them at the present places; others stay. Gives the change of energy
+/// [J], told before of the present state.
+double change_members_apart(const World& world, Forces& forces);
+/// Those of some sites, in rising order, that a field acts on.
+std::vector<std::uint32_t> sites_of_field(const World& world, const Forces& forces, const Field& field,
+                                          std::span<const std::uint32_t> some);
 /// Evaluates laws that depend on velocities again, at the present ones.
 void run_moving_laws(World& world, Forces& forces);
 /// The particles of a point, body, particle or group, as they were made: some may sleep in hinges.

@@ -2,6 +2,7 @@
 
 #include "world/edit.hpp"
 #include "world/editing.hpp"
+#include "world/solved.hpp"
 
 namespace pantin {
 
@@ -76,7 +77,13 @@ ConnectionId add_connection(World& world, std::shared_ptr<const Law> law, const 
     if (!row.particles[i]) row.places.resize(def.ends.size(), zero3());
   }
   for (std::size_t i = 0; i < row.places.size(); i++) row.places[i] = def.ends[i].place;
+  row.asked = def.solve;
+  require(row.asked == Solve::explicitly || can_be_solved(world, row), "connect: ",
+          world.settings.box ? "implicit = true works in open space, and this scene is a periodic box"
+                             : "implicit = true needs a law of the distance of two particles, traced, two-sided and "
+                               "without noise");
   disturb_forces(world);
+  world.stiffness_unknown = true;
   const ConnectionId id = world.connections.add(std::move(row));
   for (const End& end : def.ends)
     if (end.particle) world.particles[end.particle].connections.push_back(id);
@@ -123,9 +130,17 @@ FieldId add_field(World& world, std::shared_ptr<const Law> law, const AnyId& tar
 
 namespace {
 
+/// What ties things into one articulate is to be found anew.
+void touch_solved(World& world, const Connection& c) {
+  if (c.solve == Solve::explicitly) return;
+  for (ParticleId end : {c.particles[0], c.particles[1]})
+    if (end && world.particles.alive(end)) touch(world, end);
+}
+
 void take_out(World& world, ConnectionId id, Obituary obituary) {
   const Connection row = world.connections[id];
   disturb_forces(world);
+  touch_solved(world, row);
   for (std::uint32_t i = 0; i < row.count; i++)
     if (row.particles[i] && world.particles.alive(row.particles[i]))
       std::erase(world.particles[row.particles[i]].connections, id);
@@ -165,6 +180,8 @@ void remove(World& world, FieldId id) {
 void set_enabled(World& world, ConnectionId id, bool enabled) {
   require_unlocked(world, "enabled");
   disturb_forces(world);
+  world.stiffness_unknown = true;
+  touch_solved(world, world.connections[id]);
   world.connections[id].enabled = enabled;
 }
 void set_enabled(World& world, InteractionId id, bool enabled) {
@@ -181,6 +198,7 @@ void set_enabled(World& world, FieldId id, bool enabled) {
 void set_parameter(World& world, ConnectionId id, std::size_t index, double value) {
   require_unlocked(world, "parameters");
   disturb_forces(world);
+  world.stiffness_unknown = true;
   write_parameter(*world.connections[id].law, world.connections[id].parameters, index, value);
 }
 void set_parameter(World& world, InteractionId id, std::size_t index, double value) {
@@ -205,6 +223,7 @@ void set_parameter(World& world, FieldId id, std::size_t index, double value) {
 void replace_law(World& world, const std::shared_ptr<const Law>& law, const std::shared_ptr<const Law>& by) {
   require_unlocked(world, "replace_law");
   disturb_forces(world);
+  world.stiffness_unknown = true;
   const auto replace = [&](auto& rows) {
     for (std::uint32_t s = 0; s < rows.slots(); s++)
       if (rows.alive_at(s) && rows.at_slot(s).law == law) rows.at_slot(s).law = by;

@@ -95,6 +95,7 @@ std::optional<double> law_energy(const World& world, ConnectionId id) {
 
 double tension(const World& world, ConnectionId id) {
   const Connection& row = world.connections[id];
+  if (row.solve != Solve::explicitly) return row.tension;
   if (!world.forces || row.law->kind != LawKind::central) return 0.0;
   double sum = 0.0;
   for (const ActingConnections& a : world.forces->connections)
@@ -104,10 +105,12 @@ double tension(const World& world, ConnectionId id) {
 
 std::vector<double> tensions(const World& world) {
   std::vector<double> list(world.connections.slots(), 0.0);
+  for (ConnectionId id : world.connections.ids())
+    if (world.connections[id].solve != Solve::explicitly) list[id.slot - 1] = world.connections[id].tension;
   if (!world.forces) return list;
   for (const ActingConnections& a : world.forces->connections)
     for (std::size_t k = 0; a.law->kind == LawKind::central && k < a.ids.size(); k++)
-      list[a.ids[k].slot - 1] += a.bonds.tension(k, world.forces->sites, box_of(world));
+      list[a.ids[k].slot - 1] += a.solved ? 0.0 : a.bonds.tension(k, world.forces->sites, box_of(world));
   return list;
 }
 

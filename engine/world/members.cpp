@@ -40,6 +40,8 @@ void move(Forces& f, std::uint32_t from, std::uint32_t to) {
   s.serial[to] = s.serial[from];
   s.family[to] = s.family[from];
   s.kin[to] = s.kin[from];
+  s.force[to] = s.force[from];
+  s.open_force[to] = s.open_force[from];
   for (auto& column : s.attributes) column[to] = column[from];
   f.point[to] = f.point[from];
   f.inverse_mass[to] = f.inverse_mass[from];
@@ -72,7 +74,7 @@ bool are_named(const Forces& f) {
 
 }  // namespace
 
-void change_members(const World& world, Forces& f) {
+std::vector<std::uint32_t> change_members(const World& world, Forces& f) {
   std::erase_if(f.born, [&](ParticleId id) { return !world.particles.alive(id); });
   std::sort(f.gone.begin(), f.gone.end());
   f.site_of.resize(world.particles.slots(), none);
@@ -101,6 +103,47 @@ void change_members(const World& world, Forces& f) {
   f.unsettled = false;
   fill_attributes(world, f, fresh);
   check_attributes(world, f, fresh);
+  return fresh;
+}
+
+bool are_apart(const World& world, const Forces& f) {
+  const auto of_group = [&](const ActingField& acting) { return static_cast<bool>(world.fields[acting.id].group); };
+  const auto follows = [](char followed) { return followed != 0; };
+  return f.interactions.empty() && std::none_of(f.fields.begin(), f.fields.end(), of_group) &&
+         std::none_of(f.followed.begin(), f.followed.end(), follows) &&
+         std::find(f.sites.names.begin(), f.sites.names.end(), "age") == f.sites.names.end();
+}
+
+namespace {
+
+/// Adds the forces of the fields on some sites, in rising order, and their energy times the sign to what is known of it.
+double run_fields(const World& world, Forces& f, std::span<const std::uint32_t> some, double sign) {
+  double energy = 0.0;
+  for (ActingField& a : f.fields) {
+    const pantin::Field& row = world.fields[a.id];
+    a.fields.arrange(sites_of_field(world, f, row, some));
+    const double part =
+        a.fields.add_forces_and_energy(f.sites, box_of(world), instant_of(world, world.time, world.steps),
+                                       present_parameters(world, *a.law, row.parameters), *world.workers);
+    a.energy += sign * part;
+    energy += sign * part;
+  }
+  return energy;
+}
+
+}  // namespace
+
+double change_members_apart(const World& world, Forces& f) {
+  double change = run_fields(world, f, f.gone, -1.0);
+  const std::vector<std::uint32_t> fresh = change_members(world, f);
+  for (std::uint32_t site : fresh) {
+    f.sites.x[site] = world.free_motion[f.point[site]].x;
+    f.sites.v[site] = world.free_motion[f.point[site]].v;
+  }
+  change += run_fields(world, f, fresh, 1.0);
+  arrange_fields(world, f);
+  for (ActingConnections& c : f.connections) c.bonds.arrange(c.ties, f.sites);
+  return change;
 }
 
 }  // namespace pantin

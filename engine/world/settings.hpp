@@ -9,8 +9,8 @@
 namespace pantin {
 
 /// verlet: the energy-momentum step with exact hinges, second order. euler: the paper's semi-implicit Euler with its
-/// Newton iteration on the positions, kept to compare.
-enum class Integrator : std::uint8_t { verlet, euler };
+/// Newton iteration on the positions, kept to compare. implicit: verlet, with all connections solved with what they tie.
+enum class Integrator : std::uint8_t { verlet, euler, implicit };
 
 struct NamedIntegrator {
   Integrator integrator;
@@ -18,6 +18,7 @@ struct NamedIntegrator {
 };
 /// Every integrator with the name that scenes give it.
 inline constexpr std::array integrators = {NamedIntegrator{Integrator::verlet, "verlet"},
+                                           NamedIntegrator{Integrator::implicit, "implicit"},
                                            NamedIntegrator{Integrator::euler, "euler"}};
 
 constexpr std::string_view name_of(Integrator integrator) {

@@ -119,6 +119,7 @@ struct World : Model {
   std::unique_ptr<Forces> forces;               ///< of the laws; null where none acts
   std::unique_ptr<Workers> workers;             ///< threads
   std::map<std::string, double> given_by_laws;  ///< [J] since the start, up to when the laws at work began to act
+  bool stiffness_unknown = true;                ///< an edit may have made connections too stiff for explicit steps
   double open_work = 0.0;                       ///< [J] done by laws without energy; part of `work`
 
   Stats stats;

@@ -177,13 +177,6 @@ function quat_methods:inverse() end
 ---@field max? number [rad] or [m]
 ---@field length? number [m] of a distance, the same as max
 
----@class StringOptions: OrientOptions
----@field length? number|fun(t: number): number [m]
-
----@class PathOptions: OrientOptions
----@field smooth? boolean a spline with continuous curvature; else straight pieces
----@field closed? boolean
-
 ---@class PlaneOptions: OrientOptions
 ---@field through? vec [m]
 ---@field normal? vec
@@ -425,36 +418,6 @@ local OnPlane = {}
 ---Takes it out of the world.
 function OnPlane:remove() end
 
----Is at most so long along its points; slides through the inner ones.
----@class String
----@field points table what it goes through: points, or places [m] (read only)
----@field length number [m] the most that it is long; written as a number or a function of time [s]
----@field taken number [m] how long its way is now: less than its length where it is slack (read only)
----@field force number [N] tension in the last step, 0 where it is slack (read only)
----@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks
----@field enabled boolean whether it acts
----@field name string what messages and scene:find call it
----@field alive boolean whether it still exists (read only)
----@field data table a table of yours, which goes with the thing (read only)
-local String = {}
----Takes it out of the world.
-function String:remove() end
-
----Keeps a point on a path.
----@class OnPath
----@field point Point the point that it holds (read only)
----@field path vec[] [m] the places that the path goes through (read only)
----@field along number where on the path the point is: 0 at the first place, 1 at the second, and so on (read only)
----@field force vec [N] what it exerted on its first point in the last step (read only)
----@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks
----@field enabled boolean whether it acts
----@field name string what messages and scene:find call it
----@field alive boolean whether it still exists (read only)
----@field data table a table of yours, which goes with the thing (read only)
-local OnPath = {}
----Takes it out of the world.
-function OnPath:remove() end
-
 ---A named set of things. It is gone when no member lives.
 ---@class Group
 ---@field energy Energy [J] { kinetic, potential, total } of its things (read only)
@@ -598,7 +561,7 @@ function Subscription:cancel() end
 ---@field store table plain values of yours
 ---@field gravity vec [m/s²] uniform acceleration
 ---@field step number [s] length of one step
----@field integrator string "verlet", or "euler" (the paper's)
+---@field integrator string "verlet", "implicit" (connections of any stiffness), or "euler" (the paper's)
 ---@field energy_return boolean give back what the velocity projection took
 ---@field box vec? [m] edges of the periodic box; nil: open space
 ---@field tolerance number points of a new hinge may be this far apart, relative to the size of their bodies
@@ -688,17 +651,6 @@ function Scene:limit(a, b, options) end
 ---@param options? PlaneOptions
 ---@return OnPlane
 function Scene:on_plane(point, options) end
----Is at most so long along its points and places, slides through the inner ones, and may go slack.
----@param points (Point|Particle|vec)[]
----@param options? StringOptions
----@return String
-function Scene:string(points, options) end
----Keeps a point on a path through places [m]; at the end of an open one it stops.
----@param point Point|Particle
----@param path vec[]
----@param options? PathOptions
----@return OnPath
-function Scene:on_path(point, path, options) end
 ---Makes a named set of things.
 ---@param name string
 ---@return Group
@@ -847,7 +799,13 @@ function OpenedScene:near(at, radius) end
 ---@field shift? boolean the energy is 0 at the cutoff; true unless given
 ---@field one_sided? boolean b feels nothing of what a feels
 ---@field exclude? integer pairs within so many connections are left out
----@field implicit? boolean solved with the articulate: for stiff connections
+---@field implicit? boolean|"dissipative" connections are solved with what they tie, whatever their stiffness: with exact energy, or losing it
+
+---@class ConnectOptions
+---@field breaks_at? { force?: number, length?: number } [N] and [m] at which it breaks
+---@field implicit? boolean|"dissipative" as of the law, for this connection
+---@field name? string
+---@field [string] number of the law's parameters, for this connection
 
 ---@class OwnPairLawOptions: OwnLawOptions, PairLawOptions
 ---@field potential? fun(r: number, a: LawParticle, b: LawParticle, own: table, t: number): number [J] of the distance

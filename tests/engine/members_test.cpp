@@ -110,10 +110,45 @@ TEST_CASE("members: in a stream through a field forces and energy are those of a
   pour(world, drops, 2e4, 0.005, 0.02);
   for (int i = 0; i < 3; i++) {
     for (int k = 0; k < 17; k++) step(world);
+    const std::vector<ParticleId> here = world.particles.ids();
+    for (std::size_t k = 0; k < here.size(); k += 7) remove(world, here[k]);
+    for (int k = 0; k < 11 * i; k++) {
+      ParticleDef def;
+      def.at = vec(0.1 * k, 1, 0);
+      def.family = drops;
+      add_particle(world, def);
+    }
+    refresh_forces(world);
     check_against_anew(world);
   }
   CHECK(world.forces->sites.n > 150);
   CHECK(world.worst.energy < 1e-5);
+}
+
+TEST_CASE("members: connections go on holding particles whose sites are put elsewhere") {
+  World world;
+  prepare(world, 1e-3);
+  const FamilyId drops = make_family(world, "drops");
+  add_field(world, well(9.0), drops);
+  std::vector<ParticleId> here;
+  for (int i = 0; i < 20; i++) {
+    ParticleDef def;
+    def.at = vec(0.1 * i, 0.01 * i * i, 0);
+    def.family = drops;
+    here.push_back(add_particle(world, def));
+  }
+  ConnectionDef ends;
+  ends.ends = {End{here[18]}, End{here[19]}};
+  add_connection(world, string_of(20.0), ends);
+  step(world);
+  for (std::size_t k = 0; k < 12; k += 2) {
+    remove(world, here[k]);
+    remove(world, here[k + 1]);
+    refresh_forces(world);
+    check_against_anew(world);
+    step(world);
+  }
+  CHECK(world.worst.energy < 1e-3);
 }
 
 TEST_CASE("members: the same of pairs, next to a chain, a body and a nail that stay") {

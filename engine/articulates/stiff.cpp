@@ -1,0 +1,115 @@
+// A connection solved with its articulate, so that no stiffness limits the step. The force is f = -Q e.
+//   middle: e = d0 + d1. Of a law with an energy V(s), s = d², Q = ΔV/Δs: f·Δd = -ΔV exactly (discrete gradient;
+//     Gonzalez 1996), for a small Δs by Gauss' rule. Without an energy, 2 Q = tension/distance at the mean distance and
+//     rate: f·Δd = -tension Δr.
+//   end: e = d1, Q = tension/distance at the end of the step, with the rate there, 2 Δr/h less that at its start.
+// Newton's row is M (change of d1) + C df = -residual with M = Q 1 + e ∇Q', C = 1, all divided by what makes it metres.
+#include "articulates/stiff.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pantin {
+
+namespace {
+
+constexpr std::array<double, 4> places = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
+                                          0.93056815579702629};
+constexpr std::array<double, 4> weights = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
+                                           0.17392742256872693};
+
+/// Q with its derivative along d1: ∇Q = slope d1.
+struct Pull {
+  double Q = 0.0, slope = 0.0;
+};
+
+Pull of_energy(PairCurve& curve, double s0, double s1, double energy0, double& energy1) {
+  const double change = s1 - s0;
+  std::array<double, 5> s;
+  for (std::size_t i = 0; i < 4; i++) s[i] = s0 + change * places[i];
+  s[4] = s1;
+  curve.run(5, s.data(), 0.0);
+  const PairCurve::Value end = curve.at(4);
+  energy1 = end.energy;
+  if (std::fabs(change) > 2e-3 * std::fmax(s0, s1)) {
+    const double Q = (energy1 - energy0) / change;
+    return {Q, (end.pull - 2.0 * Q) / change};
+  }
+  Pull p;
+  for (std::size_t i = 0; i < 4; i++) {
+    const PairCurve::Value v = curve.at(static_cast<int>(i));
+    p.Q += 0.5 * weights[i] * v.pull;
+    p.slope += weights[i] * places[i] * v.by_distance2;
+  }
+  return p;
+}
+
+Pull at_mean(PairCurve& curve, double r0, double r1, double h) {
+  const double r = 0.5 * (r0 + r1), rate = (r1 - r0) / h, s = r * r;
+  curve.run(1, &s, r * rate);
+  const PairCurve::Value v = curve.at(0);
+  return {0.5 * v.pull, 0.5 * (v.by_distance2 * r + v.by_approach * (0.5 * rate + r / h)) / r1};
+}
+
+Pull at_end(PairCurve& curve, double r0, double r1, double rate0, double h, double& energy1) {
+  const double rate = 2.0 * (r1 - r0) / h - rate0, s = r1 * r1;
+  curve.run(1, &s, r1 * rate);
+  const PairCurve::Value v = curve.at(0);
+  energy1 = v.energy;
+  return {v.pull, (2.0 * v.by_distance2 * r1 + v.by_approach * (rate + 2.0 * r1 / h)) / r1};
+}
+
+}  // namespace
+
+void start_stiff(StiffTie& tie, const Row& row, double approach) {
+  const double s0 = std::fmax(norm2(row.d0), tie.least2);
+  tie.rate0 = approach / std::sqrt(s0);
+  for (std::size_t i = 0; i < tie.curves.size(); i++) {
+    tie.energy0[i] = tie.energy1[i] = 0.0;
+    if (!tie.curves[i].has_energy()) continue;
+    tie.curves[i].run(1, &s0, 0.0);
+    tie.energy0[i] = tie.energy1[i] = tie.curves[i].at(0).energy;
+  }
+}
+
+double evaluate_stiff(Row& row, Condition& c, const RowContext& context) {
+  StiffTie& tie = *c.stiff;
+  const double s0 = std::fmax(norm2(row.d0), tie.least2), s1 = std::fmax(norm2(row.d1), tie.least2);
+  const double r0 = std::sqrt(s0), r1 = std::sqrt(s1);
+  const bool middle = tie.solve == Solve::at_middle;
+  Pull all;
+  tie.open_pull = 0.0;
+  for (std::size_t i = 0; i < tie.curves.size(); i++) {
+    PairCurve& curve = tie.curves[i];
+    const Pull p = !middle              ? at_end(curve, r0, r1, tie.rate0, context.h, tie.energy1[i])
+                   : curve.has_energy() ? of_energy(curve, s0, s1, tie.energy0[i], tie.energy1[i])
+                                        : at_mean(curve, r0, r1, context.h);
+    all.Q += p.Q;
+    all.slope += p.slope;
+    if (!middle || !curve.has_energy()) tie.open_pull += p.Q;
+  }
+  tie.pull = all.Q;
+  const Vec3 e = middle ? row.d0 + row.d1 : row.d1;
+  const double stiffness = std::fabs(all.Q) + std::fabs(all.slope) * norm(e) * r1;
+  const double weight = 1.0 / (stiffness + 2.0 / (context.h * context.h * context.mobility));
+  row.residual = (row.f + e * all.Q) * weight;
+  c.M = (identity33() * all.Q + outer(e, row.d1 * all.slope)) * weight;
+  c.C = identity33() * weight;
+  return norm(row.residual);
+}
+
+bool StiffTie::is_open() const {
+  return solve == Solve::at_end ||
+         std::any_of(curves.begin(), curves.end(), [](const PairCurve& curve) { return !curve.has_energy(); });
+}
+
+double StiffTie::open_work(const Row& row) const {
+  if (open_pull == 0.0) return 0.0;
+  const Vec3 e = solve == Solve::at_middle ? row.d0 + row.d1 : row.d1;
+  double work = -open_pull * dot(e, row.d1 - row.d0);
+  for (std::size_t i = 0; solve == Solve::at_end && i < curves.size(); i++) work += energy1[i] - energy0[i];
+  return work;
+}
+
+}  // namespace pantin

@@ -1,0 +1,30 @@
+#pragma once
+#include <vector>
+
+#include "articulates/rows.hpp"
+#include "laws/pair_curve.hpp"
+
+namespace pantin {
+
+/// What the row of a connection has that is solved with its articulate.
+struct StiffTie {
+  ConnectionId connection;
+  ParticleId a, b;  // b null: a place of the world
+  Solve solve = Solve::at_middle;
+  std::vector<PairCurve> curves;         // of the law, and of the laws that act with it
+  std::vector<double> energy0, energy1;  // (curves) [J] at the start and end of the step being solved
+  double least2 = 0.0;                   // [m²] below it distances count as equal to its root
+  double rate0 = 0.0;                    // [m/s] of the distance at the start
+  double pull = 0.0;                     // [N/m] f = -pull e, with e = d0 + d1 at the middle, d1 at the end
+  double open_pull = 0.0;                // the part of it whose work is not from an energy of the law
+
+  /// Whether it takes energy or gives it.
+  bool is_open() const;
+  /// Of what the last step solved, [J]: what the laws without energy gave, and what the end of the step swallowed.
+  double open_work(const Row& row) const;
+};
+
+/// Reads the start of a step of h [s] from d0; `approach` is d0 · the velocity of d0 [m²/s].
+void start_stiff(StiffTie& tie, const Row& row, double approach);
+
+}  // namespace pantin

@@ -1,0 +1,65 @@
+#include "laws/pair_curve.hpp"
+
+#include <algorithm>
+
+#include "laws/derivative.hpp"
+#include "laws/kernels.hpp"
+
+namespace pantin {
+
+namespace {
+
+const Input distance2{Role::distance2, 0, 0, {}}, approach{Role::approach, 0, 0, {}};
+
+Program program_of(const Law& law) {
+  Expressions graph = law.graph;
+  const Expr pull = law.force[0];
+  std::vector<Expr> outputs = {pull, derivative(graph, pull, distance2), derivative(graph, pull, approach)};
+  if (law.energy != no_expression) outputs.push_back(law.energy);
+  return lower(graph, outputs);
+}
+
+}  // namespace
+
+bool PairCurve::possible(const Law& law) {
+  if (law.kind != LawKind::central || law.called || law.one_sided) return false;
+  return !law.graph.depends_on(law.force[0], Role::noise);
+}
+
+PairCurve::PairCurve(const Law& law)
+    : has_energy_(law.energy != no_expression), machine_(program_of(law), kernels::padding) {
+  std::vector<Expr> outputs = law.force;
+  if (has_energy_) outputs.push_back(law.energy);
+  for (const Input& input : law.graph.inputs_of(outputs)) {
+    const int place = machine_.input(input);
+    if (place < 0 || input == distance2 || input == approach) continue;
+    inputs_.push_back(input);
+    places_.push_back(place);
+  }
+  distance2_ = machine_.input(distance2);
+  approach_ = machine_.input(approach);
+}
+
+void PairCurve::set(std::size_t input, double value) {
+  machine_.fill(places_[input], value);
+  changed_ = true;
+}
+
+void PairCurve::run(int n, const double* distance2, double approach) {
+  if (changed_) machine_.run_uniform();
+  changed_ = false;
+  if (distance2_ >= 0) {
+    double* column = machine_.column(distance2_);
+    std::copy_n(distance2, n, column);
+    std::fill(column + n, column + kernels::padding, distance2[n - 1]);
+  }
+  if (approach_ >= 0) machine_.fill(approach_, approach);
+  machine_.run(n);
+}
+
+PairCurve::Value PairCurve::at(int k) const {
+  return {machine_.output(0)[k], machine_.output(1)[k], machine_.output(2)[k],
+          has_energy_ ? machine_.output(3)[k] : 0.0};
+}
+
+}  // namespace pantin

@@ -1,0 +1,153 @@
+#include "world/solved.hpp"
+
+#include <algorithm>
+
+#include "articulates/stiff.hpp"
+#include "world/editing.hpp"
+#include "world/forces_parts.hpp"
+
+namespace pantin {
+
+bool can_be_solved(const World& world, const Connection& c) {
+  if (world.settings.box || c.count != 2) return false;
+  for (auto law = c.law; law; law = law->also)
+    if (!PairCurve::possible(*law)) return false;
+  return true;
+}
+
+void choose_solved(World& world) {
+  for (ConnectionId id : world.connections.ids()) {
+    Connection& c = world.connections[id];
+    Solve solve = c.asked;
+    if (solve == Solve::explicitly && (c.too_stiff || world.settings.integrator == Integrator::implicit))
+      solve = Solve::at_middle;
+    if (!can_be_solved(world, c)) solve = Solve::explicitly;
+    if (solve == c.solve) continue;
+    c.solve = solve;
+    c.tension = 0.0;
+    for (ParticleId end : {c.particles[0], c.particles[1]})
+      if (end) touch(world, end);
+  }
+}
+
+void set_solved_inputs(World& world, bool only_changing) {
+  for (const auto& articulate : world.articulates)
+    for (Condition& condition : articulate->conditions) {
+      if (!condition.stiff) continue;
+      StiffTie& tie = *condition.stiff;
+      const Connection& c = world.connections[tie.connection];
+      std::shared_ptr<const Law> law = c.law;
+      for (PairCurve& curve : tie.curves) {
+        const std::vector<double> parameters = present_parameters(world, *law, c.parameters);
+        for (std::size_t i = 0; i < curve.inputs().size(); i++) {
+          const Input& input = curve.inputs()[i];
+          if (input.role == Role::parameter && !only_changing) {
+            const auto named = [&](const Parameter& p) { return p.name == input.name; };
+            const auto found = std::find_if(law->parameters.begin(), law->parameters.end(), named);
+            curve.set(i, parameters[static_cast<std::size_t>(found - law->parameters.begin())]);
+          } else if (input.role == Role::time) {
+            curve.set(i, 0.5 * (world.time + next_time(world)));
+          } else if (input.role == Role::attribute) {
+            const ParticleId end = c.particles[input.who];
+            curve.set(i, end ? attribute(world, end, input.name).value_or(0.0) : 0.0);
+          }
+        }
+        law = law->also;
+      }
+    }
+}
+
+namespace {
+
+/// Tension / distance of the law stands for the largest slope of its force.
+std::shared_ptr<const Law> slope_of(const Law& law) {
+  auto slope = std::make_shared<Law>(law);
+  Expressions& g = slope->graph;
+  const Expr along = g.apply(Function::abs, law.stiffness), across = g.apply(Function::abs, law.force[0]);
+  slope->force = {g.apply(Function::maximum, along, across)};
+  slope->energy = no_expression;
+  slope->also = nullptr;
+  return slope;
+}
+
+/// How far a unit impulse moves a site, at most, [1/kg]; and whether an articulate holds it.
+struct Give {
+  double mobility = 0.0;
+  bool held = false;
+};
+
+std::vector<Give> gives(const World& world, const Forces& f) {
+  std::vector<Give> list(f.sites.n);
+  for (std::size_t i = 0; i < f.sites.n; i++) list[i].mobility = f.inverse_mass[i];
+  for (const Attached& a : f.attached) {
+    const Mover& m = f.movers[a.mover];
+    Give& give = list[a.site];
+    give.held = m.articulate >= 0;
+    if (!m.is_body) {
+      give.mobility = 1.0 / world.points.at_slot(m.slot).mass;
+      continue;
+    }
+    const Motion& motion = world.motion[m.slot];
+    const Vec3 l = a.arm, i = inverse_inertia(motion);
+    give.mobility = 1.0 / motion.mass +
+                    dot(i, vec(l[1] * l[1] + l[2] * l[2], l[2] * l[2] + l[0] * l[0], l[0] * l[0] + l[1] * l[1]));
+  }
+  return list;
+}
+
+/// A connection that could be solved, by its ends' sites, with the slope of its force [N/m].
+struct Candidate {
+  ConnectionId id;
+  std::uint32_t a, b;
+  double slope;
+};
+
+std::vector<Candidate> candidates(const World& world, Forces& f) {
+  std::vector<Candidate> list;
+  const auto force = f.sites.force, open = f.sites.open_force;
+  for (const ActingConnections& acting : f.connections) {
+    if (acting.ids.empty() || acting.solved || !PairCurve::possible(*acting.law)) continue;
+    Bonds slopes(slope_of(*acting.law), f.sites.names, *world.workers);
+    slopes.arrange(acting.ties, f.sites);
+    slopes.add_forces(f.sites, box_of(world), instant_of(world, world.time, world.steps), {}, *world.workers);
+    for (std::size_t k = 0; k < acting.ids.size(); k++) {
+      const std::uint32_t a = acting.ties.sites[2 * k], b = acting.ties.sites[2 * k + 1];
+      const double slope = slopes.pull(k, f.sites, box_of(world));
+      if (std::isfinite(slope)) list.push_back({acting.ids[k], a, b, slope});
+    }
+  }
+  f.sites.force = force;
+  f.sites.open_force = open;
+  return list;
+}
+
+}  // namespace
+
+bool find_too_stiff(World& world, Forces& f) {
+  if (world.settings.box || f.connections.empty()) return false;
+  const std::vector<Candidate> list = candidates(world, f);
+  std::vector<Give> give = gives(world, f);
+  std::vector<double> sums(f.sites.n, 0.0);
+  const double h2 = world.settings.step * world.settings.step;
+  for (const Candidate& c : list)
+    for (std::uint32_t site : {c.a, c.b}) sums[site] += h2 * c.slope * give[site].mobility;
+  std::vector<const Law*> told;
+  for (bool more = true; more;) {  // what is solved holds its ends, and so lowers the limit of others
+    more = false;
+    for (const Candidate& c : list) {
+      Connection& row = world.connections[c.id];
+      const double limit = give[c.a].held || give[c.b].held ? 0.01 : 2.5;
+      if (row.too_stiff || sums[c.a] + sums[c.b] <= limit || !can_be_solved(world, row)) continue;
+      row.too_stiff = give[c.a].held = give[c.b].held = more = true;
+      if (std::find(told.begin(), told.end(), row.law.get()) != told.end()) continue;
+      told.push_back(row.law.get());
+      log_line(world, "notice",
+               text(law_in_place(row), ": connections as stiff as ", describe(world, c.id), " (", c.slope,
+                    " N/m) are solved with what they tie, since steps of ", world.settings.step,
+                    " s are too long for them"));
+    }
+  }
+  return !told.empty();
+}
+
+}  // namespace pantin
