@@ -70,6 +70,21 @@ function quat_methods:inverse() end
 ---@field laws table<string, number> [J] given to the motion by each law with energy
 ---@field without_energy string[] names of the laws at work that have no energy
 ---@field open number [J] work of all of those
+---@field hand number [J] by hands, follows, moving anchors and lengths, and pushes on what is tied
+---@field motor number [J] by motors, and turns and angles that follow a function of time
+---@field limit number [J] by limits, and by all that ties what strikes one
+---@field event number [J] by kicks, and pushes on what is loose
+---@field edit number [J] by things made and changed
+---@field emitter number [J] by particles that emitters made
+---@field removal number [J] by things removed
+---@field law_edit number [J] by laws made, changed and removed, and attributes that follow an age
+---@field projection number [J] taken by the projection of velocities, since it is kept
+---@field energy_return number [J] given back of that
+---@field safe_step number [J] taken by safe steps, since it is kept
+---@field since number? [s] when all began to be kept; nil, and so the fields below: not yet
+---@field gravity number? [J] given to the motion since then
+---@field closure number? what no line explains of the kinetic energy, relative to all lines: a test of the program
+---@field truncation table<string, number>? [J] error of the steps for each law and gravity: change of its energy, and what it gave
 
 ---@class Stats
 ---@field steps integer

@@ -47,7 +47,7 @@ void read_error(const Self& self) {
 
 void read_ledger(const Self& self) {
   const LawLedger ledger = law_ledger(self.world);
-  lua_createtable(self.state, 0, 3);
+  lua_createtable(self.state, 0, 16);
   lua_newtable(self.state);
   for (const auto& [name, joules] : ledger.given) set(self.state, name.c_str(), joules);
   lua_setfield(self.state, -2, "laws");
@@ -58,6 +58,17 @@ void read_ledger(const Self& self) {
   }
   lua_setfield(self.state, -2, "without_energy");
   set(self.state, "open", ledger.open);
+  const Ledger& kept = self.world.ledger;
+  for (std::size_t i = 0; i < source_names.size(); i++)
+    set(self.state, std::string(source_names[i]).c_str(), kept.given[i]);
+  keep_ledger(self.world);
+  if (!kept.kept) return;
+  set(self.state, "since", kept.since);
+  set(self.state, "gravity", kept.gravity);
+  set(self.state, "closure", closure(self.world));
+  lua_newtable(self.state);
+  for (const auto& [name, joules] : truncation(self.world)) set(self.state, name.c_str(), joules);
+  lua_setfield(self.state, -2, "truncation");
 }
 
 void read_stats(const Self& self) {
@@ -122,8 +133,7 @@ std::vector<Field> scene_measures() {
       {"error", "Accuracy", "", "{ hinge_gap [m], constraint [m], energy (relative) } now, and worst_… since the start",
        read_error, nullptr},
       {"ledger", "Ledger", "J",
-       "what the laws gave to the motion since the start: { laws = { name = J }, without_energy = { names }, open = J "
-       "}",
+       "where energy came from and went since the start; the first reading has all of it kept from the next step on",
        read_ledger, nullptr},
       {"stats", "Stats", "", "counts since the start, and ns per phase", read_stats, nullptr},
       {"log", "LogLine[]", "", "{ time [s], kind, text } of all that was logged", read_log, nullptr},

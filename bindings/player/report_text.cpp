@@ -59,6 +59,25 @@ std::string table(const Study& study) {
   return lines;
 }
 
+/// The lines that are not 0, and what the ledger says of itself.
+std::string ledger_lines(const Study& study) {
+  const Json& ledger = study.ledger;
+  if (!ledger.is_object() || !ledger.contains("closure")) return "";
+  std::string line = format("ledger, J, %g s with step %s and %s:", ledger["until"].get<double>(),
+                            show_step(study.step).c_str(), study.integrator.c_str());
+  const auto add = [&](const std::string& name, const Json& joules) {
+    if (joules.get<double>() != 0.0) line += " " + name + format(" %.4g", joules.get<double>());
+  };
+  add("gravity", ledger["gravity"]);
+  for (const auto& [name, joules] : ledger["laws"].items()) add(name, joules);
+  add("laws without energy", ledger["open"]);
+  for (const std::string_view name : source_names) add(std::string(name), ledger[std::string(name)]);
+  line += format("; closure %.1e; truncation", ledger["closure"].get<double>());
+  for (const auto& [name, joules] : ledger["truncation"].items())
+    line += " " + name + format(" %.1e", joules.get<double>());
+  return line + "\n";
+}
+
 bool still(const Study& study) { return !(study.moved > 1e-9 * study.size); }
 
 /// Runs of different steps differ from the first times on.
@@ -143,7 +162,7 @@ std::string report_text(const Study& study, double product_ns) {
       "ms/s: milliseconds of the clock per simulated second, while a 3x3 product took %.2g ns\n"
       "true to: until then it is within a hundredth of the size\n",
       product_ns);
-  result += table(study) + course(study);
+  result += table(study) + ledger_lines(study) + course(study);
   return result + advice(study) + "\n";
 }
 
@@ -187,6 +206,7 @@ nlohmann::ordered_json report_json(const Study& study, double product_ns) {
   json["comparable_until"] = study.comparable;
   json["growth"] = study.growth;
   json["product_ns"] = product_ns;
+  json["ledger"] = study.ledger;
   json["runs"] = Json::array();
   for (const StudyRun& run : study.runs) json["runs"].push_back(of_run(study, run));
   json["left_out"] = Json::object();

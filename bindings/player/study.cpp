@@ -11,6 +11,7 @@
 #include "player/home.hpp"
 #include "player/interrupt.hpp"
 #include "player/run.hpp"
+#include "player/summary.hpp"
 
 namespace pantin::player {
 namespace {
@@ -85,6 +86,7 @@ class Studying {
     std::stable_sort(study_.runs.begin(), study_.runs.end(),
                      [&](const StudyRun& a, const StudyRun& b) { return rank(a.integrator) < rank(b.integrator); });
     find_movement();
+    keep_books();
     compare(study_);
     return std::move(study_);
   }
@@ -184,6 +186,24 @@ class Studying {
       }
       open_ones = next;
     }
+  }
+
+  /// The ledger costs time, so it is kept in a run of its own, of a fifth of the budget at most.
+  void keep_books() {
+    told_("ledger", since(begin_) / budget_);
+    const auto scene = open("", 0.0);
+    keep_ledger(scene->world());
+    const Clock::time_point begin = Clock::now();
+    try {
+      for (const double time : study_.times) {
+        step_to(*scene, time);
+        if (Interrupt::asked() || scene->finished() || since(begin) > 0.2 * budget_) break;
+      }
+    } catch (const lua::Interrupted&) { throw; } catch (const Error& error) {
+      study_.warnings.push_back(error.what());
+    }
+    study_.ledger = ledger(scene->world());
+    study_.ledger["until"] = scene->world().time;
   }
 
   /// A run of another integrator with the same step that went the very same way, or null.

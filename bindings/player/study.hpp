@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,6 +60,7 @@ struct Study {
   double together = 0.0;              ///< [s] until then the two finest runs stay within a hundredth of the size
   double comparable = 0.0;            ///< [s] until then errors are told: while the finest run is sure of small ones
   double growth = 0.0;                ///< [1/s] of the logarithm of their distance, where they part
+  nlohmann::ordered_json ledger;      ///< [J] of the scene with its own step and integrator
   bool random = false;                ///< scripts draw random numbers while they run
   bool noisy = false;                 ///< a law draws noise
   bool emits = false;                 ///< emitters make particles

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "world/forces.hpp"
 #include "world/measure.hpp"
 
 namespace pantin::player {
@@ -40,6 +41,21 @@ Json results(const lua::Scene& scene) {
 
 }  // namespace
 
+nlohmann::ordered_json ledger(const World& world) {
+  const LawLedger laws = law_ledger(world);
+  const Ledger& kept = world.ledger;
+  Json result;
+  result["laws"] = laws.given;
+  result["open"] = laws.open;
+  for (std::size_t i = 0; i < source_names.size(); i++) result[std::string(source_names[i])] = kept.given[i];
+  if (!kept.kept) return result;
+  result["since"] = kept.since;
+  result["gravity"] = kept.gravity;
+  result["closure"] = closure(world);
+  result["truncation"] = truncation(world);
+  return result;
+}
+
 nlohmann::ordered_json summary(const lua::Scene& scene) {
   const World& world = scene.world();
   Energy now = energy(world);
@@ -56,6 +72,7 @@ nlohmann::ordered_json summary(const lua::Scene& scene) {
                      {"energy", world.error.energy},
                      {"worst_hinge_gap", world.worst.hinge_gap},
                      {"worst_energy", world.worst.energy}};
+  result["ledger"] = ledger(world);
   result["stats"] = stats(world);
   result["ns_per_phase"] = ns_per_phase(world);
   result["results"] = results(scene);

@@ -50,7 +50,10 @@ void store(const Node& n, Model& model) {
 void load(Articulate& a, const Model& model, Vec3 gravity) {
   for (Node& n : a.nodes) load(n, model, gravity);
   for (Condition& c : a.conditions)
-    if (!c.stiff) load(c, row(a, c), model, a.total_mass);
+    if (c.stiff)
+      std::fill(c.stiff->given.begin(), c.stiff->given.end(), 0.0);
+    else
+      load(c, row(a, c), model, a.total_mass);
 }
 
 void disturb(Articulate& a) {

@@ -235,8 +235,12 @@ void measure_gaps(Articulate& articulate);
 /// What a drift did, for counting and the balance of energy.
 struct DriftReport {
   std::uint32_t iterations = 0, factorisations = 0, halved = 0, safe = 0, projections = 0, offsets = 0;
-  double open_work = 0.0;  // [J] of solved laws without energy
-  double work = 0.0;  // [J] of the world ends, pushes and twists, and of making velocities consistent after an edit
+  double open_work = 0.0;  // [J] of solved laws without energy, and what the end of the step swallowed
+  double work = 0.0;       // [J] of the world ends, changing lengths, pushes and twists
+  double motor = 0.0;      // [J] of motors, and of turns and angles that follow a function of time
+  double limit = 0.0;      // [J] of limits, and of all rows where one is struck
+  double met = 0.0;        // [J] of making velocities consistent after an edit
+  double returned = 0.0;   // [J] given back of what the projection took
 };
 
 /// What a drift needs to know of the world.

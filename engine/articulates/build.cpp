@@ -139,8 +139,7 @@ struct Builder {
     const Vec3 d = position(model, a) - (b ? position(model, b) : condition.whole1);
     tie.least2 = 1e-24 * (norm2(d) > 0.0 ? norm2(d) : 1.0);
     for (auto law = c.law; law; law = law->also) tie.curves.emplace_back(*law);
-    tie.energy0.resize(tie.curves.size());
-    tie.energy1.resize(tie.curves.size());
+    for (auto* column : {&tie.energy0, &tie.energy1, &tie.pulls, &tie.given}) column->resize(tie.curves.size());
     row.kind = RowKind::stiff;
     row.condition = static_cast<std::int32_t>(conditions.size());
     row.f = row.f_last = direction(d) * -c.tension;

@@ -14,15 +14,14 @@ namespace {
 
 constexpr int most_halvings = 5;
 
-/// Makes the end of the step just solved the start of the next; returns the work of the rows, and of pushes and twists [J].
-double commit(Articulate& a, Vec3 gravity) {
-  double work = work_of_rows(a);
+/// Makes the end of the step just solved the start of the next; tells the work of the rows, and of pushes and twists.
+void commit(Articulate& a, Vec3 gravity, DriftReport& report) {
+  add_work_of_rows(a, report);
   for (Node& n : a.nodes) {
-    work += dot(n.force - gravity * n.mass, n.x1 - n.x0);
-    if (n.turns) work += dot(n.torque, n.R0 * n.a);
+    report.work += dot(n.force - gravity * n.mass, n.x1 - n.x0);
+    if (n.turns) report.work += dot(n.torque, n.R0 * n.a);
     commit(n);
   }
-  return work;
 }
 
 /// Moves over the part from … to (0 … 1) of the step.
@@ -32,8 +31,7 @@ void drift_part(Articulate& a, const DriftSettings& settings, double from, doubl
   if (a.gaps.open > 1e-8 * a.length) return safe_step(a, settings, h, report);
   place_rows_at_start(a);
   if (solve_step(a, h, settings.gravity, report)) {
-    report.open_work += work_of_open_laws(a);
-    report.work += commit(a, settings.gravity);
+    commit(a, settings.gravity, report);
     a.fresh = false;
     for (Condition& c : a.conditions) c.angle0 = c.angle1;
     measure_gaps(a);
@@ -65,7 +63,7 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
     if (a.gaps.open <= 1e-8 * a.length) {
       const double before = kinetic_energy(a);
       make_consistent(a);
-      report.work += kinetic_energy(a) - before;
+      report.met += kinetic_energy(a) - before;
     }
     a.edited = false;
   }

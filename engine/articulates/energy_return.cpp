@@ -128,10 +128,10 @@ bool may_return(const Articulate& a) {
 
 }  // namespace
 
-void return_energy(Articulate& a, double kinetic, Vec3 gravity) {
-  if (!may_return(a)) return;
+double return_energy(Articulate& a, double kinetic, Vec3 gravity) {
+  if (!may_return(a)) return 0.0;
   const RigidMotion rigid = kept_motion(a, gravity);
-  if (!(rigid.relative > 1e-9 * rigid.kinetic)) return;
+  if (!(rigid.relative > 1e-9 * rigid.kinetic)) return 0.0;
   const double factor = std::min(1.2, std::sqrt(std::max(0.0, 1.0 + (kinetic - rigid.kinetic) / rigid.relative)));
   for (Node& n : a.nodes) {
     const Vec3 p = (rigid.V + cross(rigid.w, n.x0 - rigid.X)) * n.mass;
@@ -140,6 +140,7 @@ void return_energy(Articulate& a, double kinetic, Vec3 gravity) {
     n.P0 += (n.P0 - n.inertia * transposed_times(n.R0, rigid.w)) * n.coupled * (factor - 1.0);
     n.O0 = n.inverse_inertia * n.P0;
   }
+  return (factor * factor - 1.0) * rigid.relative;
 }
 
 }  // namespace pantin

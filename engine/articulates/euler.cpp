@@ -78,12 +78,11 @@ void drift_euler(Articulate& a, const DriftSettings& settings, DriftReport& repo
   a.last_h = 0.0;
   a.has_factor = false;
   if (!solve_euler(a, settings.h, settings.gravity, report)) return safe_step(a, settings, settings.h, report);
-  double work = work_of_rows(a);
+  add_work_of_rows(a, report);
   for (Node& n : a.nodes) {
-    work += dot(n.force - settings.gravity * n.mass, n.x1 - n.x0);
+    report.work += dot(n.force - settings.gravity * n.mass, n.x1 - n.x0);
     commit(n);
   }
-  report.work += work;
   measure_gaps(a);
   a.safe = false;
 }

@@ -194,27 +194,18 @@ void place_rows_at_end(Articulate& a) {
   for (Row& row : a.rows) place_row_at_end(a, row);
 }
 
-double work_of_rows(const Articulate& a) {
-  double work = 0.0;
+void add_work_of_rows(const Articulate& a, DriftReport& report) {
   for (const Condition& c : a.conditions) {
     const Row& r = row(a, c);
-    if (c.stiff) continue;
-    if (r.lever > 0.0) {
-      if (c.works) work += work_of_couple(a, r);
+    if (c.stiff) {
+      report.open_work += c.stiff->settle(r);
       continue;
     }
-    if (r.b < 0) work += dot(r.f, c.place1 - c.place0);
-    if (c.works) work += dot(r.f, r.d1 - r.d0);
+    if (r.b < 0 && r.lever == 0.0) report.work += dot(r.f, c.place1 - c.place0);
+    if (!c.works) continue;
+    double& line = c.ranged ? report.limit : r.lever > 0.0 ? report.motor : report.work;
+    line += r.lever > 0.0 ? work_of_couple(a, r) : dot(r.f, r.d1 - r.d0);
   }
-  return work;
-}
-
-double work_of_open_laws(const Articulate& a) {
-  double work = 0.0;
-  if (!a.open) return work;
-  for (const Condition& c : a.conditions)
-    if (c.stiff) work += c.stiff->open_work(row(a, c));
-  return work;
 }
 
 bool solve_step(Articulate& a, double h, Vec3 gravity, DriftReport& report) {

@@ -7,10 +7,8 @@ namespace pantin {
 /// False where it does not converge; the starts are untouched.
 bool solve_step(Articulate& articulate, double h, Vec3 gravity, DriftReport& report);
 
-/// Work of world ends that move, of limited pulls and of rods that change their length, in the step just solved [J].
-double work_of_rows(const Articulate& articulate);
-/// Work of solved laws without energy in the step just solved, and what its end swallowed, [J].
-double work_of_open_laws(const Articulate& articulate);
+/// Tells the work of world ends that move, of limited pulls, of lengths that change, of motors and limits, in the step just solved.
+void add_work_of_rows(const Articulate& articulate, DriftReport& report);
 
 /// Sets r and d of all rows at the start, from the nodes' starts and `place0`.
 void place_rows_at_start(Articulate& articulate);

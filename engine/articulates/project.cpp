@@ -96,9 +96,14 @@ void add_impulse(Node& n, const Row& row, Vec3 arm, Vec3 impulse) {
   n.O0 = n.inverse_inertia * n.P0;
 }
 
-/// Finishes the solution of the half solved right side and applies the impulses; returns the work of moving anchors and changing lengths [J].
-double apply_projection(Articulate& a) {
-  double work = 0.0;
+/// Work [J] of impulses on what moves by itself: anchors and lengths, and the turns of couples.
+struct ImpulseWork {
+  double ends = 0.0, couples = 0.0;
+};
+
+/// Finishes the solution of the half solved right side and applies the impulses.
+ImpulseWork apply_projection(Articulate& a) {
+  ImpulseWork work;
   for (std::size_t k = a.rows.size(); k-- > 0;) {
     const Row& row = a.rows[k];
     a.factor.substitute_back(static_cast<std::uint32_t>(k), a.right_side.data());
@@ -107,7 +112,7 @@ double apply_projection(Articulate& a) {
     if (row.condition >= 0) {
       const Condition& c = condition(a, row);
       if (row.kind != RowKind::rigid) impulse = c.kept * impulse;
-      work += dot(impulse, c.wanted);
+      (row.lever > 0.0 ? work.couples : work.ends) += dot(impulse, c.wanted);
     }
     add_impulse(a.nodes[static_cast<std::size_t>(row.a)], row, row.ra1, impulse);
     if (row.b >= 0) add_impulse(a.nodes[static_cast<std::size_t>(row.b)], row, row.rb1, impulse * -1.0);
@@ -148,7 +153,7 @@ bool project_with_newton_factor(Articulate& a, const Velocities& before, double&
   save_momenta(a);
   double done = 0.0;
   for (int i = 0; i < 3; i++) {
-    done += apply_projection(a);
+    done += apply_projection(a).ends;
     const Velocities after = start_solution(a);
     if (after.forbidden > 0.2 * before.forbidden + 1e-12 * before.fastest) continue;
     if (after.kinetic > before.kinetic * (1.0 + 1e-12) + std::fabs(done)) break;
@@ -186,10 +191,15 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
     report.projections++;
     a.has_factor = false;
     factorise_exactly(a, 1e-10);
-    const double done = apply_projection(a);
-    report.work += struck(a) ? kinetic_energy(a) - before.kinetic : done;
+    const ImpulseWork done = apply_projection(a);
+    if (struck(a)) {
+      report.limit += kinetic_energy(a) - before.kinetic;
+    } else {
+      report.work += done.ends;
+      report.motor += done.couples;
+    }
   }
-  if (settings.energy_return) return_energy(a, before.kinetic, settings.gravity);
+  if (settings.energy_return) report.returned += return_energy(a, before.kinetic, settings.gravity);
 }
 
 void make_consistent(Articulate& a) {

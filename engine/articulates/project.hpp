@@ -9,7 +9,7 @@ void project_velocities(Articulate& articulate, const DriftSettings& settings, D
 
 /// Scales the motion relative to the kept rigid motion, by 1.2 at most, so that the kinetic energy is `kinetic` again [J].
 /// Spin that nothing couples to stays as it is; nothing is given back where an anchor moves or a pull is limited.
-void return_energy(Articulate& articulate, double kinetic, Vec3 gravity);
+double return_energy(Articulate& articulate, double kinetic, Vec3 gravity);
 
 /// Sets M and C of the rows for projections, from what velocities are forbidden: M = kept, C = 1 - M.
 void set_kept_matrices(Articulate& articulate);

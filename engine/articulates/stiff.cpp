@@ -79,7 +79,6 @@ double evaluate_stiff(Row& row, Condition& c, const RowContext& context) {
   const double r0 = std::sqrt(s0), r1 = std::sqrt(s1);
   const bool middle = tie.solve == Solve::at_middle;
   Pull all;
-  tie.open_pull = 0.0;
   for (std::size_t i = 0; i < tie.curves.size(); i++) {
     PairCurve& curve = tie.curves[i];
     const Pull p = !middle              ? at_end(curve, r0, r1, tie.rate0, context.h, tie.energy1[i])
@@ -87,9 +86,8 @@ double evaluate_stiff(Row& row, Condition& c, const RowContext& context) {
                                         : at_mean(curve, r0, r1, context.h);
     all.Q += p.Q;
     all.slope += p.slope;
-    if (!middle || !curve.has_energy()) tie.open_pull += p.Q;
+    tie.pulls[i] = p.Q;
   }
-  tie.pull = all.Q;
   const Vec3 e = middle ? row.d0 + row.d1 : row.d1;
   const double stiffness = std::fabs(all.Q) + std::fabs(all.slope) * norm(e) * r1;
   const double weight = 1.0 / (stiffness + 2.0 / (context.h * context.h * context.mobility));
@@ -104,12 +102,18 @@ bool StiffTie::is_open() const {
          std::any_of(curves.begin(), curves.end(), [](const PairCurve& curve) { return !curve.has_energy(); });
 }
 
-double StiffTie::open_work(const Row& row) const {
-  if (open_pull == 0.0) return 0.0;
-  const Vec3 e = solve == Solve::at_middle ? row.d0 + row.d1 : row.d1;
-  double work = -open_pull * dot(e, row.d1 - row.d0);
-  for (std::size_t i = 0; solve == Solve::at_end && i < curves.size(); i++) work += energy1[i] - energy0[i];
-  return work;
+double StiffTie::settle(const Row& row) {
+  const Vec3 way = row.d1 - row.d0, e = solve == Solve::at_middle ? row.d0 + row.d1 : row.d1;
+  double open = 0.0, rest = dot(row.f, way);
+  for (std::size_t i = 0; i < curves.size(); i++) {
+    const double work = -pulls[i] * dot(e, way), rise = energy1[i] - energy0[i];
+    rest -= work;
+    const double from_energy = !curves[i].has_energy() ? 0.0 : solve == Solve::at_middle ? work : -rise;
+    given[i] += from_energy;
+    open += work - from_energy;
+  }
+  given[0] += rest;
+  return open;
 }
 
 }  // namespace pantin

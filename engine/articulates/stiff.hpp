@@ -15,13 +15,14 @@ struct StiffTie {
   std::vector<double> energy0, energy1;  // (curves) [J] at the start and end of the step being solved
   double least2 = 0.0;                   // [m²] below it distances count as equal to its root
   double rate0 = 0.0;                    // [m/s] of the distance at the start
-  double pull = 0.0;                     // [N/m] f = -pull e, with e = d0 + d1 at the middle, d1 at the end
-  double open_pull = 0.0;                // the part of it whose work is not from an energy of the law
+  std::vector<double> pulls;             // (curves) [N/m] f = -Σ pull e, with e = d0 + d1 at the middle, d1 at the end
+  std::vector<double> given;             // (curves) [J] what their energies gave to the motion in this step
 
   /// Whether it takes energy or gives it.
   bool is_open() const;
-  /// Of what the last step solved, [J]: what the laws without energy gave, and what the end of the step swallowed.
-  double open_work(const Row& row) const;
+  /// Once a step is solved: adds to `given`, and returns the work of laws without energy and what the end of the step
+  /// swallowed, [J].
+  double settle(const Row& row);
 };
 
 /// Reads the start of a step of h [s] from d0; `approach` is d0 · the velocity of d0 [m²/s].

@@ -9,6 +9,7 @@ void begin_step(World& world) {
   if (world.steps == 0) {
     world.start_energy = energy(world, everything(world)).total();  // laws add theirs when they begin to act
     world.work = 0.0;
+    world.ledger.given = {};
   }
   apply_input(world, next_time(world));
 }

@@ -2,6 +2,7 @@
 
 #include "articulates/midpoint.hpp"
 #include "articulates/project.hpp"
+#include "articulates/stiff.hpp"
 #include "phases/phases.hpp"
 
 namespace pantin::phases {
@@ -32,8 +33,30 @@ void drift_bodies(World& world) {
     const double before = kinetic_energy(n);
     euler ? drift_euler_alone(n, world.settings.step) : drift_alone(n, world.settings.step);
     if (norm2(m.force) > 0.0 || norm2(m.torque) > 0.0)
-      world.work += kinetic_energy(n) - before - n.mass * dot(world.settings.gravity, n.x0 - x);
+      post(world, Source::event, kinetic_energy(n) - before - n.mass * dot(world.settings.gravity, n.x0 - x));
     store(n, world);
+  }
+}
+
+void post_work(World& world, const DriftReport& report) {
+  post(world, Source::hand, report.work);
+  post(world, Source::motor, report.motor);
+  post(world, Source::limit, report.limit);
+}
+
+/// What the energies of solved laws gave.
+void post_solved_laws(World& world, const Articulate& articulate) {
+  Ledger& ledger = world.ledger;
+  if (!ledger.kept) return;
+  for (const Condition& c : articulate.conditions) {
+    if (!c.stiff) continue;
+    std::shared_ptr<const Law> law = world.connections[c.stiff->connection].law;
+    for (double given : c.stiff->given) {
+      ledger.laws += given;
+      ledger.kicks[law->name] += given;
+      ledger.posted += std::fabs(given);
+      law = law->also;
+    }
   }
 }
 
@@ -45,8 +68,11 @@ void count(World& world, const DriftReport& report) {
   world.stats.projections += report.projections;
   world.stats.solves++;
   world.stats.worst_iterations = std::max(world.stats.worst_iterations, report.iterations);
-  world.work += report.work + report.open_work;
+  world.work += report.open_work;
   world.open_work += report.open_work;
+  world.ledger.posted += std::fabs(report.open_work);
+  post_work(world, report);
+  post(world, Source::edit, report.met);
 }
 
 DriftSettings drift_settings(const World& world) {
@@ -57,6 +83,7 @@ DriftSettings drift_settings(const World& world) {
 
 void drift(World& world) {
   const Timed timed(world.profile, Phase::drift);
+  const LedgerMark before = ledger_mark(world, false);
   drift_points(world);
   drift_bodies(world);
   const DriftSettings settings = drift_settings(world);
@@ -68,22 +95,28 @@ void drift(World& world) {
     else
       pantin::drift(*articulate, settings, report);
     tell_tensions(*articulate, world);
+    post_solved_laws(world, *articulate);
     count(world, report);
     if (report.offsets > 0)
       log_line(world, "notice", "a gap that no motion can close was taken as a constant offset of its hinges");
   }
+  post_drift(world, before);
 }
 
 void project_velocities(World& world) {
   const Timed timed(world.profile, Phase::project_velocities);
   if (world.settings.integrator == Integrator::euler) return;
+  const LedgerMark before = ledger_mark(world, true);
+  double returned = 0.0;
   const DriftSettings settings = drift_settings(world);
   for (auto& articulate : world.articulates) {
     DriftReport report;
     pantin::project_velocities(*articulate, settings, report);
     world.stats.projections += report.projections;
-    world.work += report.work;
+    post_work(world, report);
+    returned += report.returned;
   }
+  post_projection(world, before, returned);
 }
 
 }  // namespace pantin::phases

@@ -138,6 +138,7 @@ void end_step(World& world) {
   world.step_count++;
   world.steps++;
   if (world.pushed) end_pushes(world);
+  end_ledger(world);
   measure_errors(world, points);
   for (Probe& probe : world.probes) probe.latest = probe.read();  // one that fails leaves no row half recorded
   for (Probe& probe : world.probes) probe.values.push_back(probe.latest);

@@ -40,6 +40,7 @@ void find_articulates(World& world) {
   if (world.articulates.size() != count) editing::disturb_forces(world);
   if (topology_changed || world.influences_changed) read_masses(world);  // every edit of a mass says so
   save_loose(world);
+  begin_ledger(world);
 }
 
 }  // namespace pantin::phases

@@ -17,7 +17,7 @@ void kick_loose_points(World& world, double half) {
     FreeMotion& m = world.free_motion[slot];
     const Vec3 before = m.v;
     m.v += (gravity + p.force / p.mass) * half;
-    world.work += dot(p.force, before + m.v) * (0.5 * half);
+    post(world, Source::event, dot(p.force, before + m.v) * (0.5 * half));
   }
 }
 
@@ -27,7 +27,9 @@ void half_kick(World& world) {
   if (world.loose_points.empty() && !world.forces) return;
   const Timed timed(world.profile, Phase::half_kick);
   const double half = 0.5 * world.settings.step;
+  const LedgerMark before = ledger_mark(world, false);
   kick_loose_points(world, half);
+  post_kick(world, before, false);
   kick(world, half);
 }
 
@@ -35,7 +37,9 @@ void half_kick_to_end(World& world) {
   if (world.loose_points.empty() && !world.forces) return;
   const Timed timed(world.profile, Phase::half_kick_to_end);
   const double half = 0.5 * world.settings.step;
+  const LedgerMark before = ledger_mark(world, true);
   kick_loose_points(world, half);
+  post_kick(world, before, true);
   kick_to_end(world, half);
 }
 

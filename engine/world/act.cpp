@@ -26,7 +26,7 @@ void kick(World& world, BodyId body, Vec3 impulse, std::optional<Vec3> at) {
   disturb_forces(world);
   m.p += impulse;
   if (at) m.angular += turning_part(m, cross(*at - m.x, impulse));
-  post(world, energy_of(world, body) - before);
+  post(world, energy_of(world, body) - before, Source::event);
   touch_velocity(world, body);
 }
 
@@ -63,7 +63,7 @@ void kick(World& world, PointId id, Vec3 impulse) {
   const double before = energy_of(world, id);
   disturb_forces(world);
   world.motion_of(id).v += impulse / point.mass;
-  post(world, energy_of(world, id) - before);
+  post(world, energy_of(world, id) - before, Source::event);
   touch_velocity(world, id);
 }
 

@@ -70,7 +70,7 @@ double energy_round(const World& world, PointId point) {
   return body ? energy_of(world, body) : energy_of(world, point);
 }
 
-void post(World& world, double joules) { world.work += joules; }
+void post(World& world, double joules, Source source) { pantin::post(world, source, joules); }
 
 std::string culprit(const World& world) {
   std::string name = world.who ? world.who() : "";

@@ -31,7 +31,7 @@ double energy_of(const World& world, PointId free_point);
 /// Of a free point, or of the body that the point belongs to.
 double energy_round(const World& world, PointId point);
 /// Adds to World::work, [J]. The first step starts the balance anew, so building a scene is no work.
-void post(World& world, double joules);
+void post(World& world, double joules, Source source = Source::edit);
 
 /// Call before an edit that may change what laws act on, or what they see of it: the energy of the laws before the edit
 /// leaves the balance, and comes back with the forces of the next step.

@@ -114,7 +114,7 @@ void make(World& world, EmitterId id, const Base& base, double time, double end)
     await_end(world, world.points[point].own);
   }
   touch(world, point);
-  post(world, energy_of(world, point));
+  post(world, energy_of(world, point), Source::emitter);
 }
 
 /// Removes an emitter whose point is gone.

@@ -28,6 +28,20 @@ std::vector<double> present_parameters(const World& world, const Law& law, const
   return values;
 }
 
+void run_law(const World& world, Forces& f, ActingInteraction& a) {
+  a.pairs.add_forces(f.sites, a.rows, instant_of(world, world.time, world.steps),
+                     present_parameters(world, *a.law, world.interactions[a.id].parameters), *world.workers);
+}
+
+void run_law(const World& world, Forces& f, ActingConnections& a) {
+  a.bonds.add_forces(f.sites, box_of(world), instant_of(world, world.time, world.steps), {}, *world.workers);
+}
+
+void run_law(const World& world, Forces& f, ActingField& a) {
+  a.fields.add_forces(f.sites, box_of(world), instant_of(world, world.time, world.steps),
+                      present_parameters(world, *a.law, world.fields[a.id].parameters), *world.workers);
+}
+
 double run_laws(const World& world, Forces& f, const Instant& instant, Which which, bool with_energy) {
   const Box box = box_of(world);
   double energy = 0.0;
@@ -148,7 +162,7 @@ namespace {
 /// The energy of the laws leaves the balance.
 void withdraw_energy(World& world) {
   Forces& f = *world.forces;
-  editing::post(world, -(f.told ? f.energy : law_energy(world)));
+  editing::post(world, -(f.told ? f.energy : law_energy(world)), Source::law);
   each_law(world, f, [&](const std::string& name, const Law& law, auto& acting) {
     if (law.has_energy()) world.given_by_laws[name] += acting.at_first - acting.energy;
   });
@@ -205,7 +219,10 @@ bool stiffness_is_due(World& world) { return std::exchange(world.stiffness_unkno
 void bring_in_energy(World& world) {
   Forces& f = *world.forces;
   each_law(world, f, [](const std::string&, const Law&, auto& acting) { acting.at_first = acting.energy; });
-  (world.steps == 0 ? world.start_energy : world.work) += f.energy;
+  if (world.steps == 0)
+    world.start_energy += f.energy;
+  else
+    editing::post(world, f.energy, Source::law);
 }
 
 /// Forces of the present state with laws that were just changed.
@@ -260,7 +277,7 @@ void refresh_forces(World& world) {
   // What changes with age alone is work from outside: half of it at the places before the drift, half at those after.
   Forces& f = *world.forces;
   const double energy = f.energy;
-  editing::post(world, 0.5 * (energy_at_ages(world, f, next_time(world)) - energy));
+  editing::post(world, 0.5 * (energy_at_ages(world, f, next_time(world)) - energy), Source::law);
 }
 
 void find_pairs(World& world) {
@@ -277,7 +294,7 @@ void apply_forces(World& world) {
   f.told = tells_energy(world, f) || follows(f);
   const double before = follows(f) ? energy_at_ages(world, f, world.time) : 0.0;
   f.energy = evaluate(world, f, instant_of(world, next_time(world), world.steps + 1), f.told);
-  if (follows(f)) editing::post(world, 0.5 * (f.energy - before));
+  if (follows(f)) editing::post(world, 0.5 * (f.energy - before), Source::law);
 }
 
 void run_moving_laws(World& world, Forces& f) {

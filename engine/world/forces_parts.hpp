@@ -68,6 +68,10 @@ std::vector<double> present_parameters(const World& world, const Law& law, const
 struct Which {
   bool moving, still;
 };
+/// Adds the forces of one law at the present places and velocities.
+void run_law(const World& world, Forces& forces, ActingInteraction& acting);
+void run_law(const World& world, Forces& forces, ActingConnections& acting);
+void run_law(const World& world, Forces& forces, ActingField& acting);
 /// Adds the forces of the laws; gives the energy [J] of those that have one where it is asked for.
 double run_laws(const World& world, Forces& forces, const Instant& instant, Which which, bool with_energy);
 

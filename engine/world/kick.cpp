@@ -1,4 +1,6 @@
 // What the forces of the laws do to velocities and momenta.
+#include <algorithm>
+
 #include "articulates/articulate.hpp"
 #include "world/forces.hpp"
 #include "world/forces_parts.hpp"
@@ -90,6 +92,46 @@ double kick_movers(World& world, Forces& f, double half, bool drifted) {
 void post_open(World& world, double work) {
   world.work += work;
   world.open_work += work;
+  world.ledger.posted += std::fabs(work);
+}
+
+/// Velocities of the sites' places, [m/s] (sites); none where the ledger is not kept.
+AlignedVector<Vec3> site_velocities(World& world, Forces& f, bool drifted) {
+  AlignedVector<Vec3> list;
+  if (!world.ledger.kept) return list;
+  list.assign(f.sites.n, zero3());
+  for (std::size_t i = 0; i < f.sites.n; i++)
+    if (f.point[i] != none) list[i] = world.free_motion[f.point[i]].v;
+  for (const Attached& a : f.attached) {
+    const Momenta s = momenta_of(world, f.movers[a.mover], drifted);
+    list[a.site] = s.velocity() + cross(s.spin(), a.r);
+  }
+  return list;
+}
+
+/// What the forces that the sites now have gave in a kick over `half` [s], with velocities that
+/// changed evenly, [J].
+double work_of(const Forces& f, const AlignedVector<Vec3>& before, const AlignedVector<Vec3>& after, double half) {
+  double work = 0.0;
+  for (std::size_t i = 0; i < f.sites.n; i++) work += dot(f.sites.force[i], before[i] + after[i]) * (0.5 * half);
+  return work;
+}
+
+void post_laws(World& world, Forces& f, const AlignedVector<Vec3>& before, bool drifted, double half) {
+  if (!world.ledger.kept) return;
+  const AlignedVector<Vec3> after = site_velocities(world, f, drifted);
+  const double work = work_of(f, before, after, half);
+  world.ledger.laws += work;
+  world.ledger.posted += std::fabs(work);
+  const auto force = f.sites.force, open = f.sites.open_force;
+  each_law(world, f, [&](const std::string& name, const Law& law, auto& acting) {
+    if (!law.has_energy()) return;
+    std::fill(f.sites.force.begin(), f.sites.force.end(), zero3());
+    run_law(world, f, acting);
+    world.ledger.kicks[name] += work_of(f, before, after, half);
+  });
+  f.sites.force = force;
+  f.sites.open_force = open;
 }
 
 void save(World& world, Forces& f) {
@@ -151,7 +193,9 @@ void kick(World& world, double half) {
     m.start_p = s.v ? *s.v : *s.p;
     m.start_P = s.P ? *s.P : zero3();
   }
+  const AlignedVector<Vec3> before = site_velocities(world, f, false);
   post_open(world, kick_points(world, f, half) + kick_movers(world, f, half, false));
+  post_laws(world, f, before, false, half);
 }
 
 void take_back_kick(World& world) {
@@ -177,7 +221,9 @@ void kick_to_end(World& world, double half) {
     run_moving_laws(world, f);
     restore(world, f);
   }
+  const AlignedVector<Vec3> before = site_velocities(world, f, true);
   post_open(world, kick_points(world, f, half) + kick_movers(world, f, half, true));
+  post_laws(world, f, before, true, half);
 }
 
 }  // namespace pantin

@@ -105,7 +105,7 @@ Energy energy(const World& world, const Things& things) {
   return e;
 }
 
-Energy energy(const World& world) {
+Energy mechanical_energy(const World& world) {
   // Every step asks for it, so no list is made.
   Energy e;
   for (std::uint32_t s = 0; s < world.bodies.slots(); s++)
@@ -113,6 +113,11 @@ Energy energy(const World& world) {
   for (std::uint32_t s = 0; s < world.points.slots(); s++)
     if (world.points.alive_at(s) && !world.points.at_slot(s).body)
       add(e, world.points.at_slot(s).mass, world.free_motion[s], world.settings.gravity);
+  return e;
+}
+
+Energy energy(const World& world) {
+  Energy e = mechanical_energy(world);
   e.potential += law_energy(world);
   return e;
 }

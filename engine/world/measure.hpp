@@ -30,6 +30,8 @@ double mass(const World& world, const Things& things);            ///< [kg]
 double temperature(const World& world, const Things& things);
 
 Energy energy(const World& world);
+/// Kinetic, and potential in gravity alone: without the laws'.
+Energy mechanical_energy(const World& world);
 /// Gaps now; `energy` relative to the start. Cheap: one pass over constraints and bodies.
 Accuracy accuracy(const World& world);
 /// Hash of all places and velocities in the order of making: equal states have equal hashes.

@@ -10,7 +10,7 @@ void remove(World& world, BodyId id) {
   const std::string what = describe(world, id);
   disturb_forces(world);
   touch(world, id);
-  post(world, -energy_of(world, id));
+  post(world, -energy_of(world, id), Source::removal);
   const std::vector<PointId> points = world.bodies[id].points;
   std::vector<std::string> names;
   for (PointId p : points) names.push_back(describe(world, p));
@@ -30,7 +30,7 @@ void remove(World& world, PointId id) {
   const ParticleId own = point.own;
   disturb_forces_by_death(world, own);
   touch(world, id);
-  post(world, -energy_of(world, id));
+  post(world, -energy_of(world, id), Source::removal);
   erase_point(world, id, what);
   notice(world, Notice::Kind::removed, own, world.particles.story(own));
 }

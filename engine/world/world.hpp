@@ -16,6 +16,7 @@
 #include "model/model.hpp"
 #include "world/choreography.hpp"
 #include "world/input.hpp"
+#include "world/ledger.hpp"
 #include "world/settings.hpp"
 
 namespace pantin {
@@ -120,6 +121,7 @@ struct World : Model {
   std::unique_ptr<Workers> workers;             ///< threads
   std::map<std::string, double> given_by_laws;  ///< [J] since the start, up to when the laws at work began to act
   bool stiffness_unknown = true;                ///< an edit may have made connections too stiff for explicit steps
+  Ledger ledger;
   double open_work = 0.0;                       ///< [J] done by laws without energy; part of `work`
 
   Stats stats;

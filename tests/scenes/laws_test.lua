@@ -281,3 +281,21 @@ test("two particles at one place, torn apart by a force that is not a number, ar
   ]]
   expect(function() scene:step() end):fails "is not a finite number, at a distance of 0 m; the scene is stopped"
 end)
+
+test("the ledger is kept once it was read, and closes", function()
+  local scene = open_text [[
+    local a = scene:particle { at = vec(0, 0, 0) }
+    local b = scene:particle { at = vec(1.5, 0, 0), velocity = vec(0, 1, 0) }
+    scene:connect(a, b, force.spring { stiffness = 20, length = 1 })
+    scene:nail(scene:particle { at = vec(3, 0, 0) })
+  ]]
+  expect(scene.ledger.closure):equal(nil)
+  scene:advance(1)
+  local ledger = scene.ledger
+  expect(ledger.since):equal(0)
+  expect(ledger.closure):below(1e-10)
+  expect(ledger.gravity):near((9.81 ^ 2 + 8.81 ^ 2 - 1) / 2, 1e-6)
+  expect(math.abs(ledger.truncation.spring)):below(1e-2)
+  expect(math.abs(ledger.truncation.spring)):above(0)
+  expect(ledger.hand + ledger.event + ledger.projection):near(0, 1e-12)
+end)

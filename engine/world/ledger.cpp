@@ -1,0 +1,137 @@
+#include "world/ledger.hpp"
+
+#include <cmath>
+
+#include "articulates/articulate.hpp"
+#include "world/forces.hpp"
+#include "world/measure.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr std::size_t number(Source source) { return static_cast<std::size_t>(source); }
+
+double kinetic_of(const Motion& m) {
+  return 0.5 * (norm2(m.p) / m.mass + dot(m.angular, m.angular * inverse_inertia(m)));
+}
+
+double outside(const World& world) { return world.work - world.ledger.given[number(Source::law)]; }
+
+/// All that the ledger has explained so far, [J].
+double explained(const World& world) {
+  const Ledger& l = world.ledger;
+  return l.gravity + l.laws + outside(world) + l.given[number(Source::projection)] +
+         l.given[number(Source::energy_return)] + l.given[number(Source::safe_step)];
+}
+
+void post_inside(World& world, Source source, double joules) {
+  world.ledger.given[number(source)] += joules;
+  world.ledger.posted += std::fabs(joules);
+}
+
+void post_gravity(World& world, double joules) {
+  world.ledger.gravity += joules;
+  world.ledger.posted += std::fabs(joules);
+}
+
+}  // namespace
+
+void post(World& world, Source source, double joules) {
+  world.work += joules;
+  world.ledger.given[number(source)] += joules;
+  if (source != Source::law) world.ledger.posted += std::fabs(joules);
+}
+
+void keep_ledger(World& world) { world.ledger.wanted = true; }
+
+LedgerMark ledger_mark(const World& world, bool drifted) {
+  LedgerMark m;
+  if (!world.ledger.kept) return m;
+  m.outside = outside(world);
+  m.safe_steps = world.stats.safe_steps;
+  const Vec3 gravity = world.settings.gravity;
+  for (std::size_t i = 0; i < world.loose_points.size(); i++)
+    m.kinetic += 0.5 * world.loose_masses[i] * norm2(world.free_motion[world.loose_points[i]].v);
+  const auto add = [&](double kinetic, double mass, Vec3 place) {
+    m.kinetic += kinetic;
+    m.falling -= mass * dot(gravity, place);
+  };
+  for (const std::uint32_t slot : world.loose_bodies)
+    add(kinetic_of(world.motion[slot]), world.motion[slot].mass, world.motion[slot].x);
+  for (const auto& articulate : world.articulates)
+    for (const Node& n : articulate->nodes) {
+      if (drifted) {
+        add(kinetic_energy(n), n.mass, n.x0);
+      } else if (n.is_body) {
+        add(kinetic_of(world.motion[n.slot]), n.mass, world.motion[n.slot].x);
+      } else {
+        const FreeMotion& free = world.free_motion[n.slot];
+        add(0.5 * n.mass * norm2(free.v), n.mass, free.x);
+      }
+    }
+  return m;
+}
+
+void begin_ledger(World& world) {
+  Ledger& l = world.ledger;
+  if (!l.wanted) return;
+  if (!l.kept) {
+    l.kept = true;
+    l.since = world.time;
+    l.before = law_ledger(world).given;
+    l.posted = 0.0;
+  }
+  const Energy now = mechanical_energy(world);
+  l.kinetic = now.kinetic;
+  l.potential = now.potential;
+  l.explained = explained(world);
+}
+
+void post_kick(World& world, const LedgerMark& before, bool drifted) {
+  if (!world.ledger.kept) return;
+  const LedgerMark now = ledger_mark(world, drifted);
+  post_gravity(world, now.kinetic - before.kinetic - (now.outside - before.outside));
+}
+
+void post_drift(World& world, const LedgerMark& before) {
+  if (!world.ledger.kept) return;
+  const LedgerMark now = ledger_mark(world, true);
+  const double fall = before.falling - now.falling;
+  post_gravity(world, fall);
+  if (now.safe_steps > before.safe_steps)
+    post_inside(world, Source::safe_step, now.kinetic - before.kinetic - (now.outside - before.outside) - fall);
+}
+
+void post_projection(World& world, const LedgerMark& before, double returned) {
+  if (!world.ledger.kept) return;
+  const LedgerMark now = ledger_mark(world, true);
+  post_inside(world, Source::energy_return, returned);
+  post_inside(world, Source::projection, now.kinetic - before.kinetic - (now.outside - before.outside) - returned);
+}
+
+void end_ledger(World& world) {
+  Ledger& l = world.ledger;
+  if (!l.kept) return;
+  const Energy now = mechanical_energy(world);
+  l.unexplained += std::fabs(now.kinetic - l.kinetic - (explained(world) - l.explained));
+  l.gravity_potential += now.potential - l.potential;
+}
+
+double closure(const World& world) {
+  return world.ledger.posted > 0.0 ? world.ledger.unexplained / world.ledger.posted : 0.0;
+}
+
+std::map<std::string, double> truncation(const World& world) {
+  const Ledger& l = world.ledger;
+  std::map<std::string, double> list = {{"gravity", l.gravity_potential + l.gravity}};
+  for (const auto& [name, given] : law_ledger(world).given) {
+    const auto before = l.before.find(name);
+    const auto kicks = l.kicks.find(name);
+    list[name] =
+        (kicks == l.kicks.end() ? 0.0 : kicks->second) - (given - (before == l.before.end() ? 0.0 : before->second));
+  }
+  return list;
+}
+
+}  // namespace pantin

@@ -1,0 +1,173 @@
+// Every joule of kinetic energy has a line in the ledger, and the lines are worked out without each other.
+#include "world/ledger.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "laws/library.hpp"
+#include "step.hpp"
+#include "support/cases.hpp"
+#include "support/rods.hpp"
+#include "support/watch.hpp"
+#include "world/constrain.hpp"
+#include "world/edit.hpp"
+#include "world/forces.hpp"
+#include "world/hands.hpp"
+#include "world/measure.hpp"
+
+using namespace pantin;
+
+namespace {
+
+double line(const World& world, Source source) { return world.ledger.given[static_cast<std::size_t>(source)]; }
+
+/// ½ k (r - l)²
+std::shared_ptr<const Law> ledger_spring(const char* name, double stiffness, double length) {
+  Expressions g;
+  const Expr stretch = g.subtract(g.square_root(g.input({Role::distance2, 0, 0, {}})), g.constant(length));
+  LawDef def;
+  def.name = name;
+  const Expr energy = g.scale(g.multiply(stretch, stretch), 0.5 * stiffness);
+  return std::make_shared<Law>(central_potential(def, std::move(g), energy));
+}
+
+void tie(World& world, std::shared_ptr<const Law> law, ParticleId a, ParticleId b) {
+  ConnectionDef def;
+  def.ends = {{a, zero3()}, {b, zero3()}};
+  add_connection(world, std::move(law), def);
+}
+
+ParticleId mass_at(World& world, Vec3 at) {
+  ParticleDef def;
+  def.at = at;
+  return add_particle(world, def);
+}
+
+}  // namespace
+
+TEST_CASE("ledger: closes on chains, heavy chains and rings; what the projection took is nearly what was returned") {
+  const int which = GENERATE(0, 1, 2);
+  const double step = GENERATE(1.0 / 60, 1.0 / 240);
+  CAPTURE(which, step);
+  World world;
+  world.settings.step = step;
+  if (which == 0) cases::add_chain(world);
+  if (which == 1) cases::add_heavy_chain(world, 10, 1e3);
+  if (which == 2) cases::add_ring(world, 24);
+  keep_ledger(world);
+  advance(world, 3.0);
+  CHECK(world.failure == "");
+  CHECK(closure(world) <= 1e-10);
+  CHECK(world.ledger.gravity == Approx(mechanical_energy(world).kinetic).epsilon(1e-6));
+  CHECK(line(world, Source::projection) < 0.0);
+  CHECK(line(world, Source::energy_return) == Approx(-line(world, Source::projection)).epsilon(1e-6));
+  CHECK(std::fabs(truncation(world).at("gravity")) <= 1e-9 * world.ledger.gravity);
+}
+
+TEST_CASE("ledger: the lines of two springs and gravity on loose and tied things close, each with its own truncation") {
+  World world;
+  const cases::Chain chain = cases::add_chain(world, {.links = 3});
+  const ParticleId a = mass_at(world, vec(3, -1, 0)), b = mass_at(world, vec(4, -1, 0.3));
+  const ParticleId tail = world.points[chain.tails.back()].own;
+  tie(world, ledger_spring("soft", 5, 0.5), tail, a);
+  tie(world, ledger_spring("hard", 20, 0.9), a, b);
+  keep_ledger(world);
+  advance(world, 2.0);
+  CHECK(world.failure == "");
+  CHECK(closure(world) <= 1e-10);
+  const double laws = world.ledger.kicks.at("soft") + world.ledger.kicks.at("hard");
+  CHECK(laws == Approx(world.ledger.laws).epsilon(1e-12));
+  const auto errors = truncation(world);
+  const Energy now = energy(world);
+  double sum = world.work + line(world, Source::projection) + line(world, Source::energy_return);
+  for (const auto& [name, joules] : errors) sum += joules;
+  CHECK(now.total() - world.start_energy == Approx(sum).margin(1e-9));
+  CHECK(errors.at("hard") != 0.0);
+}
+
+TEST_CASE("ledger: truncation of a spring falls with the square of the step") {
+  double size[2];
+  for (const int k : {0, 1}) {
+    World world;
+    world.settings.gravity = zero3();
+    world.settings.step = 0.02 / (1 << k);
+    tie(world, ledger_spring("spring", 10, 1), mass_at(world, zero3()), mass_at(world, vec(1.5, 0, 0)));
+    keep_ledger(world);
+    size[k] = 0.0;
+    while (world.time < 2.0) {
+      pantin::step(world);
+      size[k] = std::fmax(size[k], std::fabs(truncation(world).at("spring")));
+    }
+    CHECK(closure(world) <= 1e-11);
+  }
+  CHECK(size[0] / size[1] == Approx(4.0).margin(0.5));
+}
+
+TEST_CASE("ledger: hands, pushes, kicks, emitted and removed things have lines, and it closes with them") {
+  World world;
+  const cases::Chain chain = cases::add_chain(world, {.links = 5});
+  const PointId loose = test::point_of(world, mass_at(world, vec(0, 3, 0)));
+  keep_ledger(world);
+  add_follow(world, chain.tails.back(), {.target = [](double t) { return vec(5 - t, 2 * t, 0); }, .max_force = 200});
+  for (int i = 0; i < 240; i++) {
+    if (i % 3 == 0 && i < 200) push(world, loose, vec(1, 20, 0));
+    if (i == 100) kick(world, chain.bodies[1], vec(0, 1, 0.5));
+    if (i == 150) mass_at(world, vec(7, 7, 7));
+    if (i == 200) remove(world, world.points[loose].own);
+    step(world);
+  }
+  CHECK(world.failure == "");
+  CHECK(closure(world) <= 1e-10);
+  CHECK(line(world, Source::hand) > 1.0);
+  CHECK(std::fabs(line(world, Source::event)) > 1.0);
+  CHECK(line(world, Source::edit) != 0.0);
+  CHECK(line(world, Source::removal) != 0.0);
+  double all = 0.0;
+  for (const Source source :
+       {Source::hand, Source::motor, Source::limit, Source::event, Source::edit, Source::emitter, Source::removal})
+    all += line(world, source);
+  CHECK(all == Approx(world.work).epsilon(1e-12));
+}
+
+TEST_CASE("ledger: safe steps post what they take") {
+  World world;
+  const cases::Chain chain = cases::add_chain(world);
+  keep_ledger(world);
+  add_follow(world, chain.tails.back(), {.target = [](double t) { return vec(10 + 5 * t, 0, 0); }});
+  advance(world, 1.0);
+  CHECK(world.failure == "");
+  CHECK(world.stats.safe_steps > 0);
+  CHECK(closure(world) <= 1e-8);
+  CHECK(line(world, Source::safe_step) != 0.0);
+}
+
+TEST_CASE("ledger: nothing but what comes from outside is posted while nobody asks, and asking changes no bit") {
+  World plain, kept;
+  for (World* world : {&plain, &kept}) {
+    cases::add_chain(*world);
+    const ParticleId a = mass_at(*world, vec(3, -1, 0)), b = mass_at(*world, vec(4, -1, 0.3));
+    tie(*world, ledger_spring("spring", 5, 0.5), a, b);
+  }
+  keep_ledger(kept);
+  advance(plain, 1.0);
+  advance(kept, 1.0);
+  CHECK(state_hash(plain) == state_hash(kept));
+  CHECK(plain.ledger.gravity == 0.0);
+  CHECK(line(plain, Source::projection) == 0.0);
+}
+
+TEST_CASE("ledger: motors and limits have lines of their own") {
+  World world;
+  const cases::Chain chain = cases::add_chain(world, {.links = 3});
+  MotorDef motor;
+  motor.axis = vec(0, 0, 1);
+  motor.speed = 2.0;
+  motor.max_torque = 40.0;
+  add_motor(world, chain.bodies[1], chain.bodies[2], motor);
+  keep_ledger(world);
+  advance(world, 1.0);
+  CHECK(world.failure == "");
+  CHECK(closure(world) <= 1e-9);
+  CHECK(line(world, Source::motor) > 0.1);
+  CHECK(line(world, Source::hand) == 0.0);
+}
