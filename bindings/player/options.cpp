@@ -68,7 +68,7 @@ void add_limits(CLI::App& app, RunOptions& scene, Texts& texts) {
       ->check(check_number)
       ->default_str("5")
       ->type_name("S");
-  app.add_option("--threads", scene.threads, "Threads for the laws; 0: all processors. The results are the same")
+  app.add_option("--threads", scene.threads, "Threads; 0: all processors. The results are the same")
       ->check(CLI::Range(0, 256));
   app.add_option("--memory-limit", texts.memory, "Of the script's memory, at least 1MiB")
       ->check(check_bytes)

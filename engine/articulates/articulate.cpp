@@ -89,6 +89,18 @@ double kinetic_energy(const Articulate& a) {
   return t;
 }
 
+NodeTotals totals_of(const Articulate& a) {
+  NodeTotals t;
+  double unsound = 0.0;
+  for (const Node& n : a.nodes) {
+    t.kinetic += kinetic_energy(n);
+    t.mass_place += n.x0 * n.mass;
+    unsound += 0.0 * (n.q0.w + n.q0.x + n.q0.y + n.q0.z);
+  }
+  t.finite = std::isfinite(t.kinetic + unsound) && finite(t.mass_place);
+  return t;
+}
+
 void measure_gaps(Articulate& a) {
   a.gaps = {};
   for (const Row& row : a.rows) {

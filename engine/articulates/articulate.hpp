@@ -159,6 +159,24 @@ struct Gaps {
   double all() const { return std::fmax(points, rods); }
 };
 
+/// What a drift, or a projection of velocities, did: for counting and the balance of energy.
+struct DriftReport {
+  std::uint32_t iterations = 0, factorisations = 0, halved = 0, safe = 0, projections = 0, offsets = 0;
+  double open_work = 0.0;  // [J] of solved laws without energy, and what the end of the step swallowed
+  double work = 0.0;       // [J] of the world ends, changing lengths, pushes and twists
+  double motor = 0.0;      // [J] of motors, and of turns and angles that follow a function of time
+  double limit = 0.0;      // [J] of limits, and of all rows where one is struck
+  double met = 0.0;        // [J] of making velocities consistent after an edit
+  double returned = 0.0;   // [J] given back of what the projection took
+};
+
+/// Sums over nodes, for the balance of energy.
+struct NodeTotals {
+  double kinetic = 0.0;       ///< [J]
+  Vec3 mass_place = zero3();  ///< [kg m] sum of mass times place
+  bool finite = true;         ///< these sums and all orientations are; then all states are
+};
+
 struct Articulate {
   std::vector<Node> nodes;
   std::vector<Row> rows;  // in the order of elimination
@@ -195,6 +213,8 @@ struct Articulate {
   bool weak = false;         // the last factor had weak pivots: its multipliers are not all determined
   bool pulled = false;       // laws act on it: its kinetic energy is no longer gravity's alone
   std::uint64_t serial = 0;  // smallest of its things
+  DriftReport report;        // of the last phase
+  NodeTotals totals;         // at the end of the last step
 };
 
 /// Whether a row forbids no motion, and only pulls.
@@ -229,19 +249,9 @@ void tell_tensions(const Articulate& articulate, Model& model);
 /// Kinetic energy of the nodes' starts, [J].
 double kinetic_energy(const Articulate& articulate);
 inline double kinetic_energy(const Node& n) { return 0.5 * (norm2(n.p0) * n.inverse_mass + dot(n.P0, n.O0)); }
+NodeTotals totals_of(const Articulate& articulate);
 /// Finds `gaps` anew from the rows at the end of the step.
 void measure_gaps(Articulate& articulate);
-
-/// What a drift did, for counting and the balance of energy.
-struct DriftReport {
-  std::uint32_t iterations = 0, factorisations = 0, halved = 0, safe = 0, projections = 0, offsets = 0;
-  double open_work = 0.0;  // [J] of solved laws without energy, and what the end of the step swallowed
-  double work = 0.0;       // [J] of the world ends, changing lengths, pushes and twists
-  double motor = 0.0;      // [J] of motors, and of turns and angles that follow a function of time
-  double limit = 0.0;      // [J] of limits, and of all rows where one is struck
-  double met = 0.0;        // [J] of making velocities consistent after an edit
-  double returned = 0.0;   // [J] given back of what the projection took
-};
 
 /// What a drift needs to know of the world.
 struct DriftSettings {

@@ -4,38 +4,53 @@
 #include "articulates/project.hpp"
 #include "articulates/stiff.hpp"
 #include "phases/phases.hpp"
+#include "phases/share.hpp"
 
 namespace pantin::phases {
 
 namespace {
 
 void drift_points(World& world) {
-  for (std::uint32_t slot : world.loose_points) {
-    FreeMotion& m = world.free_motion[slot];
-    m.x += m.v * world.settings.step;
-  }
+  constexpr std::size_t enough = 4096;
+  share_blocks(world, world.loose_points.size(), enough, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; i++) {
+      FreeMotion& m = world.free_motion[world.loose_points[i]];
+      m.x += m.v * world.settings.step;
+    }
+  });
+}
+
+/// Returns the work of pushes and twists [J].
+double drift_body(World& world, std::uint32_t slot) {
+  const bool euler = world.settings.integrator == Integrator::euler;
+  const Vec3 gravity = world.settings.gravity;
+  const Motion& m = world.motion[slot];
+  Node n{};
+  n.is_body = true;
+  n.slot = slot;
+  n.mass = m.mass;
+  n.inverse_mass = 1.0 / m.mass;
+  n.inertia = m.inertia;
+  n.inverse_inertia = inverse_inertia(m);
+  n.turns = m.freedom != Freedom::point;
+  load(n, world, gravity);
+  const Vec3 x = n.x0;
+  const double before = kinetic_energy(n);
+  euler ? drift_euler_alone(n, world.settings.step) : drift_alone(n, world.settings.step);
+  const bool pushed = norm2(m.force) > 0.0 || norm2(m.torque) > 0.0;
+  store(n, world);
+  return pushed ? kinetic_energy(n) - before - n.mass * dot(gravity, n.x0 - x) : 0.0;
 }
 
 void drift_bodies(World& world) {
-  const bool euler = world.settings.integrator == Integrator::euler;
-  Node n{};
-  n.is_body = true;
-  for (std::uint32_t slot : world.loose_bodies) {
-    const Motion& m = world.motion[slot];
-    n.slot = slot;
-    n.mass = m.mass;
-    n.inverse_mass = 1.0 / m.mass;
-    n.inertia = m.inertia;
-    n.inverse_inertia = inverse_inertia(m);
-    n.turns = m.freedom != Freedom::point;
-    load(n, world, world.settings.gravity);
-    const Vec3 x = n.x0;
-    const double before = kinetic_energy(n);
-    euler ? drift_euler_alone(n, world.settings.step) : drift_alone(n, world.settings.step);
-    if (norm2(m.force) > 0.0 || norm2(m.torque) > 0.0)
-      post(world, Source::event, kinetic_energy(n) - before - n.mass * dot(world.settings.gravity, n.x0 - x));
-    store(n, world);
+  constexpr std::size_t enough = 64;
+  if (world.pushed) {  // their work is summed in order
+    for (std::uint32_t slot : world.loose_bodies) post(world, Source::event, drift_body(world, slot));
+    return;
   }
+  share_blocks(world, world.loose_bodies.size(), enough, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; i++) drift_body(world, world.loose_bodies[i]);
+  });
 }
 
 void post_work(World& world, const DriftReport& report) {
@@ -65,7 +80,6 @@ void count(World& world, const DriftReport& report) {
   world.stats.factorisations += report.factorisations;
   world.stats.halved_steps += report.halved;
   world.stats.safe_steps += report.safe;
-  world.stats.projections += report.projections;
   world.stats.solves++;
   world.stats.worst_iterations = std::max(world.stats.worst_iterations, report.iterations);
   world.work += report.open_work;
@@ -73,6 +87,8 @@ void count(World& world, const DriftReport& report) {
   world.ledger.posted += std::fabs(report.open_work);
   post_work(world, report);
   post(world, Source::edit, report.met);
+  if (report.offsets > 0)
+    log_line(world, "notice", "a gap that no motion can close was taken as a constant offset of its hinges");
 }
 
 DriftSettings drift_settings(const World& world) {
@@ -87,18 +103,17 @@ void drift(World& world) {
   drift_points(world);
   drift_bodies(world);
   const DriftSettings settings = drift_settings(world);
-  for (auto& articulate : world.articulates) {
-    load(*articulate, world, settings.gravity);
-    DriftReport report;
-    if (world.settings.integrator == Integrator::euler)
-      drift_euler(*articulate, settings, report);
-    else
-      pantin::drift(*articulate, settings, report);
+  const bool euler = world.settings.integrator == Integrator::euler;
+  share_articulates(world, [&](Articulate& articulate) {
+    load(articulate, world, settings.gravity);
+    articulate.report = {};
+    euler ? drift_euler(articulate, settings, articulate.report)
+          : pantin::drift(articulate, settings, articulate.report);
+  });
+  for (const auto& articulate : world.articulates) {
     tell_tensions(*articulate, world);
     post_solved_laws(world, *articulate);
-    count(world, report);
-    if (report.offsets > 0)
-      log_line(world, "notice", "a gap that no motion can close was taken as a constant offset of its hinges");
+    count(world, articulate->report);
   }
   post_drift(world, before);
 }
@@ -109,12 +124,14 @@ void project_velocities(World& world) {
   const LedgerMark before = ledger_mark(world, true);
   double returned = 0.0;
   const DriftSettings settings = drift_settings(world);
-  for (auto& articulate : world.articulates) {
-    DriftReport report;
-    pantin::project_velocities(*articulate, settings, report);
-    world.stats.projections += report.projections;
-    post_work(world, report);
-    returned += report.returned;
+  share_articulates(world, [&](Articulate& articulate) {
+    articulate.report = {};
+    pantin::project_velocities(articulate, settings, articulate.report);
+  });
+  for (const auto& articulate : world.articulates) {
+    world.stats.projections += articulate->report.projections;
+    post_work(world, articulate->report);
+    returned += articulate->report.returned;
   }
   post_projection(world, before, returned);
 }

@@ -2,6 +2,7 @@
 
 #include "articulates/articulate.hpp"
 #include "phases/phases.hpp"
+#include "phases/share.hpp"
 #include "world/forces.hpp"
 
 namespace pantin::phases {
@@ -46,11 +47,13 @@ std::string first_bad(const World& world, const OfLoosePoints& points) {
     const Motion& m = world.motion[slot];
     if (!sound(m.x, m.q, kinetic_energy(m))) return describe(world, world.bodies.id_at(slot));
   }
-  for (const auto& articulate : world.articulates)
+  for (const auto& articulate : world.articulates) {
+    if (articulate->totals.finite) continue;
     for (const Node& n : articulate->nodes)
       if (!sound(n.x0, n.q0, pantin::kinetic_energy(n)))
         return n.is_body ? describe(world, world.bodies.id_at(n.slot))
                          : describe(world, world.points.at_slot(n.slot).particle);
+  }
   return {};
 }
 
@@ -94,10 +97,8 @@ void measure_errors(World& world, const OfLoosePoints& points) {
   double kinetic = points.kinetic, potential = -dot(gravity, points.mass_place);
   Accuracy now;
   for (const auto& articulate : world.articulates) {
-    for (const Node& n : articulate->nodes) {
-      kinetic += pantin::kinetic_energy(n);
-      potential -= n.mass * dot(gravity, n.x0);
-    }
+    kinetic += articulate->totals.kinetic;
+    potential -= dot(gravity, articulate->totals.mass_place);
     now.hinge_gap = std::max(now.hinge_gap, articulate->gaps.points);
     now.constraint = std::max(now.constraint, articulate->gaps.all());
   }
@@ -127,13 +128,14 @@ void end_step(World& world) {
   const Timed timed(world.profile, Phase::end_step);
   const double time = next_time(world);
   const OfLoosePoints points = measure_loose_points(world);
+  share_articulates(world, [](Articulate& articulate) { articulate.totals = totals_of(articulate); });
   if (const std::string bad = undo_what_went_bad(world, points, time); !bad.empty()) {
     world.failure =
         text(bad, "; the scene is stopped at its last good state", world.trouble.empty() ? last_act(world) : "");
     log_line(world, "failure", world.failure);
     return;
   }
-  for (auto& articulate : world.articulates) store(*articulate, world);
+  share_articulates(world, [&](Articulate& articulate) { store(articulate, world); });
   world.time = time;
   world.step_count++;
   world.steps++;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "step.hpp"
 #include "support/cases.hpp"
 #include "support/watch.hpp"
@@ -33,6 +34,26 @@ void make_held(World& world) {
   const cases::Chain chain = cases::add_chain(world, {.links = 31});
   const std::int32_t hand = add_hand(world, [](double time) { return vec(20 - 10 * time, 5 * time, 3); });
   grab(world, hand, chain.tails[15], 500.0);
+}
+
+/// Articulates of many sizes, spinning bodies and falling particles: enough for several threads.
+void make_crowd(World& world) {
+  for (int i = 0; i < 30; i++) cases::add_chain(world, {.links = 1 + i, .start = vec(0, 0, i)});
+  cases::add_ring(world, 24);
+  for (int i = 0; i < 200; i++) {
+    BodyDef top;
+    top.at = vec(i, 10, 0);
+    top.mass = 1.0;
+    top.inertia = diagonal(vec(1, 2, 3));
+    top.spin = vec(0.1 * i, 1, 0.01);
+    add_body(world, top);
+  }
+  for (int i = 0; i < 9000; i++) {
+    ParticleDef drop;
+    drop.at = vec(i, 20, 0);
+    drop.velocity = vec(0, 0.01 * i, 0);
+    add_particle(world, drop);
+  }
 }
 
 std::vector<Case> all_cases() {
@@ -74,6 +95,25 @@ TEST_CASE("determinism: two runs in one process have the same bits after every s
     }
     CHECK(same);
   }
+}
+
+TEST_CASE("determinism: the same bits for any number of threads") {
+  const auto hashes = [](int threads) {
+    World world;
+    world.workers = std::make_unique<Workers>(threads);
+    make_crowd(world);
+    std::vector<std::uint64_t> list;
+    for (int i = 0; i < 20; i++) {
+      step(world);
+      list.push_back(state_hash(world));
+    }
+    CHECK(world.failure == "");
+    CHECK(world.stats.newton_iterations > 0);
+    return list;
+  };
+  const std::vector<std::uint64_t> alone = hashes(1);
+  CHECK(hashes(2) == alone);
+  CHECK(hashes(4) == alone);
 }
 
 TEST_CASE("determinism: the hash sees one bit of one row") {
