@@ -21,7 +21,7 @@ struct ResolvedLaw {
   std::vector<std::shared_ptr<const Law>> laws;
   std::vector<double> values;  ///< (parameters of the law); where one is `present` it is to be measured
   std::shared_ptr<CalledLaw>
-      function;  ///< of a traced law of a scene: to be compared with now and then (`recheck_law`)
+      function;                     ///< of a traced law of a scene: to be compared with now and then (`recheck_law`)
   Solve solve = Solve::explicitly;  ///< of its connections
 };
 
@@ -33,10 +33,10 @@ struct LawSpec {
   std::optional<ResolvedLaw> library;  ///< of the library; else the scene's own function
   LawForm form = LawForm::pair_potential;
   LawDef def;
-  bool strict = false;    ///< not to be traced is an error
-  bool exact = true;      ///< an equality test is not traced
+  bool strict = false;              ///< not to be traced is an error
+  bool exact = true;                ///< an equality test is not traced
   Solve solve = Solve::explicitly;  ///< of its connections
-  bool warned = false;    ///< that it is called in Lua
+  bool warned = false;              ///< that it is called in Lua
 
   /// What was made ready so far, and for whom.
   struct Ready {

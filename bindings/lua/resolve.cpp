@@ -121,7 +121,8 @@ ResolvedLaw make_ready(LawSpec& spec, const LawFunction& f, Script& script, bool
   for (const pantin::Parameter& p : f.def.parameters) values.push_back(p.value);
   if (law) return {{law}, values, called, spec.solve};
   require(!spec.strict, spec.word, ": strict = true, and the law cannot be traced: ", reason);
-  require(spec.solve == Solve::explicitly, spec.word, ": implicit needs a law that can be traced, and this one cannot: ", reason);
+  require(spec.solve == Solve::explicitly, spec.word,
+          ": implicit needs a law that can be traced, and this one cannot: ", reason);
   warn(script, spec, f, reason);
   return {{called_law(called)}, values, nullptr, Solve::explicitly};
 }

@@ -122,7 +122,7 @@ struct World : Model {
   std::map<std::string, double> given_by_laws;  ///< [J] since the start, up to when the laws at work began to act
   bool stiffness_unknown = true;                ///< an edit may have made connections too stiff for explicit steps
   Ledger ledger;
-  double open_work = 0.0;                       ///< [J] done by laws without energy; part of `work`
+  double open_work = 0.0;  ///< [J] done by laws without energy; part of `work`
 
   Stats stats;
   Profile profile;

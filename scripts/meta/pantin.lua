@@ -57,6 +57,21 @@ function quat_methods:inverse() end
 ---@field laws table<string, number> [J] given to the motion by each law with energy
 ---@field without_energy string[] names of the laws at work that have no energy
 ---@field open number [J] work of all of those
+---@field hand number [J] by hands, follows, moving anchors and lengths, and pushes on what is tied
+---@field motor number [J] by motors, and turns and angles that follow a function of time
+---@field limit number [J] by limits, and by all that ties what strikes one
+---@field event number [J] by kicks, and pushes on what is loose
+---@field edit number [J] by things made and changed
+---@field emitter number [J] by particles that emitters made
+---@field removal number [J] by things removed
+---@field law_edit number [J] by laws made, changed and removed, and attributes that follow an age
+---@field projection number [J] taken by the projection of velocities, since it is kept
+---@field energy_return number [J] given back of that
+---@field safe_step number [J] taken by safe steps, since it is kept
+---@field since number? [s] when all began to be kept; nil, and so the fields below: not yet
+---@field gravity number? [J] given to the motion since then
+---@field closure number? what no line explains of the kinetic energy, relative to all lines: a test of the program
+---@field truncation table<string, number>? [J] error of the steps for each law and gravity: change of its energy, and what it gave
 
 ---@class Stats
 ---@field steps integer
@@ -176,6 +191,13 @@ function quat_methods:inverse() end
 ---@field min? number [rad] or [m]
 ---@field max? number [rad] or [m]
 ---@field length? number [m] of a distance, the same as max
+
+---@class StringOptions: OrientOptions
+---@field length? number|fun(t: number): number [m]
+
+---@class PathOptions: OrientOptions
+---@field smooth? boolean a spline with continuous curvature; else straight pieces
+---@field closed? boolean
 
 ---@class PlaneOptions: OrientOptions
 ---@field through? vec [m]
@@ -418,6 +440,36 @@ local OnPlane = {}
 ---Takes it out of the world.
 function OnPlane:remove() end
 
+---Is at most so long along its points; slides through the inner ones.
+---@class String
+---@field points table what it goes through: points, or places [m] (read only)
+---@field length number [m] the most that it is long; written as a number or a function of time [s]
+---@field taken number [m] how long its way is now: less than its length where it is slack (read only)
+---@field force number [N] tension in the last step, 0 where it is slack (read only)
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks
+---@field enabled boolean whether it acts
+---@field name string what messages and scene:find call it
+---@field alive boolean whether it still exists (read only)
+---@field data table a table of yours, which goes with the thing (read only)
+local String = {}
+---Takes it out of the world.
+function String:remove() end
+
+---Keeps a point on a path.
+---@class OnPath
+---@field point Point the point that it holds (read only)
+---@field path vec[] [m] the places that the path goes through (read only)
+---@field along number where on the path the point is: 0 at the first place, 1 at the second, and so on (read only)
+---@field force vec [N] what it exerted on its first point in the last step (read only)
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks
+---@field enabled boolean whether it acts
+---@field name string what messages and scene:find call it
+---@field alive boolean whether it still exists (read only)
+---@field data table a table of yours, which goes with the thing (read only)
+local OnPath = {}
+---Takes it out of the world.
+function OnPath:remove() end
+
 ---A named set of things. It is gone when no member lives.
 ---@class Group
 ---@field energy Energy [J] { kinetic, potential, total } of its things (read only)
@@ -573,7 +625,7 @@ function Subscription:cancel() end
 ---@field angular_momentum vec [kg m²/s] sum over all things about the world's origin (read only)
 ---@field temperature number [K] relative to the common motion; in J while scene.boltzmann is 1 (read only)
 ---@field error Accuracy { hinge_gap [m], constraint [m], energy (relative) } now, and worst_… since the start (read only)
----@field ledger Ledger [J] what the laws gave to the motion since the start: { laws = { name = J }, without_energy = { names }, open = J } (read only)
+---@field ledger Ledger [J] where energy came from and went since the start; the first reading has all of it kept from the next step on (read only)
 ---@field stats Stats counts since the start, and ns per phase (read only)
 ---@field log LogLine[] { time [s], kind, text } of all that was logged (read only)
 ---@field bodies Body[] all bodies, in the order of making (read only)
@@ -651,6 +703,17 @@ function Scene:limit(a, b, options) end
 ---@param options? PlaneOptions
 ---@return OnPlane
 function Scene:on_plane(point, options) end
+---Is at most so long along its points and places, slides through the inner ones, and may go slack.
+---@param points (Point|Particle|vec)[]
+---@param options? StringOptions
+---@return String
+function Scene:string(points, options) end
+---Keeps a point on a path through places [m]; at the end of an open one it stops.
+---@param point Point|Particle
+---@param path vec[]
+---@param options? PathOptions
+---@return OnPath
+function Scene:on_path(point, path, options) end
 ---Makes a named set of things.
 ---@param name string
 ---@return Group
@@ -747,7 +810,7 @@ function Scene:finish() end
 ---@field angular_momentum vec [kg m²/s] sum over all things about the world's origin (read only)
 ---@field temperature number [K] relative to the common motion; in J while scene.boltzmann is 1 (read only)
 ---@field error Accuracy { hinge_gap [m], constraint [m], energy (relative) } now, and worst_… since the start (read only)
----@field ledger Ledger [J] what the laws gave to the motion since the start: { laws = { name = J }, without_energy = { names }, open = J } (read only)
+---@field ledger Ledger [J] where energy came from and went since the start; the first reading has all of it kept from the next step on (read only)
 ---@field stats Stats counts since the start, and ns per phase (read only)
 ---@field log LogLine[] { time [s], kind, text } of all that was logged (read only)
 ---@field bodies Body[] all bodies, in the order of making (read only)

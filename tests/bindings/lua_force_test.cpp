@@ -51,7 +51,8 @@ TEST_CASE("what a law is like is kept with it") {
   CHECK(law.law().exclude == 2);
   CHECK(law.law().name == "scene.lua:1");
   CHECK(resolve("law = force.pair { name = 'glue', tension = function(r) return r end }").law().name == "glue");
-  CHECK(resolve("law = force.pair { implicit = true, tension = function(r) return r end }").resolved.solve == Solve::at_middle);
+  CHECK(resolve("law = force.pair { implicit = true, tension = function(r) return r end }").resolved.solve ==
+        Solve::at_middle);
 }
 
 TEST_CASE("a law is traced once for the same names") {

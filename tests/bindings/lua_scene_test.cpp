@@ -37,7 +37,8 @@ TEST_CASE("wrong settings are errors at their line") {
   CHECK(failure("scene.gravity = 3") == "scene.lua:1: scene: gravity must be a vec [m/s²], got a number");
   CHECK(failure("scene.step = 0") == "scene.lua:1: scene: step must be > 0 s, got 0");
   CHECK(failure("scene.step = 0/0") == "scene.lua:1: scene: step must be a finite number [s], got NaN");
-  CHECK_THAT(failure("scene.integrator = 'rk4'"), Contains("must be \"verlet\", \"implicit\" or \"euler\", got \"rk4\""));
+  CHECK_THAT(failure("scene.integrator = 'rk4'"),
+             Contains("must be \"verlet\", \"implicit\" or \"euler\", got \"rk4\""));
   CHECK_THAT(failure("scene.energy_return = 1"), Contains("must be true or false, got a number"));
   CHECK_THAT(failure("scene.seed = 1.5"), Contains("a whole number"));
   CHECK_THAT(failure("scene.camera = { from = vec(0, 0, 0) }"), Contains("scene: camera: unknown field 'from'"));

@@ -45,9 +45,9 @@ test("motors, limits and aligns take numbers or functions of time", function()
     scene:align(free, vec(1, 0, 0), vec(0, 1, 0), { angle = 1 })
     scene:at(0.4, function() motor.angle = 0.2 end)
   ]]
-  scene:advance(1.5)
-  expect(scene:find("motor").turned):near(0.2, 1e-4)
-  expect(scene:find("limit").value):near(0.2, 1e-4)
+  scene:advance(2.5)
+  expect(scene:find("motor").turned):near(0.2, 1e-6)
+  expect(scene:find("limit").value):near(0.2, 1e-6)
 end)
 
 test("a string slides and goes slack, a bead keeps to its path, a point to its plane", function()
