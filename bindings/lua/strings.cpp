@@ -206,9 +206,7 @@ int repeat(lua_State* state) {
   Steps steps(state);
   luaL_Buffer buffer;
   char* to = luaL_buffinitsize(state, &buffer, count * each);
-  const auto add = [&to](std::string_view part) {
-    to = std::copy(part.begin(), part.end(), to);
-  };
+  const auto add = [&to](std::string_view part) { to = std::copy(part.begin(), part.end(), to); };
   for (std::size_t i = 0; i < count; i++) {
     steps.count(1 + each / 256);
     if (i > 0) add(separator);

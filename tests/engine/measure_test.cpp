@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "world/constrain.hpp"
 #include "support/rods.hpp"
+#include "world/constrain.hpp"
 
 using namespace pantin;
 using namespace pantin::test;
