@@ -91,10 +91,14 @@ double evaluate_stiff(Row& row, Condition& c, const RowContext& context) {
   const Vec3 e = middle ? row.d0 + row.d1 : row.d1;
   const double stiffness = std::fabs(all.Q) + std::fabs(all.slope) * norm(e) * r1;
   const double weight = 1.0 / (stiffness + 2.0 / (context.h * context.h * context.mobility));
-  row.residual = (row.f + e * all.Q) * weight;
+  const Vec3 missed = row.f + e * all.Q, way = row.d1 - row.d0;
+  row.residual = missed * weight;
   c.M = (identity33() * all.Q + outer(e, row.d1 * all.slope)) * weight;
   c.C = identity33() * weight;
-  return norm(row.residual);
+  // What is missed does work that no energy knows of: it counts as the gap that would do as much.
+  const double least = 2e-3 * norm(way) / (context.h * context.h * context.mobility);
+  const double work = std::fabs(dot(missed, way));
+  return std::fmax(norm(row.residual), work > 0.0 ? work / std::fmax(norm(row.f), least) : 0.0);
 }
 
 bool StiffTie::is_open() const {

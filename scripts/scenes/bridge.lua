@@ -5,8 +5,8 @@ local strength = scene:param("strength", 6e4, { min = 1e3, max = 1e6, help = "fo
 
 scene.title = "Truss bridge"
 scene.step = 1 / 120
-scene.duration = 14
-scene.camera = { at = vec(0, 2.5, 15), look_at = vec(0, 0.2, 0) }
+scene.duration = 10
+scene.camera = { at = vec(0, 1.6, 9.5), look_at = vec(0, -0.2, 0) }
 
 local joints = scene:family("joints", { mass = 40, radius = 0.09, color = "#d8dee9" })
 local steel = force.spring { stiffness = stiffness, implicit = true }
@@ -49,8 +49,9 @@ for i = 0, bays do
   if top[1][i] and top[1][i - 1] then bar(top[1][i - 1], top[2][i]) bar(top[2][i - 1], top[1][i]) end
 end
 
-local middle = { bottom[1][bays / 2], bottom[2][bays / 2] }
+local middle, whole = { bottom[1][bays / 2], bottom[2][bays / 2] }, true
+scene:on("broke", function() whole = false end)
 scene:on("step", function()
-  for _, p in ipairs(middle) do p:push(vec(0, -6000 * scene.time, 0)) end
+  for _, p in ipairs(middle) do p:push(vec(0, whole and -6000 * scene.time or 0, 0)) end
 end)
 scene:probe("sag", function() return -middle[1].position.y end)

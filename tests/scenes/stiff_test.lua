@@ -1,0 +1,66 @@
+--- A bob on a steel wire: swings at steps a thousand times too long for the wire.
+local function wire(options)
+  return open_text(([[
+    scene.step = 1 / 60
+    local bob = scene:particle { at = vec(1, 0, 0), mass = 2, name = "bob" }
+    local wire = scene:connect(vec(0, 0, 0), bob, force.spring { stiffness = 1e9, length = 1 }, { %s })
+    scene:probe("tension", function() return wire.force end)
+  ]]):format(options))
+end
+
+test("a connection solved with what it ties keeps its energy, whatever its stiffness", function()
+  local scene = wire "implicit = true"
+  scene:advance(5)
+  expect(scene.error.worst_energy):below(1e-8)
+  expect(scene:find("bob").position:length()):near(1, 1e-6)
+  expect(scene.stats.safe_steps):equal(0)
+end)
+
+test("its tension is the load of a pendulum: three weights at the lowest place", function()
+  local scene, most = wire "implicit = true", 0
+  for _ = 1, 120 do
+    scene:step()
+    most = math.max(most, scene:read "tension")
+  end
+  expect(most):near(3 * 2 * 9.81, 0.3)
+end)
+
+test("an explicit connection that is too stiff is solved by itself, and the log says so once", function()
+  local scene, lines = wire "", 0
+  scene:advance(2)
+  for _, line in ipairs(scene.log) do
+    if line.text:find("are solved with what they tie", 1, true) then lines = lines + 1 end
+  end
+  expect(lines):equal(1)
+  expect(scene.error.worst_energy):below(1e-8)
+end)
+
+test("solved dissipatively a spring comes to rest", function()
+  local scene = open_text [[
+    scene.gravity, scene.step = vec(0, 0, 0), 1 / 60
+    local a, b = scene:particle {}, scene:particle { at = vec(1.3, 0, 0), name = "b" }
+    scene:connect(a, b, force.spring { stiffness = 2000, length = 1, implicit = "dissipative" })
+  ]]
+  scene:advance(10)
+  expect(scene.energy.total):below(1e-3)
+  expect(scene.error.worst_energy):below(1e-8)
+end)
+
+test("implicit is true, false or dissipative, and for laws of the distance of two", function()
+  expect(function() wire "implicit = 3" end):fails 'implicit must be true, false or "dissipative", got a number'
+  expect(function()
+    open_text [[
+      local p = { scene:particle {}, scene:particle { at = vec(1, 0, 0) }, scene:particle { at = vec(1, 1, 0) } }
+      scene:connect(p, force.angle { stiffness = 1 }, { implicit = true })
+    ]]
+  end):fails "implicit = true needs a law of the distance of two particles"
+end)
+
+test("bridge: stands under a load, then breaks", function()
+  local bridge = open "scenes/bridge.lua"
+  bridge:advance(6)
+  expect(bridge:read "sag"):near(0.025, 0.01)
+  bridge:advance(2)
+  expect(bridge:read "sag"):above(1)
+  expect(bridge.stats.safe_steps):equal(0)
+end)
