@@ -9,12 +9,12 @@ namespace pantin {
 
 namespace {
 
-const Input distance2{Role::distance2, 0, 0, {}}, approach{Role::approach, 0, 0, {}};
+const Input of_distance2{Role::distance2, 0, 0, {}}, of_approach{Role::approach, 0, 0, {}};
 
 Program program_of(const Law& law) {
   Expressions graph = law.graph;
   const Expr pull = law.force[0];
-  std::vector<Expr> outputs = {pull, derivative(graph, pull, distance2), derivative(graph, pull, approach)};
+  std::vector<Expr> outputs = {pull, derivative(graph, pull, of_distance2), derivative(graph, pull, of_approach)};
   if (law.energy != no_expression) outputs.push_back(law.energy);
   return lower(graph, outputs);
 }
@@ -32,12 +32,12 @@ PairCurve::PairCurve(const Law& law)
   if (has_energy_) outputs.push_back(law.energy);
   for (const Input& input : law.graph.inputs_of(outputs)) {
     const int place = machine_.input(input);
-    if (place < 0 || input == distance2 || input == approach) continue;
+    if (place < 0 || input == of_distance2 || input == of_approach) continue;
     inputs_.push_back(input);
     places_.push_back(place);
   }
-  distance2_ = machine_.input(distance2);
-  approach_ = machine_.input(approach);
+  distance2_ = machine_.input(of_distance2);
+  approach_ = machine_.input(of_approach);
 }
 
 void PairCurve::set(std::size_t input, double value) {
