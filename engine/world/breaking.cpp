@@ -38,6 +38,7 @@ struct Overloads {
 
 void find_overloads(const World& world, const Articulate& a, Overloads& found) {
   for (const Row& row : a.rows) {
+    if (row.kind == RowKind::stiff) continue;  // connections break by themselves
     const double load = norm(row.f) * (row.lever > 0.0 ? row.lever : 1.0);
     if (row.condition < 0) {
       const ParticleId ring = world.points[row.member].particle;

@@ -174,6 +174,7 @@ void set_integrator(World& world, Integrator integrator) {
   require_unlocked(world, "integrator");
   disturb_forces(world);
   world.settings.integrator = integrator;
+  world.stiffness_unknown = true;
 }
 
 void set_step(World& world, double step) {

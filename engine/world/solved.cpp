@@ -70,19 +70,39 @@ std::shared_ptr<const Law> slope_of(const Law& law) {
   return slope;
 }
 
-/// How far a unit impulse moves a site, at most, [1/kg]; and whether an articulate holds it.
+/// How far a unit impulse moves a site, at most, [1/kg]; and whether it sits on what rows hold, whose velocities are
+/// projected.
 struct Give {
   double mobility = 0.0;
   bool held = false;
 };
 
+/// What rows that are not soft do to a node: nothing, hold it, or nail a point, which then does not move.
+enum class Hold : std::uint8_t { none, held, nailed };
+
+std::vector<Hold> holds(const Articulate& articulate) {
+  std::vector<Hold> list(articulate.nodes.size(), Hold::none);
+  for (const Row& row : articulate.rows) {
+    if (is_soft(row)) continue;
+    const auto a = static_cast<std::size_t>(row.a);
+    const bool nails = row.b < 0 && row.kind == RowKind::rigid && !articulate.nodes[a].turns;
+    if (list[a] != Hold::nailed) list[a] = nails ? Hold::nailed : Hold::held;
+    if (row.b >= 0) list[static_cast<std::size_t>(row.b)] = std::max(list[static_cast<std::size_t>(row.b)], Hold::held);
+  }
+  return list;
+}
+
 std::vector<Give> gives(const World& world, const Forces& f) {
   std::vector<Give> list(f.sites.n);
   for (std::size_t i = 0; i < f.sites.n; i++) list[i].mobility = f.inverse_mass[i];
+  std::vector<std::vector<Hold>> on;
+  for (const auto& articulate : world.articulates) on.push_back(holds(*articulate));
   for (const Attached& a : f.attached) {
     const Mover& m = f.movers[a.mover];
     Give& give = list[a.site];
-    give.held = m.articulate >= 0;
+    const Hold hold = m.articulate < 0 ? Hold::none : on[static_cast<std::size_t>(m.articulate)][m.node];
+    if (hold == Hold::nailed) continue;
+    give.held = hold == Hold::held;
     if (!m.is_body) {
       give.mobility = 1.0 / world.points.at_slot(m.slot).mass;
       continue;
@@ -126,26 +146,23 @@ std::vector<Candidate> candidates(const World& world, Forces& f) {
 bool find_too_stiff(World& world, Forces& f) {
   if (world.settings.box || f.connections.empty()) return false;
   const std::vector<Candidate> list = candidates(world, f);
-  std::vector<Give> give = gives(world, f);
+  const std::vector<Give> give = gives(world, f);
   std::vector<double> sums(f.sites.n, 0.0);
   const double h2 = world.settings.step * world.settings.step;
   for (const Candidate& c : list)
     for (std::uint32_t site : {c.a, c.b}) sums[site] += h2 * c.slope * give[site].mobility;
   std::vector<const Law*> told;
-  for (bool more = true; more;) {  // what is solved holds its ends, and so lowers the limit of others
-    more = false;
-    for (const Candidate& c : list) {
-      Connection& row = world.connections[c.id];
-      const double limit = give[c.a].held || give[c.b].held ? 0.01 : 2.5;
-      if (row.too_stiff || sums[c.a] + sums[c.b] <= limit || !can_be_solved(world, row)) continue;
-      row.too_stiff = give[c.a].held = give[c.b].held = more = true;
-      if (std::find(told.begin(), told.end(), row.law.get()) != told.end()) continue;
-      told.push_back(row.law.get());
-      log_line(world, "notice",
-               text(law_in_place(row), ": connections as stiff as ", describe(world, c.id), " (", c.slope,
-                    " N/m) are solved with what they tie, since steps of ", world.settings.step,
-                    " s are too long for them"));
-    }
+  for (const Candidate& c : list) {
+    Connection& row = world.connections[c.id];
+    const double limit = give[c.a].held || give[c.b].held ? 0.01 : 2.5;
+    if (row.too_stiff || sums[c.a] + sums[c.b] <= limit || !can_be_solved(world, row)) continue;
+    row.too_stiff = true;
+    if (std::find(told.begin(), told.end(), row.law.get()) != told.end()) continue;
+    told.push_back(row.law.get());
+    log_line(
+        world, "notice",
+        text(law_in_place(row), ": connections as stiff as ", describe(world, c.id), " (", c.slope,
+             " N/m) are solved with what they tie, since steps of ", world.settings.step, " s are too long for them"));
   }
   return !told.empty();
 }

@@ -6,6 +6,7 @@
 #include "step.hpp"
 #include "support/cases.hpp"
 #include "support/watch.hpp"
+#include "world/constrain.hpp"
 #include "world/edit.hpp"
 #include "world/forces.hpp"
 #include "world/measure.hpp"
@@ -232,6 +233,57 @@ TEST_CASE("stiff: a solved connection breaks at its load, can be disabled and re
   remove(world, light);
   step(world);
   CHECK(world.articulates.empty());
+}
+
+TEST_CASE("stiff: soft springs that hang on a nail stay explicit, and go back to it when the integrator does") {
+  World world;
+  const auto law = elastic(2000, 0.1);
+  std::vector<ParticleId> row;
+  std::vector<ConnectionId> springs;
+  for (int i = 0; i < 10; i++) row.push_back(ball(world, vec(0.1 * i, 0, 0), 1));
+  for (std::size_t i = 1; i < row.size(); i++)
+    springs.push_back(tie(world, law, {{row[i - 1]}, {row[i]}}, Solve::explicitly));
+  add_nail(world, cases::point_of(world, row[0]));
+  const auto solved = [&] {
+    return std::count_if(springs.begin(), springs.end(),
+                         [&](ConnectionId id) { return world.connections[id].solve != Solve::explicitly; });
+  };
+  for (int i = 0; i < 100; i++) step(world);
+  CHECK(solved() == 0);
+  set_integrator(world, Integrator::implicit);
+  step(world);
+  CHECK(solved() == 9);
+  set_integrator(world, Integrator::verlet);
+  for (int i = 0; i < 100; i++) step(world);
+  CHECK(solved() == 0);
+  CHECK(world.worst.energy <= 1e-3);
+}
+
+TEST_CASE("stiff: what is too stiff stays solved when the integrator changes back") {
+  World world;
+  const ParticleId a = ball(world, vec(0, 0, 0), 1), b = ball(world, vec(1, 0, 0), 1);
+  const ConnectionId spring = tie(world, elastic(1e7, 1), {{a}, {b}}, Solve::explicitly);
+  add_nail(world, cases::point_of(world, a));
+  set_integrator(world, Integrator::implicit);
+  for (int i = 0; i < 10; i++) step(world);
+  set_integrator(world, Integrator::verlet);
+  for (int i = 0; i < 100; i++) step(world);
+  CHECK(world.connections[spring].solve == Solve::at_middle);
+  CHECK(world.worst.energy <= 1e-8);
+}
+
+TEST_CASE("stiff: constraints of the same articulate may break") {
+  World world;
+  world.settings.step = 1.0 / 60.0;
+  const ParticleId a = ball(world, vec(0, -1, 0), 1), b = ball(world, vec(0, -2, 0), 1);
+  const ConstraintId rod = add_rod(world, cases::point_of(world, a), zero3());
+  tie(world, elastic(1e7, 1), {{a}, {b}});
+  set_breaks_at(world, rod, Breaking{1e4});
+  for (int i = 0; i < 60; i++) step(world);
+  CHECK(world.constraints.alive(rod));
+  set_breaks_at(world, rod, Breaking{15});
+  step(world);
+  CHECK_FALSE(world.constraints.alive(rod));
 }
 
 TEST_CASE("stiff: a law of three cannot be solved, nor one in a periodic box") {
