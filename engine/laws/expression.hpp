@@ -120,6 +120,9 @@ class Expressions {
   std::vector<Input> inputs_of(std::span<const Expr> outputs) const;
   bool depends_on(Expr e, Role role) const;
 
+  /// Numbers the nodes that `outputs` are made of anew, by what they are and not by when they were made, and drops the
+  /// others.
+  void put_in_order(std::span<Expr> outputs);
   /// The expression with one input replaced everywhere.
   Expr replaced(Expr e, const Input& input, Expr by);
   /// Value, given those of `inputs()` in their order; slow, for constants and checks.
@@ -136,6 +139,7 @@ class Expressions {
   std::map<std::uint64_t, Expr> constants_;  ///< by bits, so that 0, -0 and NaN are found too
 
   Expr intern(Node node);
+  std::vector<std::uint64_t> structure() const;  ///< (nodes) a hash of what each is
   Expr add_scaled(Expr a, Expr b, double factor);
   Expr finish_sum(double constant, const std::map<Expr, double>& terms);
   Expr finish_product(const Powers& powers);

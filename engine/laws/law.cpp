@@ -69,6 +69,18 @@ Law start(const LawDef& def, const Sort& sort, Expressions&& graph, std::span<co
   return law;
 }
 
+/// The same bits from every compiler.
+Law in_order(Law law) {
+  std::vector<Expr> outputs = law.force;
+  outputs.insert(outputs.end(), {law.energy, law.stiffness});
+  law.graph.put_in_order(outputs);
+  law.stiffness = outputs.back();
+  law.energy = outputs[law.force.size()];
+  outputs.resize(law.force.size());
+  law.force = std::move(outputs);
+  return law;
+}
+
 std::vector<Input> places(int who) {
   std::vector<Input> found;
   for (std::uint8_t k = 0; k < 3; k++) found.push_back({Role::place, static_cast<std::uint8_t>(who), k, {}});
@@ -98,12 +110,12 @@ Law central_potential(const LawDef& def, Expressions graph, Expr potential) {
   const Expr slope = derivative(g, potential, distance2), second = derivative(g, slope, distance2);
   law.force = {g.scale(slope, 2.0)};
   law.stiffness = g.add(g.scale(slope, 2.0), g.scale(g.multiply(r2, second), 4.0));
-  if (law.timed || law.one_sided) return law;
+  if (law.timed || law.one_sided) return in_order(std::move(law));
   law.energy = potential;
   if (def.shift && def.cutoff < std::numeric_limits<double>::infinity()) {
     law.energy = g.subtract(potential, g.replaced(potential, distance2, g.constant(def.cutoff * def.cutoff)));
   }
-  return law;
+  return in_order(std::move(law));
 }
 
 Law central_tension(const LawDef& def, Expressions graph, Expr tension) {
@@ -117,7 +129,7 @@ Law central_tension(const LawDef& def, Expressions graph, Expr tension) {
   const Expr of_rate = g.replaced(tension, approach, g.multiply(r, g.input(rate)));
   const Expr by_distance = g.scale(g.multiply(r, derivative(g, of_rate, distance2)), 2.0);
   law.stiffness = g.replaced(by_distance, rate, rate_of_distance(g));
-  return law;
+  return in_order(std::move(law));
 }
 
 Law pair_force(const LawDef& def, Expressions graph, std::span<const Expr> force_on_a) {
@@ -128,14 +140,14 @@ Law pair_force(const LawDef& def, Expressions graph, std::span<const Expr> force
                   {Role::distance2, Role::approach, Role::displacement, Role::relative_velocity, Role::noise}};
   Law law = start(def, sort, std::move(graph), force_on_a);
   law.force.assign(force_on_a.begin(), force_on_a.end());
-  return law;
+  return in_order(std::move(law));
 }
 
 Law point_potential(const LawDef& def, Expressions graph, Expr potential) {
   Law law =
       start(def, {"a potential of a particle", LawKind::point, 1, {Role::place}}, std::move(graph), {&potential, 1});
   set_force_from_potential(law, potential);
-  return law;
+  return in_order(std::move(law));
 }
 
 Law point_force(const LawDef& def, Expressions graph, std::span<const Expr> force) {
@@ -143,14 +155,14 @@ Law point_force(const LawDef& def, Expressions graph, std::span<const Expr> forc
   const Sort sort{"the force on a particle", LawKind::point, 1, {Role::place, Role::velocity, Role::noise}};
   Law law = start(def, sort, std::move(graph), force);
   law.force.assign(force.begin(), force.end());
-  return law;
+  return in_order(std::move(law));
 }
 
 Law many_potential(const LawDef& def, int count, Expressions graph, Expr potential) {
   const Sort sort{"a potential of several particles", LawKind::many, count, {Role::place}};
   Law law = start(def, sort, std::move(graph), {&potential, 1});
   set_force_from_potential(law, potential);
-  return law;
+  return in_order(std::move(law));
 }
 
 }  // namespace pantin

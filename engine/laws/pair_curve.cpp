@@ -16,6 +16,7 @@ Program program_of(const Law& law) {
   const Expr pull = law.force[0];
   std::vector<Expr> outputs = {pull, derivative(graph, pull, of_distance2), derivative(graph, pull, of_approach)};
   if (law.energy != no_expression) outputs.push_back(law.energy);
+  graph.put_in_order(outputs);
   return lower(graph, outputs);
 }
 
