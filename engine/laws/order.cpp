@@ -23,6 +23,7 @@ std::vector<std::uint64_t> Expressions::structure() const {
     hash.add(static_cast<std::uint64_t>(node.kind) << 8 | static_cast<std::uint64_t>(node.function));
     hash.add(node.value);
     if (node.kind == Kind::input) add_input(hash, inputs_[node.index]);
+    if (node.kind == Kind::function) hash.add(static_cast<std::uint64_t>(node.index));
     std::vector<std::uint64_t> parts;
     for (const auto& [term, factor] : node.terms) {
       Hash part;

@@ -5,12 +5,13 @@
 #include "bindings/lua_support.hpp"
 #include "lua/annotations.hpp"
 #include "lua/fields.hpp"
+#include "support/sources.hpp"
 
 using namespace pantin;
 using namespace pantin::lua_tests;
 
 TEST_CASE("scripts/meta/pantin.lua is what the tables of the bindings say") {
-  std::ifstream file(std::string(PANTIN_SOURCE_DIR) + "/scripts/meta/pantin.lua");
+  std::ifstream file(sources::folder() + "/scripts/meta/pantin.lua");
   const std::string written{std::istreambuf_iterator<char>(file), {}};
   INFO("write it anew with: pantin meta > scripts/meta/pantin.lua");
   CHECK(written == lua::annotations());

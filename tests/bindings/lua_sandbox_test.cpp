@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/functions.hpp"
+#include "support/sources.hpp"
 
 using namespace pantin;
 using namespace pantin::lua_tests;
@@ -91,7 +92,7 @@ TEST_CASE("elementary functions and ^ have the engine's bits") {
 }
 
 TEST_CASE("require looks in the scene's folder, then in the libraries, and nowhere else") {
-  const std::string home = PANTIN_SOURCE_DIR;
+  const std::string home = sources::folder();
   CHECK(failure("require 'nowhere'") == "scene.lua:1: require: there is no 'nowhere'; looked for ./nowhere.lua, " +
                                             home + "/scripts/lib/nowhere.lua, " + home +
                                             "/scripts/behaviours/nowhere.lua");

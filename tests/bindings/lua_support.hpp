@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lua/scene.hpp"
+#include "support/sources.hpp"
 
 namespace pantin::lua_tests {
 
@@ -14,7 +15,7 @@ inline lua::SceneOptions options(std::map<std::string, std::string> set = {}) {
   o.set = std::move(set);
   o.script_limit = 0.2;
   o.memory_limit = std::size_t{16} << 20;
-  o.home = PANTIN_SOURCE_DIR;
+  o.home = sources::folder();
   return o;
 }
 

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "player/aim.hpp"
+#include "support/sources.hpp"
 
 using namespace pantin;
 using namespace pantin::player;
@@ -9,7 +10,7 @@ namespace {
 
 std::unique_ptr<lua::Scene> open(const std::string& script) {
   lua::SceneOptions options;
-  options.home = PANTIN_SOURCE_DIR;
+  options.home = sources::folder();
   return lua::Scene::open_text(script, "aim.lua", ".", options);
 }
 

@@ -7,15 +7,17 @@
 #include <sstream>
 
 #include "support/process.hpp"
+#include "support/sources.hpp"
 
+namespace sources = pantin::sources;
 using namespace pantin::support;
 using Catch::Contains;
 
 namespace {
 
 Process::Options options(std::vector<std::string> arguments, const std::string& folder) {
-  arguments.insert(arguments.begin(), PANTIN_PROGRAM);
-  return {arguments, {"PANTIN_HOME=" PANTIN_SOURCE_DIR, "DISPLAY", "WAYLAND_DISPLAY"}, folder, -1};
+  arguments.insert(arguments.begin(), sources::program());
+  return {arguments, {"PANTIN_HOME=" + sources::folder(), "DISPLAY", "WAYLAND_DISPLAY"}, folder, -1};
 }
 
 Finished use(const Folder& folder, std::vector<std::string> arguments) {

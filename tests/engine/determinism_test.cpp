@@ -10,6 +10,7 @@
 #include "base/parallel.hpp"
 #include "step.hpp"
 #include "support/cases.hpp"
+#include "support/sources.hpp"
 #include "support/watch.hpp"
 #include "world/hands.hpp"
 #include "world/measure.hpp"
@@ -76,7 +77,7 @@ std::string hash_after_one_second(const Case& c) {
   return std::to_string(state_hash(world));
 }
 
-const char* const record = PANTIN_SOURCE_DIR "/tests/golden/state_hashes.txt";
+const std::string record = sources::folder() + "/tests/golden/state_hashes.txt";
 
 }  // namespace
 

@@ -84,6 +84,22 @@ TEST_CASE("the force on a particle is against the slope of its potential") {
   CHECK(energy_of(law, two(1.0)) == Approx(2.0 * 0.01));
 }
 
+TEST_CASE("the order in which a law's operands were made does not change its bits") {
+  Pair p, q;
+  const Symbol swing = apply(Function::sin, p.r), root = pow(p.r2, 0.3), bend = apply(Function::exp, p.charge);
+  const Symbol bend_first = apply(Function::exp, q.charge), root_first = pow(q.r2, 0.3);
+  const Symbol swing_first = apply(Function::sin, q.r);
+  const Law one = central_potential({.name = "one"}, p, (swing + root + bend * p.charge).e);
+  const Law other = central_potential({.name = "other"}, q, (q.charge * bend_first + root_first + swing_first).e);
+  REQUIRE(one.graph.size() == other.graph.size());
+  CHECK(one.force == other.force);
+  CHECK(one.stiffness == other.stiffness);
+  for (double r : {0.3, 0.7, 1.1, 1.9, 2.3}) {
+    CHECK(tension_of(one, two(r)) == tension_of(other, two(r)));
+    CHECK(value_of(one, two(r), one.stiffness) == value_of(other, two(r), other.stiffness));
+  }
+}
+
 TEST_CASE("a law may depend only on what its kind has") {
   using Catch::Contains;
   Pair p;

@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "base/profile.hpp"
+#include "support/sources.hpp"
 
 using namespace pantin;
 
 namespace {
 
 std::string text_of(const std::string& path) {
-  std::ifstream file(std::string(PANTIN_SOURCE_DIR "/") + path);
+  std::ifstream file(sources::folder() + "/" + path);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 

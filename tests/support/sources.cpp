@@ -8,8 +8,12 @@ namespace pantin::sources {
 
 namespace fs = std::filesystem;
 
+std::string folder() { return PANTIN_SOURCE_DIR; }
+
+std::string program() { return PANTIN_PROGRAM; }
+
 Files read(std::initializer_list<const char*> folders) {
-  const fs::path root = PANTIN_SOURCE_DIR;
+  const fs::path root = folder();
   Files files;
   for (const char* folder : folders) {
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {

@@ -7,6 +7,9 @@ namespace pantin::sources {
 
 using Files = std::map<std::string, std::string>;  ///< path in the repository, text
 
+std::string folder();   ///< of the repository
+std::string program();  ///< path of the pantin that was built with the tests
+
 /// Every .cpp and .hpp file in some folders of the repository.
 Files read(std::initializer_list<const char*> folders);
 

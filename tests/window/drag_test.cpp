@@ -11,6 +11,7 @@
 #include "lua/scene.hpp"
 #include "player/aim.hpp"
 #include "support/process.hpp"
+#include "support/sources.hpp"
 #include "view/stage.hpp"
 #include "world/query.hpp"
 
@@ -20,7 +21,7 @@ using namespace pantin::support;
 namespace {
 
 constexpr int width = 960, height = 540;
-const std::string chain = PANTIN_SOURCE_DIR "/scripts/scenes/chain.lua";
+const std::string chain = sources::folder() + "/scripts/scenes/chain.lua";
 
 void pause(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
@@ -54,8 +55,8 @@ class Play {
  public:
   Play(const Screen& screen, const Folder& folder, const std::string& until)
       : environment_({"DISPLAY=" + screen.display, "SDL_VIDEODRIVER", "WAYLAND_DISPLAY", "LIBGL_ALWAYS_SOFTWARE=1",
-                      "PANTIN_HOME=" PANTIN_SOURCE_DIR}),
-        process_({{PANTIN_PROGRAM, "play", "chain", "--paused", "--until", until, "--out", "tip.csv", "--size",
+                      "PANTIN_HOME=" + sources::folder()}),
+        process_({{sources::program(), "play", "chain", "--paused", "--until", until, "--out", "tip.csv", "--size",
                    std::to_string(width) + "x" + std::to_string(height)},
                   environment_,
                   folder.path,
@@ -130,7 +131,7 @@ bool can_play() {
 
 std::unique_ptr<lua::Scene> open_chain() {
   lua::SceneOptions options;
-  options.home = PANTIN_SOURCE_DIR;
+  options.home = sources::folder();
   return lua::Scene::open(chain, options);
 }
 
@@ -170,8 +171,8 @@ TEST_CASE("window: the chain's end is held by the mouse", "[window]") {
   CHECK(held.back().time == Approx(4.0));
   CHECK(held.back().height == Approx(tip[1]).margin(1.0));
   CHECK(lowest(held) > tip[1] - 2.0);
-  Finished alone = finish({{PANTIN_PROGRAM, "run", "chain", "--until", "4", "--out", "tip.csv"},
-                           {"PANTIN_HOME=" PANTIN_SOURCE_DIR},
+  Finished alone = finish({{sources::program(), "run", "chain", "--until", "4", "--out", "tip.csv"},
+                           {"PANTIN_HOME=" + sources::folder()},
                            folder.path,
                            -1});
   REQUIRE(alone.code == 0);
