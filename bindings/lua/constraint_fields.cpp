@@ -48,13 +48,15 @@ Field torque_field() {
           nullptr};
 }
 
-Breaking check_breaking(lua_State* state, int index, const std::string& what) {
+Breaking check_breaking(lua_State* state, int index, const std::string& what, bool has_length) {
   Breaking b;
   if (lua_isnil(state, index)) return b;
-  const Options o(state, index, what, {"force", "torque", "length"});
+  std::vector<std::string> names = {"force", "torque"};
+  if (has_length) names.push_back("length");
+  const Options o(state, index, what, names);
   b.force = o.number_or_infinity("force", "N").value_or(b.force);
   b.torque = o.number_or_infinity("torque", "N m").value_or(b.torque);
-  b.length = o.number_or_infinity("length", "m").value_or(b.length);
+  if (has_length) b.length = o.number_or_infinity("length", "m").value_or(b.length);
   return b;
 }
 

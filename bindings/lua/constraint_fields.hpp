@@ -24,7 +24,7 @@ Field force_field();   ///< as a vec
 Field torque_field();  ///< as a vec
 Field breaks_at_field();
 /// { force, torque, length } at `index`, for `what`.
-Breaking check_breaking(lua_State* state, int index, const std::string& what);
+Breaking check_breaking(lua_State* state, int index, const std::string& what, bool has_length = true);
 void push_breaking(lua_State* state, const Breaking& breaks_at);
 
 /// A script's functions of time [s].

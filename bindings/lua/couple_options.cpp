@@ -93,6 +93,7 @@ int scene_motor(lua_State* state) {
   MotorDef def;
   require(o.has("axis"), "motor: axis must be given, a vec in world axes");
   def.axis = *o.vector("axis", "");
+  require(!o.has("speed") || !o.has("angle"), "motor: give its speed or its angle, not both");
   for (const char* name : {"speed", "angle"}) {
     if (!o.has(name)) continue;
     const bool of_speed = name[0] == 's';

@@ -104,7 +104,8 @@ int push_notice(lua_State* state, Script& script, const Notice& notice) {
     case Notice::Kind::broke:
       push_thing(state, script, notice.thing);
       lua_pushnumber(state, notice.force);
-      return 2;
+      lua_pushlstring(state, notice.text.data(), notice.text.size());
+      return 3;
     case Notice::Kind::removed:
       push_thing(state, script, notice.thing);
       lua_pushlstring(state, notice.text.data(), notice.text.size());

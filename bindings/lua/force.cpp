@@ -189,9 +189,10 @@ Solve read_implicit(const Options& o) {
   if (!o.has("implicit")) return Solve::explicitly;
   const int at = o.push("implicit");
   const bool is_boolean = lua_isboolean(o.state(), at), on = lua_toboolean(o.state(), at) != 0;
-  const bool dissipative =
-      lua_type(o.state(), at) == LUA_TSTRING && std::string_view(lua_tostring(o.state(), at)) == "dissipative";
-  const std::string got = is_boolean || dissipative ? "" : kind_of_value(o.state(), at);
+  const std::string given = lua_type(o.state(), at) == LUA_TSTRING ? lua_tostring(o.state(), at) : "";
+  const bool dissipative = given == "dissipative";
+  std::string got;
+  if (!is_boolean && !dissipative) got = given.empty() ? kind_of_value(o.state(), at) : text("\"", given, "\"");
   lua_pop(o.state(), 1);
   require(got.empty(), o.what(), ": implicit must be true, false or \"dissipative\", got ", got);
   return dissipative ? Solve::at_end : on ? Solve::at_middle : Solve::explicitly;

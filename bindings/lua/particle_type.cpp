@@ -123,7 +123,7 @@ std::vector<Field> look_and_life() {
       {"breaks_at", "table", "", "of a hinge: { force [N], torque [N m] } at which it breaks",
        [](const Self& s) { push_breaking(s.state, ring(s).breaks_at); },
        [](const Self& s, int i) {
-         set_breaks_at(s.world, awake(s.world, id_of(s)), check_breaking(s.state, i, "hinge: breaks_at"));
+         set_breaks_at(s.world, awake(s.world, id_of(s)), check_breaking(s.state, i, "hinge: breaks_at", false));
        }},
       {"is_hinge", "boolean", "", "whether it joins two points or more",
        [](const Self& s) { lua_pushboolean(s.state, ring(s).is_hinge()); }, nullptr},

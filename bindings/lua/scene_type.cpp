@@ -268,7 +268,7 @@ std::vector<Method> telling() {
       {"on", guard<scene_on>, "moment: string, action: function", "Subscription",
        "Calls a function at each \"step\" (dt), \"press\" \"release\" (hand), \"key\" (name), \"grab\" \"drop\" "
        "(thing, hand), "
-       "\"cut\" (hinge), \"broke\" (connection, constraint or hinge, force [N]), \"removed\" (thing, story)."},
+       "\"cut\" (hinge), \"broke\" (connection, constraint or hinge, force [N], story), \"removed\" (thing, story)."},
       {"button", guard<scene_button>, "name: string, action: function", "", "Puts a button in the window."},
       {"probe", guard<scene_probe>, "name: string, read: fun(): number", "", "Records a number each step."},
       {"result", guard<scene_result>, "name: string, value: number|boolean|string", "",

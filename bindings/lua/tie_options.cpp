@@ -46,7 +46,7 @@ int scene_hinge(lua_State* state) {
   def.axis = o.vector("axis", "");
   const ParticleId hinge = add_hinge(self.world, points, def);
   if (o.has("breaks_at"))
-    set_breaks_at(self.world, hinge, check_breaking(state, o.push("breaks_at"), "hinge: breaks_at"));
+    set_breaks_at(self.world, hinge, check_breaking(state, o.push("breaks_at"), "hinge: breaks_at", false));
   push_thing(state, self.script, hinge);
   return 1;
 }

@@ -15,12 +15,23 @@
 
 namespace pantin::lua {
 
-std::int64_t now_ns() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
-      .count();
+namespace {
+
+std::int64_t nanoseconds(clockid_t clock) {
+  timespec t{};
+  clock_gettime(clock, &t);
+  return t.tv_sec * 1'000'000'000 + t.tv_nsec;
 }
 
-namespace {
+std::int64_t now_ns() { return nanoseconds(CLOCK_MONOTONIC); }
+
+/// Of a thread that may be another.
+std::int64_t processor_ns(pthread_t thread) {
+  clockid_t clock{};
+  return pthread_getcpuclockid(thread, &clock) == 0 ? nanoseconds(clock) : 0;
+}
+
+std::int64_t processor_ns() { return nanoseconds(CLOCK_THREAD_CPUTIME_ID); }
 
 constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max() / 2;  // [ns]
 constexpr std::int64_t moment = 200'000'000;                                  // [ns] to end in after an interrupt
@@ -31,7 +42,7 @@ static_assert(std::atomic<std::int64_t>::is_always_lock_free, "a signal's handle
 
 bool time_is_over(const Watch& watch) {
   const std::int64_t deadline = watch.deadline;
-  return deadline != 0 && now_ns() >= std::min(deadline, last_call.load());
+  return deadline != 0 && (processor_ns(watch.thread) >= deadline || now_ns() >= last_call);
 }
 
 /// The watch whose script runs on this thread: the handler touches no other.
@@ -135,7 +146,7 @@ Watch* Watch::enter(lua_State* state, double seconds) {
   running = state;
   thread = pthread_self();
   over = false;
-  deadline = seconds > 0 ? now_ns() + static_cast<std::int64_t>(std::min(seconds, 1e9) * 1e9) : never;
+  deadline = seconds > 0 ? processor_ns() + static_cast<std::int64_t>(std::min(seconds, 1e9) * 1e9) : never;
   return previous;
 }
 
@@ -155,11 +166,11 @@ void Watch::switch_to(lua_State* state) {
 
 std::int64_t Watch::pause() {
   const std::int64_t end = deadline.exchange(0);
-  return end == 0 ? 0 : std::max<std::int64_t>(end - now_ns(), 1);
+  return end == 0 ? 0 : std::max<std::int64_t>(end - processor_ns(), 1);
 }
 
 void Watch::resume(std::int64_t left) {
-  if (left > 0) deadline = now_ns() + left;
+  if (left > 0) deadline = processor_ns() + left;
 }
 
 void Steps::ask() {

@@ -1,5 +1,5 @@
 #pragma once
-// Stops a script that runs too long. A hook in place would cost half the speed of tight loops, so one is set only when
+// Stops a script that takes too much processor time of its thread, which what else runs on the machine does not lengthen. A hook in place would cost half the speed of tight loops, so one is set only when
 // the time is up: a thread looks every few milliseconds and sends the script's thread a signal, whose handler sets the
 // hook (the one thing Lua allows there). The hook raises at every instruction, so that `pcall` cannot swallow it.
 #include <pthread.h>
@@ -18,7 +18,7 @@ struct Watch {
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
-  /// Begins a call that may take `seconds` (0: as long as it likes); nested calls share the time of the outermost.
+  /// Begins a call that may take `seconds` of its thread's processor time (0: as long as it likes); nested calls share the time of the outermost.
   /// Returns the watch of this thread so far, to be given to `leave`.
   Watch* enter(lua_State* state, double seconds);
   void leave(Watch* previous);
@@ -30,14 +30,11 @@ struct Watch {
 
   double limit = 0.0;  ///< [s]
   std::atomic<lua_State*> running{nullptr};
-  std::atomic<std::int64_t> deadline{0};  ///< [ns] of the steady clock; 0: no call is going on
+  std::atomic<std::int64_t> deadline{0};  ///< [ns] of the thread's processor time; 0: no call is going on
   std::atomic<bool> over{false};          ///< the time is up
   std::atomic<pthread_t> thread{};
   int depth = 0;
 };
-
-/// [ns] of the steady clock.
-std::int64_t now_ns();
 
 /// From now on a script that does not come back within a moment is stopped, whatever its limit, and its error leaves as
 /// Interrupted. May be called by a signal's handler.

@@ -64,7 +64,8 @@ void add_limits(CLI::App& app, RunOptions& scene, Texts& texts) {
   list_option(app, "--set", texts.settings,
               "Sets a parameter of the scene, or a field: --set links=50 --set scene.step=1/60", "K=V", check_setting);
   app.add_option("--until", scene.until, "Ends at this simulated time, s")->check(check_number)->type_name("T");
-  app.add_option("--script-limit", scene.script_limit, "One call into the script may take this long, s; 0: no limit")
+  app.add_option("--script-limit", scene.script_limit,
+                 "Processor time that one call into the script may take, s; 0: no limit")
       ->check(check_number)
       ->default_str("5")
       ->type_name("S");

@@ -18,17 +18,23 @@ void require_breaking(const std::string& who, const Breaking& b) {
   require_positive_or_infinite(who, "breaks_at.length", b.length, "m");
 }
 
-/// What bore too much: [N] or [N m].
+/// What bore too much.
 template <class Id>
 struct Overload {
   Id id;
   double load;
+  const char* unit;  ///< of the load
   friend bool operator==(const Overload& o, Id other) { return o.id == other; }
 };
 
 template <class Id>
-void note(std::vector<Overload<Id>>& list, Id id, double load, bool too_much) {
-  if (too_much && std::find(list.begin(), list.end(), id) == list.end()) list.push_back({id, load});
+void note(std::vector<Overload<Id>>& list, const Overload<Id>& load, bool too_much) {
+  if (too_much && std::find(list.begin(), list.end(), load.id) == list.end()) list.push_back(load);
+}
+
+template <class Id>
+std::string load_of(const Overload<Id>& overload) {
+  return text("its load of ", overload.load, " ", overload.unit);
 }
 
 struct Overloads {
@@ -39,36 +45,37 @@ struct Overloads {
 void find_overloads(const World& world, const Articulate& a, Overloads& found) {
   for (const Row& row : a.rows) {
     if (row.kind == RowKind::stiff) continue;  // connections break by themselves
-    const double load = norm(row.f) * (row.lever > 0.0 ? row.lever : 1.0);
+    const bool couple = row.lever > 0.0;
+    const double load = norm(row.f) * (couple ? row.lever : 1.0);
+    const char* unit = couple ? "N m" : "N";
     if (row.condition < 0) {
       const ParticleId ring = world.points[row.member].particle;
-      note(found.hinges, ring, load, load > world.particles[ring].breaks_at.force);
+      note(found.hinges, {ring, load, unit}, load > world.particles[ring].breaks_at.force);
       continue;
     }
     const ConstraintId id = condition(a, row).constraint;
     const Constraint& c = world.constraints[id];
     if (c.ring) {
-      note(found.hinges, c.ring, load, load > world.particles[c.ring].breaks_at.torque);
+      note(found.hinges, {c.ring, load, unit}, load > world.particles[c.ring].breaks_at.torque);
       continue;
     }
-    const bool too_long = row.lever == 0.0 && norm(row.d1) > c.breaks_at.length;
-    note(found.constraints, id, load, too_long || load > (row.lever > 0.0 ? c.breaks_at.torque : c.breaks_at.force));
+    const bool too_long = !couple && norm(row.d1) > c.breaks_at.length;
+    note(found.constraints, {id, load, unit}, too_long || load > (couple ? c.breaks_at.torque : c.breaks_at.force));
   }
 }
 
-void break_constraint(World& world, ConstraintId id, double load) {
+void break_constraint(World& world, const Overload<ConstraintId>& overload) {
+  const ConstraintId id = overload.id;
   const std::int32_t hand = world.constraints[id].hand;
   if (hand >= 0 && world.hands[static_cast<std::size_t>(hand)].grab == id)
     world.hands[static_cast<std::size_t>(hand)].grab = {};
-  const bool couple = !world.constraints[id].a && world.constraints[id].kind != ConstraintKind::weld;
-  take_out_constraint(world, id,
-                      {describe(world, id), next_time(world), text("its load of ", load, couple ? " N m" : " N")});
-  world.notices.push_back({Notice::Kind::broke, id, -1, world.constraints.story(id), load});
+  take_out_constraint(world, id, {describe(world, id), next_time(world), load_of(overload)});
+  world.notices.push_back({Notice::Kind::broke, id, -1, world.constraints.story(id), overload.load});
 }
 
-void break_hinge(World& world, ParticleId id, double load) {
-  end_ring(world, id, text("its load of ", load));
-  world.notices.push_back({Notice::Kind::broke, id, -1, world.particles.story(id), load});
+void break_hinge(World& world, const Overload<ParticleId>& overload) {
+  end_ring(world, overload.id, load_of(overload));
+  world.notices.push_back({Notice::Kind::broke, overload.id, -1, world.particles.story(overload.id), overload.load});
 }
 
 }  // namespace
@@ -106,8 +113,8 @@ void break_constraints(World& world) {
   Overloads found;
   for (const auto& articulate : world.articulates)
     if (articulate->breakable) find_overloads(world, *articulate, found);
-  for (const auto& overload : found.constraints) break_constraint(world, overload.id, overload.load);
-  for (const auto& overload : found.hinges) break_hinge(world, overload.id, overload.load);
+  for (const auto& overload : found.constraints) break_constraint(world, overload);
+  for (const auto& overload : found.hinges) break_hinge(world, overload);
 }
 
 }  // namespace pantin

@@ -782,7 +782,7 @@ function Scene:after(delay, target_or_action, action) end
 ---@param action? function
 ---@return Event
 function Scene:every(period, target_or_action, action) end
----Calls a function at each "step" (dt), "press" "release" (hand), "key" (name), "grab" "drop" (thing, hand), "cut" (hinge), "broke" (connection, constraint or hinge, force [N]), "removed" (thing, story).
+---Calls a function at each "step" (dt), "press" "release" (hand), "key" (name), "grab" "drop" (thing, hand), "cut" (hinge), "broke" (connection, constraint or hinge, force [N], story), "removed" (thing, story).
 ---@param moment string
 ---@param action function
 ---@return Subscription

@@ -35,6 +35,8 @@ TEST_CASE("options of laws are checked, at the line of the scene") {
   CHECK_THAT(message(law + "parameters = { 3 }"), Contains("parameters must have names, got a key that is a number"));
   CHECK_THAT(message("force = function(d) return d end, implicit = true"),
              Contains("implicit is for a potential or a tension"));
+  CHECK_THAT(message("tension = function(r) return r end, implicit = 'fully'"),
+             Contains("implicit must be true, false or \"dissipative\", got \"fully\""));
   CHECK_THAT(failure("force.many { potential = function(p) return 0 end }"),
              Contains("force.many: count must be 2, 3 or 4, got nil"));
   CHECK_THAT(failure("force.many { count = 5, potential = function(p) return 0 end }"), Contains("got 5"));

@@ -1,6 +1,9 @@
 #include <chrono>
+#include <memory>
+#include <thread>
 
 #include "bindings/lua_support.hpp"
+#include "lua/watchdog.hpp"
 
 using namespace pantin;
 using namespace pantin::lua_tests;
@@ -56,6 +59,19 @@ TEST_CASE("a script that does not come back is stopped with its line") {
     const auto scene = lua::Scene::open_text("local x = 0 for i = 1, 3e7 do x = x + 1 end", "scene.lua", "", o);
     CHECK(failure("scene:on('step', function() for i = 1, 2e6 do end end)") == "");
   }
+}
+
+TEST_CASE("the limit counts a script's own processor time, not that of a busy machine") {
+  using namespace std::chrono;
+  const std::unique_ptr<lua_State, void (*)(lua_State*)> state(luaL_newstate(), lua_close);
+  lua::Watch watch;
+  lua::Watch* previous = watch.enter(state.get(), 0.05);
+  std::this_thread::sleep_for(milliseconds(150));
+  CHECK_FALSE(watch.over);
+  const auto start = steady_clock::now();
+  while (!watch.over && steady_clock::now() - start < seconds(20)) {}
+  CHECK(watch.over);
+  watch.leave(previous);
 }
 
 TEST_CASE("a script that was stopped in a callback can be stepped on") {

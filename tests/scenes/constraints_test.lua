@@ -11,7 +11,9 @@ end
 test("a weld tells its load, and breaks at it", function()
   local scene = frame [[
     local weld = scene:weld(arm, wall, { name = "weld" })
-    scene:on("broke", function(thing, force) scene:result("broke", force) end)
+    local told
+    scene:on("broke", function(thing, force, story) told = story:match("^weld 'weld'.* by its load of 19.62%d* N$") end)
+    scene:probe("told", function() return told and 1 or 0 end)
     scene:at(0.5, function() weld.breaks_at = { force = 19 } end)
   ]]
   scene:advance(0.4)
@@ -19,6 +21,7 @@ test("a weld tells its load, and breaks at it", function()
   expect(scene:find("weld").torque.z):near(2 * 9.81 * 0.25, 1e-6)
   scene:advance(0.2)
   expect(scene:find("weld")):equal(nil)
+  expect(scene:read "told"):equal(1)
 end)
 
 test("a hinge turns about its axis only, breaks at its load, and may rest", function()
@@ -72,6 +75,9 @@ test("what cannot be is an error at its line", function()
   fails("scene:motor(p, { axis = vec(0, 0, 1), speed = 1 })", "text.lua:2: motor: argument 1 must be a body")
   fails("scene:on_path(p, { vec(0, 0, 0) })", "text.lua:2: on_path: a path needs two places or more, got 1")
   fails("scene:on_plane(p, { time_constant = -1 })", "text.lua:2: on_plane: time_constant must be > 0 s")
+  local bar = "local b = scene:body { mass = 1, inertia = vec(1, 1, 1), points = { o = vec(0, 0, 0) } }\n"
+  fails(bar .. "scene:motor(b, { axis = vec(0, 0, 1), speed = 1, angle = 1 })", "motor: give its speed or its angle, not both")
+  fails(bar .. "scene:hinge(b.o, p, { breaks_at = { length = 1 } })", "hinge: breaks_at: unknown field 'length'")
   fails("scene:limit(p, vec(0, 1, 0), { min = 2, max = 1 })", "text.lua:2: limit: min must be below max")
   fails("scene:string({ p })", "text.lua:2: string: needs two points or more, got 1")
   fails("scene:weld(p, p)", "text.lua:2: weld: argument 1 must be a body")
