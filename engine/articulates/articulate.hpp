@@ -12,41 +12,27 @@
 #include <memory>
 #include <vector>
 
+#include "articulates/batch.hpp"
 #include "articulates/factor.hpp"
-#include "base/lanes.hpp"
 #include "model/model.hpp"
 
 namespace pantin {
 
-/// A body or a free particle of an articulate.
+/// A body or a free particle of an articulate: what it has at the start and end of a step.
 struct alignas(64) Node {
-  // what the rows read and write, on cache lines of their own
-  Vec3 x1;
-  Mat3 R1;
-  Vec3 row_force;   // Σ ±f
-  Mat3 row_moment;  // Σ ±l f'
-  Vec3 row_torque;  // Σ ±lever f of couples
-  Vec3 phi;         // rotation, or direction of a
-  Vec3 a;           // unknown
-  Vec3 a_saved;
-  Vec3 da;  // correction by the node's own residual
-  // the rest of the end of the step being solved
-  Vec3 p1, P1;
+  Vec3 x1, p1, P1;
   Quat q1;
-  // its start
+  Mat3 R1;
   Vec3 x0, p0, P0, O0;
   Quat q0;
   Mat3 R0;
-  // constants of the step
+  Vec3 a;              // world axes at the start
   Vec3 force, torque;  // [N], [N m] constant in the step, world axes
   Vec3 inertia, inverse_inertia;
   double mass, inverse_mass;
-  double reach;  // [m] turns a rotation into a displacement in the residual
-  double c;      // 1/(1 + a·a/4)
-  Mat3 J_inverse;
-  Vec3 E, sum;  // residual of the rotation, Π1 + Q
-  Mat3 B;       // (1 - a^/2)⁻¹ A
-  Vec3 a_last, a_before;
+  double reach;                // [m] turns a rotation into a displacement in the residual
+  Vec3 row_force, row_torque;  // sums over rows, world axes
+  Vec3 phi;                    // [rad/s] velocity of the rotation, world axes
   Vec3 coupled;  // 1 or 0 per principal axis: 0 about an axis of symmetry that all arms lie on, where spin is its own
   // where it comes from
   std::uint32_t slot;
@@ -69,15 +55,17 @@ struct alignas(64) Row {
   std::int32_t condition = -1;  // of a row that a constraint made; a hinge has none
   RowKind kind = RowKind::rigid;
   double lever = 0.0;  // [m] of a couple; 0: ties points
+  Vec3 f = zero3(), f_saved = zero3();
   Vec3 residual = zero3();
-  Vec3 ra1 = zero3(), rb1 = zero3();
+  Vec3 d1 = zero3();      // [m] first point less second
+  Vec3 offset = zero3();  // [m] gap that cannot be closed
+  Vec3 f_last = zero3(), f_before = zero3();
   Vec3 la = zero3(), lb = zero3();  // arms of the two points
-  Vec3 d1 = zero3();                // [m] first point less second
-  Vec3 offset = zero3();            // [m] gap that cannot be closed
-  Vec3 f = zero3(), f_saved = zero3(), f_last = zero3(), f_before = zero3();
-  Vec3 ra0 = zero3(), rb0 = zero3(), d0 = zero3();
-  PointId member;  // of a hinge: the point that f pulls
-  PointId centre;  // of a hinge: the star's point, that -f pulls
+  // of rows that are not rigid:
+  Vec3 d0 = zero3();
+  Vec3 ra0 = zero3(), rb0 = zero3(), ra1 = zero3(), rb1 = zero3();  // axes of a couple
+  PointId member;                                                   // of a hinge: the point that f pulls
+  PointId centre;                                                   // of a hinge: the star's point, that -f pulls
 };
 
 /// What the row of a constraint has beyond a hinge's: a world end, a matrix of its own, limits.
@@ -118,12 +106,11 @@ struct Condition {
   std::shared_ptr<StiffTie> stiff;  // of a stiff row
 };
 
-/// Two rows that meet at a node: a block of the matrix.
+/// Two rows that meet at a node: a block of the matrix. Of a node with rows 0, 1 … rising its meetings are (0, 0), (1, 0),
+/// (1, 1), (2, 0) …
 struct Meeting {
-  std::uint32_t block;  // of the factor; diagonal where row == column
-  std::uint32_t row, column;
-  bool row_at_a, column_at_a;  // which end of the row sits on the node
-  bool first;                  // the first to reach its block
+  std::uint32_t block;            // of the factor; diagonal where the two are one
+  bool first_lower, first_upper;  // the first to reach its block
 };
 
 /// A row that meets a segment of a string at a node: a part of the block of that row and the string's head.
@@ -145,10 +132,10 @@ struct Strand {
 };
 
 /// How far a sweep in the order of elimination may go in each kind of work, one after the other, so that all it needs
-/// is done and what it reads is still in the cache: nodes whose rows are all below `forces`, rows whose nodes are all
-/// below `nodes`, columns of the factor that reach only rows below `rows`.
+/// is done and what it reads is still in the cache: batches whose rows are all below `forces`, rows whose batches are all
+/// below `batches`, columns of the factor that reach only rows below `rows`.
 struct Wave {
-  std::uint32_t forces = 0, nodes = 0, rows = 0, columns = 0;
+  std::uint32_t forces = 0, batches = 0, rows = 0, columns = 0;
 };
 
 /// Largest distances that rows should have closed, [m].
@@ -179,7 +166,11 @@ struct NodeTotals {
 
 struct Articulate {
   std::vector<Node> nodes;
-  std::vector<Row> rows;  // in the order of elimination
+  std::vector<Row> rows;           // in the order of elimination
+  std::vector<NodeBatch> batches;  // of the nodes
+  std::vector<RowEnds> ends;       // of the batches
+  std::vector<Vec3>
+      at_ends;  // (2 rows + 1) what nodes a and b hand to row k is in 2k and 2k + 1; the last is of no row
   std::vector<Condition> conditions;
   std::vector<Meeting> meetings;
   std::vector<Strand> strands;
@@ -203,6 +194,7 @@ struct Articulate {
   bool rough = false;         // the last prediction was far off: the motion is not smooth at this step length
   bool fresh = true;          // the rows' forces have no history
   bool all_rigid = true;
+  bool couples = false;      // has rows that tie rotations
   bool limited = false;      // has limited rows
   bool breakable = false;    // has constraints that may break
   bool open = false;         // has rows that take energy or give it
@@ -225,6 +217,15 @@ inline Condition& condition(Articulate& a, const Row& row) {
 }
 inline const Condition& condition(const Articulate& a, const Row& row) {
   return a.conditions[static_cast<std::size_t>(row.condition)];
+}
+
+/// Arms in the world [m] at the end of the step of the two ends of a row; not while a step is being solved.
+struct RowArms {
+  Vec3 a, b;
+};
+inline RowArms arms(const Articulate& a, const Row& row) {
+  const auto k = static_cast<std::size_t>(&row - a.rows.data());
+  return {a.at_ends[2 * k], a.at_ends[2 * k + 1]};
 }
 
 inline const Row& row(const Articulate& a, const Condition& c) { return a.rows[c.row]; }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "articulates/batches.hpp"
 #include "articulates/conditions.hpp"
 #include "articulates/islands.hpp"
 #include "articulates/stiff.hpp"
@@ -239,17 +240,15 @@ struct Builder {
 
 void find_meetings(Articulate& a) {
   const auto on = rows_of_nodes(a.nodes.size(), a.rows);
-  std::vector<char> reached(a.factor.below.size(), 0), diagonal_reached(a.rows.size(), 0);
+  std::vector<char> reached(a.factor.below.size(), 0);
   a.first_meeting.assign(1, 0);
   for (std::uint32_t n = 0; n < a.nodes.size(); n++) {
     for (std::uint32_t i : on[n])
       for (std::uint32_t j : on[n]) {
         if (i < j) continue;
-        const auto at_a = [&](std::uint32_t k) { return a.rows[k].a == static_cast<std::int32_t>(n); };
         const std::uint32_t block = i == j ? i : a.factor.block(i, j);
-        char& mark = i == j ? diagonal_reached[block] : reached[block];
-        a.meetings.push_back({block, i, j, at_a(i), at_a(j), !mark});
-        mark = 1;
+        a.meetings.push_back({block, false, false});
+        if (i != j) reached[block] = 1;
       }
     a.first_meeting.push_back(static_cast<std::uint32_t>(a.meetings.size()));
   }
@@ -273,23 +272,22 @@ void find_meetings(Articulate& a) {
 
 void find_waves(Articulate& a) {
   constexpr std::uint32_t stretch = 8;
-  const auto rows = static_cast<std::uint32_t>(a.rows.size()), nodes = static_cast<std::uint32_t>(a.nodes.size());
-  std::vector<std::uint32_t> last_row(nodes, 0);
-  std::vector<std::uint32_t> last_node_of(rows);
+  const auto rows = static_cast<std::uint32_t>(a.rows.size()), batches = static_cast<std::uint32_t>(a.batches.size());
+  std::vector<std::uint32_t> last_row(batches, 0), last_batch(rows, 0);
   for (std::uint32_t k = 0; k < rows; k++)
-    last_node_of[k] = static_cast<std::uint32_t>(std::max(a.rows[k].a, a.rows[k].b));
+    for (std::int32_t n : {a.rows[k].a, a.rows[k].b}) {
+      if (n < 0) continue;
+      const auto batch = static_cast<std::uint32_t>(n) / static_cast<std::uint32_t>(batch_size);
+      last_row[batch] = k;
+      last_batch[k] = std::max(last_batch[k], batch);
+    }
   for (const Strand& strand : a.strands)
-    for (std::uint32_t k : strand.segments)
-      last_node_of[strand.head] = std::max(last_node_of[strand.head], last_node_of[k]);
-  const auto last_node = [&](std::uint32_t k) { return last_node_of[k]; };
-  for (std::uint32_t k = 0; k < rows; k++)
-    for (std::int32_t n : {a.rows[k].a, a.rows[k].b})
-      if (n >= 0) last_row[static_cast<std::size_t>(n)] = k;
+    for (std::uint32_t k : strand.segments) last_batch[strand.head] = std::max(last_batch[strand.head], last_batch[k]);
   Wave w;
   while (w.forces < rows) {
     w.forces = std::min(rows, w.forces + stretch);
-    while (w.nodes < nodes && last_row[w.nodes] < w.forces) w.nodes++;
-    while (w.rows < rows && last_node(w.rows) < w.nodes) w.rows++;
+    while (w.batches < batches && last_row[w.batches] < w.forces) w.batches++;
+    while (w.rows < rows && last_batch[w.rows] < w.batches) w.rows++;
     const std::vector<std::uint32_t>&first = a.factor.first, &below = a.factor.below;
     while (w.columns < w.rows && (first[w.columns + 1] == first[w.columns] || below[first[w.columns + 1] - 1] < w.rows))
       w.columns++;
@@ -346,6 +344,7 @@ void measure(Articulate& a, const Model& model) {
     if (row.kind == RowKind::stiff) lengths.push_back(1e12 * std::sqrt(condition(a, row).stiff->least2));
     if (row.lever > 0.0) lengths.push_back(row.lever);
     a.all_rigid = a.all_rigid && row.kind == RowKind::rigid;
+    a.couples = a.couples || row.lever > 0.0;
     a.limited = a.limited || row.kind == RowKind::limited;
     if (row.kind == RowKind::stiff) a.open = a.open || condition(a, row).stiff->is_open();
     if (row.lever > 0.0) continue;
@@ -393,8 +392,9 @@ std::unique_ptr<Articulate> build_articulate(const Model& model, std::span<const
   articulate->breakable = builder.breakable;
   articulate->right_side.resize(articulate->rows.size());
   find_meetings(*articulate);
-  find_waves(*articulate);
   measure(*articulate, model);
+  lay_out_batches(*articulate);
+  find_waves(*articulate);
   const Thing oldest = things.front();
   articulate->serial =
       oldest.is_body ? model.bodies.at_slot(oldest.slot).serial : model.points.at_slot(oldest.slot).serial;

@@ -55,10 +55,7 @@ void place_couple_at_end(Articulate& a, Row& row) {
 }
 
 double work_of_couple(const Articulate& a, const Row& row) {
-  const auto turned = [&](std::int32_t node) {
-    const Node& n = a.nodes[static_cast<std::size_t>(node)];
-    return n.R0 * n.a;
-  };
+  const auto turned = [&](std::int32_t node) { return a.nodes[static_cast<std::size_t>(node)].a; };
   const Vec3 torque = row.f * row.lever;
   return dot(torque, turned(row.a)) - (row.b >= 0 ? dot(torque, turned(row.b)) : 0.0);
 }

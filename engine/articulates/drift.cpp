@@ -19,7 +19,7 @@ void commit(Articulate& a, Vec3 gravity, DriftReport& report) {
   add_work_of_rows(a, report);
   for (Node& n : a.nodes) {
     report.work += dot(n.force - gravity * n.mass, n.x1 - n.x0);
-    if (n.turns) report.work += dot(n.torque, n.R0 * n.a);
+    if (n.turns) report.work += dot(n.torque, n.a);
     commit(n);
   }
 }
@@ -29,7 +29,6 @@ void drift_part(Articulate& a, const DriftSettings& settings, double from, doubl
   const double h = settings.h * (to - from);
   set_conditions(a, from, to);
   if (a.gaps.open > 1e-8 * a.length) return safe_step(a, settings, h, report);
-  place_rows_at_start(a);
   if (solve_step(a, h, settings.gravity, report)) {
     commit(a, settings.gravity, report);
     a.fresh = false;

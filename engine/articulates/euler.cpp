@@ -32,8 +32,11 @@ void evaluate_euler(Node& n, double h) {
 double attempt_euler(Articulate& a, double h) {
   for (Node& n : a.nodes) n.row_force = n.row_torque = zero3();
   for (const Row& row : a.rows) {
-    pull(a.nodes[static_cast<std::size_t>(row.a)], row, row.ra0, row.f);
-    if (row.b >= 0) pull(a.nodes[static_cast<std::size_t>(row.b)], row, row.rb0, row.f * -1.0);
+    Node& first = a.nodes[static_cast<std::size_t>(row.a)];
+    pull(first, row, first.R0 * row.la, row.f);
+    if (row.b < 0) continue;
+    Node& second = a.nodes[static_cast<std::size_t>(row.b)];
+    pull(second, row, second.R0 * row.lb, row.f * -1.0);
   }
   for (Node& n : a.nodes) evaluate_euler(n, h);
   place_rows_at_end(a);

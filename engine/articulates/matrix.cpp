@@ -1,4 +1,7 @@
 // The matrix S of the rows: blocks Σ over shared nodes of s_i s_j (1/m - r_i^ W r̄_j^).
+#include <algorithm>
+
+#include "articulates/batches.hpp"
 #include "articulates/midpoint.hpp"
 #include "articulates/newton.hpp"
 #include "articulates/strand.hpp"
@@ -7,50 +10,53 @@ namespace pantin {
 
 namespace {
 
-/// s/m - left^ W (s right)^
-Mat3 coupling(const Mat3& W, Vec3 left, Vec3 right, double inverse_mass) {
-  Mat3 k = {{cross(W[1] * right[2] - W[2] * right[1], left), cross(W[2] * right[0] - W[0] * right[2], left),
-             cross(W[0] * right[1] - W[1] * right[0], left)}};
-  for (int i = 0; i < 3; i++) k[i][i] += inverse_mass;
-  return k;
+Vec3x4 right_arm(const RowEnds& end, Arms right) {
+  return right == Arms::mean ? (end.r0 + end.r1) * 0.5 : right == Arms::start ? end.r0 : end.r1;
 }
 
-/// The same where one of the rows, or both, is a couple: lever W (s right)^, -left^ W s lever, or both.
-Mat3 coupling_of_couples(const Mat3& W, const Row& i, Vec3 left, const Row& j, Vec3 right, double sign) {
-  Mat3 k = j.lever > 0.0 ? W * (j.lever * sign) : W * hat(right * sign);
-  if (i.lever > 0.0) return k * i.lever;
-  for (int n = 0; n < 3; n++) k[n] = cross(k[n], left);
-  return k;
+/// Rotation that a force of the row makes: W (s r̄^), of a couple W lever.
+Mat3x4 turn_by(const Mat3x4& W, const RowEnds& end, Arms right) {
+  Mat3x4 G = times_hat(W, right_arm(end, right) * end.sign);
+  for (int k = 0; k < 3; k++) G[k] += W[k] * end.lever;
+  return G;
 }
 
-struct Pair {
-  Vec3 left, right;
-};
-
-Pair arms(const Row& row, bool at_a, Arms right) {
-  const Vec3 end = at_a ? row.ra1 : row.rb1, start = at_a ? row.ra0 : row.rb0;
-  return {end, right == Arms::mean ? (end + start) * 0.5 : right == Arms::start ? start : end};
+/// What the force of a row does to another, by the rotation G that it makes: s_i s_j/m - s_i r_i^ G; of a couple lever G.
+Mat3x4 coupling(const RowEnds& of, const RowEnds& by, const Mat3x4& G, Lanes inverse_mass) {
+  const Vec3x4 left = of.r1 * of.sign;
+  const Lanes straight = of.sign * by.sign * inverse_mass;
+  Mat3x4 K;
+  for (int k = 0; k < 3; k++) K[k] = cross(G[k], left) + G[k] * of.lever;
+  K[0].x += straight;
+  K[1].y += straight;
+  K[2].z += straight;
+  return K;
 }
 
-void add(Mat3& block, const Meeting& m, const Row& row, const Articulate& a, const Mat3& k) {
+void add(Mat3& block, bool first, const Row& row, const Articulate& a, const Mat3& k) {
   const Mat3 part = row.kind == RowKind::rigid ? k : condition(a, row).M * k;
-  block = m.first ? part : block + part;
+  block = first ? part : block + part;
 }
 
-void add_meeting(Articulate& a, const Meeting& m, const Node& node, const Mat3& W, Arms right) {
-  const Row &i = a.rows[m.row], &j = a.rows[m.column];
-  const double sign = m.row_at_a == m.column_at_a ? 1.0 : -1.0, inverse_mass = sign * node.inverse_mass;
-  const Pair at_i = arms(i, m.row_at_a, right), at_j = arms(j, m.column_at_a, right);
-  if (i.lever > 0.0 || j.lever > 0.0) {
-    const Mat3 k = coupling_of_couples(W, i, at_i.left, j, at_j.right, sign);
-    if (m.row == m.column) return add(a.factor.diagonal[m.block], m, i, a, k);
-    add(a.factor.lower[m.block], m, i, a, k);
-    return add(a.factor.upper[m.block], m, j, a, coupling_of_couples(W, j, at_j.left, i, at_i.right, sign));
+/// The blocks of the rows that meet at the nodes of a batch.
+void add_meetings(Articulate& a, std::size_t b, const Mat3x4& W, Arms right) {
+  const NodeBatch& n = a.batches[b];
+  const auto ends = ends_of(a, n);
+  for (std::size_t j = 0; j < ends.size(); j++) {
+    const Mat3x4 G = turn_by(W, ends[j], right);
+    for (std::size_t i = 0; i < ends.size(); i++) {
+      const auto blocks = unpack(coupling(ends[i], ends[j], G, n.inverse_mass));
+      for (std::size_t lane = 0; lane < n.count; lane++) {
+        const Meeting* m = meeting(a, b, lane, i, j);
+        if (m == nullptr) continue;
+        const Row& row = a.rows[ends[i].row[lane]];
+        if (i < j)
+          add(a.factor.upper[m->block], m->first_upper, row, a, blocks[lane]);
+        else
+          add((i == j ? a.factor.diagonal : a.factor.lower)[m->block], m->first_lower, row, a, blocks[lane]);
+      }
+    }
   }
-  const Mat3 k = coupling(W, at_i.left, at_j.right * sign, inverse_mass);
-  if (m.row == m.column) return add(a.factor.diagonal[m.block], m, i, a, k);
-  add(a.factor.lower[m.block], m, i, a, k);
-  add(a.factor.upper[m.block], m, j, a, coupling(W, at_j.left, at_i.right * sign, inverse_mass));
 }
 
 /// Adds the compliance to the diagonal block of a row, and says which pivots will count as redundant.
@@ -65,13 +71,14 @@ void finish_diagonal(Articulate& a, std::uint32_t k, const System& system) {
   }
 }
 
-/// Change of d1 that the nodes' own residuals make.
+/// Hands the rows the change of d1 that the nodes' own residuals make.
+void move_ends(Articulate& a, const NodeBatch& n) {
+  const Vec3x4 turn = rotation(n, n.da);
+  for (const RowEnds& end : ends_of(a, n)) hand_over(a, end, cross(turn, end.r1) * end.sign + turn * end.lever);
+}
 Vec3 moved(const Articulate& a, const Row& row) {
-  const Vec3 turned_a = a.nodes[static_cast<std::size_t>(row.a)].phi,
-             turned_b = row.b >= 0 ? a.nodes[static_cast<std::size_t>(row.b)].phi : zero3();
-  if (row.lever > 0.0) return (turned_a - turned_b) * row.lever;
-  const Vec3 first = cross(turned_a, row.ra1);
-  return row.b >= 0 ? first - cross(turned_b, row.rb1) : first;
+  const auto [at_a, at_b] = arms(a, row);
+  return row.b >= 0 ? at_a + at_b : at_a;
 }
 
 const Strand* strand_of_head(const Articulate& a, std::uint32_t k) {
@@ -92,10 +99,17 @@ void set_right_side(Articulate& a, std::uint32_t k, const System& system) {
   a.right_side[k] = side * system.right_scale;
 }
 
-Mat3 weight(const Node& n, Arms right, double h) {
-  if (!n.turns) return zero33();
-  if (right == Arms::mean) return weight(n, h);
-  return inverse_inertia(n, right == Arms::start ? n.R0 : n.R1);
+Mat3x4 weight(const Articulate& a, std::size_t b, const System& system) {
+  if (system.right == Arms::mean) return weight(a.batches[b], system.h);
+  const Mat3x4 R = rotations(a, b, system.right == Arms::start ? &Node::R0 : &Node::R1);
+  return congruent(R, a.batches[b].inverse_inertia);
+}
+
+const RowEnds& end_of(const Articulate& a, std::size_t node, std::uint32_t row) {
+  const NodeBatch& n = a.batches[node / batch_size];
+  const auto found = std::find_if(a.ends.begin() + n.first_end, a.ends.begin() + n.last_end,
+                                  [&](const RowEnds& end) { return end.row[node % batch_size] == row; });
+  return *found;
 }
 
 /// The parts of a string's head that its other segments make, once all their
@@ -103,22 +117,32 @@ Mat3 weight(const Node& n, Arms right, double h) {
 void add_strand(Articulate& a, const Strand& strand, const System& system) {
   for (std::uint32_t block : strand.cleared) a.factor.lower[block] = a.factor.upper[block] = zero33();
   for (const StrandMeeting& m : strand.meetings) {
-    const Row &i = a.rows[m.segment], &j = a.rows[m.column];
-    const Node& node = a.nodes[m.node];
-    const Mat3 W = weight(node, system.right, system.h);
-    const double sign = m.segment_at_a == m.column_at_a ? 1.0 : -1.0;
-    const Pair at_i = arms(i, m.segment_at_a, system.right), at_j = arms(j, m.column_at_a, system.right);
-    const Mat3 k = j.lever > 0.0 ? coupling_of_couples(W, i, at_i.left, j, at_j.right, sign)
-                                 : coupling(W, at_i.left, at_j.right * sign, sign * node.inverse_mass);
+    const std::size_t batch = m.node / batch_size;
+    const RowEnds &of = end_of(a, m.node, m.segment), &by = end_of(a, m.node, m.column);
+    const Mat3x4 G = turn_by(weight(a, batch, system), by, system.right);
+    const Mat3 k = unpack(coupling(of, by, G, a.batches[batch].inverse_mass))[m.node % batch_size];
     Mat3& block = m.column == strand.head ? a.factor.diagonal[m.block]
                   : m.upper               ? a.factor.upper[m.block]
                                           : a.factor.lower[m.block];
-    block += condition(a, i).into_head * k;
+    block += condition(a, a.rows[m.segment]).into_head * k;
   }
   for (const StrandLink& link : strand.links) {
     Mat3& block = link.segment > strand.head ? a.factor.lower[link.block] : a.factor.upper[link.block];
     block += condition(a, a.rows[link.segment]).from_head * system.scale;
   }
+}
+
+/// Σ r̄ ±f'
+Mat3x4 moments(Articulate& a, const NodeBatch& n) {
+  Mat3x4 B = {{zero3x4(), zero3x4(), zero3x4()}};
+  for (const RowEnds& end : ends_of(a, n)) {
+    const Vec3x4 arm = right_arm(end, Arms::mean) * end.sign,
+                 f = fetch(end, [&](std::uint32_t k) { return a.rows[k].f; });
+    B[0] += arm * f.x;
+    B[1] += arm * f.y;
+    B[2] += arm * f.z;
+  }
+  return B;
 }
 
 }  // namespace
@@ -133,16 +157,13 @@ bool factorise(Articulate& a, const System& system) {
   Wave done;
   const std::uint32_t* to = a.factor.target.data();
   for (const Wave& wave : a.waves) {
-    for (; done.nodes < wave.nodes; done.nodes++) {
-      Node& n = a.nodes[done.nodes];
-      if (system.right == Arms::mean && n.turns) {
-        invert_jacobian(n, system.h);
-        n.da = n.J_inverse * n.E * -1.0;
-        n.phi = rotation(n, n.da);
+    for (; done.batches < wave.batches; done.batches++) {
+      NodeBatch& n = a.batches[done.batches];
+      if (system.right == Arms::mean) {
+        invert_jacobian(n, moments(a, n), system.h);
+        move_ends(a, n);
       }
-      const Mat3 W = weight(n, system.right, system.h);
-      for (std::uint32_t m = a.first_meeting[done.nodes]; m < a.first_meeting[done.nodes + 1]; m++)
-        add_meeting(a, a.meetings[m], n, W, system.right);
+      add_meetings(a, done.batches, weight(a, done.batches, system), system.right);
     }
     for (; done.rows < wave.rows; done.rows++) {
       if (a.rows[done.rows].kind == RowKind::strand)
@@ -161,10 +182,7 @@ bool factorise(Articulate& a, const System& system) {
 void reuse_factor(Articulate& a, const System& system) {
   Wave done;
   for (const Wave& wave : a.waves) {
-    for (; done.nodes < wave.nodes; done.nodes++) {
-      Node& n = a.nodes[done.nodes];
-      if (n.turns) n.phi = rotation(n, n.da);
-    }
+    for (; done.batches < wave.batches; done.batches++) move_ends(a, a.batches[done.batches]);
     for (; done.rows < wave.rows; done.rows++) set_right_side(a, done.rows, system);
     for (; done.columns < wave.columns; done.columns++) a.factor.substitute_forward(done.columns, a.right_side.data());
   }

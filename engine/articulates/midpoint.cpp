@@ -4,25 +4,55 @@
 
 namespace pantin {
 
+namespace {
+
+/// The rotation of a node without rows, principal axes: the same equations with no force of rows.
+struct FreeRotation {
+  Vec3 Q, E, sum;
+};
+
+/// Sets the end of the step for a; returns what Newton's iteration needs.
+FreeRotation rotate_by(Node& n, double h) {
+  const Vec3 a = n.a;
+  const double c = 1.0 / (1.0 + 0.25 * dot(a, a)), w = std::sqrt(c);
+  const Vec3 Q = n.P0 + transposed_times(n.R0, n.torque) * h, Pi = n.inertia * (a * (2.0 / h) - n.O0), sum = Pi + Q;
+  n.P1 = (Q - cross(a, Q) * 0.5 + a * (0.25 * dot(a, Q))) * (2.0 * c) - Q;  // 2 (1 + a^/2)⁻¹ Q - Q
+  const Vec3 u = a * (0.5 * w);
+  n.q1 = n.q0 * Quat{w, u[0], u[1], u[2]};
+  n.R1 = matrix(n.q1);
+  return {Q, Pi - Q + cross(a, sum) * 0.5, sum};
+}
+
+/// J = (1 + a^/2)(2/h) I - (Π1 + Q)^/2
+Mat3 jacobian(const Node& n, const FreeRotation& r, double h) {
+  const Mat3 d = diagonal(n.inertia * (2.0 / h)), sum_hat = hat(r.sum);
+  Mat3 J;
+  for (int k = 0; k < 3; k++) J[k] = d[k] + cross(n.a, d[k]) * 0.5 - sum_hat[k] * 0.5;
+  return J;
+}
+
+/// Solves the step to round-off; false where Newton's iteration does not converge.
 bool solve_alone(Node& n, double h) {
-  clear_sums(n);
-  n.a = n.O0 * h;
-  evaluate(n, h);
+  n.p1 = n.p0 + n.force * h;
+  n.x1 = n.x0 + (n.p0 + n.p1) * (0.5 * h * n.inverse_mass);
   if (!n.turns) return true;
+  n.a = n.O0 * h;
+  FreeRotation r = rotate_by(n, h);
   double last = infinity;
   for (int i = 0; i < 20; i++) {
-    invert_jacobian(n, h);
-    const Vec3 da = n.J_inverse * n.E;
+    const Vec3 da = inverse(jacobian(n, r, h)) * r.E;
     const double size = norm(da);
     if (!(size <= 1.0)) return false;
     if (size >= last) return last < 1e-12;  // round-off
     n.a -= da;
-    evaluate(n, h);
+    r = rotate_by(n, h);
     if (size < 1e-16) return true;
     last = size;
   }
   return false;
 }
+
+}  // namespace
 
 void turn_freely(Node& n, double h) {
   const auto turn = [&](int axis, double time) {

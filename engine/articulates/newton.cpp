@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "articulates/batches.hpp"
 #include "articulates/couple.hpp"
 #include "articulates/midpoint.hpp"
 #include "articulates/rows.hpp"
@@ -19,84 +20,91 @@ constexpr std::uint32_t most_iterations = 40, most_halvings = 6;
 const Node& first(const Articulate& a, const Row& row) { return a.nodes[static_cast<std::size_t>(row.a)]; }
 const Node& second(const Articulate& a, const Row& row) { return a.nodes[static_cast<std::size_t>(row.b)]; }
 
-/// Adds the force f of a row to the sums of its nodes, which whoever uses them leaves at 0.
-void add_force(Articulate& a, const Row& row, Vec3 f) {
-  Node& na = a.nodes[static_cast<std::size_t>(row.a)];
-  if (row.lever > 0.0) {
-    na.row_torque += f * row.lever;
-    if (row.b >= 0) a.nodes[static_cast<std::size_t>(row.b)].row_torque -= f * row.lever;
-    return;
-  }
-  na.row_force += f;
-  na.row_moment += outer(row.la, f);
-  if (row.b < 0) return;
-  Node& nb = a.nodes[static_cast<std::size_t>(row.b)];
-  nb.row_force -= f;
-  nb.row_moment -= outer(row.lb, f);
-}
-
-void place_row_at_end(Articulate& a, Row& row) {
+/// Where the rows' ends are, at the end of the step.
+void place_row_at_end(Articulate& a, std::size_t k) {
+  Row& row = a.rows[k];
   if (row.lever > 0.0) return place_couple_at_end(a, row);
-  row.ra1 = first(a, row).R1 * row.la;
-  row.rb1 = row.b >= 0 ? second(a, row).R1 * row.lb : zero3();
-  row.d1 = first(a, row).x1 + row.ra1 - (row.b >= 0 ? second(a, row).x1 + row.rb1 : condition(a, row).place1);
+  row.d1 = a.at_ends[2 * k] - (row.b >= 0 ? a.at_ends[2 * k + 1] : condition(a, row).place1);
 }
 
-/// Moves the unknowns from their saved values by a fraction of the direction (forces in `right_side`, rotations in phi),
-/// with states and residuals; returns the largest residual [m].
+Vec3x4 mean_arm(const RowEnds& end) { return (end.r0 + end.r1) * 0.5; }
+
+void hand_over_arms(Articulate& a) {
+  for (const RowEnds& end : a.ends) hand_over(a, end, end.r1);
+}
+
+/// What the rows' forces, once set, make of a batch; hands the rows its places. Returns the squares of the residuals [m²].
+Lanes attempt_batch(Articulate& a, std::size_t b, double h, double fraction) {
+  NodeBatch& n = a.batches[b];
+  const auto ends = ends_of(a, n);
+  n.a = n.a_saved + n.change * fraction;
+  turn_arms(n, ends);
+  RowLoad load{zero3x4(), zero3x4()};
+  for (const RowEnds& end : ends)
+    add_load(load, end, fetch(end, [&](std::uint32_t k) { return a.rows[k].f; }), mean_arm(end));
+  const Lanes size2 = evaluate(n, load, h);
+  for (const RowEnds& end : ends) hand_over(a, end, n.x1 + end.r1);
+  if (a.couples) tell_places(a, b);
+  return size2;
+}
+
+/// Moves the unknowns from their saved values by a fraction of the direction (forces in `right_side`, rotations in
+/// `change`), with states and residuals; returns the largest residual [m].
 double attempt(Articulate& a, double h, double fraction) {
-  double worst = 0.0;
-  const auto count = [&](double r) { worst = std::isfinite(r) ? std::max(worst, r) : infinity; };
+  Lanes largest2 = lanes(0.0), unsound = lanes(0.0);
+  double worst2 = 0.0, worst = 0.0;
+  const auto count2 = [&](double r2) { worst2 = r2 <= worst2 ? worst2 : std::isfinite(r2) ? r2 : infinity; };
+  const auto count = [&](double r) { worst = r <= worst ? worst : std::isfinite(r) ? r : infinity; };
   Wave done;
   for (const Wave& wave : a.waves) {
     for (; done.forces < wave.forces; done.forces++) {
       Row& row = a.rows[done.forces];
       row.f = row.f_saved + a.right_side[done.forces] * fraction;
-      add_force(a, row, row.f);
     }
-    for (; done.nodes < wave.nodes; done.nodes++) {
-      Node& n = a.nodes[done.nodes];
-      n.a = n.a_saved + n.phi * fraction;
-      evaluate(n, h);
-      clear_sums(n);
-      if (!n.turns) continue;
-      n.da = n.J_inverse * n.E * -1.0;
-      count(norm(n.da) * n.reach);
+    for (; done.batches < wave.batches; done.batches++) {
+      const Lanes size2 = attempt_batch(a, done.batches, h, fraction);
+      largest2 = larger(size2, largest2);
+      unsound += size2 * 0.0;
     }
     for (; done.rows < wave.rows; done.rows++) {
       Row& row = a.rows[done.rows];
-      place_row_at_end(a, row);
-      count(residual(a, row, h));
+      place_row_at_end(a, done.rows);
+      if (row.kind == RowKind::rigid) {
+        row.residual = row.d1 - row.offset;
+        count2(norm2(row.residual));
+      } else {
+        count(residual(a, row, h));
+      }
     }
   }
   if (!a.strands.empty()) count(evaluate_strands(a, h));
-  return worst;
+  if (!(largest_lane(unsound) == 0.0)) return infinity;
+  return std::max(worst, std::sqrt(std::max(worst2, largest_lane(largest2))));
 }
 
-/// Finishes the direction from the half solved right side: forces in `right_side`, rotations in phi; saves the unknowns
-/// that it starts from. Returns the largest rotation.
+/// The change of the rotations that goes with that of the rows' forces, and which they start from; returns its square.
+Lanes find_change(Articulate& a, NodeBatch& n, double h) {
+  RowLoad load{zero3x4(), zero3x4()};
+  for (const RowEnds& end : ends_of(a, n))
+    add_load(load, end, fetch(end, [&](std::uint32_t k) { return a.right_side[k]; }), mean_arm(end));
+  const Vec3x4& tau = load.torque;
+  n.a_saved = n.a;
+  n.change = n.da + n.J_inverse * (tau - cross(n.a, tau) * 0.5) * h;
+  return norm2(n.change);
+}
+
+/// Finishes the direction from the half solved right side: forces in `right_side`, rotations in `change`; saves the
+/// unknowns that it starts from. Returns the largest rotation.
 double find_direction(Articulate& a, double h) {
-  double largest_turn = 0.0;
-  std::size_t n = a.nodes.size();
+  Lanes largest_turn = lanes(0.0);
+  std::size_t b = a.batches.size();
   for (std::size_t k = a.rows.size(); k-- > 0;) {
-    Row& row = a.rows[k];
     a.factor.substitute_back(static_cast<std::uint32_t>(k), a.right_side.data());
-    row.f_saved = row.f;
-    add_force(a, row, a.right_side[k]);
-    for (; n > 0 && a.nodes[n - 1].first_row == k; n--) {
-      Node& node = a.nodes[n - 1];
-      node.a_saved = node.a;
-      node.phi = zero3();
-      if (node.turns) {
-        const Vec3 tau =
-            axial(half_turn(node) * (node.row_moment * node.R0)) + transposed_times(node.R0, node.row_torque);
-        node.phi = node.da + node.J_inverse * (tau - cross(node.a, tau) * 0.5) * h;
-        largest_turn = std::max(largest_turn, norm2(node.phi));
-      }
-      clear_sums(node);
-    }
+    a.rows[k].f_saved = a.rows[k].f;
+    for (; b > 0 && a.batches[b - 1].first_row == k; b--)
+      largest_turn = larger(find_change(a, a.batches[b - 1], h), largest_turn);
   }
-  return std::sqrt(largest_turn);
+  return std::sqrt(largest_lane(largest_turn));
 }
 
 void lower_epsilon(Articulate& a) {
@@ -127,18 +135,18 @@ void predict(Articulate& a, double h) {
   if (a.last_h == 0.0) a.history = 0;
   const double ratio = a.last_h != 0.0 ? h / a.last_h : 0.0;
   const std::uint32_t order = std::min(a.history, a.weak ? 1u : a.rough ? 2u : 3u);
-  for (Node& n : a.nodes) {
-    n.phi = zero3();
-    clear_sums(n);
-    if (!n.turns) continue;
-    const Vec3 last = n.a;
-    n.a_saved = order == 0   ? n.O0 * h
+  for (std::size_t b = 0; b < a.batches.size(); b++) {
+    NodeBatch& n = a.batches[b];
+    begin(a, b, h);
+    n.change = zero3x4();
+    const Vec3x4 last = n.a;
+    n.a_saved = order == 0   ? start_spins(a, b) * h
                 : order == 1 ? last * ratio
                 : order == 2 ? last * 2.0 - n.a_last
                              : (last - n.a_last) * 3.0 + n.a_before;
     n.a_before = n.a_last;
     n.a_last = last;
-    if (!same_h) n.J_inverse = diagonal(n.inverse_inertia * (0.5 * h));
+    if (!same_h) n.J_inverse = congruent(rotations(a, b, &Node::R0), n.inverse_inertia * (0.5 * h));
   }
   for (Row& row : a.rows) {
     const Vec3 last = row.f;
@@ -167,49 +175,8 @@ double search_line(Articulate& a, double h, double e, double tolerance, bool fre
   }
 }
 
-/// Velocity of a point at the start, [m/s].
-Vec3 start_velocity(const Node& n, Vec3 arm) {
-  return n.p0 * n.inverse_mass + (n.turns ? cross(n.R0 * n.O0, arm) : zero3());
-}
-
-}  // namespace
-
-void place_rows_at_start(Articulate& a) {
-  for (Row& row : a.rows) {
-    if (row.lever > 0.0) {
-      place_couple_at_start(a, row);
-      continue;
-    }
-    row.ra0 = first(a, row).R0 * row.la;
-    row.rb0 = row.b >= 0 ? second(a, row).R0 * row.lb : zero3();
-    row.d0 = first(a, row).x0 + row.ra0 - (row.b >= 0 ? second(a, row).x0 + row.rb0 : condition(a, row).place0);
-    if (row.kind != RowKind::stiff) continue;
-    Vec3 v = start_velocity(first(a, row), row.ra0);
-    if (row.b >= 0) v -= start_velocity(second(a, row), row.rb0);
-    start_stiff(*condition(a, row).stiff, row, dot(row.d0, v));
-  }
-}
-
-void place_rows_at_end(Articulate& a) {
-  for (Row& row : a.rows) place_row_at_end(a, row);
-}
-
-void add_work_of_rows(const Articulate& a, DriftReport& report) {
-  for (const Condition& c : a.conditions) {
-    const Row& r = row(a, c);
-    if (c.stiff) {
-      report.open_work += c.stiff->settle(r);
-      continue;
-    }
-    if (r.b < 0 && r.lever == 0.0) report.work += dot(r.f, c.place1 - c.place0);
-    if (!c.works) continue;
-    double& line = c.ranged ? report.limit : r.lever > 0.0 ? report.motor : report.work;
-    line += r.lever > 0.0 ? work_of_couple(a, r) : dot(r.f, r.d1 - r.d0);
-  }
-}
-
-bool solve_step(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
-  predict(a, h);
+/// From predicted unknowns; false where it does not converge.
+bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   a.lowered = false;
   const auto [tolerance, round_off] = goal(a, h, gravity);
   double e = attempt(a, h, 0.0), gain = 1.0;
@@ -256,6 +223,59 @@ bool solve_step(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
     e = e1;
   }
   return e <= 100.0 * tolerance;
+}
+
+/// Velocity of a point at the start, [m/s].
+Vec3 start_velocity(const Node& n, Vec3 l) {
+  return n.p0 * n.inverse_mass + (n.turns ? n.R0 * cross(n.O0, l) : zero3());
+}
+
+}  // namespace
+
+void place_rows_at_start(Articulate& a) {
+  for (std::size_t b = 0; b < a.batches.size(); b++) place_at_start(a, b);
+  if (a.all_rigid && !a.couples) return;
+  for (std::size_t k = 0; k < a.rows.size(); k++) {
+    Row& row = a.rows[k];
+    if (row.lever > 0.0) {
+      place_couple_at_start(a, row);
+      continue;
+    }
+    row.d0 = a.at_ends[2 * k] - (row.b >= 0 ? a.at_ends[2 * k + 1] : condition(a, row).place0);
+    if (row.kind != RowKind::stiff) continue;
+    Vec3 v = start_velocity(first(a, row), row.la);
+    if (row.b >= 0) v -= start_velocity(second(a, row), row.lb);
+    start_stiff(*condition(a, row).stiff, row, dot(row.d0, v));
+  }
+}
+
+void place_rows_at_end(Articulate& a) {
+  for (std::size_t b = 0; b < a.batches.size(); b++) place_at_end(a, b);
+  for (std::size_t k = 0; k < a.rows.size(); k++) { place_row_at_end(a, k); }
+  hand_over_arms(a);
+}
+
+void add_work_of_rows(const Articulate& a, DriftReport& report) {
+  for (const Condition& c : a.conditions) {
+    const Row& r = row(a, c);
+    if (c.stiff) {
+      report.open_work += c.stiff->settle(r);
+      continue;
+    }
+    if (r.b < 0 && r.lever == 0.0) report.work += dot(r.f, c.place1 - c.place0);
+    if (!c.works) continue;
+    double& line = c.ranged ? report.limit : r.lever > 0.0 ? report.motor : report.work;
+    line += r.lever > 0.0 ? work_of_couple(a, r) : dot(r.f, r.d1 - r.d0);
+  }
+}
+
+bool solve_step(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
+  if (!a.all_rigid || a.couples) place_rows_at_start(a);
+  predict(a, h);
+  if (!iterate(a, h, gravity, report)) return false;
+  for (std::size_t b = 0; b < a.batches.size(); b++) tell_ends(a, b, h);
+  hand_over_arms(a);
+  return true;
 }
 
 }  // namespace pantin

@@ -19,10 +19,10 @@ void find_forbidden_velocity(const Articulate& a, Row& row) {
     return;
   }
   const Node& first = a.nodes[static_cast<std::size_t>(row.a)];
-  row.residual = row.lever > 0.0 ? first.phi * row.lever : end_velocity(first, row.ra1);
+  row.residual = row.lever > 0.0 ? first.phi * row.lever : end_velocity(first, arms(a, row).a);
   if (row.b >= 0) {
     const Node& second = a.nodes[static_cast<std::size_t>(row.b)];
-    row.residual -= row.lever > 0.0 ? second.phi * row.lever : end_velocity(second, row.rb1);
+    row.residual -= row.lever > 0.0 ? second.phi * row.lever : end_velocity(second, arms(a, row).b);
   }
   if (row.condition < 0) return;
   const Condition& c = condition(a, row);
@@ -36,8 +36,8 @@ Vec3 forbidden_of_strand(const Articulate& a, std::uint32_t k) {
   for (const Strand& strand : a.strands) {
     if (strand.head != k) continue;
     const auto velocity = [&](const Row& row) {
-      const Vec3 first = end_velocity(a.nodes[static_cast<std::size_t>(row.a)], row.ra1);
-      return row.b < 0 ? first : first - end_velocity(a.nodes[static_cast<std::size_t>(row.b)], row.rb1);
+      const Vec3 first = end_velocity(a.nodes[static_cast<std::size_t>(row.a)], arms(a, row).a);
+      return row.b < 0 ? first : first - end_velocity(a.nodes[static_cast<std::size_t>(row.b)], arms(a, row).b);
     };
     return a.rows[k].residual + into_head(a, strand, velocity);
   }
@@ -62,9 +62,10 @@ struct Velocities {
 Velocities start_solution(Articulate& a) {
   Velocities v;
   Wave done;
+  std::size_t done_nodes = 0;
   for (const Wave& wave : a.waves) {
-    for (; done.nodes < wave.nodes; done.nodes++) {
-      Node& n = a.nodes[done.nodes];
+    for (; done_nodes < std::min<std::size_t>(a.nodes.size(), batch_size * wave.batches); done_nodes++) {
+      Node& n = a.nodes[done_nodes];
       n.phi = n.turns ? n.R0 * n.O0 : zero3();
       v.kinetic += kinetic_energy(n);
       v.fastest = std::max(v.fastest, norm2(n.p0) * n.inverse_mass * n.inverse_mass);
@@ -114,8 +115,9 @@ ImpulseWork apply_projection(Articulate& a) {
       if (row.kind != RowKind::rigid) impulse = c.kept * impulse;
       (row.lever > 0.0 ? work.couples : work.ends) += dot(impulse, c.wanted);
     }
-    add_impulse(a.nodes[static_cast<std::size_t>(row.a)], row, row.ra1, impulse);
-    if (row.b >= 0) add_impulse(a.nodes[static_cast<std::size_t>(row.b)], row, row.rb1, impulse * -1.0);
+    const auto [at_a, at_b] = arms(a, row);
+    add_impulse(a.nodes[static_cast<std::size_t>(row.a)], row, at_a, impulse);
+    if (row.b >= 0) add_impulse(a.nodes[static_cast<std::size_t>(row.b)], row, at_b, impulse * -1.0);
   }
   return work;
 }

@@ -51,7 +51,7 @@ void kick(Articulate& a, double h) {
     row.f = pull > c.max_force ? z * (c.max_force / pull) : z;
     Node& n = a.nodes[static_cast<std::size_t>(row.a)];
     n.p0 += row.f * h;
-    if (n.turns) n.P0 += transposed_times(n.R0, cross(row.ra0, row.f)) * h;
+    if (n.turns) n.P0 += transposed_times(n.R0, cross(n.R0 * row.la, row.f)) * h;
   }
   for (Node& n : a.nodes) {
     n.p0 += n.force * h;
@@ -87,8 +87,9 @@ void move_by_solution(Articulate& a) {
   }
   for (std::size_t k = 0; k < a.rows.size(); k++) {
     const Row& row = a.rows[k];
-    pull(a.nodes[static_cast<std::size_t>(row.a)], row, row.ra1, a.right_side[k]);
-    if (row.b >= 0) pull(a.nodes[static_cast<std::size_t>(row.b)], row, row.rb1, a.right_side[k] * -1.0);
+    const auto [at_a, at_b] = arms(a, row);
+    pull(a.nodes[static_cast<std::size_t>(row.a)], row, at_a, a.right_side[k]);
+    if (row.b >= 0) pull(a.nodes[static_cast<std::size_t>(row.b)], row, at_b, a.right_side[k] * -1.0);
   }
   for (Node& n : a.nodes) {
     n.x1 = n.x0 + n.row_force * n.inverse_mass;

@@ -1,0 +1,46 @@
+#pragma once
+// What the solver works on: the nodes of an articulate four at a time, one to a lane, with their ends of rows. Rotations
+// are in world axes here: with α = R0 a, R1 = cay(α) R0, and R0 drops out of the equations.
+#include <cstdint>
+
+#include "base/batch.hpp"
+
+namespace pantin {
+
+/// One end of a row at each of four nodes.
+struct alignas(64) RowEnds {
+  Vec3x4 l;       // [m] arm in principal axes; 0 of a couple
+  Vec3x4 r0, r1;  // [m] arm in the world
+  Lanes sign;     // force on the node per force of the row: 1, -1; 0 of a couple, and where the node has no more rows
+  Lanes lever;    // [m] torque on the node per force of a couple, else 0
+  std::array<std::uint32_t, batch_size> row;  // any where the node has no more
+  std::array<std::uint32_t, batch_size> to;   // place in Articulate::at_ends: the last where the node has no more rows
+};
+
+/// Four nodes. Those that do not turn count as turning ones without arms.
+struct alignas(64) NodeBatch {
+  // of the step being solved
+  Vec3x4 a;                // unknown: the Cayley vector
+  Vec3x4 a_saved, change;  // where a line search starts, and its direction
+  Vec3x4 da;               // correction by the node's own residual
+  Lanes c;                 // 1/(1 + a·a/4)
+  Vec3x4 x1, row_force;
+  Vec3x4 L1;      // R1 P1
+  Vec3x4 E, sum;  // residual of the rotation, Π1 + L1
+  Mat3x4 J_inverse;
+  // constants of the step
+  Vec3x4 x_free, L_free;  // x1 and L1 without forces of rows
+  Vec3x4 L0;              // R0 P0
+  Mat3x4 inertia_rate;    // R0 (2/h) I R0'
+  Lanes sway;             // h²/2m
+  Vec3x4 a_last, a_before;
+  // constants
+  Vec3x4 inertia, inverse_inertia;
+  Lanes inverse_mass;
+  Lanes reach2;
+  std::uint32_t first_row;            // smallest row of its nodes
+  std::uint32_t first_end, last_end;  // in Articulate::ends
+  std::uint32_t count;                // of nodes
+};
+
+}  // namespace pantin

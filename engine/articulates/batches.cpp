@@ -1,0 +1,183 @@
+#include "articulates/batches.hpp"
+
+#include <algorithm>
+
+namespace pantin {
+
+namespace {
+
+Node make_idle() {
+  Node n{};
+  n.R0 = n.R1 = identity33();
+  n.inertia = n.inverse_inertia = vec(1, 1, 1);
+  n.mass = n.inverse_mass = 1.0;
+  return n;
+}
+const Node idle = make_idle();
+
+/// The node in a lane; where there is none, one at rest.
+const Node& node_in(const Articulate& a, std::size_t batch, std::size_t lane) {
+  const std::size_t n = batch_size * batch + lane;
+  return n < a.nodes.size() ? a.nodes[n] : idle;
+}
+
+/// Copies something of the nodes side by side: what(node) is a Vec3.
+template <class What>
+Vec3x4 pack_nodes(const Articulate& a, std::size_t b, What what) {
+  return pack(what(node_in(a, b, 0)), what(node_in(a, b, 1)), what(node_in(a, b, 2)), what(node_in(a, b, 3)));
+}
+
+std::vector<std::vector<std::uint32_t>> rows_of_nodes(const Articulate& a) {
+  std::vector<std::vector<std::uint32_t>> on(a.nodes.size());
+  for (std::uint32_t k = 0; k < a.rows.size(); k++)
+    for (std::int32_t n : {a.rows[k].a, a.rows[k].b})
+      if (n >= 0) on[static_cast<std::size_t>(n)].push_back(k);
+  return on;
+}
+
+void set_end(const Articulate& a, RowEnds& end, std::size_t lane, std::uint32_t k, std::size_t node) {
+  const Row& row = a.rows[k];
+  const bool at_a = row.a == static_cast<std::int32_t>(node), couple = row.lever > 0.0;
+  const double sign = at_a ? 1.0 : -1.0;
+  end.row[lane] = k;
+  end.to[lane] = 2 * k + (at_a ? 0 : 1);
+  end.sign[lane] = couple ? 0.0 : sign;
+  end.lever[lane] = row.lever * sign;
+  if (!couple && a.nodes[node].turns) set_lane(end.l, lane, at_a ? row.la : row.lb);
+}
+
+void set_constants(const Articulate& a, NodeBatch& n, std::size_t b) {
+  n.count = static_cast<std::uint32_t>(std::min(batch_size, a.nodes.size() - batch_size * b));
+  n.first_row = node_in(a, b, 0).first_row;
+  const Vec3 one = vec(1, 1, 1);
+  n.inertia = pack_nodes(a, b, [&](const Node& node) { return node.turns ? node.inertia : one; });
+  n.inverse_inertia = pack_nodes(a, b, [&](const Node& node) { return node.turns ? node.inverse_inertia : zero3(); });
+  for (std::size_t lane = 0; lane < batch_size; lane++) {
+    const Node& node = node_in(a, b, lane);
+    n.inverse_mass[lane] = node.inverse_mass;
+    n.reach2[lane] = node.turns ? node.reach * node.reach : 0.0;
+  }
+}
+
+/// In the order in which the matrix is filled.
+void find_first_meetings(Articulate& a) {
+  std::vector<char> diagonal(a.rows.size(), 0), lower(a.factor.below.size(), 0), upper(lower);
+  const auto visit = [](char& reached) {
+    const bool first = reached == 0;
+    reached = 1;
+    return first;
+  };
+  for (std::size_t b = 0; b < a.batches.size(); b++) {
+    const std::size_t ends = a.batches[b].last_end - a.batches[b].first_end;
+    for (std::size_t j = 0; j < ends; j++)
+      for (std::size_t i = 0; i < ends; i++)
+        for (std::size_t lane = 0; lane < batch_size; lane++)
+          if (Meeting* m = meeting(a, b, lane, i, j))
+            (i < j ? m->first_upper : m->first_lower) = visit((i == j ? diagonal : i < j ? upper : lower)[m->block]);
+  }
+}
+
+}  // namespace
+
+void lay_out_batches(Articulate& a) {
+  const auto on = rows_of_nodes(a);
+  a.at_ends.assign(2 * a.rows.size() + 1, zero3());
+  a.batches.assign((a.nodes.size() + batch_size - 1) / batch_size, NodeBatch{});
+  a.ends.clear();
+  for (std::size_t b = 0; b < a.batches.size(); b++) {
+    a.batches[b].first_end = static_cast<std::uint32_t>(a.ends.size());
+    for (std::size_t lane = 0; lane < batch_size; lane++) {
+      const std::size_t node = batch_size * b + lane;
+      if (node >= a.nodes.size()) break;
+      for (std::size_t i = 0; i < on[node].size(); i++) {
+        if (a.batches[b].first_end + i == a.ends.size()) {
+          a.ends.emplace_back();
+          a.ends.back().row.fill(0);
+          a.ends.back().to.fill(static_cast<std::uint32_t>(2 * a.rows.size()));
+        }
+        set_end(a, a.ends[a.batches[b].first_end + i], lane, on[node][i], node);
+      }
+    }
+    a.batches[b].last_end = static_cast<std::uint32_t>(a.ends.size());
+    set_constants(a, a.batches[b], b);
+  }
+  find_first_meetings(a);
+}
+
+Meeting* meeting(Articulate& a, std::size_t batch, std::size_t lane, std::size_t i, std::size_t j) {
+  const std::size_t later = std::max(i, j), earlier = std::min(i, j);
+  if (a.ends[a.batches[batch].first_end + later].to[lane] + 1 == a.at_ends.size()) return nullptr;
+  return &a.meetings[a.first_meeting[batch_size * batch + lane] + later * (later + 1) / 2 + earlier];
+}
+
+Mat3x4 rotations(const Articulate& a, std::size_t b, Mat3 Node::*R) {
+  Mat3x4 packed;
+  for (int k = 0; k < 3; k++) packed[k] = pack_nodes(a, b, [&](const Node& n) { return (n.*R)[k]; });
+  return packed;
+}
+
+void begin(Articulate& a, std::size_t b, double h) {
+  NodeBatch& n = a.batches[b];
+  const Mat3x4 R0 = rotations(a, b, &Node::R0);
+  const Vec3x4 force = pack_nodes(a, b, [](const Node& node) { return node.force; });
+  const Vec3x4 p0 = pack_nodes(a, b, [](const Node& node) { return node.p0; });
+  n.x_free = pack_nodes(a, b, [](const Node& node) { return node.x0; }) +
+             (p0 * 2.0 + force * h) * (n.inverse_mass * (0.5 * h));
+  n.sway = n.inverse_mass * (0.5 * h * h);
+  n.L0 = R0 * pack_nodes(a, b, [](const Node& node) { return node.P0; });
+  n.L_free = n.L0 + pack_nodes(a, b, [](const Node& node) { return node.torque; }) * h;
+  n.inertia_rate = congruent(R0, n.inertia * (2.0 / h));
+  for (RowEnds& end : ends_of(a, n)) end.r0 = R0 * end.l;
+}
+
+Vec3x4 start_spins(const Articulate& a, std::size_t b) {
+  return rotations(a, b, &Node::R0) * pack_nodes(a, b, [](const Node& node) { return node.O0; });
+}
+
+void place_at_start(Articulate& a, std::size_t b) {
+  const Mat3x4 R0 = rotations(a, b, &Node::R0);
+  const Vec3x4 x0 = pack_nodes(a, b, [](const Node& node) { return node.x0; });
+  for (RowEnds& end : ends_of(a, a.batches[b])) {
+    end.r0 = R0 * end.l;
+    hand_over(a, end, x0 + end.r0);
+  }
+}
+
+void place_at_end(Articulate& a, std::size_t b) {
+  const Mat3x4 R1 = rotations(a, b, &Node::R1);
+  const Vec3x4 x1 = pack_nodes(a, b, [](const Node& node) { return node.x1; });
+  for (RowEnds& end : ends_of(a, a.batches[b])) {
+    end.r1 = R1 * end.l;
+    hand_over(a, end, x1 + end.r1);
+  }
+}
+
+void tell_places(Articulate& a, std::size_t b) {
+  NodeBatch& n = a.batches[b];
+  const Lanes w = square_root(n.c);
+  const Vec3x4 u = n.a * (w * 0.5);
+  const auto x1 = unpack(n.x1), imaginary = unpack(u);
+  for (std::size_t lane = 0; lane < n.count; lane++) {
+    Node& node = a.nodes[batch_size * b + lane];
+    node.x1 = x1[lane];
+    if (!node.turns) continue;
+    const Vec3 v = imaginary[lane];
+    node.q1 = Quat{w[lane], v[0], v[1], v[2]} * node.q0;
+    node.R1 = matrix(node.q1);
+  }
+}
+
+void tell_ends(Articulate& a, std::size_t b, double h) {
+  NodeBatch& n = a.batches[b];
+  tell_places(a, b);
+  const auto force = unpack(n.row_force), L1 = unpack(n.L1), rotation = unpack(n.a);
+  for (std::size_t lane = 0; lane < n.count; lane++) {
+    Node& node = a.nodes[batch_size * b + lane];
+    node.p1 = node.p0 + (force[lane] + node.force) * h;
+    if (!node.turns) continue;
+    node.a = rotation[lane];
+    node.P1 = transposed_times(node.R1, L1[lane]);
+  }
+}
+
+}  // namespace pantin

@@ -1,0 +1,43 @@
+#pragma once
+// Between the nodes and rows of an articulate and the batches that the solver works on.
+#include <span>
+
+#include "articulates/articulate.hpp"
+
+namespace pantin {
+
+/// Makes the batches of an articulate that is otherwise laid out.
+void lay_out_batches(Articulate& articulate);
+
+inline std::span<RowEnds> ends_of(Articulate& a, const NodeBatch& batch) {
+  return {a.ends.data() + batch.first_end, batch.last_end - batch.first_end};
+}
+/// Where ends i and j of a node in a lane meet; null where it has not as many.
+Meeting* meeting(Articulate& articulate, std::size_t batch, std::size_t lane, std::size_t i, std::size_t j);
+
+/// What ends tell their rows.
+inline void hand_over(Articulate& a, const RowEnds& end, const Vec3x4& what) {
+  const auto each = unpack(what);
+  for (std::size_t lane = 0; lane < batch_size; lane++) a.at_ends[end.to[lane]] = each[lane];
+}
+/// What the rows of ends have, side by side: what(k) is a Vec3 of row k.
+template <class What>
+Vec3x4 fetch(const RowEnds& end, What what) {
+  return pack(what(end.row[0]), what(end.row[1]), what(end.row[2]), what(end.row[3]));
+}
+
+/// R0 or R1 of the nodes.
+Mat3x4 rotations(const Articulate& articulate, std::size_t batch, Mat3 Node::*R);
+/// Prepares a step of `h` [s] from the nodes' starts, but for `a`.
+void begin(Articulate& articulate, std::size_t batch, double h);
+/// Spins at the start, world axes [rad/s].
+Vec3x4 start_spins(const Articulate& articulate, std::size_t batch);
+/// Sets arms at the start or end from the nodes, and hands their rows the places.
+void place_at_start(Articulate& articulate, std::size_t batch);
+void place_at_end(Articulate& articulate, std::size_t batch);
+/// Tells the nodes x1, q1 and R1.
+void tell_places(Articulate& articulate, std::size_t batch);
+/// Tells the nodes all of the end of a step of `h` [s].
+void tell_ends(Articulate& articulate, std::size_t batch, double h);
+
+}  // namespace pantin
