@@ -6,6 +6,7 @@
 
 #include "lua/fields.hpp"
 #include "lua/force_annotations.hpp"
+#include "lua/structure_type.hpp"
 
 namespace pantin::lua {
 namespace {
@@ -212,6 +213,27 @@ function quat_methods:inverse() end
 ---@field smooth? boolean a spline with continuous curvature; else straight pieces
 ---@field closed? boolean
 
+---@alias BuildForm "deformable"|"rigid"|"articulated"|"panels"
+
+---@class BuildForms what each vertex, edge or face becomes
+---@field vertices? fun(at: vec, number: integer): BuildForm? deformable or rigid
+---@field edges? fun(a: vec, b: vec, number: integer): BuildForm? deformable, rigid or articulated
+---@field faces? fun(middle: vec, number: integer): BuildForm? deformable, rigid or panels
+
+---@class BuildOptions
+---@field as BuildForm|BuildForms|fun(at: vec, number: integer): BuildForm? a function alone is of vertices
+---@field law? Law on edges that are not within a body
+---@field laws? { edge?: Law, angle?: Law, torsion?: Law }
+---@field mass? number [kg] of all; 1 unless given
+---@field mass_in? "points"|"edges"|"faces"|"solid" edges if articulated, faces of panels, else points
+---@field at? vec [m] place of the structure's origin
+---@field velocity? vec [m/s]
+---@field family? Family
+---@field color? color
+---@field radius? number [m]
+---@field axis? vec hinges turn about it only; world axes
+---@field name? string
+
 ---@class PlaneOptions: OrientOptions
 ---@field through? vec [m]
 ---@field normal? vec
@@ -312,7 +334,8 @@ std::vector<Parameter> parameters_of(const Method& method) {
   return parameters;
 }
 
-void write_method(std::ostringstream& out, const Type& type, const Method& method) {
+/// `owner` is what it is called on: "Body:" or "structure.".
+void write_method(std::ostringstream& out, const std::string& owner, const Method& method) {
   out << "---" << method.doc << "\n";
   std::string names;
   for (const Parameter& p : parameters_of(method)) {
@@ -322,7 +345,7 @@ void write_method(std::ostringstream& out, const Type& type, const Method& metho
     names += (names.empty() ? "" : ", ") + name;
   }
   for (std::string_view returned : split(method.returns)) out << "---@return " << returned << "\n";
-  out << "function " << type.name << ":" << method.name << "(" << names << ") end\n";
+  out << "function " << owner << method.name << "(" << names << ") end\n";
 }
 
 void write_type(std::ostringstream& out, const Type& type) {
@@ -334,7 +357,7 @@ void write_type(std::ostringstream& out, const Type& type) {
   }
   if (type.more) out << "---@field [string] " << type.more_doc << "\n";
   out << "local " << type.name << " = {}\n";
-  for (const Method& method : type.methods) write_method(out, type, method);
+  for (const Method& method : type.methods) write_method(out, text(type.name, ":"), method);
   out << "\n";
 }
 
@@ -344,7 +367,10 @@ std::string annotations() {
   std::ostringstream out;
   out << head;
   for (const Type* type : all_types()) write_type(out, *type);
-  out << force_annotations() << tail;
+  out << force_annotations();
+  out << "structure = {}\n";
+  for (const Method& maker : structure_makers()) write_method(out, "structure.", maker);
+  out << "\n" << tail;
   return out.str();
 }
 

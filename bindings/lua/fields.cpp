@@ -120,6 +120,7 @@ const Type& type_of(Kind kind) {
     case Kind::event: return event_type();
     case Kind::hand: return hand_type();
     case Kind::subscription: return subscription_type();
+    case Kind::structure: return structure_type();
     case Kind::scene: break;
   }
   return scene_type();

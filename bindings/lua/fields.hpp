@@ -92,6 +92,7 @@ const Type& emitter_type();
 const Type& event_type();
 const Type& hand_type();
 const Type& subscription_type();
+const Type& structure_type();
 const Type& scene_type();
 
 }  // namespace pantin::lua

@@ -80,10 +80,11 @@ void remember(lua_State* state, const Ref& ref) {
   lua_pop(state, 1);
 }
 
-const char* const words[] = {"a point",  "a particle", "a body",   "a nail",   "a follow",       "a rod",
-                             "a weld",   "an orient",  "an align", "a motor",  "a limit",        "an on_plane",
-                             "a string", "an on_path", "a group",  "a family", "a connection",   "an interaction",
-                             "a field",  "an emitter", "an event", "a hand",   "a subscription", "a scene"};
+const char* const words[] = {"a point",  "a particle",   "a body",         "a nail",      "a follow",
+                             "a rod",    "a weld",       "an orient",      "an align",    "a motor",
+                             "a limit",  "an on_plane",  "a string",       "an on_path",  "a group",
+                             "a family", "a connection", "an interaction", "a field",     "an emitter",
+                             "an event", "a hand",       "a subscription", "a structure", "a scene"};
 
 }  // namespace
 
@@ -203,6 +204,7 @@ std::string describe(const Ref& ref) {
     case Kind::hand: return text("hand ", ref.slot);
     case Kind::event: return "event";
     case Kind::subscription: return "subscription";
+    case Kind::structure: return "structure";
     case Kind::scene: return "scene";
     default: return describe(ref.script->world, any_of(ref));
   }

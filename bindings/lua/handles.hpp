@@ -38,9 +38,10 @@ enum class Kind : std::uint32_t {
   event,
   hand,
   subscription,
+  structure,
   scene
 };
-inline constexpr std::size_t kind_count = 24;
+inline constexpr std::size_t kind_count = 25;
 
 /// Whether things of this kind are constraints.
 inline bool is_constraint(Kind kind) { return kind >= Kind::nail && kind <= Kind::on_path; }
@@ -62,7 +63,7 @@ struct Ref {
 
 /// The thing at `index`, alive or not, or null.
 const Ref* to_ref(lua_State* state, int index);
-/// The ref as the engine knows it; monostate for hands, events, subscriptions and scenes.
+/// The ref as the engine knows it; monostate for hands, events, subscriptions, structures and scenes.
 AnyId any_of(const Ref& ref);
 
 void push_thing(lua_State* state, Script& script, const AnyId& thing);

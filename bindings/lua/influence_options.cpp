@@ -14,16 +14,10 @@
 namespace pantin::lua {
 namespace {
 
-KnownNames names_of(const World& world, FamilyId family) {
-  KnownNames known{describe(world, family), {}};
-  for (const Family::Attribute& a : world.families[family].attributes) known.attributes.push_back(a.name);
-  return known;
-}
-
 KnownNames names_of(const World& world, const End& end) {
   if (!end.particle) return {"a place of the world", {}};
   const FamilyId family = world.particles[awake(world, end.particle)].family;
-  return family ? names_of(world, family) : KnownNames{describe(world, end.particle), {}};
+  return family ? names_of_family(world, family) : KnownNames{describe(world, end.particle), {}};
 }
 
 /// What a law may read of any particle of the scene: each must have it when the law acts.
@@ -87,6 +81,12 @@ void require_values(const char* call, const Law& law) {
 
 }  // namespace
 
+KnownNames names_of_family(const World& world, FamilyId family) {
+  KnownNames known{describe(world, family), {}};
+  for (const Family::Attribute& a : world.families[family].attributes) known.attributes.push_back(a.name);
+  return known;
+}
+
 int scene_connect(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "connect");
   int at = 0;
@@ -129,7 +129,7 @@ int scene_interact(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "interact");
   const auto a = check_kind(state, 2, Kind::family, "interact", argument(1)).id<FamilyId>();
   const auto b = check_kind(state, 3, Kind::family, "interact", argument(2)).id<FamilyId>();
-  const KnownNames known[] = {names_of(self.world, a), names_of(self.world, b)};
+  const KnownNames known[] = {names_of_family(self.world, a), names_of_family(self.world, b)};
   const ResolvedLaw resolved = resolve_law(state, 4, self.script, known, a == b);
   require_values("interact", *resolved.laws.front());
   require(resolved.solve == Solve::explicitly, "interact: implicit is for connections");
@@ -145,7 +145,7 @@ int scene_field(lua_State* state) {
   require(ref && (ref->kind == Kind::family || ref->kind == Kind::group || ref->kind == Kind::scene),
           "field: argument 1 must be a family, a group or the scene, got ", kind_of_value(state, 2));
   require_alive(*ref);
-  const KnownNames known[] = {ref->kind == Kind::family ? names_of(self.world, ref->id<FamilyId>())
+  const KnownNames known[] = {ref->kind == Kind::family ? names_of_family(self.world, ref->id<FamilyId>())
                                                         : names_of_all(self.world)};
   const ResolvedLaw resolved = resolve_law(state, 3, self.script, known, false);
   const FieldId id = add_field(self.world, resolved.laws.front(), any_of(*ref), resolved.values);

@@ -3,6 +3,7 @@
 
 #include "lua/arguments.hpp"
 #include "lua/body_options.hpp"
+#include "lua/build_options.hpp"
 #include "lua/couple_options.hpp"
 #include "lua/emitter_options.hpp"
 #include "lua/events.hpp"
@@ -14,6 +15,7 @@
 #include "lua/measures.hpp"
 #include "lua/parameters.hpp"
 #include "lua/script.hpp"
+#include "lua/structure_type.hpp"
 #include "lua/targets.hpp"
 #include "lua/tie_options.hpp"
 #include "world/edit.hpp"
@@ -247,6 +249,8 @@ std::vector<Method> making() {
       {"field", guard<scene_field>, "target: Family|Group|Scene, law: Law", "Field",
        "A law on each particle of a family, of a group or of the scene."},
       {"emitter", guard<scene_emitter>, "options: EmitterOptions", "Emitter", "Makes particles at a rate."},
+      {"build", guard<scene_build>, "structure: Structure, options: BuildOptions", "Group",
+       "Makes a structure real; the group has its parts in the structure's order."},
       {"find", guard<scene_find>, "name: string", "Thing?", "The oldest living thing of that name."},
       {"near", guard<scene_near>, "at: vec [m], radius: number [m]", "Particle[]",
        "Particles within a radius, nearest first."},
@@ -303,6 +307,7 @@ void push_store(lua_State* state, Script& script) {
 void open_scene(lua_State* state, Script& script) {
   push_ref(state, {Tag::ref, Kind::scene, 1, 1, 1, &script});
   lua_setglobal(state, "scene");
+  open_structures(state, script);
 }
 
 const Type& scene_type() {

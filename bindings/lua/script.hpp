@@ -66,7 +66,7 @@ bool change_parameter(Script& script, const std::string& name, const Value& valu
 /// Reads a number as `--set` gives it: "0.5", "1/60".
 std::optional<double> number_of_text(const std::string& text);
 void push_value(lua_State* state, const Value& value);
-/// Puts `scene` into the globals.
+/// Puts `scene` and `structure` into the globals.
 void open_scene(lua_State* state, Script& script);
 /// Pushes `scene.store`.
 void push_store(lua_State* state, Script& script);

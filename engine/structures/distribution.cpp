@@ -73,10 +73,12 @@ void add_solid(SimplexMoments& moments, const Structure& s) {
 
 }  // namespace
 
+double area(const Structure& s, const StructureFace& face) { return norm(vector_area(s, face)); }
+
 std::optional<double> area(const Structure& s) {
   if (s.faces.empty()) return {};
   double sum = 0.0;
-  for (const StructureFace& face : s.faces) sum += norm(vector_area(s, face));
+  for (const StructureFace& face : s.faces) sum += area(s, face);
   return sum;
 }
 

@@ -57,6 +57,7 @@ std::int64_t euler_characteristic(const Structure& s);
 bool is_closed(const Structure& s);
 /// [m²] of all faces, which are taken to be flat; nothing where there are none.
 std::optional<double> area(const Structure& s);
+double area(const Structure& s, const StructureFace& face);
 /// [m³] inside of a closed surface; else nothing.
 std::optional<double> volume(const Structure& s);
 /// [m] mean of a face's vertices.

@@ -199,6 +199,27 @@ function quat_methods:inverse() end
 ---@field smooth? boolean a spline with continuous curvature; else straight pieces
 ---@field closed? boolean
 
+---@alias BuildForm "deformable"|"rigid"|"articulated"|"panels"
+
+---@class BuildForms what each vertex, edge or face becomes
+---@field vertices? fun(at: vec, number: integer): BuildForm? deformable or rigid
+---@field edges? fun(a: vec, b: vec, number: integer): BuildForm? deformable, rigid or articulated
+---@field faces? fun(middle: vec, number: integer): BuildForm? deformable, rigid or panels
+
+---@class BuildOptions
+---@field as BuildForm|BuildForms|fun(at: vec, number: integer): BuildForm? a function alone is of vertices
+---@field law? Law on edges that are not within a body
+---@field laws? { edge?: Law, angle?: Law, torsion?: Law }
+---@field mass? number [kg] of all; 1 unless given
+---@field mass_in? "points"|"edges"|"faces"|"solid" edges if articulated, faces of panels, else points
+---@field at? vec [m] place of the structure's origin
+---@field velocity? vec [m/s]
+---@field family? Family
+---@field color? color
+---@field radius? number [m]
+---@field axis? vec hinges turn about it only; world axes
+---@field name? string
+
 ---@class PlaneOptions: OrientOptions
 ---@field through? vec [m]
 ---@field normal? vec
@@ -477,6 +498,10 @@ function OnPath:remove() end
 ---@field angular_momentum vec [kg m²/s] sum over its things about the world's origin (read only)
 ---@field temperature number [K] of its things, relative to their common motion; in J while scene.boltzmann is 1 (read only)
 ---@field mass number [kg] sum over its things (read only)
+---@field particles Particle[] its particles, in the order of adding; of a built structure one for each vertex (read only)
+---@field bodies Body[] its bodies, in the order of adding (read only)
+---@field hinges Particle[] those of its particles that are hinges (read only)
+---@field connections Connection[] its connections, in the order of adding (read only)
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
 ---@field data table a table of yours, which goes with the thing (read only)
@@ -603,6 +628,60 @@ function Hand:release() end
 local Subscription = {}
 ---The function is called no more.
 function Subscription:cancel() end
+
+---Vertices, edges and faces: a value, which does not change.
+---@class Structure
+---@field vertices vec[] [m] places (read only)
+---@field edges integer[][] pairs of numbers of vertices (read only)
+---@field faces integer[][] lists of numbers of vertices, counter-clockwise seen from outside (read only)
+---@field elements string[] chemical element of each vertex of a molecule; else empty (read only)
+---@field euler integer vertices - edges + faces (read only)
+---@field area number? [m²] of all faces; nil without any (read only)
+---@field volume number? [m³] inside of a closed surface; nil of another (read only)
+local Structure = {}
+---Times larger, alike or along each axis.
+---@param factor number|vec
+---@return Structure
+function Structure:scale(factor) end
+---Turned about the origin.
+---@param turn quat
+---@return Structure
+function Structure:rotate(turn) end
+---Moved.
+---@param by vec [m]
+---@return Structure
+function Structure:move(by) end
+---Mirror image in a plane.
+---@param normal vec
+---@param through? vec [m]
+---@return Structure
+function Structure:mirror(normal, through) end
+---Both as one: vertices of the other within the tolerance (1e-6) of one of this become that one.
+---@param other Structure
+---@param tolerance? number [m]
+---@return Structure
+function Structure:join(other, tolerance) end
+---Each edge halved: triangles become four, other faces quadrilaterals.
+---@return Structure
+function Structure:subdivide() end
+---A vertex for each face, a face for each inner vertex.
+---@return Structure
+function Structure:dual() end
+---Each vertex of a closed surface cut off at a fraction of its edges.
+---@param fraction number
+---@return Structure
+function Structure:truncate(fraction) end
+---What is made of the parts for which keep is true, and their numbers; keep is given the vertex' place, both ends of the edge or the middle of the face [m], then the number.
+---@param part "vertices"|"edges"|"faces"
+---@param keep function
+---@return Structure
+---@return integer[]
+function Structure:select(part, keep) end
+---Inertia [kg m²] of 1 kg about its centre of mass, and that centre [m].
+---@param mass_in? "points"|"edges"|"faces"|"solid"
+---@return vec|table
+---@return vec
+function Structure:inertia(mass_in) end
 
 ---The scene that is being run.
 ---@class Scene
@@ -745,6 +824,11 @@ function Scene:field(target, law) end
 ---@param options EmitterOptions
 ---@return Emitter
 function Scene:emitter(options) end
+---Makes a structure real; the group has its parts in the structure's order.
+---@param structure Structure
+---@param options BuildOptions
+---@return Group
+function Scene:build(structure, options) end
 ---The oldest living thing of that name.
 ---@param name string
 ---@return Thing?
@@ -1112,6 +1196,73 @@ function noise() end
 ---@param no T
 ---@return T
 function where(condition, yes, no) end
+
+structure = {}
+---Four triangles. Lengths [m] are 1 unless given.
+---@param options? { edge?: number }
+---@return Structure
+function structure.tetrahedron(options) end
+---Six squares.
+---@param options? { edge?: number }
+---@return Structure
+function structure.cube(options) end
+---Eight triangles.
+---@param options? { edge?: number }
+---@return Structure
+function structure.octahedron(options) end
+---Twelve pentagons.
+---@param options? { edge?: number }
+---@return Structure
+function structure.dodecahedron(options) end
+---Twenty triangles.
+---@param options? { edge?: number }
+---@return Structure
+function structure.icosahedron(options) end
+---Two regular polygons, one above the other.
+---@param options? { sides?: integer, edge?: number, height?: number }
+---@return Structure
+function structure.prism(options) end
+---One regular face.
+---@param options? { sides?: integer, edge?: number }
+---@return Structure
+function structure.polygon(options) end
+---A line along x.
+---@param options? { length?: number, pieces?: integer }
+---@return Structure
+function structure.rod(options) end
+---Squares side by side, in the plane z = 0.
+---@param options? { columns?: integer, rows?: integer, edge?: number }
+---@return Structure
+function structure.sheet(options) end
+---A regular polygon without a face.
+---@param options? { sides?: integer, radius?: number }
+---@return Structure
+function structure.ring(options) end
+---An icosahedron with its triangles divided into four some times, on a sphere.
+---@param options? { divisions?: integer, radius?: number }
+---@return Structure
+function structure.geodesic(options) end
+---Squares that touch at their corners, turned by plus and minus an angle [rad] of 0 to pi/4.
+---@param options? { columns?: integer, rows?: integer, edge?: number, angle?: number }
+---@return Structure
+function structure.rotating_squares(options) end
+---A honeycomb of bow ties: upright ribs, and edges that rise inwards by an angle [rad].
+---@param options? { columns?: integer, rows?: integer, rib?: number, edge?: number, angle?: number }
+---@return Structure
+function structure.reentrant(options) end
+---A block of cells with edges between neighbours: "cubic", "fcc", "bcc", "diamond", or flat: "square", "triangular", "honeycomb", "kagome".
+---@param options { kind?: string, cells?: integer|vec, edge?: number }
+---@return Structure
+function structure.lattice(options) end
+---Atoms, bonds and flat rings of a .xyz, .sdf, .mol, .pdb, .cif or .mmcif file in the scene's folder or assets/molecules; 1 Å becomes scale [m], 1 unless given.
+---@param file string
+---@param options? { scale?: number }
+---@return Structure
+function structure.molecule(file, options) end
+---A structure of one's own; edges of faces need not be given.
+---@param parts { vertices: vec[], edges?: integer[][], faces?: integer[][] }
+---@return Structure
+function structure.new(parts) end
 
 ---@type Scene
 scene = nil

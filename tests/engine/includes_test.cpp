@@ -76,6 +76,8 @@ void check_include(const Files& files, const std::string& path, const std::strin
   const std::string from = folder_of(path);
   const std::string target = find_included(files, path, name);
   if (!target.empty() && !may_include(from, folder_of(target))) wrong.push_back(path + " must not include " + target);
+  if (name.starts_with("gemmi/") && path != "engine/structures/molecule_gemmi.cpp")
+    wrong.push_back(path + " must not include " + name);
   const auto forbidden = forbidden_headers.find(is_engine(from) ? "engine" : std::string_view(from));
   if (!target.empty() || forbidden == forbidden_headers.end()) return;
   for (const auto start : forbidden->second) {
@@ -133,6 +135,7 @@ TEST_CASE("an include the wrong way is found") {
       {"engine/base/check.hpp", "#include <lua.hpp>", "must not include lua.hpp"},
       {"engine/base/check.hpp", "#include <SDL.h>", "must not include SDL.h"},
       {"engine/base/check.hpp", "#include <iostream>", "must not include iostream"},
+      {"engine/base/check.hpp", "#include <gemmi/cif.hpp>", "must not include gemmi/cif.hpp"},
       {"engine/base/check.hpp", "  std::printf(\"x\");", "must not print"},
       {"engine/base/check.hpp", "  std::cerr << 1;", "must not print"},
       {"engine/extra/thing.hpp", "", "without a place in the order"},

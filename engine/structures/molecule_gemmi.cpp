@@ -1,0 +1,72 @@
+#include "structures/molecule_gemmi.hpp"
+
+#include <gemmi/chemcomp_xyz.hpp>
+#include <gemmi/cif.hpp>
+#include <gemmi/elem.hpp>
+#include <gemmi/mmcif.hpp>
+#include <gemmi/pdb.hpp>
+
+#include "base/check.hpp"
+
+namespace pantin {
+namespace {
+
+ChemicalElement data_of(const gemmi::Element& element) {
+  return {element.name(), element.weight(), static_cast<double>(element.covalent_r())};
+}
+
+bool is_first_alternative(const gemmi::Residue& residue, const gemmi::Atom& atom) {
+  for (const gemmi::Atom& other : residue.atoms) {
+    if (&other == &atom) return true;
+    if (atom.altloc != '\0' && other.name == atom.name) return false;
+  }
+  return true;
+}
+
+MoleculeAtoms atoms_of(const gemmi::Structure& structure) {
+  MoleculeAtoms out;
+  if (structure.models.empty()) return out;
+  for (const gemmi::Chain& chain : structure.models[0].chains)
+    for (const gemmi::Residue& residue : chain.residues)
+      for (const gemmi::Atom& atom : residue.atoms) {
+        if (!is_first_alternative(residue, atom)) continue;
+        const Vec3 place = vec(atom.pos.x, atom.pos.y, atom.pos.z);
+        require(finite(place), "atom ", out.atoms.size() + 1, ", '", atom.name,
+                "', has a coordinate that is no finite number");
+        require(atom.element != gemmi::El::X, "atom ", out.atoms.size() + 1, ", '", atom.name,
+                "', is of no known element");
+        out.atoms.push_back({data_of(atom.element), place, atom.name, atom.serial});
+      }
+  return out;
+}
+
+}  // namespace
+
+std::optional<ChemicalElement> find_element(const std::string& symbol) {
+  if (symbol.empty() || symbol.size() > 2) return {};
+  const gemmi::Element element(symbol);
+  if (element == gemmi::El::X) return {};
+  return data_of(element);
+}
+
+std::optional<ChemicalElement> find_element(int number) {
+  if (number < 1 || number >= static_cast<int>(gemmi::El::D)) return {};
+  return data_of(gemmi::Element(number));
+}
+
+MoleculeAtoms read_pdb_atoms(std::string_view text, const std::string& name) {
+  return atoms_of(gemmi::read_pdb_from_memory(text.data(), text.size(), name));
+}
+
+MoleculeAtoms read_cif_atoms(std::string_view text, const std::string& name) {
+  gemmi::cif::Document document = gemmi::cif::read_memory(text.data(), text.size(), name.c_str());
+  require(!document.blocks.empty(), "holds no block of data");
+  gemmi::cif::Block& block = document.blocks[0];
+  if (!block.find_values("_chem_comp_atom.atom_id").item()) return atoms_of(gemmi::make_structure_from_block(block));
+  MoleculeAtoms component = atoms_of(gemmi::make_structure_from_chemcomp_block(block));
+  for (auto row : block.find("_chem_comp_bond.", {"atom_id_1", "atom_id_2"}))
+    component.named_bonds.push_back({row.str(0), row.str(1)});
+  return component;
+}
+
+}  // namespace pantin
