@@ -1,0 +1,56 @@
+-- Scenes of structures made real.
+
+test("buckyball: what is rigid keeps its shape, springs give and come back, rods on hinges fall in", function()
+  local scene = open("scenes/buckyball.lua")
+  local function size(form) return scene:read(form) end
+  local whole, least = size "deformable", math.huge
+  for _ = 1, 4 * 480 do
+    scene:step()
+    least = math.min(least, size "deformable")
+  end
+  local ball = 2 * 0.2 * 3.552 -- m: the molecule's radius is 3.552 Å
+  for _, form in ipairs { "rigid", "panels" } do
+    expect(size(form)):above(0.94 * ball)
+    expect(size(form)):below(ball + 1e-6)
+  end
+  expect(least):below(0.95 * whole)
+  expect(size "deformable"):above(0.8 * whole)
+  expect(size "articulated"):below(0.5 * ball)
+  expect(scene.error.worst_hinge_gap):below(1e-9)
+end)
+
+test("auxetic: rotating squares have Poisson's ratio -1 at every strain", function()
+  local scene = open("scenes/auxetic.lua")
+  for _ = 1, 10 do
+    scene:advance(0.3)
+    expect(scene:read "squares"):near(-1, 1e-9)
+    expect(scene:read "trellis"):above(0.5)
+  end
+  expect(scene:read "squares strain"):above(0.2)
+  expect(scene.error.worst_hinge_gap):below(1e-9)
+end)
+
+test("non_auxetic: the trellis follows the closed form of its bars", function()
+  for _, lean in ipairs { 40, 55, 70 } do
+    local scene = open("scenes/non_auxetic.lua", { lean = lean, bars = 5, strain = 0.2 })
+    local across = math.tan(math.rad(lean)) -- height / length at first; each bar keeps its length
+    for _ = 1, 5 do
+      scene:advance(0.5)
+      local along = scene:read "trellis strain"
+      local height = math.sqrt(1 + across ^ 2 - (1 + along) ^ 2)
+      expect(scene:read "trellis"):near((1 - height / across) / along, 1e-7)
+    end
+  end
+end)
+
+test("molecules and polyhedra in every form keep momentum", function()
+  for _, form in ipairs { "rigid", "articulated", "panels" } do
+    local scene = open_text(([[
+      scene.gravity = vec(0, 0, 0)
+      scene:build(structure.icosahedron(), { as = %q, mass = 3, velocity = vec(1, 2, 3) }).bodies[1]:kick(vec(0, 1, 0))
+    ]]):format(form))
+    scene:advance(1)
+    expect(scene.momentum):near(vec(3, 7, 9), 1e-11)
+    expect(scene.error.worst_hinge_gap):below(1e-9)
+  end
+end)
