@@ -43,6 +43,36 @@ test("non_auxetic: the trellis follows the closed form of its bars", function()
   end
 end)
 
+test("melt: the crystal stands until it is hot or its time has come, and then flows apart", function()
+  for _, params in ipairs { { cells = 2, heating = 0.03, latest = 100 }, { cells = 2, heating = 0, latest = 1 } } do
+    local scene = open("scenes/melt.lua", params)
+    local bonds, height = scene:read "bonds", scene:read "height"
+    scene:advance(0.4)
+    expect(scene:read "bonds"):equal(bonds)
+    expect(scene:read "height"):above(0.9 * height)
+    scene:advance(3)
+    expect(scene:read "bonds"):equal(0)
+    if params.heating > 0 then expect(scene:read "height"):below(0.8 * height) end
+  end
+end)
+
+test("melt: what was broken off before melts no more, and the event of a crystal that is gone is dropped", function()
+  local half = open("scenes/melt.lua", { cells = 2, heating = 0, latest = 2, broken = 0.5 })
+  local bonds = half:read "bonds"
+  half:advance(1.5)
+  expect(half:read "bonds"):below(0.6 * bonds)
+  half:advance(1)
+  expect(half:read "bonds"):equal(0)
+  local gone = open("scenes/melt.lua", { cells = 1, heating = 0, latest = 2, broken = 1 })
+  gone:advance(1.5)
+  local dropped = {}
+  for _, line in ipairs(gone.log) do
+    if line.kind == "dropped" then dropped[#dropped + 1] = line.text end
+  end
+  expect(#dropped):equal(1)
+  expect(dropped[1]:find("melt.lua", 1, true) ~= nil):is_true()
+end)
+
 test("molecules and polyhedra in every form keep momentum", function()
   for _, form in ipairs { "rigid", "articulated", "panels" } do
     local scene = open_text(([[
