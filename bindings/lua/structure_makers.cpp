@@ -181,7 +181,11 @@ int molecule(lua_State* state) {
   const double scale = o.number("scale", "m/Å").value_or(1.0);
   require(scale > 0.0, "molecule: scale must be > 0 m/Å, got ", scale);
   const std::string content = read_molecule_file(state, name);
-  return push_made(state, scaled(read_molecule(content, name), vec(scale, scale, scale)));
+  Structure read;
+  try {
+    read = read_molecule(content, name);
+  } catch (const Error& error) { throw Error(text("molecule: ", error.what())); }
+  return push_made(state, scaled(std::move(read), vec(scale, scale, scale)));
 }
 
 int unknown_structure(lua_State* state) {

@@ -1,5 +1,10 @@
 #include "bindings/lua_support.hpp"
 
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
 using namespace pantin;
 using namespace pantin::lua_tests;
 using Catch::Contains;
@@ -91,6 +96,31 @@ TEST_CASE("bad structures and builds are told with their line") {
              Contains("build: law must tie 2 particles; force.angle ties 3"));
   CHECK_THAT(failure("scene:build(structure.cube(), { as = 'deformable', law = 3 })"), Contains("law must be a law"));
   CHECK_THAT(failure("scene:build(structure.cube(), { as = 'rigid', mass = 0/0 })"), Contains("mass must be a finite"));
+}
+
+TEST_CASE("molecule files of the scene's folder come first; bad ones are told with both lines") {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::temp_directory_path() / text("pantin-molecules-", getpid());
+  fs::create_directories(folder);
+  std::ofstream(folder / "water.xyz") << "1\n\nO 0 0 0\n";
+  std::ofstream(folder / "bad.xyz") << "2\n\nO 0 0 0\nH nan 0 0\n";
+  std::ofstream(folder / "empty.pdb") << "";
+  std::ofstream(folder / "huge.xyz") << "";
+  fs::resize_file(folder / "huge.xyz", std::uintmax_t{257} << 20);
+  const auto read = [&](const std::string& name) {
+    try {
+      const auto scene =
+          lua::Scene::open_text("local m = structure.molecule '" + name + "'\nscene:result('x', #m.vertices)",
+                                "scene.lua", folder, options());
+      return to_text(std::get<double>(scene->results().at("x")));
+    } catch (const Error& error) { return std::string(error.what()); }
+  };
+  CHECK(read("water.xyz") == "1");
+  CHECK(read("bad.xyz") == "scene.lua:1: molecule: bad.xyz:4: a coordinate must be a finite number [Å], got 'nan'");
+  CHECK(read("empty.pdb") == "scene.lua:1: molecule: empty.pdb: has no atoms");
+  CHECK_THAT(read("huge.xyz"), Contains("huge.xyz' has 257 MiB; at most 256 are read"));
+  CHECK_THAT(read("."), StartsWith("scene.lua:1: molecule: there is no file"));
+  fs::remove_all(folder);
 }
 
 TEST_CASE("molecules are read from the program's own and from nowhere else") {
