@@ -69,6 +69,51 @@ const LatticeKind& kind_of(std::string_view name) {
 
 constexpr std::uint32_t nobody = 0xffffffff;
 
+/// The grid steps of a block, and which of them are places of the lattice.
+class LatticeGrid {
+ public:
+  LatticeGrid(const LatticeKind& kind, const Steps& cells) : kind_(kind) {
+    for (std::size_t i = 0; i < 3; i++) size_[i] = cells[i] * kind.cell[i] + 1;
+    if (kind.flat) size_[2] = 1;
+    in_cell_.assign(static_cast<std::size_t>(kind.cell[0] * kind.cell[1] * kind.cell[2]), 0);
+    for (const Steps& place : kind.places) in_cell_[index(place, kind.cell)] = 1;
+  }
+
+  bool has(const Steps& at) const {
+    for (std::size_t i = 0; i < 3; i++)
+      if (at[i] < 0 || at[i] >= size_[i]) return false;
+    return in_cell_[index({at[0] % kind_.cell[0], at[1] % kind_.cell[1], at[2] % kind_.cell[2]}, kind_.cell)] != 0;
+  }
+  std::size_t site(const Steps& at) const { return index(at, size_); }
+  const Steps& size() const { return size_; }
+  /// [edges] from the middle of the block.
+  Vec3 place(const Steps& at) const {
+    return vec(at[0] - (size_[0] - 1) / 2.0, at[1] - (size_[1] - 1) / 2.0, at[2] - (size_[2] - 1) / 2.0) * kind_.unit;
+  }
+
+ private:
+  static std::size_t index(const Steps& at, const Steps& size) {
+    return (static_cast<std::size_t>(at[2]) * static_cast<std::size_t>(size[1]) + static_cast<std::size_t>(at[1])) *
+               static_cast<std::size_t>(size[0]) +
+           static_cast<std::size_t>(at[0]);
+  }
+  const LatticeKind& kind_;
+  Steps size_;
+  std::vector<char> in_cell_;
+};
+
+Steps checked_cells(const LatticeKind& kind, const LatticeCells& cells) {
+  const Steps counts = {cells.x, cells.y, kind.flat ? 1 : cells.z};
+  auto estimate = static_cast<double>(kind.places.size());
+  for (std::size_t i = 0; i < 3; i++) {
+    require(counts[i] >= 1, "lattice: cells must be 1 or more each way, got ", counts[i], " along ", "xyz"[i]);
+    estimate *= counts[i] + (kind.flat && i == 2 ? 0 : 1);
+  }
+  require(estimate <= static_cast<double>(most_vertices), "lattice: at most ", most_vertices,
+          " vertices, this would have about ", estimate);
+  return counts;
+}
+
 }  // namespace
 
 std::vector<std::string> lattice_kinds() {
@@ -80,44 +125,23 @@ std::vector<std::string> lattice_kinds() {
 Structure lattice(std::string_view name, const LatticeCells& cells, double edge) {
   const LatticeKind& kind = kind_of(name);
   require(edge > 0.0 && std::isfinite(edge), "lattice: edge must be > 0 m, got ", edge);
-  const int counts[] = {cells.x, cells.y, kind.flat ? 1 : cells.z};
-  double estimate = static_cast<double>(kind.places.size());
-  for (int i = 0; i < 3; i++) {
-    require(counts[i] >= 1, "lattice: cells must be 1 or more each way, got ", counts[i], " along ", "xyz"[i]);
-    estimate *= counts[i] + (kind.flat && i == 2 ? 0 : 1);
-  }
-  require(estimate <= static_cast<double>(most_vertices), "lattice: at most ", most_vertices,
-          " vertices, this would have about ", estimate);
-  const int nx = counts[0] * kind.cell[0] + 1, ny = counts[1] * kind.cell[1] + 1,
-            nz = kind.flat ? 1 : counts[2] * kind.cell[2] + 1;
-  std::vector<char> in_cell(static_cast<std::size_t>(kind.cell[0] * kind.cell[1] * kind.cell[2]), 0);
-  const auto place_in_cell = [&](int x, int y, int z) -> char& {
-    return in_cell[static_cast<std::size_t>((z % kind.cell[2] * kind.cell[1] + y % kind.cell[1]) * kind.cell[0] +
-                                            x % kind.cell[0])];
-  };
-  for (const Steps& p : kind.places) place_in_cell(p[0], p[1], p[2]) = 1;
-  const auto site = [&](int x, int y, int z) {
-    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(ny) + static_cast<std::size_t>(y)) *
-               static_cast<std::size_t>(nx) +
-           static_cast<std::size_t>(x);
-  };
-
+  const LatticeGrid grid(kind, checked_cells(kind, cells));
+  const auto [nx, ny, nz] = grid.size();
   Structure s;
-  std::vector<std::uint32_t> number(site(nx - 1, ny - 1, nz - 1) + 1, nobody);
+  std::vector<std::uint32_t> number(grid.site({nx - 1, ny - 1, nz - 1}) + 1, nobody);
   std::vector<Steps> steps;
   for (int z = 0; z < nz; z++)
     for (int y = 0; y < ny; y++)
       for (int x = 0; x < nx; x++) {
-        if (!place_in_cell(x, y, z)) continue;
-        number[site(x, y, z)] = static_cast<std::uint32_t>(s.vertices.size());
+        if (!grid.has({x, y, z})) continue;
+        number[grid.site({x, y, z})] = static_cast<std::uint32_t>(s.vertices.size());
         steps.push_back({x, y, z});
-        s.vertices.push_back(vec(x - (nx - 1) / 2.0, y - (ny - 1) / 2.0, z - (nz - 1) / 2.0) * kind.unit * edge);
+        s.vertices.push_back(grid.place({x, y, z}) * edge);
       }
   for (std::uint32_t v = 0; v < steps.size(); v++)
     for (const Steps& step : kind.neighbours) {
-      const int x = steps[v][0] + step[0], y = steps[v][1] + step[1], z = steps[v][2] + step[2];
-      if (x < 0 || y < 0 || z < 0 || x >= nx || y >= ny || z >= nz) continue;
-      if (const std::uint32_t other = number[site(x, y, z)]; other != nobody) s.edges.push_back({v, other});
+      const Steps other = {steps[v][0] + step[0], steps[v][1] + step[1], steps[v][2] + step[2]};
+      if (grid.has(other)) s.edges.push_back({v, number[grid.site(other)]});
     }
   s = without_loose_ends(s, kind.least);
   if (kind.flat) add_flat_faces(s);

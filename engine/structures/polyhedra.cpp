@@ -1,6 +1,5 @@
 #include "structures/polyhedra.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/check.hpp"
@@ -93,7 +92,7 @@ Structure ring(int sides, double radius) {
     const double a = angle_of(i, sides);
     s.vertices.push_back(vec(functions::cos(a), functions::sin(a), 0) * radius);
     const auto next = static_cast<std::uint32_t>((i + 1) % sides), here = static_cast<std::uint32_t>(i);
-    s.edges.push_back({std::min(here, next), std::max(here, next)});
+    s.edges.push_back(edge_between(here, next));
   }
   return s;
 }

@@ -11,8 +11,6 @@
 namespace pantin {
 namespace {
 
-StructureEdge ordered(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
-
 void check_face(const StructureFace& face, std::size_t number, std::size_t vertices) {
   require(face.size() >= 3, "structure: face ", number, " has ", face.size(), " vertices; it needs three or more");
   StructureFace sorted = face;
@@ -98,7 +96,7 @@ Structure make_structure(std::vector<Vec3> vertices, const std::vector<Structure
             vertices[i][1], ", ", vertices[i][2], ") m");
   std::set<StructureEdge> known;
   for (std::size_t i = 0; i < edges.size(); i++) {
-    const StructureEdge edge = ordered(edges[i][0], edges[i][1]);
+    const StructureEdge edge = edge_between(edges[i][0], edges[i][1]);
     require(edge[1] < vertices.size(), "structure: edge ", i + 1, " has a vertex ", edge[1] + 1, ", but there are ",
             vertices.size());
     require(edge[0] != edge[1], "structure: edge ", i + 1, " goes from vertex ", edge[0] + 1, " to itself");
@@ -109,7 +107,7 @@ Structure make_structure(std::vector<Vec3> vertices, const std::vector<Structure
   for (std::size_t i = 0; i < faces.size(); i++) {
     check_face(faces[i], i + 1, vertices.size());
     for (std::size_t k = 0; k < faces[i].size(); k++) {
-      const StructureEdge edge = ordered(faces[i][k], faces[i][(k + 1) % faces[i].size()]);
+      const StructureEdge edge = edge_between(faces[i][k], faces[i][(k + 1) % faces[i].size()]);
       if (known.insert(edge).second) s.edges.push_back(edge);
     }
   }
@@ -158,7 +156,7 @@ Structure joined(const Structure& a, const Structure& b, double tolerance) {
   }
   std::set<StructureEdge> edges(a.edges.begin(), a.edges.end());
   for (const StructureEdge& e : b.edges) {
-    const StructureEdge edge = ordered(now[e[0]], now[e[1]]);
+    const StructureEdge edge = edge_between(now[e[0]], now[e[1]]);
     if (edge[0] != edge[1] && edges.insert(edge).second) s.edges.push_back(edge);
   }
   std::set<StructureFace> faces;
@@ -179,7 +177,7 @@ Structure subdivided(const Structure& s) {
   fine.vertices = s.vertices;
   const auto edges = numbers_of_edges(s);
   const auto first = static_cast<std::uint32_t>(s.vertices.size());
-  const auto halfway = [&](std::uint32_t a, std::uint32_t b) { return first + edges.at(ordered(a, b)); };
+  const auto halfway = [&](std::uint32_t a, std::uint32_t b) { return first + edges.at(edge_between(a, b)); };
   for (std::uint32_t e = 0; e < s.edges.size(); e++) {
     const auto [a, b] = s.edges[e];
     fine.vertices.push_back((s.vertices[a] + s.vertices[b]) / 2.0);
@@ -198,7 +196,7 @@ Structure subdivided(const Structure& s) {
         fine.faces.push_back({face[i], inner[i], centre, before});
       else
         fine.faces.push_back({face[i], inner[i], before});
-      fine.edges.push_back(n > 3 ? ordered(inner[i], centre) : ordered(before, inner[i]));
+      fine.edges.push_back(n > 3 ? edge_between(inner[i], centre) : edge_between(before, inner[i]));
     }
     if (n == 3) fine.faces.push_back(inner);
   }
@@ -215,7 +213,8 @@ Structure dual(const Structure& s) {
   std::vector<StructureEdge> edges;
   for (const StructureEdge& e : s.edges) {
     const auto a = left.find(e), b = left.find({e[1], e[0]});
-    if (a != left.end() && b != left.end() && a->second != b->second) edges.push_back(ordered(a->second, b->second));
+    if (a != left.end() && b != left.end() && a->second != b->second)
+      edges.push_back(edge_between(a->second, b->second));
   }
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
@@ -258,55 +257,6 @@ Structure truncated(const Structure& s, double fraction) {
     faces.push_back(face);
   }
   return make_structure(std::move(vertices), {}, std::move(faces));
-}
-
-Selection selected(const Structure& s, Part part, const std::function<bool(std::uint32_t)>& keep) {
-  Selection selection;
-  const std::size_t count = part == Part::vertices ? s.vertices.size()
-                            : part == Part::edges  ? s.edges.size()
-                                                   : s.faces.size();
-  for (std::uint32_t i = 0; i < count; i++)
-    if (keep(i)) selection.parts.push_back(i);
-  std::vector<char> of_vertex(s.vertices.size(), 0);
-  std::set<StructureEdge> of_edge;
-  const auto keep_edge = [&](std::uint32_t a, std::uint32_t b) {
-    of_vertex[a] = of_vertex[b] = 1;
-    of_edge.insert(ordered(a, b));
-  };
-  for (std::uint32_t i : selection.parts) {
-    if (part == Part::vertices) of_vertex[i] = 1;
-    if (part == Part::edges) keep_edge(s.edges[i][0], s.edges[i][1]);
-    if (part == Part::faces)
-      for (std::size_t k = 0; k < s.faces[i].size(); k++)
-        keep_edge(s.faces[i][k], s.faces[i][(k + 1) % s.faces[i].size()]);
-  }
-  if (part == Part::vertices)
-    for (const StructureEdge& e : s.edges)
-      if (of_vertex[e[0]] && of_vertex[e[1]]) of_edge.insert(e);
-
-  Structure& out = selection.structure;
-  std::vector<std::uint32_t> now(s.vertices.size());
-  for (std::size_t v = 0; v < s.vertices.size(); v++) {
-    if (!of_vertex[v]) continue;
-    now[v] = static_cast<std::uint32_t>(out.vertices.size());
-    out.vertices.push_back(s.vertices[v]);
-    if (!s.elements.empty()) out.elements.push_back(s.elements[v]);
-  }
-  for (const StructureEdge& e : s.edges)
-    if (of_edge.contains(e)) out.edges.push_back(ordered(now[e[0]], now[e[1]]));
-  std::size_t next = 0;
-  for (std::uint32_t f = 0; f < s.faces.size(); f++) {
-    const bool chosen = next < selection.parts.size() && selection.parts[next] == f;
-    if (part == Part::faces && chosen) next++;
-    StructureFace face = s.faces[f];
-    bool whole = part != Part::faces || chosen;
-    for (std::size_t k = 0; k < face.size() && whole; k++)
-      whole = of_edge.contains(ordered(face[k], face[(k + 1) % face.size()]));
-    if (!whole) continue;
-    for (std::uint32_t& v : face) v = now[v];
-    out.faces.push_back(face);
-  }
-  return selection;
 }
 
 std::int64_t euler_characteristic(const Structure& s) {
@@ -362,19 +312,6 @@ std::vector<StructureFace> traced_faces(const Structure& s, const std::function<
     trace(e[1], e[0]);
   }
   return faces;
-}
-
-Structure without_loose_ends(const Structure& s, int least) {
-  Structure whole = s;
-  for (;;) {
-    std::vector<int> degree(whole.vertices.size(), 0);
-    for (const StructureEdge& e : whole.edges) {
-      degree[e[0]]++;
-      degree[e[1]]++;
-    }
-    if (std::all_of(degree.begin(), degree.end(), [&](int d) { return d >= least; })) return whole;
-    whole = selected(whole, Part::vertices, [&](std::uint32_t v) { return degree[v] >= least; }).structure;
-  }
 }
 
 }  // namespace pantin

@@ -14,6 +14,8 @@ namespace pantin {
 using StructureEdge = std::array<std::uint32_t, 2>;
 using StructureFace = std::vector<std::uint32_t>;
 
+inline StructureEdge edge_between(std::uint32_t a, std::uint32_t b) { return {a < b ? a : b, a < b ? b : a}; }
+
 struct Structure {
   std::vector<Vec3> vertices;         ///< [m]
   std::vector<StructureEdge> edges;   ///< two vertices each, the lower number first
