@@ -175,6 +175,7 @@ struct Articulate {
   std::vector<Meeting> meetings;
   std::vector<Strand> strands;
   std::vector<std::uint32_t> first_meeting;  // (nodes + 1)
+  RowLists on;                               // (nodes) the rows that a node is in, rising
   std::vector<Wave> waves;                   // ends of the stretches; the last reaches all
   Factor factor;
   std::vector<Vec3> right_side;  // (rows)
@@ -201,6 +202,7 @@ struct Articulate {
   bool yields = false;       // has no row but soft ones: its velocities are free
   bool has_factor = false;   // the factor is of a Newton matrix
   bool safe = false;         // the last step was a safe one
+  bool offsets = false;      // gaps of rows were accepted
   bool edited = true;        // new: velocities are still to be made consistent
   bool weak = false;         // the last factor had weak pivots: its multipliers are not all determined
   bool pulled = false;       // laws act on it: its kinetic energy is no longer gravity's alone

@@ -27,14 +27,6 @@ Vec3x4 pack_nodes(const Articulate& a, std::size_t b, What what) {
   return pack(what(node_in(a, b, 0)), what(node_in(a, b, 1)), what(node_in(a, b, 2)), what(node_in(a, b, 3)));
 }
 
-std::vector<std::vector<std::uint32_t>> rows_of_nodes(const Articulate& a) {
-  std::vector<std::vector<std::uint32_t>> on(a.nodes.size());
-  for (std::uint32_t k = 0; k < a.rows.size(); k++)
-    for (std::int32_t n : {a.rows[k].a, a.rows[k].b})
-      if (n >= 0) on[static_cast<std::size_t>(n)].push_back(k);
-  return on;
-}
-
 void set_end(const Articulate& a, RowEnds& end, std::size_t lane, std::uint32_t k, std::size_t node) {
   const Row& row = a.rows[k];
   const bool at_a = row.a == static_cast<std::int32_t>(node), couple = row.lever > 0.0;
@@ -80,7 +72,6 @@ void find_first_meetings(Articulate& a) {
 }  // namespace
 
 void lay_out_batches(Articulate& a) {
-  const auto on = rows_of_nodes(a);
   a.at_ends.assign(2 * a.rows.size() + 1, zero3());
   a.batches.assign((a.nodes.size() + batch_size - 1) / batch_size, NodeBatch{});
   a.ends.clear();
@@ -89,13 +80,13 @@ void lay_out_batches(Articulate& a) {
     for (std::size_t lane = 0; lane < batch_size; lane++) {
       const std::size_t node = batch_size * b + lane;
       if (node >= a.nodes.size()) break;
-      for (std::size_t i = 0; i < on[node].size(); i++) {
+      for (std::size_t i = 0; i < a.on[node].size(); i++) {
         if (a.batches[b].first_end + i == a.ends.size()) {
           a.ends.emplace_back();
           a.ends.back().row.fill(0);
           a.ends.back().to.fill(static_cast<std::uint32_t>(2 * a.rows.size()));
         }
-        set_end(a, a.ends[a.batches[b].first_end + i], lane, on[node][i], node);
+        set_end(a, a.ends[a.batches[b].first_end + i], lane, a.on[node][i], node);
       }
     }
     a.batches[b].last_end = static_cast<std::uint32_t>(a.ends.size());

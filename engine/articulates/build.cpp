@@ -1,404 +1,251 @@
-// Makes the nodes and rows of an articulate, orders them by elimination and lays out the factor.
+// Makes the nodes and rows of an articulate, orders them by elimination and lays out the factor. What was there before
+// an edit keeps the history from which the unknowns are predicted.
+#include "articulates/build.hpp"
+
 #include <algorithm>
-#include <unordered_map>
 
 #include "articulates/batches.hpp"
 #include "articulates/conditions.hpp"
-#include "articulates/islands.hpp"
+#include "articulates/history.hpp"
 #include "articulates/stiff.hpp"
-#include "articulates/strand.hpp"
-#include "model/path.hpp"
 
 namespace pantin {
 
 namespace {
 
-std::vector<std::vector<std::uint32_t>> rows_of_nodes(std::size_t nodes, const std::vector<Row>& rows) {
-  std::vector<std::vector<std::uint32_t>> on(nodes);
-  for (std::uint32_t k = 0; k < rows.size(); k++) {
-    on[static_cast<std::size_t>(rows[k].a)].push_back(k);
-    if (rows[k].b >= 0) on[static_cast<std::size_t>(rows[k].b)].push_back(k);
+void weigh(Node& n, const Model& model) {
+  if (n.is_body) {
+    const Motion& m = model.motion[n.slot];
+    n.mass = m.mass;
+    n.inertia = m.inertia;
+    n.inverse_inertia = inverse_inertia(m);
+    n.turns = m.freedom != Freedom::point;
+  } else {
+    n.mass = model.points.at_slot(n.slot).mass;
+    n.inertia = n.inverse_inertia = zero3();
+    n.turns = false;
   }
-  return on;
+  n.inverse_mass = 1.0 / n.mass;
 }
 
-struct Builder {
-  const Model& model;
-  std::unordered_map<std::uint64_t, std::int32_t> node_of;  // 2 slot + is_body
-  std::vector<Node> nodes;
-  std::vector<Row> rows;
-  std::vector<Condition> conditions;
-  bool breakable = false;
+/// Least radius of gyration of the bodies of a couple, [m].
+double lever(const Articulate& a, const Row& row) {
+  const auto gyration = [&](std::int32_t node) {
+    const Node& n = a.nodes[static_cast<std::size_t>(node)];
+    return std::sqrt((n.inertia[0] + n.inertia[1] + n.inertia[2]) * (0.5 * n.inverse_mass));
+  };
+  return row.b < 0 ? gyration(row.a) : std::min(gyration(row.a), gyration(row.b));
+}
 
-  static std::uint64_t key(Thing t) { return 2ull * t.slot + (t.is_body ? 1 : 0); }
+using Edges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-  Thing holder(PointId point) const {
-    const Point& p = model.points[point];
-    return p.body ? Thing{p.body.slot - 1, true} : Thing{point.slot - 1, false};
-  }
-
-  void add_node(Thing t) {
-    Node n{};
-    n.slot = t.slot;
-    n.is_body = t.is_body;
-    if (t.is_body) {
-      const Motion& m = model.motion[t.slot];
-      n.mass = m.mass;
-      n.inertia = m.inertia;
-      n.inverse_inertia = inverse_inertia(m);
-      n.turns = m.freedom != Freedom::point;
-    } else {
-      n.mass = model.points.at_slot(t.slot).mass;
-      n.inertia = n.inverse_inertia = zero3();
-      n.turns = false;
+/// Any segment of a string may become its head, which meets whatever its segments meet.
+Edges edges_of_strings(const std::vector<Tie>& ties, const RowLists& on) {
+  Edges edges;
+  std::vector<std::uint32_t> segments;
+  for (std::uint32_t k = 0; k < ties.size(); k++)
+    if (ties[k].kind == RowKind::strand) segments.push_back(k);
+  for (std::uint32_t i : segments)
+    for (std::uint32_t j : segments) {
+      if (ties[i].constraint != ties[j].constraint) continue;
+      if (j != i) edges.emplace_back(i, j);
+      for (std::int32_t node : {ties[j].a, ties[j].b})
+        if (node >= 0)
+          for (std::uint32_t k : on[static_cast<std::size_t>(node)])
+            if (k != i) edges.insert(edges.end(), {{i, k}, {k, i}});
     }
-    n.inverse_mass = 1.0 / n.mass;
-    node_of[key(t)] = static_cast<std::int32_t>(nodes.size());
-    nodes.push_back(n);
-  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
 
-  void tie_a(Row& row, PointId point) const {
-    row.a = node_of.at(key(holder(point)));
-    row.la = arm(model, point);
+/// Which rows meet: at a node, or as segments of a string.
+RowLists neighbours_of(const std::vector<Tie>& ties, std::size_t nodes) {
+  const RowLists on = rows_of_nodes(nodes, ties);
+  const Edges edges = edges_of_strings(ties, on);
+  RowLists graph;
+  graph.first.reserve(ties.size() + 1);
+  graph.rows.reserve(4 * ties.size());
+  graph.first.push_back(0);
+  auto edge = edges.begin();
+  for (std::uint32_t i = 0; i < ties.size(); i++) {
+    for (std::int32_t node : {ties[i].a, ties[i].b})
+      if (node >= 0)
+        for (std::uint32_t j : on[static_cast<std::size_t>(node)])
+          if (j != i) graph.rows.push_back(j);
+    for (; edge != edges.end() && edge->first == i; ++edge) graph.rows.push_back(edge->second);
+    const auto begin = graph.rows.begin() + graph.first.back();
+    std::sort(begin, graph.rows.end());
+    graph.rows.erase(std::unique(begin, graph.rows.end()), graph.rows.end());
+    graph.first.push_back(static_cast<std::uint32_t>(graph.rows.size()));
   }
-  void tie_b(Row& row, PointId point) const {
-    row.b = node_of.at(key(holder(point)));
-    row.lb = arm(model, point);
-  }
+  return graph;
+}
 
-  void add_hinge(const Particle& ring, PointId centre) {
-    breakable = breakable || ring.breaks_at.possible();
-    for (PointId member : ring.points) {
-      if (member == centre) continue;
-      Row row;
-      tie_a(row, member);
-      tie_b(row, centre);
-      row.member = member;
-      row.centre = centre;
-      row.f = row.f_last = model.points[member].row_force;
-      rows.push_back(row);
-    }
-  }
-
-  /// A place or an axis in the frame of a body, in principal axes of its node.
-  std::int32_t tie(BodyId id, Vec3 v, bool is_axis, Vec3& arm) const {
-    const Body& body = model.bodies[id];
-    arm = rotate(conjugate(body.axes), is_axis ? v : v - body.centre);
-    return node_of.at(key({id.slot - 1, true}));
-  }
-
-  /// Least radius of gyration of the bodies of a couple, [m].
-  double lever(const Row& row) const {
-    const auto gyration = [&](std::int32_t node) {
-      const Node& n = nodes[static_cast<std::size_t>(node)];
-      return std::sqrt((n.inertia[0] + n.inertia[1] + n.inertia[2]) * (0.5 * n.inverse_mass));
-    };
-    return row.b < 0 ? gyration(row.a) : std::min(gyration(row.a), gyration(row.b));
-  }
-
-  void add_constraint(ConstraintId id) {
-    const Constraint& c = model.constraints[id];
-    breakable = breakable || c.breaks_at.possible();
-    for (const RowPlan& plan : plan_rows(model, c)) {
-      Row row;
-      row.kind = plan.kind;
-      if (plan.point_a) tie_a(row, plan.point_a);
-      if (plan.point_b) tie_b(row, plan.point_b);
-      if (plan.body_a) row.a = tie(plan.body_a, plan.arm_a, plan.couple, row.la);
-      if (plan.body_b) row.b = tie(plan.body_b, plan.arm_b, plan.couple, row.lb);
-      if (plan.couple) row.lever = lever(row);
-      row.condition = static_cast<std::int32_t>(conditions.size());
-      Condition condition;
-      condition.constraint = id;
-      condition.length = c.length;
-      condition.part = plan.part;
-      condition.held = condition.held_before =
-          c.kind != ConstraintKind::limit && c.kind != ConstraintKind::string && !c.path && std::isinf(c.max_torque);
-      conditions.push_back(condition);
-      row.f = row.f_last = plan.couple ? c.torque / row.lever : c.force;
-      rows.push_back(row);
-    }
-  }
-
-  /// Of a connection that is solved here: between the points at which its rings are pulled.
-  void add_stiff(ConnectionId id) {
-    const Connection& c = model.connections[id];
-    const bool swapped = !c.particles[0];  // a place of the world is always the second end
-    const ParticleId a = c.particles[swapped ? 1 : 0], b = c.particles[swapped ? 0 : 1];
-    if (b && holder(star(model, a)) == holder(star(model, b))) return;  // nothing between them can move
-    Row row;
-    Condition condition;
-    condition.stiff = std::make_shared<StiffTie>();
-    StiffTie& tie = *condition.stiff;
-    tie.connection = id;
-    tie.a = a;
-    tie.b = b;
-    tie.solve = c.solve;
-    tie_a(row, star(model, a));
-    if (b) tie_b(row, star(model, b));
-    if (!b) condition.whole0 = condition.whole1 = c.places[swapped ? 0 : 1];
-    const Vec3 d = position(model, a) - (b ? position(model, b) : condition.whole1);
-    tie.least2 = 1e-24 * (norm2(d) > 0.0 ? norm2(d) : 1.0);
-    for (auto law = c.law; law; law = law->also) tie.curves.emplace_back(*law);
-    for (auto* column : {&tie.energy0, &tie.energy1, &tie.pulls, &tie.given}) column->resize(tie.curves.size());
-    row.kind = RowKind::stiff;
-    row.condition = static_cast<std::int32_t>(conditions.size());
-    row.f = row.f_last = direction(d) * -c.tension;
-    conditions.push_back(condition);
-    rows.push_back(row);
-  }
-
-  void add_rows(Thing t) {
-    const auto visit_ring = [&](ParticleId ring) {
-      for (ConnectionId id : model.particles[ring].connections) {
-        const Connection& c = model.connections[id];
-        const ParticleId first = c.particles[0] ? c.particles[0] : c.particles[1];
-        if (c.enabled && c.solve != Solve::explicitly && first == ring) add_stiff(id);
-      }
-    };
-    const auto visit = [&](PointId point) {
-      const ParticleId ring_id = model.points[point].particle;
-      const Particle& ring = model.particles[ring_id];
-      if (ring.joins() && ring.points.front() == point) add_hinge(ring, star(model, ring_id));
-      for (ConstraintId id : model.points[point].constraints)
-        if (model.constraints[id].enabled && model.constraints[id].a == point) add_constraint(id);
-      visit_ring(model.points[point].own);
-      if (ring.is_hinge() && ring.points.front() == point) visit_ring(ring_id);
-    };
-    if (!t.is_body) return visit(model.points.id_at(t.slot));
-    const Body& body = model.bodies.at_slot(t.slot);
-    for (PointId point : body.points) visit(point);
-    for (ConstraintId id : body.constraints)
-      if (model.constraints[id].enabled && model.constraints[id].body_a == model.bodies.id_at(t.slot))
-        add_constraint(id);
-  }
-
-  std::vector<std::vector<std::uint32_t>> neighbours() const {
-    std::vector<std::vector<std::uint32_t>> graph(rows.size());
-    const auto on = rows_of_nodes(nodes.size(), rows);
-    for (const auto& list : on)
-      for (std::uint32_t i : list)
-        for (std::uint32_t j : list)
-          if (i != j) graph[i].push_back(j);
-    meet_as_strings(on, graph);
-    for (auto& list : graph) {
-      std::sort(list.begin(), list.end());
-      list.erase(std::unique(list.begin(), list.end()), list.end());
-    }
-    return graph;
-  }
-
-  /// Any segment of a string may become its head, which meets whatever its segments meet.
-  void meet_as_strings(const std::vector<std::vector<std::uint32_t>>& on,
-                       std::vector<std::vector<std::uint32_t>>& graph) const {
-    for (std::uint32_t i = 0; i < rows.size(); i++) {
-      if (rows[i].kind != RowKind::strand) continue;
-      const auto constraint_of = [&](std::uint32_t k) {
-        return conditions[static_cast<std::size_t>(rows[k].condition)].constraint;
-      };
-      for (std::uint32_t j = 0; j < rows.size(); j++) {
-        if (rows[j].kind != RowKind::strand || constraint_of(i) != constraint_of(j)) continue;
-        for (std::int32_t node : {rows[j].a, rows[j].b})
-          if (node >= 0)
-            for (std::uint32_t k : on[static_cast<std::size_t>(node)])
-              if (k != i) {
-                graph[i].push_back(k);
-                graph[k].push_back(i);
-              }
-        if (j != i) graph[i].push_back(j);
-      }
-    }
-  }
-
-  /// Rows in the order of elimination, nodes in the order in which the rows meet them.
-  void sort(const std::vector<std::uint32_t>& order) {
-    std::vector<Row> sorted_rows;
-    sorted_rows.reserve(rows.size());
-    for (std::uint32_t k : order) sorted_rows.push_back(rows[k]);
-    rows = std::move(sorted_rows);
-    std::vector<std::int32_t> place(nodes.size(), -1);
-    std::vector<Node> sorted;
-    sorted.reserve(nodes.size());
-    const auto take = [&](std::int32_t& node, std::uint32_t row) {
-      std::int32_t& p = place[static_cast<std::size_t>(node)];
-      if (p < 0) {
-        p = static_cast<std::int32_t>(sorted.size());
-        sorted.push_back(nodes[static_cast<std::size_t>(node)]);
-        sorted.back().first_row = row;
-      }
-      node = p;
-    };
-    for (std::uint32_t k = 0; k < rows.size(); k++) {
-      take(rows[k].a, k);
-      if (rows[k].b >= 0) take(rows[k].b, k);
-    }
-    nodes = std::move(sorted);
-    for (std::uint32_t k = 0; k < rows.size(); k++)
-      if (rows[k].condition >= 0) conditions[static_cast<std::size_t>(rows[k].condition)].row = k;
-  }
+/// Numbers nodes in the order in which the rows meet them; `things` (nodes) in that order.
+struct NodeOrder {
+  std::vector<std::uint32_t> things, first_rows;
 };
 
-void find_meetings(Articulate& a) {
-  const auto on = rows_of_nodes(a.nodes.size(), a.rows);
-  std::vector<char> reached(a.factor.below.size(), 0);
-  a.first_meeting.assign(1, 0);
-  for (std::uint32_t n = 0; n < a.nodes.size(); n++) {
-    for (std::uint32_t i : on[n])
-      for (std::uint32_t j : on[n]) {
-        if (i < j) continue;
-        const std::uint32_t block = i == j ? i : a.factor.block(i, j);
-        a.meetings.push_back({block, false, false});
-        if (i != j) reached[block] = 1;
-      }
-    a.first_meeting.push_back(static_cast<std::uint32_t>(a.meetings.size()));
-  }
-  find_strands(a);
-  for (Strand& strand : a.strands) {
-    const auto clear = [&](std::uint32_t block) {
-      if (reached[block]) return;
-      reached[block] = 1;
-      strand.cleared.push_back(block);
-    };
-    for (const StrandMeeting& m : strand.meetings)
-      if (m.column != strand.head) clear(m.block);
-    for (const StrandLink& link : strand.links) clear(link.block);
-  }
-  for (std::uint32_t& t : a.factor.target) {
-    if (t & Factor::on_diagonal || reached[t]) continue;
-    reached[t] = 1;
-    t |= Factor::is_first;
-  }
-}
-
-void find_waves(Articulate& a) {
-  constexpr std::uint32_t stretch = 8;
-  const auto rows = static_cast<std::uint32_t>(a.rows.size()), batches = static_cast<std::uint32_t>(a.batches.size());
-  std::vector<std::uint32_t> last_row(batches, 0), last_batch(rows, 0);
-  for (std::uint32_t k = 0; k < rows; k++)
-    for (std::int32_t n : {a.rows[k].a, a.rows[k].b}) {
-      if (n < 0) continue;
-      const auto batch = static_cast<std::uint32_t>(n) / static_cast<std::uint32_t>(batch_size);
-      last_row[batch] = k;
-      last_batch[k] = std::max(last_batch[k], batch);
+NodeOrder order_nodes(const std::vector<Tie>& ties, const std::vector<std::uint32_t>& order, std::size_t count,
+                      std::vector<std::int32_t>& place) {
+  NodeOrder nodes;
+  nodes.things.reserve(count);
+  nodes.first_rows.reserve(count);
+  place.assign(count, -1);
+  for (std::uint32_t k = 0; k < order.size(); k++)
+    for (std::int32_t node : {ties[order[k]].a, ties[order[k]].b}) {
+      if (node < 0 || place[static_cast<std::size_t>(node)] >= 0) continue;
+      place[static_cast<std::size_t>(node)] = static_cast<std::int32_t>(nodes.things.size());
+      nodes.things.push_back(static_cast<std::uint32_t>(node));
+      nodes.first_rows.push_back(k);
     }
-  for (const Strand& strand : a.strands)
-    for (std::uint32_t k : strand.segments) last_batch[strand.head] = std::max(last_batch[strand.head], last_batch[k]);
-  Wave w;
-  while (w.forces < rows) {
-    w.forces = std::min(rows, w.forces + stretch);
-    while (w.batches < batches && last_row[w.batches] < w.forces) w.batches++;
-    while (w.rows < rows && last_batch[w.rows] < w.batches) w.rows++;
-    const std::vector<std::uint32_t>&first = a.factor.first, &below = a.factor.below;
-    while (w.columns < w.rows && (first[w.columns + 1] == first[w.columns] || below[first[w.columns + 1] - 1] < w.rows))
-      w.columns++;
-    a.waves.push_back(w);
+  return nodes;
+}
+
+Node make_node(const Model& model, Thing t, std::uint32_t first_row) {
+  Node n{};
+  n.slot = t.slot;
+  n.is_body = t.is_body;
+  n.first_row = first_row;
+  weigh(n, model);
+  return n;
+}
+
+void add_nodes(Articulate& a, Model& model, std::span<const Thing> things, const NodeOrder& order) {
+  a.nodes.reserve(things.size());
+  for (std::size_t k = 0; k < order.things.size(); k++) {
+    const Thing t = things[order.things[k]];
+    a.nodes.push_back(make_node(model, t, order.first_rows[k]));
+    node_of(model, t) = static_cast<std::int32_t>(k);
   }
 }
 
-/// Clears `coupled` about the axis of symmetry that both arms lie on.
-void find_free_axes(Articulate& a) {
-  for (Node& n : a.nodes) n.coupled = n.turns ? vec(1, 1, 1) : zero3();
-  const auto differs = [](double x, double y) { return std::fabs(x - y) > 1e-9 * std::fmax(x, y); };
-  for (int axis = 0; axis < 3; axis++) {
-    const int j = (axis + 1) % 3, k = (axis + 2) % 3;
-    std::vector<char> free(a.nodes.size(), 1);
-    const auto visit = [&](std::int32_t node, Vec3 l) {
-      if (node >= 0 &&
-          std::fmax(std::fabs(l[j]), std::fabs(l[k])) > 1e-9 * a.nodes[static_cast<std::size_t>(node)].reach)
-        free[static_cast<std::size_t>(node)] = 0;
-    };
-    for (const Row& row : a.rows) {
-      const bool couple = row.lever > 0.0;
-      visit(row.a, couple ? vec(infinity, infinity, infinity) : row.la);
-      visit(row.b, couple ? vec(infinity, infinity, infinity) : row.lb);
-    }
-    for (std::size_t n = 0; n < a.nodes.size(); n++)
-      if (free[n] && !differs(a.nodes[n].inertia[j], a.nodes[n].inertia[k])) a.nodes[n].coupled[axis] = 0.0;
+Condition make_condition(const Model& model, const Tie& tie, Row& row) {
+  Condition condition;
+  condition.constraint = tie.constraint;
+  condition.part = tie.part;
+  if (tie.connection) {
+    make_stiff(model, tie.connection, row, condition);
+    return condition;
   }
+  const Constraint& c = model.constraints[tie.constraint];
+  condition.length = c.length;
+  condition.held = condition.held_before =
+      c.kind != ConstraintKind::limit && c.kind != ConstraintKind::string && !c.path && std::isinf(c.max_torque);
+  row.f = tie.couple ? c.torque / row.lever : c.force;
+  return condition;
 }
 
-/// Whether the rows make no loop; the world counts as one node, and a couple beside a row between points makes none.
-bool is_tree(const Articulate& a) {
-  if (!a.strands.empty()) return false;
-  const bool anchored = std::any_of(a.rows.begin(), a.rows.end(), [](const Row& row) { return row.b < 0; });
-  std::vector<std::pair<std::int32_t, std::int32_t>> points, couples;
-  for (const Row& row : a.rows) (row.lever > 0.0 ? couples : points).push_back(std::minmax(row.a, row.b));
-  std::sort(couples.begin(), couples.end());
-  if (std::adjacent_find(couples.begin(), couples.end()) != couples.end()) return false;
-  std::sort(points.begin(), points.end());
-  const auto alone = std::count_if(couples.begin(), couples.end(), [&](const auto& pair) {
-    return !std::binary_search(points.begin(), points.end(), pair);
-  });
-  return points.size() + static_cast<std::size_t>(alone) + 1 == a.nodes.size() + (anchored ? 1 : 0);
+/// What the last steps found out of a row.
+void hand_on(const History::Before& before, Row& row, Condition* condition) {
+  row.f = before.row->f;
+  row.f_last = before.row->f_last;
+  row.f_before = before.row->f_before;
+  if (condition == nullptr || condition->stiff) return;
+  const Condition& old = pantin::condition(*before.articulate, *before.row);
+  condition->held = old.held;
+  condition->held_before = old.held_before;
 }
 
-void measure(Articulate& a, const Model& model) {
-  std::vector<double> lengths;
-  for (Row& row : a.rows) {
-    if (row.kind == RowKind::path) {
-      const auto& places = model.constraints[condition(a, row).constraint].path->places();
-      lengths.push_back(norm(places[1] - places[0]));
-    }
-    if (row.kind == RowKind::strand) lengths.push_back(model.constraints[condition(a, row).constraint].length);
-    if (row.kind == RowKind::rod && condition(a, row).length > 0.0) lengths.push_back(condition(a, row).length);
-    if (row.kind == RowKind::stiff) lengths.push_back(1e12 * std::sqrt(condition(a, row).stiff->least2));
-    if (row.lever > 0.0) lengths.push_back(row.lever);
-    a.all_rigid = a.all_rigid && row.kind == RowKind::rigid;
-    a.couples = a.couples || row.lever > 0.0;
-    a.limited = a.limited || row.kind == RowKind::limited;
-    if (row.kind == RowKind::stiff) a.open = a.open || condition(a, row).stiff->is_open();
-    if (row.lever > 0.0) continue;
-    for (double l : {norm(row.la), row.b >= 0 ? norm(row.lb) : 0.0})
-      if (l > 0.0) lengths.push_back(l);
+/// Returns whether the row was there before.
+bool add_row(Articulate& a, const Model& model, const Tie& tie, const std::vector<std::int32_t>& place,
+             const History& history) {
+  Row row;
+  row.kind = tie.kind;
+  row.a = place[static_cast<std::size_t>(tie.a)];
+  if (tie.b >= 0) row.b = place[static_cast<std::size_t>(tie.b)];
+  row.la = tie.la;
+  row.lb = tie.lb;
+  row.member = tie.member;
+  row.centre = tie.centre;
+  if (tie.couple) row.lever = lever(a, row);
+  if (tie.member) {
+    row.f = model.points[tie.member].row_force;
+  } else {
+    row.condition = static_cast<std::int32_t>(a.conditions.size());
+    a.conditions.push_back(make_condition(model, tie, row));
+    a.conditions.back().row = static_cast<std::uint32_t>(a.rows.size());
   }
-  a.yields = std::all_of(a.rows.begin(), a.rows.end(), is_soft);
-  if (!lengths.empty()) {
-    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-    std::nth_element(lengths.begin(), middle, lengths.end());
-    a.length = *middle;
-  } else {  // points without arms: the size of their coordinates
-    for (const Row& row : a.rows)
-      if (row.member) a.length = std::max(a.length, norm(position(model, row.member)));
-    if (a.length == 0.0) a.length = 1.0;
-  }
-  for (Node& node : a.nodes) {
-    node.reach = 0.1 * a.length;
-    a.total_mass += node.mass;
-  }
-  for (const Row& row : a.rows) {
-    double& ra = a.nodes[static_cast<std::size_t>(row.a)].reach;
-    ra = std::max(ra, row.lever > 0.0 ? row.lever : norm(row.la));
-    if (row.b < 0) continue;
-    double& rb = a.nodes[static_cast<std::size_t>(row.b)].reach;
-    rb = std::max(rb, row.lever > 0.0 ? row.lever : norm(row.lb));
-  }
-  find_free_axes(a);
-  if (is_tree(a)) a.most_epsilon = a.epsilon = Articulate::least_epsilon;
+  row.f_last = row.f_before = row.f;
+  const History::Before before = history.row(tie);
+  if (before.row != nullptr) hand_on(before, row, tie.member ? nullptr : &a.conditions.back());
+  a.rows.push_back(row);
+  return before.row != nullptr;
+}
+
+std::uint64_t serial_of(const Model& model, Thing t) {
+  return t.is_body ? model.bodies.at_slot(t.slot).serial : model.points.at_slot(t.slot).serial;
 }
 
 }  // namespace
 
-std::unique_ptr<Articulate> build_articulate(const Model& model, std::span<const Thing> things) {
-  Builder builder{model, {}, {}, {}, {}, false};
-  for (Thing t : things) builder.add_node(t);
-  for (Thing t : things) builder.add_rows(t);
-  const Elimination elimination = minimum_degree(builder.neighbours());
-  builder.sort(elimination.order);
+std::unique_ptr<Articulate> build_articulate(Model& model, std::span<const Thing> things, const Articulates& before) {
+  const History history(model, things, before);
+  for (std::size_t i = 0; i < things.size(); i++) node_of(model, things[i]) = static_cast<std::int32_t>(i);
+  std::vector<Tie> ties;
+  ties.reserve(things.size());
+  for (Thing t : things) find_ties(model, t, TiesOf::listed, ties);
+  Elimination elimination = minimum_degree(neighbours_of(ties, things.size()));
+  std::vector<std::int32_t> place;
+  const NodeOrder order = order_nodes(ties, elimination.order, things.size(), place);
+
   auto articulate = std::make_unique<Articulate>();
-  articulate->factor = lay_out(elimination);
-  articulate->nodes = std::move(builder.nodes);
-  articulate->rows = std::move(builder.rows);
-  articulate->conditions = std::move(builder.conditions);
-  articulate->breakable = builder.breakable;
-  articulate->right_side.resize(articulate->rows.size());
-  find_meetings(*articulate);
-  measure(*articulate, model);
-  lay_out_batches(*articulate);
-  find_waves(*articulate);
-  const Thing oldest = things.front();
-  articulate->serial =
-      oldest.is_body ? model.bodies.at_slot(oldest.slot).serial : model.points.at_slot(oldest.slot).serial;
+  Articulate& a = *articulate;
+  a.serial = serial_of(model, things.front());
+  a.factor = lay_out(std::move(elimination.columns));
+  a.breakable = std::any_of(ties.begin(), ties.end(), [](const Tie& tie) { return tie.may_break; });
+  history.hand_on(a);
+  add_nodes(a, model, things, order);
+  a.rows.reserve(ties.size());
+  for (std::uint32_t k : elimination.order)
+    if (!add_row(a, model, ties[k], place, history)) disturb(a);
+  a.right_side.resize(a.rows.size());
+  find_meetings(a);
+  find_dimensions(a, model);
+  lay_out_batches(a);
+  find_waves(a);
+  history.hand_on(a, order.things);
   return articulate;
+}
+
+namespace {
+
+/// Whether a node is as heavy as its thing.
+bool weighs_as_built(const Model& model, const Node& node) {
+  Node now{};
+  now.slot = node.slot;
+  now.is_body = node.is_body;
+  weigh(now, model);
+  return now.mass == node.mass && same(now.inertia, node.inertia) && now.turns == node.turns;
+}
+
+}  // namespace
+
+bool is_row_of(const Articulate& a, const Row& row, const Tie& tie) {
+  if (row.kind != tie.kind || row.member != tie.member || row.centre != tie.centre || !same(row.la, tie.la) ||
+      !same(row.lb, tie.lb))
+    return false;
+  if (tie.member) return true;
+  const Condition& c = condition(a, row);
+  if (tie.connection) return c.stiff && c.stiff->connection == tie.connection && c.stiff->solve == tie.solve;
+  return c.constraint == tie.constraint && c.part == tie.part;
+}
+
+bool is_as_built(const Model& model, const Articulate& a, Thing t) {
+  const std::int32_t node = node_of(model, t);
+  const auto index = static_cast<std::size_t>(node);
+  if (!weighs_as_built(model, a.nodes[index])) return false;
+  std::vector<Tie> ties;
+  find_ties(model, t, TiesOf::all, ties);
+  std::erase_if(ties, [&](const Tie& tie) { return tie.a != node && tie.b != node; });
+  const auto there = [&](const Tie& tie) {
+    if (tie.may_break && !a.breakable) return false;
+    const auto rows = a.on[index];
+    return std::any_of(rows.begin(), rows.end(), [&](std::uint32_t k) {
+      return a.rows[k].a == tie.a && a.rows[k].b == tie.b && is_row_of(a, a.rows[k], tie);
+    });
+  };
+  return ties.size() == a.on[index].size() && std::all_of(ties.begin(), ties.end(), there);
 }
 
 }  // namespace pantin

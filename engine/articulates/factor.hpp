@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/lanes.hpp"
@@ -31,14 +32,25 @@ struct Factor {
   void substitute_back(std::uint32_t column, Vec3* y) const;
 };
 
-/// Greedy minimum-degree order of a graph, first in first out among equals, so that a chain is eliminated from both ends.
-struct Elimination {
-  std::vector<std::uint32_t> order;                 // (rows) the row eliminated at each place
-  std::vector<std::vector<std::uint32_t>> columns;  // (places) places of the blocks below the diagonal, rising
+/// Lists of rows, one after the other.
+struct RowLists {
+  std::vector<std::uint32_t> first;  // (lists + 1)
+  std::vector<std::uint32_t> rows;
+
+  std::span<const std::uint32_t> operator[](std::size_t k) const {
+    return {rows.data() + first[k], first[k + 1] - first[k]};
+  }
 };
-/// `neighbours` (rows): rising lists without the row itself.
-Elimination minimum_degree(std::vector<std::vector<std::uint32_t>> neighbours);
+
+/// An order of elimination.
+struct Elimination {
+  std::vector<std::uint32_t> order;  // (rows) the row eliminated at each place
+  RowLists columns;                  // (places) places of the blocks below the diagonal, rising
+};
+/// Greedy minimum-degree order of a graph, first in first out among equals, so that a chain is eliminated from both ends.
+/// `neighbours` (rows): rising, without the row itself.
+Elimination minimum_degree(const RowLists& neighbours);
 /// Lays out a factor for an elimination.
-Factor lay_out(const Elimination& elimination);
+Factor lay_out(RowLists columns);
 
 }  // namespace pantin

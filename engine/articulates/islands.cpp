@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "articulates/build.hpp"
+
 namespace pantin {
 
 namespace {
@@ -40,18 +42,14 @@ class Search {
     mark = 1;
     found_.push_back(t);
   }
-  Thing holder(PointId point) const {
-    const Point& p = model_.points[point];
-    return p.body ? Thing{p.body.slot - 1, true} : Thing{point.slot - 1, false};
-  }
-  void add(PointId point) { add(holder(point)); }
+  void add(PointId point) { add(holder(model_, point)); }
   /// What is tied by connections that are solved with their articulate.
   void visit(const Particle& particle) {
     for (ConnectionId id : particle.connections) {
       const Connection& c = model_.connections[id];
       if (!c.enabled || c.solve == Solve::explicitly) continue;
-      const Thing first = c.particles[0] ? holder(star(model_, c.particles[0])) : Thing{};
-      const Thing second = c.particles[1] ? holder(star(model_, c.particles[1])) : Thing{};
+      const Thing first = c.particles[0] ? holder(model_, star(model_, c.particles[0])) : Thing{};
+      const Thing second = c.particles[1] ? holder(model_, star(model_, c.particles[1])) : Thing{};
       const bool inside = c.particles[0] && c.particles[1] && first == second;
       constrained_ = constrained_ || !inside;
       if (c.particles[0]) add(first);
@@ -95,17 +93,54 @@ bool lives(const Model& model, Thing t) {
                    : model.points.alive_at(t.slot) && !model.points.at_slot(t.slot).body;
 }
 
-/// Things of dirty articulates, which are dropped, and touched untied ones; the dead among them.
-std::vector<Thing> touched(Model& model, std::vector<std::unique_ptr<Articulate>>& articulates) {
-  std::vector<Thing> list;
-  for (std::size_t i = 0; i < articulates.size() && i < model.dirty_articulates.size(); i++) {
-    if (!model.dirty_articulates[i]) continue;
-    for (const Node& node : articulates[i]->nodes) list.push_back({node.slot, node.is_body});
-    articulates[i].reset();
+bool lives(const Model& model, const Touched& t) {
+  return t.body ? model.bodies.alive(t.body) : model.points.alive(t.point) && !model.points[t.point].body;
+}
+
+Thing thing_of(const Touched& t) { return t.body ? Thing{t.body.slot - 1, true} : Thing{t.point.slot - 1, false}; }
+
+/// Which articulates are no longer as their things are tied.
+std::vector<char> changed_articulates(const Model& model, const Articulates& articulates) {
+  std::vector<char> changed(articulates.size(), 0);
+  for (const Touched& t : model.touched) {
+    if (t.articulate < 0) continue;
+    char& mark = changed[static_cast<std::size_t>(t.articulate)];
+    if (!mark)
+      mark = !lives(model, t) || !is_as_built(model, *articulates[static_cast<std::size_t>(t.articulate)], thing_of(t));
   }
-  for (BodyId id : model.untied_bodies) list.push_back({id.slot - 1, true});
-  for (PointId id : model.untied_points) list.push_back({id.slot - 1, false});
+  return changed;
+}
+
+/// Things of changed articulates, and touched untied ones; the dead among them.
+std::vector<Thing> things_to_gather(const Model& model, const Articulates& articulates,
+                                    const std::vector<char>& changed) {
+  std::vector<Thing> list;
+  for (std::size_t i = 0; i < articulates.size(); i++)
+    if (changed[i])
+      for (const Node& node : articulates[i]->nodes) list.push_back({node.slot, node.is_body});
+  for (const Touched& t : model.touched)
+    if (t.articulate < 0) list.push_back(thing_of(t));
   return list;
+}
+
+/// Takes out the changed articulates and puts in the new ones; all know their places.
+void replace(Model& model, Articulates& articulates, const std::vector<char>& changed, Articulates& made) {
+  std::size_t first = articulates.size();  // from there on places may have changed
+  for (std::size_t i = articulates.size(); i-- > 0;)
+    if (changed[i]) first = i;
+  for (const auto& articulate : made) {
+    const auto later = [](std::uint64_t serial, const auto& a) { return serial < a->serial; };
+    const auto place = std::upper_bound(articulates.begin(), articulates.end(), articulate->serial, later);
+    first = std::min(first, static_cast<std::size_t>(place - articulates.begin()));
+  }
+  for (std::size_t i = 0; i < changed.size(); i++)
+    if (changed[i]) articulates[i].reset();
+  std::erase(articulates, nullptr);
+  std::move(made.begin(), made.end(), std::back_inserter(articulates));
+  std::sort(articulates.begin(), articulates.end(), [](const auto& a, const auto& b) { return a->serial < b->serial; });
+  for (std::size_t i = first; i < articulates.size(); i++)
+    for (const Node& node : articulates[i]->nodes)
+      articulate_of(model, {node.slot, node.is_body}) = static_cast<std::int32_t>(i);
 }
 
 /// Puts the slots of `things` into a rising list of loose ones, or takes them out: whichever holds now.
@@ -126,6 +161,30 @@ void update_loose(Model& model, const std::vector<Thing>& things, bool bodies, s
   std::inplace_merge(loose.begin(), loose.begin() + old, loose.end());
 }
 
+/// Finds what the given things are tied to; appends whatever else that is to them. Returns the new articulates.
+Articulates gather(Model& model, const Articulates& before, std::vector<Thing>& things) {
+  Articulates made;
+  std::vector<Thing> loose;
+  Search search(model);
+  const std::size_t count = things.size();
+  for (std::size_t i = 0; i < count; i++) {
+    const Thing t = things[i];
+    if (!lives(model, t) || search.seen(t)) continue;
+    bool constrained = false;
+    std::vector<Thing> found = search.from(t, constrained);
+    things.insert(things.end(), found.begin(), found.end());
+    if (!constrained) {
+      loose.insert(loose.end(), found.begin(), found.end());
+      continue;
+    }
+    const auto older = [&](Thing a, Thing b) { return serial_of(model, a) < serial_of(model, b); };
+    if (!std::is_sorted(found.begin(), found.end(), older)) std::sort(found.begin(), found.end(), older);
+    made.push_back(build_articulate(model, found, before));
+  }
+  for (Thing t : loose) articulate_of(model, t) = -1;
+  return made;
+}
+
 }  // namespace
 
 void find_articulates(Model& model, std::vector<std::unique_ptr<Articulate>>& articulates,
@@ -133,32 +192,15 @@ void find_articulates(Model& model, std::vector<std::unique_ptr<Articulate>>& ar
   for (std::int32_t i : model.disturbed) disturb(*articulates[static_cast<std::size_t>(i)]);
   model.disturbed.clear();
   if (!model.topology_changed) return;
-  std::vector<Thing> changed = touched(model, articulates);
-  Search search(model);
-  const std::size_t count = changed.size();
-  for (std::size_t i = 0; i < count; i++) {
-    const Thing t = changed[i];
-    if (!lives(model, t) || search.seen(t)) continue;
-    bool constrained = false;
-    std::vector<Thing> things = search.from(t, constrained);
-    changed.insert(changed.end(), things.begin(), things.end());
-    for (Thing u : things) articulate_of(model, u) = -1;
-    if (!constrained) continue;
-    std::sort(things.begin(), things.end(),
-              [&](Thing a, Thing b) { return serial_of(model, a) < serial_of(model, b); });
-    articulates.push_back(build_articulate(model, things));
-  }
-  std::erase(articulates, nullptr);
-  std::sort(articulates.begin(), articulates.end(), [](const auto& a, const auto& b) { return a->serial < b->serial; });
-  for (std::size_t i = 0; i < articulates.size(); i++)
-    for (const Node& node : articulates[i]->nodes)
-      articulate_of(model, {node.slot, node.is_body}) = static_cast<std::int32_t>(i);
-  model.dirty_articulates.assign(articulates.size(), 0);
-  model.untied_bodies.clear();
-  model.untied_points.clear();
+  const std::vector<char> changed = changed_articulates(model, articulates);
+  std::vector<Thing> things = things_to_gather(model, articulates, changed);
+  model.touched.clear();
   model.topology_changed = false;
-  update_loose(model, changed, true, loose_bodies);
-  update_loose(model, changed, false, loose_points);
+  if (things.empty()) return;
+  Articulates made = gather(model, articulates, things);
+  replace(model, articulates, changed, made);
+  update_loose(model, things, true, loose_bodies);
+  update_loose(model, things, false, loose_points);
 }
 
 }  // namespace pantin

@@ -212,6 +212,7 @@ void make_consistent(Articulate& a) {
   find_kept(a);
   for (double epsilon = 1e-10;; epsilon *= 100.0) {
     Velocities v = start_solution(a);
+    if (v.forbidden <= 1e-13 * v.fastest) break;
     const double sane = std::max(1.001 * v.kinetic, 0.5 * a.total_mass * anchors);
     factorise_exactly(a, epsilon);
     for (int i = 0; i < 3; i++) {

@@ -130,6 +130,7 @@ void accept_gaps(Articulate& a, double tolerance, DriftReport& report) {
   if (a.gaps.open <= 1e-8 * a.length || a.gaps.open > tolerance * a.length) return;
   for (Row& row : a.rows)
     if (row.kind != RowKind::limited) accept_gap(a, row);
+  a.offsets = true;
   report.offsets++;
   measure_gaps(a);
 }

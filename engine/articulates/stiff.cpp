@@ -62,6 +62,23 @@ Pull at_end(PairCurve& curve, double r0, double r1, double rate0, double h, doub
 
 }  // namespace
 
+void make_stiff(const Model& model, ConnectionId id, Row& row, Condition& condition) {
+  const Connection& c = model.connections[id];
+  const bool swapped = !c.particles[0];  // a place of the world is always the second end
+  condition.stiff = std::make_shared<StiffTie>();
+  StiffTie& tie = *condition.stiff;
+  tie.connection = id;
+  tie.a = c.particles[swapped ? 1 : 0];
+  tie.b = c.particles[swapped ? 0 : 1];
+  tie.solve = c.solve;
+  if (!tie.b) condition.whole0 = condition.whole1 = c.places[swapped ? 0 : 1];
+  const Vec3 d = position(model, tie.a) - (tie.b ? position(model, tie.b) : condition.whole1);
+  tie.least2 = 1e-24 * (norm2(d) > 0.0 ? norm2(d) : 1.0);
+  for (auto law = c.law; law; law = law->also) tie.curves.emplace_back(*law);
+  for (auto* column : {&tie.energy0, &tie.energy1, &tie.pulls, &tie.given}) column->resize(tie.curves.size());
+  row.f = direction(d) * -c.tension;
+}
+
 void start_stiff(StiffTie& tie, const Row& row, double approach) {
   const double s0 = std::fmax(norm2(row.d0), tie.least2);
   tie.rate0 = approach / std::sqrt(s0);

@@ -25,6 +25,8 @@ struct StiffTie {
   double settle(const Row& row);
 };
 
+/// Makes the tie of a connection, with the force that it had; `row` and `condition` are its.
+void make_stiff(const Model& model, ConnectionId id, Row& row, Condition& condition);
 /// Reads the start of a step of h [s] from d0; `approach` is d0 · the velocity of d0 [m²/s].
 void start_stiff(StiffTie& tie, const Row& row, double approach);
 

@@ -38,6 +38,7 @@ struct Motion {
   double mass = 0.0;       ///< [kg]
   Freedom freedom = Freedom::rigid;
   std::int32_t articulate = -1;  ///< index of its articulate, or -1 where nothing constrains it
+  std::int32_t node = -1;        ///< its index in there
   Vec3 force = zero3();          ///< [N] pushes in this step, at the centre
   Vec3 torque = zero3();         ///< [N m] pushes and twists in this step, about the centre, world axes
 };

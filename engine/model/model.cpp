@@ -139,26 +139,22 @@ void update_mass(Model& m, BodyId id) {
 
 namespace {
 
-/// False where there is no articulate to mark.
-bool mark(Model& m, std::int32_t articulate) {
-  m.topology_changed = true;
-  if (articulate < 0) return false;
-  const auto index = static_cast<std::size_t>(articulate);
-  if (m.dirty_articulates.size() <= index) m.dirty_articulates.resize(index + 1, 0);
-  m.dirty_articulates[index] = 1;
-  return true;
+void disturb(Model& m, std::int32_t articulate) {
+  if (articulate >= 0) m.disturbed.push_back(articulate);
 }
 
 }  // namespace
 
 void touch(Model& m, BodyId body) {
-  if (!mark(m, m.motion_of(body).articulate)) m.untied_bodies.push_back(body);
+  m.topology_changed = true;
+  m.touched.push_back({body, {}, m.motion_of(body).articulate});
 }
 
 void touch(Model& m, PointId point) {
   const Point& p = m.points[point];
   if (p.body) return touch(m, p.body);
-  if (!mark(m, p.articulate)) m.untied_points.push_back(point);
+  m.topology_changed = true;
+  m.touched.push_back({{}, point, p.articulate});
 }
 
 void touch(Model& m, ParticleId particle) {
@@ -166,11 +162,22 @@ void touch(Model& m, ParticleId particle) {
 }
 
 void touch(Model& m, const Constraint& constraint) {
+  const auto both = [&](auto id) {
+    touch(m, id);
+    disturb(m, id);
+  };
   constraint.each_point([&](PointId point) {
-    if (m.points.alive(point)) touch(m, point);
+    if (m.points.alive(point)) both(point);
   });
   for (BodyId body : {constraint.body_a, constraint.body_b})
-    if (m.bodies.alive(body)) touch(m, body);
+    if (m.bodies.alive(body)) both(body);
+}
+
+void disturb(Model& m, BodyId body) { disturb(m, m.motion_of(body).articulate); }
+
+void disturb(Model& m, PointId point) {
+  const Point& p = m.points[point];
+  p.body ? disturb(m, p.body) : disturb(m, p.articulate);
 }
 
 std::string describe(const Model& m, PointId id) {

@@ -17,6 +17,13 @@
 
 namespace pantin {
 
+/// A body, or a free point, that an edit concerned; it may have gone since.
+struct Touched {
+  BodyId body;
+  PointId point;            ///< where body is null
+  std::int32_t articulate;  ///< that it was in, or -1
+};
+
 struct Model {
   Store<Point> points;
   std::vector<FreeMotion> free_motion;  ///< (slots of points)
@@ -33,10 +40,8 @@ struct Model {
   std::uint64_t next_serial = 1;
   bool topology_changed = true;         ///< an edit waits for `find_articulates`
   bool influences_changed = false;      ///< an edit concerns which laws act on what
-  std::vector<char> dirty_articulates;  ///< (articulates) to be found anew
-  std::vector<std::int32_t> disturbed;  ///< articulates whose velocities an edit changed
-  std::vector<BodyId> untied_bodies;    ///< touched bodies that have no articulate
-  std::vector<PointId> untied_points;   ///< touched free points that have no articulate
+  std::vector<Touched> touched;         ///< whose ties are to be looked at anew
+  std::vector<std::int32_t> disturbed;  ///< articulates whose places or velocities an edit changed
 
   FreeMotion& motion_of(PointId id) { return (void)points[id], free_motion[id.slot - 1]; }
   const FreeMotion& motion_of(PointId id) const { return (void)points[id], free_motion[id.slot - 1]; }
@@ -74,11 +79,16 @@ Mat3 inertia(const Model& m, BodyId body);
 /// elsewhere; the body is then as it was.
 void update_mass(Model& m, BodyId body);
 
-/// Marks what is tied to a thing to be found anew before the next step.
+/// Has the ties of a thing looked at anew before the next step: call where an edit changes mass, places of points in
+/// their body, or what a thing is tied to.
 void touch(Model& m, BodyId body);
 void touch(Model& m, PointId point);
 void touch(Model& m, ParticleId particle);
+/// The same, and the state of what it ties is no longer what the last step left.
 void touch(Model& m, const Constraint& constraint);
+/// Says that an edit changed the place or velocity of a thing: velocities of its articulate are to be made consistent.
+void disturb(Model& m, BodyId body);
+void disturb(Model& m, PointId point);
 
 /// "body 'arm'", "hinge 'elbow'", "particle 7" …: how messages call a thing.
 std::string describe(const Model& m, PointId id);

@@ -24,6 +24,7 @@ struct Point {
   std::vector<Handle<Constraint>> constraints;  ///< that hold this point, in the order of making
   Vec3 row_force = zero3();                     ///< [N] of its ring on this point in the last step
   std::int32_t articulate = -1;                 ///< of a free point: index of its articulate, or -1
+  std::int32_t node = -1;                       ///< of a free point: its index in there
   Color color;
   double radius = 0.0;  ///< [m] drawn size
   std::string name;     ///< of a body's named point

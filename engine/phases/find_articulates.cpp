@@ -24,8 +24,8 @@ void save_loose(World& world) {
 
 /// Whether something is to be found anew that is tied, or a body: not where free points were only born or have gone.
 bool ties_changed(const World& world) {
-  const auto& dirty = world.dirty_articulates;
-  return !world.untied_bodies.empty() || std::find(dirty.begin(), dirty.end(), 1) != dirty.end();
+  return std::any_of(world.touched.begin(), world.touched.end(),
+                     [](const Touched& t) { return t.body || t.articulate >= 0; });
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ void kick(World& world, BodyId body, Vec3 impulse, std::optional<Vec3> at) {
   m.p += impulse;
   if (at) m.angular += turning_part(m, cross(*at - m.x, impulse));
   post(world, energy_of(world, body) - before, Source::event);
-  touch_velocity(world, body);
+  disturb(world, body);
 }
 
 void twist(World& world, BodyId body, Vec3 torque) {
@@ -64,7 +64,7 @@ void kick(World& world, PointId id, Vec3 impulse) {
   disturb_forces(world);
   world.motion_of(id).v += impulse / point.mass;
   post(world, energy_of(world, id) - before, Source::event);
-  touch_velocity(world, id);
+  disturb(world, id);
 }
 
 }  // namespace pantin

@@ -25,16 +25,11 @@ void counted(World& world, Id id, Change change) {
   post(world, energy_of(world, id) - before);
 }
 
-/// The same, and marks what is tied to the thing.
+/// The same of its place or velocity.
 template <class Id, class Change>
 void changed(World& world, Id id, Change change) {
   counted(world, id, change);
-  touch_state(world, id);
-}
-template <class Id, class Change>
-void changed_velocity(World& world, Id id, Change change) {
-  counted(world, id, change);
-  touch_velocity(world, id);
+  disturb(world, id);
 }
 
 /// Changes what a body weighs; where that makes no body, `undo` puts it back.
@@ -69,7 +64,7 @@ void set_velocity(World& world, PointId point, Vec3 velocity) {
   require_unlocked(world, "velocity");
   require_free(world, "velocity", point);
   require_finite(describe(world, point), "velocity", velocity, "m/s");
-  changed_velocity(world, point, [&] { world.motion_of(point).v = velocity; });
+  changed(world, point, [&] { world.motion_of(point).v = velocity; });
 }
 
 void set_mass(World& world, PointId id, double mass) {
@@ -82,7 +77,8 @@ void set_mass(World& world, PointId id, double mass) {
         world, point.body, [&] { point.mass = mass; }, [&] { point.mass = old; });
   } else {
     require_positive(describe(world, id), "mass", mass, "kg");
-    changed(world, id, [&] { point.mass = mass; });
+    counted(world, id, [&] { point.mass = mass; });
+    if (point.articulate >= 0) touch(world, id);
   }
 }
 
@@ -113,7 +109,7 @@ void set_orientation(World& world, BodyId body, Quat orientation) {
 void set_velocity(World& world, BodyId body, Vec3 velocity) {
   require_unlocked(world, "velocity");
   require_finite(describe(world, body), "velocity", velocity, "m/s");
-  changed_velocity(world, body, [&] {
+  changed(world, body, [&] {
     Motion& m = world.motion_of(body);
     m.p = velocity * m.mass;
   });
@@ -122,7 +118,7 @@ void set_velocity(World& world, BodyId body, Vec3 velocity) {
 void set_spin(World& world, BodyId body, Vec3 spin) {
   require_unlocked(world, "spin");
   require_finite(describe(world, body), "spin", spin, "rad/s");
-  changed_velocity(world, body, [&] {
+  changed(world, body, [&] {
     Motion& m = world.motion_of(body);
     m.angular = angular_for(m, spin);
   });

@@ -96,25 +96,6 @@ void weigh_again(World& world, BodyId body) {
              text(describe(world, body), ": its smallest moment of inertia was lifted to 1e-3 of its largest"));
 }
 
-void touch_state(World& world, BodyId body) {
-  if (world.motion_of(body).articulate >= 0) touch(world, body);
-}
-void touch_state(World& world, PointId point) {
-  const Point& p = world.points[point];
-  if (p.body) return touch_state(world, p.body);
-  if (p.articulate >= 0) touch(world, point);
-}
-
-void touch_velocity(World& world, BodyId body) {
-  const std::int32_t articulate = world.motion_of(body).articulate;
-  if (articulate >= 0) world.disturbed.push_back(articulate);
-}
-void touch_velocity(World& world, PointId point) {
-  const Point& p = world.points[point];
-  if (p.body) return touch_velocity(world, p.body);
-  if (p.articulate >= 0) world.disturbed.push_back(p.articulate);
-}
-
 double size_of(const Model& model, PointId point) {
   const BodyId id = model.points[point].body;
   if (!id) return 0.0;

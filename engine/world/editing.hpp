@@ -60,12 +60,6 @@ void notice(World& world, Notice::Kind kind, const AnyId& thing, std::string sto
 
 /// Works out a body's mass again; an inertia that had to be lifted is told in the log.
 void weigh_again(World& world, BodyId body);
-/// Marks what an edit of place or a free point's mass concerns; what nothing ties has no history to lose.
-void touch_state(World& world, BodyId body);
-void touch_state(World& world, PointId point);
-/// The same for an edit of velocity, which leaves the graph as it is.
-void touch_velocity(World& world, BodyId body);
-void touch_velocity(World& world, PointId point);
 /// The largest arm of a point's body or distance between its points, [m]; 0 of a free point.
 double size_of(const Model& model, PointId point);
 /// A spin, torque or moment in world axes, in principal axes: less its part along the line of a body that cannot turn

@@ -21,15 +21,6 @@ struct Builder {
   std::vector<char> wanted = {};  // (slots of particles) 1: by solved connections only, 2: by other laws too
   std::vector<Vec3> places = {};  // of sites that are places of the world
   std::vector<std::uint32_t> mover_of_body = {}, mover_of_point = {};
-  std::vector<std::uint32_t> node_of_body = {}, node_of_point = {};
-
-  void find_nodes() {
-    node_of_body.assign(world.bodies.slots(), 0);
-    node_of_point.assign(world.points.slots(), 0);
-    for (const auto& articulate : world.articulates)
-      for (std::uint32_t i = 0; i < articulate->nodes.size(); i++)
-        (articulate->nodes[i].is_body ? node_of_body : node_of_point)[articulate->nodes[i].slot] = i;
-  }
 
   void want(ParticleId id, char how = 2) {
     char& mark = wanted[awake(world, id).slot - 1];
@@ -85,7 +76,8 @@ struct Builder {
       m.slot = slot;
       m.is_body = is_body;
       m.articulate = articulate;
-      if (articulate >= 0) m.node = (is_body ? node_of_body : node_of_point)[slot];
+      if (articulate >= 0)
+        m.node = static_cast<std::uint32_t>(is_body ? world.motion[slot].node : world.points.at_slot(slot).node);
       forces.movers.push_back(m);
     }
     return known[slot];
@@ -113,7 +105,6 @@ struct Builder {
   }
 
   void add_sites() {
-    find_nodes();
     const std::vector<std::uint32_t> slots = slots_by_serial();
     Sites& sites = forces.sites;
     sites.resize(slots.size() + places.size());

@@ -189,17 +189,22 @@ TEST_CASE("things are called by name, else by number, and the dead by their stor
   CHECK(describe(world, arm) == "body 'arm' was removed at 0 s by scene.lua:7");
 }
 
-TEST_CASE("touch marks the articulate of a thing, or lists what has none") {
+TEST_CASE("touch lists a thing with the articulate that it is in") {
   World world;
   const BodyId id = add_body(world, of_points({mass_at(vec(-1, 0, 0), 1), mass_at(vec(1, 0, 0), 1)}));
-  CHECK(world.untied_bodies == std::vector<BodyId>{id});
-  world.untied_bodies.clear();
+  REQUIRE(world.touched.size() == 1);
+  CHECK(world.touched[0].body == id);
+  CHECK(world.touched[0].articulate == -1);
+  world.touched.clear();
   world.topology_changed = false;
   world.motion_of(id).articulate = 2;
   touch(world, world.bodies[id].points[0]);
   CHECK(world.topology_changed);
-  CHECK(world.untied_bodies.empty());
-  CHECK(world.dirty_articulates == std::vector<char>{0, 0, 1});
+  REQUIRE(world.touched.size() == 1);
+  CHECK(world.touched[0].body == id);
+  CHECK(world.touched[0].articulate == 2);
+  disturb(world, world.bodies[id].points[0]);
+  CHECK(world.disturbed == std::vector<std::int32_t>{2});
 }
 
 TEST_CASE("a group is gone when it had members and none lives") {

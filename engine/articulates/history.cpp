@@ -1,0 +1,82 @@
+#include "articulates/history.hpp"
+
+#include <algorithm>
+
+namespace pantin {
+
+namespace {
+
+void copy_lane(Vec3x4& to, std::size_t lane, const Vec3x4& from, std::size_t of) {
+  to.x[lane] = from.x[of];
+  to.y[lane] = from.y[of];
+  to.z[lane] = from.z[of];
+}
+
+}  // namespace
+
+History::History(const Model& model, std::span<const Thing> things, const Articulates& before) {
+  nodes_.reserve(things.size());
+  for (Thing t : things) {
+    Origin origin;
+    const std::int32_t articulate =
+        t.is_body ? model.motion[t.slot].articulate : model.points.at_slot(t.slot).articulate;
+    if (articulate >= 0) {
+      origin.articulate = before[static_cast<std::size_t>(articulate)].get();
+      origin.index = static_cast<std::uint32_t>(node_of(model, t));
+    }
+    nodes_.push_back(origin);
+  }
+}
+
+History::Before History::row(const Tie& tie) const {
+  const Origin& a = nodes_[static_cast<std::size_t>(tie.a)];
+  const Origin& b = tie.b >= 0 ? nodes_[static_cast<std::size_t>(tie.b)] : a;
+  if (a.articulate == nullptr || a.articulate != b.articulate) return {};
+  const auto on_a = a.articulate->on[a.index], on_b = b.articulate->on[b.index];
+  for (std::uint32_t k : on_a.size() < on_b.size() ? on_a : on_b) {
+    const Row& row = a.articulate->rows[k];
+    const bool same_ends =
+        row.a == static_cast<std::int32_t>(a.index) && row.b == (tie.b >= 0 ? static_cast<std::int32_t>(b.index) : -1);
+    if (same_ends && is_row_of(*a.articulate, row, tie)) return {a.articulate, &row};
+  }
+  return {};
+}
+
+void History::hand_on(Articulate& to) const {
+  to.edited = false;
+  const Articulate* last = nullptr;
+  for (const Origin& origin : nodes_) {
+    if (origin.articulate == last || origin.articulate == nullptr) continue;
+    const Articulate& from = *origin.articulate;
+    to.last_h = last == nullptr || from.last_h == to.last_h ? from.last_h : 0.0;
+    to.history = last == nullptr ? from.history : std::min(to.history, from.history);
+    to.wait = last == nullptr ? from.wait : std::max(to.wait, from.wait);
+    to.fresh = (last != nullptr && to.fresh) || from.fresh;
+    to.rough = to.rough || from.rough;
+    to.weak = to.weak || from.weak;
+    to.safe = to.safe || from.safe;
+    to.edited = to.edited || from.edited || from.offsets;
+    if (from.epsilon < from.most_epsilon) to.epsilon = std::min(to.epsilon, from.epsilon);
+    to.projection_wait = std::max(to.projection_wait, from.projection_wait);
+    to.gaps.points = std::fmax(to.gaps.points, from.gaps.points);
+    to.gaps.rods = std::fmax(to.gaps.rods, from.gaps.rods);
+    to.gaps.open = std::fmax(to.gaps.open, from.gaps.open);
+    last = &from;
+  }
+  to.edited = to.edited || last == nullptr;
+}
+
+void History::hand_on(Articulate& to, std::span<const std::uint32_t> things) const {
+  for (std::size_t n = 0; n < things.size(); n++) {
+    const Origin& origin = nodes_[things[n]];
+    if (origin.articulate == nullptr) continue;
+    const NodeBatch& old = origin.articulate->batches[origin.index / batch_size];
+    NodeBatch& batch = to.batches[n / batch_size];
+    const std::size_t from = origin.index % batch_size, lane = n % batch_size;
+    for (Vec3x4 NodeBatch::*what : {&NodeBatch::a, &NodeBatch::a_last, &NodeBatch::a_before})
+      copy_lane(batch.*what, lane, old.*what, from);
+    for (int k = 0; k < 3; k++) copy_lane(batch.J_inverse[k], lane, old.J_inverse[k], from);
+  }
+}
+
+}  // namespace pantin
