@@ -14,6 +14,7 @@
 
 #include "articulates/batch.hpp"
 #include "articulates/factor.hpp"
+#include "articulates/forecast.hpp"
 #include "model/model.hpp"
 
 namespace pantin {
@@ -32,7 +33,6 @@ struct alignas(64) Node {
   double mass, inverse_mass;
   double reach;                // [m] turns a rotation into a displacement in the residual
   Vec3 row_force, row_torque;  // sums over rows, world axes
-  Vec3 phi;                    // [rad/s] velocity of the rotation, world axes
   Vec3 coupled;  // 1 or 0 per principal axis: 0 about an axis of symmetry that all arms lie on, where spin is its own
   // where it comes from
   std::uint32_t slot;
@@ -57,9 +57,8 @@ struct alignas(64) Row {
   double lever = 0.0;  // [m] of a couple; 0: ties points
   Vec3 f = zero3(), f_saved = zero3();
   Vec3 residual = zero3();
-  Vec3 d1 = zero3();      // [m] first point less second
-  Vec3 offset = zero3();  // [m] gap that cannot be closed
-  Vec3 f_last = zero3(), f_before = zero3();
+  Vec3 d1 = zero3();                // [m] first point less second
+  Vec3 offset = zero3();            // [m] gap that cannot be closed
   Vec3 la = zero3(), lb = zero3();  // arms of the two points
   // of rows that are not rigid:
   Vec3 d0 = zero3();
@@ -179,6 +178,7 @@ struct Articulate {
   std::vector<Wave> waves;                   // ends of the stretches; the last reaches all
   Factor factor;
   std::vector<Vec3> right_side;  // (rows)
+  Forecast forecast;
 
   double length = 0.0;      // [m] median arm: every length in a criterion is a multiple of it
   double total_mass = 0.0;  // [kg]
@@ -190,10 +190,7 @@ struct Articulate {
   static constexpr double least_epsilon = 1e-10;
   double most_epsilon = 1e-6, epsilon = 1e-6;
   std::uint32_t good_steps = 0, wait = 20, projection_wait = 0;
-  bool lowered = false;       // epsilon was lowered in this step
-  std::uint32_t history = 0;  // how many last steps the unknowns may be extrapolated from
-  bool rough = false;         // the last prediction was far off: the motion is not smooth at this step length
-  bool fresh = true;          // the rows' forces have no history
+  bool lowered = false;  // epsilon was lowered in this step
   bool all_rigid = true;
   bool couples = false;      // has rows that tie rotations
   bool limited = false;      // has limited rows
@@ -219,15 +216,6 @@ inline Condition& condition(Articulate& a, const Row& row) {
 }
 inline const Condition& condition(const Articulate& a, const Row& row) {
   return a.conditions[static_cast<std::size_t>(row.condition)];
-}
-
-/// Arms in the world [m] at the end of the step of the two ends of a row; not while a step is being solved.
-struct RowArms {
-  Vec3 a, b;
-};
-inline RowArms arms(const Articulate& a, const Row& row) {
-  const auto k = static_cast<std::size_t>(&row - a.rows.data());
-  return {a.at_ends[2 * k], a.at_ends[2 * k + 1]};
 }
 
 inline const Row& row(const Articulate& a, const Condition& c) { return a.rows[c.row]; }

@@ -33,7 +33,9 @@ struct alignas(64) NodeBatch {
   Vec3x4 L0;              // R0 P0
   Mat3x4 inertia_rate;    // R0 (2/h) I R0'
   Lanes sway;             // h²/2m
-  Vec3x4 a_last, a_before;
+  // of a projection of velocities
+  Vec3x4 p, L;      // momenta, angular ones in world axes
+  Mat3x4 mobility;  // R I⁻¹ R'
   // constants
   Vec3x4 inertia, inverse_inertia;
   Lanes inverse_mass;

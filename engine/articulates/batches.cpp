@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "articulates/midpoint.hpp"
+
 namespace pantin {
 
 namespace {
@@ -92,6 +94,7 @@ void lay_out_batches(Articulate& a) {
     a.batches[b].last_end = static_cast<std::uint32_t>(a.ends.size());
     set_constants(a, a.batches[b], b);
   }
+  a.forecast.rates.resize(a.batches.size());
   find_first_meetings(a);
 }
 
@@ -143,32 +146,68 @@ void place_at_end(Articulate& a, std::size_t b) {
   }
 }
 
-void tell_places(Articulate& a, std::size_t b) {
+Mat3x4 tell_places(Articulate& a, std::size_t b) {
   NodeBatch& n = a.batches[b];
   const Lanes w = square_root(n.c);
   const Vec3x4 u = n.a * (w * 0.5);
-  const auto x1 = unpack(n.x1), imaginary = unpack(u);
+  const Node *n0 = &node_in(a, b, 0), *n1 = &node_in(a, b, 1), *n2 = &node_in(a, b, 2), *n3 = &node_in(a, b, 3);
+  const Quat &q0 = n0->q0, &q1 = n1->q0, &q2 = n2->q0, &q3 = n3->q0;
+  const Quatx4 start = {
+      {q0.w, q1.w, q2.w, q3.w}, {q0.x, q1.x, q2.x, q3.x}, {q0.y, q1.y, q2.y, q3.y}, {q0.z, q1.z, q2.z, q3.z}};
+  const Quatx4 end = Quatx4{w, u.x, u.y, u.z} * start;
+  const Mat3x4 R1 = matrix(end);
+  const auto x1 = unpack(n.x1);
+  const auto R = unpack(R1);
   for (std::size_t lane = 0; lane < n.count; lane++) {
     Node& node = a.nodes[batch_size * b + lane];
     node.x1 = x1[lane];
     if (!node.turns) continue;
-    const Vec3 v = imaginary[lane];
-    node.q1 = Quat{w[lane], v[0], v[1], v[2]} * node.q0;
-    node.R1 = matrix(node.q1);
+    node.q1 = {end.w[lane], end.x[lane], end.y[lane], end.z[lane]};
+    node.R1 = R[lane];
   }
+  return R1;
 }
 
 void tell_ends(Articulate& a, std::size_t b, double h) {
   NodeBatch& n = a.batches[b];
-  tell_places(a, b);
-  const auto force = unpack(n.row_force), L1 = unpack(n.L1), rotation = unpack(n.a);
+  const Mat3x4 R1 = tell_places(a, b);
+  const auto force = unpack(n.row_force), P1 = unpack(transposed_times(R1, n.L1)), rotation = unpack(n.a);
   for (std::size_t lane = 0; lane < n.count; lane++) {
     Node& node = a.nodes[batch_size * b + lane];
     node.p1 = node.p0 + (force[lane] + node.force) * h;
     if (!node.turns) continue;
     node.a = rotation[lane];
-    node.P1 = transposed_times(node.R1, L1[lane]);
+    node.P1 = P1[lane];
   }
+}
+
+void read_momenta(Articulate& a, std::size_t b) {
+  NodeBatch& n = a.batches[b];
+  const Mat3x4 R = rotations(a, b, &Node::R0);
+  n.p = pack_nodes(a, b, [](const Node& node) { return node.p0; });
+  n.L = R * pack_nodes(a, b, [](const Node& node) { return node.P0; });
+  n.mobility = congruent(R, n.inverse_inertia);
+}
+
+void tell_momenta(Articulate& a, std::size_t b) {
+  const NodeBatch& n = a.batches[b];
+  const Vec3x4 principal = transposed_times(rotations(a, b, &Node::R0), n.L);
+  const auto p = unpack(n.p), P = unpack(principal), O = unpack(principal * n.inverse_inertia);
+  for (std::size_t lane = 0; lane < n.count; lane++) {
+    Node& node = a.nodes[batch_size * b + lane];
+    node.p0 = p[lane];
+    if (!node.turns) continue;
+    node.P0 = P[lane];
+    node.O0 = O[lane];
+  }
+}
+
+void add_impulses(Articulate& a, NodeBatch& n, const std::vector<Vec3>& impulses) {
+  RowLoad load{zero3x4(), zero3x4()};
+  for (const RowEnds& end : ends_of(a, n))
+    add_load(load, end, fetch(end, [&](std::uint32_t k) { return impulses[k]; }), end.r1);
+  n.p += load.force;
+  n.L += load.torque;
 }
 
 }  // namespace pantin

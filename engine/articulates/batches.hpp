@@ -20,6 +20,10 @@ inline void hand_over(Articulate& a, const RowEnds& end, const Vec3x4& what) {
   const auto each = unpack(what);
   for (std::size_t lane = 0; lane < batch_size; lane++) a.at_ends[end.to[lane]] = each[lane];
 }
+/// What both ends of row k told it, with their signs.
+inline Vec3 handed_over(const Articulate& a, std::size_t k) {
+  return a.rows[k].b >= 0 ? a.at_ends[2 * k] + a.at_ends[2 * k + 1] : a.at_ends[2 * k];
+}
 /// What the rows of ends have, side by side: what(k) is a Vec3 of row k.
 template <class What>
 Vec3x4 fetch(const RowEnds& end, What what) {
@@ -35,9 +39,15 @@ Vec3x4 start_spins(const Articulate& articulate, std::size_t batch);
 /// Sets arms at the start or end from the nodes, and hands their rows the places.
 void place_at_start(Articulate& articulate, std::size_t batch);
 void place_at_end(Articulate& articulate, std::size_t batch);
-/// Tells the nodes x1, q1 and R1.
-void tell_places(Articulate& articulate, std::size_t batch);
+/// Tells the nodes x1, q1 and R1; returns R1.
+Mat3x4 tell_places(Articulate& articulate, std::size_t batch);
 /// Tells the nodes all of the end of a step of `h` [s].
 void tell_ends(Articulate& articulate, std::size_t batch, double h);
+
+/// Reads the momenta of the nodes' starts, and tells them.
+void read_momenta(Articulate& articulate, std::size_t batch);
+void tell_momenta(Articulate& articulate, std::size_t batch);
+/// Adds impulses (rows) [N s] to the momenta, at the arms of the end.
+void add_impulses(Articulate& articulate, NodeBatch& batch, const std::vector<Vec3>& impulses);
 
 }  // namespace pantin

@@ -139,8 +139,6 @@ Condition make_condition(const Model& model, const Tie& tie, Row& row) {
 /// What the last steps found out of a row.
 void hand_on(const History::Before& before, Row& row, Condition* condition) {
   row.f = before.row->f;
-  row.f_last = before.row->f_last;
-  row.f_before = before.row->f_before;
   if (condition == nullptr || condition->stiff) return;
   const Condition& old = pantin::condition(*before.articulate, *before.row);
   condition->held = old.held;
@@ -166,8 +164,9 @@ bool add_row(Articulate& a, const Model& model, const Tie& tie, const std::vecto
     a.conditions.push_back(make_condition(model, tie, row));
     a.conditions.back().row = static_cast<std::uint32_t>(a.rows.size());
   }
-  row.f_last = row.f_before = row.f;
   const History::Before before = history.row(tie);
+  a.forecast.forces.push_back(before.row != nullptr ? before.articulate->forecast.forces[before.index()]
+                                                    : Forecast::OfRow{});
   if (before.row != nullptr) hand_on(before, row, tie.member ? nullptr : &a.conditions.back());
   a.rows.push_back(row);
   return before.row != nullptr;

@@ -31,7 +31,6 @@ void drift_part(Articulate& a, const DriftSettings& settings, double from, doubl
   if (a.gaps.open > 1e-8 * a.length) return safe_step(a, settings, h, report);
   if (solve_step(a, h, settings.gravity, report)) {
     commit(a, settings.gravity, report);
-    a.fresh = false;
     for (Condition& c : a.conditions) c.angle0 = c.angle1;
     measure_gaps(a);
     a.last_h = h;
@@ -43,7 +42,7 @@ void drift_part(Articulate& a, const DriftSettings& settings, double from, doubl
     return;
   }
   a.last_h = 0.0;
-  for (Row& row : a.rows) row.f = row.f_last;
+  for (std::size_t k = 0; k < a.rows.size(); k++) a.rows[k].f = a.forecast.forces[k][0];
   if (depth == most_halvings) return safe_step(a, settings, h, report);
   report.halved++;
   const double middle = 0.5 * (from + to);

@@ -12,6 +12,16 @@ void copy_lane(Vec3x4& to, std::size_t lane, const Vec3x4& from, std::size_t of)
   to.z[lane] = from.z[of];
 }
 
+/// Of articulates that differ only what is true of both.
+void hand_on_course(const Forecast& from, Forecast& to, bool first) {
+  const bool same = first || (from.since == to.since && from.scale == to.scale);
+  to.known = std::min({first ? Forecast::levels : to.known, from.known, same ? Forecast::levels : std::size_t{1}});
+  to.rough = to.rough || from.rough;
+  to.since = from.since;
+  to.scale = from.scale;
+  for (std::size_t k = 0; k < Forecast::levels; k++) to.missed[k] += from.missed[k];
+}
+
 }  // namespace
 
 History::History(const Model& model, std::span<const Thing> things, const Articulates& before) {
@@ -49,10 +59,8 @@ void History::hand_on(Articulate& to) const {
     if (origin.articulate == last || origin.articulate == nullptr) continue;
     const Articulate& from = *origin.articulate;
     to.last_h = last == nullptr || from.last_h == to.last_h ? from.last_h : 0.0;
-    to.history = last == nullptr ? from.history : std::min(to.history, from.history);
+    hand_on_course(from.forecast, to.forecast, last == nullptr);
     to.wait = last == nullptr ? from.wait : std::max(to.wait, from.wait);
-    to.fresh = (last != nullptr && to.fresh) || from.fresh;
-    to.rough = to.rough || from.rough;
     to.weak = to.weak || from.weak;
     to.safe = to.safe || from.safe;
     to.edited = to.edited || from.edited || from.offsets;
@@ -73,8 +81,10 @@ void History::hand_on(Articulate& to, std::span<const std::uint32_t> things) con
     const NodeBatch& old = origin.articulate->batches[origin.index / batch_size];
     NodeBatch& batch = to.batches[n / batch_size];
     const std::size_t from = origin.index % batch_size, lane = n % batch_size;
-    for (Vec3x4 NodeBatch::*what : {&NodeBatch::a, &NodeBatch::a_last, &NodeBatch::a_before})
-      copy_lane(batch.*what, lane, old.*what, from);
+    copy_lane(batch.a, lane, old.a, from);
+    for (std::size_t k = 0; k < Forecast::levels; k++)
+      copy_lane(to.forecast.rates[n / batch_size][k], lane,
+                origin.articulate->forecast.rates[origin.index / batch_size][k], from);
     for (int k = 0; k < 3; k++) copy_lane(batch.J_inverse[k], lane, old.J_inverse[k], from);
   }
 }

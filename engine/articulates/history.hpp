@@ -12,6 +12,7 @@ class History {
   struct Before {
     const Articulate* articulate = nullptr;
     const Row* row = nullptr;
+    std::size_t index() const { return static_cast<std::size_t>(row - articulate->rows.data()); }
   };
   /// The row that a tie made between the same nodes, or null. The nodes of the tie are things.
   Before row(const Tie& tie) const;

@@ -76,11 +76,6 @@ void move_ends(Articulate& a, const NodeBatch& n) {
   const Vec3x4 turn = rotation(n, n.da);
   for (const RowEnds& end : ends_of(a, n)) hand_over(a, end, cross(turn, end.r1) * end.sign + turn * end.lever);
 }
-Vec3 moved(const Articulate& a, const Row& row) {
-  const auto [at_a, at_b] = arms(a, row);
-  return row.b >= 0 ? at_a + at_b : at_a;
-}
-
 const Strand* strand_of_head(const Articulate& a, std::uint32_t k) {
   for (const Strand& strand : a.strands)
     if (strand.head == k) return &strand;
@@ -91,10 +86,10 @@ void set_right_side(Articulate& a, std::uint32_t k, const System& system) {
   const Row& row = a.rows[k];
   Vec3 side = row.residual;
   if (system.right == Arms::mean) {
-    side += row.kind == RowKind::rigid ? moved(a, row) : condition(a, row).M * moved(a, row);
+    side += row.kind == RowKind::rigid ? handed_over(a, k) : condition(a, row).M * handed_over(a, k);
     if (row.kind == RowKind::strand)
       if (const Strand* strand = strand_of_head(a, k))
-        side += into_head(a, *strand, [&](const Row& segment) { return moved(a, segment); });
+        side += into_head(a, *strand, [&](const Row& segment) { return handed_over(a, condition(a, segment).row); });
   }
   a.right_side[k] = side * system.right_scale;
 }

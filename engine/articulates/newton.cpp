@@ -29,10 +29,6 @@ void place_row_at_end(Articulate& a, std::size_t k) {
 
 Vec3x4 mean_arm(const RowEnds& end) { return (end.r0 + end.r1) * 0.5; }
 
-void hand_over_arms(Articulate& a) {
-  for (const RowEnds& end : a.ends) hand_over(a, end, end.r1);
-}
-
 /// What the rows' forces, once set, make of a batch; hands the rows its places. Returns the squares of the residuals [m²].
 Lanes attempt_batch(Articulate& a, std::size_t b, double h, double fraction) {
   NodeBatch& n = a.batches[b];
@@ -129,38 +125,16 @@ Goal goal(const Articulate& a, double h, Vec3 gravity) {
   return {std::max(3e-11 * std::fabs(h) * std::sqrt(speed2), round_off), round_off};
 }
 
-void predict(Articulate& a, double h) {
-  const bool same_h = a.last_h == h;
-  if (!same_h) a.history = std::min(a.history, 1u);
-  if (a.last_h == 0.0) a.history = 0;
-  const double ratio = a.last_h != 0.0 ? h / a.last_h : 0.0;
-  const std::uint32_t order = std::min(a.history, a.weak ? 1u : a.rough ? 2u : 3u);
+/// Puts the batches and rows where the iteration begins.
+void start_iteration(Articulate& a, double h) {
   for (std::size_t b = 0; b < a.batches.size(); b++) {
     NodeBatch& n = a.batches[b];
     begin(a, b, h);
     n.change = zero3x4();
-    const Vec3x4 last = n.a;
-    n.a_saved = order == 0   ? start_spins(a, b) * h
-                : order == 1 ? last * ratio
-                : order == 2 ? last * 2.0 - n.a_last
-                             : (last - n.a_last) * 3.0 + n.a_before;
-    n.a_before = n.a_last;
-    n.a_last = last;
-    if (!same_h) n.J_inverse = congruent(rotations(a, b, &Node::R0), n.inverse_inertia * (0.5 * h));
+    if (a.last_h != h) n.J_inverse = congruent(rotations(a, b, &Node::R0), n.inverse_inertia * (0.5 * h));
   }
-  for (Row& row : a.rows) {
-    const Vec3 last = row.f;
-    if (a.weak)
-      row.f_saved = last * 0.95;  // forget multipliers that the equations do not determine
-    else
-      row.f_saved = a.fresh || order == 0 ? last
-                    : order < 3           ? last + (last - row.f_last) * ratio
-                                          : (last - row.f_last) * 3.0 + row.f_before;
-    row.f_before = row.f_last;
-    row.f_last = last;
-  }
+  predict(a, h);
   std::fill(a.right_side.begin(), a.right_side.end(), zero3());
-  a.history = std::min(a.history + 1, 3u);
 }
 
 /// One damped Newton step along the direction in the nodes and rows. Returns the new residual.
@@ -180,10 +154,12 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   a.lowered = false;
   const auto [tolerance, round_off] = goal(a, h, gravity);
   double e = attempt(a, h, 0.0), gain = 1.0;
-  a.rough = e > 1e-3 * a.length;
+  a.forecast.rough = e > 0.03 * a.length;
   bool have_factor = false, fresh = false;
   int old_uses = 0;
-  for (std::uint32_t i = 0; e > tolerance && i < most_iterations; i++) {
+  // A prediction must be better than what an iteration leaves: what rests is to stay at rest.
+  const double good_prediction = std::max(0.01 * tolerance, round_off);
+  for (std::uint32_t i = 0; e > (i == 0 ? good_prediction : tolerance) && i < most_iterations; i++) {
     // Near the end an old factor often gains nothing at first, and much the next time.
     const bool serves = gain <= 0.1 || (gain <= 0.5 && old_uses < 2);
     old_uses++;
@@ -252,7 +228,6 @@ void place_rows_at_start(Articulate& a) {
 void place_rows_at_end(Articulate& a) {
   for (std::size_t b = 0; b < a.batches.size(); b++) place_at_end(a, b);
   for (std::size_t k = 0; k < a.rows.size(); k++) { place_row_at_end(a, k); }
-  hand_over_arms(a);
 }
 
 void add_work_of_rows(const Articulate& a, DriftReport& report) {
@@ -271,10 +246,9 @@ void add_work_of_rows(const Articulate& a, DriftReport& report) {
 
 bool solve_step(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   if (!a.all_rigid || a.couples) place_rows_at_start(a);
-  predict(a, h);
+  start_iteration(a, h);
   if (!iterate(a, h, gravity, report)) return false;
   for (std::size_t b = 0; b < a.batches.size(); b++) tell_ends(a, b, h);
-  hand_over_arms(a);
   return true;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "articulates/batches.hpp"
+#include "articulates/midpoint.hpp"
 #include "articulates/newton.hpp"
 #include "articulates/rows.hpp"
 #include "articulates/strand.hpp"
@@ -10,21 +12,11 @@ namespace pantin {
 
 namespace {
 
-Vec3 end_velocity(const Node& n, Vec3 arm) { return n.p0 * n.inverse_mass + cross(n.phi, arm); }
-
 /// Sets the residual of a row to its forbidden velocity.
-void find_forbidden_velocity(const Articulate& a, Row& row) {
-  if (is_soft(row)) {
-    row.residual = zero3();
-    return;
-  }
-  const Node& first = a.nodes[static_cast<std::size_t>(row.a)];
-  row.residual = row.lever > 0.0 ? first.phi * row.lever : end_velocity(first, arms(a, row).a);
-  if (row.b >= 0) {
-    const Node& second = a.nodes[static_cast<std::size_t>(row.b)];
-    row.residual -= row.lever > 0.0 ? second.phi * row.lever : end_velocity(second, arms(a, row).b);
-  }
-  if (row.condition < 0) return;
+void find_forbidden_velocity(Articulate& a, std::size_t k) {
+  Row& row = a.rows[k];
+  row.residual = is_soft(row) ? zero3() : handed_over(a, k);
+  if (row.condition < 0 || is_soft(row)) return;
   const Condition& c = condition(a, row);
   row.residual -= c.wanted;
   if (row.kind != RowKind::rigid) row.residual = c.kept * row.residual;
@@ -35,11 +27,8 @@ void find_forbidden_velocity(const Articulate& a, Row& row) {
 Vec3 forbidden_of_strand(const Articulate& a, std::uint32_t k) {
   for (const Strand& strand : a.strands) {
     if (strand.head != k) continue;
-    const auto velocity = [&](const Row& row) {
-      const Vec3 first = end_velocity(a.nodes[static_cast<std::size_t>(row.a)], arms(a, row).a);
-      return row.b < 0 ? first : first - end_velocity(a.nodes[static_cast<std::size_t>(row.b)], arms(a, row).b);
-    };
-    return a.rows[k].residual + into_head(a, strand, velocity);
+    return a.rows[k].residual +
+           into_head(a, strand, [&](const Row& row) { return handed_over(a, condition(a, row).row); });
   }
   return zero3();
 }
@@ -61,40 +50,32 @@ struct Velocities {
 /// Finds the rows' forbidden velocities and takes them through the first half of a solution on the factor at hand.
 Velocities start_solution(Articulate& a) {
   Velocities v;
+  Lanes kinetic = lanes(0.0), fastest2 = lanes(0.0);
   Wave done;
-  std::size_t done_nodes = 0;
   for (const Wave& wave : a.waves) {
-    for (; done_nodes < std::min<std::size_t>(a.nodes.size(), batch_size * wave.batches); done_nodes++) {
-      Node& n = a.nodes[done_nodes];
-      n.phi = n.turns ? n.R0 * n.O0 : zero3();
-      v.kinetic += kinetic_energy(n);
-      v.fastest = std::max(v.fastest, norm2(n.p0) * n.inverse_mass * n.inverse_mass);
+    for (; done.batches < wave.batches; done.batches++) {
+      const NodeBatch& n = a.batches[done.batches];
+      const Vec3x4 velocity = n.p * n.inverse_mass, spin = n.mobility * n.L;
+      kinetic += (dot(velocity, n.p) + dot(spin, n.L)) * 0.5;
+      fastest2 = larger(norm2(velocity), fastest2);
+      for (const RowEnds& end : ends_of(a, n))
+        hand_over(a, end, (velocity + cross(spin, end.r1)) * end.sign + spin * end.lever);
     }
     for (; done.rows < wave.rows; done.rows++) {
       Row& row = a.rows[done.rows];
-      find_forbidden_velocity(a, row);
+      find_forbidden_velocity(a, done.rows);
       if (row.kind == RowKind::strand) row.residual = forbidden_of_strand(a, done.rows);
       v.forbidden = std::max(v.forbidden, norm2(row.residual));
       a.right_side[done.rows] = row.residual * -1.0;
     }
     for (; done.columns < wave.columns; done.columns++) a.factor.substitute_forward(done.columns, a.right_side.data());
   }
+  v.kinetic = sum(kinetic);
+  v.fastest = largest_lane(fastest2);
   for (const Condition& c : a.conditions) v.fastest = std::max(v.fastest, norm2(c.velocity));
   v.fastest = std::sqrt(v.fastest);
   v.forbidden = std::sqrt(v.forbidden);
   return v;
-}
-
-void add_impulse(Node& n, const Row& row, Vec3 arm, Vec3 impulse) {
-  if (row.lever > 0.0) {
-    n.P0 += transposed_times(n.R0, impulse * row.lever);
-    n.O0 = n.inverse_inertia * n.P0;
-    return;
-  }
-  n.p0 += impulse;
-  if (!n.turns) return;
-  n.P0 += transposed_times(n.R0, cross(arm, impulse));
-  n.O0 = n.inverse_inertia * n.P0;
 }
 
 /// Work [J] of impulses on what moves by itself: anchors and lengths, and the turns of couples.
@@ -105,36 +86,23 @@ struct ImpulseWork {
 /// Finishes the solution of the half solved right side and applies the impulses.
 ImpulseWork apply_projection(Articulate& a) {
   ImpulseWork work;
-  for (std::size_t k = a.rows.size(); k-- > 0;) {
-    const Row& row = a.rows[k];
+  for (std::size_t k = a.rows.size(); k-- > 0;)
     a.factor.substitute_back(static_cast<std::uint32_t>(k), a.right_side.data());
-    if (is_soft(row)) continue;
-    Vec3 impulse = a.right_side[k];
-    if (row.condition >= 0) {
-      const Condition& c = condition(a, row);
-      if (row.kind != RowKind::rigid) impulse = c.kept * impulse;
-      (row.lever > 0.0 ? work.couples : work.ends) += dot(impulse, c.wanted);
-    }
-    const auto [at_a, at_b] = arms(a, row);
-    add_impulse(a.nodes[static_cast<std::size_t>(row.a)], row, at_a, impulse);
-    if (row.b >= 0) add_impulse(a.nodes[static_cast<std::size_t>(row.b)], row, at_b, impulse * -1.0);
+  for (const Condition& c : a.conditions) {
+    const Row& r = row(a, c);
+    Vec3& impulse = a.right_side[c.row];
+    if (r.kind != RowKind::rigid) impulse = is_soft(r) ? zero3() : c.kept * impulse;
+    (r.lever > 0.0 ? work.couples : work.ends) += dot(impulse, c.wanted);
   }
+  for (NodeBatch& n : a.batches) add_impulses(a, n, a.right_side);
   return work;
 }
 
-void save_momenta(Articulate& a) {
-  for (Node& n : a.nodes) {
-    n.p1 = n.p0;
-    n.P1 = n.P0;
-  }
+void read_momenta(Articulate& a) {
+  for (std::size_t b = 0; b < a.batches.size(); b++) read_momenta(a, b);
 }
-
-void restore_momenta(Articulate& a) {
-  for (Node& n : a.nodes) {
-    n.p0 = n.p1;
-    n.P0 = n.P1;
-    n.O0 = n.inverse_inertia * n.P0;
-  }
+void tell_momenta(Articulate& a) {
+  for (std::size_t b = 0; b < a.batches.size(); b++) tell_momenta(a, b);
 }
 
 void factorise_exactly(Articulate& a, double epsilon) {
@@ -152,7 +120,6 @@ bool project_with_newton_factor(Articulate& a, const Velocities& before, double&
     a.projection_wait--;
     return false;
   }
-  save_momenta(a);
   double done = 0.0;
   for (int i = 0; i < 3; i++) {
     done += apply_projection(a).ends;
@@ -162,7 +129,7 @@ bool project_with_newton_factor(Articulate& a, const Velocities& before, double&
     work += done;
     return true;
   }
-  restore_momenta(a);
+  read_momenta(a);
   start_solution(a);
   a.projection_wait = 100;
   return false;
@@ -188,6 +155,7 @@ void set_kept_matrices(Articulate& a) {
 void project_velocities(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   if (a.safe || a.yields) return;
   find_kept(a);
+  read_momenta(a);
   const Velocities before = start_solution(a);
   if (!project_with_newton_factor(a, before, report.work)) {
     report.projections++;
@@ -195,12 +163,13 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
     factorise_exactly(a, 1e-10);
     const ImpulseWork done = apply_projection(a);
     if (struck(a)) {
-      report.limit += kinetic_energy(a) - before.kinetic;
+      report.limit += start_solution(a).kinetic - before.kinetic;
     } else {
       report.work += done.ends;
       report.motor += done.couples;
     }
   }
+  tell_momenta(a);
   if (settings.energy_return) report.returned += return_energy(a, before.kinetic, settings.gravity);
 }
 
@@ -208,9 +177,9 @@ void make_consistent(Articulate& a) {
   if (a.yields) return;
   double anchors = 0.0;
   for (const Condition& c : a.conditions) anchors = std::max(anchors, norm2(c.velocity));
-  save_momenta(a);
   find_kept(a);
   for (double epsilon = 1e-10;; epsilon *= 100.0) {
+    read_momenta(a);
     Velocities v = start_solution(a);
     if (v.forbidden <= 1e-13 * v.fastest) break;
     const double sane = std::max(1.001 * v.kinetic, 0.5 * a.total_mass * anchors);
@@ -223,8 +192,8 @@ void make_consistent(Articulate& a) {
       if (v.forbidden > 0.5 * last) break;
     }
     if (v.kinetic <= sane || epsilon > 1e-3) break;
-    restore_momenta(a);
   }
+  tell_momenta(a);
   a.has_factor = false;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "articulates/batches.hpp"
 #include "articulates/couple.hpp"
 #include "articulates/midpoint.hpp"
 #include "articulates/newton.hpp"
@@ -79,24 +80,22 @@ double find_gaps(Articulate& a) {
 }
 
 void move_by_solution(Articulate& a) {
-  for (Node& n : a.nodes) {
-    n.row_force = n.row_torque = zero3();
-    n.x0 = n.x1;
-    n.q0 = n.q1;
-    n.R0 = n.R1;
-  }
-  for (std::size_t k = 0; k < a.rows.size(); k++) {
-    const Row& row = a.rows[k];
-    const auto [at_a, at_b] = arms(a, row);
-    pull(a.nodes[static_cast<std::size_t>(row.a)], row, at_a, a.right_side[k]);
-    if (row.b >= 0) pull(a.nodes[static_cast<std::size_t>(row.b)], row, at_b, a.right_side[k] * -1.0);
-  }
-  for (Node& n : a.nodes) {
-    n.x1 = n.x0 + n.row_force * n.inverse_mass;
-    if (!n.turns) continue;
-    const Vec3 u = inverse_inertia(n, n.R0) * n.row_torque * 0.5;
-    n.q1 = normalised(Quat{1.0, u[0], u[1], u[2]} * n.q0);
-    n.R1 = matrix(n.q1);
+  for (std::size_t b = 0; b < a.batches.size(); b++) {
+    NodeBatch& n = a.batches[b];
+    n.p = n.L = zero3x4();
+    add_impulses(a, n, a.right_side);
+    const auto straight = unpack(n.p), turning = unpack(n.L);
+    for (std::size_t lane = 0; lane < n.count; lane++) {
+      Node& node = a.nodes[batch_size * b + lane];
+      node.x0 = node.x1;
+      node.q0 = node.q1;
+      node.R0 = node.R1;
+      node.x1 = node.x0 + straight[lane] * node.inverse_mass;
+      if (!node.turns) continue;
+      const Vec3 u = inverse_inertia(node, node.R0) * turning[lane] * 0.5;
+      node.q1 = normalised(Quat{1.0, u[0], u[1], u[2]} * node.q0);
+      node.R1 = matrix(node.q1);
+    }
   }
 }
 
@@ -163,7 +162,6 @@ void safe_step(Articulate& a, const DriftSettings& settings, double h, DriftRepo
     if (row.kind != RowKind::limited) row.f = zero3();
   for (Condition& c : a.conditions) c.angle0 = c.angle1;
   release_stiff(a);
-  a.fresh = true;
   a.last_h = 0.0;
   a.safe = true;
   report.safe++;

@@ -13,6 +13,7 @@ inline constexpr std::size_t batch_size = 4;
 
 inline Lanes lanes(double s) { return Lanes{s, s, s, s}; }
 inline Lanes larger(Lanes a, Lanes b) { return a > b ? a : b; }
+inline double sum(Lanes a) { return a[0] + a[1] + a[2] + a[3]; }
 inline double largest_lane(Lanes a) { return std::fmax(std::fmax(a[0], a[1]), std::fmax(a[2], a[3])); }
 
 inline Lanes square_root(Lanes a) { return Lanes{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])}; }
@@ -24,6 +25,7 @@ struct Vec3x4 {
 inline Vec3x4 operator+(const Vec3x4& a, const Vec3x4& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline Vec3x4 operator-(const Vec3x4& a, const Vec3x4& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 inline Vec3x4 operator*(const Vec3x4& a, Lanes s) { return {a.x * s, a.y * s, a.z * s}; }
+inline Vec3x4 operator*(const Vec3x4& a, const Vec3x4& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 inline Vec3x4 operator*(const Vec3x4& a, double s) { return {a.x * s, a.y * s, a.z * s}; }
 inline void operator+=(Vec3x4& a, const Vec3x4& b) { a = a + b; }
 inline void operator-=(Vec3x4& a, const Vec3x4& b) { a = a - b; }
@@ -77,6 +79,23 @@ inline Mat3x4 hat(const Vec3x4& v) {
 inline Mat3x4 times_hat(const Mat3x4& a, const Vec3x4& v) {
   return {{a[1] * v.z - a[2] * v.y, a[2] * v.x - a[0] * v.z, a[0] * v.y - a[1] * v.x}};
 }
+/// Unit quaternions of four things.
+struct Quatx4 {
+  Lanes w, x, y, z;
+};
+
+inline Quatx4 operator*(const Quatx4& a, const Quatx4& b) {
+  return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
+          a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
+}
+inline Mat3x4 matrix(const Quatx4& q) {
+  const Lanes xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z, xy = q.x * q.y, xz = q.x * q.z, yz = q.y * q.z,
+              wx = q.w * q.x, wy = q.w * q.y, wz = q.w * q.z;
+  return {{{1.0 - 2.0 * (yy + zz), 2.0 * (xy + wz), 2.0 * (xz - wy)},
+           {2.0 * (xy - wz), 1.0 - 2.0 * (xx + zz), 2.0 * (yz + wx)},
+           {2.0 * (xz + wy), 2.0 * (yz - wx), 1.0 - 2.0 * (xx + yy)}}};
+}
+
 /// Inverse by cofactors; no pivoting.
 inline Mat3x4 inverse(const Mat3x4& a) {
   const Vec3x4 r0 = cross(a[1], a[2]), r1 = cross(a[2], a[0]), r2 = cross(a[0], a[1]);

@@ -21,6 +21,7 @@ void end_life(World& world, ParticleId id) {
 }  // namespace
 
 void age_particles(World& world) {
+  if (world.mortals.empty() && world.emitters.empty()) return;
   const Timed timed(world.profile, Phase::age_particles);
   const std::vector<ParticleId> ended = take_ended(world, with_round_off(next_time(world)));
   if (!ended.empty()) {

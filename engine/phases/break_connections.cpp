@@ -1,3 +1,6 @@
+#include <algorithm>
+
+#include "articulates/articulate.hpp"
 #include "phases/phases.hpp"
 #include "world/constrain.hpp"
 #include "world/editing.hpp"
@@ -7,8 +10,11 @@ namespace pantin::phases {
 
 void break_connections(World& world) {
   if (!world.trouble.empty()) return;
+  const bool breakable =
+      std::any_of(world.articulates.begin(), world.articulates.end(), [](const auto& a) { return a->breakable; });
+  if (!breakable && !world.forces) return;
   const Timed timed(world.profile, Phase::break_connections);
-  break_constraints(world);
+  if (breakable) break_constraints(world);
   if (!world.forces) return;
   std::vector<std::pair<ConnectionId, double>> broken;
   for (const ActingConnections& acting : world.forces->connections)

@@ -31,6 +31,9 @@ bool ties_changed(const World& world) {
 }  // namespace
 
 void find_articulates(World& world) {
+  const bool changed = world.topology_changed || world.influences_changed || !world.disturbed.empty();
+  const bool loose = !world.loose_bodies.empty() || !world.loose_points.empty();
+  if (!changed && !loose && !world.ledger.wanted) return;
   const Timed timed(world.profile, Phase::find_articulates);
   if (world.topology_changed && ties_changed(world)) editing::disturb_forces(world);
   if (world.influences_changed) choose_solved(world);
