@@ -7,8 +7,7 @@ return function(n, length, lean, middle, color)
     for i = 0, n do
       local bar = structure.rod { length = n * pitch, pieces = n }:rotate(turn)
       local at = middle + across:rotate(vec((i - n / 2) * pitch, 0, 0))
-      layer[i] = scene:build(bar, { as = "rigid", mass_in = "edges", mass = 1 / n, at = at, color = color })
-        .particles
+      layer[i] = scene:build(bar, { as = "rigid", mass_in = "edges", mass = 1 / n, at = at, color = color }).particles
     end
     return layer
   end
@@ -16,7 +15,7 @@ return function(n, length, lean, middle, color)
   local rising, falling, crossings = bars(up, down), bars(down, up), {}
   for i = 0, n do
     for j = 0, n do
-      crossings[#crossings + 1] = scene:hinge(rising[i][j + 1], falling[j][i + 1], { axis = z })
+      crossings[#crossings + 1] = scene:hinge(rising[i][j + 1], falling[j][i + 1])
     end
   end
   return crossings

@@ -1,7 +1,7 @@
 -- Figure 1 of the paper, the ordinary half: a trellis of rigid bars becomes thinner where it is pulled. Its Poisson's
 -- ratio is (length / height)², so it grows with every pull.
 local stretch, trellis = require "stretch", require "trellis"
-local n = scene:param("bars", 6, { min = 1, max = 24, step = 1, help = "bars each way, less one" })
+local n = scene:param("bars", 6, { min = 1, max = 12, step = 1, help = "bars each way, less one" })
 local lean = scene:param("lean", 55, { min = 10, max = 80, help = "of the bars at first, degrees" })
 local strain = scene:param("strain", 0.4, { min = 0.01, max = 2, help = "largest, by the grips" })
 
