@@ -163,6 +163,14 @@ struct NodeTotals {
   bool finite = true;         ///< these sums and all orientations are; then all states are
 };
 
+/// A node of so many rows that each does not meet each: they meet two variables of its own, as good as rows, by which the
+/// matrix is larger: u = 2/h² times how far the rows' forces move it, w = 2/h² times how far they turn it.
+struct Hub {
+  std::uint32_t node, variable;       // row of u in the factor; that of w is the next
+  std::vector<std::uint32_t> blocks;  // (rows on the node) those with u; with w the next of the column
+  std::vector<std::uint32_t> alone;   // rows on the node that are on no node but hubs
+};
+
 struct Articulate {
   std::vector<Node> nodes;
   std::vector<Row> rows;           // in the order of elimination
@@ -173,11 +181,12 @@ struct Articulate {
   std::vector<Condition> conditions;
   std::vector<Meeting> meetings;
   std::vector<Strand> strands;
-  std::vector<std::uint32_t> first_meeting;  // (nodes + 1)
+  std::vector<Hub> hubs;
+  std::vector<std::uint32_t> first_meeting;  // (nodes + 1); hubs have none
   RowLists on;                               // (nodes) the rows that a node is in, rising
   std::vector<Wave> waves;                   // ends of the stretches; the last reaches all
   Factor factor;
-  std::vector<Vec3> right_side;  // (rows)
+  std::vector<Vec3> right_side;  // (rows of the factor)
   Forecast forecast;
 
   double length = 0.0;      // [m] median arm: every length in a criterion is a multiple of it

@@ -62,7 +62,7 @@ void find_first_meetings(Articulate& a) {
     return first;
   };
   for (std::size_t b = 0; b < a.batches.size(); b++) {
-    const std::size_t ends = a.batches[b].last_end - a.batches[b].first_end;
+    const std::size_t ends = meeting_ends(a, b);
     for (std::size_t j = 0; j < ends; j++)
       for (std::size_t i = 0; i < ends; i++)
         for (std::size_t lane = 0; lane < batch_size; lane++)
@@ -98,10 +98,19 @@ void lay_out_batches(Articulate& a) {
   find_first_meetings(a);
 }
 
+std::size_t meeting_ends(const Articulate& a, std::size_t batch) {
+  std::size_t most = 0;
+  for (std::size_t n = batch_size * batch; n < std::min(batch_size * (batch + 1), a.nodes.size()); n++)
+    if (a.first_meeting[n] < a.first_meeting[n + 1]) most = std::max(most, a.on[n].size());
+  return most;
+}
+
 Meeting* meeting(Articulate& a, std::size_t batch, std::size_t lane, std::size_t i, std::size_t j) {
   const std::size_t later = std::max(i, j), earlier = std::min(i, j);
-  if (a.ends[a.batches[batch].first_end + later].to[lane] + 1 == a.at_ends.size()) return nullptr;
-  return &a.meetings[a.first_meeting[batch_size * batch + lane] + later * (later + 1) / 2 + earlier];
+  const std::size_t node = batch_size * batch + lane;
+  if (node >= a.nodes.size()) return nullptr;
+  const std::size_t place = a.first_meeting[node] + later * (later + 1) / 2 + earlier;
+  return place < a.first_meeting[node + 1] ? &a.meetings[place] : nullptr;
 }
 
 Mat3x4 rotations(const Articulate& a, std::size_t b, Mat3 Node::*R) {

@@ -12,6 +12,8 @@ void lay_out_batches(Articulate& articulate);
 inline std::span<RowEnds> ends_of(Articulate& a, const NodeBatch& batch) {
   return {a.ends.data() + batch.first_end, batch.last_end - batch.first_end};
 }
+/// How many ends of a batch meet others there: those of hubs do not.
+std::size_t meeting_ends(const Articulate& articulate, std::size_t batch);
 /// Where ends i and j of a node in a lane meet; null where it has not as many.
 Meeting* meeting(Articulate& articulate, std::size_t batch, std::size_t lane, std::size_t i, std::size_t j);
 

@@ -58,26 +58,58 @@ Edges edges_of_strings(const std::vector<Tie>& ties, const RowLists& on) {
   return edges;
 }
 
-/// Which rows meet: at a node, or as segments of a string.
-RowLists neighbours_of(const std::vector<Tie>& ties, std::size_t nodes) {
-  const RowLists on = rows_of_nodes(nodes, ties);
+/// Nodes with many rows to nodes of few, which meet at variables of the node. Segments of a string meet each other.
+std::vector<std::uint32_t> find_hubs(const std::vector<Tie>& ties, const RowLists& on) {
+  constexpr std::ptrdiff_t few = 16;
+  const auto rows = [&](std::size_t node) { return std::ssize(on[node]); };
+  std::vector<std::uint32_t> hubs;
+  for (std::uint32_t n = 0; n + 1 < on.first.size(); n++) {
+    if (rows(n) <= few) continue;
+    const auto leads_to_few = [&](std::uint32_t k) {
+      const std::int32_t other = ties[k].a == static_cast<std::int32_t>(n) ? ties[k].b : ties[k].a;
+      return other >= 0 && rows(static_cast<std::size_t>(other)) <= few;
+    };
+    const auto on_string = [&](std::uint32_t k) { return ties[k].kind == RowKind::strand; };
+    const auto list = on[n];
+    if (std::count_if(list.begin(), list.end(), leads_to_few) > few &&
+        std::none_of(list.begin(), list.end(), on_string))
+      hubs.push_back(n);
+  }
+  return hubs;
+}
+
+/// Which rows meet: at a node, at the two variables of a hub, which follow the rows, or as segments of a string.
+RowLists neighbours_of(const std::vector<Tie>& ties, const RowLists& on, const std::vector<std::uint32_t>& hubs) {
+  const auto rows = static_cast<std::uint32_t>(ties.size());
+  std::vector<std::uint32_t> variable(on.first.size() - 1, 0);  // of a hub, else 0
+  for (std::uint32_t i = 0; i < hubs.size(); i++) variable[hubs[i]] = rows + 2 * i;
   const Edges edges = edges_of_strings(ties, on);
   RowLists graph;
-  graph.first.reserve(ties.size() + 1);
-  graph.rows.reserve(4 * ties.size());
+  graph.first.reserve(rows + 2 * hubs.size() + 1);
+  graph.rows.reserve(4 * std::size_t{rows});
   graph.first.push_back(0);
   auto edge = edges.begin();
-  for (std::uint32_t i = 0; i < ties.size(); i++) {
-    for (std::int32_t node : {ties[i].a, ties[i].b})
-      if (node >= 0)
-        for (std::uint32_t j : on[static_cast<std::size_t>(node)])
-          if (j != i) graph.rows.push_back(j);
+  for (std::uint32_t i = 0; i < rows; i++) {
+    for (std::int32_t node : {ties[i].a, ties[i].b}) {
+      if (node < 0) continue;
+      const auto n = static_cast<std::size_t>(node);
+      if (variable[n] > 0)
+        graph.rows.insert(graph.rows.end(), {variable[n], variable[n] + 1});
+      else
+        std::copy_if(on[n].begin(), on[n].end(), std::back_inserter(graph.rows),
+                     [&](std::uint32_t j) { return j != i; });
+    }
     for (; edge != edges.end() && edge->first == i; ++edge) graph.rows.push_back(edge->second);
     const auto begin = graph.rows.begin() + graph.first.back();
     std::sort(begin, graph.rows.end());
     graph.rows.erase(std::unique(begin, graph.rows.end()), graph.rows.end());
     graph.first.push_back(static_cast<std::uint32_t>(graph.rows.size()));
   }
+  for (std::uint32_t hub : hubs)
+    for (int k = 0; k < 2; k++) {
+      graph.rows.insert(graph.rows.end(), on[hub].begin(), on[hub].end());
+      graph.first.push_back(static_cast<std::uint32_t>(graph.rows.size()));
+    }
   return graph;
 }
 
@@ -184,7 +216,11 @@ std::unique_ptr<Articulate> build_articulate(Model& model, std::span<const Thing
   std::vector<Tie> ties;
   ties.reserve(things.size());
   for (Thing t : things) find_ties(model, t, TiesOf::listed, ties);
-  Elimination elimination = minimum_degree(neighbours_of(ties, things.size()));
+  const RowLists on = rows_of_nodes(things.size(), ties);
+  const std::vector<std::uint32_t> hubs = find_hubs(ties, on);
+  const auto variables = static_cast<std::uint32_t>(2 * hubs.size());
+  Elimination elimination = minimum_degree(neighbours_of(ties, on, hubs), variables);
+  elimination.order.resize(ties.size());
   std::vector<std::int32_t> place;
   const NodeOrder order = order_nodes(ties, elimination.order, things.size(), place);
 
@@ -198,7 +234,10 @@ std::unique_ptr<Articulate> build_articulate(Model& model, std::span<const Thing
   a.rows.reserve(ties.size());
   for (std::uint32_t k : elimination.order)
     if (!add_row(a, model, ties[k], place, history)) disturb(a);
-  a.right_side.resize(a.rows.size());
+  for (std::uint32_t i = 0; i < hubs.size(); i++)
+    a.hubs.push_back({static_cast<std::uint32_t>(place[hubs[i]]), a.factor.rows - variables + 2 * i, {}, {}});
+  std::sort(a.hubs.begin(), a.hubs.end(), [](const Hub& x, const Hub& y) { return x.node < y.node; });
+  a.right_side.resize(a.factor.rows);
   find_meetings(a);
   find_dimensions(a, model);
   lay_out_batches(a);

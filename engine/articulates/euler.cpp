@@ -56,6 +56,7 @@ bool solve_euler(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   for (int i = 0; i < 40 && e > tolerance; i++) {
     factorise(a, {Arms::start, 1e-10, 1.0 / (h * h), -1.0 / (h * h)});
     report.factorisations++;
+    solve_hubs(a);
     for (std::size_t k = a.rows.size(); k-- > 0;) {
       a.factor.substitute_back(static_cast<std::uint32_t>(k), a.right_side.data());
       a.rows[k].f_saved = a.rows[k].f;

@@ -48,8 +48,8 @@ struct Elimination {
   RowLists columns;                  // (places) places of the blocks below the diagonal, rising
 };
 /// Greedy minimum-degree order of a graph, first in first out among equals, so that a chain is eliminated from both ends.
-/// `neighbours` (rows): rising, without the row itself.
-Elimination minimum_degree(const RowLists& neighbours);
+/// `neighbours` (rows): rising, without the row itself. The `late` last rows come after all others, as they are.
+Elimination minimum_degree(const RowLists& neighbours, std::uint32_t late = 0);
 /// Lays out a factor for an elimination.
 Factor lay_out(RowLists columns);
 

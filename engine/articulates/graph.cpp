@@ -78,8 +78,8 @@ class ChangingLists {
 
 }  // namespace
 
-Elimination minimum_degree(const RowLists& given) {
-  const auto n = static_cast<std::uint32_t>(given.first.size() - 1);
+Elimination minimum_degree(const RowLists& given, std::uint32_t late) {
+  const auto n = static_cast<std::uint32_t>(given.first.size() - 1), early = n - late;
   ChangingLists neighbours(given);
   Elimination e;
   e.order.resize(n);
@@ -88,9 +88,9 @@ Elimination minimum_degree(const RowLists& given) {
   e.columns.first.push_back(0);
   std::vector<std::uint32_t> place(n), clique, merged;
   Queues queues(n);
-  for (std::uint32_t i = 0; i < n; i++) queues.put(i, given.first[i + 1] - given.first[i]);
+  for (std::uint32_t i = 0; i < early; i++) queues.put(i, given.first[i + 1] - given.first[i]);
   for (std::uint32_t k = 0; k < n; k++) {
-    const std::uint32_t row = queues.take();
+    const std::uint32_t row = k < early ? queues.take() : k;
     e.order[k] = row;
     place[row] = k;
     clique.assign(neighbours[row].begin(), neighbours[row].end());
@@ -100,7 +100,7 @@ Elimination minimum_degree(const RowLists& given) {
                      std::back_inserter(merged));
       std::erase_if(merged, [&](std::uint32_t u) { return u == w || u == row; });
       neighbours.set(w, merged);
-      queues.put(w, static_cast<std::uint32_t>(merged.size()));
+      if (w < early) queues.put(w, static_cast<std::uint32_t>(merged.size()));
     }
     e.columns.rows.insert(e.columns.rows.end(), clique.begin(), clique.end());
     e.columns.first.push_back(static_cast<std::uint32_t>(e.columns.rows.size()));

@@ -41,7 +41,7 @@ void add(Mat3& block, bool first, const Row& row, const Articulate& a, const Mat
 /// The blocks of the rows that meet at the nodes of a batch.
 void add_meetings(Articulate& a, std::size_t b, const Mat3x4& W, Arms right) {
   const NodeBatch& n = a.batches[b];
-  const auto ends = ends_of(a, n);
+  const auto ends = ends_of(a, n).first(meeting_ends(a, b));
   for (std::size_t j = 0; j < ends.size(); j++) {
     const Mat3x4 G = turn_by(W, ends[j], right);
     for (std::size_t i = 0; i < ends.size(); i++) {
@@ -59,12 +59,42 @@ void add_meetings(Articulate& a, std::size_t b, const Mat3x4& W, Arms right) {
   }
 }
 
+/// The blocks of the rows of a hub with its variables: s u + w x s r1 (of a couple lever w) in the equations of the rows,
+/// u - Σ s/m f = 0 and w - Σ W (s r̄ x f) = 0 in those of the variables.
+void add_hub(Articulate& a, const Hub& hub, const Mat3x4& W, Arms right) {
+  const std::size_t lane = hub.node % batch_size;
+  const NodeBatch& n = a.batches[hub.node / batch_size];
+  const auto ends = ends_of(a, n);
+  const Mat3x4 one = {{{lanes(1), lanes(0), lanes(0)}, {lanes(0), lanes(1), lanes(0)}, {lanes(0), lanes(0), lanes(1)}}};
+  for (std::size_t i = 0; i < hub.blocks.size(); i++) {
+    const std::uint32_t block = hub.blocks[i];
+    const double sign = ends[i].sign[lane];
+    const Row& row = a.rows[ends[i].row[lane]];
+    add(a.factor.upper[block], true, row, a, identity33() * sign);
+    add(a.factor.upper[block + 1], true, row, a, unpack(coupling(ends[i], ends[i], one, lanes(0.0)))[lane]);
+    a.factor.lower[block] = identity33() * (-sign * n.inverse_mass[lane]);
+    a.factor.lower[block + 1] = unpack(turn_by(W, ends[i], right))[lane] * -1.0;
+  }
+  for (std::uint32_t k : hub.alone) a.factor.diagonal[k] = zero33();
+  for (std::uint32_t k : {hub.variable, hub.variable + 1}) {
+    a.factor.diagonal[k] = identity33();
+    a.factor.floor[k] = vec(1, 1, 1) * Factor::redundant;
+  }
+}
+
 /// Adds the compliance to the diagonal block of a row, and says which pivots will count as redundant.
 void finish_diagonal(Articulate& a, std::uint32_t k, const System& system) {
   const Row& row = a.rows[k];
   Mat3& d = a.factor.diagonal[k];
+  const double own = trace(d) / 3.0;
   if (row.kind != RowKind::rigid) d += condition(a, row).C * system.scale;
-  const double compliance = is_soft(row) ? 0.0 : system.epsilon * trace(d) / 3.0;
+  double compliance = system.epsilon * trace(d) / 3.0;
+  if (!a.hubs.empty()) {
+    // A hub gives nothing to the diagonal. A row between hubs has the compliance for a pivot: less would lose more digits.
+    const double all = mobility(a, row);
+    compliance = all * (own < 1e-8 * all ? std::max(system.epsilon, 1e-8) : system.epsilon);
+  }
+  if (is_soft(row)) compliance = 0.0;
   for (int i = 0; i < 3; i++) {
     d[i][i] += compliance;
     a.factor.floor[k][i] = std::fabs(d[i][i]) * Factor::redundant;
@@ -150,6 +180,8 @@ Mat3 inverse_inertia(const Node& n, const Mat3& R) {
 bool factorise(Articulate& a, const System& system) {
   bool weak = false;
   Wave done;
+  clear_hubs(a);
+  auto hub = a.hubs.begin();
   const std::uint32_t* to = a.factor.target.data();
   for (const Wave& wave : a.waves) {
     for (; done.batches < wave.batches; done.batches++) {
@@ -158,7 +190,9 @@ bool factorise(Articulate& a, const System& system) {
         invert_jacobian(n, moments(a, n), system.h);
         move_ends(a, n);
       }
-      add_meetings(a, done.batches, weight(a, done.batches, system), system.right);
+      const Mat3x4 W = weight(a, done.batches, system);
+      add_meetings(a, done.batches, W, system.right);
+      for (; hub != a.hubs.end() && hub->node / batch_size == done.batches; ++hub) add_hub(a, *hub, W, system.right);
     }
     for (; done.rows < wave.rows; done.rows++) {
       if (a.rows[done.rows].kind == RowKind::strand)
@@ -174,8 +208,17 @@ bool factorise(Articulate& a, const System& system) {
   return weak;
 }
 
+void clear_hubs(Articulate& a) {
+  std::fill(a.right_side.begin() + static_cast<std::ptrdiff_t>(a.rows.size()), a.right_side.end(), zero3());
+}
+
+void solve_hubs(Articulate& a) {
+  for (std::uint32_t k = a.factor.rows; k-- > a.rows.size();) a.factor.substitute_back(k, a.right_side.data());
+}
+
 void reuse_factor(Articulate& a, const System& system) {
   Wave done;
+  clear_hubs(a);
   for (const Wave& wave : a.waves) {
     for (; done.batches < wave.batches; done.batches++) move_ends(a, a.batches[done.batches]);
     for (; done.rows < wave.rows; done.rows++) set_right_side(a, done.rows, system);

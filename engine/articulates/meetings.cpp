@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <span>
 
 #include "articulates/build.hpp"
 #include "articulates/strand.hpp"
@@ -7,10 +8,19 @@ namespace pantin {
 
 void find_meetings(Articulate& a) {
   a.on = rows_of_nodes(a.nodes.size(), a.rows);
-  std::vector<char> reached(a.factor.below.size(), 0);
+  std::vector<char> reached(a.factor.below.size(), 0), meets_at_variables(a.nodes.size(), 0);
+  for (const Hub& hub : a.hubs) meets_at_variables[hub.node] = 1;
+  const auto free_of_hubs = [&](std::int32_t n) { return n >= 0 && !meets_at_variables[static_cast<std::size_t>(n)]; };
+  for (Hub& hub : a.hubs) {
+    for (std::uint32_t k : a.on[hub.node]) {
+      if (!free_of_hubs(a.rows[k].a) && !free_of_hubs(a.rows[k].b)) hub.alone.push_back(k);
+      hub.blocks.push_back(a.factor.block(hub.variable, k));
+      reached[hub.blocks.back()] = reached[hub.blocks.back() + 1] = 1;
+    }
+  }
   a.first_meeting.assign(1, 0);
   for (std::uint32_t n = 0; n < a.nodes.size(); n++) {
-    for (std::uint32_t i : a.on[n])
+    for (std::uint32_t i : meets_at_variables[n] ? std::span<const std::uint32_t>() : a.on[n])
       for (std::uint32_t j : a.on[n]) {
         if (i < j) continue;
         const std::uint32_t block = i == j ? i : a.factor.block(i, j);
@@ -50,14 +60,19 @@ void find_waves(Articulate& a) {
     }
   for (const Strand& strand : a.strands)
     for (std::uint32_t k : strand.segments) last_batch[strand.head] = std::max(last_batch[strand.head], last_batch[k]);
+  // Of rows; the variables of hubs come after them and wait for nothing.
+  const auto last_below = [&](std::uint32_t column) {
+    std::uint32_t i = a.factor.first[column + 1];
+    while (i > a.factor.first[column] && a.factor.below[i - 1] >= rows) i--;
+    return i > a.factor.first[column] ? a.factor.below[i - 1] : 0;
+  };
   Wave w;
   while (w.forces < rows) {
     w.forces = std::min(rows, w.forces + stretch);
     while (w.batches < batches && last_row[w.batches] < w.forces) w.batches++;
     while (w.rows < rows && last_batch[w.rows] < w.batches) w.rows++;
-    const std::vector<std::uint32_t>&first = a.factor.first, &below = a.factor.below;
-    while (w.columns < w.rows && (first[w.columns + 1] == first[w.columns] || below[first[w.columns + 1] - 1] < w.rows))
-      w.columns++;
+    while (w.columns < w.rows && last_below(w.columns) < w.rows) w.columns++;
+    if (w.columns == rows) w.columns = a.factor.rows;
     a.waves.push_back(w);
   }
 }

@@ -94,6 +94,7 @@ Lanes find_change(Articulate& a, NodeBatch& n, double h) {
 double find_direction(Articulate& a, double h) {
   Lanes largest_turn = lanes(0.0);
   std::size_t b = a.batches.size();
+  solve_hubs(a);
   for (std::size_t k = a.rows.size(); k-- > 0;) {
     a.factor.substitute_back(static_cast<std::uint32_t>(k), a.right_side.data());
     a.rows[k].f_saved = a.rows[k].f;

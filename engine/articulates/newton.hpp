@@ -29,6 +29,9 @@ struct System {
 /// Fills and factorises the matrix and takes its right side through the first half of the solution, whose second half is
 /// `Factor::substitute_back`. Returns whether a pivot is weak.
 bool factorise(Articulate& articulate, const System& system);
+/// Call before a right side is taken through the first half of a solution, and at the beginning of the second half.
+void clear_hubs(Articulate& articulate);
+void solve_hubs(Articulate& articulate);
 /// The same for another right side on the factor of Newton's matrix at hand.
 void reuse_factor(Articulate& articulate, const System& system);
 /// R I⁻¹ R' with the rotation at the start or end of the step.

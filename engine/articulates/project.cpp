@@ -52,6 +52,7 @@ Velocities start_solution(Articulate& a) {
   Velocities v;
   Lanes kinetic = lanes(0.0), fastest2 = lanes(0.0);
   Wave done;
+  clear_hubs(a);
   for (const Wave& wave : a.waves) {
     for (; done.batches < wave.batches; done.batches++) {
       const NodeBatch& n = a.batches[done.batches];
@@ -86,6 +87,7 @@ struct ImpulseWork {
 /// Finishes the solution of the half solved right side and applies the impulses.
 ImpulseWork apply_projection(Articulate& a) {
   ImpulseWork work;
+  solve_hubs(a);
   for (std::size_t k = a.rows.size(); k-- > 0;)
     a.factor.substitute_back(static_cast<std::uint32_t>(k), a.right_side.data());
   for (const Condition& c : a.conditions) {

@@ -106,6 +106,7 @@ void close_gaps(Articulate& a, double tolerance) {
     for (const Row& row : a.rows) scale = std::max(scale, mobility(a, row));
   for (int i = 0; i < 40 && sum > tolerance * tolerance && epsilon <= 1e3; i++) {
     factorise(a, {Arms::end, epsilon, scale, -1.0});
+    solve_hubs(a);
     for (std::size_t k = a.rows.size(); k-- > 0;)
       a.factor.substitute_back(static_cast<std::uint32_t>(k), a.right_side.data());
     move_by_solution(a);

@@ -90,6 +90,38 @@ Chain add_ring(World& world, int links) {
   return ring;
 }
 
+Wheel add_wheel(World& world, const WheelDef& def) {
+  BodyDef disc;
+  disc.mass = def.mass;
+  disc.inertia = diagonal(vec(0.25, 0.5, 0.25) * def.mass);
+  disc.points.resize(1);
+  const auto angle = [&](int i) { return 2.0 * std::numbers::pi * i / def.spokes; };
+  const auto outwards = [&](int i) { return vec(functions::cos(angle(i)), 0, -functions::sin(angle(i))); };
+  const int to = def.to < 0 ? def.spokes : def.to;
+  for (int i = def.from; i < to; i++) {
+    PointDef point;
+    point.at = outwards(i);
+    disc.points.push_back(point);
+  }
+  Wheel wheel;
+  wheel.hub = add_body(world, disc);
+  wheel.centre = point_of(world, wheel.hub, 0);
+  for (int i = def.from; i < to; i++) {
+    PointId end = point_of(world, wheel.hub, static_cast<std::size_t>(1 + i - def.from));
+    wheel.edge.push_back(end);
+    for (int k = 0; k < def.links; k++) {
+      BodyDef link;
+      link.at = outwards(i) * (1.5 + k);
+      link.orientation = {functions::cos(0.5 * angle(i)), 0, functions::sin(0.5 * angle(i)), 0};
+      const BodyId body = add_rod_body(world, 1, 1, link);
+      add_hinge(world, std::array{end, point_of(world, body, 0)});
+      end = point_of(world, body, 1);
+    }
+    wheel.ends.push_back(end);
+  }
+  return wheel;
+}
+
 DoublePendulum add_double_pendulum(World& world) {
   ParticleDef inner, outer;
   inner.at = vec(1, 0, 0);

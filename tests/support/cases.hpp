@@ -33,6 +33,20 @@ Chain add_chain(World& world, const ChainDef& def = {});
 Chain add_heavy_chain(World& world, int links, double ratio);
 /// A closed regular polygon of unit rods; its topmost hinge is nailed.
 Chain add_ring(World& world, int links);
+struct WheelDef {
+  int spokes = 20;    ///< all round; made are those
+  int from = 0;       ///< of these numbers
+  int to = -1;        ///< -1: all
+  int links = 2;      ///< of a spoke
+  double mass = 100;  ///< [kg] of the disc
+};
+struct Wheel {
+  BodyId hub;
+  PointId centre;
+  std::vector<PointId> edge, ends;  ///< (spokes) points of the disc, tails of the last links
+};
+/// A disc of radius 1 m in the plane y = 0, with chains of unit rods outwards from hinges at its edge.
+Wheel add_wheel(World& world, const WheelDef& def = {});
 /// Two particles of 1 kg on massless rods of 1 m, both at 90° from the downward vertical, at the origin.
 struct DoublePendulum {
   PointId inner, outer;
