@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "laws/library.hpp"
@@ -240,7 +241,7 @@ TEST_CASE("what cannot be built leaves the world as it was") {
   in_box.edge = spring();
   in_box.edge.solve = Solve::at_middle;
   BuildDef no_place = as(BuildAs::rigid);
-  no_place.at = vec(0, NAN, 0);
+  no_place.at = vec(0, std::numeric_limits<double>::quiet_NaN(), 0);
   BuildDef wrong_mass_in = as(BuildAs::panels);
   wrong_mass_in.mass_in = MassIn::solid;
   BuildDef wrong_edges = as(BuildAs::deformable);

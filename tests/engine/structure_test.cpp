@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "base/check.hpp"
@@ -225,7 +226,7 @@ TEST_CASE("structures are divided, joined and chosen from") {
 
 TEST_CASE("bad structures are refused") {
   const std::vector<Vec3> three = {vec(0, 0, 0), vec(1, 0, 0), vec(0, 1, 0)};
-  CHECK_THAT(message([&] { make_structure({vec(0, NAN, 0)}, {}, {}); }),
+  CHECK_THAT(message([&] { make_structure({vec(0, std::numeric_limits<double>::quiet_NaN(), 0)}, {}, {}); }),
              Contains("vertex 1 must be finite, got (0, NaN, 0) m"));
   CHECK_THAT(message([&] { make_structure(three, {{0, 3}}, {}); }), Contains("edge 1 has a vertex 4, but there are 3"));
   CHECK_THAT(message([&] { make_structure(three, {{1, 1}}, {}); }), Contains("from vertex 2 to itself"));
