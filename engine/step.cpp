@@ -2,6 +2,7 @@
 
 #include "base/subnormals.hpp"
 #include "phases/phases.hpp"
+#include "world/integrator.hpp"
 
 namespace pantin {
 
@@ -18,12 +19,16 @@ void step(World& world) {
     phases::find_articulates(world);
     phases::refresh_forces(world);
     if (!world.failure.empty()) return;
-    phases::half_kick(world);
-    phases::drift(world);
-    phases::find_pairs(world);
-    phases::apply_forces(world);
-    phases::half_kick_to_end(world);
-    phases::project_velocities(world);
+    const std::uint32_t count = parts(world);
+    for (std::uint32_t part = 0; part < count; part++) {
+      begin_part(world, part);
+      phases::half_kick(world);
+      phases::drift(world);
+      phases::find_pairs(world);
+      phases::apply_forces(world);
+      phases::half_kick_to_end(world);
+      phases::project_velocities(world);
+    }
     phases::break_connections(world);
   }
   phases::end_step(world);

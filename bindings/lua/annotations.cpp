@@ -82,6 +82,7 @@ function quat_methods:inverse() end
 ---@field projection number [J] taken by the projection of velocities, since it is kept
 ---@field energy_return number [J] given back of that
 ---@field safe_step number [J] taken by safe steps, since it is kept
+---@field integrator number [J] that the integrators euler and rk4 gave by being inexact, since it is kept
 ---@field since number? [s] when all began to be kept; nil, and so the fields below: not yet
 ---@field gravity number? [J] given to the motion since then
 ---@field closure number? what no line explains of the kinetic energy, relative to all lines: a test of the program
@@ -97,6 +98,9 @@ function quat_methods:inverse() end
 ---@field halved_steps integer
 ---@field safe_steps integer
 ---@field projections integer
+---@field sub_steps integer of the whole scene in its last step, as `scene.accuracy` wants
+---@field most_sub_steps integer the most of any body or articulate, those of the scene included
+---@field most_sub_steps_of string that body, or the first of that articulate; "" where all take as many
 ---@field ns table<string, number> [ns] per phase
 
 ---@class LogLine

@@ -83,6 +83,11 @@ void read_stats(const Self& self) {
   set(self.state, "halved_steps", s.halved_steps);
   set(self.state, "safe_steps", s.safe_steps);
   set(self.state, "projections", s.projections);
+  set(self.state, "sub_steps", std::uint64_t{self.world.sub_steps.count});
+  const MostSubSteps most = most_sub_steps(self.world);
+  set(self.state, "most_sub_steps", std::uint64_t{most.count});
+  lua_pushlstring(self.state, most.thing.data(), most.thing.size());
+  lua_setfield(self.state, -2, "most_sub_steps_of");
   lua_newtable(self.state);
   for (std::size_t i = 0; i < phase_names.size(); i++)
     set(self.state, std::string(phase_names[i]).c_str(), static_cast<double>(self.world.profile.ns[i]));

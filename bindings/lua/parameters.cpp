@@ -104,7 +104,7 @@ void take_command_line(const Script& script, Parameter& p) {
   } catch (const Error& error) { throw UsageError(text("--set ", p.name, "=", given->second, ": ", error.what())); }
 }
 
-/// Pushes what a text means for a setting: a number, true or false, "x,y,z" for a vec, else the text.
+/// Pushes what a text means for a setting: a number, true or false, "x,y,z" for a vec, nil where that may be, else the text.
 void push_setting(lua_State* state, const Field& field, const std::string& given) {
   if (std::string_view(field.type) == "string") return void(lua_pushlstring(state, given.data(), given.size()));
   if (const auto number = number_of_text(given)) {
@@ -112,6 +112,7 @@ void push_setting(lua_State* state, const Field& field, const std::string& given
       return lua_pushinteger(state, static_cast<lua_Integer>(*number));
     return lua_pushnumber(state, *number);
   }
+  if (given == "nil" && std::string_view(field.type).ends_with('?')) return lua_pushnil(state);
   if (given == "true" || given == "false") return lua_pushboolean(state, given == "true");
   const auto first = given.find(','), second = given.find(',', first + 1);
   if (first != given.npos && second != given.npos) {

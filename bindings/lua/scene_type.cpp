@@ -64,7 +64,6 @@ void read_camera(const Self& s) {
 }
 
 void write_integrator(const Self& s, int index) {
-  require_unlocked(s, "integrator");
   const std::string name = check_text(s.state, index, "scene", "integrator");
   std::string known;
   for (const NamedIntegrator& named : integrators) {
@@ -114,8 +113,22 @@ std::vector<Field> engine_settings() {
       {"step", "number", "s", "length of one step",
        [](const Self& s) { lua_pushnumber(s.state, s.world.settings.step); },
        [](const Self& s, int i) { set_step(s.world, check_positive(s, i, "step", "s")); }},
+      {"accuracy", "number?", "1/s",
+       "wanted error per second, relative to the sizes of things; sub-steps follow from it",
+       [](const Self& s) {
+         if (s.world.settings.accuracy)
+           lua_pushnumber(s.state, *s.world.settings.accuracy);
+         else
+           lua_pushnil(s.state);
+       },
+       [](const Self& s, int i) {
+         set_accuracy(s.world,
+                      lua_isnil(s.state, i) ? std::optional<double>() : check_positive(s, i, "accuracy", "1/s"));
+       }},
       {"integrator", "string", "",
-       "\"verlet\", \"implicit\" (connections of any stiffness), or \"euler\" (the paper's)",
+       "\"verlet\" (2nd order), \"implicit\" (the same with connections of any stiffness), \"suzuki4\" (4th order, "
+       "where "
+       "nothing dissipates), \"rk4\" (4th order, no constraints), \"euler\" (the paper's)",
        [](const Self& s) {
          const std::string_view name = name_of(s.world.settings.integrator);
          lua_pushlstring(s.state, name.data(), name.size());

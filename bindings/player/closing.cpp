@@ -29,6 +29,12 @@ void print_closing(const lua::Scene& scene, const std::string& path, double seco
                 world.error.energy, world.worst.energy, world.error.hinge_gap, world.worst.hinge_gap,
                 static_cast<unsigned long long>(state_hash(world)));
   std::cout << line;
+  if (world.settings.accuracy) {
+    const MostSubSteps most = most_sub_steps(world);
+    std::cout << text("  accuracy ", *world.settings.accuracy, " per second took ", world.sub_steps.count,
+                      world.sub_steps.count == 1 ? " sub-step" : " sub-steps", " of the scene in the last step, and ",
+                      most.count, most.thing.empty() ? " of everything" : " of what moves with " + most.thing, "\n");
+  }
   for (const Probe& probe : world.probes)
     if (!probe.values.empty()) std::cout << "  " << probe.name << " " << to_text(probe.values.back()) << "\n";
   for (const auto& [name, value] : scene.results()) std::cout << "  " << name << " " << show(value) << "\n";

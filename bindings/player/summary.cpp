@@ -30,7 +30,10 @@ Json stats(const World& world) {
           {"factorisations", s.factorisations},
           {"halved_steps", s.halved_steps},
           {"safe_steps", s.safe_steps},
-          {"projections", s.projections}};
+          {"projections", s.projections},
+          {"sub_steps", world.sub_steps.count},
+          {"most_sub_steps", most_sub_steps(world).count},
+          {"most_sub_steps_of", most_sub_steps(world).thing}};
 }
 
 Json results(const lua::Scene& scene) {

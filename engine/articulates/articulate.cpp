@@ -50,15 +50,17 @@ void store(const Node& n, Model& model) {
 void load(Articulate& a, const Model& model, Vec3 gravity) {
   for (Node& n : a.nodes) load(n, model, gravity);
   for (Condition& c : a.conditions)
-    if (c.stiff)
-      std::fill(c.stiff->given.begin(), c.stiff->given.end(), 0.0);
-    else
-      load(c, row(a, c), model, a.total_mass);
+    if (!c.stiff) load(c, row(a, c), model, a.total_mass);
+}
+
+void begin_report(Articulate& a) {
+  a.report = {};
+  for (Condition& c : a.conditions) std::fill(c.given.begin(), c.given.end(), 0.0);
 }
 
 void disturb(Articulate& a) {
   a.edited = true;
-  a.last_h = 0.0;
+  a.last_h = a.carried_h = 0.0;
 }
 
 void store(const Articulate& a, Model& model) {

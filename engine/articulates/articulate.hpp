@@ -101,8 +101,10 @@ struct Condition {
   bool held_before = true;  // at the end of the last step
   bool works = false;       // its force may do work
   std::uint32_t row = 0;
-  ConstraintId constraint;          // null of a stiff row
-  std::shared_ptr<StiffTie> stiff;  // of a stiff row
+  ConstraintId constraint;  // null of a stiff row
+  std::shared_ptr<StiffTie>
+      stiff;                  // of a stiff row; copies of an articulate share it, so it keeps nothing between steps
+  std::vector<double> given;  // (its curves) [J] what their energies gave to the motion in this part of the step
 };
 
 /// Two rows that meet at a node: a block of the matrix. Of a node with rows 0, 1 … rising its meetings are (0, 0), (1, 0),
@@ -148,11 +150,13 @@ struct Gaps {
 /// What a drift, or a projection of velocities, did: for counting and the balance of energy.
 struct DriftReport {
   std::uint32_t iterations = 0, factorisations = 0, halved = 0, safe = 0, projections = 0, offsets = 0;
+  bool unreached = false;  // the wanted accuracy
   double open_work = 0.0;  // [J] of solved laws without energy, and what the end of the step swallowed
   double work = 0.0;       // [J] of the world ends, changing lengths, pushes and twists
   double motor = 0.0;      // [J] of motors, and of turns and angles that follow a function of time
   double limit = 0.0;      // [J] of limits, and of all rows where one is struck
   double met = 0.0;        // [J] of making velocities consistent after an edit
+  double projected = 0.0;  // [J] of the half of a projection that was carried over
   double returned = 0.0;   // [J] given back of what the projection took
 };
 
@@ -188,6 +192,11 @@ struct Articulate {
   Factor factor;
   std::vector<Vec3> right_side;  // (rows of the factor)
   Forecast forecast;
+  std::vector<Vec3> impulses;   // (rows) [N s] of the last projection of velocities
+  std::vector<Vec3> carried;    // (rows) [N s] half of them, see `take_carried_half`
+  double carried_h = 0.0;       // [s] of the sub-steps after which they serve; 0: none
+  double carried_energy = 0.0;  // [J] that taking them gave
+  double carried_work = 0.0;    // [J] of them on moving world ends and changing lengths
 
   double length = 0.0;      // [m] median arm: every length in a criterion is a multiple of it
   double total_mass = 0.0;  // [kg]
@@ -210,8 +219,11 @@ struct Articulate {
   bool safe = false;         // the last step was a safe one
   bool offsets = false;      // gaps of rows were accepted
   bool edited = true;        // new: velocities are still to be made consistent
+  bool arrived = false;      // at the end of the full sub-step, by a safe step
+  bool smooth = true;        // no part of the full sub-step was halved or safe
   bool weak = false;         // the last factor had weak pivots: its multipliers are not all determined
   bool pulled = false;       // laws act on it: its kinetic energy is no longer gravity's alone
+  SubSteps sub_steps;        // in each part of a step
   std::uint64_t serial = 0;  // smallest of its things
   DriftReport report;        // of the last phase
   NodeTotals totals;         // at the end of the last step
@@ -239,6 +251,8 @@ void load(Articulate& articulate, const Model& model, Vec3 gravity);
 void load(Node& node, const Model& model, Vec3 gravity);
 /// After an edit of velocities: the unknowns have no history, and the velocities are to be made consistent.
 void disturb(Articulate& articulate);
+/// Empties what a drift tells: `report`, and what the energies of solved laws gave.
+void begin_report(Articulate& articulate);
 /// Writes the nodes' starts and the rows' forces back.
 void store(const Articulate& articulate, Model& model);
 void store(const Node& node, Model& model);
@@ -255,10 +269,14 @@ void measure_gaps(Articulate& articulate);
 
 /// What a drift needs to know of the world.
 struct DriftSettings {
-  double h;          ///< [s]
+  double h;          ///< [s] length of the step
   Vec3 gravity;      ///< [m/s²]
   double tolerance;  ///< of a gap that cannot be closed, relative to the articulate's length
   bool energy_return;
+  double from = 0.0, to = 1.0;  ///< the part of the step to move over
+  double full = 0.0;       ///< [s] length of the full sub-step that the part belongs to: from projection to projection
+  bool first = true;       ///< the part is the first of its full sub-step
+  bool backwards = false;  ///< some parts of it go backwards in time
 };
 
 }  // namespace pantin

@@ -24,11 +24,22 @@ void commit(Articulate& a, Vec3 gravity, DriftReport& report) {
   }
 }
 
+/// A safe step to the end of the part; backwards it makes no sense, so where a full sub-step has parts that go backwards, to
+/// its end.
+void arrive_safely(Articulate& a, const DriftSettings& settings, double from, double to, DriftReport& report) {
+  a.smooth = false;
+  a.arrived = settings.backwards;
+  if (a.arrived) to = 1.0;
+  set_conditions(a, from, to);
+  safe_step(a, settings, settings.h * (to - from), report);
+}
+
 /// Moves over the part from … to (0 … 1) of the step.
 void drift_part(Articulate& a, const DriftSettings& settings, double from, double to, int depth, DriftReport& report) {
+  if (a.arrived) return;
   const double h = settings.h * (to - from);
   set_conditions(a, from, to);
-  if (a.gaps.open > 1e-8 * a.length) return safe_step(a, settings, h, report);
+  if (a.gaps.open > 1e-8 * a.length) return arrive_safely(a, settings, from, to, report);
   if (solve_step(a, h, settings.gravity, report)) {
     commit(a, settings.gravity, report);
     for (Condition& c : a.conditions) c.angle0 = c.angle1;
@@ -43,8 +54,9 @@ void drift_part(Articulate& a, const DriftSettings& settings, double from, doubl
   }
   a.last_h = 0.0;
   for (std::size_t k = 0; k < a.rows.size(); k++) a.rows[k].f = a.forecast.forces[k][0];
-  if (depth == most_halvings) return safe_step(a, settings, h, report);
+  if (depth == most_halvings) return arrive_safely(a, settings, from, to, report);
   report.halved++;
+  a.smooth = false;
   const double middle = 0.5 * (from + to);
   drift_part(a, settings, from, middle, depth + 1, report);
   drift_part(a, settings, middle, to, depth + 1, report);
@@ -54,7 +66,7 @@ void drift_part(Articulate& a, const DriftSettings& settings, double from, doubl
 
 void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   if (a.edited) {
-    set_conditions(a, 0.0, 0.0);
+    set_conditions(a, settings.from, settings.from);
     place_rows_at_end(a);
     measure_gaps(a);
     for (Condition& c : a.conditions) c.held = !c.ranged && std::isinf(c.upper);  // the step finds out
@@ -65,7 +77,18 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
     }
     a.edited = false;
   }
-  drift_part(a, settings, 0.0, 1.0, 0, report);
+  if (settings.first) {
+    if (settings.from > 0.0)
+      for (Condition& c : a.conditions) c.held_before = c.held;
+    take_carried_half(a, settings.full, report);
+    a.smooth = true;
+    a.arrived = false;
+  }
+  const std::uint32_t count = a.sub_steps.count;
+  const double way = (settings.to - settings.from) / count;
+  for (std::uint32_t i = 0; i < count; i++)
+    drift_part(a, settings, settings.from + way * i, i + 1 == count ? settings.to : settings.from + way * (i + 1), 0,
+               report);
 }
 
 }  // namespace pantin

@@ -61,6 +61,7 @@ void History::hand_on(Articulate& to) const {
     to.last_h = last == nullptr || from.last_h == to.last_h ? from.last_h : 0.0;
     hand_on_course(from.forecast, to.forecast, last == nullptr);
     to.wait = last == nullptr ? from.wait : std::max(to.wait, from.wait);
+    to.sub_steps.count = std::max(to.sub_steps.count, from.sub_steps.count);
     to.weak = to.weak || from.weak;
     to.safe = to.safe || from.safe;
     to.edited = to.edited || from.edited || from.offsets;

@@ -231,11 +231,11 @@ void place_rows_at_end(Articulate& a) {
   for (std::size_t k = 0; k < a.rows.size(); k++) { place_row_at_end(a, k); }
 }
 
-void add_work_of_rows(const Articulate& a, DriftReport& report) {
-  for (const Condition& c : a.conditions) {
+void add_work_of_rows(Articulate& a, DriftReport& report) {
+  for (Condition& c : a.conditions) {
     const Row& r = row(a, c);
     if (c.stiff) {
-      report.open_work += c.stiff->settle(r);
+      report.open_work += c.stiff->settle(r, c.given);
       continue;
     }
     if (r.b < 0 && r.lever == 0.0) report.work += dot(r.f, c.place1 - c.place0);

@@ -8,7 +8,7 @@ namespace pantin {
 bool solve_step(Articulate& articulate, double h, Vec3 gravity, DriftReport& report);
 
 /// Tells the work of world ends that move, of limited pulls, of lengths that change, of motors and limits, in the step just solved.
-void add_work_of_rows(const Articulate& articulate, DriftReport& report);
+void add_work_of_rows(Articulate& articulate, DriftReport& report);
 
 /// Sets r and d of all rows at the start, from the nodes' starts and `place0`.
 void place_rows_at_start(Articulate& articulate);

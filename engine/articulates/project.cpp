@@ -96,6 +96,7 @@ ImpulseWork apply_projection(Articulate& a) {
     if (r.kind != RowKind::rigid) impulse = is_soft(r) ? zero3() : c.kept * impulse;
     (r.lever > 0.0 ? work.couples : work.ends) += dot(impulse, c.wanted);
   }
+  for (std::size_t k = 0; k < a.rows.size(); k++) a.impulses[k] += a.right_side[k];
   for (NodeBatch& n : a.batches) add_impulses(a, n, a.right_side);
   return work;
 }
@@ -132,9 +133,27 @@ bool project_with_newton_factor(Articulate& a, const Velocities& before, double&
     return true;
   }
   read_momenta(a);
+  std::fill(a.impulses.begin(), a.impulses.end(), zero3());
   start_solution(a);
   a.projection_wait = 100;
   return false;
+}
+
+void carry_half(Articulate& a, double h) {
+  a.carried_h = h;
+  for (std::size_t k = 0; k < a.rows.size(); k++) a.carried[k] = (a.carried[k] + a.impulses[k]) * 0.5;
+  a.carried_work = 0.0;
+  for (const Condition& c : a.conditions) {
+    if (row(a, c).kind != RowKind::rigid)
+      a.carried[c.row] = c.kept * a.carried[c.row];  // earlier ones were along others
+    a.carried_work += dot(a.carried[c.row], c.wanted);
+  }
+}
+
+/// Whether some rows may let go or begin to hold.
+bool is_one_sided(const Articulate& a) {
+  return std::any_of(a.conditions.begin(), a.conditions.end(),
+                     [](const Condition& c) { return c.ranged || !std::isinf(c.upper); });
 }
 
 }  // namespace
@@ -154,8 +173,26 @@ void set_kept_matrices(Articulate& a) {
     }
 }
 
+void take_carried_half(Articulate& a, double full, DriftReport& report) {
+  a.carried_energy = 0.0;
+  if (a.carried_h != full / a.sub_steps.count) {
+    std::fill(a.carried.begin(), a.carried.end(), zero3());
+    return;
+  }
+  const double before = kinetic_energy(a), sign = a.sub_steps.count == 1 ? -1.0 : 1.0;
+  report.work += a.carried_work * sign;
+  read_momenta(a);
+  for (std::size_t k = 0; k < a.rows.size(); k++) a.right_side[k] = a.carried[k] * sign;
+  for (NodeBatch& n : a.batches) add_impulses(a, n, a.right_side);
+  tell_momenta(a);
+  a.carried_energy = kinetic_energy(a) - before;
+  report.projected += a.carried_energy - a.carried_work * sign;
+}
+
 void project_velocities(Articulate& a, const DriftSettings& settings, DriftReport& report) {
+  a.carried_h = 0.0;
   if (a.safe || a.yields) return;
+  std::fill(a.impulses.begin(), a.impulses.end(), zero3());
   find_kept(a);
   read_momenta(a);
   const Velocities before = start_solution(a);
@@ -172,7 +209,10 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
     }
   }
   tell_momenta(a);
-  if (settings.energy_return) report.returned += return_energy(a, before.kinetic, settings.gravity);
+  const double speed = std::max(before.fastest, std::sqrt(norm(settings.gravity) * a.length));
+  const bool noise = before.forbidden <= 1e-9 * speed;  // as large as what the solver leaves
+  if (a.smooth && !a.weak && !noise && !is_one_sided(a)) carry_half(a, settings.full / a.sub_steps.count);
+  if (settings.energy_return) report.returned += return_energy(a, before.kinetic - a.carried_energy, settings.gravity);
 }
 
 void make_consistent(Articulate& a) {

@@ -75,7 +75,7 @@ void make_stiff(const Model& model, ConnectionId id, Row& row, Condition& condit
   const Vec3 d = position(model, tie.a) - (tie.b ? position(model, tie.b) : condition.whole1);
   tie.least2 = 1e-24 * (norm2(d) > 0.0 ? norm2(d) : 1.0);
   for (auto law = c.law; law; law = law->also) tie.curves.emplace_back(*law);
-  for (auto* column : {&tie.energy0, &tie.energy1, &tie.pulls, &tie.given}) column->resize(tie.curves.size());
+  for (auto* column : {&tie.energy0, &tie.energy1, &tie.pulls, &condition.given}) column->resize(tie.curves.size());
   row.f = direction(d) * -c.tension;
 }
 
@@ -123,7 +123,7 @@ bool StiffTie::is_open() const {
          std::any_of(curves.begin(), curves.end(), [](const PairCurve& curve) { return !curve.has_energy(); });
 }
 
-double StiffTie::settle(const Row& row) {
+double StiffTie::settle(const Row& row, std::vector<double>& given) const {
   const Vec3 way = row.d1 - row.d0, e = solve == Solve::at_middle ? row.d0 + row.d1 : row.d1;
   double open = 0.0, rest = dot(row.f, way);
   for (std::size_t i = 0; i < curves.size(); i++) {

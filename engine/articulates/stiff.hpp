@@ -16,13 +16,12 @@ struct StiffTie {
   double least2 = 0.0;                   // [m²] below it distances count as equal to its root
   double rate0 = 0.0;                    // [m/s] of the distance at the start
   std::vector<double> pulls;             // (curves) [N/m] f = -Σ pull e, with e = d0 + d1 at the middle, d1 at the end
-  std::vector<double> given;             // (curves) [J] what their energies gave to the motion in this step
 
   /// Whether it takes energy or gives it.
   bool is_open() const;
-  /// Once a step is solved: adds to `given`, and returns the work of laws without energy and what the end of the step
-  /// swallowed, [J].
-  double settle(const Row& row);
+  /// Once a step is solved: adds what the curves' energies gave to the motion to `given` (curves) [J], and returns the work
+  /// of laws without energy and what the end of the step swallowed, [J].
+  double settle(const Row& row, std::vector<double>& given) const;
 };
 
 /// Makes the tie of a connection, with the force that it had; `row` and `condition` are its.

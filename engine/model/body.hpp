@@ -28,6 +28,14 @@ struct Body {
 
 using BodyId = Handle<Body>;
 
+/// How many sub-steps a thing takes in a step: a power of two.
+struct SubSteps {
+  std::uint16_t count = 1;
+  std::uint16_t quiet = 0;  ///< steps since half as many would not have done
+  std::uint16_t wait = 1;   ///< steps between trials: 1 after a change, doubled at each that changes nothing
+  std::uint16_t left = 0;   ///< steps until the next
+};
+
 /// What the solver reads and writes of a body each sub-step; at the same slot as its Body.
 struct Motion {
   Vec3 x = zero3();        ///< [m] centre of mass
@@ -37,6 +45,7 @@ struct Motion {
   Quat q;                  ///< principal axes to the world
   double mass = 0.0;       ///< [kg]
   Freedom freedom = Freedom::rigid;
+  SubSteps sub_steps;            ///< where nothing constrains it
   std::int32_t articulate = -1;  ///< index of its articulate, or -1 where nothing constrains it
   std::int32_t node = -1;        ///< its index in there
   Vec3 force = zero3();          ///< [N] pushes in this step, at the centre

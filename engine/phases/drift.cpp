@@ -1,30 +1,46 @@
 #include "articulates/drift.hpp"
 
+#include <array>
+
 #include "articulates/midpoint.hpp"
 #include "articulates/project.hpp"
 #include "articulates/stiff.hpp"
+#include "articulates/sub_steps.hpp"
+#include "base/check.hpp"
 #include "phases/phases.hpp"
+#include "phases/rk4.hpp"
 #include "phases/share.hpp"
+#include "world/integrator.hpp"
 
 namespace pantin::phases {
 
 namespace {
 
+DriftSettings drift_settings(const World& world) {
+  const Settings& s = world.settings;
+  const StepPart& p = world.part;
+  return {s.step, s.gravity, s.tolerance, s.energy_return, p.from, p.to, p.full, p.first, rule_of(world).backwards};
+}
+
+SubStepSettings sub_step_settings(const World& world) {
+  return {world.settings.accuracy.value_or(0.0), world.part.index == 0};
+}
+
 void drift_points(World& world) {
   constexpr std::size_t enough = 4096;
-  share_blocks(world, world.loose_points.size(), enough, [&](std::size_t first, std::size_t last) {
+  share_blocks(world, world.loose_points.size(), enough, [&](std::size_t first, std::size_t last, int) {
     for (std::size_t i = first; i < last; i++) {
       FreeMotion& m = world.free_motion[world.loose_points[i]];
-      m.x += m.v * world.settings.step;
+      m.x += m.v * world.part.h;
     }
   });
 }
 
-/// Returns the work of pushes and twists [J].
-double drift_body(World& world, std::uint32_t slot) {
-  const bool euler = world.settings.integrator == Integrator::euler;
+/// Moves a body by `move(node, its motion)`; returns the work of pushes and twists [J].
+template <class Move>
+double drift_body(World& world, std::uint32_t slot, Move move) {
   const Vec3 gravity = world.settings.gravity;
-  const Motion& m = world.motion[slot];
+  Motion& m = world.motion[slot];
   Node n{};
   n.is_body = true;
   n.slot = slot;
@@ -36,20 +52,21 @@ double drift_body(World& world, std::uint32_t slot) {
   load(n, world, gravity);
   const Vec3 x = n.x0;
   const double before = kinetic_energy(n);
-  euler ? drift_euler_alone(n, world.settings.step) : drift_alone(n, world.settings.step);
-  const bool pushed = norm2(m.force) > 0.0 || norm2(m.torque) > 0.0;
+  move(n, m);
   store(n, world);
+  const bool pushed = norm2(m.force) > 0.0 || norm2(m.torque) > 0.0;
   return pushed ? kinetic_energy(n) - before - n.mass * dot(gravity, n.x0 - x) : 0.0;
 }
 
-void drift_bodies(World& world) {
+template <class Move>
+void drift_bodies(World& world, Move move) {
   constexpr std::size_t enough = 64;
   if (world.pushed) {  // their work is summed in order
-    for (std::uint32_t slot : world.loose_bodies) post(world, Source::event, drift_body(world, slot));
+    for (std::uint32_t slot : world.loose_bodies) post(world, Source::event, drift_body(world, slot, move));
     return;
   }
-  share_blocks(world, world.loose_bodies.size(), enough, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; i++) drift_body(world, world.loose_bodies[i]);
+  share_blocks(world, world.loose_bodies.size(), enough, [&](std::size_t first, std::size_t last, int) {
+    for (std::size_t i = first; i < last; i++) drift_body(world, world.loose_bodies[i], move);
   });
 }
 
@@ -66,7 +83,7 @@ void post_solved_laws(World& world, const Articulate& articulate) {
   for (const Condition& c : articulate.conditions) {
     if (!c.stiff) continue;
     std::shared_ptr<const Law> law = world.connections[c.stiff->connection].law;
-    for (double given : c.stiff->given) {
+    for (double given : c.given) {
       ledger.laws += given;
       ledger.kicks[law->name] += given;
       ledger.posted += std::fabs(given);
@@ -87,44 +104,54 @@ void count(World& world, const DriftReport& report) {
   world.ledger.posted += std::fabs(report.open_work);
   post_work(world, report);
   post(world, Source::edit, report.met);
+  post_carried(world, report.projected);
   if (report.offsets > 0)
     log_line(world, "notice", "a gap that no motion can close was taken as a constant offset of its hinges");
+  if (!report.unreached || world.stats.unreached++ > 0) return;
+  log_line(world, "notice", "scene.accuracy is not reached: not even the most sub-steps are enough");
 }
 
-DriftSettings drift_settings(const World& world) {
-  return {world.settings.step, world.settings.gravity, world.settings.tolerance, world.settings.energy_return};
-}
-
-}  // namespace
-
-void drift(World& world) {
-  const Timed timed(world.profile, Phase::drift);
-  const LedgerMark before = ledger_mark(world, false);
-  drift_points(world);
-  drift_bodies(world);
-  const DriftSettings settings = drift_settings(world);
-  const bool euler = world.settings.integrator == Integrator::euler;
-  share_articulates(world, [&](Articulate& articulate) {
-    load(articulate, world, settings.gravity);
-    articulate.report = {};
-    euler ? drift_euler(articulate, settings, articulate.report)
-          : pantin::drift(articulate, settings, articulate.report);
+/// Moves every articulate by `move(articulate, worker)`; a first part begins with the state of the model.
+template <class Move>
+void drift_articulates(World& world, Move move) {
+  share_articulates(world, [&](Articulate& articulate, int worker) {
+    if (world.part.index == 0) load(articulate, world, world.settings.gravity);
+    begin_report(articulate);
+    move(articulate, worker);
   });
   for (const auto& articulate : world.articulates) {
     tell_tensions(*articulate, world);
     post_solved_laws(world, *articulate);
     count(world, articulate->report);
   }
-  post_drift(world, before);
 }
 
-void project_velocities(World& world) {
-  const Timed timed(world.profile, Phase::project_velocities);
-  if (world.settings.integrator == Integrator::euler) return;
+void drift_by_midpoint(World& world) {
+  const DriftSettings settings = drift_settings(world);
+  const SubStepSettings wanted = sub_step_settings(world);
+  if (wanted.accuracy > 0.0)
+    while (world.trials.size() < static_cast<std::size_t>(world.workers->count()))
+      world.trials.push_back(std::make_unique<Trial>());
+  drift_points(world);
+  drift_bodies(world, [&](Node& n, Motion& m) { drift_alone_accurately(n, world.part.h, wanted, m.sub_steps); });
+  drift_articulates(world, [&](Articulate& articulate, int worker) {
+    if (wanted.accuracy == 0.0) return pantin::drift(articulate, settings, articulate.report);
+    drift_accurately(articulate, settings, wanted, *world.trials[static_cast<std::size_t>(worker)]);
+  });
+}
+
+void drift_by_euler(World& world) {
+  const DriftSettings settings = drift_settings(world);
+  drift_points(world);
+  drift_bodies(world, [&](Node& n, Motion&) { drift_euler_alone(n, world.part.h); });
+  drift_articulates(world, [&](Articulate& articulate, int) { drift_euler(articulate, settings, articulate.report); });
+}
+
+void project_articulates(World& world) {
+  const DriftSettings settings = drift_settings(world);
   const LedgerMark before = ledger_mark(world, true);
   double returned = 0.0;
-  const DriftSettings settings = drift_settings(world);
-  share_articulates(world, [&](Articulate& articulate) {
+  share_articulates(world, [&](Articulate& articulate, int) {
     articulate.report = {};
     pantin::project_velocities(articulate, settings, articulate.report);
   });
@@ -134,6 +161,45 @@ void project_velocities(World& world) {
     returned += articulate->report.returned;
   }
   post_projection(world, before, returned);
+}
+
+void leave_velocities(World&) {}
+
+/// How an integrator moves things over a part of the step, and what it does with the velocities after a full sub-step.
+struct Moves {
+  Integrator integrator;
+  void (*drift)(World&);
+  void (*project)(World&);
+};
+
+constexpr std::array<Moves, integrators.size()> moves = {{
+    {Integrator::verlet, drift_by_midpoint, project_articulates},
+    {Integrator::implicit, drift_by_midpoint, project_articulates},
+    {Integrator::euler, drift_by_euler, leave_velocities},
+    {Integrator::suzuki4, drift_by_midpoint, project_articulates},
+    {Integrator::rk4, take_rk4_stage, leave_velocities},
+}};
+
+const Moves& moves_of(const World& world) {
+  for (const Moves& m : moves)
+    if (m.integrator == world.settings.integrator) return m;
+  assume(false);
+  return moves[0];
+}
+
+}  // namespace
+
+void drift(World& world) {
+  const Timed timed(world.profile, Phase::drift);
+  const LedgerMark before = ledger_mark(world, world.part.index > 0);
+  moves_of(world).drift(world);
+  post_drift(world, before);
+}
+
+void project_velocities(World& world) {
+  if (!world.part.last) return;
+  const Timed timed(world.profile, Phase::project_velocities);
+  moves_of(world).project(world);
 }
 
 }  // namespace pantin::phases

@@ -3,6 +3,7 @@
 #include "articulates/islands.hpp"
 #include "phases/phases.hpp"
 #include "world/editing.hpp"
+#include "world/integrator.hpp"
 #include "world/solved.hpp"
 
 namespace pantin::phases {
@@ -31,14 +32,16 @@ bool ties_changed(const World& world) {
 }  // namespace
 
 void find_articulates(World& world) {
+  begin_part(world, 0);
   const bool changed = world.topology_changed || world.influences_changed || !world.disturbed.empty();
   const bool loose = !world.loose_bodies.empty() || !world.loose_points.empty();
   if (!changed && !loose && !world.ledger.wanted) return;
   const Timed timed(world.profile, Phase::find_articulates);
-  if (world.topology_changed && ties_changed(world)) editing::disturb_forces(world);
-  if (world.influences_changed) choose_solved(world);
   const bool topology_changed = world.topology_changed;
   const std::size_t count = world.articulates.size();
+  world.unchecked = world.unchecked || topology_changed || world.influences_changed;
+  if (topology_changed && ties_changed(world)) editing::disturb_forces(world);
+  if (world.influences_changed) choose_solved(world);
   pantin::find_articulates(world, world.articulates, world.loose_bodies, world.loose_points);
   if (world.articulates.size() != count) editing::disturb_forces(world);
   if (topology_changed || world.influences_changed) read_masses(world);  // every edit of a mass says so

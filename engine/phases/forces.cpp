@@ -1,6 +1,7 @@
 #include "world/forces.hpp"
 
 #include "phases/phases.hpp"
+#include "world/integrator.hpp"
 
 namespace pantin::phases {
 
@@ -18,9 +19,11 @@ void run_or_fail(World& world, Run run) {
 }  // namespace
 
 void refresh_forces(World& world) {
-  if (!world.influences_changed && !world.forces) return;
+  if (!world.unchecked && !world.influences_changed && !world.forces) return;
   const Timed timed(world.profile, Phase::refresh_forces);
   try {
+    if (world.unchecked) require_integrator_fits(world);
+    world.unchecked = false;
     pantin::refresh_forces(world);
     while (world.influences_changed) {  // connections were found too stiff
       find_articulates(world);

@@ -1,5 +1,10 @@
+#include <algorithm>
+
+#include "articulates/sub_steps.hpp"
 #include "phases/phases.hpp"
 #include "world/forces.hpp"
+#include "world/integrator.hpp"
+#include "world/kick_error.hpp"
 
 namespace pantin::phases {
 
@@ -21,22 +26,33 @@ void kick_loose_points(World& world, double half) {
   }
 }
 
+/// Sub-steps of the coming step, by the largest error of this one's.
+void choose_sub_steps(World& world) {
+  double& worst = world.kick_error;
+  worst = world.part.index == 0 ? kick_error(world) : std::max(worst, kick_error(world));
+  if (world.part.index + 1 == parts(world)) adapt(world.sub_steps, worst, *world.settings.accuracy);
+}
+
 }  // namespace
 
 void half_kick(World& world) {
-  if (world.loose_points.empty() && !world.forces) return;
+  if (!rule_of(world).kicks || (world.loose_points.empty() && !world.forces)) return;
   const Timed timed(world.profile, Phase::half_kick);
-  const double half = 0.5 * world.settings.step;
-  const LedgerMark before = ledger_mark(world, false);
+  const double half = 0.5 * world.part.h;
+  const bool drifted = world.part.index > 0;
+  if (drifted) begin_kick(world);
+  if (world.settings.accuracy) note_kicks(world);
+  const LedgerMark before = ledger_mark(world, drifted);
   kick_loose_points(world, half);
-  post_kick(world, before, false);
+  post_kick(world, before, drifted);
   kick(world, half);
 }
 
 void half_kick_to_end(World& world) {
-  if (world.loose_points.empty() && !world.forces) return;
+  if (!rule_of(world).kicks || (world.loose_points.empty() && !world.forces)) return;
   const Timed timed(world.profile, Phase::half_kick_to_end);
-  const double half = 0.5 * world.settings.step;
+  const double half = 0.5 * world.part.h;
+  if (world.settings.accuracy) choose_sub_steps(world);
   const LedgerMark before = ledger_mark(world, true);
   kick_loose_points(world, half);
   post_kick(world, before, true);

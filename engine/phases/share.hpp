@@ -8,18 +8,18 @@
 
 namespace pantin::phases {
 
-/// Calls f(first, last) for blocks of `count` things, among the world's threads; a thread takes at least `enough` of them.
+/// Calls f(first, last, worker) for blocks of `count` things, among the world's threads; a thread takes at least `enough` of them.
 template <class F>
 void share_blocks(World& world, std::size_t count, std::size_t enough, F&& f) {
   constexpr std::size_t most_blocks = 64;
   const std::size_t blocks = world.workers->count() == 1 ? 1 : std::clamp<std::size_t>(count / enough, 1, most_blocks);
-  world.workers->run(blocks, [&](std::size_t block, int) {
+  world.workers->run(blocks, [&](std::size_t block, int worker) {
     const SubnormalsAreZero subnormals_are_zero;
-    f(count * block / blocks, count * (block + 1) / blocks);
+    f(count * block / blocks, count * (block + 1) / blocks, worker);
   });
 }
 
-/// Calls f(articulate) for each, among the world's threads where there is enough to do. What f does must concern its
+/// Calls f(articulate, worker) for each, among the world's threads where there is enough to do. What f does must concern its
 /// articulate, and the model's rows of that articulate's things, only.
 template <class F>
 void share_articulates(World& world, F&& f) {
@@ -29,8 +29,8 @@ void share_articulates(World& world, F&& f) {
     for (const auto& articulate : world.articulates) rows += articulate->rows.size();
   const std::size_t count = world.articulates.size();
   const std::size_t enough = rows < 2 * enough_rows ? count : std::max<std::size_t>(1, count * enough_rows / rows);
-  share_blocks(world, count, std::max<std::size_t>(1, enough), [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; i++) f(*world.articulates[i]);
+  share_blocks(world, count, std::max<std::size_t>(1, enough), [&](std::size_t first, std::size_t last, int worker) {
+    for (std::size_t i = first; i < last; i++) f(*world.articulates[i], worker);
   });
 }
 

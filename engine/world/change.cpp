@@ -1,5 +1,9 @@
+#include <utility>
+
+#include "articulates/articulate.hpp"
 #include "world/edit.hpp"
 #include "world/editing.hpp"
+#include "world/integrator.hpp"
 #include "world/life.hpp"
 #include "world/measure.hpp"
 
@@ -168,9 +172,33 @@ void set_box(World& world, std::optional<Vec3> box) {
 
 void set_integrator(World& world, Integrator integrator) {
   require_unlocked(world, "integrator");
+  const Integrator before = std::exchange(world.settings.integrator, integrator);
+  try {
+    require_integrator_fits(world);
+  } catch (const Error&) {
+    world.settings.integrator = before;
+    throw;
+  }
+  if (integrator == before) return;
   disturb_forces(world);
-  world.settings.integrator = integrator;
   world.stiffness_unknown = true;
+  for (const auto& articulate : world.articulates) articulate->carried_h = 0.0;
+}
+
+void set_accuracy(World& world, std::optional<double> accuracy) {
+  require_unlocked(world, "accuracy");
+  if (accuracy) require_positive("scene", "accuracy", *accuracy, "1/s");
+  const std::optional<double> before = std::exchange(world.settings.accuracy, accuracy);
+  try {
+    require_integrator_fits(world);
+  } catch (const Error&) {
+    world.settings.accuracy = before;
+    throw;
+  }
+  if (accuracy) return;
+  world.sub_steps = {};
+  for (const auto& articulate : world.articulates) articulate->sub_steps = {};
+  for (std::uint32_t s = 0; s < world.bodies.slots(); s++) world.motion[s].sub_steps = {};
 }
 
 void set_step(World& world, double step) {

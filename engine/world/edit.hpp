@@ -191,7 +191,10 @@ void set_max_force(World& world, ConstraintId follow, double force);  ///< [N]
 void set_gravity(World& world, Vec3 gravity);
 /// Edges of the periodic box in which laws see the nearest image of a particle [m], or open space.
 void set_box(World& world, std::optional<Vec3> box);
+/// Error where it cannot move what there is.
 void set_integrator(World& world, Integrator integrator);
+/// Wanted error per second, relative to the sizes of things, or fixed steps; > 0. Error where the integrator has none.
+void set_accuracy(World& world, std::optional<double> accuracy);
 /// Changes the length of a step [s], from the step that is about to be done.
 void set_step(World& world, double step);
 

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "articulates/articulate.hpp"
+#include "articulates/sub_steps.hpp"
 #include "world/courses.hpp"
 #include "world/editing.hpp"
 #include "world/forces_parts.hpp"
+#include "world/integrator.hpp"
+#include "world/kick_error.hpp"
 #include "world/solved.hpp"
 
 namespace pantin {
@@ -23,22 +25,22 @@ std::vector<double> present_parameters(const World& world, const Law& law, const
   std::vector<double> values = given;
   for (std::size_t i = 0; i < values.size(); i++) {
     if (!editing::given_by_world(law.parameters[i].name)) continue;
-    values[i] = law.parameters[i].name == "step" ? world.settings.step : world.settings.boltzmann;
+    values[i] = law.parameters[i].name == "step" ? world.part.full : world.settings.boltzmann;
   }
   return values;
 }
 
 void run_law(const World& world, Forces& f, ActingInteraction& a) {
-  a.pairs.add_forces(f.sites, a.rows, instant_of(world, world.time, world.steps),
+  a.pairs.add_forces(f.sites, a.rows, instant_of(world, world.time, world.instant),
                      present_parameters(world, *a.law, world.interactions[a.id].parameters), *world.workers);
 }
 
 void run_law(const World& world, Forces& f, ActingConnections& a) {
-  a.bonds.add_forces(f.sites, box_of(world), instant_of(world, world.time, world.steps), {}, *world.workers);
+  a.bonds.add_forces(f.sites, box_of(world), instant_of(world, world.time, world.instant), {}, *world.workers);
 }
 
 void run_law(const World& world, Forces& f, ActingField& a) {
-  a.fields.add_forces(f.sites, box_of(world), instant_of(world, world.time, world.steps),
+  a.fields.add_forces(f.sites, box_of(world), instant_of(world, world.time, world.instant),
                       present_parameters(world, *a.law, world.fields[a.id].parameters), *world.workers);
 }
 
@@ -207,7 +209,7 @@ namespace {
 double energy_at_ages(const World& world, Forces& f, double time) {
   const auto force = f.sites.force, open = f.sites.open_force;
   refresh_ages(world, f, time);
-  const double energy = run_laws(world, f, instant_of(world, time, world.steps), {false, true}, true);
+  const double energy = run_laws(world, f, instant_of(world, time, world.instant), {false, true}, true);
   f.sites.force = force;
   f.sites.open_force = open;
   return energy;
@@ -234,7 +236,7 @@ void start_acting(World& world) {
     return;
   }
   set_solved_inputs(world, false);
-  f.energy = evaluate(world, f, instant_of(world, world.time, world.steps), true);
+  f.energy = evaluate(world, f, instant_of(world, world.time, world.instant), true);
   bring_in_energy(world);
 }
 
@@ -255,7 +257,10 @@ void make_forces(World& world) {
   world.forces = build_forces(world);
   world.influences_changed = false;
   for (const auto& articulate : world.articulates) articulate->pulled = false;
-  if (!world.forces) return;
+  if (!world.forces) {
+    world.sub_steps = {};
+    return;
+  }
   for (const Mover& m : world.forces->movers)
     if (m.articulate >= 0 && m.pulled) world.articulates[static_cast<std::size_t>(m.articulate)]->pulled = true;
   start_acting(world);
@@ -266,18 +271,26 @@ void make_forces(World& world) {
 void refresh_forces(World& world) {
   if (world.influences_changed) {
     make_forces(world);
+    if (world.settings.accuracy && !world.influences_changed) {
+      adapt(world.sub_steps, expected_kick_error(world), *world.settings.accuracy);
+      begin_part(world, 0);
+    }
   } else if (world.forces && world.forces->unsettled) {
     settle(world);
-  } else if (stiffness_is_due(world) && find_too_stiff(world, *world.forces)) {
+  } else if (world.forces && stiffness_is_due(world) && find_too_stiff(world, *world.forces)) {
     editing::disturb_forces(world);
   }
-  if (!world.forces || world.influences_changed) return;
-  if (changes(*world.forces)) set_solved_inputs(world, true);
-  if (!follows(*world.forces)) return;
+  if (world.influences_changed) return;
+  if (world.forces && changes(*world.forces)) set_solved_inputs(world, true);
+  begin_kick(world);
+}
+
+void begin_kick(World& world) {
+  if (!world.forces || !follows(*world.forces)) return;
   // What changes with age alone is work from outside: half of it at the places before the drift, half at those after.
   Forces& f = *world.forces;
   const double energy = f.energy;
-  editing::post(world, 0.5 * (energy_at_ages(world, f, next_time(world)) - energy), Source::law);
+  editing::post(world, 0.5 * (energy_at_ages(world, f, kick_end(world)) - energy), Source::law);
 }
 
 void find_pairs(World& world) {
@@ -291,16 +304,19 @@ void apply_forces(World& world) {
   if (!world.forces) return;
   Forces& f = *world.forces;
   if (f.moving) read_velocities(world, f, true);
-  f.told = tells_energy(world, f) || follows(f);
-  const double before = follows(f) ? energy_at_ages(world, f, world.time) : 0.0;
-  f.energy = evaluate(world, f, instant_of(world, next_time(world), world.steps + 1), f.told);
-  if (follows(f)) editing::post(world, 0.5 * (f.energy - before), Source::law);
+  world.instant++;
+  const bool end_of_kick = rule_of(world).kicks || world.part.last, end_of_step = world.part.index + 1 == parts(world);
+  const bool ages = follows(f) && end_of_kick;
+  f.told = ages || (end_of_step && tells_energy(world, f));
+  const double before = ages ? energy_at_ages(world, f, kick_start(world)) : 0.0;
+  f.energy = evaluate(world, f, instant_of(world, time_within(world, world.part.to), world.instant), f.told);
+  if (ages) editing::post(world, 0.5 * (f.energy - before), Source::law);
 }
 
 void run_moving_laws(World& world, Forces& f) {
   read_velocities(world, f, true);
   std::copy(f.still.begin(), f.still.end(), f.sites.open_force.begin());
-  run_laws(world, f, instant_of(world, next_time(world), world.steps + 1), {true, false}, false);
+  run_laws(world, f, instant_of(world, time_within(world, world.part.to), world.instant), {true, false}, false);
   collect(f);
 }
 

@@ -23,13 +23,14 @@ namespace pantin {
 struct Mover {
   std::uint32_t slot = 0;  ///< of Model::bodies or points
   bool is_body = true;
-  std::int32_t articulate = -1;                      ///< index, or -1
-  std::uint32_t node = 0;                            ///< of the articulate
-  bool pulled = false;                               ///< by laws that are not solved with the articulate
-  Vec3 force = zero3(), torque = zero3();            ///< [N], [N m] of laws with energy; world axes, about the centre
-  Vec3 open_force = zero3(), open_torque = zero3();  ///< of those without
-  Vec3 start_p = zero3(), start_P = zero3();         ///< momenta at the start of the step
-  Vec3 half_p = zero3(), half_P = zero3();           ///< momenta before the kick that is being swept
+  std::int32_t articulate = -1;                        ///< index, or -1
+  std::uint32_t node = 0;                              ///< of the articulate
+  bool pulled = false;                                 ///< by laws that are not solved with the articulate
+  Vec3 force = zero3(), torque = zero3();              ///< [N], [N m] of laws with energy; world axes, about the centre
+  Vec3 open_force = zero3(), open_torque = zero3();    ///< of those without
+  Vec3 start_p = zero3(), start_P = zero3();           ///< momenta at the start of the step
+  Vec3 noted_force = zero3(), noted_torque = zero3();  ///< before the part of the step that is being done
+  Vec3 half_p = zero3(), half_P = zero3();             ///< momenta before the kick that is being swept
 };
 
 /// A site on a mover.
@@ -91,6 +92,7 @@ struct Forces {
   std::vector<char> followed;  ///< (names of attributes) whether it follows the age of some site
 
   std::vector<Vec3> still;   ///< (sites) [N] open forces of laws that do not depend on velocities
+  std::vector<Vec3> noted;   ///< (slots of points) [m/s²] accelerations before the part of the step that is being done
   std::vector<Vec3> half_v;  ///< (sites) [m/s] before the kick that is being swept
   double energy = 0.0;       ///< [J] of all laws, when it was last told
   bool told = false;         ///< in the last step
@@ -112,8 +114,12 @@ void refresh_forces(World& world);
 void find_pairs(World& world);
 /// Forces of the present state, after a drift.
 void apply_forces(World& world);
+/// Before the kicks of a part of the step: posts half the work of what only follows ages.
+void begin_kick(World& world);
 /// Changes velocities and momenta by the forces over `half` [s]. Work of laws without energy goes to World::work.
 void kick(World& world, double half);
+/// Posts what laws with an energy give in dt [s] at the present velocities.
+void post_present_laws(World& world, double dt);
 /// Momenta of movers as they were before the step's first kick.
 void take_back_kick(World& world);
 /// The same at the end of a step: laws that depend on velocities see those at its end (trapezoidal rule).

@@ -123,7 +123,7 @@ void build_rows(const World& world, Forces& f, bool drifted) {
   double skin = 0.0;
   if (reach > 0.0) {
     read_velocities(world, f, drifted);
-    skin = best_skin(f.sites, world.settings.step, reach);
+    skin = best_skin(f.sites, world.part.full, reach);
     put_in_order(world, f, cell_order({f.sites.x.data(), f.sites.n}, box, 0.5 * (reach + skin)));
   }
   for (ActingInteraction& a : f.interactions) {

@@ -4,6 +4,7 @@
 
 #include "world/edit.hpp"
 #include "world/editing.hpp"
+#include "world/integrator.hpp"
 #include "world/reach.hpp"
 
 namespace pantin {
@@ -131,6 +132,9 @@ double answer(const World& world, PointId point) {
 
 void grab(World& world, std::int32_t index, PointId point, std::optional<double> max_force) {
   require_unlocked(world, "grab");
+  const IntegratorRule& rule = rule_of(world);
+  require(rule.kicks && !rule.backwards, "grab: the integrator \"", name_of(rule.integrator),
+          "\" cannot move what a hand pulls with a limited force");
   require(hand_at(world, "grab", index).placed, "grab: hand ", index + 1, " has no position yet");
   require(world.points.alive(point), "grab: ", world.points.story(point));
   if (max_force) require_positive_or_infinite("grab", "max_force", *max_force, "N");

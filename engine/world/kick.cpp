@@ -188,14 +188,20 @@ void improve(World& world, Forces& f, double half) {
 void kick(World& world, double half) {
   if (!world.forces) return;
   Forces& f = *world.forces;
+  const bool drifted = world.part.index > 0;
   for (Mover& m : f.movers) {
+    if (drifted) break;
     const Momenta s = momenta_of(world, m, false);
     m.start_p = s.v ? *s.v : *s.p;
     m.start_P = s.P ? *s.P : zero3();
   }
-  const AlignedVector<Vec3> before = site_velocities(world, f, false);
-  post_open(world, kick_points(world, f, half) + kick_movers(world, f, half, false));
-  post_laws(world, f, before, false, half);
+  const AlignedVector<Vec3> before = site_velocities(world, f, drifted);
+  post_open(world, kick_points(world, f, half) + kick_movers(world, f, half, drifted));
+  post_laws(world, f, before, drifted, half);
+}
+
+void post_present_laws(World& world, double dt) {
+  if (world.forces) post_laws(world, *world.forces, site_velocities(world, *world.forces, false), false, dt);
 }
 
 void take_back_kick(World& world) {

@@ -27,7 +27,7 @@ auto with_present_laws(const World& world, Read read) -> decltype(read(*world.fo
   return result;
 }
 
-Instant present(const World& world) { return instant_of(world, world.time, world.steps); }
+Instant present(const World& world) { return instant_of(world, world.time, world.instant); }
 
 }  // namespace
 
@@ -138,7 +138,7 @@ std::string bad_force(const World& world) {
     read_places(world, f, false);
     read_velocities(world, f, false);
   }
-  const Instant instant = instant_of(world, next_time(world), world.steps + 1);
+  const Instant instant = instant_of(world, next_time(world), world.instant);
   const auto name = [&](std::uint32_t site) {
     return f.sites.particle[site] == Forces::none ? std::string("a place")
                                                   : describe(world, world.particles.id_at(f.sites.particle[site]));

@@ -4,6 +4,7 @@
 
 #include "articulates/articulate.hpp"
 #include "world/forces.hpp"
+#include "world/integrator.hpp"
 #include "world/measure.hpp"
 
 namespace pantin {
@@ -22,7 +23,8 @@ double outside(const World& world) { return world.work - world.ledger.given[numb
 double explained(const World& world) {
   const Ledger& l = world.ledger;
   return l.gravity + l.laws + outside(world) + l.given[number(Source::projection)] +
-         l.given[number(Source::energy_return)] + l.given[number(Source::safe_step)];
+         l.given[number(Source::energy_return)] + l.given[number(Source::safe_step)] +
+         l.given[number(Source::integrator)];
 }
 
 void post_inside(World& world, Source source, double joules) {
@@ -48,11 +50,15 @@ void keep_ledger(World& world) { world.ledger.wanted = true; }
 LedgerMark ledger_mark(const World& world, bool drifted) {
   LedgerMark m;
   if (!world.ledger.kept) return m;
-  m.outside = outside(world);
+  m.told = outside(world) + world.ledger.laws + world.ledger.given[number(Source::projection)];
   m.safe_steps = world.stats.safe_steps;
   const Vec3 gravity = world.settings.gravity;
-  for (std::size_t i = 0; i < world.loose_points.size(); i++)
-    m.kinetic += 0.5 * world.loose_masses[i] * norm2(world.free_motion[world.loose_points[i]].v);
+  const bool kicks = rule_of(world).kicks;
+  for (std::size_t i = 0; i < world.loose_points.size(); i++) {
+    const FreeMotion& free = world.free_motion[world.loose_points[i]];
+    m.kinetic += 0.5 * world.loose_masses[i] * norm2(free.v);
+    if (!kicks) m.falling -= world.loose_masses[i] * dot(gravity, free.x);
+  }
   const auto add = [&](double kinetic, double mass, Vec3 place) {
     m.kinetic += kinetic;
     m.falling -= mass * dot(gravity, place);
@@ -91,7 +97,11 @@ void begin_ledger(World& world) {
 void post_kick(World& world, const LedgerMark& before, bool drifted) {
   if (!world.ledger.kept) return;
   const LedgerMark now = ledger_mark(world, drifted);
-  post_gravity(world, now.kinetic - before.kinetic - (now.outside - before.outside));
+  post_gravity(world, now.kinetic - before.kinetic - (now.told - before.told));
+}
+
+void post_carried(World& world, double joules) {
+  if (world.ledger.kept) post_inside(world, Source::projection, joules);
 }
 
 void post_drift(World& world, const LedgerMark& before) {
@@ -99,15 +109,17 @@ void post_drift(World& world, const LedgerMark& before) {
   const LedgerMark now = ledger_mark(world, true);
   const double fall = before.falling - now.falling;
   post_gravity(world, fall);
-  if (now.safe_steps > before.safe_steps)
-    post_inside(world, Source::safe_step, now.kinetic - before.kinetic - (now.outside - before.outside) - fall);
+  const bool conserves = rule_of(world).conserves;
+  if (conserves && now.safe_steps == before.safe_steps) return;
+  post_inside(world, conserves ? Source::safe_step : Source::integrator,
+              now.kinetic - before.kinetic - (now.told - before.told) - fall);
 }
 
 void post_projection(World& world, const LedgerMark& before, double returned) {
   if (!world.ledger.kept) return;
   const LedgerMark now = ledger_mark(world, true);
   post_inside(world, Source::energy_return, returned);
-  post_inside(world, Source::projection, now.kinetic - before.kinetic - (now.outside - before.outside) - returned);
+  post_inside(world, Source::projection, now.kinetic - before.kinetic - (now.told - before.told) - returned);
 }
 
 void end_ledger(World& world) {

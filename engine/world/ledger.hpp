@@ -14,7 +14,8 @@ struct World;
 /// What changes the energy, besides gravity and laws that have one.
 /// hand: hands, follows, moving anchors and lengths, pushes on what is tied. motor: also turns and angles that follow a
 /// function of time. limit: also all that ties what strikes one. event: kicks, pushes on what is loose. law: parameters,
-/// connections made and removed, attributes that follow an age.
+/// connections made and removed, attributes that follow an age. integrator: what drifts of "euler" and "rk4" change that
+/// no force explains.
 enum class Source : std::uint8_t {
   hand,
   motor,
@@ -26,14 +27,15 @@ enum class Source : std::uint8_t {
   law,
   projection,
   energy_return,
-  safe_step
+  safe_step,
+  integrator
 };
-inline constexpr std::array<std::string_view, 11> source_names = {"hand",       "motor",         "limit",    "event",
-                                                                  "edit",       "emitter",       "removal",  "law_edit",
-                                                                  "projection", "energy_return", "safe_step"};
+inline constexpr std::array<std::string_view, 12> source_names = {
+    "hand",    "motor",    "limit",      "event",         "edit",      "emitter",
+    "removal", "law_edit", "projection", "energy_return", "safe_step", "integrator"};
 
 struct Ledger {
-  std::array<double, source_names.size()> given{};  ///< [J] since the start; the last three since it is kept
+  std::array<double, source_names.size()> given{};  ///< [J] since the start; the last four since it is kept
 
   bool wanted = false;  ///< to be kept from the next step on
   bool kept = false;
@@ -62,8 +64,8 @@ std::map<std::string, double> truncation(const World& world);
 /// State before a part of a step, for what it posts. Nothing is measured where the ledger is not kept.
 struct LedgerMark {
   double kinetic = 0.0;  ///< [J]
-  double falling = 0.0;  ///< [J] potential energy in gravity of bodies and of what is tied
-  double outside = 0.0;  ///< [J] World::work without laws'
+  double falling = 0.0;  ///< [J] potential energy in gravity of what no kick gives it
+  double told = 0.0;     ///< [J] posted so far, but for gravity, return and safe steps
   std::uint64_t safe_steps = 0;
 };
 /// `drifted`: what is tied has its state in the articulates.
@@ -71,7 +73,9 @@ LedgerMark ledger_mark(const World& world, bool drifted);
 void begin_ledger(World& world);
 /// What changed the kinetic energy since the mark, but for work from outside: gravity, in a kick of loose points;
 void post_kick(World& world, const LedgerMark& before, bool drifted);
-/// in a drift, gravity as far as things fell, and safe steps;
+/// in a drift, what of the projection was carried into it [J],
+void post_carried(World& world, double joules);
+/// gravity as far as things fell, and safe steps or the integrator's own errors;
 void post_drift(World& world, const LedgerMark& before);
 /// in a projection, `returned` [J] and the rest.
 void post_projection(World& world, const LedgerMark& before, double returned);

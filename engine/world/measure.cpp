@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "articulates/articulate.hpp"
 #include "base/hash.hpp"
 #include "world/deviation.hpp"
 #include "world/forces.hpp"
@@ -164,6 +165,22 @@ Accuracy accuracy(const World& world) {
   if (world.largest_kinetic > 0.0)
     a.energy = std::fabs(energy(world).total() - world.start_energy - world.work) / world.largest_kinetic;
   return a;
+}
+
+MostSubSteps most_sub_steps(const World& world) {
+  MostSubSteps most;
+  const auto see = [&](std::uint32_t count, bool is_body, std::uint32_t slot) {
+    if (count <= most.count) return;
+    most.count = count;
+    most.thing.clear();
+    if (is_body && world.bodies.alive_at(slot)) most.thing = describe(world, world.bodies.id_at(slot));
+    if (!is_body && world.points.alive_at(slot)) most.thing = describe(world, world.points.at_slot(slot).particle);
+  };
+  for (const auto& articulate : world.articulates)
+    see(articulate->sub_steps.count, articulate->nodes[0].is_body, articulate->nodes[0].slot);
+  for (std::uint32_t slot : world.loose_bodies) see(world.motion[slot].sub_steps.count, true, slot);
+  most.count *= world.sub_steps.count;
+  return most;
 }
 
 std::uint64_t state_hash(const World& world) {

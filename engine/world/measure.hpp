@@ -34,6 +34,13 @@ Energy energy(const World& world);
 Energy mechanical_energy(const World& world);
 /// Gaps now; `energy` relative to the start. Cheap: one pass over constraints and bodies.
 Accuracy accuracy(const World& world);
+/// The largest number of sub-steps that a body or articulate took in the last step, those of the scene's kicks included, and
+/// the body, or the first of the articulate; empty where all took as many.
+struct MostSubSteps {
+  std::uint32_t count = 1;
+  std::string thing;
+};
+MostSubSteps most_sub_steps(const World& world);
 /// Hash of all places and velocities in the order of making: equal states have equal hashes.
 std::uint64_t state_hash(const World& world);
 

@@ -123,7 +123,7 @@ double run_fields(const World& world, Forces& f, std::span<const std::uint32_t> 
     const pantin::Field& row = world.fields[a.id];
     a.fields.arrange(sites_of_field(world, f, row, some));
     const double part =
-        a.fields.add_forces_and_energy(f.sites, box_of(world), instant_of(world, world.time, world.steps),
+        a.fields.add_forces_and_energy(f.sites, box_of(world), instant_of(world, world.time, world.instant),
                                        present_parameters(world, *a.law, row.parameters), *world.workers);
     a.energy += sign * part;
     energy += sign * part;

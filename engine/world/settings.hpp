@@ -8,18 +8,18 @@
 
 namespace pantin {
 
-/// verlet: the energy-momentum step with exact hinges, second order. euler: the paper's semi-implicit Euler with its
-/// Newton iteration on the positions, kept to compare. implicit: verlet, with all connections solved with what they tie.
-enum class Integrator : std::uint8_t { verlet, euler, implicit };
+/// How things are moved; `rule_of` in world/integrator says what each is.
+enum class Integrator : std::uint8_t { verlet, euler, implicit, suzuki4, rk4 };
 
 struct NamedIntegrator {
   Integrator integrator;
   std::string_view name;
 };
 /// Every integrator with the name that scenes give it.
-inline constexpr std::array integrators = {NamedIntegrator{Integrator::verlet, "verlet"},
-                                           NamedIntegrator{Integrator::implicit, "implicit"},
-                                           NamedIntegrator{Integrator::euler, "euler"}};
+inline constexpr std::array integrators = {
+    NamedIntegrator{Integrator::verlet, "verlet"}, NamedIntegrator{Integrator::implicit, "implicit"},
+    NamedIntegrator{Integrator::suzuki4, "suzuki4"}, NamedIntegrator{Integrator::rk4, "rk4"},
+    NamedIntegrator{Integrator::euler, "euler"}};
 
 constexpr std::string_view name_of(Integrator integrator) {
   for (const NamedIntegrator& known : integrators)
@@ -31,9 +31,10 @@ struct Settings {
   Vec3 gravity = vec(0, -9.81, 0);  ///< [m/s²]
   double step = 1.0 / 240.0;        ///< [s] > 0
   Integrator integrator = Integrator::verlet;
-  bool energy_return = true;  ///< give back what the velocity projection took
-  double tolerance = 1e-6;    ///< points of a new hinge may be this far apart, relative to the size of their bodies
-  std::optional<Vec3> box;    ///< [m] edges of the periodic box, each > 0; none: open space
+  std::optional<double> accuracy;  ///< [1/s] > 0: wanted error, relative to the sizes of things; none: fixed steps
+  bool energy_return = true;       ///< give back what the velocity projection took
+  double tolerance = 1e-6;  ///< points of a new hinge may be this far apart, relative to the size of their bodies
+  std::optional<Vec3> box;  ///< [m] edges of the periodic box, each > 0; none: open space
   std::uint64_t seed = 1;
   double boltzmann = 1.0;  ///< [J/K] > 0
 };

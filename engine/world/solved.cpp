@@ -5,6 +5,7 @@
 #include "articulates/stiff.hpp"
 #include "world/editing.hpp"
 #include "world/forces_parts.hpp"
+#include "world/integrator.hpp"
 
 namespace pantin {
 
@@ -16,12 +17,13 @@ bool can_be_solved(const World& world, const Connection& c) {
 }
 
 void choose_solved(World& world) {
+  const bool ties = rule_of(world).ties;
   for (ConnectionId id : world.connections.ids()) {
     Connection& c = world.connections[id];
     Solve solve = c.asked;
     if (solve == Solve::explicitly && (c.too_stiff || world.settings.integrator == Integrator::implicit))
       solve = Solve::at_middle;
-    if (!can_be_solved(world, c)) solve = Solve::explicitly;
+    if (!ties || !can_be_solved(world, c)) solve = Solve::explicitly;
     if (solve == c.solve) continue;
     c.solve = solve;
     c.tension = 0.0;
@@ -129,7 +131,7 @@ std::vector<Candidate> candidates(const World& world, Forces& f) {
     if (acting.ids.empty() || acting.solved || !PairCurve::possible(*acting.law)) continue;
     Bonds slopes(slope_of(*acting.law), f.sites.names, *world.workers);
     slopes.arrange(acting.ties, f.sites);
-    slopes.add_forces(f.sites, box_of(world), instant_of(world, world.time, world.steps), {}, *world.workers);
+    slopes.add_forces(f.sites, box_of(world), instant_of(world, world.time, world.instant), {}, *world.workers);
     for (std::size_t k = 0; k < acting.ids.size(); k++) {
       const std::uint32_t a = acting.ties.sites[2 * k], b = acting.ties.sites[2 * k + 1];
       const double slope = slopes.pull(k, f.sites, box_of(world));
@@ -144,11 +146,11 @@ std::vector<Candidate> candidates(const World& world, Forces& f) {
 }  // namespace
 
 bool find_too_stiff(World& world, Forces& f) {
-  if (world.settings.box || f.connections.empty()) return false;
+  if (world.settings.box || f.connections.empty() || !rule_of(world).ties) return false;
   const std::vector<Candidate> list = candidates(world, f);
   const std::vector<Give> give = gives(world, f);
   std::vector<double> sums(f.sites.n, 0.0);
-  const double h2 = world.settings.step * world.settings.step;
+  const double h2 = world.part.full * world.part.full;
   for (const Candidate& c : list)
     for (std::uint32_t site : {c.a, c.b}) sums[site] += h2 * c.slope * give[site].mobility;
   std::vector<const Law*> told;
@@ -159,10 +161,9 @@ bool find_too_stiff(World& world, Forces& f) {
     row.too_stiff = true;
     if (std::find(told.begin(), told.end(), row.law.get()) != told.end()) continue;
     told.push_back(row.law.get());
-    log_line(
-        world, "notice",
-        text(law_in_place(row), ": connections as stiff as ", describe(world, c.id), " (", c.slope,
-             " N/m) are solved with what they tie, since steps of ", world.settings.step, " s are too long for them"));
+    log_line(world, "notice",
+             text(law_in_place(row), ": connections as stiff as ", describe(world, c.id), " (", c.slope,
+                  " N/m) are solved with what they tie, since steps of ", world.part.full, " s are too long for them"));
   }
   return !told.empty();
 }

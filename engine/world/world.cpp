@@ -1,6 +1,6 @@
 #include "world/world.hpp"
 
-#include "articulates/articulate.hpp"
+#include "articulates/sub_steps.hpp"
 #include "base/parallel.hpp"
 #include "world/forces.hpp"
 

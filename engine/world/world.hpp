@@ -23,6 +23,7 @@ namespace pantin {
 
 struct Articulate;
 struct Forces;
+struct Trial;
 class Workers;
 
 /// What can grab: the mouse, a finger, a stick, a script.
@@ -68,6 +69,20 @@ struct Mortal {
   ParticleId particle;
 };
 
+/// Rates of change of a body's x, p, angular and q.
+struct BodyRate {
+  Vec3 x = zero3(), p = zero3(), angular = zero3();
+  Quat q = {0.0, 0.0, 0.0, 0.0};
+};
+
+/// Rates of change of loose things: of the present stage of a step, and summed over the stages.
+struct Slopes {
+  std::vector<Vec3> acceleration;     ///< (slots of points) [m/s²] present
+  std::vector<Vec3> forces, torques;  ///< (slots of bodies) [N], [N m] present
+  std::vector<FreeMotion> points;     ///< (slots of points) [m/s], [m/s²] summed
+  std::vector<BodyRate> bodies;       ///< (slots of bodies) summed
+};
+
 /// Counts since the start.
 struct Stats {
   std::uint64_t newton_iterations = 0;
@@ -77,6 +92,7 @@ struct Stats {
   std::uint64_t safe_steps = 0;
   std::uint64_t projections = 0;  ///< velocity projections that needed a factor of their own
   std::uint32_t worst_iterations = 0;
+  std::uint64_t unreached = 0;  ///< steps of articulates in which not even the most sub-steps gave the accuracy
 };
 
 /// How wrong the state is.
@@ -84,6 +100,15 @@ struct Accuracy {
   double hinge_gap = 0.0;   ///< [m] largest distance between points of one hinge, and of nails and rigid follows
   double constraint = 0.0;  ///< [m] the same with rods
   double energy = 0.0;      ///< |energy - start - work from outside| / largest kinetic energy so far
+};
+
+/// What a step is doing: a part of it, from one evaluation of the forces to the next.
+struct StepPart {
+  std::uint32_t index = 0;
+  double full = 0.0;               ///< [s] length of the full sub-step that it belongs to
+  double h = 0.0;                  ///< [s] its own length; may be negative
+  double from = 0.0, to = 1.0;     ///< of the step
+  bool first = true, last = true;  ///< of the full sub-step
 };
 
 struct World : Model {
@@ -97,6 +122,10 @@ struct World : Model {
   std::uint64_t steps = 0;       ///< done
   double step_origin = 0.0;      ///< [s] time at the last change of the step's length
   std::uint64_t step_count = 0;  ///< steps since then
+  StepPart part;                     ///< of the step
+  std::uint64_t instant = 0;     ///< number of the instant that the forces are of: parts done since the start
+  double kick_error = 0.0;       ///< [1/s] largest in the step, where `accuracy` wants to know it
+  SubSteps sub_steps;            ///< full ones, each with kicks and a projection of its own, that `accuracy` asks for
 
   Choreography choreography;
   std::vector<Hand> hands;
@@ -133,15 +162,19 @@ struct World : Model {
   double largest_kinetic = 0.0;  ///< [J] so far
   double worst_energy = 0.0;     ///< [J] largest |energy - start - work| so far
 
+  std::vector<std::unique_ptr<Trial>> trials;  ///< (threads) of sub-steps
+
   std::vector<Mortal> mortals;  ///< binary heap, earliest first; the dead among them
   /// State of loose things at the start of the step, put back if it goes wrong.
   std::vector<FreeMotion> saved_points;  ///< (loose_points)
   std::vector<Motion> saved_motion;      ///< (loose_bodies)
+  Slopes slopes;                         ///< of the integrator "rk4"
 
   std::string last_actor;  ///< who pushed, kicked or changed a thing last; empty: nobody yet
   double last_act = 0.0;   ///< [s] when
   bool pushed = false;     ///< pushes or twists wait for the coming step
   bool locked = false;     ///< inside a step, outside the phases in which scripts run
+  bool unchecked = true;   ///< whether the integrator fits is to be seen anew
   std::string trouble;     ///< not empty: a law failed in this step
   std::string failure;     ///< not empty: the state became non-finite; the world steps no more
 };

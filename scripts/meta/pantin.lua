@@ -68,6 +68,7 @@ function quat_methods:inverse() end
 ---@field projection number [J] taken by the projection of velocities, since it is kept
 ---@field energy_return number [J] given back of that
 ---@field safe_step number [J] taken by safe steps, since it is kept
+---@field integrator number [J] that the integrators euler and rk4 gave by being inexact, since it is kept
 ---@field since number? [s] when all began to be kept; nil, and so the fields below: not yet
 ---@field gravity number? [J] given to the motion since then
 ---@field closure number? what no line explains of the kinetic energy, relative to all lines: a test of the program
@@ -83,6 +84,9 @@ function quat_methods:inverse() end
 ---@field halved_steps integer
 ---@field safe_steps integer
 ---@field projections integer
+---@field sub_steps integer of the whole scene in its last step, as `scene.accuracy` wants
+---@field most_sub_steps integer the most of any body or articulate, those of the scene included
+---@field most_sub_steps_of string that body, or the first of that articulate; "" where all take as many
 ---@field ns table<string, number> [ns] per phase
 
 ---@class LogLine
@@ -692,7 +696,8 @@ function Structure:inertia(mass_in) end
 ---@field store table plain values of yours
 ---@field gravity vec [m/s²] uniform acceleration
 ---@field step number [s] length of one step
----@field integrator string "verlet", "implicit" (connections of any stiffness), or "euler" (the paper's)
+---@field accuracy number? [1/s] wanted error per second, relative to the sizes of things; sub-steps follow from it
+---@field integrator string "verlet" (2nd order), "implicit" (the same with connections of any stiffness), "suzuki4" (4th order, where nothing dissipates), "rk4" (4th order, no constraints), "euler" (the paper's)
 ---@field energy_return boolean give back what the velocity projection took
 ---@field box vec? [m] edges of the periodic box; nil: open space
 ---@field tolerance number points of a new hinge may be this far apart, relative to the size of their bodies

@@ -37,8 +37,18 @@ TEST_CASE("wrong settings are errors at their line") {
   CHECK(failure("scene.gravity = 3") == "scene.lua:1: scene: gravity must be a vec [m/s²], got a number");
   CHECK(failure("scene.step = 0") == "scene.lua:1: scene: step must be > 0 s, got 0");
   CHECK(failure("scene.step = 0/0") == "scene.lua:1: scene: step must be a finite number [s], got NaN");
-  CHECK_THAT(failure("scene.integrator = 'rk4'"),
-             Contains("must be \"verlet\", \"implicit\" or \"euler\", got \"rk4\""));
+  CHECK_THAT(failure("scene.integrator = 'rk5'"), Contains("must be \"verlet\"") && Contains("got \"rk5\""));
+  CHECK(failure("scene.accuracy = 0") == "scene.lua:1: scene: accuracy must be > 0 1/s, got 0");
+  CHECK(failure("scene.accuracy = -1e-3") == "scene.lua:1: scene: accuracy must be > 0 1/s, got -0.001");
+  CHECK(failure("scene.accuracy = 0/0") == "scene.lua:1: scene: accuracy must be a finite number [1/s], got NaN");
+  CHECK_THAT(failure("scene.accuracy = 'high'"), StartsWith("scene.lua:1: scene: accuracy must be a number [1/s]"));
+  CHECK_THAT(failure("scene.accuracy = 1e-4 scene.integrator = 'suzuki4'"),
+             StartsWith("scene.lua:1: ") && Contains("\"suzuki4\" has fixed steps"));
+  CHECK_THAT(failure("scene:nail(scene:body{ mass = 1, inertia = vec(1, 1, 1), points = { p = vec(1, 0, 0) } "
+                     "}.p)\nscene.integrator = 'rk4'"),
+             StartsWith("scene.lua:2: ") && Contains("moves only what no constraint ties: there is "));
+  CHECK_THAT(failure("scene:field(scene, force.drag{ linear = 1 })\nscene.integrator = 'suzuki4'"),
+             StartsWith("scene.lua:2: ") && Contains("drag") && Contains("depends on velocities"));
   CHECK_THAT(failure("scene.energy_return = 1"), Contains("must be true or false, got a number"));
   CHECK_THAT(failure("scene.seed = 1.5"), Contains("a whole number"));
   CHECK_THAT(failure("scene.camera = { from = vec(0, 0, 0) }"), Contains("scene: camera: unknown field 'from'"));
@@ -53,6 +63,10 @@ TEST_CASE("--set scene.FIELD wins over the file") {
   CHECK(same(scene->world().settings.gravity, vec(1, -2.5, 0)));
   CHECK(scene->title() == "42");
   CHECK_FALSE(scene->world().settings.energy_return);
+  CHECK(open("scene.accuracy = 1e-2", {{"scene.accuracy", "1e-4"}})->world().settings.accuracy == 1e-4);
+  CHECK_FALSE(open("scene.accuracy = 1e-2", {{"scene.accuracy", "nil"}})->world().settings.accuracy);
+  CHECK_THROWS_WITH(open("", {{"scene.accuracy", "0"}}),
+                    Contains("--set scene.accuracy=0: ") && Contains("must be > 0"));
   CHECK_THROWS_AS(open("", {{"scene.stp", "1"}}), lua::UsageError);
   CHECK_THROWS_WITH(open("", {{"scene.stp", "1"}}), Contains("no setting 'stp'. Did you mean 'step'?"));
   CHECK_THROWS_WITH(open("", {{"scene.step", "-1"}}), Contains("--set scene.step=-1: ") && Contains("must be > 0 s"));

@@ -61,7 +61,7 @@ TEST_CASE("chain: without the energy return the projection takes little") {
   const Watched course = watch(world, 5.0);
   CHECK(course.failure == "");
   CHECK(course.gap <= 1e-10);
-  CHECK(course.energy_error() <= 5e-4);
+  CHECK(course.energy_error() <= 8e-5);
   const double now = std::fabs(energy(world).total() - world.start_energy) / world.largest_kinetic;
   CHECK(world.error.energy == Approx(now).margin(1e-12));
   CHECK(world.worst.energy == Approx(course.energy_error()).epsilon(1e-6));

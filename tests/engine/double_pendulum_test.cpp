@@ -82,3 +82,18 @@ TEST_CASE("double pendulum: rods keep their length, and energy stays with the re
   CHECK(world.worst.constraint == Approx(stretch).margin(1e-14));
   CHECK(course.energy_error() <= 1e-9);
 }
+
+// Each step's projection acts along the rod of that step: what is carried over must turn with it.
+TEST_CASE("double pendulum: without the return the projection takes energy of fourth order") {
+  std::vector<double> steps = {1.0 / 120, 1.0 / 240, 1.0 / 480}, errors;
+  for (const double h : steps) {
+    World world;
+    world.settings.step = h;
+    world.settings.energy_return = false;
+    cases::add_double_pendulum(world);
+    errors.push_back(watch(world, 1.0).energy_error());
+  }
+  CAPTURE(errors);
+  CHECK(errors[1] <= 1e-7);
+  CHECK(exponent(steps, errors) >= 3.5);
+}

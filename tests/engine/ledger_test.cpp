@@ -85,6 +85,63 @@ TEST_CASE("ledger: the lines of two springs and gravity on loose and tied things
   CHECK(errors.at("hard") != 0.0);
 }
 
+TEST_CASE("ledger: closes with every integrator that moves hinges, and where accuracy divides steps") {
+  struct Way {
+    Integrator integrator;
+    double accuracy;
+  };
+  const Way way = GENERATE(Way{Integrator::verlet, 1e-4}, Way{Integrator::implicit, 0.0},
+                           Way{Integrator::implicit, 1e-5}, Way{Integrator::suzuki4, 0.0}, Way{Integrator::euler, 0.0});
+  CAPTURE(name_of(way.integrator), way.accuracy);
+  World world;
+  cases::add_top(world);
+  world.settings.gravity = vec(0, -9.81, 0);
+  const cases::Chain chain = cases::add_chain(world, {.links = 4});
+  const ParticleId a = mass_at(world, vec(4, -1, 0)), b = mass_at(world, vec(5, -1, 0.3));
+  const ParticleId tail = world.points[chain.tails.back()].own;
+  tie(world, ledger_spring("soft", 5, 0.5), tail, a);
+  tie(world, ledger_spring("hard", 200, 0.9), a, b);
+  set_integrator(world, way.integrator);
+  if (way.accuracy > 0.0) set_accuracy(world, way.accuracy);
+  keep_ledger(world);
+  const double start = mechanical_energy(world).kinetic;
+  advance(world, 2.0);
+  CHECK(world.failure == "");
+  CHECK(closure(world) <= 1e-10);
+  CHECK((most_sub_steps(world).count > 1) == (way.accuracy > 0.0));
+  CHECK((line(world, Source::integrator) != 0.0) == (way.integrator == Integrator::euler));
+  CHECK(world.ledger.kicks.at("soft") + world.ledger.kicks.at("hard") == Approx(world.ledger.laws).epsilon(1e-9));
+  double given = world.ledger.gravity + world.ledger.laws + world.work - line(world, Source::law);
+  for (const Source source : {Source::projection, Source::energy_return, Source::integrator})
+    given += line(world, source);
+  CHECK(mechanical_energy(world).kinetic - start == Approx(given).epsilon(1e-9));
+}
+
+TEST_CASE("ledger: what rk4 gives by being inexact is of fourth order, and a line of its own") {
+  std::vector<double> steps, lines;
+  for (const double h : {0.05, 0.025, 0.0125}) {
+    World world;
+    world.settings.step = h;
+    const ParticleId a = mass_at(world, zero3());
+    tie(world, ledger_spring("spring", 10, 1), a, mass_at(world, vec(1.5, 0, 0)));
+    cases::add_top(world);
+    world.settings.gravity = vec(0, -9.81, 0);
+    set_integrator(world, Integrator::rk4);
+    keep_ledger(world);
+    while (world.time < 2.0 - 0.5 * h) {
+      push(world, test::point_of(world, a), vec(0, 3, 0));
+      step(world);
+    }
+    CHECK(world.failure == "");
+    CHECK(closure(world) <= 1e-10);
+    CHECK(line(world, Source::event) != 0.0);
+    steps.push_back(h);
+    lines.push_back(std::fabs(line(world, Source::integrator)));
+  }
+  CAPTURE(lines);
+  CHECK(exponent(steps, lines) == Approx(4.0).margin(0.5));
+}
+
 TEST_CASE("ledger: truncation of a spring falls with the square of the step") {
   double size[2];
   for (const int k : {0, 1}) {

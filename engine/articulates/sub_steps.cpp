@@ -1,0 +1,117 @@
+#include "articulates/sub_steps.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "articulates/drift.hpp"
+#include "articulates/midpoint.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr std::uint16_t most = 256, patience = 64, longest_wait = 16;
+constexpr double fast = 0.3;  // [rad] in a sub-step: then each step is a trial
+
+/// An error so small counts as quiet: half as many sub-steps have four times as much, and need some room.
+bool is_quiet(const SubSteps& n, double rate, double accuracy) { return n.count > 1 && 8.0 * rate <= accuracy; }
+
+SubSteps halved(const SubSteps& n) { return {static_cast<std::uint16_t>(n.count / 2)}; }
+
+/// Whether to try now, for a thing that turns by `turn` [rad] in a sub-step.
+bool is_due(SubSteps& n, const SubStepSettings& wanted, double turn) {
+  if (wanted.accuracy == 0.0 || !wanted.trials) return false;
+  if (n.left > 0) n.left--;
+  return n.left == 0 || turn > fast;
+}
+
+/// Angle between two orientations, if small [rad].
+double turn_between(const Mat3& a, const Mat3& b) {
+  return std::sqrt(0.5 * (norm2(a[0] - b[0]) + norm2(a[1] - b[1]) + norm2(a[2] - b[2])));
+}
+
+/// Largest distance of a point of the body between its two ends [m].
+double distance(const Node& a, const Node& b) {
+  const double moved = norm(a.x0 - b.x0);
+  if (!a.turns) return moved;
+  const double extent = std::max(a.reach, std::sqrt(largest(a.inertia) * a.inverse_mass));
+  return moved + extent * turn_between(a.R0, b.R0);
+}
+
+double difference(const Articulate& a, const Articulate& b) {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < a.nodes.size(); i++) worst = std::max(worst, distance(a.nodes[i], b.nodes[i]));
+  return worst / a.length;
+}
+
+double fastest_spin(const Articulate& a) {
+  double fastest = 0.0;
+  for (const Node& n : a.nodes) fastest = std::max(fastest, norm2(n.O0));
+  return std::sqrt(fastest);
+}
+
+/// Moves `thing` by n sub-steps, doubled until the error over h [s] is small enough; false where it is not even then.
+template <class Thing, class Move, class Difference>
+bool move_by_trial(Thing& thing, Thing& start, Thing& other, SubSteps& n, double h, double accuracy, Move move,
+                   Difference differ) {
+  if (n.quiet >= patience) n = halved(n);
+  const std::uint16_t passed = n.wait;
+  n.wait = std::min<std::uint16_t>(longest_wait, static_cast<std::uint16_t>(2 * n.wait));
+  start = thing;
+  move(thing, n.count);
+  for (;;) {
+    other = start;
+    move(other, 2u * n.count);
+    const double rate = 4.0 / 3.0 * differ(thing, other) / h;
+    if (rate > accuracy && n.count < most) {
+      n = {static_cast<std::uint16_t>(2 * n.count)};
+      std::swap(thing, other);
+      continue;
+    }
+    n.quiet = is_quiet(n, rate, accuracy) ? static_cast<std::uint16_t>(n.quiet + passed) : std::uint16_t{0};
+    n.left = n.wait;
+    return !(rate > accuracy);
+  }
+}
+
+}  // namespace
+
+void drift_accurately(Articulate& a, const DriftSettings& settings, const SubStepSettings& wanted, Trial& trial) {
+  const auto move = [&](Articulate& x, std::uint32_t count) {
+    x.sub_steps.count = static_cast<std::uint16_t>(count);
+    begin_report(x);
+    drift(x, settings, x.report);
+  };
+  const double h = settings.h * (settings.to - settings.from);
+  if (a.edited) a.sub_steps = {a.sub_steps.count};
+  if (!is_due(a.sub_steps, wanted, fastest_spin(a) * h / a.sub_steps.count)) return move(a, a.sub_steps.count);
+  SubSteps n = a.sub_steps;
+  const bool reached = move_by_trial(a, trial.start, trial.other, n, h, wanted.accuracy, move, difference);
+  a.sub_steps = n;
+  a.report.unreached = !reached;
+}
+
+void drift_alone_accurately(Node& node, double h, const SubStepSettings& wanted, SubSteps& n) {
+  const auto move = [&](Node& x, std::uint32_t count) {
+    for (std::uint32_t i = 0; i < count; i++) drift_alone(x, h / count);
+  };
+  if (!node.turns || !is_due(n, wanted, norm(node.O0) * h / n.count)) return move(node, n.count);
+  Node start, other;
+  move_by_trial(node, start, other, n, h, wanted.accuracy, move,
+                [](const Node& a, const Node& b) { return turn_between(a.R0, b.R0); });
+}
+
+void adapt(SubSteps& n, double rate, double accuracy) {
+  if (rate > accuracy) {
+    while (rate > accuracy && n.count < most) {
+      n.count = static_cast<std::uint16_t>(2 * n.count);
+      rate *= 0.25;
+    }
+    n.quiet = 0;
+    return;
+  }
+  n.quiet = is_quiet(n, rate, accuracy) ? static_cast<std::uint16_t>(n.quiet + 1) : std::uint16_t{0};
+  if (n.quiet >= patience) n = halved(n);
+}
+
+}  // namespace pantin

@@ -1,0 +1,28 @@
+#pragma once
+// Sub-steps by a measured local error: a thing is moved over a stretch of time by its number of sub-steps and by twice as
+// many; of the second order, the first ones are wrong by 4/3 of the difference (Richardson 1911).
+#include "articulates/articulate.hpp"
+
+namespace pantin {
+
+struct SubStepSettings {
+  double accuracy = 0.0;  ///< [1/s] largest error of a point per second, relative to the thing's length; 0: fixed steps
+  bool trials = true;     ///< now may be a trial: once a step
+};
+
+/// Where trials happen.
+struct Trial {
+  Articulate start, other;
+};
+
+/// Moves a loaded articulate over the settings' part of the step by as many sub-steps as the accuracy wants. What it did is
+/// in its report; `unreached` tells that not even the most were enough.
+void drift_accurately(Articulate& articulate, const DriftSettings& settings, const SubStepSettings& wanted,
+                      Trial& trial);
+/// The same for a node without rows over h [s].
+void drift_alone_accurately(Node& node, double h, const SubStepSettings& wanted, SubSteps& sub_steps);
+
+/// Sets a number of sub-steps by the error rate that it has [1/s], known once a step.
+void adapt(SubSteps& sub_steps, double rate, double accuracy);
+
+}  // namespace pantin

@@ -1,0 +1,44 @@
+#pragma once
+// What the integrators are, and how each divides a step; how they move things is in phases/integrators.
+#include <span>
+#include <string>
+
+#include "world/world.hpp"
+
+namespace pantin {
+
+/// A part of a full sub-step.
+struct IntegratorStage {
+  double length;  ///< relative to the sub-step; may be negative
+  double end;     ///< its end, 0 … 1, where the forces are evaluated
+};
+
+struct IntegratorRule {
+  Integrator integrator;
+  std::span<const IntegratorStage> stages;
+  bool kicks = true;       ///< each stage is a drift between two half kicks
+  bool backwards = false;  ///< has stages of negative length
+  bool divides = false;    ///< `accuracy` may divide its steps
+  bool ties = true;        ///< moves what constraints and solved connections tie
+  bool conserves = true;   ///< its drifts change no energy but by what is told of them
+  /// Why it cannot move this world, empty where it can; null: it can move every world.
+  std::string (*refuses)(const World&) = nullptr;
+};
+
+const IntegratorRule& rule_of(Integrator integrator);
+inline const IntegratorRule& rule_of(const World& world) { return rule_of(world.settings.integrator); }
+
+/// Throws Error where the integrator of the settings cannot move the world, or the accuracy needs another one.
+void require_integrator_fits(const World& world);
+
+/// Parts of the coming step.
+std::uint32_t parts(const World& world);
+/// Sets World::part to one of them.
+void begin_part(World& world, std::uint32_t part);
+/// Time at a fraction of the step that is being done [s].
+double time_within(const World& world, double fraction);
+/// The time that the kicks of the present part are for, [s].
+double kick_start(const World& world);
+double kick_end(const World& world);
+
+}  // namespace pantin

@@ -1,0 +1,93 @@
+#include "world/kick_error.hpp"
+
+#include <algorithm>
+
+#include "articulates/articulate.hpp"
+#include "world/forces.hpp"
+
+namespace pantin {
+
+namespace {
+
+/// Laws that depend on velocities are left out, with all without energy beside them: they may draw noise.
+bool counts_open(const Forces& f) { return f.open && !f.moving; }
+
+Vec3 acceleration(const Forces& f, std::size_t site) {
+  const Vec3 force = counts_open(f) ? f.sites.force[site] + f.sites.open_force[site] : f.sites.force[site];
+  return force * f.inverse_mass[site];
+}
+
+Vec3 force(const Forces& f, const Mover& m) { return counts_open(f) ? m.force + m.open_force : m.force; }
+Vec3 torque(const Forces& f, const Mover& m) { return counts_open(f) ? m.torque + m.open_torque : m.torque; }
+
+/// Twice the root mean square distance from the centre of the sites over the cubic root of their number, or that of the
+/// volume of a periodic box for each [m].
+double spacing(const World& world, const Sites& s) {
+  const double count = std::cbrt(static_cast<double>(s.n));
+  if (const auto& box = world.settings.box) return std::cbrt((*box)[0] * (*box)[1] * (*box)[2]) / count;
+  Vec3 sum = zero3();
+  double square = 0.0;
+  for (std::size_t i = 0; i < s.n; i++) {
+    const Vec3 d = s.x[i] - s.x[0];
+    sum += d;
+    square += norm2(d);
+  }
+  const double n = static_cast<double>(s.n), spread = square / n - norm2(sum / n);
+  return spread > 0.0 ? 2.0 * std::sqrt(spread) / count : 1.0;
+}
+
+/// Linear acceleration, and that of the far end of a body by its torque [m/s²].
+double change(const World& world, const Forces& f, const Mover& m) {
+  const double pull = norm(force(f, m) - m.noted_force);
+  if (!m.is_body) return pull / world.points.at_slot(m.slot).mass;
+  const Motion& motion = world.motion[m.slot];
+  const double extent = std::sqrt(largest(motion.inertia) / motion.mass);
+  const double turning = norm(torque(f, m) - m.noted_torque);
+  return (pull + (extent > 0.0 ? turning / extent : 0.0)) / motion.mass;
+}
+
+}  // namespace
+
+double expected_kick_error(const World& world) {
+  if (!world.forces) return 0.0;
+  const Forces& f = *world.forces;
+  double worst = 0.0;
+  for (std::size_t i = 0; i < f.sites.n; i++)
+    if (f.point[i] != Forces::none) worst = std::max(worst, norm(acceleration(f, i)) * norm(f.sites.v[i]));
+  for (const Mover& m : f.movers) {
+    const double mass = m.is_body ? world.motion[m.slot].mass : world.points.at_slot(m.slot).mass;
+    const Vec3 v = m.is_body ? world.motion[m.slot].p / mass : world.free_motion[m.slot].v;
+    worst = std::max(worst, norm(force(f, m)) / mass * norm(v));
+  }
+  const double space = spacing(world, f.sites), h = world.part.full;
+  return worst * h * h / (6.0 * space * space);
+}
+
+void note_kicks(World& world) {
+  if (!world.forces) return;
+  Forces& f = *world.forces;
+  f.noted.resize(world.points.slots());
+  for (std::size_t i = 0; i < f.sites.n; i++)
+    if (f.point[i] != Forces::none) f.noted[f.point[i]] = acceleration(f, i);
+  for (Mover& m : f.movers) {
+    m.noted_force = force(f, m);
+    m.noted_torque = torque(f, m);
+  }
+}
+
+double kick_error(const World& world) {
+  if (!world.forces) return 0.0;
+  const Forces& f = *world.forces;
+  double worst = 0.0;
+  for (std::size_t i = 0; i < f.sites.n; i++)
+    if (f.point[i] != Forces::none) worst = std::max(worst, norm(acceleration(f, i) - f.noted[f.point[i]]));
+  const double space = spacing(world, f.sites);
+  worst /= space;
+  for (const Mover& m : f.movers) {
+    const double length = m.articulate < 0 ? space : world.articulates[static_cast<std::size_t>(m.articulate)]->length;
+    worst = std::max(worst, change(world, f, m) / length);
+  }
+  return worst * world.part.h / 6.0;
+}
+
+}  // namespace pantin
