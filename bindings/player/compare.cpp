@@ -52,9 +52,10 @@ double last_within(const Study& study, const std::vector<double>& list, double l
   return time;
 }
 
-/// The run with the same integrator and the next longer step, or null.
+/// The run with the same integrator and the next longer step, or null; of what chooses its own steps always null.
 const StudyRun* coarser(const Study& study, std::size_t i) {
-  return i > 0 && study.runs[i - 1].integrator == study.runs[i].integrator ? &study.runs[i - 1] : nullptr;
+  if (i == 0 || study.runs[i].accuracy > 0.0) return nullptr;
+  return same_series(study.runs[i - 1], study.runs[i]) ? &study.runs[i - 1] : nullptr;
 }
 
 bool complete(const Study& study, const StudyRun& run) { return run.places.size() == study.times.size(); }
@@ -89,7 +90,7 @@ void choose_reference(Study& study) {
   Worth best;
   for (std::size_t i = 0; i < study.runs.size(); i++) {
     const StudyRun* const before = coarser(study, i);
-    const bool last = i + 1 == study.runs.size() || study.runs[i + 1].integrator != study.runs[i].integrator ||
+    const bool last = i + 1 == study.runs.size() || !same_series(study.runs[i + 1], study.runs[i]) ||
                       !complete(study, study.runs[i + 1]);
     if (!before || !last || !complete(study, study.runs[i])) continue;
     const Worth now = worth(study, distances(study.runs[i], *before));

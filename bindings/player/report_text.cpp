@@ -34,11 +34,14 @@ double per_solve(const Stats& stats) {
   return stats.solves > 0 ? static_cast<double>(stats.newton_iterations) / static_cast<double>(stats.solves) : 0.0;
 }
 
+/// What the runs of its series have in common.
+std::string series_name(const StudyRun& run) { return run.accuracy > 0.0 ? "accuracy" : run.integrator; }
+
 std::string row(const Study& study, const StudyRun& run) {
   const bool finest = &run == &study.finest();
   std::string line =
-      format("%-9s %-9s %12s %6s %10.4g %12.4g %6.2f %6llu %5llu %10s %10s", run.integrator.c_str(),
-             show_step(run.step).c_str(),
+      format("%-9s %-9s %12s %6s %10.4g %12.4g %6.2f %6llu %5llu %10s %10s", series_name(run).c_str(),
+             run.accuracy > 0.0 ? number("%.0e", run.accuracy).c_str() : show_step(run.step).c_str(),
              finest ? ("(" + number("%.1e", run.error) + ")").c_str() : number("%.2e", run.error).c_str(),
              number("%.1f", run.order).c_str(), 1e3 * run.cost(), 1e9 * run.seconds / static_cast<double>(run.steps),
              per_solve(run.stats), static_cast<unsigned long long>(run.stats.halved_steps),
@@ -107,7 +110,7 @@ std::string course(const Study& study) {
 double order_of(const Study& study, const std::string& integrator) {
   std::vector<double> orders;
   for (const StudyRun& run : study.runs)
-    if (run.integrator == integrator && std::isfinite(run.order)) orders.push_back(run.order);
+    if (run.integrator == integrator && run.accuracy == 0.0 && std::isfinite(run.order)) orders.push_back(run.order);
   if (orders.empty()) return std::numeric_limits<double>::quiet_NaN();
   std::nth_element(orders.begin(), orders.begin() + static_cast<std::ptrdiff_t>(orders.size() / 2), orders.end());
   return orders[orders.size() / 2];
@@ -120,8 +123,10 @@ std::string extrapolated(const Study& study, double error) {
   for (const StudyRun& run : study.runs) {
     const double order = order_of(study, run.integrator);
     const StudyRun* const next = &run == &study.runs.back() ? nullptr : &run + 1;
-    const bool last = !next || next->integrator != run.integrator || next == &study.finest();
-    if (!last || &run == &study.finest() || !run.trouble.empty() || !(order > 0.5) || !(run.error > 0.0)) continue;
+    const bool last = !next || !same_series(*next, run) || next == &study.finest();
+    if (!last || run.accuracy > 0.0 || &run == &study.finest() || !run.trouble.empty() || !(order > 0.5) ||
+        !(run.error > 0.0))
+      continue;
     const double factor = std::pow(error / run.error, 1.0 / order);
     if (best && run.cost() / factor >= cost) continue;
     best = &run;
@@ -146,10 +151,9 @@ std::string advice(const Study& study) {
   if (never_together(study)) return "No step can be recommended by its error.";
   const StudyRun* const run = cheapest(study, error);
   if (!run) return beginning + extrapolated(study, error);
-  return beginning + format(
-                         "choose scene.step = %s and scene.integrator = \"%s\": it costs %.3g ms per simulated second "
-                         "(error %.1e m).",
-                         show_step(run->step).c_str(), run->integrator.c_str(), 1e3 * run->cost(), run->error);
+  return beginning + "choose " + (run->accuracy > 0.0 ? format("scene.accuracy = %g, ", run->accuracy) : "") +
+         format("scene.step = %s and scene.integrator = \"%s\": it costs %.3g ms per simulated second (error %.1e m).",
+                show_step(run->step).c_str(), run->integrator.c_str(), 1e3 * run->cost(), run->error);
 }
 
 std::string report_text(const Study& study, double product_ns) {
@@ -162,6 +166,8 @@ std::string report_text(const Study& study, double product_ns) {
       "ms/s: milliseconds of the clock per simulated second, while a 3x3 product took %.2g ns\n"
       "true to: until then it is within a hundredth of the size\n",
       product_ns);
+  if (std::any_of(study.runs.begin(), study.runs.end(), [](const StudyRun& run) { return run.accuracy > 0.0; }))
+    result += format("accuracy: that scene.accuracy with verlet and step %s\n", show_step(study.step).c_str());
   result += table(study) + ledger_lines(study) + course(study);
   return result + advice(study) + "\n";
 }
@@ -172,6 +178,7 @@ Json of_run(const Study& study, const StudyRun& run) {
   Json json;
   json["integrator"] = run.integrator;
   json["step"] = run.step;
+  if (run.accuracy > 0.0) json["accuracy"] = run.accuracy;
   if (!run.trouble.empty()) json["trouble"] = run.trouble;
   json["reference"] = &run == &study.finest();
   json["error"] = run.error;
@@ -220,12 +227,12 @@ std::string report_picture(const Study& study) {
   Plot by_cost{scene_name(study.path), "milliseconds per simulated second", "error, m", {}};
   Plot by_step{scene_name(study.path), "step, s", "error, m", {}};
   for (const StudyRun& run : study.runs) {
-    if (by_cost.series.empty() || by_cost.series.back().name != run.integrator) {
-      by_cost.series.push_back({run.integrator, {}});
-      by_step.series.push_back({run.integrator, {}});
+    if (by_cost.series.empty() || by_cost.series.back().name != series_name(run)) {
+      by_cost.series.push_back({series_name(run), {}});
+      if (run.accuracy == 0.0) by_step.series.push_back({series_name(run), {}});
     }
     by_cost.series.back().points.emplace_back(1e3 * run.cost(), run.error);
-    by_step.series.back().points.emplace_back(run.step, run.error);
+    if (run.accuracy == 0.0) by_step.series.back().points.emplace_back(run.step, run.error);
   }
   return draw_plots({by_cost, by_step}, 2);
 }

@@ -24,6 +24,7 @@ constexpr int levels = 8;        // each with half the step of the one before
 constexpr int least_levels = 4;  // that every study has time for
 constexpr int comparisons = 40;  // times at most
 constexpr std::size_t most_things = 2000;
+constexpr double accuracies[] = {1e-2, 1e-3, 1e-4, 1e-5};  // [1/s]
 
 double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -82,6 +83,7 @@ class Studying {
     choose_times();
     find_integrators();
     run_levels();
+    run_accuracies();
     require(!Interrupt::asked(), "report: stopped before there was anything to tell");
     std::stable_sort(study_.runs.begin(), study_.runs.end(),
                      [&](const StudyRun& a, const StudyRun& b) { return rank(a.integrator) < rank(b.integrator); });
@@ -92,9 +94,13 @@ class Studying {
   }
 
  private:
-  std::unique_ptr<lua::Scene> open(const std::string& integrator, double step) const {
+  /// An empty integrator leaves the scene its own, and its accuracy.
+  std::unique_ptr<lua::Scene> open(const std::string& integrator, double step, double accuracy = 0.0) const {
     lua::SceneOptions options = lua_options(options_, home_);
-    if (!integrator.empty()) options.set["scene.integrator"] = integrator;
+    if (!integrator.empty()) {
+      options.set["scene.integrator"] = integrator;
+      options.set["scene.accuracy"] = accuracy > 0.0 ? exact(accuracy) : "nil";
+    }
     if (step > 0.0) options.set["scene.step"] = exact(step);
     return lua::Scene::open(study_.path, options);
   }
@@ -188,6 +194,18 @@ class Studying {
     }
   }
 
+  /// With the scene's own step, divided by itself.
+  void run_accuracies() {
+    if (std::find(tried_.begin(), tried_.end(), "verlet") == tried_.end()) return;
+    double seconds = 0.0;
+    for (const double accuracy : accuracies) {
+      if (Interrupt::asked() || since(begin_) + 3.2 * seconds > budget_) return;
+      StudyRun run = run_one("verlet", study_.step, accuracy);
+      seconds = run.seconds;
+      if (!same_as(run)) study_.runs.push_back(std::move(run));
+    }
+  }
+
   /// The ledger costs time, so it is kept in a run of its own, of a fifth of the budget at most.
   void keep_books() {
     told_("ledger", since(begin_) / budget_);
@@ -209,7 +227,8 @@ class Studying {
   /// A run of another integrator with the same step that went the very same way, or null.
   const StudyRun* same_as(const StudyRun& run) const {
     for (const StudyRun& other : study_.runs)
-      if (other.step == run.step && other.integrator != run.integrator && other.places.size() == run.places.size() &&
+      if (other.step == run.step && !(other.integrator == run.integrator && other.accuracy == run.accuracy) &&
+          other.places.size() == run.places.size() &&
           std::equal(run.places.begin(), run.places.end(), other.places.begin(), same_places))
         return &other;
     return nullptr;
@@ -217,15 +236,18 @@ class Studying {
 
   const StudyRun* last_of(const std::string& integrator) const {
     for (auto run = study_.runs.rbegin(); run != study_.runs.rend(); ++run)
-      if (run->integrator == integrator) return &*run;
+      if (run->integrator == integrator && run->accuracy == 0.0) return &*run;
     return nullptr;
   }
 
-  StudyRun run_one(const std::string& integrator, double step) {
+  StudyRun run_one(const std::string& integrator, double step, double accuracy = 0.0) {
     StudyRun run;
     run.integrator = integrator;
     run.step = step;
-    const auto scene = open(integrator, step);
+    run.accuracy = accuracy;
+    const auto scene = open(integrator, step, accuracy);
+    const std::string what =
+        accuracy > 0.0 ? text("accuracy ", accuracy, " per second") : text(integrator, ", step ", step, " s");
     World& world = scene->world();
     const std::uint64_t drawn = world.random.count;
     try {
@@ -234,7 +256,7 @@ class Studying {
         run.reached = world.time;
         if (Interrupt::asked() || scene->finished()) break;
         run.places.push_back(places_of(world, stride_));
-        told_(text(integrator, ", step ", step, " s"), since(begin_) / budget_);
+        told_(what, since(begin_) / budget_);
       }
     } catch (const lua::Interrupted&) { throw; } catch (const Error& error) {
       run.trouble = error.what();

@@ -18,10 +18,11 @@ using Places = std::vector<std::pair<std::uint64_t, Vec3>>;
 /// The scene from its start with one integrator and step.
 struct StudyRun {
   std::string integrator;
-  double step = 0.0;     ///< [s]
-  std::string trouble;   ///< why it ended early; empty: it did not
-  double reached = 0.0;  ///< [s]
-  double seconds = 0.0;  ///< [s] of the clock, for the steps alone
+  double step = 0.0;      ///< [s]
+  double accuracy = 0.0;  ///< [1/s] that chose sub-steps; 0: none did
+  std::string trouble;    ///< why it ended early; empty: it did not
+  double reached = 0.0;   ///< [s]
+  double seconds = 0.0;   ///< [s] of the clock, for the steps alone
   std::uint64_t steps = 0;
   Stats stats;
   Accuracy worst;
@@ -35,6 +36,11 @@ struct StudyRun {
 
   double cost() const { return seconds / reached; }  ///< [s] per simulated second
 };
+
+/// Whether two runs are of one series: of an integrator over its steps, or over accuracies.
+inline bool same_series(const StudyRun& a, const StudyRun& b) {
+  return a.integrator == b.integrator && (a.accuracy > 0.0) == (b.accuracy > 0.0);
+}
 
 /// An integrator that the scene refuses, or that is no other in it, and why.
 struct Refused {
@@ -52,7 +58,7 @@ struct Study {
   double size = 0.0;           ///< [m] diagonal of the box round all things at the start
   std::size_t things = 0;      ///< compared at the start
   double moved = 0.0;          ///< [m] furthest that anything went in the scene's own integrator's finest run
-  std::vector<StudyRun> runs;  ///< integrator by integrator, the longest step first
+  std::vector<StudyRun> runs;  ///< series by series, the longest step first
   std::vector<Refused> refused;
 
   std::size_t reference = 0;          ///< the run that the others are compared with

@@ -54,7 +54,7 @@ scene:rod(vec(0, 0, 0), bob)
 
 const StudyRun& run_of(const Study& study, const std::string& integrator, double step) {
   for (const StudyRun& run : study.runs)
-    if (run.integrator == integrator && std::fabs(run.step - step) < 1e-12) return run;
+    if (run.integrator == integrator && run.accuracy == 0.0 && std::fabs(run.step - step) < 1e-12) return run;
   throw std::runtime_error("there is no such run");
 }
 
@@ -124,6 +124,32 @@ TEST_CASE("report: a pendulum's errors fall as the integrators' orders say") {
   CHECK(run_of(study, "verlet", 1.0 / 60).error < run_of(study, "euler", 1.0 / 60).error);
   CHECK_THAT(report_text(study, 1.0), Catch::EndsWith("m).\n"));
   CHECK(report_json(study, 1.0)["advice"] == advice(study));
+}
+
+TEST_CASE("report: integrators of fourth order and accuracies are tried too, in a scene that asks for one as well") {
+  const Study study = study_text(std::string("scene.accuracy = 1e-3\n") + pendulum, 1.0);
+  CHECK(run_of(study, "suzuki4", 1.0 / 60).order == Approx(4.0).margin(0.3));
+  CHECK(run_of(study, "suzuki4", 1.0 / 60).error < 0.01 * run_of(study, "verlet", 1.0 / 60).error);
+  std::vector<double> errors;
+  for (const StudyRun& run : study.runs)
+    if (run.accuracy > 0.0) errors.push_back(run.error);
+  REQUIRE(errors.size() >= 3);  // the coarsest may be what the scene's own step gives
+  CHECK(errors.back() < 0.1 * errors.front());
+  CHECK(study.finest().accuracy == 0.0);
+  CHECK_THAT(report_text(study, 1.0), Catch::Contains("rk4       scene.lua") || Catch::Contains("no constraint ties"));
+  CHECK_THAT(report_text(study, 1.0), Catch::Contains("accuracy: that scene.accuracy with verlet and step 1/60"));
+}
+
+TEST_CASE("report: an accuracy that is the cheapest way to the wanted error is told as such") {
+  Study study = empty_study();
+  for (const double step : steps)
+    study.runs.push_back(seen(study, "verlet", step, [](double h, double t) { return 3 * h * h * t; }));
+  StudyRun run = seen(study, "verlet", 0.04, [](double, double t) { return 1e-5 * t; });
+  run.accuracy = 1e-3;
+  study.runs.push_back(run);
+  compare(study);
+  CHECK(study.finest().accuracy == 0.0);
+  CHECK_THAT(advice(study), Catch::Contains("choose scene.accuracy = 0.001, scene.step = 1/25 and"));
 }
 
 TEST_CASE("report: a scene in which nothing moves says so, and one that is over at once is refused") {
