@@ -108,6 +108,56 @@ function quat_methods:inverse() end
 ---@field kind string
 ---@field text string
 
+---@alias Waiting fun(what?: number|fun(): boolean) [s]
+
+---@class Condition one limit, and what it is of: the whole scene unless given
+---@field temperature_above? number [K]
+---@field temperature_below? number [K]
+---@field energy_above? number [J]
+---@field energy_below? number [J]
+---@field force_above? number [N] of a hinge, constraint or connection
+---@field force_below? number [N]
+---@field distance_above? number [m] of a list of two things or places
+---@field distance_below? number [m]
+---@field count_above? number of a group or family
+---@field count_below? number
+---@field of? Thing|Scene|(Thing|vec)[]
+
+---@class JoinOptions
+---@field at? vec [m] where they meet
+---@field time_constant? number [s]
+---@field max_force? number [N]
+---@field on_met? fun(hinge: Particle)
+---@field name? string of the hinge
+
+---@class Behaviour { target, options } are fields of self
+---@field start? fun(self: table)
+---@field step? fun(self: table, dt: number)
+---@field stop? fun(self: table)
+
+---@class BondingOptions
+---@field families Family|Family[] one, or two
+---@field near number [m] at most so far apart
+---@field below number [K] bonds are made
+---@field above number [K] bonds break
+---@field law Law
+
+---@class WhenOptions
+---@field mean? number [s] over which the measure is averaged
+---@field again? boolean at each crossing
+---@field hysteresis? number how far back beyond the limit before it may cross again
+
+---@class TimelineEntry
+---@field kind "at"|"every"|"over"|"when"|"play"
+---@field state "waiting"|"fired"|"dropped"|"cancelled"
+---@field time? number [s] when it ended, or is due next; nil of what waits for something that holds
+---@field from? number [s] of an over
+---@field to? number [s] of an over
+---@field period? number [s] of an every
+---@field fired integer how often so far
+---@field label string where it was set
+---@field target? string
+
 ---@class Camera
 ---@field at? vec [m]
 ---@field look_at? vec [m]

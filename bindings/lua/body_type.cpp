@@ -19,13 +19,12 @@ double mass_of_points(const Self& self) {
   return sum;
 }
 
-/// About the frame's origin, in the frame's axes, [kg m²].
+/// About the frame's origin, in the frame's axes, of its masses in their places, [kg m²].
 Mat3 inertia_of_points(const Self& self) {
   Mat3 sum = zero33();
-  for (PointId p : row(self).points) {
-    const Point& point = self.world.points[p];
-    sum += (identity33() * norm2(point.place) - outer(point.place, point.place)) * point.mass;
-  }
+  const auto add = [&](Vec3 at, double mass) { sum += (identity33() * norm2(at) - outer(at, at)) * mass; };
+  for (PointId p : row(self).points) add(self.world.points[p].place, self.world.points[p].mass);
+  add(row(self).own_place, row(self).own_mass);
   return sum;
 }
 

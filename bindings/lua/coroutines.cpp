@@ -5,15 +5,6 @@
 namespace pantin::lua {
 namespace {
 
-struct Switched {
-  Switched(Watch& w, lua_State* to) : watch(w), from(w.running) { watch.switch_to(to); }
-  ~Switched() { watch.switch_to(from); }
-  Switched(const Switched&) = delete;
-  Switched& operator=(const Switched&) = delete;
-  Watch& watch;
-  lua_State* from;
-};
-
 /// Calls Lua's own function (below the arguments) with the watch on `coroutine`.
 int call_switched(lua_State* state, lua_State* coroutine) {
   const Switched switched(Runtime::of(state).watch(), coroutine);

@@ -63,23 +63,26 @@ const char* advice(const std::string& message) {
 
 int describe(lua_State* state) {
   luaL_checkstack(state, 16, nullptr);
-  std::string message;
-  if (lua_type(state, 1) == LUA_TSTRING) {
-    std::size_t size = 0;
-    const char* s = lua_tolstring(state, 1, &size);
-    message.assign(s, size);
-    if (message == Runtime::of(state).usage_message) return 1;
-    message += advice(message);
-  } else {
-    message = error_text(state, 1);
-  }
-  const std::string place = names_place(message) ? "" : where(state);
-  if (!place.empty()) message = text(place, ": ", message);
+  const std::string message = error_message(state, 1, where(state));
   lua_pushlstring(state, message.data(), message.size());
   return 1;
 }
 
 }  // namespace
+
+std::string error_message(lua_State* state, int index, const std::string& place) {
+  std::string message;
+  if (lua_type(state, index) == LUA_TSTRING) {
+    std::size_t size = 0;
+    const char* s = lua_tolstring(state, index, &size);
+    message.assign(s, size);
+    if (message == Runtime::of(state).usage_message) return message;
+    message += advice(message);
+  } else {
+    message = error_text(state, index);
+  }
+  return place.empty() || names_place(message) ? message : text(place, ": ", message);
+}
 
 int describe_error(lua_State* state) { return guard<describe>(state); }
 

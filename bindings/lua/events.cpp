@@ -1,57 +1,17 @@
 #include "lua/events.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "lua/arguments.hpp"
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
 #include "lua/script.hpp"
-#include "lua/targets.hpp"
 #include "lua/tie_options.hpp"
-#include "world/choreography.hpp"
 #include "world/hands.hpp"
 
 namespace pantin::lua {
 namespace {
-
-/// What the engine calls when the event is due. A removed thing ends this action only.
-std::function<void()> action_of(Script& script, Callback function, AnyId target) {
-  return [&script, function = std::move(function), target] {
-    try {
-      function.call([&](lua_State* state) {
-        if (std::holds_alternative<std::monostate>(target)) return 0;
-        push_thing(state, script, target);
-        return 1;
-      });
-    } catch (const StaleHandle& error) { log_line(script.world, "dropped", error.what()); }
-  };
-}
-
-/// `(time, [target,] action)`, from argument 2 of the call on.
-int add(lua_State* state, const char* call, const char* time_name, bool relative, bool repeats) {
-  const Self self = check_self(state, Kind::scene, call);
-  const double time = check_number(state, 2, call, text("argument 1, the ", time_name, ","), "s");
-  require(repeats ? time > 0 : time >= 0, call, ": argument 1, the ", time_name, ", must be ",
-          repeats ? ">" : ">=", " 0 s, got ", time);
-  const bool with_target = !lua_isfunction(state, 3);
-  Event event;
-  if (with_target) event.target = any_of(check_thing(state, 3, call, "argument 2, the target or action,"));
-  const Callback function = check_function(state, with_target ? 4 : 3, call,
-                                           with_target ? "argument 3, the action," : "argument 2, the action,");
-  event.first = relative || repeats ? self.world.time + time : time;
-  if (!relative && !repeats) event.first = std::max(event.first, self.world.time);
-  event.period = repeats ? time : 0.0;
-  event.action = action_of(self.script, function, event.target);
-  event.label = where(state);
-  push_event(state, self.script, add_event(self.world, std::move(event)));
-  return 1;
-}
-
-int cancel_event(lua_State* state) {
-  const Self self = check_self(state, Kind::event, "cancel");
-  cancel(self.world, self.ref.id<EventId>());
-  return 0;
-}
 
 /// Drops what was cancelled once it is most of the list.
 void tidy(Script& script) {
@@ -60,25 +20,33 @@ void tidy(Script& script) {
   script.cancelled = 0;
 }
 
+void end_subscription(Script& script, std::size_t index) {
+  Subscription& subscription = script.subscriptions[index];
+  const std::optional<Callback> stop = std::exchange(subscription.stop, {});
+  subscription.function.reset();
+  script.cancelled++;
+  if (stop) stop->call();
+}
+
 int cancel_subscription(lua_State* state) {
   const Self self = check_self(state, Kind::subscription, "cancel");
   auto& list = self.script.subscriptions;
   const auto found = std::lower_bound(list.begin(), list.end(), self.ref.serial,
                                       [](const Subscription& s, std::uint64_t serial) { return s.serial < serial; });
   if (found == list.end() || found->serial != self.ref.serial || !found->function) return 0;
-  found->function.reset();
-  self.script.cancelled++;
+  end_subscription(self.script, static_cast<std::size_t>(found - list.begin()));
   tidy(self.script);
   return 0;
 }
 
-const char* const moments[] = {"step", "press", "release", "key", "grab", "drop", "cut", "broke", "removed"};
+const char* const moments[] = {"step", "press", "release", "key", "grab", "drop", "cut", "broke", "joined", "removed"};
 
 const char* name_of(Notice::Kind kind) {
   switch (kind) {
     case Notice::Kind::removed: return "removed";
     case Notice::Kind::cut: return "cut";
     case Notice::Kind::broke: return "broke";
+    case Notice::Kind::joined: return "joined";
     case Notice::Kind::grab: return "grab";
     case Notice::Kind::drop: return "drop";
     case Notice::Kind::press: return "press";
@@ -100,7 +68,8 @@ int push_notice(lua_State* state, Script& script, const Notice& notice) {
       push_thing(state, script, notice.thing);
       push_hand(state, script, notice.hand);
       return 2;
-    case Notice::Kind::cut: push_thing(state, script, notice.thing); return 1;
+    case Notice::Kind::cut:
+    case Notice::Kind::joined: push_thing(state, script, notice.thing); return 1;
     case Notice::Kind::broke:
       push_thing(state, script, notice.thing);
       lua_pushnumber(state, notice.force);
@@ -131,7 +100,12 @@ void tell(Script& script, std::string_view moment, const std::function<int(lua_S
     for (std::size_t i = 0, count = script.subscriptions.size(); i < count; i++) {
       if (script.subscriptions[i].name != moment) continue;
       const std::optional<Callback> function = script.subscriptions[i].function;
-      if (function) function->call(push);
+      const AnyId target = script.subscriptions[i].target;
+      if (!function) continue;
+      if (std::holds_alternative<std::monostate>(target) || alive(script.world, target))
+        function->call(push);
+      else
+        end_subscription(script, i);
     }
   }
   tidy(script);
@@ -139,9 +113,14 @@ void tell(Script& script, std::string_view moment, const std::function<int(lua_S
 
 }  // namespace
 
-int scene_at(lua_State* state) { return add(state, "at", "time", false, false); }
-int scene_after(lua_State* state) { return add(state, "after", "delay", true, false); }
-int scene_every(lua_State* state) { return add(state, "every", "period", false, true); }
+int subscribe(lua_State* state, Script& script, Subscription subscription) {
+  const std::uint64_t serial = ++script.subscribed;
+  subscription.serial = serial;
+  script.subscriptions.push_back(std::move(subscription));
+  push_ref(state, {Tag::ref, Kind::subscription, static_cast<std::uint32_t>(serial),
+                   static_cast<std::uint32_t>(serial >> 32), serial, &script});
+  return 1;
+}
 
 int scene_on(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "on");
@@ -150,11 +129,7 @@ int scene_on(lua_State* state) {
   require(std::find(names.begin(), names.end(), name) != names.end(), "on: unknown moment '", name, "'.",
           suggestion(name, names), " Known are ", joined(names));
   const Callback function = check_function(state, 3, "on", "argument 2");
-  const std::uint64_t serial = ++self.script.subscribed;
-  self.script.subscriptions.push_back({serial, name, function});
-  push_ref(state, {Tag::ref, Kind::subscription, static_cast<std::uint32_t>(serial),
-                   static_cast<std::uint32_t>(serial >> 32), serial, &self.script});
-  return 1;
+  return subscribe(state, self.script, {0, name, function});
 }
 
 int scene_button(lua_State* state) {
@@ -209,27 +184,13 @@ void run_behaviours(Script& script) {
   });
 }
 
-const Type& event_type() {
-  static const Type type = {
-      "Event",
-      "event",
-      "Something set to happen.",
-      {{"state", "string", "", "\"waiting\", \"fired\", \"dropped\" or \"cancelled\"",
-        [](const Self& s) {
-          const char* const names[] = {"waiting", "fired", "dropped", "cancelled"};
-          lua_pushstring(s.state, names[static_cast<std::size_t>(state_of_event(s.ref))]);
-        },
-        nullptr}},
-      {{"cancel", guard<cancel_event>, "", "", "Takes it out of the choreography; one that fired stays as it is."}}};
-  return type;
-}
-
 const Type& subscription_type() {
-  static const Type type = {"Subscription",
-                            "subscription",
-                            "A function that scene:on calls.",
-                            {},
-                            {{"cancel", guard<cancel_subscription>, "", "", "The function is called no more."}}};
+  static const Type type = {
+      "Subscription",
+      "subscription",
+      "A function that scene:on calls, or a behaviour.",
+      {},
+      {{"cancel", guard<cancel_subscription>, "", "", "The function is called no more; a behaviour is stopped."}}};
   return type;
 }
 

@@ -111,6 +111,7 @@ const Type& type_of(Kind kind) {
     case Kind::on_plane: return on_plane_type();
     case Kind::string: return string_type();
     case Kind::on_path: return on_path_type();
+    case Kind::join: return join_type();
     case Kind::group: return group_type();
     case Kind::family: return family_type();
     case Kind::connection: return connection_type();

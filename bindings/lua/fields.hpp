@@ -83,6 +83,7 @@ const Type& limit_type();
 const Type& on_plane_type();
 const Type& string_type();
 const Type& on_path_type();
+const Type& join_type();
 const Type& group_type();
 const Type& family_type();
 const Type& connection_type();

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "lua/arguments.hpp"
+#include "lua/assemble.hpp"
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
 #include "lua/measures.hpp"
@@ -162,6 +163,10 @@ Type make() {
       {"each", guard<each_member>, "", "fun(): Thing?",
        "For loops: for thing in g:each() do … end. Goes over a copy and leaves out what died."},
       {"cut_hinges", guard<cut_hinges>, "", "", "Cuts the hinges in the group and those between its bodies."},
+      {"break_connections", guard<group_break_connections>, "", "",
+       "Removes the connections in the group and those among its things."},
+      {"heat", guard<group_heat>, "energy: number [J]", "",
+       "Adds kinetic energy relative to the common motion; a negative one cools."},
       {"bounds", guard<bounds_of>, "", "vec, vec", "Lower and upper corner [m] of the box round all its points."},
       {"clusters", guard<clusters_of>, "distance: number [m]", "Thing[][]",
        "Lists of what is within the distance of another member, biggest first."},

@@ -1,4 +1,4 @@
-// OnPlane, String and OnPath.
+// OnPlane, String, OnPath and Join.
 #include "lua/arguments.hpp"
 #include "lua/constraint_fields.hpp"
 #include "lua/guard.hpp"
@@ -79,6 +79,16 @@ Type make_on_path() {
                           force_field()});
 }
 
+Type make_join() {
+  return constraint_type(
+      {"Join", "join", "Draws two points together, to join them into a hinge.", {}, {}},
+      {{"a", "Point", "", "the first point", [](const Self& s) { push_if(s, constraint_row(s).a); }, nullptr},
+       {"b", "Point", "", "the second point", [](const Self& s) { push_if(s, constraint_row(s).b); }, nullptr},
+       {"max_force", "number", "N", "it never pulls harder; math.huge: no limit",
+        [](const Self& s) { lua_pushnumber(s.state, constraint_row(s).max_force); }, nullptr},
+       force_field()});
+}
+
 }  // namespace
 
 const Type& on_plane_type() {
@@ -87,6 +97,10 @@ const Type& on_plane_type() {
 }
 const Type& string_type() {
   static const Type type = make_string();
+  return type;
+}
+const Type& join_type() {
+  static const Type type = make_join();
   return type;
 }
 const Type& on_path_type() {

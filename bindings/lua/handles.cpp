@@ -20,6 +20,7 @@ Kind kind_of(ConstraintKind kind) {
     case ConstraintKind::on_plane: return Kind::on_plane;
     case ConstraintKind::string: return Kind::string;
     case ConstraintKind::on_path: return Kind::on_path;
+    case ConstraintKind::join: return Kind::join;
     case ConstraintKind::axis: break;  // of a hinge, and no thing of its own
   }
   return Kind::nail;
@@ -80,11 +81,11 @@ void remember(lua_State* state, const Ref& ref) {
   lua_pop(state, 1);
 }
 
-const char* const words[] = {"a point",  "a particle",   "a body",         "a nail",      "a follow",
-                             "a rod",    "a weld",       "an orient",      "an align",    "a motor",
-                             "a limit",  "an on_plane",  "a string",       "an on_path",  "a group",
-                             "a family", "a connection", "an interaction", "a field",     "an emitter",
-                             "an event", "a hand",       "a subscription", "a structure", "a scene"};
+const char* const words[] = {"a point",        "a particle", "a body",     "a nail",   "a follow", "a rod",
+                             "a weld",         "an orient",  "an align",   "a motor",  "a limit",  "an on_plane",
+                             "a string",       "an on_path", "a join",     "a group",  "a family", "a connection",
+                             "an interaction", "a field",    "an emitter", "an event", "a hand",   "a subscription",
+                             "a structure",    "a scene"};
 
 }  // namespace
 

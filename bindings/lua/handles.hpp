@@ -29,6 +29,7 @@ enum class Kind : std::uint32_t {
   on_plane,
   string,
   on_path,
+  join,
   group,
   family,
   connection,
@@ -41,10 +42,10 @@ enum class Kind : std::uint32_t {
   structure,
   scene
 };
-inline constexpr std::size_t kind_count = 25;
+inline constexpr std::size_t kind_count = 26;
 
 /// Whether things of this kind are constraints.
-inline bool is_constraint(Kind kind) { return kind >= Kind::nail && kind <= Kind::on_path; }
+inline bool is_constraint(Kind kind) { return kind >= Kind::nail && kind <= Kind::join; }
 
 /// The userdata.
 struct Ref {

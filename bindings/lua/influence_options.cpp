@@ -7,8 +7,10 @@
 #include "lua/fields.hpp"
 #include "lua/force.hpp"
 #include "lua/force_library.hpp"
+#include "lua/guard.hpp"
 #include "lua/script.hpp"
 #include "lua/targets.hpp"
+#include "world/bonding.hpp"
 #include "world/edit.hpp"
 
 namespace pantin::lua {
@@ -122,6 +124,44 @@ int scene_connect(lua_State* state) {
   const ConnectionId id = add_connection(self.world, law, def);
   watch_law(self.script, id, resolved);
   push_thing(state, self.script, id);
+  return 1;
+}
+
+int scene_bonding(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "bonding");
+  require(lua_istable(state, 2), "bonding: argument 1 must be a table { families, near, below, above, law }, got ",
+          kind_of_value(state, 2));
+  const Options o(state, 2, "bonding", {"families", "near", "below", "above", "law"});
+  BondingDef def;
+  const int families = o.push("families");
+  if (lua_istable(state, families)) {
+    const auto count = lua_rawlen(state, families);
+    for (lua_Unsigned i = 1; i <= count; i++) {
+      lua_rawgeti(state, families, static_cast<lua_Integer>(i));
+      def.families.push_back(
+          check_kind(state, lua_gettop(state), Kind::family, "bonding", text("families[", i, "]")).id<FamilyId>());
+      lua_pop(state, 1);
+    }
+  } else {
+    def.families.push_back(check_kind(state, families, Kind::family, "bonding", "families").id<FamilyId>());
+  }
+  require(def.families.size() == 1 || def.families.size() == 2, "bonding: families must be one or two, got ",
+          def.families.size());
+  const auto needed = [&](const char* name, const char* unit) {
+    const auto value = o.number(name, unit);
+    require(value.has_value(), "bonding: ", name, " [", unit, "] is missing");
+    return *value;
+  };
+  def.near = needed("near", "m");
+  def.below = needed("below", "K");
+  def.above = needed("above", "K");
+  const KnownNames known[] = {names_of_family(self.world, def.families.front()),
+                              names_of_family(self.world, def.families.back())};
+  const ResolvedLaw resolved = resolve_law(state, o.push("law"), self.script, known, def.families.size() == 1);
+  def.law = resolved.laws.front();
+  def.parameters = resolved.values;
+  def.label = where(state);
+  push_event(state, self.script, add_bonding(self.world, std::move(def)));
   return 1;
 }
 

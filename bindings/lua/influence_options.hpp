@@ -7,6 +7,8 @@
 
 namespace pantin::lua {
 
+/// `{ families, near, below, above, law }`
+int scene_bonding(lua_State* state);
 int scene_connect(lua_State* state);
 int scene_interact(lua_State* state);
 int scene_field(lua_State* state);

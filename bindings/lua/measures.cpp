@@ -2,8 +2,10 @@
 
 #include "articulates/articulate.hpp"
 #include "lua/arguments.hpp"
+#include "lua/choreography.hpp"
 #include "lua/guard.hpp"
 #include "lua/script.hpp"
+#include "world/choreography.hpp"
 #include "world/forces.hpp"
 #include "world/measure.hpp"
 #include "world/query.hpp"
@@ -142,6 +144,8 @@ std::vector<Field> scene_measures() {
        read_ledger, nullptr},
       {"stats", "Stats", "", "counts since the start, and ns per phase", read_stats, nullptr},
       {"log", "LogLine[]", "", "{ time [s], kind, text } of all that was logged", read_log, nullptr},
+      {"timeline", "TimelineEntry[]", "", "events that ended, then those that wait: the latest and the next 1000",
+       [](const Self& s) { push_timeline(s.state, s.world); }, nullptr},
       {"bodies", "Body[]", "", "all bodies, in the order of making",
        [](const Self& s) { push_list(s.state, s.script, s.world.bodies.ids()); }, nullptr},
       {"particles", "Particle[]", "", "all particles that are no hinges, and do not sleep in one",

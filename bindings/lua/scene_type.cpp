@@ -2,8 +2,10 @@
 #include <cmath>
 
 #include "lua/arguments.hpp"
+#include "lua/assemble.hpp"
 #include "lua/body_options.hpp"
 #include "lua/build_options.hpp"
+#include "lua/choreography.hpp"
 #include "lua/couple_options.hpp"
 #include "lua/emitter_options.hpp"
 #include "lua/events.hpp"
@@ -251,12 +253,26 @@ std::vector<Method> making() {
        "Is at most so long along its points and places, slides through the inner ones, and may go slack."},
       {"on_path", guard<scene_on_path>, "point: Point|Particle, path: vec[], options?: PathOptions", "OnPath",
        "Keeps a point on a path through places [m]; at the end of an open one it stops."},
+      {"join", guard<scene_join>, "a: Point|Particle, b: Point|Particle, options?: JoinOptions", "Join",
+       "Draws two points together, at a place or on their way to each other, and makes the hinge when they meet."},
+      {"merge", guard<scene_merge>, "a: Body, b: Body", "Body",
+       "a lives on with b's points, which stay valid; b is gone."},
+      {"split", guard<scene_split>, "body: Body, points: Point|Point[], ...: Point", "Body",
+       "Makes a body of its own of some of a body's points."},
+      {"freeze", guard<scene_freeze>, "group: Group", "Body", "Makes one body of the free particles of a group."},
+      {"shatter", guard<scene_shatter>, "body: Body", "Particle[]",
+       "Makes free particles of a body's points; those without mass are gone."},
+      {"connect_within", guard<scene_connect_within>,
+       "group: Group, distance: number [m], law: Law, options?: ConnectOptions", "Connection[]",
+       "Ties the particles of a group that are nearer than a distance and not tied yet."},
       {"group", guard<scene_group>, "name: string", "Group", "Makes a named set of things."},
       {"family", guard<scene_family>, "name: string, options?: FamilyOptions", "Family",
        "Makes a family of particles, with named numeric attributes."},
       {"connect", guard<scene_connect>,
        "a: Point|Particle|vec|table, b: Point|Particle|vec|Law, law?: Law, options?: ConnectOptions", "Connection",
        "Ties two particles by a law; or a list of two, three or four."},
+      {"bonding", guard<scene_bonding>, "options: BondingOptions", "Event",
+       "Breaks what ties the particles of families above a temperature, and ties what is near below one."},
       {"interact", guard<scene_interact>, "a: Family, b: Family, law: Law", "Interaction",
        "A law between all pairs of two families, or within one."},
       {"field", guard<scene_field>, "target: Family|Group|Scene, law: Law", "Field",
@@ -281,11 +297,25 @@ std::vector<Method> telling() {
       {"after", guard<scene_after>, "delay: number [s], target_or_action: Thing|function, action?: function", "Event",
        "Does it once, a while from now."},
       {"every", guard<scene_every>, "period: number [s], target_or_action: Thing|function, action?: function", "Event",
-       "Does it again and again."},
+       "Does it again and again, at period, 2 period, … from now on."},
+      {"over", guard<scene_over>,
+       "from: number [s], to: number [s], target_or_action: Thing|fun(u: number), action?: fun(u: number, target: "
+       "Thing)",
+       "Event", "Does it in each step from one time to another, with u from 0 to 1."},
+      {"when", guard<scene_when>,
+       "condition: Condition|fun(): boolean, target_or_action: Thing|function, action?: function|WhenOptions, "
+       "options?: WhenOptions",
+       "Event", "Does it once something holds."},
+      {"play", guard<scene_play>,
+       "target_or_script: Thing|fun(wait: Waiting), script?: fun(wait: Waiting, target: Thing)", "Event",
+       "A script that waits: wait(2) [s], wait(function() … end), wait() for the next step."},
       {"on", guard<scene_on>, "moment: string, action: function", "Subscription",
        "Calls a function at each \"step\" (dt), \"press\" \"release\" (hand), \"key\" (name), \"grab\" \"drop\" "
        "(thing, hand), "
-       "\"cut\" (hinge), \"broke\" (connection, constraint or hinge, force [N], story), \"removed\" (thing, story)."},
+       "\"cut\" \"joined\" (hinge), \"broke\" (connection, constraint or hinge, force [N], story), \"removed\" (thing, "
+       "story)."},
+      {"behave", guard<scene_behave>, "target: Thing|Scene, behaviour: Behaviour, options?: table", "Subscription",
+       "Puts a behaviour to work on a target, with which it ends."},
       {"button", guard<scene_button>, "name: string, action: function", "", "Puts a button in the window."},
       {"probe", guard<scene_probe>, "name: string, read: fun(): number", "", "Records a number each step."},
       {"result", guard<scene_result>, "name: string, value: number|boolean|string", "",

@@ -16,11 +16,13 @@
 
 namespace pantin::lua {
 
-/// A function that waits for something: `scene:on(name, function)`.
+/// A function that waits for something: `scene:on(name, function)`; or a behaviour, which waits for "step".
 struct Subscription {
   std::uint64_t serial;
   std::string name;
   std::optional<Callback> function;  ///< empty: cancelled
+  AnyId target = {};                 ///< of a behaviour: it ends with this
+  std::optional<Callback> stop = {};
 };
 
 struct Script {
@@ -57,6 +59,8 @@ struct Script {
 
 /// Tells the callbacks of the script what happened in the last step, and that a step begins.
 void run_behaviours(Script& script);
+/// Puts a function or a behaviour among those that wait, and pushes its Subscription; returns 1.
+int subscribe(lua_State* state, Script& script, Subscription subscription);
 /// Applies `--set scene.FIELD=…`; throws UsageError.
 void apply_settings(Script& script);
 /// Throws UsageError where `--set` names a parameter that the script did not declare.

@@ -36,6 +36,16 @@ struct Watch {
   int depth = 0;
 };
 
+/// While it lives, another coroutine runs.
+struct Switched {
+  Switched(Watch& w, lua_State* to) : watch(w), from(w.running) { watch.switch_to(to); }
+  ~Switched() { watch.switch_to(from); }
+  Switched(const Switched&) = delete;
+  Switched& operator=(const Switched&) = delete;
+  Watch& watch;
+  lua_State* from;
+};
+
 /// From now on a script that does not come back within a moment is stopped, whatever its limit, and its error leaves as
 /// Interrupted. May be called by a signal's handler.
 void interrupt_scripts() noexcept;

@@ -28,7 +28,7 @@ struct Places {
 Places measure(const World& world, const Body& body) {
   Places p;
   for (const PointId id : body.points) p.at.push_back(world.points[id].place);
-  if (body.own_mass > 0.0 || p.at.empty()) p.at.push_back(zero3());
+  if (body.own_mass > 0.0 || p.at.empty()) p.at.push_back(body.own_place);
   for (const Vec3 v : p.at) p.centre += v / static_cast<double>(p.at.size());
   Mat3 spread = zero33();
   double size = 0.0;
@@ -114,7 +114,7 @@ void make_line(Shape& shape, const World& world, const Body& body, const Places&
     ball(p.place, p.mass, p.radius, p.color);
     shape.joints[i] = shape.balls.size() > before ? 0.78 * shape.balls.back().radius : radius;
   }
-  ball(zero3(), body.own_mass, 0.0, shape.color);
+  ball(body.own_place, body.own_mass, 0.0, shape.color);
 }
 
 }  // namespace
@@ -149,6 +149,7 @@ const Shape& Shapes::of(const World& world, BodyId id, const Stage& stage) {
   Hash hash;
   hash.add((std::uint64_t{id.generation} << 32) | body.points.size());
   hash.add(body.own_mass);
+  hash.add(body.own_place);
   for (int i = 0; i < 3; i++) hash.add(body.own_inertia[i]);
   for (const PointId p : body.points) {
     const Point& point = world.points[p];

@@ -235,7 +235,7 @@ void Sketcher::draw_plane(Vec3 at, Vec3 normal, const Eye& eye, const Stage& sta
   for (int i = 0; i < 4; i++) eye.bar(sketch, corners[i], corners[(i + 1) % 4], 0.0, 0.6, linear(thread));
 }
 
-/// Strings, paths, planes and limits of length; false for other constraints.
+/// Strings, paths, planes, joins and limits of length; false for other constraints.
 bool Sketcher::draw_guide(const World& world, const Constraint& c, const Eye& eye, const Stage& stage, Sketch& sketch) {
   switch (c.kind) {
     case ConstraintKind::string: {
@@ -248,6 +248,7 @@ bool Sketcher::draw_guide(const World& world, const Constraint& c, const Eye& ey
     }
     case ConstraintKind::on_path: draw_path(*c.path, eye, stage, sketch); return true;
     case ConstraintKind::on_plane: draw_plane(position(world, c.a), c.axis_a, eye, stage, sketch); return true;
+    case ConstraintKind::join:
     case ConstraintKind::limit:
       eye.bar(sketch, position(world, c.a), c.b ? position(world, c.b) : c.place, 0.0, 0.6, linear(thread));
       return true;

@@ -113,6 +113,8 @@ std::vector<RowPlan> plan_rows(const Model& model, const Constraint& c) {
       if (std::isfinite(c.max_force)) return {between_points(c, RowKind::limited)};
       break;
     case ConstraintKind::rod: return {between_points(c, RowKind::rod)};
+    case ConstraintKind::join:
+      return {between_points(c, std::isfinite(c.max_force) ? RowKind::limited : RowKind::drawn)};
     case ConstraintKind::on_plane: return {between_points(c, RowKind::plane)};
     case ConstraintKind::on_path: return {between_points(c, RowKind::path)};
     case ConstraintKind::string: return segments(model, c);

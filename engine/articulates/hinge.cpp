@@ -16,7 +16,7 @@ Vec3 no_gap(const Row&, const Condition&) { return zero3(); }
 
 }  // namespace
 
-const RowRule row_rules[10] = {
+const RowRule row_rules[11] = {
     {[](Row& row, Condition&, const RowContext&) { return evaluate_rigid(row); }, [](const Row&, Condition&) {},
      [](const Row& row, const Condition&) { return row.d1 - row.offset; }},
     {evaluate_limited, project_soft, no_gap},
@@ -29,6 +29,7 @@ const RowRule row_rules[10] = {
     {[](Row&, Condition&, const RowContext&) { return 0.0; }, [](const Row&, Condition&) {}, no_gap},
     {evaluate_path, project_path, path_gap},
     {evaluate_stiff, project_soft, no_gap},
+    {evaluate_drawn, project_drawn, drawn_gap},
 };
 
 double residual(Articulate& a, Row& row, double h) {

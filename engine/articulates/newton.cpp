@@ -238,7 +238,7 @@ void add_work_of_rows(Articulate& a, DriftReport& report) {
       report.open_work += c.stiff->settle(r, c.given);
       continue;
     }
-    if (r.b < 0 && r.lever == 0.0) report.work += dot(r.f, c.place1 - c.place0);
+    if ((r.b < 0 || r.kind == RowKind::drawn) && r.lever == 0.0) report.work += dot(r.f, c.place1 - c.place0);
     if (!c.works) continue;
     double& line = c.ranged ? report.limit : r.lever > 0.0 ? report.motor : report.work;
     line += r.lever > 0.0 ? work_of_couple(a, r) : dot(r.f, r.d1 - r.d0);

@@ -69,7 +69,8 @@ Vec3 gap(const Articulate& a, const Row& row) {
 
 void accept_gap(Articulate& a, Row& row) {
   const Vec3 open = gap(a, row);
-  if (row.kind == RowKind::rigid || row.kind == RowKind::axis || row.kind == RowKind::path) {
+  if (row.kind == RowKind::rigid || row.kind == RowKind::axis || row.kind == RowKind::path ||
+      row.kind == RowKind::drawn) {
     row.offset += open;
     return;
   }

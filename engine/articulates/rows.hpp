@@ -20,7 +20,7 @@ struct RowRule {
 };
 
 /// (kinds)
-extern const RowRule row_rules[10];
+extern const RowRule row_rules[11];
 
 double evaluate_limited(Row& row, Condition& condition, const RowContext& context);
 void project_soft(const Row& row, Condition& condition);
@@ -41,6 +41,9 @@ double evaluate_turn(Row& row, Condition& condition, const RowContext& context);
 void project_turn(const Row& row, Condition& condition);
 Vec3 turn_gap(const Row& row, const Condition& condition);
 
+double evaluate_drawn(Row& row, Condition& condition, const RowContext& context);
+void project_drawn(const Row& row, Condition& condition);
+Vec3 drawn_gap(const Row& row, const Condition& condition);
 double evaluate_path(Row& row, Condition& condition, const RowContext& context);
 void project_path(const Row& row, Condition& condition);
 Vec3 path_gap(const Row& row, const Condition& condition);

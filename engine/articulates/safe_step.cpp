@@ -50,9 +50,13 @@ void kick(Articulate& a, double h) {
     const Vec3 z = row.d0 * (-c.stiffness / give);
     const double pull = norm(z);
     row.f = pull > c.max_force ? z * (c.max_force / pull) : z;
-    Node& n = a.nodes[static_cast<std::size_t>(row.a)];
-    n.p0 += row.f * h;
-    if (n.turns) n.P0 += transposed_times(n.R0, cross(n.R0 * row.la, row.f)) * h;
+    const auto pull_node = [&](std::int32_t node, Vec3 arm, Vec3 f) {
+      Node& n = a.nodes[static_cast<std::size_t>(node)];
+      n.p0 += f * h;
+      if (n.turns) n.P0 += transposed_times(n.R0, cross(n.R0 * arm, f)) * h;
+    };
+    pull_node(row.a, row.la, row.f);
+    if (row.b >= 0) pull_node(row.b, row.lb, row.f * -1.0);
   }
   for (Node& n : a.nodes) {
     n.p0 += n.force * h;

@@ -21,7 +21,8 @@ namespace pantin {
 /// keeps an orientation. align: an axis of a body keeps its angle to one of another, or of the world. motor: turns a
 /// body about an axis, relative to another or to the world. limit: an angle about an axis stays between two, or a
 /// distance. on_plane: a point stays on a plane. string: at most so long along its points, slides through the inner
-/// ones. on_path: a point stays on a path.
+/// ones. on_path: a point stays on a path. join: two points are drawn together, to become a hinge; with a finite
+/// `max_force` by a spring that never pulls harder.
 enum class ConstraintKind : std::uint8_t {
   nail,
   follow,
@@ -34,7 +35,8 @@ enum class ConstraintKind : std::uint8_t {
   limit,
   on_plane,
   string,
-  on_path
+  on_path,
+  join
 };
 
 /// A point, or a place of the world, that a string goes through.
@@ -44,6 +46,7 @@ struct Passage {
 };
 
 class Path;
+struct Joining;
 
 struct Constraint {
   ConstraintKind kind = ConstraintKind::nail;
@@ -76,21 +79,22 @@ struct Constraint {
   Quat turn;                              ///< orientation of body_a in body_b's frame, or the world's, that counts as 0
   Quat previous_turn;                     ///< the same one step ago
   Vec3 spin = zero3(),
-       previous_spin = zero3();          ///< [rad/s] of an orient's target at the ends
-                                         ///< of this step and the last
-  std::vector<Passage> passages;         ///< of a string, from end to end
-  std::shared_ptr<const Path> path;      ///< of an on_path
-  double along = 0.0;                    ///< of an on_path: its parameter at the end of the last step
-  bool by_speed = false;                 ///< a motor that is told its speed, `length_rate`
-  double angle = 0.0;                    ///< [rad] of a motor or limit at the end of the last
-                                         ///< step, turns counted
-  std::function<Vec3(double)> target;    ///< of a follow: place at time t [s];
-                                         ///< empty where `place` is set by hand
-  std::function<double(double)> number;  ///< `length` at time t [s], or a motor's speed; empty where that
-                                         ///< is set by hand
-  std::function<Quat(double)> attitude;  ///< of an orient: `turn` at time t [s]
-  std::int32_t hand = -1;                ///< of a hand's grab: index of the hand
-  std::uint32_t moves = 0;               ///< samples of the target since it last jumped
+       previous_spin = zero3();            ///< [rad/s] of an orient's target at the ends
+                                           ///< of this step and the last
+  std::vector<Passage> passages;           ///< of a string, from end to end
+  std::shared_ptr<const Path> path;        ///< of an on_path
+  double along = 0.0;                      ///< of an on_path: its parameter at the end of the last step
+  std::shared_ptr<const Joining> joining;  ///< of a join
+  bool by_speed = false;                   ///< a motor that is told its speed, `length_rate`
+  double angle = 0.0;                      ///< [rad] of a motor or limit at the end of the last
+                                           ///< step, turns counted
+  std::function<Vec3(double)> target;      ///< of a follow: place at time t [s];
+                                           ///< empty where `place` is set by hand
+  std::function<double(double)> number;    ///< `length` at time t [s], or a motor's speed; empty where that
+                                           ///< is set by hand
+  std::function<Quat(double)> attitude;    ///< of an orient: `turn` at time t [s]
+  std::int32_t hand = -1;                  ///< of a hand's grab: index of the hand
+  std::uint32_t moves = 0;                 ///< samples of the target since it last jumped
   bool enabled = true;
   Breaking breaks_at;
   Vec3 force = zero3();   ///< [N] on a in the last step; of a rod along it
@@ -115,5 +119,13 @@ struct Constraint {
 };
 
 using ConstraintId = Handle<Constraint>;
+
+/// What a join does besides drawing its points together.
+struct Joining {
+  ConstraintId holder;                     ///< that draws its first point to a place, and goes with it; or null
+  std::function<void(ParticleId)> on_met;  ///< called with the hinge, in the step after that in which they met
+  std::string hinge_name;
+  std::string label;  ///< "scene.lua:12"
+};
 
 }  // namespace pantin

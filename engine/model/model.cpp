@@ -114,7 +114,7 @@ void update_mass(Model& m, BodyId id) {
   points.reserve(body.points.size());
   for (PointId p : body.points) points.push_back({m.points[p].place, m.points[p].mass});
   const std::string who = body.name.empty() ? "body" : describe(m, id);
-  Weighed w = weigh(who, points, body.own_mass, body.own_inertia, body.axes);
+  Weighed w = weigh(who, points, {body.own_mass, body.own_inertia, body.own_place}, body.axes);
 
   if (w.freedom == Freedom::line && !body.constraints.empty()) {  // what ties its rotation shows its spin
     w.freedom = Freedom::rigid;
@@ -203,8 +203,9 @@ std::string describe(const Model& m, BodyId id) {
 std::string describe(const Model& m, ConstraintId id) {
   if (!m.constraints.alive(id)) return m.constraints.story(id);
   const Constraint& c = m.constraints[id];
-  static constexpr const char* kinds[] = {"nail",  "follow", "rod",   "axis of a hinge", "weld",   "orient",
-                                          "align", "motor",  "limit", "on_plane",        "string", "on_path"};
+  static constexpr const char* kinds[] = {"nail",   "follow",  "rod",   "axis of a hinge", "weld",
+                                          "orient", "align",   "motor", "limit",           "on_plane",
+                                          "string", "on_path", "join"};
   return called(kinds[static_cast<std::size_t>(c.kind)], c);
 }
 

@@ -11,7 +11,7 @@ constexpr double no_inertia = 1e-12;    // about a line, relative to that across
 constexpr double no_moment = 1e-24;     // relative to mass x extent²
 constexpr double least_inertia = 1e-3;  // relative to the largest
 
-/// Places that count for the shape: all points, and the frame's origin where mass is given there.
+/// Places that count for the shape: all points, and the place of its own mass.
 struct Shape {
   double extent = 0.0;    // [m] farthest place from the first
   double coordinate = 0;  // [m] largest
@@ -57,13 +57,12 @@ void settle(Weighed& w, const Shape& shape) {
 
 }  // namespace
 
-Weighed weigh(const std::string& who, std::span<const MassPoint> points, double own_mass, const Mat3& own_inertia,
-              const Quat& near) {
+Weighed weigh(const std::string& who, std::span<const MassPoint> points, const OwnMass& own, const Quat& near) {
   const auto each = [&](const auto& visit) {
-    if (own_mass > 0.0) visit(zero3(), own_mass);
+    if (own.mass > 0.0) visit(own.place, own.mass);
     for (const MassPoint& p : points) visit(p.place, p.mass);
   };
-  const Vec3 first = own_mass > 0.0 || points.empty() ? zero3() : points[0].place;
+  const Vec3 first = own.mass > 0.0 || points.empty() ? own.place : points[0].place;
   Weighed w;
   Vec3 moment = zero3();
   each([&](Vec3 place, double mass) {
@@ -74,7 +73,7 @@ Weighed weigh(const std::string& who, std::span<const MassPoint> points, double 
   require(std::isfinite(w.mass), who, ": the masses add up to infinity; each must be smaller");
   const Vec3 from_first = moment / w.mass;
   w.centre = first + from_first;
-  Mat3 inertia = own_inertia;
+  Mat3 inertia = own.inertia;
   each([&](Vec3 place, double mass) { inertia += about_distance(mass, place - first - from_first); });
   bool good = finite(w.centre);
   for (int i = 0; i < 3; i++) good = good && finite(inertia[i]);
@@ -82,7 +81,7 @@ Weighed weigh(const std::string& who, std::span<const MassPoint> points, double 
 
   const Shape shape = shape_of(first, each);
   const double tiny = shape.spot ? 0.0 : no_moment * w.mass * shape.extent * shape.extent;
-  if (shape.spot && !(largest_of(own_inertia) > 0.0)) inertia = zero33();
+  if (shape.spot && !(largest_of(own.inertia) > 0.0)) inertia = zero33();
   require(shape.spot || largest_of(inertia) > tiny, who,
           ": all its mass is in one place but it has points elsewhere, so it has no inertia to turn with; give "
           "`inertia` [kg m²], or give those points mass, or use a `rod` instead");

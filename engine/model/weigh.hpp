@@ -22,9 +22,14 @@ struct Weighed {
   bool lifted = false;  ///< the smallest moment was lifted to 1e-3 of the largest
 };
 
-/// Weighs points together with `own_mass` [kg] and `own_inertia` [kg m²] at the frame's origin. Axes come near to
-/// `near`. Throws Error, beginning with `who`, where there is no mass, or mass in one place only and points elsewhere.
-Weighed weigh(const std::string& who, std::span<const MassPoint> points, double own_mass, const Mat3& own_inertia,
-              const Quat& near);
+/// What a body weighs beside its points.
+struct OwnMass {
+  double mass = 0.0;        ///< [kg]
+  Mat3 inertia = zero33();  ///< [kg m²] about `place`
+  Vec3 place = zero3();     ///< [m] in the body's frame
+};
+
+/// Weighs points together with a body's own mass. Axes come near to `near`. Throws Error, beginning with `who`, where there is no mass, or mass in one place only and points elsewhere.
+Weighed weigh(const std::string& who, std::span<const MassPoint> points, const OwnMass& own, const Quat& near);
 
 }  // namespace pantin

@@ -2,6 +2,7 @@
 
 #include "articulates/articulate.hpp"
 #include "phases/phases.hpp"
+#include "world/assemble.hpp"
 #include "world/constrain.hpp"
 #include "world/editing.hpp"
 #include "world/forces.hpp"
@@ -10,11 +11,13 @@ namespace pantin::phases {
 
 void break_connections(World& world) {
   if (!world.trouble.empty()) return;
-  const bool breakable =
-      std::any_of(world.articulates.begin(), world.articulates.end(), [](const auto& a) { return a->breakable; });
-  if (!breakable && !world.forces) return;
+  const auto any = [&](auto has) { return std::any_of(world.articulates.begin(), world.articulates.end(), has); };
+  const bool breakable = any([](const auto& a) { return a->breakable; });
+  const bool varied = any([](const auto& a) { return !a->all_rigid; });
+  if (!breakable && !varied && !world.forces) return;
   const Timed timed(world.profile, Phase::break_connections);
   if (breakable) break_constraints(world);
+  if (varied) make_met_hinges(world);
   if (!world.forces) return;
   std::vector<std::pair<ConnectionId, double>> broken;
   for (const ActingConnections& acting : world.forces->connections)

@@ -5,7 +5,7 @@
 namespace pantin::phases {
 
 void fire_events(World& world) {
-  if (world.choreography.heap.empty()) return;
+  if (world.choreography.heap.empty() && world.choreography.watching.empty()) return;
   const Timed timed(world.profile, Phase::fire_events);
   pantin::fire_events(world, next_time(world));
 }

@@ -67,6 +67,8 @@ double present_gap(const World& world, const Constraint& c) {
   switch (c.kind) {
     case ConstraintKind::nail:
     case ConstraintKind::follow: return c.pins() ? norm(point_gap(world, c) - c.away) : 0.0;
+    case ConstraintKind::join:
+      return std::isfinite(c.max_force) ? 0.0 : norm(position(world, c.a) - position(world, c.b) - c.away);
     case ConstraintKind::rod: return std::fabs(present_length(world, c) - c.length - c.excess);
     case ConstraintKind::string: return std::fmax(0.0, present_length(world, c) - c.length - c.excess);
     case ConstraintKind::on_path: {
@@ -177,6 +179,11 @@ void start_constraint(const World& world, Constraint& c) {
       return;
     case ConstraintKind::nail:
     case ConstraintKind::on_plane: return start_vector(world, c);
+    case ConstraintKind::join:
+      if (std::isfinite(c.max_force)) return;
+      c.away = position(world, c.a) - position(world, c.b);
+      c.away_rate = velocity(world, c.a) - velocity(world, c.b);
+      return;
     case ConstraintKind::align:
       if (c.length == 0.0) return start_align(world, c);
       return start_scalar(world, c);
@@ -228,7 +235,10 @@ void take_out_constraint(World& world, ConstraintId id, Obituary obituary) {
   for (BodyId body : {c.body_a, c.body_b})
     if (body) std::erase(world.bodies[body].constraints, id);
   if (c.ring && world.particles.alive(c.ring)) std::erase(world.particles[c.ring].axes, id);
-  world.constraints.remove(id, std::move(obituary));
+  const std::shared_ptr<const Joining> joining = c.joining;
+  world.constraints.remove(id, obituary);
+  if (joining && world.constraints.alive(joining->holder))
+    take_out_constraint(world, joining->holder, {describe(world, joining->holder), obituary.time, obituary.who});
 }
 
 }  // namespace editing

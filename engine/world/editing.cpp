@@ -172,7 +172,8 @@ void leave_ring(World& world, PointId point, const std::string& who) {
 
 void erase_point(World& world, PointId point, const std::string& what) {
   const std::vector<ConstraintId> constraints = world.points[point].constraints;
-  for (ConstraintId c : constraints) remove(world, c);
+  for (ConstraintId c : constraints)
+    if (world.constraints.alive(c)) remove(world, c);  // a join takes what holds it along
   const ParticleId hinge = world.points[point].particle, own = world.points[point].own;
   const std::vector<ConnectionId> connections = world.particles[own].connections;
   for (ConnectionId c : connections) remove(world, c);

@@ -13,15 +13,16 @@ struct World;
 
 /// What changes the energy, besides gravity and laws that have one.
 /// hand: hands, follows, moving anchors and lengths, pushes on what is tied. motor: also turns and angles that follow a
-/// function of time. limit: also all that ties what strikes one. event: kicks, pushes on what is loose. law: parameters,
-/// connections made and removed, attributes that follow an age. integrator: what drifts of "euler" and "rk4" change that
-/// no force explains.
+/// function of time. limit: also all that ties what strikes one. event: kicks, pushes on what is loose. merge: what
+/// bodies and particles lose that become one body. law: parameters, connections made and removed, attributes that follow
+/// an age. integrator: what drifts of "euler" and "rk4" change that no force explains.
 enum class Source : std::uint8_t {
   hand,
   motor,
   limit,
   event,
   edit,
+  merge,
   emitter,
   removal,
   law,
@@ -30,8 +31,8 @@ enum class Source : std::uint8_t {
   safe_step,
   integrator
 };
-inline constexpr std::array<std::string_view, 12> source_names = {
-    "hand",    "motor",    "limit",      "event",         "edit",      "emitter",
+inline constexpr std::array<std::string_view, 13> source_names = {
+    "hand",    "motor",    "limit",      "event",         "edit",      "merge",     "emitter",
     "removal", "law_edit", "projection", "energy_return", "safe_step", "integrator"};
 
 struct Ledger {

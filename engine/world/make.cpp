@@ -56,7 +56,7 @@ void check(const World& world, const std::string& who, const BodyDef& def) {
   std::sort(names.begin(), names.end());
   const auto twice = std::adjacent_find(names.begin(), names.end());
   require(twice == names.end(), who, ": two points have the name '", twice == names.end() ? "" : *twice, "'");
-  weigh(who, masses, def.mass, def.inertia, Quat{});
+  weigh(who, masses, {def.mass, def.inertia, zero3()}, Quat{});
 }
 
 /// Puts a weighed body where and how its definition says.
@@ -137,7 +137,7 @@ PointId add_point(World& world, BodyId body, const PointDef& def) {
   for (PointId p : world.bodies[body].points) masses.push_back({world.points[p].place, world.points[p].mass});
   masses.push_back({def.at, def.mass});
   const Body& row = world.bodies[body];
-  weigh(describe(world, body), masses, row.own_mass, row.own_inertia, row.axes);
+  weigh(describe(world, body), masses, {row.own_mass, row.own_inertia, row.own_place}, row.axes);
 
   const Color usual = row.points.empty() ? BodyDef{}.color : world.points[row.points[0]].color;
   const double before = energy_of(world, body);

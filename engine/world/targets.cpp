@@ -24,10 +24,18 @@ void approach(Deviation& away, Deviation& rate, double h, double tau, double lea
   if (size(away) <= least && size(rate) * tau <= least) away = rate = Deviation{};
 }
 
+/// What is left of a deviation when it counts as none, [m]. Points that are to be joined need not come nearer for ever.
+double least_deviation(const World& world, const Constraint& c) {
+  if (!c.a) return 1e-14;
+  if (c.kind != ConstraintKind::join) return 1e-14 * std::fmax(size_of(world, c.a), largest(c.place));
+  const double size = std::fmax(size_of(world, c.a), size_of(world, c.b));
+  return 1e-9 * (size > 0.0 ? size : largest(position(world, c.a)));
+}
+
 void draw_in(const World& world, Constraint& c, double h) {
   c.previous_away = c.away;
   c.previous_excess = c.excess;
-  const double least = 1e-14 * (c.a ? std::fmax(size_of(world, c.a), largest(c.place)) : 1.0);
+  const double least = least_deviation(world, c);
   approach(c.away, c.away_rate, h, c.time_constant, least);
   approach(c.excess, c.excess_rate, h, c.time_constant, least);
 }

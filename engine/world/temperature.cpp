@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <unordered_set>
 
-#include "world/measure.hpp"
+#include "world/freedoms.hpp"
 
 namespace pantin {
 namespace {
@@ -39,6 +39,7 @@ struct Freedoms {
     switch (c.kind) {
       case ConstraintKind::nail:
       case ConstraintKind::follow: return c.pins() ? 3 : 0;
+      case ConstraintKind::join: return std::isfinite(c.max_force) ? 0 : 3;
       case ConstraintKind::on_path: return 2;
       case ConstraintKind::rod:
       case ConstraintKind::on_plane: return 1;
@@ -64,7 +65,7 @@ struct Freedoms {
 
 }  // namespace
 
-double temperature(const World& world, const Things& things) {
+FreedomCount count_freedoms(const World& world, const Things& things) {
   Freedoms f{world,
              {things.bodies.begin(), things.bodies.end()},
              {things.free_points.begin(), things.free_points.end()},
@@ -78,11 +79,15 @@ double temperature(const World& world, const Things& things) {
   }
   f.count += 3 * static_cast<long>(things.free_points.size());
   for (PointId p : things.free_points) f.ties_of(p);
-  if (!f.held) f.count -= 3;
-  if (f.count <= 0) return 0.0;
+  return {f.held ? f.count : f.count - 3, f.held};
+}
+
+double temperature(const World& world, const Things& things) {
+  const FreedomCount freedoms = count_freedoms(world, things);
+  if (freedoms.count <= 0) return 0.0;
   double kinetic = energy(world, things).kinetic;
-  if (!f.held) kinetic -= 0.5 * norm2(momentum(world, things)) / mass(world, things);
-  return std::fmax(0.0, 2.0 * kinetic / (static_cast<double>(f.count) * world.settings.boltzmann));
+  if (!freedoms.held) kinetic -= 0.5 * norm2(momentum(world, things)) / mass(world, things);
+  return std::fmax(0.0, 2.0 * kinetic / (static_cast<double>(freedoms.count) * world.settings.boltzmann));
 }
 
 }  // namespace pantin

@@ -38,7 +38,7 @@ struct Hand {
 
 /// Something that happened; told to scripts in the next step.
 struct Notice {
-  enum class Kind : std::uint8_t { removed, cut, broke, grab, drop, press, release, key, button };
+  enum class Kind : std::uint8_t { removed, cut, broke, joined, grab, drop, press, release, key, button };
   Kind kind = Kind::key;
   AnyId thing;
   std::int32_t hand = -1;

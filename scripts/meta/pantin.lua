@@ -94,6 +94,56 @@ function quat_methods:inverse() end
 ---@field kind string
 ---@field text string
 
+---@alias Waiting fun(what?: number|fun(): boolean) [s]
+
+---@class Condition one limit, and what it is of: the whole scene unless given
+---@field temperature_above? number [K]
+---@field temperature_below? number [K]
+---@field energy_above? number [J]
+---@field energy_below? number [J]
+---@field force_above? number [N] of a hinge, constraint or connection
+---@field force_below? number [N]
+---@field distance_above? number [m] of a list of two things or places
+---@field distance_below? number [m]
+---@field count_above? number of a group or family
+---@field count_below? number
+---@field of? Thing|Scene|(Thing|vec)[]
+
+---@class JoinOptions
+---@field at? vec [m] where they meet
+---@field time_constant? number [s]
+---@field max_force? number [N]
+---@field on_met? fun(hinge: Particle)
+---@field name? string of the hinge
+
+---@class Behaviour { target, options } are fields of self
+---@field start? fun(self: table)
+---@field step? fun(self: table, dt: number)
+---@field stop? fun(self: table)
+
+---@class BondingOptions
+---@field families Family|Family[] one, or two
+---@field near number [m] at most so far apart
+---@field below number [K] bonds are made
+---@field above number [K] bonds break
+---@field law Law
+
+---@class WhenOptions
+---@field mean? number [s] over which the measure is averaged
+---@field again? boolean at each crossing
+---@field hysteresis? number how far back beyond the limit before it may cross again
+
+---@class TimelineEntry
+---@field kind "at"|"every"|"over"|"when"|"play"
+---@field state "waiting"|"fired"|"dropped"|"cancelled"
+---@field time? number [s] when it ended, or is due next; nil of what waits for something that holds
+---@field from? number [s] of an over
+---@field to? number [s] of an over
+---@field period? number [s] of an every
+---@field fired integer how often so far
+---@field label string where it was set
+---@field target? string
+
 ---@class Camera
 ---@field at? vec [m]
 ---@field look_at? vec [m]
@@ -495,6 +545,21 @@ local OnPath = {}
 ---Takes it out of the world.
 function OnPath:remove() end
 
+---Draws two points together, to join them into a hinge.
+---@class Join
+---@field a Point the first point (read only)
+---@field b Point the second point (read only)
+---@field max_force number [N] it never pulls harder; math.huge: no limit (read only)
+---@field force vec [N] what it exerted on its first point in the last step (read only)
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks
+---@field enabled boolean whether it acts
+---@field name string what messages and scene:find call it
+---@field alive boolean whether it still exists (read only)
+---@field data table a table of yours, which goes with the thing (read only)
+local Join = {}
+---Takes it out of the world.
+function Join:remove() end
+
 ---A named set of things. It is gone when no member lives.
 ---@class Group
 ---@field energy Energy [J] { kinetic, potential, total } of its things (read only)
@@ -524,6 +589,11 @@ function Group:remove(thing, ...) end
 function Group:each() end
 ---Cuts the hinges in the group and those between its bodies.
 function Group:cut_hinges() end
+---Removes the connections in the group and those among its things.
+function Group:break_connections() end
+---Adds kinetic energy relative to the common motion; a negative one cools.
+---@param energy number [J]
+function Group:heat(energy) end
 ---Lower and upper corner [m] of the box round all its points.
 ---@return vec
 ---@return vec
@@ -627,10 +697,10 @@ function Hand:grab(point, options) end
 ---Lets go.
 function Hand:release() end
 
----A function that scene:on calls.
+---A function that scene:on calls, or a behaviour.
 ---@class Subscription
 local Subscription = {}
----The function is called no more.
+---The function is called no more; a behaviour is stopped.
 function Subscription:cancel() end
 
 ---Vertices, edges and faces: a value, which does not change.
@@ -712,6 +782,7 @@ function Structure:inertia(mass_in) end
 ---@field ledger Ledger [J] where energy came from and went since the start; the first reading has all of it kept from the next step on (read only)
 ---@field stats Stats counts since the start, and ns per phase (read only)
 ---@field log LogLine[] { time [s], kind, text } of all that was logged (read only)
+---@field timeline TimelineEntry[] events that ended, then those that wait: the latest and the next 1000 (read only)
 ---@field bodies Body[] all bodies, in the order of making (read only)
 ---@field particles Particle[] all particles that are no hinges, and do not sleep in one (read only)
 ---@field hinges Particle[] all hinges (read only)
@@ -798,6 +869,38 @@ function Scene:string(points, options) end
 ---@param options? PathOptions
 ---@return OnPath
 function Scene:on_path(point, path, options) end
+---Draws two points together, at a place or on their way to each other, and makes the hinge when they meet.
+---@param a Point|Particle
+---@param b Point|Particle
+---@param options? JoinOptions
+---@return Join
+function Scene:join(a, b, options) end
+---a lives on with b's points, which stay valid; b is gone.
+---@param a Body
+---@param b Body
+---@return Body
+function Scene:merge(a, b) end
+---Makes a body of its own of some of a body's points.
+---@param body Body
+---@param points Point|Point[]
+---@param ... Point
+---@return Body
+function Scene:split(body, points, ...) end
+---Makes one body of the free particles of a group.
+---@param group Group
+---@return Body
+function Scene:freeze(group) end
+---Makes free particles of a body's points; those without mass are gone.
+---@param body Body
+---@return Particle[]
+function Scene:shatter(body) end
+---Ties the particles of a group that are nearer than a distance and not tied yet.
+---@param group Group
+---@param distance number [m]
+---@param law Law
+---@param options? ConnectOptions
+---@return Connection[]
+function Scene:connect_within(group, distance, law, options) end
 ---Makes a named set of things.
 ---@param name string
 ---@return Group
@@ -814,6 +917,10 @@ function Scene:family(name, options) end
 ---@param options? ConnectOptions
 ---@return Connection
 function Scene:connect(a, b, law, options) end
+---Breaks what ties the particles of families above a temperature, and ties what is near below one.
+---@param options BondingOptions
+---@return Event
+function Scene:bonding(options) end
 ---A law between all pairs of two families, or within one.
 ---@param a Family
 ---@param b Family
@@ -865,17 +972,42 @@ function Scene:at(time, target_or_action, action) end
 ---@param action? function
 ---@return Event
 function Scene:after(delay, target_or_action, action) end
----Does it again and again.
+---Does it again and again, at period, 2 period, … from now on.
 ---@param period number [s]
 ---@param target_or_action Thing|function
 ---@param action? function
 ---@return Event
 function Scene:every(period, target_or_action, action) end
----Calls a function at each "step" (dt), "press" "release" (hand), "key" (name), "grab" "drop" (thing, hand), "cut" (hinge), "broke" (connection, constraint or hinge, force [N], story), "removed" (thing, story).
+---Does it in each step from one time to another, with u from 0 to 1.
+---@param from number [s]
+---@param to number [s]
+---@param target_or_action Thing|fun(u: number)
+---@param action? fun(u: number, target: Thing)
+---@return Event
+function Scene:over(from, to, target_or_action, action) end
+---Does it once something holds.
+---@param condition Condition|fun(): boolean
+---@param target_or_action Thing|function
+---@param action? function|WhenOptions
+---@param options? WhenOptions
+---@return Event
+function Scene:when(condition, target_or_action, action, options) end
+---A script that waits: wait(2) [s], wait(function() … end), wait() for the next step.
+---@param target_or_script Thing|fun(wait: Waiting)
+---@param script? fun(wait: Waiting, target: Thing)
+---@return Event
+function Scene:play(target_or_script, script) end
+---Calls a function at each "step" (dt), "press" "release" (hand), "key" (name), "grab" "drop" (thing, hand), "cut" "joined" (hinge), "broke" (connection, constraint or hinge, force [N], story), "removed" (thing, story).
 ---@param moment string
 ---@param action function
 ---@return Subscription
 function Scene:on(moment, action) end
+---Puts a behaviour to work on a target, with which it ends.
+---@param target Thing|Scene
+---@param behaviour Behaviour
+---@param options? table
+---@return Subscription
+function Scene:behave(target, behaviour, options) end
 ---Puts a button in the window.
 ---@param name string
 ---@param action function
@@ -902,6 +1034,7 @@ function Scene:finish() end
 ---@field ledger Ledger [J] where energy came from and went since the start; the first reading has all of it kept from the next step on (read only)
 ---@field stats Stats counts since the start, and ns per phase (read only)
 ---@field log LogLine[] { time [s], kind, text } of all that was logged (read only)
+---@field timeline TimelineEntry[] events that ended, then those that wait: the latest and the next 1000 (read only)
 ---@field bodies Body[] all bodies, in the order of making (read only)
 ---@field particles Particle[] all particles that are no hinges, and do not sleep in one (read only)
 ---@field hinges Particle[] all hinges (read only)

@@ -20,17 +20,17 @@ namespace {
 
 constexpr int warm_steps = 60, measured_steps = 240;
 
-struct Measured {
+struct ChainRun {
   double step = 0.0;            ///< [ns]
   double iterations = 0.0;      ///< per step
   double factorisations = 0.0;  ///< per step
 };
 
 /// Runs the same stretch several times; each window of it counts with the fastest of its runs.
-Measured measure(int links) {
+ChainRun measure(int links) {
   const int window = std::clamp(20000 / links, 12, measured_steps), windows = measured_steps / window;
   std::vector<double> best(static_cast<std::size_t>(windows), std::numeric_limits<double>::infinity());
-  Measured measured;
+  ChainRun measured;
   const double begin = player::thread_time();
   for (int run = 0; run < 3 || (run < 100 && player::thread_time() - begin < 3e8); run++) {
     World world;
@@ -72,7 +72,7 @@ void bench_chain(const player::BenchOptions& options) {
               "us/step");
   std::vector<double> links, times;
   for (const int n : list) {
-    const Measured measured = measure(n);
+    const ChainRun measured = measure(n);
     std::printf("%8d %14.1f %12.2f %12.2f %14.2f %12.2f\n", n, measured.step / n, measured.iterations,
                 measured.factorisations, player::product_time(), measured.step / 1e3);
     std::fflush(stdout);

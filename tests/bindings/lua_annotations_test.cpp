@@ -26,6 +26,7 @@ TEST_CASE("every field that is listed can be read, and every method is there") {
       Rod = scene:rod(scene:particle(), vec(0, 1, 0)), Weld = scene:weld(body, other), Orient = scene:orient(body),
       Align = scene:align(body, vec(1, 0, 0), vec(0, 1, 0)), OnPlane = scene:on_plane(scene:particle()),
       String = scene:string({ scene:particle(), vec(0, 1, 0) }),
+      Join = scene:join(scene:particle { at = vec(9, 9, 9) }, scene:particle()),
       OnPath = scene:on_path(scene:particle(), { vec(0, 0, 0), vec(1, 0, 0) }),
       Motor = scene:motor(body, { axis = vec(0, 1, 0), speed = 1 }),
       Limit = scene:limit(body, other, { axis = vec(0, 1, 0), max = 1 }), Group = scene:group "g", Hand = scene:hand(),

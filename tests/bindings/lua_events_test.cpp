@@ -168,3 +168,101 @@ TEST_CASE("scripted hands move, grab and let go") {
   CHECK_THAT(failure("scene:hand { path = 3 }"), Contains("hand: path must be a function, got a number"));
   CHECK_THAT(failure("scene:hand():grab(3)"), Contains("grab: argument 1 must be a point or a particle"));
 }
+
+TEST_CASE("over, when and play run in their steps") {
+  const auto scene = open(R"(
+    scene.step = 0.25 scene.gravity = vec(0, 0, 0)
+    local s = ""
+    local function say(word) s = s .. word .. " " scene:result("x", s) end
+    local p = scene:particle { velocity = vec(1, 0, 0) }
+    scene:over(0.25, 0.75, p, function(u, target) assert(target == p) say(u) end)
+    scene:when({ distance_above = 0.6, of = { p, vec(0, 0, 0) } }, p, function(target) say("far " .. scene.time) end)
+    scene:when(function() return scene.time >= 0.5 end, function() say "late" end)
+    scene:play(p, function(wait, target)
+      say "begin" wait(0.5) say "half" wait(function() return target.position.x > 1 end) say "there" wait() say "end"
+    end))");
+  for (int i = 0; i < 10; i++) scene->step();
+  CHECK(text_of(*scene) == "begin 0.0 0.5 half 1.0 late far 0.75 there end ");
+}
+
+TEST_CASE("conditions measure temperature, energy, load and number") {
+  CHECK(failure(R"(
+    scene.gravity = vec(0, -10, 0)
+    local family, group = scene:family "f", scene:group "g"
+    local p, q = scene:particle { at = vec(0, 1, 0), family = family }, scene:particle { velocity = vec(2, 0, 0), family = family }
+    group:add(p, q)
+    local rod = scene:rod(p, vec(0, 2, 0))
+    local seen = {}
+    local function see(name) return function() seen[name] = true end end
+    scene:when({ temperature_above = 0.1, of = group }, see "hot")
+    scene:when({ energy_below = 1e9 }, see "energy")
+    scene:when({ force_above = 9.9, of = rod }, see "load")
+    scene:when({ count_below = 2, of = family }, see "few")
+    scene:when({ count_below = 1.5, of = group }, see "lonely")
+    scene:at(0.02, function() q:remove() end)
+    local gone = scene:when({ force_above = 1e9, of = rod }, error)
+    scene:at(0.03, function() rod:remove() end)
+    scene:at(0.035, function()
+      for _, name in ipairs { "hot", "energy", "load", "few", "lonely" } do assert(seen[name], name) end
+      assert(gone.state == "dropped" and scene.log[1].text:find "what it watches is gone")
+    end))") == "");
+}
+
+TEST_CASE("a condition or a play that fails tells its line, and a play that never waits is stopped") {
+  CHECK(failure("scene:when(function()\nlocal x = nil\nreturn x.y end, print)") ==
+        "scene.lua:3: attempt to index a nil value (local 'x')");
+  CHECK_THAT(failure("scene:when(function()\nscene:particle() return true end, print)"),
+             Contains("scene.lua:2") && Contains("cannot be edited while it steps"));
+  CHECK(failure("scene:play(function(wait)\nwait(0.01)\nerror {} end)") == "scene.lua:3: error: {}");
+  CHECK_THAT(
+      failure("scene:play(function(wait)\nwhile true do end end)"),
+      Contains("scene.lua:2: the script did not come back within 0.2 s") && Contains("does this play ever wait?"));
+  CHECK(failure("scene:play(function(wait)\nwait(-1) end)") ==
+        "scene.lua:2: wait: argument 1 must be >= 0 s or a function, got -1");
+  CHECK_THAT(failure("scene:play(function(wait)\ncoroutine.wrap(function() wait(1) end)() end)"),
+             Contains("scene.lua:2: wait: it belongs to the play that was given it"));
+}
+
+TEST_CASE("wrong conditions and times are told") {
+  CHECK_THAT(failure("scene:when({}, print)"),
+             Contains("scene.lua:1: when: a condition needs one of temperature_above"));
+  CHECK_THAT(failure("scene:when({ energy_above = 1, energy_below = 2 }, print)"), Contains("has one limit, got two"));
+  CHECK_THAT(failure("scene:when({ count_above = 1 }, print)"), Contains("a count is of a group or a family"));
+  CHECK_THAT(failure("scene:when({ heat_above = 1 }, print)"), Contains("heat_above"));
+  CHECK_THAT(failure("scene:when(3, print)"), Contains("argument 1, the condition, must be a function or a table"));
+  CHECK_THAT(failure("scene:when(print, print, { mean = 1 })"),
+             Contains("mean and hysteresis are for what is measured"));
+  CHECK_THAT(failure("scene:over(1, 1, print)"), Contains("over: argument 2, the end, must be after the beginning"));
+  CHECK_THAT(failure("scene:at(0/0, print)"), Contains("at: argument 1, the time, must be a finite number"));
+  CHECK_THAT(failure("scene:at(0.01, function()\nscene:at(0, print) end)"),
+             Contains("scene.lua:2: at: argument 1, the time, must not be past: got 0 s"));
+  CHECK_THAT(failure("local p = scene:particle() p:remove()\nscene:at(1, p, print)"),
+             Contains("scene.lua:2") && Contains("was removed at 0 s by scene.lua:1"));
+}
+
+TEST_CASE("the timeline is told to scripts") {
+  CHECK(failure(R"(
+    local p = scene:particle { name = "p" }
+    scene:at(0.01, p, function() end) scene:every(0.03, function() end) scene:over(1, 2, function() end)
+    scene:when(function() return false end, function() end)
+    scene:at(0.02, function()
+      local t = scene.timeline
+      assert(t[1].state == "fired" and t[1].target == "particle 'p'" and t[1].label == "scene.lua:3")
+      local kinds = {}
+      for _, e in ipairs(t) do kinds[e.kind] = e end
+      assert(kinds.every.period == 0.03 and kinds.every.time == 0.03 and kinds.every.state == "waiting")
+      assert(kinds.over.from == 1 and kinds.over.to == 2 and kinds.when.time == nil)
+    end))") == "");
+}
+
+TEST_CASE("a condition or a wait that uses a removed thing is dropped and logged, and asked no more") {
+  CHECK(failure(R"(
+    local p, asked = scene:particle { name = "p" }, 0
+    scene:at(0.01, function() p:remove() end)
+    scene:when(function() asked = asked + 1 return p.mass > 5 end, error)
+    local play = scene:play(function(wait) wait(function() return p.mass > 5 end) error "not reached" end)
+    scene:at(0.04, function()
+      assert(asked == 3 and play.state == "fired", asked .. play.state)
+      assert(#scene.log == 2 and scene.log[1].text:find "^scene.lua:4: particle 'p' was removed at .* by scene.lua:3$")
+    end))") == "");
+}

@@ -15,7 +15,8 @@ struct Scene {
 
   Event event(double first, std::string name, double period = 0.0) {
     Event e;
-    e.first = first;
+    e.kind = period != 0.0 ? EventKind::every : EventKind::once;
+    e.time = period != 0.0 ? first - period : first;
     e.period = period;
     e.label = name;
     e.action = [this, name] { done.push_back(name); };
@@ -114,7 +115,9 @@ TEST_CASE("an event whose target is gone is dropped and logged with who removed 
   REQUIRE(s.world.log.size() == 2);
   CHECK(s.world.log[0].kind == "dropped");
   CHECK(s.world.log[0].text == "event scene.lua:12, due at 1 s: particle 'ball' was removed at 0 s by hand 1");
-  CHECK(s.world.log[1].text == "event scene.lua:13, due at 1 s: no member of group 'pair' lives any more");
+  CHECK(s.world.log[1].text ==
+        "event scene.lua:13, due at 1 s: no member of group 'pair' lives any more: particle 4 was removed at 0 s by "
+        "hand 1");
   CHECK(s.world.choreography.events.empty());
 }
 
@@ -169,13 +172,225 @@ TEST_CASE("bad times and empty actions are errors") {
   s.world.time = 2;
   CHECK_THROWS_WITH(s.add(1, "past"), Contains("must not be past, got 1 s"));
   CHECK_THROWS_WITH(s.add(std::nan(""), "nan"), Contains("time must be finite"));
-  CHECK_THROWS_WITH(s.add(3, "back", -1), Contains("period must be >= 0 s"));
+  CHECK_THROWS_WITH(s.add(3, "back", -1), Contains("period must be > 0 s"));
   CHECK_THROWS_WITH(s.add(3, "dense", 1e-17), Contains("period must be long enough"));
   Event nothing;
-  nothing.first = 3;
+  nothing.time = 3;
   CHECK_THROWS_WITH(add_event(s.world, nothing), Contains("no action"));
   CHECK(s.world.choreography.heap.empty());
   s.add(2, "now");
   fire_events(s.world, 2);
   CHECK(s.done.size() == 1);
+}
+
+TEST_CASE("a repeating event fires a million times, each at an exact multiple of its period") {
+  World world;
+  std::uint64_t count = 0, wrong = 0;
+  Event e;
+  e.kind = EventKind::every;
+  e.period = 0.001;
+  e.action = [&] { count++; };
+  add_event(world, e);
+  for (std::uint64_t k = 1; k <= 1'000'000; k++) {
+    const double due = static_cast<double>(k) * 0.001;
+    wrong += world.choreography.heap.front().time != due;
+    fire_events(world, due);
+    wrong += count != k;
+  }
+  CHECK(wrong == 0);
+  CHECK(world.choreography.heap.size() == 1);
+}
+
+TEST_CASE("an over is told in each step how much of it has passed, and at last 1") {
+  Scene s;
+  std::vector<double> parts;
+  Event e;
+  e.kind = EventKind::over;
+  e.time = 1.0;
+  e.until = 2.0;
+  e.progress = [&](double u) { parts.push_back(u); };
+  const EventId id = add_event(s.world, e);
+  const auto state = s.world.choreography.events[id].state;
+  for (int step = 1; step <= 12; step++) fire_events(s.world, 0.25 * step);
+  CHECK(parts == std::vector<double>{0.0, 0.25, 0.5, 0.75, 1.0});
+  CHECK(*state == EventState::fired);
+  parts.clear();
+  e.time = 4.1;
+  e.until = 4.15;  // within one step
+  add_event(s.world, e);
+  fire_events(s.world, 5);
+  CHECK(parts == std::vector<double>{1.0});
+}
+
+TEST_CASE("an over whose target goes on the way is dropped there") {
+  Scene s;
+  const ParticleId ball = add_particle(s.world, {});
+  int told = 0;
+  Event e;
+  e.kind = EventKind::over;
+  e.until = 10.0;
+  e.target = ball;
+  e.label = "scene.lua:7";
+  e.progress = [&](double) { told++; };
+  add_event(s.world, e);
+  fire_events(s.world, 1);
+  fire_events(s.world, 2);
+  remove(s.world, ball);
+  fire_events(s.world, 3);
+  CHECK(told == 2);
+  REQUIRE(s.world.log.size() == 1);
+  CHECK_THAT(s.world.log[0].text, Contains("event scene.lua:7, due at 0 s") && Contains("was removed at"));
+}
+
+TEST_CASE("a condition fires once, or at each rise, and only after it fell back by the hysteresis") {
+  World world;
+  double value = 0.0;
+  int once = 0, rises = 0, wide = 0;
+  const auto add = [&](bool again, double hysteresis, int& count) {
+    Event e;
+    e.kind = EventKind::when;
+    e.condition.measure = [&value] { return value; };
+    e.condition.limit = 1.0;
+    e.condition.again = again;
+    e.condition.hysteresis = hysteresis;
+    e.action = [&count] { count++; };
+    add_event(world, e);
+  };
+  add(false, 0.0, once);
+  add(true, 0.0, rises);
+  add(true, 0.5, wide);
+  double time = 0.0;
+  for (const double v : {0.0, 2.0, 2.0, 0.8, 2.0, 0.4, 2.0, std::nan(""), 2.0}) {
+    value = v;
+    fire_events(world, time += 1.0);
+  }
+  CHECK(once == 1);
+  CHECK(rises == 4);
+  CHECK(wide == 3);
+}
+
+TEST_CASE("a condition on a mean waits until there is one, and is not fooled by a spike") {
+  World world;
+  double value = 0.0;
+  std::vector<double> fired;
+  Event e;
+  e.kind = EventKind::when;
+  e.condition.measure = [&value] { return value; };
+  e.condition.limit = 1.0;
+  e.condition.mean = 1.0;
+  e.action = [&] { fired.push_back(world.time); };
+  add_event(world, e);
+  for (int step = 0; step < 60; step++) {
+    world.time = 0.1 * step;
+    value = step == 15 ? 5.0 : step >= 30 ? 2.0 : 0.0;  // 0.5 in the mean; from 3 s on a ramp of the mean up to 2
+    fire_events(world, 0.1 * (step + 1));
+  }
+  REQUIRE(fired.size() == 1);
+  CHECK(fired[0] == Approx(3.5));  // the trapezoids from 2.5 s on: 0.05 · 2 + 0.5 · 2 > 1
+}
+
+TEST_CASE("a play goes on at exact times, when something holds, and in the next step") {
+  Scene s;
+  bool ready = false;
+  int part = 0;
+  Event e;
+  e.kind = EventKind::play;
+  e.goes = [&]() -> std::optional<Wait> {
+    s.done.push_back(std::to_string(part));
+    switch (part++) {
+      case 0: return Wait{0.1, {}};
+      case 1: return Wait{0.1, {}};
+      case 2: return Wait{0.0, [&] { return ready; }};
+      case 3: return Wait{};
+      default: return {};
+    }
+  };
+  const EventId id = add_event(s.world, e);
+  const auto state = s.world.choreography.events[id].state;
+  s.add(0.15, "between");
+  fire_events(s.world, 1);
+  CHECK(s.done == std::vector<std::string>{"0", "1", "between", "2"});
+  fire_events(s.world, 2);
+  CHECK(s.done.size() == 4);
+  ready = true;
+  fire_events(s.world, 3);
+  CHECK(s.done.back() == "3");
+  fire_events(s.world, 4);
+  CHECK(s.done.back() == "4");
+  CHECK(*state == EventState::fired);
+  CHECK(s.world.choreography.heap.empty());
+}
+
+TEST_CASE("a play that fails is over, and the rest goes on") {
+  Scene s;
+  Event e;
+  e.kind = EventKind::play;
+  e.goes = []() -> std::optional<Wait> { throw Error("oh"); };
+  const EventId id = add_event(s.world, e);
+  const auto state = s.world.choreography.events[id].state;
+  s.add(1, "good");
+  CHECK_THROWS_WITH(fire_events(s.world, 1), "oh");
+  CHECK(*state == EventState::dropped);
+  fire_events(s.world, 1);
+  CHECK(s.done == std::vector<std::string>{"good"});
+}
+
+TEST_CASE("of two events that contradict each other the earlier added is carried out first") {
+  for (const bool remove_first : {true, false}) {
+    Scene s;
+    const ParticleId ball = add_particle(s.world, {});
+    const PointId point = s.world.particles[ball].points[0];
+    std::vector<Event> two(2);
+    two[0].label = "removal";
+    two[0].action = [&] { remove(s.world, ball); };
+    two[1].label = "change";
+    two[1].action = [&] {
+      set_mass(s.world, point, 3.0);
+      s.done.push_back("changed");
+    };
+    if (!remove_first) std::swap(two[0], two[1]);
+    for (Event& e : two) {
+      e.time = 1.0;
+      e.target = ball;
+      add_event(s.world, e);
+    }
+    fire_events(s.world, 1);
+    CHECK_FALSE(s.world.particles.alive(ball));
+    CHECK(s.done.size() == (remove_first ? 0 : 1));
+    CHECK(s.world.log.size() == (remove_first ? 1 : 0));
+  }
+}
+
+TEST_CASE("the timeline tells what was, is and will be, and does not grow") {
+  Scene s;
+  for (int i = 0; i < 3000; i++) s.add(1.0, "past");
+  s.add(7.0, "far");
+  s.add(5.0, "near", 2.0);
+  fire_events(s.world, 1.0);
+  s.world.time = 1.0;
+  const std::vector<TimelineEntry> list = timeline(s.world);
+  REQUIRE(list.size() == most_told + 2);
+  CHECK(list[0].state == EventState::fired);
+  CHECK(list[most_told].label == "near");
+  CHECK(list[most_told].time == 5.0);
+  CHECK(list[most_told].period == 2.0);
+  CHECK(list[most_told + 1].label == "far");
+  for (int i = 0; i < 3000; i++) s.add(10.0, "coming");
+  CHECK(timeline(s.world).size() == 2 * most_told);
+}
+
+TEST_CASE("bad overs, conditions and repetitions are errors") {
+  Scene s;
+  Event e = s.event(1, "over");
+  e.kind = EventKind::over;
+  e.progress = [](double) {};
+  e.until = 1.0;
+  CHECK_THROWS_WITH(add_event(s.world, e), Contains("its end must be after its beginning at 1 s"));
+  Event when = s.event(0, "when");
+  when.kind = EventKind::when;
+  CHECK_THROWS_WITH(add_event(s.world, when), Contains("nothing to measure"));
+  when.condition.measure = [] { return 0.0; };
+  when.condition.mean = -1.0;
+  CHECK_THROWS_WITH(add_event(s.world, when), Contains("mean must be >= 0 s"));
+  CHECK(s.world.choreography.events.empty());
 }

@@ -239,7 +239,7 @@ TEST_CASE("a follow that an event makes is at its target at the end of that step
   const PointId point = world.particles[particle].points[0];
   ConstraintId follow;
   Event event;
-  event.first = 0.1;
+  event.time = 0.1;
   event.action = [&] {
     FollowDef def;
     def.target = [](double time) { return vec(time, 0, 0); };

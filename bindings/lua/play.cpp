@@ -1,0 +1,126 @@
+// Scripts that wait: each is a coroutine, which the choreography takes on from wait to wait.
+#include <memory>
+#include <utility>
+
+#include "lua/arguments.hpp"
+#include "lua/choreography.hpp"
+#include "lua/error_text.hpp"
+#include "lua/runtime.hpp"
+#include "lua/script.hpp"
+
+namespace pantin::lua {
+namespace {
+
+/// Upvalue 1: the coroutine that may wait.
+int check_wait(lua_State* state) {
+  require(lua_tothread(state, lua_upvalueindex(1)) == state,
+          "wait: it belongs to the play that was given it, and not to another coroutine or to a callback");
+  lua_settop(state, 1);
+  if (lua_isnoneornil(state, 1)) {
+    lua_settop(state, 0);
+    lua_pushnumber(state, 0.0);
+  }
+  if (lua_isfunction(state, 1)) return 0;
+  const double seconds = check_number(state, 1, "wait", "argument 1", "s");
+  require(seconds >= 0.0, "wait: argument 1 must be >= 0 s or a function, got ", seconds);
+  return 0;
+}
+
+int wait(lua_State* state) {
+  guard<check_wait>(state);
+  return lua_yield(state, 1);
+}
+
+class Coroutine {
+ public:
+  Coroutine(lua_State* state, int index, Script& script, AnyId target)
+      : script_(script), place_(Callback(state, index).place()), thread_(lua_newthread(state)) {
+    lua_pushvalue(state, index);
+    lua_xmove(state, thread_, 1);
+    lua_pushvalue(state, -1);
+    lua_pushcclosure(state, wait, 1);
+    lua_xmove(state, thread_, 1);
+    arguments_ = 1;
+    if (!std::holds_alternative<std::monostate>(target)) {
+      push_thing(thread_, script, target);
+      arguments_ = 2;
+    }
+    reference_ = luaL_ref(state, LUA_REGISTRYINDEX);
+  }
+  ~Coroutine() { luaL_unref(script_.runtime.active(), LUA_REGISTRYINDEX, reference_); }
+  Coroutine(const Coroutine&) = delete;
+  Coroutine& operator=(const Coroutine&) = delete;
+
+  std::optional<Wait> go() {
+    std::optional<Wait> found;
+    if (*over_) return found;
+    script_.runtime.run([&](lua_State* state) { found = resume(state); });
+    return found;
+  }
+
+ private:
+  std::optional<Wait> resume(lua_State* state) {
+    int results = 0;
+    int status = LUA_OK;
+    {
+      const Switched switched(script_.runtime.watch(), thread_);
+      status = lua_resume(thread_, state, std::exchange(arguments_, 0), &results);
+    }
+    if (status == LUA_OK) return {};
+    if (status != LUA_YIELD) return fail(state), std::nullopt;
+    Wait wanted;
+    if (lua_isfunction(thread_, -1)) {
+      const Callback until(thread_, lua_gettop(thread_));
+      wanted.until = [until, &script = script_, over = over_] { return asked(until, script, *over); };
+    } else {
+      wanted.delay = lua_tonumber(thread_, -1);
+    }
+    lua_pop(thread_, results);
+    return wanted;
+  }
+
+  /// A wait that uses a removed thing ends the play.
+  static bool asked(const Callback& until, Script& script, bool& over) {
+    bool holds = false;
+    try {
+      until.call({}, [&](lua_State* s) { holds = lua_toboolean(s, -1) != 0; });
+    } catch (const StaleHandle& error) {
+      log_line(script.world, "dropped", error.what());
+      holds = over = true;
+    }
+    return holds;
+  }
+
+  /// Raises the coroutine's error on the state that resumed it.
+  void fail(lua_State* state) {
+    const std::string place = where(thread_);
+    lua_xmove(thread_, state, 1);
+    std::string message = error_message(state, lua_gettop(state), place.empty() ? place_ : place);
+    if (script_.runtime.watch().over && !scripts_interrupted()) message += "; does this play ever wait?";
+    lua_pushlstring(state, message.data(), message.size());
+    lua_error(state);
+  }
+
+  Script& script_;
+  std::string place_;
+  lua_State* thread_;
+  std::shared_ptr<bool> over_ = std::make_shared<bool>(false);
+  int arguments_ = 0;  // waiting on the coroutine's stack for its first start
+  int reference_ = LUA_NOREF;
+};
+
+}  // namespace
+
+std::function<std::optional<Wait>()> play_of(lua_State* state, int index, Script& script, AnyId target) {
+  const auto coroutine = std::make_shared<Coroutine>(state, index, script, target);
+  return [coroutine, &script]() -> std::optional<Wait> {
+    try {
+      return coroutine->go();
+    } catch (const StaleHandle& error) {
+      log_line(script.world, "dropped", error.what());
+      return {};
+    }
+  };
+}
+
+}  // namespace pantin::lua

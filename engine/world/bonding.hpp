@@ -1,0 +1,25 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "laws/law.hpp"
+#include "world/choreography.hpp"
+
+namespace pantin {
+
+/// Melting and freezing. While the particles of the families together are hotter than `above`, nothing that ties them to
+/// each other holds: connections break, hinges are cut. While they are colder than `below`, those that come within
+/// `near` and are not tied yet get a connection.
+struct BondingDef {
+  std::vector<FamilyId> families;  ///< one: within it; two: between them
+  double near = 0.0;               ///< [m] > 0
+  double below = 0.0;              ///< [K]
+  double above = 0.0;              ///< [K] >= below
+  std::shared_ptr<const Law> law;  ///< of two particles
+  std::vector<double> parameters;  ///< (parameters of the law)
+  std::string label;               ///< "scene.lua:12"
+};
+/// An over without an end; cancel it to end the bonding.
+EventId add_bonding(World& world, BondingDef def);
+
+}  // namespace pantin

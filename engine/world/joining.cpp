@@ -1,0 +1,119 @@
+// Joins: two points drawn together, and the hinge that they make.
+#include "articulates/articulate.hpp"
+#include "world/assemble.hpp"
+#include "world/deviation.hpp"
+#include "world/parts.hpp"
+
+namespace pantin {
+
+using namespace editing;
+
+namespace {
+
+constexpr double near = 0.01;  // of the size of their bodies: from here on a limited join holds as a hinge does
+
+void require_joinable(const World& world, PointId a, PointId b) {
+  for (PointId p : {a, b}) require(world.points.alive(p), "join: ", world.points.story(p));
+  const Point &first = world.points[a], &second = world.points[b];
+  require(a != b, "join: both are ", describe(world, a), "; it needs two points");
+  require(!first.body || first.body != second.body, "join: both points belong to ", describe(world, first.body),
+          "; it joins different bodies");
+  require(first.particle != second.particle, "join: these points are joined already, in ",
+          describe(world, first.particle));
+}
+
+/// What draws the first point to where they are to meet.
+ConstraintId add_holder(World& world, PointId point, const JoinDef& def) {
+  if (!def.at) return {};
+  require_finite("join", "at", *def.at, "m");
+  if (!std::isfinite(def.max_force)) return add_nail(world, point, def.at, def.time_constant);
+  FollowDef follow;
+  follow.at = *def.at;
+  follow.max_force = def.max_force;
+  follow.time_constant = def.time_constant;
+  return add_follow(world, point, follow);
+}
+
+double size_of_pair(const World& world, const Constraint& c) {
+  const double size = std::fmax(size_of(world, c.a), size_of(world, c.b));
+  return size > 0.0 ? size : largest(position(world, c.a));
+}
+
+/// A limited join whose points are near, and not just passing, is one without a limit from now on.
+void hold_when_near(World& world, Constraint& c) {
+  if (!std::isfinite(c.max_force)) return;
+  const double reach = near * size_of_pair(world, c);
+  if (norm(position(world, c.a) - position(world, c.b)) > reach) return;
+  if (norm(velocity(world, c.a) - velocity(world, c.b)) * c.time_constant > reach) return;
+  c.max_force = std::numeric_limits<double>::infinity();
+  start_constraint(world, c);
+  touch(world, c);
+}
+
+bool has_met(const Constraint& c) {
+  return !std::isfinite(c.max_force) && norm2(c.away) == 0.0 && norm2(c.previous_away) == 0.0;
+}
+
+/// In the next step, by the choreography: it may be gone by then.
+void tell_met(World& world, ParticleId hinge, const Joining& joining) {
+  if (!joining.on_met) return;
+  Event event;
+  event.time = world.time;
+  event.target = hinge;
+  event.label = joining.label;
+  event.action = [hinge, on_met = joining.on_met] { on_met(hinge); };
+  add_event(world, std::move(event));
+}
+
+void make_met_hinge(World& world, ConstraintId id) {
+  const Constraint c = world.constraints[id];
+  const Acting acting(world);
+  world.locked = false;
+  world.who = [label = c.joining->label] { return label.empty() ? std::string("its join") : label; };
+  const PointId points[] = {c.a, c.b};
+  try {
+    HingeDef def;
+    def.name = c.joining->hinge_name;
+    take_out_constraint(world, id, {describe(world, id), world.time, "its points meeting"});
+    const ParticleId hinge = add_hinge(world, points, def);
+    notice(world, Notice::Kind::joined, hinge, text(describe(world, hinge), " was made"));
+    tell_met(world, hinge, *c.joining);
+  } catch (const Error& error) { log_line(world, "dropped", text("join: ", error.what())); }
+}
+
+}  // namespace
+
+ConstraintId add_join(World& world, PointId a, PointId b, const JoinDef& def) {
+  require_unlocked(world, "join");
+  require_joinable(world, a, b);
+  require_positive("join", "time_constant", def.time_constant, "s");
+  require_positive_or_infinite("join", "max_force", def.max_force, "N");
+  Constraint c;
+  c.kind = ConstraintKind::join;
+  c.a = a;
+  c.b = b;
+  c.max_force = def.max_force;
+  c.time_constant = def.time_constant;
+  start_constraint(world, c);
+  const ConstraintId holder = add_holder(world, a, def);
+  c.joining = std::make_shared<Joining>(Joining{holder, def.on_met, def.name, world.who ? world.who() : ""});
+  return insert_constraint(world, std::move(c));
+}
+
+void make_met_hinges(World& world) {
+  std::vector<ConstraintId> met;
+  for (const auto& articulate : world.articulates) {
+    if (articulate->all_rigid) continue;
+    for (const Condition& row : articulate->conditions) {
+      if (!world.constraints.alive(row.constraint)) continue;
+      Constraint& c = world.constraints[row.constraint];
+      if (c.kind != ConstraintKind::join) continue;
+      hold_when_near(world, c);
+      if (has_met(c)) met.push_back(row.constraint);
+    }
+  }
+  for (ConstraintId id : met)
+    if (world.constraints.alive(id)) make_met_hinge(world, id);
+}
+
+}  // namespace pantin

@@ -1,0 +1,95 @@
+local two = [[
+  scene.gravity = vec(0, 0, 0)
+  local function rod(name, x, v)
+    return scene:body { name = name, at = vec(x, 0, 0), velocity = vec(v, 0, 0),
+      points = { tip = { at = vec(0.5, 0, 0), mass = 1 }, tail = { at = vec(-0.5, 0, 0), mass = 1 } } }
+  end
+  local a, b = rod("a", -2, 1), rod("b", 2, -1)
+]]
+
+test("merge: one body of two, and the lost energy is a line of the ledger", function()
+  local scene = open_text(two .. [[
+    local tip = b.tip
+    scene:at(1, function()
+      assert(scene:merge(a, b) == a and not b.alive and tip.alive and tip.body == a)
+      scene:result("lost", scene.ledger.merge)
+    end)
+  ]])
+  scene:advance(1.1)
+  expect(#scene.bodies):equal(1)
+  expect(scene:find("a").mass):near(4, 1e-12)
+  expect(scene:result "lost"):near(-2, 1e-12)
+  expect(scene.energy.kinetic):near(0, 1e-12)
+end)
+
+test("split: the part moves on as it did", function()
+  local scene = open_text [[
+    scene.gravity = vec(0, 0, 0)
+    local bar = scene:body { name = "bar", spin = vec(0, 0, 2), points = {
+      left = { at = vec(-1, 0, 0), mass = 1 }, middle = { at = vec(0, 0, 0), mass = 1 }, right = { at = vec(1, 0, 0), mass = 1 } } }
+    scene:at(0.5, function()
+      local off = scene:split(bar, { bar.right })
+      off.name = "off"
+    end)
+  ]]
+  local before = scene.angular_momentum.z
+  scene:advance(1)
+  expect(scene:find("off").velocity:length()):near(2, 1e-9)
+  expect(scene:find("bar").velocity:length()):near(1, 1e-9)
+  expect(scene.angular_momentum.z):near(before, 1e-12)
+end)
+
+test("freeze, shatter and connect_within", function()
+  local scene = open_text [[
+    scene.gravity = vec(0, 0, 0)
+    local block = scene:group "block"
+    for x = 0, 1 do for y = 0, 1 do for z = 0, 1 do
+      block:add(scene:particle { at = vec(x, y, z), velocity = vec(y, z, x) })
+    end end end
+    scene:result("ties", #scene:connect_within(block, 1.1, force.spring { stiffness = 1 }))
+    block:break_connections()
+    scene:result("left", #scene.connections)
+    local body = scene:freeze(block)
+    scene:result("points", #body.points)
+    scene:at(0.5, function() scene:result("pieces", #scene:shatter(body)) end)
+  ]]
+  local momentum, spin = scene.momentum, scene.angular_momentum
+  scene:advance(1)
+  expect(scene:result "ties"):equal(12)
+  expect(scene:result "left"):equal(0)
+  expect(scene:result "points"):equal(8)
+  expect(scene:result "pieces"):equal(8)
+  expect(scene.momentum):near(momentum, 1e-12)
+  expect(scene.angular_momentum):near(spin, 1e-12)
+end)
+
+test("join: tells when the points met", function()
+  local scene = open_text(two .. [[
+    local told = ""
+    scene:on("joined", function(hinge) told = told .. hinge.name .. " joined " end)
+    scene:join(a.tip, b.tail, { name = "knee", on_met = function(hinge)
+      told = told .. hinge.name .. " met "
+      assert(hinge.is_hinge and #hinge.bodies == 2)
+    end })
+    scene:probe("told", function() scene:result("told", told) return 0 end)
+  ]])
+  scene:advance(4)
+  expect(scene:result "told"):equal "knee met knee joined "
+end)
+
+test("wrong merges, splits and joins are told with their line, and leave the scene as it was", function()
+  for code, message in pairs {
+    ["scene:merge(a, a)"] = "merge: both are body 'a'; it needs two bodies",
+    ["scene:merge(a, 3)"] = "merge: argument 2 must be a body, got a number",
+    ["scene:split(a, {})"] = "split: no points were given",
+    ["scene:split(a, { a.tip, a.tail })"] = "split: these are all points of body 'a'",
+    ["scene:split(a, { b.tip })"] = "is not of body 'a'",
+    ["scene:join(a.tip, a.tail)"] = "join: both points belong to body 'a'",
+    ["scene:join(a.tip, b.tip, { at = 3 })"] = "join: at must be a vec [m], got a number",
+    ["b:remove() scene:merge(a, b)"] = "body 'b' was removed at 0 s by text.lua:8",
+    ["scene:bonding { families = 3 }"] = "bonding: families must be a family, got a number",
+    ["scene:group('g'):heat(1)"] = "heat: there is nothing to heat",
+  } do
+    expect(function() open_text(two .. "\n" .. code) end):fails(message)
+  end
+end)
