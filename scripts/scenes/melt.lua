@@ -26,14 +26,13 @@ scene:interact(atoms, atoms, force.lennard_jones { epsilon = 0.04, sigma = 0.85 
 scene:field(atoms, force.wall { normal = vec(0, 1, 0), through = vec(0, 0, 0), stiffness = 400, damping = 0.2, friction = 0.2 })
 local bath = scene:field(atoms, force.thermostat { rate = 2, temperature = 0.005 })
 
-local bonds, melted = crystal.connections, false
-scene:every(0.05, crystal, function(c)
-  bath.parameters.temperature = math.min(0.028, 0.005 + heating * scene.time)
-  if melted or c.temperature < melting and scene.time < latest then return end
-  melted = true
-  for _, bond in ipairs(bonds) do if bond.alive then bond:remove() end end
+scene:every(0.05, function() bath.parameters.temperature = math.min(0.028, 0.005 + heating * scene.time) end)
+local function melt(c)
+  c:break_connections()
   for _, atom in ipairs(c.particles) do if atom.alive then atom.color = "#e8833a" end end
-end)
+end
+scene:when({ temperature_above = melting, of = crystal }, crystal, melt)
+scene:at(latest, crystal, melt)
 -- What is broken off takes its bonds along; an event of a crystal that is gone is dropped, and the log tells who took it.
 local function break_off(part)
   local atoms_of_it = crystal.particles

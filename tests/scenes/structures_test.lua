@@ -64,7 +64,7 @@ test("melt: what was broken off before melts no more, and the event of a crystal
   half:advance(1)
   expect(half:read "bonds"):equal(0)
   local gone = open("scenes/melt.lua", { cells = 1, heating = 0, latest = 2, broken = 1 })
-  gone:advance(1.5)
+  gone:advance(2.5)
   local dropped = {}
   for _, line in ipairs(gone.log) do
     if line.kind == "dropped" then dropped[#dropped + 1] = line.text end
