@@ -62,6 +62,7 @@ function quat_methods:inverse() end
 ---@field limit number [J] by limits, and by all that ties what strikes one
 ---@field event number [J] by kicks, and pushes on what is loose
 ---@field edit number [J] by things made and changed
+---@field merge number [J] lost by what became one body
 ---@field emitter number [J] by particles that emitters made
 ---@field removal number [J] by things removed
 ---@field law_edit number [J] by laws made, changed and removed, and attributes that follow an age
