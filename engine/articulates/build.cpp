@@ -60,7 +60,7 @@ Edges edges_of_strings(const std::vector<Tie>& ties, const RowLists& on) {
 
 /// Nodes with many rows to nodes of few, which meet at variables of the node. Segments of a string meet each other.
 std::vector<std::uint32_t> find_hubs(const std::vector<Tie>& ties, const RowLists& on) {
-  constexpr std::ptrdiff_t few = 16;
+  constexpr std::ptrdiff_t few = 8;
   const auto rows = [&](std::size_t node) { return std::ssize(on[node]); };
   std::vector<std::uint32_t> hubs;
   for (std::uint32_t n = 0; n + 1 < on.first.size(); n++) {

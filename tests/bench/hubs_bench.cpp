@@ -32,7 +32,7 @@ void bench_hubs(const player::BenchOptions&) {
   std::printf("a disc with spokes of two links, kicked; 1/240 s, one thread's processor time\n");
   std::printf("%8s %8s %14s %14s %8s %12s %12s\n", "spokes", "hinges", "ns/hinge/step", "of a chain", "ratio",
               "iterations", "gap, m");
-  for (const int spokes : {8, 16, 17, 50, 150, 500}) {
+  for (const int spokes : {4, 8, 9, 50, 150, 500}) {
     World disc, chain;
     const cases::Wheel wheel = cases::add_wheel(disc, {.spokes = spokes});
     kick(disc, wheel.hub, vec(30, 0, 20), vec(1, 0, 0));
