@@ -28,11 +28,6 @@ void load(Node& n, const Model& model, Vec3 gravity) {
     n.R0 = identity33();
     n.force = gravity * n.mass + model.points.at_slot(n.slot).force;
   }
-  n.x1 = n.x0;
-  n.p1 = n.p0;
-  n.P1 = n.P0;
-  n.q1 = n.q0;
-  n.R1 = n.R0;
 }
 
 void store(const Node& n, Model& model) {

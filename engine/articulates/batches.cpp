@@ -10,7 +10,7 @@ namespace {
 
 Node make_idle() {
   Node n{};
-  n.R0 = n.R1 = identity33();
+  n.R0 = identity33();
   n.inertia = n.inverse_inertia = vec(1, 1, 1);
   n.mass = n.inverse_mass = 1.0;
   return n;
@@ -105,32 +105,27 @@ std::size_t meeting_ends(const Articulate& a, std::size_t batch) {
   return most;
 }
 
-Meeting* meeting(Articulate& a, std::size_t batch, std::size_t lane, std::size_t i, std::size_t j) {
-  const std::size_t later = std::max(i, j), earlier = std::min(i, j);
-  const std::size_t node = batch_size * batch + lane;
-  if (node >= a.nodes.size()) return nullptr;
-  const std::size_t place = a.first_meeting[node] + later * (later + 1) / 2 + earlier;
-  return place < a.first_meeting[node + 1] ? &a.meetings[place] : nullptr;
-}
-
 Mat3x4 rotations(const Articulate& a, std::size_t b, Mat3 Node::*R) {
   Mat3x4 packed;
   for (int k = 0; k < 3; k++) packed[k] = pack_nodes(a, b, [&](const Node& n) { return (n.*R)[k]; });
   return packed;
 }
 
-void begin(Articulate& a, std::size_t b, double h) {
+void begin(Articulate& a, std::size_t b, double h, Extent& extent) {
   NodeBatch& n = a.batches[b];
   const Mat3x4 R0 = rotations(a, b, &Node::R0);
   const Vec3x4 force = pack_nodes(a, b, [](const Node& node) { return node.force; });
   const Vec3x4 p0 = pack_nodes(a, b, [](const Node& node) { return node.p0; });
-  n.x_free = pack_nodes(a, b, [](const Node& node) { return node.x0; }) +
-             (p0 * 2.0 + force * h) * (n.inverse_mass * (0.5 * h));
+  const Vec3x4 x0 = pack_nodes(a, b, [](const Node& node) { return node.x0; });
+  n.x_free = x0 + (p0 * 2.0 + force * h) * (n.inverse_mass * (0.5 * h));
   n.sway = n.inverse_mass * (0.5 * h * h);
   n.L0 = R0 * pack_nodes(a, b, [](const Node& node) { return node.P0; });
   n.L_free = n.L0 + pack_nodes(a, b, [](const Node& node) { return node.torque; }) * h;
   n.inertia_rate = congruent(R0, n.inertia * (2.0 / h));
+  if (a.last_h != h) n.J_inverse = congruent(R0, n.inverse_inertia * (0.5 * h));
   for (RowEnds& end : ends_of(a, n)) end.r0 = R0 * end.l;
+  extent.speed2 = larger(norm2(p0) * n.inverse_mass * n.inverse_mass, extent.speed2);
+  for (const Lanes& x : {x0.x, x0.y, x0.z}) extent.place = larger(larger(x, -x), extent.place);
 }
 
 Vec3x4 start_spins(const Articulate& a, std::size_t b) {
@@ -177,17 +172,28 @@ Mat3x4 tell_places(Articulate& a, std::size_t b) {
   return R1;
 }
 
-void tell_ends(Articulate& a, std::size_t b, double h) {
+Lanes commit(Articulate& a, std::size_t b, double h, Vec3 gravity) {
   NodeBatch& n = a.batches[b];
   const Mat3x4 R1 = tell_places(a, b);
-  const auto force = unpack(n.row_force), P1 = unpack(transposed_times(R1, n.L1)), rotation = unpack(n.a);
+  const Vec3x4 force = pack_nodes(a, b, [](const Node& node) { return node.force; });
+  const Vec3x4 push = pack_nodes(a, b, [&](const Node& node) { return node.force - gravity * node.mass; });
+  const Vec3x4 way = n.x1 - pack_nodes(a, b, [](const Node& node) { return node.x0; });
+  const Lanes work = dot(push, way) + dot(pack_nodes(a, b, [](const Node& node) { return node.torque; }), n.a);
+  const Vec3x4 principal = transposed_times(R1, n.L1);
+  const auto change = unpack((n.row_force + force) * h), P = unpack(principal),
+             O = unpack(principal * n.inverse_inertia), rotation = unpack(n.a);
   for (std::size_t lane = 0; lane < n.count; lane++) {
     Node& node = a.nodes[batch_size * b + lane];
-    node.p1 = node.p0 + (force[lane] + node.force) * h;
+    node.x0 = node.x1;
+    node.p0 += change[lane];
     if (!node.turns) continue;
+    node.q0 = node.q1;
+    node.R0 = node.R1;
+    node.P0 = P[lane];
+    node.O0 = O[lane];
     node.a = rotation[lane];
-    node.P1 = P1[lane];
   }
+  return work;
 }
 
 void read_momenta(Articulate& a, std::size_t b) {

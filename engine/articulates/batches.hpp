@@ -15,7 +15,12 @@ inline std::span<RowEnds> ends_of(Articulate& a, const NodeBatch& batch) {
 /// How many ends of a batch meet others there: those of hubs do not.
 std::size_t meeting_ends(const Articulate& articulate, std::size_t batch);
 /// Where ends i and j of a node in a lane meet; null where it has not as many.
-Meeting* meeting(Articulate& articulate, std::size_t batch, std::size_t lane, std::size_t i, std::size_t j);
+inline Meeting* meeting(Articulate& a, std::size_t batch, std::size_t lane, std::size_t i, std::size_t j) {
+  const std::size_t later = i < j ? j : i, earlier = i < j ? i : j, node = batch_size * batch + lane;
+  if (node >= a.nodes.size()) return nullptr;
+  const std::size_t place = a.first_meeting[node] + later * (later + 1) / 2 + earlier;
+  return place < a.first_meeting[node + 1] ? &a.meetings[place] : nullptr;
+}
 
 /// What ends tell their rows.
 inline void hand_over(Articulate& a, const RowEnds& end, const Vec3x4& what) {
@@ -34,8 +39,12 @@ Vec3x4 fetch(const RowEnds& end, What what) {
 
 /// R0 or R1 of the nodes.
 Mat3x4 rotations(const Articulate& articulate, std::size_t batch, Mat3 Node::*R);
+/// Squares of speeds [m²/s²], and largest coordinates [m].
+struct Extent {
+  Lanes speed2 = lanes(0.0), place = lanes(0.0);
+};
 /// Prepares a step of `h` [s] from the nodes' starts, but for `a`.
-void begin(Articulate& articulate, std::size_t batch, double h);
+void begin(Articulate& articulate, std::size_t batch, double h, Extent& extent);
 /// Spins at the start, world axes [rad/s].
 Vec3x4 start_spins(const Articulate& articulate, std::size_t batch);
 /// Sets arms at the start or end from the nodes, and hands their rows the places.
@@ -43,8 +52,8 @@ void place_at_start(Articulate& articulate, std::size_t batch);
 void place_at_end(Articulate& articulate, std::size_t batch);
 /// Tells the nodes x1, q1 and R1; returns R1.
 Mat3x4 tell_places(Articulate& articulate, std::size_t batch);
-/// Tells the nodes all of the end of a step of `h` [s].
-void tell_ends(Articulate& articulate, std::size_t batch, double h);
+/// Makes the end of a solved step of `h` [s] the nodes' start; returns the work of pushes and twists [J].
+Lanes commit(Articulate& articulate, std::size_t batch, double h, Vec3 gravity);
 
 /// Reads the momenta of the nodes' starts, and tells them.
 void read_momenta(Articulate& articulate, std::size_t batch);

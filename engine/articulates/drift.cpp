@@ -14,16 +14,6 @@ namespace {
 
 constexpr int most_halvings = 5;
 
-/// Makes the end of the step just solved the start of the next; tells the work of the rows, and of pushes and twists.
-void commit(Articulate& a, Vec3 gravity, DriftReport& report) {
-  add_work_of_rows(a, report);
-  for (Node& n : a.nodes) {
-    report.work += dot(n.force - gravity * n.mass, n.x1 - n.x0);
-    if (n.turns) report.work += dot(n.torque, n.a);
-    commit(n);
-  }
-}
-
 /// A safe step to the end of the part; backwards it makes no sense, so where a full sub-step has parts that go backwards, to
 /// its end.
 void arrive_safely(Articulate& a, const DriftSettings& settings, double from, double to, DriftReport& report) {
@@ -41,7 +31,6 @@ void drift_part(Articulate& a, const DriftSettings& settings, double from, doubl
   set_conditions(a, from, to);
   if (a.gaps.open > 1e-8 * a.length) return arrive_safely(a, settings, from, to, report);
   if (solve_step(a, h, settings.gravity, report)) {
-    commit(a, settings.gravity, report);
     for (Condition& c : a.conditions) c.angle0 = c.angle1;
     measure_gaps(a);
     a.last_h = h;
@@ -67,6 +56,7 @@ void drift_part(Articulate& a, const DriftSettings& settings, double from, doubl
 void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   if (a.edited) {
     set_conditions(a, settings.from, settings.from);
+    for (Node& n : a.nodes) settle(n);
     place_rows_at_end(a);
     measure_gaps(a);
     for (Condition& c : a.conditions) c.held = !c.ranged && std::isinf(c.upper);  // the step finds out

@@ -49,30 +49,34 @@ void set_scale(Forecast& forecast, double last_h, double h) {
 
 }  // namespace
 
-void predict(Articulate& a, double h) {
-  Forecast& forecast = a.forecast;
-  if (a.last_h == 0.0) forecast.known = 0;
-  const std::array<double, Forecast::levels> old_scale = forecast.scale;
-  set_scale(forecast, a.last_h, h);
-  const std::size_t order = a.weak ? std::min<std::size_t>(forecast.known, 1) : best_order(forecast);
-  const double rate = forecast.known > 0 ? 1.0 / a.last_h : 0.0;
-  std::array<Lanes, Forecast::levels> missed{};
-  for (std::size_t b = 0; b < a.batches.size(); b++) {
-    NodeBatch& n = a.batches[b];
-    const auto miss = [&](std::size_t k, const Vec3x4& by) { missed[k] += norm2(by) * n.reach2; };
-    const Vec3x4 next = extrapolate(forecast.rates[b], n.a * rate, old_scale, forecast.scale, order, miss);
-    n.a_saved = (order == 0 ? start_spins(a, b) : next) * h;
-  }
-  const bool turning = sum(missed[0]) > 0.0;  // else the forces tell how smooth the motion is
-  for (std::size_t k = 0; k < a.rows.size(); k++) {
-    Row& row = a.rows[k];
-    const auto miss = [&](std::size_t level, Vec3 by) {
-      if (!turning) missed[level] += by * by;
-    };
-    const Vec3 next = extrapolate(forecast.forces[k], row.f, old_scale, forecast.scale, order, miss);
-    // Forgets multipliers that the equations do not determine.
-    row.f_saved = a.weak ? row.f * 0.95 : order == 0 ? row.f : next;
-  }
+Prediction::Prediction(Articulate& a, double h) : a_(a), h_(h), old_scale_(a.forecast.scale) {
+  if (a.last_h == 0.0) a.forecast.known = 0;
+  set_scale(a.forecast, a.last_h, h);
+  order_ = a.weak ? std::min<std::size_t>(a.forecast.known, 1) : best_order(a.forecast);
+  rate_ = a.forecast.known > 0 ? 1.0 / a.last_h : 0.0;
+}
+
+void Prediction::batch(std::size_t b) {
+  NodeBatch& n = a_.batches[b];
+  const auto miss = [&](std::size_t k, const Vec3x4& by) { rotations_missed_[k] += norm2(by) * n.reach2; };
+  const Vec3x4 next = extrapolate(a_.forecast.rates[b], n.a * rate_, old_scale_, a_.forecast.scale, order_, miss);
+  n.a = (order_ == 0 ? start_spins(a_, b) : next) * h_;
+}
+
+void Prediction::row(std::size_t k) {
+  Row& row = a_.rows[k];
+  const auto miss = [&](std::size_t level, Vec3 by) { forces_missed_[level] += by * by; };
+  const Vec3 next = extrapolate(a_.forecast.forces[k], row.f, old_scale_, a_.forecast.scale, order_, miss);
+  if (a_.weak)
+    row.f *= 0.95;  // forgets multipliers that the equations do not determine
+  else if (order_ > 0)
+    row.f = next;
+}
+
+void Prediction::end() {
+  Forecast& forecast = a_.forecast;
+  // Where nothing turns, the forces tell how smooth the motion is.
+  const auto& missed = sum(rotations_missed_[0]) > 0.0 ? rotations_missed_ : forces_missed_;
   for (std::size_t k = 1; k < Forecast::levels; k++)
     forecast.missed[k] = k < forecast.known ? 0.5 * forecast.missed[k] + sum(missed[k]) : 0.0;
   forecast.known = std::min(forecast.known + 1, Forecast::levels);

@@ -76,6 +76,12 @@ inline Mat3x4 weight(const NodeBatch& n, double h) {
 /// Rotation at the end for a change da of the Cayley vector.
 inline Vec3x4 rotation(const NodeBatch& n, const Vec3x4& da) { return (da + cross(n.a, da) * 0.5) * n.c; }
 
+/// Puts the start of the step in the place of its end, but for momenta.
+inline void settle(Node& n) {
+  n.x1 = n.x0;
+  n.q1 = n.q0;
+  n.R1 = n.R0;
+}
 /// Puts the end of the step in the place of its start.
 inline void commit(Node& n) {
   n.x0 = n.x1;

@@ -29,11 +29,10 @@ void place_row_at_end(Articulate& a, std::size_t k) {
 
 Vec3x4 mean_arm(const RowEnds& end) { return (end.r0 + end.r1) * 0.5; }
 
-/// What the rows' forces, once set, make of a batch; hands the rows its places. Returns the squares of the residuals [m²].
-Lanes attempt_batch(Articulate& a, std::size_t b, double h, double fraction) {
+/// What the unknowns, once set, make of a batch; hands the rows its places. Returns the squares of the residuals [m²].
+Lanes place_batch(Articulate& a, std::size_t b, double h) {
   NodeBatch& n = a.batches[b];
   const auto ends = ends_of(a, n);
-  n.a = n.a_saved + n.change * fraction;
   turn_arms(n, ends);
   RowLoad load{zero3x4(), zero3x4()};
   for (const RowEnds& end : ends)
@@ -44,21 +43,19 @@ Lanes attempt_batch(Articulate& a, std::size_t b, double h, double fraction) {
   return size2;
 }
 
-/// Moves the unknowns from their saved values by a fraction of the direction (forces in `right_side`, rotations in
-/// `change`), with states and residuals; returns the largest residual [m].
-double attempt(Articulate& a, double h, double fraction) {
+/// Finds states and residuals of unknowns that set_row(k) and set_batch(b) set; returns the largest residual [m].
+template <class SetRow, class SetBatch>
+double evaluate(Articulate& a, double h, SetRow set_row, SetBatch set_batch) {
   Lanes largest2 = lanes(0.0), unsound = lanes(0.0);
   double worst2 = 0.0, worst = 0.0;
   const auto count2 = [&](double r2) { worst2 = r2 <= worst2 ? worst2 : std::isfinite(r2) ? r2 : infinity; };
   const auto count = [&](double r) { worst = r <= worst ? worst : std::isfinite(r) ? r : infinity; };
   Wave done;
   for (const Wave& wave : a.waves) {
-    for (; done.forces < wave.forces; done.forces++) {
-      Row& row = a.rows[done.forces];
-      row.f = row.f_saved + a.right_side[done.forces] * fraction;
-    }
+    for (; done.forces < wave.forces; done.forces++) set_row(done.forces);
     for (; done.batches < wave.batches; done.batches++) {
-      const Lanes size2 = attempt_batch(a, done.batches, h, fraction);
+      set_batch(done.batches);
+      const Lanes size2 = place_batch(a, done.batches, h);
       largest2 = larger(size2, largest2);
       unsound += size2 * 0.0;
     }
@@ -76,6 +73,36 @@ double attempt(Articulate& a, double h, double fraction) {
   if (!a.strands.empty()) count(evaluate_strands(a, h));
   if (!(largest_lane(unsound) == 0.0)) return infinity;
   return std::max(worst, std::sqrt(std::max(worst2, largest_lane(largest2))));
+}
+
+/// Moves the unknowns from their saved values by a fraction of the direction: forces in `right_side`, rotations in
+/// `change`.
+double attempt(Articulate& a, double h, double fraction) {
+  return evaluate(
+      a, h, [&](std::size_t k) { a.rows[k].f = a.rows[k].f_saved + a.right_side[k] * fraction; },
+      [&](std::size_t b) { a.batches[b].a = a.batches[b].a_saved + a.batches[b].change * fraction; });
+}
+
+/// The residual that counts as solved, and the size of its round-off, [m].
+struct Goal {
+  double tolerance, round_off;
+};
+
+/// Where the iteration begins: predicted unknowns. Returns their largest residual [m].
+double start_iteration(Articulate& a, double h, Vec3 gravity, Goal& goal) {
+  Prediction prediction(a, h);
+  Extent extent;
+  const double e = evaluate(
+      a, h, [&](std::size_t k) { prediction.row(k); },
+      [&](std::size_t b) {
+        begin(a, b, h, extent);
+        prediction.batch(b);
+      });
+  prediction.end();
+  const double speed2 = std::max(norm(gravity) * a.length, largest_lane(extent.speed2));
+  goal.round_off = 8e-16 * std::max(a.length, largest_lane(extent.place));
+  goal.tolerance = std::max(3e-11 * std::fabs(h) * std::sqrt(speed2), goal.round_off);
+  return e;
 }
 
 /// The change of the rotations that goes with that of the rows' forces, and which they start from; returns its square.
@@ -111,33 +138,6 @@ void lower_epsilon(Articulate& a) {
   a.lowered = true;
 }
 
-/// The residual that counts as solved, and the size of its round-off, [m].
-struct Goal {
-  double tolerance, round_off;
-};
-
-Goal goal(const Articulate& a, double h, Vec3 gravity) {
-  double speed2 = norm(gravity) * a.length, place = a.length;
-  for (const Node& n : a.nodes) {
-    speed2 = std::max(speed2, norm2(n.p0) * n.inverse_mass * n.inverse_mass);
-    place = std::max(place, largest(n.x0));
-  }
-  const double round_off = 8e-16 * place;
-  return {std::max(3e-11 * std::fabs(h) * std::sqrt(speed2), round_off), round_off};
-}
-
-/// Puts the batches and rows where the iteration begins.
-void start_iteration(Articulate& a, double h) {
-  for (std::size_t b = 0; b < a.batches.size(); b++) {
-    NodeBatch& n = a.batches[b];
-    begin(a, b, h);
-    n.change = zero3x4();
-    if (a.last_h != h) n.J_inverse = congruent(rotations(a, b, &Node::R0), n.inverse_inertia * (0.5 * h));
-  }
-  predict(a, h);
-  std::fill(a.right_side.begin(), a.right_side.end(), zero3());
-}
-
 /// One damped Newton step along the direction in the nodes and rows. Returns the new residual.
 double search_line(Articulate& a, double h, double e, double tolerance, bool fresh, DriftReport& report) {
   double fraction = std::min(1.0, 1.0 / find_direction(a, h));
@@ -153,8 +153,9 @@ double search_line(Articulate& a, double h, double e, double tolerance, bool fre
 /// From predicted unknowns; false where it does not converge.
 bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   a.lowered = false;
-  const auto [tolerance, round_off] = goal(a, h, gravity);
-  double e = attempt(a, h, 0.0), gain = 1.0;
+  Goal goal{};
+  double e = start_iteration(a, h, gravity, goal), gain = 1.0;
+  const auto [tolerance, round_off] = goal;
   a.forecast.rough = e > 0.03 * a.length;
   bool have_factor = false, fresh = false;
   int old_uses = 0;
@@ -247,9 +248,11 @@ void add_work_of_rows(Articulate& a, DriftReport& report) {
 
 bool solve_step(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   if (!a.all_rigid || a.couples) place_rows_at_start(a);
-  start_iteration(a, h);
   if (!iterate(a, h, gravity, report)) return false;
-  for (std::size_t b = 0; b < a.batches.size(); b++) tell_ends(a, b, h);
+  Lanes pushed = lanes(0.0);
+  for (std::size_t b = 0; b < a.batches.size(); b++) pushed += commit(a, b, h, gravity);
+  report.work += sum(pushed);
+  add_work_of_rows(a, report);
   return true;
 }
 

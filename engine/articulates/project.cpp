@@ -47,12 +47,11 @@ struct Velocities {
   double forbidden = 0.0;  // [m/s] largest of the rows
 };
 
-/// Finds the rows' forbidden velocities and takes them through the first half of a solution on the factor at hand.
-Velocities start_solution(Articulate& a) {
+/// Sets the rows' residuals to their forbidden velocities.
+Velocities find_velocities(Articulate& a) {
   Velocities v;
   Lanes kinetic = lanes(0.0), fastest2 = lanes(0.0);
   Wave done;
-  clear_hubs(a);
   for (const Wave& wave : a.waves) {
     for (; done.batches < wave.batches; done.batches++) {
       const NodeBatch& n = a.batches[done.batches];
@@ -67,9 +66,7 @@ Velocities start_solution(Articulate& a) {
       find_forbidden_velocity(a, done.rows);
       if (row.kind == RowKind::strand) row.residual = forbidden_of_strand(a, done.rows);
       v.forbidden = std::max(v.forbidden, norm2(row.residual));
-      a.right_side[done.rows] = row.residual * -1.0;
     }
-    for (; done.columns < wave.columns; done.columns++) a.factor.substitute_forward(done.columns, a.right_side.data());
   }
   v.kinetic = sum(kinetic);
   v.fastest = largest_lane(fastest2);
@@ -83,6 +80,13 @@ Velocities start_solution(Articulate& a) {
 struct ImpulseWork {
   double ends = 0.0, couples = 0.0;
 };
+
+/// Takes the residuals through the first half of a solution on the factor at hand.
+void start_solution(Articulate& a) {
+  for (std::size_t k = 0; k < a.rows.size(); k++) a.right_side[k] = a.rows[k].residual * -1.0;
+  clear_hubs(a);
+  for (std::uint32_t k = 0; k < a.factor.rows; k++) a.factor.substitute_forward(k, a.right_side.data());
+}
 
 /// Finishes the solution of the half solved right side and applies the impulses.
 ImpulseWork apply_projection(Articulate& a) {
@@ -125,8 +129,9 @@ bool project_with_newton_factor(Articulate& a, const Velocities& before, double&
   }
   double done = 0.0;
   for (int i = 0; i < 3; i++) {
+    start_solution(a);
     done += apply_projection(a).ends;
-    const Velocities after = start_solution(a);
+    const Velocities after = find_velocities(a);
     if (after.forbidden > 0.2 * before.forbidden + 1e-12 * before.fastest) continue;
     if (after.kinetic > before.kinetic * (1.0 + 1e-12) + std::fabs(done)) break;
     work += done;
@@ -134,7 +139,7 @@ bool project_with_newton_factor(Articulate& a, const Velocities& before, double&
   }
   read_momenta(a);
   std::fill(a.impulses.begin(), a.impulses.end(), zero3());
-  start_solution(a);
+  find_velocities(a);
   a.projection_wait = 100;
   return false;
 }
@@ -195,14 +200,14 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   std::fill(a.impulses.begin(), a.impulses.end(), zero3());
   find_kept(a);
   read_momenta(a);
-  const Velocities before = start_solution(a);
+  const Velocities before = find_velocities(a);
   if (!project_with_newton_factor(a, before, report.work)) {
     report.projections++;
     a.has_factor = false;
     factorise_exactly(a, 1e-10);
     const ImpulseWork done = apply_projection(a);
     if (struck(a)) {
-      report.limit += start_solution(a).kinetic - before.kinetic;
+      report.limit += find_velocities(a).kinetic - before.kinetic;
     } else {
       report.work += done.ends;
       report.motor += done.couples;
@@ -222,15 +227,16 @@ void make_consistent(Articulate& a) {
   find_kept(a);
   for (double epsilon = 1e-10;; epsilon *= 100.0) {
     read_momenta(a);
-    Velocities v = start_solution(a);
+    Velocities v = find_velocities(a);
     if (v.forbidden <= 1e-13 * v.fastest) break;
     const double sane = std::max(1.001 * v.kinetic, 0.5 * a.total_mass * anchors);
     factorise_exactly(a, epsilon);
     for (int i = 0; i < 3; i++) {
       const double last = v.forbidden;
       if (last < 1e-13 * v.fastest) break;
+      if (i > 0) start_solution(a);
       apply_projection(a);
-      v = start_solution(a);
+      v = find_velocities(a);
       if (v.forbidden > 0.5 * last) break;
     }
     if (v.kinetic <= sane || epsilon > 1e-3) break;

@@ -15,12 +15,6 @@ namespace pantin {
 
 namespace {
 
-void settle(Node& n) {
-  n.x1 = n.x0;
-  n.q1 = n.q0;
-  n.R1 = n.R0;
-}
-
 /// What pulls by a law keeps its length in a safe step, and with it its energy.
 void hold_stiff(Articulate& a) {
   for (Row& row : a.rows) {
