@@ -1,0 +1,88 @@
+// What a new constraint finds far away it draws in critically damped (Barzel and Barr 1988): the deviation follows
+// (1 + t/τ) exp(-t/τ).
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
+#include <memory>
+
+#include "model/path.hpp"
+#include "step.hpp"
+#include "support/cases.hpp"
+#include "world/constrain.hpp"
+
+using namespace pantin;
+
+namespace {
+
+constexpr double tau = 0.2;
+
+PointId particle_at(World& world, Vec3 at) {
+  ParticleDef def;
+  def.at = at;
+  return cases::point_of(world, add_particle(world, def));
+}
+
+/// Steps for two seconds; `deviation` of 1 at the start must follow the law to 1 %. What only pulls lets go at τ, where
+/// the law begins to slow down, and the rest is closed sooner.
+void check_approach(World& world, const std::function<double()>& deviation, bool both_ways = true) {
+  world.settings.gravity = zero3();
+  CHECK(deviation() == Approx(1.0).epsilon(1e-9));
+  while (world.time < 2.0) {
+    step(world);
+    const double s = world.time / tau, wanted = (1 + s) * std::exp(-s);
+    if (both_ways || s <= 1.0)
+      REQUIRE(std::fabs(deviation() - wanted) <= 0.01 * wanted + 1e-9);
+    else
+      REQUIRE(deviation() <= wanted + 1e-9);
+  }
+  CHECK(world.stats.safe_steps == 0);
+}
+
+}  // namespace
+
+TEST_CASE("approach: points to a nail, a place on a rod, a plane and a path") {
+  const double step_length = GENERATE(1.0 / 60, 1.0 / 240);
+  const int kind = GENERATE(0, 1, 2, 3);
+  CAPTURE(step_length, kind);
+  World world;
+  world.settings.step = step_length;
+  const PointId point = particle_at(world, vec(0.5, 1, 0));
+  if (kind == 0) add_nail(world, point, vec(0.5, 0, 0), tau);
+  if (kind == 1) {
+    const ConstraintId rod = add_rod(world, point, vec(0.5, -1, 0));
+    world.constraints[rod].time_constant = tau;
+    set_length(world, rod, 1.0);
+  }
+  if (kind == 2) add_on_plane(world, point, {vec(3, 0, 0), vec(0, 2, 0), tau});
+  if (kind == 3)
+    add_on_path(world, point, std::make_shared<const Path>(std::vector<Vec3>{zero3(), vec(1, 0, 0)}, false, false),
+                tau);
+  check_approach(world, [&] { return position(world, point)[1]; });
+}
+
+TEST_CASE("approach: the end of a free chain to a nail") {
+  World world;
+  const cases::Chain chain = cases::add_chain(world, {.links = 4, .pinned = false});
+  add_nail(world, chain.tails.back(), vec(3, 0, 0), tau);
+  check_approach(world, [&] { return position(world, chain.tails.back())[0] - 3; });
+}
+
+TEST_CASE("approach: a string that is too short, and distances and angles outside their limits") {
+  const double step_length = GENERATE(1.0 / 60, 1.0 / 240);
+  const int kind = GENERATE(0, 1, 2);
+  CAPTURE(step_length, kind);
+  World world;
+  world.settings.step = step_length;
+  if (kind < 2) {
+    const PointId a = particle_at(world, zero3()), b = particle_at(world, vec(3, 0, 0));
+    if (kind == 0) add_string(world, {{a, zero3()}, {b, zero3()}}, {2.0, tau});
+    if (kind == 1) add_limit(world, a, b, {0.5, 2.0, tau});
+    return check_approach(
+        world, [&] { return norm(position(world, b) - position(world, a)) - 2.0; }, false);
+  }
+  const BodyId body = cases::add_rod_body(world, 1, 1);
+  add_nail(world, cases::point_of(world, body, 0));
+  const ConstraintId limit = add_limit(world, body, {}, vec(0, 0, 1), {1.0, 2.0, tau});
+  check_approach(
+      world, [&] { return 1.0 - world.constraints[limit].angle; }, false);
+}
