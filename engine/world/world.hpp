@@ -122,7 +122,7 @@ struct World : Model {
   std::uint64_t steps = 0;       ///< done
   double step_origin = 0.0;      ///< [s] time at the last change of the step's length
   std::uint64_t step_count = 0;  ///< steps since then
-  StepPart part;                     ///< of the step
+  StepPart part;                 ///< of the step
   std::uint64_t instant = 0;     ///< number of the instant that the forces are of: parts done since the start
   double kick_error = 0.0;       ///< [1/s] largest in the step, where `accuracy` wants to know it
   SubSteps sub_steps;            ///< full ones, each with kicks and a projection of its own, that `accuracy` asks for
