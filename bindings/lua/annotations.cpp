@@ -84,6 +84,7 @@ function quat_methods:inverse() end
 ---@field energy_return number [J] given back of that
 ---@field safe_step number [J] taken by safe steps, since it is kept
 ---@field integrator number [J] that the integrators euler and rk4 gave by being inexact, since it is kept
+---@field unsolved number [J] of forces on what the iteration left open within its tolerance, since it is kept
 ---@field since number? [s] when all began to be kept; nil, and so the fields below: not yet
 ---@field gravity number? [J] given to the motion since then
 ---@field closure number? what no line explains of the kinetic energy, relative to all lines: a test of the program

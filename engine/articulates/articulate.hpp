@@ -150,14 +150,17 @@ struct Gaps {
 /// What a drift, or a projection of velocities, did: for counting and the balance of energy.
 struct DriftReport {
   std::uint32_t iterations = 0, factorisations = 0, halved = 0, safe = 0, projections = 0, offsets = 0;
-  bool unreached = false;  // the wanted accuracy
-  double open_work = 0.0;  // [J] of solved laws without energy, and what the end of the step swallowed
-  double work = 0.0;       // [J] of the world ends, changing lengths, pushes and twists
-  double motor = 0.0;      // [J] of motors, and of turns and angles that follow a function of time
-  double limit = 0.0;      // [J] of limits, and of all rows where one is struck
-  double met = 0.0;        // [J] of making velocities consistent after an edit
-  double projected = 0.0;  // [J] of the half of a projection that was carried over
-  double returned = 0.0;   // [J] given back of what the projection took
+  bool unreached = false;   // the wanted accuracy
+  double open_work = 0.0;   // [J] of solved laws without energy, and what the end of the step swallowed
+  double work = 0.0;        // [J] of the world ends, changing lengths, pushes and twists
+  double motor = 0.0;       // [J] of motors, and of turns and angles that follow a function of time
+  double limit = 0.0;       // [J] of limits, and of all rows where one is struck
+  double met = 0.0;         // [J] of making velocities consistent after an edit
+  double projected = 0.0;   // [J] of the half of a projection that was carried over
+  double dissipated = 0.0;  // [J] change of the energy in safe steps that nothing from outside made
+  double unsolved = 0.0;    // [J] of forces on gaps that the iteration left open; only where the ledger is kept
+  double round_off = 0.0;   // [J] of the work of rows; the same
+  double returned = 0.0;    // [J] given back of what the projection took
 };
 
 /// Sums over nodes, for the balance of energy.
@@ -186,6 +189,7 @@ struct Articulate {
   std::vector<Meeting> meetings;
   std::vector<Strand> strands;
   std::vector<Hub> hubs;
+  std::vector<Node> saved;                   // as they were: where a safe step goes back to, and for the ledger
   std::vector<std::uint32_t> first_meeting;  // (nodes + 1); hubs have none
   RowLists on;                               // (nodes) the rows that a node is in, rising
   std::vector<Wave> waves;                   // ends of the stretches; the last reaches all
@@ -205,28 +209,30 @@ struct Articulate {
   /// Relative compliance of the factor, between `least_epsilon` and `most_epsilon`: sets the speed of convergence, never
   /// the answer. Redundant loops that change shape want much, large mass ratios and long chains little. Rows without a
   /// loop are never redundant.
-  static constexpr double least_epsilon = 1e-10;
-  double most_epsilon = 1e-6, epsilon = 1e-6;
+  double least_epsilon = 1e-10, most_epsilon = 1e-6, epsilon = most_epsilon;
   std::uint32_t good_steps = 0, wait = 20, projection_wait = 0;
   bool lowered = false;  // epsilon was lowered in this step
   bool all_rigid = true;
-  bool couples = false;      // has rows that tie rotations
-  bool limited = false;      // has limited rows
-  bool breakable = false;    // has constraints that may break
-  bool open = false;         // has rows that take energy or give it
-  bool yields = false;       // has no row but soft ones: its velocities are free
-  bool has_factor = false;   // the factor is of a Newton matrix
-  bool safe = false;         // the last step was a safe one
-  bool offsets = false;      // gaps of rows were accepted
-  bool edited = true;        // new: velocities are still to be made consistent
-  bool arrived = false;      // at the end of the full sub-step, by a safe step
-  bool smooth = true;        // no part of the full sub-step was halved or safe
-  bool weak = false;         // the last factor had weak pivots: its multipliers are not all determined
-  bool pulled = false;       // laws act on it: its kinetic energy is no longer gravity's alone
-  SubSteps sub_steps;        // in each part of a step
-  std::uint64_t serial = 0;  // smallest of its things
-  DriftReport report;        // of the last phase
-  NodeTotals totals;         // at the end of the last step
+  bool couples = false;          // has rows that tie rotations
+  bool tree = false;             // its rows make no loop: all are independent
+  bool limited = false;          // has limited rows
+  bool breakable = false;        // has constraints that may break
+  bool open = false;             // has rows that take energy or give it
+  bool yields = false;           // has no row but soft ones: its velocities are free
+  bool has_factor = false;       // the factor is of a Newton matrix
+  bool safe = false;             // the last step was a safe one
+  bool offsets = false;          // gaps of rows were accepted
+  bool edited = true;            // new: velocities are still to be made consistent
+  bool torn = false;             // by an edit, and still open
+  std::uint32_t open_steps = 0;  // in a row that ended with a gap beyond the tolerance
+  bool arrived = false;          // at the end of the full sub-step, by a safe step
+  bool smooth = true;            // no part of the full sub-step was halved or safe
+  bool weak = false;             // the last factor had weak pivots: its multipliers are not all determined
+  bool pulled = false;           // laws act on it: its kinetic energy is no longer gravity's alone
+  SubSteps sub_steps;            // in each part of a step
+  std::uint64_t serial = 0;      // smallest of its things
+  DriftReport report;            // of the last phase
+  NodeTotals totals;             // at the end of the last step
 };
 
 /// Whether a row forbids no motion, and only pulls.
@@ -273,6 +279,7 @@ struct DriftSettings {
   Vec3 gravity;      ///< [m/s²]
   double tolerance;  ///< of a gap that cannot be closed, relative to the articulate's length
   bool energy_return;
+  bool ledger;                  ///< tell also what only the ledger asks for
   double from = 0.0, to = 1.0;  ///< the part of the step to move over
   double full = 0.0;       ///< [s] length of the full sub-step that the part belongs to: from projection to projection
   bool first = true;       ///< the part is the first of its full sub-step

@@ -114,7 +114,8 @@ void find_dimensions(Articulate& a, const Model& model) {
   for (const Node& node : a.nodes) a.total_mass += node.mass;
   find_reaches(a);
   find_free_axes(a);
-  if (is_tree(a)) a.most_epsilon = Articulate::least_epsilon;
+  a.tree = is_tree(a);
+  if (a.tree) a.least_epsilon = a.most_epsilon = 1e-16;
   a.epsilon = std::min(a.epsilon, a.most_epsilon);
 }
 

@@ -30,7 +30,9 @@ void drift_part(Articulate& a, const DriftSettings& settings, double from, doubl
   const double h = settings.h * (to - from);
   set_conditions(a, from, to);
   if (a.gaps.open > 1e-8 * a.length) return arrive_safely(a, settings, from, to, report);
+  if (settings.ledger) a.saved = a.nodes;
   if (solve_step(a, h, settings.gravity, report)) {
+    if (settings.ledger) add_unsolved_work(a, h, report);
     for (Condition& c : a.conditions) c.angle0 = c.angle1;
     measure_gaps(a);
     a.last_h = h;
@@ -64,6 +66,8 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
       const double before = kinetic_energy(a);
       make_consistent(a);
       report.met += kinetic_energy(a) - before;
+    } else {
+      a.torn = true;
     }
     a.edited = false;
   }
@@ -79,6 +83,11 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   for (std::uint32_t i = 0; i < count; i++)
     drift_part(a, settings, settings.from + way * i, i + 1 == count ? settings.to : settings.from + way * (i + 1), 0,
                report);
+  if (a.torn && report.dissipated > 0.0) {  // drawing together what an edit tore apart lifted something
+    report.met += report.dissipated;
+    report.dissipated = 0.0;
+  }
+  a.torn = a.torn && a.gaps.open > 1e-8 * a.length;
 }
 
 }  // namespace pantin

@@ -129,10 +129,13 @@ bool may_return(const Articulate& a) {
 }  // namespace
 
 double return_energy(Articulate& a, double kinetic, Vec3 gravity) {
-  if (!may_return(a)) return 0.0;
+  return may_return(a) ? change_kinetic_energy(a, kinetic - kinetic_energy(a), 1.2, gravity) : 0.0;
+}
+
+double change_kinetic_energy(Articulate& a, double change, double most, Vec3 gravity) {
   const RigidMotion rigid = kept_motion(a, gravity);
   if (!(rigid.relative > 1e-9 * rigid.kinetic)) return 0.0;
-  const double factor = std::min(1.2, std::sqrt(std::max(0.0, 1.0 + (kinetic - rigid.kinetic) / rigid.relative)));
+  const double factor = std::min(most, std::sqrt(std::max(0.0, 1.0 + change / rigid.relative)));
   for (Node& n : a.nodes) {
     const Vec3 p = (rigid.V + cross(rigid.w, n.x0 - rigid.X)) * n.mass;
     n.p0 = p + (n.p0 - p) * factor;

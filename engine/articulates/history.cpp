@@ -65,6 +65,8 @@ void History::hand_on(Articulate& to) const {
     to.weak = to.weak || from.weak;
     to.safe = to.safe || from.safe;
     to.edited = to.edited || from.edited || from.offsets;
+    to.torn = to.torn || from.torn;
+    to.open_steps = std::max(to.open_steps, from.open_steps);
     if (from.epsilon < from.most_epsilon) to.epsilon = std::min(to.epsilon, from.epsilon);
     to.projection_wait = std::max(to.projection_wait, from.projection_wait);
     to.gaps.points = std::fmax(to.gaps.points, from.gaps.points);

@@ -97,7 +97,7 @@ void finish_diagonal(Articulate& a, std::uint32_t k, const System& system) {
   if (is_soft(row)) compliance = 0.0;
   for (int i = 0; i < 3; i++) {
     d[i][i] += compliance;
-    a.factor.floor[k][i] = std::fabs(d[i][i]) * Factor::redundant;
+    a.factor.floor[k][i] = std::fabs(d[i][i]) * (a.tree ? 1e-16 : Factor::redundant);
   }
 }
 
@@ -125,6 +125,7 @@ void set_right_side(Articulate& a, std::uint32_t k, const System& system) {
 }
 
 Mat3x4 weight(const Articulate& a, std::size_t b, const System& system) {
+  if (!system.turns) return congruent(rotations(a, b, &Node::R0), zero3x4());
   if (system.right == Arms::mean) return weight(a.batches[b], system.h);
   const Mat3x4 R = rotations(a, b, system.right == Arms::start ? &Node::R0 : &Node::R1);
   return congruent(R, a.batches[b].inverse_inertia);

@@ -52,25 +52,36 @@ bool solve_alone(Node& n, double h) {
   return false;
 }
 
+/// Index of the principal axis whose inertia differs most from the other two, which are most alike.
+int most_distinct(Vec3 I) {
+  const double d01 = std::fabs(I[0] - I[1]), d12 = std::fabs(I[1] - I[2]), d20 = std::fabs(I[2] - I[0]);
+  return d01 <= d12 && d01 <= d20 ? 2 : d12 <= d20 ? 0 : 1;
+}
+
+/// Turns the body about its own axis by an angle, with the angular momentum fixed in the world.
+void turn_about(Node& n, int axis, double angle) {
+  const double c = functions::cos(angle), s = functions::sin(angle);
+  const int j = (axis + 1) % 3, k = (axis + 2) % 3;
+  const double y = n.P0[j], z = n.P0[k];
+  n.P0[j] = c * y + s * z;
+  n.P0[k] = c * z - s * y;
+  Vec3 u = zero3();
+  u[axis] = functions::sin(0.5 * angle);
+  n.q0 = n.q0 * Quat{functions::cos(0.5 * angle), u[0], u[1], u[2]};
+}
+
 }  // namespace
 
 void turn_freely(Node& n, double h) {
-  const auto turn = [&](int axis, double time) {
-    const double angle = n.P0[axis] * n.inverse_inertia[axis] * time;
-    const double c = functions::cos(angle), s = functions::sin(angle);
-    const int j = (axis + 1) % 3, k = (axis + 2) % 3;
-    const double y = n.P0[j], z = n.P0[k];
-    n.P0[j] = c * y + s * z;
-    n.P0[k] = c * z - s * y;
-    Vec3 u = zero3();
-    u[axis] = functions::sin(0.5 * angle);
-    n.q0 = n.q0 * Quat{functions::cos(0.5 * angle), u[0], u[1], u[2]};
-  };
-  turn(2, 0.5 * h);
-  turn(1, 0.5 * h);
-  turn(0, h);
-  turn(1, 0.5 * h);
-  turn(2, 0.5 * h);
+  const int axis = most_distinct(n.inertia), j = (axis + 1) % 3, k = (axis + 2) % 3;
+  const Vec3 O = n.inverse_inertia;
+  const auto correct = [&] { turn_about(n, k, n.P0[k] * (O[k] - O[j]) * (0.5 * h)); };
+  correct();
+  const double size = norm(n.P0), angle = size * O[j] * h;  // of a symmetric top, about its angular momentum
+  const Vec3 u = direction(n.P0) * functions::sin(0.5 * angle);
+  n.q0 = n.q0 * Quat{functions::cos(0.5 * angle), u[0], u[1], u[2]};
+  turn_about(n, axis, n.P0[axis] * (O[axis] - O[j]) * h);  // and about itself
+  correct();
   n.q0 = normalised(n.q0);
   n.R0 = matrix(n.q0);
   n.O0 = n.inverse_inertia * n.P0;

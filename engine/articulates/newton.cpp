@@ -3,6 +3,7 @@
 #include "articulates/newton.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "articulates/batches.hpp"
 #include "articulates/couple.hpp"
@@ -101,7 +102,8 @@ double start_iteration(Articulate& a, double h, Vec3 gravity, Goal& goal) {
   prediction.end();
   const double speed2 = std::max(norm(gravity) * a.length, largest_lane(extent.speed2));
   goal.round_off = 8e-16 * std::max(a.length, largest_lane(extent.place));
-  goal.tolerance = std::max(3e-11 * std::fabs(h) * std::sqrt(speed2), goal.round_off);
+  const double wanted = std::min(3e-11 * std::fabs(h) * std::sqrt(speed2), 5e-11 * a.length);
+  goal.tolerance = std::max(wanted, goal.round_off);
   return e;
 }
 
@@ -132,7 +134,7 @@ double find_direction(Articulate& a, double h) {
 }
 
 void lower_epsilon(Articulate& a) {
-  a.epsilon = std::max(Articulate::least_epsilon, 0.1 * a.epsilon);
+  a.epsilon = std::max(a.least_epsilon, 0.1 * a.epsilon);
   a.good_steps = 0;
   if (!a.lowered) a.wait = std::min(2 * a.wait, 2000u);
   a.lowered = true;
@@ -168,7 +170,7 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
     const System system{Arms::mean, a.epsilon, 2.0 / (h * h), -2.0 / (h * h), h};
     if (!have_factor || !serves) {
       old_uses = 0;
-      a.weak = factorise(a, system);
+      a.weak = factorise(a, system) && !a.tree;
       a.has_factor = have_factor = fresh = true;
       report.factorisations++;
     } else {
@@ -185,7 +187,7 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
       e = attempt(a, h, 0.0);
       gain = 1.0;
       if (!fresh) continue;
-      if (e < 1e-4 * a.length && e > 100.0 * tolerance && a.epsilon > Articulate::least_epsilon) {
+      if (e < 1e-4 * a.length && e > 100.0 * tolerance && a.epsilon > a.least_epsilon) {
         lower_epsilon(a);
         fresh = false;
         continue;
@@ -193,7 +195,7 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
       return e < 100.0 * tolerance;
     }
     if (fresh && gain > 0.2 && e1 < 10.0 * round_off) return true;
-    if (fresh && gain > 0.2 && e < 1e-4 * a.length && a.epsilon > Articulate::least_epsilon) {
+    if (fresh && gain > 0.2 && e < 1e-4 * a.length && a.epsilon > a.least_epsilon) {
       lower_epsilon(a);
       gain = 1.0;
     }
@@ -230,6 +232,30 @@ void place_rows_at_start(Articulate& a) {
 void place_rows_at_end(Articulate& a) {
   for (std::size_t b = 0; b < a.batches.size(); b++) place_at_end(a, b);
   for (std::size_t k = 0; k < a.rows.size(); k++) { place_row_at_end(a, k); }
+}
+
+void add_unsolved_work(const Articulate& a, double h, DriftReport& report) {
+  const auto start = [&](std::int32_t node, Vec3 l) {
+    const Node& n = a.saved[static_cast<std::size_t>(node)];
+    return n.x0 + n.R0 * l;
+  };
+  for (const Row& r : a.rows) {
+    const double size = std::max(largest(first(a, r).x0), norm(r.d1));
+    report.round_off += std::numeric_limits<double>::epsilon() * norm(r.f) * size;
+    if (r.kind == RowKind::stiff || (r.condition >= 0 && condition(a, r).works)) continue;
+    if (r.lever > 0.0) {
+      report.unsolved += work_of_couple(a, r);
+      continue;
+    }
+    const Vec3 d0 = start(r.a, r.la) - (r.b >= 0 ? start(r.b, r.lb) : condition(a, r).place0);
+    report.unsolved += dot(r.f, r.d1 - d0);
+  }
+  for (std::size_t i = 0; i < a.nodes.size(); i++) {
+    const Node &n = a.nodes[i], &start_of = a.saved[i];
+    if (!n.turns) continue;
+    const Vec3 spin = (start_of.O0 + n.O0) * 0.5;
+    report.unsolved += dot(spin - transposed_times(start_of.R0, n.a) / h, n.P0 - start_of.P0);
+  }
 }
 
 void add_work_of_rows(Articulate& a, DriftReport& report) {

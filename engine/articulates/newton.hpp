@@ -9,6 +9,9 @@ bool solve_step(Articulate& articulate, double h, Vec3 gravity, DriftReport& rep
 
 /// Tells the work of world ends that move, of limited pulls, of lengths that change, of motors and limits, in the step just solved.
 void add_work_of_rows(Articulate& articulate, DriftReport& report);
+/// Work in the step just solved, of h [s], that is none when it is solved exactly: of forces on gaps, and of moments on
+/// what rotations miss; and what round-off of the places makes of the work of all rows. Articulate::saved: the nodes before.
+void add_unsolved_work(const Articulate& articulate, double h, DriftReport& report);
 
 /// Sets r and d of all rows at the start, from the nodes' starts and `place0`.
 void place_rows_at_start(Articulate& articulate);
@@ -25,6 +28,7 @@ enum class Arms : std::uint8_t { start, mean, end };
 struct System {
   Arms right;
   double epsilon, scale, right_scale, h = 0.0;
+  bool turns = true;  ///< nodes may turn; else they are only shifted
 };
 /// Fills and factorises the matrix and takes its right side through the first half of the solution, whose second half is
 /// `Factor::substitute_back`. Returns whether a pivot is weak.

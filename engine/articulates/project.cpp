@@ -204,7 +204,7 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   if (!project_with_newton_factor(a, before, report.work)) {
     report.projections++;
     a.has_factor = false;
-    factorise_exactly(a, 1e-10);
+    factorise_exactly(a, a.least_epsilon);
     const ImpulseWork done = apply_projection(a);
     if (struck(a)) {
       report.limit += find_velocities(a).kinetic - before.kinetic;
@@ -220,12 +220,14 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   if (settings.energy_return) report.returned += return_energy(a, before.kinetic - a.carried_energy, settings.gravity);
 }
 
-void make_consistent(Articulate& a) {
-  if (a.yields) return;
+double make_consistent(Articulate& a) {
+  if (a.yields) return 0.0;
   double anchors = 0.0;
   for (const Condition& c : a.conditions) anchors = std::max(anchors, norm2(c.velocity));
   find_kept(a);
-  for (double epsilon = 1e-10;; epsilon *= 100.0) {
+  double work = 0.0;
+  for (double epsilon = a.least_epsilon;; epsilon *= 100.0) {
+    work = 0.0;
     read_momenta(a);
     Velocities v = find_velocities(a);
     if (v.forbidden <= 1e-13 * v.fastest) break;
@@ -235,7 +237,8 @@ void make_consistent(Articulate& a) {
       const double last = v.forbidden;
       if (last < 1e-13 * v.fastest) break;
       if (i > 0) start_solution(a);
-      apply_projection(a);
+      const ImpulseWork done = apply_projection(a);
+      work += done.ends + done.couples;
       v = find_velocities(a);
       if (v.forbidden > 0.5 * last) break;
     }
@@ -243,6 +246,7 @@ void make_consistent(Articulate& a) {
   }
   tell_momenta(a);
   a.has_factor = false;
+  return work;
 }
 
 }  // namespace pantin

@@ -14,15 +14,20 @@ void project_velocities(Articulate& articulate, const DriftSettings& settings, D
 /// multipliers that are not all determined.
 void take_carried_half(Articulate& articulate, double full, DriftReport& report);
 
-/// Scales the motion relative to the kept rigid motion, by 1.2 at most, so that the kinetic energy is `kinetic` again [J].
-/// Spin that nothing couples to stays as it is; nothing is given back where an anchor moves or a pull is limited.
+/// Makes the kinetic energy `kinetic` again [J], as far as speeds 1.2 times as large do; nothing is given back where an
+/// anchor moves or a pull is limited. Returns what it gave [J].
 double return_energy(Articulate& articulate, double kinetic, Vec3 gravity);
+
+/// Scales the motion relative to the rigid motion that the anchors leave free, by `most` at most, to change the kinetic
+/// energy by `change` [J]. Spin that nothing couples to stays as it is. Returns by how much it changed [J].
+double change_kinetic_energy(Articulate& articulate, double change, double most, Vec3 gravity);
 
 /// Sets M and C of the rows for projections, from what velocities are forbidden: M = kept, C = 1 - M.
 void set_kept_matrices(Articulate& articulate);
 
 /// Makes momenta consistent after an edit (an inelastic meeting), with the least compliance that gives a sane energy:
-/// anchors may be near-singular or contradict each other. Arms at the nodes' ends; ends must equal starts.
-void make_consistent(Articulate& articulate);
+/// anchors may be near-singular or contradict each other. Arms at the nodes' ends; ends must equal starts. Returns the
+/// work of what moves by itself [J].
+double make_consistent(Articulate& articulate);
 
 }  // namespace pantin

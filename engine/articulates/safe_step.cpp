@@ -15,6 +15,13 @@ namespace pantin {
 
 namespace {
 
+/// Kinetic, and potential in gravity, [J].
+double mechanical_energy(const Articulate& a, Vec3 gravity) {
+  double energy = kinetic_energy(a);
+  for (const Node& n : a.nodes) energy -= n.mass * dot(gravity, n.x0);
+  return energy;
+}
+
 /// What pulls by a law keeps its length in a safe step, and with it its energy.
 void hold_stiff(Articulate& a) {
   for (Row& row : a.rows) {
@@ -34,8 +41,10 @@ void release_stiff(Articulate& a) {
   measure_gaps(a);
 }
 
-/// Forces of limited rows at the start of the step, softened as a backward step would; then all constant forces.
-void kick(Articulate& a, double h) {
+/// Forces of limited rows at the start of the step, softened as a backward step would, pushes and twists; tells what they
+/// give. Then gravity.
+void kick(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
+  const double before = kinetic_energy(a);
   for (Row& row : a.rows) {
     row.f = zero3();
     if (row.kind != RowKind::limited) continue;
@@ -53,10 +62,12 @@ void kick(Articulate& a, double h) {
     if (row.b >= 0) pull_node(row.b, row.lb, row.f * -1.0);
   }
   for (Node& n : a.nodes) {
-    n.p0 += n.force * h;
+    n.p0 += (n.force - gravity * n.mass) * h;
     n.P0 += transposed_times(n.R0, n.torque) * h;
     n.O0 = n.inverse_inertia * n.P0;
   }
+  report.work += kinetic_energy(a) - before;
+  for (Node& n : a.nodes) n.p0 += gravity * (n.mass * h);
 }
 
 /// Sets the residuals of the rows to their gaps, and M and C for a solve in the mass metric; returns Σ g² [m²].
@@ -77,7 +88,7 @@ double find_gaps(Articulate& a) {
   return std::isfinite(sum) ? sum : infinity;
 }
 
-void move_by_solution(Articulate& a) {
+void move_by_solution(Articulate& a, bool turns) {
   for (std::size_t b = 0; b < a.batches.size(); b++) {
     NodeBatch& n = a.batches[b];
     n.p = n.L = zero3x4();
@@ -89,7 +100,7 @@ void move_by_solution(Articulate& a) {
       node.q0 = node.q1;
       node.R0 = node.R1;
       node.x1 = node.x0 + straight[lane] * node.inverse_mass;
-      if (!node.turns) continue;
+      if (!node.turns || !turns) continue;
       const Vec3 u = inverse_inertia(node, node.R0) * turning[lane] * 0.5;
       node.q1 = normalised(Quat{1.0, u[0], u[1], u[2]} * node.q0);
       node.R1 = matrix(node.q1);
@@ -97,23 +108,34 @@ void move_by_solution(Articulate& a) {
   }
 }
 
-/// Closes the gaps of the nodes' ends by Levenberg and Marquardt, as far as it can.
+/// One step of Levenberg and Marquardt from the gaps at hand, in which nodes may turn or are only shifted. Returns Σ g²
+/// after it [m²].
+double try_to_close(Articulate& a, double epsilon, double scale, bool turns) {
+  factorise(a, {Arms::end, epsilon, scale, -1.0, 0.0, turns});
+  solve_hubs(a);
+  for (std::size_t k = a.rows.size(); k-- > 0;)
+    a.factor.substitute_back(static_cast<std::uint32_t>(k), a.right_side.data());
+  move_by_solution(a, turns);
+  return find_gaps(a);
+}
+
+/// Closes the gaps of the nodes' ends as far as it can. Where turns lead no further, one shift may: without loops it
+/// closes all.
 void close_gaps(Articulate& a, double tolerance) {
+  const double least = std::min(1e-12, a.least_epsilon);
   double sum = find_gaps(a), epsilon = 1e-6, scale = 0.0;
   if (!a.all_rigid)
     for (const Row& row : a.rows) scale = std::max(scale, mobility(a, row));
-  for (int i = 0; i < 40 && sum > tolerance * tolerance && epsilon <= 1e3; i++) {
-    factorise(a, {Arms::end, epsilon, scale, -1.0});
-    solve_hubs(a);
-    for (std::size_t k = a.rows.size(); k-- > 0;)
-      a.factor.substitute_back(static_cast<std::uint32_t>(k), a.right_side.data());
-    move_by_solution(a);
-    const double now = find_gaps(a);
+  bool slow = false, shifted = false;
+  for (int i = 0; i < 60 && sum > tolerance * tolerance; i++) {
+    const bool turns = epsilon <= 1e3 && !slow;
+    if (!turns && shifted) break;
+    shifted = shifted || !turns;
+    const double now = try_to_close(a, turns ? epsilon : least, scale, turns);
     if (now < sum) {
-      const bool slow = now > 0.998 * sum;
+      epsilon = turns ? std::max(least, 0.02 * epsilon) : 1e-6;
+      slow = turns && epsilon == least && now > 0.998 * sum;
       sum = now;
-      epsilon = std::max(1e-12, 0.02 * epsilon);
-      if (slow) break;
       continue;
     }
     for (Node& n : a.nodes) settle(n);
@@ -123,9 +145,47 @@ void close_gaps(Articulate& a, double tolerance) {
   measure_gaps(a);
 }
 
-/// A small gap that stays (a loop built a little too long) becomes the row's constant offset.
+/// Drifts freely, then closes the gaps as far as it can. Where that leaves more open than standing still would, the
+/// motion was too wild: again from the start at half the speed, and in the end at none.
+void drift_and_close(Articulate& a, double h, double tolerance) {
+  a.saved = a.nodes;
+  find_gaps(a);
+  double allowed = 1e-8 * a.length;
+  for (const Row& row : a.rows) allowed = std::max(allowed, norm(row.residual));
+  for (double speed = 1.0;; speed = speed > 1e-3 ? 0.5 * speed : 0.0) {
+    for (Node& n : a.nodes) {
+      n.p0 = n.p0 * speed;
+      n.P0 = n.P0 * speed;
+      n.x0 += n.p0 * (h * n.inverse_mass);
+      if (n.turns) turn_freely(n, h);
+      settle(n);
+    }
+    close_gaps(a, tolerance);
+    if (a.gaps.open <= allowed || speed == 0.0) return;
+    a.nodes = a.saved;
+  }
+}
+
+/// Energy that forces and pulls do not explain is taken out of the motion again, and so is what was carried over from the
+/// last projection, which no projection will take now.
+void only_dissipate(Articulate& a, double change, Vec3 gravity, DriftReport& report) {
+  const double too_much = change + std::max(a.carried_energy, 0.0);
+  a.carried_energy = 0.0;
+  if (too_much > 0.0) change += change_kinetic_energy(a, -too_much, 1.0, gravity);
+  report.dissipated += change;
+}
+
+/// Whether no anchor moves, and no length changes.
+bool is_still(const Articulate& a) {
+  return std::all_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) {
+    return norm2(c.velocity) == 0.0 && c.length_rate == 0.0 && same(c.whole0, c.whole1);
+  });
+}
+
+/// A small gap that stays (a loop built a little too long) becomes the row's constant offset: not one that is passing, nor
+/// one of rows without loops, which can always be closed.
 void accept_gaps(Articulate& a, double tolerance, DriftReport& report) {
-  if (a.gaps.open <= 1e-8 * a.length || a.gaps.open > tolerance * a.length) return;
+  if (a.tree || !is_still(a) || a.gaps.open <= 1e-8 * a.length || a.gaps.open > tolerance * a.length) return;
   for (Row& row : a.rows)
     if (row.kind != RowKind::limited) accept_gap(a, row);
   a.offsets = true;
@@ -136,18 +196,14 @@ void accept_gaps(Articulate& a, double tolerance, DriftReport& report) {
 }  // namespace
 
 void safe_step(Articulate& a, const DriftSettings& settings, double h, DriftReport& report) {
+  const double before = mechanical_energy(a, settings.gravity), outside = report.work;
   place_rows_at_start(a);
   hold_stiff(a);
   for (Node& n : a.nodes) settle(n);
-  kick(a, h);
+  kick(a, h, settings.gravity, report);
   place_rows_at_end(a);
-  make_consistent(a);
-  for (Node& n : a.nodes) {
-    n.x0 += n.p0 * (h * n.inverse_mass);
-    if (n.turns) turn_freely(n, h);
-    settle(n);
-  }
-  close_gaps(a, 1e-9 * h * std::sqrt(norm(settings.gravity) * a.length) + 1e-12 * a.length);
+  report.work += make_consistent(a);
+  drift_and_close(a, h, 1e-9 * h * std::sqrt(norm(settings.gravity) * a.length) + 1e-12 * a.length);
   for (Node& n : a.nodes) {
     n.x0 = n.x1;
     if (!n.turns) continue;
@@ -156,7 +212,9 @@ void safe_step(Articulate& a, const DriftSettings& settings, double h, DriftRepo
     n.O0 = n.inverse_inertia * n.P0;
   }
   accept_gaps(a, settings.tolerance, report);
-  make_consistent(a);
+  report.work += make_consistent(a);
+  const double change = mechanical_energy(a, settings.gravity) - before - (report.work - outside);
+  only_dissipate(a, change, settings.gravity, report);
   for (Row& row : a.rows)
     if (row.kind != RowKind::limited) row.f = zero3();
   for (Condition& c : a.conditions) c.angle0 = c.angle1;

@@ -1,9 +1,11 @@
 #include "articulates/drift.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "articulates/midpoint.hpp"
 #include "articulates/project.hpp"
+#include "articulates/rows.hpp"
 #include "articulates/stiff.hpp"
 #include "articulates/sub_steps.hpp"
 #include "base/check.hpp"
@@ -19,7 +21,8 @@ namespace {
 DriftSettings drift_settings(const World& world) {
   const Settings& s = world.settings;
   const StepPart& p = world.part;
-  return {s.step, s.gravity, s.tolerance, s.energy_return, p.from, p.to, p.full, p.first, rule_of(world).backwards};
+  return {s.step, s.gravity, s.tolerance, s.energy_return, world.ledger.kept,
+          p.from, p.to,      p.full,      p.first,         rule_of(world).backwards};
 }
 
 SubStepSettings sub_step_settings(const World& world) {
@@ -104,11 +107,39 @@ void count(World& world, const DriftReport& report) {
   world.ledger.posted += std::fabs(report.open_work);
   post_work(world, report);
   post(world, Source::edit, report.met);
-  post_carried(world, report.projected);
+  post_report(world, report);
   if (report.offsets > 0)
     log_line(world, "notice", "a gap that no motion can close was taken as a constant offset of its hinges");
   if (!report.unreached || world.stats.unreached++ > 0) return;
   log_line(world, "notice", "scene.accuracy is not reached: not even the most sub-steps are enough");
+}
+
+/// What ties by a row, for whoever reads of it.
+std::string describe_tie(const World& world, const Articulate& articulate, const Row& row) {
+  if (row.condition < 0) return describe(world, world.points[row.member].particle);
+  return describe(world, condition(articulate, row).constraint);
+}
+
+/// Names, once, what has stayed open for some steps: constraints contradict each other, or are pulled too far.
+void tell_open(World& world, Articulate& a) {
+  constexpr std::uint32_t some = 10;
+  a.open_steps = a.gaps.open > world.settings.tolerance * a.length ? a.open_steps + 1 : 0;
+  if (a.open_steps != some) return;
+  const Row* worst = nullptr;
+  double most = 0.0;
+  for (const Row& row : a.rows) {
+    const double open = is_soft(row) ? 0.0 : norm(gap(a, row));
+    if (open <= most) continue;
+    worst = &row;
+    most = open;
+  }
+  if (worst == nullptr) return;
+  const std::string what = describe_tie(world, a, *worst) + " cannot be kept: ";
+  const auto told = [&](const LogLine& line) { return line.text.starts_with(what); };
+  if (std::any_of(world.log.begin(), world.log.end(), told)) return;
+  log_line(
+      world, "warning",
+      text(what, "it is open by ", most, " m, and what ties the same things contradicts it, or pulls them too far"));
 }
 
 /// Moves every articulate by `move(articulate, worker)`; a first part begins with the state of the model.
@@ -120,6 +151,7 @@ void drift_articulates(World& world, Move move) {
     move(articulate, worker);
   });
   for (const auto& articulate : world.articulates) {
+    if (world.part.last) tell_open(world, *articulate);
     tell_tensions(*articulate, world);
     post_solved_laws(world, *articulate);
     count(world, articulate->report);

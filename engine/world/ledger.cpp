@@ -1,6 +1,7 @@
 #include "world/ledger.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "articulates/articulate.hpp"
 #include "world/forces.hpp"
@@ -24,7 +25,7 @@ double explained(const World& world) {
   const Ledger& l = world.ledger;
   return l.gravity + l.laws + outside(world) + l.given[number(Source::projection)] +
          l.given[number(Source::energy_return)] + l.given[number(Source::safe_step)] +
-         l.given[number(Source::integrator)];
+         l.given[number(Source::unsolved)] + l.given[number(Source::integrator)];
 }
 
 void post_inside(World& world, Source source, double joules) {
@@ -50,8 +51,9 @@ void keep_ledger(World& world) { world.ledger.wanted = true; }
 LedgerMark ledger_mark(const World& world, bool drifted) {
   LedgerMark m;
   if (!world.ledger.kept) return m;
-  m.told = outside(world) + world.ledger.laws + world.ledger.given[number(Source::projection)];
-  m.safe_steps = world.stats.safe_steps;
+  const Ledger& l = world.ledger;
+  m.told = outside(world) + l.laws + l.given[number(Source::projection)] + l.given[number(Source::safe_step)] +
+           l.given[number(Source::unsolved)];
   const Vec3 gravity = world.settings.gravity;
   const bool kicks = rule_of(world).kicks;
   for (std::size_t i = 0; i < world.loose_points.size(); i++) {
@@ -62,6 +64,7 @@ LedgerMark ledger_mark(const World& world, bool drifted) {
   const auto add = [&](double kinetic, double mass, Vec3 place) {
     m.kinetic += kinetic;
     m.falling -= mass * dot(gravity, place);
+    m.size += kinetic + mass * std::fabs(dot(gravity, place));
   };
   for (const std::uint32_t slot : world.loose_bodies)
     add(kinetic_of(world.motion[slot]), world.motion[slot].mass, world.motion[slot].x);
@@ -100,8 +103,12 @@ void post_kick(World& world, const LedgerMark& before, bool drifted) {
   post_gravity(world, now.kinetic - before.kinetic - (now.told - before.told));
 }
 
-void post_carried(World& world, double joules) {
-  if (world.ledger.kept) post_inside(world, Source::projection, joules);
+void post_report(World& world, const DriftReport& report) {
+  if (!world.ledger.kept) return;
+  post_inside(world, Source::projection, report.projected);
+  post_inside(world, Source::safe_step, report.dissipated);
+  post_inside(world, Source::unsolved, report.unsolved);
+  world.ledger.round_off += report.round_off;
 }
 
 void post_drift(World& world, const LedgerMark& before) {
@@ -109,10 +116,9 @@ void post_drift(World& world, const LedgerMark& before) {
   const LedgerMark now = ledger_mark(world, true);
   const double fall = before.falling - now.falling;
   post_gravity(world, fall);
-  const bool conserves = rule_of(world).conserves;
-  if (conserves && now.safe_steps == before.safe_steps) return;
-  post_inside(world, conserves ? Source::safe_step : Source::integrator,
-              now.kinetic - before.kinetic - (now.told - before.told) - fall);
+  world.ledger.round_off += 32.0 * std::numeric_limits<double>::epsilon() * (before.size + now.size);
+  if (rule_of(world).conserves) return;
+  post_inside(world, Source::integrator, now.kinetic - before.kinetic - (now.told - before.told) - fall);
 }
 
 void post_projection(World& world, const LedgerMark& before, double returned) {
@@ -131,7 +137,8 @@ void end_ledger(World& world) {
 }
 
 double closure(const World& world) {
-  return world.ledger.posted > 0.0 ? world.ledger.unexplained / world.ledger.posted : 0.0;
+  const double missed = world.ledger.unexplained - world.ledger.round_off;
+  return missed > 0.0 ? missed / world.ledger.posted : 0.0;
 }
 
 std::map<std::string, double> truncation(const World& world) {

@@ -10,12 +10,14 @@
 namespace pantin {
 
 struct World;
+struct DriftReport;
 
 /// What changes the energy, besides gravity and laws that have one.
 /// hand: hands, follows, moving anchors and lengths, pushes on what is tied. motor: also turns and angles that follow a
 /// function of time. limit: also all that ties what strikes one. event: kicks, pushes on what is loose. merge: what
 /// bodies and particles lose that become one body. law: parameters, connections made and removed, attributes that follow
-/// an age. integrator: what drifts of "euler" and "rk4" change that no force explains.
+/// an age. safe_step: what safe steps take. unsolved: forces on what Newton's iteration leaves open, within its
+/// tolerance. integrator: what drifts of "euler" and "rk4" change that no force explains.
 enum class Source : std::uint8_t {
   hand,
   motor,
@@ -29,14 +31,15 @@ enum class Source : std::uint8_t {
   projection,
   energy_return,
   safe_step,
+  unsolved,
   integrator
 };
-inline constexpr std::array<std::string_view, 13> source_names = {
-    "hand",    "motor",    "limit",      "event",         "edit",      "merge",     "emitter",
-    "removal", "law_edit", "projection", "energy_return", "safe_step", "integrator"};
+inline constexpr std::array<std::string_view, 14> source_names = {
+    "hand",    "motor",    "limit",      "event",         "edit",      "merge",    "emitter",
+    "removal", "law_edit", "projection", "energy_return", "safe_step", "unsolved", "integrator"};
 
 struct Ledger {
-  std::array<double, source_names.size()> given{};  ///< [J] since the start; the last four since it is kept
+  std::array<double, source_names.size()> given{};  ///< [J] since the start; the last five since it is kept
 
   bool wanted = false;  ///< to be kept from the next step on
   bool kept = false;
@@ -48,6 +51,7 @@ struct Ledger {
   std::map<std::string, double> before;  ///< [J] what each had given when keeping began
   double unexplained = 0.0;              ///< [J] sum over the steps of |change of the kinetic energy - posts|
   double posted = 0.0;                   ///< [J] sum of magnitudes of the posts
+  double round_off = 0.0;                ///< [J] that sums over all things may have made in `unexplained`
   double kinetic = 0.0, potential = 0.0, explained = 0.0;  ///< [J] at the start of the step, and until then
 };
 
@@ -57,7 +61,7 @@ void post(World& world, Source source, double joules);
 /// From the next step on all is kept; each law that has an energy is then run once more in each kick.
 void keep_ledger(World& world);
 
-/// |change of the kinetic energy - posts| / sum of |posts|, since the ledger is kept: a test of the code.
+/// |change of the kinetic energy - posts| beyond round-off / sum of |posts|, since the ledger is kept: a test of the code.
 double closure(const World& world);
 /// What the energy of a law (and of "gravity") changed by, and what its kicks gave: the step's own error, per law, [J].
 std::map<std::string, double> truncation(const World& world);
@@ -66,17 +70,17 @@ std::map<std::string, double> truncation(const World& world);
 struct LedgerMark {
   double kinetic = 0.0;  ///< [J]
   double falling = 0.0;  ///< [J] potential energy in gravity of what no kick gives it
-  double told = 0.0;     ///< [J] posted so far, but for gravity, return and safe steps
-  std::uint64_t safe_steps = 0;
+  double told = 0.0;     ///< [J] posted so far, but for gravity, return and the integrator
+  double size = 0.0;     ///< [J] sum of magnitudes of energies
 };
 /// `drifted`: what is tied has its state in the articulates.
 LedgerMark ledger_mark(const World& world, bool drifted);
 void begin_ledger(World& world);
 /// What changed the kinetic energy since the mark, but for work from outside: gravity, in a kick of loose points;
 void post_kick(World& world, const LedgerMark& before, bool drifted);
-/// in a drift, what of the projection was carried into it [J],
-void post_carried(World& world, double joules);
-/// gravity as far as things fell, and safe steps or the integrator's own errors;
+/// in a drift, what an articulate told of carried projection, safe steps and what stayed unsolved;
+void post_report(World& world, const DriftReport& report);
+/// gravity as far as things fell, and the integrator's own errors;
 void post_drift(World& world, const LedgerMark& before);
 /// in a projection, `returned` [J] and the rest.
 void post_projection(World& world, const LedgerMark& before, double returned);

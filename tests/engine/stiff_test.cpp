@@ -5,6 +5,7 @@
 #include "laws/library.hpp"
 #include "step.hpp"
 #include "support/cases.hpp"
+#include "support/endure.hpp"
 #include "support/watch.hpp"
 #include "world/constrain.hpp"
 #include "world/edit.hpp"
@@ -90,6 +91,23 @@ TEST_CASE("stiff: springs from 1e2 to 1e12 N/m in every second hinge keep their 
     CHECK(world.stats.safe_steps == 0);
     CHECK(worst <= 3e-9);
   }
+}
+
+TEST_CASE("stiff: they do at every step length") {
+  for (double k = 1e2; k <= 1e12; k *= 1e5)
+    endure_at(
+        step_lengths, text("I springs of ", k, " N/m"), 1.0, 1.0,
+        [k](World& world) {
+          const double step = world.settings.step;
+          hang_on_springs(world, k);
+          world.settings.step = step;
+          world.settings.energy_return = true;
+          return Action{};
+        },
+        [](const World&, const Endured& run) {
+          CHECK(run.energy <= 3e-9);
+          CHECK(run.safe == 0);
+        });
 }
 
 TEST_CASE("stiff: a spring swings as its closed form says, at second order") {
