@@ -147,6 +147,8 @@ int scene_bonding(lua_State* state) {
   }
   require(def.families.size() == 1 || def.families.size() == 2, "bonding: families must be one or two, got ",
           def.families.size());
+  require(def.families.size() == 1 || !(def.families[0] == def.families[1]),
+          "bonding: the two families are one; give it once");
   const auto needed = [&](const char* name, const char* unit) {
     const auto value = o.number(name, unit);
     require(value.has_value(), "bonding: ", name, " [", unit, "] is missing");

@@ -26,9 +26,12 @@ int check_wait(lua_State* state) {
   return 0;
 }
 
+const char by_wait = 0;  // its address marks what `wait` yields
+
 int wait(lua_State* state) {
   guard<check_wait>(state);
-  return lua_yield(state, 1);
+  lua_pushlightuserdata(state, const_cast<char*>(&by_wait));
+  return lua_yield(state, 2);
 }
 
 class Coroutine {
@@ -68,12 +71,14 @@ class Coroutine {
     }
     if (status == LUA_OK) return {};
     if (status != LUA_YIELD) return fail(state), std::nullopt;
+    require(results == 2 && lua_touserdata(thread_, -1) == &by_wait, place_,
+            ": play: it waits by wait(…), not by coroutine.yield");
     Wait wanted;
-    if (lua_isfunction(thread_, -1)) {
-      const Callback until(thread_, lua_gettop(thread_));
+    if (lua_isfunction(thread_, -2)) {
+      const Callback until(thread_, lua_gettop(thread_) - 1);
       wanted.until = [until, &script = script_, over = over_] { return asked(until, script, *over); };
     } else {
-      wanted.delay = lua_tonumber(thread_, -1);
+      wanted.delay = lua_tonumber(thread_, -2);
     }
     lua_pop(thread_, results);
     return wanted;

@@ -1,7 +1,8 @@
 #pragma once
-// Stops a script that takes too much processor time of its thread, which what else runs on the machine does not lengthen. A hook in place would cost half the speed of tight loops, so one is set only when
-// the time is up: a thread looks every few milliseconds and sends the script's thread a signal, whose handler sets the
-// hook (the one thing Lua allows there). The hook raises at every instruction, so that `pcall` cannot swallow it.
+// Stops a script that takes too much processor time of its thread, which what else runs on the machine does not
+// lengthen. A hook in place would cost half the speed of tight loops, so one is set only when the time is up: a thread
+// looks every few milliseconds and sends the script's thread a signal, whose handler sets the hook (the one thing Lua
+// allows there). The hook raises at every instruction, so that `pcall` cannot swallow it.
 #include <pthread.h>
 #include <lua.hpp>
 
@@ -18,8 +19,8 @@ struct Watch {
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
-  /// Begins a call that may take `seconds` of its thread's processor time (0: as long as it likes); nested calls share the time of the outermost.
-  /// Returns the watch of this thread so far, to be given to `leave`.
+  /// Begins a call that may take `seconds` of its thread's processor time (0: as long as it likes); nested calls share
+  /// the time of the outermost. Returns the watch of this thread so far, to be given to `leave`.
   Watch* enter(lua_State* state, double seconds);
   void leave(Watch* previous);
   /// Moves to another coroutine, which meets its end too if the time is up.

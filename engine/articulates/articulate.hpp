@@ -43,8 +43,9 @@ struct alignas(64) Node {
 
 /// What a row wants: rigid keeps two points together; limited draws one to a place with a force up to a limit; rod
 /// keeps a distance or keeps it in a range; plane keeps a point on a plane; strand is a segment of a string; path keeps
-/// a point on a path; stiff pulls by a law; drawn has two points approach each other. Of couples, rigid keeps an orientation, axis keeps two axes together, align
-/// keeps the angle between them, turn drives the angle about an axis or keeps it in a range.
+/// a point on a path; stiff pulls by a law; drawn has two points approach each other. Of couples, rigid keeps an
+/// orientation, axis keeps two axes together, align keeps the angle between them, turn drives the angle about an axis
+/// or keeps it in a range.
 enum class RowKind : std::uint8_t { rigid, limited, rod, plane, axis, align, turn, strand, path, stiff, drawn };
 
 struct StiffTie;
@@ -118,7 +119,6 @@ struct Meeting {
 struct StrandMeeting {
   std::uint32_t segment, column, node, block;
   bool upper;
-  bool segment_at_a, column_at_a;
 };
 /// The block of a segment and its string's head.
 struct StrandLink {

@@ -1,6 +1,7 @@
 #pragma once
 // Predicts the unknowns of a step by polynomials through those of the last ones, of the order that was least wrong of
-// late, and of the first where the motion is too rough for others. The steps may be of any lengths: modified divided differences (Krogh 1969; Shampine and Gordon 1975).
+// late, and of the first where the motion is too rough for others. The steps may be of any lengths: modified divided
+// differences (Krogh 1969; Shampine and Gordon 1975).
 #include <array>
 #include <cstdint>
 #include <vector>

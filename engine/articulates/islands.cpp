@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "articulates/build.hpp"
+#include "articulates/conditions.hpp"
 
 namespace pantin {
 
@@ -68,7 +69,7 @@ class Search {
   }
   void visit(const Constraint& c) {
     if (!c.enabled) return;
-    constrained_ = true;
+    constrained_ = constrained_ || c.kind != ConstraintKind::string || !plan_rows(model_, c).empty();
     c.each_point([&](PointId point) { add(point); });
     for (BodyId body : {c.body_a, c.body_b})
       if (body) add(Thing{body.slot - 1, true});

@@ -121,20 +121,23 @@ void factorise_exactly(Articulate& a, double epsilon) {
 }
 
 /// The step's own factor is a cheap approximation of S1, so it is used up to three times; false where it does not serve.
-bool project_with_newton_factor(Articulate& a, const Velocities& before, double& work) {
+bool project_with_newton_factor(Articulate& a, const Velocities& before, DriftReport& report) {
   if (!a.all_rigid || !a.has_factor) return false;
   if (a.projection_wait > 0) {
     a.projection_wait--;
     return false;
   }
-  double done = 0.0;
+  ImpulseWork done;
   for (int i = 0; i < 3; i++) {
     start_solution(a);
-    done += apply_projection(a).ends;
+    const ImpulseWork now = apply_projection(a);
+    done.ends += now.ends;
+    done.couples += now.couples;
     const Velocities after = find_velocities(a);
     if (after.forbidden > 0.2 * before.forbidden + 1e-12 * before.fastest) continue;
-    if (after.kinetic > before.kinetic * (1.0 + 1e-12) + std::fabs(done)) break;
-    work += done;
+    if (after.kinetic > before.kinetic * (1.0 + 1e-12) + std::fabs(done.ends + done.couples)) break;
+    report.work += done.ends;
+    report.motor += done.couples;
     return true;
   }
   read_momenta(a);
@@ -201,7 +204,7 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   find_kept(a);
   read_momenta(a);
   const Velocities before = find_velocities(a);
-  if (!project_with_newton_factor(a, before, report.work)) {
+  if (!project_with_newton_factor(a, before, report)) {
     report.projections++;
     a.has_factor = false;
     factorise_exactly(a, a.least_epsilon);

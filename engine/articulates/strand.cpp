@@ -99,8 +99,7 @@ void find_strand_meetings(const Articulate& a, Strand& strand, std::uint32_t seg
     const bool upper = strand.head < c;
     const std::uint32_t block =
         c == strand.head ? c : a.factor.block(std::max(c, strand.head), std::min(c, strand.head));
-    strand.meetings.push_back(
-        {segment, c, static_cast<std::uint32_t>(node), block, upper, a.rows[segment].a == node, row.a == node});
+    strand.meetings.push_back({segment, c, static_cast<std::uint32_t>(node), block, upper});
   }
 }
 

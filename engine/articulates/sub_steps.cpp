@@ -55,7 +55,7 @@ template <class Thing, class Move, class Difference>
 bool move_by_trial(Thing& thing, Thing& start, Thing& other, SubSteps& n, double h, double accuracy, Move move,
                    Difference differ) {
   if (n.quiet >= patience) n = halved(n);
-  const std::uint16_t passed = n.wait;
+  const auto passed = static_cast<std::uint16_t>(n.wait - n.left);
   n.wait = std::min<std::uint16_t>(longest_wait, static_cast<std::uint16_t>(2 * n.wait));
   start = thing;
   move(thing, n.count);

@@ -151,7 +151,7 @@ void drift_articulates(World& world, Move move) {
     move(articulate, worker);
   });
   for (const auto& articulate : world.articulates) {
-    if (world.part.last) tell_open(world, *articulate);
+    if (world.part.index + 1 == parts(world)) tell_open(world, *articulate);
     tell_tensions(*articulate, world);
     post_solved_laws(world, *articulate);
     count(world, articulate->report);

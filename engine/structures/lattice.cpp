@@ -144,6 +144,7 @@ Structure lattice(std::string_view name, const LatticeCells& cells, double edge)
       if (grid.has(other)) s.edges.push_back({v, number[grid.site(other)]});
     }
   s = without_loose_ends(s, kind.least);
+  require(!s.vertices.empty(), "lattice: so few cells leave only loose ends; take more");
   if (kind.flat) add_flat_faces(s);
   return s;
 }

@@ -16,9 +16,10 @@ ChemicalElement data_of(const gemmi::Element& element) {
 }
 
 bool is_first_alternative(const gemmi::Residue& residue, const gemmi::Atom& atom) {
+  if (atom.altloc == '\0') return true;
   for (const gemmi::Atom& other : residue.atoms) {
     if (&other == &atom) return true;
-    if (atom.altloc != '\0' && other.name == atom.name) return false;
+    if (other.name == atom.name) return false;
   }
   return true;
 }

@@ -145,14 +145,14 @@ Structure joined(const Structure& a, const Structure& b, double tolerance) {
   const NearPlaces places(a.vertices, tolerance);
   Structure s = a;
   std::vector<std::uint32_t> now(b.vertices.size());
-  const bool molecule = !a.elements.empty() || !b.elements.empty();
-  if (molecule) s.elements.resize(a.vertices.size());
+  const bool molecule = !a.elements.empty() && !b.elements.empty();
+  if (!molecule) s.elements.clear();
   for (std::uint32_t i = 0; i < b.vertices.size(); i++) {
     now[i] = static_cast<std::uint32_t>(s.vertices.size());
     places.each(b.vertices[i], [&](std::uint32_t known) { now[i] = std::min(now[i], known); });
     if (now[i] < s.vertices.size()) continue;
     s.vertices.push_back(b.vertices[i]);
-    if (molecule) s.elements.push_back(b.elements.empty() ? "" : b.elements[i]);
+    if (molecule) s.elements.push_back(b.elements[i]);
   }
   std::set<StructureEdge> edges(a.edges.begin(), a.edges.end());
   for (const StructureEdge& e : b.edges) {

@@ -150,8 +150,8 @@ void heat(World& world, const AnyId& target, double joules) {
   const double before = energy(world, things).kinetic;
   const Vec3 common = held ? zero3() : momentum(world, things) / mass(world, things);
   const double own = before - 0.5 * dot(common, momentum(world, things));
-  require(own + joules >= -1e-12 * own, "heat: ", -joules, " J are to be taken, and there are only ", own, " J");
-  const bool at_rest = !(own > 1e-12 * joules);
+  require(own + joules >= -1e-12 * before, "heat: ", -joules, " J are to be taken, and there are only ", own, " J");
+  const bool at_rest = !(own > 1e-12 * std::fmax(before, joules));
   require(!at_rest || held || things.bodies.size() + things.free_points.size() > 1,
           "heat: a single thing has no motion relative to itself");
   disturb_forces(world);

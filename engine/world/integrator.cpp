@@ -25,14 +25,15 @@ constexpr IntegratorStage four[] = {{0.5, 0.5}, {0.5, 0.5}, {1.0, 1.0}, {1.0, 1.
 
 /// The first law that depends on velocities.
 std::string moving_law(const World& world) {
-  const auto tell = [](const auto& row) { return text(law_in_place(row), " depends on velocities"); };
-  for (ConnectionId id : world.connections.ids())
-    if (world.connections[id].enabled && world.connections[id].law->moving) return tell(world.connections[id]);
-  for (InteractionId id : world.interactions.ids())
-    if (world.interactions[id].enabled && world.interactions[id].law->moving) return tell(world.interactions[id]);
-  for (FieldId id : world.fields.ids())
-    if (world.fields[id].enabled && world.fields[id].law->moving) return tell(world.fields[id]);
-  return {};
+  std::string found;
+  const auto look = [&](const auto& row) {
+    for (const Law* law = row.law.get(); row.enabled && law && found.empty(); law = law->also.get())
+      if (law->moving) found = text(law_in_place(row), " depends on velocities");
+  };
+  for (ConnectionId id : world.connections.ids()) look(world.connections[id]);
+  for (InteractionId id : world.interactions.ids()) look(world.interactions[id]);
+  for (FieldId id : world.fields.ids()) look(world.fields[id]);
+  return found;
 }
 
 bool is_asked(const World& world, const Connection& c, Solve solve) {

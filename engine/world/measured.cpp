@@ -13,16 +13,21 @@ namespace {
 
 constexpr double most_samples = 1e6;
 
-/// NaN where there is nothing to be hot or cold.
-double temperature_in(const World& world, const AnyId& of) {
+/// NaN where there is nothing to be hot or cold, or to have energy.
+template <class Measure>
+double measured_in(const World& world, const AnyId& of, Measure measure) {
   const Things things = std::holds_alternative<std::monostate>(of) ? everything(world) : things_of(world, of);
   const bool none = things.bodies.empty() && things.free_points.empty();
-  return none ? std::numeric_limits<double>::quiet_NaN() : temperature(world, things);
+  return none ? std::numeric_limits<double>::quiet_NaN() : measure(things);
+}
+
+double temperature_in(const World& world, const AnyId& of) {
+  return measured_in(world, of, [&](const Things& things) { return temperature(world, things); });
 }
 
 double energy_in(const World& world, const AnyId& of) {
-  return std::holds_alternative<std::monostate>(of) ? energy(world).total()
-                                                    : energy(world, things_of(world, of)).total();
+  if (std::holds_alternative<std::monostate>(of)) return energy(world).total();
+  return measured_in(world, of, [&](const Things& things) { return energy(world, things).total(); });
 }
 
 double load(const World& world, const AnyId& thing) {

@@ -7,12 +7,16 @@ function wind:start()
   o.velocity, o.drag, o.gusts, o.period = o.velocity or vec(1, 0, 0), o.drag or 0.1, o.gusts or 0, o.period or 3
 end
 
-local function is_group(thing) return (pcall(function() return thing.each end)) end
+local function has(thing, field)
+  local known, value = pcall(function() return thing[field] end)
+  return known and value
+end
 
+-- A group's bodies and its particles of no body; what ties them feels no wind.
 local function blow(thing, air, drag)
-  if is_group(thing) then
+  if has(thing, "each") then
     for member in thing:each() do blow(member, air, drag) end
-  else
+  elseif has(thing, "push") and #(has(thing, "bodies") or {}) == 0 then
     thing:push(drag * (air - thing.velocity))
   end
 end

@@ -91,3 +91,33 @@ test("a behaviour starts, steps and stops with its target", function()
   expect(function() open_text "scene:behave(3, {})" end):fails "behave: argument 1, the target"
   expect(function() open_text "scene:behave(scene, { step = 3 })" end):fails "behave: step must be a function"
 end)
+
+test("wind: blows on all that a structure was built of, whatever ties it", function()
+  local scene = open_text [[
+    scene.gravity = vec(0, 0, 0)
+    local net = scene:build(structure.cube(), { as = "deformable", mass = 1, law = force.spring { stiffness = 10 } })
+    local frame = scene:build(structure.cube(), { as = "articulated", mass = 1, at = vec(3, 0, 0) })
+    for _, group in ipairs { net, frame } do scene:behave(group, require "wind", { velocity = vec(1, 0, 0) }) end
+    scene:probe("net", function() return net.momentum.x / 0.8 end)
+    scene:probe("frame", function() return frame.momentum.x / 1.2 end)
+  ]]
+  scene:advance(0.1)
+  expect(scene:read "net"):near(0.095, 0.003)
+  expect(scene:read "frame"):near(0.095, 0.003)
+end)
+
+test("heater: cools to rest, and what falls together gets no common motion from heat", function()
+  local scene = open_text [[
+    local gas = scene:group "gas"
+    for i = 1, 26 do gas:add(scene:particle { at = vec(i, 0, 0), mass = 0.01 }) end
+    scene:at(0.35, function() gas:heat(0.01) end)
+    scene:at(0.5, function() scene:behave(gas, require "heater", { power = -1 }) end)
+    scene:probe("drift", function() return gas.momentum.x + gas.momentum.z end)
+    scene:probe("temperature", function() return gas.temperature end)
+  ]]
+  scene:advance(0.45)
+  expect(scene:read "temperature"):near(0.02 / 75, 1e-9)
+  expect(math.abs(scene:read "drift")):below(1e-14)
+  scene:advance(0.3)
+  expect(scene:read "temperature"):below(1e-12)
+end)

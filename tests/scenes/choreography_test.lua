@@ -61,3 +61,21 @@ test("bonding: hot particles come apart, cold ones that are near are tied again"
   scene:advance(0.3)
   expect(scene:read "bonds"):above(0)
 end)
+
+test("play: waits by wait alone", function()
+  local scene = open_text "scene:play(function(wait) coroutine.yield() end)"
+  expect(function() scene:advance(0.1) end):fails("text.lua:1: play: it waits by wait(…), not by coroutine.yield")
+end)
+
+test("when: what is gone has no energy to be below", function()
+  local scene = open_text [[
+    local pair, fired = scene:group "pair", 0
+    local a, b = scene:particle(), scene:particle { at = vec(1, 0, 0) }
+    pair:add(a, b)
+    scene:when({ energy_below = -1e9, of = pair }, function() fired = 1 end)
+    scene:at(0.1, function() a:remove() end)
+    scene:probe("fired", function() return fired end)
+  ]]
+  scene:advance(0.3)
+  expect(scene:read "fired"):equal(0)
+end)

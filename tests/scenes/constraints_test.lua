@@ -84,3 +84,26 @@ test("what cannot be is an error at its line", function()
   fails("scene:string({ p })", "text.lua:2: string: needs two points or more, got 1")
   fails("scene:weld(p, p)", "text.lua:2: weld: argument 1 must be a body")
 end)
+
+test("a string on one body ties nothing, and lets the body be cut loose", function()
+  local scene = open_text [[
+    local bar = scene:body { mass = 1, inertia = vec(1, 1, 1), name = "bar",
+                             points = { a = vec(-1, 0, 0), b = vec(1, 0, 0) } }
+    scene:string { bar.a, bar.b }
+    local hinge = scene:hinge(bar.a, scene:body { mass = 1, inertia = vec(1, 1, 1), at = vec(-1, 0, 0),
+                                                  points = { o = vec(0, 0, 0) } }.o)
+    scene:at(0.1, function() hinge:cut() end)
+  ]]
+  scene:advance(1)
+  expect(scene:find("bar").position.y):near(-0.5 * 9.81, 1e-9)
+  expect(scene.stats.articulates):equal(0)
+end)
+
+test("suzuki4 refuses a spring with damping", function()
+  expect(function()
+    open_text [[
+      scene.integrator = "suzuki4"
+      scene:connect(scene:particle(), vec(1, 0, 0), force.spring { stiffness = 1, damping = 0.1 })
+    ]]:advance(0.1)
+  end):fails("depends on velocities")
+end)

@@ -84,3 +84,11 @@ test("molecules and polyhedra in every form keep momentum", function()
     expect(scene.error.worst_hinge_gap):below(1e-9)
   end
 end)
+
+test("a molecule joined with a shape is a shape; a lattice of loose ends alone is refused", function()
+  open_text [[
+    local both = structure.molecule("water.xyz"):join(structure.cube())
+    assert(#scene:build(both, { as = "rigid" }).particles == #both.vertices)
+  ]]
+  expect(function() open_text [[structure.lattice { kind = "honeycomb" }]] end):fails("lattice: so few cells leave only loose ends")
+end)
