@@ -137,8 +137,8 @@ void end_ledger(World& world) {
 }
 
 double closure(const World& world) {
-  const double missed = world.ledger.unexplained - world.ledger.round_off;
-  return missed > 0.0 ? missed / world.ledger.posted : 0.0;
+  const Ledger& l = world.ledger;
+  return l.posted > 0.0 ? l.unexplained / l.posted : 0.0;
 }
 
 std::map<std::string, double> truncation(const World& world) {

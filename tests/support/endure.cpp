@@ -34,7 +34,8 @@ Endured endure(World& world, double time, const Action& action) {
       run.gained = std::max(run.gained, now.total() - world.work - before);
   }
   run.failure = world.failure;
-  run.closure = closure(world);
+  const Ledger& ledger = world.ledger;  // what is at rest, or spins alone, posts less than its sums round
+  run.closure = ledger.posted > 0.0 ? std::max(0.0, ledger.unexplained - ledger.round_off) / ledger.posted : 0.0;
   run.energy = world.worst.energy;
   run.safe = world.stats.safe_steps - start.safe_steps;
   run.halved = world.stats.halved_steps - start.halved_steps;
