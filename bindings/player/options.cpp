@@ -12,12 +12,14 @@
 namespace pantin::player {
 namespace {
 
-constexpr std::array<const char*, 5> known_endings = {".csv", ".png", ".mp4", ".gif", ".webp"};
+constexpr std::array<const char*, 7> known_endings = {".csv", ".png", ".mp4", ".gif", ".webp", ".xyz", ".glb"};
 
 std::string check_ending(const std::string& path) {
   std::string ending = std::filesystem::path(path).extension();
   if (std::find(known_endings.begin(), known_endings.end(), ending) != known_endings.end()) return "";
-  return text("'", path, "' must end in .csv (probes), .png (last frame), .mp4, .gif or .webp (film)");
+  return text("'", path,
+              "' must end in .csv (probes), .png (last frame), .mp4, .gif or .webp (film), .xyz (trajectory) or .glb "
+              "(animation)");
 }
 
 std::string check_number(const std::string& value) {
@@ -80,7 +82,9 @@ void add_limits(CLI::App& app, RunOptions& scene, Texts& texts) {
 void add_scene_options(CLI::App& app, RunOptions& scene, Texts& texts) {
   add_limits(app, scene, texts);
   list_option(app, "--out", scene.outputs,
-              "By its ending: .csv probes of each step, .png last frame, .mp4 .gif .webp film", "FILE", check_ending);
+              "By its ending: .csv probes of each step, .png last frame, .mp4 .gif .webp film, .xyz trajectory of all "
+              "particles, .glb animation with meshes",
+              "FILE", check_ending);
   app.add_option("--summary", scene.summary, "Writes energies, errors, iterations, times and results as JSON")
       ->type_name("FILE");
   app.add_option("--size", texts.size, "Of the window, picture or film, pixels")

@@ -7,7 +7,6 @@
 namespace pantin::player {
 namespace {
 
-constexpr double film_rate = 60.0;  ///< [1/s]
 constexpr double animation_rate =
     25.0;  ///< [1/s] of .gif and .webp, whose frame times are whole hundredths of a second
 
@@ -19,11 +18,12 @@ Pictures::Pictures(const lua::Scene& scene, Size size, const std::vector<std::st
     : scene_(scene),
       window_(scene.title(), size.width, size.height, true),
       renderer_(size.width, size.height, 4),
-      rate_(std::any_of(film_paths.begin(), film_paths.end(), is_mp4) ? film_rate : animation_rate) {
+      clock_{std::any_of(film_paths.begin(), film_paths.end(), is_mp4) ? usual_frame_rate : animation_rate,
+             scene.pace()} {
   renderer_.open(scene.world());
   camera_ = aim(scene, renderer_.stage(), static_cast<double>(size.width) / size.height);
   for (const std::string& path : film_paths)
-    films_.push_back(std::make_unique<Film>(path, size.width, size.height, rate_));
+    films_.push_back(std::make_unique<Film>(path, size.width, size.height, clock_.rate));
 }
 
 void Pictures::draw() {
@@ -38,11 +38,10 @@ void Pictures::add_frames() {
   if (films_.empty()) return;
   const World& world = scene_.world();
   bool drawn = false;
-  while (static_cast<double>(frames_) * scene_.pace() / rate_ <= world.time + 0.5 * world.settings.step) {
+  while (clock_.take(world)) {
     if (!drawn) draw();
     drawn = true;
     for (auto& film : films_) film->add(pixels_);
-    frames_++;
   }
 }
 

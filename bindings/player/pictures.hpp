@@ -6,6 +6,7 @@
 
 #include "lua/scene.hpp"
 #include "player/aim.hpp"
+#include "player/frame_clock.hpp"
 #include "player/options.hpp"
 #include "view/film.hpp"
 #include "view/renderer.hpp"
@@ -34,8 +35,7 @@ class Pictures {
   Follower follower_;
   std::vector<std::unique_ptr<Film>> films_;
   std::vector<std::uint8_t> pixels_;
-  double rate_;  ///< [1/s] frames per second of the film
-  std::uint64_t frames_ = 0;
+  FrameClock clock_;
 };
 
 }  // namespace pantin::player

@@ -15,8 +15,9 @@ namespace {
 int play_in_window(const RunOptions& options, const std::string& home) {
   Interrupt interrupt;
   Outputs outputs(options);
-  if (!outputs.films().empty())
-    throw lua::UsageError("play writes .csv and .png; films are made by `pantin run SCENE --out FILE`");
+  for (const std::string& path : options.outputs)
+    if (!path.ends_with(".csv") && !path.ends_with(".png"))
+      throw lua::UsageError("play writes .csv and .png; the rest is made by `pantin run SCENE --out FILE`");
   Player player(find_scene(options.scene, home), options, home);
   while (player.frame()) {}
   outputs.write_tables(player.times(), player.scene().world());

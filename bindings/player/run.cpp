@@ -2,8 +2,10 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 
 #include "lua/guard.hpp"
+#include "player/animation.hpp"
 #include "player/closing.hpp"
 #include "player/home.hpp"
 #include "player/interrupt.hpp"
@@ -11,9 +13,12 @@
 #include "player/outputs.hpp"
 #include "player/pictures.hpp"
 #include "player/progress.hpp"
+#include "player/trajectory.hpp"
 
 namespace pantin::player {
 namespace {
+
+constexpr double animation_frame_rate = 30.0;  ///< [1/s] of .glb, between whose frames programs interpolate
 
 /// Steps to the end, or to Ctrl-C, which may come in the middle of a script, or to the script's own end. `after` is called after each step.
 template <class After>
@@ -32,6 +37,41 @@ void run_to(lua::Scene& scene, double until, After after) {
   }
 }
 
+/// All that is written frame by frame.
+class Frames {
+ public:
+  Frames(const lua::Scene& scene, const RunOptions& options, const Outputs& outputs)
+      : scene_(scene), pictures_of_(outputs.temporaries(".png")), animations_(outputs.temporaries(".glb")) {
+    for (const std::string& path : outputs.temporaries(".xyz"))
+      trajectories_.emplace_back(path, usual_frame_rate, scene.pace());
+    if (!animations_.empty()) animation_.emplace(scene.world(), animation_frame_rate, scene.pace());
+    if (!pictures_of_.empty() || !outputs.films().empty())
+      pictures_ = std::make_unique<Pictures>(scene, options.size, outputs.films());
+    add();
+  }
+
+  /// Call it after each step.
+  void add() {
+    if (pictures_) pictures_->add_frames();
+    if (animation_) animation_->add_frames(scene_.world());
+    for (Trajectory& trajectory : trajectories_) trajectory.add_frames(scene_.world());
+  }
+
+  void finish() {
+    for (const std::string& path : pictures_of_) pictures_->write_picture(path);
+    if (pictures_) pictures_->finish_films();
+    for (const std::string& path : animations_) animation_->write(path, scene_.title());
+    for (Trajectory& trajectory : trajectories_) trajectory.finish();
+  }
+
+ private:
+  const lua::Scene& scene_;
+  std::vector<std::string> pictures_of_, animations_;  // paths
+  std::unique_ptr<Pictures> pictures_;
+  std::optional<Animation> animation_;
+  std::vector<Trajectory> trajectories_;
+};
+
 }  // namespace
 
 int run(const RunOptions& options, const std::string& home) {
@@ -41,21 +81,16 @@ int run(const RunOptions& options, const std::string& home) {
   auto start = std::chrono::steady_clock::now();
   std::unique_ptr<lua::Scene> scene = lua::Scene::open(path, lua_options(options, home));
   World& world = scene->world();
-
-  std::unique_ptr<Pictures> pictures;
-  if (outputs.has(".png") || !outputs.films().empty())
-    pictures = std::make_unique<Pictures>(*scene, options.size, outputs.films());
+  Frames frames(*scene, options, outputs);
   Times times;
-  if (pictures) pictures->add_frames();
   run_to(*scene, options.until.value_or(scene->duration().value_or(usual_duration)), [&] {
     times.add(world);
-    if (pictures) pictures->add_frames();
+    frames.add();
   });
 
   if (Interrupt::asked()) say(text("stopped at ", world.time, " s; what there is by then is kept"));
   outputs.write_tables(times, world);
-  for (const std::string& picture : outputs.temporaries(".png")) pictures->write_picture(picture);
-  if (pictures) pictures->finish_films();
+  frames.finish();
   outputs.write_summary(*scene);
   outputs.keep();
   print_closing(*scene, path, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());

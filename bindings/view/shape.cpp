@@ -160,9 +160,12 @@ const Shape& Shapes::of(const World& world, BodyId id, const Stage& stage) {
       hash.add(std::uint64_t{std::bit_cast<std::uint32_t>(c)});
   }
   if (rows_.size() < world.bodies.slots()) rows_.resize(world.bodies.slots());
-  Row& row = rows_[id.slot - 1];
-  if (row.hash != hash.value) row = {hash.value, make_shape(world, id, stage)};
-  return row.shape;
+  Shape& shape = rows_[id.slot - 1];
+  if (shape.hash != hash.value) {
+    shape = make_shape(world, id, stage);
+    shape.hash = hash.value;
+  }
+  return shape;
 }
 
 }  // namespace pantin

@@ -31,6 +31,7 @@ struct Shape {
   std::vector<Corner> corners;  ///< three for each triangle
   Color color;
   std::vector<double> joints;  ///< [m] (points of the body): radius that a hinge or nail there should exceed
+  std::uint64_t hash = 0;      ///< of all that it was made from; shapes of one hash are alike
 };
 
 /// Points on a line become a capsule, in a plane a plate, in space their hull; an inertia without such points an ellipsoid.
@@ -43,11 +44,7 @@ class Shapes {
   void clear() { rows_.clear(); }
 
  private:
-  struct Row {
-    std::uint64_t hash = 0;
-    Shape shape;
-  };
-  std::vector<Row> rows_;  // (slots of bodies)
+  std::vector<Shape> rows_;  // (slots of bodies)
 };
 
 }  // namespace pantin

@@ -1,0 +1,166 @@
+#include "player/animation.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "world/forces.hpp"
+
+namespace pantin::player {
+namespace {
+
+constexpr Color iron = {0.25f, 0.27f, 0.30f, 1.0f}, paper = {1.00f, 0.965f, 0.89f, 1.0f},
+                thread = {0.52f, 0.52f, 0.50f, 1.0f};
+
+std::array<float, 3> floats(Vec3 v) {
+  return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+}
+
+template <class Id>
+std::uint64_t number(Id id) {
+  return (std::uint64_t{id.generation} << 32) | id.slot;
+}
+
+std::string name_or(const std::string& name, const char* kind, std::uint32_t slot) {
+  return name.empty() ? text(kind, " ", slot) : name;
+}
+
+/// Turns the third axis to a direction.
+Quat turn_to(Vec3 d) {
+  const Vec3 z = vec(0, 0, 1);
+  if (d[2] < -0.999999) return {0.0, 1.0, 0.0, 0.0};
+  const Vec3 axis = cross(z, d);
+  return normalised({1.0 + d[2], axis[0], axis[1], axis[2]});
+}
+
+}  // namespace
+
+Animation::Animation(const World& world, double rate, double pace) : clock_{rate, pace}, stage_(find_stage(world)) {}
+
+void Animation::add_frames(const World& world) {
+  while (clock_.take(world)) add_frame(world);
+}
+
+void Animation::add_frame(const World& world) {
+  joints_.assign(world.particles.slots(), 0.0);
+  add_bodies(world);
+  add_particles(world);
+  add_constraints(world);
+  add_ties(world);
+}
+
+template <class Make>
+std::size_t Animation::mesh(const Key& look, Make make) {
+  const auto [found, added] = looks_.try_emplace(look, meshes_.size());
+  if (added) meshes_.push_back(make());
+  return found->second;
+}
+
+std::size_t Animation::ball(const Color& color) {
+  const Key look = {
+      particle, (std::uint64_t{std::bit_cast<std::uint32_t>(color.r)} << 32) | std::bit_cast<std::uint32_t>(color.g),
+      std::bit_cast<std::uint32_t>(color.b)};
+  return mesh(look, [&] { return ball_mesh(color); });
+}
+
+void Animation::add(const Key& key, const std::string& name, std::size_t mesh, Vec3 at, Quat turn, Vec3 size) {
+  if (!finite(at)) return;
+  const std::uint64_t frame = clock_.frames - 1;
+  const auto [found, added] = present_.try_emplace(key, nodes_.size());
+  if (const Node* last = added ? nullptr : &nodes_[found->second];
+      !last || last->first + last->places.size() != frame) {
+    found->second = nodes_.size();
+    nodes_.push_back({name, mesh, frame, {}, {}, {}});
+  }
+  Node& node = nodes_[found->second];
+  std::array<float, 4> q = {static_cast<float>(turn.x), static_cast<float>(turn.y), static_cast<float>(turn.z),
+                            static_cast<float>(turn.w)};
+  if (!node.turns.empty()) {  // of the two that turn alike the nearer one
+    float same = 0.0f;
+    for (std::size_t i = 0; i < 4; i++) same += q[i] * node.turns.back()[i];
+    if (same < 0.0f)
+      for (float& x : q) x = -x;
+  }
+  node.places.push_back(floats(at));
+  node.turns.push_back(q);
+  node.sizes.push_back(floats(size));
+}
+
+void Animation::add_stick(const Key& key, const std::string& name, Vec3 from, Vec3 to, double radius,
+                          const Color& color) {
+  const double length = norm(to - from);
+  if (!(length > 0.0)) return;
+  const std::size_t tube = mesh({key[0], 0, 0}, [&] { return tube_mesh(color); });
+  add(key, name, tube, 0.5 * (from + to), turn_to((to - from) / length), vec(radius, radius, length));
+}
+
+void Animation::add_bodies(const World& world) {
+  for (const BodyId id : world.bodies.ids()) {
+    const Shape& shape = shapes_.of(world, id, stage_);
+    const std::size_t look = mesh({body, shape.hash, 0}, [&] { return body_mesh(shape); });
+    const Body& row = world.bodies[id];
+    add({body, number(id), shape.hash}, name_or(row.name, "body", id.slot), look,
+        origin(world, id) + image_shift(world, world.motion_of(id).x), orientation(world, id), vec(1, 1, 1));
+    for (std::size_t i = 0; i < row.points.size(); i++) {
+      double& joint = joints_[world.points[row.points[i]].particle.slot - 1];
+      joint = std::max(joint, shape.joints[i]);
+    }
+  }
+}
+
+void Animation::add_particles(const World& world) {
+  for (const ParticleId id : world.particles.ids()) {
+    const Particle& row = world.particles[id];
+    if (row.asleep_in || row.points.empty()) continue;
+    const Point& first = world.points[row.points[0]];
+    if (!row.is_hinge() && first.body) continue;
+    const Vec3 place = position(world, id), at = place + image_shift(world, place);
+    if (row.is_hinge()) {
+      const double joint = joints_[id.slot - 1], given = row.radius.value_or(0.0);
+      const double radius = given > 0.0 ? given : 1.45 * (joint > 0.0 ? joint : 0.05 * stage_.unit);
+      const bool own = row.color && !(*row.color == first.color);
+      add({hinge, number(id), 0}, name_or(row.name, "hinge", id.slot), ball(own ? *row.color : paper), at, {},
+          vec(radius, radius, radius));
+    } else {
+      const double radius = drawn_radius(world, row.points[0], stage_);
+      add({particle, number(id), 0}, name_or(row.name, "particle", id.slot), ball(row.color.value_or(first.color)), at,
+          {}, vec(radius, radius, radius));
+    }
+  }
+}
+
+void Animation::add_constraints(const World& world) {
+  for (const ConstraintId id : world.constraints.ids()) {
+    const Constraint& c = world.constraints[id];
+    if (!c.enabled) continue;
+    if (c.kind == ConstraintKind::nail && world.points.alive(c.a)) {
+      const double joint = joints_[world.points[c.a].particle.slot - 1],
+                   radius = 1.6 * std::max(joint, 0.04 * stage_.unit);
+      add({nail, number(id), 0}, name_or(c.name, "nail", id.slot), ball(iron), c.place, {},
+          vec(radius, radius, radius));
+    } else if (c.kind == ConstraintKind::rod && world.points.alive(c.a)) {
+      const Vec3 a = position(world, c.a), shift = shown_place(world, c.a) - a;
+      add_stick({rod, number(id), 0}, name_or(c.name, "rod", id.slot), a + shift,
+                (c.b ? position(world, c.b) : c.place) + shift, 0.025 * std::min(c.length, stage_.unit), iron);
+    }
+    for (std::size_t i = 1; i < c.passages.size(); i++) {
+      const auto place = [&](const Passage& p) { return p.point ? position(world, p.point) : p.place; };
+      add_stick({string, number(id), i}, text(name_or(c.name, "string", id.slot), ".", i), place(c.passages[i - 1]),
+                place(c.passages[i]), 0.01 * stage_.unit, thread);
+    }
+  }
+}
+
+void Animation::add_ties(const World& world) {
+  for (const ConnectionId id : world.connections.ids()) {
+    const Connection& c = world.connections[id];
+    if (!c.enabled || c.count != 2) continue;
+    const Vec3 a = end_of(world, c, 0), from = a + image_shift(world, a);
+    Vec3 way = end_of(world, c, 1) - a;
+    if (world.settings.box) way = Box{*world.settings.box}.nearest(way);
+    add_stick({tie, number(id), 0}, text("tie ", id.slot), from, from + way, 0.012 * std::min(norm(way), stage_.unit),
+              thread);
+  }
+}
+
+}  // namespace pantin::player

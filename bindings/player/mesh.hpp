@@ -1,0 +1,30 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "view/shape.hpp"
+
+namespace pantin::player {
+
+/// Triangles, for programs that show them.
+struct Mesh {
+  /// Of one colour; `positions` [m] and `normals` are three numbers a vertex, `indices` three a triangle, counter-clockwise
+  /// from outside.
+  struct Patch {
+    Color color;
+    std::vector<float> positions, normals;
+    std::vector<std::uint32_t> indices;
+  };
+  std::vector<Patch> patches;
+
+  Patch& patch(const Color& color);
+};
+
+/// In the body's frame, [m].
+Mesh body_mesh(const Shape& shape);
+/// A ball of radius 1.
+Mesh ball_mesh(const Color& color);
+/// A tube of radius 1 from (0, 0, -1/2) to (0, 0, 1/2), with open ends.
+Mesh tube_mesh(const Color& color);
+
+}  // namespace pantin::player
