@@ -102,8 +102,9 @@ void PlayerInput::press(const Frame& frame, const PointerEvent& event) {
 void PlayerInput::cut(const Frame& frame, double x, double y) {
   Command command;
   command.kind = Command::Kind::cut;
-  command.hinge = pick_hinge(frame.world, frame.stage, frame.camera, x, y, frame.width, frame.height);
-  if (!command.hinge) return;
+  const ParticleId hinge = pick_hinge(frame.world, frame.stage, frame.camera, x, y, frame.width, frame.height);
+  if (!hinge) return;
+  command.thing = hinge;
   command.hand = hold_of(0).hand;
   frame.input.commands.push_back(command);
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "world/edit.hpp"
+#include "world/measure.hpp"
 
 namespace pantin {
 
@@ -51,5 +52,8 @@ std::vector<ConnectionId> connections_among(const World& world, const std::vecto
 /// Adds kinetic energy [J], relative to the common motion of what nothing holds; a negative one cools, at most to rest.
 /// What is at rest gets random velocities.
 void heat(World& world, const AnyId& things, double joules);
+void heat(World& world, const Things& things, double joules);
+/// Kinetic energy [J] relative to the common motion of what nothing holds.
+double heat_in(const World& world, const Things& things);
 
 }  // namespace pantin

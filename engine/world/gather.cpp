@@ -139,10 +139,20 @@ std::vector<ConnectionId> connections_in(const World& world, GroupId group) {
   return in_order(world, std::move(found));
 }
 
+double heat_in(const World& world, const Things& things) {
+  const double kinetic = energy(world, things).kinetic;
+  if (things.bodies.empty() && things.free_points.empty()) return 0.0;
+  return count_freedoms(world, things).held ? kinetic
+                                            : kinetic - 0.5 * norm2(momentum(world, things)) / mass(world, things);
+}
+
 void heat(World& world, const AnyId& target, double joules) {
+  heat(world, std::holds_alternative<std::monostate>(target) ? everything(world) : things_of(world, target), joules);
+}
+
+void heat(World& world, const Things& things, double joules) {
   require_unlocked(world, "heat");
   require_finite("heat", "the energy", joules, "J");
-  const Things things = std::holds_alternative<std::monostate>(target) ? everything(world) : things_of(world, target);
   require(!things.bodies.empty() || !things.free_points.empty(), "heat: there is nothing to heat");
   if (joules == 0.0) return;
   acted(world);

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "world/commands.hpp"
 #include "world/edit.hpp"
 #include "world/editing.hpp"
 #include "world/integrator.hpp"
@@ -19,14 +20,6 @@ Hand& hand_at(World& world, const char* call, std::int32_t hand) {
   const auto index = static_cast<std::size_t>(hand);
   require(hand >= 0 && index < world.hands.size(), call, ": there is no hand ", hand + 1, "; there are ",
           world.hands.size());
-  return world.hands[index];
-}
-
-/// Hands of the outside come as they are needed: a second finger is a second hand.
-Hand& hand_of_input(World& world, std::int32_t hand) {
-  require(hand >= 0 && hand < most_hands, "hand: its number must be 1 to ", most_hands, ", got ", hand + 1);
-  const auto index = static_cast<std::size_t>(hand);
-  if (index >= world.hands.size()) world.hands.resize(index + 1);
   return world.hands[index];
 }
 
@@ -64,48 +57,14 @@ void move_hands(World& world, const StepInput& input, double time) {
   }
 }
 
-void drop_command(World& world, const Command& command, const std::string& story) {
-  static constexpr const char* names[] = {"grab", "release", "cut", "key", "button"};
-  log_line(world, "dropped",
-           text(names[static_cast<std::size_t>(command.kind)], " by hand ", command.hand + 1, ": ", story));
-}
-
-void carry_out(World& world, const Command& command) {
-  switch (command.kind) {
-    case Command::Kind::grab:
-      if (!world.points.alive(command.point)) return drop_command(world, command, world.points.story(command.point));
-      hand_of_input(world, command.hand);
-      return grab(world, command.hand, command.point,
-                  command.max_force == 0.0 ? std::optional<double>() : command.max_force);
-    case Command::Kind::release: return release(world, command.hand);
-    case Command::Kind::cut: {
-      if (!world.particles.alive(command.hinge))
-        return drop_command(world, command, world.particles.story(command.hinge));
-      cut(world, command.hinge);
-      world.notices.back().hand = command.hand;
-      return;
-    }
-    case Command::Kind::key: return notice(world, Notice::Kind::key, {}, command.name, command.hand);
-    case Command::Kind::button: return notice(world, Notice::Kind::button, {}, command.name, command.hand);
-  }
-}
-
-void carry_out_commands(World& world, const StepInput& input) {
-  if (input.commands.empty()) return;
-  const Acting acting(world);
-  world.locked = false;
-  for (const Command& command : input.commands) {
-    world.who = [hand = command.hand] { return text("hand ", hand + 1); };
-    try {
-      carry_out(world, command);
-    } catch (const Error& error) {
-      // What a person does on the way is no fault of the scene: a hinge may have gone, a hand may have no place.
-      drop_command(world, command, error.what());
-    }
-  }
-}
-
 }  // namespace
+
+Hand& hand_of_input(World& world, std::int32_t hand) {
+  require(hand >= 0 && hand < most_hands, "hand: its number must be 1 to ", most_hands, ", got ", hand + 1);
+  const auto index = static_cast<std::size_t>(hand);
+  if (index >= world.hands.size()) world.hands.resize(index + 1);
+  return world.hands[index];
+}
 
 std::int32_t add_hand(World& world, std::function<Vec3(double)> path) {
   require_unlocked(world, "hand");
@@ -172,7 +131,7 @@ void apply_input(World& world, double time) {
   const Acting acting(world);
   world.locked = true;  // paths and targets are functions of time: they look and answer
   move_hands(world, input, time);
-  carry_out_commands(world, input);
+  carry_out(world, input.commands);
 }
 
 }  // namespace pantin

@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "base/lanes.hpp"
-#include "model/particle.hpp"
-#include "model/point.hpp"
+#include "model/group.hpp"
 
 namespace pantin {
 
@@ -16,15 +15,22 @@ struct HandMove {
   bool pressed = false;
 };
 
-/// What a person did before a step, besides moving.
+/// What a person did before a step, besides moving. Each kind reads the fields that name it.
 struct Command {
-  enum class Kind : std::uint8_t { grab, release, cut, key, button };
+  enum class Kind : std::uint8_t { grab, release, cut, key, button, join, nail, push, spin, remove, make, heat };
   Kind kind = Kind::key;
   std::int32_t hand = 0;
-  PointId point;           ///< grab
-  double max_force = 0.0;  ///< [N] grab; 0 takes `usual_grab_force`
-  ParticleId hinge;        ///< cut
-  std::string name;        ///< key or button
+  PointId point;          ///< grab, nail, push, spin (its body); join: the first; make: what the first end is hinged to
+  PointId other;          ///< join: the second; make: what the last end is hinged to
+  AnyId thing;            ///< cut: a hinge, connection or constraint; remove: anything
+  Vec3 place = zero3();   ///< [m] make: of what is made; heat: the middle of the ball that is heated
+  Vec3 amount = zero3();  ///< [N s] push: an impulse; [rad/s] spin: what is added to the body's, world axes
+  std::vector<Vec3> points;  ///< [m] make: from `place`; one makes a free particle, more a rigid body
+  double max_force = 0.0;    ///< [N] grab, join; 0 takes `usual_grab_force`
+  double mass = 0.0;         ///< [kg] make: of all points
+  double radius = 0.0;       ///< [m] make: of the points; heat: of the ball
+  double energy = 0.0;       ///< [J] heat: given to what is in the ball; a negative one cools, at most to rest
+  std::string name;          ///< key, button
 };
 
 /// All that the outside told the world for one step; plain data, so that play can be replayed.

@@ -163,7 +163,7 @@ TEST_CASE("commands grab, cut and press keys, and are told as the hand's doing")
   feed(t.world, input);
   CHECK(t.world.constraints[t.world.hands[0].grab].max_force == 7.0);
   input = command(Command::Kind::cut);
-  input.commands[0].hinge = t.hinge;
+  input.commands[0].thing = t.hinge;
   feed(t.world, input);
   CHECK_THROWS_WITH(t.world.particles[t.hinge], Contains("was removed at 0.2 s by hand 1"));
   CHECK(t.world.notices.back().kind == Kind::cut);
@@ -182,7 +182,7 @@ TEST_CASE("a command on a thing that is gone is dropped and logged") {
   Two t;
   feed(t.world, move(0, zero3()));
   StepInput input = command(Command::Kind::cut);
-  input.commands[0].hinge = t.hinge;
+  input.commands[0].thing = t.hinge;
   cut(t.world, t.hinge);
   CHECK_NOTHROW(feed(t.world, input));
   REQUIRE(t.world.log.size() == 1);
