@@ -160,6 +160,16 @@ function quat_methods:inverse() end
 ---@field label string where it was set
 ---@field target? string
 
+---@class LineOptions
+---@field color? color
+---@field width? number [px]
+---@field space? "scene"|"screen"
+
+---@class MarkOptions
+---@field color? color
+---@field size? number [px] diameter of a point, height of letters
+---@field space? "scene"|"screen"
+
 ---@class Camera
 ---@field at? vec [m]
 ---@field look_at? vec [m]

@@ -94,6 +94,7 @@ const Type& event_type();
 const Type& hand_type();
 const Type& subscription_type();
 const Type& structure_type();
+const Type& draw_type();
 const Type& scene_type();
 
 }  // namespace pantin::lua

@@ -40,9 +40,10 @@ enum class Kind : std::uint32_t {
   hand,
   subscription,
   structure,
+  draw,
   scene
 };
-inline constexpr std::size_t kind_count = 26;
+inline constexpr std::size_t kind_count = 27;
 
 /// Whether things of this kind are constraints.
 inline bool is_constraint(Kind kind) { return kind >= Kind::nail && kind <= Kind::join; }

@@ -6,19 +6,18 @@
 #include "lua/guard.hpp"
 #include "lua/measures.hpp"
 #include "lua/script.hpp"
-#include "step.hpp"
 
 namespace pantin::lua {
 namespace {
 
-void step_once(World& world) {
+void step_once(Script& script) {
   const Outside outside;
-  step(world);
-  require(world.failure.empty(), world.failure);
+  step_scene(script);
+  require(script.world.failure.empty(), script.world.failure);
 }
 
 int step_opened(lua_State* state) {
-  step_once(check_self(state, Kind::scene, "step").world);
+  step_once(check_self(state, Kind::scene, "step").script);
   return 0;
 }
 
@@ -27,7 +26,7 @@ int advance_opened(lua_State* state) {
   const double seconds = check_number(state, 2, "advance", "argument 1, the time,", "s");
   require(seconds >= 0, "advance: argument 1, the time, must be >= 0 s, got ", seconds);
   const double until = self.world.time + seconds;
-  while (self.world.time < until - 0.5 * self.world.settings.step) step_once(self.world);
+  while (self.world.time < until - 0.5 * self.world.settings.step) step_once(self.script);
   return 0;
 }
 
@@ -59,6 +58,9 @@ Type make() {
   type.fields = scene_measures();
   type.fields.push_back({"finished", "boolean", "", "whether it called scene:finish()",
                          [](const Self& s) { lua_pushboolean(s.state, s.script.finished); }, nullptr});
+  type.fields.push_back(
+      {"drawn", "integer", "", "lines, arrows, texts and points that it drew in the last step",
+       [](const Self& s) { lua_pushinteger(s.state, static_cast<lua_Integer>(s.script.drawings.size())); }, nullptr});
   type.methods = {
       {"advance", guard<advance_opened>, "seconds: number [s]", "", "Steps on for a time."},
       {"step", guard<step_opened>, "", "", "Does one step."},

@@ -22,6 +22,11 @@ Script::Script(const SceneOptions& given) : options(given), runtime({given.scrip
   };
 }
 
+void step_scene(Script& script) {
+  script.drawings.clear();
+  step(script.world);
+}
+
 struct Scene::State {
   Script script;
 };
@@ -61,7 +66,7 @@ const World& Scene::world() const { return state_->script.world; }
 
 void Scene::step() {
   const Outside outside;
-  pantin::step(world());
+  step_scene(state_->script);
 }
 
 const std::string& Scene::title() const { return state_->script.title; }
@@ -86,6 +91,8 @@ std::vector<std::string> Scene::warnings() const {
     if (line.kind == "warning") warnings.push_back(line.text);
   return warnings;
 }
+
+const std::vector<Drawing>& Scene::drawings() const { return state_->script.drawings; }
 
 Script& Scene::script() { return state_->script; }
 

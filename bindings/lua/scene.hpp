@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "lua/drawing.hpp"
 #include "world/world.hpp"
 
 namespace pantin::lua {
@@ -68,6 +69,7 @@ class Scene {
   const std::vector<std::string>& buttons() const;  ///< names; press one by a Command of the world's input
   const std::map<std::string, Value>& results() const;
   std::vector<std::string> warnings() const;
+  const std::vector<Drawing>& drawings() const;  ///< what the script drew in the last step
   /// The inside, for the bindings alone.
   Script& script();
 

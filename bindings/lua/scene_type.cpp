@@ -330,6 +330,11 @@ Type make() {
   for (const auto& list : {engine_settings(), scene_measures()})
     type.fields.insert(type.fields.end(), list.begin(), list.end());
   type.fields.push_back({"hands", "Hand[]", "", "the mouse, fingers, sticks, and scripted hands", read_hands, nullptr});
+  type.fields.push_back({"draw", "Draw", "", "draws over the scene for one frame",
+                         [](const Self& s) {
+                           push_ref(s.state, {Tag::ref, Kind::draw, 1, 1, 1, &s.script});
+                         },
+                         nullptr});
   type.methods = making();
   const std::vector<Method> more = telling();
   type.methods.insert(type.methods.end(), more.begin(), more.end());

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lua/callback.hpp"
+#include "lua/drawing.hpp"
 #include "lua/handles.hpp"
 #include "lua/recheck.hpp"
 #include "lua/runtime.hpp"
@@ -45,6 +46,7 @@ struct Script {
   std::vector<std::string> buttons;
   std::map<std::string, Callback> button_functions;
   std::map<std::string, Value> results;
+  std::vector<Drawing> drawings;            ///< of the last step, or from before the first
   std::vector<Subscription> subscriptions;  ///< in the order of asking
   std::uint64_t subscribed = 0;             ///< serial of the last
   std::size_t cancelled = 0;                ///< subscriptions that are only there to be dropped
@@ -57,6 +59,8 @@ struct Script {
   std::array<char, kind_count + 2> keys{};
 };
 
+/// One step of the world, with what the script draws in it.
+void step_scene(Script& script);
 /// Tells the callbacks of the script what happened in the last step, and that a step begins.
 void run_behaviours(Script& script);
 /// Puts a function or a behaviour among those that wait, and pushes its Subscription; returns 1.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "player/marks.hpp"
 #include "view/picture.hpp"
 
 namespace pantin::player {
@@ -29,6 +30,7 @@ Pictures::Pictures(const lua::Scene& scene, Size size, const std::vector<std::st
 void Pictures::draw() {
   Overlay overlay;
   overlay.pace = scene_.pace();
+  overlay.marks = marks_of(scene_);
   renderer_.draw(scene_.world(), camera_, overlay);
   renderer_.read_pixels(pixels_);
 }

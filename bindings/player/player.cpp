@@ -10,6 +10,7 @@
 #include "player/hand_path.hpp"
 #include "player/home.hpp"
 #include "player/interrupt.hpp"
+#include "player/marks.hpp"
 #include "player/message.hpp"
 #include "view/picture.hpp"
 #include "world/hands.hpp"
@@ -151,6 +152,7 @@ void Player::fail(const std::string& why) {
 void Player::write_picture(const std::string& path) {
   Overlay overlay;
   overlay.pace = scene_->pace();
+  overlay.marks = marks_of(*scene_);
   renderer_.draw(scene_->world(), camera_, overlay);
   write_png(path, renderer_.read_pixels(), renderer_.width(), renderer_.height());
 }
@@ -169,6 +171,7 @@ void Player::save_picture() {
 Overlay Player::overlay() const {
   Overlay overlay;
   overlay.pace = scene_->pace();
+  overlay.marks = marks_of(*scene_);
   overlay.title = title();
   overlay.highlight = hands_.highlight();
   overlay.status = status_.parts(scene_->world(), pacing_, scene_->pace(), paused_);

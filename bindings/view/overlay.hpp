@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,19 +11,23 @@
 
 namespace pantin {
 
-/// A line of the world, drawn over the scene.
-struct OverlayLine {
-  Vec3 from = zero3();  ///< [m]
-  Vec3 to = zero3();    ///< [m]
-  Color color;
-  float width = 2.0f;  ///< [px]
+/// A line, arrow, text or dot over the scene, hidden by nothing.
+struct Mark {
+  enum class Kind : std::uint8_t { line, arrow, text, point };
+  Kind kind = Kind::line;
+  Vec3 from = zero3();  ///< [m], or on the screen [px] from its upper left corner, negative from the opposite edge
+  Vec3 to = zero3();    ///< the same; of a line or arrow
+  std::optional<Color> color;  ///< none: the ink that goes with the background
+  double size = 2.0;           ///< [px] width of a line, diameter of a point, height of letters
+  bool on_screen = false;
+  std::string text;
 };
 
 /// What a picture shows beside the world. Empty: the world alone. (Grabs are constraints of the world and need nothing
 /// here.)
 struct Overlay {
   double pace = 1.0;  ///< simulated s per real s, for what is shown for a while
-  std::vector<OverlayLine> lines;
+  std::vector<Mark> marks;
   PointId highlight;                                      ///< ringed, when alive: what the pointer is over
   std::vector<std::string> status;                        ///< parts of the quiet line at the bottom
   std::string message;                                    ///< above it, in warning colour: an error, "slow motion", …

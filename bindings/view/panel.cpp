@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "base/check.hpp"
+#include "view/marks.hpp"
 
 namespace pantin {
 
@@ -14,6 +15,7 @@ namespace {
 
 const ImVec4 ink = {0.22f, 0.20f, 0.18f, 0.85f}, faint = {0.22f, 0.20f, 0.18f, 0.60f},
              warning = {0.72f, 0.16f, 0.14f, 1.0f}, card = {1.0f, 0.985f, 0.96f, 0.90f};
+constexpr MarkLook mark_look = {{0.16f, 0.17f, 0.19f, 1.0f}, {0.96f, 0.94f, 0.90f, 0.7f}};
 constexpr ImGuiWindowFlags quiet = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
                                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoSavedSettings;
@@ -61,11 +63,11 @@ Panel::~Panel() {
   ImGui::DestroyContext(context_);
 }
 
-void Panel::draw(const Overlay& overlay, int width, int height) {
+void Panel::draw(const Overlay& overlay, const Camera& camera, int width, int height) {
   pressed_.clear();
   under_pointer_ = false;
   if (overlay.status.empty() && overlay.message.empty() && overlay.title.empty() && overlay.help.empty() &&
-      overlay.buttons.empty())
+      overlay.buttons.empty() && overlay.marks.empty())
     return;
   ImGui::SetCurrentContext(context_);
   ImGui_ImplOpenGL3_NewFrame();
@@ -76,6 +78,7 @@ void Panel::draw(const Overlay& overlay, int width, int height) {
   io.MousePos = {static_cast<float>(overlay.pointer_x), static_cast<float>(overlay.pointer_y)};
   io.MouseDown[0] = overlay.pointer_down;
   ImGui::NewFrame();
+  draw_marks(*ImGui::GetBackgroundDrawList(), overlay.marks, mark_look, camera, width, height);
   status(overlay, w, h);
   buttons(overlay);
   help(overlay, w, h);

@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include "view/camera.hpp"
 #include "view/overlay.hpp"
 
 struct ImGuiContext;
@@ -15,8 +16,8 @@ class Panel {
   Panel(const Panel&) = delete;
   Panel& operator=(const Panel&) = delete;
 
-  /// Into the framebuffer that is bound, of that size [px].
-  void draw(const Overlay& overlay, int width, int height);
+  /// Into the framebuffer that is bound, of that size [px]; the overlay's marks as the camera sees them.
+  void draw(const Overlay& overlay, const Camera& camera, int width, int height);
   const std::string& pressed() const { return pressed_; }
   bool under_pointer() const { return under_pointer_; }
 

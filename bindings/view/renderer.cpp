@@ -131,7 +131,7 @@ void Renderer::draw(const World& world, const Camera& camera, const Overlay& ove
     glBlitFramebuffer(0, 0, p.width, p.height, 0, 0, p.width, p.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     p.resolved->bind();
   }
-  p.panel.draw(overlay, p.width, p.height);
+  p.panel.draw(overlay, camera, p.width, p.height);
 }
 
 void Renderer::Parts::set_camera(const ShaderProgram& program, const Camera& camera) const {

@@ -332,9 +332,6 @@ void Sketcher::draw_breaks(const World& world, const Eye& eye, const Stage& stag
 }
 
 void Sketcher::draw_overlay(const World& world, const Eye& eye, const Overlay& overlay, Sketch& sketch) {
-  for (const OverlayLine& line : overlay.lines)
-    if (finite(line.from) && finite(line.to))
-      eye.bar(sketch, line.from, line.to, 0.0, 0.5 * static_cast<double>(line.width), linear(line.color), true);
   if (!world.points.alive(overlay.highlight)) return;
   const PointId id = overlay.highlight;
   const double joint = static_cast<double>(joints_[world.points[id].particle.slot - 1]);

@@ -146,6 +146,16 @@ function quat_methods:inverse() end
 ---@field label string where it was set
 ---@field target? string
 
+---@class LineOptions
+---@field color? color
+---@field width? number [px]
+---@field space? "scene"|"screen"
+
+---@class MarkOptions
+---@field color? color
+---@field size? number [px] diameter of a point, height of letters
+---@field space? "scene"|"screen"
+
 ---@class Camera
 ---@field at? vec [m]
 ---@field look_at? vec [m]
@@ -759,6 +769,29 @@ function Structure:select(part, keep) end
 ---@return vec
 function Structure:inertia(mass_in) end
 
+---Draws over the scene what is shown until the next step: call it in each step. On the screen (space = "screen") x and y are in px from the upper left corner, negative ones from the right or lower edge.
+---@class Draw
+local Draw = {}
+---A line.
+---@param from vec [m]
+---@param to vec [m]
+---@param options? LineOptions
+function Draw:line(from, to, options) end
+---An arrow to a place.
+---@param from vec [m]
+---@param to vec [m]
+---@param options? LineOptions
+function Draw:arrow(from, to, options) end
+---Text whose upper left corner is at a place; \n begins a new line.
+---@param at vec [m]
+---@param text string
+---@param options? MarkOptions
+function Draw:text(at, text, options) end
+---A dot.
+---@param at vec [m]
+---@param options? MarkOptions
+function Draw:point(at, options) end
+
 ---The scene that is being run.
 ---@class Scene
 ---@field title string what the window and the pictures are called
@@ -790,6 +823,7 @@ function Structure:inertia(mass_in) end
 ---@field hinges Particle[] all hinges (read only)
 ---@field connections Connection[] all connections, in the order of making (read only)
 ---@field hands Hand[] the mouse, fingers, sticks, and scripted hands (read only)
+---@field draw Draw draws over the scene for one frame (read only)
 local Scene = {}
 ---Makes a free particle of one point.
 ---@param options? ParticleOptions
@@ -1042,6 +1076,7 @@ function Scene:finish() end
 ---@field hinges Particle[] all hinges (read only)
 ---@field connections Connection[] all connections, in the order of making (read only)
 ---@field finished boolean whether it called scene:finish() (read only)
+---@field drawn integer lines, arrows, texts and points that it drew in the last step (read only)
 local OpenedScene = {}
 ---Steps on for a time.
 ---@param seconds number [s]

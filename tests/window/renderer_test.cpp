@@ -148,7 +148,8 @@ TEST_CASE("a hand's pull, a highlight, lines and text are drawn", "[window]") {
   overlay.highlight = world.bodies[rods[2]].points[1];
   CHECK(draw(world, camera, 0, overlay).covered(still) > 20);
   overlay = {};
-  overlay.lines.push_back({vec(0, 0, 0), vec(3, 1, 0), {0.0f, 0.0f, 0.0f, 1.0f}, 3.0f});
+  overlay.marks.push_back(
+      {Mark::Kind::line, vec(0, 0, 0), vec(3, 1, 0), Color{0.0f, 0.0f, 0.0f, 1.0f}, 3.0, false, ""});
   CHECK(draw(world, camera, 0, overlay).covered(still) > 100);
   overlay = {};
   overlay.status = {"time 1.50 s", "1.00 × real time"};
@@ -165,6 +166,38 @@ TEST_CASE("a hand's pull, a highlight, lines and text are drawn", "[window]") {
   const Still pulled = draw(world, camera);
   const auto [x, y] = pixel(camera, vec(3, 1, 0));
   CHECK(pulled.apart(still, x, y) > 60);
+}
+
+TEST_CASE("marks are drawn over the scene and on the screen, not behind the eye, and far ends do no harm", "[window]") {
+  const Window window("test", width, height, true);
+  const World world;
+  Camera camera;
+  camera.look(vec(0, 1, 6), vec(0, 1, 0));
+  const Still bare = draw(world, camera);
+  const Color red = {1.0f, 0.0f, 0.0f, 1.0f};
+  const auto with = [&](const Mark& mark) {
+    Overlay overlay;
+    overlay.marks = {mark};
+    return draw(world, camera, 0, overlay);
+  };
+  using Kind = Mark::Kind;
+  const Still dot = with({Kind::point, vec(0, 1, 0), zero3(), red, 12.0, false, ""});
+  CHECK(dot.at(width / 2, height / 2, 0) > 240);
+  CHECK(dot.at(width / 2, height / 2, 2) < 20);
+  CHECK(dot.covered(bare) == Approx(M_PI * 36.0).epsilon(0.15));
+  const Still corner = with({Kind::point, vec(-20, -10, 0), zero3(), red, 12.0, true, ""});
+  CHECK(corner.at(width - 20, height - 10, 1) < 20);
+  const Still line = with({Kind::line, vec(10, 20, 0), vec(110, 20, 0), red, 4.0, true, ""});
+  CHECK(line.covered(bare) == Approx(450.0).epsilon(0.15));
+  const Still head = with({Kind::arrow, vec(10, 50, 0), vec(110, 50, 0), red, 4.0, true, ""});
+  CHECK(head.covered(bare) > line.covered(bare) + 50);
+  CHECK(with({Kind::text, vec(0, 1, 0), zero3(), {}, 20.0, false, "ring"}).covered(bare) > 60);
+  CHECK(with({Kind::point, vec(0, 1, 9), zero3(), red, 12.0, false, ""}).covered(bare) == 0);
+  CHECK(with({Kind::arrow, vec(0, 1, 9), vec(0, 2, 8), red, 2.0, false, ""}).covered(bare) == 0);
+  const Still through = with({Kind::line, vec(0, 1, 0), vec(0, 1.001, 1e300), red, 3.0, false, ""});
+  CHECK(through.covered(bare) < 200);
+  CHECK(with({Kind::line, vec(-1e9, 1, 0), vec(1e9, 1, 0), red, 2.0, false, ""}).covered(bare) ==
+        Approx(2.5 * width).epsilon(0.25));
 }
 
 TEST_CASE("a button answers to the pointer of the overlay", "[window]") {
