@@ -223,6 +223,7 @@ function quat_methods:inverse() end
 ---@field mass? number [kg]
 ---@field radius? number [m]
 ---@field color? color
+---@field family? Family
 
 ---@class BodyOptions
 ---@field points? table<integer|string, vec|PointOptions>
@@ -239,6 +240,7 @@ function quat_methods:inverse() end
 ---@field color? color
 ---@field radius? number [m]
 ---@field lifetime? number [s]
+---@field family? Family
 ---@field axis? vec turns about it only; world axes
 ---@field breaks_at? table { force [N], torque [N m] }
 ---@field name? string

@@ -163,7 +163,8 @@ Options read_options(int argc, const char* const* argv) {
   CLI::App* bench = app.add_subcommand("bench", "Runs benchmarks");
   bench->add_option("name", options.arguments, "Which, and its arguments [all]");
   bench->add_flag("--peers", options.peers, "Measures other engines, too, where they are installed");
-  CLI::App* meta = app.add_subcommand("meta", "Prints the annotations for a Lua language server");
+  CLI::App* meta = app.add_subcommand("meta", "Prints the annotations for a Lua language server, or the reference");
+  meta->add_option("what", options.arguments, "What: annotations unless given")->check(CLI::IsMember({"reference"}));
   meta->group("");
 
   try {

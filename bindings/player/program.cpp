@@ -8,6 +8,7 @@
 #include <string>
 
 #include "lua/annotations.hpp"
+#include "lua/reference.hpp"
 #include "lua/scene.hpp"
 #include "player/bench.hpp"
 #include "player/home.hpp"
@@ -29,7 +30,9 @@ int do_command(const Options& options) {
     case Options::Command::report: return report(options.run, options.prefix, find_home());
     case Options::Command::test: return test(options.arguments, find_home());
     case Options::Command::bench: return bench({options.arguments, options.peers});
-    case Options::Command::meta: std::cout << lua::annotations(); return 0;
+    case Options::Command::meta:
+      std::cout << (options.arguments.empty() ? lua::annotations() : lua::reference());
+      return 0;
   }
   return 2;
 }

@@ -1,20 +1,131 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <set>
+#include <sstream>
 
 #include "bindings/lua_support.hpp"
 #include "lua/annotations.hpp"
 #include "lua/fields.hpp"
+#include "lua/reference.hpp"
 #include "support/sources.hpp"
 
 using namespace pantin;
 using namespace pantin::lua_tests;
+
+namespace {
+
+/// The fields of each class of the annotations, with those of the classes that it is also.
+std::map<std::string, std::set<std::string>> documented_fields() {
+  std::map<std::string, std::set<std::string>> classes;
+  std::istringstream lines(lua::annotations());
+  std::string open;
+  std::map<std::string, std::vector<std::string>> bases;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string word, name;
+    words >> word >> name;
+    if (word == "---@class") {
+      const bool derived = name.ends_with(':');
+      open = derived ? name.substr(0, name.size() - 1) : name;
+      classes[open];
+      for (bool more = derived; more && words >> name;) {
+        more = name.ends_with(',');
+        bases[open].push_back(more ? name.substr(0, name.size() - 1) : name);
+      }
+    }
+    if (word == "---@field" && !name.starts_with('['))
+      classes[open].insert(name.ends_with('?') ? name.substr(0, name.size() - 1) : name);
+  }
+  for (int depth = 0; depth < 4; depth++)
+    for (const auto& [name, from] : bases)
+      for (const std::string& base : from) classes[name].insert(classes[base].begin(), classes[base].end());
+  return classes;
+}
+
+}  // namespace
 
 TEST_CASE("scripts/meta/pantin.lua is what the tables of the bindings say") {
   std::ifstream file(sources::folder() + "/scripts/meta/pantin.lua");
   const std::string written{std::istreambuf_iterator<char>(file), {}};
   INFO("write it anew with: pantin meta > scripts/meta/pantin.lua");
   CHECK(written == lua::annotations());
+}
+
+TEST_CASE("assets/pages/reference.md is what the annotations say") {
+  std::ifstream file(sources::folder() + "/assets/pages/reference.md");
+  const std::string written{std::istreambuf_iterator<char>(file), {}};
+  INFO("write it anew with: pantin meta reference > assets/pages/reference.md");
+  CHECK(written == lua::reference());
+}
+
+TEST_CASE("the reference has every class, field, function and parameter of the annotations") {
+  const std::string pages = lua::reference();
+  std::istringstream lines(lua::annotations());
+  std::string word, name;
+  std::size_t seen = 0;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    words >> word >> name;
+    if (word == "---@class" && name.ends_with(':')) name.pop_back();
+    CAPTURE(line);
+    if (word == "---@class") CHECK(pages.find("\n## " + name + "\n") != std::string::npos);
+    if (word == "---@field" && !name.starts_with('[')) CHECK(pages.find("| `" + name + "` |") != std::string::npos);
+    if (word == "---@param") CHECK(pages.find("- `" + name + "`: ") != std::string::npos);
+    seen += word.starts_with("---@");
+  }
+  CHECK(seen > 1000);
+}
+
+TEST_CASE("the options that annotations list are those that the bindings know") {
+  const std::string things = R"(
+    local p = scene:particle() local b = scene:body { mass = 1, inertia = vec(1, 1, 1), points = { head = vec(0, 0, 0) } }
+    local c = scene:body { mass = 1, inertia = vec(1, 1, 1), points = { head = vec(0, 0, 0) } }
+    local x, o, wrong = vec(1, 0, 0), vec(0, 0, 0), { wrong = 1 }
+  )";
+  const std::vector<std::pair<std::string, std::string>> calls = {
+      {"ParticleOptions", "scene:particle(wrong)"},
+      {"BodyOptions", "scene:body(wrong)"},
+      {"PointOptions", "scene:body { points = { wrong } }"},
+      {"FamilyOptions", "scene:family('f', wrong)"},
+      {"EmitterOptions", "scene:emitter(wrong)"},
+      {"HingeOptions", "scene:hinge(b.head, c.head, wrong)"},
+      {"TieOptions", "scene:nail(p, o, wrong)"},
+      {"FollowOptions", "scene:follow(p, o, wrong)"},
+      {"MotorOptions", "scene:motor(b, wrong)"},
+      {"StringOptions", "scene:string({ p, o }, wrong)"},
+      {"PathOptions", "scene:on_path(p, { o, x }, wrong)"},
+      {"PlaneOptions", "scene:on_plane(p, wrong)"},
+      {"OrientOptions", "scene:orient(b, nil, wrong)"},
+      {"AlignOptions", "scene:align(b, x, x, wrong)"},
+      {"JoinOptions", "scene:join(p, b.head, wrong)"},
+      {"BuildOptions", "scene:build(structure.cube(), wrong)"},
+      {"BondingOptions", "scene:bonding(wrong)"},
+      {"Condition", "scene:when(wrong, print)"},
+      {"WhenOptions", "scene:when(print, print, wrong)"},
+      {"ParamOptions", "scene:param('x', 1, wrong)"},
+      {"Camera", "scene.camera = wrong"},
+      {"SpringOptions", "force.spring(wrong)"},
+      {"OwnPairLawOptions", "force.pair(wrong)"},
+      {"OwnPointLawOptions", "force.point(wrong)"},
+      {"OwnManyLawOptions", "force.many(wrong)"},
+  };
+  const auto documented = documented_fields();
+  for (const auto& [name, call] : calls) {
+    CAPTURE(name);
+    const std::string message = failure(things + call);
+    const std::string begins = "unknown field 'wrong'. Known are ";
+    CAPTURE(message);
+    const std::size_t known = message.find(begins);
+    REQUIRE(known != std::string::npos);
+    std::set<std::string> accepted;
+    std::istringstream list(message.substr(known + begins.size()));
+    for (std::string field; std::getline(list, field, ',');) {
+      accepted.insert(field.substr(field.find_first_not_of(' ')));
+    }
+    CHECK(documented.at(name) == accepted);
+  }
 }
 
 TEST_CASE("every field that is listed can be read, and every method is there") {
