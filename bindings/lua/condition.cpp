@@ -1,6 +1,4 @@
 // Conditions of `scene:when`: `{ temperature_above = 300, of = group }`.
-#include <memory>
-
 #include "lua/arguments.hpp"
 #include "lua/choreography.hpp"
 #include "lua/fields.hpp"
@@ -77,13 +75,13 @@ Measured of_function(lua_State* state, int index, Script& script) {
   const Callback function = check_function(state, index, "when", "argument 1, the condition,");
   Measured m;
   m.limit = 0.5;
-  m.measure = [function, &script, over = std::make_shared<bool>(false)] {
+  m.measure = [function, &script, over = false]() mutable {
     bool holds = false;
-    if (*over) return 0.0;
+    if (over) return 0.0;
     try {
       function.call({}, [&](lua_State* s) { holds = lua_toboolean(s, -1) != 0; });
     } catch (const StaleHandle& error) {
-      *over = true;
+      over = true;
       log_line(script.world, "dropped", error.what());
     }
     return holds ? 1.0 : 0.0;

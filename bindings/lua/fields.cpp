@@ -123,6 +123,7 @@ const Type& type_of(Kind kind) {
     case Kind::subscription: return subscription_type();
     case Kind::structure: return structure_type();
     case Kind::draw: return draw_type();
+    case Kind::snapshot: return snapshot_type();
     case Kind::scene: break;
   }
   return scene_type();

@@ -95,6 +95,7 @@ const Type& hand_type();
 const Type& subscription_type();
 const Type& structure_type();
 const Type& draw_type();
+const Type& snapshot_type();
 const Type& scene_type();
 
 }  // namespace pantin::lua

@@ -85,7 +85,7 @@ const char* const words[] = {"a point",        "a particle", "a body",     "a na
                              "a weld",         "an orient",  "an align",   "a motor",  "a limit",  "an on_plane",
                              "a string",       "an on_path", "a join",     "a group",  "a family", "a connection",
                              "an interaction", "a field",    "an emitter", "an event", "a hand",   "a subscription",
-                             "a structure",    "scene.draw", "a scene"};
+                             "a structure",    "scene.draw", "a snapshot", "a scene"};
 
 }  // namespace
 
@@ -207,6 +207,7 @@ std::string describe(const Ref& ref) {
     case Kind::subscription: return "subscription";
     case Kind::structure: return "structure";
     case Kind::draw: return "scene.draw";
+    case Kind::snapshot: return "snapshot";
     case Kind::scene: return "scene";
     default: return describe(ref.script->world, any_of(ref));
   }

@@ -41,9 +41,10 @@ enum class Kind : std::uint32_t {
   subscription,
   structure,
   draw,
+  snapshot,
   scene
 };
-inline constexpr std::size_t kind_count = 27;
+inline constexpr std::size_t kind_count = 28;
 
 /// Whether things of this kind are constraints.
 inline bool is_constraint(Kind kind) { return kind >= Kind::nail && kind <= Kind::join; }

@@ -6,6 +6,7 @@
 #include "lua/guard.hpp"
 #include "lua/measures.hpp"
 #include "lua/script.hpp"
+#include "lua/snapshot.hpp"
 
 namespace pantin::lua {
 namespace {
@@ -53,6 +54,14 @@ int read_result(lua_State* state) {
   return 1;
 }
 
+int restore_opened(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "restore");
+  const std::shared_ptr<const SceneSnapshot> snapshot = check_snapshot(state, 2, self.script);
+  const Outside outside;
+  restore(self.script, *snapshot);
+  return 0;
+}
+
 Type make() {
   Type type{"OpenedScene", "opened scene", "A scene that a test opened.", {}, {}};
   type.fields = scene_measures();
@@ -66,6 +75,8 @@ Type make() {
       {"step", guard<step_opened>, "", "", "Does one step."},
       {"read", guard<read_probe>, "name: string", "number", "The present number of a probe."},
       {"result", guard<read_result>, "name: string", "number|boolean|string", "A result that the scene gave."},
+      {"snapshot", guard<scene_snapshot>, "", "Snapshot", "The present state."},
+      {"restore", guard<restore_opened>, "snapshot: Snapshot", "", "Puts a state back."},
       {"find", guard<scene_find>, "name: string", "Thing?", "The oldest living thing of that name."},
       {"near", guard<scene_near>, "at: vec [m], radius: number [m]", "Particle[]",
        "Particles within a radius, nearest first."},

@@ -47,14 +47,15 @@ class Runtime {
   lua_State* active() const { return watch_.running.load(std::memory_order_relaxed); }
   Watch& watch() { return watch_; }
 
-  std::string folder;         ///< of the scene: where `require` looks first, and `read_table`
-  std::string home;           ///< holds scripts/lib and scripts/behaviours
-  Random* random = nullptr;   ///< source of math.random
-  lua_Integer shown = 0;      ///< values that were given a number to be shown by
-  LawRun* law = nullptr;      ///< the law whose function runs, or null
-  std::uint64_t traces = 0;   ///< that were begun so far
-  std::string stale_message;  ///< text of the last error that a StaleHandle became
-  std::string usage_message;  ///< text of the last error that a UsageError became
+  std::string folder;            ///< of the scene: where `require` looks first, and `read_table`
+  std::string home;              ///< holds scripts/lib and scripts/behaviours
+  Random* random = nullptr;      ///< source of math.random
+  lua_Integer shown = 0;         ///< values that were given a number to be shown by
+  LawRun* law = nullptr;         ///< the law whose function runs, or null
+  bool speaks_of_reset = false;  ///< some file has the word: the start of the scene is to be kept
+  std::uint64_t traces = 0;      ///< that were begun so far
+  std::string stale_message;     ///< text of the last error that a StaleHandle became
+  std::string usage_message;     ///< text of the last error that a UsageError became
 
  private:
   struct Job {

@@ -6,11 +6,12 @@
 
 #include "lua/files.hpp"
 #include "lua/script.hpp"
+#include "lua/snapshot.hpp"
 #include "step.hpp"
 
 namespace pantin::lua {
 
-Script::Script(const SceneOptions& given) : options(given), runtime({given.script_limit, given.memory_limit}) {
+Script::Script(const SceneOptions& given) : ScriptHost{given, Runtime({given.script_limit, given.memory_limit})} {
   world.workers = std::make_unique<Workers>(options.threads);
   runtime.random = &world.random;
   runtime.home = given.home;
@@ -23,8 +24,11 @@ Script::Script(const SceneOptions& given) : options(given), runtime({given.scrip
 }
 
 void step_scene(Script& script) {
+  restore_wanted(script);
+  keep_start(script);
   script.drawings.clear();
   step(script.world);
+  restore_wanted(script);
 }
 
 struct Scene::State {
@@ -93,6 +97,12 @@ std::vector<std::string> Scene::warnings() const {
 }
 
 const std::vector<Drawing>& Scene::drawings() const { return state_->script.drawings; }
+std::shared_ptr<const SceneSnapshot> Scene::take_snapshot() { return lua::take_snapshot(state_->script); }
+void Scene::restore(const SceneSnapshot& snapshot) {
+  const Outside outside;
+  lua::restore(state_->script, snapshot);
+}
+std::string Scene::why_not_restore() const { return pantin::why_not_restore(world()); }
 
 Script& Scene::script() { return state_->script; }
 

@@ -14,6 +14,7 @@
 namespace pantin::lua {
 
 struct Script;
+struct SceneSnapshot;
 
 using Value = std::variant<double, bool, std::string>;
 
@@ -70,6 +71,15 @@ class Scene {
   const std::map<std::string, Value>& results() const;
   std::vector<std::string> warnings() const;
   const std::vector<Drawing>& drawings() const;  ///< what the script drew in the last step
+
+  /// The present state: the world's, what the script declared, `scene.store` and the `data` of things. Between two steps;
+  /// must not outlive the scene. Throws Error where something in `scene.store` is not plain.
+  std::shared_ptr<const SceneSnapshot> take_snapshot();
+  /// Puts it back, between two steps: `world()` stays the same object, and handles are those they were. A parameter that
+  /// has another value is told its old one by its `on_change` first. Throws Error where `why_not_restore` says why.
+  void restore(const SceneSnapshot& snapshot);
+  /// Why nothing can be restored now: a play goes on, which cannot be wound back. Empty where it can.
+  std::string why_not_restore() const;
   /// The inside, for the bindings alone.
   Script& script();
 

@@ -17,6 +17,7 @@
 #include "lua/measures.hpp"
 #include "lua/parameters.hpp"
 #include "lua/script.hpp"
+#include "lua/snapshot.hpp"
 #include "lua/structure_type.hpp"
 #include "lua/targets.hpp"
 #include "lua/tie_options.hpp"
@@ -99,7 +100,8 @@ std::vector<Field> show_settings() {
       {"pace", "number", "", "simulated s per real s", [](const Self& s) { lua_pushnumber(s.state, s.script.pace); },
        [](const Self& s, int i) { s.script.pace = check_positive(s, i, "pace", ""); }},
       {"camera", "Camera", "", "{ at [m], look_at [m], follow = thing }", read_camera, write_camera},
-      {"store", "table", "", "plain values of yours", [](const Self& s) { push_store(s.state, s.script); },
+      {"store", "table", "", "plain values of yours, which snapshots keep",
+       [](const Self& s) { push_store(s.state, s.script); },
        [](const Self& s, int i) {
          require(lua_istable(s.state, i), "scene: store must be a table, got ", kind_of_value(s.state, i));
          lua_pushvalue(s.state, i);
@@ -321,6 +323,13 @@ std::vector<Method> telling() {
       {"result", guard<scene_result>, "name: string, value: number|boolean|string", "",
        "Puts a value into the summary."},
       {"finish", guard<scene_finish>, "", "", "Ends the run."},
+      {"snapshot", guard<scene_snapshot>, "", "Snapshot",
+       "The present state, kept in memory. Taking it changes nothing of the run."},
+      {"restore", guard<scene_restore>, "snapshot: Snapshot", "",
+       "Goes back to a snapshot once the step is done. Things, events and handlers are those of then, and handles of "
+       "them "
+       "are theirs again; what was made since is gone. An error while a play goes on."},
+      {"reset", guard<scene_reset>, "", "", "Goes back to the start of the first step, as restore does."},
   };
 }
 

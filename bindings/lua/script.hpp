@@ -26,13 +26,8 @@ struct Subscription {
   std::optional<Callback> stop = {};
 };
 
-struct Script {
-  explicit Script(const SceneOptions& options);
-
-  SceneOptions options;
-  Runtime runtime;  ///< outlives the world, which holds functions of it
-  World world;
-
+/// What a snapshot copies of a script.
+struct ScriptData {
   std::string title;
   std::optional<double> duration;                 ///< [s]
   double pace = 1.0;                              ///< simulated s per real s
@@ -42,24 +37,40 @@ struct Script {
 
   std::vector<Parameter> parameters;
   std::map<std::string, Callback> on_change;
-  std::set<std::string> fixed;  ///< settings that `--set` gave: what the file assigns is ignored
   std::vector<std::string> buttons;
   std::map<std::string, Callback> button_functions;
   std::map<std::string, Value> results;
   std::vector<Drawing> drawings;            ///< of the last step, or from before the first
   std::vector<Subscription> subscriptions;  ///< in the order of asking
-  std::uint64_t subscribed = 0;             ///< serial of the last
   std::size_t cancelled = 0;                ///< subscriptions that are only there to be dropped
-  int telling = 0;                          ///< calls that go through the subscriptions now
   std::vector<TracedAtWork> traced;
-  std::size_t data_count = 0;   ///< tables of things' data
-  std::size_t data_sweep = 64;  ///< count at which the dead ones are dropped
+};
+
+/// Where a script runs. It outlives all that holds functions of it.
+struct ScriptHost {
+  SceneOptions options;
+  Runtime runtime;
+};
+
+struct Script : ScriptHost, ScriptData {
+  explicit Script(const SceneOptions& options);
+
+  World world;
+
+  std::set<std::string> fixed;                  ///< settings that `--set` gave: what the file assigns is ignored
+  std::uint64_t subscribed = 0;                 ///< serial of the last subscription
+  int telling = 0;                              ///< calls that go through the subscriptions now
+  std::shared_ptr<const SceneSnapshot> start;   ///< before the first step, where a file speaks of `reset`
+  std::shared_ptr<const SceneSnapshot> wanted;  ///< to be restored when the step is done
+  std::uint64_t snapshots = 0;                  ///< that the script took
+  std::size_t data_count = 0;                   ///< tables of things' data
+  std::size_t data_sweep = 64;                  ///< count at which the dead ones are dropped
 
   /// Addresses are keys of the Lua registry: per kind the handles given out, then their data, then scene.store.
   std::array<char, kind_count + 2> keys{};
 };
 
-/// One step of the world, with what the script draws in it.
+/// One step of the world, with what the script draws in it, and the restore that a callback asked for.
 void step_scene(Script& script);
 /// Tells the callbacks of the script what happened in the last step, and that a step begins.
 void run_behaviours(Script& script);

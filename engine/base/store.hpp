@@ -20,8 +20,37 @@ struct Obituary {
   friend bool operator==(const Obituary&, const Obituary&) = default;
 };
 
+/// The last generation that was given out of each slot. Assigning never takes one back: what was made after the state
+/// that is put back stays dead for ever.
+class Generations {
+ public:
+  Generations() = default;
+  Generations(const Generations&) = default;
+  Generations(Generations&&) = default;
+  Generations& operator=(const Generations& other) {
+    if (last_.size() < other.last_.size()) last_.resize(other.last_.size());
+    for (std::size_t slot = 0; slot < other.last_.size(); slot++)
+      last_[slot] = std::max(last_[slot], other.last_[slot]);
+    return *this;
+  }
+  ~Generations() = default;
+
+  std::uint32_t next(std::uint32_t slot) {
+    if (last_.size() <= slot) last_.resize(slot + 1);
+    return ++last_[slot];
+  }
+  /// Whether a handle was given out, in a state that may have been taken back.
+  bool known(std::uint32_t slot, std::uint32_t generation) const {
+    return slot < last_.size() && generation <= last_[slot];
+  }
+
+ private:
+  std::vector<std::uint32_t> last_;  ///< (slots)
+};
+
 /// Rows of one kind. A row stays in its slot for life, so slots may be used as indices between two edits; the slots of
-/// the dead are given out again under a new generation.
+/// the dead are given out again under a new generation. A copy may be assigned back: the rows are then as they were, and
+/// handles of what was made since are dead.
 template <class Row>
 class Store {
  public:
@@ -39,7 +68,7 @@ class Store {
       rows_[slot] = std::move(row);
     }
     slots_[slot].alive = true;
-    slots_[slot].generation++;
+    slots_[slot].generation = generations_.next(slot);
     size_++;
     return {slot + 1, slots_[slot].generation};
   }
@@ -75,7 +104,9 @@ class Store {
   /// "body 'arm' was removed at 1.5 s by scene.lua:12"
   std::string story(Id id) const {
     if (!id) return "this names nothing";
-    if (id.slot > slots_.size()) return "this handle was never given out by this world";
+    if (!generations_.known(id.slot - 1, id.generation)) return "this handle was never given out by this world";
+    if (id.slot > slots_.size() || id.generation > slots_[id.slot - 1].generation)
+      return "this was made after the moment that was restored, and is gone with what came after it";
     const Obituary& o = slots_[id.slot - 1].obituary;
     if (o.generation != id.generation) return "this was removed long ago, and its place has been used again since";
     return text(o.what, " was removed at ", o.time, " s by ", o.who);
@@ -103,6 +134,7 @@ class Store {
   std::vector<Row> rows_;
   std::vector<Slot> slots_;
   std::vector<std::uint32_t> free_;
+  Generations generations_;
   std::size_t size_ = 0;
 };
 

@@ -41,6 +41,9 @@ class LawBlock {
 
   /// Once before the blocks of an evaluation.
   void set(const Instant& instant, std::span<const double> parameters);
+  /// What it was set to last.
+  const Instant& instant() const { return instant_; }
+  std::span<const double> parameters() const { return parameters_; }
   /// Reads a parameter in place: as many values as a block has, up to the next multiple of 16.
   void bind_parameter(std::size_t parameter, const double* values);
   /// n <= most.

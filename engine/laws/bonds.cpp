@@ -264,6 +264,21 @@ Bonds::Bonds(std::shared_ptr<const Law> law, std::span<const std::string> names,
 }
 
 Bonds::~Bonds() = default;
+Bonds::Bonds(const Bonds& other) : kernel_(std::make_unique<Kernel>()) {
+  Kernel& k = *kernel_;
+  const Kernel& from = *other.kernel_;
+  k.law = from.law;
+  k.names = from.names;
+  k.workers = from.workers;
+  k.own_parameters = from.own_parameters;
+  k.bonds = from.bonds;
+  k.pull = from.pull;
+  k.least2 = from.least2;
+  k.make_blocks();
+  if (from.last == nullptr) return;
+  k.last = from.last == &from.plain.front() ? &k.plain.front() : &k.energetic.front();
+  k.last->law.set(from.last->law.instant(), from.last->law.parameters());
+}
 Bonds::Bonds(Bonds&&) noexcept = default;
 Bonds& Bonds::operator=(Bonds&&) noexcept = default;
 

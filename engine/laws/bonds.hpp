@@ -27,6 +27,7 @@ class Bonds {
   /// Throws Error where the law wants an attribute that is not among `names`.
   Bonds(std::shared_ptr<const Law> law, std::span<const std::string> names, const Workers& workers);
   ~Bonds();
+  Bonds(const Bonds&);
   Bonds(Bonds&&) noexcept;
   Bonds& operator=(Bonds&&) noexcept;
 

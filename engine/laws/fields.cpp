@@ -32,9 +32,13 @@ void gather(LawBlock& law, std::span<const std::uint32_t> members, const Sites& 
 
 struct Fields::Kernel {
   std::shared_ptr<const Law> law;
-  std::vector<LawBlock> plain, energetic;  // one for each worker
+  std::vector<std::string> names;
+  std::size_t workers = 1;
+  std::vector<LawBlock> plain, energetic;  // one for each worker; none in a copy that has not run yet
   std::vector<std::uint32_t> members;
   std::vector<CompensatedSum> energies;
+
+  void make_blocks();
 
   /// Calls each(block, members of it) when the law has been run, for the blocks of one task.
   template <class Each>
@@ -49,7 +53,7 @@ struct Fields::Kernel {
   }
   void add_task(LawBlock& block, std::size_t task, Sites& sites, const Box& box, CompensatedSum* energy) const;
   double add(std::vector<LawBlock>& blocks, Sites& sites, const Box& box, const Instant& instant,
-             std::span<const double> parameters, Workers& workers, bool with_energy);
+             std::span<const double> parameters, Workers& shared, bool with_energy);
 };
 
 void Fields::Kernel::add_task(LawBlock& block, std::size_t task, Sites& sites, const Box& box,
@@ -64,7 +68,7 @@ void Fields::Kernel::add_task(LawBlock& block, std::size_t task, Sites& sites, c
 }
 
 double Fields::Kernel::add(std::vector<LawBlock>& blocks, Sites& sites, const Box& box, const Instant& instant,
-                           std::span<const double> parameters, Workers& workers, bool with_energy) {
+                           std::span<const double> parameters, Workers& shared, bool with_energy) {
   const std::size_t tasks = (members.size() + task_size - 1) / task_size;
   for (LawBlock& block : blocks) block.set(instant, parameters);
   energies.resize(std::max(energies.size(), tasks));
@@ -74,23 +78,35 @@ double Fields::Kernel::add(std::vector<LawBlock>& blocks, Sites& sites, const Bo
   if (law->called)
     for (std::size_t task = 0; task < tasks; task++) add_one(task, 0);
   else
-    workers.run(tasks, add_one);
+    shared.run(tasks, add_one);
   CompensatedSum total;
   for (std::size_t task = 0; with_energy && task < tasks; task++) total.add(energies[task]);
   return total.value();
+}
+
+void Fields::Kernel::make_blocks() {
+  for (std::size_t k = 0; k < workers; k++) {
+    plain.emplace_back(*law, false, names);
+    if (law->has_energy()) energetic.emplace_back(*law, true, names);
+  }
 }
 
 Fields::Fields(std::shared_ptr<const Law> law, std::span<const std::string> names, const Workers& workers)
     : kernel_(std::make_unique<Kernel>()) {
   assume(law->kind == LawKind::point);
   kernel_->law = std::move(law);
-  for (int k = 0; k < workers.count(); k++) {
-    kernel_->plain.emplace_back(*kernel_->law, false, names);
-    if (kernel_->law->has_energy()) kernel_->energetic.emplace_back(*kernel_->law, true, names);
-  }
+  kernel_->names.assign(names.begin(), names.end());
+  kernel_->workers = static_cast<std::size_t>(workers.count());
+  kernel_->make_blocks();
 }
 
 Fields::~Fields() = default;
+Fields::Fields(const Fields& other) : kernel_(std::make_unique<Kernel>()) {
+  kernel_->law = other.kernel_->law;
+  kernel_->names = other.kernel_->names;
+  kernel_->workers = other.kernel_->workers;
+  kernel_->members = other.kernel_->members;
+}
 Fields::Fields(Fields&&) noexcept = default;
 Fields& Fields::operator=(Fields&&) noexcept = default;
 
@@ -100,17 +116,20 @@ void Fields::arrange(std::span<const std::uint32_t> members) {
 
 void Fields::add_forces(Sites& sites, const Box& box, const Instant& instant, std::span<const double> parameters,
                         Workers& workers) {
+  if (kernel_->plain.empty()) kernel_->make_blocks();
   kernel_->add(kernel_->plain, sites, box, instant, parameters, workers, false);
 }
 
 double Fields::add_forces_and_energy(Sites& sites, const Box& box, const Instant& instant,
                                      std::span<const double> parameters, Workers& workers) {
+  if (kernel_->plain.empty()) kernel_->make_blocks();
   const bool has = kernel_->law->has_energy();
   return kernel_->add(has ? kernel_->energetic : kernel_->plain, sites, box, instant, parameters, workers, has);
 }
 
 std::optional<BadForce> Fields::find_bad(const Sites& sites, const Box& box, const Instant& instant,
                                          std::span<const double> parameters) {
+  if (kernel_->plain.empty()) kernel_->make_blocks();
   LawBlock& block = kernel_->plain.front();
   block.set(instant, parameters);
   std::optional<BadForce> bad;

@@ -19,6 +19,7 @@ class Fields {
   /// Throws Error where the law wants an attribute that is not among `names`.
   Fields(std::shared_ptr<const Law> law, std::span<const std::string> names, const Workers& workers);
   ~Fields();
+  Fields(const Fields&);
   Fields(Fields&&) noexcept;
   Fields& operator=(Fields&&) noexcept;
 

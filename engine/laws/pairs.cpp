@@ -76,9 +76,13 @@ void add_energy(const PairBlock& block, const double* energy, CompensatedLanes& 
 
 struct Pairs::Kernel {
   std::shared_ptr<const Law> law;
-  std::vector<PairBlock> plain, energetic;  // one for each worker
+  std::vector<std::string> names;
+  std::size_t workers = 1;
+  std::vector<PairBlock> plain, energetic;  // one for each worker; none in a copy that has not run yet
   std::size_t radius = 0;                   // column of a touching law
   std::vector<CompensatedSum> energies;     // of slabs
+
+  void make_blocks();
 
   bool central() const { return law->kind == LawKind::central; }
   PairLimits limits(const Rows& rows) const;
@@ -87,7 +91,7 @@ struct Pairs::Kernel {
   void run(PairBlock& block, const Sites& sites, const Rows& rows, const Slab& slab, Each each) const;
   void add_slab(PairBlock& block, Sites& sites, const Rows& rows, const Slab& slab, CompensatedSum* energy) const;
   double add(std::vector<PairBlock>& blocks, Sites& sites, const Rows& rows, const Instant& instant,
-             std::span<const double> parameters, Workers& workers, bool with_energy);
+             std::span<const double> parameters, Workers& shared, bool with_energy);
 };
 
 PairLimits Pairs::Kernel::limits(const Rows& rows) const {
@@ -130,7 +134,7 @@ void Pairs::Kernel::add_slab(PairBlock& block, Sites& sites, const Rows& rows, c
 }
 
 double Pairs::Kernel::add(std::vector<PairBlock>& blocks, Sites& sites, const Rows& rows, const Instant& instant,
-                          std::span<const double> parameters, Workers& workers, bool with_energy) {
+                          std::span<const double> parameters, Workers& shared, bool with_energy) {
   const bool serial = law->called || rows.slots() < serial_slots;
   for (std::size_t k = 0; k < (serial ? 1 : blocks.size()); k++) blocks[k].law.set(instant, parameters);
   CompensatedSum total;
@@ -142,21 +146,27 @@ double Pairs::Kernel::add(std::vector<PairBlock>& blocks, Sites& sites, const Ro
     if (serial)
       for (std::size_t k = 0; k < phase.size(); k++) task(k, 0);
     else
-      workers.run(phase.size(), task);
+      shared.run(phase.size(), task);
     for (std::size_t k = 0; with_energy && k < phase.size(); k++) total.add(energies[k]);
   }
   return total.value();
+}
+
+void Pairs::Kernel::make_blocks() {
+  for (std::size_t k = 0; k < workers; k++) {
+    plain.emplace_back(LawBlock(*law, false, names));
+    if (law->has_energy()) energetic.emplace_back(LawBlock(*law, true, names));
+  }
 }
 
 Pairs::Pairs(std::shared_ptr<const Law> law, std::span<const std::string> names, const Workers& workers)
     : kernel_(std::make_unique<Kernel>()) {
   assume(law->kind == LawKind::central || law->kind == LawKind::pair);
   kernel_->law = std::move(law);
+  kernel_->names.assign(names.begin(), names.end());
+  kernel_->workers = static_cast<std::size_t>(workers.count());
+  kernel_->make_blocks();
   const Law& made = *kernel_->law;
-  for (int k = 0; k < workers.count(); k++) {
-    kernel_->plain.emplace_back(LawBlock(made, false, names));
-    if (made.has_energy()) kernel_->energetic.emplace_back(LawBlock(made, true, names));
-  }
   if (!made.touching) return;
   const auto found = std::find(names.begin(), names.end(), "radius");
   require(found != names.end(), made.name, ": there is no attribute \"radius\"");
@@ -164,22 +174,31 @@ Pairs::Pairs(std::shared_ptr<const Law> law, std::span<const std::string> names,
 }
 
 Pairs::~Pairs() = default;
+Pairs::Pairs(const Pairs& other) : kernel_(std::make_unique<Kernel>()) {
+  kernel_->law = other.kernel_->law;
+  kernel_->names = other.kernel_->names;
+  kernel_->workers = other.kernel_->workers;
+  kernel_->radius = other.kernel_->radius;
+}
 Pairs::Pairs(Pairs&&) noexcept = default;
 Pairs& Pairs::operator=(Pairs&&) noexcept = default;
 
 void Pairs::add_forces(Sites& sites, const Rows& rows, const Instant& instant, std::span<const double> parameters,
                        Workers& workers) {
+  if (kernel_->plain.empty()) kernel_->make_blocks();
   kernel_->add(kernel_->plain, sites, rows, instant, parameters, workers, false);
 }
 
 double Pairs::add_forces_and_energy(Sites& sites, const Rows& rows, const Instant& instant,
                                     std::span<const double> parameters, Workers& workers) {
+  if (kernel_->plain.empty()) kernel_->make_blocks();
   const bool has = kernel_->law->has_energy();
   return kernel_->add(has ? kernel_->energetic : kernel_->plain, sites, rows, instant, parameters, workers, has);
 }
 
 std::optional<BadForce> Pairs::find_bad(const Sites& sites, const Rows& rows, const Instant& instant,
                                         std::span<const double> parameters) {
+  if (kernel_->plain.empty()) kernel_->make_blocks();
   PairBlock& block = kernel_->plain.front();
   block.law.set(instant, parameters);
   const std::size_t outputs = kernel_->central() ? 1 : 3;

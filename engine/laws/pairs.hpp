@@ -25,6 +25,7 @@ class Pairs {
   /// Throws Error where the law wants an attribute that is not among `names`.
   Pairs(std::shared_ptr<const Law> law, std::span<const std::string> names, const Workers& workers);
   ~Pairs();
+  Pairs(const Pairs&);
   Pairs(Pairs&&) noexcept;
   Pairs& operator=(Pairs&&) noexcept;
 

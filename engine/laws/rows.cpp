@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 
 #include "base/check.hpp"
 #include "laws/cells.hpp"
@@ -122,6 +123,25 @@ class Tiles {
 
 Rows::Rows() : work_(std::make_unique<Work>()) {}
 Rows::~Rows() = default;
+Rows::Rows(const Rows& other)
+    : phases_(other.phases_),
+      work_(std::make_unique<Work>()),
+      pairs_(other.pairs_),
+      slots_(other.slots_),
+      within_(other.within_),
+      cutoff_(other.cutoff_),
+      reach_(other.reach_),
+      least_distance2_(other.least_distance2_) {
+  std::copy(std::begin(other.shifts_), std::end(other.shifts_), std::begin(shifts_));
+  work_->tiled = other.work_->tiled;
+  const std::uint32_t* shared = other.work_->tiled.data();
+  for (std::size_t phase = 0; phase < phases_.size(); phase++)
+    for (std::size_t k = 0; k < phases_[phase].size(); k++) {
+      Slab& slab = phases_[phase][k];
+      const bool of_all = !work_->tiled.empty() && other.phases_[phase][k].list == shared;
+      slab.list = of_all ? work_->tiled.data() : slab.own.data();
+    }
+}
 Rows::Rows(Rows&&) noexcept = default;
 Rows& Rows::operator=(Rows&&) noexcept = default;
 

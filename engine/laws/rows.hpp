@@ -39,6 +39,7 @@ class Rows {
 
   Rows();
   ~Rows();
+  Rows(const Rows&);
   Rows(Rows&&) noexcept;
   Rows& operator=(Rows&&) noexcept;
 

@@ -111,12 +111,8 @@ struct StepPart {
   bool first = true, last = true;  ///< of the full sub-step
 };
 
-struct World : Model {
-  World();
-  ~World();
-  World(const World&) = delete;
-  World& operator=(const World&) = delete;
-
+/// What a snapshot copies as it is.
+struct WorldData : Model {
   Settings settings;
   double time = 0.0;             ///< [s] at the end of the last step
   std::uint64_t steps = 0;       ///< done
@@ -136,33 +132,22 @@ struct World : Model {
   std::vector<Probe> probes;
   Random random;
 
-  /// Called in `run_behaviours`, with the notices still there. Scripts may edit in it.
-  std::function<void()> behaviours;
-  /// Names who edits right now, for obituaries: the script's line, or "hand 1". Empty: "the program".
-  std::function<std::string()> who;
+  std::vector<std::uint32_t> loose_bodies;  ///< slots of bodies that nothing constrains
+  std::vector<std::uint32_t> loose_points;  ///< slots of free points that nothing constrains
+  std::vector<double> loose_masses;         ///< (loose_points) [kg]
 
-  std::vector<std::unique_ptr<Articulate>> articulates;  ///< in the order of their smallest serial
-  std::vector<std::uint32_t> loose_bodies;               ///< slots of bodies that nothing constrains
-  std::vector<std::uint32_t> loose_points;               ///< slots of free points that nothing constrains
-  std::vector<double> loose_masses;                      ///< (loose_points) [kg]
-
-  std::unique_ptr<Forces> forces;               ///< of the laws; null where none acts
-  std::unique_ptr<Workers> workers;             ///< threads
   std::map<std::string, double> given_by_laws;  ///< [J] since the start, up to when the laws at work began to act
   bool stiffness_unknown = true;                ///< an edit may have made connections too stiff for explicit steps
   Ledger ledger;
   double open_work = 0.0;  ///< [J] done by laws without energy; part of `work`
 
   Stats stats;
-  Profile profile;
   Accuracy error;                ///< at the end of the last step
   Accuracy worst;                ///< largest so far
   double work = 0.0;             ///< [J] done from outside since the start: hands, follows, pushes, edits
   double start_energy = 0.0;     ///< [J] at the first step
   double largest_kinetic = 0.0;  ///< [J] so far
   double worst_energy = 0.0;     ///< [J] largest |energy - start - work| so far
-
-  std::vector<std::unique_ptr<Trial>> trials;  ///< (threads) of sub-steps
 
   std::vector<Mortal> mortals;  ///< binary heap, earliest first; the dead among them
   /// State of loose things at the start of the step, put back if it goes wrong.
@@ -177,6 +162,24 @@ struct World : Model {
   bool unchecked = true;   ///< whether the integrator fits is to be seen anew
   std::string trouble;     ///< not empty: a law failed in this step
   std::string failure;     ///< not empty: the state became non-finite; the world steps no more
+};
+
+struct World : WorldData {
+  World();
+  ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  std::vector<std::unique_ptr<Articulate>> articulates;  ///< in the order of their smallest serial
+  std::unique_ptr<Forces> forces;                        ///< of the laws; null where none acts
+  std::vector<std::unique_ptr<Trial>> trials;            ///< (threads) of sub-steps
+  std::unique_ptr<Workers> workers;                      ///< threads
+  Profile profile;
+
+  /// Called in `run_behaviours`, with the notices still there. Scripts may edit in it.
+  std::function<void()> behaviours;
+  /// Names who edits right now, for obituaries: the script's line, or "hand 1". Empty: "the program".
+  std::function<std::string()> who;
 };
 
 /// Time at the end of the coming step [s]: whole multiples of its length, however long the run.

@@ -794,13 +794,18 @@ function Draw:text(at, text, options) end
 ---@param options? MarkOptions
 function Draw:point(at, options) end
 
+---A state of the scene, to which scene:restore goes back: the world, scene.store and the data of things; not what a script keeps in its variables.
+---@class Snapshot
+---@field time number [s] of the scene when it was taken (read only)
+local Snapshot = {}
+
 ---The scene that is being run.
 ---@class Scene
 ---@field title string what the window and the pictures are called
 ---@field duration number? [s] end of a headless run
 ---@field pace number simulated s per real s
 ---@field camera Camera { at [m], look_at [m], follow = thing }
----@field store table plain values of yours
+---@field store table plain values of yours, which snapshots keep
 ---@field gravity vec [m/s²] uniform acceleration
 ---@field step number [s] length of one step
 ---@field accuracy number? [1/s] wanted error per second, relative to the sizes of things; sub-steps follow from it
@@ -1060,6 +1065,14 @@ function Scene:probe(name, read) end
 function Scene:result(name, value) end
 ---Ends the run.
 function Scene:finish() end
+---The present state, kept in memory. Taking it changes nothing of the run.
+---@return Snapshot
+function Scene:snapshot() end
+---Goes back to a snapshot once the step is done. Things, events and handlers are those of then, and handles of them are theirs again; what was made since is gone. An error while a play goes on.
+---@param snapshot Snapshot
+function Scene:restore(snapshot) end
+---Goes back to the start of the first step, as restore does.
+function Scene:reset() end
 
 ---A scene that a test opened.
 ---@class OpenedScene
@@ -1093,6 +1106,12 @@ function OpenedScene:read(name) end
 ---@param name string
 ---@return number|boolean|string
 function OpenedScene:result(name) end
+---The present state.
+---@return Snapshot
+function OpenedScene:snapshot() end
+---Puts a state back.
+---@param snapshot Snapshot
+function OpenedScene:restore(snapshot) end
 ---The oldest living thing of that name.
 ---@param name string
 ---@return Thing?

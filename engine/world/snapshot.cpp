@@ -1,0 +1,81 @@
+#include "world/snapshot.hpp"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "articulates/articulate.hpp"
+#include "world/editing.hpp"
+#include "world/forces.hpp"
+#include "world/solved.hpp"
+
+namespace pantin {
+
+struct Snapshot::Held {
+  WorldData data;
+  std::vector<Articulate> articulates;
+  std::optional<Forces> forces;
+};
+
+namespace {
+
+/// Handles of events outlive their rows; what they tell is kept beside these.
+void tell_events(const Store<Event>& before, const Store<Event>& now) {
+  for (EventId id : before.ids())
+    if (!now.alive(id)) *before[id].state = EventState::cancelled;
+  for (EventId id : now.ids()) *now[id].state = EventState::waiting;
+}
+
+std::string play_in(const WorldData& world) {
+  for (EventId id : world.choreography.events.ids())
+    if (const Event& event = world.choreography.events[id]; event.kind == EventKind::play)
+      return event.label.empty() ? "a play" : "the play of " + event.label;
+  return "";
+}
+
+constexpr const char* advice = ", and a script that waits cannot be wound back; a recording can be replayed";
+
+}  // namespace
+
+double Snapshot::time() const { return held_->data.time; }
+std::uint64_t Snapshot::steps() const { return held_->data.steps; }
+
+Snapshot take_snapshot(const World& world) {
+  auto held = std::make_shared<Snapshot::Held>();
+  held->data = world;
+  held->articulates.reserve(world.articulates.size());
+  for (const auto& articulate : world.articulates) held->articulates.push_back(*articulate);
+  if (world.forces) held->forces.emplace(*world.forces);
+  Snapshot snapshot;
+  snapshot.held_ = std::move(held);
+  return snapshot;
+}
+
+std::string why_not_restore(const World& world) {
+  const std::string play = play_in(world);
+  return play.empty() ? "" : text(play, " goes on", advice);
+}
+
+std::string why_not_restore(const World& world, const Snapshot& snapshot) {
+  const std::string now = why_not_restore(world);
+  if (!now.empty()) return now;
+  const std::string then = play_in(snapshot.held_->data);
+  return then.empty() ? "" : text(then, " went on at ", snapshot.time(), " s", advice);
+}
+
+void restore(World& world, const Snapshot& snapshot) {
+  editing::require_unlocked(world, "restore");
+  const std::string why = why_not_restore(world, snapshot);
+  require(why.empty(), "restore: ", why);
+  const Snapshot::Held& held = *snapshot.held_;
+  tell_events(world.choreography.events, held.data.choreography.events);
+  static_cast<WorldData&>(world) = held.data;
+  world.articulates.clear();
+  for (const Articulate& articulate : held.articulates)
+    world.articulates.push_back(std::make_unique<Articulate>(articulate));
+  world.forces = held.forces ? std::make_unique<Forces>(*held.forces) : nullptr;
+  const bool found_anew = world.topology_changed || world.influences_changed;
+  if (!found_anew) set_solved_inputs(world, false);  // copies of solved connections share what this sets
+}
+
+}  // namespace pantin

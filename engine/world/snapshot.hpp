@@ -1,0 +1,39 @@
+#pragma once
+// The state of a world, kept in memory: all that the next steps come of. Taking it changes no bit of the run; after a
+// restore the run goes on to the bits to which it went on from the snapshot the first time, whatever happened since.
+#include <memory>
+#include <string>
+
+#include "world/world.hpp"
+
+namespace pantin {
+
+/// A copy of all rows, unknown forces, predictions, neighbour rows, events, counters, random numbers and the log. Functions
+/// that rows hold (targets, actions, probes) are copied as values; what they refer to is not.
+class Snapshot {
+ public:
+  double time() const;          ///< [s]
+  std::uint64_t steps() const;  ///< done
+
+ private:
+  struct Held;
+  std::shared_ptr<const Held> held_;
+  friend Snapshot take_snapshot(const World& world);
+  friend void restore(World& world, const Snapshot& snapshot);
+  friend std::string why_not_restore(const World& world, const Snapshot& snapshot);
+};
+
+/// Between two steps, or where scripts run inside of one.
+Snapshot take_snapshot(const World& world);
+
+/// Between two steps. Of the same world: handles of what was removed since are alive again; handles of what was made since
+/// are dead, for ever. Handles of events are told how their events now are. Threads, callbacks and the profile stay as
+/// they are. Throws Error where `why_not_restore` gives a reason.
+void restore(World& world, const Snapshot& snapshot);
+
+/// Why a world cannot be put back: a play goes on, now or in the snapshot, and cannot be wound back. Empty where it can.
+std::string why_not_restore(const World& world, const Snapshot& snapshot);
+/// The same before a snapshot is known: a play goes on now.
+std::string why_not_restore(const World& world);
+
+}  // namespace pantin
