@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::chrono::milliseconds shortest_frame{12};  // where no screen sets the pace
 constexpr int smooth_samples = 4;
+constexpr std::chrono::seconds complaint_shown{8};
 
 Window open_window(const std::string& title, Size size) {
   try {
@@ -39,9 +40,10 @@ double aspect(const Renderer& renderer) { return static_cast<double>(renderer.wi
 
 Player::Player(std::string path, const RunOptions& options, const std::string& home)
     : path_(std::move(path)),
+      home_(home),
       options_(options),
       lua_options_(lua_options(options, home)),
-      scene_(lua::Scene::open(path_, lua_options_)),
+      scene_(load(path_, lua_options_)),
       window_(open_window(title() + " - Pantin", options.size)),
       renderer_(window_.width(), window_.height(), window_.software() ? 0 : smooth_samples),
       hands_([this] { return add_hand(scene_->world()); }),
@@ -58,6 +60,8 @@ bool Player::frame() {
   last_ = now;
   if (!window_.poll(gestures_) || Interrupt::asked()) return false;
   fit_window();
+  renderer_.listen(gestures_);
+  take_keys();
   Actions actions = hands_.apply(gestures_, scene_->world(), renderer_.stage(), renderer_.width(), renderer_.height(),
                                  renderer_.pointer_on_panel(), camera_, waiting_);
   keep_last_moves(waiting_);
@@ -65,15 +69,7 @@ bool Player::frame() {
   act(actions);
   take_steps(elapsed);
   follower_.move(*scene_, camera_);
-  renderer_.draw(scene_->world(), camera_, overlay());
-  if (const std::string& name = renderer_.pressed_button(); !name.empty()) {
-    Command command;
-    command.kind = Command::Kind::button;
-    command.name = name;
-    waiting_.commands.push_back(command);
-  }
-  window_.present(renderer_);
-  status_.frame(scene_->world());
+  draw();
   std::this_thread::sleep_until(now + shortest_frame);
   return !(options_.until && at_end());
 }
@@ -84,23 +80,6 @@ void Player::act(const Actions& actions) {
   if (actions.pause) paused_ = !paused_;
   if (actions.step) paused_ = single_step_ = true;
   if (actions.picture) save_picture();
-}
-
-void Player::restart() {
-  std::unique_ptr<lua::Scene> fresh;
-  try {
-    fresh = lua::Scene::open(path_, lua_options_);
-  } catch (const std::exception& error) { return fail(error.what()); }
-  scene_ = std::move(fresh);
-  hands_.reset();
-  follower_ = {};
-  waiting_ = {};
-  times_ = {};
-  failure_.clear();
-  pacing_ = {};
-  paused_ = false;
-  renderer_.open(scene_->world());
-  window_.set_title(title() + " - Pantin");
 }
 
 void Player::fit_window() {
@@ -119,7 +98,7 @@ void Player::take_steps(double elapsed) {
   bool still = !failure_.empty() || at_end() || (paused_ && !one);
   if (still) return pacing_.rest();
   const World& world = scene_->world();
-  int due = one ? 1 : pacing_.begin_frame(elapsed, world.settings.step, scene_->pace());
+  int due = one ? 1 : pacing_.begin_frame(elapsed, world.settings.step, scene_->pace() * speed_);
   if (due == 0) return pacing_.end_frame(0, 0.0);
   HandPath path(world, std::exchange(waiting_, {}), due);
   auto start = Clock::now();
@@ -146,7 +125,7 @@ void Player::step_once() {
 void Player::fail(const std::string& why) {
   failure_ = why;
   paused_ = true;
-  say(why);
+  complain(why);
 }
 
 void Player::write_picture(const std::string& path) {
@@ -170,29 +149,23 @@ void Player::save_picture() {
 
 Overlay Player::overlay() const {
   Overlay overlay;
-  overlay.pace = scene_->pace();
+  overlay.pace = scene_->pace() * speed_;
   overlay.marks = marks_of(*scene_);
   overlay.title = title();
   overlay.highlight = hands_.highlight();
-  overlay.status = status_.parts(scene_->world(), pacing_, scene_->pace(), paused_);
+  overlay.status = status_.parts(scene_->world(), pacing_, overlay.pace, paused_);
   if (scene_->finished())
     overlay.status[1] = "finished";
   else if (paused_ && failure_.empty() && waits_for_step(waiting_))
     overlay.status[1] = "paused: what you did shows with the next step (space, or .)";
   if (!help_) overlay.status.push_back("h: keys");
-  if (!failure_.empty()) overlay.message = failure_ + "   (r starts the scene again)";
+  if (!failure_.empty())
+    overlay.message = failure_ + "   (r starts the scene again)";
+  else if (!said_.empty() && Clock::now() < complained_ + complaint_shown)
+    overlay.message =
+        said_.back().times > 1 ? text(said_.back().text, "   (", said_.back().times, " times)") : said_.back().text;
   if (help_) overlay.help = key_help();
   overlay.buttons = scene_->buttons();
-  auto mouse = gestures_.pointers.find(0);
-  if (mouse != gestures_.pointers.end()) {
-    overlay.pointer_x = mouse->second.x;
-    overlay.pointer_y = mouse->second.y;
-    // A quick click is over before the frame is drawn; the buttons are to see it all the same.
-    overlay.pointer_down =
-        mouse->second.left || std::ranges::any_of(gestures_.events, [](const PointerEvent& e) {
-          return e.pointer == 0 && e.kind == PointerEvent::Kind::press && e.button == PointerEvent::Button::left;
-        });
-  }
   return overlay;
 }
 

@@ -1,12 +1,15 @@
 #pragma once
 #include <chrono>
+#include <deque>
 #include <memory>
 #include <string>
 
 #include "lua/scene.hpp"
 #include "player/aim.hpp"
+#include "player/catalogue.hpp"
 #include "player/options.hpp"
 #include "player/pacing.hpp"
+#include "player/panels/panels.hpp"
 #include "player/status.hpp"
 #include "player/table.hpp"
 #include "view/player_input.hpp"
@@ -33,6 +36,10 @@ class Player {
   const Times& times() const { return times_; }
   /// A script's error, or a state that became non-finite, that nobody has restarted from.
   const std::string& failure() const { return failure_; }
+  /// Opens another scene; where that fails, tells why, and the present one goes on.
+  void open(const std::string& path);
+  /// Applies a value of a parameter, live or by opening the scene anew.
+  void set_parameter(const std::string& name, const lua::Value& value);
   /// The scene as it is now, without the lines and cards.
   void write_picture(const std::string& path);
 
@@ -41,7 +48,15 @@ class Player {
 
   std::string title() const;
   void act(const Actions& actions);
+  void take_keys();
   void restart();
+  std::unique_ptr<lua::Scene> load(const std::string& path, const lua::SceneOptions& options);
+  void adopt(std::unique_ptr<lua::Scene> fresh);
+  void open_neighbour(int places);
+  void fulfil(const Wishes& wishes);
+  void complain(const std::string& why);
+  Desk desk();
+  void draw();
   void fit_window();
   void take_steps(double elapsed);
   void step_once();
@@ -51,6 +66,7 @@ class Player {
   Overlay overlay() const;
 
   std::string path_;
+  std::string home_;
   RunOptions options_;
   lua::SceneOptions lua_options_;
   std::unique_ptr<lua::Scene> scene_;
@@ -65,6 +81,12 @@ class Player {
   Status status_;
   Times times_;
   Clock::time_point last_ = Clock::now();
+  Panels panels_;
+  std::deque<Said> said_;           ///< the latest, oldest first
+  Clock::time_point complained_{};  ///< when the last of them was said
+  AnyId chosen_;
+  double speed_ = 1.0;       ///< times the scene's pace
+  double load_seconds_ = 0;  ///< [s] that opening the scene took
   bool paused_;
   bool help_ = false;
   bool single_step_ = false;

@@ -31,6 +31,8 @@ struct Gestures {
   std::map<PointerId, Pointer> pointers;
   std::vector<PointerEvent> events;
   std::vector<std::string> keys;  ///< pressed since the last poll: "x", "space", "." …
+  std::vector<std::string> held;  ///< keys that are down
+  std::string text;               ///< typed since the last poll, UTF-8
   bool shift = false, control = false;
   int width = 0, height = 0;  ///< [px] of the window's drawable
   bool resized = false;

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -34,9 +35,8 @@ struct Overlay {
   std::string title;                                      ///< upper left
   std::vector<std::pair<std::string, std::string>> help;  ///< {key, what it does}; shown as a card when not empty
   std::vector<std::string> buttons;                       ///< names; `Renderer::pressed_button` tells which was pressed
-  double pointer_x = -1.0;                                ///< [px] for the buttons
-  double pointer_y = -1.0;                                ///< [px]
-  bool pointer_down = false;
+  std::function<void()> windows;                          ///< makes windows of Dear ImGui beside all that, or empty
+  bool dark = false;                                      ///< light letters on dark cards
 };
 
 }  // namespace pantin

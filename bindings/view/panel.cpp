@@ -2,58 +2,63 @@
 
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
-#include <cmath>
-#include <filesystem>
+#include <algorithm>
+#include <array>
+#include <cfloat>
 
 #include "base/check.hpp"
 #include "view/marks.hpp"
+#include "view/panel_style.hpp"
 
 namespace pantin {
 
 namespace {
 
-const ImVec4 ink = {0.22f, 0.20f, 0.18f, 0.85f}, faint = {0.22f, 0.20f, 0.18f, 0.60f},
-             warning = {0.72f, 0.16f, 0.14f, 1.0f}, card = {1.0f, 0.985f, 0.96f, 0.90f};
-constexpr MarkLook mark_look = {{0.16f, 0.17f, 0.19f, 1.0f}, {0.96f, 0.94f, 0.90f, 0.7f}};
+using Kind = PointerEvent::Kind;
+
+MarkLook mark_look(bool dark) {
+  if (dark) return {{0.90f, 0.89f, 0.86f, 1.0f}, {0.08f, 0.08f, 0.09f, 0.7f}};
+  return {{0.16f, 0.17f, 0.19f, 1.0f}, {0.96f, 0.94f, 0.90f, 0.7f}};
+}
+
 constexpr ImGuiWindowFlags quiet = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
                                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoSavedSettings;
 
-void load_font(float scale) {
-  static const ImWchar ranges[] = {0x20,   0xff,   0x370,  0x3ff,  0x2010, 0x2027, 0x2070,
-                                   0x209f, 0x2190, 0x2193, 0x2212, 0x2212, 0};
-  const char* path = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-  ImGuiIO& io = ImGui::GetIO();
-  if (!std::filesystem::exists(path) || !io.Fonts->AddFontFromFileTTF(path, std::round(14.0f * scale), nullptr, ranges))
-    io.Fonts->AddFontDefault();
-}
-
-void style(float scale) {
-  ImGui::StyleColorsLight();
-  ImGuiStyle& s = ImGui::GetStyle();
-  s.WindowRounding = 8.0f;
-  s.FrameRounding = 6.0f;
-  s.WindowPadding = {14.0f, 10.0f};
-  s.FramePadding = {10.0f, 5.0f};
-  s.ItemSpacing = {10.0f, 6.0f};
-  s.WindowBorderSize = 0.0f;
-  s.Colors[ImGuiCol_Text] = ink;
-  s.Colors[ImGuiCol_WindowBg] = card;
-  s.Colors[ImGuiCol_Button] = {1.0f, 0.985f, 0.96f, 0.85f};
-  s.Colors[ImGuiCol_ButtonHovered] = {0.98f, 0.86f, 0.72f, 1.0f};
-  s.Colors[ImGuiCol_ButtonActive] = {0.94f, 0.66f, 0.42f, 1.0f};
-  s.ScaleAllSizes(scale);
-}
+constexpr std::pair<const char*, ImGuiKey> editing_keys[] = {{"tab", ImGuiKey_Tab},
+                                                             {"left", ImGuiKey_LeftArrow},
+                                                             {"right", ImGuiKey_RightArrow},
+                                                             {"up", ImGuiKey_UpArrow},
+                                                             {"down", ImGuiKey_DownArrow},
+                                                             {"pageup", ImGuiKey_PageUp},
+                                                             {"home", ImGuiKey_Home},
+                                                             {"pagedown", ImGuiKey_PageDown},
+                                                             {"end", ImGuiKey_End},
+                                                             {"delete", ImGuiKey_Delete},
+                                                             {"backspace", ImGuiKey_Backspace},
+                                                             {"space", ImGuiKey_Space},
+                                                             {"return", ImGuiKey_Enter},
+                                                             {"keypad enter", ImGuiKey_KeyPadEnter},
+                                                             {"escape", ImGuiKey_Escape},
+                                                             {"a", ImGuiKey_A},
+                                                             {"c", ImGuiKey_C},
+                                                             {"v", ImGuiKey_V},
+                                                             {"x", ImGuiKey_X},
+                                                             {"y", ImGuiKey_Y},
+                                                             {"z", ImGuiKey_Z}};
 
 }  // namespace
 
 Panel::Panel(double scale) : context_(ImGui::CreateContext()), scale_(static_cast<float>(scale)) {
   ImGui::SetCurrentContext(context_);
-  ImGui::GetIO().IniFilename = nullptr;
-  ImGui::GetIO().LogFilename = nullptr;
-  style(scale_);
-  load_font(scale_);
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  for (const auto& [name, key] : editing_keys) io.KeyMap[key] = key;
+  set_panel_style(scale_, dark_);
+  load_panel_font(scale_);
   require(ImGui_ImplOpenGL3_Init("#version 330 core"), "the text cannot be drawn with this OpenGL");
 }
 
@@ -63,34 +68,104 @@ Panel::~Panel() {
   ImGui::DestroyContext(context_);
 }
 
+bool Panel::covers(double x, double y) const {
+  const ImVec2 at(static_cast<float>(x), static_cast<float>(y));
+  return std::ranges::any_of(context_->Windows, [&](const ImGuiWindow* window) {
+    return window->WasActive && !window->Hidden && !(window->Flags & ImGuiWindowFlags_NoMouseInputs) &&
+           window->OuterRectClipped.Contains(at);
+  });
+}
+
+void Panel::take(Gestures& gestures) {
+  ImGui::SetCurrentContext(context_);
+  take_events(gestures);
+  take_keys(gestures);
+}
+
+void Panel::take_events(Gestures& gestures) {
+  ImGuiIO& io = ImGui::GetIO();
+  std::array<bool, 3> down{};
+  std::erase_if(gestures.events, [&](const PointerEvent& event) {
+    if (event.pointer == pointer_ && event.kind == Kind::press && event.button != PointerEvent::Button::none)
+      down[static_cast<std::size_t>(event.button) - 1] = true;  // a quick click may be over by now
+    if (event.kind == Kind::wheel && covers(event.x, event.y)) {
+      io.MouseWheel += static_cast<float>(event.dy);
+      io.MouseWheelH += static_cast<float>(event.dx);
+      return true;
+    }
+    if (event.kind == Kind::press && covers(event.x, event.y)) {
+      if (engaged_.empty()) {
+        pointer_ = event.pointer;
+        io.MousePos = {static_cast<float>(event.x), static_cast<float>(event.y)};
+        if (event.button != PointerEvent::Button::none) down[static_cast<std::size_t>(event.button) - 1] = true;
+      }
+      engaged_.insert(event.pointer);
+    }
+    const bool mine = engaged_.contains(event.pointer);
+    if (event.kind == Kind::release) engaged_.erase(event.pointer);
+    return mine;
+  });
+  if (const auto found = gestures.pointers.find(pointer_); found != gestures.pointers.end()) {
+    const Pointer& pointer = found->second;
+    io.MousePos = {static_cast<float>(pointer.x), static_cast<float>(pointer.y)};
+    down[0] |= pointer.left;
+    down[1] |= pointer.middle;
+    down[2] |= pointer.right;
+  } else if (pointer_ == 0) {
+    io.MousePos = {-FLT_MAX, -FLT_MAX};
+  } else {
+    pointer_ = 0;  // the finger went up, where it was
+  }
+  io.MouseDown[ImGuiMouseButton_Left] = down[0];
+  io.MouseDown[ImGuiMouseButton_Middle] = down[1];
+  io.MouseDown[ImGuiMouseButton_Right] = down[2];
+  const auto mouse = gestures.pointers.find(0);
+  under_pointer_ =
+      mouse != gestures.pointers.end() && (engaged_.contains(0) || covers(mouse->second.x, mouse->second.y));
+  for (const PointerId id : engaged_)
+    if (const auto found = gestures.pointers.find(id); found != gestures.pointers.end())
+      found->second.left = found->second.middle = found->second.right = false;
+}
+
+void Panel::take_keys(Gestures& gestures) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.KeyShift = gestures.shift;
+  io.KeyCtrl = gestures.control;
+  for (const auto& entry : editing_keys) {
+    const auto is_key = [&](const std::string& name) { return name == entry.first; };
+    io.KeysDown[entry.second] =
+        std::ranges::any_of(gestures.held, is_key) || std::ranges::any_of(gestures.keys, is_key);
+  }
+  if (!io.WantTextInput) return;
+  io.AddInputCharactersUTF8(gestures.text.c_str());
+  gestures.keys.clear();
+}
+
 void Panel::draw(const Overlay& overlay, const Camera& camera, int width, int height) {
   pressed_.clear();
-  under_pointer_ = false;
   if (overlay.status.empty() && overlay.message.empty() && overlay.title.empty() && overlay.help.empty() &&
-      overlay.buttons.empty() && overlay.marks.empty())
+      overlay.buttons.empty() && overlay.marks.empty() && !overlay.windows)
     return;
   ImGui::SetCurrentContext(context_);
+  if (overlay.dark != dark_) set_panel_style(scale_, dark_ = overlay.dark);
   ImGui_ImplOpenGL3_NewFrame();
   ImGuiIO& io = ImGui::GetIO();
   const float w = static_cast<float>(width), h = static_cast<float>(height);
   io.DisplaySize = {w, h};
   io.DeltaTime = 1.0f / 60.0f;
-  io.MousePos = {static_cast<float>(overlay.pointer_x), static_cast<float>(overlay.pointer_y)};
-  io.MouseDown[0] = overlay.pointer_down;
   ImGui::NewFrame();
-  draw_marks(*ImGui::GetBackgroundDrawList(), overlay.marks, mark_look, camera, width, height);
+  draw_marks(*ImGui::GetBackgroundDrawList(), overlay.marks, mark_look(dark_), camera, width, height);
   status(overlay, w, h);
   buttons(overlay);
+  if (overlay.windows) overlay.windows();
   help(overlay, w, h);
   ImGui::Render();
-  under_pointer_ = io.WantCaptureMouse;
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
-
 void Panel::status(const Overlay& overlay, float width, float height) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const float edge = 14.0f * scale_, line = ImGui::GetFontSize() * 1.35f, gap = 22.0f * scale_;
-  if (!overlay.title.empty()) list.AddText({edge, edge}, ImGui::GetColorU32(ink), overlay.title.c_str());
+  if (!overlay.title.empty()) list.AddText({edge, edge}, ImGui::GetColorU32(ImGuiCol_Text), overlay.title.c_str());
   float y = height - edge - ImGui::GetFontSize();
   float x = edge;
   for (const std::string& part : overlay.status) {
@@ -99,7 +174,7 @@ void Panel::status(const Overlay& overlay, float width, float height) {
       x = edge;
       y -= line;
     }
-    list.AddText({x, y}, ImGui::GetColorU32(faint), part.c_str());
+    list.AddText({x, y}, ImGui::GetColorU32(ImGuiCol_TextDisabled), part.c_str());
     x += wide + gap;
   }
   if (overlay.message.empty()) return;
@@ -108,9 +183,9 @@ void Panel::status(const Overlay& overlay, float width, float height) {
   if (!overlay.status.empty()) y -= line;
   const ImVec2 at = {edge, y + ImGui::GetFontSize() - size.y - 6.0f * scale_};
   const float pad = 7.0f * scale_;
-  list.AddRectFilled({at.x - pad, at.y - pad}, {at.x + size.x + pad, at.y + size.y + pad}, ImGui::GetColorU32(card),
-                     pad);
-  list.AddText(nullptr, 0.0f, at, ImGui::GetColorU32(warning), overlay.message.c_str(), nullptr, wrap);
+  list.AddRectFilled({at.x - pad, at.y - pad}, {at.x + size.x + pad, at.y + size.y + pad},
+                     ImGui::GetColorU32(ImGuiCol_WindowBg), pad);
+  list.AddText(nullptr, 0.0f, at, ImGui::GetColorU32(warning_ink(dark_)), overlay.message.c_str(), nullptr, wrap);
 }
 
 void Panel::buttons(const Overlay& overlay) {
@@ -118,8 +193,10 @@ void Panel::buttons(const Overlay& overlay) {
   const float edge = 10.0f * scale_;
   ImGui::SetNextWindowPos({edge, edge + (overlay.title.empty() ? 0.0f : 1.8f * ImGui::GetFontSize())});
   ImGui::Begin("buttons", nullptr, quiet | ImGuiWindowFlags_NoBackground);
+  ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_WindowBg));
   for (const std::string& name : overlay.buttons)
     if (ImGui::Button(name.c_str())) pressed_ = name;
+  ImGui::PopStyleColor();
   ImGui::End();
 }
 
@@ -133,7 +210,7 @@ void Panel::help(const Overlay& overlay, float width, float height) {
       ImGui::TableNextColumn();
       ImGui::TextUnformatted(key.c_str());
       ImGui::TableNextColumn();
-      ImGui::TextColored(faint, "%s", does.c_str());
+      ImGui::TextDisabled("%s", does.c_str());
     }
     ImGui::EndTable();
   }

@@ -1,14 +1,16 @@
 #pragma once
+#include <set>
 #include <string>
 
 #include "view/camera.hpp"
+#include "view/gestures.hpp"
 #include "view/overlay.hpp"
 
 struct ImGuiContext;
 
 namespace pantin {
 
-/// The overlay's text and buttons, by Dear ImGui. It hears of the pointer from the overlay alone.
+/// The overlay's text, buttons and windows, by Dear ImGui. It hears of hands from gestures alone.
 class Panel {
  public:
   explicit Panel(double scale);
@@ -16,20 +18,28 @@ class Panel {
   Panel(const Panel&) = delete;
   Panel& operator=(const Panel&) = delete;
 
+  /// Hears what hands did, and takes out of it what is for the panel.
+  void take(Gestures& gestures);
   /// Into the framebuffer that is bound, of that size [px]; the overlay's marks as the camera sees them.
   void draw(const Overlay& overlay, const Camera& camera, int width, int height);
   const std::string& pressed() const { return pressed_; }
   bool under_pointer() const { return under_pointer_; }
 
  private:
+  bool covers(double x, double y) const;
+  void take_events(Gestures& gestures);
+  void take_keys(Gestures& gestures);
   void status(const Overlay& overlay, float width, float height);
   void help(const Overlay& overlay, float width, float height);
   void buttons(const Overlay& overlay);
 
   ImGuiContext* context_;
   float scale_;
+  bool dark_ = false;
   std::string pressed_;
   bool under_pointer_ = false;
+  PointerId pointer_ = 0;        ///< whom it listens to: the mouse, or the finger that touched it last
+  std::set<PointerId> engaged_;  ///< went down on it
 };
 
 }  // namespace pantin

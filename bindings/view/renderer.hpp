@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "view/camera.hpp"
+#include "view/gestures.hpp"
 #include "view/overlay.hpp"
 #include "view/stage.hpp"
 #include "world/world.hpp"
@@ -38,9 +39,12 @@ class Renderer {
   /// Copies the picture to the window's own framebuffer of that size [px].
   void show(int window_width, int window_height);
 
+  /// Hands gestures to the overlay's buttons, cards and windows, and takes out of them what is theirs: presses and the
+  /// wheel over them, and keys while a text is being written. Call it before the gestures serve the scene.
+  void listen(Gestures& gestures);
   /// Name of the overlay's button that was pressed in the last `draw`, or empty.
   const std::string& pressed_button() const;
-  /// The pointer was over a button or card in the last `draw`: a press there is not for the scene.
+  /// The mouse is over a button, card or window of the overlay, or drags in one.
   bool pointer_on_panel() const;
 
  private:

@@ -45,6 +45,7 @@ struct Window::Parts {
   int width = 0, height = 0;            // [px] of the drawable
   double scale_x = 1.0, scale_y = 1.0;  // pixels of the drawable in a unit of SDL's pointer
   std::map<PointerId, Pointer> pointers;
+  std::vector<std::string> held;
   std::map<std::pair<SDL_TouchID, SDL_FingerID>, PointerId> fingers;
   PointerId next_finger = 1;
   bool shift = false, control = false, closed = false;
@@ -119,10 +120,12 @@ bool Window::poll(Gestures& gestures) {
   Parts& p = *parts_;
   gestures.events.clear();
   gestures.keys.clear();
+  gestures.text.clear();
   gestures.resized = false;
   SDL_Event event;
   while (SDL_PollEvent(&event)) p.take(event, gestures);
   gestures.pointers = p.pointers;
+  gestures.held = p.held;
   gestures.shift = p.shift;
   gestures.control = p.control;
   gestures.width = p.width;
@@ -139,6 +142,7 @@ void Window::Parts::take(const SDL_Event& event, Gestures& gestures) {
         measure();
         gestures.resized = true;
       }
+      if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) held.clear(), shift = control = false;
       if (event.window.event == SDL_WINDOWEVENT_CLOSE) closed = true;
       break;
     case SDL_MOUSEMOTION:
@@ -152,6 +156,7 @@ void Window::Parts::take(const SDL_Event& event, Gestures& gestures) {
     case SDL_FINGERUP: take_finger(event.tfinger, gestures); break;
     case SDL_KEYDOWN:
     case SDL_KEYUP: take_key(event.key, gestures); break;
+    case SDL_TEXTINPUT: gestures.text += event.text.text; break;
     default: break;
   }
 }
@@ -213,7 +218,10 @@ void Window::Parts::take_key(const SDL_KeyboardEvent& event, Gestures& gestures)
   const bool down = event.type == SDL_KEYDOWN;
   if (key == SDLK_LSHIFT || key == SDLK_RSHIFT) shift = down;
   if (key == SDLK_LCTRL || key == SDLK_RCTRL) control = down;
-  if (down && (event.repeat == 0 || key == SDLK_PERIOD)) gestures.keys.push_back(key_name(key));
+  const std::string name = key_name(key);
+  std::erase(held, name);
+  if (down) held.push_back(name);
+  if (down && (event.repeat == 0 || key == SDLK_PERIOD)) gestures.keys.push_back(name);
 }
 
 }  // namespace pantin

@@ -41,7 +41,7 @@ bool may_include(std::string_view from, std::string_view to) {
     return place != engine_order.end() && std::find(engine_order.begin(), place + 1, to) != place + 1;
   }
   if (from == to || is_engine(to)) return true;
-  return from == "bindings/player" && to.starts_with("bindings/");
+  return (from == "bindings/player" || from == "bindings/player/panels") && to.starts_with("bindings/");
 }
 
 // The file that `#include "name"` in `path` means, or nothing.

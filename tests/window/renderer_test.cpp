@@ -200,26 +200,49 @@ TEST_CASE("marks are drawn over the scene and on the screen, not behind the eye,
         Approx(2.5 * width).epsilon(0.25));
 }
 
-TEST_CASE("a button answers to the pointer of the overlay", "[window]") {
+TEST_CASE("a button answers to a press, which the scene does not see", "[window]") {
   const Window window("test", width, height, true);
   Renderer renderer(width, height);
   World world;
   Overlay overlay;
   overlay.buttons = {"cut all", "kick"};
-  overlay.pointer_x = 30;
-  overlay.pointer_y = 25;
+  Gestures gestures;
+  const auto event = [&](PointerEvent::Kind kind, double x) {
+    Pointer& mouse = gestures.pointers[0];
+    mouse = {x, 25.0, kind == PointerEvent::Kind::press, false, false};
+    PointerEvent e;
+    e.kind = kind;
+    e.button = kind == PointerEvent::Kind::move ? PointerEvent::Button::none : PointerEvent::Button::left;
+    e.x = x;
+    e.y = 25.0;
+    gestures.events.push_back(e);
+  };
   std::string pressed;
-  for (int frame = 0; frame < 6; frame++) {
-    overlay.pointer_down = frame == 3;
+  const auto frame = [&] {
+    renderer.listen(gestures);
+    const std::size_t left = gestures.events.size();
     renderer.draw(world, Camera{}, overlay);
     if (!renderer.pressed_button().empty()) pressed += renderer.pressed_button() + ";";
-  }
+    gestures.events.clear();
+    return left;
+  };
+  frame();
+  frame();
+  event(PointerEvent::Kind::press, 30.0);
+  CHECK(frame() == 0);
+  CHECK_FALSE(gestures.pointers[0].left);
+  event(PointerEvent::Kind::release, 30.0);
+  CHECK(frame() == 0);
+  frame();
   CHECK(pressed == "cut all;");
   CHECK(renderer.pointer_on_panel());
-  overlay.pointer_x = 500;
-  renderer.draw(world, Camera{}, overlay);
-  renderer.draw(world, Camera{}, overlay);
+  event(PointerEvent::Kind::press, 500.0);
+  CHECK(frame() == 1);
+  CHECK(gestures.pointers[0].left);
+  event(PointerEvent::Kind::release, 500.0);
+  CHECK(frame() == 1);
   CHECK_FALSE(renderer.pointer_on_panel());
+  CHECK(pressed == "cut all;");
 }
 
 TEST_CASE("a renderer can change its size", "[window]") {

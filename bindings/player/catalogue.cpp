@@ -1,0 +1,78 @@
+#include "player/catalogue.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+namespace fs = std::filesystem;
+
+namespace pantin::player {
+namespace {
+
+std::string trimmed(const std::string& line) {
+  const auto from = line.find_first_not_of(" \t\r"), to = line.find_last_not_of(" \t\r");
+  return from == line.npos ? "" : line.substr(from, to - from + 1);
+}
+
+/// The text between quotes in `scene.title = "…"`, or empty.
+std::string title_in(const std::string& line) {
+  const std::string start = "scene.title";
+  if (!line.starts_with(start)) return {};
+  const auto open = line.find_first_of("\"'", start.size());
+  if (open == line.npos) return {};
+  const auto close = line.find(line[open], open + 1);
+  return close == line.npos ? "" : line.substr(open + 1, close - open - 1);
+}
+
+/// What a file tells, or an entry without a path where it is no scene.
+SceneEntry read_entry(const fs::path& path) {
+  SceneEntry entry;
+  entry.name = path.stem();
+  std::ifstream file(path);
+  std::string line;
+  bool in_comment = true, is_scene = false;
+  while (std::getline(file, line) && line.size() < 4096) {
+    line = trimmed(line);
+    if (line.starts_with("#!")) continue;
+    in_comment = in_comment && line.starts_with("--");
+    if (in_comment)
+      entry.about +=
+          (entry.about.empty() ? "" : " ") +
+          trimmed(line.substr(line.find_first_not_of('-') == line.npos ? line.size() : line.find_first_not_of('-')));
+    is_scene |= line.find("scene:") != line.npos || line.find("scene.") != line.npos;
+    if (entry.title.empty()) entry.title = title_in(line);
+  }
+  if (entry.title.empty()) entry.title = entry.name;
+  if (is_scene) entry.path = path;
+  return entry;
+}
+
+}  // namespace
+
+std::vector<SceneEntry> list_scenes(const std::vector<std::string>& folders) {
+  std::vector<SceneEntry> scenes;
+  std::set<fs::path> seen;
+  for (const std::string& folder : folders) {
+    std::error_code failed;
+    const fs::path real = fs::weakly_canonical(folder, failed);
+    if (failed || !seen.insert(real).second) continue;
+    std::vector<fs::path> files;
+    for (fs::directory_iterator it(real, failed), end; !failed && it != end; it.increment(failed))
+      if (it->path().extension() == ".lua") files.push_back(it->path());
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files)
+      if (SceneEntry entry = read_entry(file); !entry.path.empty()) scenes.push_back(std::move(entry));
+  }
+  return scenes;
+}
+
+std::size_t find_entry(const std::vector<SceneEntry>& scenes, const std::string& path) {
+  std::error_code ignored;
+  const fs::path real = fs::weakly_canonical(path, ignored);
+  const auto found =
+      std::find_if(scenes.begin(), scenes.end(), [&](const SceneEntry& s) { return fs::path(s.path) == real; });
+  return static_cast<std::size_t>(found - scenes.begin());
+}
+
+}  // namespace pantin::player

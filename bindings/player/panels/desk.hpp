@@ -1,0 +1,48 @@
+#pragma once
+// What the panels see, and what they may ask for.
+#include <deque>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "lua/scene.hpp"
+#include "player/pacing.hpp"
+#include "player/table.hpp"
+
+namespace pantin::player {
+
+/// What a person asked of the program in the panels, in one frame.
+struct Wishes {
+  bool pause = false, step = false, restart = false;
+  bool next = false, previous = false;  ///< the scenes beside this one
+  std::optional<double> speed;          ///< times the scene's pace
+  std::optional<std::pair<std::string, lua::Value>> parameter;
+};
+
+/// Range of the speed, times the scene's pace.
+inline constexpr double slowest = 1.0 / 64.0, fastest = 64.0;
+
+/// Something the program said; the same again is counted.
+struct Said {
+  std::string text;
+  std::uint64_t times = 1;
+};
+
+struct Desk {
+  lua::Scene& scene;
+  const Times& times;
+  const Pacing& pacing;
+  const std::deque<Said>& said;  ///< oldest first
+  AnyId& chosen;                 ///< what the inspector shows
+  AnyId hovered;                 ///< under the pointer
+  Wishes wishes;
+  double speed = 1.0;  ///< times the scene's pace
+  bool paused = false;
+  bool quick = true;  ///< the scene opens so quickly that it may be opened again in each frame
+  bool dark = false;
+  float width = 0.0f, height = 0.0f;  ///< [px]
+
+  const World& world() const { return scene.world(); }
+};
+
+}  // namespace pantin::player

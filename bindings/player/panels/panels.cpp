@@ -1,0 +1,164 @@
+#include "player/panels/panels.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "player/panels/icons.hpp"
+
+namespace pantin::player {
+namespace {
+
+constexpr ImGuiWindowFlags bar_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                                       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
+                                       ImGuiWindowFlags_NoFocusOnAppearing;
+
+float scale() { return ImGui::GetFontSize() / 14.0f; }
+
+/// Where the bar ends [px].
+float below_bar() { return 10.0f * scale() + 1.75f * ImGui::GetFontSize() + 14.0f * scale(); }
+
+/// Where the scene's title and buttons end, at the left edge [px].
+float below_buttons(const Desk& desk) {
+  const auto buttons = static_cast<float>(desk.scene.buttons().size());
+  return 16.0f * scale() + 1.8f * ImGui::GetFontSize() + buttons * ImGui::GetFrameHeightWithSpacing() +
+         (buttons > 0.0f ? 14.0f * scale() : 0.0f);
+}
+
+void gap() { ImGui::SameLine(0.0f, 0.8f * ImGui::GetFontSize()); }
+
+/// The next power of two above or below, or the end of the range.
+double other_speed(double speed, bool faster) {
+  return std::clamp(faster ? 2.0 * speed : 0.5 * speed, slowest, fastest);
+}
+
+}  // namespace
+
+Panels::Panels() {
+  for (std::size_t i = 0; i < slots_.size(); i++) {
+    slots_[i].kind = &pane_kinds[i];
+    slots_[i].open = pane_kinds[i].open;
+  }
+}
+
+bool Panels::key(const std::string& name) {
+  if (name == "tab") return hidden_ = !hidden_, true;
+  for (Slot& slot : slots_)
+    if (name == slot.kind->key) {
+      slot.open = hidden_ || !slot.open;
+      hidden_ = false;
+      return true;
+    }
+  return false;
+}
+
+void Panels::reset() {
+  for (Slot& slot : slots_)
+    if (slot.pane) slot.pane->reset();
+}
+
+void Panels::show(const std::string& title) {
+  hidden_ = false;
+  for (Slot& slot : slots_)
+    if (title == slot.kind->title) slot.open = true;
+}
+
+void Panels::draw(Desk& desk) {
+  draw_bar(desk);
+  for (Slot& slot : slots_) {
+    if (slot.open && !hidden_)
+      draw_pane(slot, desk);
+    else
+      slot.drawn = false;
+  }
+}
+
+void Panels::draw_bar(Desk& desk) {
+  const float edge = 10.0f * scale();
+  ImGui::SetNextWindowPos({desk.width - edge, edge}, ImGuiCond_Always, {1.0f, 0.0f});
+  ImGui::SetNextWindowBgAlpha(0.72f);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {6.0f * scale(), 3.0f * scale()});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {1.0f * scale(), 0.0f});
+  ImGui::Begin("bar", nullptr, bar_flags);
+  Wishes& wishes = desk.wishes;
+  wishes.previous |= icon_button(Icon::previous, "the scene before (page up)");
+  ImGui::SameLine();
+  wishes.next |= icon_button(Icon::next, "the next scene (page down)");
+  gap();
+  wishes.restart |= icon_button(Icon::restart, "start again (r)");
+  ImGui::SameLine();
+  wishes.pause |= desk.paused ? icon_button(Icon::play, "run (space)") : icon_button(Icon::pause, "pause (space)");
+  ImGui::SameLine();
+  wishes.step |= icon_button(Icon::step, "one step (.)");
+  gap();
+  if (icon_button(Icon::slower, "slow motion (-)")) wishes.speed = other_speed(desk.speed, false);
+  ImGui::SameLine();
+  char speed[16];
+  std::snprintf(speed, sizeof speed, desk.speed < 1.0 ? "1/%.3g ×" : "%.3g ×",
+                desk.speed < 1.0 ? 1.0 / desk.speed : desk.speed);
+  const float wide = 3.4f * ImGui::GetFontSize();
+  if (ImGui::InvisibleButton("speed", {wide, 1.75f * ImGui::GetFontSize()})) wishes.speed = 1.0;
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("back to the scene's own pace (0)");
+  const ImVec2 from = ImGui::GetItemRectMin(), size = ImGui::CalcTextSize(speed);
+  ImGui::GetWindowDrawList()->AddText(
+      {from.x + 0.5f * (wide - size.x), from.y + 0.5f * (1.75f * ImGui::GetFontSize() - size.y)},
+      ImGui::GetColorU32(desk.speed == 1.0 ? ImGuiCol_TextDisabled : ImGuiCol_Text), speed);
+  ImGui::SameLine();
+  if (icon_button(Icon::faster, "fast forward (+)")) wishes.speed = other_speed(desk.speed, true);
+  gap();
+  if (icon_button(Icon::panels, "panels (tab hides them)")) ImGui::OpenPopup("panels");
+  ImGui::PopStyleVar(2);
+  draw_list();
+  ImGui::End();
+}
+
+void Panels::draw_list() {
+  if (!ImGui::BeginPopup("panels")) return;
+  for (Slot& slot : slots_) {
+    if (ImGui::MenuItem(slot.kind->title, slot.kind->key, slot.open && !hidden_)) key(slot.kind->key);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", slot.kind->about);
+  }
+  ImGui::EndPopup();
+}
+
+/// Below the panels of the column at the right edge, or in a column left of them.
+std::pair<float, float> Panels::free_place(const Slot& slot, const Desk& desk) const {
+  const float between = 8.0f * scale(), width = slot.kind->width * scale();
+  if (slot.kind->left) return {10.0f * scale(), below_buttons(desk)};
+  float x = desk.width - 10.0f * scale() - width, y = below_bar();
+  for (const Slot& other : slots_)
+    if (other.drawn && !other.kind->left && other.x + other.width > x && other.y + other.height + between > y)
+      y = other.y + other.height + between;
+  if (y + 0.3f * desk.height > desk.height) {
+    for (const Slot& other : slots_)
+      if (other.drawn && !other.kind->left) x = std::min(x, other.x - between - width);
+    y = below_bar();
+  }
+  return {std::max(x, 0.0f), y};
+}
+
+void Panels::draw_pane(Slot& slot, Desk& desk) {
+  if (!slot.pane) slot.pane = slot.kind->make();
+  if (!slot.pane->useful(desk)) {
+    slot.drawn = false;
+    return;
+  }
+  if (!slot.drawn) {
+    const auto [x, y] = free_place(slot, desk);
+    ImGui::SetNextWindowPos({x, y}, slot.height > 0.0f ? ImGuiCond_Once : ImGuiCond_Always);
+  }
+  const float width = slot.kind->width * scale();
+  ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, std::max(0.7f * desk.height, 1.0f)});
+  if (ImGui::Begin(slot.kind->title, &slot.open,
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav))
+    slot.pane->draw(desk);
+  slot.drawn = true;
+  slot.x = ImGui::GetWindowPos().x;
+  slot.y = ImGui::GetWindowPos().y;
+  slot.width = ImGui::GetWindowWidth();
+  slot.height = ImGui::GetWindowHeight();
+  ImGui::End();
+}
+
+}  // namespace pantin::player

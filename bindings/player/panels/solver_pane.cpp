@@ -1,0 +1,91 @@
+// What the solver does: articulates, unknowns, iterations, fallbacks.
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "articulates/articulate.hpp"
+#include "player/panels/pane.hpp"
+#include "view/panel_style.hpp"
+#include "world/measure.hpp"
+
+namespace pantin::player {
+namespace {
+
+using Count = unsigned long long;
+
+void line(const char* name, Count count, bool warn = false) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(name);
+  ImGui::TableNextColumn();
+  if (warn && count > 0) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
+  ImGui::Text("%llu", count);
+  if (warn && count > 0) ImGui::PopStyleColor();
+}
+
+class SolverPane : public Pane {
+ public:
+  void draw(Desk& desk) override {
+    const World& world = desk.world();
+    if (desk.world().steps < since_.steps) since_ = {};
+    if (world.steps >= since_.steps + 30) {
+      if (world.stats.solves > since_.solves)
+        newton_ = static_cast<double>(world.stats.newton_iterations - since_.iterations) /
+                  static_cast<double>(world.stats.solves - since_.solves);
+      since_ = {world.steps, world.stats.solves, world.stats.newton_iterations};
+    }
+    Count unknowns = 0;
+    for (const auto& articulate : world.articulates) unknowns += 3 * articulate->rows.size();
+    if (ImGui::BeginTable("counts", 2, ImGuiTableFlags_SizingStretchProp)) {
+      line("articulates", world.articulates.size());
+      line("unknown forces", unknowns);
+      line("loose bodies", world.loose_bodies.size());
+      line("loose points", world.loose_points.size());
+      line("factorisations", world.stats.factorisations);
+      line("most iterations", world.stats.worst_iterations);
+      line("halved steps", world.stats.halved_steps, true);
+      line("safe steps", world.stats.safe_steps, true);
+      line("accuracy not reached", world.stats.unreached, true);
+      ImGui::EndTable();
+    }
+    ImGui::Text("%.2f iterations of Newton a solve, lately", newton_);
+    ImGui::Text("hinge gap %.2g m, constraints %.2g m", world.error.hinge_gap, world.error.constraint);
+    if (world.settings.accuracy) draw_sub_steps(world);
+    draw_articulates(world);
+  }
+
+ private:
+  struct Since {
+    std::uint64_t steps = 0, solves = 0, iterations = 0;
+  };
+
+  static void draw_sub_steps(const World& world) {
+    const MostSubSteps most = most_sub_steps(world);
+    ImGui::Text("sub-steps %u, most %u %s", world.sub_steps.count, most.count, most.thing.c_str());
+  }
+
+  void draw_articulates(const World& world) {
+    if (world.articulates.empty() || !ImGui::TreeNode("biggest articulates")) return;
+    biggest_.clear();
+    for (const auto& articulate : world.articulates) biggest_.push_back(articulate.get());
+    const std::size_t shown = std::min<std::size_t>(biggest_.size(), 8);
+    std::partial_sort(biggest_.begin(), biggest_.begin() + static_cast<std::ptrdiff_t>(shown), biggest_.end(),
+                      [](const Articulate* a, const Articulate* b) { return a->rows.size() > b->rows.size(); });
+    for (std::size_t i = 0; i < shown; i++) {
+      const Articulate& a = *biggest_[i];
+      ImGui::Text("%zu things, %zu rows, gap %.1g m%s%s", a.nodes.size(), a.rows.size(), a.gaps.all(),
+                  a.tree ? ", no loops" : "", a.safe ? ", safe step" : "");
+    }
+    ImGui::TreePop();
+  }
+
+  Since since_;
+  double newton_ = 0.0;
+  std::vector<const Articulate*> biggest_;
+};
+
+}  // namespace
+
+std::unique_ptr<Pane> make_solver_pane() { return std::make_unique<SolverPane>(); }
+
+}  // namespace pantin::player

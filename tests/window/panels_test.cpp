@@ -1,0 +1,115 @@
+// The panels of the window, by pushed events: what is done in them reaches the scene, and only there.
+#include <catch2/catch.hpp>
+
+#include "player/player.hpp"
+#include "support/process.hpp"
+#include "support/sources.hpp"
+#include "window/pushed.hpp"
+
+using namespace pantin;
+using support::Folder;
+
+namespace {
+
+/// A player of a text, in a window of 960 x 540 that nobody sees.
+struct Played {
+  Folder folder;
+  std::unique_ptr<player::Player> player;
+
+  explicit Played(const std::string& source) {
+    pushed::no_screen();
+    support::write_file(folder / "scene.lua", source);
+    player::RunOptions options;
+    options.size = {960, 540};
+    player = std::make_unique<player::Player>(folder / "scene.lua", options, sources::folder());
+    frames(3);
+  }
+  void frames(int n) {
+    for (int i = 0; i < n; i++) REQUIRE(player->frame());
+  }
+  // Each part in a frame of its own, as a person is slower than frames.
+  void drag(double x0, double y0, double x1, double y1) {
+    pushed::move(x0, y0);
+    frames(2);
+    pushed::button(true, x0, y0);
+    frames(2);
+    pushed::move(x1, y1);
+    frames(2);
+    pushed::button(false, x1, y1);
+    frames(2);
+  }
+  double result(const std::string& name) const { return std::get<double>(player->scene().results().at(name)); }
+  const World& world() const { return player->scene().world(); }
+};
+
+// The first slider of the parameters, at the left edge under the title.
+constexpr double slider_left = 10 + 18, slider_right = 10 + 210 - 18, slider_y = 105;
+
+}  // namespace
+
+TEST_CASE("panels: a slider of a live parameter calls on_change, and the scene goes on", "[window]") {
+  Played played(R"(
+    scene:param("push", 1, { min = 0, max = 10, on_change = function(v) scene:result("push", v) end })
+    scene:particle { at = vec(0, 0, 0) })");
+  const std::uint64_t steps = played.world().steps;
+  played.drag(slider_left + 20, slider_y, slider_right, slider_y);
+  CHECK(played.result("push") == 10.0);
+  CHECK(played.world().steps > steps);
+  CHECK(played.world().hands.size() <= 1);
+}
+
+TEST_CASE("panels: a slider of another parameter opens the scene again with its value, in its steps", "[window]") {
+  Played played(R"(
+    local n = scene:param("count", 3, { min = 1, max = 9, step = 2 })
+    for i = 1, n do scene:particle { at = vec(i, 0, 0) } end)");
+  CHECK(played.world().particles.size() == 3);
+  played.drag(slider_left + 40, slider_y, slider_right, slider_y);
+  CHECK(played.world().particles.size() == 9);
+  played.drag(slider_right - 20, slider_y, slider_left, slider_y);
+  CHECK(played.world().particles.size() == 1);
+}
+
+TEST_CASE("panels: a parameter that the scene refuses is told, and the old scene goes on", "[window]") {
+  Played played(R"(
+    local n = scene:param("count", 1, { min = 1, max = 9, step = 1 })
+    assert(n < 5, "too many")
+    scene:particle { at = vec(0, 0, 0) })");
+  played.drag(slider_left + 20, slider_y, slider_right, slider_y);
+  CHECK(played.world().particles.size() == 1);
+  CHECK(std::get<double>(played.player->scene().parameters()[0].value) < 5.0);
+  CHECK(played.player->failure().empty());
+  const double time = played.world().time;
+  played.frames(10);
+  CHECK(played.world().time > time);
+}
+
+TEST_CASE("panels: a press on a panel does not take hold of what is behind it", "[window]") {
+  Played played(R"(
+    scene:param("a", 1, { min = 0, max = 2 })
+    scene.camera = { at = vec(0, 0, 10), look_at = vec(0, 0, 0) }
+    scene.gravity = vec(0, 0, 0)
+    for x = -8, 8 do for y = -5, 5 do scene:particle { at = vec(x, y, 0) / 2 } end end
+    scene:on("grab", function() scene:result("grabs", 1) end))");
+  pushed::move(slider_left + 30, slider_y);
+  pushed::button(true, slider_left + 30, slider_y);
+  played.frames(10);
+  CHECK_FALSE(played.player->scene().results().contains("grabs"));
+  pushed::button(false, slider_left + 30, slider_y);
+  played.frames(2);
+  pushed::move(480, 270);
+  pushed::button(true, 480, 270);
+  played.frames(30);
+  CHECK(played.player->scene().results().contains("grabs"));
+}
+
+TEST_CASE("panels: keys pause, slow and speed up time, and pass to the next scene and back", "[window]") {
+  Played played("scene:particle { at = vec(0, 0, 0) }");
+  pushed::tap(SDLK_SPACE);
+  played.frames(2);
+  const std::uint64_t steps = played.world().steps;
+  played.frames(5);
+  CHECK(played.world().steps == steps);
+  pushed::tap(SDLK_PAGEDOWN);
+  played.frames(2);
+  CHECK(played.player->scene().title() == "Auxetic");
+}
