@@ -263,13 +263,13 @@ function quat_methods:inverse() end
 ---@field angle? number|fun(t: number): number [rad]
 
 ---@class MotorOptions: OrientOptions
----@field axis vec world axes
+---@field axis? vec world axes; in a plane (scene.plane) its normal, unless given
 ---@field speed? number|fun(t: number): number [rad/s]
 ---@field angle? number|fun(t: number): number [rad]
 ---@field max_torque? number [N m]
 
 ---@class LimitOptions: OrientOptions
----@field axis? vec of an angle; world axes
+---@field axis? vec of an angle; world axes, in a plane its normal unless given
 ---@field min? number [rad] or [m]
 ---@field max? number [rad] or [m]
 ---@field length? number [m] of a distance, the same as max

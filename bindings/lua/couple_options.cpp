@@ -84,6 +84,13 @@ int scene_align(lua_State* state) {
   return finish(self, align, o);
 }
 
+/// In a plane its normal, unless another is given.
+Vec3 axis_option(const Self& self, const Options& o) {
+  const Plane& plane = self.world.plane;
+  require(o.has("axis") || plane.flat(), o.what(), ": axis must be given, a vec in world axes");
+  return o.has("axis") ? *o.vector("axis", "") : plane.about(vec(1, 1, 1));
+}
+
 int scene_motor(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "motor");
   const BodyId a = check_body(state, 2, "motor", argument(1));
@@ -91,8 +98,7 @@ int scene_motor(lua_State* state) {
   const BodyId b = second_body(state, next, "motor");
   const Options o(state, next, "motor", with_common({"axis", "speed", "angle", "max_torque", "time_constant"}));
   MotorDef def;
-  require(o.has("axis"), "motor: axis must be given, a vec in world axes");
-  def.axis = *o.vector("axis", "");
+  def.axis = axis_option(self, o);
   require(!o.has("speed") || !o.has("angle"), "motor: give its speed or its angle, not both");
   for (const char* name : {"speed", "angle"}) {
     if (!o.has(name)) continue;
@@ -137,8 +143,7 @@ int scene_limit(lua_State* state) {
   if (!of_angle)
     return finish(
         self, place ? add_limit(self.world, point_a, *place, def) : add_limit(self.world, point_a, point_b, def), o);
-  require(o.has("axis"), "limit: axis must be given, a vec in world axes");
-  return finish(self, add_limit(self.world, body_a, body_b, *o.vector("axis", ""), def), o);
+  return finish(self, add_limit(self.world, body_a, body_b, axis_option(self, o), def), o);
 }
 
 int scene_on_plane(lua_State* state) {

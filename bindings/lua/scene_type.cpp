@@ -1,4 +1,5 @@
 // `scene`: its settings, and the table of all that it can do.
+#include <algorithm>
 #include <cmath>
 
 #include "lua/arguments.hpp"
@@ -74,6 +75,20 @@ void write_integrator(const Self& s, int index) {
     known += text(known.empty() ? "\"" : named.name == integrators.back().name ? " or \"" : ", \"", named.name, "\"");
   }
   throw Error(text("scene: integrator must be ", known, ", got \"", name, "\""));
+}
+
+void read_plane(const Self& s) {
+  if (!s.world.plane.flat()) return lua_pushnil(s.state);
+  const std::string_view name = plane_names[static_cast<std::size_t>(s.world.plane.normal)];
+  lua_pushlstring(s.state, name.data(), name.size());
+}
+
+void write_plane(const Self& s, int index) {
+  if (lua_isnil(s.state, index)) return set_plane(s.world, {});
+  const std::string name = check_text(s.state, index, "scene", "plane");
+  const auto found = std::find(plane_names.begin(), plane_names.end(), name);
+  require(found != plane_names.end(), "scene: plane must be \"xy\", \"xz\" or \"yz\", got \"", name, "\"");
+  set_plane(s.world, {static_cast<int>(found - plane_names.begin())});
 }
 
 void write_seed(const Self& s, int index) {
@@ -156,6 +171,11 @@ std::vector<Field> engine_settings() {
          if (!lua_isnil(s.state, i)) box = check_vec(s.state, i, "scene", "box", "m");
          set_box(s.world, box);
        }},
+      {"plane", "string?", "",
+       "\"xy\", \"xz\" or \"yz\": everything stays in that plane, and forces across it do nothing; set it before "
+       "things "
+       "are made",
+       read_plane, write_plane},
       {"tolerance", "number", "", "points of a new hinge may be this far apart, relative to the size of their bodies",
        [](const Self& s) { lua_pushnumber(s.state, s.world.settings.tolerance); },
        [](const Self& s, int i) { s.world.settings.tolerance = check_positive(s, i, "tolerance", ""); }},

@@ -11,7 +11,7 @@ namespace pantin {
 void load(Node& n, const Model& model, Vec3 gravity) {
   if (n.is_body) {
     const Motion& m = model.motion[n.slot];
-    n.x0 = m.x;
+    n.x0 = model.plane.along(m.x);
     n.p0 = m.p;
     n.P0 = m.angular;
     n.q0 = m.q;
@@ -21,7 +21,7 @@ void load(Node& n, const Model& model, Vec3 gravity) {
     n.torque = m.torque;
   } else {
     const FreeMotion& m = model.free_motion[n.slot];
-    n.x0 = m.x;
+    n.x0 = model.plane.along(m.x);
     n.p0 = m.v * n.mass;
     n.P0 = n.O0 = n.torque = zero3();
     n.q0 = {};
@@ -33,12 +33,13 @@ void load(Node& n, const Model& model, Vec3 gravity) {
 void store(const Node& n, Model& model) {
   if (n.is_body) {
     Motion& m = model.motion[n.slot];
-    m.x = n.x0;
+    m.x = model.plane.beside(n.x0, m.x);
     m.p = n.p0;
     m.angular = n.P0;
     m.q = n.turns ? normalised(n.q0) : n.q0;
   } else {
-    model.free_motion[n.slot] = {n.x0, n.p0 * n.inverse_mass};
+    FreeMotion& m = model.free_motion[n.slot];
+    m = {model.plane.beside(n.x0, m.x), n.p0 * n.inverse_mass};
   }
 }
 

@@ -179,6 +179,7 @@ struct Hub {
 };
 
 struct Articulate {
+  Plane plane;
   std::vector<Node> nodes;
   std::vector<Row> rows;           // in the order of elimination
   std::vector<NodeBatch> batches;  // of the nodes
@@ -251,7 +252,7 @@ inline const Row& row(const Articulate& a, const Condition& c) { return a.rows[c
 bool struck(const Articulate& articulate);
 
 /// Copies the model's state into the nodes, with constant forces: gravity [m/s²], pushes and twists; and the world ends
-/// and limits of the rows from their constraints.
+/// and limits of the rows from their constraints. In a plane all is taken to height 0, so that no row sees the normal.
 void load(Articulate& articulate, const Model& model, Vec3 gravity);
 /// Copies the state of one thing into a node.
 void load(Node& node, const Model& model, Vec3 gravity);

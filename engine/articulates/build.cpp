@@ -226,6 +226,7 @@ std::unique_ptr<Articulate> build_articulate(Model& model, std::span<const Thing
 
   auto articulate = std::make_unique<Articulate>();
   Articulate& a = *articulate;
+  a.plane = model.plane;
   a.serial = serial_of(model, things.front());
   a.factor = lay_out(std::move(elimination.columns));
   a.breakable = std::any_of(ties.begin(), ties.end(), [](const Tie& tie) { return tie.may_break; });

@@ -41,9 +41,9 @@ Quat between_nodes(const Model& model, const Constraint& c, const Quat& turn) {
 
 void load_couple(Condition& condition, const Row& row, const Model& model, const Constraint& c) {
   const Quat to_b = c.body_b ? conjugate(model.bodies[c.body_b].axes) : Quat{};
-  condition.whole_turn0 = between_nodes(model, c, c.previous_turn);
-  condition.whole_turn1 = between_nodes(model, c, c.turn);
-  condition.axis = condition.axis0 = condition.axis1 = rotate(to_b, c.axis_b);
+  condition.whole_turn0 = model.plane.about(between_nodes(model, c, c.previous_turn));
+  condition.whole_turn1 = model.plane.about(between_nodes(model, c, c.turn));
+  condition.axis = condition.axis0 = condition.axis1 = model.plane.axis(rotate(to_b, c.axis_b));
   condition.angle0 = condition.angle1 = c.angle;
   condition.whole_length0 = row.lever * (c.previous_length + c.previous_excess);
   condition.whole_length1 = row.lever * (c.length + c.excess);
@@ -55,14 +55,15 @@ void load_couple(Condition& condition, const Row& row, const Model& model, const
   condition.velocity = zero3();
   condition.whole0 = condition.whole1 = zero3();
   if (c.kind == ConstraintKind::orient) {
-    condition.whole_turn0 = quaternion_of(c.previous_away) * condition.whole_turn0;
-    condition.whole_turn1 = quaternion_of(c.away) * condition.whole_turn1;
-    condition.velocity = (c.spin + c.away_rate) * row.lever;
+    condition.whole_turn0 = quaternion_of(model.plane.about(c.previous_away)) * condition.whole_turn0;
+    condition.whole_turn1 = quaternion_of(model.plane.about(c.away)) * condition.whole_turn1;
+    condition.velocity = model.plane.about(c.spin + c.away_rate) * row.lever;
   } else if (row.kind == RowKind::axis) {  // an align that is drawn in turns its second axis
     condition.velocity = c.away_rate * row.lever;
     if (c.body_b) condition.velocity = rotate(orientation(model, c.body_b), condition.velocity);
-    condition.whole0 = rotate(to_b, c.previous_away);
-    condition.whole1 = rotate(to_b, c.away);
+    condition.velocity = model.plane.about(condition.velocity);
+    condition.whole0 = model.plane.about(rotate(to_b, c.previous_away));
+    condition.whole1 = model.plane.about(rotate(to_b, c.away));
   }
   condition.works = c.kind == ConstraintKind::motor || condition.ranged ||
                     condition.whole_length0 != condition.whole_length1 ||
@@ -97,7 +98,7 @@ double fixed_length(const Model& model, const Constraint& c) {
 
 void load_strand(Condition& condition, const Model& model, const Constraint& c) {
   const Passage &from = c.passages[condition.part], &to = c.passages[condition.part + 1];
-  condition.whole0 = condition.whole1 = from.point ? to.place : from.place;
+  condition.whole0 = condition.whole1 = model.plane.along(from.point ? to.place : from.place);
   condition.velocity = zero3();
   const double fixed = fixed_length(model, c);
   condition.whole_length0 -= fixed;
@@ -135,17 +136,22 @@ void load(Condition& condition, const Row& row, const Model& model, double total
       c.kind == ConstraintKind::limit || c.kind == ConstraintKind::string || (c.path && !c.path->closed());
   condition.held_before = condition.held;
   if (row.lever > 0.0) return load_couple(condition, row, model, c);
-  condition.whole0 = c.previous + c.previous_away;
-  condition.whole1 = c.place + c.away;
-  condition.velocity = c.velocity + c.away_rate;
+  condition.whole0 = model.plane.along(c.previous + c.previous_away);
+  condition.whole1 = model.plane.along(c.place + c.away);
+  condition.velocity = model.plane.along(c.velocity + c.away_rate);
   condition.whole_length0 = c.previous_length + c.previous_excess;
   condition.whole_length1 = c.length + c.excess;
   condition.length_rate = c.length_rate + c.excess_rate;
   condition.low = c.low;
   condition.high = c.high;
-  condition.normal = c.axis_a;
+  condition.normal = model.plane.axis(c.axis_a);
   condition.path = c.path.get();
-  if (c.path) condition.angle0 = condition.angle1 = c.along;
+  if (c.path) {
+    condition.angle0 = condition.angle1 = c.along;
+    const Vec3 at = c.path->places()[0], height = at - model.plane.along(at);
+    condition.whole0 -= height;
+    condition.whole1 -= height;
+  }
   if (c.kind == ConstraintKind::string) load_strand(condition, model, c);
   condition.works =
       row.kind == RowKind::limited || condition.ranged || condition.whole_length1 != condition.whole_length0;

@@ -30,17 +30,18 @@ Moments moments_about(const Articulate& a, Vec3 X) {
   return m;
 }
 
+Vec3 locked_spin(const Moments& m, Vec3 axis) {
+  const double inertia = dot(axis, m.inertia * axis);
+  return inertia > 0.0 ? axis * (dot(axis, m.angular) / inertia) : zero3();
+}
+
 /// Spin of the locked articulate: J⁻¹ L, or 0 where J is singular (all on a line).
-Vec3 locked_spin(const Moments& m) {
+Vec3 locked_spin(const Moments& m, const Plane& plane) {
+  if (plane.flat()) return locked_spin(m, plane.about(vec(1, 1, 1)));
   const Mat3& J = m.inertia;
   const double t = trace(J);
   const double volume = dot(J[0], cross(J[1], J[2]));
   return volume > 1e-12 * t * t * t ? inverse(J) * m.angular : zero3();
-}
-
-Vec3 locked_spin(const Moments& m, Vec3 axis) {
-  const double inertia = dot(axis, m.inertia * axis);
-  return inertia > 0.0 ? axis * (dot(axis, m.angular) / inertia) : zero3();
 }
 
 /// Anchors on the world: none; of orientation only; of one place; of places on a line; others.
@@ -103,7 +104,7 @@ RigidMotion kept_motion(const Articulate& a, Vec3 gravity) {
     }
     X = X / a.total_mass;
     const Moments m = moments_about(a, X);
-    const Vec3 spin = held.kind == Anchorage::none ? locked_spin(m) : zero3();
+    const Vec3 spin = held.kind == Anchorage::none ? locked_spin(m, a.plane) : zero3();
     return rigid_motion(m, X, spin, V / a.total_mass, a.total_mass);
   }
   const Moments m = moments_about(a, held.place);
@@ -115,7 +116,7 @@ RigidMotion kept_motion(const Articulate& a, Vec3 gravity) {
   return rigid_motion(m, held.place,
                       line      ? locked_spin(m, held.axis)
                       : g > 0.0 ? locked_spin(m, down)
-                                : locked_spin(m));
+                                : locked_spin(m, a.plane));
 }
 
 bool may_return(const Articulate& a) {

@@ -21,15 +21,20 @@ Mat3x4 turn_by(const Mat3x4& W, const RowEnds& end, Arms right) {
   return G;
 }
 
+/// How far a force moves the nodes, in each direction: 1/m, but 0 across a plane.
+Vec3x4 ease(const Articulate& a, const NodeBatch& n) {
+  const Vec3 d = a.plane.directions();
+  return {n.inverse_mass * d[0], n.inverse_mass * d[1], n.inverse_mass * d[2]};
+}
+
 /// What the force of a row does to another, by the rotation G that it makes: s_i s_j/m - s_i r_i^ G; of a couple lever G.
-Mat3x4 coupling(const RowEnds& of, const RowEnds& by, const Mat3x4& G, Lanes inverse_mass) {
-  const Vec3x4 left = of.r1 * of.sign;
-  const Lanes straight = of.sign * by.sign * inverse_mass;
+Mat3x4 coupling(const RowEnds& of, const RowEnds& by, const Mat3x4& G, const Vec3x4& inverse_mass) {
+  const Vec3x4 left = of.r1 * of.sign, straight = inverse_mass * (of.sign * by.sign);
   Mat3x4 K;
   for (int k = 0; k < 3; k++) K[k] = cross(G[k], left) + G[k] * of.lever;
-  K[0].x += straight;
-  K[1].y += straight;
-  K[2].z += straight;
+  K[0].x += straight.x;
+  K[1].y += straight.y;
+  K[2].z += straight.z;
   return K;
 }
 
@@ -42,10 +47,11 @@ void add(Mat3& block, bool first, const Row& row, const Articulate& a, const Mat
 void add_meetings(Articulate& a, std::size_t b, const Mat3x4& W, Arms right) {
   const NodeBatch& n = a.batches[b];
   const auto ends = ends_of(a, n).first(meeting_ends(a, b));
+  const Vec3x4 inverse_mass = ease(a, n);
   for (std::size_t j = 0; j < ends.size(); j++) {
     const Mat3x4 G = turn_by(W, ends[j], right);
     for (std::size_t i = 0; i < ends.size(); i++) {
-      const auto blocks = unpack(coupling(ends[i], ends[j], G, n.inverse_mass));
+      const auto blocks = unpack(coupling(ends[i], ends[j], G, inverse_mass));
       for (std::size_t lane = 0; lane < n.count; lane++) {
         const Meeting* m = meeting(a, b, lane, i, j);
         if (m == nullptr) continue;
@@ -71,8 +77,8 @@ void add_hub(Articulate& a, const Hub& hub, const Mat3x4& W, Arms right) {
     const double sign = ends[i].sign[lane];
     const Row& row = a.rows[ends[i].row[lane]];
     add(a.factor.upper[block], true, row, a, identity33() * sign);
-    add(a.factor.upper[block + 1], true, row, a, unpack(coupling(ends[i], ends[i], one, lanes(0.0)))[lane]);
-    a.factor.lower[block] = identity33() * (-sign * n.inverse_mass[lane]);
+    add(a.factor.upper[block + 1], true, row, a, unpack(coupling(ends[i], ends[i], one, zero3x4()))[lane]);
+    a.factor.lower[block] = diagonal(a.plane.directions()) * (-sign * n.inverse_mass[lane]);
     a.factor.lower[block + 1] = unpack(turn_by(W, ends[i], right))[lane] * -1.0;
   }
   for (std::uint32_t k : hub.alone) a.factor.diagonal[k] = zero33();
@@ -146,7 +152,7 @@ void add_strand(Articulate& a, const Strand& strand, const System& system) {
     const std::size_t batch = m.node / batch_size;
     const RowEnds &of = end_of(a, m.node, m.segment), &by = end_of(a, m.node, m.column);
     const Mat3x4 G = turn_by(weight(a, batch, system), by, system.right);
-    const Mat3 k = unpack(coupling(of, by, G, a.batches[batch].inverse_mass))[m.node % batch_size];
+    const Mat3 k = unpack(coupling(of, by, G, ease(a, a.batches[batch])))[m.node % batch_size];
     Mat3& block = m.column == strand.head ? a.factor.diagonal[m.block]
                   : m.upper               ? a.factor.upper[m.block]
                                           : a.factor.lower[m.block];
@@ -188,7 +194,8 @@ bool factorise(Articulate& a, const System& system) {
     for (; done.batches < wave.batches; done.batches++) {
       NodeBatch& n = a.batches[done.batches];
       if (system.right == Arms::mean) {
-        invert_jacobian(n, moments(a, n), system.h);
+        a.plane.flat() ? invert_flat_jacobian(n, moments(a, n), system.h, a.plane.normal)
+                       : invert_jacobian(n, moments(a, n), system.h);
         move_ends(a, n);
       }
       const Mat3x4 W = weight(a, done.batches, system);

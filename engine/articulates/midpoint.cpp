@@ -23,11 +23,14 @@ FreeRotation rotate_by(Node& n, double h) {
   return {Q, Pi - Q + cross(a, sum) * 0.5, sum};
 }
 
-/// J = (1 + a^/2)(2/h) I - (Π1 + Q)^/2
+/// J = (1 + a^/2)(2/h) I - (Π1 + Q)^/2, with 1 for I about axes that it cannot turn about
 Mat3 jacobian(const Node& n, const FreeRotation& r, double h) {
   const Mat3 d = diagonal(n.inertia * (2.0 / h)), sum_hat = hat(r.sum);
   Mat3 J;
-  for (int k = 0; k < 3; k++) J[k] = d[k] + cross(n.a, d[k]) * 0.5 - sum_hat[k] * 0.5;
+  for (int k = 0; k < 3; k++) {
+    J[k] = d[k] + cross(n.a, d[k]) * 0.5 - sum_hat[k] * 0.5;
+    if (n.inertia[k] == 0.0) J[k][k] = 1.0;
+  }
   return J;
 }
 

@@ -63,6 +63,18 @@ inline void invert_jacobian(NodeBatch& n, const Mat3x4& B, double h) {
   n.da = n.J_inverse * n.E * -1.0;
 }
 
+/// The same in a plane, where all rotations are about its normal k: of J and its inverse only J_kk counts,
+///   J_kk = (2/h) I_kk - h c/2 (B_kk - tr(B) - a_k τ_k/2).
+inline void invert_flat_jacobian(NodeBatch& n, const Mat3x4& B, double h, int k) {
+  const auto normal = [k](const Vec3x4& v) { return k == 0 ? v.x : k == 1 ? v.y : v.z; };
+  const Lanes dtau = (normal(B[k]) - trace(B) - normal(n.a) * normal(axial(B)) * 0.5) * (n.c * (0.5 * h));
+  const Lanes inverse = 1.0 / (normal(n.inertia_rate[k]) - dtau);
+  n.J_inverse = {{zero3x4(), zero3x4(), zero3x4()}};
+  Vec3x4& column = n.J_inverse[k];
+  (k == 0 ? column.x : k == 1 ? column.y : column.z) = inverse;
+  n.da = n.J_inverse * n.E * -1.0;
+}
+
 /// W = (2/h) c (1 + a^/2) J⁻¹ (1 - a^/2): the rotation at the end that a moment of unit force makes, times 2/h².
 inline Mat3x4 weight(const NodeBatch& n, double h) {
   Mat3x4 W = times_hat(n.J_inverse, n.a);

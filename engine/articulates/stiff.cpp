@@ -71,7 +71,7 @@ void make_stiff(const Model& model, ConnectionId id, Row& row, Condition& condit
   tie.a = c.particles[swapped ? 1 : 0];
   tie.b = c.particles[swapped ? 0 : 1];
   tie.solve = c.solve;
-  if (!tie.b) condition.whole0 = condition.whole1 = c.places[swapped ? 0 : 1];
+  if (!tie.b) condition.whole0 = condition.whole1 = model.plane.along(c.places[swapped ? 0 : 1]);
   const Vec3 d = position(model, tie.a) - (tie.b ? position(model, tie.b) : condition.whole1);
   tie.least2 = 1e-24 * (norm2(d) > 0.0 ? norm2(d) : 1.0);
   for (auto law = c.law; law; law = law->also) tie.curves.emplace_back(*law);

@@ -48,16 +48,17 @@ class Finder {
 
   void tie_a(Tie& tie, PointId point) const {
     tie.a = node_of(model_, holder(model_, point));
-    tie.la = arm(model_, point);
+    tie.la = model_.plane.along(arm(model_, point));
   }
   void tie_b(Tie& tie, PointId point) const {
     tie.b = node_of(model_, holder(model_, point));
-    tie.lb = arm(model_, point);
+    tie.lb = model_.plane.along(arm(model_, point));
   }
   /// A place or an axis in the frame of a body, in principal axes of its node.
   std::int32_t tie(BodyId id, Vec3 v, bool is_axis, Vec3& arm) const {
     const Body& body = model_.bodies[id];
-    arm = rotate(conjugate(body.axes), is_axis ? v : v - body.centre);
+    const Vec3 turned = rotate(conjugate(body.axes), is_axis ? v : v - body.centre);
+    arm = is_axis ? model_.plane.axis(turned) : model_.plane.along(turned);
     return node_of(model_, Thing{id.slot - 1, true});
   }
 

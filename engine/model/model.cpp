@@ -51,7 +51,7 @@ Vec3 mean(const Model& m, ParticleId particle, Read read) {
 }
 
 template <class Row>
-std::string called(const char* kind, const Row& row) {
+std::string called(std::string_view kind, const Row& row) {
   return row.name.empty() ? text(kind, " ", row.serial) : text(kind, " '", row.name, "'");
 }
 
@@ -92,6 +92,10 @@ Quat orientation(const Model& m, BodyId body) {
   return normalised(m.motion_of(body).q * conjugate(m.bodies[body].axes));
 }
 
+Vec3 normal_in(const Model& m, const Quat& frame) {
+  return m.plane.flat() ? rotate(conjugate(frame), m.plane.about(vec(1, 1, 1))) : zero3();
+}
+
 Vec3 origin(const Model& m, BodyId body) {
   return m.motion_of(body).x - rotate(orientation(m, body), m.bodies[body].centre);
 }
@@ -114,21 +118,22 @@ void update_mass(Model& m, BodyId id) {
   points.reserve(body.points.size());
   for (PointId p : body.points) points.push_back({m.points[p].place, m.points[p].mass});
   const std::string who = body.name.empty() ? "body" : describe(m, id);
-  Weighed w = weigh(who, points, {body.own_mass, body.own_inertia, body.own_place}, body.axes);
+  const Quat frame = orientation(m, id);
+  const Quat near = m.plane.flat() ? conjugate(frame) * m.plane.about(motion.q) : body.axes;
+  Weighed w = weigh(who, points, {body.own_mass, body.own_inertia, body.own_place}, near, normal_in(m, frame));
 
   if (w.freedom == Freedom::line && !body.constraints.empty()) {  // what ties its rotation shows its spin
     w.freedom = Freedom::rigid;
     w.moments[0] = 1e-3 * w.moments[1];
   }
   const Vec3 from = origin(m, id), spin = angular_velocity(motion);
-  const Quat frame = orientation(m, id);
   const Vec3 x = from + rotate(frame, w.centre);
   const Vec3 speed = motion.mass > 0.0 ? motion.p / motion.mass + cross(spin, x - motion.x) : zero3();
   body.centre = w.centre;
   body.axes = w.axes;
   body.lifted = w.lifted;
   motion.x = x;
-  motion.q = normalised(frame * w.axes);
+  motion.q = m.plane.about(normalised(frame * w.axes));
   motion.mass = w.mass;
   motion.inertia = w.moments;
   motion.freedom = w.freedom;
@@ -200,13 +205,17 @@ std::string describe(const Model& m, BodyId id) {
   return m.bodies.alive(id) ? called("body", m.bodies[id]) : m.bodies.story(id);
 }
 
+std::string_view kind_name(ConstraintKind kind) {
+  static constexpr std::string_view kinds[] = {"nail",   "follow",  "rod",   "axis of a hinge", "weld",
+                                               "orient", "align",   "motor", "limit",           "on_plane",
+                                               "string", "on_path", "join"};
+  return kinds[static_cast<std::size_t>(kind)];
+}
+
 std::string describe(const Model& m, ConstraintId id) {
   if (!m.constraints.alive(id)) return m.constraints.story(id);
   const Constraint& c = m.constraints[id];
-  static constexpr const char* kinds[] = {"nail",   "follow",  "rod",   "axis of a hinge", "weld",
-                                          "orient", "align",   "motor", "limit",           "on_plane",
-                                          "string", "on_path", "join"};
-  return called(kinds[static_cast<std::size_t>(c.kind)], c);
+  return called(kind_name(c.kind), c);
 }
 
 std::string describe(const Model& m, GroupId id) {

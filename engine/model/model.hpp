@@ -13,6 +13,7 @@
 #include "model/group.hpp"
 #include "model/influence.hpp"
 #include "model/particle.hpp"
+#include "model/plane.hpp"
 #include "model/point.hpp"
 
 namespace pantin {
@@ -25,6 +26,7 @@ struct Touched {
 };
 
 struct Model {
+  Plane plane;  ///< that everything moves in
   Store<Point> points;
   std::vector<FreeMotion> free_motion;  ///< (slots of points)
   Store<Particle> particles;
@@ -69,6 +71,8 @@ PointId star(const Model& m, ParticleId particle);
 /// The body's frame: place of its origin [m], orientation (frame to world).
 Vec3 origin(const Model& m, BodyId body);
 Quat orientation(const Model& m, BodyId body);
+/// In a plane, its normal in a frame [frame to world]; in space 0.
+Vec3 normal_in(const Model& m, const Quat& frame);
 /// Angular momentum about the centre of mass, world axes, [kg m²/s].
 Vec3 angular_momentum(const Model& m, BodyId body);
 /// Inertia about the centre of mass in the world's axes, [kg m²].
@@ -95,6 +99,7 @@ std::string describe(const Model& m, PointId id);
 std::string describe(const Model& m, ParticleId id);
 std::string describe(const Model& m, BodyId id);
 std::string describe(const Model& m, ConstraintId id);
+std::string_view kind_name(ConstraintKind kind);  ///< as messages call it
 std::string describe(const Model& m, GroupId id);
 std::string describe(const Model& m, FamilyId id);
 std::string describe(const Model& m, ConnectionId id);

@@ -55,9 +55,19 @@ void settle(Weighed& w, const Shape& shape) {
   }
 }
 
+/// The moment about a normal alone; `axes` (principal axes to the frame) have it for one of theirs.
+void settle_in_plane(Weighed& w, const Mat3& inertia, const Quat& axes, Vec3 normal) {
+  w.axes = axes;
+  const Vec3 n = rotate(conjugate(axes), normal);
+  for (int i = 0; i < 3; i++)
+    if (std::fabs(n[i]) > 0.9) w.moments[i] = dot(normal, inertia * normal);
+  w.freedom = largest(w.moments) > 0.0 ? Freedom::rigid : Freedom::point;
+}
+
 }  // namespace
 
-Weighed weigh(const std::string& who, std::span<const MassPoint> points, const OwnMass& own, const Quat& near) {
+Weighed weigh(const std::string& who, std::span<const MassPoint> points, const OwnMass& own, const Quat& near,
+              Vec3 normal) {
   const auto each = [&](const auto& visit) {
     if (own.mass > 0.0) visit(own.place, own.mass);
     for (const MassPoint& p : points) visit(p.place, p.mass);
@@ -79,12 +89,20 @@ Weighed weigh(const std::string& who, std::span<const MassPoint> points, const O
   for (int i = 0; i < 3; i++) good = good && finite(inertia[i]);
   require(good, who, ": its inertia is too large for a number; masses [kg] or places [m] must be smaller");
 
-  const Shape shape = shape_of(first, each);
+  const bool flat = norm2(normal) > 0.0;
+  const auto seen = [&](Vec3 place) { return flat ? place - normal * dot(normal, place) : place; };
+  const auto about = [&](const Mat3& m) { return flat ? outer(normal, normal) * dot(normal, m * normal) : m; };
+  const Shape shape = shape_of(
+      seen(first), [&](const auto& visit) { each([&](Vec3 place, double mass) { visit(seen(place), mass); }); });
   const double tiny = shape.spot ? 0.0 : no_moment * w.mass * shape.extent * shape.extent;
-  if (shape.spot && !(largest_of(own.inertia) > 0.0)) inertia = zero33();
+  inertia = shape.spot && !(largest_of(about(own.inertia)) > 0.0) ? zero33() : about(inertia);
   require(shape.spot || largest_of(inertia) > tiny, who,
           ": all its mass is in one place but it has points elsewhere, so it has no inertia to turn with; give "
           "`inertia` [kg m²], or give those points mass, or use a `rod` instead");
+  if (flat) {
+    settle_in_plane(w, inertia, near, normal);
+    return w;
+  }
   const Principal principal = principal_axes(inertia, matrix(near));
   w.moments = principal.moments;
   w.axes = quaternion(principal.axes);

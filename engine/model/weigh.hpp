@@ -29,7 +29,10 @@ struct OwnMass {
   Vec3 place = zero3();     ///< [m] in the body's frame
 };
 
-/// Weighs points together with a body's own mass. Axes come near to `near`. Throws Error, beginning with `who`, where there is no mass, or mass in one place only and points elsewhere.
-Weighed weigh(const std::string& who, std::span<const MassPoint> points, const OwnMass& own, const Quat& near);
+/// Weighs points together with a body's own mass. Axes come near to `near`. Throws Error, beginning with `who`, where
+/// there is no mass, or mass in one place only and points elsewhere. With a unit vector `normal` in the frame, an axis of
+/// `near`, it is what moves across that alone: the axes are `near`, and there is no moment but that about the normal.
+Weighed weigh(const std::string& who, std::span<const MassPoint> points, const OwnMass& own, const Quat& near,
+              Vec3 normal = zero3());
 
 }  // namespace pantin

@@ -11,6 +11,7 @@ void push(World& world, BodyId body, Vec3 force, std::optional<Vec3> at) {
   if (at) require_finite("push", "at", *at, "m");
   acted(world);
   Motion& m = world.motion_of(body);
+  force = world.plane.along(force);
   m.force += force;
   world.pushed = true;
   if (at) m.torque += rotate(m.q, turning_part(m, cross(*at - m.x, force)));
@@ -20,11 +21,12 @@ void kick(World& world, BodyId body, Vec3 impulse, std::optional<Vec3> at) {
   require_unlocked(world, "kick");
   require_finite("kick", "impulse", impulse, "N s");
   if (at) require_finite("kick", "at", *at, "m");
+  require_in_plane(world, "kick", "impulse", impulse, "N s");
   acted(world);
   Motion& m = world.motion_of(body);
   const double before = energy_of(world, body);
   disturb_forces(world);
-  m.p += impulse;
+  m.p += world.plane.along(impulse);
   if (at) m.angular += turning_part(m, cross(*at - m.x, impulse));
   post(world, energy_of(world, body) - before, Source::event);
   disturb(world, body);
@@ -40,7 +42,7 @@ void twist(World& world, BodyId body, Vec3 torque) {
   require(along <= 1e-9 * norm(torque), "twist: ", describe(world, body),
           " cannot turn about the line of its points, but the torque has ", along, " N m about it; give it `inertia`");
   acted(world);
-  m.torque += torque;
+  m.torque += world.plane.about(torque);
   world.pushed = true;
 }
 
@@ -50,7 +52,7 @@ void push(World& world, PointId id, Vec3 force) {
   if (point.body) return push(world, point.body, force, position(world, id));
   require_finite("push", "force", force, "N");
   acted(world);
-  point.force += force;
+  point.force += world.plane.along(force);
   world.pushed = true;
 }
 
@@ -59,10 +61,11 @@ void kick(World& world, PointId id, Vec3 impulse) {
   Point& point = world.points[id];
   if (point.body) return kick(world, point.body, impulse, position(world, id));
   require_finite("kick", "impulse", impulse, "N s");
+  require_in_plane(world, "kick", "impulse", impulse, "N s");
   acted(world);
   const double before = energy_of(world, id);
   disturb_forces(world);
-  world.motion_of(id).v += impulse / point.mass;
+  world.motion_of(id).v += world.plane.along(impulse) / point.mass;
   post(world, energy_of(world, id) - before, Source::event);
   disturb(world, id);
 }

@@ -61,14 +61,17 @@ void set_position(World& world, PointId point, Vec3 at) {
   require_unlocked(world, "position");
   require_free(world, "position", point);
   require_finite(describe(world, point), "position", at, "m");
-  changed(world, point, [&] { world.motion_of(point).x = at; });
+  Vec3& x = world.motion_of(point).x;
+  require_height(world, describe(world, point), "position", at, x);
+  changed(world, point, [&] { x = world.plane.beside(at, x); });
 }
 
 void set_velocity(World& world, PointId point, Vec3 velocity) {
   require_unlocked(world, "velocity");
   require_free(world, "velocity", point);
   require_finite(describe(world, point), "velocity", velocity, "m/s");
-  changed(world, point, [&] { world.motion_of(point).v = velocity; });
+  require_in_plane(world, describe(world, point), "velocity", velocity, "m/s");
+  changed(world, point, [&] { world.motion_of(point).v = world.plane.along(velocity); });
 }
 
 void set_mass(World& world, PointId id, double mass) {
@@ -89,23 +92,28 @@ void set_mass(World& world, PointId id, double mass) {
 void set_position(World& world, BodyId body, Vec3 centre) {
   require_unlocked(world, "position");
   require_finite(describe(world, body), "position", centre, "m");
-  changed(world, body, [&] { world.motion_of(body).x = centre; });
+  Vec3& x = world.motion_of(body).x;
+  require_height(world, describe(world, body), "position", centre, x);
+  changed(world, body, [&] { x = world.plane.beside(centre, x); });
 }
 
 void set_origin(World& world, BodyId body, Vec3 origin) {
   require_unlocked(world, "origin");
   require_finite(describe(world, body), "origin", origin, "m");
-  changed(world, body,
-          [&] { world.motion_of(body).x = origin + rotate(orientation(world, body), world.bodies[body].centre); });
+  Vec3& x = world.motion_of(body).x;
+  require_height(world, describe(world, body), "origin", origin, pantin::origin(world, body));
+  const Vec3 centre = origin + rotate(orientation(world, body), world.bodies[body].centre);
+  changed(world, body, [&] { x = world.plane.beside(centre, x); });
 }
 
 void set_orientation(World& world, BodyId body, Quat orientation) {
   require_unlocked(world, "orientation");
   const Quat frame = unit(describe(world, body), orientation);
+  require_turn(world, describe(world, body), body, frame);
   changed(world, body, [&] {
     Motion& m = world.motion_of(body);
     const Vec3 spin = angular_velocity(m);
-    m.q = normalised(frame * world.bodies[body].axes);
+    m.q = world.plane.about(normalised(frame * world.bodies[body].axes));
     m.angular = angular_for(m, spin);
   });
 }
@@ -113,15 +121,17 @@ void set_orientation(World& world, BodyId body, Quat orientation) {
 void set_velocity(World& world, BodyId body, Vec3 velocity) {
   require_unlocked(world, "velocity");
   require_finite(describe(world, body), "velocity", velocity, "m/s");
+  require_in_plane(world, describe(world, body), "velocity", velocity, "m/s");
   changed(world, body, [&] {
     Motion& m = world.motion_of(body);
-    m.p = velocity * m.mass;
+    m.p = world.plane.along(velocity) * m.mass;
   });
 }
 
 void set_spin(World& world, BodyId body, Vec3 spin) {
   require_unlocked(world, "spin");
   require_finite(describe(world, body), "spin", spin, "rad/s");
+  require_about_normal(world, describe(world, body), "spin", spin, "rad/s");
   changed(world, body, [&] {
     Motion& m = world.motion_of(body);
     m.angular = angular_for(m, spin);
@@ -158,7 +168,7 @@ void set_gravity(World& world, Vec3 gravity) {
   require_finite("scene", "gravity", gravity, "m/s²");
   acted(world);
   const double before = energy(world).potential;
-  world.settings.gravity = gravity;
+  world.settings.gravity = world.plane.along(gravity);
   post(world, energy(world).potential - before);
 }
 

@@ -103,7 +103,7 @@ ConstraintId add_orient(World& world, BodyId body, const OrientDef& def) {
   if (def.to) c.turn = unit("orient", *def.to);
   if (def.target) {
     const Lock lock(world);
-    c.turn = unit("orient", def.target(world.time));
+    c.turn = turned_in_plane(world, body, unit("orient", def.target(world.time)));
   }
   c.attitude = def.target;
   start_constraint(world, c);
@@ -182,7 +182,9 @@ void set_length(World& world, ConstraintId id, double value, std::function<doubl
 
 void set_attitude(World& world, ConstraintId id, const Quat& to, std::function<Quat(double)> target) {
   Constraint& c = of_kinds(world, id, {ConstraintKind::orient}, "an orientation to keep");
-  c.turn = unit(describe(world, id), to);
+  const Quat turn = unit(describe(world, id), to);
+  if (!target) require_turn(world, describe(world, id), c.body_a, turn);
+  c.turn = turned_in_plane(world, c.body_a, turn);
   c.attitude = std::move(target);
   start_constraint(world, c);
 }
@@ -205,6 +207,7 @@ void set_max_torque(World& world, ConstraintId id, double torque) {
 namespace editing {
 
 void add_axes(World& world, ParticleId hinge, Vec3 axis) {
+  if (world.plane.flat()) return;  // nothing turns about another
   std::vector<BodyId> bodies;
   for (PointId point : world.particles[hinge].points)
     if (const BodyId body = world.points[point].body) bodies.push_back(body);
@@ -218,7 +221,7 @@ void add_axes(World& world, ParticleId hinge, Vec3 axis) {
 }
 
 void require_axis(const World& world, std::span<const BodyId> bodies, Vec3 axis) {
-  (void)unit_axis("hinge", "axis", axis);
+  require_about_normal(world, "hinge", "axis", unit_axis("hinge", "axis", axis), "");
   require(bodies.size() >= 2, "hinge: axis needs two bodies; a free particle has no orientation");
   for (BodyId body : bodies) require_turning(world, "hinge", body);
 }

@@ -215,6 +215,7 @@ void start_constraint(const World& world, Constraint& c) {
 }
 
 ConstraintId insert_constraint(World& world, Constraint c) {
+  require_in_plane(world, c);
   c.serial = world.next_serial++;
   const ConstraintId id = world.constraints.add(std::move(c));
   const Constraint& row = world.constraints[id];

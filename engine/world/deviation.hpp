@@ -17,7 +17,7 @@ namespace editing {
 /// A constraint starts anew: what is far from where it wants it is drawn in, a deviation within the tolerance is not
 /// one. Targets have no history.
 void start_constraint(const World& world, Constraint& constraint);
-/// Puts a constraint into the world.
+/// Puts a constraint into the world. Throws Error where it does not fit into the world's plane.
 ConstraintId insert_constraint(World& world, Constraint constraint);
 }  // namespace editing
 

@@ -187,8 +187,12 @@ void set_target(World& world, ConstraintId follow, std::function<Vec3(double)> t
 void set_place(World& world, ConstraintId constraint, Vec3 place);    ///< [m] nail's, follow's target, rod's world end
 void set_max_force(World& world, ConstraintId follow, double force);  ///< [N]
 
-/// Changes gravity [m/s²] from now on; the energy that things gain by it is work from outside.
+/// Changes gravity [m/s²] from now on; the energy that things gain by it is work from outside. In a plane, what it has
+/// across that does nothing and is left out.
 void set_gravity(World& world, Vec3 gravity);
+/// Keeps everything in a plane: things stay at the height that they are at, and forces across it do nothing. Once, and
+/// Error where things there are do not fit: what moves out of it, ties between different heights, other axes.
+void set_plane(World& world, Plane plane);
 /// Edges of the periodic box in which laws see the nearest image of a particle [m], or open space.
 void set_box(World& world, std::optional<Vec3> box);
 /// Error where it cannot move what there is.

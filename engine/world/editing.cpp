@@ -113,6 +113,8 @@ Vec3 turning_part(const Motion& motion, Vec3 v) {
   if (motion.freedom == Freedom::point) return zero3();
   Vec3 part = rotate(conjugate(motion.q), v);
   if (motion.freedom == Freedom::line) part[0] = 0.0;
+  for (int i = 0; i < 3; i++)
+    if (motion.inertia[i] == 0.0) part[i] = 0.0;
   return part;
 }
 

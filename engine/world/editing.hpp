@@ -25,6 +25,18 @@ void require_inertia(std::string_view call, const Mat3& inertia);
 /// The quaternion at unit length; throws Error where it has none.
 Quat unit(std::string_view call, const Quat& q);
 
+/// In a scene in a plane: that a vector has no part across it; that one has no part but that; that a place has the height
+/// of another; that a body comes to an orientation by a turn about the normal. Throws Error where it is not so.
+void require_in_plane(const World& world, std::string_view call, std::string_view name, Vec3 v, std::string_view unit);
+void require_about_normal(const World& world, std::string_view call, std::string_view name, Vec3 v,
+                          std::string_view unit);
+void require_height(const World& world, std::string_view call, std::string_view name, Vec3 place, Vec3 of);
+void require_turn(const World& world, std::string_view call, BodyId body, const Quat& orientation);
+/// The same of what a constraint ties.
+void require_in_plane(const World& world, const Constraint& constraint);
+/// The orientation in the plane that is nearest to one.
+Quat turned_in_plane(const World& world, BodyId body, const Quat& orientation);
+
 /// Kinetic and potential energy of one thing, [J].
 double energy_of(const World& world, BodyId body);
 double energy_of(const World& world, PointId free_point);
@@ -63,7 +75,7 @@ void weigh_again(World& world, BodyId body);
 /// The largest arm of a point's body or distance between its points, [m]; 0 of a free point.
 double size_of(const Model& model, PointId point);
 /// A spin, torque or moment in world axes, in principal axes: less its part along the line of a body that cannot turn
-/// about it; 0 for one that cannot turn at all.
+/// about it, or but that about the normal of a plane; 0 for one that cannot turn at all.
 Vec3 turning_part(const Motion& motion, Vec3 v);
 
 /// A point with its own particle, in no body yet.

@@ -63,10 +63,14 @@ void change_rate(World& world, EmitterId id, const char* call, Change change) {
   change(e);
 }
 
-/// A direction within the cone about v, with v's length.
-Vec3 spread_out(Vec3 v, double spread, double u1, double u2) {
+/// A direction within the cone about v, or its section with the plane, with v's length.
+Vec3 spread_out(const Plane& plane, Vec3 v, double spread, double u1, double u2) {
   const double speed = norm(v);
   if (spread == 0.0 || speed == 0.0) return v;
+  if (plane.flat()) {
+    const double aside = spread * (2.0 * u1 - 1.0);
+    return v * functions::cos(aside) + cross(plane.about(vec(1, 1, 1)), v) * functions::sin(aside);
+  }
   const double c = 1.0 - u1 * (1.0 - functions::cos(spread)), s = std::sqrt(std::fmax(0.0, 1.0 - c * c));
   const double angle = 2.0 * std::numbers::pi * u2;
   const Vec3 along = v / speed, side = direction(cross(along, std::fabs(along[1]) < 0.9 ? vec(0, 1, 0) : vec(1, 0, 0)));
@@ -87,7 +91,7 @@ void make(World& world, EmitterId id, const Base& base, double time, double end)
   Vec3 at = base.x + base.v * (time - world.time);
   for (int i = 0; i < 3; i++) at[i] += e.lower[i] + (e.upper[i] - e.lower[i]) * random.uniform();
   const double u1 = random.uniform(), u2 = random.uniform();
-  const Vec3 v = base.v + spread_out(e.velocity, e.spread, u1, u2);
+  const Vec3 v = base.v + spread_out(world.plane, e.velocity, e.spread, u1, u2);
   const double lifetime =
       e.longest > e.shortest ? e.shortest + (e.longest - e.shortest) * random.uniform() : e.shortest;
   e.made++;
@@ -167,6 +171,7 @@ EmitterId add_emitter(World& world, const EmitterDef& def) {
   place_at(world, call, def.place, row);
   require_rate(call, def.rate);
   require_finite(call, "velocity", def.velocity, "m/s");
+  require_in_plane(world, call, "velocity", def.velocity, "m/s");
   require_spread(call, def.spread);
   require_lifetimes(call, def.shortest, def.longest);
   require_max(call, def.max);
@@ -180,7 +185,7 @@ EmitterId add_emitter(World& world, const EmitterDef& def) {
   row.look = def.look;
   row.rate = def.rate;
   row.rate_at = def.rate_at;
-  row.velocity = def.velocity;
+  row.velocity = world.plane.along(def.velocity);
   row.spread = def.spread;
   row.shortest = def.shortest;
   row.longest = def.longest;
@@ -224,7 +229,8 @@ void set_enabled(World& world, EmitterId id, bool enabled) {
 void set_velocity(World& world, EmitterId id, Vec3 velocity) {
   require_unlocked(world, "velocity");
   require_finite(describe(world, id), "velocity", velocity, "m/s");
-  world.emitters[id].velocity = velocity;
+  require_in_plane(world, describe(world, id), "velocity", velocity, "m/s");
+  world.emitters[id].velocity = world.plane.along(velocity);
 }
 
 void set_spread(World& world, EmitterId id, double spread) {

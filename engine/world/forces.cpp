@@ -74,16 +74,23 @@ double run_laws(const World& world, Forces& f, const Instant& instant, Which whi
   return energy;
 }
 
+void keep_in_plane(const Plane& plane, Sites& sites) {
+  if (!plane.flat()) return;
+  for (auto* forces : {&sites.force, &sites.open_force})
+    for (std::size_t i = 0; i < sites.n; i++) (*forces)[i] = plane.along((*forces)[i]);
+}
+
 namespace {
 
-void collect(Forces& f) {
+void collect(const World& world, Forces& f) {
+  keep_in_plane(world.plane, f.sites);
   for (Mover& m : f.movers) m.force = m.torque = m.open_force = m.open_torque = zero3();
   for (const Attached& a : f.attached) {
     Mover& m = f.movers[a.mover];
     m.force += f.sites.force[a.site];
-    m.torque += cross(a.r, f.sites.force[a.site]);
+    m.torque += world.plane.about(cross(a.r, f.sites.force[a.site]));
     m.open_force += f.sites.open_force[a.site];
-    m.open_torque += cross(a.r, f.sites.open_force[a.site]);
+    m.open_torque += world.plane.about(cross(a.r, f.sites.open_force[a.site]));
   }
 }
 
@@ -125,7 +132,7 @@ double evaluate(const World& world, Forces& f, const Instant& instant, bool with
     f.still.assign(f.sites.open_force.begin(), f.sites.open_force.end());
     run_laws(world, f, instant, {true, false}, false);
   }
-  collect(f);
+  collect(world, f);
   return energy;
 }
 
@@ -317,7 +324,7 @@ void run_moving_laws(World& world, Forces& f) {
   read_velocities(world, f, true);
   std::copy(f.still.begin(), f.still.end(), f.sites.open_force.begin());
   run_laws(world, f, instant_of(world, time_within(world, world.part.to), world.instant), {true, false}, false);
-  collect(f);
+  collect(world, f);
 }
 
 }  // namespace pantin

@@ -68,6 +68,8 @@ std::vector<double> present_parameters(const World& world, const Law& law, const
 struct Which {
   bool moving, still;
 };
+/// Takes what forces have across a plane away.
+void keep_in_plane(const Plane& plane, Sites& sites);
 /// Adds the forces of one law at the present places and velocities.
 void run_law(const World& world, Forces& forces, ActingInteraction& acting);
 void run_law(const World& world, Forces& forces, ActingConnections& acting);

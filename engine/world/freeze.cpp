@@ -50,7 +50,10 @@ std::vector<Fragment> fragments_of(const World& world, BodyId id) {
 Vec3 spin_of(const World& world, BodyId body, const std::vector<Fragment>& fragments, Vec3 angular) {
   constexpr double least_moment = 1e-6;  // relative: below it a spin would be absurd
   Mat3 inertia = zero33();
-  for (const Fragment& f : fragments) inertia += (identity33() * norm2(f.arm) - outer(f.arm, f.arm)) * f.mass;
+  for (const Fragment& f : fragments) {
+    const Vec3 arm = world.plane.along(f.arm);
+    inertia += (identity33() * norm2(arm) - outer(arm, arm)) * f.mass;
+  }
   const Principal own = principal_axes(inertia, identity33());
   Vec3 spin = zero3(), left = angular;
   for (int i = 0; i < 3; i++) {
@@ -108,7 +111,7 @@ BodyId freeze(World& world, GroupId group, std::string name) {
   set_momenta(world, body, kept.p, kept.angular);
   for (PointId p : points) {
     world.motion_of(body).force += world.points[p].force;
-    world.motion_of(body).torque += cross(position(world, p) - kept.centre, world.points[p].force);
+    world.motion_of(body).torque += world.plane.about(cross(position(world, p) - kept.centre, world.points[p].force));
     world.points[p].force = zero3();
   }
   touch(world, body);

@@ -61,7 +61,7 @@ void stir(World& world, const Things& things) {
   const auto random = [&] {
     const auto number = [&] { return 2.0 * world.random.uniform() - 1.0; };
     const double x = number(), y = number(), z = number();
-    return vec(x, y, z);
+    return world.plane.along(vec(x, y, z));
   };
   for (BodyId id : things.bodies) {
     Motion& m = world.motion_of(id);

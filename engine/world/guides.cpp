@@ -35,6 +35,13 @@ ConstraintId add_length_limit(World& world, Constraint c, const LimitDef& def) {
   return insert_constraint(world, std::move(c));
 }
 
+/// A path at the height of a point, which it had but for round-off.
+std::shared_ptr<const Path> level(const World& world, const Path& path, Vec3 point) {
+  std::vector<Vec3> places = path.places();
+  for (Vec3& place : places) place = world.plane.beside(place, point);
+  return std::make_shared<const Path>(std::move(places), path.smooth(), path.closed());
+}
+
 }  // namespace
 
 ConstraintId add_limit(World& world, PointId a, PointId b, const LimitDef& def) {
@@ -112,6 +119,8 @@ ConstraintId add_on_path(World& world, PointId point, std::shared_ptr<const Path
   c.a = point;
   c.time_constant = time_constant;
   c.path = std::move(path);
+  require_in_plane(world, c);
+  if (world.plane.flat()) c.path = level(world, *c.path, position(world, point));
   start_constraint(world, c);
   return insert_constraint(world, std::move(c));
 }
@@ -120,6 +129,7 @@ void set_normal(World& world, ConstraintId id, Vec3 normal) {
   require_unlocked(world, "normal");
   Constraint& c = world.constraints[id];
   require(c.kind == ConstraintKind::on_plane, "normal: ", describe(world, id), " has none");
+  require_in_plane(world, "on_plane", "normal", unit_normal(normal), "");
   c.axis_a = unit_normal(normal);
   start_constraint(world, c);
 }

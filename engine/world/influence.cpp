@@ -78,10 +78,14 @@ ConnectionId add_connection(World& world, std::shared_ptr<const Law> law, const 
   }
   for (std::size_t i = 0; i < row.places.size(); i++) row.places[i] = def.ends[i].place;
   row.asked = def.solve;
-  require(row.asked == Solve::explicitly || can_be_solved(world, row), "connect: ",
-          world.settings.box ? "implicit = true works in open space, and this scene is a periodic box"
-                             : "implicit = true needs a law of the distance of two particles, traced, two-sided and "
-                               "without noise");
+  require(
+      row.asked == Solve::explicitly || can_be_solved(world, row), "connect: ",
+      world.settings.box ? "implicit = true works in open space, and this scene is a periodic box"
+      : world.plane.flat()
+          ? "implicit = true needs ends at one height in scene.plane, and a law of their distance, traced, two-sided "
+            "and without noise"
+          : "implicit = true needs a law of the distance of two particles, traced, two-sided and "
+            "without noise");
   disturb_forces(world);
   world.stiffness_unknown = true;
   const ConnectionId id = world.connections.add(std::move(row));

@@ -94,6 +94,7 @@ ConstraintId add_join(World& world, PointId a, PointId b, const JoinDef& def) {
   c.b = b;
   c.max_force = def.max_force;
   c.time_constant = def.time_constant;
+  require_in_plane(world, c);
   start_constraint(world, c);
   const ConstraintId holder = add_holder(world, a, def);
   c.joining = std::make_shared<Joining>(Joining{holder, def.on_met, def.name, world.who ? world.who() : ""});

@@ -56,16 +56,19 @@ void check(const World& world, const std::string& who, const BodyDef& def) {
   std::sort(names.begin(), names.end());
   const auto twice = std::adjacent_find(names.begin(), names.end());
   require(twice == names.end(), who, ": two points have the name '", twice == names.end() ? "" : *twice, "'");
-  weigh(who, masses, {def.mass, def.inertia, zero3()}, Quat{});
+  require_in_plane(world, who, "velocity", def.velocity, "m/s");
+  require_about_normal(world, who, "spin", def.spin, "rad/s");
+  const Quat frame = unit(who, def.orientation);
+  weigh(who, masses, {def.mass, def.inertia, zero3()}, conjugate(frame), normal_in(world, frame));
 }
 
 /// Puts a weighed body where and how its definition says.
 void start(World& world, BodyId id, const BodyDef& def, const Quat& frame) {
   const Body& body = world.bodies[id];
   Motion& m = world.motion_of(id);
-  m.q = normalised(frame * body.axes);
+  m.q = world.plane.about(normalised(frame * body.axes));
   m.x = def.at + rotate(frame, body.centre);
-  m.p = def.velocity * m.mass;
+  m.p = world.plane.along(def.velocity) * m.mass;
   m.angular = m.inertia * turning_part(m, def.spin);
 }
 
@@ -79,6 +82,7 @@ ParticleId add_particle(World& world, const ParticleDef& def) {
   const double radius = def.radius.value_or(family.radius.value_or(0.05));
   require_finite(call, "at", def.at, "m");
   require_finite(call, "velocity", def.velocity, "m/s");
+  require_in_plane(world, call, "velocity", def.velocity, "m/s");
   require_positive(call, "mass", mass, "kg");
   require_not_negative(call, "radius", radius, "m");
   std::vector<double> values = attribute_values(call, family, def.attributes);
@@ -90,7 +94,7 @@ ParticleId add_particle(World& world, const ParticleDef& def) {
   row.color = def.color.value_or(family.color.value_or(ParticleDef::usual_color));
   disturb_forces_by_birth(world, def.family);
   const PointId point = make_point(world, std::move(row));
-  world.motion_of(point) = {def.at, def.velocity};
+  world.motion_of(point) = {def.at, world.plane.along(def.velocity)};
   const ParticleId id = world.points[point].own;
   if (std::isfinite(def.lifetime)) set_lifetime(world, id, def.lifetime);
   Particle& particle = world.particles[id];
@@ -119,6 +123,7 @@ BodyId add_body(World& world, const BodyDef& def) {
   const BodyId id = world.bodies.add(std::move(row));
   world.motion.resize(world.bodies.slots());
   world.motion_of(id) = Motion{};
+  world.motion_of(id).q = frame;
   for (const PointDef& p : def.points) world.bodies[id].points.push_back(make_body_point(world, p, def.color, id));
   weigh_again(world, id);
   start(world, id, def, frame);
@@ -137,7 +142,8 @@ PointId add_point(World& world, BodyId body, const PointDef& def) {
   for (PointId p : world.bodies[body].points) masses.push_back({world.points[p].place, world.points[p].mass});
   masses.push_back({def.at, def.mass});
   const Body& row = world.bodies[body];
-  weigh(describe(world, body), masses, {row.own_mass, row.own_inertia, row.own_place}, row.axes);
+  weigh(describe(world, body), masses, {row.own_mass, row.own_inertia, row.own_place}, row.axes,
+        normal_in(world, orientation(world, body)));
 
   const Color usual = row.points.empty() ? BodyDef{}.color : world.points[row.points[0]].color;
   const double before = energy_of(world, body);

@@ -140,7 +140,7 @@ Vec3 angular_momentum(const World& world, const Things& things) {
     const FreeMotion& m = world.motion_of(id);
     sum += cross(m.x, m.v) * world.points[id].mass;
   }
-  return sum;
+  return world.plane.about(sum);
 }
 
 double mass(const World& world, const Things& things) {

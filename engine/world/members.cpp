@@ -141,6 +141,7 @@ double change_members_apart(const World& world, Forces& f) {
     f.sites.v[site] = world.free_motion[f.point[site]].v;
   }
   change += run_fields(world, f, fresh, 1.0);
+  keep_in_plane(world.plane, f.sites);
   arrange_fields(world, f);
   for (ActingConnections& c : f.connections) c.bonds.arrange(c.ties, f.sites);
   return change;

@@ -85,7 +85,8 @@ void take_points(World& world, BodyId a, BodyId b, const Frame& frame) {
 void take_pushes(World& world, BodyId a, const Motion& old_a, const Motion& old_b) {
   Motion& m = world.motion_of(a);
   m.force = old_a.force + old_b.force;
-  m.torque = old_a.torque + old_b.torque + cross(old_a.x - m.x, old_a.force) + cross(old_b.x - m.x, old_b.force);
+  const Vec3 moved = cross(old_a.x - m.x, old_a.force) + cross(old_b.x - m.x, old_b.force);
+  m.torque = old_a.torque + old_b.torque + world.plane.about(moved);
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ Totals totals_of(const World& world, std::span<const BodyId> bodies, std::span<c
   }
   for (PointId id : free_points)
     t.angular += cross(world.motion_of(id).x - t.centre, world.motion_of(id).v) * world.points[id].mass;
+  t.angular = world.plane.about(t.angular);
   return t;
 }
 

@@ -11,6 +11,8 @@ namespace pantin {
 
 bool can_be_solved(const World& world, const Connection& c) {
   if (world.settings.box || c.count != 2) return false;
+  const Vec3 ends = end_of(world, c, 0) - end_of(world, c, 1);
+  if (norm(ends - world.plane.along(ends)) > 1e-9 * norm(ends)) return false;  // articulates are solved at one height
   for (auto law = c.law; law; law = law->also)
     if (!PairCurve::possible(*law)) return false;
   return true;

@@ -62,7 +62,7 @@ Motion part_of(const Weighed& w, const World& world, BodyId body, Vec3 spin) {
   m.mass = w.mass;
   m.inertia = w.moments;
   m.freedom = w.freedom;
-  m.q = normalised(frame * w.axes);
+  m.q = world.plane.about(normalised(frame * w.axes));
   m.x = origin(world, body) + rotate(frame, w.centre);
   m.p = (old.p / old.mass + cross(spin, m.x - old.x)) * m.mass;
   m.angular = m.inertia * turning_part(m, spin);
@@ -71,12 +71,12 @@ Motion part_of(const Weighed& w, const World& world, BodyId body, Vec3 spin) {
 
 /// What the two parts of a body miss of its angular momentum, because an inertia was lifted, goes into their spins, and
 /// what these cannot take into their motion about each other.
-void keep_momenta(const Motion& whole, const std::string& who, Motion& a, Motion& b) {
+void keep_momenta(const Plane& plane, const Motion& whole, const std::string& who, Motion& a, Motion& b) {
   a.p = whole.p - b.p;
   Vec3 missing = rotate(whole.q, whole.angular);
   double scale = norm(missing);
   for (Motion* m : {&a, &b}) {
-    missing -= cross(m->x - whole.x, m->p) + rotate(m->q, m->angular);
+    missing -= plane.about(cross(m->x - whole.x, m->p)) + rotate(m->q, m->angular);
     scale += norm(m->x - whole.x) * norm(m->p);
   }
   for (Motion* m : {&a, &b}) {
@@ -84,7 +84,7 @@ void keep_momenta(const Motion& whole, const std::string& who, Motion& a, Motion
     m->angular += part;
     missing -= rotate(m->q, part);
   }
-  const Vec3 d = a.x - b.x;
+  const Vec3 d = plane.along(a.x - b.x);
   if (norm2(d) > 0.0) {
     const Vec3 impulse = cross(missing, d) / norm2(d);
     a.p += impulse;
@@ -102,12 +102,13 @@ BodyId split(World& world, BodyId body, std::span<const PointId> points, std::st
   require(world.bodies.alive(body), "split: ", world.bodies.story(body));
   const std::vector<PointId> off(points.begin(), points.end()), rest = rest_of(world, body, points);
   const Body& row = world.bodies[body];
+  const Vec3 normal = normal_in(world, orientation(world, body));
   const Weighed left = weigh("split: what is left of it", masses_of(world, rest),
-                             {row.own_mass, row.own_inertia, row.own_place}, row.axes);
-  const Weighed gone = weigh("split: what is split off", masses_of(world, off), {}, row.axes);
+                             {row.own_mass, row.own_inertia, row.own_place}, row.axes, normal);
+  const Weighed gone = weigh("split: what is split off", masses_of(world, off), {}, row.axes, normal);
   const Vec3 spin = angular_velocity(world.motion_of(body));
   Motion first = part_of(left, world, body, spin), second = part_of(gone, world, body, spin);
-  keep_momenta(world.motion_of(body), describe(world, body), first, second);
+  keep_momenta(world.plane, world.motion_of(body), describe(world, body), first, second);
 
   acted(world);
   disturb_forces(world);

@@ -51,6 +51,7 @@ void move_place(const World& world, ConstraintId id, Constraint& c, double time,
   Vec3 next = c.hand >= 0 ? world.hands[static_cast<std::size_t>(c.hand)].position : c.place;
   if (c.target) next = c.target(time);
   if (!finite(next)) require_finite(describe(world, id), "target", next, "m");
+  next = world.plane.beside(next, c.place);
   c.before = c.previous;
   c.previous = c.place;
   c.place = next;
@@ -80,7 +81,7 @@ void move_length(const World& world, ConstraintId id, Constraint& c, double time
 
 void move_attitude(const World& world, ConstraintId id, Constraint& c, double time, double h) {
   c.previous_turn = c.turn;
-  c.turn = unit(describe(world, id), c.attitude(time));
+  c.turn = turned_in_plane(world, c.body_a, unit(describe(world, id), c.attitude(time)));
   const Quat q = c.turn * conjugate(c.previous_turn);
   const Vec3 mean = vec(q.x, q.y, q.z) * ((q.w < 0.0 ? -2.0 : 2.0) / h);
   c.moves++;

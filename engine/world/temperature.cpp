@@ -25,7 +25,8 @@ struct Freedoms {
     const ParticleId ring = world.points[id].particle;
     const auto& members = world.particles[ring].points;
     if (world.particles[ring].joins() && rings.insert(ring).second)
-      count -= 3 * (std::count_if(members.begin(), members.end(), [&](PointId p) { return among(p); }) - 1);
+      count -= (world.plane.flat() ? 2 : 3) *
+               (std::count_if(members.begin(), members.end(), [&](PointId p) { return among(p); }) - 1);
     ties(world.points[id].constraints);
   }
 
@@ -35,7 +36,28 @@ struct Freedoms {
   }
 
   /// How many freedoms a constraint takes.
-  static long taken(const Constraint& c) {
+  long taken(const Constraint& c) const { return world.plane.flat() ? taken_in_plane(c) : taken_in_space(c); }
+
+  static long taken_in_plane(const Constraint& c) {
+    switch (c.kind) {
+      case ConstraintKind::nail:
+      case ConstraintKind::follow: return c.pins() ? 2 : 0;
+      case ConstraintKind::join: return std::isfinite(c.max_force) ? 0 : 2;
+      case ConstraintKind::on_path:
+      case ConstraintKind::rod:
+      case ConstraintKind::on_plane:
+      case ConstraintKind::orient:
+      case ConstraintKind::align: return 1;
+      case ConstraintKind::weld: return 3;
+      case ConstraintKind::motor: return std::isfinite(c.max_torque) ? 0 : 1;
+      case ConstraintKind::axis:
+      case ConstraintKind::string:
+      case ConstraintKind::limit: break;
+    }
+    return 0;
+  }
+
+  static long taken_in_space(const Constraint& c) {
     switch (c.kind) {
       case ConstraintKind::nail:
       case ConstraintKind::follow: return c.pins() ? 3 : 0;
@@ -71,15 +93,17 @@ FreedomCount count_freedoms(const World& world, const Things& things) {
              {things.free_points.begin(), things.free_points.end()},
              {},
              {}};
+  const bool flat = world.plane.flat();
+  const long ways = flat ? 2 : 3;
   for (BodyId id : things.bodies) {
     const Freedom freedom = world.motion_of(id).freedom;
-    f.count += freedom == Freedom::rigid ? 6 : freedom == Freedom::line ? 5 : 3;
+    f.count += ways + (freedom == Freedom::point ? 0 : flat ? 1 : freedom == Freedom::line ? 2 : 3);
     for (PointId p : world.bodies[id].points) f.ties_of(p);
     f.ties(world.bodies[id].constraints);
   }
-  f.count += 3 * static_cast<long>(things.free_points.size());
+  f.count += ways * static_cast<long>(things.free_points.size());
   for (PointId p : things.free_points) f.ties_of(p);
-  return {f.held ? f.count : f.count - 3, f.held};
+  return {f.held ? f.count : f.count - ways, f.held};
 }
 
 double temperature(const World& world, const Things& things) {

@@ -65,6 +65,7 @@ ConstraintId add_follow(World& world, PointId point, const FollowDef& def) {
     place = present(world, def.target);
   }
   require_finite("follow", "target", place, "m");
+  if (def.hand >= 0 || def.target) place = world.plane.beside(place, position(world, point));
   Constraint c;
   c.kind = ConstraintKind::follow;
   c.a = point;
@@ -117,8 +118,9 @@ void set_enabled(World& world, ConstraintId id, bool enabled) {
 void set_target(World& world, ConstraintId follow, std::function<Vec3(double)> target) {
   Constraint& c = of_kind(world, follow, ConstraintKind::follow, "target");
   require(c.hand < 0, "target: ", describe(world, follow), " belongs to hand ", c.hand + 1, " and goes where it goes");
-  const Vec3 place = target ? present(world, target) : c.place;
+  Vec3 place = target ? present(world, target) : c.place;
   require_finite("follow", "target", place, "m");
+  place = world.plane.beside(place, c.place);
   c.place = place;
   start_constraint(world, c);
   c.target = std::move(target);
@@ -135,6 +137,7 @@ void set_place(World& world, ConstraintId id, Vec3 place) {
     require(!c.b, who, ": both its ends are points; move those");
     touch(world, c);
   }
+  if (c.kind != ConstraintKind::on_plane) require_height(world, who, "place", place, c.place);
   c.target = nullptr;
   c.place = place;
   start_constraint(world, c);

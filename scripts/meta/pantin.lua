@@ -249,13 +249,13 @@ function quat_methods:inverse() end
 ---@field angle? number|fun(t: number): number [rad]
 
 ---@class MotorOptions: OrientOptions
----@field axis vec world axes
+---@field axis? vec world axes; in a plane (scene.plane) its normal, unless given
 ---@field speed? number|fun(t: number): number [rad/s]
 ---@field angle? number|fun(t: number): number [rad]
 ---@field max_torque? number [N m]
 
 ---@class LimitOptions: OrientOptions
----@field axis? vec of an angle; world axes
+---@field axis? vec of an angle; world axes, in a plane its normal unless given
 ---@field min? number [rad] or [m]
 ---@field max? number [rad] or [m]
 ---@field length? number [m] of a distance, the same as max
@@ -812,6 +812,7 @@ local Snapshot = {}
 ---@field integrator string "verlet" (2nd order), "implicit" (the same with connections of any stiffness), "suzuki4" (4th order, where nothing dissipates), "rk4" (4th order, no constraints), "euler" (the paper's)
 ---@field energy_return boolean give back what the velocity projection took
 ---@field box vec? [m] edges of the periodic box; nil: open space
+---@field plane string? "xy", "xz" or "yz": everything stays in that plane, and forces across it do nothing; set it before things are made
 ---@field tolerance number points of a new hinge may be this far apart, relative to the size of their bodies
 ---@field seed integer of math.random
 ---@field boltzmann number [J/K] k_B; temperature is in J while it is 1

@@ -18,6 +18,14 @@ test("chain: the end swings down as far as the chain is long", function()
   expect(lowest):near(-16, 0.5)
 end)
 
+test("walker: it walks, upright and in its plane", function()
+  local walker = open("scenes/walker.lua")
+  walker:advance(5)
+  expect(walker:read "way"):below(-1.2)
+  expect(walker.error.worst_hinge_gap):below(1e-10)
+  for _, body in ipairs(walker.bodies) do expect(body.position.z):equal(0) end
+end)
+
 test("pendulum: the rods keep their length", function()
   local pendulum = open("scenes/pendulum.lua")
   pendulum:advance(5)

@@ -1,0 +1,59 @@
+-- Theo Jansen's walking mechanism: six legs on one crank, all in a plane. Turn its speed, or drag it by any joint.
+scene.title = "Strandbeest"
+scene.duration = 20
+scene.plane, scene.step = "xy", 1 / 480
+
+local speed = scene:param("speed", 2, { min = -6, max = 6, help = "of the crank, rad/s" })
+
+-- His "eleven holy numbers", m.
+local a, b, c, d, e, f = 0.380, 0.415, 0.393, 0.401, 0.558, 0.394
+local g, h, i, j, k, l, m = 0.367, 0.657, 0.490, 0.500, 0.619, 0.078, 0.150
+
+--- The place at two distances from two others, on the left of the way from the first to the second.
+local function left(p, q, from_p, from_q)
+  local way = q - p
+  local n = way:length()
+  local along = (n * n + from_p * from_p - from_q * from_q) / (2 * n)
+  return p + way * (along / n) + vec(-way.y, way.x, 0) * (math.sqrt(from_p * from_p - along * along) / n)
+end
+local feet = scene:family("feet", { radius = 0.03 })
+local crank_at, mirrored = vec(0, 1, 0), 1
+
+--- A rod between two places, or a plate of three, on the side of the leg that is being made.
+local function link(...)
+  local points = {}
+  for n, at in ipairs { ... } do points[n] = { at = vec(mirrored * at.x, at.y, 0) + crank_at, mass = 0.1 } end
+  return scene:body { points = points, color = "#d9c39a" }.points
+end
+
+local pins, sides = {}, { vec(-a, -l, 0), vec(a, -l, 0) }
+for n = 1, 3 do
+  local angle = 2 * math.pi * n / 3
+  pins[n] = { at = vec(m * math.cos(angle), m * math.sin(angle), 0), mass = 0.2 }
+end
+local crank = scene:body { at = crank_at, mass = 0.2, points = { vec(0, 0, 0), table.unpack(pins) }, color = "#c2413b" }
+local chassis = scene:body { at = crank_at, mass = 2, inertia = vec(0.2, 0.2, 0.2), points = { vec(0, 0, 0), sides[1], sides[2] } }
+scene:hinge(crank.points[1], chassis.points[1])
+scene:motor(crank, chassis, { speed = speed, max_torque = 60 })
+
+for n, pin in ipairs(pins) do
+  for side = 1, 2 do
+    mirrored = side == 1 and 1 or -1
+    local A, C = sides[1], vec(mirrored * pin.at.x, pin.at.y, 0)
+    local B, F = left(A, C, b, j), left(C, A, k, c)
+    local D = left(A, B, d, e)
+    local G = left(F, D, g, f)
+    local upper, lower = link(A, B, D), link(F, G, left(F, G, i, h))
+    local push, pull, swing, down = link(C, B), link(C, F), link(A, F), link(D, G)
+    scene:hinge(crank.points[n + 1], push[1], pull[1])
+    scene:hinge(chassis.points[side + 1], upper[1], swing[1])
+    scene:hinge(upper[2], push[2])
+    scene:hinge(upper[3], down[1])
+    scene:hinge(lower[1], pull[2], swing[2])
+    scene:hinge(lower[2], down[2])
+    lower[3].particle.family = feet
+  end
+end
+scene:field(feet, force.wall { through = vec(0, 0, 0), normal = vec(0, 1, 0), stiffness = 5e3, damping = 30, friction = 0.8 })
+scene.camera = { at = vec(0.3, 1.2, 3.5), look_at = vec(0, 0.7, 0), follow = chassis }
+scene:probe("way", function() return chassis.position.x end)
