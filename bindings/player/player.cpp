@@ -30,8 +30,9 @@ Window open_window(const std::string& title, Size size) {
 
 /// Whether a hand did something that only a step carries out.
 bool waits_for_step(const StepInput& input) {
-  return std::ranges::any_of(
-      input.commands, [](const Command& c) { return c.kind == Command::Kind::cut || c.kind == Command::Kind::button; });
+  return std::ranges::any_of(input.commands, [](const Command& c) {
+    return c.kind != Command::Kind::key && c.kind != Command::Kind::grab && c.kind != Command::Kind::release;
+  });
 }
 
 double aspect(const Renderer& renderer) { return static_cast<double>(renderer.width()) / renderer.height(); }
@@ -60,14 +61,15 @@ bool Player::frame() {
   last_ = now;
   if (!window_.poll(gestures_) || Interrupt::asked()) return false;
   fit_window();
+  steering_.move(gestures_, elapsed);
   renderer_.listen(gestures_);
   take_keys();
-  Actions actions = hands_.apply(gestures_, scene_->world(), renderer_.stage(), renderer_.width(), renderer_.height(),
-                                 renderer_.pointer_on_panel(), camera_, waiting_);
+  Actions actions = take_hands(elapsed);
   keep_last_moves(waiting_);
   if (actions.quit) return false;
   act(actions);
   take_steps(elapsed);
+  tell_dropped();
   follower_.move(*scene_, camera_);
   draw();
   std::this_thread::sleep_until(now + shortest_frame);
@@ -153,6 +155,7 @@ Overlay Player::overlay() const {
   overlay.marks = marks_of(*scene_);
   overlay.title = title();
   overlay.highlight = hands_.highlight();
+  mark_hands(overlay);
   overlay.status = status_.parts(scene_->world(), pacing_, overlay.pace, paused_);
   if (scene_->finished())
     overlay.status[1] = "finished";

@@ -14,6 +14,7 @@
 #include "player/table.hpp"
 #include "view/player_input.hpp"
 #include "view/renderer.hpp"
+#include "view/steering.hpp"
 #include "view/window.hpp"
 
 namespace pantin::player {
@@ -49,6 +50,11 @@ class Player {
   std::string title() const;
   void act(const Actions& actions);
   void take_keys();
+  Actions take_hands(double elapsed);
+  void tell(const std::string& what);
+  void tell_dropped();
+  void draw_tools();
+  void mark_hands(Overlay& overlay) const;
   void restart();
   std::unique_ptr<lua::Scene> load(const std::string& path, const lua::SceneOptions& options);
   void adopt(std::unique_ptr<lua::Scene> fresh);
@@ -76,7 +82,11 @@ class Player {
   Follower follower_;
   PlayerInput hands_;
   Gestures gestures_;
-  StepInput waiting_;  ///< what hands did since the last step
+  Steering steering_;
+  std::string told_;  ///< what a tool did last, or why it did nothing
+  Clock::time_point told_at_{};
+  std::size_t log_read_ = 0;  ///< lines of the world's log
+  StepInput waiting_;         ///< what hands did since the last step
   Pacing pacing_;
   Status status_;
   Times times_;

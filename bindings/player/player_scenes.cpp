@@ -30,6 +30,7 @@ std::unique_ptr<lua::Scene> Player::load(const std::string& path, const lua::Sce
 void Player::adopt(std::unique_ptr<lua::Scene> fresh) {
   scene_ = std::move(fresh);
   hands_.reset();
+  log_read_ = 0;
   follower_ = {};
   waiting_ = {};
   times_ = {};
@@ -134,7 +135,10 @@ Desk Player::desk() {
 void Player::draw() {
   Desk seen = desk();
   Overlay shown = overlay();
-  shown.windows = [&] { panels_.draw(seen); };
+  shown.windows = [&] {
+    draw_tools();
+    panels_.draw(seen);
+  };
   renderer_.draw(scene_->world(), camera_, shown);
   if (const std::string& name = renderer_.pressed_button(); !name.empty()) {
     Command command;

@@ -6,8 +6,16 @@
 
 namespace pantin {
 
-/// Names what points: the mouse is 0, fingers are 1 and up. (SDL cannot tell two mice apart.)
+/// Names what points: the mouse is 0, fingers are 1 and up; then come the cursor of the arrow keys and those of gamepads'
+/// sticks. (SDL cannot tell two mice apart.)
 using PointerId = std::uint64_t;
+constexpr PointerId key_cursor = 1000, first_stick = 1001;
+
+/// How far a gamepad's stick is pressed to the right and down, -1 to 1.
+struct Stick {
+  double x = 0.0, y = 0.0;
+  bool pressed = false;  ///< its button
+};
 
 struct Pointer {
   double x = 0.0, y = 0.0;  ///< [px] of the drawn picture, from the upper left corner
@@ -30,9 +38,11 @@ struct PointerEvent {
 struct Gestures {
   std::map<PointerId, Pointer> pointers;
   std::vector<PointerEvent> events;
-  std::vector<std::string> keys;  ///< pressed since the last poll: "x", "space", "." …
-  std::vector<std::string> held;  ///< keys that are down
-  std::string text;               ///< typed since the last poll, UTF-8
+  std::vector<std::string> keys;      ///< pressed since the last poll: "x", "space", "ctrl+z" …
+  std::vector<std::string> held;      ///< keys that are down
+  std::string text;                   ///< typed since the last poll, UTF-8
+  std::map<PointerId, Stick> sticks;  ///< of the gamepads that are plugged in
+  std::vector<std::string> notes;     ///< to be told: a gamepad came or went
   bool shift = false, control = false;
   int width = 0, height = 0;  ///< [px] of the window's drawable
   bool resized = false;

@@ -118,6 +118,8 @@ void draw_marks(ImDrawList& list, std::span<const Mark> marks, const MarkLook& l
     } else if (const auto at = screen.spot(mark)) {
       if (mark.kind == Mark::Kind::text)
         draw_text(list, *at, mark, color, halo);
+      else if (mark.kind == Mark::Kind::ring)
+        list.AddCircle(imgui(*at), static_cast<float>(0.5 * mark.size), color, 0, 2.0f);
       else
         list.AddCircleFilled(imgui(*at), static_cast<float>(0.5 * mark.size), color);
     }

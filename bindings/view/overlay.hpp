@@ -12,14 +12,14 @@
 
 namespace pantin {
 
-/// A line, arrow, text or dot over the scene, hidden by nothing.
+/// A line, arrow, text, dot or circle over the scene, hidden by nothing.
 struct Mark {
-  enum class Kind : std::uint8_t { line, arrow, text, point };
+  enum class Kind : std::uint8_t { line, arrow, text, point, ring };
   Kind kind = Kind::line;
   Vec3 from = zero3();  ///< [m], or on the screen [px] from its upper left corner, negative from the opposite edge
   Vec3 to = zero3();    ///< the same; of a line or arrow
   std::optional<Color> color;  ///< none: the ink that goes with the background
-  double size = 2.0;           ///< [px] width of a line, diameter of a point, height of letters
+  double size = 2.0;           ///< [px] width of a line, diameter of a point or ring, height of letters
   bool on_screen = false;
   std::string text;
 };

@@ -17,8 +17,8 @@ ImVec4 with_opacity(ImVec4 color, float opacity) { return {color.x, color.y, col
 ImVec4 warning_ink(bool dark) { return dark ? ImVec4(1.0f, 0.52f, 0.44f, 1.0f) : ImVec4(0.72f, 0.16f, 0.14f, 1.0f); }
 
 void load_panel_font(float scale) {
-  static const ImWchar ranges[] = {0x20,   0xff,   0x370,  0x3ff,  0x2010, 0x2027, 0x2070,
-                                   0x209f, 0x2190, 0x2193, 0x2212, 0x2212, 0};
+  static const ImWchar ranges[] = {0x20,   0xff,   0x370,  0x3ff,  0x2010, 0x2027, 0x2070, 0x209f,
+                                   0x2190, 0x21ff, 0x2200, 0x22ff, 0x2600, 0x27bf, 0};
   ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
   std::error_code ignored;
   for (const char* path : font_paths)

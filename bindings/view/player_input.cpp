@@ -1,9 +1,10 @@
 #include "view/player_input.hpp"
 
+#include <algorithm>
 #include <cmath>
 
-#include "view/pick.hpp"
-#include "view/sketch.hpp"
+#include "view/hand_marks.hpp"
+#include "view/swipe.hpp"
 #include "world/measure.hpp"
 
 namespace pantin {
@@ -11,24 +12,25 @@ namespace pantin {
 using Kind = PointerEvent::Kind;
 using Button = PointerEvent::Button;
 
-struct PlayerInput::Frame {
+struct PlayerInput::Work {
   const Gestures& gestures;
-  const World& world;
-  const Stage& stage;
-  int width, height;
-  bool on_panel;
-  Camera& camera;
-  StepInput& input;
+  const Frame& frame;
+  Sight sight;
   Actions& actions;
+
+  ToolOutput output() const { return {frame.input, actions.said}; }
 };
 
 const std::vector<std::pair<std::string, std::string>>& key_help() {
   static const std::vector<std::pair<std::string, std::string>> list = {
-      {"left drag", "pull a point"},
+      {"left drag", "use the tool: pull a point, and throw it"},
+      {"1 … 9, [ ]", "drag, cut, join, nail, push, spin, remove, make, heat"},
+      {"x, ctrl + click", "cut what is under the pointer"},
+      {"fingers, sticks", "each is a hand of its own"},
+      {"arrows, enter", "a second hand by keys (shift: slow; two mice look like one to SDL)"},
       {"right drag", "turn the view"},
       {"middle drag", "shift the view (or shift + right)"},
       {"wheel", "zoom"},
-      {"x", "cut the hinge under the pointer (or ctrl + click)"},
       {"f", "see the whole scene"},
       {"space", "pause, run"},
       {".", "one step"},
@@ -43,15 +45,15 @@ const std::vector<std::pair<std::string, std::string>>& key_help() {
   return list;
 }
 
-Actions PlayerInput::apply(const Gestures& gestures, const World& world, const Stage& stage, int width, int height,
-                           bool on_panel, Camera& camera, StepInput& input) {
+Actions PlayerInput::apply(const Gestures& gestures, const Frame& frame) {
   Actions actions;
   actions.quit = gestures.quit;
-  if (width <= 0 || height <= 0) return actions;
-  const Frame frame{gestures, world, stage, width, height, on_panel, camera, input, actions};
-  for (const PointerEvent& event : gestures.events) pointer_event(frame, event);
-  for (const std::string& name : gestures.keys) key(frame, name);
-  move_hands(frame);
+  actions.said = gestures.notes;
+  if (frame.width <= 0 || frame.height <= 0) return actions;
+  const Work work{gestures, frame, {frame.world, frame.stage, frame.camera, frame.width, frame.height}, actions};
+  for (const PointerEvent& event : gestures.events) pointer_event(work, event);
+  for (const std::string& name : gestures.keys) key(work, name);
+  move_hands(work);
   return actions;
 }
 
@@ -66,103 +68,106 @@ PlayerInput::Hold& PlayerInput::hold_of(PointerId pointer) {
   return hold;
 }
 
-void PlayerInput::pointer_event(const Frame& frame, const PointerEvent& event) {
-  if (event.kind == Kind::move) drag_camera(frame, event);
+void PlayerInput::pointer_event(const Work& work, const PointerEvent& event) {
+  const Frame& frame = work.frame;
+  ToolOutput output = work.output();
   if (event.kind == Kind::wheel && !frame.on_panel)
     frame.camera.zoom_at(std::pow(0.88, event.dy), event.x, event.y, frame.width, frame.height);
-  if (event.kind == Kind::press && event.button == Button::left && !frame.on_panel) press(frame, event);
-  if (event.kind == Kind::release && event.button == Button::left) {
-    const auto found = holds_.find(event.pointer);
-    if (found == holds_.end() || !found->second.holding) return;
-    found->second.holding = false;
-    Command command;
-    command.kind = Command::Kind::release;
-    command.hand = found->second.hand;
-    frame.input.commands.push_back(command);
+  const bool to_press = event.kind == Kind::press && event.button == Button::left;
+  if (to_press && !(frame.on_panel && event.pointer == 0)) {
+    ToolChoice choice = tool;
+    if (event.control) choice = {ToolKind::cut, 0};
+    Hold& hold = hold_of(event.pointer);
+    hold.use.cancel(output);
+    hold.use.press(work.sight, choice, hold.hand, event.x, event.y, output);
   }
+  if (event.kind == Kind::move) drag_camera(work, event);
+  const auto found = holds_.find(event.pointer);
+  if (found == holds_.end()) return;
+  if (event.kind == Kind::move) found->second.use.move(work.sight, event.x, event.y, output);
+  if (event.kind == Kind::release && event.button == Button::left) found->second.use.release(work.sight, output);
 }
 
-void PlayerInput::press(const Frame& frame, const PointerEvent& event) {
-  if (event.control) return cut(frame, event.x, event.y);
-  const PointId point = pick_point(frame.world, frame.stage, frame.camera, event.x, event.y, frame.width, frame.height);
-  if (!point) return;
-  const Vec3 at = position(frame.world, point);
-  const auto seen = frame.camera.project(shown_place(frame.world, point), frame.width, frame.height);
-  if (!seen) return;
-  Hold& hold = hold_of(event.pointer);
-  hold.holding = true;
-  hold.point = point;
-  hold.depth = seen->depth;
-  hold.offset = at - frame.camera.place(event.x, event.y, hold.depth, frame.width, frame.height);
-  Command command;
-  command.kind = Command::Kind::grab;
-  command.hand = hold.hand;
-  command.point = point;
-  frame.input.moves.push_back({hold.hand, at, true});
-  frame.input.commands.push_back(command);
+void PlayerInput::cut(const Work& work, double x, double y) {
+  ToolOutput output = work.output();
+  ToolUse use;
+  use.press(work.sight, {ToolKind::cut, 0}, hold_of(0).hand, x, y, output);
+  use.release(work.sight, output);
 }
 
-void PlayerInput::cut(const Frame& frame, double x, double y) {
-  Command command;
-  command.kind = Command::Kind::cut;
-  const ParticleId hinge = pick_hinge(frame.world, frame.stage, frame.camera, x, y, frame.width, frame.height);
-  if (!hinge) return;
-  command.thing = hinge;
-  command.hand = hold_of(0).hand;
-  frame.input.commands.push_back(command);
-}
-
-void PlayerInput::drag_camera(const Frame& frame, const PointerEvent& event) {
-  const auto found = frame.gestures.pointers.find(event.pointer);
-  if (found == frame.gestures.pointers.end()) return;
+void PlayerInput::drag_camera(const Work& work, const PointerEvent& event) {
+  const auto found = work.gestures.pointers.find(event.pointer);
+  if (found == work.gestures.pointers.end()) return;
   const Pointer& pointer = found->second;
-  const double height = frame.height;
+  const double height = work.frame.height;
   if (pointer.middle || (pointer.right && event.shift))
-    frame.camera.pan(event.dx / height, event.dy / height);
+    work.frame.camera.pan(event.dx / height, event.dy / height);
   else if (pointer.right)
-    frame.camera.orbit(-event.dx / height * 3.0, event.dy / height * 3.0);
+    work.frame.camera.orbit(-event.dx / height * 3.0, event.dy / height * 3.0);
 }
 
-void PlayerInput::key(const Frame& frame, const std::string& name) {
-  Actions& a = frame.actions;
+void PlayerInput::key(const Work& work, const std::string& name) {
+  const Frame& frame = work.frame;
+  Actions& a = work.actions;
   if (name == "space") a.pause = !a.pause;
   if (name == ".") a.step = true;
   if (name == "r") a.restart = true;
   if (name == "s") a.picture = true;
   if (name == "h") a.help = !a.help;
   if (name == "q" || name == "escape") a.quit = true;
+  tool.key(name);
   if (name == "f") {
     const std::optional<Vec3>& edges = frame.world.settings.box;
     const Bounds box = edges ? Bounds{zero3(), *edges} : bounds(frame.world, everything(frame.world));
     const Vec3 margin = vec(1, 1, 1) * (0.12 * frame.stage.unit);
     frame.camera.frame(box.lower - margin, box.upper + margin, static_cast<double>(frame.width) / frame.height);
   }
-  if (const auto mouse = frame.gestures.pointers.find(0); name == "x" && mouse != frame.gestures.pointers.end())
-    cut(frame, mouse->second.x, mouse->second.y);
+  if (const auto mouse = work.gestures.pointers.find(0); name == "x" && mouse != work.gestures.pointers.end())
+    cut(work, mouse->second.x, mouse->second.y);
   Command command;
   command.kind = Command::Kind::key;
   command.name = name;
   frame.input.commands.push_back(command);
 }
 
-void PlayerInput::move_hands(const Frame& frame) {
-  const auto mouse = frame.gestures.pointers.find(0);
-  if (mouse != frame.gestures.pointers.end()) hold_of(0);
+void PlayerInput::move_hands(const Work& work) {
+  const auto mouse = work.gestures.pointers.find(0);
+  if (mouse != work.gestures.pointers.end()) hold_of(0);
+  ToolOutput output = work.output();
   for (auto& [pointer, hold] : holds_) {
-    const auto found = frame.gestures.pointers.find(pointer);
-    if (hold.hand < 0 || found == frame.gestures.pointers.end()) continue;
-    if (hold.holding && !frame.world.points.alive(hold.point)) hold.holding = false;
-    const double depth = hold.holding ? hold.depth : frame.camera.distance;
-    Vec3 at = frame.camera.place(found->second.x, found->second.y, depth, frame.width, frame.height);
-    if (hold.holding) at += hold.offset;
-    frame.input.moves.push_back({hold.hand, at, found->second.left});
+    const auto found = work.gestures.pointers.find(pointer);
+    if (found == work.gestures.pointers.end()) {
+      hold.use.cancel(output);
+      continue;
+    }
+    hold.use.hold(work.sight, work.frame.time, output);
+    const Vec3 at = hold.use.place(work.sight, found->second.x, found->second.y);
+    work.frame.input.moves.push_back({hold.hand, at, found->second.left});
   }
-  if (mouse == frame.gestures.pointers.end()) return;
-  const Hold& hold = holds_[0];
-  highlight_ = hold.holding     ? hold.point
-               : frame.on_panel ? PointId{}
-                                : pick_point(frame.world, frame.stage, frame.camera, mouse->second.x, mouse->second.y,
-                                             frame.width, frame.height);
+  highlight_ = {};
+  if (mouse == work.gestures.pointers.end()) return;
+  const ToolUse& use = holds_[0].use;
+  const bool takes_points = tool.kind != ToolKind::cut && tool.kind != ToolKind::remove &&
+                            tool.kind != ToolKind::heat && tool.kind != ToolKind::make;
+  if (use.active())
+    highlight_ = use.point();
+  else if (takes_points && !work.frame.on_panel)
+    highlight_ = pick_held(work.sight, mouse->second.x, mouse->second.y);
+}
+
+std::vector<Mark> PlayerInput::marks(const Gestures& gestures, const Sight& sight, bool on_panel) const {
+  std::vector<Mark> marks;
+  for (const auto& [id, pointer] : gestures.pointers) {
+    const auto found = holds_.find(id);
+    if (found != holds_.end() && found->second.use.active()) {
+      mark_hand(sight, {found->second.hand, id == 0, pointer.x, pointer.y, tool, &found->second.use}, marks);
+    } else if (!(id == 0 && on_panel)) {
+      const ToolUse none;
+      const std::int32_t hand = found != holds_.end() ? found->second.hand : static_cast<std::int32_t>(holds_.size());
+      mark_hand(sight, {hand, id == 0, pointer.x, pointer.y, tool, &none}, marks);
+    }
+  }
+  return marks;
 }
 
 }  // namespace pantin

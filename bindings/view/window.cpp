@@ -4,10 +4,12 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include "base/check.hpp"
+#include "view/gamepads.hpp"
 #include "view/renderer.hpp"
 
 namespace pantin {
@@ -48,9 +50,11 @@ struct Window::Parts {
   std::vector<std::string> held;
   std::map<std::pair<SDL_TouchID, SDL_FingerID>, PointerId> fingers;
   PointerId next_finger = 1;
+  std::optional<Gamepads> gamepads;
   bool shift = false, control = false, closed = false;
 
   ~Parts() {
+    gamepads.reset();
     if (context) SDL_GL_DeleteContext(context);
     if (window) SDL_DestroyWindow(window);
     SDL_QuitSubSystem(SDL_INIT_VIDEO);
@@ -67,6 +71,7 @@ struct Window::Parts {
   void take_finger(const SDL_TouchFingerEvent& event, Gestures& gestures);
   void take_key(const SDL_KeyboardEvent& event, Gestures& gestures);
   void tell(Gestures& gestures, PointerEvent event, double x, double y);
+  void let_go(Gestures& gestures);
 };
 
 Window::Window(const std::string& title, int width, int height, bool hidden) : parts_(std::make_unique<Parts>()) {
@@ -74,6 +79,7 @@ Window::Window(const std::string& title, int width, int height, bool hidden) : p
   if (hidden) SDL_SetHintWithPriority(SDL_HINT_VIDEODRIVER, "offscreen", SDL_HINT_OVERRIDE);
   SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "0");
   SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
+  SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
   require(SDL_InitSubSystem(SDL_INIT_VIDEO) == 0, "no window can be opened: ", SDL_GetError());
   SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
   SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 3);
@@ -87,6 +93,7 @@ Window::Window(const std::string& title, int width, int height, bool hidden) : p
   require(p.context != nullptr, "OpenGL 3.3 is not to be had here: ", SDL_GetError());
   if (!hidden) SDL_GL_SetSwapInterval(1);
   p.measure();
+  p.gamepads.emplace();
 }
 
 Window::~Window() = default;
@@ -120,12 +127,14 @@ bool Window::poll(Gestures& gestures) {
   Parts& p = *parts_;
   gestures.events.clear();
   gestures.keys.clear();
+  gestures.notes.clear();
   gestures.text.clear();
   gestures.resized = false;
   SDL_Event event;
   while (SDL_PollEvent(&event)) p.take(event, gestures);
   gestures.pointers = p.pointers;
   gestures.held = p.held;
+  gestures.sticks = p.gamepads->sticks();
   gestures.shift = p.shift;
   gestures.control = p.control;
   gestures.width = p.width;
@@ -142,7 +151,7 @@ void Window::Parts::take(const SDL_Event& event, Gestures& gestures) {
         measure();
         gestures.resized = true;
       }
-      if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) held.clear(), shift = control = false;
+      if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) let_go(gestures);
       if (event.window.event == SDL_WINDOWEVENT_CLOSE) closed = true;
       break;
     case SDL_MOUSEMOTION:
@@ -157,8 +166,25 @@ void Window::Parts::take(const SDL_Event& event, Gestures& gestures) {
     case SDL_KEYDOWN:
     case SDL_KEYUP: take_key(event.key, gestures); break;
     case SDL_TEXTINPUT: gestures.text += event.text.text; break;
-    default: break;
+    default: gamepads->take(event, gestures); break;
   }
+}
+
+/// The window is no longer listened to: who holds something would hold it for ever.
+void Window::Parts::let_go(Gestures& gestures) {
+  for (const auto& [id, pointer] : std::map(pointers)) {
+    PointerEvent event;
+    event.kind = Kind::release;
+    event.pointer = id;
+    for (const auto& [button, down] :
+         {std::pair{Button::left, pointer.left}, {Button::middle, pointer.middle}, {Button::right, pointer.right}})
+      if (event.button = button; down) tell(gestures, event, pointer.x, pointer.y);
+    if (id != 0) pointers.erase(id);
+  }
+  fingers.clear();
+  held.clear();
+  next_finger = 1;
+  shift = control = false;
 }
 
 void Window::Parts::tell(Gestures& gestures, PointerEvent event, double x, double y) {
@@ -216,12 +242,13 @@ void Window::Parts::take_finger(const SDL_TouchFingerEvent& event, Gestures& ges
 void Window::Parts::take_key(const SDL_KeyboardEvent& event, Gestures& gestures) {
   const SDL_Keycode key = event.keysym.sym;
   const bool down = event.type == SDL_KEYDOWN;
+  const std::string modifiers = control ? shift ? "ctrl+shift+" : "ctrl+" : "";
   if (key == SDLK_LSHIFT || key == SDLK_RSHIFT) shift = down;
   if (key == SDLK_LCTRL || key == SDLK_RCTRL) control = down;
   const std::string name = key_name(key);
   std::erase(held, name);
   if (down) held.push_back(name);
-  if (down && (event.repeat == 0 || key == SDLK_PERIOD)) gestures.keys.push_back(name);
+  if (down && (event.repeat == 0 || key == SDLK_PERIOD)) gestures.keys.push_back(modifiers + name);
 }
 
 }  // namespace pantin

@@ -5,8 +5,8 @@
 #include "world/assemble.hpp"
 #include "world/editing.hpp"
 #include "world/hands.hpp"
-#include "world/measure.hpp"
 #include "world/query.hpp"
+#include "world/reach.hpp"
 
 namespace pantin {
 
@@ -99,16 +99,7 @@ void heat_by_hand(World& world, const Command& c) {
   require_finite("heat", "place", c.place, "m");
   require_positive("heat", "radius", c.radius, "m");
   require_finite("heat", "the energy", c.energy, "J");
-  Things things;
-  for (ParticleId id : near(world, c.place, c.radius))
-    for (PointId p : world.particles[id].points)
-      if (const BodyId body = world.points[p].body)
-        things.bodies.push_back(body);
-      else
-        things.free_points.push_back(p);
-  std::sort(things.bodies.begin(), things.bodies.end());
-  things.bodies.erase(std::unique(things.bodies.begin(), things.bodies.end()), things.bodies.end());
-  std::sort(things.free_points.begin(), things.free_points.end());
+  const Things things = heated_by(world, c.place, c.radius);
   heat(world, things, std::fmax(c.energy, -heat_in(world, things)));
 }
 
@@ -135,6 +126,22 @@ std::string_view name_of(Command::Kind kind) {
   static constexpr std::string_view names[] = {"grab", "release", "cut",  "key",    "button", "join",
                                                "nail", "push",    "spin", "remove", "make",   "heat"};
   return names[static_cast<std::size_t>(kind)];
+}
+
+Things heated_by(const World& world, Vec3 place, double radius) {
+  Things things;
+  for (ParticleId id : near(world, place, radius))
+    for (PointId p : world.particles[id].points)
+      if (const BodyId body = world.points[p].body)
+        things.bodies.push_back(body);
+      else
+        things.free_points.push_back(p);
+  std::sort(things.bodies.begin(), things.bodies.end());
+  things.bodies.erase(std::unique(things.bodies.begin(), things.bodies.end()), things.bodies.end());
+  std::sort(things.free_points.begin(), things.free_points.end());
+  if (things.bodies.size() + things.free_points.size() != 1) return things;
+  const PointId one = things.bodies.empty() ? things.free_points[0] : world.bodies[things.bodies[0]].points[0];
+  return tied_to(world, one, false);
 }
 
 void carry_out(World& world, std::span<const Command> commands) {

@@ -52,7 +52,7 @@ struct Play {
     event(PointerEvent::Kind::release, button, x, y, id);
   }
   Actions apply(bool on_panel = false) {
-    const Actions a = person.apply(gestures, world, stage, width, height, on_panel, camera, world.input);
+    const Actions a = person.apply(gestures, {world, stage, width, height, on_panel, 1.0 / 60.0, camera, world.input});
     gestures.events.clear();
     gestures.keys.clear();
     return a;

@@ -92,6 +92,29 @@ TEST_CASE("each finger is a pointer of its own while it touches", "[window]") {
   CHECK(gestures.pointers.size() == 1);
 }
 
+TEST_CASE("a window that is no longer listened to lets all pointers go", "[window]") {
+  Window window("test", 400, 200, true);
+  Gestures gestures;
+  push_motion(10, 20);
+  push_button(SDL_MOUSEBUTTONDOWN, SDL_BUTTON_LEFT, 10, 20);
+  push_finger(SDL_FINGERDOWN, 50, 0.25f, 0.5f);
+  push_key(SDL_KEYDOWN, SDLK_LCTRL);
+  push_key(SDL_KEYDOWN, SDLK_z);
+  window.poll(gestures);
+  CHECK(gestures.keys == std::vector<std::string>{"left ctrl", "ctrl+z"});
+  SDL_Event event = {};
+  event.type = SDL_WINDOWEVENT;
+  event.window.event = SDL_WINDOWEVENT_FOCUS_LOST;
+  SDL_PushEvent(&event);
+  window.poll(gestures);
+  REQUIRE(gestures.events.size() == 2);
+  CHECK(gestures.events[0].kind == PointerEvent::Kind::release);
+  CHECK(gestures.events[1].kind == PointerEvent::Kind::release);
+  CHECK(gestures.pointers.size() == 1);
+  CHECK_FALSE(gestures.pointers.at(0).left);
+  CHECK_FALSE(gestures.control);
+}
+
 TEST_CASE("closing the window ends polling", "[window]") {
   Window window("test", 64, 64, true);
   Gestures gestures;

@@ -1,0 +1,45 @@
+// What the player does with hands and their tools.
+#include "player/player.hpp"
+#include "view/palette.hpp"
+
+namespace pantin::player {
+namespace {
+
+constexpr std::chrono::seconds told_for{4};
+
+}  // namespace
+
+Actions Player::take_hands(double elapsed) {
+  const PlayerInput::Frame frame{
+      scene_->world(),         renderer_.stage(), renderer_.width(), renderer_.height(), renderer_.pointer_on_panel(),
+      paused_ ? 0.0 : elapsed, camera_,           waiting_};
+  Actions actions = hands_.apply(gestures_, frame);
+  for (const std::string& said : actions.said) tell(said);
+  return actions;
+}
+
+void Player::tell(const std::string& what) {
+  told_ = what;
+  told_at_ = Clock::now();
+}
+
+void Player::tell_dropped() {
+  const std::vector<LogLine>& log = scene_->world().log;
+  if (log.size() < log_read_) log_read_ = 0;
+  for (; log_read_ < log.size(); log_read_++)
+    if (log[log_read_].kind == "dropped" && log[log_read_].text.find(" by hand ") != std::string::npos)
+      tell(log[log_read_].text);
+}
+
+void Player::draw_tools() {
+  const std::string told = Clock::now() < told_at_ + told_for ? told_ : std::string();
+  draw_palette(hands_.tool, told, static_cast<float>(renderer_.width()), static_cast<float>(renderer_.height()));
+}
+
+void Player::mark_hands(Overlay& overlay) const {
+  const Sight sight{scene_->world(), renderer_.stage(), camera_, renderer_.width(), renderer_.height()};
+  for (Mark& mark : hands_.marks(gestures_, sight, renderer_.pointer_on_panel()))
+    overlay.marks.push_back(std::move(mark));
+}
+
+}  // namespace pantin::player

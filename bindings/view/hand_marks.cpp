@@ -1,0 +1,237 @@
+#include "view/hand_marks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "view/sketch.hpp"
+#include "view/swipe.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr Color danger = {0.86f, 0.16f, 0.18f, 0.95f}, warm = {0.93f, 0.45f, 0.12f, 0.9f},
+                cold = {0.20f, 0.50f, 0.85f, 0.9f};
+constexpr double reach = 40.0, letters = 14.0;  // [px]
+
+Color faded(Color color, float opacity) { return {color.r, color.g, color.b, opacity}; }
+Color mixed(const Color& a, const Color& b, float part) {
+  return {a.r + (b.r - a.r) * part, a.g + (b.g - a.g) * part, a.b + (b.b - a.b) * part, a.a + (b.a - a.a) * part};
+}
+
+std::string number(const char* format, double a, double b = 0.0) {
+  char text[96];
+  std::snprintf(text, sizeof text, format, a, b);
+  return text;
+}
+
+/// Adds marks of one hand.
+class Pen {
+ public:
+  Pen(const Sight& sight, const ShownHand& hand, std::vector<Mark>& marks)
+      : sight_(sight), hand_(hand), color_(hand_color(hand.hand)), marks_(marks) {}
+
+  void cursor() {
+    if (hand_.mouse) return;
+    const bool down = hand_.use->active();
+    ring_on_screen(down ? 13.0 : 20.0, color_);
+    Mark dot = on_screen(Mark::Kind::point, down ? 7.0 : 4.0, color_);
+    marks_.push_back(dot);
+    text(number("%.0f", hand_.hand + 1), 12.0, -20.0, color_);
+  }
+
+  void hover() {
+    switch (hand_.choice.kind) {
+      case ToolKind::cut:
+        for (const AnyId& thing : cuttable(sight_, {hand_.x, hand_.y, hand_.x, hand_.y})) target(thing, danger);
+        return;
+      case ToolKind::remove: return target(pick_thing(sight_, hand_.x, hand_.y), danger);
+      case ToolKind::heat: return brush(sight_.camera.distance);
+      case ToolKind::make:
+        if (hand_.choice.variant == 0) held(true);
+        return;
+      default: return held(false);
+    }
+  }
+
+  void act() {
+    switch (hand_.use->choice().kind) {
+      case ToolKind::drag: return force();
+      case ToolKind::cut:
+      case ToolKind::remove: return swipe();
+      case ToolKind::join: return join();
+      case ToolKind::push:
+        if (!hand_.use->point()) return;
+        arrow(hand_.use->start(sight_), hand_.use->start(sight_) + hand_.use->way(sight_), color_);
+        return text(number("%.3g N s", norm(hand_.use->impulse(sight_))), 14.0, 10.0, color_);
+      case ToolKind::spin:
+        if (!hand_.use->point()) return;
+        arrow(hand_.use->start(sight_), hand_.use->start(sight_) + hand_.use->way(sight_), color_);
+        return text(number("%.3g rad/s", norm(hand_.use->turn(sight_))), 14.0, 10.0, color_);
+      case ToolKind::make: return made();
+      case ToolKind::heat:
+        return brush(dot(hand_.use->place(sight_, hand_.x, hand_.y) - sight_.camera.eye(), sight_.camera.forward()));
+      case ToolKind::nail: return;
+    }
+  }
+
+ private:
+  Mark on_screen(Mark::Kind kind, double size, Color color) const {
+    Mark mark;
+    mark.kind = kind;
+    mark.from = vec(hand_.x, hand_.y, 0);
+    mark.on_screen = true;
+    mark.size = size;
+    mark.color = color;
+    return mark;
+  }
+  void ring_on_screen(double diameter, Color color) { marks_.push_back(on_screen(Mark::Kind::ring, diameter, color)); }
+  void ring(Vec3 at, double diameter, Color color) {
+    Mark mark;
+    mark.kind = Mark::Kind::ring;
+    mark.from = at;
+    mark.size = diameter;
+    mark.color = color;
+    marks_.push_back(mark);
+  }
+  void line(Vec3 from, Vec3 to, Color color, double width) {
+    Mark mark;
+    mark.from = from;
+    mark.to = to;
+    mark.size = width;
+    mark.color = color;
+    marks_.push_back(mark);
+  }
+  void arrow(Vec3 from, Vec3 to, Color color) {
+    line(from, to, color, 3.0);
+    marks_.back().kind = Mark::Kind::arrow;
+  }
+  /// Beside the cursor.
+  void text(std::string words, double dx, double dy, Color color) {
+    Mark mark = on_screen(Mark::Kind::text, letters, color);
+    mark.from = vec(std::max(hand_.x + dx, 0.0), std::max(hand_.y + dy, 0.0), 0);
+    mark.text = std::move(words);
+    marks_.push_back(mark);
+  }
+
+  /// The point under the cursor, or how far the hand reaches.
+  void held(bool only_hinged) {
+    if (const PointId point = pick_held(sight_, hand_.x, hand_.y))
+      ring(shown_place(sight_.world, point), 26.0, color_);
+    else if (!only_hinged)
+      ring_on_screen(2.0 * reach, faded(color_, 0.22f));
+  }
+
+  /// A thing that would be cut or removed.
+  void target(const AnyId& thing, Color color) {
+    if (!alive(sight_.world, thing)) return;
+    if (const auto* body = std::get_if<BodyId>(&thing)) {
+      const Vec3 middle = seen_place(sight_.world, thing).from;
+      const auto& points = sight_.world.bodies[*body].points;
+      for (std::size_t i = 0; i < std::min<std::size_t>(points.size(), 64); i++)
+        line(middle, shown_place(sight_.world, points[i]), color, 4.0);
+      if (points.size() < 2) ring(middle, 26.0, color);
+      return;
+    }
+    const auto* particle = std::get_if<ParticleId>(&thing);
+    const Seen seen = particle && !sight_.world.particles[*particle].is_hinge()
+                          ? Seen{shown_place(sight_.world, sight_.world.particles[*particle].points[0]), zero3(), false}
+                          : seen_place(sight_.world, thing);
+    if (seen.tie)
+      line(seen.from, seen.to, color, 4.0);
+    else
+      ring(seen.from, 28.0, color);
+  }
+
+  /// The line to what it pulls grows and reddens with the force.
+  void force() {
+    if (!hand_.use->holding() || !sight_.world.points.alive(hand_.use->point())) return;
+    const auto index = static_cast<std::size_t>(hand_.hand);
+    if (index >= sight_.world.hands.size()) return;
+    const Hand& hand = sight_.world.hands[index];
+    if (!sight_.world.constraints.alive(hand.grab)) return;
+    const Constraint& grip = sight_.world.constraints[hand.grab];
+    const double pull = norm(grip.force);
+    const bool limited = std::isfinite(grip.max_force) && grip.max_force > 0.0;
+    const auto part = static_cast<float>(limited ? std::clamp(pull / grip.max_force, 0.0, 1.0) : 0.5);
+    const Vec3 from = shown_place(sight_.world, grip.a), to = hand_.use->place(sight_, hand_.x, hand_.y);
+    const Color color = mixed(faded(color_, 0.8f), danger, std::sqrt(part));
+    line(from, to, color, 1.5 + 4.5 * std::sqrt(static_cast<double>(part)));
+    ring(from, 26.0, color);
+    text(limited ? number("%.3g N of %.3g N", pull, grip.max_force) : number("%.3g N", pull), 14.0, 10.0, color);
+  }
+
+  void swipe() {
+    const std::vector<Vec3>& trail = hand_.use->trail();
+    for (std::size_t i = 1; i < trail.size(); i++) {
+      line(trail[i - 1], trail[i], faded(danger, static_cast<float>(i) / static_cast<float>(trail.size())), 2.5);
+      marks_.back().on_screen = true;
+    }
+  }
+
+  void join() {
+    if (!hand_.use->point()) return;
+    const PointId other = pick_held(sight_, hand_.x, hand_.y);
+    const bool there = other && other != hand_.use->point();
+    const Vec3 from = shown_place(sight_.world, hand_.use->point());
+    ring(from, 26.0, color_);
+    line(from, there ? shown_place(sight_.world, other) : hand_.use->place(sight_, hand_.x, hand_.y), color_, 2.5);
+    if (there) ring(shown_place(sight_.world, other), 26.0, color_);
+  }
+
+  void brush(double depth) {
+    const double pixel = 2.0 * depth * std::tan(0.5 * sight_.camera.fov) / sight_.height;
+    ring_on_screen(2.0 * heat_radius(sight_, depth) / pixel, hand_.choice.variant == 1 ? cold : warm);
+  }
+
+  /// What would be made: a line, or the shortest lines between corners, or a ball's outline.
+  void made() {
+    const Command c = hand_.use->making(sight_);
+    if (c.points.size() == 1) {
+      const auto seen = sight_.project(c.place);
+      if (seen) ring(c.place, std::max(6.0, 2.0 * c.radius / seen->pixel), color_);
+      return;
+    }
+    double edge = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < c.points.size(); i++)
+      for (std::size_t k = 0; k < i; k++) edge = std::min(edge, norm(c.points[i] - c.points[k]));
+    for (std::size_t i = 1; i < c.points.size(); i++)
+      for (std::size_t k = 0; k < i; k++)
+        if (norm(c.points[i] - c.points[k]) < 1.01 * edge)
+          line(c.place + c.points[i], c.place + c.points[k], color_, 2.0);
+    for (const PointId end : {c.point, c.other})
+      if (sight_.world.points.alive(end) && hand_.use->choice().variant == 0)
+        ring(shown_place(sight_.world, end), 26.0, color_);
+  }
+
+  const Sight& sight_;
+  const ShownHand& hand_;
+  Color color_;
+  std::vector<Mark>& marks_;
+};
+
+}  // namespace
+
+Color hand_color(std::int32_t hand) {
+  static constexpr std::array<Color, 6> colors = {{{0.85f, 0.30f, 0.20f, 1.0f},
+                                                   {0.15f, 0.50f, 0.80f, 1.0f},
+                                                   {0.20f, 0.60f, 0.30f, 1.0f},
+                                                   {0.62f, 0.34f, 0.76f, 1.0f},
+                                                   {0.85f, 0.58f, 0.10f, 1.0f},
+                                                   {0.10f, 0.60f, 0.62f, 1.0f}}};
+  return colors[static_cast<std::size_t>(std::max(hand, 0)) % colors.size()];
+}
+
+void mark_hand(const Sight& sight, const ShownHand& hand, std::vector<Mark>& marks) {
+  Pen pen(sight, hand, marks);
+  pen.cursor();
+  if (hand.use->active())
+    pen.act();
+  else
+    pen.hover();
+}
+
+}  // namespace pantin

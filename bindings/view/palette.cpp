@@ -1,0 +1,87 @@
+#include "view/palette.hpp"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <string>
+
+namespace pantin {
+
+namespace {
+
+constexpr ImGuiWindowFlags quiet = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
+                                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoSavedSettings;
+
+bool icon_there(const char* icon) {
+  unsigned letter = 0;
+  ImTextCharFromUtf8(&letter, icon, nullptr);
+  return ImGui::GetFont()->FindGlyphNoFallback(static_cast<ImWchar>(letter)) != nullptr;
+}
+
+/// A button that is marked where it is the chosen one; its hint says more.
+bool button(const char* icon, const char* name, const char* hint, bool chosen, ImVec2 size) {
+  const char* const label = icon_there(icon) ? icon : name;
+  if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+  ImGui::PushID(name);
+  const bool pressed = ImGui::Button(label, size);
+  ImGui::PopID();
+  if (chosen) ImGui::PopStyleColor();
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", hint);
+  return pressed;
+}
+
+/// Returns the height of their upper edge.
+float draw_variants(ToolChoice& choice, float middle, float bottom) {
+  const Tool& tool = choice.tool();
+  if (tool.variants.empty()) return bottom;
+  ImGui::SetNextWindowPos({middle, bottom}, ImGuiCond_Always, {0.5f, 1.0f});
+  ImGui::Begin("variants", nullptr, quiet | ImGuiWindowFlags_NoBackground);
+  for (std::size_t i = 0; i < tool.variants.size(); i++) {
+    if (i > 0) ImGui::SameLine();
+    const bool chosen = i == choice.variant;
+    if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    if (ImGui::Button(tool.variants[i])) choice.variant = i;
+    if (chosen) ImGui::PopStyleColor();
+  }
+  const float top = ImGui::GetWindowPos().y;
+  ImGui::End();
+  return top;
+}
+
+void draw_told(const std::string& told, float middle, float bottom, float scale) {
+  if (told.empty()) return;
+  const float pad = 7.0f * scale;
+  const ImVec2 size = ImGui::CalcTextSize(told.c_str(), nullptr, false, 2.0f * middle - 4.0f * pad);
+  const ImVec2 at = {middle - 0.5f * size.x, bottom - size.y - 2.0f * pad};
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.AddRectFilled({at.x - pad, at.y - pad}, {at.x + size.x + pad, at.y + size.y + pad},
+                     ImGui::GetColorU32(ImGuiCol_WindowBg), pad);
+  list.AddText(nullptr, 0.0f, at, ImGui::GetColorU32(ImGuiCol_Text), told.c_str(), nullptr, 2.0f * middle - 4.0f * pad);
+}
+
+}  // namespace
+
+void draw_palette(ToolChoice& choice, const std::string& told, float width, float height) {
+  const float scale = ImGui::GetFontSize() / 14.0f;
+  const float side = 32.0f * scale, bottom = height - 44.0f * scale;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {4.0f * scale, 4.0f * scale});
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {2.0f * scale, 2.0f * scale});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {2.0f * scale, 2.0f * scale});
+  ImGui::SetNextWindowPos({0.5f * width, bottom}, ImGuiCond_Always, {0.5f, 1.0f});
+  ImGui::SetNextWindowBgAlpha(0.72f);
+  ImGui::Begin("tools", nullptr, quiet);
+  ImGui::SetWindowFontScale(1.5f);
+  for (const Tool& tool : tools()) {
+    if (&tool != &tools().front()) ImGui::SameLine();
+    const bool chosen = tool.kind == choice.kind;
+    const std::string hint = std::string(tool.name) + " (" + tool.key + "): " + tool.help;
+    if (button(tool.icon, tool.name, hint.c_str(), chosen, {side, side}) && !chosen) choice.choose(tool.kind);
+  }
+  const float top = ImGui::GetWindowPos().y;
+  ImGui::End();
+  ImGui::PopStyleVar(3);
+  draw_told(told, 0.5f * width, draw_variants(choice, 0.5f * width, top), scale);
+}
+
+}  // namespace pantin

@@ -1,0 +1,193 @@
+#include "view/swipe.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "view/pick.hpp"
+#include "view/sketch.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr double click_reach = 24.0, tie_reach = 9.0, swipe_reach = 6.0;  // [px]
+
+struct Spot {
+  double x = 0.0, y = 0.0;  // [px]
+};
+
+double across(Spot o, Spot a, Spot b) { return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x); }
+
+double distance(Spot p, Spot a, Spot b) {
+  const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
+  const double t = square > 0.0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0) : 0.0;
+  return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
+}
+
+/// Of two lines; 0 where they cross.
+double distance(Spot a, Spot b, Spot c, Spot d) {
+  const bool cross = across(a, b, c) * across(a, b, d) < 0.0 && across(c, d, a) * across(c, d, b) < 0.0;
+  if (cross) return 0.0;
+  return std::min({distance(a, c, d), distance(b, c, d), distance(c, a, b), distance(d, a, b)});
+}
+
+/// Puts all that can be cut before `visit(thing, from, to, tie)`.
+template <class Visit>
+void each_cuttable(const World& world, const Visit& visit) {
+  for (std::uint32_t s = 0; s < world.particles.slots(); s++)
+    if (world.particles.alive_at(s) && world.particles.at_slot(s).is_hinge()) visit(AnyId(world.particles.id_at(s)));
+  for (std::uint32_t s = 0; s < world.constraints.slots(); s++) {
+    if (!world.constraints.alive_at(s)) continue;
+    const Constraint& c = world.constraints.at_slot(s);
+    const bool seen = c.kind == ConstraintKind::nail || c.kind == ConstraintKind::rod ||
+                      c.kind == ConstraintKind::join || c.kind == ConstraintKind::string ||
+                      (c.kind == ConstraintKind::limit && c.a) || (c.kind == ConstraintKind::follow && c.hand < 0);
+    if (seen) visit(AnyId(world.constraints.id_at(s)));
+  }
+  for (std::uint32_t s = 0; s < world.connections.slots(); s++)
+    if (world.connections.alive_at(s) && world.connections.at_slot(s).count == 2)
+      visit(AnyId(world.connections.id_at(s)));
+}
+
+/// Pixels between a stroke and a line of the world; infinite where that is not seen. Of a string all parts count.
+double distance_to(const Sight& sight, const AnyId& thing, const Stroke& stroke) {
+  const auto to_line = [&](Vec3 from, Vec3 to) {
+    const auto a = sight.project(from), b = sight.project(to);
+    if (!a || !b) return std::numeric_limits<double>::infinity();
+    return distance({stroke.x0, stroke.y0}, {stroke.x1, stroke.y1}, {a->x, a->y}, {b->x, b->y});
+  };
+  const auto* id = std::get_if<ConstraintId>(&thing);
+  if (id && sight.world.constraints[*id].kind == ConstraintKind::string) {
+    const auto& passages = sight.world.constraints[*id].passages;
+    const auto place = [&](const Passage& p) { return p.point ? position(sight.world, p.point) : p.place; };
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < passages.size(); i++)
+      least = std::min(least, to_line(place(passages[i - 1]), place(passages[i])));
+    return least;
+  }
+  const Seen seen = seen_place(sight.world, thing);
+  return to_line(seen.from, seen.to);
+}
+
+/// Pixels of the pixel from the body's outline, 0 within: of the hull of its points and centre as they are seen.
+double distance_to_outline(std::vector<Spot>& spots, Spot at) {
+  std::sort(spots.begin(), spots.end(), [](Spot a, Spot b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  std::vector<Spot> hull;  // Andrew's monotone chain
+  for (int side = 0; side < 2; side++) {
+    const std::size_t start = hull.size();
+    for (const Spot& p : spots) {
+      while (hull.size() >= start + 2 && across(hull[hull.size() - 2], hull.back(), p) <= 0.0) hull.pop_back();
+      hull.push_back(p);
+    }
+    hull.pop_back();
+    std::reverse(spots.begin(), spots.end());
+  }
+  if (hull.size() < 2) return std::hypot(spots[0].x - at.x, spots[0].y - at.y);
+  bool inside = hull.size() > 2;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < hull.size(); i++) {
+    const Spot a = hull[i], b = hull[(i + 1) % hull.size()];
+    inside = inside && across(a, b, at) >= 0.0;
+    least = std::min(least, distance(at, a, b));
+  }
+  return inside ? 0.0 : least;
+}
+
+}  // namespace
+
+Seen seen_place(const World& world, const AnyId& thing) {
+  if (const auto* hinge = std::get_if<ParticleId>(&thing)) {
+    const Vec3 at = shown_place(world, star(world, *hinge));
+    return {at, at, false};
+  }
+  if (const auto* tie = std::get_if<ConnectionId>(&thing)) {
+    const Connection& c = world.connections[*tie];
+    const Vec3 a = end_of(world, c, 0), from = a + image_shift(world, a);
+    return {from, from + end_of(world, c, 1) - a, true};
+  }
+  if (const auto* body = std::get_if<BodyId>(&thing)) {
+    const Vec3 at = world.motion_of(*body).x;
+    return {at + image_shift(world, at), at + image_shift(world, at), false};
+  }
+  const auto* id = std::get_if<ConstraintId>(&thing);
+  if (!id) return {};
+  const Constraint& c = world.constraints[*id];
+  if (c.kind == ConstraintKind::string && c.passages.size() > 1) {
+    const auto place = [&](const Passage& p) { return p.point ? position(world, p.point) : p.place; };
+    return {place(c.passages.front()), place(c.passages.back()), true};
+  }
+  const Vec3 a = shown_place(world, c.a), shift = a - position(world, c.a);
+  if (c.kind == ConstraintKind::nail || c.kind == ConstraintKind::follow) return {a, a, false};
+  return {a, c.b ? position(world, c.b) + shift : c.place + shift, true};
+}
+
+std::vector<AnyId> cuttable(const Sight& sight, const Stroke& stroke) {
+  const bool click = stroke.x0 == stroke.x1 && stroke.y0 == stroke.y1;
+  std::vector<AnyId> found;
+  double best = std::numeric_limits<double>::infinity();
+  each_cuttable(sight.world, [&](const AnyId& thing) {
+    const bool tie = seen_place(sight.world, thing).tie;
+    const double away = distance_to(sight, thing, stroke);
+    if (!click) {
+      if (away <= (tie ? 0.0 : swipe_reach)) found.push_back(thing);
+      return;
+    }
+    // What is small wins against the lines that end in it.
+    const double score = tie ? away + click_reach : away;
+    if (away > (tie ? tie_reach : click_reach) || score >= best) return;
+    best = score;
+    found = {thing};
+  });
+  return found;
+}
+
+BodyId pick_body(const Sight& sight, double x, double y, double reach) {
+  BodyId found;
+  double best = reach, depth = std::numeric_limits<double>::infinity();
+  std::vector<Spot> spots;
+  for (std::uint32_t s = 0; s < sight.world.bodies.slots(); s++) {
+    if (!sight.world.bodies.alive_at(s)) continue;
+    const BodyId id = sight.world.bodies.id_at(s);
+    const Vec3 centre = sight.world.motion[s].x;
+    const auto middle = sight.project(centre + image_shift(sight.world, centre));
+    if (!middle) continue;
+    spots = {{middle->x, middle->y}};
+    for (PointId p : sight.world.bodies[id].points)
+      if (const auto seen = sight.project(shown_place(sight.world, p))) spots.push_back({seen->x, seen->y});
+    const double away = distance_to_outline(spots, {x, y});
+    if (away > best || (away == best && middle->depth >= depth)) continue;
+    best = away;
+    depth = middle->depth;
+    found = id;
+  }
+  return found;
+}
+
+PointId pick_held(const Sight& sight, double x, double y) {
+  if (const PointId point = pick_point(sight.world, sight.stage, sight.camera, x, y, sight.width, sight.height))
+    return point;
+  const BodyId body = pick_body(sight, x, y);
+  PointId found;
+  double best = std::numeric_limits<double>::infinity();
+  if (!body) return found;
+  for (PointId p : sight.world.bodies[body].points) {
+    const auto seen = sight.project(shown_place(sight.world, p));
+    const double away = seen ? std::hypot(seen->x - x, seen->y - y) : best;
+    if (away < best) best = away, found = p;
+  }
+  return found;
+}
+
+AnyId pick_thing(const Sight& sight, double x, double y) {
+  if (const BodyId body = pick_body(sight, x, y, 6.0)) return body;
+  const PointId point = pick_point(sight.world, sight.stage, sight.camera, x, y, sight.width, sight.height, 14.0);
+  if (point && !sight.world.points[point].body) return sight.world.points[point].own;
+  if (const std::vector<AnyId> ties = cuttable(sight, {x, y, x, y});
+      !ties.empty() && seen_place(sight.world, ties[0]).tie)
+    return ties[0];
+  if (const BodyId body = pick_body(sight, x, y)) return body;
+  return {};
+}
+
+}  // namespace pantin

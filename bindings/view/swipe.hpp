@@ -1,0 +1,30 @@
+#pragma once
+#include <vector>
+
+#include "view/sight.hpp"
+
+namespace pantin {
+
+/// A move of a pointer from one pixel to another, or a click where they are the same.
+struct Stroke {
+  double x0 = 0.0, y0 = 0.0, x1 = 0.0, y1 = 0.0;  ///< [px]
+};
+
+/// Hinges, nails, rods, strings, joins and connections that a stroke crosses; of those at its click's place the nearest.
+/// What hands hold by is not among them.
+std::vector<AnyId> cuttable(const Sight& sight, const Stroke& stroke);
+/// Where such a thing is seen: one place of a hinge or nail, the two ends of a tie [m].
+struct Seen {
+  Vec3 from = zero3(), to = zero3();
+  bool tie = false;
+};
+Seen seen_place(const World& world, const AnyId& thing);
+
+/// The body whose outline a pixel is in or at most `reach` [px] from; the nearest to the eye of several. Null: none.
+BodyId pick_body(const Sight& sight, double x, double y, double reach = 12.0);
+/// What one can take hold of at a pixel: as `pick_point`, or else the seen point of the body there that is nearest.
+PointId pick_held(const Sight& sight, double x, double y);
+/// The body, free particle, connection or constraint at a pixel, or nothing.
+AnyId pick_thing(const Sight& sight, double x, double y);
+
+}  // namespace pantin

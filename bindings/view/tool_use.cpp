@@ -1,0 +1,298 @@
+#include "view/tool_use.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "structures/polyhedra.hpp"
+#include "view/pick.hpp"
+#include "view/sketch.hpp"
+#include "view/swipe.hpp"
+#include "world/assemble.hpp"
+#include "world/commands.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr double click_distance = 5.0;  // [px] a press that moves less is a click
+constexpr double push_time = 60.0;      // [steps] in which what is pushed comes as far as it was dragged
+constexpr std::size_t longest_trail = 16;
+constexpr double heat_rate = 3.0;  // [1/s] of the energy there, that a hand adds or takes
+
+double step_times(const World& world, double steps) { return steps * world.settings.step; }
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+const char* kind_of(const World& world, const AnyId& thing, bool many) {
+  if (std::holds_alternative<ParticleId>(thing)) return many ? "hinges" : "hinge";
+  if (std::holds_alternative<ConnectionId>(thing)) return many ? "connections" : "connection";
+  const auto* id = std::get_if<ConstraintId>(&thing);
+  const ConstraintKind kind = id && world.constraints.alive(*id) ? world.constraints[*id].kind : ConstraintKind::axis;
+  switch (kind) {
+    case ConstraintKind::nail: return many ? "nails" : "nail";
+    case ConstraintKind::rod: return many ? "rods" : "rod";
+    case ConstraintKind::string: return many ? "strings" : "string";
+    default: return many ? "ties" : "tie";
+  }
+}
+
+/// "cut 3 hinges", "cut 2 ties" of several kinds.
+std::string cut_story(const World& world, const std::vector<AnyId>& things) {
+  const char* const first = kind_of(world, things[0], true);
+  const bool alike = std::ranges::all_of(things, [&](const AnyId& t) { return kind_of(world, t, true) == first; });
+  if (!alike) return "cut " + counted(things.size(), "tie", "ties");
+  return "cut " + counted(things.size(), kind_of(world, things[0], false), first);
+}
+
+/// What a usual thing of the scene weighs [kg].
+double usual_mass(const World& world) {
+  const Things all = everything(world);
+  const std::size_t count = all.bodies.size() + all.free_points.size();
+  const double mean = count > 0 ? mass(world, all) / static_cast<double>(count) : 1.0;
+  return mean > 0.0 && std::isfinite(mean) ? mean : 1.0;
+}
+
+std::vector<Vec3> vertices_of(std::size_t variant) {
+  switch (variant) {
+    case 2: return shapes::tetrahedron(1.0).vertices;
+    case 3: return shapes::cube(1.0).vertices;
+    case 4: return shapes::octahedron(1.0).vertices;
+    case 5: return shapes::dodecahedron(1.0).vertices;
+    default: return shapes::icosahedron(1.0).vertices;
+  }
+}
+
+}  // namespace
+
+double heat_radius(const Sight& sight, double depth) { return depth * std::tan(0.5 * sight.camera.fov) * 2.0 / 15.0; }
+
+void ToolUse::press(const Sight& sight, ToolChoice choice, std::int32_t hand, double x, double y, ToolOutput& output) {
+  *this = {};
+  choice_ = choice;
+  hand_ = hand;
+  active_ = true;
+  x0_ = x_ = x;
+  y0_ = y_ = y;
+  point_ = pick_held(sight, x, y);
+  depth_ = dot(sight.camera.target - sight.camera.eye(), sight.camera.forward());
+  const auto seen = point_ ? sight.project(shown_place(sight.world, point_)) : std::nullopt;
+  if (seen) {
+    depth_ = seen->depth;
+    offset_ = position(sight.world, point_) - sight.place(x, y, depth_);
+  } else {
+    point_ = {};
+  }
+  switch (choice.kind) {
+    case ToolKind::drag: return grab(sight, output);
+    case ToolKind::cut: return cut(sight, x, y, output);
+    case ToolKind::nail: return nail(sight, output);
+    case ToolKind::remove: return remove(sight, output);
+    case ToolKind::join:
+      if (!point_) output.said.push_back("join: begin at a point, and let go at another");
+      break;
+    case ToolKind::push:
+    case ToolKind::spin:
+      if (!point_) output.said.push_back(std::string(choice.tool().name) + ": there is nothing under the cursor");
+      break;
+    default: break;
+  }
+}
+
+void ToolUse::move(const Sight& sight, double x, double y, ToolOutput& output) {
+  if (!active_) return;
+  if (choice_.kind == ToolKind::cut) cut(sight, x, y, output);
+  x_ = x;
+  y_ = y;
+  if (trail_.size() == longest_trail) trail_.erase(trail_.begin());
+  trail_.push_back(vec(x, y, 0));
+  if (choice_.kind == ToolKind::remove) remove(sight, output);
+}
+
+void ToolUse::hold(const Sight& sight, double time, ToolOutput& output) {
+  if (!active_) return;
+  if (point_ && !sight.world.points.alive(point_)) point_ = {};
+  if (choice_.kind != ToolKind::heat) return;
+  Command c = command(Command::Kind::heat);
+  const PointId under = pick_held(sight, x_, y_);
+  if (const auto seen = under ? sight.project(shown_place(sight.world, under)) : std::nullopt) depth_ = seen->depth;
+  c.place = sight.place(x_, y_, depth_);
+  c.radius = heat_radius(sight, depth_);
+  const Things things = heated_by(sight.world, c.place, c.radius);
+  if (things.bodies.empty() && things.free_points.empty()) return;
+  const double there = heat_in(sight.world, things), cold = 0.05 * sight.stage.unit / step_times(sight.world, 240.0);
+  const double part = std::min(0.5, heat_rate * time);
+  c.energy = choice_.variant == 1 ? -part * there : part * std::max(there, mass(sight.world, things) * cold * cold);
+  if (c.energy != 0.0) output.input.commands.push_back(c);
+}
+
+void ToolUse::release(const Sight& sight, ToolOutput& output) {
+  if (!active_) return;
+  active_ = false;
+  const bool alive = sight.world.points.alive(point_);
+  switch (choice_.kind) {
+    case ToolKind::drag:
+      if (point_) output.input.commands.push_back(command(Command::Kind::release));
+      break;
+    case ToolKind::join:
+      if (alive) join(sight, output);
+      break;
+    case ToolKind::push:
+    case ToolKind::spin: {
+      if (!alive) break;
+      const bool push = choice_.kind == ToolKind::push;
+      Command c = command(push ? Command::Kind::push : Command::Kind::spin);
+      c.amount = push ? impulse(sight) : turn(sight);
+      if (!push && is_click()) {
+        output.said.push_back("spin: drag over a body");
+        break;
+      }
+      char text[64];
+      std::snprintf(text, sizeof text, push ? "pushed by %.3g N s" : "spun by %.3g rad/s", norm(c.amount));
+      output.input.commands.push_back(c);
+      output.said.push_back(text);
+      break;
+    }
+    case ToolKind::make:
+      output.input.commands.push_back(making(sight));
+      output.said.push_back(std::string("made a ") + choice_.tool().variants[choice_.variant]);
+      break;
+    default: break;
+  }
+}
+
+void ToolUse::cancel(ToolOutput& output) {
+  if (holding()) output.input.commands.push_back(command(Command::Kind::release));
+  active_ = false;
+}
+
+Vec3 ToolUse::place(const Sight& sight, double x, double y) const {
+  const Vec3 at = sight.place(x, y, active_ ? depth_ : sight.camera.distance);
+  return holding() ? at + offset_ : at;
+}
+
+Vec3 ToolUse::start(const Sight& sight) const {
+  return sight.world.points.alive(point_) ? position(sight.world, point_) : sight.place(x0_, y0_, depth_);
+}
+
+Vec3 ToolUse::way(const Sight& sight) const { return sight.place(x_, y_, depth_) - sight.place(x0_, y0_, depth_); }
+
+bool ToolUse::is_click() const { return std::hypot(x_ - x0_, y_ - y0_) < click_distance; }
+
+Vec3 ToolUse::impulse(const Sight& sight) const {
+  if (!sight.world.points.alive(point_)) return zero3();
+  const Point& point = sight.world.points[point_];
+  const double mass = point.body ? sight.world.motion_of(point.body).mass : point.mass;
+  // A click pushes away from the eye.
+  const Vec3 way_to = is_click() ? sight.camera.forward() * (0.5 * sight.stage.unit) : way(sight);
+  return way_to * (mass / step_times(sight.world, push_time));
+}
+
+Vec3 ToolUse::turn(const Sight& sight) const {
+  const double angle = 6.283 / sight.height / step_times(sight.world, push_time);
+  return sight.camera.up() * ((x_ - x0_) * angle) + sight.camera.right() * ((y_ - y0_) * angle);
+}
+
+Command ToolUse::making(const Sight& sight) const {
+  Command c = command(Command::Kind::make);
+  const double unit = sight.stage.unit, length = norm(way(sight));
+  const bool click = is_click();
+  double part = 1.0;  // of its usual size
+  c.place = start(sight);
+  if (choice_.variant == 0) {
+    const PointId end = click ? PointId{} : pick_held(sight, x_, y_);
+    c.points = {zero3(), click ? sight.camera.right() * unit : way(sight) + sight.place(x0_, y0_, depth_) - c.place};
+    c.point = sight.world.points.alive(point_) ? point_ : PointId{};
+    if (end && end != point_) {
+      c.other = end;
+      c.points[1] = position(sight.world, end) - c.place;
+    }
+    part = norm(c.points[1]) / unit;
+  } else {
+    const double usual = choice_.variant == 1 ? 0.25 * unit : 0.5 * unit, radius = click ? usual : length;
+    c.place = sight.place(x0_, y0_, depth_);
+    part = std::pow(radius / usual, 3.0);
+    if (choice_.variant == 1) {
+      c.points = {zero3()};
+      c.radius = radius;
+    } else {
+      c.points = vertices_of(choice_.variant);
+      const double scale = radius / norm(c.points[0]);
+      for (Vec3& p : c.points) p *= scale;
+    }
+  }
+  c.mass = usual_mass(sight.world) * part;
+  return c;
+}
+
+Command ToolUse::command(Command::Kind kind) const {
+  Command c;
+  c.kind = kind;
+  c.hand = hand_;
+  c.point = point_;
+  return c;
+}
+
+void ToolUse::grab(const Sight& sight, ToolOutput& output) {
+  if (!point_) return;
+  output.input.moves.push_back({hand_, position(sight.world, point_), true});
+  output.input.commands.push_back(command(Command::Kind::grab));
+}
+
+void ToolUse::nail(const Sight& sight, ToolOutput& output) {
+  if (!point_) return output.said.push_back("nail: there is no point under the cursor");
+  const Particle& ring = sight.world.particles[sight.world.points[point_].particle];
+  for (const PointId p : ring.points)
+    for (const ConstraintId id : sight.world.points[p].constraints)
+      if (sight.world.constraints[id].kind == ConstraintKind::nail) {
+        Command c = command(Command::Kind::cut);
+        c.thing = id;
+        output.input.commands.push_back(c);
+        return output.said.push_back("pulled the nail out");
+      }
+  output.input.commands.push_back(command(Command::Kind::nail));
+  output.said.push_back("nailed");
+}
+
+void ToolUse::cut(const Sight& sight, double x, double y, ToolOutput& output) {
+  bool more = false;
+  for (const AnyId& thing : cuttable(sight, {x_, y_, x, y})) {
+    if (std::ranges::count(done_, thing) > 0) continue;
+    done_.push_back(thing);
+    more = true;
+    Command c = command(Command::Kind::cut);
+    c.point = {};
+    c.thing = thing;
+    output.input.commands.push_back(c);
+  }
+  std::vector<AnyId> alive = done_;
+  std::erase_if(alive, [&](const AnyId& t) { return !pantin::alive(sight.world, t); });
+  if (more && !alive.empty())
+    output.said.push_back(alive.size() == done_.size() ? cut_story(sight.world, done_)
+                                                       : "cut " + counted(done_.size(), "tie", "ties"));
+}
+
+void ToolUse::remove(const Sight& sight, ToolOutput& output) {
+  const AnyId thing = pick_thing(sight, x_, y_);
+  const bool none = std::holds_alternative<std::monostate>(thing);
+  if (none && is_click() && done_.empty()) output.said.push_back("remove: there is nothing under the cursor");
+  if (none || std::ranges::count(done_, thing) > 0) return;
+  done_.push_back(thing);
+  Command c = command(Command::Kind::remove);
+  c.point = {};
+  c.thing = thing;
+  output.input.commands.push_back(c);
+  output.said.push_back(done_.size() == 1 ? "removed " + describe(sight.world, thing)
+                                          : "removed " + counted(done_.size(), "thing", "things"));
+}
+
+void ToolUse::join(const Sight& sight, ToolOutput& output) {
+  Command c = command(Command::Kind::join);
+  c.other = pick_held(sight, x_, y_);
+  if (!c.other || c.other == point_) return output.said.push_back("join: let go at another point");
+  output.input.commands.push_back(c);
+  output.said.push_back("joining");
+}
+
+}  // namespace pantin

@@ -1,0 +1,70 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "view/sight.hpp"
+#include "view/tools.hpp"
+
+namespace pantin {
+
+/// Where the use of tools puts what it does: commands for the coming step, and what to say of them.
+struct ToolOutput {
+  StepInput& input;
+  std::vector<std::string>& said;
+};
+
+/// What one hand does with a tool, from press to release.
+class ToolUse {
+ public:
+  void press(const Sight& sight, ToolChoice choice, std::int32_t hand, double x, double y, ToolOutput& output);
+  void move(const Sight& sight, double x, double y, ToolOutput& output);
+  /// Once for each picture in which it is down; `time` [s] since the last.
+  void hold(const Sight& sight, double time, ToolOutput& output);
+  void release(const Sight& sight, ToolOutput& output);
+  /// The hand is gone: it lets go, and does no more.
+  void cancel(ToolOutput& output);
+
+  bool active() const { return active_; }
+  /// Holds a point by dragging it.
+  bool holding() const { return active_ && choice_.kind == ToolKind::drag && point_; }
+  ToolChoice choice() const { return choice_; }
+  PointId point() const { return point_; }  ///< at which it began, or null
+  /// Where the hand is [m]: at the depth of what it began at.
+  Vec3 place(const Sight& sight, double x, double y) const;
+  /// Where it began to drag [m]: the point as it is now, or the place of the press.
+  Vec3 start(const Sight& sight) const;
+  /// Where it went last, for a swipe [px].
+  const std::vector<Vec3>& trail() const { return trail_; }
+  /// From the press to the cursor [m], along the picture.
+  Vec3 way(const Sight& sight) const;
+
+  /// What is made by a drag as it is now; its `points` and `place`.
+  Command making(const Sight& sight) const;
+  /// The impulse [N s] and the change of spin [rad/s] of a drag as it is now.
+  Vec3 impulse(const Sight& sight) const;
+  Vec3 turn(const Sight& sight) const;
+
+ private:
+  Command command(Command::Kind kind) const;
+  void grab(const Sight& sight, ToolOutput& output);
+  void nail(const Sight& sight, ToolOutput& output);
+  void cut(const Sight& sight, double x, double y, ToolOutput& output);
+  void remove(const Sight& sight, ToolOutput& output);
+  void join(const Sight& sight, ToolOutput& output);
+  bool is_click() const;
+
+  ToolChoice choice_;
+  std::int32_t hand_ = -1;
+  bool active_ = false;
+  double x0_ = 0.0, y0_ = 0.0, x_ = 0.0, y_ = 0.0;  // [px] of the press, and now
+  double depth_ = 0.0;                              // [m]
+  Vec3 offset_ = zero3();                           // [m] from the place under the pointer to the point
+  PointId point_;
+  std::vector<AnyId> done_;  // what it cut or removed
+  std::vector<Vec3> trail_;
+};
+
+/// Radius [m] of the ball that the tool "heat" reaches: a fifteenth of the picture's height, where the hand is.
+double heat_radius(const Sight& sight, double depth);
+
+}  // namespace pantin

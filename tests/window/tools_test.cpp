@@ -1,0 +1,291 @@
+// Tools in hands: each by presses, moves and releases of a pointer, as a person makes them.
+#include "view/tools.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "step.hpp"
+#include "view/player_input.hpp"
+#include "window/small_worlds.hpp"
+#include "world/edit.hpp"
+#include "world/measure.hpp"
+#include "world/query.hpp"
+
+using namespace pantin;
+using Catch::Contains;
+
+namespace {
+
+constexpr int width = 1280, height = 720;
+
+/// A chain of rods that is nailed at its first point, and hands before a picture of it.
+struct Bench {
+  World world;
+  std::vector<BodyId> rods;
+  Stage stage;
+  Camera camera;
+  std::int32_t hands = 0;
+  PlayerInput person{[this] { return hands++; }};
+  Gestures gestures;
+  std::vector<std::string> said;
+
+  explicit Bench(int links = 4) : rods(small_worlds::chain(world, links)) {
+    stage = find_stage(world);
+    camera = first_camera(stage, static_cast<double>(width) / height);
+  }
+  PointId head(int rod) const { return world.bodies[rods[static_cast<std::size_t>(rod)]].points[0]; }
+  PointId tail(int rod) const { return world.bodies[rods[static_cast<std::size_t>(rod)]].points[1]; }
+  Projected seen(Vec3 place) const { return camera.project(place, width, height).value(); }
+  Projected seen(PointId point) const { return seen(position(world, point)); }
+
+  void event(PointerEvent::Kind kind, Projected at, PointerId id) {
+    Pointer& pointer = gestures.pointers[id];
+    PointerEvent e;
+    e.kind = kind;
+    e.button = kind == PointerEvent::Kind::move ? PointerEvent::Button::none : PointerEvent::Button::left;
+    e.pointer = id;
+    e.dx = at.x - pointer.x;
+    e.dy = at.y - pointer.y;
+    e.x = pointer.x = at.x;
+    e.y = pointer.y = at.y;
+    if (kind != PointerEvent::Kind::move) pointer.left = kind == PointerEvent::Kind::press;
+    gestures.events.push_back(e);
+  }
+  void press(Projected at, PointerId id = 0) { event(PointerEvent::Kind::press, at, id); }
+  void move(Projected at, PointerId id = 0) { event(PointerEvent::Kind::move, at, id); }
+  void release(Projected at, PointerId id = 0) { event(PointerEvent::Kind::release, at, id); }
+  /// A frame of some steps.
+  void frame(int steps = 4) {
+    const Actions actions =
+        person.apply(gestures, {world, stage, width, height, false, 1.0 / 60.0, camera, world.input});
+    said = actions.said;
+    gestures.events.clear();
+    gestures.keys.clear();
+    for (int i = 0; i < steps; i++) step(world);
+  }
+  void choose(ToolKind kind, std::size_t variant = 0) { person.tool = {kind, variant}; }
+  void drag(Projected from, Projected to, PointerId id = 0) {
+    press(from, id);
+    move({0.5 * (from.x + to.x), 0.5 * (from.y + to.y)}, id);
+    move(to, id);
+    release(to, id);
+    frame(1);
+  }
+  void click(Projected at) {
+    press(at);
+    release(at);
+    frame(1);
+  }
+  std::string last_log() const { return world.log.empty() ? "" : world.log.back().text; }
+};
+
+}  // namespace
+
+TEST_CASE("tools are chosen by their keys, and a key pressed again takes the next variant", "[view]") {
+  ToolChoice choice;
+  for (const Tool& tool : tools()) {
+    CHECK(&tools()[static_cast<std::size_t>(tool.kind)] == &tool);
+    choice = {};
+    CHECK(choice.key(tool.key));
+    CHECK(choice.tool().name == std::string(tool.name));
+  }
+  choice = {ToolKind::make, 6};
+  CHECK(choice.key("8"));
+  CHECK(choice.variant == 0);
+  CHECK(choice.key("["));
+  CHECK(choice.kind == ToolKind::remove);
+  CHECK(choice.key("]"));
+  CHECK_FALSE(choice.key("q"));
+}
+
+TEST_CASE("a swipe cuts the hinges, nails, rods and connections that it crosses, and tells how many", "[view]") {
+  Bench bench(6);
+  bench.choose(ToolKind::cut);
+  const Projected a = bench.seen(bench.tail(1)), b = bench.seen(bench.tail(3));
+  bench.drag({a.x - 8, a.y}, {b.x + 8, b.y});
+  CHECK(hinges(bench.world).size() == 2);
+  CHECK_THAT(bench.said.back(), Contains("cut 3 hinges"));
+  const PointId far = bench.head(0), loose = bench.tail(5);
+  add_rod(bench.world, far, position(bench.world, far) + vec(0, -1, 0));
+  const Projected middle = bench.seen(position(bench.world, far) + vec(0, -0.5, 0));
+  bench.drag({middle.x - 30, middle.y}, {middle.x + 30, middle.y});
+  CHECK_THAT(bench.said.back(), Contains("cut 1 rod"));
+  bench.click(bench.seen(far));
+  CHECK_THAT(bench.said.back(), Contains("cut 1 nail"));
+  CHECK(bench.world.constraints.empty());
+  bench.click(bench.seen(loose));
+  CHECK(bench.said.empty());
+  CHECK(bench.last_log().empty());
+}
+
+TEST_CASE("join draws the point of the press to that of the release", "[view]") {
+  Bench bench(8);
+  bench.choose(ToolKind::join);
+  bench.drag(bench.seen(bench.tail(7)), bench.seen(bench.tail(2)));
+  const std::size_t before = hinges(bench.world).size();
+  for (int i = 0; i < 2000 && bench.world.points[bench.tail(7)].particle != bench.world.points[bench.tail(2)].particle;
+       i++)
+    step(bench.world);
+  CHECK(bench.world.points[bench.tail(7)].particle == bench.world.points[bench.tail(2)].particle);
+  CHECK(hinges(bench.world).size() == before);
+
+  Bench two(1);
+  two.choose(ToolKind::join);
+  two.drag(two.seen(two.head(0)), two.seen(two.tail(0)));
+  CHECK_THAT(two.last_log(), Contains("join by hand 1") && Contains("both points belong to"));
+  two.drag(two.seen(two.head(0)), {5, 5});
+  CHECK_THAT(two.said.back(), Contains("let go at another point"));
+  two.drag({5, 5}, two.seen(two.tail(0)));
+  CHECK_THAT(two.said.back(), Contains("begin at a point"));
+}
+
+TEST_CASE("nail holds a point, and pulls a nail out", "[view]") {
+  Bench bench;
+  bench.choose(ToolKind::nail);
+  bench.click(bench.seen(bench.tail(3)));
+  const Vec3 there = position(bench.world, bench.tail(3));
+  for (int i = 0; i < 100; i++) step(bench.world);
+  CHECK(norm(position(bench.world, bench.tail(3)) - there) < 1e-9);
+  bench.click(bench.seen(bench.tail(3)));
+  CHECK_THAT(bench.said.back(), Contains("pulled the nail out"));
+  CHECK(bench.world.constraints.ids().size() == 1);
+  bench.click({5, 5});
+  CHECK_THAT(bench.said.back(), Contains("there is no point"));
+}
+
+TEST_CASE("push and spin act by the length of the drag", "[view]") {
+  Bench bench(1);
+  remove(bench.world, bench.world.constraints.ids()[0]);
+  bench.world.settings.gravity = zero3();
+  const auto momentum_of = [&] { return momentum(bench.world, everything(bench.world)); };
+  const Projected at = bench.seen(bench.tail(0));
+  bench.choose(ToolKind::push);
+  bench.drag(at, {at.x + 50, at.y});
+  const Vec3 once = momentum_of();
+  CHECK(dot(once, bench.camera.right()) == Approx(norm(once)));
+  CHECK_THAT(bench.said.back(), Contains("pushed by"));
+  const Projected now = bench.seen(bench.tail(0));
+  bench.drag(now, {now.x + 100, now.y});
+  CHECK(norm(momentum_of()) == Approx(3 * norm(once)).epsilon(0.02));
+  bench.choose(ToolKind::spin);
+  const Vec3 before = angular_momentum(bench.world, bench.rods[0]);
+  const Projected here = bench.seen(bench.tail(0));
+  bench.drag(here, {here.x, here.y + 60});
+  CHECK(norm(angular_momentum(bench.world, bench.rods[0]) - before) > 1e-3);
+  bench.drag({5, 5}, {50, 50});
+  CHECK_THAT(bench.said.back(), Contains("nothing under the cursor"));
+}
+
+TEST_CASE("remove takes the thing under the cursor, and wipes over more", "[view]") {
+  Bench bench;
+  bench.choose(ToolKind::remove);
+  const auto middle = [&](std::size_t rod) { return bench.seen(bench.world.motion_of(bench.rods[rod]).x); };
+  bench.click(middle(2));
+  CHECK_FALSE(bench.world.bodies.alive(bench.rods[2]));
+  const Projected a = middle(0), b = middle(1);
+  bench.drag(a, b);
+  CHECK_FALSE(bench.world.bodies.alive(bench.rods[0]));
+  CHECK_FALSE(bench.world.bodies.alive(bench.rods[1]));
+  CHECK(bench.world.bodies.alive(bench.rods[3]));
+  CHECK_THAT(bench.said.back(), Contains("removed 2 things"));
+  bench.click({5, 5});
+  CHECK_THAT(bench.said.back(), Contains("nothing under the cursor"));
+}
+
+TEST_CASE("make makes rods that are hinged to what is under their ends, balls and polyhedra", "[view]") {
+  Bench bench;
+  const Projected end = bench.seen(bench.tail(3));
+  bench.choose(ToolKind::make);
+  bench.drag(end, {end.x, end.y + 120});
+  CHECK(hinges(bench.world).size() == 4);
+  CHECK(bench.world.bodies.ids().size() == 5);
+  bench.choose(ToolKind::make, 1);
+  bench.drag({100, 600}, {130, 600});
+  CHECK(bench.world.particles[particles(bench.world).back()].points.size() == 1);
+  const std::size_t corners[] = {4, 8, 6, 20, 12};
+  for (std::size_t i = 0; i < 5; i++) {
+    bench.choose(ToolKind::make, i + 2);
+    bench.drag({200, 200}, {230, 220});
+    const BodyId body = bench.world.bodies.ids().back();
+    CHECK(bench.world.bodies[body].points.size() == corners[i]);
+    CHECK_THAT(bench.said.back(), Contains(tools()[7].variants[i + 2]));
+    remove(bench.world, body);
+  }
+  bench.click({300, 200});
+  CHECK(bench.world.bodies.ids().size() == 6);
+  CHECK(bench.last_log().empty());
+}
+
+TEST_CASE("heat shakes what is under it and cool brings it to rest", "[view]") {
+  Bench bench;
+  bench.world.settings.gravity = zero3();
+  bench.choose(ToolKind::heat);
+  const Projected at = bench.seen(bench.tail(3));
+  bench.press(at);
+  for (int i = 0; i < 30; i++) bench.frame();
+  const double hot = energy(bench.world).kinetic;
+  CHECK(hot > 1e-4);
+  bench.release(bench.seen(bench.tail(3)));
+  bench.choose(ToolKind::heat, 1);
+  for (int i = 0; i < 240; i++) {
+    for (const int rod : {0, 1, 2, 3}) {
+      bench.press(bench.seen(bench.tail(rod)));
+      bench.frame(1);
+      bench.release(bench.seen(bench.tail(rod)));
+    }
+  }
+  CHECK(energy(bench.world).kinetic < 0.2 * hot);
+  CHECK(bench.world.failure.empty());
+  bench.press({5, 5});
+  bench.frame();
+  CHECK(bench.world.input.commands.empty());
+}
+
+TEST_CASE("two fingers pull at one chain, the same gestures give the same bits, and a lost finger lets go", "[view]") {
+  const auto play = [](double other) {
+    Bench bench(8);
+    const Projected a = bench.seen(bench.tail(7)), b = bench.seen(bench.tail(3));
+    bench.press(a, 1);
+    bench.press(b, 2);
+    bench.frame();
+    CHECK(bench.world.hands.size() == 2);
+    CHECK((bench.world.hands[0].grab && bench.world.hands[1].grab));
+    for (int i = 1; i <= 60; i++) {
+      bench.move({a.x - 2.0 * i, a.y - i}, 1);
+      bench.move({b.x + i, b.y - 2.0 * i + other}, 2);
+      bench.frame();
+    }
+    CHECK(bench.world.error.hinge_gap < 1e-9);
+    const std::uint64_t hash = state_hash(bench.world);
+    bench.gestures.pointers.erase(2);
+    bench.frame();
+    CHECK(bench.world.hands[0].grab);
+    CHECK_FALSE(bench.world.hands[1].grab);
+    return hash;
+  };
+  const std::uint64_t hash = play(0.0);
+  CHECK(play(0.0) == hash);
+  CHECK(play(0.5) != hash);
+}
+
+TEST_CASE("what a hand would do is marked, and changes nothing", "[view]") {
+  Bench bench;
+  const std::uint64_t hash = state_hash(bench.world);
+  const Sight sight{bench.world, bench.stage, bench.camera, width, height};
+  for (const Tool& tool : tools()) {
+    bench.choose(tool.kind);
+    bench.move(bench.seen(bench.tail(1)));
+    bench.move({200, 200}, 3);
+    bench.frame(0);
+    CHECK_FALSE(bench.person.marks(bench.gestures, sight, false).empty());
+  }
+  CHECK(state_hash(bench.world) == hash);
+  bench.choose(ToolKind::drag);
+  bench.press(bench.seen(bench.tail(3)));
+  bench.frame();
+  bench.move({bench.seen(bench.tail(3)).x, 100});
+  bench.frame();
+  bool told = false;
+  for (const Mark& mark : bench.person.marks(bench.gestures, sight, false))
+    told |= mark.kind == Mark::Kind::text && mark.text.find(" N of ") != mark.text.npos;
+  CHECK(told);
+}
