@@ -3,6 +3,7 @@
 #include "base/subnormals.hpp"
 #include "phases/phases.hpp"
 #include "world/integrator.hpp"
+#include "world/sleep.hpp"
 
 namespace pantin {
 
@@ -19,7 +20,7 @@ void step(World& world) {
     phases::find_articulates(world);
     phases::refresh_forces(world);
     if (!world.failure.empty()) return;
-    const std::uint32_t count = parts(world);
+    const std::uint32_t count = all_asleep(world) ? 0 : parts(world);
     for (std::uint32_t part = 0; part < count; part++) {
       begin_part(world, part);
       phases::half_kick(world);

@@ -9,6 +9,7 @@
 #include "world/forces.hpp"
 #include "world/measure.hpp"
 #include "world/query.hpp"
+#include "world/sleep.hpp"
 
 namespace pantin::lua {
 namespace {
@@ -78,6 +79,7 @@ void read_stats(const Self& self) {
   lua_newtable(self.state);
   set(self.state, "steps", self.world.steps);
   set(self.state, "articulates", std::uint64_t{self.world.articulates.size()});
+  set(self.state, "asleep", sleepers(self.world));
   set(self.state, "newton_iterations", s.newton_iterations);
   set(self.state, "worst_iterations", std::uint64_t{s.worst_iterations});
   set(self.state, "solves", s.solves);

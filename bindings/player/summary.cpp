@@ -5,6 +5,7 @@
 
 #include "world/forces.hpp"
 #include "world/measure.hpp"
+#include "world/sleep.hpp"
 
 namespace pantin::player {
 namespace {
@@ -22,6 +23,7 @@ Json ns_per_phase(const World& world) {
 Json stats(const World& world) {
   const Stats& s = world.stats;
   return {{"articulates", world.articulates.size()},
+          {"asleep", sleepers(world)},
           {"bodies", world.bodies.size()},
           {"constraints", world.constraints.size()},
           {"newton_iterations", s.newton_iterations},

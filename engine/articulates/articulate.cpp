@@ -55,6 +55,7 @@ void begin_report(Articulate& a) {
 }
 
 void disturb(Articulate& a) {
+  wake(a);
   a.edited = true;
   a.last_h = a.carried_h = 0.0;
 }

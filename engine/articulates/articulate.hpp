@@ -15,6 +15,7 @@
 #include "articulates/batch.hpp"
 #include "articulates/factor.hpp"
 #include "articulates/forecast.hpp"
+#include "articulates/rest.hpp"
 #include "model/model.hpp"
 
 namespace pantin {
@@ -151,7 +152,8 @@ struct Gaps {
 struct DriftReport {
   std::uint32_t iterations = 0, factorisations = 0, halved = 0, safe = 0, projections = 0, offsets = 0;
   bool unreached = false;   // the wanted accuracy
-  double open_work = 0.0;   // [J] of solved laws without energy, and what the end of the step swallowed
+  double open_work = 0.0;   // [J] of solved laws without energy that do not depend on velocities
+  double damped = 0.0;      // [J] of those that do, and what the end of the step swallowed
   double work = 0.0;        // [J] of the world ends, changing lengths, pushes and twists
   double motor = 0.0;       // [J] of motors, and of turns and angles that follow a function of time
   double limit = 0.0;       // [J] of limits, and of all rows where one is struck
@@ -234,6 +236,7 @@ struct Articulate {
   std::uint64_t serial = 0;      // smallest of its things
   DriftReport report;            // of the last phase
   NodeTotals totals;             // at the end of the last step
+  Rest rest;
 };
 
 /// Whether a row forbids no motion, and only pulls.
@@ -258,6 +261,8 @@ void load(Articulate& articulate, const Model& model, Vec3 gravity);
 void load(Node& node, const Model& model, Vec3 gravity);
 /// After an edit of velocities: the unknowns have no history, and the velocities are to be made consistent.
 void disturb(Articulate& articulate);
+/// It moves again, or is not to fall asleep before its motion was looked at anew.
+inline void wake(Articulate& articulate) { articulate.rest = {}; }
 /// Empties what a drift tells: `report`, and what the energies of solved laws gave.
 void begin_report(Articulate& articulate);
 /// Writes the nodes' starts and the rows' forces back.

@@ -193,6 +193,8 @@ void find_articulates(Model& model, std::vector<std::unique_ptr<Articulate>>& ar
   for (std::int32_t i : model.disturbed) disturb(*articulates[static_cast<std::size_t>(i)]);
   model.disturbed.clear();
   if (!model.topology_changed) return;
+  for (const Touched& t : model.touched)
+    if (t.articulate >= 0) wake(*articulates[static_cast<std::size_t>(t.articulate)]);
   const std::vector<char> changed = changed_articulates(model, articulates);
   std::vector<Thing> things = things_to_gather(model, articulates, changed);
   model.touched.clear();

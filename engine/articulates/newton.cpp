@@ -248,7 +248,8 @@ void add_unsolved_work(const Articulate& a, double h, DriftReport& report) {
       continue;
     }
     const Vec3 d0 = start(r.a, r.la) - (r.b >= 0 ? start(r.b, r.lb) : condition(a, r).place0);
-    report.unsolved += dot(r.f, r.d1 - d0);
+    const Vec3 drawn = r.kind == RowKind::drawn ? condition(a, r).place1 - condition(a, r).place0 : zero3();
+    report.unsolved += dot(r.f, r.d1 - d0 - drawn);
   }
   for (std::size_t i = 0; i < a.nodes.size(); i++) {
     const Node &n = a.nodes[i], &start_of = a.saved[i];
@@ -262,7 +263,7 @@ void add_work_of_rows(Articulate& a, DriftReport& report) {
   for (Condition& c : a.conditions) {
     const Row& r = row(a, c);
     if (c.stiff) {
-      report.open_work += c.stiff->settle(r, c.given);
+      (c.stiff->is_damped() ? report.damped : report.open_work) += c.stiff->settle(r, c.given);
       continue;
     }
     if ((r.b < 0 || r.kind == RowKind::drawn) && r.lever == 0.0) report.work += dot(r.f, c.place1 - c.place0);

@@ -123,6 +123,11 @@ bool StiffTie::is_open() const {
          std::any_of(curves.begin(), curves.end(), [](const PairCurve& curve) { return !curve.has_energy(); });
 }
 
+bool StiffTie::is_damped() const {
+  return solve == Solve::at_end ||
+         std::any_of(curves.begin(), curves.end(), [](const PairCurve& curve) { return curve.is_moving(); });
+}
+
 double StiffTie::settle(const Row& row, std::vector<double>& given) const {
   const Vec3 way = row.d1 - row.d0, e = solve == Solve::at_middle ? row.d0 + row.d1 : row.d1;
   double open = 0.0, rest = dot(row.f, way);

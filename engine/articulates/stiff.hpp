@@ -19,6 +19,8 @@ struct StiffTie {
 
   /// Whether it takes energy or gives it.
   bool is_open() const;
+  /// Whether it takes energy by its nature: it depends on velocities, or swallows at the end of the step.
+  bool is_damped() const;
   /// Once a step is solved: adds what the curves' energies gave to the motion to `given` (curves) [J], and returns the work
   /// of laws without energy and what the end of the step swallowed, [J].
   double settle(const Row& row, std::vector<double>& given) const;

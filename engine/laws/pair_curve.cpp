@@ -1,6 +1,8 @@
 #include "laws/pair_curve.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "laws/derivative.hpp"
 #include "laws/kernels.hpp"
@@ -36,14 +38,17 @@ PairCurve::PairCurve(const Law& law)
     if (place < 0 || input == of_distance2 || input == of_approach) continue;
     inputs_.push_back(input);
     places_.push_back(place);
+    values_.push_back(std::numeric_limits<double>::quiet_NaN());
   }
   distance2_ = machine_.input(of_distance2);
   approach_ = machine_.input(of_approach);
 }
 
-void PairCurve::set(std::size_t input, double value) {
+bool PairCurve::set(std::size_t input, double value) {
+  if (std::exchange(values_[input], value) == value) return false;
   machine_.fill(places_[input], value);
   changed_ = true;
+  return true;
 }
 
 void PairCurve::run(int n, const double* distance2, double approach) {

@@ -25,9 +25,10 @@ class PairCurve {
   explicit PairCurve(const Law& law);
 
   bool has_energy() const { return has_energy_; }
+  bool is_moving() const { return approach_ >= 0; }  ///< depends on how fast the distance changes
   /// Attributes, parameters and time that the law reads; to be set before `run`.
   std::span<const Input> inputs() const { return inputs_; }
-  void set(std::size_t input, double value);
+  bool set(std::size_t input, double value);  ///< whether it was another
 
   /// Of n <= most pairs, at distance² [m²] > 0 and approach [m²/s].
   void run(int n, const double* distance2, double approach);
@@ -37,7 +38,8 @@ class PairCurve {
   bool has_energy_;
   Machine machine_;
   std::vector<Input> inputs_;
-  std::vector<int> places_;  // (inputs) in the machine
+  std::vector<int> places_;     // (inputs) in the machine
+  std::vector<double> values_;  // (inputs) last set; NaN: never
   int distance2_, approach_;
   bool changed_ = true;
 };

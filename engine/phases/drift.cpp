@@ -76,6 +76,7 @@ void drift_bodies(World& world, Move move) {
 void post_work(World& world, const DriftReport& report) {
   post(world, Source::hand, report.work);
   post(world, Source::motor, report.motor);
+  post(world, Source::damper, report.damped);
   post(world, Source::limit, report.limit);
 }
 
@@ -146,11 +147,13 @@ void tell_open(World& world, Articulate& a) {
 template <class Move>
 void drift_articulates(World& world, Move move) {
   share_articulates(world, [&](Articulate& articulate, int worker) {
+    if (articulate.rest.asleep) return;
     if (world.part.index == 0) load(articulate, world, world.settings.gravity);
     begin_report(articulate);
     move(articulate, worker);
   });
   for (const auto& articulate : world.articulates) {
+    if (articulate->rest.asleep) continue;
     if (world.part.index + 1 == parts(world)) tell_open(world, *articulate);
     tell_tensions(*articulate, world);
     post_solved_laws(world, *articulate);
@@ -185,6 +188,7 @@ void project_articulates(World& world) {
   double returned = 0.0;
   share_articulates(world, [&](Articulate& articulate, int) {
     articulate.report = {};
+    if (articulate.rest.asleep) return;
     pantin::project_velocities(articulate, settings, articulate.report);
   });
   for (const auto& articulate : world.articulates) {

@@ -4,6 +4,7 @@
 #include "phases/phases.hpp"
 #include "phases/share.hpp"
 #include "world/forces.hpp"
+#include "world/sleep.hpp"
 
 namespace pantin::phases {
 
@@ -128,14 +129,19 @@ void end_step(World& world) {
   const Timed timed(world.profile, Phase::end_step);
   const double time = next_time(world);
   const OfLoosePoints points = measure_loose_points(world);
-  share_articulates(world, [](Articulate& articulate, int) { articulate.totals = totals_of(articulate); });
+  share_articulates(world, [](Articulate& articulate, int) {
+    if (!articulate.rest.asleep) articulate.totals = totals_of(articulate);
+  });
   if (const std::string bad = undo_what_went_bad(world, points, time); !bad.empty()) {
     world.failure =
         text(bad, "; the scene is stopped at its last good state", world.trouble.empty() ? last_act(world) : "");
     log_line(world, "failure", world.failure);
     return;
   }
-  share_articulates(world, [&](Articulate& articulate, int) { store(articulate, world); });
+  share_articulates(world, [&](Articulate& articulate, int) {
+    if (!articulate.rest.asleep) store(articulate, world);
+  });
+  fall_asleep(world);
   world.time = time;
   world.step_count++;
   world.steps++;

@@ -2,6 +2,7 @@
 
 #include "phases/phases.hpp"
 #include "world/integrator.hpp"
+#include "world/sleep.hpp"
 
 namespace pantin::phases {
 
@@ -24,11 +25,13 @@ void refresh_forces(World& world) {
   try {
     if (world.unchecked) require_integrator_fits(world);
     world.unchecked = false;
+    const bool anew = world.influences_changed || !acting_now(world);
     pantin::refresh_forces(world);
     while (world.influences_changed) {  // connections were found too stiff
       find_articulates(world);
       pantin::refresh_forces(world);
     }
+    if (anew) wake_pulled(world);
   } catch (const Error& error) {
     world.failure = error.what();
     log_line(world, "failure", world.failure);

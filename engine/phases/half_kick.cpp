@@ -5,6 +5,7 @@
 #include "world/forces.hpp"
 #include "world/integrator.hpp"
 #include "world/kick_error.hpp"
+#include "world/sleep.hpp"
 
 namespace pantin::phases {
 
@@ -52,6 +53,7 @@ void half_kick_to_end(World& world) {
   if (!rule_of(world).kicks || (world.loose_points.empty() && !world.forces)) return;
   const Timed timed(world.profile, Phase::half_kick_to_end);
   const double half = 0.5 * world.part.h;
+  wake_pulled(world, half);
   if (world.settings.accuracy) choose_sub_steps(world);
   const LedgerMark before = ledger_mark(world, true);
   kick_loose_points(world, half);

@@ -25,18 +25,25 @@ void find_accelerations(World& world) {
 
 /// Work of pushes and laws over dt [s] at the present velocities [J].
 void post_work(World& world, double dt) {
-  double open = 0.0;
+  double open = 0.0, damper = 0.0;
   const Forces* f = world.forces.get();
   if (f && f->open)
     for (std::size_t i = 0; i < f->sites.n; i++)
-      if (f->point[i] != Forces::none) open += dot(f->sites.open_force[i], world.free_motion[f->point[i]].v);
+      if (f->point[i] != Forces::none) {
+        const Vec3 damping = damping_of(*f, i), v = world.free_motion[f->point[i]].v;
+        damper += dot(damping, v);
+        open += dot(f->sites.open_force[i] - damping, v);
+      }
   if (f)
-    for (const Mover& m : f->movers)
-      open += dot(m.open_force, world.motion[m.slot].p / world.motion[m.slot].mass) +
-              dot(m.open_torque, angular_velocity(world.motion[m.slot]));
+    for (const Mover& m : f->movers) {
+      const Vec3 v = world.motion[m.slot].p / world.motion[m.slot].mass, spin = angular_velocity(world.motion[m.slot]);
+      damper += dot(m.damper_force, v) + dot(m.damper_torque, spin);
+      open += dot(m.open_force - m.damper_force, v) + dot(m.open_torque - m.damper_torque, spin);
+    }
   world.open_work += open * dt;
   world.work += open * dt;
   world.ledger.posted += std::fabs(open * dt);
+  post(world, Source::damper, damper * dt);
   post_present_laws(world, dt);
   if (!world.pushed) return;
   double pushed = 0.0;

@@ -26,7 +26,7 @@ void share_articulates(World& world, F&& f) {
   constexpr std::size_t enough_rows = 64;  // some 20 us of work: a thread is slow to wake
   std::size_t rows = 0;
   if (world.workers->count() > 1)
-    for (const auto& articulate : world.articulates) rows += articulate->rows.size();
+    for (const auto& articulate : world.articulates) rows += articulate->rest.asleep ? 0 : articulate->rows.size();
   const std::size_t count = world.articulates.size();
   const std::size_t enough = rows < 2 * enough_rows ? count : std::max<std::size_t>(1, count * enough_rows / rows);
   share_blocks(world, count, std::max<std::size_t>(1, enough), [&](std::size_t first, std::size_t last, int worker) {

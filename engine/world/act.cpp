@@ -1,5 +1,6 @@
 #include "world/edit.hpp"
 #include "world/editing.hpp"
+#include "world/sleep.hpp"
 
 namespace pantin {
 
@@ -14,6 +15,7 @@ void push(World& world, BodyId body, Vec3 force, std::optional<Vec3> at) {
   force = world.plane.along(force);
   m.force += force;
   world.pushed = true;
+  wake(world, body);
   if (at) m.torque += rotate(m.q, turning_part(m, cross(*at - m.x, force)));
 }
 
@@ -44,6 +46,7 @@ void twist(World& world, BodyId body, Vec3 torque) {
   acted(world);
   m.torque += world.plane.about(torque);
   world.pushed = true;
+  wake(world, body);
 }
 
 void push(World& world, PointId id, Vec3 force) {
@@ -54,6 +57,7 @@ void push(World& world, PointId id, Vec3 force) {
   acted(world);
   point.force += world.plane.along(force);
   world.pushed = true;
+  wake(world, id);
 }
 
 void kick(World& world, PointId id, Vec3 impulse) {

@@ -6,6 +6,7 @@
 #include "world/integrator.hpp"
 #include "world/life.hpp"
 #include "world/measure.hpp"
+#include "world/sleep.hpp"
 
 namespace pantin {
 
@@ -169,6 +170,7 @@ void set_gravity(World& world, Vec3 gravity) {
   acted(world);
   const double before = energy(world).potential;
   world.settings.gravity = world.plane.along(gravity);
+  wake_all(world);
   post(world, energy(world).potential - before);
 }
 

@@ -4,6 +4,7 @@
 #include "world/constrain.hpp"
 #include "world/deviation.hpp"
 #include "world/editing.hpp"
+#include "world/sleep.hpp"
 
 namespace pantin {
 
@@ -58,6 +59,7 @@ Constraint& of_kinds(World& world, ConstraintId id, std::initializer_list<Constr
   require_unlocked(world, call);
   Constraint& c = world.constraints[id];
   require(std::find(kinds.begin(), kinds.end(), c.kind) != kinds.end(), call, ": ", describe(world, id), " has none");
+  wake(world, c);
   return c;
 }
 

@@ -84,13 +84,19 @@ namespace {
 
 void collect(const World& world, Forces& f) {
   keep_in_plane(world.plane, f.sites);
-  for (Mover& m : f.movers) m.force = m.torque = m.open_force = m.open_torque = zero3();
+  for (Mover& m : f.movers) {
+    m.force = m.torque = m.open_force = m.open_torque = zero3();
+    m.damper_force = m.damper_torque = zero3();
+  }
   for (const Attached& a : f.attached) {
     Mover& m = f.movers[a.mover];
     m.force += f.sites.force[a.site];
     m.torque += world.plane.about(cross(a.r, f.sites.force[a.site]));
     m.open_force += f.sites.open_force[a.site];
     m.open_torque += world.plane.about(cross(a.r, f.sites.open_force[a.site]));
+    const Vec3 damping = world.plane.along(damping_of(f, a.site));
+    m.damper_force += damping;
+    m.damper_torque += world.plane.about(cross(a.r, damping));
   }
 }
 

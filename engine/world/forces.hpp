@@ -23,14 +23,15 @@ namespace pantin {
 struct Mover {
   std::uint32_t slot = 0;  ///< of Model::bodies or points
   bool is_body = true;
-  std::int32_t articulate = -1;                        ///< index, or -1
-  std::uint32_t node = 0;                              ///< of the articulate
-  bool pulled = false;                                 ///< by laws that are not solved with the articulate
-  Vec3 force = zero3(), torque = zero3();              ///< [N], [N m] of laws with energy; world axes, about the centre
-  Vec3 open_force = zero3(), open_torque = zero3();    ///< of those without
-  Vec3 start_p = zero3(), start_P = zero3();           ///< momenta at the start of the step
-  Vec3 noted_force = zero3(), noted_torque = zero3();  ///< before the part of the step that is being done
-  Vec3 half_p = zero3(), half_P = zero3();             ///< momenta before the kick that is being swept
+  std::int32_t articulate = -1;                      ///< index, or -1
+  std::uint32_t node = 0;                            ///< of the articulate
+  bool pulled = false;                               ///< by laws that are not solved with the articulate
+  Vec3 force = zero3(), torque = zero3();            ///< [N], [N m] of laws with energy; world axes, about the centre
+  Vec3 open_force = zero3(), open_torque = zero3();  ///< of those without
+  Vec3 damper_force = zero3(), damper_torque = zero3();  ///< of these, of those that depend on velocities
+  Vec3 start_p = zero3(), start_P = zero3();             ///< momenta at the start of the step
+  Vec3 noted_force = zero3(), noted_torque = zero3();    ///< before the part of the step that is being done
+  Vec3 half_p = zero3(), half_P = zero3();               ///< momenta before the kick that is being swept
 };
 
 /// A site on a mover.
@@ -87,6 +88,7 @@ struct Forces {
   bool rows = false;           ///< some interaction keeps rows
   bool moving = false;         ///< some law depends on velocities
   bool open = false;           ///< some law is without energy
+  bool open_still = false;     ///< of these some does not depend on velocities
   bool everybody = false;      ///< some law acts on all particles
   std::vector<char> families;  ///< (slots of families) whether some law acts on all of it
   std::vector<char> followed;  ///< (names of attributes) whether it follows the age of some site
@@ -102,6 +104,12 @@ struct Forces {
   std::vector<std::uint32_t> gone;  ///< sites of these
   std::uint64_t settled_in = 0;     ///< the last step, counted from 1, that began with such changes
 };
+
+/// Of the open force on a site that of laws that depend on velocities [N].
+inline Vec3 damping_of(const Forces& f, std::size_t site) {
+  if (!f.moving) return zero3();
+  return f.open_still ? f.sites.open_force[site] - f.still[site] : f.sites.open_force[site];
+}
 
 /// Whether the laws at work are those of the present rows: not where an edit waits for the next step.
 bool acting_now(const World& world);
@@ -125,11 +133,15 @@ void take_back_kick(World& world);
 /// The same at the end of a step: laws that depend on velocities see those at its end (trapezoidal rule).
 void kick_to_end(World& world, double half);
 
+/// Gives the movers of articulates that wake in a part of a step what its first half kick over `half` [s] and its drift
+/// make of what rests in the pulls that they slept in: (articulates) whether it wakes.
+void kick_from_rest(World& world, const std::vector<char>& woken, double half);
+
 /// What laws have given to the motion since the start, by their names.
 struct LawLedger {
   std::map<std::string, double> given;      ///< [J] by laws with energy: what their energy has fallen by
   std::vector<std::string> without_energy;  ///< names of laws at work that have none, sorted
-  double open = 0.0;                        ///< [J] all their work
+  double open = 0.0;                        ///< [J] work of those that do not depend on velocities
 };
 LawLedger law_ledger(const World& world);
 

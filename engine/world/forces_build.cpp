@@ -260,6 +260,7 @@ std::unique_ptr<Forces> build_forces(const World& world) {
       if (input.role == Role::attribute) forces->sites.names.push_back(input.name);
     forces->moving = forces->moving || law.moving;
     forces->open = forces->open || !law.has_energy();
+    forces->open_still = forces->open_still || !(law.has_energy() || law.moving);
   });
   std::vector<std::string>& names = forces->sites.names;
   std::sort(names.begin(), names.end());

@@ -4,6 +4,7 @@
 #include "world/constrain.hpp"
 #include "world/deviation.hpp"
 #include "world/editing.hpp"
+#include "world/sleep.hpp"
 
 namespace pantin {
 
@@ -130,6 +131,7 @@ void set_normal(World& world, ConstraintId id, Vec3 normal) {
   Constraint& c = world.constraints[id];
   require(c.kind == ConstraintKind::on_plane, "normal: ", describe(world, id), " has none");
   require_in_plane(world, "on_plane", "normal", unit_normal(normal), "");
+  wake(world, c);
   c.axis_a = unit_normal(normal);
   start_constraint(world, c);
 }

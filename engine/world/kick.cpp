@@ -37,6 +37,10 @@ struct Momenta {
   }
 };
 
+bool sleeps(const World& world, const Mover& m) {
+  return m.articulate >= 0 && world.articulates[static_cast<std::size_t>(m.articulate)]->rest.asleep;
+}
+
 Momenta momenta_of(World& world, const Mover& m, bool drifted) {
   Momenta s;
   if (m.is_body) {
@@ -61,8 +65,14 @@ Momenta momenta_of(World& world, const Mover& m, bool drifted) {
   return s;
 }
 
-double kick_points(World& world, Forces& f, double half) {
-  double work = 0.0;
+/// Work of laws without energy [J].
+struct OpenWork {
+  double damper = 0.0;  // of those that depend on velocities
+  double rest = 0.0;
+};
+
+OpenWork kick_points(World& world, Forces& f, double half) {
+  OpenWork work;
   FreeMotion* motion = world.free_motion.data();
   for (std::size_t i = 0; i < f.sites.n; i++) {
     if (f.point[i] == none) continue;
@@ -72,27 +82,33 @@ double kick_points(World& world, Forces& f, double half) {
       continue;
     }
     const Vec3 open = f.sites.open_force[i], change = (f.sites.force[i] + open) * (f.inverse_mass[i] * half);
-    work += dot(open, v + change * 0.5) * half;
+    const Vec3 damping = damping_of(f, i), mean = v + change * 0.5;
+    work.damper += dot(damping, mean) * half;
+    work.rest += dot(open - damping, mean) * half;
     v += change;
   }
   return work;
 }
 
-double kick_movers(World& world, Forces& f, double half, bool drifted) {
-  double work = 0.0;
+OpenWork kick_movers(World& world, Forces& f, double half, bool drifted) {
+  OpenWork work;
   for (const Mover& m : f.movers) {
+    if (sleeps(world, m)) continue;
     Momenta s = momenta_of(world, m, drifted);
     const Vec3 v = s.velocity(), spin = s.spin();
     s.add((m.force + m.open_force) * half, (m.torque + m.open_torque) * half);
-    work += (dot(m.open_force, v + s.velocity()) + dot(m.open_torque, spin + s.spin())) * (0.5 * half);
+    const Vec3 moved = (v + s.velocity()) * (0.5 * half), turned = (spin + s.spin()) * (0.5 * half);
+    work.damper += dot(m.damper_force, moved) + dot(m.damper_torque, turned);
+    work.rest += dot(m.open_force - m.damper_force, moved) + dot(m.open_torque - m.damper_torque, turned);
   }
   return work;
 }
 
-void post_open(World& world, double work) {
-  world.work += work;
-  world.open_work += work;
-  world.ledger.posted += std::fabs(work);
+void post_open(World& world, const OpenWork& work) {
+  world.work += work.rest;
+  world.open_work += work.rest;
+  world.ledger.posted += std::fabs(work.rest);
+  post(world, Source::damper, work.damper);
 }
 
 /// Velocities of the sites' places, [m/s] (sites); none where the ledger is not kept.
@@ -196,8 +212,27 @@ void kick(World& world, double half) {
     m.start_P = s.P ? *s.P : zero3();
   }
   const AlignedVector<Vec3> before = site_velocities(world, f, drifted);
-  post_open(world, kick_points(world, f, half) + kick_movers(world, f, half, drifted));
+  post_open(world, kick_points(world, f, half));
+  post_open(world, kick_movers(world, f, half, drifted));
   post_laws(world, f, before, drifted, half);
+}
+
+void kick_from_rest(World& world, const std::vector<char>& woken, double half) {
+  double given = 0.0;
+  OpenWork open;
+  for (const Mover& m : world.forces->movers) {
+    if (m.articulate < 0 || !woken[static_cast<std::size_t>(m.articulate)]) continue;
+    const NodePull& pull = world.articulates[static_cast<std::size_t>(m.articulate)]->rest.pulls[m.node];
+    const Vec3 force = pull.force + pull.open_force, torque = pull.torque + pull.open_torque;
+    Momenta s = momenta_of(world, m, true);
+    s.add(force * half, torque * half);
+    given += (dot(pull.force, s.velocity()) + dot(pull.torque, s.spin())) * (0.5 * half);
+    open.rest += (dot(pull.open_force, s.velocity()) + dot(pull.open_torque, s.spin())) * (0.5 * half);
+    s.add(force * (-2.0 * half), torque * (-2.0 * half));  // the drift turns what the rows forbid
+  }
+  post_open(world, open);
+  world.ledger.laws += given;
+  world.ledger.posted += std::fabs(given);
 }
 
 void post_present_laws(World& world, double dt) {
@@ -228,7 +263,8 @@ void kick_to_end(World& world, double half) {
     restore(world, f);
   }
   const AlignedVector<Vec3> before = site_velocities(world, f, true);
-  post_open(world, kick_points(world, f, half) + kick_movers(world, f, half, true));
+  post_open(world, kick_points(world, f, half));
+  post_open(world, kick_movers(world, f, half, true));
   post_laws(world, f, before, true, half);
 }
 

@@ -16,7 +16,7 @@ struct DriftReport;
 /// hand: hands, follows, moving anchors and lengths, pushes on what is tied. motor: also turns and angles that follow a
 /// function of time. limit: also all that ties what strikes one. event: kicks, pushes on what is loose. merge: what
 /// bodies and particles lose that become one body. law: parameters, connections made and removed, attributes that follow
-/// an age. safe_step: what safe steps take. unsolved: forces on what Newton's iteration leaves open, within its
+/// an age. damper: laws that depend on velocities, and what springs swallow that are solved at the end of the step. sleep: what articulates still had that fall asleep. safe_step: what safe steps take. unsolved: forces on what Newton's iteration leaves open, within its
 /// tolerance. integrator: what drifts of "euler" and "rk4" change that no force explains.
 enum class Source : std::uint8_t {
   hand,
@@ -27,16 +27,18 @@ enum class Source : std::uint8_t {
   merge,
   emitter,
   removal,
+  damper,
   law,
+  sleep,
   projection,
   energy_return,
   safe_step,
   unsolved,
   integrator
 };
-inline constexpr std::array<std::string_view, 14> source_names = {
-    "hand",    "motor",    "limit",      "event",         "edit",      "merge",    "emitter",
-    "removal", "law_edit", "projection", "energy_return", "safe_step", "unsolved", "integrator"};
+inline constexpr std::array<std::string_view, 16> source_names = {
+    "hand",   "motor",    "limit", "event",      "edit",          "merge",     "emitter",  "removal",
+    "damper", "law_edit", "sleep", "projection", "energy_return", "safe_step", "unsolved", "integrator"};
 
 struct Ledger {
   std::array<double, source_names.size()> given{};  ///< [J] since the start; the last five since it is kept

@@ -109,7 +109,8 @@ std::vector<std::uint32_t> change_members(const World& world, Forces& f) {
 bool are_apart(const World& world, const Forces& f) {
   const auto of_group = [&](const ActingField& acting) { return static_cast<bool>(world.fields[acting.id].group); };
   const auto follows = [](char followed) { return followed != 0; };
-  return f.interactions.empty() && std::none_of(f.fields.begin(), f.fields.end(), of_group) &&
+  return f.interactions.empty() && !(f.moving && f.open_still) &&
+         std::none_of(f.fields.begin(), f.fields.end(), of_group) &&
          std::none_of(f.followed.begin(), f.followed.end(), follows) &&
          std::find(f.sites.names.begin(), f.sites.names.end(), "age") == f.sites.names.end();
 }

@@ -75,7 +75,9 @@ void restore(World& world, const Snapshot& snapshot) {
     world.articulates.push_back(std::make_unique<Articulate>(articulate));
   world.forces = held.forces ? std::make_unique<Forces>(*held.forces) : nullptr;
   const bool found_anew = world.topology_changed || world.influences_changed;
-  if (!found_anew) set_solved_inputs(world, false);  // copies of solved connections share what this sets
+  if (found_anew) return;
+  set_solved_inputs(world, false);  // copies of solved connections share what this sets, which wakes
+  for (std::size_t i = 0; i < held.articulates.size(); i++) world.articulates[i]->rest = held.articulates[i].rest;
 }
 
 }  // namespace pantin

@@ -38,6 +38,7 @@ void set_solved_inputs(World& world, bool only_changing) {
   for (const auto& articulate : world.articulates)
     for (Condition& condition : articulate->conditions) {
       if (!condition.stiff) continue;
+      bool changed = false;
       StiffTie& tie = *condition.stiff;
       const Connection& c = world.connections[tie.connection];
       std::shared_ptr<const Law> law = c.law;
@@ -48,16 +49,17 @@ void set_solved_inputs(World& world, bool only_changing) {
           if (input.role == Role::parameter && !only_changing) {
             const auto named = [&](const Parameter& p) { return p.name == input.name; };
             const auto found = std::find_if(law->parameters.begin(), law->parameters.end(), named);
-            curve.set(i, parameters[static_cast<std::size_t>(found - law->parameters.begin())]);
+            changed |= curve.set(i, parameters[static_cast<std::size_t>(found - law->parameters.begin())]);
           } else if (input.role == Role::time) {
-            curve.set(i, 0.5 * (world.time + next_time(world)));
+            changed |= curve.set(i, 0.5 * (world.time + next_time(world)));
           } else if (input.role == Role::attribute) {
             const ParticleId end = c.particles[input.who];
-            curve.set(i, end ? attribute(world, end, input.name).value_or(0.0) : 0.0);
+            changed |= curve.set(i, end ? attribute(world, end, input.name).value_or(0.0) : 0.0);
           }
         }
         law = law->also;
       }
+      if (changed) wake(*articulate);
     }
 }
 

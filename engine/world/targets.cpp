@@ -2,6 +2,7 @@
 #include "base/functions.hpp"
 #include "world/editing.hpp"
 #include "world/hands.hpp"
+#include "world/sleep.hpp"
 
 namespace pantin {
 
@@ -89,6 +90,17 @@ void move_attitude(const World& world, ConstraintId id, Constraint& c, double ti
   c.previous_spin = mean;
 }
 
+/// Whether what it keeps is at the end of this step other than at its start, or was in the last.
+bool moves(const Constraint& c) {
+  const auto differ = [](Vec3 a, Vec3 b) { return norm2(a - b) > 0.0; };
+  const Quat p = c.turn, q = c.previous_turn;
+  return (c.kind == ConstraintKind::follow && (differ(c.place, c.previous) || norm2(c.velocity) > 0.0)) ||
+         ((c.number || c.by_speed) && (c.length != c.previous_length || c.length_rate != 0.0)) ||
+         (c.attitude && (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z || norm2(c.spin) > 0.0)) ||
+         norm2(c.away) + norm2(c.previous_away) + norm2(c.away_rate) > 0.0 || c.excess != 0.0 ||
+         c.previous_excess != 0.0 || c.excess_rate != 0.0;
+}
+
 }  // namespace
 
 void sample_targets(World& world) {
@@ -103,6 +115,7 @@ void sample_targets(World& world) {
     if (c.number || c.by_speed) move_length(world, id, c, time, h);
     if (c.attitude) move_attitude(world, id, c, time, h);
     draw_in(world, c, h);
+    if (moves(c)) wake(world, c);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "world/deviation.hpp"
 #include "world/edit.hpp"
 #include "world/editing.hpp"
+#include "world/sleep.hpp"
 
 namespace pantin {
 
@@ -29,6 +30,7 @@ Constraint& of_kind(World& world, ConstraintId id, ConstraintKind kind, const ch
   require_unlocked(world, call);
   Constraint& c = world.constraints[id];
   require(c.kind == kind, call, ": ", describe(world, id), " has none");
+  wake(world, c);
   return c;
 }
 
@@ -138,6 +140,7 @@ void set_place(World& world, ConstraintId id, Vec3 place) {
     touch(world, c);
   }
   if (c.kind != ConstraintKind::on_plane) require_height(world, who, "place", place, c.place);
+  wake(world, c);
   c.target = nullptr;
   c.place = place;
   start_constraint(world, c);

@@ -139,7 +139,7 @@ struct WorldData : Model {
   std::map<std::string, double> given_by_laws;  ///< [J] since the start, up to when the laws at work began to act
   bool stiffness_unknown = true;                ///< an edit may have made connections too stiff for explicit steps
   Ledger ledger;
-  double open_work = 0.0;  ///< [J] done by laws without energy; part of `work`
+  double open_work = 0.0;  ///< [J] done by laws without energy that do not depend on velocities; part of `work`
 
   Stats stats;
   Accuracy error;                ///< at the end of the last step

@@ -56,7 +56,7 @@ function quat_methods:inverse() end
 ---@class Ledger
 ---@field laws table<string, number> [J] given to the motion by each law with energy
 ---@field without_energy string[] names of the laws at work that have no energy
----@field open number [J] work of all of those
+---@field open number [J] work of those of them that do not depend on velocities
 ---@field hand number [J] by hands, follows, moving anchors and lengths, and pushes on what is tied
 ---@field motor number [J] by motors, and turns and angles that follow a function of time
 ---@field limit number [J] by limits, and by all that ties what strikes one
@@ -65,7 +65,9 @@ function quat_methods:inverse() end
 ---@field merge number [J] lost by what became one body
 ---@field emitter number [J] by particles that emitters made
 ---@field removal number [J] by things removed
+---@field damper number [J] by laws that depend on velocities (dampers, drag, wind, thermostats), and what springs swallow that are solved at the end of the step
 ---@field law_edit number [J] by laws made, changed and removed, and attributes that follow an age
+---@field sleep number [J] that articulates still had which fell asleep
 ---@field projection number [J] taken by the projection of velocities, since it is kept
 ---@field energy_return number [J] given back of that
 ---@field safe_step number [J] taken by safe steps, since it is kept
@@ -79,6 +81,7 @@ function quat_methods:inverse() end
 ---@class Stats
 ---@field steps integer
 ---@field articulates integer
+---@field asleep integer of them, which rest until something moves them
 ---@field newton_iterations integer
 ---@field worst_iterations integer
 ---@field solves integer

@@ -37,6 +37,12 @@ void tie(World& world, std::shared_ptr<const Law> law, ParticleId a, ParticleId 
   add_connection(world, std::move(law), def);
 }
 
+std::shared_ptr<const Law> ledger_law(const char* name, std::map<std::string, double> numbers) {
+  LawArguments arguments;
+  arguments.numbers = std::move(numbers);
+  return std::make_shared<Law>(make_library_law(name, arguments).front());
+}
+
 ParticleId mass_at(World& world, Vec3 at) {
   ParticleDef def;
   def.at = at;
@@ -227,4 +233,58 @@ TEST_CASE("ledger: motors and limits have lines of their own") {
   CHECK(closure(world) <= 1e-9);
   CHECK(line(world, Source::motor) > 0.1);
   CHECK(line(world, Source::hand) == 0.0);
+}
+
+// m x'' + c x' + k x = 0 from rest at A: x = A exp(-γ t) (cos ω t + γ/ω sin ω t), γ = c / 2m, ω² = k/m - γ².
+TEST_CASE("ledger: what a damped oscillator loses is the line of dampers") {
+  const double k = 100.0, c = 2.0, amplitude = 0.5, time = 1.3;
+  const double gamma = 0.5 * c, omega = std::sqrt(k - gamma * gamma), decay = std::exp(-gamma * time);
+  const double x = amplitude * decay * (std::cos(omega * time) + gamma / omega * std::sin(omega * time));
+  const double v = -amplitude * decay * k / omega * std::sin(omega * time);
+  const double lost = 0.5 * (v * v + k * x * x) - 0.5 * k * amplitude * amplitude;
+  for (const Solve solve : {Solve::explicitly, Solve::at_middle}) {
+    for (const bool on_a_body : {false, true}) {
+      CAPTURE(static_cast<int>(solve), on_a_body);
+      World world;
+      world.settings.gravity = zero3();
+      world.settings.step = 1.0 / 1000;
+      ParticleId mass;
+      if (on_a_body) {
+        BodyDef def;
+        def.at = vec(1.0 + amplitude, 0, 0);
+        def.points.resize(1);
+        def.points[0].mass = 1;
+        mass = world.points[cases::point_of(world, add_body(world, def), 0)].own;
+      } else {
+        mass = mass_at(world, vec(1.0 + amplitude, 0, 0));
+      }
+      ConnectionDef def;
+      def.ends = {{mass, zero3()}, {{}, zero3()}};
+      def.solve = solve;
+      add_connection(world, ledger_law("spring", {{"stiffness", k}, {"length", 1.0}}), def);
+      add_connection(world, ledger_law("damper", {{"damping", c}}), def);
+      keep_ledger(world);
+      advance(world, time);
+      CHECK(world.failure == "");
+      CHECK(position(world, mass)[0] - 1.0 == Approx(x).margin(1e-4));
+      CHECK(line(world, Source::damper) == Approx(lost).epsilon(1e-4));
+      CHECK(world.open_work == 0.0);
+      CHECK(closure(world) <= 1e-10);
+    }
+  }
+}
+
+TEST_CASE("ledger: what a spring swallows that is solved at the end of the step is the line of dampers") {
+  World world;
+  world.settings.gravity = zero3();
+  const ParticleId mass = mass_at(world, vec(1.5, 0, 0));
+  ConnectionDef def;
+  def.ends = {{mass, zero3()}, {{}, zero3()}};
+  def.solve = Solve::at_end;
+  add_connection(world, ledger_spring("spring", 100, 1.0), def);
+  keep_ledger(world);
+  advance(world, 2.0);
+  CHECK(line(world, Source::damper) < -0.5);
+  CHECK(energy(world).total() - world.start_energy == Approx(line(world, Source::damper)).epsilon(1e-9));
+  CHECK(closure(world) <= 1e-10);
 }

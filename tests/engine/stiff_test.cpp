@@ -148,7 +148,7 @@ TEST_CASE("stiff: a damper that the step cannot follow brings both ends to one v
   for (int i = 0; i < 60; i++) step(world);
   CHECK(velocity(world, a)[0] == Approx(1).margin(1e-4));
   CHECK(velocity(world, b)[0] == Approx(1).margin(1e-4));
-  CHECK(world.open_work == Approx(-12).margin(1e-6));
+  CHECK(world.ledger.given[static_cast<std::size_t>(Source::damper)] == Approx(-12).margin(1e-6));
   CHECK(world.error.energy <= 1e-9);
 }
 

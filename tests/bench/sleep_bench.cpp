@@ -1,0 +1,75 @@
+// `pantin bench sleep`: a thousand chains at rest, asleep and kept awake, with a law that damps them and without.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <memory>
+
+#include "base/check.hpp"
+#include "laws/library.hpp"
+#include "player/bench.hpp"
+#include "player/machine.hpp"
+#include "step.hpp"
+#include "support/cases.hpp"
+#include "world/sleep.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr int chains = 1000, links = 5;
+
+void add_hanging_chains(World& world) {
+  for (int i = 0; i < chains; i++) {
+    const cases::Chain chain = cases::add_chain(world, {.links = links, .start = vec(0, 0, 2.0 * i)});
+    for (int k = 0; k < links; k++) {
+      const double half = std::sqrt(0.5);
+      set_orientation(world, chain.bodies[static_cast<std::size_t>(k)], {half, 0, 0, -half});
+      set_position(world, chain.bodies[static_cast<std::size_t>(k)], vec(0, -0.5 - k, 2.0 * i));
+    }
+  }
+}
+
+/// Least time of some steps [ns], `before` each of them.
+template <class Before>
+double time_of_step(World& world, Before before) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 60; i++) {
+    before();
+    const double start = player::thread_time();
+    step(world);
+    least = std::min(least, player::thread_time() - start);
+  }
+  require(world.failure.empty(), world.failure);
+  return least;
+}
+
+void measure_sleep(bool damped) {
+  World world;
+  add_hanging_chains(world);
+  LawArguments arguments;
+  arguments.numbers = {{"linear", 2.0}};
+  if (damped) add_field(world, std::make_shared<const Law>(make_library_law("drag", arguments).front()), {});
+  for (int i = 0; i < 2000 && sleepers(world) < chains; i++) step(world);
+  require(sleepers(world) == chains, "only ", sleepers(world), " chains fell asleep");
+  const double asleep = time_of_step(world, [] {});
+  // One that moves has the forces of all be found; nothing else is done for the others.
+  const double one = time_of_step(world, [&] { wake(world, world.bodies.ids()[0]); });
+  const double awake = time_of_step(world, [&] { wake_all(world); });
+  std::printf("%8s %14.2f %14.2f %14.3f %10.0f %10.0f\n", damped ? "drag" : "none", awake / 1e3, one / 1e3,
+              asleep / 1e3, awake / one, awake / asleep);
+}
+
+void bench_sleep(const player::BenchOptions&) {
+  std::printf("%d chains of %d links that hang at rest, 1/240 s, one thread's processor time of a step, us\n", chains,
+              links);
+  std::printf("%8s %14s %14s %14s %10s %10s\n", "law", "all awake", "one awake", "all asleep", "ratio", "ratio");
+  measure_sleep(false);
+  measure_sleep(true);
+}
+
+const player::Register sleep_benchmark({"sleep", "1000 chains at rest, asleep and awake", bench_sleep});
+
+}  // namespace
+
+}  // namespace pantin
