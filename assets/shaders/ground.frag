@@ -7,7 +7,8 @@ uniform float strength;      // 0 … 1
 uniform sampler2D shadow;
 uniform vec2 shadow_middle;
 uniform float shadow_reach;
-uniform vec3 ink;            // sRGB
+uniform vec3 ink;            // sRGB, of the grid
+uniform vec3 dark;           // sRGB, of shadows
 out vec4 result;
 
 float lines(vec2 at, float thick) {
@@ -29,5 +30,6 @@ void main() {
     vec2 e = vec2(1.2, 0.4) / vec2(textureSize(shadow, 0)), f = vec2(-e.y, e.x);
     shade = 0.25 * (texture(shadow, uv + e).r + texture(shadow, uv - e).r + texture(shadow, uv + f).r + texture(shadow, uv - f).r);
   }
-  result = vec4(ink, (grid + (1.0 - grid) * 0.42 * shade * min(1.0, 2.0 * fade)) * strength);
+  float all = grid + (1.0 - grid) * 0.42 * shade * min(1.0, 2.0 * fade);
+  result = vec4(mix(dark, ink, grid / max(all, 1e-6)), all * strength);
 }

@@ -15,8 +15,13 @@ Camera aim(const lua::Scene& scene, const Stage& stage, double aspect) {
   return camera;
 }
 
+void Follower::choose(AnyId thing) {
+  chosen_ = thing;
+  last_.reset();
+}
+
 void Follower::move(const lua::Scene& scene, Camera& camera) {
-  AnyId thing = scene.camera().follow;
+  AnyId thing = chosen_.value_or(scene.camera().follow);
   if (std::holds_alternative<std::monostate>(thing) || !alive(scene.world(), thing)) return last_.reset();
   Bounds box = bounds(scene.world(), things_of(scene.world(), thing));
   Vec3 place = 0.5 * (box.lower + box.upper);

@@ -42,6 +42,13 @@ std::string check_size(const std::string& size) {
   } catch (const Error& error) { return error.what(); }
 }
 
+std::string check_views(const std::string& list) {
+  try {
+    read_views(list);
+    return "";
+  } catch (const Error& error) { return error.what(); }
+}
+
 std::string check_bytes(const std::string& bytes) {
   try {
     read_bytes(bytes);
@@ -52,7 +59,7 @@ std::string check_bytes(const std::string& bytes) {
 /// What is read after the command line as a whole is known to be right.
 struct Texts {
   std::vector<std::string> settings;
-  std::string size, memory;
+  std::string size, memory, views;
 };
 
 /// Each use takes one value, so that `--set links=5 chain` leaves "chain" to be the scene.
@@ -91,6 +98,11 @@ void add_scene_options(CLI::App& app, RunOptions& scene, Texts& texts) {
       ->check(check_size)
       ->default_str("1280x720")
       ->type_name("WxH");
+  std::string names;
+  for (const NamedView& named : view_table()) names += std::string(" ") + named.name;
+  app.add_option("--view", texts.views, "What is shown beside the scene itself; with a minus, what is not:" + names)
+      ->check(check_views)
+      ->type_name("NAME,...");
 }
 
 [[noreturn]] void refuse_command(const std::string& command) {
@@ -184,6 +196,7 @@ Options read_options(int argc, const char* const* argv) {
     options.run.set[setting.substr(0, equals)] = setting.substr(equals + 1);
   }
   if (!texts.size.empty()) options.run.size = read_size(texts.size);
+  if (!texts.views.empty()) options.run.views = read_views(texts.views);
   if (!texts.memory.empty()) options.run.memory_limit = read_bytes(texts.memory);
   using Command = Options::Command;
   options.command = *play     ? Command::play

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lua/scene.hpp"
+#include "view/views.hpp"
 
 namespace pantin::player {
 
@@ -23,6 +24,7 @@ struct RunOptions {
   std::vector<std::string> outputs;
   std::string summary;  ///< empty: none
   Size size;
+  Views views;                                      ///< that are on at the start
   bool paused = false;                              ///< `play` begins with a pause
   double script_limit = 5.0;                        ///< [s] 0: none
   std::size_t memory_limit = std::size_t{2} << 30;  ///< [bytes]

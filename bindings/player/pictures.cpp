@@ -15,8 +15,9 @@ bool is_mp4(const std::string& path) { return path.ends_with(".mp4"); }
 
 }  // namespace
 
-Pictures::Pictures(const lua::Scene& scene, Size size, const std::vector<std::string>& film_paths)
+Pictures::Pictures(const lua::Scene& scene, Size size, const Views& views, const std::vector<std::string>& film_paths)
     : scene_(scene),
+      views_(views),
       window_(scene.title(), size.width, size.height, true),
       renderer_(size.width, size.height, 4),
       clock_{std::any_of(film_paths.begin(), film_paths.end(), is_mp4) ? usual_frame_rate : animation_rate,
@@ -27,16 +28,22 @@ Pictures::Pictures(const lua::Scene& scene, Size size, const std::vector<std::st
     films_.push_back(std::make_unique<Film>(path, size.width, size.height, clock_.rate));
 }
 
-void Pictures::draw() {
+Overlay Pictures::overlay() const {
   Overlay overlay;
   overlay.pace = scene_.pace();
+  overlay.views = views_;
   overlay.marks = marks_of(scene_);
-  renderer_.draw(scene_.world(), camera_, overlay);
+  return overlay;
+}
+
+void Pictures::draw() {
+  renderer_.draw(scene_.world(), camera_, overlay());
   renderer_.read_pixels(pixels_);
 }
 
 void Pictures::add_frames() {
   follower_.move(scene_, camera_);
+  renderer_.watch(scene_.world(), views_, scene_.pace());
   if (films_.empty()) return;
   const World& world = scene_.world();
   bool drawn = false;

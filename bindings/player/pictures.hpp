@@ -18,7 +18,7 @@ namespace pantin::player {
 class Pictures {
  public:
   /// `film_paths` are files to write films to, by their endings.
-  Pictures(const lua::Scene& scene, Size size, const std::vector<std::string>& film_paths);
+  Pictures(const lua::Scene& scene, Size size, const Views& views, const std::vector<std::string>& film_paths);
 
   /// Adds the frames that are due at the scene's present time; call it at the start and after each step.
   void add_frames();
@@ -27,8 +27,10 @@ class Pictures {
 
  private:
   void draw();
+  Overlay overlay() const;
 
   const lua::Scene& scene_;
+  Views views_;
   Window window_;
   Renderer renderer_;
   Camera camera_;

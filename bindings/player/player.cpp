@@ -12,7 +12,9 @@
 #include "player/interrupt.hpp"
 #include "player/marks.hpp"
 #include "player/message.hpp"
+#include "view/pick.hpp"
 #include "view/picture.hpp"
+#include "view/view_keys.hpp"
 #include "world/hands.hpp"
 
 namespace pantin::player {
@@ -48,7 +50,8 @@ Player::Player(std::string path, const RunOptions& options, const std::string& h
       window_(open_window(title() + " - Pantin", options.size)),
       renderer_(window_.width(), window_.height(), window_.software() ? 0 : smooth_samples),
       hands_([this] { return add_hand(scene_->world()); }),
-      paused_(options.paused) {
+      paused_(options.paused),
+      views_(options.views) {
   renderer_.open(scene_->world());
   camera_ = aim(*scene_, renderer_.stage(), aspect(renderer_));
 }
@@ -64,6 +67,8 @@ bool Player::frame() {
   steering_.move(gestures_, elapsed);
   renderer_.listen(gestures_);
   take_keys();
+  take_view_keys(gestures_, views_, camera_);
+  choose_followed();
   Actions actions = take_hands(elapsed);
   keep_last_moves(waiting_);
   if (actions.quit) return false;
@@ -74,6 +79,21 @@ bool Player::frame() {
   draw();
   std::this_thread::sleep_until(now + shortest_frame);
   return !(options_.until && at_end());
+}
+
+void Player::choose_followed() {
+  for (const PointerEvent& event : gestures_.events) {
+    if (event.kind != PointerEvent::Kind::press || event.clicks != 2 || renderer_.pointer_on_panel()) continue;
+    const World& world = scene_->world();
+    const PointId point =
+        pick_point(world, renderer_.stage(), camera_, event.x, event.y, renderer_.width(), renderer_.height());
+    AnyId thing;
+    if (point && world.points[point].body)
+      thing = world.points[point].body;
+    else if (point)
+      thing = world.points[point].particle;
+    follower_.choose(thing);
+  }
 }
 
 void Player::act(const Actions& actions) {
@@ -133,6 +153,7 @@ void Player::fail(const std::string& why) {
 void Player::write_picture(const std::string& path) {
   Overlay overlay;
   overlay.pace = scene_->pace();
+  overlay.views = views_;
   overlay.marks = marks_of(*scene_);
   renderer_.draw(scene_->world(), camera_, overlay);
   write_png(path, renderer_.read_pixels(), renderer_.width(), renderer_.height());
@@ -152,6 +173,7 @@ void Player::save_picture() {
 Overlay Player::overlay() const {
   Overlay overlay;
   overlay.pace = scene_->pace() * speed_;
+  overlay.views = views_;
   overlay.marks = marks_of(*scene_);
   overlay.title = title();
   overlay.highlight = hands_.highlight();
@@ -167,7 +189,10 @@ Overlay Player::overlay() const {
   else if (!said_.empty() && Clock::now() < complained_ + complaint_shown)
     overlay.message =
         said_.back().times > 1 ? text(said_.back().text, "   (", said_.back().times, " times)") : said_.back().text;
-  if (help_) overlay.help = key_help();
+  if (help_) {
+    overlay.help = key_help();
+    overlay.help.insert(overlay.help.end(), view_key_help().begin(), view_key_help().end());
+  }
   overlay.buttons = scene_->buttons();
   return overlay;
 }

@@ -55,6 +55,7 @@ class Player {
   void tell_dropped();
   void draw_tools();
   void mark_hands(Overlay& overlay) const;
+  void choose_followed();
   void restart();
   std::unique_ptr<lua::Scene> load(const std::string& path, const lua::SceneOptions& options);
   void adopt(std::unique_ptr<lua::Scene> fresh);
@@ -99,6 +100,7 @@ class Player {
   double load_seconds_ = 0;  ///< [s] that opening the scene took
   bool paused_;
   bool help_ = false;
+  Views views_;
   bool single_step_ = false;
   std::string failure_;
 };

@@ -126,6 +126,7 @@ Desk Player::desk() {
   Desk desk{*scene_, times_, pacing_, said_, chosen_, hovered, {}};
   desk.speed = speed_;
   desk.paused = paused_;
+  desk.dark = views_.on(View::dark);
   desk.quick = load_seconds_ < quick_load;
   desk.width = static_cast<float>(renderer_.width());
   desk.height = static_cast<float>(renderer_.height());

@@ -46,7 +46,7 @@ class Frames {
       trajectories_.emplace_back(path, usual_frame_rate, scene.pace());
     if (!animations_.empty()) animation_.emplace(scene.world(), animation_frame_rate, scene.pace());
     if (!pictures_of_.empty() || !outputs.films().empty())
-      pictures_ = std::make_unique<Pictures>(scene, options.size, outputs.films());
+      pictures_ = std::make_unique<Pictures>(scene, options.size, options.views, outputs.films());
     add();
   }
 

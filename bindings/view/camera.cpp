@@ -7,9 +7,18 @@ namespace pantin {
 
 namespace {
 
-constexpr double steepest = 1.55;    // [rad] just short of straight down
-constexpr double near_plane = 0.02;  // in units of the distance
+constexpr double steepest = 1.55;                      // [rad] just short of straight down
+constexpr double usual_fov = 0.62, narrow_fov = 0.01;  // [rad]
 constexpr double far_plane = 400.0;
+
+// In units of the distance: far off where all is far off, so that depths stay distinct.
+double near_plane(double fov) { return std::max(0.02, 1.0 - 50.0 * fov); }
+
+// Changes the field of view and keeps the size of what is at the target.
+void set_fov(Camera& camera, double fov) {
+  camera.distance *= std::tan(0.5 * camera.fov) / std::tan(0.5 * fov);
+  camera.fov = fov;
+}
 
 }  // namespace
 
@@ -56,6 +65,19 @@ void Camera::look(Vec3 from, Vec3 at) {
   if (std::hypot(d[0], d[2]) > 1e-9 * distance) yaw = std::atan2(d[0], d[2]);
 }
 
+void Camera::look_along(Side side) {
+  set_fov(*this, narrow_fov);
+  yaw = side == Side::right ? 0.5 * M_PI : 0.0;
+  pitch = side == Side::top ? 0.5 * M_PI : 0.0;
+}
+
+void Camera::look_freely() {
+  set_fov(*this, usual_fov);
+  pitch = std::clamp(pitch, -steepest, steepest);
+}
+
+double Camera::nearest() const { return near_plane(fov) * distance; }
+
 Vec3 Camera::forward() const {
   return vec(-std::sin(yaw) * std::cos(pitch), -std::sin(pitch), -std::cos(yaw) * std::cos(pitch));
 }
@@ -72,12 +94,12 @@ Eigen::Matrix4f Camera::view() const {
 }
 
 Eigen::Matrix4f Camera::projection(double aspect) const {
-  const double scale = 1.0 / std::tan(0.5 * fov);
+  const double scale = 1.0 / std::tan(0.5 * fov), near = near_plane(fov);
   Eigen::Matrix4f m = Eigen::Matrix4f::Zero();
   m(0, 0) = static_cast<float>(scale / aspect);
   m(1, 1) = static_cast<float>(scale);
-  m(2, 2) = static_cast<float>(-(far_plane + near_plane) / (far_plane - near_plane));
-  m(2, 3) = static_cast<float>(-2.0 * far_plane * near_plane / (far_plane - near_plane));
+  m(2, 2) = static_cast<float>(-(far_plane + near) / (far_plane - near));
+  m(2, 3) = static_cast<float>(-2.0 * far_plane * near / (far_plane - near));
   m(3, 2) = -1.0f;
   return m;
 }
@@ -95,7 +117,7 @@ Ray Camera::ray(double x, double y, int width, int height) const {
 std::optional<Projected> Camera::project(Vec3 p, int width, int height) const {
   const Vec3 d = p - eye();
   const double depth = dot(d, forward());
-  if (!(depth > near_plane * distance)) return std::nullopt;
+  if (!(depth > nearest())) return std::nullopt;
   const double pixel = 2.0 * depth * std::tan(0.5 * fov) / height;
   return Projected{0.5 * width + dot(d, right()) / pixel, 0.5 * height - dot(d, up()) / pixel, depth, pixel};
 }

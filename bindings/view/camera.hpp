@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <cstdint>
 #include <optional>
 
 #include "base/lanes.hpp"
@@ -19,6 +20,8 @@ struct Projected {
   double pixel = 0.0;       ///< [m] size of a pixel at that depth
 };
 
+enum class Side : std::uint8_t { front, right, top };
+
 /// Looks at `target` from `distance`, turned by `yaw` about the vertical and raised by `pitch`. All in double precision:
 /// scenes may be 1e-9 m or 1e6 m wide. What is drawn is relative to the eye, in units of `distance`.
 struct Camera {
@@ -26,7 +29,7 @@ struct Camera {
   double distance = 6.0;  ///< [m] > 0
   double yaw = 0.35;      ///< [rad] 0 looks along -z
   double pitch = 0.22;    ///< [rad] -1.55 … 1.55
-  double fov = 0.62;      ///< [rad] of the picture's height
+  double fov = 0.62;      ///< [rad] > 0, of the picture's height
 
   /// Turns by angles [rad].
   void orbit(double dx, double dy);
@@ -40,11 +43,17 @@ struct Camera {
   void frame(Vec3 lower, Vec3 upper, double aspect);
   /// Looks from a place to another [m].
   void look(Vec3 from, Vec3 at);
+  /// Looks along an axis from so far away that near and far things of a scene have one size, to 1 %. What is at the
+  /// target keeps its size.
+  void look_along(Side side);
+  /// With the usual perspective again.
+  void look_freely();
 
   Vec3 eye() const;      ///< [m]
   Vec3 forward() const;  ///< of length 1, as are right and up
   Vec3 right() const;
   Vec3 up() const;
+  double nearest() const;  ///< [m] of depth: what is nearer is not seen
 
   /// Rotation from the world's axes to the camera's (x right, y up, z backward); acts on (place - eye) / distance.
   Eigen::Matrix4f view() const;

@@ -31,6 +31,7 @@ struct PointerEvent {
   double x = 0.0, y = 0.0;    ///< [px]
   double dx = 0.0, dy = 0.0;  ///< [px] of a move; notches of the wheel, up > 0
   bool shift = false, control = false;
+  int clicks = 1;  ///< of a press: 2 is a double click
 };
 
 /// What hands did since the last poll, and the state that follows from all events so far. Nothing is ever asked of SDL,

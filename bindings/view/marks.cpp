@@ -51,7 +51,7 @@ class Screen {
 
   /// Cuts off what lies behind the eye; false where all does.
   bool before_eye(Vec3& a, Vec3& b) const {
-    const double least = 0.021 * camera_.distance, da = dot(a - eye_, forward_), db = dot(b - eye_, forward_);
+    const double least = 1.001 * camera_.nearest(), da = dot(a - eye_, forward_), db = dot(b - eye_, forward_);
     if (!(da > least) && !(db > least)) return false;
     if (da < least) a = a + (b - a) * ((least - da) / (db - da));
     if (db < least) b = b + (a - b) * ((least - db) / (da - db));

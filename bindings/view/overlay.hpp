@@ -9,6 +9,7 @@
 #include "base/color.hpp"
 #include "model/particle.hpp"
 #include "model/point.hpp"
+#include "view/views.hpp"
 
 namespace pantin {
 
@@ -28,6 +29,7 @@ struct Mark {
 /// here.)
 struct Overlay {
   double pace = 1.0;  ///< simulated s per real s, for what is shown for a while
+  Views views;
   std::vector<Mark> marks;
   PointId highlight;                                      ///< ringed, when alive: what the pointer is over
   std::vector<std::string> status;                        ///< parts of the quiet line at the bottom
@@ -36,7 +38,6 @@ struct Overlay {
   std::vector<std::pair<std::string, std::string>> help;  ///< {key, what it does}; shown as a card when not empty
   std::vector<std::string> buttons;                       ///< names; `Renderer::pressed_button` tells which was pressed
   std::function<void()> windows;                          ///< makes windows of Dear ImGui beside all that, or empty
-  bool dark = false;                                      ///< light letters on dark cards
 };
 
 }  // namespace pantin

@@ -23,6 +23,7 @@ MarkLook mark_look(bool dark) {
   return {{0.16f, 0.17f, 0.19f, 1.0f}, {0.96f, 0.94f, 0.90f, 0.7f}};
 }
 
+constexpr std::size_t most_rows = 14;  // of the help card; more go beside them
 constexpr ImGuiWindowFlags quiet = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
                                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoSavedSettings;
@@ -141,20 +142,20 @@ void Panel::take_keys(Gestures& gestures) {
   gestures.keys.clear();
 }
 
-void Panel::draw(const Overlay& overlay, const Camera& camera, int width, int height) {
+void Panel::draw(const Overlay& overlay, std::span<const Mark> marks, const Camera& camera, int width, int height) {
   pressed_.clear();
   if (overlay.status.empty() && overlay.message.empty() && overlay.title.empty() && overlay.help.empty() &&
-      overlay.buttons.empty() && overlay.marks.empty() && !overlay.windows)
+      overlay.buttons.empty() && marks.empty() && !overlay.windows)
     return;
   ImGui::SetCurrentContext(context_);
-  if (overlay.dark != dark_) set_panel_style(scale_, dark_ = overlay.dark);
+  if (const bool dark = overlay.views.on(View::dark); dark != dark_) set_panel_style(scale_, dark_ = dark);
   ImGui_ImplOpenGL3_NewFrame();
   ImGuiIO& io = ImGui::GetIO();
   const float w = static_cast<float>(width), h = static_cast<float>(height);
   io.DisplaySize = {w, h};
   io.DeltaTime = 1.0f / 60.0f;
   ImGui::NewFrame();
-  draw_marks(*ImGui::GetBackgroundDrawList(), overlay.marks, mark_look(dark_), camera, width, height);
+  draw_marks(*ImGui::GetBackgroundDrawList(), marks, mark_look(dark_), camera, width, height);
   status(overlay, w, h);
   buttons(overlay);
   if (overlay.windows) overlay.windows();
@@ -204,9 +205,8 @@ void Panel::help(const Overlay& overlay, float width, float height) {
   if (overlay.help.empty()) return;
   ImGui::SetNextWindowPos({0.5f * width, 0.5f * height}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::Begin("keys", nullptr, quiet);
-  if (ImGui::BeginTable("table", 2, ImGuiTableFlags_SizingFixedFit)) {
+  if (ImGui::BeginTable("table", overlay.help.size() > most_rows ? 4 : 2, ImGuiTableFlags_SizingFixedFit)) {
     for (const auto& [key, does] : overlay.help) {
-      ImGui::TableNextRow();
       ImGui::TableNextColumn();
       ImGui::TextUnformatted(key.c_str());
       ImGui::TableNextColumn();

@@ -1,5 +1,6 @@
 #pragma once
 #include <set>
+#include <span>
 #include <string>
 
 #include "view/camera.hpp"
@@ -20,8 +21,8 @@ class Panel {
 
   /// Hears what hands did, and takes out of it what is for the panel.
   void take(Gestures& gestures);
-  /// Into the framebuffer that is bound, of that size [px]; the overlay's marks as the camera sees them.
-  void draw(const Overlay& overlay, const Camera& camera, int width, int height);
+  /// Into the framebuffer that is bound, of that size [px]; marks as the camera sees them.
+  void draw(const Overlay& overlay, std::span<const Mark> marks, const Camera& camera, int width, int height);
   const std::string& pressed() const { return pressed_; }
   bool under_pointer() const { return under_pointer_; }
 

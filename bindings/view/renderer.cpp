@@ -9,13 +9,22 @@
 #include "view/gl.hpp"
 #include "view/panel.hpp"
 #include "view/sketch.hpp"
+#include "view/view_marks.hpp"
 
 namespace pantin {
 
 namespace {
 
 constexpr int shadow_pixels = 360;
-const Vec3 sky_high = vec(0.972, 0.953, 0.916), sky_low = vec(0.885, 0.845, 0.775), ground_ink = vec(0.30, 0.235, 0.17);
+constexpr double trail_interval = 1.0 / 40.0;  // [s] at the scene's pace
+
+struct Background {
+  Vec3 high, low, grid, shade;  // sRGB
+};
+const Background light_background = {vec(0.972, 0.953, 0.916), vec(0.885, 0.845, 0.775), vec(0.30, 0.235, 0.17),
+                                     vec(0.30, 0.235, 0.17)},
+                 dark_background = {vec(0.105, 0.118, 0.145), vec(0.185, 0.205, 0.245), vec(0.62, 0.68, 0.78),
+                                    vec(0.02, 0.025, 0.035)};
 
 // A round number (1, 2 or 5 times a power of ten) near a length.
 double round_length(double length) {
@@ -46,6 +55,8 @@ struct Renderer::Parts {
   Sketcher sketcher;
   Sketch sketch;
   Stage stage;
+  Trails trails;
+  std::vector<Mark> marks;  // of the overlay and the views
   std::vector<std::uint8_t> row;
 
   Parts(int w, int h, int samples_wanted, double scale)
@@ -68,9 +79,13 @@ struct Renderer::Parts {
     if (target->samples() > 0) resolved.emplace(width, height, 0, Target::Format::color, false);
   }
   const Target& picture() const { return resolved ? *resolved : *target; }
-  void draw_backdrop();
-  void draw_shadows(const Camera& camera);
-  void draw_ground(const Camera& camera);
+  const Background& background(const Views& views) const {
+    return views.on(View::dark) ? dark_background : light_background;
+  }
+  void collect_marks(const World& world, const Overlay& overlay);
+  void draw_backdrop(const Background& colors);
+  void draw_shadows(const Camera& camera, bool wanted);
+  void draw_ground(const Camera& camera, const Background& colors);
   void draw_things(const Camera& camera);
   void draw_lights(const Camera& camera);
   void set_camera(const ShaderProgram& program, const Camera& camera) const;
@@ -106,11 +121,20 @@ void Renderer::listen(Gestures& gestures) { parts_->panel.take(gestures); }
 void Renderer::open(const World& world) {
   parts_->stage = find_stage(world);
   parts_->sketcher.clear();
+  parts_->trails.clear();
+}
+
+void Renderer::watch(const World& world, const Views& views, double pace) {
+  if (views.on(View::trails))
+    parts_->trails.note(world, trail_interval * pace);
+  else
+    parts_->trails.clear();
 }
 
 void Renderer::draw(const World& world, const Camera& camera, const Overlay& overlay) {
   Parts& p = *parts_;
   if (p.stage.empty) open(world);
+  watch(world, overlay.views, overlay.pace);
   p.sketcher.draw(world, camera, p.stage, overlay, p.height, p.sketch);
   p.balls.send(p.sketch.balls);
   p.bars.send(p.sketch.bars);
@@ -119,11 +143,12 @@ void Renderer::draw(const World& world, const Camera& camera, const Overlay& ove
   p.shades.send(p.sketch.shades);
   p.glows.send(p.sketch.glows);
   p.streaks.send(p.sketch.streaks);
-  p.draw_shadows(camera);
+  p.draw_shadows(camera, overlay.views.on(View::shadows));
   p.target->bind();
   glClear(GL_DEPTH_BUFFER_BIT);
-  p.draw_backdrop();
-  p.draw_ground(camera);
+  const Background& colors = p.background(overlay.views);
+  p.draw_backdrop(colors);
+  p.draw_ground(camera, colors);
   p.draw_things(camera);
   p.draw_lights(camera);
   if (p.resolved) {
@@ -132,7 +157,16 @@ void Renderer::draw(const World& world, const Camera& camera, const Overlay& ove
     glBlitFramebuffer(0, 0, p.width, p.height, 0, 0, p.width, p.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     p.resolved->bind();
   }
-  p.panel.draw(overlay, camera, p.width, p.height);
+  p.collect_marks(world, overlay);
+  p.panel.draw(overlay, p.marks, camera, p.width, p.height);
+}
+
+void Renderer::Parts::collect_marks(const World& world, const Overlay& overlay) {
+  marks.clear();
+  if (overlay.views.on(View::trails)) trails.draw(world, stage, marks);
+  add_view_marks(world, overlay.views, stage, overlay.pace, marks);
+  if (!sketcher.tints().legend().empty()) marks.push_back(legend_mark(sketcher.tints().legend(), 0));
+  marks.insert(marks.end(), overlay.marks.begin(), overlay.marks.end());
 }
 
 void Renderer::Parts::set_camera(const ShaderProgram& program, const Camera& camera) const {
@@ -145,22 +179,22 @@ void Renderer::Parts::set_camera(const ShaderProgram& program, const Camera& cam
   program.set("light", key_light());
 }
 
-void Renderer::Parts::draw_backdrop() {
+void Renderer::Parts::draw_backdrop(const Background& colors) {
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
   nothing.bind();
   backdrop.use();
-  backdrop.set("low", sky_low);
-  backdrop.set("high", sky_high);
+  backdrop.set("low", colors.low);
+  backdrop.set("high", colors.high);
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
 // Draws the scene from the light onto a map of the ground, soft where it is high above it.
-void Renderer::Parts::draw_shadows(const Camera& camera) {
+void Renderer::Parts::draw_shadows(const Camera& camera, bool wanted) {
   shadow.bind();
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClear(GL_COLOR_BUFFER_BIT);
-  if (sketch.lower.x > sketch.upper.x) return;
+  if (!wanted || sketch.lower.x > sketch.upper.x) return;
   const float level = static_cast<float>((stage.ground - camera.eye()[1]) / camera.distance);
   const Vec3 light = key_light();
   const float lx = static_cast<float>(light[0] / light[1]), lz = static_cast<float>(light[2] / light[1]);
@@ -197,7 +231,7 @@ void Renderer::Parts::draw_shadows(const Camera& camera) {
   glBlendEquation(GL_FUNC_ADD);
 }
 
-void Renderer::Parts::draw_ground(const Camera& camera) {
+void Renderer::Parts::draw_ground(const Camera& camera, const Background& colors) {
   const Vec3 eye = camera.eye(), middle = (stage.lower + stage.upper) * 0.5;
   const double unit = camera.distance, square = round_length(stage.size / 8.0);
   const float level = static_cast<float>((stage.ground - eye[1]) / unit), size = static_cast<float>(stage.size / unit);
@@ -218,7 +252,8 @@ void Renderer::Parts::draw_ground(const Camera& camera) {
   ground.set("shadow", 0);
   ground.set("shadow_middle", shadow_x, shadow_z);
   ground.set("shadow_reach", shadow_reach);
-  ground.set("ink", ground_ink);
+  ground.set("ink", colors.grid);
+  ground.set("dark", colors.shade);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, shadow.texture());
   glEnable(GL_BLEND);

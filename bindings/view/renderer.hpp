@@ -30,6 +30,8 @@ class Renderer {
   void open(const World& world);
   const Stage& stage() const;
 
+  /// Notes what only shows over time, for views that show it. `draw` does it, too: call it where few pictures are drawn.
+  void watch(const World& world, const Views& views, double pace);
   void draw(const World& world, const Camera& camera, const Overlay& overlay = {});
 
   /// RGBA, 4 bytes a pixel, top row first.

@@ -129,11 +129,14 @@ void Sketcher::draw(const World& world, const Camera& camera, const Stage& stage
   sketch.upper = {-1e30f, -1e30f, -1e30f};
   const Eye eye{camera.eye(), camera.forward(), camera.distance, 2.0 * std::tan(0.5 * camera.fov) / height};
   joints_.assign(world.particles.slots(), 0.0f);
-  for (std::uint32_t s = 0; s < world.bodies.slots(); s++)
-    if (world.bodies.alive_at(s)) draw_body(world, world.bodies.id_at(s), eye, stage, sketch);
-  draw_particles(world, eye, stage, sketch);
+  tints_.update(world, overlay.views, stage.size);
+  if (overlay.views.on(View::bodies)) {
+    for (std::uint32_t s = 0; s < world.bodies.slots(); s++)
+      if (world.bodies.alive_at(s)) draw_body(world, world.bodies.id_at(s), eye, stage, sketch);
+    draw_particles(world, eye, stage, sketch);
+  }
   draw_constraints(world, eye, stage, sketch);
-  draw_connections(world, eye, stage, sketch);
+  draw_connections(world, overlay.views, eye, stage, sketch);
   draw_breaks(world, eye, stage, overlay.pace, sketch);
   draw_overlay(world, eye, overlay, sketch);
 }
@@ -143,13 +146,14 @@ void Sketcher::draw_body(const World& world, BodyId id, const Eye& eye, const St
   const Vec3 at = origin(world, id) + image_shift(world, world.motion_of(id).x);
   const Mat3 turn = matrix(orientation(world, id));
   if (!finite(at)) return;
-  const Rgb color = linear(shape.color), light = mix(color, linear(paper), 0.75f);
+  const auto tint = tints_.of_body(id.slot - 1);
+  const Rgb color = linear(tint.value_or(shape.color)), light = mix(color, linear(paper), 0.75f);
   for (const Shape::Bar& b : shape.bars) {
     const Vec3 from = at + turn * b.from, to = at + turn * b.to;
     eye.bar(sketch, from, to, b.radius, std::clamp(0.1 * norm(to - from) / eye.pixel_at(from), 0.8, 2.4), color);
   }
   for (const Shape::Ball& b : shape.balls)
-    eye.ball(sketch, at + turn * b.at, b.radius, 1.0, linear(b.color), Sketch::plain, {});
+    eye.ball(sketch, at + turn * b.at, b.radius, 1.0, linear(tint.value_or(b.color)), Sketch::plain, {});
   for (const Shape::Egg& e : shape.eggs) {
     const Mat3 axes = turn * e.axes;
     sketch.eggs.push_back({eye.place(at + turn * e.at), floats(axes[0] / eye.unit), floats(axes[1] / eye.unit),
@@ -189,7 +193,11 @@ void Sketcher::draw_particles(const World& world, const Eye& eye, const Stage& s
     if (radius < 0.5 * pixel) continue;
     // A colour that is not just its first point's was meant.
     const bool own = particle.color && !(*particle.color == first.color);
-    eye.ball(sketch, at, radius, std::min(3.8, 2.2 * joint / pixel), own ? linear(*particle.color) : cream,
+    const auto tint = tints_.of_particle(s);
+    eye.ball(sketch, at, radius, std::min(3.8, 2.2 * joint / pixel),
+             tint  ? linear(*tint)
+             : own ? linear(*particle.color)
+                   : cream,
              Sketch::hinge, dark);
   }
 }
@@ -199,7 +207,8 @@ void Sketcher::draw_free(const World& world, std::uint32_t slot, Vec3 at, const 
                          Sketch& sketch) {
   const Particle& particle = world.particles.at_slot(slot);
   const PointId point = particle.points[0];
-  const Color color = appearance_.color(slot).value_or(particle.color.value_or(world.points[point].color));
+  Color color = appearance_.color(slot).value_or(particle.color.value_or(world.points[point].color));
+  if (const auto tint = tints_.of_particle(slot)) color = {tint->r, tint->g, tint->b, color.a};
   const auto followed = appearance_.radius(slot);
   if (followed && !(*followed > 0.0)) return;
   const double radius = followed ? *followed : drawn_radius(world, point, stage);
@@ -294,18 +303,22 @@ std::array<Vec3, 2> shown_ends(const World& world, Vec3 a, Vec3 b) {
 }  // namespace
 
 /// Pairs that a law ties: red where it pulls, blue where it pushes, by the largest load of all.
-void Sketcher::draw_connections(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch) {
+void Sketcher::draw_connections(const World& world, const Views& views, const Eye& eye, const Stage& stage,
+                                Sketch& sketch) {
   if (world.connections.empty()) return;
-  const std::vector<double> loads = tensions(world);
   double most = 0.0;
-  for (double load : loads) most = std::fmax(most, std::fabs(load));
+  loads_.assign(world.connections.slots(), 0.0);
+  for (std::uint32_t s = 0; views.on(View::loads) && s < world.connections.slots(); s++) {
+    if (world.connections.alive_at(s)) loads_[s] = tension(world, world.connections.id_at(s));
+    most = std::fmax(most, std::fabs(loads_[s]));
+  }
   const Rgb slack = linear(thread), pull = linear(grip), press = linear(strut);
   for (std::uint32_t s = 0; s < world.connections.slots(); s++) {
     const Connection& c = world.connections.at_slot(s);
     if (!world.connections.alive_at(s) || !c.enabled || c.count != 2) continue;
     const auto [a, b] = shown_ends(world, end_of(world, c, 0), end_of(world, c, 1));
     if (!finite(a) || !finite(b)) continue;
-    const double load = most > 0.0 ? loads[s] / most : 0.0;
+    const double load = most > 0.0 ? loads_[s] / most : 0.0;
     const auto part = static_cast<float>(std::sqrt(std::fabs(load)));
     eye.bar(sketch, a, b, 0.012 * std::min(norm(b - a), stage.unit), 0.6, mix(slack, load > 0.0 ? pull : press, part));
   }

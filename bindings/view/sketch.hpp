@@ -4,6 +4,7 @@
 #include "view/appearance.hpp"
 #include "view/overlay.hpp"
 #include "view/shape.hpp"
+#include "view/tints.hpp"
 
 namespace pantin {
 
@@ -71,6 +72,7 @@ class Sketcher {
   void draw(const World& world, const Camera& camera, const Stage& stage, const Overlay& overlay, int height,
             Sketch& sketch);
   void clear() { shapes_.clear(); }
+  const Tints& tints() const { return tints_; }
 
  private:
   struct Eye;
@@ -82,12 +84,14 @@ class Sketcher {
   static void draw_path(const Path& path, const Eye& eye, const Stage& stage, Sketch& sketch);
   static void draw_plane(Vec3 at, Vec3 normal, const Eye& eye, const Stage& stage, Sketch& sketch);
   void draw_constraints(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch);
-  void draw_connections(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch);
+  void draw_connections(const World& world, const Views& views, const Eye& eye, const Stage& stage, Sketch& sketch);
   void draw_breaks(const World& world, const Eye& eye, const Stage& stage, double pace, Sketch& sketch);
   void draw_overlay(const World& world, const Eye& eye, const Overlay& overlay, Sketch& sketch);
 
   Shapes shapes_;
   Appearance appearance_;
+  Tints tints_;
+  std::vector<double> loads_;  // [N] (slots of connections)
   std::vector<float> joints_;  // [m] (slots of particles): what a hinge should exceed
 };
 

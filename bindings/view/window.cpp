@@ -217,6 +217,7 @@ void Window::Parts::take_mouse(const SDL_Event& event, Gestures& gestures) {
   } else {
     out.kind = event.type == SDL_MOUSEBUTTONDOWN ? Kind::press : Kind::release;
     out.button = button_of(event.button.button);
+    out.clicks = std::max(1, static_cast<int>(event.button.clicks));
     if (out.button != Button::none) tell(gestures, out, event.button.x * scale_x, event.button.y * scale_y);
   }
 }

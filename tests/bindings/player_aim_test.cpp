@@ -63,3 +63,25 @@ TEST_CASE("aim: the camera goes along with what it follows, and stays when that 
   follower.move(*scene, camera);
   CHECK(distance(camera.target, start + vec(1, 0, 0)) < 1e-9);
 }
+
+TEST_CASE("aim: what was chosen is followed in place of what the scene wants, and nothing if that was nothing") {
+  auto scene = open(R"(
+    scene.gravity = vec(0, 0, 0)
+    scene.camera = { follow = scene:particle { velocity = vec(2, 0, 0) } }
+    scene:particle { name = "riser", velocity = vec(0, 3, 0) }
+  )");
+  Camera camera = aim_at(*scene);
+  const Vec3 start = camera.target;
+  Follower follower;
+  follower.choose(scene->world().particles.ids()[1]);
+  const auto second = [&] {
+    follower.move(*scene, camera);
+    for (int i = 0; i < 240; i++) scene->step();
+    follower.move(*scene, camera);
+  };
+  second();
+  CHECK(distance(camera.target, start + vec(0, 3, 0)) < 1e-9);
+  follower.choose({});
+  second();
+  CHECK(distance(camera.target, start + vec(0, 3, 0)) < 1e-9);
+}

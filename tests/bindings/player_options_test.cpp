@@ -53,6 +53,14 @@ TEST_CASE("options: run with everything") {
   CHECK(o.run.memory_limit == std::size_t{64} << 20);
 }
 
+TEST_CASE("options: views are those that are on at first, with what is named and without what has a minus") {
+  const Options o = read({"run", "chain", "--view", "rings,-shadows"});
+  CHECK(o.run.views.on(pantin::View::rings));
+  CHECK(o.run.views.on(pantin::View::bodies));
+  CHECK_FALSE(o.run.views.on(pantin::View::shadows));
+  CHECK_THROWS_WITH(read({"run", "chain", "--view", "halos"}), Contains("there is no view 'halos'; there are: bodies"));
+}
+
 TEST_CASE("options: what is not said") {
   Options o = read({"play"});
   CHECK(o.command == Options::Command::play);

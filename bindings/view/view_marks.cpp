@@ -1,0 +1,158 @@
+#include "view/view_marks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "articulates/articulate.hpp"
+#include "view/sketch.hpp"
+#include "world/forces.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr Color force_color = {0.82f, 0.18f, 0.24f, 1.0f}, velocity_color = {0.14f, 0.45f, 0.78f, 1.0f},
+                cell_color = {0.45f, 0.55f, 0.62f, 0.35f}, next_color = {0.45f, 0.44f, 0.42f, 1.0f};
+constexpr double shown_time = 0.1;  // [s] at the scene's pace: of its motion that a velocity's arrow is long
+constexpr double ring_part = 0.22;  // of the unit: how far members are drawn from their hinge
+constexpr std::size_t most_cells = 1500;
+
+Mark mark(Mark::Kind kind, Vec3 from, Vec3 to, const Color& color, double size) {
+  return {kind, from, to, color, size, false, {}};
+}
+
+/// Members round their hinge, each on the way to its body.
+void add_ring(const World& world, const Particle& ring, const Stage& stage, std::vector<Mark>& marks) {
+  const Vec3 at = shown_place(world, ring.points[0]);
+  if (!finite(at)) return;
+  const auto place = [&](PointId id) {
+    const BodyId body = world.points[id].body;
+    const Vec3 away = body ? world.motion_of(body).x + image_shift(world, world.motion_of(body).x) - at : zero3();
+    const double far_off = norm(away);
+    return at + away * (far_off > 0.0 ? std::min(ring_part * stage.unit / far_off, 0.5) : 0.0);
+  };
+  for (std::size_t i = 0; i < ring.points.size(); i++) {
+    const PointId id = ring.points[i], next = ring.points[(i + 1) % ring.points.size()];
+    const Vec3 here = place(id), there = place(next);
+    const Color color = world.points[id].color;
+    marks.push_back(mark(Mark::Kind::line, at, here, color, 2.0));
+    if (ring.points.size() > 2 || i == 0)
+      marks.push_back(mark(Mark::Kind::arrow, here, here + (there - here) * 0.85, next_color, 1.5));
+    marks.push_back(mark(Mark::Kind::point, here, here, color, 9.0));
+  }
+  marks.push_back(mark(Mark::Kind::point, at, at, next_color, 5.0));
+}
+
+void add_rings(const World& world, const Stage& stage, std::vector<Mark>& marks) {
+  for (std::uint32_t s = 0; s < world.particles.slots(); s++)
+    if (world.particles.alive_at(s) && world.particles.at_slot(s).is_hinge())
+      add_ring(world, world.particles.at_slot(s), stage, marks);
+}
+
+/// Calls visit(point, force [N]) for what hinges and constraints exerted in the last step.
+template <class Visit>
+void each_force(const World& world, Visit visit) {
+  for (const auto& articulate : world.articulates)
+    for (const Row& row : articulate->rows)
+      if (row.condition < 0 && row.kind != RowKind::stiff && world.points.alive(row.member)) visit(row.member, row.f);
+  for (std::uint32_t s = 0; s < world.constraints.slots(); s++) {
+    if (!world.constraints.alive_at(s)) continue;
+    const Constraint& c = world.constraints.at_slot(s);
+    if (c.enabled && world.points.alive(c.a)) visit(c.a, c.force);
+  }
+}
+
+void add_forces(const World& world, const Stage& stage, std::vector<Mark>& marks) {
+  double most = 0.0;
+  each_force(world, [&](PointId, Vec3 force) { most = std::fmax(most, norm(force)); });
+  if (!(most > 0.0) || !std::isfinite(most)) return;
+  const double longest = std::max(stage.unit, 0.1 * stage.size);  // [m]
+  each_force(world, [&](PointId id, Vec3 force) {
+    const double part = norm(force) / most;
+    const Vec3 at = shown_place(world, id);
+    if (!(part > 1e-4) || !finite(at)) return;
+    marks.push_back(
+        mark(Mark::Kind::arrow, at, at + force * (longest * std::sqrt(part) / norm(force)), force_color, 2.0));
+  });
+  char line[80];
+  std::snprintf(line, sizeof line, "forces: longest %.3g N, length by the root", most);
+  marks.push_back(legend_mark(line, 1));
+}
+
+void add_velocities(const World& world, double pace, std::vector<Mark>& marks) {
+  const auto add = [&](Vec3 at, Vec3 v) {
+    if (finite(at) && finite(v))
+      marks.push_back(mark(Mark::Kind::arrow, at, at + v * (shown_time * pace), velocity_color, 2.0));
+  };
+  for (std::uint32_t s = 0; s < world.bodies.slots(); s++) {
+    const Motion& m = world.motion[s];
+    if (world.bodies.alive_at(s) && m.mass > 0.0) add(m.x + image_shift(world, m.x), m.p / m.mass);
+  }
+  for (std::uint32_t s = 0; s < world.points.slots(); s++)
+    if (world.points.alive_at(s) && !world.points.at_slot(s).body)
+      add(world.free_motion[s].x + image_shift(world, world.free_motion[s].x), world.free_motion[s].v);
+}
+
+void add_cell(const Grid& grid, const std::array<std::int32_t, 3>& cell, std::vector<Mark>& marks) {
+  const auto corner = [&](int bits) {
+    Vec3 at = zero3();
+    for (std::size_t k = 0; k < 3; k++)
+      at[static_cast<int>(grid.axis[k])] = grid.origin[k] + (cell[k] + (bits >> k & 1)) / grid.cells_per_metre[k];
+    return at;
+  };
+  for (int from = 0; from < 8; from++)
+    for (int k = 0; k < 3; k++)
+      if (!(from >> k & 1))
+        marks.push_back(mark(Mark::Kind::line, corner(from), corner(from | 1 << k), cell_color, 1.0));
+}
+
+/// The occupied cells of the first interaction that looks for neighbours.
+void add_cells(const World& world, std::vector<Mark>& marks) {
+  if (!world.forces || !world.forces->rows) return;
+  const Forces& forces = *world.forces;
+  const auto cut = std::ranges::find_if(forces.interactions, [](const ActingInteraction& i) {
+    return i.rows.cutoff() > 0.0 && std::isfinite(i.rows.cutoff());
+  });
+  if (cut == forces.interactions.end() || !world.interactions.alive(cut->id)) return;
+  const Interaction& interaction = world.interactions[cut->id];
+  const Box box{world.settings.box.value_or(zero3())};
+  std::vector<Vec3> places;
+  std::vector<std::uint32_t> members;
+  for (std::uint32_t i = 0; i < forces.sites.n; i++) {
+    const Vec3 at = forces.sites.x[i];
+    const FamilyId family = world.particles.at_slot(forces.sites.particle[i]).family;
+    if (!finite(at) || (family != interaction.a && family != interaction.b)) continue;
+    members.push_back(static_cast<std::uint32_t>(places.size()));
+    places.push_back(box.wrapped(at));
+  }
+  if (places.empty()) return;
+  const Grid grid = make_grid(places, members, members, box, cut->rows.cutoff() + forces.skin.width());
+  std::vector<std::array<std::int32_t, 3>> cells;
+  for (const Vec3 at : places) cells.push_back({grid.cell(0, at), grid.cell(1, at), grid.cell(2, at)});
+  std::ranges::sort(cells);
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  if (cells.size() > most_cells) cells.resize(most_cells);
+  for (const auto& cell : cells) add_cell(grid, cell, marks);
+}
+
+}  // namespace
+
+Mark legend_mark(const std::string& text, int line) {
+  Mark legend;
+  legend.kind = Mark::Kind::text;
+  legend.from = vec(-330.0, 14.0 + 20.0 * line, 0.0);
+  legend.size = 13.0;
+  legend.on_screen = true;
+  legend.text = text;
+  return legend;
+}
+
+void add_view_marks(const World& world, const Views& views, const Stage& stage, double pace, std::vector<Mark>& marks) {
+  if (views.on(View::cells)) add_cells(world, marks);
+  if (views.on(View::velocities)) add_velocities(world, pace, marks);
+  if (views.on(View::forces)) add_forces(world, stage, marks);
+  if (views.on(View::rings)) add_rings(world, stage, marks);
+}
+
+}  // namespace pantin

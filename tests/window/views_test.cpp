@@ -1,0 +1,202 @@
+#include "view/views.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+
+#include "bindings/lua_support.hpp"
+#include "support/allocations.hpp"
+#include "view/player_input.hpp"
+#include "view/renderer.hpp"
+#include "view/view_keys.hpp"
+#include "view/window.hpp"
+#include "world/measure.hpp"
+
+using namespace pantin;
+using Catch::Contains;
+
+namespace {
+
+constexpr int wide = 480, high = 270;
+
+// Something for every view to show.
+const char* const everything_at_once = R"(
+  local previous
+  for i = 1, 6 do
+    local link = scene:body { at = vec(i - 0.5, 4, 0), spin = vec(0, 0, i),
+      points = { head = { at = vec(-0.5, 0, 0), mass = 0.5 }, tail = { at = vec(0.5, 0, 0), mass = 0.5 } } }
+    if previous then scene:hinge(previous.tail, link.head) else scene:nail(link.head) end
+    previous = link
+  end
+  local gas = scene:family("gas", { radius = 0.1 })
+  local atoms = {}
+  for i = 1, 20 do
+    atoms[i] = scene:particle { family = gas, at = vec(i % 5, 1 + i // 5 * 0.4, 1), velocity = vec(0, i * 0.1, 0.3) }
+    if i % 5 > 1 then scene:connect(atoms[i - 1], atoms[i], force.spring { stiffness = 50, length = 0.8 }) end
+  end
+  scene:interact(gas, gas, force.wca { epsilon = 0.1, sigma = 0.2 })
+)";
+
+Overlay with(const Views& views) {
+  Overlay overlay;
+  overlay.views = views;
+  return overlay;
+}
+
+int apart(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+  int count = 0;
+  for (std::size_t i = 0; i < a.size(); i += 4)
+    count += std::abs(a[i] - b[i]) + std::abs(a[i + 1] - b[i + 1]) + std::abs(a[i + 2] - b[i + 2]) > 24;
+  return count;
+}
+
+Views all_views() {
+  Views views;
+  for (const NamedView& named : view_table()) views.set(named.view, true);
+  return views;
+}
+
+}  // namespace
+
+TEST_CASE("each view shows something, and toggled back the picture is the same to the bit", "[window]") {
+  const Window window("test", wide, high, true);
+  const auto scene = lua_tests::open(everything_at_once);
+  Renderer renderer(wide, high);
+  const auto picture = [&](const Views& views) {
+    renderer.draw(scene->world(), first_camera(renderer.stage(), 480.0 / 270.0), with(views));
+    return renderer.read_pixels();
+  };
+  renderer.open(scene->world());
+  for (int i = 0; i < 60; i++) {
+    scene->step();
+    renderer.watch(scene->world(), {View::trails}, 1.0);
+  }
+  for (const NamedView& named : view_table()) {
+    INFO(named.name);
+    renderer.watch(scene->world(), {View::trails}, 1.0);
+    Views views;
+    const auto before = picture(views);
+    views.toggle(named.view);
+    if (named.view == View::trails) {
+      for (int i = 0; i < 30; i++) {
+        scene->step();
+        renderer.watch(scene->world(), views, 1.0);
+      }
+    }
+    const auto toggled = picture(views);
+    views.toggle(named.view);
+    const auto after = picture(views);
+    CHECK(apart(toggled, after) > 40);
+    if (named.view != View::trails) CHECK(before == after);
+  }
+}
+
+TEST_CASE("no view changes the world by a bit", "[window]") {
+  const Window window("test", wide, high, true);
+  Renderer renderer(wide, high);
+  std::uint64_t hashes[2] = {};
+  for (const bool drawn : {false, true}) {
+    const auto scene = lua_tests::open(everything_at_once);
+    for (int i = 0; i < 240; i++) {
+      scene->step();
+      if (drawn && i % 4 == 0) renderer.draw(scene->world(), Camera{}, with(all_views()));
+    }
+    hashes[drawn ? 1 : 0] = state_hash(scene->world());
+  }
+  CHECK(hashes[0] == hashes[1]);
+}
+
+TEST_CASE("drawing a frame asks for no memory", "[window]") {
+  const Window window("test", wide, high, true);
+  const auto scene = lua_tests::open(everything_at_once);
+  scene->step();
+  Renderer renderer(wide, high);
+  renderer.open(scene->world());
+  const Camera camera = first_camera(renderer.stage(), 480.0 / 270.0);
+  Overlay overlay;
+  overlay.marks.push_back({Mark::Kind::arrow, vec(0, 0, 0), vec(1, 1, 0), {}, 2.0, false, ""});
+  const Views shown[] = {{}, {View::bodies, View::loads, View::rings, View::velocities}};
+  for (const Views& views : shown) {
+    overlay.views = views;
+    for (int i = 0; i < 3; i++) renderer.draw(scene->world(), camera, overlay);
+    const std::uint64_t before = allocations();
+    for (int i = 0; i < 5; i++) renderer.draw(scene->world(), camera, overlay);
+    CHECK(allocations() == before);
+  }
+}
+
+TEST_CASE("a picture of one pixel is drawn, with all views", "[window]") {
+  const Window window("test", 1, 1, true);
+  const auto scene = lua_tests::open(everything_at_once);
+  scene->step();
+  Renderer renderer(1, 1);
+  renderer.draw(scene->world(), Camera{}, with(all_views()));
+  CHECK(renderer.read_pixels().size() == 4);
+}
+
+TEST_CASE("views have names and keys of their own") {
+  std::set<std::string> names, keys;
+  for (const NamedView& named : view_table()) {
+    CHECK(names.insert(named.name).second);
+    CHECK(keys.insert(named.key).second);
+  }
+  for (const auto& [key, help] : key_help()) CHECK_FALSE(keys.contains(key));
+}
+
+TEST_CASE("views are read by their names") {
+  const Views views = read_views("rings,-shadows,dark");
+  CHECK(views.on(View::rings));
+  CHECK(views.on(View::dark));
+  CHECK(views.on(View::bodies));
+  CHECK_FALSE(views.on(View::shadows));
+  CHECK_THROWS_WITH(read_views("rings,halos"), Contains("there is no view 'halos'; there are: bodies, loads, shadows"));
+  CHECK_THROWS_WITH(read_views(""), Contains("there is no view ''"));
+}
+
+TEST_CASE("of the views that colour things one is on") {
+  Views views;
+  views.set(View::families, true);
+  views.set(View::errors, true);
+  CHECK_FALSE(views.on(View::families));
+  CHECK(views.on(View::errors));
+  views.set(View::errors, false);
+  CHECK(views == Views{});
+}
+
+TEST_CASE("keys toggle views and turn the camera, but not with ctrl") {
+  Gestures gestures;
+  Views views;
+  Camera camera;
+  gestures.keys = {"g", "p", "9"};
+  take_view_keys(gestures, views, camera);
+  CHECK(views.on(View::rings));
+  CHECK(camera.forward()[1] == Approx(-1.0));
+  gestures.control = true;
+  take_view_keys(gestures, views, camera);
+  CHECK(views.on(View::rings));
+  gestures = {};
+  gestures.keys = {"u", "g"};
+  take_view_keys(gestures, views, camera);
+  CHECK_FALSE(views.on(View::rings));
+  CHECK(camera.fov == Camera{}.fov);
+}
+
+TEST_CASE("along an axis, near and far things have one size, and what is at the target keeps its own") {
+  const Side side = GENERATE(Side::front, Side::right, Side::top);
+  Camera camera;
+  camera.target = vec(1, 2, 3);
+  const double before = camera.project(camera.target, 1280, 720)->pixel;
+  camera.look_along(side);
+  CHECK(camera.project(camera.target, 1280, 720)->pixel == Approx(before));
+  for (const double depth : {-2.0, 2.0}) {
+    const auto seen = camera.project(camera.target + camera.forward() * depth + camera.up(), 1280, 720);
+    REQUIRE(seen);
+    CHECK(seen->pixel == Approx(before).epsilon(0.01));
+    CHECK(360.0 - seen->y == Approx(1.0 / before).epsilon(0.01));
+  }
+  const int axis = side == Side::front ? 2 : side == Side::right ? 0 : 1;
+  CHECK(camera.forward()[axis] == Approx(-1.0));
+  camera.look_freely();
+  CHECK(camera.project(camera.target, 1280, 720)->pixel == Approx(before));
+}
