@@ -145,7 +145,10 @@ function quat_methods:inverse() end
 ---@field near number [m] at most so far apart
 ---@field below number [K] bonds are made
 ---@field above number [K] bonds break
----@field law Law
+---@field law? Law of the connections that are made; this or hinge
+---@field implicit? boolean|string of those connections, as in connect
+---@field hinge? boolean what is near is joined to a hinge
+---@field time_constant? number [s] of that
 
 ---@class WhenOptions
 ---@field mean? number [s] over which the measure is averaged

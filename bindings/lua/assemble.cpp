@@ -89,18 +89,17 @@ int scene_connect_within(lua_State* state) {
   lua_settop(state, 5);
   const GroupId group = check_kind(state, 2, Kind::group, "connect_within", argument(1)).id<GroupId>();
   const double distance = check_number(state, 3, "connect_within", "argument 2, the distance,", "m");
-  lua_newtable(state);
-  lua_Integer i = 0;
-  for (const auto& [a, b] : pairs_within(self.world, group, distance)) {
-    lua_pushcfunction(state, guard<scene_connect>);
-    lua_pushvalue(state, 1);
-    push_thing(state, self.script, a);
-    push_thing(state, self.script, b);
-    lua_pushvalue(state, 4);
-    lua_pushvalue(state, 5);
-    lua_call(state, 5, 1);
-    lua_rawseti(state, -2, ++i);
+  std::vector<ConnectionId> made;
+  const std::size_t notices = self.world.notices.size();
+  try {
+    for (const auto& [a, b] : pairs_within(self.world, group, distance))
+      made.push_back(connect(self, {{a, zero3()}, {b, zero3()}}, 4));
+  } catch (...) {
+    for (ConnectionId id : made) remove(self.world, id);
+    self.world.notices.resize(notices);
+    throw;
   }
+  push_list(state, self.script, made);
   return 1;
 }
 

@@ -70,20 +70,13 @@ Measured of_table(lua_State* state, int index, const World& world) {
   return *found;
 }
 
-/// One that uses a removed thing is told so once, and not asked again.
-Measured of_function(lua_State* state, int index, Script& script) {
+Measured of_function(lua_State* state, int index) {
   const Callback function = check_function(state, index, "when", "argument 1, the condition,");
   Measured m;
   m.limit = 0.5;
-  m.measure = [function, &script, over = false]() mutable {
+  m.measure = [function] {
     bool holds = false;
-    if (over) return 0.0;
-    try {
-      function.call({}, [&](lua_State* s) { holds = lua_toboolean(s, -1) != 0; });
-    } catch (const StaleHandle& error) {
-      over = true;
-      log_line(script.world, "dropped", error.what());
-    }
+    function.call({}, [&](lua_State* s) { holds = lua_toboolean(s, -1) != 0; });
     return holds ? 1.0 : 0.0;
   };
   return m;
@@ -96,7 +89,7 @@ Measured check_condition(lua_State* state, int index, int options, Script& scrip
   require(table || lua_isfunction(state, index),
           "when: argument 1, the condition, must be a function or a table such as { temperature_above = 300 }, got ",
           kind_of_value(state, index));
-  Measured m = table ? of_table(state, index, script.world) : of_function(state, index, script);
+  Measured m = table ? of_table(state, index, script.world) : of_function(state, index);
   const Options o(state, options, "when", {"mean", "again", "hysteresis"});
   require(table || (!o.has("mean") && !o.has("hysteresis")),
           "when: mean and hysteresis are for what is measured; a function just says whether it holds");

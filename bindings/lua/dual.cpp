@@ -7,6 +7,8 @@
 #include "base/check.hpp"
 #include "base/functions.hpp"
 #include "lua/algebra.hpp"
+#include "lua/law_run.hpp"
+#include "lua/runtime.hpp"
 
 namespace pantin::lua {
 namespace {
@@ -154,6 +156,13 @@ void DualAlgebra::push_floor(lua_State* state, const Dual& a) const {
     lua_pushnumber(state, floor);
 }
 
-std::string DualAlgebra::text(const Dual& a) const { return to_text(a.value); }
+std::string DualAlgebra::text(const Dual& a) const {
+  if (LawRun* law = Runtime::of(running).law)
+    law->mistake(
+        running,
+        "a text has no derivative, and the derivative of a potential is its force; print(…) may show the value, "
+        "or give a force in place of the potential");
+  return to_text(a.value);
+}
 
 }  // namespace pantin::lua

@@ -33,7 +33,7 @@ struct DualAlgebra {
   using Number = Dual;
   static constexpr Tag number_tag = Tag::dual, vec_tag = Tag::dual_vec;
 
-  explicit DualAlgebra(lua_State*) {}
+  explicit DualAlgebra(lua_State* state) : running(state) {}
 
   std::optional<Dual> read(lua_State* state, int index) const;
   std::optional<std::array<Dual, 3>> read_vec(lua_State* state, int index) const;
@@ -57,9 +57,12 @@ struct DualAlgebra {
   bool equal(const Dual& a, const Dual& b) const { return a.value == b.value; }
   /// Without derivative: a whole number as Lua has it.
   void push_floor(lua_State* state, const Dual& a) const;
+  /// A mistake, but for print: what is worked out of a text would add to the energy and not to the force.
   std::string text(const Dual& a) const;
   /// What is not known of a number that carries derivatives is asked of its value.
   double plain(const Dual& a, const char*) const { return a.value; }
+
+  lua_State* running;
 };
 
 }  // namespace pantin::lua

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <unordered_set>
 
 #include "lua/arguments.hpp"
 #include "lua/assemble.hpp"
@@ -73,9 +74,9 @@ int each_member(lua_State* state) {
 std::vector<ParticleId> hinges_in(const Self& self) {
   const std::vector<AnyId> members = living_members(self);
   std::vector<ParticleId> found;
+  std::unordered_set<ParticleId> known;
   const auto keep = [&](ParticleId hinge) {
-    if (self.world.particles[hinge].is_hinge() && std::find(found.begin(), found.end(), hinge) == found.end())
-      found.push_back(hinge);
+    if (self.world.particles[hinge].is_hinge() && known.insert(hinge).second) found.push_back(hinge);
   };
   std::vector<BodyId> bodies;
   for (const AnyId& id : members) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/check.hpp"
+#include "world/choreography.hpp"
 
 namespace pantin::lua {
 
@@ -19,8 +20,8 @@ struct Interrupted : ScriptError {
 };
 
 /// A removed thing was used; the text is its story.
-struct StaleHandle : Error {
-  using Error::Error;
+struct StaleHandle : Gone {
+  using Gone::Gone;
 };
 
 /// Source of chunks that are part of the program; no place of a script is in them.

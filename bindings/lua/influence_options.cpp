@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "laws/library.hpp"
 #include "lua/arguments.hpp"
 #include "lua/fields.hpp"
 #include "lua/force.hpp"
@@ -63,12 +62,6 @@ std::vector<End> ends_of(lua_State* state, int& law) {
   return ends;
 }
 
-std::vector<Vec3> places_of(const World& world, const std::vector<End>& ends) {
-  std::vector<Vec3> places;
-  for (const End& end : ends) places.push_back(end.particle ? position(world, end.particle) : end.place);
-  return places;
-}
-
 std::vector<std::string> parameter_names(const Law& law) {
   std::vector<std::string> names;
   for (const pantin::Parameter& p : law.parameters) names.push_back(p.name);
@@ -81,6 +74,40 @@ void require_values(const char* call, const Law& law) {
     require(!p.present, call, ": ", law.name, ": ", p.name, " must be given", p.unit.empty() ? "" : ", in ", p.unit);
 }
 
+/// The families of a bonding.
+std::vector<FamilyId> families_of(const Options& o) {
+  lua_State* state = o.state();
+  std::vector<FamilyId> list;
+  const int families = o.push("families");
+  if (!lua_istable(state, families)) {
+    list.push_back(check_kind(state, families, Kind::family, "bonding", "families").id<FamilyId>());
+  } else {
+    const auto count = lua_rawlen(state, families);
+    for (lua_Unsigned i = 1; i <= count; i++) {
+      lua_rawgeti(state, families, static_cast<lua_Integer>(i));
+      list.push_back(
+          check_kind(state, lua_gettop(state), Kind::family, "bonding", text("families[", i, "]")).id<FamilyId>());
+      lua_pop(state, 1);
+    }
+  }
+  lua_pop(state, 1);
+  require(list.size() == 1 || list.size() == 2, "bonding: families must be one or two, got ", list.size());
+  require(list.size() == 1 || !(list[0] == list[1]), "bonding: the two families are one; give it once");
+  return list;
+}
+
+/// The law of a bonding.
+void set_law(const Self& self, const Options& o, BondingDef& def) {
+  const KnownNames known[] = {names_of_family(self.world, def.families.front()),
+                              names_of_family(self.world, def.families.back())};
+  const ResolvedLaw resolved = resolve_law(self.state, o.push("law"), self.script, known, def.families.size() == 1);
+  lua_pop(self.state, 1);
+  def.law = resolved.laws.front();
+  def.parameters = resolved.values;
+  def.solve = o.has("implicit") ? read_implicit(o) : resolved.solve;
+  def.on_connection = [&script = self.script, resolved](ConnectionId id) { watch_law(script, id, resolved); };
+}
+
 }  // namespace
 
 KnownNames names_of_family(const World& world, FamilyId family) {
@@ -89,11 +116,10 @@ KnownNames names_of_family(const World& world, FamilyId family) {
   return known;
 }
 
-int scene_connect(lua_State* state) {
-  const Self self = check_self(state, Kind::scene, "connect");
-  int at = 0;
+ConnectionId connect(const Self& self, std::vector<End> ends, int at) {
+  lua_State* state = self.state;
   ConnectionDef def;
-  def.ends = ends_of(state, at);
+  def.ends = std::move(ends);
   std::vector<KnownNames> known;
   for (const End& end : def.ends) known.push_back(names_of(self.world, end));
   if (const LawSpec* spec = to_law(state, at); spec && spec->kind != LawKind::point)
@@ -111,7 +137,7 @@ int scene_connect(lua_State* state) {
     if (given)
       def.parameters[k] = *given;
     else if (law->parameters[k].present)
-      def.parameters[k] = present_value(places_of(self.world, def.ends));
+      def.parameters[k] = present_value(self.world, def.ends);
   }
   if (o.has("breaks_at")) {
     const Options limits(state, o.push("breaks_at"), "connect: breaks_at", {"force", "length"});
@@ -123,7 +149,14 @@ int scene_connect(lua_State* state) {
   def.name = o.string("name").value_or("");
   const ConnectionId id = add_connection(self.world, law, def);
   watch_law(self.script, id, resolved);
-  push_thing(state, self.script, id);
+  return id;
+}
+
+int scene_connect(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "connect");
+  int at = 0;
+  std::vector<End> ends = ends_of(state, at);
+  push_thing(state, self.script, connect(self, std::move(ends), at));
   return 1;
 }
 
@@ -131,24 +164,10 @@ int scene_bonding(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "bonding");
   require(lua_istable(state, 2), "bonding: argument 1 must be a table { families, near, below, above, law }, got ",
           kind_of_value(state, 2));
-  const Options o(state, 2, "bonding", {"families", "near", "below", "above", "law"});
+  const Options o(state, 2, "bonding",
+                  {"families", "near", "below", "above", "law", "implicit", "hinge", "time_constant"});
   BondingDef def;
-  const int families = o.push("families");
-  if (lua_istable(state, families)) {
-    const auto count = lua_rawlen(state, families);
-    for (lua_Unsigned i = 1; i <= count; i++) {
-      lua_rawgeti(state, families, static_cast<lua_Integer>(i));
-      def.families.push_back(
-          check_kind(state, lua_gettop(state), Kind::family, "bonding", text("families[", i, "]")).id<FamilyId>());
-      lua_pop(state, 1);
-    }
-  } else {
-    def.families.push_back(check_kind(state, families, Kind::family, "bonding", "families").id<FamilyId>());
-  }
-  require(def.families.size() == 1 || def.families.size() == 2, "bonding: families must be one or two, got ",
-          def.families.size());
-  require(def.families.size() == 1 || !(def.families[0] == def.families[1]),
-          "bonding: the two families are one; give it once");
+  def.families = families_of(o);
   const auto needed = [&](const char* name, const char* unit) {
     const auto value = o.number(name, unit);
     require(value.has_value(), "bonding: ", name, " [", unit, "] is missing");
@@ -157,11 +176,13 @@ int scene_bonding(lua_State* state) {
   def.near = needed("near", "m");
   def.below = needed("below", "K");
   def.above = needed("above", "K");
-  const KnownNames known[] = {names_of_family(self.world, def.families.front()),
-                              names_of_family(self.world, def.families.back())};
-  const ResolvedLaw resolved = resolve_law(state, o.push("law"), self.script, known, def.families.size() == 1);
-  def.law = resolved.laws.front();
-  def.parameters = resolved.values;
+  const bool hinge = o.boolean("hinge").value_or(false);
+  require(hinge != o.has("law"),
+          "bonding: what is near and cold is tied by law = … or joined by hinge = true; give one");
+  require(!hinge || !o.has("implicit"), "bonding: implicit is for the connections of a law");
+  require(hinge || !o.has("time_constant"), "bonding: time_constant is for hinge = true");
+  def.time_constant = o.number("time_constant", "s").value_or(def.time_constant);
+  if (!hinge) set_law(self, o, def);
   def.label = where(state);
   push_event(state, self.script, add_bonding(self.world, std::move(def)));
   return 1;

@@ -56,7 +56,6 @@ class Coroutine {
 
   std::optional<Wait> go() {
     std::optional<Wait> found;
-    if (*over_) return found;
     script_.runtime.run([&](lua_State* state) { found = resume(state); });
     return found;
   }
@@ -76,24 +75,16 @@ class Coroutine {
     Wait wanted;
     if (lua_isfunction(thread_, -2)) {
       const Callback until(thread_, lua_gettop(thread_) - 1);
-      wanted.until = [until, &script = script_, over = over_] { return asked(until, script, *over); };
+      wanted.until = [until] {
+        bool holds = false;
+        until.call({}, [&](lua_State* s) { holds = lua_toboolean(s, -1) != 0; });
+        return holds;
+      };
     } else {
       wanted.delay = lua_tonumber(thread_, -2);
     }
     lua_pop(thread_, results);
     return wanted;
-  }
-
-  /// A wait that uses a removed thing ends the play.
-  static bool asked(const Callback& until, Script& script, bool& over) {
-    bool holds = false;
-    try {
-      until.call({}, [&](lua_State* s) { holds = lua_toboolean(s, -1) != 0; });
-    } catch (const StaleHandle& error) {
-      log_line(script.world, "dropped", error.what());
-      holds = over = true;
-    }
-    return holds;
   }
 
   /// Raises the coroutine's error on the state that resumed it.
@@ -109,7 +100,6 @@ class Coroutine {
   Script& script_;
   std::string place_;
   lua_State* thread_;
-  std::shared_ptr<bool> over_ = std::make_shared<bool>(false);
   int arguments_ = 0;  // waiting on the coroutine's stack for its first start
   int reference_ = LUA_NOREF;
 };
@@ -118,14 +108,7 @@ class Coroutine {
 
 std::function<std::optional<Wait>()> play_of(lua_State* state, int index, Script& script, AnyId target) {
   const auto coroutine = std::make_shared<Coroutine>(state, index, script, target);
-  return [coroutine, &script]() -> std::optional<Wait> {
-    try {
-      return coroutine->go();
-    } catch (const StaleHandle& error) {
-      log_line(script.world, "dropped", error.what());
-      return {};
-    }
-  };
+  return [coroutine] { return coroutine->go(); };
 }
 
 }  // namespace pantin::lua

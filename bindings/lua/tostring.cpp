@@ -1,6 +1,7 @@
 #include "lua/tostring.hpp"
 
 #include <cstdio>
+#include <utility>
 
 #include "lua/runtime.hpp"
 #include "lua/sandbox.hpp"
@@ -43,7 +44,21 @@ int to_string(lua_State* state) {
   return 1;
 }
 
+/// While it lives, the law that runs may show its values: it gets none of the text.
+class Showing {
+ public:
+  explicit Showing(lua_State* state) : runtime_(Runtime::of(state)), law_(std::exchange(runtime_.law, nullptr)) {}
+  ~Showing() { runtime_.law = law_; }
+  Showing(const Showing&) = delete;
+  Showing& operator=(const Showing&) = delete;
+
+ private:
+  Runtime& runtime_;
+  LawRun* law_;
+};
+
 int print(lua_State* state) {
+  const Showing showing(state);
   const int count = lua_gettop(state);
   for (int i = 1; i <= count; i++) {
     const std::string_view s = push_text(state, i);

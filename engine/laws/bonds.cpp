@@ -5,6 +5,7 @@
 
 #include "base/check.hpp"
 #include "base/compensated.hpp"
+#include "base/lengths.hpp"
 #include "laws/arranged.hpp"
 #include "laws/block.hpp"
 
@@ -33,14 +34,8 @@ struct Stretch {
 };
 
 void store4(double* to, Vec3 a, Vec3 b, Vec3 c, Vec3 d, Vec3 least) {
-  a *= a;
-  b *= b;
-  c *= c;
-  d *= d;
-  const Vec3 ab = __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
-  const Vec3 cd = __builtin_shufflevector(c, d, 0, 4, 2, 6) + __builtin_shufflevector(c, d, 1, 5, 3, 7);
-  const Vec3 sum = __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
-  *reinterpret_cast<Vec3*>(to) = sum > least ? sum : least;
+  const Vec3 squares = lengths2(a, b, c, d);
+  *reinterpret_cast<Vec3*>(to) = squares > least ? squares : least;
 }
 
 template <bool periodic>

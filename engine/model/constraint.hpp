@@ -79,22 +79,22 @@ struct Constraint {
   Quat turn;                              ///< orientation of body_a in body_b's frame, or the world's, that counts as 0
   Quat previous_turn;                     ///< the same one step ago
   Vec3 spin = zero3(),
-       previous_spin = zero3();            ///< [rad/s] of an orient's target at the ends
-                                           ///< of this step and the last
-  std::vector<Passage> passages;           ///< of a string, from end to end
-  std::shared_ptr<const Path> path;        ///< of an on_path
-  double along = 0.0;                      ///< of an on_path: its parameter at the end of the last step
-  std::shared_ptr<const Joining> joining;  ///< of a join
-  bool by_speed = false;                   ///< a motor that is told its speed, `length_rate`
-  double angle = 0.0;                      ///< [rad] of a motor or limit at the end of the last
-                                           ///< step, turns counted
-  std::function<Vec3(double)> target;      ///< of a follow: place at time t [s];
-                                           ///< empty where `place` is set by hand
-  std::function<double(double)> number;    ///< `length` at time t [s], or a motor's speed; empty where that
-                                           ///< is set by hand
-  std::function<Quat(double)> attitude;    ///< of an orient: `turn` at time t [s]
-  std::int32_t hand = -1;                  ///< of a hand's grab: index of the hand
-  std::uint32_t moves = 0;                 ///< samples of the target since it last jumped
+       previous_spin = zero3();          ///< [rad/s] of an orient's target at the ends
+                                         ///< of this step and the last
+  std::vector<Passage> passages;         ///< of a string, from end to end
+  std::shared_ptr<const Path> path;      ///< of an on_path
+  double along = 0.0;                    ///< of an on_path: its parameter at the end of the last step
+  std::shared_ptr<Joining> joining;      ///< of a join
+  bool by_speed = false;                 ///< a motor that is told its speed, `length_rate`
+  double angle = 0.0;                    ///< [rad] of a motor or limit at the end of the last
+                                         ///< step, turns counted
+  std::function<Vec3(double)> target;    ///< of a follow: place at time t [s];
+                                         ///< empty where `place` is set by hand
+  std::function<double(double)> number;  ///< `length` at time t [s], or a motor's speed; empty where that
+                                         ///< is set by hand
+  std::function<Quat(double)> attitude;  ///< of an orient: `turn` at time t [s]
+  std::int32_t hand = -1;                ///< of a hand's grab: index of the hand
+  std::uint32_t moves = 0;               ///< samples of the target since it last jumped
   bool enabled = true;
   Breaking breaks_at;
   Vec3 force = zero3();   ///< [N] on a in the last step; of a rod along it
@@ -125,7 +125,10 @@ struct Joining {
   ConstraintId holder;                     ///< that draws its first point to a place, and goes with it; or null
   std::function<void(ParticleId)> on_met;  ///< called with the hinge, in the step after that in which they met
   std::string hinge_name;
-  std::string label;  ///< "scene.lua:12"
+  std::string label;                                         ///< "scene.lua:12"
+  double nearest = std::numeric_limits<double>::infinity();  ///< [m] its points were to each other so far
+  double nearest_at = 0.0;                                   ///< [s]
+  bool told = false;                                         ///< that they come no nearer
 };
 
 }  // namespace pantin

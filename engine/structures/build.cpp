@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "laws/library.hpp"
 #include "structures/build_plan.hpp"
 
 namespace pantin {
@@ -122,13 +121,9 @@ class Construction {
     ConnectionDef connection;
     connection.solve = law.solve;
     connection.parameters = law.values;
-    std::vector<Vec3> places;
-    for (std::uint32_t v : vertices) {
-      connection.ends.push_back({built.particles[v], zero3()});
-      places.push_back(s_.vertices[v]);
-    }
+    for (std::uint32_t v : vertices) connection.ends.push_back({built.particles[v], zero3()});
     for (std::size_t i = 0; i < law.law->parameters.size(); i++)
-      if (law.law->parameters[i].present) connection.parameters[i] = present_value(places);
+      if (law.law->parameters[i].present) connection.parameters[i] = present_value(world_, connection.ends);
     built.connections.push_back(add_connection(world_, law.law, connection));
   }
 

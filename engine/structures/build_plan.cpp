@@ -192,10 +192,13 @@ void weigh(BuildPlan& plan, const Structure& s, const BuildDef& def) {
     return piece.kind == Kind::plate ? area(s, piece.vertices)
                                      : norm(s.vertices[piece.vertices[1]] - s.vertices[piece.vertices[0]]);
   };
+  double whole = def.mass;  // but for what vertices have that are in no piece
+  for (std::size_t v = 0; v < plan.shares.size(); v++)
+    if (plan.pieces_of[v].empty()) whole -= plan.shares[v];
   double sum = 0.0;
   for (const BuildPiece& piece : plan.pieces) sum += size_of(piece);
   for (BuildPiece& piece : plan.pieces) {
-    const double mass = def.mass * size_of(piece) / sum;
+    const double mass = whole * size_of(piece) / sum;
     piece.spread = piece.kind == Kind::plate ? distribution(s, piece.vertices, mass) : rod_spread(s, piece, mass);
   }
 }

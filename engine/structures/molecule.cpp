@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "base/check.hpp"
+#include "base/near_places.hpp"
 #include "structures/molecule_gemmi.hpp"
-#include "structures/near_places.hpp"
 #include "structures/rings.hpp"
 
 namespace pantin {

@@ -5,6 +5,8 @@
 #include <gemmi/elem.hpp>
 #include <gemmi/mmcif.hpp>
 #include <gemmi/pdb.hpp>
+#include <string_view>
+#include <unordered_set>
 
 #include "base/check.hpp"
 
@@ -15,22 +17,15 @@ ChemicalElement data_of(const gemmi::Element& element) {
   return {element.name(), element.weight(), static_cast<double>(element.covalent_r())};
 }
 
-bool is_first_alternative(const gemmi::Residue& residue, const gemmi::Atom& atom) {
-  if (atom.altloc == '\0') return true;
-  for (const gemmi::Atom& other : residue.atoms) {
-    if (&other == &atom) return true;
-    if (other.name == atom.name) return false;
-  }
-  return true;
-}
-
 MoleculeAtoms atoms_of(const gemmi::Structure& structure) {
   MoleculeAtoms out;
   if (structure.models.empty()) return out;
   for (const gemmi::Chain& chain : structure.models[0].chains)
-    for (const gemmi::Residue& residue : chain.residues)
+    for (const gemmi::Residue& residue : chain.residues) {
+      std::unordered_set<std::string_view> known;
       for (const gemmi::Atom& atom : residue.atoms) {
-        if (!is_first_alternative(residue, atom)) continue;
+        const bool first = known.insert(atom.name).second;
+        if (!first && atom.altloc != '\0') continue;
         const Vec3 place = vec(atom.pos.x, atom.pos.y, atom.pos.z);
         require(finite(place), "atom ", out.atoms.size() + 1, ", '", atom.name,
                 "', has a coordinate that is no finite number");
@@ -38,6 +33,7 @@ MoleculeAtoms atoms_of(const gemmi::Structure& structure) {
                 "', is of no known element");
         out.atoms.push_back({data_of(atom.element), place, atom.name, atom.serial});
       }
+    }
   return out;
 }
 

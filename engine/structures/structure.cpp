@@ -6,7 +6,7 @@
 
 #include "base/check.hpp"
 #include "base/functions.hpp"
-#include "structures/near_places.hpp"
+#include "base/near_places.hpp"
 
 namespace pantin {
 namespace {

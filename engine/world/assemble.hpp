@@ -22,7 +22,7 @@ void merge(World& world, BodyId a, BodyId b);
 /// Some of a body's points, not all, become a body of their own, which moves as they did. Both must have mass enough to
 /// be bodies; own mass stays where it is.
 BodyId split(World& world, BodyId body, std::span<const PointId> points, std::string name = {});
-/// Free particles of a group become one body.
+/// Free particles and bodies of a group become one body: the first of its bodies where it has no particles.
 BodyId freeze(World& world, GroupId group, std::string name = {});
 /// The points of a body become free particles, its own mass another; points without mass are gone. An angular momentum
 /// that these cannot carry is an error.
@@ -36,7 +36,8 @@ struct JoinDef {
   std::string name;                                            ///< of the hinge
 };
 /// Draws two points of different bodies together as a dynamic constraint (Barzel and Barr 1988), and makes the hinge when
-/// they meet; told as "joined".
+/// they meet; told as "joined". They come together on a straight line, so the forces on them, which are opposite, are not
+/// along it: momentum is kept on the way, angular momentum is not. A greatest force that is too weak is told in the log.
 ConstraintId add_join(World& world, PointId a, PointId b, const JoinDef& def = {});
 /// Makes the hinges of joins whose points met in the step just done.
 void make_met_hinges(World& world);

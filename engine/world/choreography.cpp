@@ -113,10 +113,13 @@ std::optional<Wait> go_on(World& world, EventId id) {
   const std::function<std::optional<Wait>()> goes = world.choreography.events[id].goes;
   try {
     return goes();
+  } catch (const Gone& gone) {
+    if (world.choreography.events.alive(id)) drop(world, id, "", gone.what());
   } catch (...) {
     if (world.choreography.events.alive(id)) finish(world, id, EventState::dropped);
     throw;
   }
+  return {};
 }
 
 void play(World& world, EventId id, double due) {
@@ -124,7 +127,7 @@ void play(World& world, EventId id, double due) {
   c.events[id].fired++;
   c.events[id].watched = false;
   const std::optional<Wait> wait = go_on(world, id);
-  if (!c.events.alive(id)) return;  // it cancelled itself
+  if (!c.events.alive(id)) return;  // it was dropped, or cancelled itself
   if (!wait) return finish(world, id, EventState::fired);
   Event& event = c.events[id];
   event.waits_for = wait->until;
@@ -135,8 +138,7 @@ void play(World& world, EventId id, double due) {
     queue(c, event.time, id);
 }
 
-/// Whether what a watched event waits for holds now. One that cannot be asked any more is dropped.
-bool holds(World& world, EventId id) {
+bool asked(World& world, EventId id) {
   Event& event = world.choreography.events[id];
   if (event.kind == EventKind::play) {
     const Lock lock(world);
@@ -144,11 +146,16 @@ bool holds(World& world, EventId id) {
   }
   if (event.kind != EventKind::when) return true;
   for (const AnyId& thing : event.condition.of)
-    if (!still_there(world, thing)) {
-      drop(world, id, "", text("what it watches is gone: ", describe(world, thing)));
-      return false;
-    }
+    if (!still_there(world, thing)) throw Gone(text("what it watches is gone: ", describe(world, thing)));
   return begins_to_hold(world, id);
+}
+
+/// Whether what a watched event waits for holds now. One that cannot be asked any more is dropped.
+bool holds(World& world, EventId id) {
+  try {
+    return asked(world, id);
+  } catch (const Gone& gone) { drop(world, id, "", gone.what()); }
+  return false;
 }
 
 void fire(World& world, const Choreography::Due& due, double time) {

@@ -8,12 +8,18 @@
 #include <string>
 #include <vector>
 
+#include "base/check.hpp"
 #include "base/store.hpp"
 #include "model/group.hpp"
 
 namespace pantin {
 
 struct World;
+
+/// Thrown by what an event asks or calls when that needs something that was removed: a when or a play is dropped.
+struct Gone : Error {
+  using Error::Error;
+};
 
 enum class EventState : std::uint8_t { waiting, fired, dropped, cancelled };
 

@@ -101,6 +101,9 @@ struct ConnectionDef {
 };
 
 FamilyId add_family(World& world, const FamilyDef& def);
+/// What a law's parameter that is `present` measures of ends now (laws/library.hpp), each at its image that is nearest to
+/// the one before.
+double present_value(const World& world, std::span<const End> ends);
 /// Ties particles by a law. It goes when one of them goes.
 ConnectionId add_connection(World& world, std::shared_ptr<const Law> law, const ConnectionDef& def);
 /// A law between all pairs of two families, or of one with itself. `parameters` as of a connection.

@@ -1,5 +1,9 @@
 // Particles that become a body, and a body that becomes particles.
+#include <algorithm>
+#include <unordered_set>
+
 #include "world/assemble.hpp"
+#include "world/measure.hpp"
 #include "world/parts.hpp"
 
 namespace pantin {
@@ -8,31 +12,31 @@ using namespace editing;
 
 namespace {
 
-std::vector<PointId> particles_to_freeze(const World& world, GroupId group) {
+/// Bodies and free points of a group, in the order of making.
+Things things_to_freeze(const World& world, GroupId group) {
   require(world.groups.alive(group), "freeze: ", world.groups.story(group));
-  std::vector<PointId> points;
-  for (const AnyId& member : world.groups[group].members) {
-    if (const auto* particle = std::get_if<ParticleId>(&member); particle && world.particles.alive(*particle))
-      for (PointId p : world.particles[awake(world, *particle)].points) points.push_back(p);
-    if (const auto* point = std::get_if<PointId>(&member); point && world.points.alive(*point))
-      points.push_back(*point);
-    if (const auto* body = std::get_if<BodyId>(&member))
-      require(!world.bodies.alive(*body), "freeze: ", describe(world, *body), " is in ", describe(world, group),
-              "; freeze takes particles, merge takes bodies");
-  }
-  for (PointId p : points) require(!world.points[p].body, "freeze: ", describe(world, p), " belongs to a body already");
-  std::sort(points.begin(), points.end(),
+  std::unordered_set<BodyId> members;
+  for (const AnyId& member : world.groups[group].members)
+    if (const auto* body = std::get_if<BodyId>(&member)) members.insert(*body);
+  Things things = things_of(world, group);
+  for (BodyId body : things.bodies)
+    require(members.contains(body), "freeze: ", describe(world, group), " has points of ", describe(world, body),
+            ", but not the body itself");
+  require(!things.bodies.empty() || !things.free_points.empty(), "freeze: there is nothing in ",
+          describe(world, group));
+  std::sort(things.bodies.begin(), things.bodies.end(),
+            [&](BodyId a, BodyId b) { return world.bodies[a].serial < world.bodies[b].serial; });
+  std::sort(things.free_points.begin(), things.free_points.end(),
             [&](PointId a, PointId b) { return world.points[a].serial < world.points[b].serial; });
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  require(!points.empty(), "freeze: there are no particles in ", describe(world, group));
-  return points;
+  return things;
 }
 
-/// A mass at a place relative to the common centre.
+/// A mass at a place, and with a velocity, relative to the common centre.
 struct Fragment {
   PointId point;  ///< null: the own mass
   double mass;
   Vec3 arm;
+  Vec3 velocity = zero3();
 };
 
 std::vector<Fragment> fragments_of(const World& world, BodyId id) {
@@ -46,25 +50,48 @@ std::vector<Fragment> fragments_of(const World& world, BodyId id) {
   return list;
 }
 
-/// The spin with which fragments carry an angular momentum [kg m²/s] about their centre.
-Vec3 spin_of(const World& world, BodyId body, const std::vector<Fragment>& fragments, Vec3 angular) {
+/// Adds a rotation, so that fragments carry an angular momentum [kg m²/s] more; returns what they cannot carry of it.
+Vec3 add_rotation(const Plane& plane, std::vector<Fragment>& fragments, const Principal& own, Vec3 angular) {
   constexpr double least_moment = 1e-6;  // relative: below it a spin would be absurd
+  Vec3 spin = zero3();
+  for (int i = 0; i < 3; i++)
+    if (own.moments[i] > least_moment * own.moments[2])
+      spin += own.axes[i] * (dot(own.axes[i], angular) / own.moments[i]);
+  double mass = 0.0;
+  Vec3 momentum = zero3();
+  for (Fragment& f : fragments) {
+    f.velocity += cross(spin, f.arm);
+    mass += f.mass;
+    momentum += f.velocity * f.mass;
+  }
+  for (Fragment& f : fragments) {
+    f.velocity -= momentum / mass;
+    angular -= plane.about(cross(f.arm, f.velocity)) * f.mass;
+  }
+  return angular;
+}
+
+/// Gives fragments velocities with which they carry an angular momentum [kg m²/s] about their centre.
+void set_turning(const World& world, BodyId body, std::vector<Fragment>& fragments, Vec3 angular) {
   Mat3 inertia = zero33();
   for (const Fragment& f : fragments) {
     const Vec3 arm = world.plane.along(f.arm);
     inertia += (identity33() * norm2(arm) - outer(arm, arm)) * f.mass;
   }
   const Principal own = principal_axes(inertia, identity33());
-  Vec3 spin = zero3(), left = angular;
-  for (int i = 0; i < 3; i++) {
-    if (!(own.moments[i] > least_moment * own.moments[2])) continue;
-    const double along = dot(own.axes[i], angular);
-    spin += own.axes[i] * (along / own.moments[i]);
-    left -= own.axes[i] * along;
+  Vec3 left = add_rotation(world.plane, fragments, own, angular);
+  // What velocities are rounded to can be much of what a slender body has about its line.
+  for (int again = 0; again < 2; again++) {
+    std::vector<Fragment> rest = fragments;
+    for (Fragment& f : rest) f.velocity = zero3();
+    left = add_rotation(world.plane, rest, own, left);
+    for (std::size_t i = 0; i < fragments.size(); i++) fragments[i].velocity += rest[i].velocity;
   }
-  require(norm(left) <= 1e-9 * norm(angular), "shatter: ", describe(world, body), " spins, and ", fragments.size(),
+  double least = 1e-13 * norm(angular);
+  for (const Fragment& f : fragments)
+    least += round_off * (norm(world.motion_of(body).x) + norm(f.arm)) * f.mass * norm(f.velocity);
+  require(norm(left) <= least, "shatter: ", describe(world, body), " spins, and ", fragments.size(),
           fragments.size() == 1 ? " particle" : " particles", " in these places cannot carry its angular momentum");
-  return spin;
 }
 
 /// Frees a point with a velocity, [m/s].
@@ -87,11 +114,8 @@ PointId own_mass_point(World& world, BodyId body) {
   return make_point(world, std::move(row));
 }
 
-}  // namespace
-
-BodyId freeze(World& world, GroupId group, std::string name) {
-  require_unlocked(world, "freeze");
-  const std::vector<PointId> points = particles_to_freeze(world, group);
+/// Free points become one body.
+BodyId body_of_points(World& world, const std::vector<PointId>& points, std::string name) {
   acted(world);
   disturb_forces(world);
   const Totals kept = totals_of(world, {}, points);
@@ -119,12 +143,27 @@ BodyId freeze(World& world, GroupId group, std::string name) {
   return body;
 }
 
+}  // namespace
+
+BodyId freeze(World& world, GroupId group, std::string name) {
+  require_unlocked(world, "freeze");
+  const Things things = things_to_freeze(world, group);
+  if (things.free_points.empty()) {
+    if (!name.empty()) world.bodies[things.bodies[0]].name = std::move(name);
+    for (std::size_t i = 1; i < things.bodies.size(); i++) merge(world, things.bodies[0], things.bodies[i]);
+    return things.bodies[0];
+  }
+  const BodyId body = body_of_points(world, things.free_points, std::move(name));
+  for (BodyId other : things.bodies) merge(world, body, other);
+  return body;
+}
+
 std::vector<ParticleId> shatter(World& world, BodyId body) {
   require_unlocked(world, "shatter");
   require(world.bodies.alive(body), "shatter: ", world.bodies.story(body));
   std::vector<Fragment> fragments = fragments_of(world, body);
   const Motion old = world.motion_of(body);
-  const Vec3 spin = spin_of(world, body, fragments, rotate(old.q, old.angular));
+  set_turning(world, body, fragments, rotate(old.q, old.angular));
   const std::string who = text(culprit(world), ", shattering it");
 
   acted(world);
@@ -140,7 +179,7 @@ std::vector<ParticleId> shatter(World& world, BodyId body) {
   std::vector<ParticleId> particles;
   double after = 0.0;
   for (const Fragment& f : fragments) {
-    set_free(world, f.point, old.x + f.arm, old.p / old.mass + cross(spin, f.arm));
+    set_free(world, f.point, old.x + f.arm, old.p / old.mass + f.velocity);
     particles.push_back(world.points[f.point].own);
     after += energy_of(world, f.point);
   }

@@ -1,13 +1,11 @@
 // What a group's things have among them: near pairs, connections, heat.
 #include <algorithm>
-#include <numeric>
-#include <set>
 #include <unordered_set>
 
-#include "laws/sites.hpp"
 #include "world/assemble.hpp"
 #include "world/editing.hpp"
 #include "world/freedoms.hpp"
+#include "world/near_pairs.hpp"
 
 namespace pantin {
 
@@ -92,24 +90,13 @@ std::vector<std::array<ParticleId, 2>> pairs_within(const World& world, GroupId 
 std::vector<std::array<ParticleId, 2>> pairs_within(const World& world, const std::vector<ParticleId>& list,
                                                     double distance) {
   require_positive("connect_within", "distance", distance, "m");
-  const Box box{world.settings.box.value_or(zero3())};
   std::vector<Vec3> places;
-  for (ParticleId id : list) places.push_back(box.wrapped(position(world, id)));
-  std::vector<std::size_t> by_x(list.size());
-  std::iota(by_x.begin(), by_x.end(), std::size_t{0});
-  std::stable_sort(by_x.begin(), by_x.end(), [&](std::size_t i, std::size_t j) { return places[i][0] < places[j][0]; });
-  const double round = box.periodic() ? box.edge[0] : std::numeric_limits<double>::infinity();
-  std::set<std::array<std::size_t, 2>> near;
-  for (std::size_t i = 0; i < by_x.size(); i++)
-    for (std::size_t k = i + 1; k < i + by_x.size(); k++) {
-      const std::size_t a = by_x[i], b = by_x[k % by_x.size()];
-      if (!(places[b][0] - places[a][0] + (k < by_x.size() ? 0.0 : round) <= distance)) break;
-      if (norm(box.nearest(places[b] - places[a])) <= distance) near.insert({std::min(a, b), std::max(a, b)});
-    }
+  for (ParticleId id : list) places.push_back(position(world, id));
   std::vector<std::array<ParticleId, 2>> pairs;
-  for (const auto& [a, b] : near)
+  each_near_pair(places, {world.settings.box.value_or(zero3())}, distance, [&](std::uint32_t a, std::uint32_t b) {
     if (!are_of_one_body(world, list[a], list[b]) && !are_connected(world, list[a], list[b]))
       pairs.push_back({list[a], list[b]});
+  });
   return pairs;
 }
 
@@ -140,10 +127,9 @@ std::vector<ConnectionId> connections_in(const World& world, GroupId group) {
 }
 
 double heat_in(const World& world, const Things& things) {
-  const double kinetic = energy(world, things).kinetic;
   if (things.bodies.empty() && things.free_points.empty()) return 0.0;
-  return count_freedoms(world, things).held ? kinetic
-                                            : kinetic - 0.5 * norm2(momentum(world, things)) / mass(world, things);
+  const Vec3 common = count_freedoms(world, things).loose * momentum(world, things);
+  return energy(world, things).kinetic - 0.5 * norm2(common) / mass(world, things);
 }
 
 void heat(World& world, const AnyId& target, double joules) {
@@ -156,19 +142,19 @@ void heat(World& world, const Things& things, double joules) {
   require(!things.bodies.empty() || !things.free_points.empty(), "heat: there is nothing to heat");
   if (joules == 0.0) return;
   acted(world);
-  const bool held = count_freedoms(world, things).held;
+  const FreedomCount freedoms = count_freedoms(world, things);
   const double before = energy(world, things).kinetic;
-  const Vec3 common = held ? zero3() : momentum(world, things) / mass(world, things);
+  const Vec3 common = freedoms.loose * momentum(world, things) / mass(world, things);
   const double own = before - 0.5 * dot(common, momentum(world, things));
   require(own + joules >= -1e-12 * before, "heat: ", -joules, " J are to be taken, and there are only ", own, " J");
   const bool at_rest = !(own > 1e-12 * std::fmax(before, joules));
-  require(!at_rest || held || things.bodies.size() + things.free_points.size() > 1,
+  require(!at_rest || freedoms.common == 0 || things.bodies.size() + things.free_points.size() > 1,
           "heat: a single thing has no motion relative to itself");
   disturb_forces(world);
   add_velocity(world, things, common * -1.0);
   if (at_rest) {
     stir(world, things);
-    if (!held) add_velocity(world, things, momentum(world, things) / -mass(world, things));
+    add_velocity(world, things, freedoms.loose * momentum(world, things) / -mass(world, things));
   }
   const double now = energy(world, things).kinetic;
   scale_motion(world, things, std::sqrt(std::fmax(0.0, own + joules) / now));

@@ -1,5 +1,7 @@
 #include <algorithm>
 
+#include "laws/library.hpp"
+#include "laws/sites.hpp"
 #include "world/edit.hpp"
 #include "world/editing.hpp"
 #include "world/solved.hpp"
@@ -57,6 +59,16 @@ void write_parameter(const Law& law, std::vector<double>& values, std::size_t in
 }
 
 }  // namespace
+
+double present_value(const World& world, std::span<const End> ends) {
+  const Box box{world.settings.box.value_or(zero3())};
+  std::vector<Vec3> places;
+  for (const End& end : ends) {
+    const Vec3 place = end.particle ? position(world, end.particle) : end.place;
+    places.push_back(places.empty() ? place : places.back() + box.nearest(place - places.back()));
+  }
+  return present_value(places);
+}
 
 ConnectionId add_connection(World& world, std::shared_ptr<const Law> law, const ConnectionDef& def) {
   require_unlocked(world, "connect");

@@ -10,7 +10,9 @@ using namespace editing;
 
 namespace {
 
-constexpr double near = 0.01;  // of the size of their bodies: from here on a limited join holds as a hinge does
+constexpr double near = 0.01;      // of the size of their bodies: from here on a limited join holds as a hinge does
+constexpr double progress = 1e-3;  // relative, that counts as coming nearer
+constexpr double patience = 100;   // time constants without any, before it is told
 
 void require_joinable(const World& world, PointId a, PointId b) {
   for (PointId p : {a, b}) require(world.points.alive(p), "join: ", world.points.story(p));
@@ -39,11 +41,29 @@ double size_of_pair(const World& world, const Constraint& c) {
   return size > 0.0 ? size : largest(position(world, c.a));
 }
 
+/// A limited join may be too weak for what holds its points apart.
+void tell_when_stuck(World& world, ConstraintId id, double apart) {
+  const Constraint& c = world.constraints[id];
+  Joining& joining = *c.joining;
+  if (apart < joining.nearest * (1.0 - progress)) {
+    joining.nearest = apart;
+    joining.nearest_at = world.time;
+  }
+  if (joining.told || world.time - joining.nearest_at < patience * c.time_constant) return;
+  joining.told = true;
+  log_line(
+      world, "warning",
+      text(describe(world, id), joining.label.empty() ? "" : " of ", joining.label, ": its points have come no nearer ",
+           "than ", joining.nearest, " m for ", world.time - joining.nearest_at, " s; its max_force of ", c.max_force,
+           " N may be less than what pulls them apart"));
+}
+
 /// A limited join whose points are near, and not just passing, is one without a limit from now on.
-void hold_when_near(World& world, Constraint& c) {
+void hold_when_near(World& world, ConstraintId id) {
+  Constraint& c = world.constraints[id];
   if (!std::isfinite(c.max_force)) return;
-  const double reach = near * size_of_pair(world, c);
-  if (norm(position(world, c.a) - position(world, c.b)) > reach) return;
+  const double reach = near * size_of_pair(world, c), apart = norm(position(world, c.a) - position(world, c.b));
+  if (apart > reach) return tell_when_stuck(world, id, apart);
   if (norm(velocity(world, c.a) - velocity(world, c.b)) * c.time_constant > reach) return;
   c.max_force = std::numeric_limits<double>::infinity();
   start_constraint(world, c);
@@ -97,7 +117,11 @@ ConstraintId add_join(World& world, PointId a, PointId b, const JoinDef& def) {
   require_in_plane(world, c);
   start_constraint(world, c);
   const ConstraintId holder = add_holder(world, a, def);
-  c.joining = std::make_shared<Joining>(Joining{holder, def.on_met, def.name, world.who ? world.who() : ""});
+  c.joining = std::make_shared<Joining>();
+  c.joining->holder = holder;
+  c.joining->on_met = def.on_met;
+  c.joining->hinge_name = def.name;
+  c.joining->label = world.who ? world.who() : "";
   return insert_constraint(world, std::move(c));
 }
 
@@ -107,9 +131,9 @@ void make_met_hinges(World& world) {
     if (articulate->all_rigid) continue;
     for (const Condition& row : articulate->conditions) {
       if (!world.constraints.alive(row.constraint)) continue;
-      Constraint& c = world.constraints[row.constraint];
+      const Constraint& c = world.constraints[row.constraint];
       if (c.kind != ConstraintKind::join) continue;
-      hold_when_near(world, c);
+      hold_when_near(world, row.constraint);
       if (has_met(c)) met.push_back(row.constraint);
     }
   }

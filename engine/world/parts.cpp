@@ -73,9 +73,19 @@ BodyId make_body(World& world, std::string name, Vec3 at, const Quat& frame, std
   return id;
 }
 
-void erase_body(World& world, BodyId id, const std::string& who) {
+void drop_rotations(World& world, BodyId id) {
   const std::vector<ConstraintId> constraints = world.bodies[id].constraints;
-  for (ConstraintId c : constraints) remove(world, c);
+  for (ConstraintId c : constraints) {
+    if (!world.constraints.alive(c)) continue;
+    if (const ParticleId ring = world.constraints[c].ring)
+      drop_axes(world, ring, id);
+    else
+      remove(world, c);
+  }
+}
+
+void erase_body(World& world, BodyId id, const std::string& who) {
+  drop_rotations(world, id);
   world.bodies.remove(id, {describe(world, id), world.time, who});
   world.motion[id.slot - 1] = Motion{};
   notice(world, Notice::Kind::removed, id, world.bodies.story(id));

@@ -1,10 +1,13 @@
 #pragma once
 // What bodies and particles that become others share. Not for use outside world/.
+#include <limits>
 #include <span>
 
 #include "world/editing.hpp"
 
 namespace pantin::editing {
+
+constexpr double round_off = 8.0 * std::numeric_limits<double>::epsilon();  ///< of a place, relative
 
 /// What is kept when things become others.
 struct Totals {
@@ -20,6 +23,8 @@ void set_momenta(World& world, BodyId body, Vec3 p, Vec3 angular);
 void part_ties_within(World& world, std::span<const PointId> points, const std::string& who);
 /// A body at a place and orientation of its frame, of points that have no other; not weighed yet.
 BodyId make_body(World& world, std::string name, Vec3 origin, const Quat& frame, std::vector<PointId> points);
+/// Ends what ties the rotation of a body; the others of its hinges keep their axes.
+void drop_rotations(World& world, BodyId body);
 /// Takes a body that has no points any more out of the world.
 void erase_body(World& world, BodyId body, const std::string& who);
 

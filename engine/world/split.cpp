@@ -50,8 +50,7 @@ void take_axes(World& world, BodyId body, BodyId fresh) {
 /// What cannot turn any more has no rotation to tie.
 void drop_turns(World& world, BodyId body) {
   if (world.motion_of(body).freedom != Freedom::point) return;
-  const std::vector<ConstraintId> constraints = world.bodies[body].constraints;
-  for (ConstraintId id : constraints) remove(world, id);
+  drop_rotations(world, body);
 }
 
 /// A part of a moving body on its own.
@@ -70,14 +69,14 @@ Motion part_of(const Weighed& w, const World& world, BodyId body, Vec3 spin) {
 }
 
 /// What the two parts of a body miss of its angular momentum, because an inertia was lifted, goes into their spins, and
-/// what these cannot take into their motion about each other.
-void keep_momenta(const Plane& plane, const Motion& whole, const std::string& who, Motion& a, Motion& b) {
+/// what these cannot take into their motion about each other. `arm` [m] is how far they are from the frame's origin.
+void keep_momenta(const Plane& plane, const Motion& whole, const std::string& who, double arm, Motion& a, Motion& b) {
   a.p = whole.p - b.p;
   Vec3 missing = rotate(whole.q, whole.angular);
-  double scale = norm(missing);
+  double least = 1e-13 * norm(missing);
   for (Motion* m : {&a, &b}) {
     missing -= plane.about(cross(m->x - whole.x, m->p)) + rotate(m->q, m->angular);
-    scale += norm(m->x - whole.x) * norm(m->p);
+    least += (1e-13 * norm(m->x - whole.x) + round_off * (norm(m->x) + arm)) * norm(m->p);
   }
   for (Motion* m : {&a, &b}) {
     const Vec3 part = turning_part(*m, missing);
@@ -91,8 +90,8 @@ void keep_momenta(const Plane& plane, const Motion& whole, const std::string& wh
     b.p -= impulse;
     missing -= cross(d, impulse);
   }
-  require(norm(missing) <= 1e-13 * scale, "split: ", who,
-          " spins about a line that its parts lie on, and these cannot ", "carry its angular momentum");
+  require(norm(missing) <= least, "split: ", who, " spins about the line through its two parts, and these, of which ",
+          "neither can turn about it, cannot carry its angular momentum");
 }
 
 }  // namespace
@@ -108,7 +107,8 @@ BodyId split(World& world, BodyId body, std::span<const PointId> points, std::st
   const Weighed gone = weigh("split: what is split off", masses_of(world, off), {}, row.axes, normal);
   const Vec3 spin = angular_velocity(world.motion_of(body));
   Motion first = part_of(left, world, body, spin), second = part_of(gone, world, body, spin);
-  keep_momenta(world.plane, world.motion_of(body), describe(world, body), first, second);
+  keep_momenta(world.plane, world.motion_of(body), describe(world, body),
+               std::fmax(norm(left.centre), norm(gone.centre)), first, second);
 
   acted(world);
   disturb_forces(world);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "model/path.hpp"
 #include "world/freedoms.hpp"
 
 namespace pantin {
@@ -14,7 +15,26 @@ struct Freedoms {
   std::unordered_set<ParticleId> rings;
   std::unordered_set<ConstraintId> constraints;
   long count = 0;
-  bool held = false;  // by a nail, a rigid follow, or a rod to a place
+  FreedomCount common = {};
+
+  void hold(Vec3 direction) {
+    constexpr double least = 1e-6;  // of a direction that counts as another one
+    const Vec3 rest = common.loose * direction;
+    if (!(norm(rest) > least)) return;
+    common.loose = common.loose - outer(rest, rest) * (1.0 / norm2(rest));
+    common.common--;
+    if (common.common == 0) common.loose = zero33();
+  }
+
+  void hold_by(const Constraint& c) {
+    if (c.kind == ConstraintKind::on_plane) return hold(c.axis_a);
+    const Vec3 along = c.kind == ConstraintKind::on_path ? c.path->tangent(c.along) : zero3();
+    for (int i = 0; i < 3; i++) {
+      Vec3 axis = zero3();
+      axis[i] = 1.0;
+      hold(axis - along * dot(along, axis));
+    }
+  }
 
   bool among(PointId id) const {
     const BodyId body = world.points[id].body;
@@ -78,7 +98,7 @@ struct Freedoms {
 
   void tie(const Constraint& c) {
     if (!c.enabled || taken(c) == 0) return;
-    if (c.a && !c.b) held = true;
+    if (c.a && !c.b) hold_by(c);
     if (c.b && !(among(c.a) && among(c.b))) return;
     if (c.body_b && !(bodies.contains(c.body_a) && bodies.contains(c.body_b))) return;
     count -= taken(c);
@@ -95,6 +115,7 @@ FreedomCount count_freedoms(const World& world, const Things& things) {
              {}};
   const bool flat = world.plane.flat();
   const long ways = flat ? 2 : 3;
+  f.common = {0, diagonal(world.plane.directions()), ways};
   for (BodyId id : things.bodies) {
     const Freedom freedom = world.motion_of(id).freedom;
     f.count += ways + (freedom == Freedom::point ? 0 : flat ? 1 : freedom == Freedom::line ? 2 : 3);
@@ -103,14 +124,15 @@ FreedomCount count_freedoms(const World& world, const Things& things) {
   }
   f.count += ways * static_cast<long>(things.free_points.size());
   for (PointId p : things.free_points) f.ties_of(p);
-  return {f.held ? f.count : f.count - ways, f.held};
+  f.common.count = f.count - f.common.common;
+  return f.common;
 }
 
 double temperature(const World& world, const Things& things) {
   const FreedomCount freedoms = count_freedoms(world, things);
   if (freedoms.count <= 0) return 0.0;
-  double kinetic = energy(world, things).kinetic;
-  if (!freedoms.held) kinetic -= 0.5 * norm2(momentum(world, things)) / mass(world, things);
+  const Vec3 common = freedoms.loose * momentum(world, things);
+  const double kinetic = energy(world, things).kinetic - 0.5 * norm2(common) / mass(world, things);
   return std::fmax(0.0, 2.0 * kinetic / (static_cast<double>(freedoms.count) * world.settings.boltzmann));
 }
 

@@ -131,7 +131,10 @@ function quat_methods:inverse() end
 ---@field near number [m] at most so far apart
 ---@field below number [K] bonds are made
 ---@field above number [K] bonds break
----@field law Law
+---@field law? Law of the connections that are made; this or hinge
+---@field implicit? boolean|string of those connections, as in connect
+---@field hinge? boolean what is near is joined to a hinge
+---@field time_constant? number [s] of that
 
 ---@class WhenOptions
 ---@field mean? number [s] over which the measure is averaged
@@ -933,7 +936,7 @@ function Scene:merge(a, b) end
 ---@param ... Point
 ---@return Body
 function Scene:split(body, points, ...) end
----Makes one body of the free particles of a group.
+---Makes one body of the free particles and the bodies of a group.
 ---@param group Group
 ---@return Body
 function Scene:freeze(group) end
@@ -964,7 +967,7 @@ function Scene:family(name, options) end
 ---@param options? ConnectOptions
 ---@return Connection
 function Scene:connect(a, b, law, options) end
----Breaks what ties the particles of families above a temperature, and ties what is near below one.
+---Breaks what ties the particles of families above a temperature; below one ties what is near, or joins it to hinges.
 ---@param options BondingOptions
 ---@return Event
 function Scene:bonding(options) end

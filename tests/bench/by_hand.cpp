@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/lengths.hpp"
 #include "base/parallel.hpp"
 #include "bench/clock.hpp"
 #include "laws/cells.hpp"
@@ -68,16 +69,6 @@ struct SmoothSwitch {
     return i6 * ((48.0 * i6 - 24.0) * i2 * on - 4.0 * (i6 - 1.0) * slope * r * i2);
   }
 };
-
-Vec3 lengths2(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
-  a *= a;
-  b *= b;
-  c *= c;
-  d *= d;
-  const Vec3 p = __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
-  const Vec3 q = __builtin_shufflevector(c, d, 0, 4, 2, 6) + __builtin_shufflevector(c, d, 1, 5, 3, 7);
-  return __builtin_shufflevector(p, q, 0, 1, 4, 5) + __builtin_shufflevector(p, q, 2, 3, 6, 7);
-}
 
 template <class Law>
 void add_forces(Sites& sites, const Rows& rows) {

@@ -259,10 +259,16 @@ TEST_CASE("a condition or a wait that uses a removed thing is dropped and logged
   CHECK(failure(R"(
     local p, asked = scene:particle { name = "p" }, 0
     scene:at(0.01, function() p:remove() end)
-    scene:when(function() asked = asked + 1 return p.mass > 5 end, error)
-    local play = scene:play(function(wait) wait(function() return p.mass > 5 end) error "not reached" end)
+    local when = scene:when(function() asked = asked + 1 return p.mass > 5 end, error)
+    local waits = scene:play(function(wait) wait(function() return p.mass > 5 end) error "not reached" end)
+    local goes = scene:play(function(wait) wait(0.02) p.mass = 3 error "not reached" end)
     scene:at(0.04, function()
-      assert(asked == 3 and play.state == "fired", asked .. play.state)
-      assert(#scene.log == 2 and scene.log[1].text:find "^scene.lua:4: particle 'p' was removed at .* by scene.lua:3$")
+      assert(asked == 3)
+      for _, event in ipairs { when, waits, goes } do assert(event.state == "dropped", event.state) end
+      assert(#scene.log == 3)
+      for i, line in ipairs { 4, 5, 6 } do
+        local told = "^event scene.lua:%d+: scene.lua:" .. line .. ": particle 'p' was removed at .* by scene.lua:3$"
+        assert(scene.log[i].kind == "dropped" and scene.log[i].text:find(told), scene.log[i].text)
+      end
     end))") == "");
 }

@@ -118,3 +118,10 @@ TEST_CASE("a law whose function changes its mind is found out on real pairs") {
   });
   CHECK(lua::recheck_law(law.resolved, block) == "traced, the force is 1 and called it is 2 at r = 1.5");
 }
+
+TEST_CASE("a potential that makes a text of its argument has no force, and is told so; print may show it") {
+  const std::string text = "a text has no derivative, and the derivative of a potential is its force";
+  for (const char* made : {"tonumber(tostring(r))", "tonumber(r .. '')", "0 + ('%s'):format(r)"})
+    CHECK_THAT(refusal(std::string("law = force.pair { potential = function(r)\nreturn ") + made + " end }"),
+               Contains("scene.lua:2: ") && Contains(text));
+}

@@ -5,9 +5,9 @@
 
 #include "articulates/articulate.hpp"
 #include "base/parallel.hpp"
-#include "laws/library.hpp"
 #include "step.hpp"
 #include "support/cases.hpp"
+#include "support/kepler.hpp"
 #include "support/reference.hpp"
 #include "world/edit.hpp"
 #include "world/measure.hpp"
@@ -90,19 +90,7 @@ TEST_CASE("accuracy: a slow body takes one step, and a fast one that slows down 
 
 TEST_CASE("accuracy: kicks of laws are divided where the forces change fast") {
   World world;
-  world.settings.gravity = zero3();
-  ParticleDef def;
-  def.mass = 0.5;
-  def.at = vec(0.05, 0, 0);
-  def.velocity = vec(0, 2.2, 0);
-  const ParticleId a = add_particle(world, def);
-  def.at = vec(-0.05, 0, 0);
-  def.velocity = vec(0, -2.2, 0);
-  LawArguments arguments;
-  arguments.numbers = {{"constant", 1.0}};
-  ConnectionDef pair;
-  pair.ends = {{a}, {add_particle(world, def)}};
-  add_connection(world, std::make_shared<Law>(make_library_law("gravitation", arguments).front()), pair);
+  cases::add_kepler_pair(world, 0.1, 4.4);
   world.settings.step = 1.0 / 60;
   set_accuracy(world, 1e-3);
   std::uint32_t near = 0, far = 1000;

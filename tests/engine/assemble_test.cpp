@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "laws/library.hpp"
+#include "laws/sites.hpp"
 #include "step.hpp"
 #include "support/balance.hpp"
 #include "support/cases.hpp"
@@ -131,6 +132,57 @@ TEST_CASE("a hinge goes with the point that is split off, its axis too") {
   CHECK(norm(world.motion_of(b).x - vec(2, 0, 0)) < 1e-12);
 }
 
+TEST_CASE("others of a hinge keep its axis when a body of it becomes a point, or shatters") {
+  for (const bool shattered : {false, true}) {
+    World world;
+    world.settings.gravity = zero3();
+    BodyDef def;
+    for (Vec3 at : {vec(0, 0, 0), vec(1, 0, 0), vec(0, 1, 0)}) {
+      PointDef p;
+      p.at = at;
+      p.mass = 1.0;
+      def.points.push_back(p);
+    }
+    std::vector<PointId> ring;
+    for (int i = 0; i < 3; i++) ring.push_back(world.bodies[add_body(world, def)].points[0]);
+    HingeDef turning;
+    turning.axis = vec(0, 0, 1);
+    const ParticleId hinge = add_hinge(world, ring, turning);
+    REQUIRE(world.particles[hinge].axes.size() == 2);
+    const BodyId first = world.points[ring[0]].body, second = world.points[ring[1]].body;
+    if (shattered)
+      shatter(world, first);
+    else
+      split(world, first, std::vector{world.bodies[first].points[1], world.bodies[first].points[2]});
+    REQUIRE(world.particles[hinge].axes.size() == 1);
+    const Constraint& axis = world.constraints[world.particles[hinge].axes[0]];
+    CHECK(axis.body_a == second);
+    CHECK(axis.body_b == world.points[ring[2]].body);
+    set_spin(world, second, vec(1, 2, 3));
+    advance(world, 0.2);
+    CHECK(world.error.constraint < 1e-9);
+    CHECK(world.failure.empty());
+  }
+}
+
+TEST_CASE("a group of bodies freezes to its first, of bodies and particles to one more") {
+  World world;
+  BodyMaker make;
+  const BodyId a = add_body(world, make.body()), b = add_body(world, make.body());
+  const GroupId group = add_group(world, "wreck");
+  add_to_group(world, group, b);
+  add_to_group(world, group, a);
+  expect_kept(world, [&] { CHECK(freeze(world, group, "lump") == a); });
+  CHECK(world.bodies[a].name == "lump");
+  ParticleDef def;
+  def.at = vec(5, 0, 0);
+  add_to_group(world, group, add_particle(world, def));
+  BodyId all;
+  expect_kept(world, [&] { all = freeze(world, group); });
+  CHECK(world.bodies.size() == 1);
+  CHECK(world.bodies[all].points.size() == 9);
+}
+
 TEST_CASE("freezing and shattering keep what merging keeps") {
   for (int i = 0; i < 30; i++) {
     World world;
@@ -204,9 +256,9 @@ TEST_CASE("bad merges, splits and freezes are errors, and the scene is as it was
   const PointId twice[] = {all[0], all[0]};
   CHECK_THROWS_WITH(split(world, a, twice), Contains("is given twice"));
   const GroupId group = add_group(world, "g");
-  CHECK_THROWS_WITH(freeze(world, group), Contains("there are no particles in group 'g'"));
-  add_to_group(world, group, a);
-  CHECK_THROWS_WITH(freeze(world, group), Contains("freeze takes particles, merge takes bodies"));
+  CHECK_THROWS_WITH(freeze(world, group), Contains("there is nothing in group 'g'"));
+  add_to_group(world, group, all[0]);
+  CHECK_THROWS_WITH(freeze(world, group), Contains("group 'g' has points of body") && Contains("not the body itself"));
   CHECK(state_hash(world) == hash);
   CHECK(world.bodies[a].points == all);
   remove(world, b);
@@ -237,6 +289,43 @@ TEST_CASE("a group's connections break, those to others stay") {
   tie(line[3], line[4]);
   for (ConnectionId id : connections_in(world, group)) remove(world, id);
   CHECK(world.connections.size() == 1);
+}
+
+TEST_CASE("pairs that are near are those that a look at all finds, in a sheet, in a cloud and in a box") {
+  for (int i = 0; i < 12; i++) {
+    World world;
+    BodyMaker make;
+    make.random.seed = static_cast<std::uint64_t>(i);
+    if (i % 2) world.settings.box = vec(4, 5, 6);
+    std::vector<ParticleId> list;
+    for (int k = 0; k < 120; k++) {
+      ParticleDef def;
+      def.at = make.place(8.0);
+      if (i % 3 == 0) def.at[0] = 1.0;
+      list.push_back(add_particle(world, def));
+    }
+    const double distance = make.number(0.1, 3.5);
+    const Box box{world.settings.box.value_or(zero3())};
+    std::vector<std::array<ParticleId, 2>> expected;
+    for (std::size_t a = 0; a < list.size(); a++)
+      for (std::size_t b = a + 1; b < list.size(); b++)
+        if (norm(box.nearest(position(world, list[b]) - position(world, list[a]))) <= distance)
+          expected.push_back({list[a], list[b]});
+    CHECK(pairs_within(world, list, distance) == expected);
+  }
+}
+
+TEST_CASE("what is measured of ends across the border of a box is the short way") {
+  World world;
+  world.settings.box = vec(10, 10, 10);
+  std::vector<End> ends;
+  for (Vec3 at : {vec(9.5, 1, 0.5), vec(0.5, 1, 0.5), vec(0.5, 1, 9.5)}) {
+    ParticleDef def;
+    def.at = at;
+    ends.push_back({add_particle(world, def), zero3()});
+  }
+  CHECK(present_value(world, std::span(ends).first(2)) == Approx(1.0));
+  CHECK(present_value(world, ends) == Approx(std::acos(0.0)));
 }
 
 TEST_CASE("heat is kinetic energy, and leaves the common motion") {

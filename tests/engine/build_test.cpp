@@ -261,3 +261,30 @@ TEST_CASE("what cannot be built leaves the world as it was") {
   world.settings.box = vec(10, 10, 10);
   fails(shapes::cube(1), in_box, "implicit = true works in open space");
 }
+
+TEST_CASE("vertices that are in no face of panels, and in no edge of rods, have their share of the mass") {
+  Structure s = shapes::cube(1);
+  s.vertices.push_back(vec(3, 0, 0));
+  for (BuildAs form : {BuildAs::panels, BuildAs::articulated}) {
+    World world;
+    const Built built = build(world, s, as(form, 9.0));
+    CHECK(mass(world, things_of(world, built.group)) == Approx(9).epsilon(1e-14));
+    CHECK(world.points[world.particles[built.particles[8]].points[0]].mass == Approx(1).epsilon(1e-14));
+  }
+}
+
+TEST_CASE("the law of an edge across the border of a box measures it the short way") {
+  World world;
+  world.settings.box = vec(10, 10, 10);
+  Structure s;
+  s.vertices = {vec(9.5, 0, 0), vec(0.5, 0, 0)};
+  s.edges = {{0, 1}};
+  BuildDef def = as(BuildAs::deformable);
+  def.edge = law_of("spring", {{"stiffness", 100}});
+  for (std::size_t i = 0; i < def.edge.law->parameters.size(); i++)
+    if (def.edge.law->parameters[i].present) def.edge.values[i] = 0.0;
+  const Built built = build(world, s, def);
+  const Connection& edge = world.connections[built.connections[0]];
+  for (std::size_t i = 0; i < edge.parameters.size(); i++)
+    if (edge.law->parameters[i].present) CHECK(edge.parameters[i] == Approx(1.0));
+}

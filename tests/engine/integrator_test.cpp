@@ -8,6 +8,7 @@
 #include "laws/library.hpp"
 #include "step.hpp"
 #include "support/cases.hpp"
+#include "support/kepler.hpp"
 #include "support/reference.hpp"
 #include "support/watch.hpp"
 #include "world/hands.hpp"
@@ -35,17 +36,8 @@ ConnectionId connect(World& world, End a, End b, std::shared_ptr<const Law> law,
 /// where they were [m].
 double kepler_error(Integrator integrator, int steps) {
   World world;
-  world.settings.gravity = zero3();
   world.settings.step = 2.0 * 3.14159265358979323846 / steps;
-  ParticleDef def;
-  def.mass = 0.5;
-  def.at = vec(0.2, 0, 0);
-  def.velocity = vec(0, 1, 0);
-  const ParticleId a = add_particle(world, def);
-  def.at = vec(-0.2, 0, 0);
-  def.velocity = vec(0, -1, 0);
-  const ParticleId b = add_particle(world, def);
-  connect(world, {a}, {b}, library_law("gravitation", {{"constant", 1.0}}));
+  const ParticleId a = cases::add_kepler_pair(world, 0.4, 2.0).a;
   set_integrator(world, integrator);
   for (int i = 0; i < steps; i++) step(world);
   CHECK(world.failure == "");

@@ -119,3 +119,21 @@ TEST_CASE("what cannot be joined is told, and a join that is taken back leaves n
   step(s.world);
   CHECK(s.world.failure.empty());
 }
+
+TEST_CASE("a join that is too weak for what holds its points apart is told, once") {
+  TwoTips s;
+  add_nail(s.world, s.tip_b);
+  s.world.settings.gravity = vec(0, -9.81, 0);
+  set_position(s.world, s.b, vec(1.5, 5, 0));
+  JoinDef def;
+  def.max_force = 3.0;
+  def.time_constant = 0.01;
+  def.name = "crane";
+  const ConstraintId join = add_join(s.world, s.tip_a, s.tip_b, def);
+  add_nail(s.world, point_of(s.world, s.a, 0));
+  advance(s.world, 5.0);
+  CHECK(s.world.constraints.alive(join));
+  REQUIRE(s.world.log.size() == 1);
+  CHECK(s.world.log[0].kind == "warning");
+  CHECK_THAT(s.world.log[0].text, Contains("its points have come no nearer than") && Contains("max_force of 3 N"));
+}

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "laws/library.hpp"
+#include "model/path.hpp"
 #include "step.hpp"
 #include "support/cases.hpp"
 #include "world/assemble.hpp"
@@ -113,4 +114,34 @@ TEST_CASE("a nailed chain in a heat bath comes to its temperature, and its links
   CHECK(freedoms(world) == 60);
   add_field(world, thermostat(0.5, 2.0), {});
   CHECK(mean_temperature(world, 100.0) == Approx(0.5).epsilon(0.04));
+}
+
+TEST_CASE("what slides along a plane or a path together is not hot, and what moves on it apart is") {
+  World world;
+  world.settings.gravity = zero3();
+  const auto add = [&](Vec3 at, Vec3 velocity) {
+    ParticleDef def;
+    def.at = at;
+    def.velocity = velocity;
+    return point_of(world, add_particle(world, def));
+  };
+  std::vector<PointId> points;
+  for (int i = 0; i < 5; i++) points.push_back(add(vec(i, 0, i * i), vec(3, 0, -4)));
+  PlaneDef plane;
+  plane.normal = vec(0, 1, 0);
+  for (PointId p : points) add_on_plane(world, p, plane);
+  CHECK(freedoms(world) == 5 * 2 - 2);
+  CHECK(temperature(world, everything(world)) == Approx(0.0).margin(1e-12));
+  set_velocity(world, points[0], vec(3, 0, -3));
+  // One of five equal masses moves at 1 m/s relative to the others: 1/2 m v² (1 - 1/5) J on eight freedoms.
+  CHECK(temperature(world, everything(world)) == Approx(2.0 * 0.5 * 0.8 / 8.0));
+  for (PointId p : points) remove(world, p);
+  points.clear();
+  for (int i = 0; i < 3; i++) points.push_back(add(vec(i, 0, 0), vec(2, 0, 0)));
+  const auto line = std::make_shared<const Path>(std::vector<Vec3>{vec(-9, 0, 0), vec(9, 0, 0)}, false, false);
+  for (PointId p : points) add_on_path(world, p, line);
+  CHECK(freedoms(world) == 3 - 1);
+  CHECK(temperature(world, everything(world)) == Approx(0.0).margin(1e-12));
+  add_nail(world, add(vec(0, 5, 0), zero3()));
+  CHECK(freedoms(world) == 3);
 }

@@ -93,3 +93,28 @@ test("wrong merges, splits and joins are told with their line, and leave the sce
     expect(function() open_text(two .. "\n" .. code) end):fails(message)
   end
 end)
+
+test("connect_within: where one tie fails, none is made", function()
+  local scene = open_text [[
+    local group, ion = scene:group "g", scene:family("ion", { attributes = { charge = 1 } })
+    for i = 1, 4 do group:add(scene:particle { at = vec(i, 0, 0), family = ion }) end
+    group:add(scene:particle { at = vec(5, 0, 0) })
+    local law = force.pair { potential = function(r, a, b) return a.charge * b.charge * r end }
+    local well, message = pcall(function() scene:connect_within(group, 1.1, law) end)
+    scene:result("message", message)
+    scene:result("ties", #scene.connections)
+  ]]
+  expect(scene:result "message" :find("has no attribute 'charge'", 1, true) ~= nil):is_true()
+  expect(scene:result "ties"):equal(0)
+end)
+
+test("freeze: bodies and particles become one", function()
+  local scene = open_text(two .. [[
+    local wreck = scene:group "wreck"
+    wreck:add(a, b, scene:particle { at = vec(0, 1, 0) })
+    scene:result("points", #scene:freeze(wreck).points)
+    scene:result("bodies", #scene.bodies)
+  ]])
+  expect(scene:result "points"):equal(5)
+  expect(scene:result "bodies"):equal(1)
+end)

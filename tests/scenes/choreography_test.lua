@@ -62,6 +62,76 @@ test("bonding: hot particles come apart, cold ones that are near are tied again"
   expect(scene:read "bonds"):above(0)
 end)
 
+test("bonding: the hinges of a chain melt, and are made again of the ends that are near when it is cold", function()
+  local scene = open_text [[
+    scene.gravity = vec(0, 0, 0)
+    local joint, chain, last = scene:family "joint", scene:group "chain", nil
+    for i = 1, 6 do
+      local link = scene:body { at = vec(i, 0, 0), points = {
+        head = { at = vec(-0.5, 0, 0), mass = 1, family = joint }, tail = { at = vec(0.5, 0, 0), mass = 1, family = joint } } }
+      if last then scene:hinge(last.tail, link.head) end
+      chain:add(link)
+      last = link
+    end
+    scene:bonding { families = joint, near = 0.3, below = 0.01, above = 0.1, hinge = true }
+    scene:at(0.5, chain, function(c) c:heat(8) end)
+    scene:after(0.55, chain, function(c) c:heat(-0.9999 * 0.5 * 27 * c.temperature) end)
+    scene:probe("hinges", function() return #scene.hinges end)
+  ]]
+  scene:advance(0.51)
+  expect(scene:read "hinges"):equal(0)
+  scene:advance(2)
+  expect(scene:read "hinges"):equal(5)
+  expect(scene.error.hinge_gap):below(1e-9)
+end)
+
+test("bonding: hinges of two families part and come together as what they were", function()
+  local scene = open_text [[
+    scene.gravity = vec(0, 0, 0)
+    local plug, socket, other = scene:family "plug", scene:family "socket", scene:family "other"
+    local function end_of(family, x) return { at = vec(x, 0, 0), mass = 1, family = family } end
+    local function rod(x, left, right)
+      return scene:body { at = vec(x, 0, 0), points = { left = end_of(left, -0.5), right = end_of(right, 0.5) } }
+    end
+    local a, b, c = rod(0, other, plug), rod(1, socket, other), rod(2, other, other)
+    scene:hinge(a.right, b.left)
+    local own = scene:hinge(b.right, c.left)
+    local all, hot = scene:group "all", true
+    all:add(a, b, c)
+    scene:bonding { families = { plug, socket }, near = 0.3, below = 0.01, above = 0.02, hinge = true }
+    scene:at(0.1, all, function(g) g:heat(20) end)
+    scene:at(0.12, all, function(g) g:heat(-0.99999 * 0.5 * 9 * g.temperature) end)
+    scene:at(0.11, function()
+      scene:result("hot", #scene.hinges)
+      assert(own.alive and a.right.particle.family == plug and b.left.particle.family == socket)
+    end)
+  ]]
+  scene:advance(2)
+  expect(scene:result "hot"):equal(1)
+  expect(#scene.hinges):equal(2)
+end)
+
+test("bonding: ties implicitly where asked, and says what it cannot do", function()
+  local gas = "local gas = scene:family 'gas'\n"
+  local function fails(rest, message)
+    expect(function() open_text(gas .. "scene:bonding { families = gas, near = 1, below = 1, above = 2, " .. rest .. "}") end)
+      :fails(message)
+  end
+  fails("", "text.lua:2: bonding: what is near and cold is tied by law = … or joined by hinge = true; give one")
+  fails("hinge = true, law = force.spring { stiffness = 1 }", "give one")
+  fails("hinge = true, implicit = true", "implicit is for the connections of a law")
+  fails("hinge = true, time_constant = 0", "bonding: time_constant must be > 0 s")
+  fails("law = force.spring { stiffness = 1 }, time_constant = 1", "time_constant is for hinge = true")
+  local scene = open_text(gas .. [[
+    scene.gravity, scene.step = vec(0, 0, 0), 0.1
+    scene:particle { family = gas } scene:particle { family = gas, at = vec(1, 0, 0) }
+    scene:bonding { families = gas, near = 2, below = 1, above = 2, implicit = true,
+                    law = force.spring { stiffness = 1e6, length = 1.01 } }
+  ]])
+  scene:advance(5)
+  expect(scene.energy.total):below(100)
+end)
+
 test("play: waits by wait alone", function()
   local scene = open_text "scene:play(function(wait) coroutine.yield() end)"
   expect(function() scene:advance(0.1) end):fails("text.lua:1: play: it waits by wait(…), not by coroutine.yield")
