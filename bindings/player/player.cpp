@@ -98,6 +98,9 @@ void Player::choose_followed() {
 
 void Player::act(const Actions& actions) {
   if (actions.restart) restart();
+  if (actions.undo || undo_wish_.undo) undo();
+  if (actions.redo || undo_wish_.redo) redo();
+  undo_wish_ = {};
   if (actions.help) help_ = !help_;
   if (actions.pause) paused_ = !paused_;
   if (actions.step) paused_ = single_step_ = true;

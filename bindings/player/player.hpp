@@ -12,6 +12,7 @@
 #include "player/panels/panels.hpp"
 #include "player/status.hpp"
 #include "player/table.hpp"
+#include "player/undo.hpp"
 #include "view/player_input.hpp"
 #include "view/renderer.hpp"
 #include "view/steering.hpp"
@@ -41,6 +42,9 @@ class Player {
   void open(const std::string& path);
   /// Applies a value of a parameter, live or by opening the scene anew.
   void set_parameter(const std::string& name, const lua::Value& value);
+  /// Takes back what hands did last, or does it again; what cannot be done is told.
+  void undo();
+  void redo();
   /// The scene as it is now, without the lines and cards.
   void write_picture(const std::string& path);
 
@@ -51,6 +55,8 @@ class Player {
   void act(const Actions& actions);
   void take_keys();
   Actions take_hands(double elapsed);
+  void keep_for_undo(const std::string& act);
+  void go_back(bool (Undo::*way)(lua::Scene&, Times&, std::string&));
   void tell(const std::string& what);
   void tell_dropped();
   void draw_tools();
@@ -84,6 +90,8 @@ class Player {
   PlayerInput hands_;
   Gestures gestures_;
   Steering steering_;
+  Undo undo_;
+  PaletteWish undo_wish_;
   std::string told_;  ///< what a tool did last, or why it did nothing
   Clock::time_point told_at_{};
   std::size_t log_read_ = 0;  ///< lines of the world's log

@@ -15,7 +15,28 @@ Actions Player::take_hands(double elapsed) {
       paused_ ? 0.0 : elapsed, camera_,           waiting_};
   Actions actions = hands_.apply(gestures_, frame);
   for (const std::string& said : actions.said) tell(said);
+  if (!actions.acts.empty()) keep_for_undo(actions.acts.back());
   return actions;
+}
+
+void Player::keep_for_undo(const std::string& act) {
+  try {
+    undo_.begin(*scene_, times_, act);
+  } catch (const Error& error) { tell(text(act, " cannot be undone: ", error.what())); }
+}
+
+void Player::undo() { go_back(&Undo::undo); }
+void Player::redo() { go_back(&Undo::redo); }
+
+void Player::go_back(bool (Undo::*way)(lua::Scene&, Times&, std::string&)) {
+  std::string told;
+  if ((undo_.*way)(*scene_, times_, told)) {
+    waiting_ = {};
+    hands_.let_go(scene_->world(), waiting_);
+    log_read_ = scene_->world().log.size();
+    failure_ = scene_->world().failure;
+  }
+  tell(told);
 }
 
 void Player::tell(const std::string& what) {
@@ -33,7 +54,9 @@ void Player::tell_dropped() {
 
 void Player::draw_tools() {
   const std::string told = Clock::now() < told_at_ + told_for ? told_ : std::string();
-  draw_palette(hands_.tool, told, static_cast<float>(renderer_.width()), static_cast<float>(renderer_.height()));
+  const PaletteWish wish = draw_palette(hands_.tool, undo_.state(*scene_), told, static_cast<float>(renderer_.width()),
+                                        static_cast<float>(renderer_.height()));
+  undo_wish_ = wish;
 }
 
 void Player::mark_hands(Overlay& overlay) const {

@@ -28,6 +28,7 @@ std::unique_ptr<lua::Scene> Player::load(const std::string& path, const lua::Sce
 }
 
 void Player::adopt(std::unique_ptr<lua::Scene> fresh) {
+  undo_.clear();
   scene_ = std::move(fresh);
   hands_.reset();
   log_read_ = 0;

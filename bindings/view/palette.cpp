@@ -20,15 +20,33 @@ bool icon_there(const char* icon) {
 }
 
 /// A button that is marked where it is the chosen one; its hint says more.
-bool button(const char* icon, const char* name, const char* hint, bool chosen, ImVec2 size) {
+bool button(const char* icon, const char* name, const char* hint, bool chosen, bool enabled, ImVec2 size) {
   const char* const label = icon_there(icon) ? icon : name;
   if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+  if (!enabled) ImGui::BeginDisabled();
   ImGui::PushID(name);
   const bool pressed = ImGui::Button(label, size);
   ImGui::PopID();
+  if (!enabled) ImGui::EndDisabled();
   if (chosen) ImGui::PopStyleColor();
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", hint);
+  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", hint);
   return pressed;
+}
+
+PaletteWish draw_undo(const UndoState& state, float side) {
+  PaletteWish wish;
+  const auto hint = [&](const char* does, const std::string& act, const char* key) {
+    if (!state.obstacle.empty()) return std::string("no ") + does + ": " + state.obstacle;
+    return (act.empty() ? std::string("nothing to ") + does : does + (": " + act)) + " (" + key + ")";
+  };
+  const bool can = state.obstacle.empty();
+  ImGui::SameLine(0.0f, 0.4f * side);
+  wish.undo = button("\u21b6", "undo", hint("undo", state.undo, "ctrl+z").c_str(), false, can && !state.undo.empty(),
+                     {side, side});
+  ImGui::SameLine();
+  wish.redo = button("\u21b7", "redo", hint("redo", state.redo, "ctrl+shift+z").c_str(), false,
+                     can && !state.redo.empty(), {side, side});
+  return wish;
 }
 
 /// Returns the height of their upper edge.
@@ -62,7 +80,8 @@ void draw_told(const std::string& told, float middle, float bottom, float scale)
 
 }  // namespace
 
-void draw_palette(ToolChoice& choice, const std::string& told, float width, float height) {
+PaletteWish draw_palette(ToolChoice& choice, const UndoState& undo, const std::string& told, float width,
+                         float height) {
   const float scale = ImGui::GetFontSize() / 14.0f;
   const float side = 32.0f * scale, bottom = height - 44.0f * scale;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {4.0f * scale, 4.0f * scale});
@@ -76,12 +95,14 @@ void draw_palette(ToolChoice& choice, const std::string& told, float width, floa
     if (&tool != &tools().front()) ImGui::SameLine();
     const bool chosen = tool.kind == choice.kind;
     const std::string hint = std::string(tool.name) + " (" + tool.key + "): " + tool.help;
-    if (button(tool.icon, tool.name, hint.c_str(), chosen, {side, side}) && !chosen) choice.choose(tool.kind);
+    if (button(tool.icon, tool.name, hint.c_str(), chosen, true, {side, side}) && !chosen) choice.choose(tool.kind);
   }
+  const PaletteWish wish = draw_undo(undo, side);
   const float top = ImGui::GetWindowPos().y;
   ImGui::End();
   ImGui::PopStyleVar(3);
   draw_told(told, 0.5f * width, draw_variants(choice, 0.5f * width, top), scale);
+  return wish;
 }
 
 }  // namespace pantin

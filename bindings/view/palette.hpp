@@ -5,8 +5,19 @@
 
 namespace pantin {
 
-/// A row of buttons of the tools at the lower edge of a picture of that size [px], the chosen one marked, and what it can be
+/// What can be undone, by name, or why nothing can.
+struct UndoState {
+  std::string undo, redo;  ///< names of acts; empty: there is none
+  std::string obstacle;    ///< not empty: neither can be done, and this is why
+};
+
+/// What was pressed beside the tools.
+struct PaletteWish {
+  bool undo = false, redo = false;
+};
+
+/// A row of buttons of the tools, and of undo and redo, at the lower edge of a picture of that size [px], the chosen one marked, and what it can be
 /// of; above it what hands were told last. Within a frame of Dear ImGui.
-void draw_palette(ToolChoice& choice, const std::string& told, float width, float height);
+PaletteWish draw_palette(ToolChoice& choice, const UndoState& undo, const std::string& told, float width, float height);
 
 }  // namespace pantin

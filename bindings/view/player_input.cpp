@@ -18,13 +18,14 @@ struct PlayerInput::Work {
   Sight sight;
   Actions& actions;
 
-  ToolOutput output() const { return {frame.input, actions.said}; }
+  ToolOutput output() const { return {frame.input, actions.said, actions.acts}; }
 };
 
 const std::vector<std::pair<std::string, std::string>>& key_help() {
   static const std::vector<std::pair<std::string, std::string>> list = {
       {"left drag", "use the tool: pull a point, and throw it"},
       {"1 … 9, [ ]", "drag, cut, join, nail, push, spin, remove, make, heat"},
+      {"ctrl+z, ctrl+shift+z", "undo, redo"},
       {"x, ctrl + click", "cut what is under the pointer"},
       {"fingers, sticks", "each is a hand of its own"},
       {"arrows, enter", "a second hand by keys (shift: slow; two mice look like one to SDL)"},
@@ -60,6 +61,17 @@ Actions PlayerInput::apply(const Gestures& gestures, const Frame& frame) {
 void PlayerInput::reset() {
   holds_.clear();
   highlight_ = {};
+}
+
+void PlayerInput::let_go(const World& world, StepInput& input) {
+  for (auto& [pointer, hold] : holds_) hold.use = {};
+  for (std::size_t i = 0; i < world.hands.size(); i++) {
+    if (world.hands[i].path || !world.hands[i].grab) continue;
+    Command command;
+    command.kind = Command::Kind::release;
+    command.hand = static_cast<std::int32_t>(i);
+    input.commands.push_back(command);
+  }
 }
 
 PlayerInput::Hold& PlayerInput::hold_of(PointerId pointer) {
@@ -115,6 +127,8 @@ void PlayerInput::key(const Work& work, const std::string& name) {
   if (name == "s") a.picture = true;
   if (name == "h") a.help = !a.help;
   if (name == "q" || name == "escape") a.quit = true;
+  if (name == "ctrl+z") a.undo = true;
+  if (name == "ctrl+shift+z" || name == "ctrl+y") a.redo = true;
   tool.key(name);
   if (name == "f") {
     const std::optional<Vec3>& edges = frame.world.settings.box;

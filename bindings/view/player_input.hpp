@@ -20,6 +20,9 @@ struct Actions {
   bool picture = false;           ///< s
   bool help = false;              ///< h: show or hide the keys
   bool quit = false;              ///< Esc, q, or the window was closed
+  bool undo = false;              ///< ctrl+z
+  bool redo = false;              ///< ctrl+shift+z, ctrl+y
+  std::vector<std::string> acts;  ///< names of the tools' uses whose first command is in the input
   std::vector<std::string> said;  ///< what tools did, or why they did nothing
 };
 
@@ -47,6 +50,8 @@ class PlayerInput {
   Actions apply(const Gestures& gestures, const Frame& frame);
   /// The world was built anew: its hands are gone, and nothing is held.
   void reset();
+  /// The world was put back to an earlier state: its hands let go, and what was begun is not finished.
+  void let_go(const World& world, StepInput& input);
   /// What the mouse holds or could take hold of, or null.
   PointId highlight() const { return highlight_; }
   /// Marks of all hands, for the overlay.

@@ -124,7 +124,7 @@ void ToolUse::hold(const Sight& sight, double time, ToolOutput& output) {
   const double there = heat_in(sight.world, things), cold = 0.05 * sight.stage.unit / step_times(sight.world, 240.0);
   const double part = std::min(0.5, heat_rate * time);
   c.energy = choice_.variant == 1 ? -part * there : part * std::max(there, mass(sight.world, things) * cold * cold);
-  if (c.energy != 0.0) output.input.commands.push_back(c);
+  if (c.energy != 0.0) send(c, output);
 }
 
 void ToolUse::release(const Sight& sight, ToolOutput& output) {
@@ -150,12 +150,12 @@ void ToolUse::release(const Sight& sight, ToolOutput& output) {
       }
       char text[64];
       std::snprintf(text, sizeof text, push ? "pushed by %.3g N s" : "spun by %.3g rad/s", norm(c.amount));
-      output.input.commands.push_back(c);
+      send(c, output);
       output.said.push_back(text);
       break;
     }
     case ToolKind::make:
-      output.input.commands.push_back(making(sight));
+      send(making(sight), output);
       output.said.push_back(std::string("made a ") + choice_.tool().variants[choice_.variant]);
       break;
     default: break;
@@ -234,10 +234,16 @@ Command ToolUse::command(Command::Kind kind) const {
   return c;
 }
 
+void ToolUse::send(Command command, ToolOutput& output) {
+  if (!acted_) output.acts.push_back(choice_.tool().name);
+  acted_ = true;
+  output.input.commands.push_back(std::move(command));
+}
+
 void ToolUse::grab(const Sight& sight, ToolOutput& output) {
   if (!point_) return;
   output.input.moves.push_back({hand_, position(sight.world, point_), true});
-  output.input.commands.push_back(command(Command::Kind::grab));
+  send(command(Command::Kind::grab), output);
 }
 
 void ToolUse::nail(const Sight& sight, ToolOutput& output) {
@@ -248,10 +254,10 @@ void ToolUse::nail(const Sight& sight, ToolOutput& output) {
       if (sight.world.constraints[id].kind == ConstraintKind::nail) {
         Command c = command(Command::Kind::cut);
         c.thing = id;
-        output.input.commands.push_back(c);
+        send(c, output);
         return output.said.push_back("pulled the nail out");
       }
-  output.input.commands.push_back(command(Command::Kind::nail));
+  send(command(Command::Kind::nail), output);
   output.said.push_back("nailed");
 }
 
@@ -264,7 +270,7 @@ void ToolUse::cut(const Sight& sight, double x, double y, ToolOutput& output) {
     Command c = command(Command::Kind::cut);
     c.point = {};
     c.thing = thing;
-    output.input.commands.push_back(c);
+    send(c, output);
   }
   std::vector<AnyId> alive = done_;
   std::erase_if(alive, [&](const AnyId& t) { return !pantin::alive(sight.world, t); });
@@ -282,7 +288,7 @@ void ToolUse::remove(const Sight& sight, ToolOutput& output) {
   Command c = command(Command::Kind::remove);
   c.point = {};
   c.thing = thing;
-  output.input.commands.push_back(c);
+  send(c, output);
   output.said.push_back(done_.size() == 1 ? "removed " + describe(sight.world, thing)
                                           : "removed " + counted(done_.size(), "thing", "things"));
 }
@@ -291,7 +297,7 @@ void ToolUse::join(const Sight& sight, ToolOutput& output) {
   Command c = command(Command::Kind::join);
   c.other = pick_held(sight, x_, y_);
   if (!c.other || c.other == point_) return output.said.push_back("join: let go at another point");
-  output.input.commands.push_back(c);
+  send(c, output);
   output.said.push_back("joining");
 }
 

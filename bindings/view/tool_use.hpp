@@ -7,10 +7,12 @@
 
 namespace pantin {
 
-/// Where the use of tools puts what it does: commands for the coming step, and what to say of them.
+/// Where the use of tools puts what it does: commands for the coming step, what to say of them, and the names of acts
+/// whose first command is among them.
 struct ToolOutput {
   StepInput& input;
   std::vector<std::string>& said;
+  std::vector<std::string>& acts;
 };
 
 /// What one hand does with a tool, from press to release.
@@ -46,6 +48,7 @@ class ToolUse {
 
  private:
   Command command(Command::Kind kind) const;
+  void send(Command command, ToolOutput& output);
   void grab(const Sight& sight, ToolOutput& output);
   void nail(const Sight& sight, ToolOutput& output);
   void cut(const Sight& sight, double x, double y, ToolOutput& output);
@@ -55,7 +58,7 @@ class ToolUse {
 
   ToolChoice choice_;
   std::int32_t hand_ = -1;
-  bool active_ = false;
+  bool active_ = false, acted_ = false;
   double x0_ = 0.0, y0_ = 0.0, x_ = 0.0, y_ = 0.0;  // [px] of the press, and now
   double depth_ = 0.0;                              // [m]
   Vec3 offset_ = zero3();                           // [m] from the place under the pointer to the point

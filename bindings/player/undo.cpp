@@ -1,0 +1,57 @@
+#include "player/undo.hpp"
+
+#include <utility>
+
+namespace pantin::player {
+namespace {
+
+constexpr std::size_t most_acts = 32;
+
+std::string name_of_last(const auto& entries) { return entries.empty() ? "" : entries.back().act; }
+
+}  // namespace
+
+void Undo::begin(lua::Scene& scene, const Times& times, const std::string& act) {
+  future_.clear();
+  if (!scene.why_not_restore().empty()) return past_.clear();
+  past_.push_back({act, scene.take_snapshot(), times});
+  if (past_.size() > most_acts) past_.pop_front();
+}
+
+bool Undo::undo(lua::Scene& scene, Times& times, std::string& told) {
+  return move(scene, times, past_, future_, "undo", told);
+}
+
+bool Undo::redo(lua::Scene& scene, Times& times, std::string& told) {
+  return move(scene, times, future_, past_, "redo", told);
+}
+
+void Undo::clear() {
+  past_.clear();
+  future_.clear();
+}
+
+UndoState Undo::state(const lua::Scene& scene) const {
+  return {name_of_last(past_), name_of_last(future_), scene.why_not_restore()};
+}
+
+bool Undo::move(lua::Scene& scene, Times& times, Entries& from, Entries& to, const char* does, std::string& told) {
+  told = scene.why_not_restore();
+  if (told.empty() && from.empty()) told = std::string("nothing to ") + does;
+  if (!told.empty()) return false;
+  try {
+    const Entry entry = from.back();
+    Entry now{entry.act, scene.take_snapshot(), times};
+    scene.restore(*entry.scene);
+    from.pop_back();
+    times = entry.times;
+    told = does + (": " + entry.act);
+    to.push_back(std::move(now));
+  } catch (const Error& error) {
+    told = error.what();
+    return false;
+  }
+  return true;
+}
+
+}  // namespace pantin::player

@@ -1,0 +1,38 @@
+#pragma once
+#include <deque>
+#include <memory>
+#include <string>
+
+#include "lua/scene.hpp"
+#include "player/table.hpp"
+#include "view/palette.hpp"
+
+namespace pantin::player {
+
+/// The latest acts of hands, each with the scene, and the times of its steps, as they were before; they are taken back by
+/// putting that back.
+class Undo {
+ public:
+  /// An act begins. Where the scene cannot be put back, nothing is kept; throws Error where it cannot be kept.
+  void begin(lua::Scene& scene, const Times& times, const std::string& act);
+  /// Takes the last act back, or does it again, and tells what became of that. True where the scene was put back.
+  bool undo(lua::Scene& scene, Times& times, std::string& told);
+  bool redo(lua::Scene& scene, Times& times, std::string& told);
+  /// Another scene was opened.
+  void clear();
+  UndoState state(const lua::Scene& scene) const;
+
+ private:
+  struct Entry {
+    std::string act;
+    std::shared_ptr<const lua::SceneSnapshot> scene;
+    Times times;
+  };
+  using Entries = std::deque<Entry>;
+  static bool move(lua::Scene& scene, Times& times, Entries& from, Entries& to, const char* does, std::string& told);
+
+  Entries past_;    ///< before each act, oldest first
+  Entries future_;  ///< after each act that was undone, oldest last
+};
+
+}  // namespace pantin::player

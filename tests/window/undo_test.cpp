@@ -1,0 +1,168 @@
+// What hands did is undone and done again, to the bit, by pushed events.
+#include <catch2/catch.hpp>
+
+#include "player/player.hpp"
+#include "support/process.hpp"
+#include "support/sources.hpp"
+#include "window/pushed.hpp"
+#include "world/measure.hpp"
+#include "world/query.hpp"
+
+using namespace pantin;
+using support::Folder;
+
+namespace {
+
+constexpr int width = 960, height = 540;
+
+/// A player of a chain of six links, paused.
+struct Session {
+  Folder folder;
+  std::unique_ptr<player::Player> player;
+
+  explicit Session(const std::string& more = "") {
+    pushed::no_screen();
+    support::write_file(folder / "scene.lua", R"(
+      scene.camera = { at = vec(3, 2, 14), look_at = vec(3, 2, 0) }
+      local previous
+      for i = 1, 6 do
+        local link = scene:body { at = vec(i - 0.5, 4, 0), mass = 1, inertia = vec(0.01, 0.1, 0.1),
+          points = { head = vec(-0.5, 0, 0), tail = vec(0.5, 0, 0) } }
+        if previous then scene:hinge(previous.tail, link.head) else scene:nail(link.head) end
+        previous = link
+      end
+      scene:probe("energy", function() return scene.energy.total end)
+    )" + more);
+    player::RunOptions options;
+    options.size = {width, height};
+    options.paused = true;
+    player = std::make_unique<player::Player>(folder / "scene.lua", options, sources::folder());
+    frames(3);
+  }
+  const World& world() const { return player->scene().world(); }
+  void frames(int n) {
+    for (int i = 0; i < n; i++) REQUIRE(player->frame());
+  }
+  void steps(int n) {
+    for (int i = 0; i < n; i++) {
+      pushed::tap(SDLK_PERIOD);
+      frames(1);
+    }
+  }
+  Projected seen(Vec3 place) const {
+    Camera camera;
+    camera.look(vec(3, 2, 14), vec(3, 2, 0));
+    return camera.project(place, width, height).value();
+  }
+  void with_control(SDL_Keycode key, bool shift = false) {
+    pushed::key(SDLK_LCTRL);
+    if (shift) pushed::key(SDLK_LSHIFT);
+    pushed::tap(key);
+    if (shift) pushed::key(SDLK_LSHIFT, false);
+    pushed::key(SDLK_LCTRL, false);
+    frames(1);
+  }
+  /// Cuts the third hinge with the tool.
+  void cut() {
+    const Projected at = seen(position(world(), hinges(world())[2]));
+    pushed::tap(SDLK_2);
+    frames(1);
+    pushed::move(at.x, at.y);
+    frames(1);
+    pushed::button(true, at.x, at.y);
+    pushed::button(false, at.x, at.y);
+    frames(1);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("undo puts the scene back to the bit, redo does it again", "[window]") {
+  Session session;
+  session.steps(5);
+  const std::uint64_t before = state_hash(session.world());
+  session.cut();
+  session.steps(20);
+  CHECK(hinges(session.world()).size() == 4);
+  const std::uint64_t after = state_hash(session.world());
+  const double time = session.world().time;
+  session.with_control(SDLK_z);
+  CHECK(state_hash(session.world()) == before);
+  CHECK(hinges(session.world()).size() == 5);
+  CHECK(session.player->times().values.size() == 5);
+  session.with_control(SDLK_z, true);
+  CHECK(state_hash(session.world()) == after);
+  CHECK(session.world().time == time);
+  CHECK(session.player->times().values.size() == 25);
+  session.with_control(SDLK_z);
+  session.cut();
+  session.steps(20);
+  CHECK(state_hash(session.world()) == after);  // the same act comes to the same bits
+}
+
+TEST_CASE("undo with nothing done changes nothing, and a hand that held lets go", "[window]") {
+  Session session;
+  const std::uint64_t start = state_hash(session.world());
+  session.with_control(SDLK_z);
+  session.with_control(SDLK_z, true);
+  CHECK(state_hash(session.world()) == start);
+  const Projected tip = session.seen(vec(6, 4, 0));
+  pushed::move(tip.x, tip.y);
+  session.frames(1);
+  pushed::button(true, tip.x, tip.y);
+  session.steps(3);
+  REQUIRE(session.world().hands.size() == 1);
+  CHECK(session.world().hands[0].grab);
+  session.with_control(SDLK_z);
+  session.steps(1);
+  CHECK((session.world().hands.empty() || !session.world().hands[0].grab));
+  pushed::button(false, tip.x, tip.y);
+  session.steps(3);
+  CHECK(session.player->failure().empty());
+}
+
+TEST_CASE("a play cannot be wound back, and the acts of a scene end with it", "[window]") {
+  Session session("scene:play(function(wait) wait(100) end)");
+  session.steps(2);
+  session.cut();
+  session.steps(3);
+  session.with_control(SDLK_z);
+  CHECK(hinges(session.world()).size() == 4);
+  Session other;
+  other.cut();
+  other.steps(1);
+  pushed::tap(SDLK_r);
+  other.frames(1);
+  other.with_control(SDLK_z);
+  CHECK(hinges(other.world()).size() == 5);
+  CHECK(other.player->failure().empty());
+}
+
+TEST_CASE("two fingers pull at the chain in the window", "[window]") {
+  Session session;
+  const auto finger = [&](Uint32 type, SDL_FingerID id, Projected at) {
+    SDL_Event event = {};
+    event.type = type;
+    event.tfinger.touchId = 1;
+    event.tfinger.fingerId = id;
+    event.tfinger.x = static_cast<float>(at.x / width);
+    event.tfinger.y = static_cast<float>(at.y / height);
+    SDL_PushEvent(&event);
+  };
+  const Projected a = session.seen(vec(6, 4, 0)), b = session.seen(vec(3, 4, 0));
+  finger(SDL_FINGERDOWN, 1, a);
+  finger(SDL_FINGERDOWN, 2, b);
+  session.steps(2);
+  REQUIRE(session.world().hands.size() == 2);
+  for (int i = 1; i <= 40; i++) {
+    finger(SDL_FINGERMOTION, 1, {a.x - 2.0 * i, a.y + i});
+    finger(SDL_FINGERMOTION, 2, {b.x, b.y + 2.0 * i});
+    session.steps(3);
+  }
+  CHECK((session.world().hands[0].grab && session.world().hands[1].grab));
+  CHECK(session.world().error.hinge_gap < 1e-9);
+  finger(SDL_FINGERUP, 2, b);
+  session.steps(2);
+  CHECK(session.world().hands[0].grab);
+  CHECK_FALSE(session.world().hands[1].grab);
+}
