@@ -10,7 +10,8 @@ namespace pantin {
 
 namespace {
 
-constexpr double stillness = 1e-8;  // of its length; the square, an energy, is lost in the round-off of its weight's
+constexpr double stillness = 1e-8;   // of its length; the square, an energy, is lost in the round-off of its weight's
+constexpr double round_off = 4e-11;  // of its distance from the origin, which places are rounded to
 constexpr double least_steps = 256, swing = 4.0;  // times sqrt(length / gravity)
 constexpr double most_growth = 2.0;               // round-off grows slowly, a fall by thousands in such a time,
 constexpr double unseen = 1e-20;                  // but what is so much smaller may grow
@@ -33,9 +34,12 @@ bool is_still(const World& world, Articulate& a) {
   r.peak = std::max(r.peak, a.totals.kinetic);
   const double time = watch_time(world, a);
   if (++r.steps * world.settings.step < time) return false;
-  double least = a.total_mass;
-  for (const Node& n : a.nodes) least = std::min(least, n.mass);
-  const double speed = stillness * a.length / time;
+  double least = a.total_mass, far = 0.0;
+  for (const Node& n : a.nodes) {
+    least = std::min(least, n.mass);
+    far = std::max(far, largest(n.x0));
+  }
+  const double speed = (stillness * a.length + round_off * far) / time;
   const double rest = 0.5 * least * speed * speed;
   const bool still =
       r.last_peak >= 0.0 && r.peak <= rest && r.peak <= std::max(most_growth * r.last_peak, unseen * rest);

@@ -1,9 +1,10 @@
 #pragma once
 // Articulates at rest sleep: no phase moves them, and they cost next to nothing. One falls asleep at the end of a step when
 // its kinetic energy stayed, for as long as gravity takes to swing it, below that of its lightest thing at a speed of 1e-8
-// of its length in that time, and did not double from one such time to the next. So nothing sleeps at a turning point, and
-// nothing that stands on its head sleeps through its fall. The energy that it still had is the ledger's line `sleep`. An edit
-// of its things wakes it, a target that moves, another gravity, and whatever has laws pull otherwise than before.
+// of its length in that time (far from the origin a little more), and did not double from one such time to the next. So
+// nothing sleeps at a turning point, and nothing that stands on its head sleeps through its fall. The energy that it still
+// had is the ledger's line `sleep`. An edit of its things wakes it, a target that moves, another gravity, and whatever has
+// laws pull otherwise than before.
 #include "world/world.hpp"
 
 namespace pantin {

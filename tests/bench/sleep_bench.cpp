@@ -50,7 +50,7 @@ void measure_sleep(bool damped) {
   LawArguments arguments;
   arguments.numbers = {{"linear", 2.0}};
   if (damped) add_field(world, std::make_shared<const Law>(make_library_law("drag", arguments).front()), {});
-  for (int i = 0; i < 2000 && sleepers(world) < chains; i++) step(world);
+  for (int i = 0; i < 4000 && sleepers(world) < chains; i++) step(world);
   require(sleepers(world) == chains, "only ", sleepers(world), " chains fell asleep");
   const double asleep = time_of_step(world, [] {});
   // One that moves has the forces of all be found; nothing else is done for the others.
