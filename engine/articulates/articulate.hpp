@@ -148,6 +148,16 @@ struct Gaps {
   double all() const { return std::fmax(points, rods); }
 };
 
+/// Work [J] of impulses on what moves by itself: anchors and lengths, and the turns of couples.
+struct ImpulseWork {
+  double ends = 0.0, couples = 0.0;
+  double all() const { return ends + couples; }
+  void operator+=(const ImpulseWork& more) {
+    ends += more.ends;
+    couples += more.couples;
+  }
+};
+
 /// What a drift, or a projection of velocities, did: for counting and the balance of energy.
 struct DriftReport {
   std::uint32_t iterations = 0, factorisations = 0, halved = 0, safe = 0, projections = 0, offsets = 0;
@@ -163,6 +173,12 @@ struct DriftReport {
   double unsolved = 0.0;    // [J] of forces on gaps that the iteration left open; only where the ledger is kept
   double round_off = 0.0;   // [J] of the work of rows; the same
   double returned = 0.0;    // [J] given back of what the projection took
+
+  double outside() const { return work + motor; }
+  void tell(const ImpulseWork& done, double sign = 1.0) {
+    work += done.ends * sign;
+    motor += done.couples * sign;
+  }
 };
 
 /// Sums over nodes, for the balance of energy.
@@ -203,7 +219,7 @@ struct Articulate {
   std::vector<Vec3> carried;    // (rows) [N s] half of them, see `take_carried_half`
   double carried_h = 0.0;       // [s] of the sub-steps after which they serve; 0: none
   double carried_energy = 0.0;  // [J] that taking them gave
-  double carried_work = 0.0;    // [J] of them on moving world ends and changing lengths
+  ImpulseWork carried_work;     // of them
 
   double length = 0.0;      // [m] median arm: every length in a criterion is a multiple of it
   double total_mass = 0.0;  // [kg]

@@ -21,6 +21,7 @@ void evaluate_euler(Node& n, double h) {
   if (!n.turns) return;
   const Vec3 L = n.R0 * n.P0 + (n.row_torque + n.torque) * h;
   const Vec3 turn = n.inverse_inertia * transposed_times(n.R0, L) * h;
+  n.a = n.R0 * turn;
   const double angle = norm(turn), s = functions::sin(0.5 * angle);
   const Vec3 u = direction(turn) * s;
   n.q1 = n.q0 * Quat{functions::cos(0.5 * angle), u[0], u[1], u[2]};

@@ -76,10 +76,10 @@ Velocities find_velocities(Articulate& a) {
   return v;
 }
 
-/// Work [J] of impulses on what moves by itself: anchors and lengths, and the turns of couples.
-struct ImpulseWork {
-  double ends = 0.0, couples = 0.0;
-};
+/// Adds the work of the impulse of a row.
+void add_work(ImpulseWork& work, const Articulate& a, const Condition& c, Vec3 impulse) {
+  (row(a, c).lever > 0.0 ? work.couples : work.ends) += dot(impulse, c.wanted);
+}
 
 /// Takes the residuals through the first half of a solution on the factor at hand.
 void start_solution(Articulate& a) {
@@ -98,7 +98,7 @@ ImpulseWork apply_projection(Articulate& a) {
     const Row& r = row(a, c);
     Vec3& impulse = a.right_side[c.row];
     if (r.kind != RowKind::rigid) impulse = is_soft(r) ? zero3() : c.kept * impulse;
-    (r.lever > 0.0 ? work.couples : work.ends) += dot(impulse, c.wanted);
+    add_work(work, a, c, impulse);
   }
   for (std::size_t k = 0; k < a.rows.size(); k++) a.impulses[k] += a.right_side[k];
   for (NodeBatch& n : a.batches) add_impulses(a, n, a.right_side);
@@ -130,14 +130,11 @@ bool project_with_newton_factor(Articulate& a, const Velocities& before, DriftRe
   ImpulseWork done;
   for (int i = 0; i < 3; i++) {
     start_solution(a);
-    const ImpulseWork now = apply_projection(a);
-    done.ends += now.ends;
-    done.couples += now.couples;
+    done += apply_projection(a);
     const Velocities after = find_velocities(a);
     if (after.forbidden > 0.2 * before.forbidden + 1e-12 * before.fastest) continue;
-    if (after.kinetic > before.kinetic * (1.0 + 1e-12) + std::fabs(done.ends + done.couples)) break;
-    report.work += done.ends;
-    report.motor += done.couples;
+    if (after.kinetic > before.kinetic * (1.0 + 1e-12) + std::fabs(done.all())) break;
+    report.tell(done);
     return true;
   }
   read_momenta(a);
@@ -150,11 +147,11 @@ bool project_with_newton_factor(Articulate& a, const Velocities& before, DriftRe
 void carry_half(Articulate& a, double h) {
   a.carried_h = h;
   for (std::size_t k = 0; k < a.rows.size(); k++) a.carried[k] = (a.carried[k] + a.impulses[k]) * 0.5;
-  a.carried_work = 0.0;
+  a.carried_work = {};
   for (const Condition& c : a.conditions) {
     if (row(a, c).kind != RowKind::rigid)
       a.carried[c.row] = c.kept * a.carried[c.row];  // earlier ones were along others
-    a.carried_work += dot(a.carried[c.row], c.wanted);
+    add_work(a.carried_work, a, c, a.carried[c.row]);
   }
 }
 
@@ -188,13 +185,13 @@ void take_carried_half(Articulate& a, double full, DriftReport& report) {
     return;
   }
   const double before = kinetic_energy(a), sign = a.sub_steps.count == 1 ? -1.0 : 1.0;
-  report.work += a.carried_work * sign;
+  report.tell(a.carried_work, sign);
   read_momenta(a);
   for (std::size_t k = 0; k < a.rows.size(); k++) a.right_side[k] = a.carried[k] * sign;
   for (NodeBatch& n : a.batches) add_impulses(a, n, a.right_side);
   tell_momenta(a);
   a.carried_energy = kinetic_energy(a) - before;
-  report.projected += a.carried_energy - a.carried_work * sign;
+  report.projected += a.carried_energy - a.carried_work.all() * sign;
 }
 
 void project_velocities(Articulate& a, const DriftSettings& settings, DriftReport& report) {
@@ -209,12 +206,10 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
     a.has_factor = false;
     factorise_exactly(a, a.least_epsilon);
     const ImpulseWork done = apply_projection(a);
-    if (struck(a)) {
+    if (struck(a))
       report.limit += find_velocities(a).kinetic - before.kinetic;
-    } else {
-      report.work += done.ends;
-      report.motor += done.couples;
-    }
+    else
+      report.tell(done);
   }
   tell_momenta(a);
   const double speed = std::max(before.fastest, std::sqrt(norm(settings.gravity) * a.length));
@@ -223,14 +218,14 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   if (settings.energy_return) report.returned += return_energy(a, before.kinetic - a.carried_energy, settings.gravity);
 }
 
-double make_consistent(Articulate& a) {
-  if (a.yields) return 0.0;
+ImpulseWork make_consistent(Articulate& a) {
+  if (a.yields) return {};
   double anchors = 0.0;
   for (const Condition& c : a.conditions) anchors = std::max(anchors, norm2(c.velocity));
   find_kept(a);
-  double work = 0.0;
+  ImpulseWork work;
   for (double epsilon = a.least_epsilon;; epsilon *= 100.0) {
-    work = 0.0;
+    work = {};
     read_momenta(a);
     Velocities v = find_velocities(a);
     if (v.forbidden <= 1e-13 * v.fastest) break;
@@ -240,8 +235,7 @@ double make_consistent(Articulate& a) {
       const double last = v.forbidden;
       if (last < 1e-13 * v.fastest) break;
       if (i > 0) start_solution(a);
-      const ImpulseWork done = apply_projection(a);
-      work += done.ends + done.couples;
+      work += apply_projection(a);
       v = find_velocities(a);
       if (v.forbidden > 0.5 * last) break;
     }

@@ -27,7 +27,7 @@ void set_kept_matrices(Articulate& articulate);
 
 /// Makes momenta consistent after an edit (an inelastic meeting), with the least compliance that gives a sane energy:
 /// anchors may be near-singular or contradict each other. Arms at the nodes' ends; ends must equal starts. Returns the
-/// work of what moves by itself [J].
-double make_consistent(Articulate& articulate);
+/// work of what moves by itself.
+ImpulseWork make_consistent(Articulate& articulate);
 
 }  // namespace pantin

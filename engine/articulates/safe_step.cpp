@@ -196,13 +196,13 @@ void accept_gaps(Articulate& a, double tolerance, DriftReport& report) {
 }  // namespace
 
 void safe_step(Articulate& a, const DriftSettings& settings, double h, DriftReport& report) {
-  const double before = mechanical_energy(a, settings.gravity), outside = report.work;
+  const double before = mechanical_energy(a, settings.gravity), outside = report.outside();
   place_rows_at_start(a);
   hold_stiff(a);
   for (Node& n : a.nodes) settle(n);
   kick(a, h, settings.gravity, report);
   place_rows_at_end(a);
-  report.work += make_consistent(a);
+  report.tell(make_consistent(a));
   drift_and_close(a, h, 1e-9 * h * std::sqrt(norm(settings.gravity) * a.length) + 1e-12 * a.length);
   for (Node& n : a.nodes) {
     n.x0 = n.x1;
@@ -212,8 +212,8 @@ void safe_step(Articulate& a, const DriftSettings& settings, double h, DriftRepo
     n.O0 = n.inverse_inertia * n.P0;
   }
   accept_gaps(a, settings.tolerance, report);
-  report.work += make_consistent(a);
-  const double change = mechanical_energy(a, settings.gravity) - before - (report.work - outside);
+  report.tell(make_consistent(a));
+  const double change = mechanical_energy(a, settings.gravity) - before - (report.outside() - outside);
   only_dissipate(a, change, settings.gravity, report);
   for (Row& row : a.rows)
     if (row.kind != RowKind::limited) row.f = zero3();

@@ -288,3 +288,49 @@ TEST_CASE("ledger: what a spring swallows that is solved at the end of the step 
   CHECK(energy(world).total() - world.start_energy == Approx(line(world, Source::damper)).epsilon(1e-9));
   CHECK(closure(world) <= 1e-10);
 }
+
+namespace {
+
+/// Turns the first link of a pinned chain at 2 rad/s.
+void turn_chain(World& world, int links) {
+  const cases::Chain chain = cases::add_chain(world, {.links = links});
+  MotorDef motor;
+  motor.axis = vec(0, 0, 1);
+  motor.speed = 2.0;
+  add_motor(world, chain.bodies[0], {}, motor);
+}
+
+}  // namespace
+
+TEST_CASE("ledger: what a motor gives is the motor's, with halves of projections carried over and by Euler's steps") {
+  const Integrator integrator = GENERATE(Integrator::verlet, Integrator::euler);
+  CAPTURE(name_of(integrator));
+  World world;
+  world.settings.step = integrator == Integrator::euler ? 1.0 / 4000 : 1.0 / 240;
+  turn_chain(world, 2);
+  set_integrator(world, integrator);
+  keep_ledger(world);
+  advance(world, 0.1);  // to its speed
+  const double start = energy(world).total(), given = line(world, Source::motor);
+  advance(world, 0.5);
+  const double rise = energy(world).total() - start;
+  CHECK(rise > 2.0);
+  CHECK(line(world, Source::motor) - given == Approx(rise).epsilon(integrator == Integrator::euler ? 2e-2 : 1e-3));
+  CHECK(line(world, Source::hand) == 0.0);
+  CHECK(closure(world) <= 1e-10);
+}
+
+TEST_CASE("ledger: in safe steps too a motor's work is not a hand's") {
+  World world;
+  turn_chain(world, 1);
+  const PointId tail = cases::point_of(world, world.bodies.ids()[0], 1);
+  StringDef tether;
+  tether.length = 0.2;
+  add_string(world, {{tail, zero3()}, {{}, vec(1, 0, 0)}}, tether);
+  keep_ledger(world);
+  advance(world, 0.5);
+  CHECK(world.failure == "");
+  CHECK(world.stats.safe_steps > 0);
+  CHECK(line(world, Source::hand) == 0.0);
+  CHECK(closure(world) <= 1e-10);
+}
