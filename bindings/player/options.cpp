@@ -158,7 +158,12 @@ Options read_options(int argc, const char* const* argv) {
   app.set_version_flag("--version", "pantin " PANTIN_VERSION);
 
   CLI::App* play = app.add_subcommand("play", "Plays a scene in a window");
-  play->add_option("scene", options.run.scene, "A scene's file, or the name of a shipped one [chain]");
+  play->add_option("scene", options.run.scene,
+                   "A scene's file, or the name of a shipped one; without it, the browser of scenes");
+  play->add_option("--scenes", options.run.scenes, "A folder of your own scenes, for the browser")
+      ->check(CLI::ExistingDirectory)
+      ->default_str("where you are")
+      ->type_name("DIR");
   play->add_flag("--paused", options.run.paused, "Waits for the space bar before it starts");
   add_scene_options(*play, options.run, texts);
   CLI::App* run = app.add_subcommand("run", "Runs a scene without a window");

@@ -18,7 +18,8 @@ struct Size {
 
 /// What `play` and `run` share.
 struct RunOptions {
-  std::string scene;  ///< a path or a shipped scene's name
+  std::string scene;         ///< a path or a shipped scene's name; of `play` empty: the browser
+  std::string scenes = ".";  ///< a folder of one's own, for the browser
   std::map<std::string, std::string> set;
   std::optional<double> until;  ///< [s] >= 0
   std::vector<std::string> outputs;

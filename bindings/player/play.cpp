@@ -18,7 +18,7 @@ int play_in_window(const RunOptions& options, const std::string& home) {
   for (const std::string& path : options.outputs)
     if (!path.ends_with(".csv") && !path.ends_with(".png"))
       throw lua::UsageError("play writes .csv and .png; the rest is made by `pantin run SCENE --out FILE`");
-  Player player(find_scene(options.scene, home), options, home);
+  Player player(options.scene.empty() ? "" : find_scene(options.scene, home), options, home);
   while (player.frame()) {}
   outputs.write_tables(player.times(), player.scene().world());
   for (const std::string& picture : outputs.temporaries(".png")) player.write_picture(picture);
@@ -40,12 +40,16 @@ int play_unseen(RunOptions options, const std::string& home, const std::string& 
 
 int play(const RunOptions& given, const std::string& home) {
   RunOptions options = given;
-  if (options.scene.empty()) options.scene = "chain";
-  if (!Window::display_available()) return play_unseen(options, home, "there is no display to play on");
+  const std::string shown_without_window = options.scene.empty() ? "chain" : options.scene;
+  if (!Window::display_available()) {
+    options.scene = shown_without_window;
+    return play_unseen(options, home, "there is no display to play on");
+  }
   std::string why;
   try {
     return play_in_window(options, home);
   } catch (const NoWindow& error) { why = error.what(); }
+  options.scene = shown_without_window;
   return play_unseen(options, home, why);
 }
 

@@ -43,20 +43,24 @@ double aspect(const Renderer& renderer) { return static_cast<double>(renderer.wi
 
 Player::Player(std::string path, const RunOptions& options, const std::string& home)
     : path_(std::move(path)),
-      home_(home),
       options_(options),
       lua_options_(lua_options(options, home)),
-      scene_(load(path_, lua_options_)),
+      scene_(first_scene(path_, lua_options_)),
       window_(open_window(title() + " - Pantin", options.size)),
       renderer_(window_.width(), window_.height(), window_.software() ? 0 : smooth_samples),
       hands_([this] { return add_hand(scene_->world()); }),
+      browser_(home + "/scripts/scenes", options.scenes, lua_options_),
       paused_(options.paused),
       views_(options.views) {
   renderer_.open(scene_->world());
   camera_ = aim(*scene_, renderer_.stage(), aspect(renderer_));
+  if (path_.empty()) browser_.show();
 }
 
-std::string Player::title() const { return scene_->title().empty() ? scene_name(path_) : scene_->title(); }
+std::string Player::title() const {
+  if (path_.empty()) return "Scenes";
+  return scene_->title().empty() ? scene_name(path_) : scene_->title();
+}
 
 bool Player::frame() {
   auto now = Clock::now();
@@ -64,7 +68,8 @@ bool Player::frame() {
   last_ = now;
   if (!window_.poll(gestures_) || Interrupt::asked()) return false;
   fit_window();
-  steering_.move(gestures_, elapsed);
+  swallow_keys();
+  if (!browser_.shown() && !renderer_.writing()) steering_.move(gestures_, elapsed);
   renderer_.listen(gestures_);
   take_keys();
   take_view_keys(gestures_, views_, camera_);
@@ -72,13 +77,14 @@ bool Player::frame() {
   Actions actions = take_hands(elapsed);
   keep_last_moves(waiting_);
   if (actions.quit) return false;
+  choose();
   act(actions);
   take_steps(elapsed);
   tell_dropped();
   follower_.move(*scene_, camera_);
   draw();
   std::this_thread::sleep_until(now + shortest_frame);
-  return !(options_.until && at_end());
+  return !over_ && !(options_.until && at_end());
 }
 
 void Player::choose_followed() {
@@ -120,7 +126,7 @@ bool Player::at_end() const {
 
 void Player::take_steps(double elapsed) {
   bool one = std::exchange(single_step_, false);
-  bool still = !failure_.empty() || at_end() || (paused_ && !one);
+  bool still = browser_.shown() || !failure_.empty() || at_end() || (paused_ && !one);
   if (still) return pacing_.rest();
   const World& world = scene_->world();
   int due = one ? 1 : pacing_.begin_frame(elapsed, world.settings.step, scene_->pace() * speed_);
@@ -177,9 +183,16 @@ Overlay Player::overlay() const {
   Overlay overlay;
   overlay.pace = scene_->pace() * speed_;
   overlay.views = views_;
+  if (!failure_.empty())
+    overlay.message = failure_ + "   (r starts the scene again)";
+  else if (!said_.empty() && Clock::now() < complained_ + complaint_shown)
+    overlay.message =
+        said_.back().times > 1 ? text(said_.back().text, "   (", said_.back().times, " times)") : said_.back().text;
+  if (browser_.shown()) return overlay;
   overlay.marks = marks_of(*scene_);
   overlay.title = title();
-  overlay.highlight = hands_.highlight();
+  const auto* chosen = std::get_if<PointId>(&chosen_);
+  overlay.highlight = hands_.highlight() || !chosen ? hands_.highlight() : *chosen;
   mark_hands(overlay);
   overlay.status = status_.parts(scene_->world(), pacing_, overlay.pace, paused_);
   if (scene_->finished())
@@ -187,11 +200,6 @@ Overlay Player::overlay() const {
   else if (paused_ && failure_.empty() && waits_for_step(waiting_))
     overlay.status[1] = "paused: what you did shows with the next step (space, or .)";
   if (!help_) overlay.status.push_back("h: keys");
-  if (!failure_.empty())
-    overlay.message = failure_ + "   (r starts the scene again)";
-  else if (!said_.empty() && Clock::now() < complained_ + complaint_shown)
-    overlay.message =
-        said_.back().times > 1 ? text(said_.back().text, "   (", said_.back().times, " times)") : said_.back().text;
   if (help_) {
     overlay.help = key_help();
     overlay.help.insert(overlay.help.end(), view_key_help().begin(), view_key_help().end());

@@ -1,4 +1,5 @@
 #pragma once
+#include <atomic>
 #include <chrono>
 #include <deque>
 #include <memory>
@@ -6,7 +7,7 @@
 
 #include "lua/scene.hpp"
 #include "player/aim.hpp"
-#include "player/catalogue.hpp"
+#include "player/browser.hpp"
 #include "player/options.hpp"
 #include "player/pacing.hpp"
 #include "player/panels/panels.hpp"
@@ -28,18 +29,20 @@ struct NoWindow : Error {
 /// A scene in a window, with hands in it.
 class Player {
  public:
-  /// Opens the scene and the window; throws what the scene throws, or NoWindow.
+  /// Opens the scene and the window, or the browser where the path is empty; throws what the scene throws, or NoWindow.
   Player(std::string path, const RunOptions& options, const std::string& home);
 
   /// One frame: input, the steps that are due, a picture. False once it is over.
   bool frame();
 
   const lua::Scene& scene() const { return *scene_; }
+  const std::deque<Said>& said() const { return said_; }
+  bool browsing() const { return browser_.shown(); }
   const Times& times() const { return times_; }
   /// A script's error, or a state that became non-finite, that nobody has restarted from.
   const std::string& failure() const { return failure_; }
-  /// Opens another scene; where that fails, tells why, and the present one goes on.
-  void open(const std::string& path);
+  /// Opens another scene; where that fails, tells why, and the present one goes on: false.
+  bool open(const std::string& path);
   /// Applies a value of a parameter, live or by opening the scene anew.
   void set_parameter(const std::string& name, const lua::Value& value);
   /// Takes back what hands did last, or does it again; what cannot be done is told.
@@ -62,6 +65,14 @@ class Player {
   void draw_tools();
   void mark_hands(Overlay& overlay) const;
   void choose_followed();
+  bool take_key(const std::string& name);
+  void choose();
+  void swallow_keys();
+  static std::unique_ptr<lua::Scene> first_scene(const std::string& path, const lua::SceneOptions& options);
+  void wait_for(const std::atomic<bool>& done, const std::string& what);
+  void edit(const Edit& edit);
+  void write_table();
+  void leave_browser();
   void restart();
   std::unique_ptr<lua::Scene> load(const std::string& path, const lua::SceneOptions& options);
   void adopt(std::unique_ptr<lua::Scene> fresh);
@@ -79,7 +90,6 @@ class Player {
   Overlay overlay() const;
 
   std::string path_;
-  std::string home_;
   RunOptions options_;
   lua::SceneOptions lua_options_;
   std::unique_ptr<lua::Scene> scene_;
@@ -101,14 +111,18 @@ class Player {
   Times times_;
   Clock::time_point last_ = Clock::now();
   Panels panels_;
-  std::deque<Said> said_;           ///< the latest, oldest first
-  Clock::time_point complained_{};  ///< when the last of them was said
+  Browser browser_;
+  std::vector<std::string> swallowed_;  ///< keys that were down when the browser was left, until they go up
+  bool from_browser_ = false;           ///< Esc goes back to it
+  std::deque<Said> said_;               ///< the latest, oldest first
+  Clock::time_point complained_{};      ///< when the last of them was said
   AnyId chosen_;
   double speed_ = 1.0;       ///< times the scene's pace
   double load_seconds_ = 0;  ///< [s] that opening the scene took
   bool paused_;
   bool help_ = false;
   Views views_;
+  bool over_ = false;  ///< the browser was left, and there is no scene
   bool single_step_ = false;
   std::string failure_;
 };

@@ -1,9 +1,14 @@
 // What the player does beside the frames: opening scenes, and what was asked for in the panels.
 #include <algorithm>
+#include <cstdio>
+#include <exception>
 #include <filesystem>
+#include <thread>
 
+#include "lua/watchdog.hpp"
 #include "player/home.hpp"
 #include "player/message.hpp"
+#include "player/output.hpp"
 #include "player/player.hpp"
 
 namespace pantin::player {
@@ -11,6 +16,7 @@ namespace {
 
 constexpr double quick_load = 0.04;  // [s] so long a scene may take to be opened in each frame
 constexpr std::size_t most_said = 200;
+constexpr std::chrono::milliseconds patience{300};  // before it is told that a scene is being opened
 
 std::string text_of(const lua::Value& value) {
   if (const auto* number = std::get_if<double>(&value)) return to_text(*number);
@@ -20,11 +26,49 @@ std::string text_of(const lua::Value& value) {
 
 }  // namespace
 
+std::unique_ptr<lua::Scene> Player::first_scene(const std::string& path, const lua::SceneOptions& options) {
+  return path.empty() ? lua::Scene::open_text("", "scenes", ".", {}) : lua::Scene::open(path, options);
+}
+
+/// Opens a scene while the window stays alive, so that one that does not come to an end can be stopped.
 std::unique_ptr<lua::Scene> Player::load(const std::string& path, const lua::SceneOptions& options) {
   const auto start = Clock::now();
-  std::unique_ptr<lua::Scene> scene = lua::Scene::open(path, options);
+  std::unique_ptr<lua::Scene> scene;
+  std::exception_ptr error;
+  std::atomic<bool> done = false;
+  std::thread loader([&] {
+    try {
+      scene = lua::Scene::open(path, options);
+    } catch (...) { error = std::current_exception(); }
+    done = true;
+  });
+  wait_for(done, scene_name(path));
+  loader.join();
   load_seconds_ = std::chrono::duration<double>(Clock::now() - start).count();
+  if (error) std::rethrow_exception(error);
   return scene;
+}
+
+void Player::wait_for(const std::atomic<bool>& done, const std::string& what) {
+  const auto start = Clock::now();
+  bool stopped = false;
+  while (!done) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    if (Clock::now() < start + patience) continue;
+    const bool goes_on = window_.poll(gestures_);
+    const auto escape = std::find(gestures_.keys.begin(), gestures_.keys.end(), "escape");
+    if (!stopped && (!goes_on || escape != gestures_.keys.end())) {
+      lua::interrupt_scripts();
+      stopped = true;
+    }
+    fit_window();
+    Overlay shown;
+    shown.message = "opening " + what + (stopped ? ": stopping it" : " …   (Esc stops it)");
+    renderer_.draw(scene_->world(), camera_, shown);
+    window_.present(renderer_);
+  }
+  if (stopped) lua::allow_scripts();
+  gestures_.keys.clear();
 }
 
 void Player::adopt(std::unique_ptr<lua::Scene> fresh) {
@@ -49,28 +93,24 @@ void Player::restart() {
   } catch (const std::exception& error) { fail(error.what()); }
 }
 
-void Player::open(const std::string& path) {
+bool Player::open(const std::string& path) {
   lua::SceneOptions options = lua_options_;
   std::erase_if(options.set, [](const auto& setting) { return !setting.first.starts_with("scene."); });
   std::unique_ptr<lua::Scene> fresh;
   try {
     fresh = load(path, options);
-  } catch (const std::exception& error) { return complain(error.what()); }
+  } catch (const std::exception& error) { return complain(error.what()), false; }
   path_ = path;
   lua_options_ = options;
   adopt(std::move(fresh));
   panels_.reset();
   paused_ = false;
   camera_ = aim(*scene_, renderer_.stage(), static_cast<double>(renderer_.width()) / renderer_.height());
+  return true;
 }
 
 void Player::open_neighbour(int places) {
-  const std::string folder = std::filesystem::path(path_).parent_path();
-  const std::vector<SceneEntry> scenes = list_scenes({home_ + "/scripts/scenes", folder.empty() ? "." : folder});
-  if (scenes.empty()) return;
-  const auto count = static_cast<int>(scenes.size());
-  const auto at = static_cast<int>(find_entry(scenes, path_));
-  open(scenes[static_cast<std::size_t>((at + places + count) % count)].path);
+  if (const std::string path = browser_.neighbour(path_, places); !path.empty()) open(path);
 }
 
 void Player::set_parameter(const std::string& name, const lua::Value& value) {
@@ -85,19 +125,64 @@ void Player::set_parameter(const std::string& name, const lua::Value& value) {
 }
 
 void Player::take_keys() {
-  std::erase_if(gestures_.keys, [&](const std::string& name) {
-    if (name == "pagedown" || name == "pageup")
-      open_neighbour(name == "pagedown" ? 1 : -1);
-    else if (name == "-" || name == "keypad -")
-      speed_ = std::max(0.5 * speed_, slowest);
-    else if (name == "=" || name == "+" || name == "keypad +")
-      speed_ = std::min(2.0 * speed_, fastest);
-    else if (name == "0")
-      speed_ = 1.0;
-    else
-      return panels_.key(name);
-    return true;
-  });
+  std::erase_if(gestures_.keys, [&](const std::string& name) { return browser_.shown() || take_key(name); });
+}
+
+bool Player::take_key(const std::string& name) {
+  if (name == "n")
+    browser_.show();
+  else if (name == "escape" && help_)
+    help_ = false;
+  else if (name == "escape" && from_browser_)
+    browser_.show();
+  else if (name == "pagedown" || name == "pageup")
+    open_neighbour(name == "pagedown" ? 1 : -1);
+  else if (name == "-" || name == "keypad -")
+    speed_ = std::max(0.5 * speed_, slowest);
+  else if (name == "=" || name == "+" || name == "keypad +")
+    speed_ = std::min(2.0 * speed_, fastest);
+  else if (name == "0")
+    speed_ = 1.0;
+  else
+    return panels_.key(name);
+  return true;
+}
+
+/// What was pressed in the browser is not for the scene.
+void Player::swallow_keys() {
+  const auto held = [&](const std::string& key) {
+    return std::find(gestures_.held.begin(), gestures_.held.end(), key) != gestures_.held.end();
+  };
+  std::erase_if(swallowed_, [&](const std::string& key) { return !held(key); });
+  for (const std::string& key : swallowed_) std::erase(gestures_.held, key);
+}
+
+/// A press in the scene chooses what is under it, for the inspector.
+void Player::choose() {
+  for (const PointerEvent& event : gestures_.events)
+    if (event.kind == PointerEvent::Kind::press && event.button == PointerEvent::Button::left) {
+      chosen_ = {};
+      if (const PointId point = hands_.highlight(); scene_->world().points.alive(point)) chosen_ = point;
+    }
+}
+
+void Player::edit(const Edit& edit) {
+  try {
+    lua::write_field(*scene_, edit.thing, edit.value.name, edit.value);
+  } catch (const std::exception& error) { complain(error.what()); }
+}
+
+void Player::write_table() {
+  char name[32];
+  int number = 1;
+  do { std::snprintf(name, sizeof name, "pantin-%04d.csv", number++); } while (std::filesystem::exists(name));
+  try {
+    Output file(name);
+    file.write(probe_table(times_, scene_->world().probes));
+    file.keep();
+    status_.note(std::string("wrote ") + name);
+    say(std::string("wrote ") + name);
+  } catch (const std::exception& error) { complain(error.what()); }
 }
 
 void Player::fulfil(const Wishes& wishes) {
@@ -105,7 +190,10 @@ void Player::fulfil(const Wishes& wishes) {
   if (wishes.pause) paused_ = !paused_;
   if (wishes.step) paused_ = single_step_ = true;
   if (wishes.parameter) set_parameter(wishes.parameter->first, wishes.parameter->second);
+  if (wishes.edit) edit(*wishes.edit);
+  if (wishes.save_table) write_table();
   if (wishes.restart) restart();
+  if (wishes.browse) browser_.show();
   if (wishes.next || wishes.previous) open_neighbour(wishes.next ? 1 : -1);
 }
 
@@ -138,9 +226,11 @@ void Player::draw() {
   Desk seen = desk();
   Overlay shown = overlay();
   shown.windows = [&] {
+    if (browser_.shown()) return browser_.draw(path_, seen.width, seen.height);
     draw_tools();
     panels_.draw(seen);
   };
+  browser_.work(seen.dark);
   renderer_.draw(scene_->world(), camera_, shown);
   if (const std::string& name = renderer_.pressed_button(); !name.empty()) {
     Command command;
@@ -151,6 +241,20 @@ void Player::draw() {
   window_.present(renderer_);
   status_.frame(scene_->world());
   fulfil(seen.wishes);
+  if (browser_.shown()) leave_browser();
+}
+
+/// Opens what was chosen in the browser, or goes back to the scene, or ends where there is none.
+void Player::leave_browser() {
+  swallowed_ = gestures_.held;
+  if (!browser_.chosen().empty()) {
+    from_browser_ = true;
+    if (browser_.chosen() == path_) return browser_.hide();
+    if (open(browser_.chosen())) browser_.hide();
+  } else if (browser_.left()) {
+    if (path_.empty()) over_ = true;
+    browser_.hide();
+  }
 }
 
 }  // namespace pantin::player

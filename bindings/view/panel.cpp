@@ -69,6 +69,8 @@ Panel::~Panel() {
   ImGui::DestroyContext(context_);
 }
 
+bool Panel::writing() const { return context_->IO.WantTextInput; }
+
 bool Panel::covers(double x, double y) const {
   const ImVec2 at(static_cast<float>(x), static_cast<float>(y));
   return std::ranges::any_of(context_->Windows, [&](const ImGuiWindow* window) {
@@ -184,9 +186,10 @@ void Panel::status(const Overlay& overlay, float width, float height) {
   if (!overlay.status.empty()) y -= line;
   const ImVec2 at = {edge, y + ImGui::GetFontSize() - size.y - 6.0f * scale_};
   const float pad = 7.0f * scale_;
-  list.AddRectFilled({at.x - pad, at.y - pad}, {at.x + size.x + pad, at.y + size.y + pad},
-                     ImGui::GetColorU32(ImGuiCol_WindowBg), pad);
-  list.AddText(nullptr, 0.0f, at, ImGui::GetColorU32(warning_ink(dark_)), overlay.message.c_str(), nullptr, wrap);
+  ImDrawList& front = *ImGui::GetForegroundDrawList();  // also over the browser
+  front.AddRectFilled({at.x - pad, at.y - pad}, {at.x + size.x + pad, at.y + size.y + pad},
+                      ImGui::GetColorU32(ImGuiCol_WindowBg), pad);
+  front.AddText(nullptr, 0.0f, at, ImGui::GetColorU32(warning_ink(dark_)), overlay.message.c_str(), nullptr, wrap);
 }
 
 void Panel::buttons(const Overlay& overlay) {

@@ -24,6 +24,7 @@ class Panel {
   /// Into the framebuffer that is bound, of that size [px]; marks as the camera sees them.
   void draw(const Overlay& overlay, std::span<const Mark> marks, const Camera& camera, int width, int height);
   const std::string& pressed() const { return pressed_; }
+  bool writing() const;
   bool under_pointer() const { return under_pointer_; }
 
  private:

@@ -53,7 +53,8 @@ void set_panel_style(float scale, bool dark) {
   c[ImGuiCol_FrameBg] = field;
   c[ImGuiCol_Button] = field;
   c[ImGuiCol_FrameBgHovered] = c[ImGuiCol_ButtonHovered] = c[ImGuiCol_HeaderHovered] = warm;
-  c[ImGuiCol_FrameBgActive] = c[ImGuiCol_Header] = warm;
+  c[ImGuiCol_FrameBgActive] = warm;
+  c[ImGuiCol_Header] = field;
   c[ImGuiCol_ButtonActive] = c[ImGuiCol_HeaderActive] = hot;
   c[ImGuiCol_SliderGrab] = c[ImGuiCol_SliderGrabActive] = c[ImGuiCol_CheckMark] = hot;
   c[ImGuiCol_Separator] = with_opacity(ink, 0.15f);

@@ -37,11 +37,12 @@ const std::vector<std::pair<std::string, std::string>>& key_help() {
       {".", "one step"},
       {"- + 0", "slower, faster, the scene's own pace"},
       {"r", "restart"},
+      {"n", "all scenes"},
       {"page up, down", "the scene before, the next"},
       {"F1 …, tab", "panels; hide them all"},
       {"s", "take a picture"},
       {"h", "show or hide the keys"},
-      {"q, Esc", "quit"},
+      {"q, Esc", "quit; from a scene of the browser, back to it"},
   };
   return list;
 }

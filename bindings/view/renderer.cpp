@@ -116,6 +116,7 @@ int Renderer::height() const { return parts_->height; }
 const Stage& Renderer::stage() const { return parts_->stage; }
 const std::string& Renderer::pressed_button() const { return parts_->panel.pressed(); }
 bool Renderer::pointer_on_panel() const { return parts_->panel.under_pointer(); }
+bool Renderer::writing() const { return parts_->panel.writing(); }
 void Renderer::listen(Gestures& gestures) { parts_->panel.take(gestures); }
 
 void Renderer::open(const World& world) {

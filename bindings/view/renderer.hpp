@@ -46,6 +46,8 @@ class Renderer {
   void listen(Gestures& gestures);
   /// Name of the overlay's button that was pressed in the last `draw`, or empty.
   const std::string& pressed_button() const;
+  /// A text is being written in the overlay: keys are not for the scene.
+  bool writing() const;
   /// The mouse is over a button, card or window of the overlay, or drags in one.
   bool pointer_on_panel() const;
 

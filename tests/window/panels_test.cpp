@@ -1,46 +1,11 @@
 // The panels of the window, by pushed events: what is done in them reaches the scene, and only there.
 #include <catch2/catch.hpp>
 
-#include "player/player.hpp"
-#include "support/process.hpp"
-#include "support/sources.hpp"
-#include "window/pushed.hpp"
+#include "window/played.hpp"
 
 using namespace pantin;
-using support::Folder;
 
 namespace {
-
-/// A player of a text, in a window of 960 x 540 that nobody sees.
-struct Played {
-  Folder folder;
-  std::unique_ptr<player::Player> player;
-
-  explicit Played(const std::string& source) {
-    pushed::no_screen();
-    support::write_file(folder / "scene.lua", source);
-    player::RunOptions options;
-    options.size = {960, 540};
-    player = std::make_unique<player::Player>(folder / "scene.lua", options, sources::folder());
-    frames(3);
-  }
-  void frames(int n) {
-    for (int i = 0; i < n; i++) REQUIRE(player->frame());
-  }
-  // Each part in a frame of its own, as a person is slower than frames.
-  void drag(double x0, double y0, double x1, double y1) {
-    pushed::move(x0, y0);
-    frames(2);
-    pushed::button(true, x0, y0);
-    frames(2);
-    pushed::move(x1, y1);
-    frames(2);
-    pushed::button(false, x1, y1);
-    frames(2);
-  }
-  double result(const std::string& name) const { return std::get<double>(player->scene().results().at(name)); }
-  const World& world() const { return player->scene().world(); }
-};
 
 // The first slider of the parameters, at the left edge under the title.
 constexpr double slider_left = 10 + 18, slider_right = 10 + 210 - 18, slider_y = 105;
@@ -112,4 +77,49 @@ TEST_CASE("panels: keys pause, slow and speed up time, and pass to the next scen
   pushed::tap(SDLK_PAGEDOWN);
   played.frames(2);
   CHECK(played.player->scene().title() == "Auxetic");
+}
+
+TEST_CASE("panels: a field of the thing that was clicked is edited, and keys in it are not for the scene", "[window]") {
+  Played played(R"(
+    scene.gravity = vec(0, 0, 0)
+    scene.camera = { at = vec(0, 0, 10), look_at = vec(0, 0, 0) }
+    scene:particle { at = vec(0, 0, 0), name = "bead" }
+    scene:on("key", function() scene:result("keys", 1) end))");
+  pushed::tap(SDLK_F8);
+  played.frames(3);
+  played.click(480, 270);
+  const double mass_x = 800, mass_y = 173;  // in the panel at the right edge, under the bar
+  played.click(mass_x, mass_y);
+  pushed::key(SDLK_LCTRL);
+  pushed::tap(SDLK_a);
+  played.frames(2);
+  pushed::key(SDLK_LCTRL, false);
+  pushed::type("2.5");
+  pushed::tap(SDLK_x);
+  played.frames(2);
+  pushed::tap(SDLK_RETURN);
+  played.frames(3);
+  CHECK(played.world().points.at_slot(0).mass == 2.5);
+  CHECK_FALSE(played.player->scene().results().contains("keys"));
+  pushed::tap(SDLK_F8);
+  played.frames(2);
+  pushed::tap(SDLK_x);
+  played.frames(30);
+  CHECK(played.player->scene().results().contains("keys"));
+}
+
+TEST_CASE("panels: all of them are drawn for a scene with probes and one with events, also in a window of one pixel",
+          "[window]") {
+  const std::string scene = GENERATE(std::string("chain"), "combine");
+  Played played(support::read_file(sources::folder() + "/scripts/scenes/" + scene + ".lua"));
+  for (const SDL_Keycode key : {SDLK_F2, SDLK_F3, SDLK_F4, SDLK_F5, SDLK_F6, SDLK_F7, SDLK_F8}) pushed::tap(key);
+  played.frames(3);
+  SDL_Window* window = nullptr;
+  for (Uint32 id = 1; id < 1000 && !window; id++) window = SDL_GetWindowFromID(id);
+  REQUIRE(window);
+  SDL_SetWindowSize(window, 1, 1);
+  played.frames(3);
+  SDL_SetWindowSize(window, 640, 360);
+  played.frames(3);
+  CHECK(played.player->failure().empty());
 }

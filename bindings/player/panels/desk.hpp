@@ -5,17 +5,26 @@
 #include <string>
 #include <utility>
 
+#include "lua/inspect.hpp"
 #include "lua/scene.hpp"
 #include "player/pacing.hpp"
 #include "player/table.hpp"
 
 namespace pantin::player {
 
+/// A field of a thing, written.
+struct Edit {
+  AnyId thing;
+  lua::FieldReading value;
+};
+
 /// What a person asked of the program in the panels, in one frame.
 struct Wishes {
   bool pause = false, step = false, restart = false;
-  bool next = false, previous = false;  ///< the scenes beside this one
-  std::optional<double> speed;          ///< times the scene's pace
+  bool browse = false, next = false, previous = false;  ///< the browser, and the scenes beside this one
+  bool save_table = false;                              ///< the probes, as .csv
+  std::optional<Edit> edit;
+  std::optional<double> speed;  ///< times the scene's pace
   std::optional<std::pair<std::string, lua::Value>> parameter;
 };
 

@@ -35,6 +35,10 @@ void draw_restart(const Pen& pen) {
 
 void draw(Icon icon, const Pen& pen) {
   switch (icon) {
+    case Icon::scenes:
+      for (const float x : {-0.75f, 0.1f})
+        for (const float y : {-0.7f, 0.12f}) pen.bar(x, y, x + 0.65f, y + 0.58f);
+      break;
     case Icon::previous:
       pen.bar(-0.7f, -0.6f, -0.48f, 0.6f);
       pen.triangle(0.6f, -0.42f, 0.62f);

@@ -34,19 +34,24 @@ struct PaneKind {
 
 std::unique_ptr<Pane> make_parameters_pane();
 std::unique_ptr<Pane> make_time_pane();
+std::unique_ptr<Pane> make_probes_pane();
 std::unique_ptr<Pane> make_ledger_pane();
 std::unique_ptr<Pane> make_solver_pane();
 std::unique_ptr<Pane> make_phases_pane();
 std::unique_ptr<Pane> make_log_pane();
+std::unique_ptr<Pane> make_inspector_pane();
 
 inline constexpr PaneKind pane_kinds[] = {
     {"Parameters", "f1", "what the scene lets you change", 210.0f, true, true, make_parameters_pane},
     {"Time", "f2", "what was set to happen: what fired, what was dropped, what waits", 420.0f, false, false,
      make_time_pane},
+    {"Probes", "f3", "what the scene measures, as plots", 380.0f, false, false, make_probes_pane},
     {"Energy", "f4", "where energy came from and went", 300.0f, false, false, make_ledger_pane},
     {"Solver", "f5", "articulates, unknowns, iterations, fallbacks", 300.0f, false, false, make_solver_pane},
     {"Phases", "f6", "wall time of each phase of a step", 320.0f, false, false, make_phases_pane},
     {"Log", "f7", "what happened and what went wrong", 460.0f, false, false, make_log_pane},
+    {"Thing", "f8", "the thing that you clicked, field by field, to be edited", 380.0f, false, false,
+     make_inspector_pane},
 };
 
 }  // namespace pantin::player

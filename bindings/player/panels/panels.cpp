@@ -82,6 +82,8 @@ void Panels::draw_bar(Desk& desk) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {1.0f * scale(), 0.0f});
   ImGui::Begin("bar", nullptr, bar_flags);
   Wishes& wishes = desk.wishes;
+  wishes.browse |= icon_button(Icon::scenes, "all scenes (n)");
+  ImGui::SameLine();
   wishes.previous |= icon_button(Icon::previous, "the scene before (page up)");
   ImGui::SameLine();
   wishes.next |= icon_button(Icon::next, "the next scene (page down)");

@@ -1,0 +1,96 @@
+// The browser of scenes, and opening scenes without leaving the window.
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "window/played.hpp"
+
+using namespace pantin;
+
+TEST_CASE("browser: without a scene the window shows all, and typing and Enter opens one", "[window]") {
+  Played played("");
+  CHECK(played.player->browsing());
+  pushed::type("double pend");
+  played.frames(2);
+  pushed::tap(SDLK_RETURN);
+  played.frames(3);
+  CHECK_FALSE(played.player->browsing());
+  CHECK(played.player->scene().title() == "Pendulum and double pendulum");
+  CHECK(played.world().steps > 0);
+  pushed::tap(SDLK_ESCAPE);
+  played.frames(3);
+  CHECK(played.player->browsing());
+  const std::uint64_t steps = played.world().steps;
+  played.frames(3);
+  CHECK(played.world().steps == steps);
+  pushed::tap(SDLK_ESCAPE);
+  played.frames(3);
+  CHECK_FALSE(played.player->browsing());
+  CHECK(played.world().steps > steps);
+}
+
+TEST_CASE("browser: a click opens a scene, Esc without one ends the program", "[window]") {
+  Played played("");
+  SECTION("click") {
+    played.click(150, 150);
+    CHECK_FALSE(played.player->browsing());
+    CHECK(played.player->scene().title() == "Auxetic");
+  }
+  SECTION("Esc") {
+    pushed::tap(SDLK_ESCAPE);
+    bool over = false;
+    for (int i = 0; i < 5 && !over; i++) over = !played.player->frame();
+    CHECK(over);
+  }
+}
+
+TEST_CASE("browser: pictures are made and kept", "[window]") {
+  Played played("scene.title = 'Mine' scene:particle { at = vec(0, 0, 0) }");
+  pushed::tap(SDLK_n);
+  played.frames(3);
+  REQUIRE(played.player->browsing());
+  pushed::type("mine");
+  for (int i = 0; i < 2000 && !std::filesystem::exists(played.folder / "cache/pantin"); i++) played.frames(1);
+  CHECK(std::filesystem::exists(played.folder / "cache/pantin"));
+  pushed::tap(SDLK_RETURN);
+  played.frames(3);
+  CHECK(played.player->scene().title() == "Mine");
+}
+
+TEST_CASE("browser: scenes are told by title and first comment, what is no scene is left out", "[window]") {
+  support::Folder folder;
+  support::write_file(folder / "b.lua",
+                      "#!/usr/bin/env pantin\n-- One: two\n-- three.\nlocal x = 1\n-- not this\nscene.title = 'B'\n");
+  support::write_file(folder / "a.lua", "scene:particle { at = vec(0, 0, 0) }");
+  support::write_file(folder / "c.lua", "return {}");
+  const auto scenes = player::list_scenes({folder.path, folder / ".", folder / "missing"});
+  REQUIRE(scenes.size() == 2);
+  CHECK(scenes[0].title == "a");
+  CHECK(scenes[0].about.empty());
+  CHECK(scenes[1].title == "B");
+  CHECK(scenes[1].about == "One: two three.");
+  CHECK(player::find_entry(scenes, folder / "b.lua") == 1);
+  CHECK(player::find_entry(scenes, folder / "d.lua") == 2);
+}
+
+TEST_CASE("opening: Esc stops a scene that does not come to its end, and the old one goes on", "[window]") {
+  Played played("scene.title = 'Old' scene:particle { at = vec(0, 0, 0) }", 0.0);
+  support::write_file(played.folder / "endless.lua", "while true do end");
+  pushed::tap(SDLK_ESCAPE);
+  CHECK_FALSE(played.player->open(played.folder / "endless.lua"));
+  REQUIRE(played.player->said().size() == 1);
+  CHECK(played.player->said()[0].text == "endless.lua:1: the script was interrupted");
+  const double time = played.world().time;
+  played.frames(5);
+  CHECK(played.world().time > time);
+  CHECK(played.player->scene().title() == "Old");
+}
+
+TEST_CASE("opening: the same error again is told once, with a count", "[window]") {
+  Played played("scene:param('a', 1, { on_change = function(v) error('no') end })");
+  for (int i = 0; i < 60; i++) played.player->set_parameter("a", 2.0);
+  CHECK(played.player->open("missing.lua") == false);
+  REQUIRE(played.player->said().size() == 2);
+  CHECK(played.player->said()[0].times == 60);
+  CHECK(played.player->said()[1].times == 1);
+  played.frames(3);
+}

@@ -1,0 +1,56 @@
+#pragma once
+// A player in a window that nobody sees.
+#include <SDL.h>
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <memory>
+#include <string>
+
+#include "player/player.hpp"
+#include "support/process.hpp"
+#include "support/sources.hpp"
+#include "window/pushed.hpp"
+
+namespace pantin {
+
+/// A player of a text, in a window of 960 x 540 that nobody sees.
+struct Played {
+  support::Folder folder;
+  std::unique_ptr<player::Player> player;
+
+  /// The browser where the text is empty; it finds the text's scene in `folder`, and keeps its pictures there.
+  explicit Played(const std::string& source, double script_limit = 5.0) {
+    pushed::no_screen();
+    // OpenGL's own cache stays where it is: shaders take their time.
+    if (const char* home = std::getenv("HOME"))
+      setenv("MESA_SHADER_CACHE_DIR", (std::string(home) + "/.cache").c_str(), 0);
+    setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
+    if (!source.empty()) support::write_file(folder / "scene.lua", source);
+    player::RunOptions options;
+    options.size = {960, 540};
+    options.scenes = folder.path;
+    options.script_limit = script_limit;
+    player = std::make_unique<player::Player>(source.empty() ? "" : folder / "scene.lua", options, sources::folder());
+    frames(3);
+  }
+  void frames(int n) {
+    for (int i = 0; i < n; i++) REQUIRE(player->frame());
+  }
+  void click(double x, double y) { drag(x, y, x, y); }
+  // Each part in a frame of its own, as a person is slower than frames.
+  void drag(double x0, double y0, double x1, double y1) {
+    pushed::move(x0, y0);
+    frames(2);
+    pushed::button(true, x0, y0);
+    frames(2);
+    pushed::move(x1, y1);
+    frames(2);
+    pushed::button(false, x1, y1);
+    frames(2);
+  }
+  double result(const std::string& name) const { return std::get<double>(player->scene().results().at(name)); }
+  const World& world() const { return player->scene().world(); }
+};
+
+}  // namespace pantin
