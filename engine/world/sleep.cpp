@@ -32,8 +32,9 @@ double watch_time(const World& world, const Articulate& a) {
 bool is_still(const World& world, Articulate& a) {
   Rest& r = a.rest;
   r.peak = std::max(r.peak, a.totals.kinetic);
+  if (++r.steps < least_steps) return false;
   const double time = watch_time(world, a);
-  if (++r.steps * world.settings.step < time) return false;
+  if (r.steps * world.settings.step < time) return false;
   double least = a.total_mass, far = 0.0;
   for (const Node& n : a.nodes) {
     least = std::min(least, n.mass);
@@ -79,13 +80,16 @@ bool differs(const Articulate& a, const Mover& m) {
   return !(norm(force) <= most && norm(torque) <= most * n.reach);
 }
 
+/// Which wake; empty: none.
 std::vector<char> find_pulled(const World& world) {
-  std::vector<char> woken(world.articulates.size(), 0);
+  std::vector<char> woken;
   for (const Mover& m : world.forces->movers) {
     if (m.articulate < 0) continue;
     const auto i = static_cast<std::size_t>(m.articulate);
     const Articulate& a = *world.articulates[i];
-    if (a.rest.asleep && !woken[i]) woken[i] = differs(a, m);
+    if (!a.rest.asleep || !differs(a, m)) continue;
+    woken.resize(world.articulates.size());
+    woken[i] = 1;
   }
   return woken;
 }
@@ -152,7 +156,7 @@ void wake_pulled(World& world) {
 void wake_pulled(World& world, double half) {
   if (!world.forces || sleepers(world) == 0) return;
   const std::vector<char> woken = find_pulled(world);
-  if (std::find(woken.begin(), woken.end(), char{1}) == woken.end()) return;
+  if (woken.empty()) return;
   kick_from_rest(world, woken, half);
   wake(world, woken);
 }

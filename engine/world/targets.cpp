@@ -36,6 +36,8 @@ double least_deviation(const World& world, const Constraint& c) {
 void draw_in(const World& world, Constraint& c, double h) {
   c.previous_away = c.away;
   c.previous_excess = c.excess;
+  const bool there = size(c.away) == 0.0 && size(c.away_rate) == 0.0 && c.excess == 0.0 && c.excess_rate == 0.0;
+  if (there) return;
   const double least = least_deviation(world, c);
   approach(c.away, c.away_rate, h, c.time_constant, least);
   approach(c.excess, c.excess_rate, h, c.time_constant, least);
