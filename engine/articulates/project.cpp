@@ -120,9 +120,16 @@ void factorise_exactly(Articulate& a, double epsilon) {
   factorise(a, {Arms::end, epsilon, scale, -1.0});
 }
 
+/// Whether the rows of Newton's matrix forbid the velocities that projections do.
+bool forbids_as_newton(const Articulate& a) {
+  return a.all_rigid || std::all_of(a.rows.begin(), a.rows.end(), [](const Row& row) {
+           return row.kind == RowKind::rigid || row.kind == RowKind::axis;
+         });
+}
+
 /// The step's own factor is a cheap approximation of S1, so it is used up to three times; false where it does not serve.
 bool project_with_newton_factor(Articulate& a, const Velocities& before, DriftReport& report) {
-  if (!a.all_rigid || !a.has_factor) return false;
+  if (!a.has_factor || !forbids_as_newton(a)) return false;
   if (a.projection_wait > 0) {
     a.projection_wait--;
     return false;

@@ -103,6 +103,36 @@ TEST_CASE("a thrown hinge with an axis keeps momentum, angular momentum and ener
   CHECK(norm(axis_a - rotate(orientation(world, b), direction(vec(0, 1, 1)))) < 1e-10);
 }
 
+TEST_CASE("loops of hinges with axes keep their energy, and their velocities need no factor of their own") {
+  World world;
+  std::vector<BodyId> bars[2];  // a trellis, let go
+  for (int layer = 0; layer < 2; layer++)
+    for (int i = 0; i < 4; i++) {
+      BodyDef def;
+      def.points.resize(4);
+      for (int j = 0; j < 4; j++) {
+        PointDef& p = def.points[static_cast<std::size_t>(j)];
+        p.at = layer == 0 ? vec(j, 0.5 * i, 0) : vec(i, 0.5 * j, 0);
+        p.mass = 1.0;
+      }
+      bars[layer].push_back(add_body(world, def));
+    }
+  HingeDef hinge;
+  hinge.axis = z_axis;
+  for (std::size_t i = 0; i < 4; i++)
+    for (std::size_t j = 0; j < 4; j++) {
+      const PointId pair[] = {cases::point_of(world, bars[0][i], j), cases::point_of(world, bars[1][j], i)};
+      add_hinge(world, pair, hinge);
+    }
+  add_nail(world, cases::point_of(world, bars[0][0], 0));
+  advance(world, 0.4);
+  CHECK(world.failure == "");
+  CHECK(world.stats.projections <= 3);
+  CHECK(world.worst.energy <= 1e-9);
+  CHECK(world.error.constraint <= 1e-9);
+  CHECK(world.stats.safe_steps == 0);
+}
+
 TEST_CASE("a welded arm bears its weight, and breaks where it is told to") {
   World world;
   const BodyId wall = post(world, vec(0, 0, 0)), arm = rod_from(world, zero3(), 3.0);
