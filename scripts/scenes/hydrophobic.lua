@@ -12,7 +12,7 @@ local water = scene:family("water", { color = "#3a8fd0", radius = 0.5 })
 local kinds = { { oil, oil }, { water, water }, { oil, water } } -- what the two ends of a dumbbell are of
 
 local size = 2.2 * count ^ (1 / 3)
-scene.camera = { at = vec(0.6 * size, 0.8 * size, 2.0 * size), look_at = vec(0, 0, 0) }
+scene.camera = { at = vec(0.8 * size, 1.0 * size, 2.6 * size), look_at = vec(0, 0, 0) }
 
 local dumbbells = scene:group "dumbbells"
 local per_row = math.ceil(count ^ (1 / 3))

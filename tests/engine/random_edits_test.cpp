@@ -1,9 +1,12 @@
 #include <catch2/catch.hpp>
 
+#include "laws/library.hpp"
 #include "step.hpp"
 #include "support/balance.hpp"
 #include "support/watch.hpp"
 #include "world/assemble.hpp"
+#include "world/bonding.hpp"
+#include "world/constrain.hpp"
 #include "world/query.hpp"
 
 using namespace pantin;
@@ -17,7 +20,17 @@ struct RandomEdits {
   BodyMaker make;
   std::vector<BodyId> dead_bodies;
   std::vector<ParticleId> dead_hinges;
-  int refused = 0, merges = 0, splits = 0, cuts = 0, joins = 0;
+  int refused = 0, merges = 0, splits = 0, cuts = 0, joins = 0, welds = 0, freezes = 0, shatters = 0, ties = 0;
+  std::shared_ptr<const Law> spring = [] {
+    LawArguments arguments;
+    arguments.numbers = {{"stiffness", 1.0}, {"length", 1.0}};
+    return std::make_shared<const Law>(make_library_law("spring", arguments).front());
+  }();
+  FamilyId dust = [this] {
+    FamilyDef def;
+    def.name = "dust";
+    return add_family(world, def);
+  }();
 
   std::size_t below(std::size_t n) { return static_cast<std::size_t>(make.random.uniform() * static_cast<double>(n)); }
   BodyId some_body() {
@@ -35,7 +48,7 @@ struct RandomEdits {
   void merge_two() {
     const BodyId a = some_body(), b = some_body();
     if (a == b || world.bodies[a].points.size() + world.bodies[b].points.size() > 30) return;
-    expect_kept(world, [&] { merge(world, a, b); });
+    expect_balances_kept(world, [&] { merge(world, a, b); });
     dead_bodies.push_back(b);
     merges++;
   }
@@ -46,7 +59,7 @@ struct RandomEdits {
     for (PointId p : world.bodies[body].points)
       if (make.random.uniform() < 0.4) some.push_back(p);
     if (some.empty() || some.size() == world.bodies[body].points.size()) return;
-    expect_kept(world, [&] { split(world, body, some); });
+    expect_balances_kept(world, [&] { split(world, body, some); });
     splits++;
   }
 
@@ -54,7 +67,7 @@ struct RandomEdits {
     const std::vector<ParticleId> all = hinges(world);
     if (all.empty()) return;
     const ParticleId hinge = all[below(all.size())];
-    expect_kept(world, [&] { cut(world, hinge); });
+    expect_balances_kept(world, [&] { cut(world, hinge); });
     dead_hinges.push_back(hinge);
     cuts++;
   }
@@ -76,9 +89,77 @@ struct RandomEdits {
     joins++;
   }
 
+  void weld_two() {
+    const BodyId a = some_body(), b = some_body();
+    if (a == b) return;
+    expect_balances_kept(world, [&] { add_weld(world, a, b); });
+    welds++;
+  }
+
+  void connect_two() {
+    const ParticleId a = world.points[some_point(some_body())].particle,
+                     b = world.points[some_point(some_body())].particle;
+    if (a == b) return;
+    ConnectionDef def;
+    def.ends = {{a, zero3()}, {b, zero3()}};
+    add_connection(world, spring, def);
+    ties++;
+  }
+
+  void connect_near() {
+    const GroupId group = add_group(world, "near");
+    for (int i = 0; i < 3; i++) add_to_group(world, group, some_body());
+    for (const auto& [a, b] : pairs_within(world, group, 2.0)) {
+      ConnectionDef def;
+      def.ends = {{a, zero3()}, {b, zero3()}};
+      add_connection(world, spring, def);
+    }
+    remove(world, group);
+  }
+
+  void break_one() {
+    const std::vector<ConnectionId> all = world.connections.ids();
+    if (!all.empty()) remove(world, all[below(all.size())]);
+  }
+
+  void shatter_one() {
+    const BodyId body = some_body();
+    if (world.bodies[body].points.size() > 8) return;
+    std::vector<ParticleId> pieces;
+    expect_balances_kept(world, [&] { pieces = shatter(world, body); });
+    dead_bodies.push_back(body);
+    for (ParticleId piece : pieces)
+      if (world.points[world.particles[piece].points[0]].particle == piece) set_family(world, piece, dust);
+    shatters++;
+  }
+
+  /// Some of the dust becomes a body, at times with a body.
+  void freeze_some() {
+    std::vector<ParticleId> free;
+    for (ParticleId id : particles(world, dust))
+      if (!world.particles[id].is_hinge() && !world.points[world.particles[id].points[0]].body) free.push_back(id);
+    if (free.size() < 3) return;
+    const GroupId group = add_group(world, "dust");
+    for (std::size_t i = 0; i < 3; i++) add_to_group(world, group, free[i * free.size() / 3]);
+    if (below(4) == 0) {
+      const BodyId body = some_body();
+      add_to_group(world, group, body);
+      dead_bodies.push_back(body);
+    }
+    expect_balances_kept(world, [&] { freeze(world, group); });
+    remove(world, group);
+    freezes++;
+  }
+
   void edit() {
     try {
-      switch (below(7)) {
+      switch (below(13)) {
+        case 7: return weld_two();
+        case 8: return connect_two();
+        case 9: return connect_near();
+        case 10: return break_one();
+        case 11: return shatter_one();
+        case 12: return freeze_some();
         case 0: return merge_two();
         case 1:
         case 2: return split_one();
@@ -101,21 +182,25 @@ TEST_CASE("ten thousand random edits of five hundred running bodies keep the bal
   RandomEdits t;
   t.world.settings.gravity = zero3();
   while (t.world.bodies.size() < 500) t.add();
+  BondingDef bonding;
+  bonding.families = {t.dust};
+  bonding.near = 1.0;
+  bonding.below = bonding.above = 3.0;
+  bonding.law = t.spring;
+  const EventId bonds = add_bonding(t.world, bonding);
   for (int i = 0; i < 10'000; i++) {
     t.edit();
     while (t.world.bodies.size() < 480) t.add();
     if (i % 20 == 0) step(t.world);
     REQUIRE(t.world.failure.empty());
   }
-  CHECK(t.merges > 1000);
-  CHECK(t.splits > 1000);
-  CHECK(t.cuts > 200);
-  CHECK(t.joins > 1000);
-  CHECK(t.refused < 1000);
+  for (int count : {t.merges, t.splits, t.cuts, t.joins, t.welds, t.freezes, t.shatters, t.ties}) CHECK(count > 200);
+  CHECK(t.refused < 1500);
   CHECK(all_finite(t.world));
 
   std::size_t points = 0, members = 0;
   for (BodyId id : t.world.bodies.ids()) points += t.world.bodies[id].points.size();
+  points += everything(t.world).free_points.size();
   CHECK(t.world.points.size() == points);
   const std::vector<ParticleId> joined = hinges(t.world);
   CHECK(t.world.particles.size() == points + joined.size());
@@ -125,7 +210,11 @@ TEST_CASE("ten thousand random edits of five hundred running bodies keep the bal
   for (BodyId id : t.dead_bodies) CHECK_FALSE(t.world.bodies.alive(id));
   CHECK_THAT(t.world.bodies.story(t.dead_bodies.back()), Contains("was removed") || Contains("long ago"));
   CHECK_THROWS_WITH(t.world.particles[t.dead_hinges.back()], Contains("was removed") || Contains("long ago"));
+  cancel(t.world, bonds);
   for (BodyId id : t.world.bodies.ids()) remove(t.world, id);
+  for (PointId id : everything(t.world).free_points) remove(t.world, id);
+  CHECK(t.world.connections.empty());
+  CHECK(t.world.groups.empty());
   CHECK(t.world.points.empty());
   CHECK(t.world.particles.empty());
   CHECK(t.world.constraints.empty());
