@@ -17,6 +17,7 @@
 #include "world/forces.hpp"
 #include "world/hands.hpp"
 #include "world/measure.hpp"
+#include "world/snapshot.hpp"
 
 using namespace pantin;
 
@@ -302,5 +303,30 @@ TEST_CASE("sleep: the same bits by any number of threads, and with every integra
       hashes[threads - 1] = state_hash(world);
     }
     CHECK(hashes[0] == hashes[1]);
+  }
+}
+
+TEST_CASE("sleep: a snapshot of what sleeps, and of what is about to, is put back to the bit") {
+  for (const int before : {400, 1500}) {
+    World world;
+    add_pendulum(world);
+    const BodyId rod = add_pendulum(world, vec(5, 0, 0));
+    drag(world, 1.0);
+    ConnectionDef def;
+    def.ends = {{world.points[cases::point_of(world, rod, 1)].own, zero3()}, {{}, vec(5, -1.5, 0)}};
+    def.solve = Solve::at_middle;
+    add_connection(world, resting_law("spring", {{"stiffness", 1.0}, {"length", 0.5}}), def);
+    steps(world, before);
+    const Snapshot snapshot = take_snapshot(world);
+    steps(world, 800);
+    const std::uint64_t hash = state_hash(world);
+    CHECK(sleepers(world) == 2);
+    kick(world, rod, vec(1, 0, 0));
+    steps(world, 10);
+    CHECK(sleepers(world) == 1);
+    restore(world, snapshot);
+    steps(world, 800);
+    CHECK(sleepers(world) == 2);
+    CHECK(state_hash(world) == hash);
   }
 }
