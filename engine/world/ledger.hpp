@@ -13,11 +13,11 @@ struct World;
 struct DriftReport;
 
 /// What changes the energy, besides gravity and laws that have one.
-/// hand: hands, follows, moving anchors and lengths, pushes on what is tied. motor: also turns and angles that follow a
-/// function of time. limit: also all that ties what strikes one. event: kicks, pushes on what is loose. merge: what
-/// bodies and particles lose that become one body. law: parameters, connections made and removed, attributes that follow
-/// an age. damper: laws that depend on velocities, and what springs swallow that are solved at the end of the step. sleep: what articulates still had that fall asleep. safe_step: what safe steps take. unsolved: forces on what Newton's iteration leaves open, within its
-/// tolerance. integrator: what drifts of "euler" and "rk4" change that no force explains.
+/// hand: also moving anchors and lengths, pushes on what is tied. motor: also turns and angles by functions of time.
+/// limit: also all that ties what strikes one. event: kicks, pushes on what is loose. merge: lost in becoming one body.
+/// damper: laws that depend on velocities, springs solved at the end of the step. law: parameters, connections made and
+/// removed, attributes that follow an age. sleep: what still moved that fell asleep. unsolved: forces on what Newton's
+/// iteration leaves open, within its tolerance. integrator: what "euler" and "rk4" change that no force explains.
 enum class Source : std::uint8_t {
   hand,
   motor,
