@@ -1,0 +1,36 @@
+-- What cannot be is told with its file and line, and the scene is as it was.
+local things = [[
+  local a = scene:body { name = "a", points = { left = { at = vec(-1, 0, 0), mass = 1 }, right = { at = vec(1, 0, 0), mass = 1 } } }
+  local gone = scene:particle { name = "gone" }
+  gone:remove()
+]]
+
+local wrong = {
+  ["scene:build(structure.rod {}, { as = 'panels' })"] = "build: \"panels\" makes plates of faces, and the structure has none",
+  ["scene:merge(a, a)"] = "merge: both are body 'a'; it needs two bodies",
+  ["scene:split(a, {})"] = "split: no points were given",
+  ["scene:split(a, { a.left, a.right })"] = "split: these are all points of body 'a'",
+  ["scene:join(a.left, a.right)"] = "join: both points belong to body 'a'",
+  ["scene:at(-1, print)"] = "at: argument 1, the time, must be >= 0 s, got -1",
+  ["scene:at(0 / 0, print)"] = "at: argument 1, the time, must be a finite number [s], got NaN",
+  ["scene:every(0, print)"] = "every: argument 1, the period, must be > 0 s, got 0",
+  ["scene:over(2, 1, print)"] = "over: argument 2, the end, must be after the beginning at 2 s, got 1 s",
+  ["scene:at(1, gone, print)"] = "particle 'gone' was removed at 0 s by text.lua:3",
+  ["scene:freeze(scene:group 'none')"] = "freeze: there is nothing in group 'none'",
+  ["structure.molecule 'nothing.xyz'"] = "molecule: there is no file",
+}
+
+for code, message in pairs(wrong) do
+  test("bad input: " .. code, function()
+    expect(function() open_text(things .. code) end):fails("text.lua:4: ")
+    expect(function() open_text(things .. code) end):fails(message)
+    local scene = open_text(things .. "pcall(function() " .. code .. " end)")
+    expect(#scene.bodies):equal(1)
+    expect(#scene.particles):equal(2)
+    scene:advance(0.1)
+  end)
+end
+
+test("bad input: a condition that errors is told with its line", function()
+  expect(function() open_text("scene:when(function()\n return nil + 1 end, print)"):advance(0.1) end):fails "text.lua:2: "
+end)
