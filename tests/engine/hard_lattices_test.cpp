@@ -12,8 +12,9 @@ using namespace pantin;
 namespace {
 
 /// Squares that a corner is dragged open of, at 0.02 m/s for each square of a side.
-Scene dragged_squares(int side) {
-  return [side](World& world) {
+Scene dragged_squares(int side, Plane plane = {}) {
+  return [side, plane](World& world) {
+    set_plane(world, plane);
     const cases::Squares squares = cases::add_squares(world, side, 0.2);
     const Vec3 start = position(world, squares.corner), speed = squares.away * (0.02 * side);
     add_follow(world, squares.corner, {.target = [=](double t) { return start + speed * t; }});
@@ -37,6 +38,16 @@ TEST_CASE("hard E: rotating squares are dragged open at every step length") {
   endure_at(step_lengths, "E squares 4 x 4", 2.0, 1.0, dragged_squares(4), check_lattice);
   for (const double step : step_lengths)
     endure_at({&step, 1}, "E squares 16 x 16", 20 * step, 1.0, dragged_squares(16), check_lattice);
+}
+
+TEST_CASE("hard E: in a plane they take two iterations a step at every step length, and never leave it") {
+  const auto check = [](const World& world, const Endured& run) {
+    check_lattice(world, run);
+    CHECK(run.iterations <= 2.1);
+    for (const BodyId body : world.bodies.ids()) CHECK(world.motion_of(body).x[2] == 0.0);
+  };
+  for (const double step : step_lengths)
+    endure_at({&step, 1}, "E squares 16 x 16 in a plane", 20 * step, 1.0, dragged_squares(16, {2}), check);
 }
 
 TEST_CASE("hard E: a planar lattice of 32 x 32 squares in space is dragged open", "[slow]") {

@@ -116,7 +116,7 @@ TEST_CASE("hard C: a top that flips keeps energy and angular momentum to round-o
     const Vec3 start = angular_momentum(world, top);
     const double before = energy(world).total();
     advance(world, 100.0);
-    const double round_off = 1e-16 * static_cast<double>(world.steps);
+    const double round_off = step < 1.0 / 240 ? 1e-16 * static_cast<double>(world.steps) : 0.0;
     CHECK(world.failure == "");
     CHECK(norm(angular_momentum(world, top) - start) <= std::fmax(1e-12, round_off) * norm(start));
     CHECK(std::fabs(energy(world).total() - before) <= std::fmax(4e-12, round_off) * before);
