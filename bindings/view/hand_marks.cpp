@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "view/sketch.hpp"
@@ -22,12 +21,6 @@ Color mixed(const Color& a, const Color& b, float part) {
   return {a.r + (b.r - a.r) * part, a.g + (b.g - a.g) * part, a.b + (b.b - a.b) * part, a.a + (b.a - a.a) * part};
 }
 
-std::string number(const char* format, double a, double b = 0.0) {
-  char text[96];
-  std::snprintf(text, sizeof text, format, a, b);
-  return text;
-}
-
 /// Adds marks of one hand.
 class Pen {
  public:
@@ -40,7 +33,7 @@ class Pen {
     ring_on_screen(down ? 13.0 : 20.0, color_);
     Mark dot = on_screen(Mark::Kind::point, down ? 7.0 : 4.0, color_);
     marks_.push_back(dot);
-    text(number("%.0f", hand_.hand + 1), 12.0, -20.0, color_);
+    text(std::to_string(hand_.hand + 1), 12.0, -20.0, color_);
   }
 
   void hover() {
@@ -66,11 +59,11 @@ class Pen {
       case ToolKind::push:
         if (!hand_.use->point()) return;
         arrow(hand_.use->start(sight_), hand_.use->start(sight_) + hand_.use->way(sight_), color_);
-        return text(number("%.3g N s", norm(hand_.use->impulse(sight_))), 14.0, 10.0, color_);
+        return text(short_number(norm(hand_.use->impulse(sight_))) + " N s", 14.0, 10.0, color_);
       case ToolKind::spin:
         if (!hand_.use->point()) return;
         arrow(hand_.use->start(sight_), hand_.use->start(sight_) + hand_.use->way(sight_), color_);
-        return text(number("%.3g rad/s", norm(hand_.use->turn(sight_))), 14.0, 10.0, color_);
+        return text(short_number(norm(hand_.use->turn(sight_))) + " rad/s", 14.0, 10.0, color_);
       case ToolKind::make: return made();
       case ToolKind::heat:
         return brush(dot(hand_.use->place(sight_, hand_.x, hand_.y) - sight_.camera.eye(), sight_.camera.forward()));
@@ -161,7 +154,7 @@ class Pen {
     const Color color = mixed(faded(color_, 0.8f), danger, std::sqrt(part));
     line(from, to, color, 1.5 + 4.5 * std::sqrt(static_cast<double>(part)));
     ring(from, 26.0, color);
-    text(limited ? number("%.3g N of %.3g N", pull, grip.max_force) : number("%.3g N", pull), 14.0, 10.0, color);
+    text(short_number(pull) + " N" + (limited ? " of " + short_number(grip.max_force) + " N" : ""), 14.0, 10.0, color);
   }
 
   void swipe() {

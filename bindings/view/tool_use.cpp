@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <optional>
 
 #include "structures/polyhedra.hpp"
 #include "view/pick.hpp"
@@ -54,6 +56,14 @@ double usual_mass(const World& world) {
   return mean > 0.0 && std::isfinite(mean) ? mean : 1.0;
 }
 
+/// A place at the height at which things are, in the plane of the world if it has one.
+std::optional<Vec3> usual_height(const World& world) {
+  const Things all = everything(world);
+  if (!all.bodies.empty()) return world.motion_of(all.bodies[0]).x;
+  if (!all.free_points.empty()) return position(world, all.free_points[0]);
+  return {};
+}
+
 std::vector<Vec3> vertices_of(std::size_t variant) {
   switch (variant) {
     case 2: return shapes::tetrahedron(1.0).vertices;
@@ -65,6 +75,15 @@ std::vector<Vec3> vertices_of(std::size_t variant) {
 }
 
 }  // namespace
+
+std::string short_number(double value) {
+  char text[32];
+  const double size = std::fabs(value);
+  const bool plain = size >= 1e-3 && size < 1e6;
+  const int digits = size >= 100.0 ? 0 : size >= 10.0 ? 1 : size >= 1.0 ? 2 : 3;
+  std::snprintf(text, sizeof text, plain || size == 0.0 ? "%.*f" : "%.*e", plain ? digits : size == 0.0 ? 0 : 2, value);
+  return text;
+}
 
 double heat_radius(const Sight& sight, double depth) { return depth * std::tan(0.5 * sight.camera.fov) * 2.0 / 15.0; }
 
@@ -148,10 +167,9 @@ void ToolUse::release(const Sight& sight, ToolOutput& output) {
         output.said.push_back("spin: drag over a body");
         break;
       }
-      char text[64];
-      std::snprintf(text, sizeof text, push ? "pushed by %.3g N s" : "spun by %.3g rad/s", norm(c.amount));
       send(c, output);
-      output.said.push_back(text);
+      output.said.push_back(push ? "pushed by " + short_number(norm(c.amount)) + " N s"
+                                 : "spun by " + short_number(norm(c.amount)) + " rad/s");
       break;
     }
     case ToolKind::make:
@@ -186,11 +204,16 @@ Vec3 ToolUse::impulse(const Sight& sight) const {
   const double mass = point.body ? sight.world.motion_of(point.body).mass : point.mass;
   // A click pushes away from the eye.
   const Vec3 way_to = is_click() ? sight.camera.forward() * (0.5 * sight.stage.unit) : way(sight);
-  return way_to * (mass / step_times(sight.world, push_time));
+  return sight.world.plane.along(way_to) * (mass / step_times(sight.world, push_time));
 }
 
 Vec3 ToolUse::turn(const Sight& sight) const {
   const double angle = 6.283 / sight.height / step_times(sight.world, push_time);
+  if (sight.world.plane.flat()) {
+    // To the right is clockwise.
+    const Vec3 normal = sight.world.plane.about(vec(1, 1, 1));
+    return normal * (dot(normal, sight.camera.forward()) > 0.0 ? (x_ - x0_) * angle : (x0_ - x_) * angle);
+  }
   return sight.camera.up() * ((x_ - x0_) * angle) + sight.camera.right() * ((y_ - y0_) * angle);
 }
 
@@ -222,6 +245,10 @@ Command ToolUse::making(const Sight& sight) const {
       for (Vec3& p : c.points) p *= scale;
     }
   }
+  const Plane& plane = sight.world.plane;
+  if (const auto height = usual_height(sight.world); height && !sight.world.points.alive(c.point))
+    c.place = plane.beside(c.place, *height);
+  if (choice_.variant == 0) c.points[1] = plane.along(c.points[1]);
   c.mass = usual_mass(sight.world) * part;
   return c;
 }

@@ -67,6 +67,8 @@ class ToolUse {
   std::vector<Vec3> trail_;
 };
 
+/// A number with three digits or so, without an exponent where that is readable: "0.123", "45.6", "2040".
+std::string short_number(double value);
 /// Radius [m] of the ball that the tool "heat" reaches: a fifteenth of the picture's height, where the hand is.
 double heat_radius(const Sight& sight, double depth);
 

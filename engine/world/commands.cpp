@@ -54,7 +54,7 @@ void spin_by_hand(World& world, const Command& c) {
   require(static_cast<bool>(body), "spin: ", describe(world, c.point), " is a free particle, which cannot turn");
   const Motion& m = world.motion_of(body);
   const Vec3 spin = rotate(m.q, m.angular * inverse_inertia(m));
-  set_spin(world, body, spin + c.amount);
+  set_spin(world, body, spin + world.plane.about(c.amount));
 }
 
 /// Moves what is made so that an end is where the point is to which it is hinged.
@@ -112,7 +112,7 @@ void carry_out(World& world, const Command& c) {
     case Command::Kind::button: return notice(world, Notice::Kind::button, {}, c.name, c.hand);
     case Command::Kind::join: return join_by_hand(world, c);
     case Command::Kind::nail: add_nail(world, c.point); return;
-    case Command::Kind::push: return kick(world, c.point, c.amount);
+    case Command::Kind::push: return kick(world, c.point, world.plane.along(c.amount));
     case Command::Kind::spin: return spin_by_hand(world, c);
     case Command::Kind::remove: return remove(world, c.thing);
     case Command::Kind::make: return make_by_hand(world, c);

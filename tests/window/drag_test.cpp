@@ -201,6 +201,42 @@ TEST_CASE("window: a hinge is cut under the pointer", "[window]") {
   CHECK(read_tip(folder).back().height < tip[1] - length - 5.0);
 }
 
+TEST_CASE("window: the cutting tool swipes through the chain", "[window]") {
+  if (!can_play()) return;
+  Screen screen;
+  Folder folder;
+  std::unique_ptr<lua::Scene> scene = open_chain();
+  std::vector<ParticleId> joints = hinges(scene->world());
+  Projected middle = pixel(*scene, position(scene->world(), joints[joints.size() / 2]));
+  Vec3 tip = tip_place(scene->world());
+
+  Play play(screen, folder, "3.5");
+  play.move(middle.x, middle.y + 60);  // keys go to the window under the pointer
+  pause(0.2);
+  play.hand({"key", "2"});
+  pause(0.2);
+  play.hand({"mousedown", "1"});
+  for (int i = 1; i <= 3; i++) {
+    play.move(middle.x, middle.y + 60 - 25 * i);
+    pause(0.1);
+  }
+  play.hand({"mouseup", "1"});
+  pause(0.2);
+  double lowest_uncut = tip[1] - tip[0] - 5.0;
+  SECTION("and it falls") {
+    play.hand({"key", "space"});
+    play.end();
+    CHECK(read_tip(folder).back().height < lowest_uncut);
+  }
+  SECTION("and that is undone") {
+    play.hand({"key", "ctrl+z"});
+    pause(0.2);
+    play.hand({"key", "space"});
+    play.end();
+    CHECK(lowest(read_tip(folder)) > lowest_uncut);
+  }
+}
+
 TEST_CASE("window: a button answers to a quick click", "[window]") {
   if (!can_play()) return;
   Screen screen;

@@ -175,6 +175,45 @@ TEST_CASE("push and spin act by the length of the drag", "[view]") {
   CHECK_THAT(bench.said.back(), Contains("nothing under the cursor"));
 }
 
+TEST_CASE("tools keep to the plane of a world that has one", "[view]") {
+  Bench bench(2);
+  set_plane(bench.world, Plane{2});
+  bench.world.settings.gravity = zero3();
+  const auto in_plane = [&] {
+    for (const BodyId body : bench.world.bodies.ids()) CHECK(bench.world.motion_of(body).x[2] == 0.0);
+    CHECK(bench.last_log().empty());
+  };
+  bench.choose(ToolKind::push);
+  const Projected at = bench.seen(bench.tail(1));
+  bench.drag(at, {at.x + 40, at.y + 40});
+  CHECK(energy(bench.world).kinetic > 0.0);
+  in_plane();
+  bench.choose(ToolKind::spin);
+  const double before = angular_momentum(bench.world, bench.rods[1])[2];
+  const Projected now = bench.seen(bench.tail(1));
+  bench.drag(now, {now.x + 80, now.y});
+  CHECK(angular_momentum(bench.world, bench.rods[1])[2] < before);
+  in_plane();
+  for (const std::size_t variant : {std::size_t{0}, std::size_t{3}}) {
+    bench.choose(ToolKind::make, variant);
+    bench.drag({200, 500}, {260, 540});
+    in_plane();
+  }
+  const Projected tip = bench.seen(bench.tail(1));
+  bench.choose(ToolKind::make);
+  bench.drag(tip, {tip.x + 60, tip.y + 90});
+  in_plane();
+  CHECK(hinges(bench.world).size() == 2);
+}
+
+TEST_CASE("numbers are shown short", "[view]") {
+  CHECK(short_number(0.0) == "0");
+  CHECK(short_number(0.1234) == "0.123");
+  CHECK(short_number(2040.4) == "2040");
+  CHECK(short_number(45.67) == "45.7");
+  CHECK(short_number(1.5e-12) == "1.50e-12");
+}
+
 TEST_CASE("remove takes the thing under the cursor, and wipes over more", "[view]") {
   Bench bench;
   bench.choose(ToolKind::remove);
