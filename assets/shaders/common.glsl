@@ -4,6 +4,7 @@ uniform vec3 backward;    // camera's z axis
 uniform vec2 depth_row;   // of the projection: clip z = x * view z + y
 uniform float pixel;      // size of a pixel at distance 1
 uniform vec3 light;       // direction to the key light
+uniform float rim;        // light from behind, at the edges of things
 
 float depth_of(vec3 place) {
   float z = dot(backward, place);
@@ -24,5 +25,5 @@ vec3 shade(vec3 color, vec3 normal, vec3 to_eye) {
   float shine = 0.22 * pow(max(dot(normal, half_way), 0.0), 48.0);
   float edge = pow(1.0 - max(dot(normal, to_eye), 0.0), 3.0);
   vec3 lit = color * (sky + key * vec3(0.62, 0.59, 0.54) + 0.16 * max(dot(normal, to_eye), 0.0));
-  return lit + shine + 0.10 * edge * sky;
+  return lit + shine + rim * edge * sky;
 }

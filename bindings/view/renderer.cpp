@@ -20,11 +20,12 @@ constexpr double trail_interval = 1.0 / 40.0;  // [s] at the scene's pace
 
 struct Background {
   Vec3 high, low, grid, shade;  // sRGB
+  float rim;                    // light that sets things off from it
 };
 const Background light_background = {vec(0.972, 0.953, 0.916), vec(0.885, 0.845, 0.775), vec(0.30, 0.235, 0.17),
-                                     vec(0.30, 0.235, 0.17)},
+                                     vec(0.30, 0.235, 0.17), 0.10f},
                  dark_background = {vec(0.105, 0.118, 0.145), vec(0.185, 0.205, 0.245), vec(0.62, 0.68, 0.78),
-                                    vec(0.02, 0.025, 0.035)};
+                                    vec(0.02, 0.025, 0.035), 0.9f};
 
 // A round number (1, 2 or 5 times a power of ten) near a length.
 double round_length(double length) {
@@ -90,6 +91,7 @@ struct Renderer::Parts {
   void draw_lights(const Camera& camera);
   void set_camera(const ShaderProgram& program, const Camera& camera) const;
 
+  float rim = 0.0f;
   // Of the last shadows: in units of the camera's distance, relative to the eye.
   float shadow_x = 0.0f, shadow_z = 0.0f, shadow_reach = 1.0f;
 };
@@ -148,6 +150,7 @@ void Renderer::draw(const World& world, const Camera& camera, const Overlay& ove
   p.target->bind();
   glClear(GL_DEPTH_BUFFER_BIT);
   const Background& colors = p.background(overlay.views);
+  p.rim = colors.rim;
   p.draw_backdrop(colors);
   p.draw_ground(camera, colors);
   p.draw_things(camera);
@@ -178,6 +181,7 @@ void Renderer::Parts::set_camera(const ShaderProgram& program, const Camera& cam
   program.set("depth_row", projection(2, 2), projection(2, 3));
   program.set("pixel", static_cast<float>(2.0 * std::tan(0.5 * camera.fov) / height));
   program.set("light", key_light());
+  program.set("rim", rim);
 }
 
 void Renderer::Parts::draw_backdrop(const Background& colors) {

@@ -304,3 +304,17 @@ TEST_CASE("program: a report ends in what to choose, and leaves two files") {
   CHECK(use(folder, {"report", "nothing"}).code == 2);
   CHECK(use(folder, {"report", "swing.lua", "--until", "0.001"}).code == 1);
 }
+
+TEST_CASE("program: pictures and films are the same to the bit each time, with views too", "[slow]") {
+  Folder folder;
+  write_file(folder / "swing.lua", swing);
+  for (const char* name : {"a", "b"}) {
+    const std::string stem = name;
+    const Finished made = use(folder, {"run", "swing.lua", "--until", "0.2", "--size", "160x90", "--view",
+                                       "forces,trails,dark", "--out", stem + ".png", "--out", stem + ".gif"});
+    INFO(made.err);
+    REQUIRE(made.code == 0);
+  }
+  CHECK(read_file(folder / "a.png") == read_file(folder / "b.png"));
+  CHECK(read_file(folder / "a.gif") == read_file(folder / "b.gif"));
+}
