@@ -74,6 +74,7 @@ void Browser::draw(const std::string& open, float width, float height) {
   left_ = false;
   ImGui::SetNextWindowPos({0.0f, 0.0f});
   ImGui::SetNextWindowSize({width, height});
+  ImGui::SetNextWindowBgAlpha(1.0f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {26.0f * scale(), 20.0f * scale()});
   ImGui::Begin("scenes", nullptr, whole_window);

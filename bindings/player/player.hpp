@@ -37,6 +37,7 @@ class Player {
 
   const lua::Scene& scene() const { return *scene_; }
   const std::deque<Said>& said() const { return said_; }
+  bool display_lost() const { return window_.lost(); }
   bool browsing() const { return browser_.shown(); }
   const Times& times() const { return times_; }
   /// A script's error, or a state that became non-finite, that nobody has restarted from.

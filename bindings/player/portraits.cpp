@@ -17,7 +17,7 @@ namespace pantin::player {
 namespace {
 
 constexpr double shown_time = 2.0;    // [s] simulated, unless it takes too long
-constexpr double most_wall = 1.0;     // [s]
+constexpr double most_wall = 2.5;     // [s]
 constexpr double script_limit = 1.0;  // [s]
 
 /// FNV-1a, 64 bits.

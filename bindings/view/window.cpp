@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/check.hpp"
+#include "view/display_loss.hpp"
 #include "view/gamepads.hpp"
 #include "view/renderer.hpp"
 
@@ -51,7 +52,7 @@ struct Window::Parts {
   std::map<std::pair<SDL_TouchID, SDL_FingerID>, PointerId> fingers;
   PointerId next_finger = 1;
   std::optional<Gamepads> gamepads;
-  bool shift = false, control = false, closed = false;
+  bool shift = false, control = false, closed = false, lost = false;
 
   ~Parts() {
     gamepads.reset();
@@ -92,6 +93,7 @@ Window::Window(const std::string& title, int width, int height, bool hidden) : p
   p.context = SDL_GL_CreateContext(p.window);
   require(p.context != nullptr, "OpenGL 3.3 is not to be had here: ", SDL_GetError());
   if (!hidden) SDL_GL_SetSwapInterval(1);
+  note_display_loss(p.window, p.lost);
   p.measure();
   p.gamepads.emplace();
 }
@@ -117,7 +119,10 @@ bool Window::display_available() {
   return there;
 }
 
+bool Window::lost() const { return parts_->lost; }
+
 void Window::present(Renderer& renderer) {
+  if (parts_->lost) return;
   SDL_GL_MakeCurrent(parts_->window, parts_->context);
   renderer.show(parts_->width, parts_->height);
   SDL_GL_SwapWindow(parts_->window);
@@ -139,8 +144,8 @@ bool Window::poll(Gestures& gestures) {
   gestures.control = p.control;
   gestures.width = p.width;
   gestures.height = p.height;
-  gestures.quit = p.closed;
-  return !p.closed;
+  gestures.quit = p.closed || p.lost;
+  return !gestures.quit;
 }
 
 void Window::Parts::take(const SDL_Event& event, Gestures& gestures) {

@@ -17,6 +17,8 @@ class Window {
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
+  /// The display went away; `poll` then asks for the end.
+  bool lost() const;
   /// Takes all waiting events into `gestures`; false once the window is to be closed.
   bool poll(Gestures& gestures);
   /// Copies the renderer's picture to the window and shows it.

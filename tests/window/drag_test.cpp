@@ -45,6 +45,8 @@ class Screen {
     display = ":" + number;
   }
   std::string display;
+  /// It goes away.
+  void close_down() { server_.reset(); }
 
  private:
   std::unique_ptr<Process> server_;
@@ -79,10 +81,10 @@ class Play {
   void move(double x, double y) {
     hand({"mousemove", "--window", window_, std::to_string(static_cast<int>(x)), std::to_string(static_cast<int>(y))});
   }
-  void end() {
+  void end(int wanted = 0) {
     std::optional<int> code = process_.wait(90.0);
     INFO(process_.err());
-    REQUIRE(code == 0);
+    REQUIRE(code == wanted);
   }
 
  private:
@@ -252,4 +254,16 @@ TEST_CASE("window: a button answers to a quick click", "[window]") {
   play.hand({"key", "space"});
   play.end();
   CHECK(read_tip(folder).back().height < tip[1] - tip[0] - 5.0);
+}
+
+TEST_CASE("window: when its display goes away, what was asked for is written", "[window]") {
+  if (!can_play()) return;
+  Screen screen;
+  Folder folder;
+  Play play(screen, folder, "60");
+  play.hand({"key", "space"});
+  pause(0.5);
+  screen.close_down();
+  play.end(1);
+  CHECK(read_tip(folder).size() > 5);
 }
