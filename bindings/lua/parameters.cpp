@@ -99,9 +99,12 @@ void take_command_line(const Script& script, Parameter& p) {
   const auto given = script.options.set.find(p.name);
   if (given == script.options.set.end()) return;
   try {
-    p.value = value_of_text(p, given->second);
-    check_allowed(p, p.value);
-  } catch (const Error& error) { throw UsageError(text("--set ", p.name, "=", given->second, ": ", error.what())); }
+    const Value value = value_of_text(p, given->second);
+    check_allowed(p, value);
+    p.value = value;
+  } catch (const Error& error) {
+    if (!script.options.forgiving) throw UsageError(text("--set ", p.name, "=", given->second, ": ", error.what()));
+  }
 }
 
 /// Pushes what a text means for a setting: a number, true or false, "x,y,z" for a vec, nil where that may be, else the text.

@@ -31,7 +31,7 @@ int require_file(lua_State* state) {
       return 1;
     }
     lua_pop(state, 1);
-    const auto source = read_file(file);
+    const auto source = runtime.read(file);
     places += (places.empty() ? "" : ", ") + file;
     if (!source) continue;
     lua_pushlightuserdata(state, const_cast<char*>(&loading));

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "lua/error_text.hpp"
+#include "lua/files.hpp"
 #include "lua/sandbox.hpp"
 #include "lua/scene.hpp"
 
@@ -117,6 +118,12 @@ void Runtime::load(lua_State* state, const std::string& source, const std::strin
   const std::size_t skipped = source.starts_with('#') ? std::min(source.find('\n'), source.size()) : 0;
   if (luaL_loadbufferx(state, source.data() + skipped, source.size() - skipped, chunk.c_str(), "t") != LUA_OK)
     lua_error(state);
+}
+
+std::optional<std::string> Runtime::read(const std::string& path) const {
+  std::optional<std::string> content = read_file(path);
+  if (content && on_read) on_read({path, hash_of(*content)});
+  return content;
 }
 
 Outside::Outside() : paused_(current_runtime) {

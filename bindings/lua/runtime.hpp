@@ -6,6 +6,7 @@
 #include <exception>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <type_traits>
 
@@ -16,6 +17,7 @@
 namespace pantin::lua {
 
 class LawRun;
+struct FileRead;
 
 struct Limits {
   double seconds = 0.0;   ///< [s] of one call into the script; 0: none
@@ -42,20 +44,23 @@ class Runtime {
   }
   /// Pushes the chunk of a text; `name` is what messages call it.
   void load(lua_State* state, const std::string& source, const std::string& name);
+  /// All of a file, which `on_read` is told, or nothing where it cannot be read.
+  std::optional<std::string> read(const std::string& path) const;
 
   /// The state that runs: the main one, or a coroutine.
   lua_State* active() const { return watch_.running.load(std::memory_order_relaxed); }
   Watch& watch() { return watch_; }
 
-  std::string folder;            ///< of the scene: where `require` looks first, and `read_table`
-  std::string home;              ///< holds scripts/lib and scripts/behaviours
-  Random* random = nullptr;      ///< source of math.random
-  lua_Integer shown = 0;         ///< values that were given a number to be shown by
-  LawRun* law = nullptr;         ///< the law whose function runs, or null
-  bool speaks_of_reset = false;  ///< some file has the word: the start of the scene is to be kept
-  std::uint64_t traces = 0;      ///< that were begun so far
-  std::string stale_message;     ///< text of the last error that a StaleHandle became
-  std::string usage_message;     ///< text of the last error that a UsageError became
+  std::function<void(const FileRead&)> on_read;  ///< told each file that is read; may be empty
+  std::string folder;                            ///< of the scene: where `require` looks first, and `read_table`
+  std::string home;                              ///< holds scripts/lib and scripts/behaviours
+  Random* random = nullptr;                      ///< source of math.random
+  lua_Integer shown = 0;                         ///< values that were given a number to be shown by
+  LawRun* law = nullptr;                         ///< the law whose function runs, or null
+  bool speaks_of_reset = false;                  ///< some file has the word: the start of the scene is to be kept
+  std::uint64_t traces = 0;                      ///< that were begun so far
+  std::string stale_message;                     ///< text of the last error that a StaleHandle became
+  std::string usage_message;                     ///< text of the last error that a UsageError became
 
  private:
   struct Job {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "lua/carry_tables.hpp"
 #include "lua/files.hpp"
 #include "lua/script.hpp"
 #include "lua/snapshot.hpp"
@@ -15,6 +16,7 @@ Script::Script(const SceneOptions& given) : ScriptHost{given, Runtime({given.scr
   world.workers = std::make_unique<Workers>(options.threads);
   runtime.random = &world.random;
   runtime.home = given.home;
+  runtime.on_read = given.on_read;
   world.random = Random{world.settings.seed, 0};
   world.behaviours = [this] { run_behaviours(*this); };
   world.who = [] {
@@ -45,6 +47,7 @@ std::unique_ptr<Scene> Scene::open(const std::string& path, const SceneOptions& 
     const bool there = std::filesystem::exists(path, error);
     throw UsageError(text(path, ": ", there ? "cannot be read as a file" : "there is no such file"));
   }
+  if (options.on_read) options.on_read({path, hash_of(*source)});
   const std::filesystem::path file(path);
   return open_text(*source, file.filename(), file.parent_path(), options);
 }
@@ -61,7 +64,8 @@ std::unique_ptr<Scene> Scene::open_text(const std::string& source, const std::st
     script.runtime.load(state, source, name);
     lua_call(state, 0, 0);
   });
-  check_parameters_known(script);
+  if (options.changing) script.made = made(script.world);
+  if (!options.forgiving) check_parameters_known(script);
   return scene;
 }
 
@@ -103,6 +107,14 @@ void Scene::restore(const SceneSnapshot& snapshot) {
   lua::restore(state_->script, snapshot);
 }
 std::string Scene::why_not_restore() const { return pantin::why_not_restore(world()); }
+
+CarriedOver Scene::go_on_from(Scene& old) {
+  const Outside outside;
+  Script &from = old.script(), &to = state_->script;
+  CarriedOver carried = carry_over(from.world, from.made, to.world, to.made);
+  carry_tables(from, to, carried.things);
+  return carried;
+}
 
 Script& Scene::script() { return state_->script; }
 

@@ -1,6 +1,8 @@
 #pragma once
 // A scene: a Lua file that was run, and the world it built.
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -9,6 +11,7 @@
 #include <vector>
 
 #include "lua/drawing.hpp"
+#include "world/carry_over.hpp"
 #include "world/world.hpp"
 
 namespace pantin::lua {
@@ -18,12 +21,21 @@ struct SceneSnapshot;
 
 using Value = std::variant<double, bool, std::string>;
 
+/// A file that a scene read.
+struct FileRead {
+  std::string path;
+  std::uint64_t hash = 0;  ///< of its content
+};
+
 struct SceneOptions {
   std::map<std::string, std::string> set;           ///< `--set`: parameter or `scene.FIELD` to its text
   double script_limit = 5.0;                        ///< [s] of one call into the script; 0: none
   std::size_t memory_limit = std::size_t{2} << 30;  ///< [bytes] of Lua's memory
   int threads = 1;                                  ///< for the laws; 0: as many as the machine has processors
   std::string home;                                 ///< folder that holds `scripts/lib` and `scripts/behaviours`
+  std::function<void(const FileRead&)> on_read;     ///< told each file that is read, even where the scene fails then
+  bool changing = false;   ///< may be followed by the scene of a changed file, see `go_on_from`
+  bool forgiving = false;  ///< what `set` says that does not fit the file is left out
 };
 
 /// What `scene:param` declared.
@@ -80,6 +92,11 @@ class Scene {
   void restore(const SceneSnapshot& snapshot);
   /// Why nothing can be restored now: a play goes on, which cannot be wound back. Empty where it can.
   std::string why_not_restore() const;
+
+  /// Goes on where an older scene is, whose files were changed since; both were opened as `changing`. Things are matched
+  /// by name, else by sort and order of making, see world/carry_over. `scene.store` and the `data` of things come along
+  /// as far as they are plain. Before the first step.
+  CarriedOver go_on_from(Scene& old);
   /// The inside, for the bindings alone.
   Script& script();
 

@@ -57,6 +57,7 @@ struct Script : ScriptHost, ScriptData {
 
   World world;
 
+  Made made;                                    ///< by the file, where it may change
   std::set<std::string> fixed;                  ///< settings that `--set` gave: what the file assigns is ignored
   std::uint64_t subscribed = 0;                 ///< serial of the last subscription
   int telling = 0;                              ///< calls that go through the subscriptions now

@@ -170,7 +170,7 @@ std::string read_molecule_file(lua_State* state, const std::string& name) {
     const auto size = std::filesystem::file_size(path, error);
     require(error || size <= largest_file, "molecule: '", path, "' has ", size >> 20, " MiB; at most ",
             largest_file >> 20, " are read");
-    if (const auto content = read_file(path)) return *content;
+    if (const auto content = runtime.read(path)) return *content;
   }
   throw Error(text("molecule: there is no file '", places[0], "' or '", places[1], "'"));
 }

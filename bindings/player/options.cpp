@@ -107,7 +107,7 @@ void add_scene_options(CLI::App& app, RunOptions& scene, Texts& texts) {
 
 [[noreturn]] void refuse_command(const std::string& command) {
   std::string what = command.empty() ? "a command is missing" : "there is no command '" + command + "'";
-  throw lua::UsageError(what + ": give play, run, report, test or bench (pantin --help tells more)");
+  throw lua::UsageError(what + ": give play, run, replay, report, test or bench (pantin --help tells more)");
 }
 
 std::string first_line(const std::string& message) { return message.substr(0, message.find('\n')); }
@@ -165,10 +165,15 @@ Options read_options(int argc, const char* const* argv) {
       ->default_str("where you are")
       ->type_name("DIR");
   play->add_flag("--paused", options.run.paused, "Waits for the space bar before it starts");
+  play->add_option("--record", options.run.record, "Records all that is done, for `pantin replay FILE`")
+      ->type_name("FILE");
   add_scene_options(*play, options.run, texts);
   CLI::App* run = app.add_subcommand("run", "Runs a scene without a window");
   run->add_option("scene", options.run.scene, "A scene's file, or the name of a shipped one")->required();
   add_scene_options(*run, options.run, texts);
+  CLI::App* replay = app.add_subcommand("replay", "Does again what was recorded, to the bit, and checks that");
+  replay->add_option("file", options.run.record, "What `pantin play --record FILE` wrote")->required();
+  add_limits(*replay, options.run, texts);
   CLI::App* report =
       app.add_subcommand("report", "Tells how exact a scene is with which step and integrator, at what cost");
   report->add_option("scene", options.run.scene, "A scene's file, or the name of a shipped one")->required();
@@ -206,6 +211,7 @@ Options read_options(int argc, const char* const* argv) {
   using Command = Options::Command;
   options.command = *play     ? Command::play
                     : *run    ? Command::run
+                    : *replay ? Command::replay
                     : *report ? Command::report
                     : *test   ? Command::test
                               : Command::bench;

@@ -26,6 +26,7 @@ struct RunOptions {
   std::string summary;  ///< empty: none
   Size size;
   Views views;                                      ///< that are on at the start
+  std::string record;                               ///< file that `play` records to; empty: none
   bool paused = false;                              ///< `play` begins with a pause
   double script_limit = 5.0;                        ///< [s] 0: none
   std::size_t memory_limit = std::size_t{2} << 30;  ///< [bytes]
@@ -33,7 +34,7 @@ struct RunOptions {
 };
 
 struct Options {
-  enum class Command { none, play, run, report, test, bench, meta };
+  enum class Command { none, play, run, replay, report, test, bench, meta };
   Command command = Command::none;
   RunOptions run;
   std::vector<std::string> arguments;  ///< paths to test, or a benchmark and its arguments

@@ -54,7 +54,10 @@ Player::Player(std::string path, const RunOptions& options, const std::string& h
       views_(options.views) {
   renderer_.open(scene_->world());
   camera_ = aim(*scene_, renderer_.stage(), aspect(renderer_));
-  if (path_.empty()) browser_.show();
+  if (path_.empty())
+    browser_.show();
+  else if (!options_.record.empty())
+    record(options_.record);
 }
 
 std::string Player::title() const {
@@ -71,6 +74,7 @@ bool Player::frame() {
   swallow_keys();
   if (!browser_.shown() && !renderer_.writing()) steering_.move(gestures_, elapsed);
   renderer_.listen(gestures_);
+  reload();
   take_keys();
   take_view_keys(gestures_, views_, camera_);
   choose_followed();
@@ -145,8 +149,10 @@ void Player::take_steps(double elapsed) {
 
 void Player::step_once() {
   try {
+    if (recorder_) recorder_->input(scene_->world().input);
     scene_->step();
     if (!scene_->world().failure.empty()) return fail(scene_->world().failure);
+    if (recorder_) recorder_->stepped(scene_->world());
     times_.add(scene_->world());
   } catch (const lua::Interrupted& error) { say(error.what()); } catch (const std::exception& error) {
     fail(error.what());

@@ -11,6 +11,8 @@
 #include "player/options.hpp"
 #include "player/pacing.hpp"
 #include "player/panels/panels.hpp"
+#include "player/recording.hpp"
+#include "player/reload.hpp"
 #include "player/status.hpp"
 #include "player/table.hpp"
 #include "player/undo.hpp"
@@ -49,6 +51,8 @@ class Player {
   /// Takes back what hands did last, or does it again; what cannot be done is told.
   void undo();
   void redo();
+  /// Ends the recording, if there is one; throws Error where it could not be written.
+  void end_recording();
   /// The scene as it is now, without the lines and cards.
   void write_picture(const std::string& path);
 
@@ -69,12 +73,16 @@ class Player {
   bool take_key(const std::string& name);
   void choose();
   void swallow_keys();
-  static std::unique_ptr<lua::Scene> first_scene(const std::string& path, const lua::SceneOptions& options);
+  std::unique_ptr<lua::Scene> first_scene(const std::string& path, const lua::SceneOptions& options);
   void wait_for(const std::atomic<bool>& done, const std::string& what);
   void edit(const Edit& edit);
   void write_table();
   void leave_browser();
   void restart();
+  void record(const std::string& path);
+  void record(const Edit& edit);
+  void stop_recording(const std::string& why);
+  void reload();
   std::unique_ptr<lua::Scene> load(const std::string& path, const lua::SceneOptions& options);
   void adopt(std::unique_ptr<lua::Scene> fresh);
   void open_neighbour(int places);
@@ -93,7 +101,9 @@ class Player {
   std::string path_;
   RunOptions options_;
   lua::SceneOptions lua_options_;
+  Reload reload_;
   std::unique_ptr<lua::Scene> scene_;
+  std::unique_ptr<Recorder> recorder_;
   Window window_;
   Renderer renderer_;
   Camera camera_;

@@ -27,7 +27,7 @@ std::string text_of(const lua::Value& value) {
 }  // namespace
 
 std::unique_ptr<lua::Scene> Player::first_scene(const std::string& path, const lua::SceneOptions& options) {
-  return path.empty() ? lua::Scene::open_text("", "scenes", ".", {}) : lua::Scene::open(path, options);
+  return path.empty() ? lua::Scene::open_text("", "scenes", ".", {}) : reload_.open(path, options);
 }
 
 /// Opens a scene while the window stays alive, so that one that does not come to an end can be stopped.
@@ -38,7 +38,7 @@ std::unique_ptr<lua::Scene> Player::load(const std::string& path, const lua::Sce
   std::atomic<bool> done = false;
   std::thread loader([&] {
     try {
-      scene = lua::Scene::open(path, options);
+      scene = reload_.open(path, options);
     } catch (...) { error = std::current_exception(); }
     done = true;
   });
@@ -89,6 +89,7 @@ void Player::adopt(std::unique_ptr<lua::Scene> fresh) {
 void Player::restart() {
   try {
     adopt(load(path_, lua_options_));
+    if (recorder_) recorder_->restarted();
     paused_ = false;
   } catch (const std::exception& error) { fail(error.what()); }
 }
@@ -100,9 +101,12 @@ bool Player::open(const std::string& path) {
   try {
     fresh = load(path, options);
   } catch (const std::exception& error) { return complain(error.what()), false; }
+  stop_recording("another scene was opened");
+  const bool first = path_.empty();
   path_ = path;
   lua_options_ = options;
   adopt(std::move(fresh));
+  if (first && !options_.record.empty()) record(options_.record);
   panels_.reset();
   paused_ = false;
   camera_ = aim(*scene_, renderer_.stage(), static_cast<double>(renderer_.width()) / renderer_.height());
@@ -118,6 +122,7 @@ void Player::set_parameter(const std::string& name, const lua::Value& value) {
   lua_options_.set[name] = text_of(value);
   try {
     if (!scene_->set_parameter(name, value)) adopt(load(path_, lua_options_));
+    if (recorder_) recorder_->parameter(name, value);
   } catch (const std::exception& error) {
     lua_options_.set = before;
     complain(error.what());
@@ -169,6 +174,7 @@ void Player::choose() {
 void Player::edit(const Edit& edit) {
   try {
     lua::write_field(*scene_, edit.thing, edit.value.name, edit.value);
+    if (recorder_) record(edit);
   } catch (const std::exception& error) { complain(error.what()); }
 }
 

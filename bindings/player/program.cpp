@@ -15,6 +15,7 @@
 #include "player/message.hpp"
 #include "player/options.hpp"
 #include "player/play.hpp"
+#include "player/replay.hpp"
 #include "player/report.hpp"
 #include "player/run.hpp"
 #include "player/test.hpp"
@@ -27,6 +28,7 @@ int do_command(const Options& options) {
     case Options::Command::none: return 0;
     case Options::Command::play: return play(options.run, find_home());
     case Options::Command::run: return run(options.run, find_home());
+    case Options::Command::replay: return replay(options.run, options.run.record, find_home());
     case Options::Command::report: return report(options.run, options.prefix, find_home());
     case Options::Command::test: return test(options.arguments, find_home());
     case Options::Command::bench: return bench({options.arguments, options.peers});

@@ -14,8 +14,14 @@ std::string name_of_last(const auto& entries) { return entries.empty() ? "" : en
 void Undo::begin(lua::Scene& scene, const Times& times, const std::string& act) {
   future_.clear();
   if (!scene.why_not_restore().empty()) return past_.clear();
-  past_.push_back({act, scene.take_snapshot(), times});
+  past_.push_back(keep(scene, times, act));
   if (past_.size() > most_acts) past_.pop_front();
+}
+
+Undo::Entry Undo::keep(lua::Scene& scene, const Times& times, const std::string& act) {
+  Entry entry{act, scene.take_snapshot(), times, ++states_};
+  if (on_state) on_state(entry.number, false);
+  return entry;
 }
 
 bool Undo::undo(lua::Scene& scene, Times& times, std::string& told) {
@@ -41,8 +47,9 @@ bool Undo::move(lua::Scene& scene, Times& times, Entries& from, Entries& to, con
   if (!told.empty()) return false;
   try {
     const Entry entry = from.back();
-    Entry now{entry.act, scene.take_snapshot(), times};
+    Entry now = keep(scene, times, entry.act);
     scene.restore(*entry.scene);
+    if (on_state) on_state(entry.number, true);
     from.pop_back();
     times = entry.times;
     told = does + (": " + entry.act);

@@ -1,5 +1,7 @@
 #pragma once
+#include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -22,17 +24,23 @@ class Undo {
   void clear();
   UndoState state(const lua::Scene& scene) const;
 
+  /// Told each state by its number: that it is kept now, or put back.
+  std::function<void(std::uint64_t number, bool put_back)> on_state;
+
  private:
   struct Entry {
     std::string act;
     std::shared_ptr<const lua::SceneSnapshot> scene;
     Times times;
+    std::uint64_t number = 0;  ///< of the state
   };
   using Entries = std::deque<Entry>;
-  static bool move(lua::Scene& scene, Times& times, Entries& from, Entries& to, const char* does, std::string& told);
+  Entry keep(lua::Scene& scene, const Times& times, const std::string& act);
+  bool move(lua::Scene& scene, Times& times, Entries& from, Entries& to, const char* does, std::string& told);
 
-  Entries past_;    ///< before each act, oldest first
-  Entries future_;  ///< after each act that was undone, oldest last
+  Entries past_;              ///< before each act, oldest first
+  std::uint64_t states_ = 0;  ///< that were kept
+  Entries future_;            ///< after each act that was undone, oldest last
 };
 
 }  // namespace pantin::player

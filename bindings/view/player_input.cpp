@@ -75,6 +75,16 @@ void PlayerInput::let_go(const World& world, StepInput& input) {
   }
 }
 
+void PlayerInput::carry_over(const std::map<std::int32_t, std::int32_t>& hands,
+                             const std::function<PointId(PointId)>& counterpart) {
+  for (auto& [pointer, hold] : holds_) {
+    const auto hand = hands.find(hold.hand);
+    hold.hand = hand == hands.end() ? -1 : hand->second;
+    hold.use.carry_over(hold.hand, counterpart(hold.use.point()));
+  }
+  highlight_ = counterpart(highlight_);
+}
+
 PlayerInput::Hold& PlayerInput::hold_of(PointerId pointer) {
   Hold& hold = holds_[pointer];
   if (hold.hand < 0) hold.hand = new_hand_();

@@ -185,6 +185,15 @@ void ToolUse::cancel(ToolOutput& output) {
   active_ = false;
 }
 
+void ToolUse::carry_over(std::int32_t hand, PointId point) {
+  if (!holding() || !point || hand < 0) {
+    *this = {};
+    return;
+  }
+  hand_ = hand;
+  point_ = point;
+}
+
 Vec3 ToolUse::place(const Sight& sight, double x, double y) const {
   const Vec3 at = sight.place(x, y, active_ ? depth_ : sight.camera.distance);
   return holding() ? at + offset_ : at;

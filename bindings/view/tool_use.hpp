@@ -26,6 +26,10 @@ class ToolUse {
   /// The hand is gone: it lets go, and does no more.
   void cancel(ToolOutput& output);
 
+  /// The world goes on in another, with another number of the hand and another point: a drag goes on where the point is
+  /// not null, all else ends.
+  void carry_over(std::int32_t hand, PointId point);
+
   bool active() const { return active_; }
   /// Holds a point by dragging it.
   bool holding() const { return active_ && choice_.kind == ToolKind::drag && point_; }

@@ -6,6 +6,7 @@
 
 #include "world/editing.hpp"
 #include "world/measured.hpp"
+#include "world/resume.hpp"
 
 namespace pantin {
 namespace {
@@ -220,6 +221,32 @@ EventId add_event(World& world, Event event) {
   else
     queue(c, next_due(c.events[id]), id);
   return id;
+}
+
+void end_event(World& world, EventId event, EventState state) {
+  if (world.choreography.events.alive(event)) finish(world, event, state);
+}
+
+void begin_at(World& world, double time) {
+  world.time = world.step_origin = time;
+  world.step_count = 0;
+  if (time == 0.0) return;  // what is due at once is still to fire
+  Choreography& c = world.choreography;
+  const double reached = with_round_off(time);
+  c.heap.clear();
+  for (EventId id : c.events.ids()) {
+    Event& event = c.events[id];
+    event.queued = false;
+    if (event.kind == EventKind::play) event.time = time;
+    if (event.kind == EventKind::every && event.time < reached)
+      event.fired = static_cast<std::uint64_t>((reached - event.time) / event.period);
+    const bool past = (event.kind == EventKind::once && event.time <= reached) ||
+                      (event.kind == EventKind::over && event.until <= reached);
+    if (past)
+      finish(world, id, EventState::fired);
+    else if (!event.watched)
+      queue(c, next_due(event), id);
+  }
 }
 
 void cancel(World& world, EventId event) {

@@ -1,0 +1,76 @@
+// What the player does when a file was saved, and what it tells a recording.
+#include <filesystem>
+
+#include "player/home.hpp"
+#include "player/message.hpp"
+#include "player/player.hpp"
+
+namespace pantin::player {
+namespace {
+
+/// A shipped scene by its name, others by their whole path.
+std::string scene_as_recorded(const std::string& path, const std::string& home) {
+  const std::filesystem::path absolute = std::filesystem::absolute(path);
+  const bool shipped = absolute.parent_path() == std::filesystem::absolute(home) / "scripts" / "scenes";
+  return shipped ? absolute.stem().string() : absolute.string();
+}
+
+}  // namespace
+
+void Player::record(const std::string& path) {
+  const RecordingHead head{program_version(), scene_as_recorded(path_, lua_options_.home), lua_options_.set,
+                           reload_.files()};
+  recorder_ = std::make_unique<Recorder>(path, head);
+  undo_.on_state = [this](std::uint64_t number, bool put_back) {
+    if (recorder_) put_back ? recorder_->restored(number) : recorder_->kept(number);
+  };
+}
+
+void Player::record(const Edit& edit) {
+  FieldEdit recorded{edit.thing, edit.value.name, 0.0};
+  std::visit(
+      [&](const auto& value) {
+        if constexpr (!std::is_same_v<std::decay_t<decltype(value)>, std::monostate>) recorded.value = value;
+      },
+      edit.value.value);
+  recorder_->edited(recorded);
+}
+
+void Player::stop_recording(const std::string& why) {
+  if (!recorder_) return;
+  complain("the recording ends here: " + why);
+  try {
+    end_recording();
+  } catch (const Error& error) { complain(error.what()); }
+}
+
+void Player::end_recording() {
+  if (recorder_) recorder_->finish();
+  recorder_.reset();
+}
+
+void Player::reload() {
+  std::optional<Reloaded> reloaded = reload_.look(*scene_, path_, lua_options_);
+  if (!reloaded) return;
+  if (!reloaded->scene) return complain(reloaded->error);
+  stop_recording("a file of the scene was saved");
+  const CarriedOver& carried = reloaded->carried;
+  waiting_ = carried_over(waiting_, carried);
+  hands_.carry_over(carried.hands, [&](PointId point) {
+    const auto found = carried.things.find(point);
+    return found == carried.things.end() ? PointId{} : std::get<PointId>(found->second);
+  });
+  const auto chosen = carried.things.find(chosen_);
+  chosen_ = chosen == carried.things.end() ? AnyId{} : chosen->second;
+  undo_.clear();
+  scene_ = std::move(reloaded->scene);
+  log_read_ = scene_->world().log.size();
+  follower_ = {};
+  times_ = {};
+  failure_.clear();
+  renderer_.open(scene_->world());
+  window_.set_title(title() + " - Pantin");
+  status_.note("the file was saved: the scene goes on with it");
+}
+
+}  // namespace pantin::player

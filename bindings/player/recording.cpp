@@ -1,0 +1,108 @@
+#include "player/recording.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "player/recording_json.hpp"
+#include "world/measure.hpp"
+
+namespace pantin::player {
+namespace {
+
+constexpr int format = 1;
+
+std::string line_of(const RecordingHead& head) {
+  Json line{{"pantin", format}, {"version", head.version}, {"scene", head.scene}, {"set", head.set}};
+  line["files"] = Json::object();
+  for (const auto& [path, hash] : head.files) line["files"][path] = hexadecimal(hash);
+  return line.dump();
+}
+
+RecordingHead head_of(const std::string& text) {
+  const Json line = Json::parse(text);
+  const int found = line.at("pantin");
+  require(found == format, "it has the format ", found, ", and this program reads the format ", format);
+  RecordingHead head{line.at("version"), line.at("scene"), line.at("set"), {}};
+  for (const auto& [path, hash] : line.at("files").items()) head.files[path] = from_hexadecimal(hash);
+  return head;
+}
+
+}  // namespace
+
+std::string program_version() { return PANTIN_VERSION; }
+
+Recording read_recording(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  require(static_cast<bool>(file), path, ": there is no such file, or it cannot be read");
+  Recording recording;
+  std::string line;
+  std::getline(file, line);
+  try {
+    recording.head = head_of(line);
+  } catch (const std::exception& error) {
+    throw Error(text(path, ":1: this is no recording that can be replayed: ", error.what()));
+  }
+  bool ended = false;
+  for (int number = 2; std::getline(file, line); number++) {
+    RecordedAct act;
+    try {
+      require(!file.eof(), "it is cut off in the middle");
+      act = act_of(line);
+      require(act.tick >= recording.ticks, "its tick, ", act.tick, ", is before that of the line above");
+    } catch (const std::exception& error) {
+      recording.damage = text(path, ":", number, ": ", error.what());
+      return recording;
+    }
+    recording.ticks = act.tick + (std::holds_alternative<StepInput>(act.what) ? 1 : 0);
+    ended = std::holds_alternative<RecordingEnd>(act.what);
+    recording.acts.push_back(std::move(act));
+  }
+  if (!ended) recording.damage = text(path, ": it has no end: the program that wrote it was stopped");
+  return recording;
+}
+
+Recorder::Recorder(const std::string& path, const RecordingHead& head) : path_(path), file_(path, std::ios::binary) {
+  require(static_cast<bool>(file_), path, ": this file cannot be written");
+  file_ << line_of(head) << '\n' << std::flush;
+}
+
+Recorder::~Recorder() {
+  try {
+    finish();
+  } catch (const Error&) {}  // it was called before where somebody listens
+}
+
+void Recorder::write(const RecordedAct& act) { file_ << player::line_of(act) << '\n'; }
+
+void Recorder::input(const StepInput& input) {
+  if (!input.moves.empty() || !input.commands.empty()) write({tick_, input});
+}
+
+void Recorder::stepped(const World& world) {
+  tick_++;
+  const double second = std::floor(world.time + 0.5 * world.settings.step);
+  if (second == second_) return;
+  second_ = second;
+  write({tick_, StateCheck{world.time, state_hash(world)}});
+  file_.flush();
+}
+
+void Recorder::parameter(const std::string& name, const lua::Value& value) {
+  write({tick_, ParameterChange{name, value}});
+}
+void Recorder::edited(const FieldEdit& edit) { write({tick_, edit}); }
+void Recorder::kept(std::uint64_t number) { write({tick_, StateKept{number}}); }
+void Recorder::restored(std::uint64_t number) { write({tick_, StateRestored{number}}); }
+void Recorder::restarted() {
+  second_ = 0.0;
+  write({tick_, Restarted{}});
+}
+
+void Recorder::finish() {
+  if (std::exchange(finished_, true)) return;
+  write({tick_, RecordingEnd{}});
+  file_.close();
+  require(static_cast<bool>(file_), path_, ": the recording could not be written to its end; is the disk full?");
+}
+
+}  // namespace pantin::player

@@ -1,0 +1,229 @@
+// Acts as lines of a recording.
+#include "player/recording_json.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+#include "player/recording.hpp"
+#include "world/commands.hpp"
+
+namespace pantin::player {
+namespace {
+
+/// JSON has no infinity.
+Json json_of(double x) {
+  if (std::isfinite(x)) return x;
+  return std::isnan(x) ? "nan" : x > 0.0 ? "inf" : "-inf";
+}
+double number_of(const Json& json) {
+  if (json.is_number()) return json;
+  const std::string name = json;
+  if (name == "nan") return std::numeric_limits<double>::quiet_NaN();
+  require(name == "inf" || name == "-inf", "'", name, "' is no number");
+  return name == "inf" ? infinity : -infinity;
+}
+
+Json json_of(Vec3 v) { return Json::array({json_of(v[0]), json_of(v[1]), json_of(v[2])}); }
+Vec3 vec_of(const Json& json) { return vec(number_of(json.at(0)), number_of(json.at(1)), number_of(json.at(2))); }
+
+template <class Row>
+Json json_of(Handle<Row> id) {
+  return Json::array({id.slot, id.generation});
+}
+template <class Row>
+void read(const Json& json, Handle<Row>& id) {
+  id = {json.at(0), json.at(1)};
+}
+
+constexpr std::array<const char*, 11> kinds = {"nothing", "point",      "particle",    "body",  "constraint", "group",
+                                               "family",  "connection", "interaction", "field", "emitter"};
+static_assert(kinds.size() == std::variant_size_v<AnyId>);
+
+Json json_of(const AnyId& thing) {
+  return std::visit(
+      [&](const auto& id) -> Json {
+        if constexpr (std::is_same_v<std::decay_t<decltype(id)>, std::monostate>)
+          return nullptr;
+        else
+          return Json::array({kinds[thing.index()], id.slot, id.generation});
+      },
+      thing);
+}
+
+AnyId thing_of(const Json& json) {
+  AnyId thing;
+  if (json.is_null()) return thing;
+  const std::string kind = json.at(0);
+  const std::uint32_t slot = json.at(1), generation = json.at(2);
+  const auto find = [&]<std::size_t... k>(std::index_sequence<k...>) {
+    return ((kind == kinds[k + 1] &&
+             (thing.emplace<k + 1>(std::variant_alternative_t<k + 1, AnyId>{slot, generation}), true)) ||
+            ...);
+  };
+  require(find(std::make_index_sequence<kinds.size() - 1>()), "'", kind, "' is no kind of thing");
+  return thing;
+}
+
+Json json_of(const Command& c) {
+  Json json{{"kind", name_of(c.kind)}, {"hand", c.hand}};
+  if (c.point) json["point"] = json_of(c.point);
+  if (c.other) json["other"] = json_of(c.other);
+  if (!std::holds_alternative<std::monostate>(c.thing)) json["thing"] = json_of(c.thing);
+  if (norm2(c.place) != 0.0) json["place"] = json_of(c.place);
+  if (norm2(c.amount) != 0.0) json["amount"] = json_of(c.amount);
+  for (Vec3 point : c.points) json["points"].push_back(json_of(point));
+  if (c.max_force != 0.0) json["max_force"] = json_of(c.max_force);
+  if (c.mass != 0.0) json["mass"] = json_of(c.mass);
+  if (c.radius != 0.0) json["radius"] = json_of(c.radius);
+  if (c.energy != 0.0) json["energy"] = json_of(c.energy);
+  if (!c.name.empty()) json["name"] = c.name;
+  return json;
+}
+
+Command::Kind kind_of(const std::string& name) {
+  for (std::uint8_t k = 0; k <= static_cast<std::uint8_t>(Command::Kind::heat); k++)
+    if (name_of(static_cast<Command::Kind>(k)) == name) return static_cast<Command::Kind>(k);
+  throw Error(text("there is no command '", name, "'"));
+}
+
+Command command_of(const Json& json) {
+  Command c;
+  c.kind = kind_of(json.at("kind"));
+  c.hand = json.at("hand");
+  for (const auto& [name, value] : json.items()) {
+    if (name == "point")
+      read(value, c.point);
+    else if (name == "other")
+      read(value, c.other);
+    else if (name == "thing")
+      c.thing = thing_of(value);
+    else if (name == "place")
+      c.place = vec_of(value);
+    else if (name == "amount")
+      c.amount = vec_of(value);
+    else if (name == "points")
+      for (const Json& point : value) c.points.push_back(vec_of(point));
+    else if (name == "max_force")
+      c.max_force = number_of(value);
+    else if (name == "mass")
+      c.mass = number_of(value);
+    else if (name == "radius")
+      c.radius = number_of(value);
+    else if (name == "energy")
+      c.energy = number_of(value);
+    else if (name == "name")
+      c.name = value;
+    else
+      require(name == "kind" || name == "hand", "a command has no '", name, "'");
+  }
+  return c;
+}
+
+void write(Json& line, const StepInput& input) {
+  for (const HandMove& move : input.moves)
+    line["moves"].push_back(
+        {move.hand, json_of(move.position[0]), json_of(move.position[1]), json_of(move.position[2]), move.pressed});
+  for (const Command& command : input.commands) line["commands"].push_back(json_of(command));
+}
+void write(Json& line, const ParameterChange& change) {
+  line["parameter"] = change.name;
+  std::visit([&](const auto& value) { line["value"] = value; }, change.value);
+}
+void write(Json& line, const FieldEdit& edit) {
+  line["edit"] = json_of(edit.thing);
+  line["field"] = edit.field;
+  std::visit(
+      [&](const auto& value) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Vec3>)
+          line["value"] = json_of(value);
+        else
+          line["value"] = value;
+      },
+      edit.value);
+}
+void write(Json& line, const StateKept& kept) { line["keep"] = kept.number; }
+void write(Json& line, const StateRestored& restored) { line["restore"] = restored.number; }
+void write(Json& line, const Restarted&) { line["restart"] = true; }
+void write(Json& line, const StateCheck& check) {
+  line["time"] = check.time;
+  line["hash"] = hexadecimal(check.hash);
+}
+void write(Json& line, const RecordingEnd&) { line["end"] = true; }
+
+StepInput input_of(const Json& line) {
+  StepInput input;
+  if (line.contains("moves"))
+    for (const Json& move : line["moves"])
+      input.moves.push_back(
+          {move.at(0), vec(number_of(move.at(1)), number_of(move.at(2)), number_of(move.at(3))), move.at(4)});
+  if (line.contains("commands"))
+    for (const Json& command : line["commands"]) input.commands.push_back(command_of(command));
+  return input;
+}
+
+lua::Value value_of(const Json& json) {
+  if (json.is_boolean()) return json.get<bool>();
+  if (json.is_string()) return json.get<std::string>();
+  return json.get<double>();
+}
+
+FieldEdit edit_of(const Json& line) {
+  FieldEdit edit{thing_of(line.at("edit")), line.at("field"), 0.0};
+  const Json& value = line.at("value");
+  if (value.is_array())
+    edit.value = vec_of(value);
+  else
+    std::visit([&](const auto& plain) { edit.value = plain; }, value_of(value));
+  return edit;
+}
+
+}  // namespace
+
+std::string hexadecimal(std::uint64_t value) {
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(value));
+  return digits;
+}
+
+std::uint64_t from_hexadecimal(const std::string& digits) {
+  std::uint64_t value = 0;
+  const char* end = digits.data() + digits.size();
+  const auto [rest, bad] = std::from_chars(digits.data(), end, value, 16);
+  require(bad == std::errc{} && rest == end, "'", digits, "' is no hash");
+  return value;
+}
+
+std::string line_of(const RecordedAct& act) {
+  Json line{{"tick", act.tick}};
+  std::visit([&](const auto& what) { write(line, what); }, act.what);
+  return line.dump();
+}
+
+RecordedAct act_of(const std::string& text_of_line) {
+  const Json line = Json::parse(text_of_line);
+  RecordedAct act{line.at("tick"), RecordingEnd{}};
+  if (line.contains("moves") || line.contains("commands"))
+    act.what = input_of(line);
+  else if (line.contains("parameter"))
+    act.what = ParameterChange{line.at("parameter"), value_of(line.at("value"))};
+  else if (line.contains("edit"))
+    act.what = edit_of(line);
+  else if (line.contains("keep"))
+    act.what = StateKept{line.at("keep")};
+  else if (line.contains("restore"))
+    act.what = StateRestored{line.at("restore")};
+  else if (line.contains("restart"))
+    act.what = Restarted{};
+  else if (line.contains("hash"))
+    act.what = StateCheck{line.at("time"), from_hexadecimal(line.at("hash"))};
+  else
+    require(line.contains("end"), "this says nothing that is known");
+  return act;
+}
+
+}  // namespace pantin::player

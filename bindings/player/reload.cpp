@@ -1,0 +1,67 @@
+#include "player/reload.hpp"
+
+#include <utility>
+
+namespace pantin::player {
+
+std::unique_ptr<lua::Scene> Reload::open(const std::string& path, lua::SceneOptions options) {
+  std::map<std::string, std::uint64_t> read;
+  options.changing = true;
+  options.forgiving = !files_.empty();  // the file may have changed since `set` was given
+  options.on_read = [&](const lua::FileRead& file) { read[file.path] = file.hash; };
+  const auto watch = [&] {
+    for (const auto& [file, hash] : read) watch_.add(file);
+  };
+  try {
+    std::unique_ptr<lua::Scene> scene = lua::Scene::open(path, options);
+    watch_.clear();
+    watch();
+    files_ = std::move(read);
+    return scene;
+  } catch (...) {
+    watch();
+    throw;
+  }
+}
+
+std::optional<Reloaded> Reload::look(lua::Scene& playing, const std::string& path, const lua::SceneOptions& options,
+                                     FileWatch::Clock::time_point now) {
+  if (!watch_.changed(now)) return {};
+  Reloaded reloaded;
+  try {
+    std::unique_ptr<lua::Scene> fresh = open(path, options);
+    reloaded.carried = fresh->go_on_from(playing);
+    reloaded.scene = std::move(fresh);
+  } catch (const std::exception& error) { reloaded.error = error.what(); }
+  return reloaded;
+}
+
+StepInput carried_over(const StepInput& input, const CarriedOver& carried) {
+  const auto move_hand = [&](std::int32_t& hand) {
+    const auto found = carried.hands.find(hand);
+    if (found != carried.hands.end()) hand = found->second;
+    return found != carried.hands.end();
+  };
+  const auto there = [&](AnyId& id) {
+    if (std::holds_alternative<std::monostate>(id)) return true;
+    const auto found = carried.things.find(id);
+    if (found == carried.things.end()) return false;
+    id = found->second;
+    return true;
+  };
+  const auto point_there = [&](PointId& point) {
+    AnyId id = point ? AnyId(point) : AnyId{};
+    if (!there(id)) return false;
+    if (point) point = std::get<PointId>(id);
+    return true;
+  };
+  StepInput result;
+  for (HandMove move : input.moves)
+    if (move_hand(move.hand)) result.moves.push_back(move);
+  for (Command command : input.commands)
+    if (move_hand(command.hand) && point_there(command.point) && point_there(command.other) && there(command.thing))
+      result.commands.push_back(command);
+  return result;
+}
+
+}  // namespace pantin::player

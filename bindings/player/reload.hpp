@@ -1,0 +1,39 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "lua/scene.hpp"
+#include "player/file_watch.hpp"
+#include "world/input.hpp"
+
+namespace pantin::player {
+
+/// What came of saving a file: a scene that goes on where the old one is, or why there is none.
+struct Reloaded {
+  std::unique_ptr<lua::Scene> scene;
+  CarriedOver carried;
+  std::string error;
+};
+
+/// Opens scenes, and opens them again when a file that they read was saved.
+class Reload {
+ public:
+  /// Opens a scene; its files are watched from then on, even where this throws.
+  std::unique_ptr<lua::Scene> open(const std::string& path, lua::SceneOptions options);
+  /// Whether a file was saved, and what came of that.
+  std::optional<Reloaded> look(lua::Scene& playing, const std::string& path, const lua::SceneOptions& options,
+                               FileWatch::Clock::time_point now = FileWatch::Clock::now());
+  /// Files that the scene opened last read, with the hashes of what they were.
+  const std::map<std::string, std::uint64_t>& files() const { return files_; }
+
+ private:
+  FileWatch watch_;
+  std::map<std::string, std::uint64_t> files_;
+};
+
+/// What hands did for the old scene, for the new one: what concerns things that are gone is left out.
+StepInput carried_over(const StepInput& input, const CarriedOver& carried);
+
+}  // namespace pantin::player

@@ -1,0 +1,319 @@
+// Saving a scene's file while it is played.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+
+#include "bindings/lua_support.hpp"
+#include "player/reload.hpp"
+#include "support/process.hpp"
+#include "world/edit.hpp"
+#include "world/hands.hpp"
+#include "world/query.hpp"
+
+using namespace pantin;
+using namespace pantin::support;
+using Catch::Contains;
+using Catch::StartsWith;
+using player::FileWatch;
+using player::Reload;
+using player::Reloaded;
+
+namespace {
+
+/// A scene in a folder, played and saved again.
+struct Played {
+  explicit Played(const std::string& text, std::map<std::string, std::string> set = {})
+      : options(lua_tests::options(std::move(set))) {
+    save(text);
+    scene = reload.open(file, options);
+  }
+  void save(const std::string& text, const std::string& name = "scene.lua") {
+    write_file(folder / name, text);
+    // Two texts of one length may be written within the clock's tick.
+    std::filesystem::last_write_time(folder / name, std::filesystem::file_time_type::clock::now() + ++saved * second);
+  }
+  void steps(int count) {
+    for (int i = 0; i < count; i++) scene->step();
+    REQUIRE(scene->world().failure == "");
+  }
+  /// Time passes until the change is seen; the new scene takes over where there is one.
+  Reloaded look() {
+    for (int i = 0; i < 5; i++) {
+      now += std::chrono::milliseconds(60);
+      if (auto found = reload.look(*scene, file, options, now)) {
+        if (found->scene) scene = std::move(found->scene);
+        return std::move(*found);
+      }
+    }
+    return {nullptr, {}, "nothing was seen"};
+  }
+  void save_and_look(const std::string& text) {
+    save(text);
+    REQUIRE(look().error == "");
+  }
+  BodyId body(const std::string& name) const { return std::get<BodyId>(find(scene->world(), name)); }
+  Vec3 place(const std::string& name) const { return scene->world().motion_of(body(name)).x; }
+  double probe() const { return scene->world().probes.at(0).latest; }
+
+  static constexpr std::chrono::seconds second{1};
+  Folder folder;
+  std::string file = folder / "scene.lua";
+  lua::SceneOptions options;
+  Reload reload;
+  std::unique_ptr<lua::Scene> scene;
+  FileWatch::Clock::time_point now{};
+  int saved = 0;
+};
+
+const std::string chain = R"(
+  local links = {}
+  for i = 1, 6 do
+    links[i] = scene:body{ name = "link" .. i, mass = 1, inertia = vec(0.0017, 0.0842, 0.0842), at = vec(i - 0.5, 4, 0),
+      points = { head = vec(-0.5, 0, 0), tail = vec(0.5, 0, 0) } }
+    if i > 1 then scene:hinge(links[i - 1].tail, links[i].head) else scene:nail(links[i].head) end
+  end
+)";
+
+}  // namespace
+
+TEST_CASE("reload: things go on where they were, and time goes on") {
+  Played played(chain), other(chain);
+  played.steps(200);
+  other.steps(200);
+  played.save_and_look(chain + "scene.title = 'new'");
+  CHECK(played.scene->title() == "new");
+  CHECK(played.scene->world().time == 200.0 / 240);
+  for (const char* name : {"link1", "link6"}) {
+    CHECK(norm(played.place(name) - other.place(name)) < 1e-15);
+    CHECK(norm(played.scene->world().motion_of(played.body(name)).p -
+               other.scene->world().motion_of(other.body(name)).p) < 1e-14);
+  }
+  played.steps(120);
+  other.steps(120);
+  CHECK(norm(played.place("link6") - other.place("link6")) < 1e-6);
+  CHECK(played.scene->world().error.hinge_gap < 1e-9);
+  CHECK(played.scene->world().stats.safe_steps == 0);
+}
+
+TEST_CASE("reload: nothing is reloaded before a file is saved, and what is being written is left alone") {
+  Played played(chain);
+  CHECK(played.look().error == "nothing was seen");
+  write_file(played.file, "");
+  played.now += std::chrono::milliseconds(60);
+  CHECK_FALSE(played.reload.look(*played.scene, played.file, played.options, played.now));
+  played.save(chain);
+  CHECK(played.look().error == "");
+  CHECK(played.scene->world().bodies.size() == 6);
+  CHECK(played.look().error == "nothing was seen");
+}
+
+TEST_CASE("reload: an editor may write another file and give it the name") {
+  Played played(chain);
+  write_file(played.folder / "new", "scene.title = 'renamed'");
+  std::filesystem::rename(played.folder / "new", played.file);
+  CHECK(played.look().error == "");
+  CHECK(played.scene->title() == "renamed");
+}
+
+TEST_CASE("reload: a handler is called once in each step, however often the file is saved") {
+  const std::string text = R"(
+    local calls, behaved = 0, 0
+    scene:on("step", function() calls = calls + 1 end)
+    scene:behave(scene, { step = function() behaved = behaved + 1 end })
+    scene:every(0.1, function() scene.store.fired = (scene.store.fired or 0) + 1 end)
+    scene.store.steps = scene.store.steps or 0
+    scene:on("step", function() scene.store.steps = scene.store.steps + 1 end)
+    scene:probe("all", function() return 10000 * calls + 100 * behaved + scene.store.fired end)
+    scene:probe("steps", function() return scene.store.steps end)
+  )";
+  Played played(text + "scene.store.fired = 0");
+  for (int i = 0; i < 3; i++) {
+    played.steps(24);
+    played.save_and_look(text + "scene.store.fired = 0");
+  }
+  played.steps(24);
+  CHECK(played.probe() == 24 * 10000 + 24 * 100 + 4);
+  CHECK(played.scene->world().probes[1].latest == 4 * 24);
+  CHECK(played.scene->world().choreography.events.size() == 1);
+}
+
+TEST_CASE("reload: things keep their data, and the scene its store, as far as they are plain") {
+  const std::string text = R"(
+    local a = scene:particle{ name = "a" }
+    local b = scene:particle{}
+    a.data.hits, a.data.f = 0, function() return 7 end
+    scene.store.list = { 0 }
+    scene:button("hit", function()
+      a.data.hits, a.data.mate, b.data.deep = 3, b, { { vec(1, 2, 3) } }
+      scene.store.list[2], scene.store.who, scene.store.g = 5, a, print
+    end)
+    scene:probe("all", function()
+      assert(a.data.f() == 7)
+      if a.data.hits == 0 then return 0 end
+      assert(a.data.mate == b and b.data.deep[1][1] == vec(1, 2, 3) and scene.store.who == a)
+      return a.data.hits + 10 * scene.store.list[2] + (scene.store.g and 100 or 0)
+    end))";
+  Played played(text);
+  Command hit;
+  hit.kind = Command::Kind::button;
+  hit.name = "hit";
+  played.scene->world().input.commands.push_back(hit);
+  played.steps(1);
+  CHECK(played.probe() == 153);
+  played.save_and_look(text);
+  played.steps(1);
+  CHECK(played.probe() == 53);
+}
+
+TEST_CASE("reload: what is past does not happen again, what is to come does") {
+  const std::string text = R"(
+    local count = function(name) return function() scene.store[name] = (scene.store[name] or 0) + 1 end end
+    scene:at(0.5, count "at")
+    scene:at(2, count "late")
+    scene:every(0.25, count "every")
+    scene:when(function() return scene.time > 0.3 end, count "when")
+    scene:over(0, 1.5, count "over")
+    scene:play(function(wait) count "play" () wait(0.5) count "waited" () end)
+    scene:probe("all", function() return scene.time end)
+  )";
+  const auto stored = [&](Played& played, const char* name) {
+    played.save_and_look(text + "scene:probe('x', function() return scene.store." + name + " or 0 end)");
+    played.steps(1);
+    return played.scene->world().probes[1].latest;
+  };
+  Played played(text);
+  played.steps(240);
+  played.save_and_look(text);
+  played.steps(1);
+  played.steps(360);
+  CHECK(stored(played, "at") == 1);
+  CHECK(stored(played, "late") == 1);
+  CHECK(stored(played, "when") == 1);
+  CHECK(stored(played, "every") == 10);
+  CHECK(stored(played, "over") == 360);
+  CHECK(stored(played, "waited") == 2);
+  CHECK(stored(played, "play") == 9);
+}
+
+TEST_CASE("reload: what was cut or removed stays so; what is new appears, what the file no longer has goes") {
+  Played played(chain);
+  played.steps(10);
+  World& world = played.scene->world();
+  const std::vector<ParticleId> hinges = [&] {
+    std::vector<ParticleId> list;
+    for (ParticleId id : world.particles.ids())
+      if (world.particles[id].is_hinge()) list.push_back(id);
+    return list;
+  }();
+  REQUIRE(hinges.size() == 5);
+  cut(world, hinges[2]);
+  remove(world, played.body("link6"));
+  played.steps(10);
+  played.save_and_look(chain + "scene:particle{ name = 'ball' }");
+  const auto count = [&] {
+    std::size_t n = 0;
+    for (ParticleId id : played.scene->world().particles.ids())
+      if (played.scene->world().particles[id].is_hinge()) n++;
+    return n;
+  };
+  CHECK(played.scene->world().bodies.size() == 5);
+  CHECK(count() == 3);
+  CHECK(played.scene->world().notices.empty());
+  played.steps(10);
+  played.save_and_look(chain);
+  CHECK(std::holds_alternative<std::monostate>(find(played.scene->world(), "ball")));
+  CHECK(count() == 3);
+}
+
+TEST_CASE("reload: an error names its line, and the old scene goes on until the file is right again") {
+  Played played(chain);
+  played.steps(10);
+  played.save(chain + "\nlocal x = nothing.here");
+  const Reloaded failed = played.look();
+  CHECK_THAT(failed.error, StartsWith("scene.lua:"));
+  CHECK(failed.scene == nullptr);
+  played.steps(10);
+  CHECK(played.scene->world().steps == 20);
+  played.save_and_look(chain);
+  CHECK(played.scene->world().time == 20.0 / 240);
+}
+
+TEST_CASE("reload: a file that the scene requires counts as the scene, even one that failed") {
+  Played played("scene:param('n', 1)");
+  played.save("scene.title = require('name')");
+  CHECK_THAT(played.look().error, Contains("there is no 'name'"));
+  played.save("return nothing.here", "name.lua");
+  played.save("scene.title = require('name')");
+  CHECK_THAT(played.look().error, StartsWith("name.lua:1: "));
+  played.save("return 'one'", "name.lua");
+  CHECK(played.look().error == "");
+  CHECK(played.scene->title() == "one");
+  played.save("return 'two'", "name.lua");
+  CHECK(played.look().error == "");
+  CHECK(played.scene->title() == "two");
+}
+
+TEST_CASE("reload: a hand keeps its grab where the point still exists") {
+  const std::string text = chain + "scene:hand{ path = function(t) return vec(t, 0, 0) end }";
+  Played played(text), other(text);
+  const auto drag = [](Played& p, std::int32_t hand, int steps) {
+    for (int i = 0; i < steps; i++) {
+      p.scene->world().input.moves = {{hand, vec(3, 2, 1), true}};
+      p.steps(1);
+    }
+  };
+  for (Played* p : {&played, &other}) {
+    drag(*p, 1, 1);
+    World& world = p->scene->world();
+    grab(world, 1, world.bodies[p->body("link4")].points[1]);
+    drag(*p, 1, 240);
+  }
+  played.save(chain + "scene:hand{} scene:hand{ path = function(t) return vec(t, 0, 0) end }");
+  const Reloaded reloaded = played.look();
+  REQUIRE(reloaded.error == "");
+  CHECK(reloaded.carried.hands.at(1) == 2);
+  World& world = played.scene->world();
+  REQUIRE(world.hands.size() == 3);
+  CHECK(world.hands[2].pressed);
+  REQUIRE(world.constraints.alive(world.hands[2].grab));
+  CHECK(world.constraints[world.hands[2].grab].a == world.bodies[played.body("link4")].points[1]);
+  const StepInput moved = player::carried_over({{{1, vec(3, 2, 1), true}}, {}}, reloaded.carried);
+  CHECK(moved.moves.at(0).hand == 2);
+  drag(played, 2, 60);
+  drag(other, 1, 60);
+  CHECK(norm(played.place("link4") - other.place("link4")) < 1e-3);
+  played.save_and_look("scene:particle{}");
+  CHECK_FALSE(played.scene->world().hands.back().grab);
+}
+
+TEST_CASE("reload: parameters that a person gave stay, and one that went is no error") {
+  Played played("local n = scene:param('n', 3) scene:probe('n', function() return n end)", {{"n", "5"}});
+  played.steps(1);
+  CHECK(played.probe() == 5);
+  played.save_and_look("local n = scene:param('n', 4) scene:probe('n', function() return n end) -- changed");
+  played.steps(1);
+  CHECK(played.probe() == 5);
+  played.save_and_look("scene:probe('n', function() return 1 end)");
+  played.save_and_look("local n = scene:param('n', 4, { max = 4.5 }) scene:probe('n', function() return n end)");
+  played.steps(1);
+  CHECK(played.probe() == 4);
+}
+
+TEST_CASE("reload: ages, targets and emitters go on") {
+  const std::string text = R"(
+    local p = scene:particle{ lifetime = 1 }
+    local driven = scene:particle{ at = vec(5, 0, 0) }
+    scene:follow(driven, function(t) return vec(5 + t, 0, 0) end)
+    scene:emitter{ at = vec(0, 9, 0), rate = 100 }
+    scene:probe("n", function() return #scene.particles end)
+    scene:probe("speed", function() return driven.velocity.x end)
+  )";
+  Played played(text);
+  played.steps(192);
+  played.save_and_look(text);
+  played.steps(24);
+  CHECK(played.probe() == 2 + 10);
+  CHECK(played.scene->world().probes[1].latest == Approx(1.0).margin(1e-9));
+  played.steps(48);
+  CHECK(played.probe() == 1 + 30);
+}
