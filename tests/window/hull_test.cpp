@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 
 using namespace pantin;
 
@@ -50,4 +51,21 @@ TEST_CASE("every point of a cloud is inside its hull", "[view]") {
     const Vec3 normal = direction(cross(points[f[1]] - points[f[0]], points[f[2]] - points[f[0]]));
     for (const Vec3 p : points) CHECK(dot(normal, p - points[f[0]]) < 1e-6);
   }
+}
+
+TEST_CASE("the hull of a round plate of a thousand points is as large as the plate, however its points are shaken",
+          "[view]") {
+  constexpr int around = 500;
+  const double thick = 0.04, shake = GENERATE(0.0, 1e-11, 4e-9, 1e-6);
+  const Vec3 up = direction(vec(0.3, 0.5, 0.1)), x = direction(cross(up, vec(0, 0, 1))), y = cross(up, x);
+  const auto shaken = [&](int i) { return vec(std::sin(17.0 * i), std::cos(31.0 * i), std::sin(53.0 * i)) * shake; };
+  std::vector<Vec3> points = {zero3(), up * thick};  // the middles of both faces
+  for (int i = 0; i < 2 * around; i++) {
+    const double angle = 2.0 * std::numbers::pi * i / around;
+    points.push_back(x * std::cos(angle) + y * std::sin(angle) + up * (i < around ? 0.0 : thick) + shaken(i));
+  }
+  const double area = 0.5 * around * std::sin(2.0 * std::numbers::pi / around);
+  CHECK(convex_hull(points).size() <= 4 * around);
+  CHECK(volume(points) == Approx(area * thick).epsilon(1e-4));
+  if (shake == 0.0) CHECK(convex_hull(points).size() == 4 * around - 4);
 }
