@@ -30,9 +30,9 @@ struct TestFile {
   std::string path;
   SceneOptions options;
   Random random;
+  std::vector<std::unique_ptr<Scene>> scenes;  ///< that tests opened; their things are in variables of the runtime
   Runtime runtime;
   std::vector<Test> tests;
-  std::vector<std::unique_ptr<Scene>> scenes;  ///< opened by the test that runs; their things may be in its variables
 };
 
 TestFile& file_of(lua_State* state) { return *static_cast<TestFile*>(lua_touserdata(state, lua_upvalueindex(1))); }

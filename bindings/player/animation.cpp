@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "world/courses.hpp"
 #include "world/forces.hpp"
 
 namespace pantin::player {
@@ -63,16 +64,20 @@ std::size_t Animation::ball(const Color& color) {
   return mesh(look, [&] { return ball_mesh(color); });
 }
 
+Animation::Node* Animation::node_of(const Key& key) {
+  const auto found = present_.find(key);
+  if (found == present_.end()) return nullptr;
+  Node& last = nodes_[found->second];
+  return last.first + last.places.size() == clock_.frames - 1 ? &last : nullptr;
+}
+
 void Animation::add(const Key& key, const std::string& name, std::size_t mesh, Vec3 at, Quat turn, Vec3 size) {
   if (!finite(at)) return;
-  const std::uint64_t frame = clock_.frames - 1;
-  const auto [found, added] = present_.try_emplace(key, nodes_.size());
-  if (const Node* last = added ? nullptr : &nodes_[found->second];
-      !last || last->first + last->places.size() != frame) {
-    found->second = nodes_.size();
-    nodes_.push_back({name, mesh, frame, {}, {}, {}});
+  if (!node_of(key)) {
+    present_[key] = nodes_.size();
+    nodes_.push_back({name, mesh, clock_.frames - 1, {}, {}, {}});
   }
-  Node& node = nodes_[found->second];
+  Node& node = nodes_[present_.at(key)];
   std::array<float, 4> q = {static_cast<float>(turn.x), static_cast<float>(turn.y), static_cast<float>(turn.z),
                             static_cast<float>(turn.w)};
   if (!node.turns.empty()) {  // of the two that turn alike the nearer one
@@ -109,6 +114,7 @@ void Animation::add_bodies(const World& world) {
 }
 
 void Animation::add_particles(const World& world) {
+  appearance_.update(world);
   for (const ParticleId id : world.particles.ids()) {
     const Particle& row = world.particles[id];
     if (row.asleep_in || row.points.empty()) continue;
@@ -122,9 +128,12 @@ void Animation::add_particles(const World& world) {
       add({hinge, number(id), 0}, name_or(row.name, "hinge", id.slot), ball(own ? *row.color : paper), at, {},
           vec(radius, radius, radius));
     } else {
-      const double radius = drawn_radius(world, row.points[0], stage_);
-      add({particle, number(id), 0}, name_or(row.name, "particle", id.slot), ball(row.color.value_or(first.color)), at,
-          {}, vec(radius, radius, radius));
+      const double radius = appearance_.radius(id.slot - 1).value_or(drawn_radius(world, row.points[0], stage_));
+      if (!(radius > 0.0)) continue;
+      const Key key = {particle, number(id), 0};
+      const Node* before = node_of(key);
+      add(key, name_or(row.name, "particle", id.slot), before ? before->mesh : ball(present_color(world, id)), at, {},
+          vec(radius, radius, radius));
     }
   }
 }

@@ -13,7 +13,8 @@ namespace pantin::player {
 
 /// What a world's things looked like and where they were in each frame, for a binary glTF 2.0 file (.glb): a node with a
 /// mesh for each body, hinge, free particle, nail, rod, string and tie, of its own name or its kind and number. Metres,
-/// seconds of play, y up. What is not there all the time has a size of 0 before and after.
+/// seconds of play, y up. What is not there all the time has a size of 0 before and after; radii follow the age, colors are
+/// those of the first frame, as glTF knows no others.
 class Animation {
  public:
   /// `rate` frames in a second of play; `pace` as the scene's.
@@ -42,6 +43,8 @@ class Animation {
   void add_particles(const World& world);
   void add_constraints(const World& world);
   void add_ties(const World& world);
+  /// The node of what was there in the last frame, or null.
+  Node* node_of(const Key& key);
   void add(const Key& key, const std::string& name, std::size_t mesh, Vec3 at, Quat turn, Vec3 size);
   void add_stick(const Key& key, const std::string& name, Vec3 from, Vec3 to, double radius, const Color& color);
   template <class Make>
@@ -51,6 +54,7 @@ class Animation {
   FrameClock clock_;
   Stage stage_;
   Shapes shapes_;
+  Appearance appearance_;
   std::vector<double> joints_;  // [m] (slots of particles) radius that a hinge should exceed
   std::vector<Mesh> meshes_;
   std::map<Key, std::size_t> looks_;  // which mesh

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "laws/sites.hpp"
+#include "world/courses.hpp"
 #include "world/query.hpp"
 
 namespace pantin::player {
@@ -37,14 +38,13 @@ std::string species(const World& world, const Particle& particle) {
 
 void put_row(std::string& out, const World& world, ParticleId id) {
   const Particle& particle = world.particles[id];
-  const Point& first = world.points[particle.points[0]];
   out += species(world, particle);
   put(out, Box{world.settings.box.value_or(zero3())}.wrapped(position(world, id)));
   put(out, velocity(world, id));
   double mass = 0.0;
   for (const PointId point : particle.points) mass += world.points[point].mass;
-  const Color color = particle.color.value_or(first.color);
-  put(out, mass, particle.radius.value_or(first.radius), color.r, color.g, color.b);
+  const Color color = present_color(world, id);
+  put(out, mass, present_radius(world, id), color.r, color.g, color.b);
   out.append(" ").append(std::to_string(particle.serial)).append("\n");
 }
 

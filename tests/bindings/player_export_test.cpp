@@ -131,6 +131,21 @@ TEST_CASE("trajectory: a row has species, place, velocity, mass, radius, color a
   CHECK(frame[2].starts_with("point 1 2 3 1 0 0 0 "));
 }
 
+TEST_CASE("exports: radii and colors that follow the age do so") {
+  const auto scene = opened(R"(
+    scene.gravity = vec(0, 0, 0)
+    scene:particle { radius = function(age) return 0.1 + age end, color = function(age) return { age, 1, 0, 1 } end })");
+  Animation animation(scene->world(), 2.0, 1.0);
+  run(*scene, 1.0, animation);
+  const Folder folder;
+  animation.write(folder / "a.glb", "grows");
+  REQUIRE(support::finish({{"assimp", "dump", folder / "a.glb", folder / "a.assxml"}, {}, {}}).code == 0);
+  const std::vector<double> size = last_key(support::read_file(folder / "a.assxml"), "particle 1", "Scaling");
+  REQUIRE(size.size() == 3);
+  CHECK(size[0] == Approx(1.1).epsilon(1e-5));
+  CHECK(lines(xyz_frame(scene->world()))[2].starts_with("particle 0 0 0 0 0 0 1 1.1 1 1 0 "));
+}
+
 TEST_CASE("trajectory: in a periodic box its edges are told and places are in it") {
   const auto scene =
       opened("scene.gravity = vec(0, 0, 0) scene.box = vec(2, 3, 4) scene:particle { at = vec(2.5, -1, 1) }");

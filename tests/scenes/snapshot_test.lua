@@ -1,0 +1,10 @@
+test("a snapshot of an opened scene may outlive the test that took it", function()
+  local scene = open_text("scene:particle { at = vec(0, 1, 0) }")
+  local kept = scene:snapshot()
+  scene:advance(0.5)
+  local fallen = scene.particles[1].position.y
+  scene:restore(kept)
+  expect(scene.particles[1].position.y):equal(1)
+  scene:advance(0.5)
+  expect(scene.particles[1].position.y):equal(fallen)
+end)
