@@ -1,11 +1,14 @@
 #include "player/panels/panels.hpp"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <tuple>
 
 #include "player/panels/icons.hpp"
+#include "player/panels/layout.hpp"
 
 namespace pantin::player {
 namespace {
@@ -13,6 +16,8 @@ namespace {
 constexpr ImGuiWindowFlags bar_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                                        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
                                        ImGuiWindowFlags_NoFocusOnAppearing;
+
+constexpr float above_tools = 84.0f;  // [px] at scale 1, from the bottom to over the tools
 
 float scale() { return ImGui::GetFontSize() / 14.0f; }
 
@@ -66,12 +71,15 @@ void Panels::show(const std::string& title) {
 
 void Panels::draw(Desk& desk) {
   draw_bar(desk);
+  if (hidden_) return;
+  std::vector<Slot*> shown;
   for (Slot& slot : slots_) {
-    if (slot.open && !hidden_)
-      draw_pane(slot, desk);
-    else
-      slot.drawn = false;
+    if (!slot.open) continue;
+    if (!slot.pane) slot.pane = slot.kind->make();
+    if (slot.pane->useful(desk)) shown.push_back(&slot);
   }
+  place(shown, desk);
+  for (Slot* slot : shown) draw_pane(*slot, desk);
 }
 
 void Panels::draw_bar(Desk& desk) {
@@ -97,8 +105,8 @@ void Panels::draw_bar(Desk& desk) {
   if (icon_button(Icon::slower, "slow motion (-)")) wishes.speed = other_speed(desk.speed, false);
   ImGui::SameLine();
   char speed[16];
-  std::snprintf(speed, sizeof speed, desk.speed < 1.0 ? "1/%.3g ×" : "%.3g ×",
-                desk.speed < 1.0 ? 1.0 / desk.speed : desk.speed);
+  const double pace = desk.scene.pace() * desk.speed;
+  std::snprintf(speed, sizeof speed, pace < 1.0 ? "1/%.3g ×" : "%.3g ×", pace < 1.0 ? 1.0 / pace : pace);
   const float wide = 3.4f * ImGui::GetFontSize();
   if (ImGui::InvisibleButton("speed", {wide, 1.75f * ImGui::GetFontSize()})) wishes.speed = 1.0;
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("back to the scene's own pace (0)");
@@ -124,41 +132,39 @@ void Panels::draw_list() {
   ImGui::EndPopup();
 }
 
-/// Below the panels of the column at the right edge, or in a column left of them.
-std::pair<float, float> Panels::free_place(const Slot& slot, const Desk& desk) const {
-  const float between = 8.0f * scale(), width = slot.kind->width * scale();
-  if (slot.kind->left) return {10.0f * scale(), below_buttons(desk)};
-  float x = desk.width - 10.0f * scale() - width, y = below_bar();
-  for (const Slot& other : slots_)
-    if (other.drawn && !other.kind->left && other.x + other.width > x && other.y + other.height + between > y)
-      y = other.y + other.height + between;
-  if (y + 0.3f * desk.height > desk.height) {
-    for (const Slot& other : slots_)
-      if (other.drawn && !other.kind->left) x = std::min(x, other.x - between - width);
-    y = below_bar();
+/// Puts what no hand moved: the panels at the left edge under the scene's buttons, the others in columns from the right.
+void Panels::place(const std::vector<Slot*>& shown, const Desk& desk) {
+  const float edge = 10.0f * scale();
+  Board board{edge, desk.width - edge, below_bar(), desk.height - above_tools * scale(), 8.0f * scale(), 0.0f};
+  board.title = ImGui::GetFrameHeight();
+  std::vector<Tile> tiles;
+  std::vector<Slot*> put;
+  for (Slot* slot : shown) {
+    // Dear ImGui moves a window that is dragged before its frame begins.
+    const ImGuiWindow* window = ImGui::FindWindowByName(slot->kind->title);
+    slot->moved |= window && slot->height > 0.0f && (window->Pos.x != slot->x || window->Pos.y != slot->y);
+    const float width = slot->kind->width * scale();
+    if (slot->kind->left) {
+      if (!slot->moved) std::tie(slot->x, slot->y) = std::pair(edge, below_buttons(desk));
+      board.left = std::max(board.left, edge + width + board.gap);
+    } else if (!slot->moved) {
+      tiles.push_back({0.0f, 0.0f, width, slot->height});
+      put.push_back(slot);
+    }
   }
-  return {std::max(x, 0.0f), y};
+  lay_out(tiles, board);
+  for (std::size_t i = 0; i < put.size(); i++) std::tie(put[i]->x, put[i]->y) = std::pair(tiles[i].x, tiles[i].y);
 }
 
 void Panels::draw_pane(Slot& slot, Desk& desk) {
-  if (!slot.pane) slot.pane = slot.kind->make();
-  if (!slot.pane->useful(desk)) {
-    slot.drawn = false;
-    return;
-  }
-  if (!slot.drawn) {
-    const auto [x, y] = free_place(slot, desk);
-    ImGui::SetNextWindowPos({x, y}, slot.height > 0.0f ? ImGuiCond_Once : ImGuiCond_Always);
-  }
+  if (!slot.moved) ImGui::SetNextWindowPos({slot.x, slot.y});
   const float width = slot.kind->width * scale();
   ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, std::max(0.7f * desk.height, 1.0f)});
   if (ImGui::Begin(slot.kind->title, &slot.open,
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav))
     slot.pane->draw(desk);
-  slot.drawn = true;
-  slot.x = ImGui::GetWindowPos().x;
+  slot.x = ImGui::GetWindowPos().x;  // as Dear ImGui rounds it
   slot.y = ImGui::GetWindowPos().y;
-  slot.width = ImGui::GetWindowWidth();
   slot.height = ImGui::GetWindowHeight();
   ImGui::End();
 }

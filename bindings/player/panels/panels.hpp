@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <string>
+#include <vector>
 
 #include "player/panels/pane.hpp"
 
@@ -24,13 +25,14 @@ class Panels {
   struct Slot {
     const PaneKind* kind = nullptr;
     std::unique_ptr<Pane> pane;
-    bool open = false, drawn = false;
-    float x = 0.0f, y = 0.0f, width = 0.0f, height = 0.0f;  ///< [px] when last drawn
+    bool open = false, moved = false;  ///< moved by hand
+    float x = 0.0f, y = 0.0f;          ///< [px] where it was put
+    float height = 0.0f;               ///< [px] when last drawn
   };
   void draw_bar(Desk& desk);
   void draw_list();
-  void draw_pane(Slot& slot, Desk& desk);
-  std::pair<float, float> free_place(const Slot& slot, const Desk& desk) const;
+  void place(const std::vector<Slot*>& shown, const Desk& desk);
+  static void draw_pane(Slot& slot, Desk& desk);
 
   std::array<Slot, std::size(pane_kinds)> slots_;
   bool hidden_ = false;  ///< all, but for the bar

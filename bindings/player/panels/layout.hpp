@@ -1,0 +1,21 @@
+#pragma once
+#include <vector>
+
+namespace pantin::player {
+
+/// A panel's upper left corner and size [px].
+struct Tile {
+  float x = 0.0f, y = 0.0f, width = 0.0f, height = 0.0f;
+};
+
+/// Where panels may stand [px].
+struct Board {
+  float left = 0.0f, right = 0.0f, top = 0.0f, bottom = 0.0f, gap = 0.0f;
+  float title = 0.0f;  ///< height of a panel's title
+};
+
+/// Sets the corners of tiles of given sizes: each goes into the first column that has room for it, from the right edge
+/// on. Those that find no room stand in a cascade from the upper right corner, so that their titles show.
+void lay_out(std::vector<Tile>& tiles, const Board& board);
+
+}  // namespace pantin::player

@@ -1,0 +1,37 @@
+#include <catch2/catch.hpp>
+
+#include "player/panels/layout.hpp"
+
+using namespace pantin::player;
+
+namespace {
+
+bool meet(const Tile& a, const Tile& b) {
+  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+}
+
+}  // namespace
+
+TEST_CASE("layout: no panel covers another or leaves the board, where there is room") {
+  const Board board{220, 1270, 50, 640, 8, 20};
+  std::vector<Tile> tiles;
+  for (const auto& [width, height] : {std::pair(420.0f, 120.0f), {380.0f, 260.0f}, {300.0f, 300.0f}, {300.0f, 250.0f}})
+    tiles.push_back({0, 0, width, height});
+  lay_out(tiles, board);
+  for (std::size_t i = 0; i < tiles.size(); i++) {
+    CHECK(tiles[i].x >= board.left);
+    CHECK(tiles[i].x + tiles[i].width <= board.right);
+    CHECK(tiles[i].y + tiles[i].height <= board.bottom);
+    for (std::size_t k = 0; k < i; k++) CHECK_FALSE(meet(tiles[i], tiles[k]));
+  }
+}
+
+TEST_CASE("layout: what finds no room shows its title, clear of the left edge and of the other titles") {
+  const Board board{220, 780, 50, 400, 8, 20};
+  std::vector<Tile> tiles(4, Tile{0, 0, 400, 300});
+  lay_out(tiles, board);
+  for (std::size_t i = 0; i < tiles.size(); i++) {
+    CHECK(tiles[i].x >= board.left);
+    for (std::size_t k = 0; k < i; k++) CHECK(tiles[i].y >= tiles[k].y + board.title);
+  }
+}
