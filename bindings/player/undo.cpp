@@ -9,6 +9,11 @@ constexpr std::size_t most_acts = 32;
 
 std::string name_of_last(const auto& entries) { return entries.empty() ? "" : entries.back().act; }
 
+std::string obstacle(const lua::Scene& scene) {
+  const std::string why = scene.why_not_restore();
+  return why.empty() ? "" : "undo does not work here: " + why + "; r starts it again";
+}
+
 }  // namespace
 
 void Undo::begin(lua::Scene& scene, const Times& times, const std::string& act) {
@@ -38,11 +43,11 @@ void Undo::clear() {
 }
 
 UndoState Undo::state(const lua::Scene& scene) const {
-  return {name_of_last(past_), name_of_last(future_), scene.why_not_restore()};
+  return {name_of_last(past_), name_of_last(future_), obstacle(scene)};
 }
 
 bool Undo::move(lua::Scene& scene, Times& times, Entries& from, Entries& to, const char* does, std::string& told) {
-  told = scene.why_not_restore();
+  told = obstacle(scene);
   if (told.empty() && from.empty()) told = std::string("nothing to ") + does;
   if (!told.empty()) return false;
   try {

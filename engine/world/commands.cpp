@@ -4,6 +4,7 @@
 
 #include "world/assemble.hpp"
 #include "world/editing.hpp"
+#include "world/freedoms.hpp"
 #include "world/hands.hpp"
 #include "world/query.hpp"
 #include "world/reach.hpp"
@@ -95,12 +96,16 @@ void make_by_hand(World& world, const Command& c) {
   }
 }
 
+/// A single thing at rest has no motion relative to itself, and stays as it is.
 void heat_by_hand(World& world, const Command& c) {
   require_finite("heat", "place", c.place, "m");
   require_positive("heat", "radius", c.radius, "m");
   require_finite("heat", "the energy", c.energy, "J");
   const Things things = heated_by(world, c.place, c.radius);
-  heat(world, things, std::fmax(c.energy, -heat_in(world, things)));
+  const double own = heat_in(world, things);
+  const bool alone = things.bodies.size() + things.free_points.size() == 1 && count_freedoms(world, things).common > 0;
+  if (alone && !(own > 1e-12 * std::fmax(energy(world, things).kinetic, c.energy))) return;
+  heat(world, things, std::fmax(c.energy, -own));
 }
 
 void carry_out(World& world, const Command& c) {

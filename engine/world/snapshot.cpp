@@ -29,11 +29,11 @@ void tell_events(const Store<Event>& before, const Store<Event>& now) {
 std::string play_in(const WorldData& world) {
   for (EventId id : world.choreography.events.ids())
     if (const Event& event = world.choreography.events[id]; event.kind == EventKind::play)
-      return event.label.empty() ? "a play" : "the play of " + event.label;
+      return event.label.empty() ? "a play" : event.label;
   return "";
 }
 
-constexpr const char* advice = ", and a script that waits cannot be wound back; a recording can be replayed";
+constexpr const char* advice = "), which cannot be wound back";
 
 }  // namespace
 
@@ -53,14 +53,14 @@ Snapshot take_snapshot(const World& world) {
 
 std::string why_not_restore(const World& world) {
   const std::string play = play_in(world);
-  return play.empty() ? "" : text(play, " goes on", advice);
+  return play.empty() ? "" : text("the scene's script waits (", play, advice);
 }
 
 std::string why_not_restore(const World& world, const Snapshot& snapshot) {
   const std::string now = why_not_restore(world);
   if (!now.empty()) return now;
   const std::string then = play_in(snapshot.held_->data);
-  return then.empty() ? "" : text(then, " went on at ", snapshot.time(), " s", advice);
+  return then.empty() ? "" : text("the scene's script waited at ", snapshot.time(), " s (", then, advice);
 }
 
 void restore(World& world, const Snapshot& snapshot) {

@@ -39,19 +39,15 @@ local function pull(name, by)
   if strings[name].alive then strings[name].length = lengths[name] - by end
 end
 
-scene:play(function(wait)
-  while true do
-    for wave = 1, 6 do
-      pull("right hand", wave % 2 == 1 and 0.75 or 0.35) wait(0.4 / tempo)
-    end
-    pull("right hand", 0)
-    for step = 1, 6 do
-      local side = step % 2 == 0 and "left" or "right"
-      pull(side .. " knee", 0.3) pull(side .. " hand", 0.3) wait(0.45 / tempo)
-      pull(side .. " knee", 0) pull(side .. " hand", 0) wait(0.15 / tempo)
-    end
-    pull("head", -0.5) wait(1 / tempo) pull("head", 0) wait(1 / tempo)
+scene:every(0.05 / tempo, function()
+  local t = scene.time * tempo % 8 -- it waves for 2.4, walks for 3.6 and bows
+  local walks, step = t >= 2.4 and t < 6, (t - 2.4) // 0.6
+  for i, side in ipairs { "right", "left" } do
+    local up = walks and step % 2 == i - 1 and (t - 2.4) % 0.6 < 0.45 and 0.3 or 0
+    pull(side .. " knee", up)
+    pull(side .. " hand", side == "right" and t < 2.4 and (t // 0.4 % 2 == 0 and 0.75 or 0.35) or up)
   end
+  pull("head", t >= 6 and t < 7 and -0.5 or 0)
 end)
 
 for _, name in ipairs { "right hand", "head" } do

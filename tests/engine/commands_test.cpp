@@ -159,3 +159,17 @@ TEST_CASE("a hand heats and cools what is in a ball, and cools at most to rest")
   act(world, c);
   CHECK_THAT(dropped(world), Contains("there is nothing to heat"));
 }
+
+TEST_CASE("a hand that would heat a single ball at rest leaves it, and says nothing") {
+  World world;
+  ParticleDef def;
+  def.at = vec(0, 0, 0);
+  add_particle(world, def);
+  Command c = command(Kind::heat);
+  c.place = vec(0, 0, 0);
+  c.radius = 1;
+  c.energy = 3;
+  act(world, c);
+  CHECK(energy(world).kinetic == 0);
+  CHECK(world.log.empty());
+}

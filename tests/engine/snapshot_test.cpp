@@ -241,12 +241,12 @@ TEST_CASE("snapshot: a play cannot be wound back") {
   play.goes = [] { return Wait{0.1, {}}; };
   const EventId id = add_event(world, play);
   advance(world, 0.05);
-  CHECK_THAT(why_not_restore(world), Contains("the play of scene.lua:3 goes on"));
+  CHECK_THAT(why_not_restore(world), Contains("the scene's script waits (scene.lua:3)"));
   CHECK_THROWS_WITH(restore(world, before), Contains("cannot be wound back"));
   const Snapshot during = take_snapshot(world);
   cancel(world, id);
   CHECK(why_not_restore(world).empty());
-  CHECK_THROWS_WITH(restore(world, during), Contains("went on at 0.05"));
+  CHECK_THROWS_WITH(restore(world, during), Contains("waited at 0.05"));
   CHECK_NOTHROW(restore(world, before));
 }
 
