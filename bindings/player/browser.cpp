@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cfloat>
 #include <filesystem>
 #include <sstream>
 
@@ -29,6 +30,24 @@ void big_text(const char* text, float size) {
   ImGui::SetWindowFontScale(size);
   ImGui::TextUnformatted(text);
   ImGui::SetWindowFontScale(1.0f);
+}
+
+/// Up to so many lines of a text, wrapped between words; an ellipsis tells that there is more.
+void draw_lines(const std::string& text, ImVec2 at, float width, int lines, float size, ImGuiCol color) {
+  const ImFont& font = *ImGui::GetFont();
+  const char* const more = font.FindGlyphNoFallback(0x2026) ? "\u2026" : "...";
+  const char *from = text.data(), *const end = from + text.size();
+  for (int i = 1; i <= lines && from < end; i++) {
+    const char* to = font.CalcWordWrapPositionA(size / font.FontSize, from, end, width);
+    std::string line(from, to);
+    if (i == lines && to < end) {
+      const float room = width - font.CalcTextSizeA(size, FLT_MAX, 0.0f, more).x;
+      line = std::string(from, font.CalcWordWrapPositionA(size / font.FontSize, from, end, room)) + more;
+    }
+    ImGui::GetWindowDrawList()->AddText(nullptr, size, at, ImGui::GetColorU32(color), line.c_str());
+    at.y += size;
+    for (from = to; from < end && (*from == ' ' || *from == '\n'); from++) {}
+  }
 }
 
 }  // namespace
@@ -169,11 +188,9 @@ bool Browser::draw_card(const SceneEntry& scene, float width, bool lit, bool is_
   if (lit || is_open)
     list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_CheckMark), round, 0, (lit ? 3.0f : 1.5f) * scale());
   const ImVec2 at = {from.x + pad, from.y + picture + 0.6f * pad};
-  list.AddText(at, ImGui::GetColorU32(ImGuiCol_Text), scene.title.c_str());
-  list.PushClipRect(from, {to.x - 0.5f * pad, to.y - 0.5f * pad}, true);
-  list.AddText(nullptr, 0.9f * ImGui::GetFontSize(), {at.x, at.y + 1.25f * line},
-               ImGui::GetColorU32(ImGuiCol_TextDisabled), scene.about.c_str(), nullptr, width - 2.0f * pad);
-  list.PopClipRect();
+  const float wrap = width - 2.0f * pad;
+  draw_lines(scene.title, at, wrap, 1, ImGui::GetFontSize(), ImGuiCol_Text);
+  draw_lines(scene.about, {at.x, at.y + 1.25f * line}, wrap, 3, 0.9f * ImGui::GetFontSize(), ImGuiCol_TextDisabled);
   if (hovered && !scene.about.empty()) {
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(26.0f * ImGui::GetFontSize());

@@ -13,6 +13,8 @@ constexpr ImGuiWindowFlags quiet = ImGuiWindowFlags_NoDecoration | ImGuiWindowFl
                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
                                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoSavedSettings;
 
+constexpr float icon_size = 1.5f;  // times the text's
+
 bool icon_there(const char* icon) {
   unsigned letter = 0;
   ImTextCharFromUtf8(&letter, icon, nullptr);
@@ -21,12 +23,18 @@ bool icon_there(const char* icon) {
 
 /// A button that is marked where it is the chosen one; its hint says more.
 bool button(const char* icon, const char* name, const char* hint, bool chosen, bool enabled, ImVec2 size) {
-  const char* const label = icon_there(icon) ? icon : name;
+  const bool drawn = icon_there(icon);
+  const char* const label = drawn ? icon : name;
+  if (!drawn) {
+    ImGui::SetWindowFontScale(1.0f);
+    size.x = ImGui::CalcTextSize(name).x + 0.4f * size.y;
+  }
   if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
   if (!enabled) ImGui::BeginDisabled();
   ImGui::PushID(name);
   const bool pressed = ImGui::Button(label, size);
   ImGui::PopID();
+  if (!drawn) ImGui::SetWindowFontScale(icon_size);
   if (!enabled) ImGui::EndDisabled();
   if (chosen) ImGui::PopStyleColor();
   if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", hint);
@@ -36,7 +44,7 @@ bool button(const char* icon, const char* name, const char* hint, bool chosen, b
 PaletteWish draw_undo(const UndoState& state, float side) {
   PaletteWish wish;
   const auto hint = [&](const char* does, const std::string& act, const char* key) {
-    if (!state.obstacle.empty()) return std::string("no ") + does + ": " + state.obstacle;
+    if (!state.obstacle.empty()) return state.obstacle;
     return (act.empty() ? std::string("nothing to ") + does : does + (": " + act)) + " (" + key + ")";
   };
   const bool can = state.obstacle.empty();
@@ -90,7 +98,7 @@ PaletteWish draw_palette(ToolChoice& choice, const UndoState& undo, const std::s
   ImGui::SetNextWindowPos({0.5f * width, bottom}, ImGuiCond_Always, {0.5f, 1.0f});
   ImGui::SetNextWindowBgAlpha(0.72f);
   ImGui::Begin("tools", nullptr, quiet);
-  ImGui::SetWindowFontScale(1.5f);
+  ImGui::SetWindowFontScale(icon_size);
   for (const Tool& tool : tools()) {
     if (&tool != &tools().front()) ImGui::SameLine();
     const bool chosen = tool.kind == choice.kind;

@@ -23,7 +23,6 @@ MarkLook mark_look(bool dark) {
   return {{0.16f, 0.17f, 0.19f, 1.0f}, {0.96f, 0.94f, 0.90f, 0.7f}};
 }
 
-constexpr std::size_t most_rows = 14;  // of the help card; more go beside them
 constexpr ImGuiWindowFlags quiet = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
                                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoSavedSettings;
@@ -49,6 +48,22 @@ constexpr std::pair<const char*, ImGuiKey> editing_keys[] = {{"tab", ImGuiKey_Ta
                                                              {"x", ImGuiKey_X},
                                                              {"y", ImGuiKey_Y},
                                                              {"z", ImGuiKey_Z}};
+
+/// Rows of a key and what it does; one that does nothing is a heading.
+void help_column(const char* name, std::span<const std::pair<std::string, std::string>> rows) {
+  if (rows.empty() || !ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoHostExtendX))
+    return;
+  for (const auto& [key, does] : rows) {
+    ImGui::TableNextColumn();
+    if (does.empty())
+      ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_CheckMark), "%s", key.c_str());
+    else
+      ImGui::TextUnformatted(key.c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("%s", does.c_str());
+  }
+  ImGui::EndTable();
+}
 
 }  // namespace
 
@@ -177,6 +192,9 @@ void Panel::status(const Overlay& overlay, float width, float height) {
       x = edge;
       y -= line;
     }
+    list.AddRectFilled({x - 0.5f * gap, y - 0.5f * (line - ImGui::GetFontSize())},
+                       {x + wide + 0.5f * gap, y + 0.5f * (line + ImGui::GetFontSize())},
+                       ImGui::GetColorU32(ImGuiCol_WindowBg, 0.5f));
     list.AddText({x, y}, ImGui::GetColorU32(ImGuiCol_TextDisabled), part.c_str());
     x += wide + gap;
   }
@@ -208,15 +226,12 @@ void Panel::help(const Overlay& overlay, float width, float height) {
   if (overlay.help.empty()) return;
   ImGui::SetNextWindowPos({0.5f * width, 0.5f * height}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::Begin("keys", nullptr, quiet);
-  if (ImGui::BeginTable("table", overlay.help.size() > most_rows ? 4 : 2, ImGuiTableFlags_SizingFixedFit)) {
-    for (const auto& [key, does] : overlay.help) {
-      ImGui::TableNextColumn();
-      ImGui::TextUnformatted(key.c_str());
-      ImGui::TableNextColumn();
-      ImGui::TextDisabled("%s", does.c_str());
-    }
-    ImGui::EndTable();
-  }
+  const std::size_t half = overlay.help.size() / 2;
+  const auto heading = std::find_if(overlay.help.begin() + static_cast<std::ptrdiff_t>(half), overlay.help.end(),
+                                    [](const auto& row) { return row.second.empty(); });
+  help_column("left", {overlay.help.begin(), heading});
+  ImGui::SameLine(0.0f, 28.0f * scale_);
+  help_column("right", {heading, overlay.help.end()});
   ImGui::End();
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <iostream>
 
 namespace pantin {
 namespace {
@@ -25,6 +26,8 @@ void load_panel_font(float scale) {
     if (std::filesystem::is_regular_file(path, ignored) &&
         fonts.AddFontFromFileTTF(path, std::round(14.0f * scale), nullptr, ranges))
       return;
+  std::cerr
+      << "pantin: the window's font is not here, and a plain one without signs is used: install fonts-dejavu-core\n";
   fonts.AddFontDefault();
 }
 

@@ -23,26 +23,30 @@ struct PlayerInput::Work {
 
 const std::vector<std::pair<std::string, std::string>>& key_help() {
   static const std::vector<std::pair<std::string, std::string>> list = {
+      {"Hands", ""},
       {"left drag", "use the tool: pull a point, and throw it"},
       {"1 … 9, [ ]", "drag, cut, join, nail, push, spin, remove, make, heat"},
-      {"ctrl+z, ctrl+shift+z", "undo, redo"},
       {"x, ctrl + click", "cut what is under the pointer"},
+      {"ctrl+z, ctrl+shift+z", "undo, redo"},
       {"fingers, sticks", "each is a hand of its own"},
       {"arrows, enter", "a second hand by keys (shift: slow; two mice look like one to SDL)"},
-      {"right drag", "turn the view"},
-      {"middle drag", "shift the view (or shift + right)"},
-      {"wheel", "zoom"},
-      {"f", "see the whole scene"},
+      {"Time", ""},
       {"space", "pause, run"},
       {".", "one step"},
       {"- + 0", "slower, faster, the scene's own pace"},
       {"r", "restart"},
+      {"Window", ""},
       {"n", "all scenes"},
       {"page up, down", "the scene before, the next"},
       {"F1 …, tab", "panels; hide them all"},
       {"s", "take a picture"},
       {"h", "show or hide the keys"},
       {"q, Esc", "quit; from a scene of the browser, back to it"},
+      {"View", ""},
+      {"right drag", "turn the view"},
+      {"middle drag", "shift the view (or shift + right)"},
+      {"wheel", "zoom"},
+      {"f", "see the whole scene"},
   };
   return list;
 }

@@ -17,6 +17,7 @@ constexpr Color force_color = {0.82f, 0.18f, 0.24f, 1.0f}, velocity_color = {0.1
 constexpr double shown_time = 0.1;  // [s] at the scene's pace: of its motion that a velocity's arrow is long
 constexpr double ring_part = 0.22;  // of the unit: how far members are drawn from their hinge
 constexpr std::size_t most_cells = 1500;
+constexpr double below_bar = 56.0;  // [px] of the buttons at the top
 
 Mark mark(Mark::Kind kind, Vec3 from, Vec3 to, const Color& color, double size) {
   return {kind, from, to, color, size, false, {}};
@@ -141,7 +142,7 @@ void add_cells(const World& world, std::vector<Mark>& marks) {
 Mark legend_mark(const std::string& text, int line) {
   Mark legend;
   legend.kind = Mark::Kind::text;
-  legend.from = vec(-330.0, 14.0 + 20.0 * line, 0.0);
+  legend.from = vec(-330.0, below_bar + 20.0 * line, 0.0);
   legend.size = 13.0;
   legend.on_screen = true;
   legend.text = text;

@@ -1,8 +1,8 @@
--- C60 four times: a rigid body, springs, rods on hinges, plates on hinges. All from one molecule, all on one floor.
+-- C60 four times: a rigid body, springs, rods on hinges (which fall in), plates on hinges. All from one molecule, all on one floor.
 local height = scene:param("height", 2, { min = 1, max = 6, help = "of the fall, m" })
 local hold = scene:param("hold", 3, { min = 0, max = 50, help = "how hard the springs keep their angles, J" })
 
-scene.title = "Buckyballs: rigid, springs, rods on hinges (which fall in), plates on hinges"
+scene.title = "Buckyballs"
 scene.step = 1 / 480
 scene.duration = 8
 scene.camera = { at = vec(0, 1.7, 8.5), look_at = vec(0, 1.1, 0) }

@@ -2,7 +2,7 @@
 local count = scene:param("dumbbells", 60, { min = 5, max = 1000, step = 1, help = "number of dumbbells" })
 local warmth = scene:param("temperature", 0.35, { min = 0, max = 2, help = "temperature, in units of the attraction" })
 
-scene.title = "oil-oil: attract   water-water: attract weakly   oil-water: push apart"
+scene.title = "Oil and water"
 scene.duration = 60
 scene.gravity = vec(0, 0, 0)
 scene.step = 0.01

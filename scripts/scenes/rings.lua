@@ -47,10 +47,10 @@ local function show(hinge)
       hinge:force(point.body):length()), { size = 12 })
   end
   scene.draw:text(at + vec(-0.25, 0.3 + spread, 0), ("%s: ring of %d\n%.1f kg, %.2f m/s"):format(hinge.name, #points,
-    hinge.mass, hinge.velocity:length()), { color = "#c03040", size = 13 })
+    hinge.mass, hinge.velocity:length()), { color = "#e0604c", size = 13 })
 end
 
 scene:on("step", function()
   for _, hinge in ipairs(scene.hinges) do show(hinge) end
-  scene.draw:text(vec(14, -64, 0), "red: global data, shared\nblack: local data, each member's own", { space = "screen" })
+  scene.draw:text(vec(14, -64, 0), "over a ring: global data, shared\nat a dot: local data, a member's own", { space = "screen" })
 end)
