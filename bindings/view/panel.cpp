@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cfloat>
+#include <cstdlib>
 
 #include "base/check.hpp"
 #include "view/marks.hpp"
@@ -226,9 +227,10 @@ void Panel::help(const Overlay& overlay, float width, float height) {
   if (overlay.help.empty()) return;
   ImGui::SetNextWindowPos({0.5f * width, 0.5f * height}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::Begin("keys", nullptr, quiet);
-  const std::size_t half = overlay.help.size() / 2;
-  const auto heading = std::find_if(overlay.help.begin() + static_cast<std::ptrdiff_t>(half), overlay.help.end(),
-                                    [](const auto& row) { return row.second.empty(); });
+  const auto middle = overlay.help.begin() + static_cast<std::ptrdiff_t>(overlay.help.size() / 2);
+  auto heading = overlay.help.end();  // that nearest the middle
+  for (auto row = overlay.help.begin(); row != overlay.help.end(); ++row)
+    if (row->second.empty() && std::abs(row - middle) < std::abs(heading - middle)) heading = row;
   help_column("left", {overlay.help.begin(), heading});
   ImGui::SameLine(0.0f, 28.0f * scale_);
   help_column("right", {heading, overlay.help.end()});

@@ -165,9 +165,8 @@ TEST_CASE("snapshot: parameters that changed are told their old value") {
 }
 
 TEST_CASE("snapshot: misuse is told") {
-  CHECK_THAT(
-      failure("scene:play(function(wait) wait(1) end)\nlocal s = scene:snapshot()\nscene:restore(s)"),
-      StartsWith("scene.lua:3: restore: the play of scene.lua:1 goes on, and a script that waits cannot be wound"));
+  CHECK_THAT(failure("scene:play(function(wait) wait(1) end)\nlocal s = scene:snapshot()\nscene:restore(s)"),
+             StartsWith("scene.lua:3: restore: the scene's script waits (scene.lua:1), which cannot be wound back"));
   CHECK_THAT(failure("scene:restore(3)"),
              StartsWith("scene.lua:1: restore: argument 1 must be a snapshot, got a number"));
   CHECK_THAT(failure("scene:probe('p', function() scene:snapshot() return 1 end)"),

@@ -15,7 +15,8 @@ struct Board {
 };
 
 /// Sets the corners of tiles of given sizes: each goes into the first column that has room for it, from the right edge
-/// on. Those that find no room stand in a cascade from the upper right corner, so that their titles show.
+/// on, in their order, or the tallest first where that takes too many columns. Those that find no room even so stand in
+/// a cascade from the upper right corner, so that their titles show.
 void lay_out(std::vector<Tile>& tiles, const Board& board);
 
 }  // namespace pantin::player
