@@ -90,7 +90,7 @@ Window::Window(const std::string& title, int width, int height, bool hidden) : p
   Parts& p = *parts_;
   p.window = SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height, flags);
   require(p.window != nullptr, "no window can be opened: ", SDL_GetError());
-  SDL_SetWindowMinimumSize(p.window, 480, 320);
+  if (!hidden) SDL_SetWindowMinimumSize(p.window, 480, 320);
   p.context = SDL_GL_CreateContext(p.window);
   require(p.context != nullptr, "OpenGL 3.3 is not to be had here: ", SDL_GetError());
   if (!hidden) SDL_GL_SetSwapInterval(1);
