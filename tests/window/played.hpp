@@ -14,13 +14,13 @@
 
 namespace pantin {
 
-/// A player of a text, in a window of 960 x 540 that nobody sees.
+/// A player of a text, in a window that nobody sees.
 struct Played {
   support::Folder folder;
   std::unique_ptr<player::Player> player;
 
   /// The browser where the text is empty; it finds the text's scene in `folder`, and keeps its pictures there.
-  explicit Played(const std::string& source, double script_limit = 5.0) {
+  explicit Played(const std::string& source, double script_limit = 5.0, player::Size size = {960, 540}) {
     pushed::no_screen();
     // OpenGL's own cache stays where it is: shaders take their time.
     if (const char* home = std::getenv("HOME"))
@@ -28,7 +28,7 @@ struct Played {
     setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
     if (!source.empty()) support::write_file(folder / "scene.lua", source);
     player::RunOptions options;
-    options.size = {960, 540};
+    options.size = size;
     options.scenes = folder.path;
     options.script_limit = script_limit;
     player = std::make_unique<player::Player>(source.empty() ? "" : folder / "scene.lua", options, sources::folder());
