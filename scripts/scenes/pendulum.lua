@@ -27,7 +27,7 @@ scene:probe("single angle", function() return angle(vec(-2, 0, 0), single.positi
 scene:probe("first angle", function() return angle(vec(1, 0, 0), double[1].position) end)
 scene:probe("second angle", function() return angle(double[1].position, double[2].position) end)
 
--- A tap on the key k gives the single one a push.
+-- A tap on the key j gives the single one a push.
 scene:on("key", function(key)
-  if key == "k" then single:kick(vec(0, 0, 1)) end
+  if key == "j" then single:kick(vec(0, 0, 1)) end
 end)
