@@ -46,8 +46,8 @@ local function show(hinge)
     scene.draw:text(place + vec(0.09, 0.1, 0), ("%s: %.1f kg\n%.2f N"):format(point.body.name, point.mass,
       hinge:force(point.body):length()), { size = 12 })
   end
-  scene.draw:text(at + vec(-0.25, 0.3 + spread, 0), ("%s: ring of %d\n%.1f kg, %.2f m/s"):format(hinge.name, #points,
-    hinge.mass, hinge.velocity:length()), { color = "#e0604c", size = 13 })
+  scene.draw:text(at + vec(-0.25, 0.42 + spread, 0), ("%s: ring of %d\n%.1f kg, %.2f m/s"):format(hinge.name, #points,
+    hinge.mass, hinge.velocity:length()), { color = "#d04a3c", size = 13 })
 end
 
 scene:on("step", function()
