@@ -1,12 +1,14 @@
 #include "lua/kept_tables.hpp"
 
+#include <deque>
+
 #include "lua/handles.hpp"
 #include "lua/runtime.hpp"
 
 namespace pantin::lua {
 namespace {
 
-constexpr int deepest = 150;  // tables in tables
+constexpr int deepest = 150;  // tables in tables of scene.store
 
 bool is_plain(lua_State* state, int index) {
   switch (lua_type(state, index)) {
@@ -29,34 +31,60 @@ std::string step_of_path(lua_State* state, int key) {
   return text("[", ref ? describe(*ref) : std::string(kind_of_value(state, key)), "]");
 }
 
-/// Goes through a table and those in it. `kept`: stack index of the table from each table to a copy of its contents.
+/// Goes through a table and those in it, the nearest first. `kept`: stack index of the table from each table to a copy of
+/// its contents.
 class Keeper {
  public:
-  Keeper(lua_State* state, int kept, bool plain) : state_(state), kept_(kept), plain_(plain) {}
+  Keeper(lua_State* state, int kept, bool plain) : state_(state), kept_(kept), plain_(plain) {
+    lua_newtable(state);
+    list_ = lua_gettop(state);
+  }
 
-  /// The table at the top, which it pops. `path` is what messages call it.
-  void keep(const std::string& path, int depth) {
-    require(depth < deepest, path, ": tables are nested more than ", deepest, " deep");
-    luaL_checkstack(state_, 8, nullptr);
+  /// The table at stack index `root`. `path` is what messages call it.
+  void keep(int root, const std::string& path) {
+    lua_pushvalue(state_, root);
+    add(path, 0);
+    for (lua_Integer i = 1; !waiting_.empty(); i++) {
+      lua_rawgeti(state_, list_, i);
+      copy(waiting_.front());
+      waiting_.pop_front();
+    }
+  }
+
+ private:
+  struct Waiting {
+    std::string path;
+    int depth;
+  };
+
+  /// The table at the top, which it pops, comes into the list where it is new.
+  void add(const std::string& path, int depth) {
     const int table = lua_gettop(state_);
     lua_pushvalue(state_, table);
     if (lua_rawget(state_, kept_) != LUA_TNIL) return lua_settop(state_, table - 1);
-    lua_newtable(state_);
+    require(!plain_ || depth < deepest, path, ": tables are nested more than ", deepest, " deep");
     lua_pushvalue(state_, table);
-    lua_pushvalue(state_, -2);
+    lua_newtable(state_);
     lua_rawset(state_, kept_);
-    lua_replace(state_, table + 1);
+    lua_pushvalue(state_, table);
+    lua_rawseti(state_, list_, ++listed_);
+    waiting_.push_back({path, depth});
+    lua_settop(state_, table - 1);
+  }
+  /// The contents of the table at the top, which it pops.
+  void copy(const Waiting& of) {
+    const int table = lua_gettop(state_);
+    lua_pushvalue(state_, table);
+    lua_rawget(state_, kept_);
     lua_pushnil(state_);
     while (lua_next(state_, table)) {
-      take(path, depth);
+      take(of.path, of.depth);
       lua_pushvalue(state_, -2);
       lua_insert(state_, -2);
       lua_rawset(state_, table + 1);
     }
     lua_settop(state_, table - 1);
   }
-
- private:
   /// Key and value at the top, which stay.
   void take(const std::string& path, int depth) {
     const int value = lua_gettop(state_), key = value - 1;
@@ -67,9 +95,8 @@ class Keeper {
               lua_istable(state_, value) ? "a table with a metatable" : kind_of_value(state_, value), only);
     }
     if (!open) return;
-    const std::string inner = plain_ ? path + step_of_path(state_, key) : "data";
     lua_pushvalue(state_, value);
-    keep(inner, depth + 1);
+    add(plain_ ? path + step_of_path(state_, key) : path, depth + 1);
   }
   bool has_metatable(int index) {
     if (!lua_getmetatable(state_, index)) return false;
@@ -83,16 +110,18 @@ class Keeper {
   lua_State* state_;
   int kept_;
   bool plain_;
+  int list_;  ///< stack index of the tables found so far
+  lua_Integer listed_ = 0;
+  std::deque<Waiting> waiting_;  ///< those of them that are still to be copied
 };
 
 void keep_table(lua_State* state, int index, int reference, const std::string& name, bool plain) {
   const int table = lua_absindex(state, index);
-  luaL_checkstack(state, 8, nullptr);
+  luaL_checkstack(state, 16, nullptr);
   lua_rawgeti(state, LUA_REGISTRYINDEX, reference);
   Keeper keeper(state, lua_gettop(state), plain);
-  lua_pushvalue(state, table);
-  keeper.keep(name, 0);
-  lua_pop(state, 1);
+  keeper.keep(table, name);
+  lua_pop(state, 2);
 }
 
 /// Makes the table at `to` hold what that at `from` holds.

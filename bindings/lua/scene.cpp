@@ -111,6 +111,7 @@ std::string Scene::why_not_restore() const { return pantin::why_not_restore(worl
 CarriedOver Scene::go_on_from(Scene& old) {
   const Outside outside;
   Script &from = old.script(), &to = state_->script;
+  keep_start(to);
   CarriedOver carried = carry_over(from.world, from.made, to.world, to.made);
   carry_tables(from, to, carried.things);
   return carried;

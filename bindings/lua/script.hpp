@@ -62,6 +62,7 @@ struct Script : ScriptHost, ScriptData {
   std::uint64_t subscribed = 0;                 ///< serial of the last subscription
   int telling = 0;                              ///< calls that go through the subscriptions now
   std::shared_ptr<const SceneSnapshot> start;   ///< before the first step, where a file speaks of `reset`
+  std::string no_start;                         ///< why it could not be kept
   std::shared_ptr<const SceneSnapshot> wanted;  ///< to be restored when the step is done
   std::uint64_t snapshots = 0;                  ///< that the script took
   std::size_t data_count = 0;                   ///< tables of things' data

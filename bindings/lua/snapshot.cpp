@@ -38,9 +38,9 @@ void require_unlocked(const World& world, const char* call) {
 SceneSnapshot::SceneSnapshot(lua_State* state, Script& of) : script(of), tables(state), runtime_(of.runtime) {
   push_store(state, of);
   tables.keep_plain(state, -1, "scene.store");
-  store_ = luaL_ref(state, LUA_REGISTRYINDEX);
   if (lua_rawgetp(state, LUA_REGISTRYINDEX, key_of_data(of)) == LUA_TTABLE) tables.keep(state, -1);
   lua_pop(state, 1);
+  store_ = luaL_ref(state, LUA_REGISTRYINDEX);
 }
 
 SceneSnapshot::~SceneSnapshot() { luaL_unref(runtime_.active(), LUA_REGISTRYINDEX, store_); }
@@ -79,7 +79,10 @@ void restore_wanted(Script& script) {
 }
 
 void keep_start(Script& script) {
-  if (script.world.steps == 0 && !script.start && script.runtime.speaks_of_reset) script.start = take_snapshot(script);
+  if (script.world.steps != 0 || script.start || !script.runtime.speaks_of_reset) return;
+  try {
+    script.start = take_snapshot(script);
+  } catch (const Error& error) { script.no_start = error.what(); }
 }
 
 void push_snapshot(lua_State* state, Script& script, std::shared_ptr<const SceneSnapshot> snapshot) {
@@ -125,9 +128,10 @@ int scene_restore(lua_State* state) {
 
 int scene_reset(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "reset");
-  if (self.world.steps == 0) return 0;
-  require(self.script.start != nullptr,
+  if (self.world.steps == 0 && self.world.step_origin == 0.0) return 0;
+  require(self.script.start || !self.script.no_start.empty(),
           "reset: the start was not kept; it is where a file of the scene has the word reset");
+  require(self.script.start != nullptr, "reset: the start could not be kept: ", self.script.no_start);
   return want(self, "reset", self.script.start);
 }
 

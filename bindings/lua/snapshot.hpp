@@ -33,7 +33,7 @@ std::shared_ptr<const SceneSnapshot> take_snapshot(Script& script);
 void restore(Script& script, const SceneSnapshot& snapshot);
 /// Restores what a callback asked for, if one did.
 void restore_wanted(Script& script);
-/// Before the first step of a scene that speaks of `reset`, keeps its start.
+/// Before the first step of a scene that speaks of `reset`, keeps its start, or why it cannot be kept.
 void keep_start(Script& script);
 
 void push_snapshot(lua_State* state, Script& script, std::shared_ptr<const SceneSnapshot> snapshot);

@@ -130,8 +130,9 @@ bool Player::at_end() const {
 
 void Player::take_steps(double elapsed) {
   bool one = std::exchange(single_step_, false);
-  bool still = browser_.shown() || !failure_.empty() || at_end() || (paused_ && !one);
-  if (still) return pacing_.rest();
+  const bool over = !failure_.empty() || at_end();
+  if (over) waiting_.commands.clear();  // no step is to take them
+  if (over || browser_.shown() || (paused_ && !one)) return pacing_.rest();
   const World& world = scene_->world();
   int due = one ? 1 : pacing_.begin_frame(elapsed, world.settings.step, scene_->pace() * speed_);
   if (due == 0) return pacing_.end_frame(0, 0.0);

@@ -1,4 +1,6 @@
 // What the player does with hands and their tools.
+#include <algorithm>
+
 #include "player/player.hpp"
 #include "view/palette.hpp"
 
@@ -46,7 +48,7 @@ void Player::tell(const std::string& what) {
 
 void Player::tell_dropped() {
   const std::vector<LogLine>& log = scene_->world().log;
-  if (log.size() < log_read_) log_read_ = 0;
+  log_read_ = std::min(log_read_, log.size());  // a script may have gone back to when it was shorter
   for (; log_read_ < log.size(); log_read_++)
     if (log[log_read_].kind == "dropped" && log[log_read_].text.find(" by hand ") != std::string::npos)
       tell(log[log_read_].text);

@@ -42,7 +42,14 @@ std::unique_ptr<lua::Scene> Player::load(const std::string& path, const lua::Sce
     } catch (...) { error = std::current_exception(); }
     done = true;
   });
-  wait_for(done, scene_name(path));
+  try {
+    wait_for(done, scene_name(path));
+  } catch (...) {
+    lua::interrupt_scripts();
+    loader.join();
+    lua::allow_scripts();
+    throw;
+  }
   loader.join();
   load_seconds_ = std::chrono::duration<double>(Clock::now() - start).count();
   if (error) std::rethrow_exception(error);

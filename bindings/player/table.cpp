@@ -21,6 +21,15 @@ void put(std::string& out, double value) {
 
 }  // namespace
 
+void Times::add(const World& world) {
+  if (world.steps <= first_step) values.clear();
+  if (values.empty()) first_step = world.steps > 0 ? world.steps - 1 : 0;
+  const std::size_t known = values.size(), count = world.steps - first_step;
+  values.resize(count);
+  for (std::size_t i = known; i < count; i++)  // more than one where a script went forward again
+    values[i] = world.time - static_cast<double>(count - 1 - i) * world.settings.step;
+}
+
 std::string probe_table(const Times& times, const std::vector<Probe>& probes) {
   std::string out = "time";
   for (const Probe& probe : probes) out.append(1, ',').append(quoted(probe.name));

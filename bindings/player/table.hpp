@@ -10,10 +10,8 @@ namespace pantin::player {
 struct Times {
   std::uint64_t first_step = 0;  ///< steps done before the first of them
   std::vector<double> values;    ///< [s] (steps)
-  void add(const World& world) {
-    if (values.empty()) first_step = world.steps - 1;
-    values.push_back(world.time);
-  }
+  /// Call it after each step. Where a script went back to another step, later ones are dropped.
+  void add(const World& world);
 };
 
 /// Comma-separated: `time` and the probes, a row per step. Numbers read back as the same doubles; a probe that was

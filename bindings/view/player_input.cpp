@@ -69,6 +69,8 @@ void PlayerInput::reset() {
 }
 
 void PlayerInput::let_go(const World& world, StepInput& input) {
+  std::erase_if(holds_,
+                [&](const auto& entry) { return entry.second.hand >= static_cast<std::int32_t>(world.hands.size()); });
   for (auto& [pointer, hold] : holds_) hold.use = {};
   for (std::size_t i = 0; i < world.hands.size(); i++) {
     if (world.hands[i].path || !world.hands[i].grab) continue;

@@ -34,7 +34,7 @@ Color heat(double part) {
   return {a.r + (b.r - a.r) * t, a.g + (b.g - a.g) * t, a.b + (b.b - a.b) * t, 1.0f};
 }
 
-/// Velocity of a thing less that of the whole, and kinetic energy so seen per freedom.
+/// The motion of the whole, which is no heat.
 struct Common {
   Vec3 momentum = zero3();
   double mass = 0.0;
@@ -104,13 +104,14 @@ void Tints::by_temperature(const World& world) {
   }
   const Vec3 common = all.velocity();
   const double k = world.settings.boltzmann;
+  const double of_place = world.plane.flat() ? 2.0 : 3.0, of_turn = world.plane.flat() ? 1.0 : 3.0;  // freedoms
   const auto of_body = [&](std::uint32_t s) {
     const Motion& m = world.motion[s];
     const Vec3 v = m.mass > 0.0 ? m.p / m.mass - common : zero3();
-    return (m.mass * norm2(v) + dot(m.angular, inverse_inertia(m) * m.angular)) / (6.0 * k);
+    return (m.mass * norm2(v) + dot(m.angular, inverse_inertia(m) * m.angular)) / ((of_place + of_turn) * k);
   };
   const auto of_point = [&](std::uint32_t s) {
-    return world.points.at_slot(s).mass * norm2(world.free_motion[s].v - common) / (3.0 * k);
+    return world.points.at_slot(s).mass * norm2(world.free_motion[s].v - common) / (of_place * k);
   };
   double sum = 0.0, count = 0.0;
   for (std::uint32_t s = 0; s < world.bodies.slots(); s++)

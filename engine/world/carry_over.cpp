@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "world/edit.hpp"
+#include "world/editing.hpp"
 #include "world/hands.hpp"
 #include "world/resume.hpp"
 
@@ -51,17 +52,18 @@ void match_points(const Match& match, Counterparts& to) {
   }
 }
 
-/// What living things of a kind take over from living ones.
+/// What living things of a kind take over from living ones, as far as the new world's plane lets them.
 class Carrier {
  public:
   Carrier(const World& old, World& fresh, const Counterparts& to) : old_(old), fresh_(fresh), to_(to) {}
 
   void operator()(BodyId from, BodyId to) {
     const Motion& motion = old_.motion_of(from);
-    set_orientation(fresh_, to, orientation(old_, from));
-    set_origin(fresh_, to, origin(old_, from));
-    set_velocity(fresh_, to, motion.p / motion.mass);
-    set_spin(fresh_, to, angular_velocity(motion));
+    const Plane& plane = fresh_.plane;
+    set_orientation(fresh_, to, editing::turned_in_plane(fresh_, to, orientation(old_, from)));
+    set_origin(fresh_, to, plane.beside(origin(old_, from), origin(fresh_, to)));
+    set_velocity(fresh_, to, plane.along(motion.p / motion.mass));
+    set_spin(fresh_, to, plane.about(angular_velocity(motion)));
   }
 
   void operator()(ParticleId from, ParticleId to) {
@@ -70,8 +72,8 @@ class Carrier {
     if (now.is_hinge()) return part(before, to);
     const PointId point = now.points[0];
     if (fresh_.points[point].body) return;
-    set_position(fresh_, point, position(old_, from));
-    set_velocity(fresh_, point, velocity(old_, from));
+    set_position(fresh_, point, fresh_.plane.beside(position(old_, from), position(fresh_, point)));
+    set_velocity(fresh_, point, fresh_.plane.along(velocity(old_, from)));
   }
 
   /// What it follows has its past, and what is drawn in has come as far.

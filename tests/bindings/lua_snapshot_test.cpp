@@ -149,6 +149,25 @@ TEST_CASE("snapshot: reset goes back to the start") {
   CHECK(state_hash(scene->world()) == first);
 }
 
+TEST_CASE("snapshot: data is kept however deep it is linked") {
+  const auto scene = open(R"(
+    local deep = scene:particle{}.data
+    for i = 1, 20000 do deep.inner = { i = i } deep = deep.inner end
+    scene:probe("i", function() return deep.i end)
+    scene:at(0.1, function() deep.i = 0 end))");
+  const auto snapshot = scene->take_snapshot();
+  steps(*scene, 30);
+  CHECK(scene->world().probes[0].latest == 0.0);
+  scene->restore(*snapshot);
+  steps(*scene, 1);
+  CHECK(scene->world().probes[0].latest == 20000.0);
+}
+
+TEST_CASE("snapshot: reset tells why a start could not be kept") {
+  CHECK_THAT(failure("scene.store.f = print scene:at(0.01, function() scene:reset() end)"),
+             Contains("the start could not be kept: scene.store.f is a function"));
+}
+
 TEST_CASE("snapshot: parameters that changed are told their old value") {
   const auto scene = open(R"(
     local speed = scene:param("speed", 1, { on_change = function(v) speed_now = v end })

@@ -317,3 +317,43 @@ TEST_CASE("reload: ages, targets and emitters go on") {
   played.steps(48);
   CHECK(played.probe() == 1 + 30);
 }
+
+TEST_CASE("reload: things come into another plane, and to other heights") {
+  const auto text = [](const char* plane, double height) {
+    return std::string(plane) + " scene.gravity = vec(0, 0, 0) local z = " + std::to_string(height) + R"(
+      scene:body{ name = "b", at = vec(1, 2, z), velocity = vec(1, 0, 0), mass = 1, inertia = vec(1, 2, 3) }
+      scene:particle{ name = "p", at = vec(0, 0, z), velocity = vec(0, 1, 0) }
+    )";
+  };
+  Played played(text("scene.plane = 'xy'", 0.0));
+  played.steps(240);
+  played.save_and_look(text("scene.plane = 'xy'", 0.5));
+  CHECK(norm(played.place("b") - vec(2, 2, 0.5)) < 1e-12);
+  played.save_and_look(text("", 0.0));
+  const BodyId body = played.body("b");
+  set_orientation(played.scene->world(), body, Quat{0.8, 0.6, 0.0, 0.0});
+  set_spin(played.scene->world(), body, vec(1, 0, 2));
+  set_velocity(played.scene->world(), body, vec(1, 0, 1));
+  played.save_and_look(text("scene.plane = 'xy'", 0.0));
+  CHECK(norm(played.scene->world().motion_of(played.body("b")).p - vec(1, 0, 0)) < 1e-12);
+  played.steps(10);
+}
+
+TEST_CASE("reload: reset goes back to the start, not to the moment of saving") {
+  const std::string text = R"(
+    local p = scene:particle{ at = vec(0, 3, 0) }
+    scene:on("key", function() scene:reset() end)
+    scene:probe("y", function() return p.position.y end))";
+  Played played(text);
+  played.steps(60);
+  const double later = played.probe();
+  played.save_and_look(text);
+  played.steps(30);
+  Command key;
+  key.name = "k";
+  played.scene->world().input.commands.push_back(key);
+  played.steps(1);
+  CHECK(played.scene->world().time == 0.0);
+  played.steps(60);
+  CHECK(played.probe() == later);
+}

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "player/frame_clock.hpp"
 #include "player/table.hpp"
 
 using namespace pantin;
@@ -37,3 +38,41 @@ TEST_CASE("table: names with commas and quotes are quoted") {
 }
 
 TEST_CASE("table: without probes, the times") { CHECK(probe_table(Times{0, {0.5}}, {}) == "time\n0.5\n"); }
+
+TEST_CASE("table: rows are dropped where the world went back, and are there again where it went forward") {
+  World world;
+  world.settings.step = 0.5;
+  Times times;
+  const auto be_at = [&](std::uint64_t steps) {
+    world.steps = steps;
+    world.time = 0.5 * static_cast<double>(steps);
+    times.add(world);
+  };
+  for (std::uint64_t step = 1; step <= 4; step++) be_at(step);
+  CHECK(times.values == std::vector<double>{0.5, 1.0, 1.5, 2.0});
+  be_at(2);
+  CHECK(times.values == std::vector<double>{0.5, 1.0});
+  be_at(3);
+  CHECK(times.values == std::vector<double>{0.5, 1.0, 1.5});
+  be_at(0);
+  CHECK(times.values.empty());
+  be_at(1);
+  be_at(3);
+  CHECK(times.first_step == 0);
+  CHECK(times.values == std::vector<double>{0.5, 1.0, 1.5});
+}
+
+TEST_CASE("frame clock: frames go on where the world goes back") {
+  World world;
+  world.settings.step = 0.5;
+  player::FrameClock clock{2.0};
+  std::vector<int> taken;
+  for (const std::uint64_t step : std::vector<std::uint64_t>{0, 1, 2, 3, 1, 2, 3, 9, 10}) {
+    world.steps = step;
+    world.time = 0.5 * static_cast<double>(step);
+    int count = 0;
+    while (clock.take(world)) count++;
+    taken.push_back(count);
+  }
+  CHECK(taken == std::vector<int>{1, 1, 1, 1, 0, 1, 1, 0, 1});
+}

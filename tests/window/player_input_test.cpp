@@ -188,3 +188,20 @@ TEST_CASE("what is held may be removed, and a world built anew forgets the hands
   play.person.reset();
   CHECK_FALSE(play.person.highlight());
 }
+
+TEST_CASE("hands: one that an undo took away is made again where its pointer goes on") {
+  Play play;
+  play.move(10, 10);
+  play.apply();
+  play.press(20, 20, PointerEvent::Button::left, 5);
+  play.apply();
+  REQUIRE(play.world.input.moves.back().hand == 1);
+  play.world.hands.resize(1);
+  play.person.let_go(play.world, play.world.input);
+  play.world.input = {};
+  play.apply();
+  CHECK(play.world.input.moves.size() == 1);
+  play.press(20, 20, PointerEvent::Button::left, 5);
+  play.apply();
+  CHECK(play.world.input.moves.back().hand == 2);
+}

@@ -18,10 +18,7 @@ void line(const char* name, double joules) {
   ImGui::Text("%+.6g J", joules);
 }
 
-bool begin_lines() {
-  if (!ImGui::BeginTable("lines", 2, ImGuiTableFlags_SizingStretchProp)) return false;
-  return true;
-}
+bool begin_lines() { return ImGui::BeginTable("lines", 2, ImGuiTableFlags_SizingStretchProp); }
 
 class LedgerPane : public Pane {
  public:
