@@ -108,6 +108,16 @@ BuildLaws read_laws(const Self& self, const Options& o, BuildDef& def) {
   return laws;
 }
 
+/// Laws that nothing obeys, and particles that no law ties, are told of.
+void tell_of_laws(World& world, const Structure& structure, const BuildDef& def, bool with_laws) {
+  if (def.vertices || def.edges || def.faces) return;
+  const std::string what = def.name.empty() ? "build" : text("build '", def.name, "'");
+  if (def.as == BuildAs::deformable && !with_laws && !structure.edges.empty())
+    log_line(world, "notice", what + ": nothing ties the particles along the edges: no law was given");
+  if (def.as == BuildAs::rigid && with_laws)
+    log_line(world, "notice", what + ": a rigid body has no use for the law that was given");
+}
+
 }  // namespace
 
 int scene_build(lua_State* state) {
@@ -136,6 +146,7 @@ int scene_build(lua_State* state) {
   def.name = o.string("name").value_or("");
   read_as(o, structure, def);
   const Built built = build(self.world, structure, def);
+  tell_of_laws(self.world, structure, def, !laws.read.empty());
   for (ConnectionId id : built.connections)
     for (const auto& [law, resolved] : laws.read)
       if (self.world.connections[id].law == law->law) watch_law(self.script, id, resolved);

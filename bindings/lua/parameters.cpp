@@ -61,9 +61,16 @@ void check_allowed(const Parameter& p, const Value& value) {
   throw Error(text(p.name, " must be one of ", joined(names), ", got ", text_of(value)));
 }
 
+/// A text without the quotes that a shell has left round it.
+std::string unquoted(const std::string& given) {
+  const bool quoted =
+      given.size() >= 2 && (given.front() == '"' || given.front() == '\'') && given.back() == given.front();
+  return quoted ? given.substr(1, given.size() - 2) : given;
+}
+
 /// The value that a text of the command line means for a parameter.
 Value value_of_text(const Parameter& p, const std::string& given) {
-  if (std::holds_alternative<std::string>(p.initial)) return given;
+  if (std::holds_alternative<std::string>(p.initial)) return unquoted(given);
   if (std::holds_alternative<bool>(p.initial)) {
     require(given == "true" || given == "false", p.name, " must be true or false, got '", given, "'");
     return given == "true";
@@ -109,7 +116,7 @@ void take_command_line(const Script& script, Parameter& p) {
 
 /// Pushes what a text means for a setting: a number, true or false, "x,y,z" for a vec, nil where that may be, else the text.
 void push_setting(lua_State* state, const Field& field, const std::string& given) {
-  if (std::string_view(field.type) == "string") return void(lua_pushlstring(state, given.data(), given.size()));
+  if (std::string_view(field.type) == "string") return void(lua_pushstring(state, unquoted(given).c_str()));
   if (const auto number = number_of_text(given)) {
     if (std::fabs(*number) < 0x1p53 && std::trunc(*number) == *number)
       return lua_pushinteger(state, static_cast<lua_Integer>(*number));
@@ -170,6 +177,8 @@ int scene_param(lua_State* state) {
   p.step = o.number("step", "");
   require(!(p.min || p.max || p.step) || std::holds_alternative<double>(p.initial),
           "param: min, max and step are for numbers, and the default of '", p.name, "' is ", type_name(p.initial));
+  require(!(p.min && p.max) || *p.min <= *p.max, "param: min of '", p.name, "' must not be above max, got ",
+          p.min.value_or(0), " and ", p.max.value_or(0));
   require(!p.step || *p.step > 0, "param: step must be > 0, got ", p.step.value_or(0));
   p.help = o.string("help").value_or("");
   read_choices(state, o, p);

@@ -2,6 +2,7 @@
 
 #include "base/parallel.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "lua/carry_tables.hpp"
@@ -97,6 +98,12 @@ std::vector<std::string> Scene::warnings() const {
   std::vector<std::string> warnings;
   for (const LogLine& line : world().log)
     if (line.kind == "warning") warnings.push_back(line.text);
+  const auto& log = world().log;
+  const auto is_dropped = [](const LogLine& line) { return line.kind == "dropped"; };
+  const auto first = std::find_if(log.begin(), log.end(), is_dropped);
+  const auto count = std::count_if(log.begin(), log.end(), is_dropped);
+  if (count == 1) warnings.push_back("1 event was dropped: " + first->text);
+  if (count > 1) warnings.push_back(text(count, " events were dropped, the first: ", first->text));
   return warnings;
 }
 

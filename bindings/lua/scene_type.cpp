@@ -147,7 +147,8 @@ std::vector<Field> engine_settings() {
       {"integrator", "string", "",
        "\"verlet\" (2nd order), \"implicit\" (the same with connections of any stiffness), \"suzuki4\" (4th order, "
        "where "
-       "nothing dissipates), \"rk4\" (4th order, no constraints), \"euler\" (the paper's)",
+       "nothing dissipates), \"rk4\" (4th order, no constraints), \"euler\" (the paper's; free particles move as with "
+       "\"verlet\")",
        [](const Self& s) {
          const std::string_view name = name_of(s.world.settings.integrator);
          lua_pushlstring(s.state, name.data(), name.size());
@@ -276,7 +277,8 @@ std::vector<Method> making() {
       {"on_path", guard<scene_on_path>, "point: Point|Particle, path: vec[], options?: PathOptions", "OnPath",
        "Keeps a point on a path through places [m]; at the end of an open one it stops."},
       {"join", guard<scene_join>, "a: Point|Particle, b: Point|Particle, options?: JoinOptions", "Join",
-       "Draws two points together, at a place or on their way to each other, and makes the hinge when they meet."},
+       "Draws two points together, at a place or on their way to each other, and makes the hinge when they are within "
+       "scene.tolerance of their size. Without at, angular momentum is not kept while they are apart."},
       {"merge", guard<scene_merge>, "a: Body, b: Body", "Body",
        "a lives on with b's points, which stay valid; b is gone."},
       {"split", guard<scene_split>, "body: Body, points: Point|Point[], ...: Point", "Body",
@@ -317,7 +319,7 @@ std::vector<Method> telling() {
       {"param", guard<scene_param>, "name: string, default: any, options?: ParamOptions", "any",
        "Declares a parameter and returns its value."},
       {"at", guard<scene_at>, "time: number [s], target_or_action: Thing|function, action?: function", "Event",
-       "Does it once, in the step that reaches the time."},
+       "Does it once, before the step that reaches the time: up to one step early."},
       {"after", guard<scene_after>, "delay: number [s], target_or_action: Thing|function, action?: function", "Event",
        "Does it once, a while from now."},
       {"every", guard<scene_every>, "period: number [s], target_or_action: Thing|function, action?: function", "Event",

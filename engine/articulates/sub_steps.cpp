@@ -101,17 +101,18 @@ void drift_alone_accurately(Node& node, double h, const SubStepSettings& wanted,
                 [](const Node& a, const Node& b) { return turn_between(a.R0, b.R0); });
 }
 
-void adapt(SubSteps& n, double rate, double accuracy) {
+bool adapt(SubSteps& n, double rate, double accuracy) {
   if (rate > accuracy) {
     while (rate > accuracy && n.count < most) {
       n.count = static_cast<std::uint16_t>(2 * n.count);
       rate *= 0.25;
     }
     n.quiet = 0;
-    return;
+    return !(rate > accuracy);
   }
   n.quiet = is_quiet(n, rate, accuracy) ? static_cast<std::uint16_t>(n.quiet + 1) : std::uint16_t{0};
   if (n.quiet >= patience) n = halved(n);
+  return true;
 }
 
 }  // namespace pantin

@@ -22,7 +22,7 @@ void drift_accurately(Articulate& articulate, const DriftSettings& settings, con
 /// The same for a node without rows over h [s].
 void drift_alone_accurately(Node& node, double h, const SubStepSettings& wanted, SubSteps& sub_steps);
 
-/// Sets a number of sub-steps by the error rate that it has [1/s], known once a step.
-void adapt(SubSteps& sub_steps, double rate, double accuracy);
+/// Sets a number of sub-steps by the error rate that it has [1/s], known once a step; false where the most are not enough.
+bool adapt(SubSteps& sub_steps, double rate, double accuracy);
 
 }  // namespace pantin

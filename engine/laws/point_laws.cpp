@@ -130,7 +130,9 @@ std::vector<LibraryLaw> point_laws() {
         {"gravity", "m/s²", "weight per mass", Given::optional, 9.81, Range::not_negative}},
        buoyancy},
       {"thermostat",
-       "-γ m v + sqrt(2 γ m k T / h) noise, k Boltzmann's constant and h the step of the scene",
+       "-γ m v + sqrt(2 γ m k T / h) noise, k Boltzmann's constant and h the step of the scene: free particles spread "
+       "as "
+       "at T at any γ h, while their velocities at the ends of steps are those of T / (1 + γ h / 2)",
        "P. Langevin, C. R. Acad. Sci. 146, 1908, p. 530; discrete: A. Brünger, C. L. Brooks and M. Karplus, Chem. "
        "Phys. "
        "Lett. 105, 1984, p. 495",

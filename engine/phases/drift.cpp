@@ -111,8 +111,7 @@ void count(World& world, const DriftReport& report) {
   post_report(world, report);
   if (report.offsets > 0)
     log_line(world, "notice", "a gap that no motion can close was taken as a constant offset of its hinges");
-  if (!report.unreached || world.stats.unreached++ > 0) return;
-  log_line(world, "notice", "scene.accuracy is not reached: not even the most sub-steps are enough");
+  if (report.unreached) tell_unreached(world);
 }
 
 /// What ties by a row, for whoever reads of it.

@@ -31,7 +31,8 @@ void kick_loose_points(World& world, double half) {
 void choose_sub_steps(World& world) {
   double& worst = world.kick_error;
   worst = world.part.index == 0 ? kick_error(world) : std::max(worst, kick_error(world));
-  if (world.part.index + 1 == parts(world)) adapt(world.sub_steps, worst, *world.settings.accuracy);
+  if (world.part.index + 1 != parts(world)) return;
+  if (!adapt(world.sub_steps, worst, *world.settings.accuracy)) tell_unreached(world);
 }
 
 }  // namespace

@@ -22,19 +22,14 @@ void require_breaking(const std::string& who, const Breaking& b) {
 template <class Id>
 struct Overload {
   Id id;
-  double load;
-  const char* unit;  ///< of the load
+  double load;        ///< [N] or [N m]
+  std::string story;  ///< what broke it
   friend bool operator==(const Overload& o, Id other) { return o.id == other; }
 };
 
 template <class Id>
 void note(std::vector<Overload<Id>>& list, const Overload<Id>& load, bool too_much) {
   if (too_much && std::find(list.begin(), list.end(), load.id) == list.end()) list.push_back(load);
-}
-
-template <class Id>
-std::string load_of(const Overload<Id>& overload) {
-  return text("its load of ", overload.load, " ", overload.unit);
 }
 
 struct Overloads {
@@ -47,20 +42,23 @@ void find_overloads(const World& world, const Articulate& a, Overloads& found) {
     if (row.kind == RowKind::stiff) continue;  // connections break by themselves
     const bool couple = row.lever > 0.0;
     const double load = norm(row.f) * (couple ? row.lever : 1.0);
-    const char* unit = couple ? "N m" : "N";
+    const auto story = [&] { return couple ? text("its torque of ", load, " N m") : text("its load of ", load, " N"); };
     if (row.condition < 0) {
       const ParticleId ring = world.points[row.member].particle;
-      note(found.hinges, {ring, load, unit}, load > world.particles[ring].breaks_at.force);
+      note(found.hinges, {ring, load, story()}, load > world.particles[ring].breaks_at.force);
       continue;
     }
     const ConstraintId id = condition(a, row).constraint;
     const Constraint& c = world.constraints[id];
     if (c.ring) {
-      note(found.hinges, {c.ring, load, unit}, load > world.particles[c.ring].breaks_at.torque);
+      note(found.hinges, {c.ring, load, story()}, load > world.particles[c.ring].breaks_at.torque);
       continue;
     }
-    const bool too_long = !couple && norm(row.d1) > c.breaks_at.length;
-    note(found.constraints, {id, load, unit}, too_long || load > (couple ? c.breaks_at.torque : c.breaks_at.force));
+    const double length = couple ? 0.0 : norm(row.d1);
+    if (length > c.breaks_at.length)
+      note(found.constraints, {id, load, text("its length of ", length, " m")}, true);
+    else
+      note(found.constraints, {id, load, story()}, load > (couple ? c.breaks_at.torque : c.breaks_at.force));
   }
 }
 
@@ -69,12 +67,12 @@ void break_constraint(World& world, const Overload<ConstraintId>& overload) {
   const std::int32_t hand = world.constraints[id].hand;
   if (hand >= 0 && world.hands[static_cast<std::size_t>(hand)].grab == id)
     world.hands[static_cast<std::size_t>(hand)].grab = {};
-  take_out_constraint(world, id, {describe(world, id), next_time(world), load_of(overload)});
+  take_out_constraint(world, id, {describe(world, id), next_time(world), overload.story});
   world.notices.push_back({Notice::Kind::broke, id, -1, world.constraints.story(id), overload.load});
 }
 
 void break_hinge(World& world, const Overload<ParticleId>& overload) {
-  end_ring(world, overload.id, load_of(overload));
+  end_ring(world, overload.id, overload.story);
   world.notices.push_back({Notice::Kind::broke, overload.id, -1, world.particles.story(overload.id), overload.load});
 }
 

@@ -16,10 +16,19 @@ using namespace editing;
 
 namespace {
 
-constexpr double most_at_once = 1e7;  // particles of one emitter in one step: more is a slip of the pen
+constexpr double most_at_once = 1e6;  // particles of one emitter in one step: more is a slip of the pen
+constexpr double most_alive = 1e7;    // of one emitter: more than memory holds
 constexpr std::uint64_t draws = 8;    // random numbers of one particle
 
 void require_rate(std::string_view call, double rate) { require_not_negative(call, "rate", rate, "1/s"); }
+
+void require_few(const World& world, const std::string& who, const Emitter& e, double due) {
+  require(due <= most_at_once, who, ": rate must be at most ", most_at_once / world.settings.step, " 1/s, which is ",
+          most_at_once, " particles in a step of ", world.settings.step, " s, got ", e.rate, " 1/s");
+  const double alive = std::fmin(static_cast<double>(e.count) + due, static_cast<double>(e.max));
+  require(alive <= most_alive, who, ": more than ", most_alive,
+          " of its particles would live at once; give it a lifetime or a max, or a rate below ", e.rate, " 1/s");
+}
 
 void require_spread(std::string_view call, double spread) {
   require(spread >= 0.0 && spread <= std::numbers::pi, call, ": spread must be from 0 to pi rad, got ", spread);
@@ -147,8 +156,7 @@ void emit(World& world, EmitterId id, double end) {
   Emitter& e = world.emitters[id];
   const double reached = with_round_off(end);
   const double due = e.rate * (reached - e.origin) + e.phase - static_cast<double>(e.since);
-  require(due < most_at_once, describe(world, id), ": more than ", most_at_once, " particles in one step; its rate is ",
-          e.rate, " 1/s");
+  require_few(world, describe(world, id), e, due);
   Base base;
   if (e.point) base = {position(world, e.point), velocity(world, e.point)};
   if (due >= 0.5 && e.rate > 0.0) disturb_forces_by_birth(world, e.family);

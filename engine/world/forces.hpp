@@ -96,8 +96,9 @@ struct Forces {
   std::vector<Vec3> still;   ///< (sites) [N] open forces of laws that do not depend on velocities
   std::vector<Vec3> noted;   ///< (slots of points) [m/s²] accelerations before the part of the step that is being done
   std::vector<Vec3> half_v;  ///< (sites) [m/s] before the kick that is being swept
-  double energy = 0.0;       ///< [J] of all laws, when it was last told
-  bool told = false;         ///< in the last step
+  double spread = 0.0;  ///< [m] largest root mean square distance of the sites from their centre, where it is asked
+  double energy = 0.0;  ///< [J] of all laws, when it was last told
+  bool told = false;    ///< in the last step
 
   bool unsettled = false;           ///< free particles were born or have gone since the forces were found
   std::vector<ParticleId> born;     ///< those, in their order

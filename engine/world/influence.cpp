@@ -175,7 +175,10 @@ void editing::break_connection(World& world, ConnectionId id, double force) {
   const Connection& row = world.connections[id];
   if (world.breaks.size() == most_breaks) world.breaks.pop_front();
   world.breaks.push_back({end_of(world, row, 0), end_of(world, row, 1), next_time(world)});
-  take_out(world, id, {describe(world, id), next_time(world), text("its load of ", force, " N")});
+  const double length = norm(end_of(world, row, 1) - end_of(world, row, 0));
+  const std::string by =
+      std::fabs(force) > row.max_force ? text("its load of ", force, " N") : text("its length of ", length, " m");
+  take_out(world, id, {describe(world, id), next_time(world), by});
   world.notices.push_back({Notice::Kind::broke, id, -1, world.connections.story(id), force});
 }
 

@@ -101,6 +101,11 @@ void require_integrator_fits(const World& world) {
           "\" has fixed steps");
 }
 
+void tell_unreached(World& world) {
+  if (world.stats.unreached++ > 0) return;
+  log_line(world, "notice", "scene.accuracy is not reached: not even the most sub-steps are enough");
+}
+
 std::uint32_t parts(const World& world) {
   return world.sub_steps.count * static_cast<std::uint32_t>(rule_of(world).stages.size());
 }

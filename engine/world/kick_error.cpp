@@ -20,11 +20,9 @@ Vec3 acceleration(const Forces& f, std::size_t site) {
 Vec3 force(const Forces& f, const Mover& m) { return counts_open(f) ? m.force + m.open_force : m.force; }
 Vec3 torque(const Forces& f, const Mover& m) { return counts_open(f) ? m.torque + m.open_torque : m.torque; }
 
-/// Twice the root mean square distance from the centre of the sites over the cubic root of their number, or that of the
-/// volume of a periodic box for each [m].
-double spacing(const World& world, const Sites& s) {
-  const double count = std::cbrt(static_cast<double>(s.n));
-  if (const auto& box = world.settings.box) return std::cbrt((*box)[0] * (*box)[1] * (*box)[2]) / count;
+/// Root mean square distance of the sites from their centre [m].
+double spread_of(const Sites& s) {
+  if (s.n == 0) return 0.0;
   Vec3 sum = zero3();
   double square = 0.0;
   for (std::size_t i = 0; i < s.n; i++) {
@@ -33,7 +31,16 @@ double spacing(const World& world, const Sites& s) {
     square += norm2(d);
   }
   const double n = static_cast<double>(s.n), spread = square / n - norm2(sum / n);
-  return spread > 0.0 ? 2.0 * std::sqrt(spread) / count : 1.0;
+  return spread > 0.0 ? std::sqrt(spread) : 0.0;
+}
+
+/// Twice the largest spread of the sites until now, which an oscillator's is too while it passes its anchor, over the cubic
+/// root of their number, or that of the volume of a periodic box for each [m].
+double spacing(const World& world, const Forces& f) {
+  const double count = std::cbrt(static_cast<double>(f.sites.n));
+  if (const auto& box = world.settings.box) return std::cbrt((*box)[0] * (*box)[1] * (*box)[2]) / count;
+  const double spread = std::max(f.spread, spread_of(f.sites));
+  return spread > 0.0 ? 2.0 * spread / count : 1.0;
 }
 
 /// Linear acceleration, and that of the far end of a body by its torque [m/s²].
@@ -59,13 +66,14 @@ double expected_kick_error(const World& world) {
     const Vec3 v = m.is_body ? world.motion[m.slot].p / mass : world.free_motion[m.slot].v;
     worst = std::max(worst, norm(force(f, m)) / mass * norm(v));
   }
-  const double space = spacing(world, f.sites), h = world.part.full;
+  const double space = spacing(world, f), h = world.part.full;
   return worst * h * h / (6.0 * space * space);
 }
 
 void note_kicks(World& world) {
   if (!world.forces) return;
   Forces& f = *world.forces;
+  if (!world.settings.box) f.spread = std::max(f.spread, spread_of(f.sites));
   f.noted.resize(world.points.slots());
   for (std::size_t i = 0; i < f.sites.n; i++)
     if (f.point[i] != Forces::none) f.noted[f.point[i]] = acceleration(f, i);
@@ -81,7 +89,7 @@ double kick_error(const World& world) {
   double worst = 0.0;
   for (std::size_t i = 0; i < f.sites.n; i++)
     if (f.point[i] != Forces::none) worst = std::max(worst, norm(acceleration(f, i) - f.noted[f.point[i]]));
-  const double space = spacing(world, f.sites);
+  const double space = spacing(world, f);
   worst /= space;
   for (const Mover& m : f.movers) {
     const double length = m.articulate < 0 ? space : world.articulates[static_cast<std::size_t>(m.articulate)]->length;

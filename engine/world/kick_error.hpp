@@ -6,7 +6,7 @@ namespace pantin {
 /// Before the kicks of a part: notes the accelerations that the laws give.
 void note_kicks(World& world);
 /// After the forces at its end: local error of the kicks [1/s], the largest over all that laws move, relative to the length
-/// of an articulate, else to the mean spacing of what laws act on. Two kicks of h and one of 2h leave places that differ by
+/// of an articulate, else to the spacing of what laws act on where they were spread widest. Two kicks of h and one of 2h leave places that differ by
 /// h² times the change of acceleration, a third of which is the error of the two (Richardson 1911).
 double kick_error(const World& world);
 /// A guess of it before the first step, as if each thing met another force after a way as long as the spacing.

@@ -402,7 +402,7 @@ function Body:remove() end
 ---@field point Point the point that it holds (read only)
 ---@field at vec [m] the place; the point is drawn to a new one
 ---@field force vec [N] what it exerted on its first point in the last step (read only)
----@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks; a weld's torque is about the middle between the two centres of mass
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -417,7 +417,7 @@ function Nail:remove() end
 ---@field target vec [m] where the target is; written as a vec or a function of time [s]
 ---@field max_force number [N] never pulls harder; math.huge: no limit
 ---@field force vec [N] what it exerted on its first point in the last step (read only)
----@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks; a weld's torque is about the middle between the two centres of mass
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -433,7 +433,7 @@ function Follow:remove() end
 ---@field at vec [m] place of its second end; written where no point is there
 ---@field length number [m] the distance that it keeps; written as a number or a function of time [s]
 ---@field force number [N] tension in the last step, > 0 when it pulls (read only)
----@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks; a weld's torque is about the middle between the two centres of mass
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -447,8 +447,8 @@ function Rod:remove() end
 ---@field a Body its first body (read only)
 ---@field b Body? its second body, or nil for the world (read only)
 ---@field force vec [N] what it exerted on its first point in the last step (read only)
----@field torque vec [N m] what it exerted on its first body in the last step (read only)
----@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks
+---@field torque vec [N m] what it exerted on its first body in the last step; a weld's is about the middle between the centres of mass (read only)
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks; a weld's torque is about the middle between the two centres of mass
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -461,8 +461,8 @@ function Weld:remove() end
 ---@class Orient
 ---@field a Body its first body (read only)
 ---@field to quat the orientation; written as a quat or a function of time [s]; the body is drawn to a new one
----@field torque vec [N m] what it exerted on its first body in the last step (read only)
----@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks
+---@field torque vec [N m] what it exerted on its first body in the last step; a weld's is about the middle between the centres of mass (read only)
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks; a weld's torque is about the middle between the two centres of mass
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -476,8 +476,8 @@ function Orient:remove() end
 ---@field a Body its first body (read only)
 ---@field b Body? its second body, or nil for the world (read only)
 ---@field angle number [rad] the angle, 0 to π; written as a number or a function of time [s]
----@field torque vec [N m] what it exerted on its first body in the last step (read only)
----@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks
+---@field torque vec [N m] what it exerted on its first body in the last step; a weld's is about the middle between the centres of mass (read only)
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks; a weld's torque is about the middle between the two centres of mass
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -494,8 +494,8 @@ function Align:remove() end
 ---@field angle number [rad] that it keeps, where it does; a number or a function of time [s]
 ---@field turned number [rad] the angle of a against b now, turns counted (read only)
 ---@field max_torque number [N m] never pushes harder; math.huge: no limit
----@field torque vec [N m] what it exerted on its first body in the last step (read only)
----@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks
+---@field torque vec [N m] what it exerted on its first body in the last step; a weld's is about the middle between the centres of mass (read only)
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks; a weld's torque is about the middle between the two centres of mass
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -510,8 +510,8 @@ function Motor:remove() end
 ---@field max number greatest angle [rad] or distance [m]
 ---@field value number the angle [rad] or distance [m] now (read only)
 ---@field force vec [N] what it exerted on its first point in the last step (read only)
----@field torque vec [N m] what it exerted on its first body in the last step (read only)
----@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks
+---@field torque vec [N m] what it exerted on its first body in the last step; a weld's is about the middle between the centres of mass (read only)
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks; a weld's torque is about the middle between the two centres of mass
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -526,7 +526,7 @@ function Limit:remove() end
 ---@field through vec [m] a place on the plane; the point is drawn to a new one
 ---@field normal vec across the plane, of unit length
 ---@field force vec [N] what it exerted on its first point in the last step (read only)
----@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks; a weld's torque is about the middle between the two centres of mass
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -541,7 +541,7 @@ function OnPlane:remove() end
 ---@field length number [m] the most that it is long; written as a number or a function of time [s]
 ---@field taken number [m] how long its way is now: less than its length where it is slack (read only)
 ---@field force number [N] tension in the last step, 0 where it is slack (read only)
----@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks; a weld's torque is about the middle between the two centres of mass
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -556,7 +556,7 @@ function String:remove() end
 ---@field path vec[] [m] the places that the path goes through (read only)
 ---@field along number where on the path the point is: 0 at the first place, 1 at the second, and so on (read only)
 ---@field force vec [N] what it exerted on its first point in the last step (read only)
----@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks; a weld's torque is about the middle between the two centres of mass
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -571,7 +571,7 @@ function OnPath:remove() end
 ---@field b Point the second point (read only)
 ---@field max_force number [N] it never pulls harder; math.huge: no limit (read only)
 ---@field force vec [N] what it exerted on its first point in the last step (read only)
----@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks; a weld's torque is about the middle between the two centres of mass
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -815,7 +815,7 @@ local Snapshot = {}
 ---@field gravity vec [m/s²] uniform acceleration
 ---@field step number [s] length of one step
 ---@field accuracy number? [1/s] wanted error per second, relative to the sizes of things; sub-steps follow from it
----@field integrator string "verlet" (2nd order), "implicit" (the same with connections of any stiffness), "suzuki4" (4th order, where nothing dissipates), "rk4" (4th order, no constraints), "euler" (the paper's)
+---@field integrator string "verlet" (2nd order), "implicit" (the same with connections of any stiffness), "suzuki4" (4th order, where nothing dissipates), "rk4" (4th order, no constraints), "euler" (the paper's; free particles move as with "verlet")
 ---@field energy_return boolean give back what the velocity projection took
 ---@field box vec? [m] edges of the periodic box; nil: open space
 ---@field plane string? "xy", "xz" or "yz": everything stays in that plane, and forces across it do nothing; set it before things are made
@@ -919,7 +919,7 @@ function Scene:string(points, options) end
 ---@param options? PathOptions
 ---@return OnPath
 function Scene:on_path(point, path, options) end
----Draws two points together, at a place or on their way to each other, and makes the hinge when they meet.
+---Draws two points together, at a place or on their way to each other, and makes the hinge when they are within scene.tolerance of their size. Without at, angular momentum is not kept while they are apart.
 ---@param a Point|Particle
 ---@param b Point|Particle
 ---@param options? JoinOptions
@@ -1010,7 +1010,7 @@ function Scene:hand(options) end
 ---@param options? ParamOptions
 ---@return any
 function Scene:param(name, default, options) end
----Does it once, in the step that reaches the time.
+---Does it once, before the step that reaches the time: up to one step early.
 ---@param time number [s]
 ---@param target_or_action Thing|function
 ---@param action? function
@@ -1352,7 +1352,7 @@ function force.buoyancy(options) end
 ---@field temperature number [K] T
 ---@field name? string in the ledger
 
-----γ m v + sqrt(2 γ m k T / h) noise, k Boltzmann's constant and h the step of the scene (P. Langevin, C. R. Acad. Sci. 146, 1908, p. 530; discrete: A. Brünger, C. L. Brooks and M. Karplus, Chem. Phys. Lett. 105, 1984, p. 495)
+----γ m v + sqrt(2 γ m k T / h) noise, k Boltzmann's constant and h the step of the scene: free particles spread as at T at any γ h, while their velocities at the ends of steps are those of T / (1 + γ h / 2) (P. Langevin, C. R. Acad. Sci. 146, 1908, p. 530; discrete: A. Brünger, C. L. Brooks and M. Karplus, Chem. Phys. Lett. 105, 1984, p. 495)
 ---@param options ThermostatOptions
 ---@return Law
 function force.thermostat(options) end

@@ -47,6 +47,8 @@ TEST_CASE("using a removed thing in an event ends that action only") {
   REQUIRE(scene->world().log.size() == 2);
   CHECK(scene->world().log[0].kind == "dropped");
   CHECK(scene->world().log[0].text == "scene.lua:5: particle 'p' was removed at 0 s by scene.lua:1");
+  REQUIRE(scene->warnings().size() == 1);
+  CHECK(scene->warnings()[0].starts_with("2 events were dropped, the first: scene.lua:5: particle 'p'"));
 }
 
 TEST_CASE("an error in a callback leaves the step with its line") {

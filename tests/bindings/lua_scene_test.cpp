@@ -63,6 +63,7 @@ TEST_CASE("--set scene.FIELD wins over the file") {
   CHECK(same(scene->world().settings.gravity, vec(1, -2.5, 0)));
   CHECK(scene->title() == "42");
   CHECK_FALSE(scene->world().settings.energy_return);
+  CHECK(open("", {{"scene.integrator", "\"suzuki4\""}})->world().settings.integrator == Integrator::suzuki4);
   CHECK(open("scene.accuracy = 1e-2", {{"scene.accuracy", "1e-4"}})->world().settings.accuracy == 1e-4);
   CHECK_FALSE(open("scene.accuracy = 1e-2", {{"scene.accuracy", "nil"}})->world().settings.accuracy);
   CHECK_THROWS_WITH(open("", {{"scene.accuracy", "0"}}),
@@ -100,6 +101,8 @@ TEST_CASE("parameters come from the command line, checked") {
   usage({{"kind", "rod"}}, "kind must be one of rope, chain, got rod");
   usage({{"on", "1"}}, "on must be true or false");
   CHECK_THAT(failure("scene:param('a', 1) scene:param('a', 2)"), Contains("declared twice"));
+  CHECK_THAT(failure("scene:param('a', 1, { min = 2, max = 0 })"),
+             Contains("param: min of 'a' must not be above max, got 2 and 0"));
   CHECK_THAT(failure("scene:param('a', 1, { minimum = 2 })"), Contains("unknown field 'minimum'"));
   CHECK_THAT(failure("scene:param('a', {})"), Contains("must be a number, true or false, or a string, got a table"));
   CHECK_THAT(failure("scene:param('a', 5, { max = 2 })"), Contains("a must be at most 2, got 5"));

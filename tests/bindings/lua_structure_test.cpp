@@ -67,6 +67,22 @@ TEST_CASE("scene:build gives a group in the structure's order") {
     assert(#g.particles == 12 and g.particles[2].alive and not g.particles[1].alive))") == "");
 }
 
+TEST_CASE("a moved cube's inertia is a vec, round-off left out") {
+  CHECK(failure("local i = structure.cube():rotate(quat(vec(1, 2, 3), 0.7)):move(vec(0.1, 0.2, 0.3)):inertia 'points'\n"
+                "assert((i - vec(i.x, i.y, i.z)):length() == 0)") == "");
+}
+
+TEST_CASE("a build tells of particles that no law ties, and of a law that nothing obeys") {
+  const auto log = [](const char* source) { return open(source)->world().log; };
+  const auto loose = log("scene:build(structure.cube(), { as = 'deformable', name = 'loose' })");
+  REQUIRE(loose.size() == 1);
+  CHECK(loose[0].text == "build 'loose': nothing ties the particles along the edges: no law was given");
+  const auto stiff = log("scene:build(structure.cube(), { as = 'rigid', law = force.spring { stiffness = 1 } })");
+  REQUIRE(stiff.size() == 1);
+  CHECK(stiff[0].text == "build: a rigid body has no use for the law that was given");
+  CHECK(log("scene:build(structure.cube(), { as = 'deformable', law = force.spring { stiffness = 1 } })").empty());
+}
+
 TEST_CASE("bad structures and builds are told with their line") {
   CHECK_THAT(failure("structure.cube { edge = -1 }"), StartsWith("scene.lua:1: cube: edge must be > 0 m, got -1"));
   CHECK_THAT(failure("structure.cube { side = 1 }"), Contains("cube: unknown field 'side'. Known are edge"));

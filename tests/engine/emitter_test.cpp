@@ -293,8 +293,11 @@ TEST_CASE("emitter: wrong definitions say what is wrong") {
   fails([](EmitterDef& d) { d.max = 0; }, "max must be > 0");
   fails([](EmitterDef& d) { d.mass = 0.0; }, "mass must be > 0 kg");
   fails([](EmitterDef& d) { d.courses = growing("charge", 1.0); }, "it has no 'charge' that could follow its age");
-  const EmitterId emitter = add_emitter(world, fountain(1e13, 1.0));
-  CHECK_THROWS_WITH(step(world), Contains("particles in one step"));
+  world.settings.step = 0.01;
+  const EmitterId emitter = add_emitter(world, fountain(1e9, 1.0));
+  CHECK_THROWS_WITH(step(world), Contains("rate must be at most 1e+08 1/s") && Contains("got 1e+09 1/s"));
+  set_rate(world, emitter, [](double) { return 1e9; });
+  CHECK_THROWS_WITH(step(world), Contains("rate must be at most 1e+08 1/s") && Contains("got 1e+09 1/s"));
   remove(world, emitter);
   step(world);
 }

@@ -44,3 +44,27 @@ test("suzuki4 swings two links a thousand times closer than verlet does", functi
   local fourth = (place 'scene.step, scene.integrator = 1 / 120, "suzuki4"\n' - exact):length()
   expect(fourth):below(second / 1000)
 end)
+
+local oscillator = [[
+  scene.gravity, scene.step = vec(0, 0, 0), 1 / 100
+  local p = scene:particle { at = vec(1, 0, 0), name = "p" }
+  scene:connect(p, vec(0, 0, 0), force.spring { stiffness = (2 * math.pi) ^ 2, length = 0 })
+]]
+
+test("what swings through its anchor takes as many sub-steps there as elsewhere", function()
+  local scene = open_text(oscillator .. "scene.accuracy = 1e-3\n")
+  local most = 0
+  for i = 1, 300 do
+    scene:advance(1 / 100)
+    most = math.max(most, scene.stats.sub_steps)
+  end
+  expect(most):below(17)
+  expect(scene:find("p").position.x):near(math.cos(2 * math.pi * scene.time), 3e-3)
+  expect(#scene.log):equal(0)
+end)
+
+test("an accuracy that the most sub-steps do not give is told", function()
+  local scene = open_text(oscillator .. "scene.accuracy = 1e-9\n")
+  scene:advance(0.5)
+  expect(scene.log[1].text):equal("scene.accuracy is not reached: not even the most sub-steps are enough")
+end)

@@ -107,3 +107,20 @@ test("suzuki4 refuses a spring with damping", function()
     ]]:advance(0.1)
   end):fails("depends on velocities")
 end)
+
+test("what breaks by its length says its length", function()
+  local scene = open_text [[
+    scene.gravity = vec(0, 0, 0)
+    scene:on("broke", function(thing, force, story) scene:result(story:match "^%a+", story:match "by its (.*)$") end)
+    local function pair(y, v)
+      return scene:particle { at = vec(0, y, 0) }, scene:particle { at = vec(1, y, 0), velocity = vec(v, 0, 0) }
+    end
+    local a, b = pair(0, 0)
+    scene:rod(a, b, function(t) return 1 + t end).breaks_at = { length = 1.5 }
+    local c, d = pair(1, 1)
+    scene:connect(c, d, force.spring { stiffness = 0.01 }, { breaks_at = { length = 1.5 } })
+  ]]
+  scene:advance(1)
+  expect(tonumber(scene:result "rod":match "^length of ([%d.]+) m$")):near(1.5, 0.01)
+  expect(tonumber(scene:result "connection":match "^length of ([%d.]+) m$")):near(1.5, 0.01)
+end)
