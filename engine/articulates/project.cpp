@@ -231,11 +231,14 @@ ImpulseWork make_consistent(Articulate& a) {
   for (const Condition& c : a.conditions) anchors = std::max(anchors, norm2(c.velocity));
   find_kept(a);
   ImpulseWork work;
+  double left = 0.0, fastest = 0.0;  // [m/s] of forbidden velocities
   for (double epsilon = a.least_epsilon;; epsilon *= 100.0) {
     work = {};
     read_momenta(a);
     Velocities v = find_velocities(a);
-    if (v.forbidden <= 1e-13 * v.fastest) break;
+    left = v.forbidden;
+    fastest = v.fastest;
+    if (left <= 1e-13 * fastest) break;
     const double sane = std::max(1.001 * v.kinetic, 0.5 * a.total_mass * anchors);
     factorise_exactly(a, epsilon);
     for (int i = 0; i < 3; i++) {
@@ -246,10 +249,14 @@ ImpulseWork make_consistent(Articulate& a) {
       v = find_velocities(a);
       if (v.forbidden > 0.5 * last) break;
     }
+    left = v.forbidden;
+    fastest = v.fastest;
     if (v.kinetic <= sane || epsilon > 1e-3) break;
   }
   tell_momenta(a);
   a.has_factor = false;
+  // A motor against a limit: impulses without bound that cancel are no work of the motor's.
+  if (left > 1e-3 * fastest) work.couples = 0.0;
   return work;
 }
 

@@ -3,6 +3,7 @@
 #include "articulates/articulate.hpp"
 #include "phases/phases.hpp"
 #include "phases/share.hpp"
+#include "world/energy_scale.hpp"
 #include "world/forces.hpp"
 #include "world/sleep.hpp"
 
@@ -111,12 +112,13 @@ void measure_errors(World& world, const OfLoosePoints& points) {
   world.largest_kinetic = std::max(world.largest_kinetic, kinetic);
   now.energy = world.error.energy;
   const bool told = !world.forces || world.influences_changed || world.forces->told;
-  if (told && world.largest_kinetic > 0.0) {
-    if (world.forces && !world.influences_changed) potential += world.forces->energy;
+  if (world.forces && !world.influences_changed && told) potential += world.forces->energy;
+  const double scale = energy_scale(world, {kinetic, potential});
+  if (told && scale > 0.0) {
     const double wrong = std::fabs(kinetic + potential - world.start_energy - world.work);
     world.worst_energy = std::max(world.worst_energy, wrong);
-    now.energy = wrong / world.largest_kinetic;
-    world.worst.energy = world.worst_energy / world.largest_kinetic;
+    now.energy = wrong / scale;
+    world.worst.energy = world.worst_energy / scale;
   }
   world.worst.hinge_gap = std::max(world.worst.hinge_gap, now.hinge_gap);
   world.worst.constraint = std::max(world.worst.constraint, now.constraint);

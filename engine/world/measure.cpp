@@ -6,6 +6,7 @@
 #include "articulates/articulate.hpp"
 #include "base/hash.hpp"
 #include "world/deviation.hpp"
+#include "world/energy_scale.hpp"
 #include "world/forces.hpp"
 
 namespace pantin {
@@ -162,8 +163,9 @@ Accuracy accuracy(const World& world) {
     worst = std::fmax(worst, present_gap(world, c));
   }
   a.constraint = std::fmax(a.constraint, a.hinge_gap);
-  if (world.largest_kinetic > 0.0)
-    a.energy = std::fabs(energy(world).total() - world.start_energy - world.work) / world.largest_kinetic;
+  const Energy now = energy(world);
+  if (const double scale = energy_scale(world, now); scale > 0.0 && world.steps > 0)
+    a.energy = std::fabs(now.total() - world.start_energy - world.work) / scale;
   return a;
 }
 

@@ -61,3 +61,30 @@ test("a chain pulled further than it reaches is told, and forgiven when it comes
   expect(#warnings(scene)):equal(1)
   expect(scene.error.constraint):below(1e-10)
 end)
+
+test("a motor of limited torque that meets a limit stands there, and books what it did", function()
+  local scene = open_text [[
+    scene.gravity = vec(0, 0, 0)
+    local body = scene:body { mass = 1, inertia = vec(0.1, 0.1, 0.1), name = "body" }
+    scene:motor(body, { axis = vec(0, 0, 1), speed = 2, max_torque = 5 })
+    scene:limit(body, { axis = vec(0, 0, 1), min = -1, max = 1, name = "limit" })
+  ]]
+  scene:advance(1)
+  expect(scene:find("limit").value):near(1, 1e-4)
+  expect(scene:find("body").spin:length()):below(1e-9)
+  expect(math.abs(scene.ledger.motor)):below(1)
+  expect(scene.error.worst_energy):below(10)
+end)
+
+test("a scene at rest has no error of its energy", function()
+  local scene = open_text [[
+    local left, right = scene:particle { at = vec(0, 0, 3) }, scene:particle { at = vec(2, 0, 3) }
+    local middle = scene:particle { at = vec(1, 0, 2) }
+    scene:nail(left)
+    scene:nail(right)
+    scene:rod(left, middle)
+    scene:rod(right, middle)
+  ]]
+  scene:advance(1)
+  expect(scene.error.worst_energy):below(1e-6)
+end)
