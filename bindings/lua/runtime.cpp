@@ -113,7 +113,6 @@ void Runtime::fail(lua_State* state, int status) {
 void Runtime::load(lua_State* state, const std::string& source, const std::string& name) {
   require(!source.starts_with('\x1b'), name, ":1: this is compiled code, and a scene is a text");
   const std::string chunk = "@" + name;
-  speaks_of_reset = speaks_of_reset || source.find("reset") != source.npos;
   // A first line that begins with # is for the shell.
   const std::size_t skipped = source.starts_with('#') ? std::min(source.find('\n'), source.size()) : 0;
   if (luaL_loadbufferx(state, source.data() + skipped, source.size() - skipped, chunk.c_str(), "t") != LUA_OK)

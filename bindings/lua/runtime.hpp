@@ -57,7 +57,6 @@ class Runtime {
   Random* random = nullptr;                      ///< source of math.random
   lua_Integer shown = 0;                         ///< values that were given a number to be shown by
   LawRun* law = nullptr;                         ///< the law whose function runs, or null
-  bool speaks_of_reset = false;                  ///< some file has the word: the start of the scene is to be kept
   std::uint64_t traces = 0;                      ///< that were begun so far
   std::string stale_message;                     ///< text of the last error that a StaleHandle became
   std::string usage_message;                     ///< text of the last error that a UsageError became

@@ -79,7 +79,7 @@ void restore_wanted(Script& script) {
 }
 
 void keep_start(Script& script) {
-  if (script.world.steps != 0 || script.start || !script.runtime.speaks_of_reset) return;
+  if (script.world.steps != 0 || script.start) return;
   try {
     script.start = take_snapshot(script);
   } catch (const Error& error) { script.no_start = error.what(); }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double shown_time = 2.0;    // [s] simulated, unless it takes too long
 constexpr double most_wall = 2.5;     // [s]
-constexpr double script_limit = 1.0;  // [s]
+constexpr double script_limit = 5.0;  // [s]
 
 /// FNV-1a, 64 bits.
 std::uint64_t hash_of(const std::string& bytes) {

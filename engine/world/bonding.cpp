@@ -23,19 +23,6 @@ std::vector<ParticleId> particles_of(const World& world, const BondingDef& def) 
   return list;
 }
 
-Things things_of(const World& world, const std::vector<ParticleId>& list) {
-  Things things;
-  for (ParticleId id : list)
-    for (PointId p : world.particles[id].points)
-      if (const BodyId body = world.points[p].body)
-        things.bodies.push_back(body);
-      else
-        things.free_points.push_back(p);
-  std::sort(things.bodies.begin(), things.bodies.end());
-  things.bodies.erase(std::unique(things.bodies.begin(), things.bodies.end()), things.bodies.end());
-  return things;
-}
-
 bool is_bond(const BondingDef& def, FamilyId a, FamilyId b) {
   const FamilyId first = def.families.front(), second = def.families.back();
   return (a == first && b == second) || (a == second && b == first);

@@ -134,15 +134,7 @@ std::string_view name_of(Command::Kind kind) {
 }
 
 Things heated_by(const World& world, Vec3 place, double radius) {
-  Things things;
-  for (ParticleId id : near(world, place, radius))
-    for (PointId p : world.particles[id].points)
-      if (const BodyId body = world.points[p].body)
-        things.bodies.push_back(body);
-      else
-        things.free_points.push_back(p);
-  std::sort(things.bodies.begin(), things.bodies.end());
-  things.bodies.erase(std::unique(things.bodies.begin(), things.bodies.end()), things.bodies.end());
+  Things things = things_of(world, near(world, place, radius));
   std::sort(things.free_points.begin(), things.free_points.end());
   if (things.bodies.size() + things.free_points.size() != 1) return things;
   const PointId one = things.bodies.empty() ? things.free_points[0] : world.bodies[things.bodies[0]].points[0];

@@ -100,6 +100,19 @@ Things things_of(const World& world, const AnyId& thing) {
   return std::move(collect.things);
 }
 
+Things things_of(const World& world, const std::vector<ParticleId>& list) {
+  Things things;
+  for (ParticleId id : list)
+    for (PointId p : world.particles[id].points)
+      if (const BodyId body = world.points[p].body)
+        things.bodies.push_back(body);
+      else
+        things.free_points.push_back(p);
+  std::sort(things.bodies.begin(), things.bodies.end());
+  things.bodies.erase(std::unique(things.bodies.begin(), things.bodies.end()), things.bodies.end());
+  return things;
+}
+
 Energy energy(const World& world, const Things& things) {
   Energy e;
   for (BodyId id : things.bodies) add(e, world.motion_of(id), world.settings.gravity);

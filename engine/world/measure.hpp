@@ -20,6 +20,8 @@ struct Things {
 };
 Things everything(const World& world);
 Things things_of(const World& world, const AnyId& thing);
+/// The bodies, in order and each once, and free points of particles.
+Things things_of(const World& world, const std::vector<ParticleId>& list);
 
 Energy energy(const World& world, const Things& things);
 Vec3 momentum(const World& world, const Things& things);          ///< [kg m/s]

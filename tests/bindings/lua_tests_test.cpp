@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "bindings/lua_support.hpp"
+#include "support/process.hpp"
 
 using namespace pantin;
 using namespace pantin::lua_tests;
@@ -14,22 +15,13 @@ using Catch::Contains;
 
 namespace {
 
-struct Folder {
-  Folder() {
-    char name[] = "/tmp/pantin-lua-XXXXXX";
-    path = mkdtemp(name);
-  }
-  ~Folder() { std::filesystem::remove_all(path); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
+struct Folder : support::Folder {
   std::string write(const std::string& name, const std::string& content) const {
-    const std::filesystem::path file = path + "/" + name;
+    const std::filesystem::path file = path / name;
     std::filesystem::create_directories(file.parent_path());
-    std::ofstream(file) << content;
+    support::write_file(file, content);
     return file;
   }
-  std::string path;
 };
 
 struct Ran {
@@ -68,7 +60,7 @@ test("after", function() expect(vec(1, 2, 3)):near(vec(1, 2, 3.1), 0.2) expect(t
   CHECK_THAT(ran.printed, Contains("a_test.lua:6: the script did not come back"));
   CHECK_THAT(ran.printed, Contains("b_test.lua:1: attempt to perform arithmetic on a nil value"));
   CHECK_THAT(ran.printed, Contains("empty_test.lua: has no test"));
-  CHECK_THROWS_AS(run({folder.path + "/nothing"}), lua::UsageError);
+  CHECK_THROWS_AS(run({folder / "nothing"}), lua::UsageError);
 }
 
 TEST_CASE("tests open scenes, step them and read them") {
