@@ -71,14 +71,14 @@ bool better(const Worth& a, const Worth& b) {
 }
 
 /// Errors of runs that part soon after are not told: comparing ends where the finest is still sure of small ones, or
-/// where nothing is, of large ones.
+/// where that is before most of the motion that it shows, of larger ones.
 Worth worth(const Study& study, const std::vector<double>& list) {
   Worth result;
   result.together = result.comparable = last_within(study, list, apart * study.size);
   if (result.together < study.until)
     for (const double limit : {1e-5, 1e-4, 1e-3}) {
       result.comparable = last_within(study, list, limit * study.size);
-      if (result.comparable > 0.0) break;
+      if (result.comparable >= 0.5 * result.together) break;
     }
   if (result.comparable == 0.0) result.comparable = result.together;
   result.distance = largest(study, list, result.comparable);
@@ -153,8 +153,11 @@ void compare(Study& study) {
 
 const StudyRun* cheapest(const Study& study, double error) {
   constexpr double as_cheap = 1.2;  // clocks are no better
+  // A run may be near the finest until then, and invent energy later.
+  const double energy = std::max(0.1, 2.0 * study.finest().worst.energy);
   const auto serves = [&](const StudyRun& run) {
-    return run.trouble.empty() && run.error + (&run == &study.finest() ? 0.0 : study.uncertain) <= error;
+    return run.trouble.empty() && run.worst.energy <= energy &&
+           run.error + (&run == &study.finest() ? 0.0 : study.uncertain) <= error;
   };
   double least = std::numeric_limits<double>::infinity();
   for (const StudyRun& run : study.runs)

@@ -230,6 +230,34 @@ double energy_at_ages(const World& world, Forces& f, double time) {
 
 bool stiffness_is_due(World& world) { return std::exchange(world.stiffness_unknown, false) || world.steps % 64 == 0; }
 
+/// Error rate of the kicks of a whole step [1/s], were it not divided: by the forces where all would be at its end if it
+/// went on straight, so that what meets a wall in the step is seen before.
+double coming_kick_error(World& world) {
+  Forces& f = *world.forces;
+  note_kicks(world);
+  read_velocities(world, f, false);
+  const auto places = f.sites.x, force = f.sites.force, open = f.sites.open_force;
+  for (std::size_t i = 0; i < f.sites.n; i++) f.sites.x[i] += f.sites.v[i] * world.settings.step;
+  std::fill(f.sites.force.begin(), f.sites.force.end(), zero3());
+  if (f.open) std::fill(f.sites.open_force.begin(), f.sites.open_force.end(), zero3());
+  run_laws(world, f, instant_of(world, world.time, world.instant), {false, true}, false);
+  collect(world, f);
+  const double rate = kick_error(world) * world.sub_steps.count;
+  f.sites.x = places;
+  f.sites.force = force;
+  f.sites.open_force = open;
+  collect(world, f);
+  return std::isfinite(rate) ? rate : infinity;
+}
+
+/// More sub-steps where the coming step needs them.
+void look_ahead(World& world) {
+  const double count = world.sub_steps.count, rate = coming_kick_error(world) / (count * count);
+  if (rate <= *world.settings.accuracy) return;
+  adapt(world.sub_steps, rate, *world.settings.accuracy);
+  begin_part(world, 0);
+}
+
 /// The energy of the laws comes into the balance.
 void bring_in_energy(World& world) {
   Forces& f = *world.forces;
@@ -284,16 +312,13 @@ void make_forces(World& world) {
 void refresh_forces(World& world) {
   if (world.influences_changed) {
     make_forces(world);
-    if (world.settings.accuracy && !world.influences_changed) {
-      adapt(world.sub_steps, expected_kick_error(world), *world.settings.accuracy);
-      begin_part(world, 0);
-    }
   } else if (world.forces && world.forces->unsettled) {
     settle(world);
   } else if (world.forces && stiffness_is_due(world) && find_too_stiff(world, *world.forces)) {
     editing::disturb_forces(world);
   }
   if (world.influences_changed) return;
+  if (world.forces && world.settings.accuracy) look_ahead(world);
   if (world.forces && changes(*world.forces)) set_solved_inputs(world, true);
   begin_kick(world);
 }

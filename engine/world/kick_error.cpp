@@ -55,21 +55,6 @@ double change(const World& world, const Forces& f, const Mover& m) {
 
 }  // namespace
 
-double expected_kick_error(const World& world) {
-  if (!world.forces) return 0.0;
-  const Forces& f = *world.forces;
-  double worst = 0.0;
-  for (std::size_t i = 0; i < f.sites.n; i++)
-    if (f.point[i] != Forces::none) worst = std::max(worst, norm(acceleration(f, i)) * norm(f.sites.v[i]));
-  for (const Mover& m : f.movers) {
-    const double mass = m.is_body ? world.motion[m.slot].mass : world.points.at_slot(m.slot).mass;
-    const Vec3 v = m.is_body ? world.motion[m.slot].p / mass : world.free_motion[m.slot].v;
-    worst = std::max(worst, norm(force(f, m)) / mass * norm(v));
-  }
-  const double space = spacing(world, f), h = world.part.full;
-  return worst * h * h / (6.0 * space * space);
-}
-
 void note_kicks(World& world) {
   if (!world.forces) return;
   Forces& f = *world.forces;

@@ -9,7 +9,5 @@ void note_kicks(World& world);
 /// of an articulate, else to the spacing of what laws act on where they were spread widest. Two kicks of h and one of 2h leave places that differ by
 /// h² times the change of acceleration, a third of which is the error of the two (Richardson 1911).
 double kick_error(const World& world);
-/// A guess of it before the first step, as if each thing met another force after a way as long as the spacing.
-double expected_kick_error(const World& world);
 
 }  // namespace pantin

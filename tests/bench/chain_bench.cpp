@@ -76,11 +76,13 @@ void bench_chain(const player::BenchOptions& options) {
     std::printf("%8d %14.1f %12.2f %12.2f %14.2f %12.2f\n", n, measured.step / n, measured.iterations,
                 measured.factorisations, player::product_time(), measured.step / 1e3);
     std::fflush(stdout);
-    if (n < 31 || n > 3000) continue;
+    if (n < 31) continue;
     links.push_back(n);
     times.push_back(measured.step);
   }
-  if (links.size() > 1) std::printf("time of a step grows as links^%.3f, from 31 to 3000\n", exponent(links, times));
+  for (; links.size() > 1; links.pop_back(), times.pop_back())
+    std::printf("time of a step grows as links^%.3f, from %.0f to %.0f\n", exponent(links, times), links.front(),
+                links.back());
 }
 
 const player::Register chain_benchmark({"chain", "time per hinge and step of a chain; arguments: numbers of links",

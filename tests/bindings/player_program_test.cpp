@@ -191,6 +191,17 @@ TEST_CASE("program: the scene says when to end") {
   CHECK(nlohmann::json::parse(read_file(folder / "b.json"))["time"].get<double>() == Approx(0.125).margin(1.0 / 240));
 }
 
+TEST_CASE("program: a run whose energy went wrong says so, and what finds a better step") {
+  Folder folder;
+  const std::string spring = "scene.integrator = 'euler'\nlocal p = scene:particle { at = vec(1, 0, 0) }\n";
+  write_file(folder / "good.lua", spring);
+  write_file(folder / "bad.lua", spring + R"(
+    scene:field(scene, force.point { potential = function(p) return 1e6 * p.position.x ^ 2 end })
+  )");
+  CHECK_THAT(use(folder, {"run", "good.lua", "--until", "0.1"}).out, !Contains("pantin report"));
+  CHECK_THAT(use(folder, {"run", "bad.lua", "--until", "0.1"}).out, Contains("`pantin report bad.lua`"));
+}
+
 TEST_CASE("program: tests in Lua") {
   Folder folder;
   write_file(folder / "good.lua", "test('a sum', function() expect(1 + 1):equal(2) end)");

@@ -90,6 +90,16 @@ TEST_CASE("report: what no run reaches is told from the order") {
   CHECK_THAT(advice(study), Catch::Contains("none of the steps tried is that exact; by its order euler would need"));
 }
 
+TEST_CASE("report: a run that invents energy later is not recommended, however near it begins") {
+  Study study = empty_study();
+  for (const double step : steps)
+    study.runs.push_back(seen(study, "verlet", step, [](double h, double t) { return 3 * h * h * t; }));
+  compare(study);
+  for (StudyRun& run : study.runs) run.worst.energy = run.step > 0.015 ? 0.9 : 0.01;
+  REQUIRE(cheapest(study, 1e-2));
+  CHECK(cheapest(study, 1e-2)->step == 0.01);
+}
+
 TEST_CASE("report: comparing ends where the two finest runs part") {
   Study study = empty_study();
   for (const double step : steps)

@@ -68,3 +68,22 @@ test("an accuracy that the most sub-steps do not give is told", function()
   scene:advance(0.5)
   expect(scene.log[1].text):equal("scene.accuracy is not reached: not even the most sub-steps are enough")
 end)
+
+test("a stiff impact within a step is seen before it, so that what meets exchanges velocities", function()
+  local function second(settings)
+    local scene = open_text([[
+      scene.gravity = vec(0, 0, 0)
+      local balls = scene:family "balls"
+      scene:interact(balls, balls, force.pair {
+        cutoff = 0.2,
+        potential = function(r) return 1e6 / 2 * (0.2 - r) ^ 2 end,
+      })
+      scene:particle { family = balls, velocity = vec(1, 0, 0) }
+      scene:particle { family = balls, at = vec(0.5017, 0, 0), name = "second" }
+    ]] .. settings)
+    scene:advance(1)
+    return scene:find("second").velocity.x
+  end
+  expect(second "scene.accuracy = 1e-3"):near(1, 1e-3)
+  expect(second ""):above(2)
+end)
