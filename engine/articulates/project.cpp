@@ -251,7 +251,7 @@ ImpulseWork make_consistent(Articulate& a) {
     }
     left = v.forbidden;
     fastest = v.fastest;
-    if (v.kinetic <= sane || epsilon > 1e-3) break;
+    if (v.kinetic <= sane + std::fabs(work.all()) || epsilon > 1e-3) break;
   }
   tell_momenta(a);
   a.has_factor = false;

@@ -124,3 +124,32 @@ test("what breaks by its length says its length", function()
   expect(tonumber(scene:result "rod":match "^length of ([%d.]+) m$")):near(1.5, 0.01)
   expect(tonumber(scene:result "connection":match "^length of ([%d.]+) m$")):near(1.5, 0.01)
 end)
+
+test("a motor starts a linkage of four bars at its speed, and all that moves then is its work", function()
+  local scene = open_text [[
+    scene.gravity = vec(0, 0, 0)
+    local _ = scene.ledger
+    local function bar(a, b)
+      local d = b - a
+      local l = d:length()
+      return scene:body {
+        mass = l, inertia = vec(0.01, l ^ 3 / 12, l ^ 3 / 12), at = (a + b) * 0.5,
+        orientation = quat(vec(0, 0, 1), math.atan(d.y, d.x)), points = { a = vec(-l / 2, 0, 0), b = vec(l / 2, 0, 0) },
+      }
+    end
+    local crank = bar(vec(0, 0, 0), vec(0, 0.5, 0))
+    local coupler, rocker = bar(vec(0, 0.5, 0), vec(1.5, 1, 0)), bar(vec(1.5, 1, 0), vec(1.5, 0, 0))
+    scene:nail(crank.a)
+    scene:nail(rocker.b)
+    scene:hinge(crank.b, coupler.a)
+    scene:hinge(coupler.b, rocker.a)
+    scene:motor(crank, { axis = vec(0, 0, 1), speed = -6 })
+    crank.name = "crank"
+  ]]
+  scene:advance(1 / 240)
+  local ledger = scene.ledger
+  expect(scene:find("crank").spin.z):near(-6, 1e-6)
+  expect(ledger.edit + ledger.motor):near(scene.energy.kinetic, 1e-4)
+  scene:advance(2)
+  expect(scene.error.worst_energy):below(1e-6)
+end)
