@@ -64,3 +64,25 @@ test("bridge: stands under a load, then breaks", function()
   expect(bridge:read "sag"):above(1)
   expect(bridge.stats.safe_steps):equal(0)
 end)
+
+test("a stiff spring pulls a hinge by any of its members alike, and energy is kept", function()
+  local ends = { "p.b", "q.a", "hinge" }
+  local heights = {}
+  for _, point in ipairs(ends) do
+    local scene = open_text([[
+      local function rod(x)
+        return scene:body { mass = 1, inertia = vec(0.001, 0.08, 0.08), at = vec(x, 0, 0),
+          points = { a = vec(-0.5, 0, 0), b = vec(0.5, 0, 0) } }
+      end
+      local p, q = rod(0.5), rod(1.5)
+      local hinge = scene:hinge(p.b, q.a)
+      scene:connect(]] .. point .. [[, vec(0, 2, 0), force.spring { stiffness = 1e4, length = 1 })
+      q.name = "q"
+    ]])
+    scene:advance(1)
+    expect(scene.error.worst_energy):below(1e-9)
+    heights[#heights + 1] = scene:find("q").position.y
+  end
+  expect(heights[2]):equal(heights[1])
+  expect(heights[3]):equal(heights[1])
+end)
