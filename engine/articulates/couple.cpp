@@ -104,7 +104,11 @@ double evaluate_turn(Row& row, Condition& c, const RowContext& context) {
   return evaluate_reading(row, c, {mean_axis(row), twist_gradient(row), value - low, value - high}, context);
 }
 
-void project_turn(const Row& row, Condition& c) { project_reading(c, twist_gradient(row)); }
+void project_turn(const Row& row, Condition& c) {
+  const Vec3 gradient = twist_gradient(row);
+  project_reading(c, gradient,
+                  std::fmax(1.0, norm(gradient)));  // less only where the axes are opposite, and it has none
+}
 
 Vec3 turn_gap(const Row& row, const Condition& c) {
   const double value = c.angle1 * row.lever - c.accepted;

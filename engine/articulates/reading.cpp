@@ -48,12 +48,12 @@ double evaluate_reading(Row& row, Condition& c, const Reading& r, const RowConte
   return std::fmax(std::fabs(h.gap), norm(across) * weight);
 }
 
-void project_reading(Condition& c, Vec3 gradient) {
+void project_reading(Condition& c, Vec3 gradient, double slope) {
   c.kept = zero33();
   if (!c.held) return;
   const Vec3 n = direction(gradient);
   c.kept = outer(n, n);
-  c.wanted += n * c.length_rate;
+  c.wanted += n * (c.length_rate / slope);
 }
 
 double missing(const Condition& c, double low, double high) {

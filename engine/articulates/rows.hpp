@@ -71,8 +71,9 @@ struct Reading {
 /// to close the gap (Alart and Curnier 1991). Held to n by two more equations: n g + κ P f = 0, P = 1 - n n',
 /// κ = (h²/2) mobility to make a force a length.
 double evaluate_reading(Row& row, Condition& condition, const Reading& reading, const RowContext& context);
-/// Sets `kept` and `wanted` of a row that forbids velocities along `gradient`, where it is held.
-void project_reading(Condition& condition, Vec3 gradient);
+/// Sets `kept` and `wanted` of a row that forbids velocities along `gradient`, where it is held; `slope` is by how much the
+/// value changes with d along that.
+void project_reading(Condition& condition, Vec3 gradient, double slope = 1.0);
 /// Ends of a range, which is wider while what is outside is drawn in, [m].
 inline double low_end(const Condition& c) { return c.low + std::fmin(0.0, c.length); }
 inline double high_end(const Condition& c) { return c.high + std::fmax(0.0, c.length); }

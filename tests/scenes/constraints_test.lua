@@ -153,3 +153,16 @@ test("a motor starts a linkage of four bars at its speed, and all that moves the
   scene:advance(2)
   expect(scene.error.worst_energy):below(1e-6)
 end)
+
+test("a motor turns what swings aside at its speed, and takes or gives no energy but its work", function()
+  local scene = open_text [[
+    scene.gravity = vec(0, 0, 0)
+    local rod = scene:body {
+      mass = 1, inertia = vec(0.01, 0.08, 0.08), at = vec(0.5, 0, 0), points = { a = vec(-0.5, 0, 0) }, spin = vec(0, 2, 0),
+    }
+    scene:nail(rod.a)
+    scene:motor(rod, { axis = vec(0, 0, 1), speed = 3 })
+  ]]
+  scene:advance(2)
+  expect(scene.error.worst_energy):below(1e-9)
+end)
