@@ -7,19 +7,11 @@ void main() {
   vec3 c = ball_of.xyz, ray = normalize(spot);
   float r = ball_of.w, b = dot(ray, c);
   vec3 off = c - ray * b;
-  float q = r * r - dot(off, off);
-  float a = coverage(q);
-  if (paint_of.w > 1.5) a = min(a, coverage(0.30 * r * r - q));  // a ring
+  float q = r * r - dot(off, off), a = coverage(q);
   if (a < least) discard;
-  vec3 hit = ray * (b - sqrt(max(q, 0.0)));
-  vec3 n = normalize(hit - c);
-  vec3 color = paint_of.rgb;
-  if (paint_of.w > 1.5) {
-    gl_FragDepth = 0.0;
-    result = vec4(shown(color), a);
-    return;
-  }
-  if (paint_of.w > 0.5) color = mix(second_of, color, smoothstep(0.62, 0.70, dot(n, -ray)));  // a hinge
+  vec3 hit = ray * (b - sqrt(max(q, 0.0))), n = normalize(hit - c);
+  // A hinge has a rim.
+  vec3 color = mix(paint_of.rgb, second_of, paint_of.w * (1.0 - smoothstep(0.62, 0.70, dot(n, -ray))));
   gl_FragDepth = depth_of(hit);
   result = vec4(shown(shade(color, n, -ray)), a);
 }

@@ -15,7 +15,7 @@ void main() {
   vec3 s = normalize(cross(u, abs(u.y) < 0.9 ? vec3(0, 1, 0) : vec3(1, 0, 0)));
   vec3 t = cross(u, s);
   vec3 middle = 0.5 * (from.xyz + to.xyz);
-  float pad = from.w + pixel * (length(middle) + length_of);
+  float pad = from.w + margin * pixel * (length(middle) + length_of);
   spot = middle + u * side.x * (0.5 * length_of + pad) + (s * side.y + t * side.z) * pad;
   from_of = from;
   to_of = to;

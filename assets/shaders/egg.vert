@@ -16,7 +16,7 @@ void main() {
   vec3 f = centre / d;
   vec3 s = normalize(cross(f, abs(f.y) < 0.99 ? vec3(0, 1, 0) : vec3(1, 0, 0)));
   vec3 t = cross(s, f);
-  float k = (d2 > 1.02 * r2 ? d * sqrt(r2 / (d2 - r2)) : 8.0 * sqrt(r2)) + pixel * d;
+  float k = (d2 > 1.02 * r2 ? d * sqrt(r2 / (d2 - r2)) : 8.0 * sqrt(r2)) + margin * pixel * d;
   spot = centre + (s * corner.x + t * corner.y) * k;
   centre_of = centre;
   inward = inverse(mat3(axis_x, axis_y, axis_z));

@@ -13,5 +13,5 @@ void main() {
   along_of = b - a;
   vec2 at = 0.5 * (a + b) + u * corner.x * (0.5 * size + wide) + vec2(-u.y, u.x) * corner.y * wide;
   off = at - a;
-  gl_Position = heights < -from.w || edge.x < 0.03 * min(edge.y, edge.z) || to.w > 0.5 ? vec4(2.0) : on_map(at);
+  gl_Position = heights < -from.w || edge.x < 0.03 * min(edge.y, edge.z) || to.w > 0.5 ? vec4(2.0) : drawn(at, map_for(min(edge.y, edge.z)));
 }

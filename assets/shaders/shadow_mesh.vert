@@ -5,5 +5,5 @@ out float dark;
 void main() {
   dark = place.y < level ? 0.0 : 1.0 / (1.0 + 1.2 * (place.y - level) / size);
   dark *= max(solid, paint.r);
-  gl_Position = on_map(fall(place));
+  gl_Position = drawn(fall(place), 0);
 }

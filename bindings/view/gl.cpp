@@ -33,9 +33,11 @@ GLuint compile(GLenum kind, const std::string& name, const std::string& text) {
 
 }  // namespace
 
-ShaderProgram::ShaderProgram(const std::string& name, const std::string& common, const std::string& definitions) {
+ShaderProgram::ShaderProgram(const std::string& name, std::initializer_list<const char*> common,
+                             const std::string& definitions) {
   const std::string version = "#version 330 core\n";
-  const std::string head = definitions + (common.empty() ? std::string() : std::string(shader_text(common)));
+  std::string head = definitions;
+  for (const char* file : common) head += shader_text(file);
   const GLuint vertex =
       compile(GL_VERTEX_SHADER, name + ".vert", version + head + std::string(shader_text(name + ".vert")));
   const GLuint fragment = compile(GL_FRAGMENT_SHADER, name + ".frag",

@@ -11,10 +11,10 @@
 
 namespace pantin {
 
-/// A vertex and a fragment shader by their names in assets/shaders, after a common text and definitions.
+/// A vertex and a fragment shader by their names in assets/shaders, after definitions and the common texts.
 class ShaderProgram {
  public:
-  ShaderProgram(const std::string& name, const std::string& common, const std::string& definitions);
+  ShaderProgram(const std::string& name, std::initializer_list<const char*> common, const std::string& definitions);
   ~ShaderProgram();
   ShaderProgram(const ShaderProgram&) = delete;
   ShaderProgram& operator=(const ShaderProgram&) = delete;

@@ -15,7 +15,8 @@ namespace pantin {
 
 namespace {
 
-constexpr int shadow_pixels = 360;
+constexpr int shadow_pixels = 384;  // of the finest map, see shadow_maps.glsl
+constexpr int ground_corners = 24;
 constexpr double trail_interval = 1.0 / 40.0;  // [s] at the scene's pace
 
 struct Background {
@@ -36,8 +37,8 @@ double round_length(double length) {
 
 const char* const light_definitions = "const float veil = 0.75;\n";
 
-std::string definitions(int samples) {
-  return samples > 0 ? "const float least = 1.0 / 256.0;\n" : "const float least = 0.5;\n";
+std::string edge_definitions(int samples) {
+  return text("const bool sampled = ", samples > 0 ? "true" : "false", ";\n");
 }
 
 }  // namespace
@@ -46,10 +47,13 @@ struct Renderer::Parts {
   int width, height, samples;
   std::optional<Target> target;
   std::optional<Target> resolved;
-  Target shadow{shadow_pixels, shadow_pixels, 0, Target::Format::shade, false};
-  ShaderProgram ball, bar, egg, mesh, glow, streak, backdrop{"backdrop", "", ""}, ground{"ground", "common.glsl", ""};
-  ShaderProgram shadow_ball{"shadow_ball", "shadow.glsl", ""}, shadow_bar{"shadow_bar", "shadow.glsl", ""},
-      shadow_mesh{"shadow_mesh", "shadow.glsl", ""};
+  Target shadow{shadow_pixels * 3 / 2, shadow_pixels, 0, Target::Format::shade, false};
+  ShaderProgram ball, bar, egg, mesh, glow, streak, backdrop{"backdrop", {}, ""},
+      grid{"grid", {"common.glsl", "fade.glsl"}, text("const float corners = ", ground_corners, ".0;\n")},
+      shade{"shade", {"common.glsl", "fade.glsl", "shadow_maps.glsl"}, ""},
+      shadow_ball{"shadow_ball", {"shadow_maps.glsl", "shadow.glsl", "triangle.glsl"}, ""},
+      shadow_bar{"shadow_bar", {"shadow_maps.glsl", "shadow.glsl"}, ""},
+      shadow_mesh{"shadow_mesh", {"shadow_maps.glsl", "shadow.glsl"}, ""};
   FloatRows balls{{4, 4, 3}, true}, bars{{4, 4, 3}, true}, eggs{{3, 3, 3, 3, 3, 3}, true}, corners{{3, 3, 3}, false},
       shades{{3, 3, 3}, false}, glows{{4, 4}, true}, streaks{{4, 3, 4}, true}, nothing{{1}, false};
   Panel panel;
@@ -65,12 +69,12 @@ struct Renderer::Parts {
         height(h),
         samples(samples_wanted),
         target(std::in_place, w, h, samples_wanted, Target::Format::color, true),
-        ball("ball", "common.glsl", definitions(target->samples())),
-        bar("bar", "common.glsl", definitions(target->samples())),
-        egg("egg", "common.glsl", definitions(target->samples())),
-        mesh("mesh", "common.glsl", definitions(target->samples())),
-        glow("glow", "common.glsl", light_definitions),
-        streak("streak", "common.glsl", light_definitions),
+        ball("ball", {"common.glsl", "edges.glsl", "triangle.glsl"}, edge_definitions(target->samples())),
+        bar("bar", {"common.glsl", "edges.glsl"}, edge_definitions(target->samples())),
+        egg("egg", {"common.glsl", "edges.glsl"}, edge_definitions(target->samples())),
+        mesh("mesh", {"common.glsl"}, ""),
+        glow("glow", {"common.glsl"}, light_definitions),
+        streak("streak", {"common.glsl"}, light_definitions),
         panel(scale) {
     resolve_target();
   }
@@ -92,6 +96,7 @@ struct Renderer::Parts {
   void set_camera(const ShaderProgram& program, const Camera& camera) const;
 
   float rim = 0.0f;
+  bool shaded = false;
   // Of the last shadows: in units of the camera's distance, relative to the eye.
   float shadow_x = 0.0f, shadow_z = 0.0f, shadow_reach = 1.0f;
 };
@@ -169,6 +174,7 @@ void Renderer::Parts::collect_marks(const World& world, const Overlay& overlay) 
   marks.clear();
   if (overlay.views.on(View::trails)) trails.draw(world, stage, marks);
   add_view_marks(world, overlay.views, stage, overlay.pace, marks);
+  if (world.points.alive(overlay.highlight)) add_highlight(world, overlay.highlight, marks);
   if (!sketcher.tints().legend().empty()) marks.push_back(legend_mark(sketcher.tints().legend(), 0));
   marks.insert(marks.end(), overlay.marks.begin(), overlay.marks.end());
 }
@@ -196,10 +202,11 @@ void Renderer::Parts::draw_backdrop(const Background& colors) {
 
 // Draws the scene from the light onto a map of the ground, soft where it is high above it.
 void Renderer::Parts::draw_shadows(const Camera& camera, bool wanted) {
+  shaded = wanted && sketch.lower.x <= sketch.upper.x;
+  if (!shaded) return;
   shadow.bind();
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClear(GL_COLOR_BUFFER_BIT);
-  if (!wanted || sketch.lower.x > sketch.upper.x) return;
   const float level = static_cast<float>((stage.ground - camera.eye()[1]) / camera.distance);
   const Vec3 light = key_light();
   const float lx = static_cast<float>(light[0] / light[1]), lz = static_cast<float>(light[2] / light[1]);
@@ -208,7 +215,7 @@ void Renderer::Parts::draw_shadows(const Camera& camera, bool wanted) {
   const float z0 = sketch.lower.z - std::max(lz * h0, lz * h1), z1 = sketch.upper.z - std::min(lz * h0, lz * h1);
   shadow_x = 0.5f * (x0 + x1);
   shadow_z = 0.5f * (z0 + z1);
-  shadow_reach = 0.5f * std::max(x1 - x0, z1 - z0) * 1.02f + 0.10f * h1;
+  shadow_reach = 0.575f * std::max(x1 - x0, z1 - z0) + 0.10f * h1;  // with all that is soft
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glEnable(GL_BLEND);
@@ -220,6 +227,7 @@ void Renderer::Parts::draw_shadows(const Camera& camera, bool wanted) {
     program->set("level", level);
     program->set("light", light);
     program->set("size", static_cast<float>(stage.size / camera.distance));
+    program->set("texel", 2.0f * shadow_reach / shadow_pixels);
   }
   shadow_mesh.set("solid", 1.0f);
   corners.bind();
@@ -229,7 +237,7 @@ void Renderer::Parts::draw_shadows(const Camera& camera, bool wanted) {
   glDrawArrays(GL_TRIANGLES, 0, shades.count());
   shadow_ball.use();
   balls.bind();
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, balls.count());
+  glDrawArraysInstanced(GL_TRIANGLES, 0, 3, balls.count());
   shadow_bar.use();
   bars.bind();
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, bars.count());
@@ -245,26 +253,33 @@ void Renderer::Parts::draw_ground(const Camera& camera, const Background& colors
   const float fallen = sketch.lower.x > sketch.upper.x ? 0.0f : (level - sketch.lower.y) / size;
   const float strength = above * std::clamp(1.0f - (fallen - 0.08f) / 0.25f, 0.0f, 1.0f);
   if (!(strength > 0.0f)) return;
-  set_camera(ground, camera);
-  ground.set("level", level);
-  ground.set("middle", static_cast<float>((middle[0] - eye[0]) / unit),
-             static_cast<float>((middle[2] - eye[2]) / unit));
-  ground.set("reach", 2.2f * size);
-  ground.set("origin", static_cast<float>(std::fmod(eye[0] / square, 10.0)),
-             static_cast<float>(std::fmod(eye[2] / square, 10.0)));
-  ground.set("squares", static_cast<float>(unit / square));
-  ground.set("strength", strength);
-  ground.set("shadow", 0);
-  ground.set("shadow_middle", shadow_x, shadow_z);
-  ground.set("shadow_reach", shadow_reach);
-  ground.set("ink", colors.grid);
-  ground.set("dark", colors.shade);
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, shadow.texture());
+  for (const ShaderProgram* program : {&shade, &grid}) {
+    set_camera(*program, camera);
+    program->set("level", level);
+    program->set("middle", static_cast<float>((middle[0] - eye[0]) / unit),
+                 static_cast<float>((middle[2] - eye[2]) / unit));
+    program->set("reach", 2.2f * size);
+    program->set("strength", strength);
+  }
+  grid.set("origin", static_cast<float>(std::fmod(eye[0] / square, 10.0)),
+           static_cast<float>(std::fmod(eye[2] / square, 10.0)));
+  grid.set("squares", static_cast<float>(unit / square));
+  grid.set("ink", colors.grid);
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   nothing.bind();
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  if (shaded) {
+    shade.use();
+    shade.set("shadow", 0);
+    shade.set("shadow_middle", shadow_x, shadow_z);
+    shade.set("shadow_reach", shadow_reach);
+    shade.set("dark", colors.shade);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, shadow.texture());
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  }
+  grid.use();
+  glDrawArrays(GL_TRIANGLE_FAN, 0, ground_corners);
   glDisable(GL_BLEND);
 }
 
@@ -285,7 +300,7 @@ void Renderer::Parts::draw_things(const Camera& camera) {
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, eggs.count());
   set_camera(ball, camera);
   balls.bind();
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, balls.count());
+  glDrawArraysInstanced(GL_TRIANGLES, 0, 3, balls.count());
   set_camera(bar, camera);
   bars.bind();
   glEnable(GL_CULL_FACE);

@@ -22,7 +22,11 @@ constexpr Color spark = {1.00f, 0.62f, 0.18f, 1.0f};
 constexpr double streak_time = 0.03;  // [s] of its flight that a streak shows
 constexpr double break_time = 0.5;    // [s] for which a break is shown
 
-float linear(float c) { return std::pow(std::clamp(c, 0.0f, 1.0f), 2.2f); }
+// Of what is shown; the shaders take the root again.
+float linear(float c) {
+  const float part = std::clamp(c, 0.0f, 1.0f);
+  return part * part;
+}
 Rgb linear(const Color& c) { return {linear(c.r), linear(c.g), linear(c.b)}; }
 Rgb mix(Rgb a, Rgb b, float part) {
   return {a.r + (b.r - a.r) * part, a.g + (b.g - a.g) * part, a.b + (b.b - a.b) * part};
@@ -50,7 +54,7 @@ struct Sketcher::Eye {
   void ball(Sketch& s, Vec3 p, double r, double least, Rgb color, Sketch::Style style, Rgb second) const {
     const float radius_of = radius(r, p, least);
     s.balls.push_back({place(p), radius_of, color, static_cast<float>(style), second});
-    if (style != Sketch::ring) include(s, place(p), radius_of);
+    include(s, place(p), radius_of);
   }
   void bar(Sketch& s, Vec3 a, Vec3 b, double r, double least, Rgb color, bool unlit = false) const {
     const float radius_of = radius(r, dot(a - at, forward) < dot(b - at, forward) ? a : b, least);
@@ -138,7 +142,6 @@ void Sketcher::draw(const World& world, const Camera& camera, const Stage& stage
   draw_constraints(world, eye, stage, sketch);
   draw_connections(world, overlay.views, eye, stage, sketch);
   draw_breaks(world, eye, stage, overlay.pace, sketch);
-  draw_overlay(world, eye, overlay, sketch);
 }
 
 void Sketcher::draw_body(const World& world, BodyId id, const Eye& eye, const Stage& stage, Sketch& sketch) {
@@ -342,14 +345,6 @@ void Sketcher::draw_breaks(const World& world, const Eye& eye, const Stage& stag
     sketch.glows.push_back(
         {eye.place(middle), static_cast<float>(flash / eye.unit), {spark.r, spark.g, spark.b}, left * left});
   }
-}
-
-void Sketcher::draw_overlay(const World& world, const Eye& eye, const Overlay& overlay, Sketch& sketch) {
-  if (!world.points.alive(overlay.highlight)) return;
-  const PointId id = overlay.highlight;
-  const double joint = static_cast<double>(joints_[world.points[id].particle.slot - 1]);
-  const Vec3 at = shown_place(world, id);
-  if (finite(at)) eye.ball(sketch, at, 0.0, 11.0 + (joint > 0.0 ? 3.0 : 0.0), linear(grip), Sketch::ring, {});
 }
 
 }  // namespace pantin

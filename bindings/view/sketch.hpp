@@ -18,7 +18,7 @@ struct Float3 {
 /// What is to be drawn of a world, as rows of floats for the shaders: places relative to the eye in units of the camera's
 /// distance, linear colours.
 struct Sketch {
-  enum Style { plain = 0, hinge = 1, ring = 2 };  ///< of a ball; of a bar 1 is unlit
+  enum Style { plain = 0, hinge = 1 };  ///< of a ball; of a bar 1 is unlit
   struct Ball {
     Float3 at;
     float radius;
@@ -86,7 +86,6 @@ class Sketcher {
   void draw_constraints(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch);
   void draw_connections(const World& world, const Views& views, const Eye& eye, const Stage& stage, Sketch& sketch);
   void draw_breaks(const World& world, const Eye& eye, const Stage& stage, double pace, Sketch& sketch);
-  void draw_overlay(const World& world, const Eye& eye, const Overlay& overlay, Sketch& sketch);
 
   Shapes shapes_;
   Appearance appearance_;

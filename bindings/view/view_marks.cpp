@@ -13,7 +13,8 @@ namespace pantin {
 namespace {
 
 constexpr Color force_color = {0.82f, 0.18f, 0.24f, 1.0f}, velocity_color = {0.14f, 0.45f, 0.78f, 1.0f},
-                cell_color = {0.45f, 0.55f, 0.62f, 0.35f}, next_color = {0.45f, 0.44f, 0.42f, 1.0f};
+                cell_color = {0.45f, 0.55f, 0.62f, 0.35f}, next_color = {0.45f, 0.44f, 0.42f, 1.0f},
+                highlight_color = {0.85f, 0.20f, 0.26f, 1.0f};
 constexpr double shown_time = 0.1;  // [s] at the scene's pace: of its motion that a velocity's arrow is long
 constexpr double ring_part = 0.22;  // of the unit: how far members are drawn from their hinge
 constexpr std::size_t most_cells = 1500;
@@ -147,6 +148,11 @@ Mark legend_mark(const std::string& text, int line) {
   legend.on_screen = true;
   legend.text = text;
   return legend;
+}
+
+void add_highlight(const World& world, PointId point, std::vector<Mark>& marks) {
+  const Vec3 at = shown_place(world, point);
+  marks.push_back(mark(Mark::Kind::ring, at, at, highlight_color, world.points[point].body ? 28.0 : 22.0));
 }
 
 void add_view_marks(const World& world, const Views& views, const Stage& stage, double pace, std::vector<Mark>& marks) {

@@ -35,6 +35,9 @@ class Trails {
 /// Appends what the views show as marks: rings, forces, velocities and cells. `pace` as of the overlay.
 void add_view_marks(const World& world, const Views& views, const Stage& stage, double pace, std::vector<Mark>& marks);
 
+/// Appends a ring round a point that is alive.
+void add_highlight(const World& world, PointId point, std::vector<Mark>& marks);
+
 /// The text that tells a scale, for the upper right corner, below so many others.
 Mark legend_mark(const std::string& text, int line);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/check.hpp"
+#include "view/sketch.hpp"
 #include "view/window.hpp"
 #include "window/small_worlds.hpp"
 #include "world/hands.hpp"
@@ -254,4 +255,65 @@ TEST_CASE("a renderer can change its size", "[window]") {
   renderer.draw(world, camera_of(world));
   CHECK(renderer.read_pixels().size() == 4u * 320u * 200u);
   CHECK_THROWS_WITH(Renderer(0, 10), Catch::Contains("must be > 0 pixels, got 0 x 10"));
+}
+
+namespace {
+
+/// What the shadow of a ball of 0.4 m across darkens, seen from above beside it.
+struct Darkened {
+  double x = 0.0, y = 0.0;  // [px] from where the light draws the ball's middle to the shadow's
+  double wide = 0.0;        // [px] root of the mean square of its extent
+  int most = 0;
+};
+
+Darkened shadow_of_ball(double above) {
+  World world;
+  small_worlds::particle(world, zero3());  // on the ground
+  world.points.at_slot(0).radius = 1e-4;
+  ParticleDef def;
+  def.at = vec(0, above, 0);
+  def.radius = 0.2;
+  add_particle(world, def);
+  const Vec3 light = key_light(), fallen = def.at - light * (above / light[1]);
+  Camera camera;
+  camera.look(fallen + vec(4, 8, -4), fallen);
+  Overlay bare;
+  bare.views.set(View::shadows, false);
+  const Still with = draw(world, camera), without = draw(world, camera, 0, bare);
+  Darkened d;
+  double sum = 0.0, square = 0.0;
+  for (int y = 0; y < height; y++)
+    for (int x = 0; x < width; x++) {
+      const int dark = without.at(x, y, 1) - with.at(x, y, 1);
+      const double dx = x + 0.5 - 0.5 * width, dy = y + 0.5 - 0.5 * height;
+      d.most = std::max(d.most, dark);
+      d.x += dark * dx;
+      d.y += dark * dy;
+      square += dark * (dx * dx + dy * dy);
+      sum += dark;
+    }
+  REQUIRE(sum > 0.0);
+  d.x /= sum;
+  d.y /= sum;
+  d.wide = std::sqrt(square / sum);
+  return d;
+}
+
+}  // namespace
+
+TEST_CASE("a shadow lies where the light draws it, wider and fainter from higher up", "[window]") {
+  const Window window("test", width, height, true);
+  Darkened last;
+  for (const double above : {1.0, 2.0, 4.0, 8.0}) {
+    INFO(above << " m above the ground");
+    const Darkened shadow = shadow_of_ball(above);
+    CHECK(std::fabs(shadow.x) < 2.0);
+    CHECK(std::fabs(shadow.y) < 2.0);
+    if (above > 1.0) {
+      CHECK(shadow.wide > 1.2 * last.wide);
+      CHECK(shadow.most < last.most);
+    }
+    last = shadow;
+  }
+  CHECK(last.most > 3);
 }
