@@ -160,10 +160,11 @@ void Panel::take_keys(Gestures& gestures) {
   gestures.keys.clear();
 }
 
-void Panel::draw(const Overlay& overlay, std::span<const Mark> marks, const Camera& camera, int width, int height) {
+void Panel::draw(const Overlay& overlay, const ShownViews& views, const Camera& camera, int width, int height) {
   pressed_.clear();
   if (overlay.status.empty() && overlay.message.empty() && overlay.title.empty() && overlay.help.empty() &&
-      overlay.buttons.empty() && marks.empty() && !overlay.windows)
+      overlay.buttons.empty() && overlay.marks.empty() && !overlay.windows && views.marks.empty() &&
+      views.colors.empty() && views.forces.empty())
     return;
   ImGui::SetCurrentContext(context_);
   if (const bool dark = overlay.views.on(View::dark); dark != dark_) set_panel_style(scale_, dark_ = dark);
@@ -173,7 +174,9 @@ void Panel::draw(const Overlay& overlay, std::span<const Mark> marks, const Came
   io.DisplaySize = {w, h};
   io.DeltaTime = 1.0f / 60.0f;
   ImGui::NewFrame();
-  draw_marks(*ImGui::GetBackgroundDrawList(), marks, mark_look(dark_), camera, width, height);
+  for (const std::span<const Mark> marks : {views.marks, std::span<const Mark>(overlay.marks)})
+    draw_marks(*ImGui::GetBackgroundDrawList(), marks, mark_look(dark_), camera, width, height);
+  legends(views, w);
   status(overlay, w, h);
   buttons(overlay);
   if (overlay.windows) overlay.windows();
@@ -181,6 +184,23 @@ void Panel::draw(const Overlay& overlay, std::span<const Mark> marks, const Came
   ImGui::Render();
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
+
+/// Under the bar of buttons, at the right.
+void Panel::legends(const ShownViews& views, float width) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  float y = 56.0f * scale_;
+  for (const std::string_view words : {views.colors, views.forces}) {
+    if (words.empty()) continue;
+    const char *const begin = words.data(), *const end = begin + words.size();
+    const ImVec2 size = ImGui::CalcTextSize(begin, end), at = {width - 14.0f * scale_ - size.x, y};
+    const float pad = 4.0f * scale_;
+    list.AddRectFilled({at.x - pad, at.y}, {at.x + size.x + pad, at.y + size.y},
+                       ImGui::GetColorU32(ImGuiCol_WindowBg, 0.5f));
+    list.AddText(at, ImGui::GetColorU32(ImGuiCol_Text), begin, end);
+    y += 1.35f * ImGui::GetFontSize();
+  }
+}
+
 void Panel::status(const Overlay& overlay, float width, float height) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const float edge = 14.0f * scale_, line = ImGui::GetFontSize() * 1.35f, gap = 22.0f * scale_;

@@ -12,6 +12,12 @@ struct ImGuiContext;
 namespace pantin {
 
 /// The overlay's text, buttons and windows, by Dear ImGui. It hears of hands from gestures alone.
+/// What the views add to an overlay.
+struct ShownViews {
+  std::span<const Mark> marks;
+  std::string_view colors, forces;  ///< legends, or empty
+};
+
 class Panel {
  public:
   explicit Panel(double scale);
@@ -22,7 +28,7 @@ class Panel {
   /// Hears what hands did, and takes out of it what is for the panel.
   void take(Gestures& gestures);
   /// Into the framebuffer that is bound, of that size [px]; marks as the camera sees them.
-  void draw(const Overlay& overlay, std::span<const Mark> marks, const Camera& camera, int width, int height);
+  void draw(const Overlay& overlay, const ShownViews& views, const Camera& camera, int width, int height);
   const std::string& pressed() const { return pressed_; }
   bool writing() const;
   bool under_pointer() const { return under_pointer_; }
@@ -31,6 +37,7 @@ class Panel {
   bool covers(double x, double y) const;
   void take_events(Gestures& gestures);
   void take_keys(Gestures& gestures);
+  void legends(const ShownViews& views, float width);
   void status(const Overlay& overlay, float width, float height);
   void help(const Overlay& overlay, float width, float height);
   void buttons(const Overlay& overlay);

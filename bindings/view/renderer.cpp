@@ -61,7 +61,8 @@ struct Renderer::Parts {
   Sketch sketch;
   Stage stage;
   Trails trails;
-  std::vector<Mark> marks;  // of the overlay and the views
+  ViewMarks view_marks;
+  std::vector<Mark> marks;  // of the views
   std::vector<std::uint8_t> row;
 
   Parts(int w, int h, int samples_wanted, double scale)
@@ -167,16 +168,14 @@ void Renderer::draw(const World& world, const Camera& camera, const Overlay& ove
     p.resolved->bind();
   }
   p.collect_marks(world, overlay);
-  p.panel.draw(overlay, p.marks, camera, p.width, p.height);
+  p.panel.draw(overlay, {p.marks, p.sketcher.tints().legend(), p.view_marks.legend()}, camera, p.width, p.height);
 }
 
 void Renderer::Parts::collect_marks(const World& world, const Overlay& overlay) {
   marks.clear();
   if (overlay.views.on(View::trails)) trails.draw(world, stage, marks);
-  add_view_marks(world, overlay.views, stage, overlay.pace, marks);
+  view_marks.add(world, overlay.views, stage, overlay.pace, marks);
   if (world.points.alive(overlay.highlight)) add_highlight(world, overlay.highlight, marks);
-  if (!sketcher.tints().legend().empty()) marks.push_back(legend_mark(sketcher.tints().legend(), 0));
-  marks.insert(marks.end(), overlay.marks.begin(), overlay.marks.end());
 }
 
 void Renderer::Parts::set_camera(const ShaderProgram& program, const Camera& camera) const {

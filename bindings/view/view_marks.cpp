@@ -18,7 +18,6 @@ constexpr Color force_color = {0.82f, 0.18f, 0.24f, 1.0f}, velocity_color = {0.1
 constexpr double shown_time = 0.1;  // [s] at the scene's pace: of its motion that a velocity's arrow is long
 constexpr double ring_part = 0.22;  // of the unit: how far members are drawn from their hinge
 constexpr std::size_t most_cells = 1500;
-constexpr double below_bar = 56.0;  // [px] of the buttons at the top
 
 Mark mark(Mark::Kind kind, Vec3 from, Vec3 to, const Color& color, double size) {
   return {kind, from, to, color, size, false, {}};
@@ -65,23 +64,6 @@ void each_force(const World& world, Visit visit) {
   }
 }
 
-void add_forces(const World& world, const Stage& stage, std::vector<Mark>& marks) {
-  double most = 0.0;
-  each_force(world, [&](PointId, Vec3 force) { most = std::fmax(most, norm(force)); });
-  if (!(most > 0.0) || !std::isfinite(most)) return;
-  const double longest = std::max(stage.unit, 0.1 * stage.size);  // [m]
-  each_force(world, [&](PointId id, Vec3 force) {
-    const double part = norm(force) / most;
-    const Vec3 at = shown_place(world, id);
-    if (!(part > 1e-4) || !finite(at)) return;
-    marks.push_back(
-        mark(Mark::Kind::arrow, at, at + force * (longest * std::sqrt(part) / norm(force)), force_color, 2.0));
-  });
-  char line[80];
-  std::snprintf(line, sizeof line, "forces: longest %.3g N, length by the root", most);
-  marks.push_back(legend_mark(line, 1));
-}
-
 void add_velocities(const World& world, double pace, std::vector<Mark>& marks) {
   const auto add = [&](Vec3 at, Vec3 v) {
     if (finite(at) && finite(v))
@@ -109,8 +91,27 @@ void add_cell(const Grid& grid, const std::array<std::int32_t, 3>& cell, std::ve
         marks.push_back(mark(Mark::Kind::line, corner(from), corner(from | 1 << k), cell_color, 1.0));
 }
 
+}  // namespace
+
+void ViewMarks::add_forces(const World& world, const Stage& stage, std::vector<Mark>& marks) {
+  double most = 0.0;
+  each_force(world, [&](PointId, Vec3 force) { most = std::fmax(most, norm(force)); });
+  if (!(most > 0.0) || !std::isfinite(most)) return;
+  const double longest = std::max(stage.unit, 0.1 * stage.size);  // [m]
+  each_force(world, [&](PointId id, Vec3 force) {
+    const double part = norm(force) / most;
+    const Vec3 at = shown_place(world, id);
+    if (!(part > 1e-4) || !finite(at)) return;
+    marks.push_back(
+        mark(Mark::Kind::arrow, at, at + force * (longest * std::sqrt(part) / norm(force)), force_color, 2.0));
+  });
+  char line[80];
+  std::snprintf(line, sizeof line, "forces: longest %.3g N, length by the root", most);
+  legend_ = line;
+}
+
 /// The occupied cells of the first interaction that looks for neighbours.
-void add_cells(const World& world, std::vector<Mark>& marks) {
+void ViewMarks::add_cells(const World& world, std::vector<Mark>& marks) {
   if (!world.forces || !world.forces->rows) return;
   const Forces& forces = *world.forces;
   const auto cut = std::ranges::find_if(forces.interactions, [](const ActingInteraction& i) {
@@ -119,35 +120,23 @@ void add_cells(const World& world, std::vector<Mark>& marks) {
   if (cut == forces.interactions.end() || !world.interactions.alive(cut->id)) return;
   const Interaction& interaction = world.interactions[cut->id];
   const Box box{world.settings.box.value_or(zero3())};
-  std::vector<Vec3> places;
-  std::vector<std::uint32_t> members;
+  places_.clear();
+  members_.clear();
+  cells_.clear();
   for (std::uint32_t i = 0; i < forces.sites.n; i++) {
     const Vec3 at = forces.sites.x[i];
     const FamilyId family = world.particles.at_slot(forces.sites.particle[i]).family;
     if (!finite(at) || (family != interaction.a && family != interaction.b)) continue;
-    members.push_back(static_cast<std::uint32_t>(places.size()));
-    places.push_back(box.wrapped(at));
+    members_.push_back(static_cast<std::uint32_t>(places_.size()));
+    places_.push_back(box.wrapped(at));
   }
-  if (places.empty()) return;
-  const Grid grid = make_grid(places, members, members, box, cut->rows.cutoff() + forces.skin.width());
-  std::vector<std::array<std::int32_t, 3>> cells;
-  for (const Vec3 at : places) cells.push_back({grid.cell(0, at), grid.cell(1, at), grid.cell(2, at)});
-  std::ranges::sort(cells);
-  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-  if (cells.size() > most_cells) cells.resize(most_cells);
-  for (const auto& cell : cells) add_cell(grid, cell, marks);
-}
-
-}  // namespace
-
-Mark legend_mark(const std::string& text, int line) {
-  Mark legend;
-  legend.kind = Mark::Kind::text;
-  legend.from = vec(-330.0, below_bar + 20.0 * line, 0.0);
-  legend.size = 13.0;
-  legend.on_screen = true;
-  legend.text = text;
-  return legend;
+  if (places_.empty()) return;
+  const Grid grid = make_grid(places_, members_, members_, box, cut->rows.cutoff() + forces.skin.width());
+  for (const Vec3 at : places_) cells_.push_back({grid.cell(0, at), grid.cell(1, at), grid.cell(2, at)});
+  std::ranges::sort(cells_);
+  cells_.erase(std::unique(cells_.begin(), cells_.end()), cells_.end());
+  if (cells_.size() > most_cells) cells_.resize(most_cells);
+  for (const auto& cell : cells_) add_cell(grid, cell, marks);
 }
 
 void add_highlight(const World& world, PointId point, std::vector<Mark>& marks) {
@@ -155,7 +144,8 @@ void add_highlight(const World& world, PointId point, std::vector<Mark>& marks) 
   marks.push_back(mark(Mark::Kind::ring, at, at, highlight_color, world.points[point].body ? 28.0 : 22.0));
 }
 
-void add_view_marks(const World& world, const Views& views, const Stage& stage, double pace, std::vector<Mark>& marks) {
+void ViewMarks::add(const World& world, const Views& views, const Stage& stage, double pace, std::vector<Mark>& marks) {
+  legend_.clear();
   if (views.on(View::cells)) add_cells(world, marks);
   if (views.on(View::velocities)) add_velocities(world, pace, marks);
   if (views.on(View::forces)) add_forces(world, stage, marks);

@@ -32,13 +32,26 @@ class Trails {
   double last_ = 0.0;  // [s]
 };
 
-/// Appends what the views show as marks: rings, forces, velocities and cells. `pace` as of the overlay.
-void add_view_marks(const World& world, const Views& views, const Stage& stage, double pace, std::vector<Mark>& marks);
+/// What the views show as marks: rings, forces, velocities and cells. One is kept, so that nothing is allocated once its
+/// lists have grown.
+class ViewMarks {
+ public:
+  /// Appends them; `pace` as of the overlay.
+  void add(const World& world, const Views& views, const Stage& stage, double pace, std::vector<Mark>& marks);
+  /// What the length of forces means, in words; empty where none are shown.
+  const std::string& legend() const { return legend_; }
+
+ private:
+  void add_forces(const World& world, const Stage& stage, std::vector<Mark>& marks);
+  void add_cells(const World& world, std::vector<Mark>& marks);
+
+  std::string legend_;
+  std::vector<Vec3> places_;  // of the members of the family whose cells are shown
+  std::vector<std::uint32_t> members_;
+  std::vector<std::array<std::int32_t, 3>> cells_;
+};
 
 /// Appends a ring round a point that is alive.
 void add_highlight(const World& world, PointId point, std::vector<Mark>& marks);
-
-/// The text that tells a scale, for the upper right corner, below so many others.
-Mark legend_mark(const std::string& text, int line);
 
 }  // namespace pantin

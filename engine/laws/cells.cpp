@@ -55,7 +55,8 @@ Grid make_grid(std::span<const Vec3> places, std::span<const std::uint32_t> a, s
   if (grid.periodic) require_inside(bounds, box);
   const Vec3 extent = grid.periodic ? box.edge : bounds.high - bounds.low;
   std::array<std::size_t, 3> axis{2, 1, 0};
-  std::stable_sort(axis.begin(), axis.end(), [&](std::size_t k, std::size_t l) { return extent[k] > extent[l]; });
+  std::sort(axis.begin(), axis.end(),
+            [&](std::size_t k, std::size_t l) { return std::pair(extent[k], k) > std::pair(extent[l], l); });
   grid.axis = {axis[0], axis[2], axis[1]};
   grid.extent = extent[axis[0]];
   // A little wider than half the reach, so that rounding takes nobody out of reach.
