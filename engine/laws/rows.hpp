@@ -45,7 +45,7 @@ class Rows {
 
   /// Pairs within one set (a and b equal) or between two without a common family; with the sets in their order a row's
   /// site is of a. In a box the places must be wrapped. Throws Error where a place is not finite, the cutoff is longer
-  /// than half the box, or the pairs are too many. Pairs of `further` are left out as those of Sites::excluded are.
+  /// than half the box, or the pairs are too many. Pairs of `further` are left out as those of kin are.
   void build(const Sites& sites, const Box& box, std::span<const std::uint32_t> a, std::span<const std::uint32_t> b,
              double cutoff, double skin, Workers& workers, const Exclusions& further = {});
 

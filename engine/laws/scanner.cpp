@@ -56,19 +56,14 @@ std::int32_t turns_of(const Grid& grid, Grid::Axis k, std::int32_t cell) {
 
 }  // namespace
 
-bool Omitted::has(std::uint32_t i) const {
-  return sites.kin[i] != 0 || !sites.excluded.of(i).empty() || !further.of(i).empty();
-}
+bool Omitted::has(std::uint32_t i) const { return sites.kin[i].first != 0 || !further.of(i).empty(); }
 
 std::uint32_t* Omitted::remove(std::uint32_t i, std::uint32_t* begin, std::uint32_t* end) const {
-  if (sites.kin[i] != 0)
-    end = std::remove_if(begin, end, [&](std::uint32_t j) { return sites.kin[j] == sites.kin[i]; });
-  for (const std::span<const std::uint32_t> list : {sites.excluded.of(i), further.of(i)}) {
-    if (list.empty()) continue;
-    end = std::remove_if(begin, end,
-                         [&](std::uint32_t j) { return std::find(list.begin(), list.end(), j) != list.end(); });
-  }
-  return end;
+  if (sites.kin[i].first != 0) end = std::remove_if(begin, end, [&](std::uint32_t j) { return sites.are_kin(i, j); });
+  const std::span<const std::uint32_t> list = further.of(i);
+  if (list.empty()) return end;
+  return std::remove_if(begin, end,
+                        [&](std::uint32_t j) { return std::find(list.begin(), list.end(), j) != list.end(); });
 }
 
 void close_row(Slab& slab, std::uint32_t site, std::size_t begin, std::size_t count, std::size_t shift,

@@ -10,8 +10,9 @@ void Sites::resize(std::size_t count) {
   }
   // The square of its distance is infinite, and no sum of distances.
   std::fill(x.begin() + n, x.end(), vec(1e160, 1e160, 1e160));
-  for (std::vector<std::uint32_t>* array : {&particle, &family, &kin}) array->resize(n + padding);
+  for (std::vector<std::uint32_t>* array : {&particle, &family}) array->resize(n + padding);
   serial.resize(n + padding);
+  kin.resize(n + padding);
   attributes.resize(names.size());
   for (AlignedVector<double>& column : attributes) {
     column.resize(n + padding);

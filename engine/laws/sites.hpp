@@ -33,6 +33,13 @@ struct Exclusions {
   }
 };
 
+/// The bodies, by numbers that are not 0, that a site is of: one, or as a hinge several. Those of a hinge are
+/// Sites::bodies_of_hinges[begin … begin + count).
+struct Kin {
+  std::uint32_t first = 0;  ///< 0: of none
+  std::uint32_t begin = 0, count = 0;
+};
+
 /// Every array holds `n` values and `padding` more. The first of those is the dummy, a site so far away that it is
 /// beyond every cutoff, and of no consequence without one; rows are filled up with it.
 struct Sites {
@@ -46,8 +53,8 @@ struct Sites {
   std::vector<std::uint32_t> particle;            ///< slot in Model::particles
   std::vector<std::uint64_t> serial;              ///< of the particle
   std::vector<std::uint32_t> family;              ///< index
-  std::vector<std::uint32_t> kin;                 ///< sites of equal kin, not 0, never interact
-  Exclusions excluded;                            ///< further ones
+  std::vector<Kin> kin;                           ///< sites that have a body in common never interact
+  std::vector<std::uint32_t> bodies_of_hinges;    ///< in no order; some may be of hinges that were
   std::vector<std::string> names;                 ///< of the attributes
   std::vector<AlignedVector<double>> attributes;  ///< one column for each name; a site that has it not holds any value
 
@@ -55,7 +62,23 @@ struct Sites {
   void resize(std::size_t count);
   void clear_forces();
   std::uint32_t dummy() const { return static_cast<std::uint32_t>(n); }
+  std::span<const std::uint32_t> bodies_of(std::uint32_t i) const;
+  bool are_kin(std::uint32_t i, std::uint32_t j) const;
 };
+
+inline std::span<const std::uint32_t> Sites::bodies_of(std::uint32_t i) const {
+  const Kin& k = kin[i];
+  if (k.count > 0) return std::span(bodies_of_hinges).subspan(k.begin, k.count);
+  return {&k.first, k.first == 0 ? std::size_t{0} : 1};
+}
+
+inline bool Sites::are_kin(std::uint32_t i, std::uint32_t j) const {
+  if (kin[i].count == 0 && kin[j].count == 0) return kin[i].first != 0 && kin[i].first == kin[j].first;
+  for (std::uint32_t body : bodies_of(i))
+    for (std::uint32_t other : bodies_of(j))
+      if (body == other) return true;
+  return false;
+}
 
 inline Vec3 Box::wrapped(Vec3 x) const {
   if (!periodic()) return x;

@@ -111,8 +111,8 @@ void measure_errors(World& world, const OfLoosePoints& points) {
   }
   world.largest_kinetic = std::max(world.largest_kinetic, kinetic);
   now.energy = world.error.energy;
-  const bool told = !world.forces || world.influences_changed || world.forces->told;
-  if (world.forces && !world.influences_changed && told) potential += world.forces->energy;
+  const bool acting = acting_now(world), told = !acting || world.forces->told;
+  if (acting && told) potential += world.forces->energy;
   const double scale = energy_scale(world, {kinetic, potential});
   if (told && scale > 0.0) {
     const double wrong = std::fabs(kinetic + potential - world.start_energy - world.work);

@@ -40,10 +40,11 @@ void find_articulates(World& world) {
   const bool topology_changed = world.topology_changed;
   const std::size_t count = world.articulates.size();
   world.unchecked = world.unchecked || topology_changed || world.influences_changed;
-  if (topology_changed && ties_changed(world)) editing::disturb_forces(world);
+  if (topology_changed && ties_changed(world)) editing::disturb_sites(world);
+  editing::note_touched_sites(world);
   if (world.influences_changed) choose_solved(world);
   pantin::find_articulates(world, world.articulates, world.loose_bodies, world.loose_points);
-  if (world.articulates.size() != count) editing::disturb_forces(world);
+  if (world.articulates.size() != count) editing::disturb_sites(world);
   if (topology_changed || world.influences_changed) read_masses(world);  // every edit of a mass says so
   save_loose(world);
   begin_ledger(world);

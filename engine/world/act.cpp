@@ -27,7 +27,7 @@ void kick(World& world, BodyId body, Vec3 impulse, std::optional<Vec3> at) {
   acted(world);
   Motion& m = world.motion_of(body);
   const double before = energy_of(world, body);
-  disturb_forces(world);
+  disturb_forces_by_motion(world);
   m.p += world.plane.along(impulse);
   if (at) m.angular += turning_part(m, cross(*at - m.x, impulse));
   post(world, energy_of(world, body) - before, Source::event);
@@ -68,7 +68,7 @@ void kick(World& world, PointId id, Vec3 impulse) {
   require_in_plane(world, "kick", "impulse", impulse, "N s");
   acted(world);
   const double before = energy_of(world, id);
-  disturb_forces(world);
+  disturb_forces_by_motion(world);
   world.motion_of(id).v += world.plane.along(impulse) / point.mass;
   post(world, energy_of(world, id) - before, Source::event);
   disturb(world, id);

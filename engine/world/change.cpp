@@ -24,15 +24,23 @@ void require_free(const World& world, const char* call, PointId point) {
 template <class Id, class Change>
 void counted(World& world, Id id, Change change) {
   acted(world);
-  disturb_forces(world);
   const double before = energy_of(world, id);
   change();
   post(world, energy_of(world, id) - before);
 }
 
-/// The same of its place or velocity.
+/// The same of its place.
 template <class Id, class Change>
-void changed(World& world, Id id, Change change) {
+void moved(World& world, Id id, Change change) {
+  disturb_sites(world);
+  counted(world, id, change);
+  disturb(world, id);
+}
+
+/// The same of its velocity.
+template <class Id, class Change>
+void hurried(World& world, Id id, Change change) {
+  disturb_forces_by_motion(world);
   counted(world, id, change);
   disturb(world, id);
 }
@@ -41,7 +49,7 @@ void changed(World& world, Id id, Change change) {
 template <class Change, class Undo>
 void reweigh(World& world, BodyId body, Change change, Undo undo) {
   acted(world);
-  disturb_forces(world);
+  disturb_sites(world);
   const double before = energy_of(world, body);
   change();
   try {
@@ -64,7 +72,7 @@ void set_position(World& world, PointId point, Vec3 at) {
   require_finite(describe(world, point), "position", at, "m");
   Vec3& x = world.motion_of(point).x;
   require_height(world, describe(world, point), "position", at, x);
-  changed(world, point, [&] { x = world.plane.beside(at, x); });
+  moved(world, point, [&] { x = world.plane.beside(at, x); });
 }
 
 void set_velocity(World& world, PointId point, Vec3 velocity) {
@@ -72,7 +80,7 @@ void set_velocity(World& world, PointId point, Vec3 velocity) {
   require_free(world, "velocity", point);
   require_finite(describe(world, point), "velocity", velocity, "m/s");
   require_in_plane(world, describe(world, point), "velocity", velocity, "m/s");
-  changed(world, point, [&] { world.motion_of(point).v = world.plane.along(velocity); });
+  hurried(world, point, [&] { world.motion_of(point).v = world.plane.along(velocity); });
 }
 
 void set_mass(World& world, PointId id, double mass) {
@@ -85,6 +93,7 @@ void set_mass(World& world, PointId id, double mass) {
         world, point.body, [&] { point.mass = mass; }, [&] { point.mass = old; });
   } else {
     require_positive(describe(world, id), "mass", mass, "kg");
+    disturb_site(world, point.particle);
     counted(world, id, [&] { point.mass = mass; });
     if (point.articulate >= 0) touch(world, id);
   }
@@ -95,7 +104,7 @@ void set_position(World& world, BodyId body, Vec3 centre) {
   require_finite(describe(world, body), "position", centre, "m");
   Vec3& x = world.motion_of(body).x;
   require_height(world, describe(world, body), "position", centre, x);
-  changed(world, body, [&] { x = world.plane.beside(centre, x); });
+  moved(world, body, [&] { x = world.plane.beside(centre, x); });
 }
 
 void set_origin(World& world, BodyId body, Vec3 origin) {
@@ -104,14 +113,14 @@ void set_origin(World& world, BodyId body, Vec3 origin) {
   Vec3& x = world.motion_of(body).x;
   require_height(world, describe(world, body), "origin", origin, pantin::origin(world, body));
   const Vec3 centre = origin + rotate(orientation(world, body), world.bodies[body].centre);
-  changed(world, body, [&] { x = world.plane.beside(centre, x); });
+  moved(world, body, [&] { x = world.plane.beside(centre, x); });
 }
 
 void set_orientation(World& world, BodyId body, Quat orientation) {
   require_unlocked(world, "orientation");
   const Quat frame = unit(describe(world, body), orientation);
   require_turn(world, describe(world, body), body, frame);
-  changed(world, body, [&] {
+  moved(world, body, [&] {
     Motion& m = world.motion_of(body);
     const Vec3 spin = angular_velocity(m);
     m.q = world.plane.about(normalised(frame * world.bodies[body].axes));
@@ -123,7 +132,7 @@ void set_velocity(World& world, BodyId body, Vec3 velocity) {
   require_unlocked(world, "velocity");
   require_finite(describe(world, body), "velocity", velocity, "m/s");
   require_in_plane(world, describe(world, body), "velocity", velocity, "m/s");
-  changed(world, body, [&] {
+  hurried(world, body, [&] {
     Motion& m = world.motion_of(body);
     m.p = world.plane.along(velocity) * m.mass;
   });
@@ -133,7 +142,7 @@ void set_spin(World& world, BodyId body, Vec3 spin) {
   require_unlocked(world, "spin");
   require_finite(describe(world, body), "spin", spin, "rad/s");
   require_about_normal(world, describe(world, body), "spin", spin, "rad/s");
-  changed(world, body, [&] {
+  hurried(world, body, [&] {
     Motion& m = world.motion_of(body);
     m.angular = angular_for(m, spin);
   });

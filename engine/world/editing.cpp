@@ -151,13 +151,14 @@ void wake(World& world, PointId id, const Particle& shared) {
 }  // namespace
 
 void end_ring(World& world, ParticleId hinge, std::string who) {
-  disturb_forces(world);
+  disturb_sites(world);
   touch(world, hinge);
   drop_axes(world, hinge, {});
   const Particle shared = world.particles[hinge];
   for (ConnectionId c : shared.connections) remove(world, c);
   for (PointId p : shared.points) wake(world, p, shared);
   const std::string what = shared.name.empty() ? text("hinge ", shared.serial) : text("hinge '", shared.name, "'");
+  disturb_forces_by_death(world, hinge);
   world.particles.remove(hinge, {what, world.time, std::move(who)});
 }
 
@@ -165,7 +166,7 @@ void leave_ring(World& world, PointId point, const std::string& who) {
   const ParticleId hinge = world.points[point].particle;
   if (hinge == world.points[point].own) return;
   if (world.particles[hinge].points.size() <= 2) return end_ring(world, hinge, who);
-  disturb_forces(world);
+  disturb_sites(world);
   touch(world, hinge);
   drop_axes(world, hinge, world.points[point].body);
   wake(world, point, world.particles[hinge]);
@@ -184,6 +185,7 @@ void erase_point(World& world, PointId point, const std::string& what) {
     notice(world, Notice::Kind::removed, hinge, world.particles.story(hinge));
   if (const EmitterId emitter = world.particles[own].emitter; world.emitters.alive(emitter))
     world.emitters[emitter].count--;
+  disturb_forces_by_death(world, own);
   world.particles.remove(own, obituary(world, what));
   world.points.remove(point, obituary(world, what));
 }

@@ -45,15 +45,24 @@ double energy_round(const World& world, PointId point);
 /// Adds to World::work, [J]. The first step starts the balance anew, so building a scene is no work.
 void post(World& world, double joules, Source source = Source::edit);
 
-/// Call before an edit that may change what laws act on, or what they see of it: the energy of the laws before the edit
-/// leaves the balance, and comes back with the forces of the next step.
+/// Call before an edit that changes which laws act, or on what: the energy of the laws before the edit leaves the balance,
+/// and comes back with the forces of the next step. What else is called "disturb" does the same, before other edits.
 void disturb_forces(World& world);
-/// The same before a free particle of a family, or of none, is made, after which `note_birth` is to be called: what else
-/// laws act on stays as it is.
+/// What bodies and points are, where they are, and what is tied: what is touched is looked at anew, all else stays as it is.
+void disturb_sites(World& world);
+/// What laws see of one particle.
+void disturb_site(World& world, ParticleId particle);
+/// Velocities.
+void disturb_forces_by_motion(World& world);
+/// A free particle of a family, or of none, is made, after which `note_site` is to be called.
 void disturb_forces_by_birth(World& world, FamilyId family);
-void note_birth(World& world, ParticleId particle);
-/// The same before a free particle is removed.
+void note_site(World& world, ParticleId particle);
+/// A particle is removed.
 void disturb_forces_by_death(World& world, ParticleId particle);
+/// A connection is removed.
+void disturb_forces_by_break(World& world, const Connection& connection);
+/// Of what edits have touched.
+void note_touched_sites(World& world);
 /// Values of a family's attributes: those given, else the family's. Throws Error for a name that it does not have.
 std::vector<double> attribute_values(std::string_view call, const Family& family, std::span<const AttributeDef> given);
 

@@ -120,7 +120,7 @@ void make(World& world, EmitterId id, const Base& base, double time, double end)
   particle.look = e.look;
   particle.courses = e.courses;
   particle.emitter = id;
-  note_birth(world, world.points[point].own);
+  note_site(world, world.points[point].own);
   e.count++;
   if (std::isfinite(lifetime)) {
     particle.lifetime = lifetime;

@@ -75,7 +75,7 @@ void set_family(World& world, ParticleId id, FamilyId family) {
     for (std::size_t i = 0; i < old.attributes.size(); i++)
       if (next.find(old.attributes[i].name) >= 0) kept.push_back({old.attributes[i].name, particle.values[i]});
   }
-  disturb_forces(world);
+  disturb_site(world, awake(world, id));
   particle.values = attribute_values("family", next, kept);
   particle.family = family;
   particle.courses = next.courses;
@@ -84,7 +84,7 @@ void set_family(World& world, ParticleId id, FamilyId family) {
 void set_radius(World& world, ParticleId particle, double radius) {
   require_unlocked(world, "radius");
   require_not_negative(describe(world, particle), "radius", radius, "m");
-  disturb_forces(world);
+  disturb_site(world, awake(world, particle));
   Particle& row = world.particles[particle];
   row.radius = radius;
   row.courses = without(row.courses, "radius");
@@ -111,7 +111,7 @@ void set_attribute(World& world, ParticleId id, std::string_view name, double va
   const std::ptrdiff_t found = family.find(name);
   require(found >= 0, who, ": family '", family.name, "' has no attribute '", name, "'; it has ", names_of(family));
   require_finite(who, name, value, "");
-  disturb_forces(world);
+  disturb_site(world, awake(world, id));
   particle.values[static_cast<std::size_t>(found)] = value;
   particle.courses = without(particle.courses, name);
 }

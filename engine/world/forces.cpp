@@ -197,13 +197,27 @@ void editing::disturb_forces(World& world) {
   world.influences_changed = true;
 }
 
+void editing::disturb_sites(World& world) {
+  if (world.influences_changed || !world.forces) return;
+  unsettle(world);
+  world.forces->elsewhere = true;
+}
+
+void editing::disturb_forces_by_motion(World& world) {
+  if (world.forces && world.forces->moving) disturb_sites(world);
+}
+
+void editing::disturb_site(World& world, ParticleId particle) {
+  disturb_sites(world);
+  note_site(world, particle);
+}
+
 void editing::disturb_forces_by_birth(World& world, FamilyId family) {
   if (!world.influences_changed && world.forces && acts_on_all(*world.forces, family)) unsettle(world);
 }
 
-void editing::note_birth(World& world, ParticleId particle) {
-  if (!world.influences_changed && world.forces && acts_on_all(*world.forces, world.particles[particle].family))
-    world.forces->born.push_back(particle);
+void editing::note_site(World& world, ParticleId particle) {
+  if (!world.influences_changed && world.forces && world.forces->unsettled) world.forces->changed.push_back(particle);
 }
 
 void editing::disturb_forces_by_death(World& world, ParticleId particle) {
@@ -214,6 +228,28 @@ void editing::disturb_forces_by_death(World& world, ParticleId particle) {
   unsettle(world);
   world.forces->gone.push_back(sites[slot]);
   sites[slot] = none;
+}
+
+void editing::disturb_forces_by_break(World& world, const Connection& connection) {
+  if (world.influences_changed || !world.forces) return;
+  disturb_sites(world);
+  world.forces->untied.push_back(connection.serial);
+  for (ParticleId end : connection.particles)
+    if (end && world.particles.alive(end)) note_site(world, awake(world, end));
+}
+
+void editing::note_touched_sites(World& world) {
+  if (world.influences_changed || !world.forces || !world.forces->elsewhere) return;
+  const auto note = [&](PointId point) {
+    const ParticleId own = world.points[point].own;
+    note_site(world, own);
+    if (const ParticleId ring = world.particles[own].asleep_in) note_site(world, ring);
+  };
+  for (const Touched& t : world.touched) {
+    if (t.body && world.bodies.alive(t.body))
+      for (PointId point : world.bodies[t.body].points) note(point);
+    if (!t.body && world.points.alive(t.point)) note(t.point);
+  }
 }
 
 namespace {
@@ -268,10 +304,18 @@ void bring_in_energy(World& world) {
     editing::post(world, f.energy, Source::law);
 }
 
-/// Forces of the present state with laws that were just changed.
+/// Reads the present state after an edit that left most sites as they were.
+void start_again(const World& world, Forces& f) {
+  read_places(world, f, false);
+  build_rows_in_order(world, f);
+  for (ActingConnections& c : f.connections) c.bonds.arrange(c.ties, f.sites);
+  arrange_fields(world, f);
+  read_velocities(world, f, false);
+}
+
+/// Forces of the present state with laws, or on sites, that were just changed.
 void start_acting(World& world) {
   Forces& f = *world.forces;
-  start(world, f);
   if (stiffness_is_due(world) && find_too_stiff(world, f)) {
     world.influences_changed = true;
     return;
@@ -279,19 +323,6 @@ void start_acting(World& world) {
   set_solved_inputs(world, false);
   f.energy = evaluate(world, f, instant_of(world, world.time, world.instant), true);
   bring_in_energy(world);
-}
-
-/// The same where free particles were born or have gone.
-void settle(World& world) {
-  Forces& f = *world.forces;
-  f.settled_in = world.steps + 1;
-  if (f.told && are_apart(world, f)) {
-    f.energy += change_members_apart(world, f);
-    bring_in_energy(world);
-  } else {
-    change_members(world, f);
-    start_acting(world);
-  }
 }
 
 void make_forces(World& world) {
@@ -302,9 +333,28 @@ void make_forces(World& world) {
     world.sub_steps = {};
     return;
   }
-  for (const Mover& m : world.forces->movers)
-    if (m.articulate >= 0 && m.pulled) world.articulates[static_cast<std::size_t>(m.articulate)]->pulled = true;
+  find_movers(world, *world.forces);
+  start(world, *world.forces);
   start_acting(world);
+}
+
+/// The same where edits changed what some sites are, or the state of what they are on.
+void settle(World& world) {
+  Forces& f = *world.forces;
+  f.settled_in = world.steps + 1;
+  if (!can_change_members(world, f)) {
+    make_forces(world);
+  } else if (f.told && are_apart(f)) {
+    f.energy += change_members_apart(world, f);
+    bring_in_energy(world);
+  } else {
+    const bool elsewhere = f.elsewhere;
+    change_members(world, f);
+    if (f.sites.n == 0) return make_forces(world);
+    if (elsewhere) find_movers(world, f);
+    start_again(world, f);
+    start_acting(world);
+  }
 }
 
 }  // namespace

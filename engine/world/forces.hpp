@@ -37,6 +37,7 @@ struct Mover {
 /// A site on a mover.
 struct Attached {
   std::uint32_t site = 0, mover = 0;
+  bool pulled = true;  ///< by laws that are not solved with the articulate
   Vec3 arm = zero3();  ///< [m] in principal axes
   Vec3 r = zero3();    ///< [m] the same in the world
 };
@@ -80,7 +81,9 @@ struct Forces {
   std::vector<Vec3> image;             ///< (sites) [m] in a periodic box: place of the particle less that of the site
   std::vector<std::uint32_t> site_of;  ///< (slots of particles), or `none`
   std::vector<Mover> movers;
+  std::vector<std::uint32_t> mover_of_body, mover_of_point;  ///< (slots), or `none`
   std::vector<Attached> attached;
+  std::vector<std::uint32_t> attached_of;  ///< (sites), or `none`
   std::vector<ActingInteraction> interactions;
   std::vector<ActingField> fields;
   std::vector<ActingConnections> connections;
@@ -90,6 +93,7 @@ struct Forces {
   bool open = false;           ///< some law is without energy
   bool open_still = false;     ///< of these some does not depend on velocities
   bool everybody = false;      ///< some law acts on all particles
+  bool grouped = false;        ///< some field acts on a group
   std::vector<char> families;  ///< (slots of families) whether some law acts on all of it
   std::vector<char> followed;  ///< (names of attributes) whether it follows the age of some site
 
@@ -100,10 +104,12 @@ struct Forces {
   double energy = 0.0;  ///< [J] of all laws, when it was last told
   bool told = false;    ///< in the last step
 
-  bool unsettled = false;           ///< free particles were born or have gone since the forces were found
-  std::vector<ParticleId> born;     ///< those, in their order
-  std::vector<std::uint32_t> gone;  ///< sites of these
-  std::uint64_t settled_in = 0;     ///< the last step, counted from 1, that began with such changes
+  bool unsettled = false;             ///< edits have changed what the forces come of
+  bool elsewhere = false;             ///< others than free particles that were born or have gone
+  std::vector<ParticleId> changed;    ///< what may have another site now, or none; some may be gone
+  std::vector<std::uint32_t> gone;    ///< sites of particles that have gone
+  std::vector<std::uint64_t> untied;  ///< serials of connections that have gone
+  std::uint64_t settled_in = 0;       ///< the last step, counted from 1, that began with such changes
 };
 
 /// Of the open force on a site that of laws that depend on velocities [N].

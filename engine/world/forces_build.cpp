@@ -5,7 +5,6 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "articulates/articulate.hpp"
 #include "world/editing.hpp"
 
 namespace pantin {
@@ -14,24 +13,14 @@ namespace {
 
 constexpr std::uint32_t none = Forces::none;
 
-/// Finds what becomes a site, and where its state comes from.
+/// Finds what becomes a site.
 struct Builder {
   const World& world;
   Forces& forces;
-  std::vector<char> wanted = {};  // (slots of particles) 1: by solved connections only, 2: by other laws too
+  std::vector<Wanted> how = {};   // (slots of particles)
   std::vector<Vec3> places = {};  // of sites that are places of the world
-  std::vector<std::uint32_t> mover_of_body = {}, mover_of_point = {};
 
-  void want(ParticleId id, char how = 2) {
-    char& mark = wanted[awake(world, id).slot - 1];
-    mark = std::max(mark, how);
-  }
-  void want(const AnyId& thing) {
-    for (ParticleId p : particles_of(world, thing)) want(p);
-  }
-
-  void want_all() {
-    wanted.assign(world.particles.slots(), 0);
+  void find_wanted() {
     std::vector<char>& family = forces.families;
     family.assign(world.families.slots(), 0);
     for (InteractionId id : world.interactions.ids()) {
@@ -39,69 +28,29 @@ struct Builder {
       if (!row.enabled) continue;
       family[row.a.slot - 1] = family[row.b.slot - 1] = 1;
     }
+    how.assign(world.particles.slots(), Wanted::not_at_all);
     for (FieldId id : world.fields.ids()) {
       const Field& row = world.fields[id];
       if (!row.enabled) continue;
       if (row.family) family[row.family.slot - 1] = 1;
-      if (row.group && world.groups.alive(row.group)) want(AnyId(row.group));
+      forces.grouped = forces.grouped || row.group;
       forces.everybody = forces.everybody || (!row.family && !row.group);
+      if (!row.group || !world.groups.alive(row.group)) continue;
+      for (ParticleId p : particles_of(world, AnyId(row.group))) how[awake(world, p).slot - 1] = Wanted::by_others;
     }
-    for (std::uint32_t s = 0; s < world.particles.slots(); s++) {
-      const Particle& p = world.particles.at_slot(s);
-      if (!world.particles.alive_at(s) || p.asleep_in) continue;
-      if (acts_on_all(forces, p.family)) wanted[s] = 2;
-    }
-    for (ConnectionId id : world.connections.ids()) {
-      const Connection& row = world.connections[id];
-      for (std::uint32_t i = 0; row.enabled && i < row.count; i++)
-        if (row.particles[i]) want(row.particles[i], row.solve == Solve::explicitly ? 2 : 1);
-    }
+    for (std::uint32_t s = 0; s < world.particles.slots(); s++)
+      if (world.particles.alive_at(s) && !world.particles.at_slot(s).asleep_in)
+        how[s] = std::max(how[s], wanted(world, forces, world.particles.id_at(s)));
   }
 
   std::vector<std::uint32_t> slots_by_serial() const {
     std::vector<std::uint32_t> slots;
-    for (std::uint32_t s = 0; s < wanted.size(); s++)
-      if (wanted[s]) slots.push_back(s);
+    for (std::uint32_t s = 0; s < how.size(); s++)
+      if (how[s] != Wanted::not_at_all) slots.push_back(s);
     std::sort(slots.begin(), slots.end(), [&](std::uint32_t i, std::uint32_t j) {
       return world.particles.at_slot(i).serial < world.particles.at_slot(j).serial;
     });
     return slots;
-  }
-
-  std::uint32_t mover(std::vector<std::uint32_t>& known, std::uint32_t slot, bool is_body, std::int32_t articulate) {
-    if (known.size() <= slot) known.resize(slot + 1, none);
-    if (known[slot] == none) {
-      known[slot] = static_cast<std::uint32_t>(forces.movers.size());
-      Mover m;
-      m.slot = slot;
-      m.is_body = is_body;
-      m.articulate = articulate;
-      if (articulate >= 0)
-        m.node = static_cast<std::uint32_t>(is_body ? world.motion[slot].node : world.points.at_slot(slot).node);
-      forces.movers.push_back(m);
-    }
-    return known[slot];
-  }
-
-  /// The state of a site is that of a loose point, or of the mover of its star's point.
-  void place(std::uint32_t site, std::uint32_t slot) {
-    const ParticleId id = world.particles.id_at(slot);
-    const PointId centre = star(world, id);
-    const Point& p = world.points[centre];
-    if (!p.body && p.articulate < 0) {
-      forces.point[site] = centre.slot - 1;
-      forces.inverse_mass[site] = 1.0 / p.mass;
-      return;
-    }
-    Attached a;
-    a.site = site;
-    a.arm = arm(world, centre);
-    a.mover = p.body ? mover(mover_of_body, p.body.slot - 1, true, world.motion_of(p.body).articulate)
-                     : mover(mover_of_point, centre.slot - 1, false, p.articulate);
-    forces.movers[a.mover].pulled = forces.movers[a.mover].pulled || wanted[slot] == 2;
-    forces.attached.push_back(a);
-    const Particle& ring = world.particles.at_slot(slot);
-    if (!ring.is_hinge() && p.body) forces.sites.kin[site] = p.body.slot;
   }
 
   void add_sites() {
@@ -109,48 +58,21 @@ struct Builder {
     Sites& sites = forces.sites;
     sites.resize(slots.size() + places.size());
     sites.clear_forces();
-    std::fill(sites.kin.begin(), sites.kin.end(), 0u);
-    std::fill(sites.family.begin(), sites.family.end(), none);
     forces.point.assign(sites.n, none);
+    forces.attached_of.assign(sites.n, none);
     forces.inverse_mass.assign(sites.n, 0.0);
     forces.image.assign(sites.n, zero3());
     forces.site_of.assign(world.particles.slots(), none);
-    for (std::uint32_t i = 0; i < slots.size(); i++) {
-      const Particle& p = world.particles.at_slot(slots[i]);
-      sites.particle[i] = slots[i];
-      sites.serial[i] = p.serial;
-      if (p.family) sites.family[i] = p.family.slot - 1;
-      forces.site_of[slots[i]] = i;
-      place(i, slots[i]);
-    }
+    for (std::uint32_t i = 0; i < slots.size(); i++)
+      seat(world, forces, i, world.particles.id_at(slots[i]), how[slots[i]]);
     for (std::size_t k = 0; k < places.size(); k++) {
       const std::size_t i = slots.size() + k;
       sites.x[i] = places[k];
       sites.v[i] = zero3();
-      sites.particle[i] = none;
+      sites.particle[i] = sites.family[i] = none;
+      sites.kin[i] = {};
       sites.serial[i] = 0;
     }
-  }
-
-  /// Hinges never interact with what shares a body with them.
-  void exclude_relatives() {
-    Sites& sites = forces.sites;
-    std::vector<std::vector<std::uint32_t>> of_body(world.bodies.slots());
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-    std::vector<std::uint32_t> hinges;
-    for (std::uint32_t i = 0; i < sites.n; i++) {
-      if (sites.particle[i] == none) continue;
-      const Particle& ring = world.particles.at_slot(sites.particle[i]);
-      if (ring.is_hinge()) hinges.push_back(i);
-      for (PointId p : ring.points)
-        if (const BodyId body = world.points[p].body) of_body[body.slot - 1].push_back(i);
-    }
-    for (std::uint32_t hinge : hinges)
-      for (PointId p : world.particles.at_slot(sites.particle[hinge]).points)
-        if (const BodyId body = world.points[p].body)
-          for (std::uint32_t other : of_body[body.slot - 1])
-            if (other != hinge) pairs.insert(pairs.end(), {{hinge, other}, {other, hinge}});
-    sites.excluded = exclusions(sites.n, std::move(pairs));
   }
 };
 
@@ -211,17 +133,10 @@ void add_connections(const World& world, Forces& forces, const Active::Batch& ba
   acting.ties.parameters.resize(batch.law->parameters.size());
   for (ConnectionId id : batch.ids) {
     const Connection& row = world.connections[id];
-    std::uint32_t ends[4];
-    bool apart = true;
-    for (std::uint32_t i = 0; i < row.count; i++) {
+    TieEnds ends{};
+    for (std::uint32_t i = 0; i < row.count; i++)
       ends[i] = row.particles[i] ? forces.site_of[awake(world, row.particles[i]).slot - 1] : place_sites[next_place++];
-      for (std::uint32_t j = 0; j < i; j++) apart = apart && ends[i] != ends[j];
-    }
-    if (!apart) continue;  // a hinge has joined its ends
-    acting.ids.push_back(id);
-    acting.serials.push_back(row.serial);
-    acting.ties.sites.insert(acting.ties.sites.end(), ends, ends + row.count);
-    for (std::size_t k = 0; k < row.parameters.size(); k++) acting.ties.parameters[k].push_back(row.parameters[k]);
+    add_tie(world, acting, id, ends);
   }
   forces.connections.push_back(std::move(acting));
 }
@@ -248,7 +163,7 @@ std::unique_ptr<Forces> build_forces(const World& world) {
   if (acting.none_at_all()) return nullptr;
   auto forces = std::make_unique<Forces>();
   Builder builder{world, *forces};
-  builder.want_all();
+  builder.find_wanted();
   for (const Active::Batch& batch : acting.connections)
     for (ConnectionId id : batch.ids) {
       const Connection& row = world.connections[id];
@@ -266,7 +181,6 @@ std::unique_ptr<Forces> build_forces(const World& world) {
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
   builder.add_sites();
-  builder.exclude_relatives();
   std::vector<std::uint32_t> all(forces->sites.n);
   std::iota(all.begin(), all.end(), 0u);
   fill_attributes(world, *forces, all);

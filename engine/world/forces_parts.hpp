@@ -1,5 +1,6 @@
 #pragma once
 // Not for use outside world/.
+#include <array>
 #include <memory>
 #include <span>
 #include <utility>
@@ -22,11 +23,33 @@ std::vector<Input> inputs_of(const Law& law);
 inline bool acts_on_all(const Forces& forces, FamilyId family) {
   return forces.everybody || (family && family.slot <= forces.families.size() && forces.families[family.slot - 1]);
 }
-/// Gives sites to the particles that were born, which are returned in rising order, and takes those of the gone away.
-/// Places are not yet read.
+/// Which laws want a site of a particle.
+enum class Wanted : std::uint8_t { not_at_all, by_solved, by_others };
+/// What families and connections want of one that is awake; not of fields on groups.
+Wanted wanted(const World& world, const Forces& forces, ParticleId particle);
+/// Makes a site that of a particle, on what moves it: a loose point, a body or a tied point.
+void seat(const World& world, Forces& forces, std::uint32_t site, ParticleId particle, Wanted how);
+void unseat(Forces& forces, std::uint32_t site);
+/// Finds which of `attached` each site is, after their numbers changed.
+void number_attached(Forces& forces);
+/// Finds where in articulates the movers are, and which laws pull; without those on which nothing sits any more.
+void find_movers(World& world, Forces& forces);
+
+/// The sites of a connection's ends.
+using TieEnds = std::array<std::uint32_t, 4>;
+/// Adds a connection to those of its law, unless a hinge has joined two of its ends.
+void add_tie(const World& world, ActingConnections& acting, ConnectionId connection, const TieEnds& ends);
+/// Takes out connections that are gone, and lists those anew whose ends may have changed.
+void change_ties(const World& world, Forces& forces, const std::vector<ConnectionId>& changed);
+
+/// Whether `change_members` can do what edits ask for; otherwise all is to be built anew.
+bool can_change_members(const World& world, const Forces& forces);
+/// Looks at the particles anew that edits say may have changed: takes sites away, gives new ones, and seats others anew.
+/// Gives these in rising order. Places are not yet read.
 std::vector<std::uint32_t> change_members(const World& world, Forces& forces);
-/// Whether what laws do to one free particle has to do with no other, and comes of its state alone.
-bool are_apart(const World& world, const Forces& forces);
+/// Whether only free particles were born or have gone, and what laws do to one of them has to do with no other, and comes of
+/// its state alone.
+bool are_apart(const Forces& forces);
 /// The same where they are apart, and the forces on them at the present places; others stay. Gives the change of energy
 /// [J], told before of the present state.
 double change_members_apart(const World& world, Forces& forces);
@@ -55,6 +78,8 @@ void read_places(const World& world, Forces& forces, bool drifted);
 void read_velocities(const World& world, Forces& forces, bool drifted);
 /// Sorts the sites by cells and builds the rows anew.
 void build_rows(const World& world, Forces& forces, bool drifted);
+/// The same after an edit, with the sites in the order that they are in.
+void build_rows_in_order(const World& world, Forces& forces);
 /// Reads the present state into laws that were just built.
 void start(const World& world, Forces& forces);
 /// Ages, and what follows them, at a time [s].

@@ -82,9 +82,9 @@ void put_in_order(const World& world, Forces& f, std::span<const std::uint32_t> 
   permute(f.inverse_mass, order);
   permute(f.image, order);
   for (Attached& a : f.attached) a.site = now[a.site];
+  number_attached(f);
   for (std::uint32_t& site : f.site_of)
     if (site != none) site = now[site];
-  s.excluded = put_in_order(s.excluded, now);
   for (ActingInteraction& a : f.interactions) a.bonded = put_in_order(a.bonded, now);
   for (ActingConnections& c : f.connections) {
     for (std::uint32_t& site : c.ties.sites) site = now[site];
@@ -111,31 +111,56 @@ double reach_of(const World& world, const Forces& f, const ActingInteraction& a)
 
 }  // namespace
 
-void build_rows(const World& world, Forces& f, bool drifted) {
-  const Box box = box_of(world);
+namespace {
+
+/// Beyond it no law of an interaction gives anything, [m]; of those without a cutoff nothing is asked.
+double longest_reach(const World& world, const Forces& f) {
   double reach = 0.0;
   for (const ActingInteraction& a : f.interactions)
     if (const double cutoff = reach_of(world, f, a); std::isfinite(cutoff)) reach = std::max(reach, cutoff);
+  return reach;
+}
+
+void wrap(const World& world, Forces& f) {
+  const Box box = box_of(world);
   for (std::size_t i = 0; box.periodic() && i < f.sites.n; i++) {
     const Vec3 wrapped = box.wrapped(f.sites.x[i]);
     f.image[i] += f.sites.x[i] - wrapped;
     f.sites.x[i] = wrapped;
   }
-  double skin = 0.0;
-  if (reach > 0.0) {
-    read_velocities(world, f, drifted);
-    skin = best_skin(f.sites, world.part.full, reach);
-    put_in_order(world, f, cell_order({f.sites.x.data(), f.sites.n}, box, 0.5 * (reach + skin)));
-  }
+}
+
+/// Finds the pairs of the sites in their order.
+void list_pairs(const World& world, Forces& f, double skin) {
   for (ActingInteraction& a : f.interactions) {
     const Interaction& row = world.interactions[a.id];
     const std::uint32_t of_a[] = {row.a.slot - 1}, of_b[] = {row.b.slot - 1};
     try {
-      a.rows.build(f.sites, box, of_a, of_b, reach_of(world, f, a), skin, *world.workers, a.bonded);
+      a.rows.build(f.sites, box_of(world), of_a, of_b, reach_of(world, f, a), skin, *world.workers, a.bonded);
     } catch (const Error& error) { throw Error(text(law_in_place(row), ": ", error.what())); }
   }
   f.skin.restart(f.sites, skin);
+}
+
+}  // namespace
+
+void build_rows(const World& world, Forces& f, bool drifted) {
+  const double reach = longest_reach(world, f);
+  wrap(world, f);
+  double skin = 0.0;
+  if (reach > 0.0) {
+    read_velocities(world, f, drifted);
+    skin = best_skin(f.sites, world.part.full, reach);
+    put_in_order(world, f, cell_order({f.sites.x.data(), f.sites.n}, box_of(world), 0.5 * (reach + skin)));
+  }
+  list_pairs(world, f, skin);
   f.rows = reach > 0.0;
+}
+
+void build_rows_in_order(const World& world, Forces& f) {
+  if (!f.rows) return build_rows(world, f, false);
+  wrap(world, f);
+  list_pairs(world, f, f.skin.width());
 }
 
 }  // namespace pantin

@@ -117,7 +117,7 @@ PointId own_mass_point(World& world, BodyId body) {
 /// Free points become one body.
 BodyId body_of_points(World& world, const std::vector<PointId>& points, std::string name) {
   acted(world);
-  disturb_forces(world);
+  disturb_sites(world);
   const Totals kept = totals_of(world, {}, points);
   double before = 0.0;
   for (PointId p : points) {
@@ -167,7 +167,7 @@ std::vector<ParticleId> shatter(World& world, BodyId body) {
   const std::string who = text(culprit(world), ", shattering it");
 
   acted(world);
-  disturb_forces(world);
+  disturb_sites(world);
   touch(world, body);
   disturb(world, body);
   const double before = energy_of(world, body);

@@ -150,7 +150,7 @@ void heat(World& world, const Things& things, double joules) {
   const bool at_rest = !(own > 1e-12 * std::fmax(before, joules));
   require(!at_rest || freedoms.common == 0 || things.bodies.size() + things.free_points.size() > 1,
           "heat: a single thing has no motion relative to itself");
-  disturb_forces(world);
+  disturb_forces_by_motion(world);
   add_velocity(world, things, common * -1.0);
   if (at_rest) {
     stir(world, things);

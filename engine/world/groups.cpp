@@ -3,6 +3,7 @@
 
 #include "world/edit.hpp"
 #include "world/editing.hpp"
+#include "world/forces.hpp"
 
 namespace pantin {
 
@@ -54,7 +55,7 @@ void add_to_group(World& world, GroupId group, AnyId thing) {
   require(exists(world, thing), who, ": what is added must be alive: ", describe(world, thing));
   require(!inner || !holds(world, std::get<GroupId>(thing), group), who, ": a group cannot hold itself");
   Group& row = world.groups[group];
-  disturb_forces(world);
+  if (world.forces && world.forces->grouped) disturb_forces(world);
   if (!row.known.insert(thing).second) return;
   row.members.push_back(std::move(thing));
   if (row.members.size() >= row.sweep) drop_dead(world, row);
@@ -65,7 +66,7 @@ void remove_from_group(World& world, GroupId group, AnyId thing) {
   Group& row = world.groups[group];
   require(exists(world, thing) && row.known.erase(thing) == 1, describe(world, group), ": ", describe(world, thing),
           " is not in it");
-  disturb_forces(world);
+  if (world.forces && world.forces->grouped) disturb_forces(world);
   std::erase(row.members, thing);
 }
 

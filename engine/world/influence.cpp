@@ -155,7 +155,7 @@ void touch_solved(World& world, const Connection& c) {
 
 void take_out(World& world, ConnectionId id, Obituary obituary) {
   const Connection row = world.connections[id];
-  disturb_forces(world);
+  disturb_forces_by_break(world, row);
   touch_solved(world, row);
   for (std::uint32_t i = 0; i < row.count; i++)
     if (row.particles[i] && world.particles.alive(row.particles[i]))

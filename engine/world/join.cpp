@@ -118,7 +118,7 @@ ParticleId add_hinge(World& world, std::span<const PointId> points, const HingeD
   if (def.axis) require_axis(world, bodies_of(world, members), *def.axis);
 
   Particle ring = shared_data(world, points[0], def);
-  disturb_forces(world);
+  disturb_sites(world);
   for (const Member& m : members) ring.points.push_back(m.point);
   ring.serial = world.next_serial++;
   const ParticleId hinge = world.particles.add(std::move(ring));

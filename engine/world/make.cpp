@@ -103,7 +103,7 @@ ParticleId add_particle(World& world, const ParticleDef& def) {
   particle.values = std::move(values);
   particle.look = def.look;
   particle.courses = std::move(courses);
-  note_birth(world, id);
+  note_site(world, id);
   touch(world, point);
   post(world, energy_of(world, point));
   return id;
@@ -114,7 +114,7 @@ BodyId add_body(World& world, const BodyDef& def) {
   require_unlocked(world, who);
   check(world, who, def);
   const Quat frame = unit(who, def.orientation);
-  disturb_forces(world);
+  disturb_sites(world);
   Body row;
   row.own_mass = def.mass;
   row.own_inertia = def.inertia;
@@ -147,7 +147,7 @@ PointId add_point(World& world, BodyId body, const PointDef& def) {
 
   const Color usual = row.points.empty() ? BodyDef{}.color : world.points[row.points[0]].color;
   const double before = energy_of(world, body);
-  disturb_forces(world);
+  disturb_sites(world);
   const PointId point = make_body_point(world, def, usual, body);
   world.bodies[body].points.push_back(point);
   weigh_again(world, body);

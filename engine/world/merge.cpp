@@ -96,7 +96,7 @@ void merge(World& world, BodyId a, BodyId b) {
   for (BodyId id : {a, b}) require(world.bodies.alive(id), "merge: ", world.bodies.story(id));
   require(a != b, "merge: both are ", describe(world, a), "; it needs two bodies");
   acted(world);
-  disturb_forces(world);
+  disturb_sites(world);
   const Quat to_a = conjugate(orientation(world, a));
   const Frame frame{normalised(to_a * orientation(world, b)), rotate(to_a, origin(world, b) - origin(world, a))};
   const double before = energy_of(world, a) + energy_of(world, b);

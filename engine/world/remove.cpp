@@ -8,7 +8,7 @@ using namespace editing;
 void remove(World& world, BodyId id) {
   require_unlocked(world, "remove");
   const std::string what = describe(world, id);
-  disturb_forces(world);
+  disturb_sites(world);
   touch(world, id);
   post(world, -energy_of(world, id), Source::removal);
   const std::vector<PointId> points = world.bodies[id].points;
@@ -75,7 +75,7 @@ void remove_point(World& world, PointId id) {
   require(static_cast<bool>(body), "remove_point: ", what, " belongs to no body; use remove");
   const ParticleId own = world.points[id].own;
   const double before = energy_of(world, body);
-  disturb_forces(world);
+  disturb_sites(world);
   auto& points = world.bodies[body].points;
   const std::vector<PointId> all = points;
   std::erase(points, id);

@@ -25,7 +25,7 @@ void choose_solved(World& world) {
     Solve solve = c.asked;
     if (solve == Solve::explicitly && (c.too_stiff || world.settings.integrator == Integrator::implicit))
       solve = Solve::at_middle;
-    if (!ties || !can_be_solved(world, c)) solve = Solve::explicitly;
+    if (solve != Solve::explicitly && (!ties || !can_be_solved(world, c))) solve = Solve::explicitly;
     if (solve == c.solve) continue;
     c.solve = solve;
     c.tension = 0.0;

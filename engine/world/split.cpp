@@ -111,7 +111,7 @@ BodyId split(World& world, BodyId body, std::span<const PointId> points, std::st
                std::fmax(norm(left.centre), norm(gone.centre)), first, second);
 
   acted(world);
-  disturb_forces(world);
+  disturb_sites(world);
   touch(world, body);
   disturb(world, body);
   const double before = energy_of(world, body);

@@ -121,7 +121,7 @@ double run(const cases::Melt& melt, int steps) {
   s.resize(melt.places.size());
   s.clear_forces();
   std::fill(s.family.begin(), s.family.end(), 0u);
-  std::fill(s.kin.begin(), s.kin.end(), 0u);
+  std::fill(s.kin.begin(), s.kin.end(), Kin{});
   s.attributes[0].assign(s.attributes[0].size(), 0.5);
   s.attributes[1].assign(s.attributes[1].size(), 1.0);
   std::copy(melt.places.begin(), melt.places.end(), s.x.begin());

@@ -5,6 +5,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <limits>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -39,10 +40,18 @@ bool has(const Families& families, std::uint32_t family) {
   return std::find(families.begin(), families.end(), family) != families.end();
 }
 
-bool excluded(const Sites& sites, std::uint32_t i, std::uint32_t j) {
-  if (sites.kin[i] != 0 && sites.kin[i] == sites.kin[j]) return true;
-  const std::span<const std::uint32_t> list = sites.excluded.of(i);
-  return std::find(list.begin(), list.end(), j) != list.end();
+bool have_a_body_in_common(const Sites& sites, std::uint32_t i, std::uint32_t j) {
+  const auto bodies = [&](std::uint32_t site) {
+    const Kin& kin = sites.kin[site];
+    std::set<std::uint32_t> set;
+    for (std::uint32_t k = 0; k < kin.count; k++) set.insert(sites.bodies_of_hinges[kin.begin + k]);
+    if (kin.count == 0 && kin.first != 0) set.insert(kin.first);
+    return set;
+  };
+  const std::set<std::uint32_t> others = bodies(j);
+  for (std::uint32_t body : bodies(i))
+    if (others.contains(body)) return true;
+  return false;
 }
 
 /// Each pair once for every image that is within reach.
@@ -52,7 +61,7 @@ std::vector<Pair> all_pairs(const Sites& sites, const Box& box, const Families& 
   for (std::uint32_t i = 0; i < sites.n; i++)
     for (std::uint32_t j = 0; j < sites.n; j++) {
       const bool meet = has(a, sites.family[i]) && has(b, sites.family[j]) && (a != b || i < j);
-      if (!meet || excluded(sites, i, j)) continue;
+      if (!meet || have_a_body_in_common(sites, i, j)) continue;
       for (int x = -images; x <= images; x++)
         for (int y = -images; y <= images; y++)
           for (int z = -images; z <= images; z++)
@@ -135,11 +144,14 @@ TEST_CASE("rows: a flat scene and a straight one are sorted along their length")
   check_rows(sites, {}, {0}, {0}, 0.1, 0.01);
 }
 
-TEST_CASE("rows: points of a body and excluded pairs are left out") {
+TEST_CASE("rows: points of a body, hinges of it and given pairs are left out") {
   Sites sites = cases::random_sites({.count = 300});
-  for (std::uint32_t i = 0; i < sites.n; i++) sites.kin[i] = i % 3 == 0 ? 0 : 1 + i / 7;
+  for (std::uint32_t i = 0; i < sites.n; i++) sites.kin[i].first = i % 3 == 0 ? 0 : 1 + i / 7;
+  for (std::uint32_t i = 4; i + 9 < sites.n; i += 9) {
+    sites.kin[i] = {1 + i / 7, static_cast<std::uint32_t>(sites.bodies_of_hinges.size()), 2 + i % 2};
+    for (std::uint32_t k = 0; k < sites.kin[i].count; k++) sites.bodies_of_hinges.push_back(1 + (i + 7 * k) / 7);
+  }
   const Exclusions further = apart(sites, 5);
-  sites.excluded = apart(sites, 3);
   check_rows(sites, {}, {0}, {0}, 3.0, 0.3);
   check_rows(sites, cube(10.0), {0}, {0}, 3.0, 0.3);
   check_rows(sites, {}, {0}, {0}, infinity, 0.0);
@@ -218,7 +230,7 @@ TEST_CASE("rows: a million particles at one place are refused at once") {
   sites.resize(1'000'000);
   std::fill_n(sites.x.begin(), sites.n, vec(1, 2, 3));
   std::fill(sites.family.begin(), sites.family.end(), 0u);
-  std::fill(sites.kin.begin(), sites.kin.end(), 0u);
+  std::fill(sites.kin.begin(), sites.kin.end(), Kin{});
   Workers workers;
   Rows rows;
   const Families all = {0};

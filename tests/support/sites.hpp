@@ -37,7 +37,7 @@ inline Sites random_sites(const RandomSites& def = {}) {
     sites.particle[i] = static_cast<std::uint32_t>(i);
     sites.serial[i] = i + 1;
     sites.family[i] = static_cast<std::uint32_t>(i % def.families);
-    sites.kin[i] = 0;
+    sites.kin[i] = {};
     sites.attributes[0][i] = 0.5 + random.uniform();
     sites.attributes[1][i] = 0.5 + random.uniform();
   }
