@@ -1,5 +1,6 @@
 #include "world/ledger.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -138,7 +139,8 @@ void end_ledger(World& world) {
 
 double closure(const World& world) {
   const Ledger& l = world.ledger;
-  return l.posted > 0.0 ? l.unexplained / l.posted : 0.0;
+  const double scale = std::max(l.posted, 1e-3 * std::fabs(energy(world).potential));
+  return scale > 0.0 ? l.unexplained / scale : 0.0;
 }
 
 std::map<std::string, double> truncation(const World& world) {

@@ -166,3 +166,19 @@ test("a motor turns what swings aside at its speed, and takes or gives no energy
   scene:advance(2)
   expect(scene.error.worst_energy):below(1e-9)
 end)
+
+test("the ledger of a frame that cannot move closes too", function()
+  local scene = open_text [[
+    local _ = scene.ledger
+    local function bar(x, y, angle)
+      return scene:body { mass = 1, inertia = vec(0.01, 0.1, 0.1), at = vec(x, y, 0), orientation = quat(vec(0, 0, 1), angle),
+        points = { a = vec(-0.5, 0, 0), b = vec(0.5, 0, 0) } }
+    end
+    local left, right = bar(0.25, math.sqrt(3) / 4, math.pi / 3), bar(0.75, math.sqrt(3) / 4, -math.pi / 3)
+    scene:hinge(left.b, right.a)
+    scene:nail(left.a)
+    scene:nail(right.b)
+  ]]
+  scene:advance(1)
+  expect(scene.ledger.closure):below(1e-10)
+end)
