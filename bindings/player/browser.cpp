@@ -8,6 +8,7 @@
 #include <cfloat>
 #include <filesystem>
 #include <sstream>
+#include <utility>
 
 namespace pantin::player {
 namespace {
@@ -24,6 +25,16 @@ std::string lower(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
   return text;
+}
+
+/// Why a scene has no picture, in the picture's place.
+void draw_error(const std::string& error, ImVec2 from, ImVec2 to) {
+  const float pad = 10.0f * scale();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(from, to, true);
+  list.AddText(nullptr, 0.9f * ImGui::GetFontSize(), {from.x + pad, from.y + pad},
+               ImGui::GetColorU32(ImGuiCol_TextDisabled), error.c_str(), nullptr, to.x - from.x - 2.0f * pad);
+  list.PopClipRect();
 }
 
 void big_text(const char* text, float size) {
@@ -88,6 +99,14 @@ bool Browser::found(const SceneEntry& scene) const {
   return true;
 }
 
+/// What is called so comes first, then what has a word that begins so.
+int Browser::rank(const SceneEntry& scene) const {
+  const std::string sought = lower(search_), name = lower(scene.name), title = lower(scene.title);
+  if (name.starts_with(sought) || title.starts_with(sought)) return 0;
+  const std::string all = " " + title + " " + name + " " + lower(scene.about);
+  return all.find(" " + sought) != all.npos ? 1 : 2;
+}
+
 void Browser::draw(const std::string& open, float width, float height) {
   chosen_.clear();
   left_ = false;
@@ -102,11 +121,11 @@ void Browser::draw(const std::string& open, float width, float height) {
   shown_scenes_.clear();
   for (std::size_t i = 0; i < scenes_.size(); i++)
     if (found(scenes_[i])) shown_scenes_.push_back(i);
+  if (!search_.empty()) std::ranges::stable_sort(shown_scenes_, {}, [&](std::size_t i) { return rank(scenes_[i]); });
   if (search_ != searched_) mark_ = 0;
   searched_ = search_;
   draw_cards(open);
   ImGui::End();
-  appearing_ = false;
 }
 
 void Browser::draw_head(float width) {
@@ -114,7 +133,7 @@ void Browser::draw_head(float width) {
   ImGui::SameLine(0.0f, 24.0f * scale());
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 3.0f * scale());
   ImGui::SetNextItemWidth(std::min(320.0f * scale(), 0.5f * width));
-  if (appearing_) ImGui::SetKeyboardFocusHere();
+  if (std::exchange(appearing_, false)) ImGui::SetKeyboardFocusHere();
   const bool was_empty = search_.empty();
   ImGui::InputTextWithHint("##search", "search", &search_);
   if (pressed(ImGuiKey_Escape)) {
@@ -153,7 +172,7 @@ void Browser::draw_cards(const std::string& open) {
   int column = 0;
   for (std::size_t i = 0; i < shown_scenes_.size(); i++) {
     const SceneEntry& scene = scenes_[shown_scenes_[i]];
-    if (!own && !scene.path.starts_with(shipped_)) {
+    if (!own && search_.empty() && !scene.path.starts_with(shipped_)) {
       own = true;
       column = 0;
       ImGui::Spacing();
@@ -185,6 +204,8 @@ bool Browser::draw_card(const SceneEntry& scene, float width, bool lit, bool is_
   if (void* texture = portraits_ ? portraits_->picture(scene.path) : nullptr)
     list.AddImageRounded(texture, from, {to.x, from.y + picture}, {0, 0}, {1, 1}, IM_COL32_WHITE, round,
                          ImDrawFlags_RoundCornersTop);
+  else if (portraits_)
+    draw_error(portraits_->error(scene.path), from, {to.x, from.y + picture});
   if (lit || is_open)
     list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_CheckMark), round, 0, (lit ? 3.0f : 1.5f) * scale());
   const ImVec2 at = {from.x + pad, from.y + picture + 0.6f * pad};

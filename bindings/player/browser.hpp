@@ -33,6 +33,7 @@ class Browser {
   void draw_cards(const std::string& open);
   bool draw_card(const SceneEntry& scene, float width, bool lit, bool is_open);
   bool found(const SceneEntry& scene) const;
+  int rank(const SceneEntry& scene) const;
   void move_mark(int columns);
 
   std::string shipped_, own_;

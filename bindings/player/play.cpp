@@ -43,13 +43,9 @@ int play_unseen(RunOptions options, const std::string& home, const std::string& 
 int play(const RunOptions& given, const std::string& home) {
   RunOptions options = given;
   const std::string shown_without_window = options.scene.empty() ? "chain" : options.scene;
-  if (!Window::display_available()) {
-    options.scene = shown_without_window;
-    return play_unseen(options, home, "there is no display to play on");
-  }
-  std::string why;
+  std::string why = "there is no display to play on";
   try {
-    return play_in_window(options, home);
+    if (const Display display; display.seen()) return play_in_window(options, home);
   } catch (const NoWindow& error) { why = error.what(); }
   options.scene = shown_without_window;
   return play_unseen(options, home, why);

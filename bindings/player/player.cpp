@@ -45,7 +45,7 @@ Player::Player(std::string path, const RunOptions& options, const std::string& h
     : path_(std::move(path)),
       options_(options),
       lua_options_(lua_options(options, home)),
-      scene_(first_scene(path_, lua_options_)),
+      scene_(lua::Scene::open_text("", "scenes", ".", {})),
       window_(open_window(title() + " - Pantin", options.size)),
       renderer_(window_.width(), window_.height(), window_.software() ? 0 : smooth_samples),
       hands_([this] { return add_hand(scene_->world()); }),
@@ -53,11 +53,13 @@ Player::Player(std::string path, const RunOptions& options, const std::string& h
       paused_(options.paused),
       views_(options.views) {
   renderer_.open(scene_->world());
-  camera_ = aim(*scene_, renderer_.stage(), aspect(renderer_));
-  if (path_.empty())
+  if (path_.empty()) {
     browser_.show();
-  else if (!options_.record.empty())
-    record(options_.record);
+    return;
+  }
+  adopt(load(path_, lua_options_));
+  camera_ = aim(*scene_, renderer_.stage(), aspect(renderer_));
+  if (!options_.record.empty()) record(options_.record);
 }
 
 std::string Player::title() const {
@@ -108,8 +110,8 @@ void Player::choose_followed() {
 
 void Player::act(const Actions& actions) {
   if (actions.restart) restart();
-  if (actions.undo || undo_wish_.undo) undo();
-  if (actions.redo || undo_wish_.redo) redo();
+  for (int i = 0; i < actions.undo + undo_wish_.undo; i++) undo();
+  for (int i = 0; i < actions.redo + undo_wish_.redo; i++) redo();
   undo_wish_ = {};
   if (actions.help) help_ = !help_;
   if (actions.pause) paused_ = !paused_;

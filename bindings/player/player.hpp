@@ -31,7 +31,8 @@ struct NoWindow : Error {
 /// A scene in a window, with hands in it.
 class Player {
  public:
-  /// Opens the scene and the window, or the browser where the path is empty; throws what the scene throws, or NoWindow.
+  /// Opens the window and the scene in it, or the browser where the path is empty; throws what the scene throws, or
+  /// NoWindow.
   Player(std::string path, const RunOptions& options, const std::string& home);
 
   /// One frame: input, the steps that are due, a picture. False once it is over.
@@ -63,8 +64,8 @@ class Player {
   void act(const Actions& actions);
   void take_keys();
   Actions take_hands(double elapsed);
-  void keep_for_undo(const std::string& act);
-  void go_back(bool (Undo::*way)(lua::Scene&, Times&, std::string&));
+  void keep_for_undo(const std::string& act, const StepInput& before);
+  void go_back(bool (Undo::*way)(lua::Scene&, Times&, StepInput&, std::string&));
   void tell(const std::string& what);
   void tell_dropped();
   void draw_tools();
@@ -73,7 +74,6 @@ class Player {
   bool take_key(const std::string& name);
   void choose();
   void swallow_keys();
-  std::unique_ptr<lua::Scene> first_scene(const std::string& path, const lua::SceneOptions& options);
   void wait_for(const std::atomic<bool>& done, const std::string& what);
   void edit(const Edit& edit);
   void write_table();

@@ -15,25 +15,25 @@ Actions Player::take_hands(double elapsed) {
   const PlayerInput::Frame frame{
       scene_->world(),         renderer_.stage(), renderer_.width(), renderer_.height(), renderer_.pointer_on_panel(),
       paused_ ? 0.0 : elapsed, camera_,           waiting_};
+  const StepInput before = waiting_;
   Actions actions = hands_.apply(gestures_, frame);
   for (const std::string& said : actions.said) tell(said);
-  if (!actions.acts.empty()) keep_for_undo(actions.acts.back());
+  if (!actions.acts.empty()) keep_for_undo(actions.acts.back(), before);
   return actions;
 }
 
-void Player::keep_for_undo(const std::string& act) {
+void Player::keep_for_undo(const std::string& act, const StepInput& before) {
   try {
-    undo_.begin(*scene_, times_, act);
+    undo_.begin(*scene_, times_, before, act);
   } catch (const Error& error) { tell(text(act, " cannot be undone: ", error.what())); }
 }
 
 void Player::undo() { go_back(&Undo::undo); }
 void Player::redo() { go_back(&Undo::redo); }
 
-void Player::go_back(bool (Undo::*way)(lua::Scene&, Times&, std::string&)) {
+void Player::go_back(bool (Undo::*way)(lua::Scene&, Times&, StepInput&, std::string&)) {
   std::string told;
-  if ((undo_.*way)(*scene_, times_, told)) {
-    waiting_ = {};
+  if ((undo_.*way)(*scene_, times_, waiting_, told)) {
     hands_.let_go(scene_->world(), waiting_);
     log_read_ = scene_->world().log.size();
     failure_ = scene_->world().failure;

@@ -26,10 +26,6 @@ std::string text_of(const lua::Value& value) {
 
 }  // namespace
 
-std::unique_ptr<lua::Scene> Player::first_scene(const std::string& path, const lua::SceneOptions& options) {
-  return path.empty() ? lua::Scene::open_text("", "scenes", ".", {}) : reload_.open(path, options);
-}
-
 /// Opens a scene while the window stays alive, so that one that does not come to an end can be stopped.
 std::unique_ptr<lua::Scene> Player::load(const std::string& path, const lua::SceneOptions& options) {
   const auto start = Clock::now();
@@ -59,12 +55,12 @@ std::unique_ptr<lua::Scene> Player::load(const std::string& path, const lua::Sce
 void Player::wait_for(const std::atomic<bool>& done, const std::string& what) {
   const auto start = Clock::now();
   bool stopped = false;
+  Gestures meanwhile;
   while (!done) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
     if (Clock::now() < start + patience) continue;
-    const bool goes_on = window_.poll(gestures_);
-    const auto escape = std::find(gestures_.keys.begin(), gestures_.keys.end(), "escape");
-    if (!stopped && (!goes_on || escape != gestures_.keys.end())) {
+    const bool goes_on = window_.poll(meanwhile);
+    if (!stopped && (!goes_on || std::ranges::count(meanwhile.keys, "escape") > 0)) {
       lua::interrupt_scripts();
       stopped = true;
     }
@@ -75,7 +71,6 @@ void Player::wait_for(const std::atomic<bool>& done, const std::string& what) {
     window_.present(renderer_);
   }
   if (stopped) lua::allow_scripts();
-  gestures_.keys.clear();
 }
 
 void Player::adopt(std::unique_ptr<lua::Scene> fresh) {
@@ -116,6 +111,9 @@ bool Player::open(const std::string& path) {
   if (first && !options_.record.empty()) record(options_.record);
   panels_.reset();
   paused_ = false;
+  speed_ = 1.0;
+  for (const View view : {View::bodies, View::loads, View::shadows})
+    if (options_.views.on(view)) views_.set(view, true);
   camera_ = aim(*scene_, renderer_.stage(), static_cast<double>(renderer_.width()) / renderer_.height());
   return true;
 }
@@ -137,7 +135,7 @@ void Player::set_parameter(const std::string& name, const lua::Value& value) {
 }
 
 void Player::take_keys() {
-  std::erase_if(gestures_.keys, [&](const std::string& name) { return browser_.shown() || take_key(name); });
+  gestures_.erase_keys([&](const std::string& name) { return browser_.shown() || take_key(name); });
 }
 
 bool Player::take_key(const std::string& name) {
@@ -145,7 +143,7 @@ bool Player::take_key(const std::string& name) {
     browser_.show();
   else if (name == "escape" && help_)
     help_ = false;
-  else if (name == "escape" && from_browser_)
+  else if ((name == "escape" || name == "q") && from_browser_)
     browser_.show();
   else if (name == "pagedown" || name == "pageup")
     open_neighbour(name == "pagedown" ? 1 : -1);
@@ -263,7 +261,7 @@ void Player::leave_browser() {
   if (!browser_.chosen().empty()) {
     from_browser_ = true;
     if (browser_.chosen() == path_) return browser_.hide();
-    if (open(browser_.chosen())) browser_.hide();
+    open(browser_.chosen()) ? browser_.hide() : browser_.show();
   } else if (browser_.left()) {
     if (path_.empty()) over_ = true;
     browser_.hide();

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 #include "lua/watchdog.hpp"
 #include "player/aim.hpp"
@@ -70,6 +71,8 @@ void* Portraits::picture(const std::string& path) {
   return entry.texture ? entry.texture->id() : nullptr;
 }
 
+const std::string& Portraits::error(const std::string& path) { return entries_[path].error; }
+
 void Portraits::rest() {
   for (const std::string& path : queue_) entries_[path].asked = false;
   queue_.clear();
@@ -102,6 +105,7 @@ void Portraits::work(bool dark) {
     if (reached != State::failed) draw(path_, reached == State::stepped);
     if (reached != State::opened) {
       entries_[path_].tried = true;
+      entries_[path_].error = std::exchange(error_, {});
       scene_.reset();
     }
     state_ = reached == State::opened ? State::stepping : State::none;
@@ -153,15 +157,20 @@ void Portraits::run() {
     lua::Scene* scene = scene_.get();
     lock.unlock();
     std::unique_ptr<lua::Scene> fresh;
+    std::string error;
     bool good = true;
     try {
       if (open)
         fresh = lua::Scene::open(path, options_);
       else
         step(*scene);
-    } catch (const std::exception&) { good = false; }  // it is told when the scene is played
+    } catch (const std::exception& thrown) {
+      good = false;
+      error = thrown.what();
+    }
     lock.lock();
     if (open) scene_ = std::move(fresh);
+    error_ = std::move(error);
     state_ = !good ? State::failed : open ? State::opened : State::stepped;
   }
 }

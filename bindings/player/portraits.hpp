@@ -31,6 +31,8 @@ class Portraits {
   /// What Dear ImGui calls the picture of a scene's file; null while there is none. The scenes that are asked for are
   /// made, in the order of asking.
   void* picture(const std::string& path);
+  /// Why a scene could not be opened or stepped, or empty.
+  const std::string& error(const std::string& path);
   /// A part of the work, between two frames: reads a file or draws a picture. `dark`: on a dark ground.
   void work(bool dark);
   /// Forgets what is still to be made, until it is asked for again.
@@ -43,6 +45,7 @@ class Portraits {
   enum class State { none, opening, opened, stepping, stepped, failed };
   struct Entry {
     std::optional<Texture> texture;
+    std::string error;                  ///< why it could not be opened or stepped
     bool asked = false, tried = false;  ///< tried: nothing more is to be done
   };
 
@@ -64,6 +67,7 @@ class Portraits {
   State state_ = State::none;
   std::string path_;                   ///< in hand
   std::unique_ptr<lua::Scene> scene_;  ///< the same
+  std::string error_;                  ///< the same
   bool ending_ = false;
   std::thread thread_;
 };

@@ -16,25 +16,25 @@ std::string obstacle(const lua::Scene& scene) {
 
 }  // namespace
 
-void Undo::begin(lua::Scene& scene, const Times& times, const std::string& act) {
+void Undo::begin(lua::Scene& scene, const Times& times, const StepInput& waiting, const std::string& act) {
   future_.clear();
   if (!scene.why_not_restore().empty()) return past_.clear();
-  past_.push_back(keep(scene, times, act));
+  past_.push_back(keep(scene, times, waiting, act));
   if (past_.size() > most_acts) past_.pop_front();
 }
 
-Undo::Entry Undo::keep(lua::Scene& scene, const Times& times, const std::string& act) {
-  Entry entry{act, scene.take_snapshot(), times, ++states_};
+Undo::Entry Undo::keep(lua::Scene& scene, const Times& times, const StepInput& waiting, const std::string& act) {
+  Entry entry{act, scene.take_snapshot(), times, waiting, ++states_};
   if (on_state) on_state(entry.number, false);
   return entry;
 }
 
-bool Undo::undo(lua::Scene& scene, Times& times, std::string& told) {
-  return move(scene, times, past_, future_, "undo", told);
+bool Undo::undo(lua::Scene& scene, Times& times, StepInput& waiting, std::string& told) {
+  return move(scene, times, waiting, past_, future_, "undo", told);
 }
 
-bool Undo::redo(lua::Scene& scene, Times& times, std::string& told) {
-  return move(scene, times, future_, past_, "redo", told);
+bool Undo::redo(lua::Scene& scene, Times& times, StepInput& waiting, std::string& told) {
+  return move(scene, times, waiting, future_, past_, "redo", told);
 }
 
 void Undo::clear() {
@@ -46,17 +46,19 @@ UndoState Undo::state(const lua::Scene& scene) const {
   return {name_of_last(past_), name_of_last(future_), obstacle(scene)};
 }
 
-bool Undo::move(lua::Scene& scene, Times& times, Entries& from, Entries& to, const char* does, std::string& told) {
+bool Undo::move(lua::Scene& scene, Times& times, StepInput& waiting, Entries& from, Entries& to, const char* does,
+                std::string& told) {
   told = obstacle(scene);
   if (told.empty() && from.empty()) told = std::string("nothing to ") + does;
   if (!told.empty()) return false;
   try {
     const Entry entry = from.back();
-    Entry now = keep(scene, times, entry.act);
+    Entry now = keep(scene, times, waiting, entry.act);
     scene.restore(*entry.scene);
     if (on_state) on_state(entry.number, true);
     from.pop_back();
     times = entry.times;
+    waiting = entry.waiting;
     told = does + (": " + entry.act);
     to.push_back(std::move(now));
   } catch (const Error& error) {

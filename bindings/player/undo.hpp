@@ -11,15 +11,15 @@
 
 namespace pantin::player {
 
-/// The latest acts of hands, each with the scene, and the times of its steps, as they were before; they are taken back by
-/// putting that back.
+/// The latest acts of hands, each with the scene, the times of its steps and what waited for the next step, as they were
+/// before; they are taken back by putting that back.
 class Undo {
  public:
   /// An act begins. Where the scene cannot be put back, nothing is kept; throws Error where it cannot be kept.
-  void begin(lua::Scene& scene, const Times& times, const std::string& act);
+  void begin(lua::Scene& scene, const Times& times, const StepInput& waiting, const std::string& act);
   /// Takes the last act back, or does it again, and tells what became of that. True where the scene was put back.
-  bool undo(lua::Scene& scene, Times& times, std::string& told);
-  bool redo(lua::Scene& scene, Times& times, std::string& told);
+  bool undo(lua::Scene& scene, Times& times, StepInput& waiting, std::string& told);
+  bool redo(lua::Scene& scene, Times& times, StepInput& waiting, std::string& told);
   /// Another scene was opened.
   void clear();
   UndoState state(const lua::Scene& scene) const;
@@ -32,11 +32,13 @@ class Undo {
     std::string act;
     std::shared_ptr<const lua::SceneSnapshot> scene;
     Times times;
+    StepInput waiting;
     std::uint64_t number = 0;  ///< of the state
   };
   using Entries = std::deque<Entry>;
-  Entry keep(lua::Scene& scene, const Times& times, const std::string& act);
-  bool move(lua::Scene& scene, Times& times, Entries& from, Entries& to, const char* does, std::string& told);
+  Entry keep(lua::Scene& scene, const Times& times, const StepInput& waiting, const std::string& act);
+  bool move(lua::Scene& scene, Times& times, StepInput& waiting, Entries& from, Entries& to, const char* does,
+            std::string& told);
 
   Entries past_;              ///< before each act, oldest first
   std::uint64_t states_ = 0;  ///< that were kept

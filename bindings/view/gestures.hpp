@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -31,7 +32,8 @@ struct PointerEvent {
   double x = 0.0, y = 0.0;    ///< [px]
   double dx = 0.0, dy = 0.0;  ///< [px] of a move; notches of the wheel, up > 0
   bool shift = false, control = false;
-  int clicks = 1;  ///< of a press: 2 is a double click
+  int clicks = 1;        ///< of a press: 2 is a double click
+  std::size_t keys = 0;  ///< of the gestures' keys, that were pressed before
 };
 
 /// What hands did since the last poll, and the state that follows from all events so far. Nothing is ever asked of SDL,
@@ -48,6 +50,19 @@ struct Gestures {
   int width = 0, height = 0;  ///< [px] of the window's drawable
   bool resized = false;
   bool quit = false;
+
+  /// Takes out keys that are for something else.
+  void erase_keys(const auto& taken) {
+    for (std::size_t i = 0; i < keys.size();) {
+      if (!taken(keys[i])) {
+        i++;
+        continue;
+      }
+      keys.erase(keys.begin() + static_cast<std::ptrdiff_t>(i));
+      for (PointerEvent& event : events)
+        if (event.keys > i) event.keys--;
+    }
+  }
 };
 
 }  // namespace pantin

@@ -85,7 +85,8 @@ Panel::~Panel() {
   ImGui::DestroyContext(context_);
 }
 
-bool Panel::writing() const { return context_->IO.WantTextInput; }
+// IO.WantTextInput is late by a frame.
+bool Panel::writing() const { return context_->WantTextInputNextFrame == 1; }
 
 bool Panel::covers(double x, double y) const {
   const ImVec2 at(static_cast<float>(x), static_cast<float>(y));
@@ -155,7 +156,7 @@ void Panel::take_keys(Gestures& gestures) {
     io.KeysDown[entry.second] =
         std::ranges::any_of(gestures.held, is_key) || std::ranges::any_of(gestures.keys, is_key);
   }
-  if (!io.WantTextInput) return;
+  if (!writing()) return;
   io.AddInputCharactersUTF8(gestures.text.c_str());
   gestures.keys.clear();
 }

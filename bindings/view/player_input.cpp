@@ -57,8 +57,15 @@ Actions PlayerInput::apply(const Gestures& gestures, const Frame& frame) {
   actions.said = gestures.notes;
   if (frame.width <= 0 || frame.height <= 0) return actions;
   const Work work{gestures, frame, {frame.world, frame.stage, frame.camera, frame.width, frame.height}, actions};
-  for (const PointerEvent& event : gestures.events) pointer_event(work, event);
-  for (const std::string& name : gestures.keys) key(work, name);
+  std::size_t taken = 0;
+  const auto take_keys = [&](std::size_t end) {
+    while (taken < std::min(end, gestures.keys.size())) key(work, gestures.keys[taken++]);
+  };
+  for (const PointerEvent& event : gestures.events) {
+    take_keys(event.keys);
+    pointer_event(work, event);
+  }
+  take_keys(gestures.keys.size());
   move_hands(work);
   return actions;
 }
@@ -73,10 +80,13 @@ void PlayerInput::let_go(const World& world, StepInput& input) {
                 [&](const auto& entry) { return entry.second.hand >= static_cast<std::int32_t>(world.hands.size()); });
   for (auto& [pointer, hold] : holds_) hold.use = {};
   for (std::size_t i = 0; i < world.hands.size(); i++) {
-    if (world.hands[i].path || !world.hands[i].grab) continue;
+    const auto hand = static_cast<std::int32_t>(i);
+    const bool takes = std::ranges::any_of(
+        input.commands, [&](const Command& c) { return c.kind == Command::Kind::grab && c.hand == hand; });
+    if (world.hands[i].path || !(world.hands[i].grab || takes)) continue;
     Command command;
     command.kind = Command::Kind::release;
-    command.hand = static_cast<std::int32_t>(i);
+    command.hand = hand;
     input.commands.push_back(command);
   }
 }
@@ -144,8 +154,8 @@ void PlayerInput::key(const Work& work, const std::string& name) {
   if (name == "s") a.picture = true;
   if (name == "h") a.help = !a.help;
   if (name == "q" || name == "escape") a.quit = true;
-  if (name == "ctrl+z") a.undo = true;
-  if (name == "ctrl+shift+z" || name == "ctrl+y") a.redo = true;
+  if (name == "ctrl+z") a.undo++;
+  if (name == "ctrl+shift+z" || name == "ctrl+y") a.redo++;
   tool.key(name);
   if (name == "f") {
     const std::optional<Vec3>& edges = frame.world.settings.box;

@@ -20,8 +20,8 @@ struct Actions {
   bool picture = false;           ///< s
   bool help = false;              ///< h: show or hide the keys
   bool quit = false;              ///< Esc, q, or the window was closed
-  bool undo = false;              ///< ctrl+z
-  bool redo = false;              ///< ctrl+shift+z, ctrl+y
+  int undo = 0;                   ///< ctrl+z: how often
+  int redo = 0;                   ///< ctrl+shift+z, ctrl+y
   std::vector<std::string> acts;  ///< names of the tools' uses whose first command is in the input
   std::vector<std::string> said;  ///< what tools did, or why they did nothing
 };

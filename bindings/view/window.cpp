@@ -34,6 +34,20 @@ std::string key_name(SDL_Keycode key) {
   return name;
 }
 
+bool start_video() {
+  SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "0");
+  SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
+  SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
+  return SDL_InitSubSystem(SDL_INIT_VIDEO) == 0;
+}
+
+/// SDL takes a driver that shows nothing where it finds no other.
+bool driver_is_seen() {
+  const char* name = SDL_GetCurrentVideoDriver();
+  const std::string_view driver = name ? name : "";
+  return driver != "offscreen" && driver != "dummy" && driver != "evdev" && !driver.empty();
+}
+
 void set_button(Pointer& pointer, Button button, bool down) {
   if (button == Button::left) pointer.left = down;
   if (button == Button::middle) pointer.middle = down;
@@ -78,10 +92,9 @@ struct Window::Parts {
 Window::Window(const std::string& title, int width, int height, bool hidden) : parts_(std::make_unique<Parts>()) {
   require(width > 0 && height > 0, "a window's size must be > 0 pixels, got ", width, " x ", height);
   if (hidden) SDL_SetHintWithPriority(SDL_HINT_VIDEODRIVER, "offscreen", SDL_HINT_OVERRIDE);
-  SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "0");
-  SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
-  SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
-  require(SDL_InitSubSystem(SDL_INIT_VIDEO) == 0, "no window can be opened: ", SDL_GetError());
+  require(start_video(), "no window can be opened: ", SDL_GetError());
+  const char* asked_for = SDL_GetHint(SDL_HINT_VIDEODRIVER);
+  require(driver_is_seen() || (asked_for && *asked_for), "no window can be opened: there is no display");
   SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
   SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 3);
   SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_CORE);
@@ -111,14 +124,13 @@ bool Window::software() const {
   return renderer.find("llvmpipe") != renderer.npos || renderer.find("softpipe") != renderer.npos;
 }
 
-bool Window::display_available() {
-  if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) return false;
-  const char* name = SDL_GetCurrentVideoDriver();
-  const std::string_view driver = name ? name : "";
-  const bool there = driver != "offscreen" && driver != "dummy" && driver != "evdev" && !driver.empty();
-  SDL_QuitSubSystem(SDL_INIT_VIDEO);
-  return there;
+Display::Display() : open_(start_video()) {}
+
+Display::~Display() {
+  if (open_) SDL_QuitSubSystem(SDL_INIT_VIDEO);
 }
+
+bool Display::seen() const { return open_ && driver_is_seen(); }
 
 bool Window::lost() const { return parts_->lost; }
 
@@ -203,6 +215,7 @@ void Window::Parts::tell(Gestures& gestures, PointerEvent event, double x, doubl
     set_button(pointer, event.button, event.kind == Kind::press);
   event.shift = shift;
   event.control = control;
+  event.keys = gestures.keys.size();
   gestures.events.push_back(event);
 }
 

@@ -8,8 +8,24 @@ namespace pantin {
 
 class Renderer;
 
+/// SDL's connection to the display. While one lives, windows open on the same: a display whose last client leaves may go
+/// away for a moment.
+class Display {
+ public:
+  Display();
+  ~Display();
+  Display(const Display&) = delete;
+  Display& operator=(const Display&) = delete;
+  /// A screen is there to open a visible window on.
+  bool seen() const;
+
+ private:
+  bool open_;
+};
+
 /// An SDL window with an OpenGL 3.3 core context, which it makes current. A hidden one needs no display: it uses SDL's
-/// offscreen driver. Throws Error, with SDL's words, where there is no display or no OpenGL.
+/// offscreen driver. Another throws Error where it would be seen nowhere, unless SDL_VIDEODRIVER asks for that. Throws
+/// Error, with SDL's words, where there is no display or no OpenGL.
 class Window {
  public:
   Window(const std::string& title, int width, int height, bool hidden = false);
@@ -28,9 +44,6 @@ class Window {
   int height() const;  ///< [px]
   /// OpenGL is done by the processor: draw without samples when it must be quick.
   bool software() const;
-
-  /// A screen is there to open a visible window on.
-  static bool display_available();
 
  private:
   struct Parts;

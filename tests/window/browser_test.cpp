@@ -28,6 +28,40 @@ TEST_CASE("browser: without a scene the window shows all, and typing and Enter o
   CHECK(played.world().steps > steps);
 }
 
+TEST_CASE("browser: the field has the keys again after Esc, and what is called so comes first", "[window]") {
+  Played played("");
+  pushed::type("melt");
+  played.frames(2);
+  pushed::tap(SDLK_ESCAPE);
+  played.frames(3);
+  pushed::type("rings");
+  played.frames(2);
+  pushed::tap(SDLK_RETURN);
+  played.frames(3);
+  CHECK(played.player->scene().title() == "Rings");
+  pushed::tap(SDLK_q);
+  played.frames(3);
+  CHECK(played.player->browsing());
+}
+
+TEST_CASE("browser: the field has the keys again after a scene that cannot be opened", "[window]") {
+  Played played("scene.title = 'Mine' scene:particle { at = vec(0, 0, 0) }");
+  support::write_file(played.folder / "broken.lua", "scene.title = 'Broken' error('no')");
+  pushed::tap(SDLK_n);
+  played.frames(3);
+  pushed::type("broken");
+  played.frames(2);
+  pushed::tap(SDLK_RETURN);
+  played.frames(3);
+  CHECK(played.player->browsing());
+  REQUIRE(played.player->said().size() == 1);
+  pushed::type("zzz");
+  played.frames(2);
+  pushed::tap(SDLK_RETURN);  // nothing is called so
+  played.frames(2);
+  CHECK(played.player->said()[0].times == 1);
+}
+
 TEST_CASE("browser: a click opens a scene, Esc without one ends the program", "[window]") {
   Played played("");
   SECTION("click") {
@@ -93,4 +127,16 @@ TEST_CASE("opening: the same error again is told once, with a count", "[window]"
   CHECK(played.player->said()[0].times == 60);
   CHECK(played.player->said()[1].times == 1);
   played.frames(3);
+}
+
+TEST_CASE("opening: the first scene, too, is opened in a window that lives, and Esc stops it", "[window]") {
+  pushed::no_screen();
+  support::Folder folder;
+  support::write_file(folder / "endless.lua", "while true do end");
+  player::RunOptions options;
+  options.script_limit = 30.0;
+  const Display display;  // takes events from now on
+  pushed::tap(SDLK_ESCAPE);
+  CHECK_THROWS_WITH(player::Player(folder / "endless.lua", options, sources::folder()),
+                    "endless.lua:1: the script was interrupted");
 }

@@ -63,12 +63,16 @@ class Play {
                   environment_,
                   folder.path,
                   -1}) {
-    // Left to itself, xdotool would wait for ever.
-    Finished found = finish(
-        {{"timeout", "30", "xdotool", "search", "--sync", "--onlyvisible", "--name", "Pantin"}, environment_, "", -1});
-    INFO(process_.err() << found.err);
-    REQUIRE(found.code == 0);
-    window_ = found.out.substr(0, found.out.find('\n'));
+    // It is called so once its scene is open; and a search fails while windows come and go.
+    const std::vector<std::string> search = {"xdotool", "search", "--onlyvisible", "--name",
+                                             "^Virtual chain - Pantin$"};
+    for (int i = 0; i < 300 && window_.empty(); i++) {
+      pause(0.1);
+      const Finished found = finish({search, environment_, "", -1});
+      window_ = found.out.substr(0, found.out.find('\n'));
+    }
+    INFO(process_.err());
+    REQUIRE_FALSE(window_.empty());
     pause(0.5);  // until the first frame is drawn
   }
 
@@ -262,7 +266,7 @@ TEST_CASE("window: when its display goes away, what was asked for is written", "
   Folder folder;
   Play play(screen, folder, "60");
   play.hand({"key", "space"});
-  pause(0.5);
+  pause(2.0);
   screen.close_down();
   play.end(1);
   CHECK(read_tip(folder).size() > 5);

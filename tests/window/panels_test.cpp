@@ -75,8 +75,10 @@ TEST_CASE("panels: keys pause, slow and speed up time, and pass to the next scen
   played.frames(5);
   CHECK(played.world().steps == steps);
   pushed::tap(SDLK_PAGEDOWN);
+  pushed::tap(SDLK_SPACE);
   played.frames(2);
   CHECK(played.player->scene().title() == "Auxetic");
+  CHECK(played.world().steps == 0);  // the key after it is for the scene that it opened
 }
 
 TEST_CASE("panels: a field of the thing that was clicked is edited, and keys in it are not for the scene", "[window]") {

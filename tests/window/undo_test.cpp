@@ -121,6 +121,34 @@ TEST_CASE("undo with nothing done changes nothing, and a hand that held lets go"
   CHECK(session.player->failure().empty());
 }
 
+TEST_CASE("undo and redo while paused keep what still waits for a step", "[window]") {
+  Session session;
+  session.cut();
+  session.cut();
+  pushed::key(SDLK_LCTRL);
+  pushed::tap(SDLK_z);
+  pushed::tap(SDLK_z);  // in the same frame
+  pushed::key(SDLK_LCTRL, false);
+  session.frames(1);
+  session.with_control(SDLK_z, true);
+  session.steps(1);
+  CHECK(hinges(session.world()).size() == 4);
+  Session other;
+  other.cut();
+  const Projected tip = other.seen(vec(6, 4, 0));
+  pushed::tap(SDLK_1);
+  other.frames(1);
+  pushed::move(tip.x, tip.y);
+  other.frames(1);
+  pushed::button(true, tip.x, tip.y);
+  other.frames(1);
+  pushed::button(false, tip.x, tip.y);
+  other.frames(1);
+  other.with_control(SDLK_z);
+  other.steps(1);
+  CHECK(hinges(other.world()).size() == 4);  // the cut, which came before what was undone
+}
+
 TEST_CASE("a play cannot be wound back, and the acts of a scene end with it", "[window]") {
   Session session("scene:play(function(wait) wait(100) end)");
   session.steps(2);

@@ -3,6 +3,9 @@
 #include <SDL.h>
 
 #include <catch2/catch.hpp>
+#include <cstdlib>
+
+#include "window/pushed.hpp"
 
 using namespace pantin;
 
@@ -113,6 +116,35 @@ TEST_CASE("a window that is no longer listened to lets all pointers go", "[windo
   CHECK(gestures.pointers.size() == 1);
   CHECK_FALSE(gestures.pointers.at(0).left);
   CHECK_FALSE(gestures.control);
+}
+
+TEST_CASE("a pointer's event knows which keys came before it", "[window]") {
+  Window window("test", 400, 200, true);
+  Gestures gestures;
+  push_key(SDL_KEYDOWN, SDLK_2);
+  push_button(SDL_MOUSEBUTTONDOWN, SDL_BUTTON_LEFT, 10, 20);
+  push_key(SDL_KEYDOWN, SDLK_1);
+  push_button(SDL_MOUSEBUTTONUP, SDL_BUTTON_LEFT, 10, 20);
+  window.poll(gestures);
+  REQUIRE(gestures.events.size() == 2);
+  CHECK(gestures.events[0].keys == 1);
+  CHECK(gestures.events[1].keys == 2);
+  gestures.erase_keys([](const std::string& key) { return key == "2"; });
+  CHECK(gestures.events[0].keys == 0);
+  CHECK(gestures.events[1].keys == 1);
+}
+
+TEST_CASE("a window that nobody would see is not opened, unless it was asked for", "[window]") {
+  const char* display = std::getenv("DISPLAY");
+  const std::string old = display ? display : "";
+  unsetenv("DISPLAY");
+  unsetenv("WAYLAND_DISPLAY");
+  SDL_SetHintWithPriority(SDL_HINT_VIDEODRIVER, "", SDL_HINT_OVERRIDE);
+  CHECK_FALSE(Display().seen());
+  CHECK_THROWS_WITH(Window("test", 64, 64), Catch::Contains("no window can be opened"));
+  pushed::no_screen();
+  CHECK_NOTHROW(Window("test", 64, 64));
+  if (display) setenv("DISPLAY", old.c_str(), 1);
 }
 
 TEST_CASE("closing the window ends polling", "[window]") {

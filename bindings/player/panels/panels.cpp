@@ -59,8 +59,11 @@ bool Panels::key(const std::string& name) {
 }
 
 void Panels::reset() {
-  for (Slot& slot : slots_)
+  for (Slot& slot : slots_) {
     if (slot.pane) slot.pane->reset();
+    slot.moved = false;  // it finds a place anew
+    slot.height = 0.0f;
+  }
 }
 
 void Panels::show(const std::string& title) {
