@@ -60,7 +60,7 @@ void Pictures::finish_films() {
 
 void Pictures::write_picture(const std::string& path) {
   draw();
-  write_png(path, pixels_, renderer_.width(), renderer_.height());
+  write_png(path, pixels_, renderer_.pixels_wide(), renderer_.pixels_high());
 }
 
 }  // namespace pantin::player

@@ -47,7 +47,7 @@ Player::Player(std::string path, const RunOptions& options, const std::string& h
       lua_options_(lua_options(options, home)),
       scene_(lua::Scene::open_text("", "scenes", ".", {})),
       window_(open_window(title() + " - Pantin", options.size)),
-      renderer_(window_.width(), window_.height(), window_.software() ? 0 : smooth_samples),
+      renderer_(window_.width(), window_.height(), window_.software() ? 0 : smooth_samples, window_.scale()),
       hands_([this] { return add_hand(scene_->world()); }),
       browser_(home + "/scripts/scenes", options.scenes, lua_options_),
       paused_(options.paused),
@@ -119,11 +119,7 @@ void Player::act(const Actions& actions) {
   if (actions.picture) save_picture();
 }
 
-void Player::fit_window() {
-  if (window_.width() > 0 && window_.height() > 0 &&
-      (window_.width() != renderer_.width() || window_.height() != renderer_.height()))
-    renderer_.resize(window_.width(), window_.height());
-}
+void Player::fit_window() { renderer_.resize(window_.width(), window_.height(), window_.scale()); }
 
 bool Player::at_end() const {
   const World& world = scene_->world();
@@ -174,7 +170,7 @@ void Player::write_picture(const std::string& path) {
   overlay.views = views_;
   overlay.marks = marks_of(*scene_);
   renderer_.draw(scene_->world(), camera_, overlay);
-  write_png(path, renderer_.read_pixels(), renderer_.width(), renderer_.height());
+  write_png(path, renderer_.read_pixels(), renderer_.pixels_wide(), renderer_.pixels_high());
 }
 
 void Player::save_picture() {

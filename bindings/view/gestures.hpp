@@ -19,7 +19,7 @@ struct Stick {
 };
 
 struct Pointer {
-  double x = 0.0, y = 0.0;  ///< [px] of the drawn picture, from the upper left corner
+  double x = 0.0, y = 0.0;  ///< [px] of the window, from the upper left corner
   bool left = false, middle = false, right = false;
 };
 
@@ -47,7 +47,7 @@ struct Gestures {
   std::map<PointerId, Stick> sticks;  ///< of the gamepads that are plugged in
   std::vector<std::string> notes;     ///< to be told: a gamepad came or went
   bool shift = false, control = false;
-  int width = 0, height = 0;  ///< [px] of the window's drawable
+  int width = 0, height = 0;  ///< [px] of the window
   bool resized = false;
   bool quit = false;
 

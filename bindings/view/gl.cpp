@@ -1,6 +1,8 @@
 #include "view/gl.hpp"
 
 #include <algorithm>
+#include <iostream>
+#include <utility>
 
 #include "base/check.hpp"
 #include "view/shaders.hpp"
@@ -35,13 +37,22 @@ GLuint compile(GLenum kind, const std::string& name, const std::string& text) {
 
 ShaderProgram::ShaderProgram(const std::string& name, std::initializer_list<const char*> common,
                              const std::string& definitions) {
-  const std::string version = "#version 330 core\n";
-  std::string head = definitions;
-  for (const char* file : common) head += shader_text(file);
-  const GLuint vertex =
-      compile(GL_VERTEX_SHADER, name + ".vert", version + head + std::string(shader_text(name + ".vert")));
-  const GLuint fragment = compile(GL_FRAGMENT_SHADER, name + ".frag",
-                                  version + "#define FRAGMENT\n" + head + std::string(shader_text(name + ".frag")));
+  try {
+    std::string head = definitions;
+    for (const char* file : common) head += shader_text(file);
+    link(name, head);
+  } catch (const Error& error) {
+    if (id_) glDeleteProgram(std::exchange(id_, 0));
+    std::cerr << "pantin: " << error.what() << "\npantin: the picture lacks what it draws\n";
+  }
+}
+
+void ShaderProgram::link(const std::string& name, const std::string& head) {
+  const auto text_of = [&](const char* start, const char* ending) {
+    return std::string("#version 330 core\n") + start + head + std::string(shader_text(name + ending));
+  };
+  const GLuint vertex = compile(GL_VERTEX_SHADER, name + ".vert", text_of("", ".vert"));
+  const GLuint fragment = compile(GL_FRAGMENT_SHADER, name + ".frag", text_of("#define FRAGMENT\n", ".frag"));
   id_ = glCreateProgram();
   glAttachShader(id_, vertex);
   glAttachShader(id_, fragment);
@@ -50,16 +61,15 @@ ShaderProgram::ShaderProgram(const std::string& name, std::initializer_list<cons
   glDeleteShader(fragment);
   GLint good = 0;
   glGetProgramiv(id_, GL_LINK_STATUS, &good);
-  if (!good) {
-    char why[2000] = "";
-    glGetProgramInfoLog(id_, sizeof why, nullptr, why);
-    throw Error(text("shader '", name, "': ", why));
-  }
+  if (good) return;
+  char why[2000] = "";
+  glGetProgramInfoLog(id_, sizeof why, nullptr, why);
+  throw Error(text("shader '", name, "': ", why));
 }
 
 ShaderProgram::~ShaderProgram() { glDeleteProgram(id_); }
 
-FloatRows::FloatRows(std::initializer_list<int> attributes, bool each_instance) {
+FloatRows::FloatRows(std::initializer_list<int> attributes, bool each_instance) : each_instance_(each_instance) {
   glGenVertexArrays(1, &array_);
   glGenBuffers(1, &buffer_);
   glBindVertexArray(array_);
@@ -81,6 +91,16 @@ FloatRows::FloatRows(std::initializer_list<int> attributes, bool each_instance) 
 FloatRows::~FloatRows() {
   glDeleteBuffers(1, &buffer_);
   glDeleteVertexArrays(1, &array_);
+}
+
+void FloatRows::draw(const ShaderProgram& program, GLenum shape, GLsizei corners) const {
+  if (!program.usable()) return;
+  program.use();
+  glBindVertexArray(array_);
+  if (each_instance_)
+    glDrawArraysInstanced(shape, 0, corners, count_);
+  else
+    glDrawArrays(shape, 0, corners > 0 ? corners : count_);
 }
 
 void FloatRows::send(const void* data, std::size_t bytes) {

@@ -11,7 +11,8 @@
 
 namespace pantin {
 
-/// A vertex and a fragment shader by their names in assets/shaders, after definitions and the common texts.
+/// A vertex and a fragment shader by their names in assets/shaders, after definitions and the common texts. Where this
+/// OpenGL refuses them, that is told, and what they draw is left out.
 class ShaderProgram {
  public:
   ShaderProgram(const std::string& name, std::initializer_list<const char*> common, const std::string& definitions);
@@ -19,6 +20,7 @@ class ShaderProgram {
   ShaderProgram(const ShaderProgram&) = delete;
   ShaderProgram& operator=(const ShaderProgram&) = delete;
 
+  bool usable() const { return id_ != 0; }
   void use() const { glUseProgram(id_); }
   void set(const char* name, float value) const { glUniform1f(place(name), value); }
   void set(const char* name, int value) const { glUniform1i(place(name), value); }
@@ -29,6 +31,7 @@ class ShaderProgram {
   void set(const char* name, const Eigen::Matrix4f& m) const { glUniformMatrix4fv(place(name), 1, GL_FALSE, m.data()); }
 
  private:
+  void link(const std::string& name, const std::string& head);
   GLint place(const char* name) const { return glGetUniformLocation(id_, name); }
   GLuint id_ = 0;
 };
@@ -48,10 +51,12 @@ class FloatRows {
     count_ = static_cast<GLsizei>(rows.size());
   }
   GLsizei count() const { return count_; }
-  void bind() const { glBindVertexArray(array_); }
+  /// Draws them all: the rows as corners, or each as so many corners.
+  void draw(const ShaderProgram& program, GLenum shape, GLsizei corners = 0) const;
 
  private:
   void send(const void* data, std::size_t bytes);
+  bool each_instance_;
   GLuint array_ = 0, buffer_ = 0;
   GLsizei count_ = 0;
 };

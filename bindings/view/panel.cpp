@@ -74,7 +74,7 @@ Panel::Panel(double scale) : context_(ImGui::CreateContext()), scale_(static_cas
   io.IniFilename = nullptr;
   io.LogFilename = nullptr;
   for (const auto& [name, key] : editing_keys) io.KeyMap[key] = key;
-  set_panel_style(scale_, dark_);
+  set_panel_style(dark_);
   load_panel_font(scale_);
   require(ImGui_ImplOpenGL3_Init("#version 330 core"), "the text cannot be drawn with this OpenGL");
 }
@@ -83,6 +83,14 @@ Panel::~Panel() {
   ImGui::SetCurrentContext(context_);
   ImGui_ImplOpenGL3_Shutdown();
   ImGui::DestroyContext(context_);
+}
+
+void Panel::set_scale(double scale) {
+  ImGui::SetCurrentContext(context_);
+  scale_ = static_cast<float>(scale);
+  ImGui_ImplOpenGL3_DestroyFontsTexture();
+  load_panel_font(scale_);
+  ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
 // IO.WantTextInput is late by a frame.
@@ -168,11 +176,12 @@ void Panel::draw(const Overlay& overlay, const ShownViews& views, const Camera& 
       views.colors.empty() && views.forces.empty())
     return;
   ImGui::SetCurrentContext(context_);
-  if (const bool dark = overlay.views.on(View::dark); dark != dark_) set_panel_style(scale_, dark_ = dark);
+  if (const bool dark = overlay.views.on(View::dark); dark != dark_) set_panel_style(dark_ = dark);
   ImGui_ImplOpenGL3_NewFrame();
   ImGuiIO& io = ImGui::GetIO();
   const float w = static_cast<float>(width), h = static_cast<float>(height);
   io.DisplaySize = {w, h};
+  io.DisplayFramebufferScale = {scale_, scale_};
   io.DeltaTime = 1.0f / 60.0f;
   ImGui::NewFrame();
   for (const std::span<const Mark> marks : {views.marks, std::span<const Mark>(overlay.marks)})
@@ -189,12 +198,12 @@ void Panel::draw(const Overlay& overlay, const ShownViews& views, const Camera& 
 /// Under the bar of buttons, at the right.
 void Panel::legends(const ShownViews& views, float width) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  float y = 56.0f * scale_;
+  float y = 56.0f;
   for (const std::string_view words : {views.colors, views.forces}) {
     if (words.empty()) continue;
     const char *const begin = words.data(), *const end = begin + words.size();
-    const ImVec2 size = ImGui::CalcTextSize(begin, end), at = {width - 14.0f * scale_ - size.x, y};
-    const float pad = 4.0f * scale_;
+    const ImVec2 size = ImGui::CalcTextSize(begin, end), at = {width - 14.0f - size.x, y};
+    const float pad = 4.0f;
     list.AddRectFilled({at.x - pad, at.y}, {at.x + size.x + pad, at.y + size.y},
                        ImGui::GetColorU32(ImGuiCol_WindowBg, 0.5f));
     list.AddText(at, ImGui::GetColorU32(ImGuiCol_Text), begin, end);
@@ -204,7 +213,7 @@ void Panel::legends(const ShownViews& views, float width) {
 
 void Panel::status(const Overlay& overlay, float width, float height) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  const float edge = 14.0f * scale_, line = ImGui::GetFontSize() * 1.35f, gap = 22.0f * scale_;
+  const float edge = 14.0f, line = ImGui::GetFontSize() * 1.35f, gap = 22.0f;
   if (!overlay.title.empty()) list.AddText({edge, edge}, ImGui::GetColorU32(ImGuiCol_Text), overlay.title.c_str());
   float y = height - edge - ImGui::GetFontSize();
   float x = edge;
@@ -224,8 +233,8 @@ void Panel::status(const Overlay& overlay, float width, float height) {
   const float wrap = width - 4.0f * edge;
   const ImVec2 size = ImGui::CalcTextSize(overlay.message.c_str(), nullptr, false, wrap);
   if (!overlay.status.empty()) y -= line;
-  const ImVec2 at = {edge, y + ImGui::GetFontSize() - size.y - 6.0f * scale_};
-  const float pad = 7.0f * scale_;
+  const ImVec2 at = {edge, y + ImGui::GetFontSize() - size.y - 6.0f};
+  const float pad = 7.0f;
   ImDrawList& front = *ImGui::GetForegroundDrawList();  // also over the browser
   front.AddRectFilled({at.x - pad, at.y - pad}, {at.x + size.x + pad, at.y + size.y + pad},
                       ImGui::GetColorU32(ImGuiCol_WindowBg), pad);
@@ -234,7 +243,7 @@ void Panel::status(const Overlay& overlay, float width, float height) {
 
 void Panel::buttons(const Overlay& overlay) {
   if (overlay.buttons.empty()) return;
-  const float edge = 10.0f * scale_;
+  const float edge = 10.0f;
   ImGui::SetNextWindowPos({edge, edge + (overlay.title.empty() ? 0.0f : 1.8f * ImGui::GetFontSize())});
   ImGui::Begin("buttons", nullptr, quiet | ImGuiWindowFlags_NoBackground);
   ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_WindowBg));
@@ -253,7 +262,7 @@ void Panel::help(const Overlay& overlay, float width, float height) {
   for (auto row = overlay.help.begin(); row != overlay.help.end(); ++row)
     if (row->second.empty() && std::abs(row - middle) < std::abs(heading - middle)) heading = row;
   help_column("left", {overlay.help.begin(), heading});
-  ImGui::SameLine(0.0f, 28.0f * scale_);
+  ImGui::SameLine(0.0f, 28.0f);
   help_column("right", {heading, overlay.help.end()});
   ImGui::End();
 }

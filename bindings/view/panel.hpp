@@ -20,14 +20,16 @@ struct ShownViews {
 
 class Panel {
  public:
+  /// `scale` pixels of the framebuffer in each px.
   explicit Panel(double scale);
   ~Panel();
   Panel(const Panel&) = delete;
   Panel& operator=(const Panel&) = delete;
 
+  void set_scale(double scale);
   /// Hears what hands did, and takes out of it what is for the panel.
   void take(Gestures& gestures);
-  /// Into the framebuffer that is bound, of that size [px]; marks as the camera sees them.
+  /// Into the framebuffer that is bound, of that size [px] times the scale; marks as the camera sees them.
   void draw(const Overlay& overlay, const ShownViews& views, const Camera& camera, int width, int height);
   const std::string& pressed() const { return pressed_; }
   bool writing() const;

@@ -1,15 +1,23 @@
 #include "view/panel_style.hpp"
 
+#include <array>
 #include <cmath>
-#include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <string_view>
 
 namespace pantin {
 namespace {
 
-constexpr const char* font_paths[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
-                                      "/usr/share/fonts/TTF/DejaVuSans.ttf",
-                                      "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf"};
+constexpr float letters = 14.0f;  // [px] height
+
+/// By how it begins: of anything else, Dear ImGui would end the program.
+bool is_font(const char* path) {
+  std::array<char, 4> start{};
+  std::ifstream(path, std::ios::binary).read(start.data(), start.size());
+  const std::string_view sign(start.data(), start.size());
+  return sign == std::string_view("\0\1\0\0", 4) || sign == "true" || sign == "OTTO" || sign == "ttcf";
+}
 
 ImVec4 with_opacity(ImVec4 color, float opacity) { return {color.x, color.y, color.z, opacity}; }
 
@@ -17,21 +25,24 @@ ImVec4 with_opacity(ImVec4 color, float opacity) { return {color.x, color.y, col
 
 ImVec4 warning_ink(bool dark) { return dark ? ImVec4(1.0f, 0.52f, 0.44f, 1.0f) : ImVec4(0.72f, 0.16f, 0.14f, 1.0f); }
 
-void load_panel_font(float scale) {
+void load_panel_font(float scale, std::span<const char* const> paths) {
   static const ImWchar ranges[] = {0x20,   0xff,   0x370,  0x3ff,  0x2010, 0x2027, 0x2070, 0x209f,
                                    0x2190, 0x21ff, 0x2200, 0x22ff, 0x2600, 0x27bf, 0};
-  ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
-  std::error_code ignored;
-  for (const char* path : font_paths)
-    if (std::filesystem::is_regular_file(path, ignored) &&
-        fonts.AddFontFromFileTTF(path, std::round(14.0f * scale), nullptr, ranges))
-      return;
+  ImGuiIO& io = ImGui::GetIO();
+  const float size = std::round(letters * scale);
+  for (const char* path : paths) {
+    io.Fonts->Clear();
+    io.FontGlobalScale = letters / size;
+    if (is_font(path) && io.Fonts->AddFontFromFileTTF(path, size, nullptr, ranges) && io.Fonts->Build()) return;
+  }
   std::cerr
       << "pantin: the window's font is not here, and a plain one without signs is used: install fonts-dejavu-core\n";
-  fonts.AddFontDefault();
+  io.Fonts->Clear();
+  io.FontGlobalScale = 1.0f;
+  io.Fonts->AddFontDefault();
 }
 
-void set_panel_style(float scale, bool dark) {
+void set_panel_style(bool dark) {
   const ImVec4 ink = dark ? ImVec4(0.93f, 0.91f, 0.87f, 0.95f) : ImVec4(0.20f, 0.18f, 0.16f, 0.92f);
   const ImVec4 paper = dark ? ImVec4(0.13f, 0.135f, 0.15f, 0.92f) : ImVec4(1.0f, 0.985f, 0.96f, 0.92f);
   const ImVec4 field = dark ? ImVec4(0.24f, 0.245f, 0.27f, 0.95f) : ImVec4(0.925f, 0.895f, 0.845f, 0.95f);
@@ -64,7 +75,6 @@ void set_panel_style(float scale, bool dark) {
   c[ImGuiCol_TextSelectedBg] = with_opacity(hot, 0.45f);
   c[ImGuiCol_ScrollbarBg] = {0, 0, 0, 0};
   c[ImGuiCol_ResizeGrip] = with_opacity(ink, 0.12f);
-  s.ScaleAllSizes(scale);
   ImGui::GetStyle() = s;
 }
 

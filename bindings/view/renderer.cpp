@@ -37,6 +37,8 @@ double round_length(double length) {
 
 const char* const light_definitions = "const float veil = 0.75;\n";
 
+int pixels(int length, double scale) { return std::max(1, static_cast<int>(std::lround(length * scale))); }
+
 std::string edge_definitions(int samples) {
   return text("const bool sampled = ", samples > 0 ? "true" : "false", ";\n");
 }
@@ -44,7 +46,9 @@ std::string edge_definitions(int samples) {
 }  // namespace
 
 struct Renderer::Parts {
-  int width, height, samples;
+  int width, height;
+  double scale;
+  int pixels_wide, pixels_high, samples;
   std::optional<Target> target;
   std::optional<Target> resolved;
   Target shadow{shadow_pixels * 3 / 2, shadow_pixels, 0, Target::Format::shade, false};
@@ -65,11 +69,14 @@ struct Renderer::Parts {
   std::vector<Mark> marks;  // of the views
   std::vector<std::uint8_t> row;
 
-  Parts(int w, int h, int samples_wanted, double scale)
+  Parts(int w, int h, int samples_wanted, double scale_wanted)
       : width(w),
         height(h),
+        scale(scale_wanted),
+        pixels_wide(pixels(w, scale)),
+        pixels_high(pixels(h, scale)),
         samples(samples_wanted),
-        target(std::in_place, w, h, samples_wanted, Target::Format::color, true),
+        target(std::in_place, pixels_wide, pixels_high, samples_wanted, Target::Format::color, true),
         ball("ball", {"common.glsl", "edges.glsl", "triangle.glsl"}, edge_definitions(target->samples())),
         bar("bar", {"common.glsl", "edges.glsl"}, edge_definitions(target->samples())),
         egg("egg", {"common.glsl", "edges.glsl"}, edge_definitions(target->samples())),
@@ -82,7 +89,7 @@ struct Renderer::Parts {
 
   void resolve_target() {
     resolved.reset();
-    if (target->samples() > 0) resolved.emplace(width, height, 0, Target::Format::color, false);
+    if (target->samples() > 0) resolved.emplace(pixels_wide, pixels_high, 0, Target::Format::color, false);
   }
   const Target& picture() const { return resolved ? *resolved : *target; }
   const Background& background(const Views& views) const {
@@ -104,23 +111,29 @@ struct Renderer::Parts {
 
 Renderer::Renderer(int width, int height, int samples, double scale) {
   require(width > 0 && height > 0, "a picture's size must be > 0 pixels, got ", width, " x ", height);
-  require(std::isfinite(scale) && scale > 0.0, "the scale of the text must be > 0, got ", scale);
+  require(std::isfinite(scale) && scale > 0.0, "a picture's pixels in each px must be > 0, got ", scale);
   parts_ = std::make_unique<Parts>(width, height, samples, scale);
 }
 
 Renderer::~Renderer() = default;
 
-void Renderer::resize(int width, int height) {
+void Renderer::resize(int width, int height, double scale) {
   Parts& p = *parts_;
-  if ((width == p.width && height == p.height) || width <= 0 || height <= 0) return;
+  if ((width == p.width && height == p.height && scale == p.scale) || width <= 0 || height <= 0) return;
   p.width = width;
   p.height = height;
-  p.target.emplace(width, height, p.samples, Target::Format::color, true);
+  p.pixels_wide = pixels(width, scale);
+  p.pixels_high = pixels(height, scale);
+  if (scale != p.scale) p.panel.set_scale(p.scale = scale);
+  p.target.emplace(p.pixels_wide, p.pixels_high, p.samples, Target::Format::color, true);
   p.resolve_target();
 }
 
 int Renderer::width() const { return parts_->width; }
 int Renderer::height() const { return parts_->height; }
+double Renderer::scale() const { return parts_->scale; }
+int Renderer::pixels_wide() const { return parts_->pixels_wide; }
+int Renderer::pixels_high() const { return parts_->pixels_high; }
 const Stage& Renderer::stage() const { return parts_->stage; }
 const std::string& Renderer::pressed_button() const { return parts_->panel.pressed(); }
 bool Renderer::pointer_on_panel() const { return parts_->panel.under_pointer(); }
@@ -154,8 +167,10 @@ void Renderer::draw(const World& world, const Camera& camera, const Overlay& ove
   p.streaks.send(p.sketch.streaks);
   p.draw_shadows(camera, overlay.views.on(View::shadows));
   p.target->bind();
-  glClear(GL_DEPTH_BUFFER_BIT);
   const Background& colors = p.background(overlay.views);
+  glClearColor(static_cast<float>(colors.low[0]), static_cast<float>(colors.low[1]), static_cast<float>(colors.low[2]),
+               1.0f);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   p.rim = colors.rim;
   p.draw_backdrop(colors);
   p.draw_ground(camera, colors);
@@ -164,7 +179,8 @@ void Renderer::draw(const World& world, const Camera& camera, const Overlay& ove
   if (p.resolved) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, p.target->framebuffer());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, p.resolved->framebuffer());
-    glBlitFramebuffer(0, 0, p.width, p.height, 0, 0, p.width, p.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBlitFramebuffer(0, 0, p.pixels_wide, p.pixels_high, 0, 0, p.pixels_wide, p.pixels_high, GL_COLOR_BUFFER_BIT,
+                      GL_NEAREST);
     p.resolved->bind();
   }
   p.collect_marks(world, overlay);
@@ -184,7 +200,7 @@ void Renderer::Parts::set_camera(const ShaderProgram& program, const Camera& cam
   program.set("camera", Eigen::Matrix4f(projection * camera.view()));
   program.set("backward", -camera.forward());
   program.set("depth_row", projection(2, 2), projection(2, 3));
-  program.set("pixel", static_cast<float>(2.0 * std::tan(0.5 * camera.fov) / height));
+  program.set("pixel", static_cast<float>(2.0 * std::tan(0.5 * camera.fov) / pixels_high));
   program.set("light", key_light());
   program.set("rim", rim);
 }
@@ -192,11 +208,10 @@ void Renderer::Parts::set_camera(const ShaderProgram& program, const Camera& cam
 void Renderer::Parts::draw_backdrop(const Background& colors) {
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
-  nothing.bind();
   backdrop.use();
   backdrop.set("low", colors.low);
   backdrop.set("high", colors.high);
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  nothing.draw(backdrop, GL_TRIANGLE_STRIP, 4);
 }
 
 // Draws the scene from the light onto a map of the ground, soft where it is high above it.
@@ -229,17 +244,11 @@ void Renderer::Parts::draw_shadows(const Camera& camera, bool wanted) {
     program->set("texel", 2.0f * shadow_reach / shadow_pixels);
   }
   shadow_mesh.set("solid", 1.0f);
-  corners.bind();
-  glDrawArrays(GL_TRIANGLES, 0, corners.count());
+  corners.draw(shadow_mesh, GL_TRIANGLES);
   shadow_mesh.set("solid", 0.0f);
-  shades.bind();
-  glDrawArrays(GL_TRIANGLES, 0, shades.count());
-  shadow_ball.use();
-  balls.bind();
-  glDrawArraysInstanced(GL_TRIANGLES, 0, 3, balls.count());
-  shadow_bar.use();
-  bars.bind();
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, bars.count());
+  shades.draw(shadow_mesh, GL_TRIANGLES);
+  balls.draw(shadow_ball, GL_TRIANGLES, 3);
+  bars.draw(shadow_bar, GL_TRIANGLE_STRIP, 4);
   glBlendEquation(GL_FUNC_ADD);
 }
 
@@ -266,7 +275,6 @@ void Renderer::Parts::draw_ground(const Camera& camera, const Background& colors
   grid.set("ink", colors.grid);
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-  nothing.bind();
   if (shaded) {
     shade.use();
     shade.set("shadow", 0);
@@ -275,10 +283,9 @@ void Renderer::Parts::draw_ground(const Camera& camera, const Background& colors
     shade.set("dark", colors.shade);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, shadow.texture());
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    nothing.draw(shade, GL_TRIANGLE_STRIP, 4);
   }
-  grid.use();
-  glDrawArrays(GL_TRIANGLE_FAN, 0, ground_corners);
+  nothing.draw(grid, GL_TRIANGLE_FAN, ground_corners);
   glDisable(GL_BLEND);
 }
 
@@ -291,20 +298,13 @@ void Renderer::Parts::draw_things(const Camera& camera) {
     glEnable(GL_MULTISAMPLE);
     glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
   }
-  set_camera(mesh, camera);
-  corners.bind();
-  glDrawArrays(GL_TRIANGLES, 0, corners.count());
-  set_camera(egg, camera);
-  eggs.bind();
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, eggs.count());
-  set_camera(ball, camera);
-  balls.bind();
-  glDrawArraysInstanced(GL_TRIANGLES, 0, 3, balls.count());
-  set_camera(bar, camera);
-  bars.bind();
+  for (const ShaderProgram* program : {&mesh, &egg, &ball, &bar}) set_camera(*program, camera);
+  corners.draw(mesh, GL_TRIANGLES);
+  eggs.draw(egg, GL_TRIANGLE_STRIP, 4);
+  balls.draw(ball, GL_TRIANGLES, 3);
   glEnable(GL_CULL_FACE);
   glCullFace(GL_FRONT);
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 14, bars.count());
+  bars.draw(bar, GL_TRIANGLE_STRIP, 14);
   glDisable(GL_CULL_FACE);
   glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
   glDisable(GL_DEPTH_TEST);
@@ -317,12 +317,9 @@ void Renderer::Parts::draw_lights(const Camera& camera) {
   glDepthMask(GL_FALSE);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  set_camera(glow, camera);
-  glows.bind();
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, glows.count());
-  set_camera(streak, camera);
-  streaks.bind();
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, streaks.count());
+  for (const ShaderProgram* program : {&glow, &streak}) set_camera(*program, camera);
+  glows.draw(glow, GL_TRIANGLE_STRIP, 4);
+  streaks.draw(streak, GL_TRIANGLE_STRIP, 4);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   glDisable(GL_DEPTH_TEST);
@@ -336,12 +333,12 @@ std::vector<std::uint8_t> Renderer::read_pixels() {
 
 void Renderer::read_pixels(std::vector<std::uint8_t>& into) {
   Parts& p = *parts_;
-  const std::size_t line = 4u * static_cast<std::size_t>(p.width), rows = static_cast<std::size_t>(p.height);
+  const std::size_t line = 4u * static_cast<std::size_t>(p.pixels_wide), rows = static_cast<std::size_t>(p.pixels_high);
   into.resize(line * rows);
   p.row.resize(line);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, p.picture().framebuffer());
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, p.width, p.height, GL_RGBA, GL_UNSIGNED_BYTE, into.data());
+  glReadPixels(0, 0, p.pixels_wide, p.pixels_high, GL_RGBA, GL_UNSIGNED_BYTE, into.data());
   for (std::size_t top = 0, bottom = rows - 1; top < bottom; top++, bottom--) {
     std::memcpy(p.row.data(), &into[top * line], line);
     std::memcpy(&into[top * line], &into[bottom * line], line);
@@ -353,8 +350,8 @@ void Renderer::read_pixels(std::vector<std::uint8_t>& into) {
 void Renderer::show(int window_width, int window_height) {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, parts_->picture().framebuffer());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-  glBlitFramebuffer(0, 0, parts_->width, parts_->height, 0, 0, window_width, window_height, GL_COLOR_BUFFER_BIT,
-                    GL_NEAREST);
+  glBlitFramebuffer(0, 0, parts_->pixels_wide, parts_->pixels_high, 0, 0, window_width, window_height,
+                    GL_COLOR_BUFFER_BIT, GL_NEAREST);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 

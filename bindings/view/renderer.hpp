@@ -15,15 +15,19 @@ namespace pantin {
 /// Draws a world with OpenGL 3.3 into a framebuffer of its own. Needs a current context: make a Window first.
 class Renderer {
  public:
-  /// `samples` 0 for speed, 4 for pictures; `scale` of the text.
+  /// Marks, text, gestures and `width` and `height` are in px of a display of ordinary density; the picture has `scale`
+  /// pixels in each. `samples` 0 for speed, 4 for pictures.
   Renderer(int width, int height, int samples = 0, double scale = 1.0);
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  void resize(int width, int height);
+  void resize(int width, int height, double scale = 1.0);
   int width() const;
   int height() const;
+  double scale() const;
+  int pixels_wide() const;  ///< of the picture
+  int pixels_high() const;
 
   /// Sets the ground and the sizes of what is drawn by a world at its start. Call it whenever a world was built anew; the
   /// first `draw` does it by itself.
@@ -38,7 +42,7 @@ class Renderer {
   std::vector<std::uint8_t> read_pixels();
   /// The same, without a new vector.
   void read_pixels(std::vector<std::uint8_t>& into);
-  /// Copies the picture to the window's own framebuffer of that size [px].
+  /// Copies the picture to the window's own framebuffer of that size [pixels].
   void show(int window_width, int window_height);
 
   /// Hands gestures to the overlay's buttons, cards and windows, and takes out of them what is theirs: presses and the

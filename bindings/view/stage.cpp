@@ -65,7 +65,7 @@ struct Reached {
   Vec3 anchor = zero3();
 };
 
-// Ways along bodies, rings and rods from nails and other fixed places: what hangs there stays that near.
+// Ways along bodies, rings, rods and connections from nails and other fixed places: what hangs there stays that near.
 class Reach {
  public:
   explicit Reach(const World& world) : world_(world), reached_(world.points.slots()) {
@@ -78,6 +78,7 @@ class Reach {
       if (c.b) ties_[c.b.slot].push_back({c.a, length});
       if (c.hand < 0 && !c.b) offer(c.a, length, c.place);
     }
+    tie_connections();
     expanded_.assign(world.bodies.slots(), 0);
     while (!queue_.empty()) {
       const auto [key, id] = queue_.top();
@@ -88,6 +89,23 @@ class Reach {
   const std::vector<Reached>& reached() const { return reached_; }
 
  private:
+  // As long as they are now.
+  void tie_connections() {
+    for (std::uint32_t s = 0; s < world_.connections.slots(); s++) {
+      const Connection& c = world_.connections.at_slot(s);
+      if (!world_.connections.alive_at(s) || c.count != 2) continue;
+      const Vec3 places[] = {end_of(world_, c, 0), end_of(world_, c, 1)};
+      const double length = norm(places[0] - places[1]);
+      for (const std::size_t i : {0u, 1u}) {
+        const ParticleId here = c.particles[i], there = c.particles[1 - i];
+        if (!here) continue;
+        if (there)
+          ties_[world_.particles[there].points[0].slot].push_back({world_.particles[here].points[0], length});
+        else
+          offer(world_.particles[here].points[0], length, places[1 - i]);
+      }
+    }
+  }
   // The lowest that a point can hang is the highest that its anchors allow.
   void offer(PointId id, double length, Vec3 anchor) {
     if (!world_.points.alive(id)) return;

@@ -59,8 +59,8 @@ void set_button(Pointer& pointer, Button button, bool down) {
 struct Window::Parts {
   SDL_Window* window = nullptr;
   SDL_GLContext context = nullptr;
-  int width = 0, height = 0;            // [px] of the drawable
-  double scale_x = 1.0, scale_y = 1.0;  // pixels of the drawable in a unit of SDL's pointer
+  int width = 0, height = 0;             // [px] in which SDL tells where the pointer is
+  int pixels_wide = 0, pixels_high = 0;  // of the drawable
   std::map<PointerId, Pointer> pointers;
   std::vector<std::string> held;
   std::map<std::pair<SDL_TouchID, SDL_FingerID>, PointerId> fingers;
@@ -75,11 +75,8 @@ struct Window::Parts {
     SDL_QuitSubSystem(SDL_INIT_VIDEO);
   }
   void measure() {
-    int w = 0, h = 0;
-    SDL_GetWindowSize(window, &w, &h);
-    SDL_GL_GetDrawableSize(window, &width, &height);
-    scale_x = w > 0 ? static_cast<double>(width) / w : 1.0;
-    scale_y = h > 0 ? static_cast<double>(height) / h : 1.0;
+    SDL_GetWindowSize(window, &width, &height);
+    SDL_GL_GetDrawableSize(window, &pixels_wide, &pixels_high);
   }
   void take(const SDL_Event& event, Gestures& gestures);
   void take_mouse(const SDL_Event& event, Gestures& gestures);
@@ -116,6 +113,9 @@ Window::~Window() = default;
 
 int Window::width() const { return parts_->width; }
 int Window::height() const { return parts_->height; }
+double Window::scale() const {
+  return parts_->width > 0 && parts_->pixels_wide > 0 ? static_cast<double>(parts_->pixels_wide) / parts_->width : 1.0;
+}
 void Window::set_title(const std::string& title) { SDL_SetWindowTitle(parts_->window, title.c_str()); }
 
 bool Window::software() const {
@@ -137,7 +137,7 @@ bool Window::lost() const { return parts_->lost; }
 void Window::present(Renderer& renderer) {
   if (parts_->lost) return;
   SDL_GL_MakeCurrent(parts_->window, parts_->context);
-  renderer.show(parts_->width, parts_->height);
+  renderer.show(parts_->pixels_wide, parts_->pixels_high);
   SDL_GL_SwapWindow(parts_->window);
 }
 
@@ -222,7 +222,7 @@ void Window::Parts::tell(Gestures& gestures, PointerEvent event, double x, doubl
 void Window::Parts::take_mouse(const SDL_Event& event, Gestures& gestures) {
   PointerEvent out;
   if (event.type == SDL_MOUSEMOTION) {
-    tell(gestures, out, event.motion.x * scale_x, event.motion.y * scale_y);
+    tell(gestures, out, event.motion.x, event.motion.y);
   } else if (event.type == SDL_MOUSEWHEEL) {
     out.kind = Kind::wheel;
     const double sign = event.wheel.direction == SDL_MOUSEWHEEL_FLIPPED ? -1.0 : 1.0;
@@ -237,7 +237,7 @@ void Window::Parts::take_mouse(const SDL_Event& event, Gestures& gestures) {
     out.kind = event.type == SDL_MOUSEBUTTONDOWN ? Kind::press : Kind::release;
     out.button = button_of(event.button.button);
     out.clicks = std::max(1, static_cast<int>(event.button.clicks));
-    if (out.button != Button::none) tell(gestures, out, event.button.x * scale_x, event.button.y * scale_y);
+    if (out.button != Button::none) tell(gestures, out, event.button.x, event.button.y);
   }
 }
 

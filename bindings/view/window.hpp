@@ -40,8 +40,10 @@ class Window {
   /// Copies the renderer's picture to the window and shows it.
   void present(Renderer& renderer);
   void set_title(const std::string& title);
-  int width() const;   ///< [px] of the drawable
+  int width() const;   ///< [px] as of a display of ordinary density
   int height() const;  ///< [px]
+  /// Pixels in each px: 2 or so on a dense display.
+  double scale() const;
   /// OpenGL is done by the processor: draw without samples when it must be quick.
   bool software() const;
 

@@ -7,15 +7,15 @@ scene.gravity = vec(0, 0, 0)
 scene.step = 1 / 120
 
 local room = 1.7 * count ^ (1 / 3) -- m, radius of the sky
-scene.camera = { at = vec(0, 0.5 * room, 2.1 * room), look_at = vec(0, 0, 0) }
+scene.camera = { at = vec(0, 0.6 * room, 2.6 * room), look_at = vec(0, 0, 0) }
 
-local birds = scene:family("birds", { color = "#2f4858", radius = 0.16, mass = 1 })
+local birds = scene:family("birds", { color = "#3a7ca5", radius = 0.16, mass = 1 })
 local flock = scene:group "flock"
 local function any() return 2 * math.random() - 1 end
 for i = 1, count do
   flock:add(scene:particle {
     family = birds, at = vec(any(), any(), any()) * (0.6 * room), velocity = vec(any(), any(), any()) * 4,
-    color = i % 9 == 0 and "#e8833a" or "#2f4858",
+    color = i % 9 == 0 and "#e8833a" or "#3a7ca5",
   })
 end
 

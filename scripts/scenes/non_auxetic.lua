@@ -8,7 +8,7 @@ local strain = scene:param("strain", 0.4, { min = 0.01, max = 2, help = "largest
 scene.title = "Non-auxetic"
 scene.gravity = vec(0, 0, 0)
 scene.duration = 12
-scene.camera = { at = vec(0, 0, 6.8), look_at = vec(0, 0, 0) }
+scene.camera = { at = vec(0, 0, 9), look_at = vec(0, 0, 0) }
 
 local angle = math.rad(lean)
 assert((1 + strain) * math.cos(angle) < 0.99, "the bars are too short to be drawn so far: less lean or less strain")

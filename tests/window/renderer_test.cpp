@@ -1,12 +1,19 @@
 #include "view/renderer.hpp"
 
+#include <imgui.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
+#include <iostream>
 #include <set>
+#include <sstream>
 #include <vector>
 
 #include "base/check.hpp"
+#include "support/process.hpp"
+#include "view/gl.hpp"
+#include "view/panel_style.hpp"
 #include "view/sketch.hpp"
 #include "view/window.hpp"
 #include "window/small_worlds.hpp"
@@ -316,4 +323,75 @@ TEST_CASE("a shadow lies where the light draws it, wider and fainter from higher
     last = shadow;
   }
   CHECK(last.most > 3);
+}
+
+TEST_CASE("on a dense display all is as large as on another, with more pixels", "[window]") {
+  const Window window("test", width, height, true);
+  World world;
+  small_worlds::chain(world, 3);
+  Overlay overlay;
+  const Color red = {1.0f, 0.0f, 0.0f, 1.0f};
+  overlay.marks.push_back({Mark::Kind::point, vec(-20, -10, 0), zero3(), red, 12.0, true, ""});
+  overlay.marks.push_back({Mark::Kind::line, vec(10, 20, 0), vec(110, 20, 0), red, 4.0, true, ""});
+  overlay.marks.push_back({Mark::Kind::text, vec(300, 100, 0), zero3(), Color{0, 0, 0, 1}, 20.0, true, "words"});
+  overlay.title = "a title";
+  const auto of_scale = [&](double scale) {
+    Renderer renderer(width, height);
+    renderer.resize(width, height, scale);
+    CHECK(renderer.width() == width);
+    CHECK(renderer.pixels_wide() == static_cast<int>(width * scale));
+    renderer.draw(world, camera_of(world), overlay);
+    std::vector<std::uint8_t> pixels = renderer.read_pixels();
+    REQUIRE(pixels.size() == static_cast<std::size_t>(4 * renderer.pixels_wide() * renderer.pixels_high()));
+    return pixels;
+  };
+  const auto one = of_scale(1.0), two = of_scale(2.0);
+  // Means of squares of 20 px.
+  int apart = 0;
+  for (int y = 0; y < height; y += 20)
+    for (int x = 0; x < width; x += 20) {
+      const auto mean = [&](const std::vector<std::uint8_t>& pixels, int scale) {
+        double sum = 0.0;
+        for (int i = y * scale; i < (y + 20) * scale; i++)
+          for (int j = x * scale; j < (x + 20) * scale; j++)
+            sum += pixels[4u * static_cast<std::size_t>(i * width * scale + j) + 1];
+        return sum / (400.0 * scale * scale);
+      };
+      apart += std::fabs(mean(one, 1) - mean(two, 2)) > 6.0;
+    }
+  CHECK(apart == 0);
+}
+
+TEST_CASE("a shader that OpenGL refuses is told, and the rest is drawn", "[window]") {
+  const Window window("test", width, height, true);
+  std::ostringstream told;
+  std::streambuf* const before = std::cerr.rdbuf(told.rdbuf());
+  const ShaderProgram refused("ball", {"common.glsl"}, "this is not GLSL\n"), missing("nothing", {}, "");
+  std::cerr.rdbuf(before);
+  CHECK_FALSE(refused.usable());
+  CHECK_FALSE(missing.usable());
+  CHECK(told.str().find("shader 'ball.vert': ") != std::string::npos);
+  CHECK(told.str().find("no shader is called 'nothing.vert'") != std::string::npos);
+  FloatRows rows({3}, false);
+  rows.send(std::vector<Vec3>(3));
+  rows.draw(refused, GL_TRIANGLES);
+  CHECK(glGetError() == GL_NO_ERROR);
+}
+
+TEST_CASE("a font that is missing or broken is told, and another is taken", "[view]") {
+  const support::Folder folder;
+  const std::string broken = folder / "broken.ttf", cut = folder / "cut.ttf";
+  support::write_file(broken, "this is no font");
+  support::write_file(cut, std::string("\0\1\0\0\0\x10", 6) + std::string(500, 'x'));
+  const char* const paths[] = {"/nowhere/none.ttf", folder.path.c_str(), broken.c_str(), cut.c_str()};
+  ImGuiContext* const context = ImGui::CreateContext();
+  ImGui::SetCurrentContext(context);
+  std::ostringstream told;
+  std::streambuf* const before = std::cerr.rdbuf(told.rdbuf());
+  load_panel_font(2.0f, paths);
+  std::cerr.rdbuf(before);
+  CHECK(told.str().find("font is not here") != std::string::npos);
+  CHECK(ImGui::GetIO().Fonts->Build());
+  CHECK(ImGui::GetIO().Fonts->Fonts.Size == 1);
+  ImGui::DestroyContext(context);
 }

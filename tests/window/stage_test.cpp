@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "support/library_laws.hpp"
 #include "window/small_worlds.hpp"
 #include "world/emitter.hpp"
 
@@ -64,4 +65,20 @@ TEST_CASE("the stage of an emitter holds what it will make", "[view]") {
   CHECK(stage.upper[0] == Approx(1.5));
   CHECK(stage.upper[1] == Approx(2.0));
   CHECK(stage.lower[1] == Approx(2.0 - 0.5 * 9.81 * 0.25));
+}
+
+TEST_CASE("the stage of what hangs by springs reaches as far down as they do", "[view]") {
+  World world;
+  std::vector<ParticleId> knots;
+  for (int i = 0; i < 6; i++) knots.push_back(small_worlds::particle(world, vec(i, 4, 0)));
+  add_nail(world, world.particles[knots[0]].points[0]);
+  const auto law = std::make_shared<Law>(testing::make("spring", {{"stiffness", 1.0}, {"length", 1.0}})[0]);
+  for (std::size_t i = 1; i < 6; i++) {
+    ConnectionDef def;
+    def.ends = {{knots[i - 1]}, {knots[i]}};
+    add_connection(world, law, def);
+  }
+  const Stage stage = find_stage(world);
+  CHECK(stage.lower[1] == Approx(-1.0));
+  CHECK(stage.ground < -1.0);
 }
