@@ -139,7 +139,7 @@ void end_ledger(World& world) {
 
 double closure(const World& world) {
   const Ledger& l = world.ledger;
-  const double scale = std::max(l.posted, 1e-3 * std::fabs(energy(world).potential));
+  const double scale = std::max({l.posted, std::fabs(energy(world).potential), world.largest_kinetic});
   return scale > 0.0 ? l.unexplained / scale : 0.0;
 }
 

@@ -63,7 +63,8 @@ void post(World& world, Source source, double joules);
 /// From the next step on all is kept; each law that has an energy is then run once more in each kick.
 void keep_ledger(World& world);
 
-/// |change of the kinetic energy - posts| / sum of |posts|, since the ledger is kept: a test of the code.
+/// |change of the kinetic energy - posts|, since the ledger is kept, over the sum of |posts|, or over the largest kinetic or
+/// the potential energy where that is more, as of what rests: a test of the code.
 double closure(const World& world);
 /// What the energy of a law (and of "gravity") changed by, and what its kicks gave: the step's own error, per law, [J].
 std::map<std::string, double> truncation(const World& world);

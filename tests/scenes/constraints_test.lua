@@ -182,3 +182,15 @@ test("the ledger of a frame that cannot move closes too", function()
   scene:advance(1)
   expect(scene.ledger.closure):below(1e-10)
 end)
+
+test("the ledger of what turns freely closes too", function()
+  local scene = open_text [[
+    local _ = scene.ledger
+    scene.gravity = vec(0, 0, 0)
+    local a = scene:body { mass = 1, inertia = vec(0.05, 0.06, 0.08), spin = vec(0.3, 0.2, 0.1) }
+    local b = scene:body { mass = 2, inertia = vec(0.1, 0.09, 0.08), at = vec(2, 0, 0), spin = vec(0.3, -0.2, 0.1) }
+    scene:align(a, vec(1, 0, 0), b, vec(0, 1, 0))
+  ]]
+  scene:advance(1)
+  expect(scene.ledger.closure):below(1e-10)
+end)
