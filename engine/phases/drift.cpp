@@ -12,6 +12,7 @@
 #include "phases/phases.hpp"
 #include "phases/rk4.hpp"
 #include "phases/share.hpp"
+#include "world/forces.hpp"
 #include "world/integrator.hpp"
 
 namespace pantin::phases {
@@ -235,6 +236,7 @@ void project_velocities(World& world) {
   if (!world.part.last) return;
   const Timed timed(world.profile, Phase::project_velocities);
   moves_of(world).project(world);
+  end_kick(world, 0.5 * world.part.h);
 }
 
 }  // namespace pantin::phases

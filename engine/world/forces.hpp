@@ -100,6 +100,7 @@ struct Forces {
   std::vector<Vec3> still;   ///< (sites) [N] open forces of laws that do not depend on velocities
   std::vector<Vec3> noted;   ///< (slots of points) [m/s²] accelerations before the part of the step that is being done
   std::vector<Vec3> half_v;  ///< (sites) [m/s] before the kick that is being swept
+  AlignedVector<Vec3> kicked_from;  ///< (sites) [m/s] before the kick at the end of a part, where the ledger is kept
   double spread = 0.0;  ///< [m] largest root mean square distance of the sites from their centre, where it is asked
   double energy = 0.0;  ///< [J] of all laws, when it was last told
   bool told = false;    ///< in the last step
@@ -139,6 +140,10 @@ void post_present_laws(World& world, double dt);
 void take_back_kick(World& world);
 /// The same at the end of a step: laws that depend on velocities see those at its end (trapezoidal rule).
 void kick_to_end(World& world, double half);
+/// After the projection: posts what that kick gave to what rows tie, at the velocities that these allow. A motion that they
+/// forbid is turned by the drift, so that what a kick gives to it the next one takes back, or else the projection takes:
+/// all of this is on that line.
+void end_kick(World& world, double half);
 
 /// Gives the movers of articulates that wake in a part of a step what its first half kick over `half` [s] and its drift
 /// make of what rests in the pulls that they slept in: (articulates) whether it wakes.

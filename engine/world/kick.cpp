@@ -4,6 +4,7 @@
 #include "articulates/articulate.hpp"
 #include "world/forces.hpp"
 #include "world/forces_parts.hpp"
+#include "world/integrator.hpp"
 
 namespace pantin {
 
@@ -69,7 +70,28 @@ Momenta momenta_of(World& world, const Mover& m, bool drifted) {
 struct OpenWork {
   double damper = 0.0;  // of those that depend on velocities
   double rest = 0.0;
+
+  double all() const { return damper + rest; }
+  void operator+=(const OpenWork& more) {
+    damper += more.damper;
+    rest += more.rest;
+  }
 };
+
+OpenWork open_work(const Mover& m, Vec3 moved, Vec3 turned) {
+  return {dot(m.damper_force, moved) + dot(m.damper_torque, turned),
+          dot(m.open_force - m.damper_force, moved) + dot(m.open_torque - m.damper_torque, turned)};
+}
+
+/// Of what rows tie, and of all else.
+struct KickWork {
+  OpenWork tied, loose;
+};
+
+/// Whether the velocities of what rows tie are without what these forbid: at the start of the kick that begins a part of
+/// the step; after the projection that follows the kick at its end.
+bool allowed_before(const World& world) { return rule_of(world).conserves && world.part.first; }
+bool allowed_after(const World& world) { return rule_of(world).conserves && world.part.last; }
 
 OpenWork kick_points(World& world, Forces& f, double half) {
   OpenWork work;
@@ -90,16 +112,26 @@ OpenWork kick_points(World& world, Forces& f, double half) {
   return work;
 }
 
-OpenWork kick_movers(World& world, Forces& f, double half, bool drifted) {
-  OpenWork work;
+KickWork kick_movers(World& world, Forces& f, double half, bool drifted) {
+  KickWork work;
   for (const Mover& m : f.movers) {
     if (sleeps(world, m)) continue;
     Momenta s = momenta_of(world, m, drifted);
     const Vec3 v = s.velocity(), spin = s.spin();
     s.add((m.force + m.open_force) * half, (m.torque + m.open_torque) * half);
-    const Vec3 moved = (v + s.velocity()) * (0.5 * half), turned = (spin + s.spin()) * (0.5 * half);
-    work.damper += dot(m.damper_force, moved) + dot(m.damper_torque, turned);
-    work.rest += dot(m.open_force - m.damper_force, moved) + dot(m.open_torque - m.damper_torque, turned);
+    (m.articulate < 0 ? work.loose : work.tied) +=
+        open_work(m, (v + s.velocity()) * (0.5 * half), (spin + s.spin()) * (0.5 * half));
+  }
+  return work;
+}
+
+/// What the present forces give to tied movers over `dt` [s] at the present velocities.
+OpenWork present_work(World& world, const Forces& f, double dt, bool drifted) {
+  OpenWork work;
+  for (const Mover& m : f.movers) {
+    if (m.articulate < 0 || sleeps(world, m)) continue;
+    const Momenta s = momenta_of(world, m, drifted);
+    work += open_work(m, s.velocity() * dt, s.spin() * dt);
   }
   return work;
 }
@@ -125,6 +157,12 @@ AlignedVector<Vec3> site_velocities(World& world, Forces& f, bool drifted) {
   return list;
 }
 
+/// Copies the velocities of sites that rows tie.
+void copy_tied(const Forces& f, const AlignedVector<Vec3>& from, AlignedVector<Vec3>& to) {
+  for (const Attached& a : f.attached)
+    if (f.movers[a.mover].articulate >= 0) to[a.site] = from[a.site];
+}
+
 /// What the forces that the sites now have gave in a kick over `half` [s], with velocities that
 /// changed evenly, [J].
 double work_of(const Forces& f, const AlignedVector<Vec3>& before, const AlignedVector<Vec3>& after, double half) {
@@ -133,9 +171,17 @@ double work_of(const Forces& f, const AlignedVector<Vec3>& before, const Aligned
   return work;
 }
 
-void post_laws(World& world, Forces& f, const AlignedVector<Vec3>& before, bool drifted, double half) {
+double work_on_tied(const Forces& f, const AlignedVector<Vec3>& before, const AlignedVector<Vec3>& after, double half) {
+  double work = 0.0;
+  for (const Attached& a : f.attached)
+    if (f.movers[a.mover].articulate >= 0)
+      work += dot(f.sites.force[a.site], before[a.site] + after[a.site]) * (0.5 * half);
+  return work;
+}
+
+void post_laws(World& world, Forces& f, const AlignedVector<Vec3>& before, const AlignedVector<Vec3>& after,
+               double half) {
   if (!world.ledger.kept) return;
-  const AlignedVector<Vec3> after = site_velocities(world, f, drifted);
   const double work = work_of(f, before, after, half);
   world.ledger.laws += work;
   world.ledger.posted += std::fabs(work);
@@ -148,6 +194,12 @@ void post_laws(World& world, Forces& f, const AlignedVector<Vec3>& before, bool 
   });
   f.sites.force = force;
   f.sites.open_force = open;
+}
+
+/// What kicks gave to motions that the rows forbid.
+void post_forbidden(World& world, double joules) {
+  world.ledger.given[static_cast<std::size_t>(Source::projection)] += joules;
+  world.ledger.posted += std::fabs(joules);
 }
 
 void save(World& world, Forces& f) {
@@ -204,7 +256,7 @@ void improve(World& world, Forces& f, double half) {
 void kick(World& world, double half) {
   if (!world.forces) return;
   Forces& f = *world.forces;
-  const bool drifted = world.part.index > 0;
+  const bool drifted = world.part.index > 0, allowed = allowed_before(world);
   for (Mover& m : f.movers) {
     if (drifted) break;
     const Momenta s = momenta_of(world, m, false);
@@ -212,9 +264,19 @@ void kick(World& world, double half) {
     m.start_P = s.P ? *s.P : zero3();
   }
   const AlignedVector<Vec3> before = site_velocities(world, f, drifted);
-  post_open(world, kick_points(world, f, half));
-  post_open(world, kick_movers(world, f, half, drifted));
-  post_laws(world, f, before, drifted, half);
+  const OpenWork present = present_work(world, f, half, drifted);
+  OpenWork told = kick_points(world, f, half);
+  const KickWork given = kick_movers(world, f, half, drifted);
+  told += given.loose;
+  told += allowed ? present : given.tied;
+  post_open(world, told);
+  AlignedVector<Vec3> after = site_velocities(world, f, drifted);
+  if (allowed && world.ledger.kept) {
+    post_forbidden(world, given.tied.all() - present.all() + work_on_tied(f, before, after, half) -
+                              work_on_tied(f, before, before, half));
+    copy_tied(f, before, after);
+  }
+  post_laws(world, f, before, after, half);
 }
 
 void kick_from_rest(World& world, const std::vector<char>& woken, double half) {
@@ -236,7 +298,9 @@ void kick_from_rest(World& world, const std::vector<char>& woken, double half) {
 }
 
 void post_present_laws(World& world, double dt) {
-  if (world.forces) post_laws(world, *world.forces, site_velocities(world, *world.forces, false), false, dt);
+  if (!world.forces) return;
+  const AlignedVector<Vec3> present = site_velocities(world, *world.forces, false);
+  post_laws(world, *world.forces, present, present, dt);
 }
 
 void take_back_kick(World& world) {
@@ -262,10 +326,27 @@ void kick_to_end(World& world, double half) {
     run_moving_laws(world, f);
     restore(world, f);
   }
-  const AlignedVector<Vec3> before = site_velocities(world, f, true);
-  post_open(world, kick_points(world, f, half));
-  post_open(world, kick_movers(world, f, half, true));
-  post_laws(world, f, before, true, half);
+  f.kicked_from = site_velocities(world, f, true);
+  OpenWork told = kick_points(world, f, half);
+  const KickWork given = kick_movers(world, f, half, true);
+  told += given.loose;
+  if (!allowed_after(world)) told += given.tied;
+  post_open(world, told);
+  const AlignedVector<Vec3> after = site_velocities(world, f, true);
+  if (!allowed_after(world)) return post_laws(world, f, f.kicked_from, after, half);
+  if (world.ledger.kept) post_forbidden(world, given.tied.all() + work_on_tied(f, f.kicked_from, after, half));
+}
+
+void end_kick(World& world, double half) {
+  if (!world.forces || !allowed_after(world)) return;
+  Forces& f = *world.forces;
+  const OpenWork present = present_work(world, f, half, true);
+  post_open(world, present);
+  const AlignedVector<Vec3> after = site_velocities(world, f, true);
+  if (!world.ledger.kept) return;
+  post_forbidden(world, -present.all() - work_on_tied(f, after, after, half));
+  copy_tied(f, after, f.kicked_from);
+  post_laws(world, f, f.kicked_from, after, half);
 }
 
 }  // namespace pantin
