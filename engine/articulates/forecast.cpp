@@ -68,7 +68,7 @@ void Prediction::row(std::size_t k) {
   const auto miss = [&](std::size_t level, Vec3 by) { forces_missed_[level] += by * by; };
   const Vec3 next = extrapolate(a_.forecast.forces[k], row.f, old_scale_, a_.forecast.scale, order_, miss);
   if (a_.weak)
-    row.f *= 0.95;  // forgets multipliers that the equations do not determine
+    row.f *= 0.98;  // forgets multipliers that the equations do not determine
   else if (order_ > 0)
     row.f = next;
 }

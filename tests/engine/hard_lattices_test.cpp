@@ -29,21 +29,24 @@ void check_lattice(const World& world, const Endured& run) {
   CHECK(run.gap <= 3e-11);
   CHECK(out_of_plane <= 1e-12);
   CHECK(run.safe + run.halved == 0);
-  CHECK(run.iterations <= 3.1);
+}
+
+void check_small_lattice(const World& world, const Endured& run) {
+  check_lattice(world, run);
+  CHECK(run.iterations <= 2.1);  // with those of the first step
 }
 
 }  // namespace
 
-TEST_CASE("hard E: rotating squares are dragged open at every step length") {
-  endure_at(step_lengths, "E squares 4 x 4", 2.0, 1.0, dragged_squares(4), check_lattice);
+TEST_CASE("hard E: rotating squares are dragged open at every step length, in two iterations a step") {
+  endure_at(step_lengths, "E squares 4 x 4", 2.0, 1.0, dragged_squares(4), check_small_lattice);
   for (const double step : step_lengths)
-    endure_at({&step, 1}, "E squares 16 x 16", 20 * step, 1.0, dragged_squares(16), check_lattice);
+    endure_at({&step, 1}, "E squares 16 x 16", 20 * step, 1.0, dragged_squares(16), check_small_lattice);
 }
 
-TEST_CASE("hard E: in a plane they take two iterations a step at every step length, and never leave it") {
+TEST_CASE("hard E: in a plane they never leave it") {
   const auto check = [](const World& world, const Endured& run) {
-    check_lattice(world, run);
-    CHECK(run.iterations <= 2.1);
+    check_small_lattice(world, run);
     for (const BodyId body : world.bodies.ids()) CHECK(world.motion_of(body).x[2] == 0.0);
   };
   for (const double step : step_lengths)
@@ -52,7 +55,11 @@ TEST_CASE("hard E: in a plane they take two iterations a step at every step leng
 
 TEST_CASE("hard E: a planar lattice of 32 x 32 squares in space is dragged open", "[slow]") {
   for (const double step : step_lengths)
-    endure_at({&step, 1}, "E squares 32 x 32", 60 * step, 1.0, dragged_squares(32), check_lattice);
+    endure_at({&step, 1}, "E squares 32 x 32", 60 * step, 1.0, dragged_squares(32),
+              [](const World& world, const Endured& run) {
+                check_lattice(world, run);
+                CHECK(run.iterations <= 3.1);
+              });
 }
 
 TEST_CASE("hard G: a cantilever of 50 rods, each welded by three hinges, does not sag at any step length") {
