@@ -96,7 +96,8 @@ struct Condition {
   // Of rows of one dimension: the range that its value is kept in, [m], and the range of its force, [N].
   double low = 0.0, high = 0.0;
   double lower = -infinity, upper = infinity;
-  bool ranged = false;  // low < high
+  double most = infinity;  // [N] what a motor against a limit has instead of a force without bound, while it stalls
+  bool ranged = false;     // low < high
   // Of a segment of a string: by d1 in the equation of the head, and by the head's force in its own.
   Mat3 into_head = zero33(), from_head = zero33();
   bool held = true;         // the range, or the limit of the force, lets it act as a constraint

@@ -1,5 +1,7 @@
 #include "articulates/conditions.hpp"
 
+#include <algorithm>
+
 #include "base/functions.hpp"
 #include "model/path.hpp"
 
@@ -50,7 +52,8 @@ void load_couple(Condition& condition, const Row& row, const Model& model, const
   condition.length_rate = row.lever * (c.length_rate + c.excess_rate);
   condition.low = row.lever * c.low;
   condition.high = row.lever * c.high;
-  condition.upper = c.max_torque / row.lever;
+  if (condition.held) condition.most = infinity;
+  condition.upper = std::fmin(c.max_torque / row.lever, condition.most);
   condition.lower = -condition.upper;
   condition.velocity = zero3();
   condition.whole0 = condition.whole1 = zero3();
@@ -169,6 +172,30 @@ void store(const Condition& condition, const Row& row, Constraint& c) {
   if (c.path) c.along = condition.angle1;
   c.tension = -dot(row.f, direction(row.d1));
   if (condition.part == 0) c.force = row.f;
+}
+
+double inertia_about(const Articulate& a, Vec3 place) {
+  double sum = 0.0;
+  for (const Node& n : a.nodes) sum += n.mass * norm2(n.x0 - place) + largest(n.inertia);
+  return sum;
+}
+
+bool stall_motors(Articulate& a, double h) {
+  const bool limits =
+      std::any_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) { return c.ranged; });
+  bool stalled = false;
+  for (Condition& c : a.conditions) {
+    Row& r = a.rows[c.row];
+    const bool motor = r.kind == RowKind::turn && !c.ranged;
+    const double way = c.whole_length1 - c.whole_length0;
+    if (!limits || !motor || !std::isinf(c.upper) || way == 0.0) continue;
+    const double inertia = inertia_about(a, a.nodes[static_cast<std::size_t>(r.a)].x0) / (r.lever * r.lever);
+    c.most = c.upper = 2.0 * (norm(r.f) + inertia * std::fabs(way) / (h * h));
+    c.lower = -c.upper;
+    r.f = direction(r.ra0) * std::copysign(c.most, way);
+    stalled = true;
+  }
+  return stalled;
 }
 
 void set_conditions(Articulate& a, double from, double to) {

@@ -21,6 +21,12 @@ std::vector<RowPlan> plan_rows(const Model& model, const Constraint& constraint)
 void load(Condition& condition, const Row& row, const Model& model, double total_mass);
 /// What the step found out.
 void store(const Condition& condition, const Row& row, Constraint& constraint);
+/// Inertia of all nodes about a place, as if they were one, [kg m²].
+double inertia_about(const Articulate& articulate, Vec3 place);
+/// Limits are stronger than motors: where a step of h [s] cannot be solved, motors without a limit of their torque get one,
+/// twice what they had and what would give all that there is their speed, and begin there; until one gives less. False
+/// where that changes nothing.
+bool stall_motors(Articulate& articulate, double h);
 /// Sets what is prescribed for the part from … to (0 … 1) of the step.
 void set_conditions(Articulate& articulate, double from, double to);
 

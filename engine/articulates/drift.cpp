@@ -14,6 +14,12 @@ namespace {
 
 constexpr int most_halvings = 5;
 
+/// The unknowns have no history but the forces of the last step.
+void forget_course(Articulate& a) {
+  a.last_h = 0.0;
+  for (std::size_t k = 0; k < a.rows.size(); k++) a.rows[k].f = a.forecast.forces[k][0];
+}
+
 /// A safe step to the end of the part; backwards it makes no sense, so where a full sub-step has parts that go backwards, to
 /// its end.
 void arrive_safely(Articulate& a, const DriftSettings& settings, double from, double to, DriftReport& report) {
@@ -21,6 +27,7 @@ void arrive_safely(Articulate& a, const DriftSettings& settings, double from, do
   a.arrived = settings.backwards;
   if (a.arrived) to = 1.0;
   set_conditions(a, from, to);
+  for (Condition& c : a.conditions) c.held = c.held && std::isinf(c.most);
   safe_step(a, settings, settings.h * (to - from), report);
 }
 
@@ -31,7 +38,13 @@ void drift_part(Articulate& a, const DriftSettings& settings, double from, doubl
   set_conditions(a, from, to);
   if (a.gaps.open > 1e-8 * a.length) return arrive_safely(a, settings, from, to, report);
   if (settings.ledger) a.saved = a.nodes;
-  if (solve_step(a, h, settings.gravity, report)) {
+  bool solved = solve_step(a, h, settings.gravity, report);
+  if (!solved) forget_course(a);
+  if (!solved && stall_motors(a, settings.h)) {
+    solved = solve_step(a, h, settings.gravity, report);
+    if (!solved) forget_course(a);
+  }
+  if (solved) {
     if (settings.ledger) add_unsolved_work(a, h, report);
     for (Condition& c : a.conditions) c.angle0 = c.angle1;
     measure_gaps(a);
@@ -43,8 +56,6 @@ void drift_part(Articulate& a, const DriftSettings& settings, double from, doubl
     }
     return;
   }
-  a.last_h = 0.0;
-  for (std::size_t k = 0; k < a.rows.size(); k++) a.rows[k].f = a.forecast.forces[k][0];
   if (depth == most_halvings) return arrive_safely(a, settings, from, to, report);
   report.halved++;
   a.smooth = false;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "articulates/batches.hpp"
+#include "articulates/conditions.hpp"
 #include "articulates/midpoint.hpp"
 #include "articulates/newton.hpp"
 #include "articulates/rows.hpp"
@@ -79,6 +80,39 @@ Velocities find_velocities(Articulate& a) {
 /// Adds the work of the impulse of a row.
 void add_work(ImpulseWork& work, const Articulate& a, const Condition& c, Vec3 impulse) {
   (row(a, c).lever > 0.0 ? work.couples : work.ends) += dot(impulse, c.wanted);
+}
+
+/// Work of the impulses on what moves by itself. Where rows contradict each other their impulses have no bound, but what
+/// all of them do at the velocities that they got has: it is then that of anchors, or where none moves of couples.
+ImpulseWork work_of_impulses(const Articulate& a, const Velocities& v) {
+  ImpulseWork work;
+  if (v.forbidden <= 1e-6 * v.fastest) {
+    for (const Condition& c : a.conditions) add_work(work, a, c, a.impulses[c.row]);
+    return work;
+  }
+  bool anchors = false;
+  double all = 0.0;
+  for (std::size_t k = 0; k < a.rows.size(); k++) all += dot(a.impulses[k], a.rows[k].residual);
+  for (const Condition& c : a.conditions) {
+    all += dot(a.impulses[c.row], c.wanted);
+    anchors = anchors || (row(a, c).lever == 0.0 && norm2(c.wanted) > 0.0);
+  }
+  (anchors ? work.ends : work.couples) = all;
+  return work;
+}
+
+/// Energy that what moves by itself may give, if all moves as fast, or for a turn ten times as much, since a crank may turn
+/// others faster than itself [J].
+double driven_energy(const Articulate& a) {
+  double energy = 0.0;
+  for (const Condition& c : a.conditions) {
+    const Row& r = row(a, c);
+    const double speed2 = std::max(norm2(c.velocity), norm2(c.wanted));
+    const Vec3 centre = a.nodes[static_cast<std::size_t>(r.a)].x0;
+    energy = std::max(energy, r.lever > 0.0 ? 5.0 * inertia_about(a, centre) * speed2 / (r.lever * r.lever)
+                                            : 0.5 * a.total_mass * speed2);
+  }
+  return energy;
 }
 
 /// Takes the residuals through the first half of a solution on the factor at hand.
@@ -212,11 +246,12 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
     report.projections++;
     a.has_factor = false;
     factorise_exactly(a, a.least_epsilon);
-    const ImpulseWork done = apply_projection(a);
-    if (struck(a))
+    const bool worked = apply_projection(a).all() != 0.0;
+    if (struck(a)) {
       report.limit += find_velocities(a).kinetic - before.kinetic;
-    else
-      report.tell(done);
+    } else if (worked) {
+      report.tell(work_of_impulses(a, find_velocities(a)));
+    }
   }
   tell_momenta(a);
   const double speed = std::max(before.fastest, std::sqrt(norm(settings.gravity) * a.length));
@@ -227,36 +262,29 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
 
 ImpulseWork make_consistent(Articulate& a) {
   if (a.yields) return {};
-  double anchors = 0.0;
-  for (const Condition& c : a.conditions) anchors = std::max(anchors, norm2(c.velocity));
   find_kept(a);
+  const double driven = driven_energy(a);
   ImpulseWork work;
-  double left = 0.0, fastest = 0.0;  // [m/s] of forbidden velocities
   for (double epsilon = a.least_epsilon;; epsilon *= 100.0) {
-    work = {};
+    std::fill(a.impulses.begin(), a.impulses.end(), zero3());
     read_momenta(a);
     Velocities v = find_velocities(a);
-    left = v.forbidden;
-    fastest = v.fastest;
-    if (left <= 1e-13 * fastest) break;
-    const double sane = std::max(1.001 * v.kinetic, 0.5 * a.total_mass * anchors);
+    if (v.forbidden <= 1e-13 * v.fastest) break;
+    const double sane = std::max(1.001 * v.kinetic, driven);
     factorise_exactly(a, epsilon);
     for (int i = 0; i < 3; i++) {
       const double last = v.forbidden;
       if (last < 1e-13 * v.fastest) break;
       if (i > 0) start_solution(a);
-      work += apply_projection(a);
+      apply_projection(a);
       v = find_velocities(a);
       if (v.forbidden > 0.5 * last) break;
     }
-    left = v.forbidden;
-    fastest = v.fastest;
-    if (v.kinetic <= sane + std::fabs(work.all()) || epsilon > 1e-3) break;
+    work = work_of_impulses(a, v);
+    if (v.kinetic <= sane || epsilon > 1e-3) break;
   }
   tell_momenta(a);
   a.has_factor = false;
-  // A motor against a limit: impulses without bound that cancel are no work of the motor's.
-  if (left > 1e-3 * fastest) work.couples = 0.0;
   return work;
 }
 

@@ -121,6 +121,23 @@ std::string describe_tie(const World& world, const Articulate& articulate, const
   return describe(world, condition(articulate, row).constraint);
 }
 
+void warn_once(World& world, const std::string& what, const std::string& rest) {
+  const auto told = [&](const LogLine& line) { return line.text.starts_with(what); };
+  if (std::none_of(world.log.begin(), world.log.end(), told)) log_line(world, "warning", what + rest);
+}
+
+/// Names, once, a motor of unlimited torque that stands against a limit.
+void tell_stalled(World& world, const Articulate& a) {
+  const Row* limit = nullptr;
+  for (const Condition& c : a.conditions)
+    if (c.ranged && c.held && (limit == nullptr || norm2(row(a, c).f) > norm2(limit->f))) limit = &row(a, c);
+  if (limit == nullptr) return;
+  for (const Condition& c : a.conditions)
+    if (std::isfinite(c.most) && !c.held)
+      warn_once(world, text(describe_tie(world, a, row(a, c)), " stalls: "),
+                text(describe_tie(world, a, *limit), " does not let it turn"));
+}
+
 /// Names, once, what has stayed open for some steps: constraints contradict each other, or are pulled too far.
 void tell_open(World& world, Articulate& a) {
   constexpr std::uint32_t some = 10;
@@ -136,11 +153,8 @@ void tell_open(World& world, Articulate& a) {
   }
   if (worst == nullptr) return;
   const std::string what = describe_tie(world, a, *worst) + " cannot be kept: ";
-  const auto told = [&](const LogLine& line) { return line.text.starts_with(what); };
-  if (std::any_of(world.log.begin(), world.log.end(), told)) return;
-  log_line(
-      world, "warning",
-      text(what, "it is open by ", most, " m, and what ties the same things contradicts it, or pulls them too far"));
+  warn_once(world, what,
+            text("it is open by ", most, " m, and what ties the same things contradicts it, or pulls them too far"));
 }
 
 /// Moves every articulate by `move(articulate, worker)`; a first part begins with the state of the model.
@@ -154,7 +168,10 @@ void drift_articulates(World& world, Move move) {
   });
   for (const auto& articulate : world.articulates) {
     if (articulate->rest.asleep) continue;
-    if (world.part.index + 1 == parts(world)) tell_open(world, *articulate);
+    if (world.part.index + 1 == parts(world)) {
+      tell_open(world, *articulate);
+      tell_stalled(world, *articulate);
+    }
     tell_tensions(*articulate, world);
     post_solved_laws(world, *articulate);
     count(world, articulate->report);

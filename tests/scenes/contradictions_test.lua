@@ -62,18 +62,86 @@ test("a chain pulled further than it reaches is told, and forgiven when it comes
   expect(scene.error.constraint):below(1e-10)
 end)
 
-test("a motor of limited torque that meets a limit stands there, and books what it did", function()
-  local scene = open_text [[
+--- A body that a motor turns against a limit; `most` is its torque.
+local function against_limit(most)
+  return open_text("local most = " .. most .. [[
     scene.gravity = vec(0, 0, 0)
     local body = scene:body { mass = 1, inertia = vec(0.1, 0.1, 0.1), name = "body" }
-    scene:motor(body, { axis = vec(0, 0, 1), speed = 2, max_torque = 5 })
+    scene:motor(body, { axis = vec(0, 0, 1), speed = 2, max_torque = most, name = "motor" })
     scene:limit(body, { axis = vec(0, 0, 1), min = -1, max = 1, name = "limit" })
+    local _ = scene.ledger.closure
+  ]])
+end
+
+test("a motor that meets a limit stands there, whatever its torque, and books what it did", function()
+  for _, most in ipairs { "nil", "5" } do
+    local scene = against_limit(most)
+    scene:advance(1)
+    expect(scene:find("limit").value):near(1, 1e-9)
+    expect(scene:find("body").spin:length()):below(1e-9)
+    expect(scene.stats.safe_steps):below(2)
+    expect(math.abs(scene.ledger.motor)):below(1)
+    expect(scene.ledger.closure):below(1e-10)
+    expect(scene.error.worst_energy):below(1.1)  -- the meeting takes all motion
+    local told = warnings(scene)
+    expect(#told):equal(most == "nil" and 1 or 0)
+    if most == "nil" then expect(told[1]):equal "motor 'motor' stalls: limit 'limit' does not let it turn" end
+    scene:find("motor").speed = -1
+    scene:advance(1.5)
+    expect(scene:find("limit").value):near(-0.5, 0.02)
+  end
+end)
+
+test("a crank of unlimited torque stands while a limit holds the rocker that it moves, and turns back", function()
+  local scene = open_text [[
+    scene.plane = "xy"
+    local function bar(from, to, name)
+      local d = (to - from) / 2
+      return scene:body { at = (from + to) / 2, mass = 1, inertia = vec(0.1, 0.1, 0.1), name = name,
+                          points = { a = -d, b = d } }
+    end
+    local A, B, C, D = vec(0, 0, 0), vec(0, 0.5, 0), vec(2, 1.2, 0), vec(2, 0, 0)
+    local crank, rod, rocker = bar(A, B, "crank"), bar(B, C, "rod"), bar(C, D, "rocker")
+    scene:nail(crank.a)
+    scene:nail(rocker.b)
+    scene:hinge(crank.b, rod.a)
+    scene:hinge(rod.b, rocker.a)
+    scene:motor(crank, { axis = vec(0, 0, 1), speed = -2, name = "motor" })
+    scene:limit(rocker, { axis = vec(0, 0, 1), min = -0.3, max = 0.3, name = "limit" })
   ]]
-  scene:advance(1)
-  expect(scene:find("limit").value):near(1, 1e-4)
-  expect(scene:find("body").spin:length()):below(1e-9)
-  expect(math.abs(scene.ledger.motor)):below(1)
-  expect(scene.error.worst_energy):below(10)
+  scene:advance(2)
+  expect(scene:find("limit").value):near(-0.3, 1e-9)
+  expect(scene:find("crank").spin:length()):below(1e-9)
+  expect(scene.error.constraint):below(1e-10)
+  expect(scene.stats.safe_steps):below(3)
+  expect(warnings(scene)[1]):equal "motor 'motor' stalls: limit 'limit' does not let it turn"
+  scene:find("motor").speed = 2
+  scene:advance(0.1)
+  expect(scene:find("crank").spin.z):near(2, 1e-6)
+end)
+
+test("what contradicts itself books no more work than the motion can have, and closes", function()
+  local bar = [[
+    scene.gravity = vec(0, 0, 0)
+    local bar = scene:body { mass = 1, inertia = vec(0.02, 0.1, 0.1), spin = vec(0, 0, 1),
+                             points = { left = vec(-0.5, 0, 0), right = vec(0.5, 0, 0) } }
+    local _ = scene.ledger.closure
+  ]]
+  for _, code in ipairs {
+    "scene:nail(bar.left) scene:nail(bar.right, vec(3, 0, 0))",
+    "scene:nail(bar.left) scene:rod(bar.right, vec(-0.5, 0, 0)).length = 2",
+    "scene:orient(bar) scene:orient(bar, quat(vec(0, 0, 1), 1))",
+    "scene:follow(bar.left, function(t) return vec(t - 0.5, 0, 0) end) scene:follow(bar.right, function(t) return vec(0.5, 0, t) end)",
+    "scene:nail(bar.left) scene:follow(bar.right, function(t) return vec(t < 1 and 0.5 + t or math.max(0.5, 2.5 - t), 0, 0) end)",
+  } do
+    local scene = open_text(bar .. code)
+    scene:advance(3)
+    expect(math.abs(scene.ledger.hand)):below(100)
+    expect(math.abs(scene.ledger.motor)):below(1)
+    expect(math.abs(scene.ledger.safe_step)):below(100)
+    expect(scene.ledger.closure):below(1e-10)
+    expect(scene.error.worst_energy):below(1.1)
+  end
 end)
 
 test("a scene at rest has no error of its energy", function()
