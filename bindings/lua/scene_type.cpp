@@ -278,7 +278,9 @@ std::vector<Method> making() {
        "Keeps a point on a path through places [m]; at the end of an open one it stops."},
       {"join", guard<scene_join>, "a: Point|Particle, b: Point|Particle, options?: JoinOptions", "Join",
        "Draws two points together, at a place or on their way to each other, and makes the hinge when they are within "
-       "scene.tolerance of their size. Without at, angular momentum is not kept while they are apart."},
+       "a tenth of scene.tolerance of their size, some 20 time constants later. Without at, momentum is kept on the "
+       "way; "
+       "angular momentum is not, for they come together on a straight line."},
       {"merge", guard<scene_merge>, "a: Body, b: Body", "Body",
        "a lives on with b's points, which stay valid; b is gone."},
       {"split", guard<scene_split>, "body: Body, points: Point|Point[], ...: Point", "Body",
@@ -319,11 +321,11 @@ std::vector<Method> telling() {
       {"param", guard<scene_param>, "name: string, default: any, options?: ParamOptions", "any",
        "Declares a parameter and returns its value."},
       {"at", guard<scene_at>, "time: number [s], target_or_action: Thing|function, action?: function", "Event",
-       "Does it once, before the step that reaches the time: up to one step early."},
+       "Does it once, in the step that reaches the time, before anything moves: up to one step early."},
       {"after", guard<scene_after>, "delay: number [s], target_or_action: Thing|function, action?: function", "Event",
-       "Does it once, a while from now."},
+       "Does it once, a while from now; in the step that reaches that time, as at does."},
       {"every", guard<scene_every>, "period: number [s], target_or_action: Thing|function, action?: function", "Event",
-       "Does it again and again, at period, 2 period, … from now on."},
+       "Does it again and again, at period, 2 period, … from now on; each in the step that reaches it, as at does."},
       {"over", guard<scene_over>,
        "from: number [s], to: number [s], target_or_action: Thing|fun(u: number), action?: fun(u: number, target: "
        "Thing)",

@@ -1,6 +1,9 @@
 #include "articulates/drift.hpp"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "articulates/conditions.hpp"
 #include "articulates/midpoint.hpp"
@@ -64,6 +67,29 @@ void drift_part(Articulate& a, const DriftSettings& settings, double from, doubl
   drift_part(a, settings, middle, to, depth + 1, report);
 }
 
+/// Velocities that conditions want of points at the start of the step, by what they want at its end and on the way; their
+/// own are put into `at_end`.
+void want_start(Articulate& a, double h, std::vector<std::pair<Vec3, double>>& at_end) {
+  at_end.clear();
+  for (const Condition& c : a.conditions) at_end.push_back({c.velocity, c.length_rate});
+  for (const Row& row : a.rows) {
+    if (row.condition < 0 || row.lever > 0.0) continue;
+    const auto k = static_cast<std::size_t>(row.condition);
+    Condition& c = a.conditions[k];
+    c.velocity = (c.whole1 - c.whole0) / h * 2.0 - at_end[k].first;
+    c.length_rate = (c.whole_length1 - c.whole_length0) / h * 2.0 - at_end[k].second;
+  }
+}
+
+/// Makes velocities consistent with those of the start of the step.
+void make_start_consistent(Articulate& a, double h) {
+  std::vector<std::pair<Vec3, double>> at_end;
+  want_start(a, h, at_end);
+  make_consistent(a);
+  for (std::size_t k = 0; k < a.conditions.size(); k++)
+    std::tie(a.conditions[k].velocity, a.conditions[k].length_rate) = at_end[k];
+}
+
 }  // namespace
 
 void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
@@ -75,7 +101,7 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
     for (Condition& c : a.conditions) c.held = !c.ranged && std::isinf(c.upper);  // the step finds out
     if (a.gaps.open <= 1e-8 * a.length) {
       const double before = kinetic_energy(a);
-      make_consistent(a);
+      make_start_consistent(a, settings.h);
       report.met += kinetic_energy(a) - before;
     } else {
       a.torn = true;

@@ -37,7 +37,9 @@ struct JoinDef {
 };
 /// Draws two points of different bodies together as a dynamic constraint (Barzel and Barr 1988), and makes the hinge when
 /// they meet; told as "joined". They come together on a straight line, so the forces on them, which are opposite, are not
-/// along it: momentum is kept on the way, angular momentum is not. A greatest force that is too weak is told in the log.
+/// along it: momentum is kept on the way, angular momentum is not (by forces along it points that pass each other would
+/// never meet). They count as met within a tenth of the tolerance of their size. A greatest force that is too weak is told
+/// in the log.
 ConstraintId add_join(World& world, PointId a, PointId b, const JoinDef& def = {});
 /// Makes the hinges of joins whose points met in the step just done.
 void make_met_hinges(World& world);

@@ -310,7 +310,7 @@ void start_again(const World& world, Forces& f) {
   build_rows_in_order(world, f);
   for (ActingConnections& c : f.connections) c.bonds.arrange(c.ties, f.sites);
   arrange_fields(world, f);
-  read_velocities(world, f, false);
+  if (f.moving) read_velocities(world, f, false);
 }
 
 /// Forces of the present state with laws, or on sites, that were just changed.

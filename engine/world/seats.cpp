@@ -102,21 +102,30 @@ void number_attached(Forces& f) {
 
 namespace {
 
-/// Takes out movers on which nothing sits any more.
+/// Takes out movers on which nothing sits any more; the last take their places.
 void drop_movers(Forces& f) {
-  std::vector<std::uint32_t> now(f.movers.size(), none);
-  for (const Attached& a : f.attached) now[a.mover] = 0;
-  std::uint32_t count = 0;
-  for (std::size_t k = 0; k < f.movers.size(); k++) {
-    const Mover m = f.movers[k];
-    std::uint32_t& known = (m.is_body ? f.mover_of_body : f.mover_of_point)[m.slot];
-    known = now[k] == none ? none : count;
-    if (now[k] == none) continue;
-    now[k] = count;
-    f.movers[count++] = m;
+  std::vector<std::uint32_t> now(f.movers.size(), none), unused;
+  for (const Attached& a : f.attached) now[a.mover] = a.mover;
+  const auto known = [&](const Mover& m) -> std::uint32_t& {
+    return (m.is_body ? f.mover_of_body : f.mover_of_point)[m.slot];
+  };
+  for (std::uint32_t k = 0; k < now.size(); k++) {
+    if (now[k] != none) continue;
+    unused.push_back(k);
+    known(f.movers[k]) = none;
   }
-  if (count == f.movers.size()) return;
-  f.movers.resize(count);
+  if (unused.empty()) return;
+  std::size_t size = f.movers.size();
+  for (std::size_t hole = 0, holes = unused.size(); hole < holes;) {
+    if (unused[holes - 1] == --size) {
+      holes--;
+      continue;
+    }
+    const std::uint32_t to = unused[hole++];
+    f.movers[to] = f.movers[size];
+    now[size] = known(f.movers[to]) = to;
+  }
+  f.movers.resize(size);
   for (Attached& a : f.attached) a.mover = now[a.mover];
 }
 

@@ -30,7 +30,7 @@ double least_deviation(const World& world, const Constraint& c) {
   if (!c.a) return 1e-14;
   if (c.kind != ConstraintKind::join) return 1e-14 * std::fmax(size_of(world, c.a), largest(c.place));
   const double size = std::fmax(size_of(world, c.a), size_of(world, c.b));
-  return 1e-9 * (size > 0.0 ? size : largest(position(world, c.a)));
+  return 0.1 * world.settings.tolerance * (size > 0.0 ? size : largest(position(world, c.a)));
 }
 
 void draw_in(const World& world, Constraint& c, double h) {

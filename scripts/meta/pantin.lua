@@ -919,7 +919,7 @@ function Scene:string(points, options) end
 ---@param options? PathOptions
 ---@return OnPath
 function Scene:on_path(point, path, options) end
----Draws two points together, at a place or on their way to each other, and makes the hinge when they are within scene.tolerance of their size. Without at, angular momentum is not kept while they are apart.
+---Draws two points together, at a place or on their way to each other, and makes the hinge when they are within a tenth of scene.tolerance of their size, some 20 time constants later. Without at, momentum is kept on the way; angular momentum is not, for they come together on a straight line.
 ---@param a Point|Particle
 ---@param b Point|Particle
 ---@param options? JoinOptions
@@ -1010,19 +1010,19 @@ function Scene:hand(options) end
 ---@param options? ParamOptions
 ---@return any
 function Scene:param(name, default, options) end
----Does it once, before the step that reaches the time: up to one step early.
+---Does it once, in the step that reaches the time, before anything moves: up to one step early.
 ---@param time number [s]
 ---@param target_or_action Thing|function
 ---@param action? function
 ---@return Event
 function Scene:at(time, target_or_action, action) end
----Does it once, a while from now.
+---Does it once, a while from now; in the step that reaches that time, as at does.
 ---@param delay number [s]
 ---@param target_or_action Thing|function
 ---@param action? function
 ---@return Event
 function Scene:after(delay, target_or_action, action) end
----Does it again and again, at period, 2 period, … from now on.
+---Does it again and again, at period, 2 period, … from now on; each in the step that reaches it, as at does.
 ---@param period number [s]
 ---@param target_or_action Thing|function
 ---@param action? function

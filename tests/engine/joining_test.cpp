@@ -78,6 +78,24 @@ TEST_CASE("bodies are joined at a place, and let go of it when they have met") {
   CHECK(told);
 }
 
+TEST_CASE("what draws points together is counted from its first step on") {
+  for (bool at_place : {false, true}) {
+    TwoTips s;
+    JoinDef def;
+    def.time_constant = 0.1;
+    if (at_place) def.at = vec(0.2, 1.0, 0.3);
+    add_join(s.world, s.tip_a, s.tip_b, def);
+    const double before = energy(s.world).total();
+    step(s.world);
+    const double given = energy(s.world).total() - before;
+    CHECK(given > 0.1);
+    CHECK(s.world.work == Approx(given).epsilon(1e-5));
+    advance(s.world, 3.0);
+    CHECK(hinges(s.world).size() == 1);
+    CHECK(s.world.worst.energy < 1e-4);
+  }
+}
+
 TEST_CASE("a join with a greatest force never pulls harder on the way") {
   TwoTips s;
   JoinDef def;
