@@ -4,8 +4,6 @@
 #include <fstream>
 #include <iterator>
 
-#include "base/hash.hpp"
-
 namespace pantin::lua {
 
 std::optional<std::string> read_file(const std::string& path) {
@@ -14,12 +12,6 @@ std::optional<std::string> read_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return {};
   return std::string{std::istreambuf_iterator<char>(file), {}};
-}
-
-std::uint64_t hash_of(std::string_view content) {
-  Hash hash;
-  for (const char c : content) hash.add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
-  return hash.value;
 }
 
 std::string path_in(const std::string& folder, const std::string& name) {

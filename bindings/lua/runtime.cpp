@@ -120,8 +120,8 @@ void Runtime::load(lua_State* state, const std::string& source, const std::strin
 }
 
 std::optional<std::string> Runtime::read(const std::string& path) const {
-  std::optional<std::string> content = read_file(path);
-  if (content && on_read) on_read({path, hash_of(*content)});
+  std::optional<std::string> content = reader(path);
+  if (content && on_read) on_read({path, *content});
   return content;
 }
 

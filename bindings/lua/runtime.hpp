@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "base/random.hpp"
+#include "lua/files.hpp"
 #include "lua/guard.hpp"
 #include "lua/watchdog.hpp"
 
@@ -51,6 +52,7 @@ class Runtime {
   lua_State* active() const { return watch_.running.load(std::memory_order_relaxed); }
   Watch& watch() { return watch_; }
 
+  std::function<std::optional<std::string>(const std::string& path)> reader = read_file;  ///< of contents of files
   std::function<void(const FileRead&)> on_read;  ///< told each file that is read; may be empty
   std::string folder;                            ///< of the scene: where `require` looks first, and `read_table`
   std::string home;                              ///< holds scripts/lib and scripts/behaviours

@@ -17,6 +17,7 @@ Script::Script(const SceneOptions& given) : ScriptHost{given, Runtime({given.scr
   world.workers = std::make_unique<Workers>(options.threads);
   runtime.random = &world.random;
   runtime.home = given.home;
+  if (given.read) runtime.reader = given.read;
   runtime.on_read = given.on_read;
   world.random = Random{world.settings.seed, 0};
   world.behaviours = [this] { run_behaviours(*this); };
@@ -42,13 +43,13 @@ Scene::Scene(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Scene::~Scene() = default;
 
 std::unique_ptr<Scene> Scene::open(const std::string& path, const SceneOptions& options) {
-  const auto source = read_file(path);
+  const auto source = options.read ? options.read(path) : read_file(path);
   if (!source) {
     std::error_code error;
     const bool there = std::filesystem::exists(path, error);
     throw UsageError(text(path, ": ", there ? "cannot be read as a file" : "there is no such file"));
   }
-  if (options.on_read) options.on_read({path, hash_of(*source)});
+  if (options.on_read) options.on_read({path, *source});
   const std::filesystem::path file(path);
   return open_text(*source, file.filename(), file.parent_path(), options);
 }

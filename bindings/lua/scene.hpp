@@ -24,7 +24,7 @@ using Value = std::variant<double, bool, std::string>;
 /// A file that a scene read.
 struct FileRead {
   std::string path;
-  std::uint64_t hash = 0;  ///< of its content
+  std::string content;
 };
 
 struct SceneOptions {
@@ -33,9 +33,11 @@ struct SceneOptions {
   std::size_t memory_limit = std::size_t{2} << 30;  ///< [bytes] of Lua's memory
   int threads = 1;                                  ///< for the laws; 0: as many as the machine has processors
   std::string home;                                 ///< folder that holds `scripts/lib` and `scripts/behaviours`
-  std::function<void(const FileRead&)> on_read;     ///< told each file that is read, even where the scene fails then
-  bool changing = false;   ///< may be followed by the scene of a changed file, see `go_on_from`
-  bool forgiving = false;  ///< what `set` says that does not fit the file is left out
+  /// The content of a file, or nothing where there is none; may be empty: from the disk.
+  std::function<std::optional<std::string>(const std::string& path)> read;
+  std::function<void(const FileRead&)> on_read;  ///< told each file that is read, even where the scene fails then
+  bool changing = false;                         ///< may be followed by the scene of a changed file, see `go_on_from`
+  bool forgiving = false;                        ///< what `set` says that does not fit the file is left out
 };
 
 /// What `scene:param` declared.

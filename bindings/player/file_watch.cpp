@@ -23,6 +23,10 @@ void FileWatch::add(const std::string& path) {
   files_[path] = {now, now};
 }
 
+void FileWatch::keep_only(const std::map<std::string, std::string>& files) {
+  std::erase_if(files_, [&](const auto& watched) { return !files.contains(watched.first); });
+}
+
 bool FileWatch::changed(Clock::time_point now) {
   if (now < next_) return false;
   next_ = now + interval;

@@ -15,7 +15,8 @@ class FileWatch {
 
   /// From now on this file counts, as it is at present.
   void add(const std::string& path);
-  void clear() { files_.clear(); }
+  /// The others count no longer.
+  void keep_only(const std::map<std::string, std::string>& files);
   /// Whether one was written since it was told last, and none has changed for a moment: what is being written is left
   /// alone. Looks at the disk 20 times a second at most.
   bool changed(Clock::time_point now);

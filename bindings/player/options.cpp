@@ -68,10 +68,14 @@ void list_option(CLI::App& app, const std::string& name, std::vector<std::string
   app.add_option(name, values, help)->allow_extra_args(false)->check(check)->type_name(kind);
 }
 
-/// Of all that run a scene.
-void add_limits(CLI::App& app, RunOptions& scene, Texts& texts) {
+/// Of all that run a scene, but for recordings, which have them.
+void add_settings(CLI::App& app, Texts& texts) {
   list_option(app, "--set", texts.settings,
               "Sets a parameter of the scene, or a field: --set links=50 --set scene.step=1/60", "K=V", check_setting);
+}
+
+/// Of all that run a scene.
+void add_limits(CLI::App& app, RunOptions& scene, Texts& texts) {
   app.add_option("--until", scene.until, "Ends at this simulated time, s")->check(check_number)->type_name("T");
   app.add_option("--script-limit", scene.script_limit,
                  "Processor time that one call into the script may take, s; 0: no limit")
@@ -86,14 +90,8 @@ void add_limits(CLI::App& app, RunOptions& scene, Texts& texts) {
       ->type_name("SIZE");
 }
 
-void add_scene_options(CLI::App& app, RunOptions& scene, Texts& texts) {
-  add_limits(app, scene, texts);
-  list_option(app, "--out", scene.outputs,
-              "By its ending: .csv probes of each step, .png last frame, .mp4 .gif .webp film, .xyz trajectory of all "
-              "particles, .glb animation with meshes",
-              "FILE", check_ending);
-  app.add_option("--summary", scene.summary, "Writes energies, errors, iterations, times and results as JSON")
-      ->type_name("FILE");
+/// Of all that draw a scene.
+void add_look(CLI::App& app, Texts& texts) {
   app.add_option("--size", texts.size, "Of the window, picture or film, pixels")
       ->check(check_size)
       ->default_str("1280x720")
@@ -105,6 +103,17 @@ void add_scene_options(CLI::App& app, RunOptions& scene, Texts& texts) {
       ->type_name("NAME,...");
 }
 
+void add_scene_options(CLI::App& app, RunOptions& scene, Texts& texts) {
+  add_settings(app, texts);
+  add_limits(app, scene, texts);
+  list_option(app, "--out", scene.outputs,
+              "By its ending: .csv probes of each step, .png last frame, .mp4 .gif .webp film, .xyz trajectory of all "
+              "particles, .glb animation with meshes",
+              "FILE", check_ending);
+  app.add_option("--summary", scene.summary, "Writes energies, errors, iterations, times and results as JSON")
+      ->type_name("FILE");
+  add_look(app, texts);
+}
 [[noreturn]] void refuse_command(const std::string& command) {
   std::string what = command.empty() ? "a command is missing" : "there is no command '" + command + "'";
   throw lua::UsageError(what + ": give play, run, replay, report, test or bench (pantin --help tells more)");
@@ -171,14 +180,21 @@ Options read_options(int argc, const char* const* argv) {
   CLI::App* run = app.add_subcommand("run", "Runs a scene without a window");
   run->add_option("scene", options.run.scene, "A scene's file, or the name of a shipped one")->required();
   add_scene_options(*run, options.run, texts);
-  CLI::App* replay = app.add_subcommand("replay", "Does again what was recorded, to the bit, and checks that");
+  CLI::App* replay = app.add_subcommand("replay",
+                                        "Does again what was recorded, to the bit, and checks that: in a window where "
+                                        "there is a display, where one may go "
+                                        "to any time of it");
   replay->add_option("file", options.run.record, "What `pantin play --record FILE` wrote")->required();
+  replay->add_flag("--headless", options.run.headless, "Without a window, as fast as it goes");
+  replay->add_flag("--paused", options.run.paused, "Waits for the space bar before it starts");
+  add_look(*replay, texts);
   add_limits(*replay, options.run, texts);
   CLI::App* report =
       app.add_subcommand("report", "Tells how exact a scene is with which step and integrator, at what cost");
   report->add_option("scene", options.run.scene, "A scene's file, or the name of a shipped one")->required();
   report->add_option("--out", options.prefix, "Writes PREFIX.json and PREFIX.svg [the scene's name and -report]")
       ->type_name("PREFIX");
+  add_settings(*report, texts);
   add_limits(*report, options.run, texts);
   CLI::App* test = app.add_subcommand("test", "Runs tests written in Lua");
   test->add_option("path", options.arguments, "Files, or folders of them [tests/scenes]");

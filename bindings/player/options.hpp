@@ -27,7 +27,8 @@ struct RunOptions {
   Size size;
   Views views;                                      ///< that are on at the start
   std::string record;                               ///< file that `play` records to; empty: none
-  bool paused = false;                              ///< `play` begins with a pause
+  bool paused = false;                              ///< `play` and `replay` begin with a pause
+  bool headless = false;                            ///< `replay` opens no window
   double script_limit = 5.0;                        ///< [s] 0: none
   std::size_t memory_limit = std::size_t{2} << 30;  ///< [bytes]
   int threads = 0;                                  ///< 0: as many as the machine has processors

@@ -24,12 +24,6 @@ constexpr std::chrono::milliseconds shortest_frame{12};  // where no screen sets
 constexpr int smooth_samples = 4;
 constexpr std::chrono::seconds complaint_shown{8};
 
-Window open_window(const std::string& title, Size size) {
-  try {
-    return Window(title, size.width, size.height);
-  } catch (const Error& error) { throw NoWindow(error.what()); }
-}
-
 /// Whether a hand did something that only a step carries out.
 bool waits_for_step(const StepInput& input) {
   return std::ranges::any_of(input.commands, [](const Command& c) {
@@ -48,7 +42,7 @@ Player::Player(std::string path, const RunOptions& options, const std::string& h
       scene_(lua::Scene::open_text("", "scenes", ".", {})),
       window_(open_window(title() + " - Pantin", options.size)),
       renderer_(window_.width(), window_.height(), window_.software() ? 0 : smooth_samples, window_.scale()),
-      hands_([this] { return add_hand(scene_->world()); }),
+      hands_([this] { return new_hand(); }),
       browser_(home + "/scripts/scenes", options.scenes, lua_options_),
       paused_(options.paused),
       views_(options.views) {
@@ -150,12 +144,17 @@ void Player::step_once() {
   try {
     if (recorder_) recorder_->input(scene_->world().input);
     scene_->step();
-    if (!scene_->world().failure.empty()) return fail(scene_->world().failure);
+    if (!scene_->world().failure.empty()) return fail_step(scene_->world().failure);
     if (recorder_) recorder_->stepped(scene_->world());
     times_.add(scene_->world());
   } catch (const lua::Interrupted& error) { say(error.what()); } catch (const std::exception& error) {
-    fail(error.what());
+    fail_step(error.what());
   }
+}
+
+void Player::fail_step(const std::string& why) {
+  if (recorder_) recorder_->failed();
+  fail(why);
 }
 
 void Player::fail(const std::string& why) {

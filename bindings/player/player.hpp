@@ -8,6 +8,7 @@
 #include "lua/scene.hpp"
 #include "player/aim.hpp"
 #include "player/browser.hpp"
+#include "player/open_window.hpp"
 #include "player/options.hpp"
 #include "player/pacing.hpp"
 #include "player/panels/panels.hpp"
@@ -19,14 +20,8 @@
 #include "view/player_input.hpp"
 #include "view/renderer.hpp"
 #include "view/steering.hpp"
-#include "view/window.hpp"
 
 namespace pantin::player {
-
-/// There is a screen, but no window with OpenGL can be opened on it.
-struct NoWindow : Error {
-  using Error::Error;
-};
 
 /// A scene in a window, with hands in it.
 class Player {
@@ -64,6 +59,7 @@ class Player {
   void act(const Actions& actions);
   void take_keys();
   Actions take_hands(double elapsed);
+  std::int32_t new_hand();
   void keep_for_undo(const std::string& act, const StepInput& before);
   void go_back(bool (Undo::*way)(lua::Scene&, Times&, StepInput&, std::string&));
   void tell(const std::string& what);
@@ -94,6 +90,7 @@ class Player {
   void take_steps(double elapsed);
   void step_once();
   bool at_end() const;
+  void fail_step(const std::string& why);
   void fail(const std::string& why);
   void save_picture();
   Overlay overlay() const;

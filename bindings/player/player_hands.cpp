@@ -3,6 +3,7 @@
 
 #include "player/player.hpp"
 #include "view/palette.hpp"
+#include "world/hands.hpp"
 
 namespace pantin::player {
 namespace {
@@ -20,6 +21,11 @@ Actions Player::take_hands(double elapsed) {
   for (const std::string& said : actions.said) tell(said);
   if (!actions.acts.empty()) keep_for_undo(actions.acts.back(), before);
   return actions;
+}
+
+std::int32_t Player::new_hand() {
+  if (recorder_) recorder_->hand_came();
+  return add_hand(scene_->world());
 }
 
 void Player::keep_for_undo(const std::string& act, const StepInput& before) {

@@ -1,26 +1,16 @@
 // What the player does when a file was saved, and what it tells a recording.
-#include <filesystem>
-
-#include "player/home.hpp"
 #include "player/message.hpp"
 #include "player/player.hpp"
 
 namespace pantin::player {
-namespace {
-
-/// A shipped scene by its name, others by their whole path.
-std::string scene_as_recorded(const std::string& path, const std::string& home) {
-  const std::filesystem::path absolute = std::filesystem::absolute(path);
-  const bool shipped = absolute.parent_path() == std::filesystem::absolute(home) / "scripts" / "scenes";
-  return shipped ? absolute.stem().string() : absolute.string();
-}
-
-}  // namespace
-
 void Player::record(const std::string& path) {
-  const RecordingHead head{program_version(), scene_as_recorded(path_, lua_options_.home), lua_options_.set,
-                           reload_.files()};
-  recorder_ = std::make_unique<Recorder>(path, head);
+  const auto named = [home = lua_options_.home](const std::string& file) { return path_as_recorded(file, home); };
+  RecordingHead head{program_version(), named(path_), lua_options_.set, {}};
+  for (const auto& [file, content] : reload_.files()) head.files[named(file)] = content;
+  recorder_ = std::make_unique<Recorder>(path, std::move(head));
+  reload_.on_read = [this, named](const lua::FileRead& file) {
+    if (recorder_) recorder_->file(named(file.path), file.content);
+  };
   undo_.on_state = [this](std::uint64_t number, bool put_back) {
     if (recorder_) put_back ? recorder_->restored(number) : recorder_->kept(number);
   };
@@ -53,7 +43,7 @@ void Player::reload() {
   std::optional<Reloaded> reloaded = reload_.look(*scene_, path_, lua_options_);
   if (!reloaded) return;
   if (!reloaded->scene) return complain(reloaded->error);
-  stop_recording("a file of the scene was saved");
+  if (recorder_) recorder_->gone_on();
   const CarriedOver& carried = reloaded->carried;
   waiting_ = carried_over(waiting_, carried);
   hands_.carry_over(carried.hands, [&](PointId point) {

@@ -125,13 +125,16 @@ void Player::open_neighbour(int places) {
 void Player::set_parameter(const std::string& name, const lua::Value& value) {
   const auto before = lua_options_.set;
   lua_options_.set[name] = text_of(value);
+  bool live = true;
   try {
-    if (!scene_->set_parameter(name, value)) adopt(load(path_, lua_options_));
-    if (recorder_) recorder_->parameter(name, value);
+    live = scene_->set_parameter(name, value);
+    if (!live) adopt(load(path_, lua_options_));
   } catch (const std::exception& error) {
     lua_options_.set = before;
     complain(error.what());
+    if (!live) return;
   }
+  if (recorder_) recorder_->parameter(name, value);
 }
 
 void Player::take_keys() {
@@ -179,8 +182,8 @@ void Player::choose() {
 void Player::edit(const Edit& edit) {
   try {
     lua::write_field(*scene_, edit.thing, edit.value.name, edit.value);
-    if (recorder_) record(edit);
   } catch (const std::exception& error) { complain(error.what()); }
+  if (recorder_) record(edit);
 }
 
 void Player::write_table() {

@@ -1,20 +1,23 @@
 #include "player/recording.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
 #include "player/recording_json.hpp"
 #include "world/measure.hpp"
 
+namespace fs = std::filesystem;
+
 namespace pantin::player {
 namespace {
 
-constexpr int format = 1;
+constexpr int format = 2;
 
 std::string line_of(const RecordingHead& head) {
-  Json line{{"pantin", format}, {"version", head.version}, {"scene", head.scene}, {"set", head.set}};
+  Json line{{"pantin", format}, {"version", head.version}, {"scene", letters_of(head.scene)}, {"set", head.set}};
   line["files"] = Json::object();
-  for (const auto& [path, hash] : head.files) line["files"][path] = hexadecimal(hash);
+  for (const auto& [path, content] : head.files) line["files"][letters_of(path)] = letters_of(content);
   return line.dump();
 }
 
@@ -22,14 +25,21 @@ RecordingHead head_of(const std::string& text) {
   const Json line = Json::parse(text);
   const int found = line.at("pantin");
   require(found == format, "it has the format ", found, ", and this program reads the format ", format);
-  RecordingHead head{line.at("version"), line.at("scene"), line.at("set"), {}};
-  for (const auto& [path, hash] : line.at("files").items()) head.files[path] = from_hexadecimal(hash);
+  RecordingHead head{line.at("version"), bytes_of(line.at("scene")), line.at("set"), {}};
+  for (const auto& [path, content] : line.at("files").items()) head.files.emplace(bytes_of(path), bytes_of(content));
   return head;
 }
 
 }  // namespace
 
 std::string program_version() { return PANTIN_VERSION; }
+
+std::string path_as_recorded(const std::string& path, const std::string& home) {
+  const auto whole = [](const std::string& name) { return fs::absolute(name).lexically_normal(); };
+  const fs::path below = whole(path).lexically_relative(whole(home));
+  const bool comes_along = !below.empty() && *below.begin() != "..";
+  return comes_along ? "pantin:/" + below.string() : whole(path).string();
+}
 
 Recording read_recording(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -48,7 +58,8 @@ Recording read_recording(const std::string& path) {
     try {
       require(!file.eof(), "it is cut off in the middle");
       act = act_of(line);
-      require(act.tick >= recording.ticks, "its tick, ", act.tick, ", is before that of the line above");
+      require(recording.acts.empty() || act.tick >= recording.acts.back().tick, "its tick, ", act.tick,
+              ", is before that of the line above");
     } catch (const std::exception& error) {
       recording.damage = text(path, ":", number, ": ", error.what());
       return recording;
@@ -61,9 +72,10 @@ Recording read_recording(const std::string& path) {
   return recording;
 }
 
-Recorder::Recorder(const std::string& path, const RecordingHead& head) : path_(path), file_(path, std::ios::binary) {
+Recorder::Recorder(const std::string& path, RecordingHead head) : path_(path), file_(path, std::ios::binary) {
   require(static_cast<bool>(file_), path, ": this file cannot be written");
   file_ << line_of(head) << '\n' << std::flush;
+  contents_ = std::move(head.files);
 }
 
 Recorder::~Recorder() {
@@ -87,6 +99,8 @@ void Recorder::stepped(const World& world) {
   file_.flush();
 }
 
+void Recorder::failed() { write({tick_, StepFailed{}}); }
+void Recorder::hand_came() { write({tick_, HandCame{}}); }
 void Recorder::parameter(const std::string& name, const lua::Value& value) {
   write({tick_, ParameterChange{name, value}});
 }
@@ -97,6 +111,15 @@ void Recorder::restarted() {
   second_ = 0.0;
   write({tick_, Restarted{}});
 }
+
+void Recorder::file(const std::string& path, const std::string& content) {
+  const auto [told, is_new] = contents_.try_emplace(path, content);
+  if (!is_new && told->second == content) return;
+  told->second = content;
+  write({tick_, FileFound{path, content}});
+}
+
+void Recorder::gone_on() { write({tick_, GoneOn{}}); }
 
 void Recorder::finish() {
   if (std::exchange(finished_, true)) return;

@@ -1,12 +1,17 @@
 #pragma once
 // Recordings: all that the outside did to a scene, before which step. A file of lines, each a JSON object. The first has
-// "pantin" (the format's number), "version" (of the program), "scene", "set" and "files" (with the hashes of what was
-// read); all others have "tick", the number of steps done before, counting every step that was ever done, and one of
+// "pantin" (the format's number), "version" (of the program), "scene", "set" and "files" (the contents of what was read, so
+// that the recording stays what it was when they are changed); all others have "tick", the number of steps done before,
+// counting every step that was ever done, and one of
 //   "moves" and "commands"   the input of the coming step: hands, tools, keys, buttons (engine/world/input.hpp)
+//   "hand"                   a hand came
 //   "parameter" and "value"  a parameter was changed
 //   "edit", "field", "value" a field of a thing was written
 //   "keep", "restore"        the state was kept under a number, or one put back: undo and redo
 //   "restart"                the scene was opened anew
+//   "file" and "content"     a file was read that was not, or was another
+//   "reload"                 the scene was opened anew, and went on where it was
+//   "failed"                 the coming step ended in an error
 //   "time" and "hash"        of the state, once a simulated second
 //   "end"                    the last step was done
 // Numbers are written so that they are read back to the bit.
@@ -22,12 +27,13 @@
 namespace pantin::player {
 
 struct RecordingHead {
-  std::string version;                         ///< of the program
-  std::string scene;                           ///< path, or a shipped scene's name
-  std::map<std::string, std::string> set;      ///< as RunOptions::set
-  std::map<std::string, std::uint64_t> files;  ///< that the scene read, with the hashes of their contents
+  std::string version;                       ///< of the program
+  std::string scene;                         ///< path, see `path_as_recorded`
+  std::map<std::string, std::string> set;    ///< as RunOptions::set
+  std::map<std::string, std::string> files;  ///< that the scene read, with their contents
 };
 
+struct HandCame {};
 struct ParameterChange {
   std::string name;
   lua::Value value;
@@ -45,6 +51,11 @@ struct StateRestored {
   std::uint64_t number = 0;  ///< of the StateKept
 };
 struct Restarted {};
+struct FileFound {
+  std::string path, content;
+};
+struct GoneOn {};
+struct StepFailed {};
 /// What the state was.
 struct StateCheck {
   double time = 0.0;  ///< [s]
@@ -54,7 +65,8 @@ struct RecordingEnd {};
 
 struct RecordedAct {
   std::uint64_t tick = 0;  ///< steps done before
-  std::variant<StepInput, ParameterChange, FieldEdit, StateKept, StateRestored, Restarted, StateCheck, RecordingEnd>
+  std::variant<StepInput, HandCame, ParameterChange, FieldEdit, StateKept, StateRestored, Restarted, FileFound, GoneOn,
+               StepFailed, StateCheck, RecordingEnd>
       what;
 };
 
@@ -67,6 +79,8 @@ struct Recording {
 
 /// Of this program.
 std::string program_version();
+/// Of what comes with the program below "pantin:", so that a recording is the same wherever that is; of others the whole.
+std::string path_as_recorded(const std::string& path, const std::string& home);
 
 /// Throws Error where the file is none, or its first line cannot be understood.
 Recording read_recording(const std::string& path);
@@ -75,7 +89,7 @@ Recording read_recording(const std::string& path);
 class Recorder {
  public:
   /// Throws Error where the file cannot be written.
-  Recorder(const std::string& path, const RecordingHead& head);
+  Recorder(const std::string& path, RecordingHead head);
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
@@ -84,11 +98,18 @@ class Recorder {
   void input(const StepInput& input);
   /// A step was done.
   void stepped(const World& world);
+  /// It ended in an error.
+  void failed();
+  void hand_came();
   void parameter(const std::string& name, const lua::Value& value);
   void edited(const FieldEdit& edit);
   void kept(std::uint64_t number);
   void restored(std::uint64_t number);
   void restarted();
+  /// A file was read, by its path as recorded.
+  void file(const std::string& path, const std::string& content);
+  /// The scene goes on with what its files are now.
+  void gone_on();
   /// Ends the recording; throws Error where the file could not be written. Called again does nothing.
   void finish();
 
@@ -97,6 +118,7 @@ class Recorder {
 
   std::string path_;
   std::ofstream file_;
+  std::map<std::string, std::string> contents_;  ///< of files, that were told
   std::uint64_t tick_ = 0;
   double second_ = 0.0;  ///< [s] whole ones that were told
   bool finished_ = false;

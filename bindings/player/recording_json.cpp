@@ -130,6 +130,7 @@ void write(Json& line, const StepInput& input) {
         {move.hand, json_of(move.position[0]), json_of(move.position[1]), json_of(move.position[2]), move.pressed});
   for (const Command& command : input.commands) line["commands"].push_back(json_of(command));
 }
+void write(Json& line, const HandCame&) { line["hand"] = true; }
 void write(Json& line, const ParameterChange& change) {
   line["parameter"] = change.name;
   std::visit([&](const auto& value) { line["value"] = value; }, change.value);
@@ -149,6 +150,12 @@ void write(Json& line, const FieldEdit& edit) {
 void write(Json& line, const StateKept& kept) { line["keep"] = kept.number; }
 void write(Json& line, const StateRestored& restored) { line["restore"] = restored.number; }
 void write(Json& line, const Restarted&) { line["restart"] = true; }
+void write(Json& line, const FileFound& file) {
+  line["file"] = letters_of(file.path);
+  line["content"] = letters_of(file.content);
+}
+void write(Json& line, const GoneOn&) { line["reload"] = true; }
+void write(Json& line, const StepFailed&) { line["failed"] = true; }
 void write(Json& line, const StateCheck& check) {
   line["time"] = check.time;
   line["hash"] = hexadecimal(check.hash);
@@ -198,6 +205,31 @@ std::uint64_t from_hexadecimal(const std::string& digits) {
   return value;
 }
 
+/// JSON is UTF-8, and files need not be: each byte becomes a character.
+std::string letters_of(const std::string& bytes) {
+  std::string letters;
+  for (const char byte : bytes) {
+    const auto code = static_cast<unsigned char>(byte);
+    if (code >= 0x80) letters += static_cast<char>(0xc0 | code >> 6);
+    letters += static_cast<char>(code >= 0x80 ? 0x80 | (code & 0x3f) : code);
+  }
+  return letters;
+}
+
+std::string bytes_of(const std::string& letters) {
+  std::string bytes;
+  for (std::size_t i = 0; i < letters.size(); i++) {
+    const auto code = static_cast<unsigned char>(letters[i]);
+    if (code < 0x80) {
+      bytes += letters[i];
+      continue;
+    }
+    require((code == 0xc2 || code == 0xc3) && i + 1 < letters.size(), "a file's content has a letter that is no byte");
+    bytes += static_cast<char>((code & 3) << 6 | (static_cast<unsigned char>(letters[++i]) & 0x3f));
+  }
+  return bytes;
+}
+
 std::string line_of(const RecordedAct& act) {
   Json line{{"tick", act.tick}};
   std::visit([&](const auto& what) { write(line, what); }, act.what);
@@ -209,6 +241,8 @@ RecordedAct act_of(const std::string& text_of_line) {
   RecordedAct act{line.at("tick"), RecordingEnd{}};
   if (line.contains("moves") || line.contains("commands"))
     act.what = input_of(line);
+  else if (line.contains("hand"))
+    act.what = HandCame{};
   else if (line.contains("parameter"))
     act.what = ParameterChange{line.at("parameter"), value_of(line.at("value"))};
   else if (line.contains("edit"))
@@ -219,6 +253,12 @@ RecordedAct act_of(const std::string& text_of_line) {
     act.what = StateRestored{line.at("restore")};
   else if (line.contains("restart"))
     act.what = Restarted{};
+  else if (line.contains("file"))
+    act.what = FileFound{bytes_of(line.at("file")), bytes_of(line.at("content"))};
+  else if (line.contains("reload"))
+    act.what = GoneOn{};
+  else if (line.contains("failed"))
+    act.what = StepFailed{};
   else if (line.contains("hash"))
     act.what = StateCheck{line.at("time"), from_hexadecimal(line.at("hash"))};
   else

@@ -5,23 +5,18 @@
 namespace pantin::player {
 
 std::unique_ptr<lua::Scene> Reload::open(const std::string& path, lua::SceneOptions options) {
-  std::map<std::string, std::uint64_t> read;
+  const auto read = std::make_shared<Files>();
   options.changing = true;
-  options.forgiving = !files_.empty();  // the file may have changed since `set` was given
-  options.on_read = [&](const lua::FileRead& file) { read[file.path] = file.hash; };
-  const auto watch = [&] {
-    for (const auto& [file, hash] : read) watch_.add(file);
+  options.forgiving = !files_->empty();                        // the file may have changed since `set` was given
+  options.on_read = [this, read](const lua::FileRead& file) {  // also while the scene is played
+    (*read)[file.path] = file.content;
+    watch_.add(file.path);
+    if (on_read) on_read(file);
   };
-  try {
-    std::unique_ptr<lua::Scene> scene = lua::Scene::open(path, options);
-    watch_.clear();
-    watch();
-    files_ = std::move(read);
-    return scene;
-  } catch (...) {
-    watch();
-    throw;
-  }
+  std::unique_ptr<lua::Scene> scene = lua::Scene::open(path, options);
+  watch_.keep_only(*read);
+  files_ = read;
+  return scene;
 }
 
 std::optional<Reloaded> Reload::look(lua::Scene& playing, const std::string& path, const lua::SceneOptions& options,

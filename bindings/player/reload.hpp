@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -25,12 +26,16 @@ class Reload {
   /// Whether a file was saved, and what came of that.
   std::optional<Reloaded> look(lua::Scene& playing, const std::string& path, const lua::SceneOptions& options,
                                FileWatch::Clock::time_point now = FileWatch::Clock::now());
-  /// Files that the scene opened last read, with the hashes of what they were.
-  const std::map<std::string, std::uint64_t>& files() const { return files_; }
+  /// Files that the scene opened last read so far, with their contents.
+  const std::map<std::string, std::string>& files() const { return *files_; }
+
+  /// Told each file that is read from now on; may be empty.
+  std::function<void(const lua::FileRead&)> on_read;
 
  private:
+  using Files = std::map<std::string, std::string>;
   FileWatch watch_;
-  std::map<std::string, std::uint64_t> files_;
+  std::shared_ptr<Files> files_ = std::make_shared<Files>();
 };
 
 /// What hands did for the old scene, for the new one: what concerns things that are gone is left out.

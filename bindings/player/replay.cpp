@@ -1,20 +1,29 @@
 #include "player/replay.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <chrono>
+#include <filesystem>
 #include <utility>
 
+#include "lua/files.hpp"
 #include "lua/inspect.hpp"
-#include "player/home.hpp"
-#include "player/interrupt.hpp"
-#include "player/message.hpp"
-#include "player/progress.hpp"
+#include "world/hands.hpp"
 #include "world/measure.hpp"
 
 namespace pantin::player {
 namespace {
 
-constexpr std::size_t most_places = 120;
+using Clock = std::chrono::steady_clock;
+
+constexpr double shortest_interval = 0.02;  // [s] of computing between places
+constexpr double interval_to_cost = 20.0;   // of places
+
+constexpr std::size_t most_places = 100, fewest_places = 8;
+constexpr std::size_t most_points = 40000;  // in all of them, of some 5 kB each
+
+constexpr const char* home_as_recorded = "pantin:";
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 std::string text_of(const lua::Value& value) {
   if (const auto* number = std::get_if<double>(&value)) return to_text(*number);
@@ -24,150 +33,215 @@ std::string text_of(const lua::Value& value) {
 
 }  // namespace
 
-Replay::Replay(Recording recording, const RunOptions& options, std::string home)
-    : recording_(std::move(recording)), options_(options), home_(std::move(home)) {
+Replay::Replay(Recording recording, const RunOptions& options, const std::string& home)
+    : recording_(std::move(recording)), options_(lua_options(options, home_as_recorded)), seen_(!options.headless) {
   for (const RecordedAct& act : recording_.acts)
     if (const auto* restored = std::get_if<StateRestored>(&act.what)) needed_.insert(restored->number);
-  go_to_start();
-  compare_files();
+  options_.changing = true;
+  options_.read = [this](const std::string& path) -> std::optional<std::string> {
+    const auto found = contents_->find(std::filesystem::path(path).lexically_normal());
+    if (found == contents_->end()) return {};
+    return found->second;
+  };
+  start();
+  look_at_files(home);
   if (recording_.head.version != program_version())
     remarks_.push_back(text("the recording was made by pantin ", recording_.head.version, ", and this is ",
                             program_version(), ": it may part from it"));
   if (!recording_.damage.empty()) remarks_.push_back(recording_.damage + "; what there is by then is played");
-  spacing_ = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(1.0 / scene_->world().settings.step));
 }
 
 Replay::~Replay() = default;
 
-void Replay::open() {
-  places_.clear();
-  kept_.clear();
-  files_.clear();
-  scene_options_.on_read = [this](const lua::FileRead& file) { files_[file.path] = file.hash; };
-  scene_ = lua::Scene::open(find_scene(recording_.head.scene, home_), scene_options_);
-  checked_time_ = 0.0;
-}
-
-void Replay::go_to_start() {
-  scene_options_ = lua_options(options_, home_);
-  scene_options_.set = recording_.head.set;
+void Replay::start() {
+  options_.set = recording_.head.set;
+  contents_ = std::make_shared<const std::map<std::string, std::string>>(recording_.head.files);
+  options_.forgiving = false;
   open();
-  tick_ = opened_ = 0;
+  tick_ = 0;
   next_ = 0;
+  astray_ = false;
+  failure_.clear();
+  const std::uint64_t hash = state_hash(scene_->world());
+  if (hashes_.empty()) hashes_.push_back(hash);
 }
 
-void Replay::compare_files() {
-  for (const auto& [path, hash] : recording_.head.files) {
-    const auto found = files_.find(path);
-    if (found == files_.end())
-      remarks_.push_back(text(path, " was read by the recorded scene, and is not read now: the replay may part"));
-    else if (found->second != hash)
-      remarks_.push_back(text(path, " has changed since the recording was made: the replay may part from it"));
+void Replay::open() {
+  adopt(lua::Scene::open(recording_.head.scene, options_));
+  options_.forgiving = true;
+  straight_ = true;
+  since_place_ = shortest_interval;
+}
+
+void Replay::go_on() {
+  std::unique_ptr<lua::Scene> fresh = lua::Scene::open(recording_.head.scene, options_);
+  fresh->go_on_from(*scene_);
+  adopt(std::move(fresh));
+}
+
+void Replay::adopt(std::unique_ptr<lua::Scene> fresh) {
+  places_.clear();  // snapshots must not outlive their scene
+  kept_.clear();
+  scene_ = std::move(fresh);
+  openings_++;
+}
+
+void Replay::look_at_files(const std::string& home) {
+  for (const auto& [path, content] : recording_.head.files) {
+    const bool comes_along = path.starts_with(home_as_recorded);
+    const std::string file = comes_along ? home + path.substr(std::string(home_as_recorded).size()) : path;
+    const auto now = lua::read_file(file);
+    if (now && *now != content)
+      remarks_.push_back(text(file, " has changed since the recording was made: what it was then is played"));
   }
 }
 
 void Replay::check(const StateCheck& check) {
-  if (state_hash(scene_->world()) == check.hash)
+  if (next_ <= judged_) return;
+  if (state_hash(scene_->world()) == check.hash) {
     checked_++;
-  else if (mismatch_.empty())
-    mismatch_ = text("the replay parts from the recording between ", checked_time_, " s and ", check.time, " s");
-  checked_time_ = check.time;
+    if (mismatch_.empty()) agreed_ = tick_;
+  } else if (!straight_) {
+    astray_ = true;
+    return;
+  } else if (mismatch_.empty()) {
+    mismatch_ = text("the replay parts from the recording between ", static_cast<double>(agreed_) * step_length(),
+                     " s and ", time(), " s");
+  }
+  judged_ = next_;
 }
 
+/// What was refused when it was recorded is refused again.
 void Replay::change(const ParameterChange& change) {
-  scene_options_.set[change.name] = text_of(change.value);
-  if (!scene_->set_parameter(change.name, change.value)) {
-    open();
-    opened_++;
-  }
+  const auto before = options_.set;
+  options_.set[change.name] = text_of(change.value);
+  try {
+    if (!scene_->set_parameter(change.name, change.value)) open();
+  } catch (const Error&) { options_.set = before; }
 }
 
-void Replay::act(const RecordedAct& act) {
+void Replay::edit(const FieldEdit& edit) {
+  lua::FieldReading value{edit.field.c_str(), "", "", true, {}, {}};
+  std::visit([&](const auto& plain) { value.value = plain; }, edit.value);
+  try {
+    lua::write_field(*scene_, edit.thing, edit.field, value);
+  } catch (const Error&) {}  // as when it was recorded
+}
+
+void Replay::find(const FileFound& file) {
+  std::map<std::string, std::string> changed = *contents_;
+  changed[file.path] = file.content;
+  contents_ = std::make_shared<const std::map<std::string, std::string>>(std::move(changed));
+}
+
+void Replay::put_back(const StateRestored& restored) {
+  const auto found = kept_.find(restored.number);
+  require(found != kept_.end(), "replay: the recording goes back to state ", restored.number,
+          ", which it has not kept");
+  scene_->restore(*found->second);
+}
+
+void Replay::do_act(const RecordedAct& act) {
   if (const auto* input = std::get_if<StepInput>(&act.what)) scene_->world().input = *input;
+  if (std::holds_alternative<HandCame>(act.what)) add_hand(scene_->world());
   if (const auto* to = std::get_if<ParameterChange>(&act.what)) change(*to);
-  if (const auto* edited = std::get_if<FieldEdit>(&act.what)) {
-    lua::FieldReading value{edited->field.c_str(), "", "", true, {}, {}};
-    std::visit([&](const auto& plain) { value.value = plain; }, edited->value);
-    lua::write_field(*scene_, edited->thing, edited->field, value);
-  }
+  if (const auto* edited = std::get_if<FieldEdit>(&act.what)) edit(*edited);
   if (const auto* known = std::get_if<StateCheck>(&act.what)) check(*known);
   if (const auto* kept = std::get_if<StateKept>(&act.what); kept && needed_.contains(kept->number))
     kept_[kept->number] = scene_->take_snapshot();
-  if (const auto* restored = std::get_if<StateRestored>(&act.what)) {
-    const auto found = kept_.find(restored->number);
-    require(found != kept_.end(), "replay: the recording goes back to state ", restored->number,
-            ", which it has not kept");
-    scene_->restore(*found->second);
-  }
-  if (std::holds_alternative<Restarted>(act.what)) {
-    open();
-    opened_++;
-  }
+  if (const auto* restored = std::get_if<StateRestored>(&act.what)) put_back(*restored);
+  if (const auto* file = std::get_if<FileFound>(&act.what)) find(*file);
+  if (std::holds_alternative<GoneOn>(act.what)) go_on();
+  if (std::holds_alternative<Restarted>(act.what)) open();
 }
 
-void Replay::keep_place() {
-  if (tick_ % spacing_ != 0 || (!places_.empty() && places_.back().tick >= tick_)) return;
-  if (!scene_->why_not_restore().empty()) return;
-  places_.push_back({tick_, next_, opened_, checked_time_, scene_->take_snapshot()});
-  if (places_.size() <= most_places) return;
-  spacing_ *= 2;
-  std::erase_if(places_, [&](const Place& place) { return place.tick % spacing_ != 0; });
+/// Does what was done before the coming step. True where that is said to fail.
+bool Replay::act() {
+  while (!astray_ && next_ < recording_.acts.size() && recording_.acts[next_].tick <= tick_) {
+    const RecordedAct& next = recording_.acts[next_++];
+    if (std::holds_alternative<StepFailed>(next.what)) return true;
+    do_act(next);
+  }
+  return false;
 }
 
 bool Replay::step() {
-  while (next_ < recording_.acts.size() && recording_.acts[next_].tick <= tick_) act(recording_.acts[next_++]);
-  if (tick_ >= recording_.ticks) return false;
   keep_place();
+  const auto begin = Clock::now();
+  const bool fails = act();
+  if (astray_) return compare(), true;
+  if (!fails && tick_ >= ticks()) return false;
+  failure_.clear();
   try {
     scene_->step();
-    require(scene_->world().failure.empty(), scene_->world().failure);
-  } catch (const Error&) {
-    // It failed when it was recorded, too, if the recording goes on at the same step.
-    if (next_ < recording_.acts.size() && recording_.acts[next_].tick == tick_) return true;
-    throw;
-  }
+    failure_ = scene_->world().failure;
+  } catch (const Error& error) { failure_ = error.what(); }
+  since_place_ += seconds_since(begin);
+  if (fails && failure_.empty() && mismatch_.empty())
+    mismatch_ = text("the replay parts from the recording at ", time(), " s: the recorded step failed there");
+  if (fails) return true;
+  if (!failure_.empty()) throw Error(std::exchange(failure_, {}));
   tick_++;
+  compare();
   return true;
 }
 
-bool Replay::go_to(std::uint64_t tick, std::uint64_t most) {
-  tick = std::min(tick, recording_.ticks);
-  if (tick < tick_) {
-    const auto after = std::find_if(places_.begin(), places_.end(), [&](const Place& p) { return p.tick > tick; });
-    if (after == places_.begin() || !scene_->why_not_restore().empty()) {
-      go_to_start();
-    } else {
-      const Place& place = *(after - 1);
-      scene_->restore(*place.state);
-      tick_ = place.tick;
-      next_ = place.act;
-      checked_time_ = place.checked_time;
-    }
+/// What a script keeps in its variables does not come back with a snapshot. Where that shows, all is done from the start, as
+/// it was the first time; from then on always.
+void Replay::compare() {
+  if (!astray_) {
+    const std::uint64_t hash = state_hash(scene_->world());
+    if (tick_ >= hashes_.size())
+      hashes_.push_back(hash);
+    else if (straight_)
+      hashes_[tick_] = hash;
+    else
+      astray_ = hashes_[tick_] != hash;
   }
+  if (!astray_) return;
+  exact_ = false;
+  start();
+}
+
+void Replay::keep_place() {
+  if (!seen_ || !exact_ || since_place_ < std::max(shortest_interval, interval_to_cost * place_cost_)) return;
+  if (!scene_->why_not_restore().empty()) return;
+  const auto begin = Clock::now();
+  const std::size_t points = scene_->world().points.size();
+  places_.keep({tick_, next_, options_.set, contents_, scene_->take_snapshot()},
+               std::clamp(most_points / (points + 1), fewest_places, most_places));
+  place_cost_ = seconds_since(begin);
+  since_place_ = 0.0;
+}
+
+/// To the best place for a tick, if there is a better one than the present.
+void Replay::jump(std::uint64_t tick) {
+  const KeptPlace* place = exact_ && scene_->why_not_restore().empty() ? places_.before(tick) : nullptr;
+  if (place && tick >= tick_ && place->tick <= tick_) return;
+  if (!place) {
+    if (tick < tick_) start();
+    return;
+  }
+  try {
+    scene_->restore(*place->state);
+  } catch (const Error&) {  // the script would not have it
+    exact_ = false;
+    return start();
+  }
+  tick_ = place->tick;
+  next_ = place->act;
+  options_.set = place->set;
+  contents_ = place->contents;
+  straight_ = false;
+  since_place_ = 0.0;
+}
+
+bool Replay::go_to(std::uint64_t tick, std::uint64_t most) {
+  tick = std::min(tick, ticks());
+  jump(tick);
   while (tick_ < tick && most-- > 0)
     if (!step()) return true;
   return tick_ >= tick;
-}
-
-int replay(const RunOptions& options, const std::string& file, const std::string& home) {
-  Interrupt interrupt;
-  Replay replay(read_recording(file), options, home);
-  for (const std::string& remark : replay.remarks()) say(remark);
-  const double step = replay.scene().world().settings.step;
-  Progress progress(static_cast<double>(replay.ticks()) * step);
-  bool told = false;
-  const auto past = [&] { return options.until && replay.scene().world().time >= *options.until - 0.5 * step; };
-  while (!Interrupt::asked() && !past() && replay.step()) {
-    progress.show(static_cast<double>(replay.tick()) * step);
-    if (!told && !replay.mismatch().empty()) {
-      say(replay.mismatch());
-      told = true;
-    }
-  }
-  if (!told && !replay.mismatch().empty()) say(replay.mismatch());
-  say(text("replayed ", replay.tick(), " of ", replay.ticks(), " steps, to ", replay.scene().world().time,
-           " s: ", replay.checked(), replay.mismatch().empty() ? " hashes, all as recorded" : " hashes as recorded"));
-  return replay.mismatch().empty() ? 0 : 1;
 }
 
 }  // namespace pantin::player

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lua/scene.hpp"
+#include "player/kept_places.hpp"
 #include "player/options.hpp"
 #include "player/recording.hpp"
 
@@ -15,62 +16,76 @@ namespace pantin::player {
 
 class Replay {
  public:
-  /// Opens the scene of the recording; throws what opening it throws.
-  Replay(Recording recording, const RunOptions& options, std::string home);
+  /// Opens the scene of the recording; throws what opening it throws. Where nobody sees it, there is no going back fast.
+  Replay(Recording recording, const RunOptions& options, const std::string& home);
   ~Replay();
 
-  /// Does one step with what was done before it. False where the recording has no more. Errors of the script leave as
-  /// they are where the recording does not go on after them.
+  /// Does one step with what was done before it. False where the recording has no more. An error of the script leaves as it
+  /// is where the recorded step had none.
   bool step();
-  /// Makes `tick` the present one: back to the latest snapshot before it, or where a play goes on to the start, and on
-  /// from there. Takes at most `most` steps at once: call again until it says true.
+  /// Makes `tick` the present one, in the state of the first time: from the nearest snapshot before it, or from the start
+  /// where there is none, or where the scene is not wholly in its snapshots. Takes at most `most` steps at once: call again
+  /// until it says true.
   bool go_to(std::uint64_t tick, std::uint64_t most);
 
   lua::Scene& scene() { return *scene_; }
   std::uint64_t tick() const { return tick_; }  ///< steps done
   std::uint64_t ticks() const { return recording_.ticks; }
+  double step_length() const { return scene_->world().settings.step; }                       ///< [s]
+  double time() const { return static_cast<double>(tick_) * step_length(); }                 ///< [s] of the recording
+  double duration() const { return static_cast<double>(recording_.ticks) * step_length(); }  ///< [s] the same
+  std::uint64_t openings() const { return openings_; }               ///< how often `scene` has become another
+  const std::string& path() const { return recording_.head.scene; }  ///< of the scene
+  const std::vector<RecordedAct>& acts() const { return recording_.acts; }
   std::uint64_t checked() const { return checked_; }  ///< hashes that agreed
   /// "the replay parts from the recording between 2 s and 3 s": where the first hash did not agree; else empty.
   const std::string& mismatch() const { return mismatch_; }
-  /// What may make it part: another version of the program, changed files; and what of the file could not be read.
+  std::uint64_t agreed() const { return agreed_; }  ///< tick up to which all hashes did
+  /// The error that the last step ended in, as it did when it was recorded; or empty.
+  const std::string& failure() const { return failure_; }
+  /// What may make it part: another version of the program; files that were changed since; and what could not be read.
   const std::vector<std::string>& remarks() const { return remarks_; }
 
  private:
-  /// What the present state is of the recording.
-  struct Place {
-    std::uint64_t tick = 0;
-    std::size_t act = 0;       ///< the next
-    std::uint64_t opened = 0;  ///< how often the scene was opened anew by then
-    double checked_time = 0.0;
-    std::shared_ptr<const lua::SceneSnapshot> state;
-  };
-
+  void start();
   void open();
-  void go_to_start();
-  void compare_files();
-  void act(const RecordedAct& act);
+  void go_on();
+  void adopt(std::unique_ptr<lua::Scene> fresh);
+  void look_at_files(const std::string& home);
+  bool act();
+  void do_act(const RecordedAct& act);
+  void put_back(const StateRestored& restored);
+  void edit(const FieldEdit& edit);
+  void find(const FileFound& file);
   void check(const StateCheck& check);
   void change(const ParameterChange& change);
+  void compare();
   void keep_place();
+  void jump(std::uint64_t tick);
 
   Recording recording_;
-  RunOptions options_;
-  std::string home_;
-  lua::SceneOptions scene_options_;
-  std::map<std::string, std::uint64_t> files_;  ///< that the scene read
+  lua::SceneOptions options_;
+  FileContents contents_;  ///< of the files, as they are at the present tick
   std::unique_ptr<lua::Scene> scene_;
   std::set<std::uint64_t> needed_;  ///< states that will be put back
   std::map<std::uint64_t, std::shared_ptr<const lua::SceneSnapshot>> kept_;
-  std::vector<Place> places_;  ///< rising, of the present scene
-  std::uint64_t spacing_;      ///< [ticks] between them
-  std::uint64_t tick_ = 0, opened_ = 0, checked_ = 0;
-  std::size_t next_ = 0;
-  double checked_time_ = 0.0;  ///< [s]
-  std::string mismatch_;
+  KeptPlaces places_;                  ///< of the present scene
+  std::vector<std::uint64_t> hashes_;  ///< (ticks) of states, as they were
+  double since_place_ = 0.0;           ///< [s] of computing, since a place was kept or gone to
+  double place_cost_ = 0.0;            ///< [s] of keeping the last
+  std::size_t next_ = 0;               ///< act
+  std::size_t judged_ = 0;             ///< acts whose hashes were compared
+  std::uint64_t tick_ = 0, openings_ = 0, checked_ = 0, agreed_ = 0;
+  bool seen_;             ///< somebody may go back
+  bool straight_ = true;  ///< no place was gone to since the start
+  bool exact_ = true;     ///< going to places has come to the states of the first time
+  bool astray_ = false;   ///< it has not
+  std::string mismatch_, failure_;
   std::vector<std::string> remarks_;
 };
 
-/// `pantin replay FILE`: without a window, checking every hash. Returns the exit code.
+/// `pantin replay FILE`: in a window, or without one where there is no display or none is wanted; every hash that is come by
+/// is checked. Returns the exit code.
 int replay(const RunOptions& options, const std::string& file, const std::string& home);
 
 }  // namespace pantin::player

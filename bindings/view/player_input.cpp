@@ -1,11 +1,8 @@
 #include "view/player_input.hpp"
 
-#include <algorithm>
-#include <cmath>
-
+#include "view/camera_moves.hpp"
 #include "view/hand_marks.hpp"
 #include "view/swipe.hpp"
-#include "world/measure.hpp"
 
 namespace pantin {
 
@@ -110,8 +107,7 @@ PlayerInput::Hold& PlayerInput::hold_of(PointerId pointer) {
 void PlayerInput::pointer_event(const Work& work, const PointerEvent& event) {
   const Frame& frame = work.frame;
   ToolOutput output = work.output();
-  if (event.kind == Kind::wheel && !frame.on_panel)
-    frame.camera.zoom_at(std::pow(0.88, event.dy), event.x, event.y, frame.width, frame.height);
+  move_camera(work.gestures, event, frame.on_panel, frame.width, frame.height, frame.camera);
   const bool to_press = event.kind == Kind::press && event.button == Button::left;
   if (to_press && !(frame.on_panel && event.pointer == 0)) {
     ToolChoice choice = tool;
@@ -120,7 +116,6 @@ void PlayerInput::pointer_event(const Work& work, const PointerEvent& event) {
     hold.use.cancel(output);
     hold.use.press(work.sight, choice, hold.hand, event.x, event.y, output);
   }
-  if (event.kind == Kind::move) drag_camera(work, event);
   const auto found = holds_.find(event.pointer);
   if (found == holds_.end()) return;
   if (event.kind == Kind::move) found->second.use.move(work.sight, event.x, event.y, output);
@@ -132,17 +127,6 @@ void PlayerInput::cut(const Work& work, double x, double y) {
   ToolUse use;
   use.press(work.sight, {ToolKind::cut, 0}, hold_of(0).hand, x, y, output);
   use.release(work.sight, output);
-}
-
-void PlayerInput::drag_camera(const Work& work, const PointerEvent& event) {
-  const auto found = work.gestures.pointers.find(event.pointer);
-  if (found == work.gestures.pointers.end()) return;
-  const Pointer& pointer = found->second;
-  const double height = work.frame.height;
-  if (pointer.middle || (pointer.right && event.shift))
-    work.frame.camera.pan(event.dx / height, event.dy / height);
-  else if (pointer.right)
-    work.frame.camera.orbit(-event.dx / height * 3.0, event.dy / height * 3.0);
 }
 
 void PlayerInput::key(const Work& work, const std::string& name) {
@@ -157,12 +141,7 @@ void PlayerInput::key(const Work& work, const std::string& name) {
   if (name == "ctrl+z") a.undo++;
   if (name == "ctrl+shift+z" || name == "ctrl+y") a.redo++;
   tool.key(name);
-  if (name == "f") {
-    const std::optional<Vec3>& edges = frame.world.settings.box;
-    const Bounds box = edges ? Bounds{zero3(), *edges} : bounds(frame.world, everything(frame.world));
-    const Vec3 margin = vec(1, 1, 1) * (0.12 * frame.stage.unit);
-    frame.camera.frame(box.lower - margin, box.upper + margin, static_cast<double>(frame.width) / frame.height);
-  }
+  if (name == "f") see_all(frame.world, frame.stage, static_cast<double>(frame.width) / frame.height, frame.camera);
   if (const auto mouse = work.gestures.pointers.find(0); name == "x" && mouse != work.gestures.pointers.end())
     cut(work, mouse->second.x, mouse->second.y);
   Command command;

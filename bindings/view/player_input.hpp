@@ -71,7 +71,6 @@ class PlayerInput {
 
   Hold& hold_of(PointerId pointer);
   void pointer_event(const Work& work, const PointerEvent& event);
-  static void drag_camera(const Work& work, const PointerEvent& event);
   void key(const Work& work, const std::string& name);
   void cut(const Work& work, double x, double y);
   void move_hands(const Work& work);

@@ -1,13 +1,7 @@
 // Recordings, driven by a script instead of a person, and played again.
 #include <catch2/catch.hpp>
-#include <cmath>
-#include <fstream>
 
-#include "bindings/lua_support.hpp"
-#include "player/recording.hpp"
-#include "player/replay.hpp"
-#include "support/process.hpp"
-#include "world/measure.hpp"
+#include "bindings/recorded_person.hpp"
 
 using namespace pantin;
 using namespace pantin::support;
@@ -32,104 +26,27 @@ const char* const scene_text = R"(
   scene:on("key", function() scene:particle{ at = vec(math.random(), 8, 0) } end)
 )";
 
-/// What a person might do, from a fixed series of numbers, in a scene that is recorded.
-struct Person {
-  Person(const std::string& record, const std::string& file) : scene(lua::Scene::open(file, options())), path(file) {
-    recorder = std::make_unique<Recorder>(record, player::RecordingHead{player::program_version(), file, {}, {}});
-  }
-  static lua::SceneOptions options() {
-    lua::SceneOptions o = lua_tests::options();
-    o.memory_limit = std::size_t{256} << 20;
-    return o;
-  }
-  double number() {
-    state = state * 6364136223846793005u + 1442695040888963407u;
-    return static_cast<double>(state >> 11) * 0x1p-53;
-  }
-  std::size_t below(std::size_t n) {
-    return std::min(n - 1, static_cast<std::size_t>(number() * static_cast<double>(n)));
-  }
-
-  void add_command(StepInput& input) {
-    const World& world = scene->world();
-    const std::vector<PointId> points = world.points.ids();
-    Command c;
-    c.hand = static_cast<std::int32_t>(below(2));
-    c.kind = static_cast<Command::Kind>(below(12));
-    c.name = "k";
-    c.point = points[below(points.size())];
-    c.other = points[below(points.size())];
-    const std::vector<ParticleId> particles = world.particles.ids();
-    c.thing = particles[below(particles.size())];
-    c.place = vec(6 * number(), 6 * number(), 0);
-    c.amount = vec(number(), number(), number()) * 0.3;
-    if (c.kind == Command::Kind::make) c.points = {zero3(), vec(0.5, 0, 0)};
-    c.mass = c.kind == Command::Kind::make ? 0.5 : 0.0;
-    c.radius = 0.5;
-    c.energy = 0.1;
-    input.commands.push_back(c);
-  }
-  void step() {
-    const double t = static_cast<double>(done++) / 240;
-    StepInput input;
-    for (std::int32_t hand = 0; hand < 2; hand++)
-      input.moves.push_back({hand, vec(4 + 3 * std::sin(t + hand), 4 + 2 * std::cos(1.3 * t), hand), true});
-    if (number() < 0.02) add_command(input);
-    recorder->input(input);
-    scene->world().input = input;
-    scene->step();
-    REQUIRE(scene->world().failure == "");
-    recorder->stepped(scene->world());
-  }
-  void set(const char* name, double value) {
-    if (!scene->set_parameter(name, value)) {
-      lua::SceneOptions o = options();
-      o.set = {{name, to_text(value)}};
-      scene = lua::Scene::open(path, o);
-    }
-    recorder->parameter(name, value);
-  }
-
-  std::unique_ptr<lua::Scene> scene;
-  std::string path;
-  std::unique_ptr<Recorder> recorder;
-  std::uint64_t state = 7, done = 0;
-};
-
 player::RunOptions run_options() {
   player::RunOptions o;
   o.threads = 1;
   return o;
 }
 
-/// Minutes of play with edits, undone ones, changed parameters and a restart; gives the hash at the end.
+/// Minutes of play with edits, undone ones, changed parameters, a saved file and restarts; gives the hash at the end.
 std::uint64_t play(const Folder& folder, int seconds) {
   write_file(folder / "scene.lua", scene_text);
-  Person person(folder / "play.rec", folder / "scene.lua");
-  std::shared_ptr<const lua::SceneSnapshot> kept;
+  RecordedPerson person(folder / "scene.lua", folder / "play.rec");
   for (int second = 0; second < seconds; second++) {
-    if (second % 7 == 3) {
-      kept = person.scene->take_snapshot();
-      person.recorder->kept(static_cast<std::uint64_t>(second));
-    }
-    for (int i = 0; i < 240; i++) person.step();
-    if (second % 7 == 3 && second % 2 == 0) {
-      person.scene->restore(*kept);
-      person.recorder->restored(static_cast<std::uint64_t>(second));
-    }
-    if (second % 5 == 4) person.set("gravity", 5.0 + second);
-    if (second == seconds / 2) {
-      kept.reset();
-      person.set("links", 9);
-    }
-    if (second == seconds / 3) {
-      kept.reset();
-      person.scene = lua::Scene::open(person.path, Person::options());
-      person.recorder->restarted();
-    }
+    person.play(1.0);
+    if (second % 5 == 4) person.set("gravity", 5.0 + second % 7);
+    if (second % 11 == 3) person.edit("velocity", vec(0, 0.1 * second, 0));
+    if (second % 17 == 9) person.save(scene_text + std::string("scene.title = 'saved'"));
+    if (second == 1) person.hand_comes();
+    if (second == seconds / 2) person.set("links", 9);
+    if (second == seconds / 3) person.restart();
   }
-  person.recorder->finish();
-  return state_hash(person.scene->world());
+  person.finish();
+  return person.hash();
 }
 
 std::size_t to_end(Replay& replay) {
@@ -138,26 +55,39 @@ std::size_t to_end(Replay& replay) {
   return steps;
 }
 
+/// Records a scene that is left alone for so many steps, and gives the hashes of all its states.
+std::vector<std::uint64_t> leave_alone(const Folder& folder, const std::string& text, int steps) {
+  write_file(folder / "scene.lua", text);
+  RecordedPerson person(folder / "scene.lua", folder / "play.rec");
+  std::vector<std::uint64_t> hashes = {person.hash()};
+  for (int i = 0; i < steps; i++) {
+    person.step_alone();
+    hashes.push_back(person.hash());
+  }
+  person.finish();
+  return hashes;
+}
+
 }  // namespace
 
 TEST_CASE("recording: minutes of play with edits are played again to the bit") {
   Folder folder;
   const std::uint64_t hash = play(folder, 120);
   Replay replay(player::read_recording(folder / "play.rec"), run_options(), sources::folder());
-  CHECK(to_end(replay) == 120 * 240);
+  CHECK(to_end(replay) >= 119 * 240);
   CHECK(replay.mismatch() == "");
   CHECK(replay.checked() >= 119);
-  CHECK(replay.remarks().empty());
+  CHECK(replay.scene().title() == "saved");
   CHECK(state_hash(replay.scene().world()) == hash);
 }
 
-TEST_CASE("recording: one may go to any step of it and back") {
+TEST_CASE("recording: one may go to any step of it and back, and is there in the first state") {
   Folder folder;
   play(folder, 20);
   Replay replay(player::read_recording(folder / "play.rec"), run_options(), sources::folder());
   std::map<std::uint64_t, std::uint64_t> hashes;
   while (replay.step()) hashes[replay.tick()] = state_hash(replay.scene().world());
-  for (const std::uint64_t tick : {4700u, 4000u, 30u, 4100u, 1000u, 999u, 2500u, 4799u}) {
+  for (const std::uint64_t tick : {4700u, 4699u, 4698u, 4000u, 30u, 4100u, 1000u, 999u, 2500u, 2750u, 4750u}) {
     while (!replay.go_to(tick, 100)) {}
     CHECK(replay.tick() == tick);
     CHECK(state_hash(replay.scene().world()) == hashes.at(tick));
@@ -165,19 +95,49 @@ TEST_CASE("recording: one may go to any step of it and back") {
   CHECK(replay.mismatch() == "");
 }
 
-TEST_CASE("recording: a replay that parts from it says where that began") {
+TEST_CASE("recording: a step back is exact where the script counts in a variable of its own, and where it waits") {
+  const std::string thrown = "local p = scene:particle{ at = vec(0, 1, 0), velocity = vec(1, 3, 0) } local n = 0 ";
+  const std::string text = GENERATE(
+      as<std::string>(), "scene:on('step', function() n = n + 1 p.velocity = vec(math.sin(n), 0, 0) end)",
+      "scene:play(function(wait) while true do wait(0.1) n = n + 1 p.velocity = vec(0, n % 3, 0) end end)",
+      "scene:play(function(wait) wait(1) n = 5 end) scene:every(0.25, function() p.velocity = vec(n, n, 1) end)",
+      "scene:every(0.125, function() p.velocity = vec(0, math.random(), 0) end)");
   Folder folder;
-  play(folder, 6);
+  const std::vector<std::uint64_t> hashes = leave_alone(folder, thrown + text, 720);
+  Replay replay(player::read_recording(folder / "play.rec"), run_options(), sources::folder());
+  for (const std::uint64_t tick : {700u, 699u, 698u, 300u, 299u, 710u, 1u, 0u, 400u, 720u, 719u}) {
+    while (!replay.go_to(tick, 50)) {}
+    CHECK(replay.tick() == tick);
+    CHECK(state_hash(replay.scene().world()) == hashes.at(tick));
+  }
+  CHECK(replay.mismatch() == "");
+}
+
+TEST_CASE("recording: a replay that parts from it says where that began, and says it once") {
+  Folder folder;
+  write_file(folder / "scene.lua", "scene:body{ name = 'b', mass = 1, inertia = vec(1, 1, 1) }");
+  {
+    RecordedPerson person(folder / "scene.lua", folder / "play.rec");
+    for (int i = 0; i < 1200; i++) {
+      person.step_alone();
+      if (i == 700) person.edit("velocity", vec(1, 0, 0));
+    }
+    person.finish();
+  }
   std::string text = read_file(folder / "play.rec");
-  const std::size_t moved = text.find("{\"tick\":700,");
-  REQUIRE(moved != std::string::npos);
-  const std::size_t number = text.find("[[0,", moved) + 4;
-  text.replace(number, text.find(',', number) - number, "9.5");
+  const std::size_t edited = text.find("[1.0,0.0,0.0]");
+  REQUIRE(edited != std::string::npos);
+  text.replace(edited + 1, 3, "1.1");
   write_file(folder / "changed.rec", text);
   Replay replay(player::read_recording(folder / "changed.rec"), run_options(), sources::folder());
   to_end(replay);
-  CHECK_THAT(replay.mismatch(), Contains("between 0 s and 1 s") || Contains("between"));
-  CHECK(replay.checked() >= 2);
+  CHECK(replay.mismatch() == "the replay parts from the recording between 2 s and 3 s");
+  CHECK(replay.checked() == 2);
+  for (const std::uint64_t tick : {100u, 1100u, 600u, 1200u}) {
+    while (!replay.go_to(tick, 100)) {}
+    CHECK(replay.mismatch() == "the replay parts from the recording between 2 s and 3 s");
+    CHECK(replay.checked() == 2);
+  }
 }
 
 TEST_CASE("recording: one that is cut off in the middle is played as far as it goes, and says so") {
@@ -195,20 +155,98 @@ TEST_CASE("recording: one that is cut off in the middle is played as far as it g
   CHECK_THAT(replay.remarks()[0], Contains("what there is by then is played"));
 }
 
-TEST_CASE("recording: another version, changed files and what is none are told") {
+TEST_CASE("recording: cut off anywhere, a message is all that comes of it") {
   Folder folder;
-  write_file(folder / "scene.lua", "scene:particle{}");
-  const player::RecordingHead head{"0.0.1", folder / "scene.lua", {}, {{folder / "scene.lua", 1}, {"gone.lua", 2}}};
+  play(folder, 2);
+  const std::string text = read_file(folder / "play.rec");
+  const std::size_t head = text.find('\n');
+  for (std::size_t cut = head + 1; cut < text.size(); cut += 997) {
+    write_file(folder / "cut.rec", text.substr(0, cut));
+    const Recording recording = player::read_recording(folder / "cut.rec");
+    CHECK(recording.damage != "");
+    CHECK(recording.ticks <= 480);
+  }
+  write_file(folder / "cut.rec", text.substr(0, head / 2));
+  CHECK_THROWS_WITH(player::read_recording(folder / "cut.rec"), Contains("cut.rec:1: this is no recording"));
+}
+
+TEST_CASE("recording: it holds the files of the scene as they were, and tells that they have changed") {
+  Folder folder;
+  std::filesystem::create_directory(folder.path / "parts");
+  write_file(folder / "parts/ball.lua", "return function() scene:particle{ at = vec(0, 3, 0) } end");
+  const std::string name = "\xe9 is no UTF-8";
+  const std::string scene = "scene.title = '" + name + "' require('parts.ball')() " +
+                            "scene:at(0.5, function() require('late')() end) require 'wind'";
+  write_file(folder / "late.lua", "return function() scene:particle{ at = vec(1, 3, 0) } end");
+  const std::vector<std::uint64_t> hashes = leave_alone(folder, scene, 480);
+  write_file(folder / "scene.lua", "error 'changed'");
+  std::filesystem::remove_all(folder.path / "parts");
+  std::filesystem::remove(folder.path / "late.lua");
+  Replay replay(player::read_recording(folder / "play.rec"), run_options(), sources::folder());
+  CHECK(to_end(replay) == 480);
+  CHECK(replay.mismatch() == "");
+  CHECK(replay.scene().title() == name);
+  CHECK(state_hash(replay.scene().world()) == hashes.back());
+  REQUIRE(replay.remarks().size() == 1);
+  CHECK_THAT(replay.remarks()[0],
+             Contains("scene.lua has changed since the recording was made: what it was then is played"));
+}
+
+TEST_CASE("recording: a step that failed fails again, and what came after is done") {
+  Folder folder;
+  write_file(folder / "scene.lua",
+             "local p = scene:particle{} scene:on('key', function() p.velocity = vec(0, 1, 0) error('oh') end)");
+  std::uint64_t hash = 0;
+  {
+    RecordedPerson person(folder / "scene.lua", folder / "play.rec");
+    for (int i = 0; i < 300; i++) person.step_alone(i == 100 || i == 250 ? "k" : "");
+    hash = person.hash();
+    person.finish();
+  }
+  Replay replay(player::read_recording(folder / "play.rec"), run_options(), sources::folder());
+  std::vector<std::uint64_t> failed;
+  while (replay.step())
+    if (!replay.failure().empty()) failed.push_back(replay.tick());
+  CHECK(failed == std::vector<std::uint64_t>{100, 249});
+  CHECK(replay.mismatch() == "");
+  CHECK(replay.tick() == 298);
+  CHECK(state_hash(replay.scene().world()) == hash);
+}
+
+TEST_CASE("recording: what was refused is refused again") {
+  Folder folder;
+  write_file(folder / "scene.lua", R"(
+    local p = scene:body{ mass = 1, inertia = vec(1, 1, 1) }
+    scene:param("wind", 1, { on_change = function(w) p.velocity = vec(w, 0, 0) error("no") end }))");
+  std::uint64_t hash = 0;
+  {
+    RecordedPerson person(folder / "scene.lua", folder / "play.rec");
+    for (int i = 0; i < 300; i++) {
+      if (i == 50) CHECK_THROWS_WITH(person.set("wind", 3), Contains("no"));
+      if (i == 90) CHECK_THROWS_WITH(person.edit("mass", vec(1, 2, 3)), Contains("mass"));
+      person.step_alone();
+    }
+    hash = person.hash();
+    person.finish();
+  }
+  Replay replay(player::read_recording(folder / "play.rec"), run_options(), sources::folder());
+  to_end(replay);
+  CHECK(replay.mismatch() == "");
+  CHECK(state_hash(replay.scene().world()) == hash);
+}
+
+TEST_CASE("recording: another version and what is none are told") {
+  Folder folder;
+  const player::RecordingHead head{"0.0.1", folder / "scene.lua", {}, {{folder / "scene.lua", "scene:particle{}"}}};
   { Recorder recorder(folder / "old.rec", head); }
   const Replay replay(player::read_recording(folder / "old.rec"), run_options(), sources::folder());
-  REQUIRE(replay.remarks().size() == 3);
-  CHECK_THAT(replay.remarks()[0], Contains("gone.lua was read by the recorded scene") || Contains("has changed since"));
-  CHECK_THAT(replay.remarks()[2], Contains("was made by pantin 0.0.1"));
+  REQUIRE(replay.remarks().size() == 1);
+  CHECK_THAT(replay.remarks()[0], Contains("was made by pantin 0.0.1"));
   CHECK_THROWS_WITH(player::read_recording(folder / "nowhere"), Contains("there is no such file"));
   write_file(folder / "text", "hello\n");
   CHECK_THROWS_WITH(player::read_recording(folder / "text"), Contains("text:1: this is no recording"));
-  write_file(folder / "next", "{\"pantin\":2}\n");
-  CHECK_THROWS_WITH(player::read_recording(folder / "next"), Contains("it has the format 2"));
+  write_file(folder / "next", "{\"pantin\":3}\n");
+  CHECK_THROWS_WITH(player::read_recording(folder / "next"), Contains("it has the format 3"));
 }
 
 TEST_CASE("recording: every command comes back as it was written") {
@@ -249,7 +287,7 @@ TEST_CASE("recording: the program plays one again") {
   };
   const Finished good = use({"replay", "play.rec"});
   CHECK(good.code == 0);
-  CHECK_THAT(good.err, Contains("replayed 480 of 480 steps") && Contains("all as recorded"));
+  CHECK_THAT(good.err, Contains(" steps, to ") && Contains("all as recorded"));
   const Finished none = use({"replay", "scene.lua"});
   CHECK(none.code == 1);
   CHECK_THAT(none.err, Contains("scene.lua:1: this is no recording"));

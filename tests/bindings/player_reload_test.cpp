@@ -165,6 +165,48 @@ TEST_CASE("reload: things keep their data, and the scene its store, as far as th
   CHECK(played.probe() == 53);
 }
 
+TEST_CASE("reload: tables come along however deep, and one that is in two places is one") {
+  const std::string text = R"(
+    local a = scene:particle{ name = "a" }
+    scene:button("hit", function()
+      local list = {}
+      scene.store.list, scene.store.of_a, a.data.list = list, a.data, list
+      for i = 1, 20000 do
+        list.next = { value = i }
+        list = list.next
+      end
+      list.next = scene.store.list
+    end)
+    scene:probe("all", function()
+      if not scene.store.list then return 0 end
+      local list, sum = scene.store.list, 0
+      repeat
+        sum, list = sum + (list.value or 0), list.next
+      until list == scene.store.list
+      return scene.store.of_a == a.data and a.data.list == list and sum or -1
+    end))";
+  Played played(text);
+  Command hit;
+  hit.kind = Command::Kind::button;
+  hit.name = "hit";
+  played.scene->world().input.commands.push_back(hit);
+  played.steps(1);
+  CHECK(played.probe() == 20000 * 20001 / 2);
+  played.save_and_look(text);
+  played.steps(1);
+  CHECK(played.probe() == 20000 * 20001 / 2);
+}
+
+TEST_CASE("reload: a file that is required while the scene plays is watched, too") {
+  Played played("scene.title = 'a'");
+  played.save("return 'one'", "late.lua");
+  played.save_and_look("scene:at(0.1, function() scene.title = require('late') end)");
+  played.steps(60);
+  CHECK(played.scene->title() == "one");
+  played.save("return 'two'", "late.lua");
+  CHECK(played.look().error == "");
+}
+
 TEST_CASE("reload: what is past does not happen again, what is to come does") {
   const std::string text = R"(
     local count = function(name) return function() scene.store[name] = (scene.store[name] or 0) + 1 end end

@@ -1,0 +1,54 @@
+// `pantin replay FILE`.
+#include "player/interrupt.hpp"
+#include "player/message.hpp"
+#include "player/progress.hpp"
+#include "player/replay.hpp"
+#include "player/replay_window.hpp"
+
+namespace pantin::player {
+namespace {
+
+int replay_in_window(const RunOptions& options, const std::string& file, const std::string& home) {
+  Interrupt interrupt;
+  ReplayWindow window(read_recording(file), options, home);
+  for (const std::string& remark : window.replay().remarks()) say(remark);
+  while (window.frame()) {}
+  if (window.display_lost()) say("the display went away: the replay ends here");
+  const std::string& mismatch = window.replay().mismatch();
+  if (!mismatch.empty()) say(mismatch);
+  return mismatch.empty() && window.failure().empty() && !window.display_lost() ? 0 : 1;
+}
+
+int replay_unseen(RunOptions options, const std::string& file, const std::string& home) {
+  options.headless = true;
+  Interrupt interrupt;
+  Replay replay(read_recording(file), options, home);
+  for (const std::string& remark : replay.remarks()) say(remark);
+  Progress progress(replay.duration());
+  bool told = false;
+  const auto past = [&] {
+    const World& world = replay.scene().world();
+    return options.until && world.time >= *options.until - 0.5 * world.settings.step;
+  };
+  while (!Interrupt::asked() && !past() && replay.step()) {
+    progress.show(replay.time());
+    if (!replay.failure().empty()) say(text("as it was recorded: ", replay.failure()));
+    if (!std::exchange(told, !replay.mismatch().empty()) && !replay.mismatch().empty()) say(replay.mismatch());
+  }
+  if (!told && !replay.mismatch().empty()) say(replay.mismatch());
+  say(text("replayed ", replay.tick(), " of ", replay.ticks(), " steps, to ", replay.scene().world().time,
+           " s: ", replay.checked(), replay.mismatch().empty() ? " hashes, all as recorded" : " hashes as recorded"));
+  return replay.mismatch().empty() ? 0 : 1;
+}
+
+}  // namespace
+
+int replay(const RunOptions& options, const std::string& file, const std::string& home) {
+  if (options.headless) return replay_unseen(options, file, home);
+  try {
+    if (const Display display; display.seen()) return replay_in_window(options, file, home);
+  } catch (const NoWindow& error) { say(text(error.what(), ": replaying without a window")); }
+  return replay_unseen(options, file, home);
+}
+
+}  // namespace pantin::player

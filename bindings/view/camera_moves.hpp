@@ -1,0 +1,14 @@
+#pragma once
+#include "view/gestures.hpp"
+#include "view/sight.hpp"
+
+namespace pantin {
+
+/// Right turns the camera, middle or shift-right shifts it, the wheel zooms, but for one over a panel.
+void move_camera(const Gestures& gestures, const PointerEvent& event, bool on_panel, int width, int height,
+                 Camera& camera);
+
+/// Puts the whole scene into a picture of that aspect (width/height).
+void see_all(const World& world, const Stage& stage, double aspect, Camera& camera);
+
+}  // namespace pantin

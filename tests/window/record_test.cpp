@@ -1,0 +1,185 @@
+// Play in the window, with all a person can do, recorded and played again without one.
+#include <filesystem>
+
+#include "player/replay.hpp"
+#include "window/played.hpp"
+#include "world/measure.hpp"
+#include "world/query.hpp"
+
+using namespace pantin;
+using Catch::Contains;
+
+namespace {
+
+constexpr int width = 960, height = 540;
+
+const std::string chain = R"(
+  scene.camera = { at = vec(3, 2, 14), look_at = vec(3, 2, 0) }
+  local count = scene:param("links", 6, { min = 2, max = 12 })
+  scene:param("gravity", 9.81, { on_change = function(g) scene.gravity = vec(0, -g, 0) end })
+  local previous
+  for i = 1, count do
+    local link = scene:body { at = vec(i - 0.5, 4, 0), mass = 1, inertia = vec(0.01, 0.1, 0.1),
+      points = { head = vec(-0.5, 0, 0), tail = vec(0.5, 0, 0) } }
+    if previous then scene:hinge(previous.tail, link.head) else scene:nail(link.head) end
+    previous = link
+  end
+  for i = 1, 5 do scene:particle { at = vec(i, 1, 0) } end
+  scene:button("kick", function() previous.velocity = vec(0, 5 * math.random(), 0) end)
+  scene:on("key", function(key) if key == "o" then error "oh" end end)
+)";
+
+/// A recorded player that nobody sees.
+struct Recorded {
+  support::Folder folder;
+  std::unique_ptr<player::Player> player;
+  int saved = 0;
+
+  explicit Recorded(const std::string& text = chain) {
+    pushed::no_screen();
+    support::write_file(folder / "scene.lua", text);
+    player::RunOptions options;
+    options.size = {width, height};
+    options.record = folder / "play.rec";
+    player = std::make_unique<player::Player>(folder / "scene.lua", options, sources::folder());
+    frames(3);
+  }
+  const World& world() const { return player->scene().world(); }
+  void frames(int n) {
+    for (int i = 0; i < n; i++) REQUIRE(player->frame());
+  }
+  void tap(SDL_Keycode key) {
+    pushed::tap(key);
+    frames(2);
+  }
+  void with_control(SDL_Keycode key) {
+    pushed::key(SDLK_LCTRL);
+    tap(key);
+    pushed::key(SDLK_LCTRL, false);
+    frames(1);
+  }
+  Projected seen(Vec3 place) const {
+    Camera camera;
+    camera.look(vec(3, 2, 14), vec(3, 2, 0));
+    return camera.project(place, width, height).value();
+  }
+  /// Uses a tool from one place to another.
+  void use(SDL_Keycode tool, Vec3 from, Vec3 to) {
+    tap(tool);
+    const Projected a = seen(from), b = seen(to);
+    pushed::move(a.x, a.y);
+    frames(1);
+    pushed::button(true, a.x, a.y);
+    frames(1);
+    for (int i = 1; i <= 6; i++) {
+      pushed::move(a.x + (b.x - a.x) * i / 6, a.y + (b.y - a.y) * i / 6);
+      frames(1);
+    }
+    pushed::button(false, b.x, b.y);
+    frames(3);
+  }
+  void finger(Uint32 type, SDL_FingerID id, Vec3 place) {
+    SDL_Event event = {};
+    const Projected at = seen(place);
+    event.type = type;
+    event.tfinger.touchId = 1;
+    event.tfinger.fingerId = id;
+    event.tfinger.x = static_cast<float>(at.x / width);
+    event.tfinger.y = static_cast<float>(at.y / height);
+    SDL_PushEvent(&event);
+  }
+  /// For so many seconds of the scene.
+  void play_on(double seconds) {
+    const double until = world().time + seconds;
+    for (int i = 0; i < 400 && world().time < until; i++) frames(1);
+    REQUIRE(world().time >= until);
+  }
+  Vec3 tip() const { return position(world(), world().points.ids().back()); }
+  Vec3 hinge(std::size_t i) const { return position(world(), hinges(world()).at(i)); }
+  void save(const std::string& text) {
+    const std::string path = folder / "scene.lua";
+    support::write_file(path, text);
+    std::filesystem::last_write_time(path,
+                                     std::filesystem::file_time_type::clock::now() + std::chrono::seconds(++saved));
+    for (int i = 0; i < 200 && player->scene().title() != "saved"; i++) frames(1);
+    REQUIRE(player->scene().title() == "saved");
+  }
+  /// Plays it again and checks that all is as it was.
+  void check() {
+    player->end_recording();
+    player::RunOptions options;
+    options.headless = true;
+    player::Replay replay(player::read_recording(folder / "play.rec"), options, sources::folder());
+    while (replay.step()) {}
+    CHECK(replay.mismatch() == "");
+    CHECK(replay.checked() > 0);
+    CHECK(replay.scene().world().time == world().time);
+    CHECK(state_hash(replay.scene().world()) == state_hash(world()));
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a recording of the window with all tools, undo, parameters and restarts is played again to the bit",
+          "[window]") {
+  Recorded recorded;
+  recorded.use(SDLK_1, recorded.tip(), vec(2, 3, 0));
+  recorded.use(SDLK_2, recorded.hinge(2) - vec(0, 0.5, 0), recorded.hinge(2) + vec(0, 0.5, 0));
+  recorded.with_control(SDLK_z);
+  recorded.with_control(SDLK_y);
+  recorded.use(SDLK_3, recorded.tip(), recorded.hinge(0));
+  recorded.use(SDLK_4, recorded.hinge(1), recorded.hinge(1));
+  recorded.use(SDLK_5, recorded.tip(), recorded.tip() + vec(1, 1, 0));
+  recorded.use(SDLK_6, recorded.hinge(0), recorded.hinge(0) + vec(1, 0, 0));
+  recorded.player->set_parameter("gravity", 3.0);
+  recorded.use(SDLK_8, vec(4, 0, 0), vec(5, 0, 0));
+  recorded.use(SDLK_9, vec(2, 1, 0), vec(3, 1, 0));
+  recorded.use(SDLK_7, recorded.hinge(0), recorded.hinge(0));
+  recorded.with_control(SDLK_z);
+  recorded.player->set_parameter("links", 4.0);
+  recorded.frames(20);
+  recorded.tap(SDLK_o);
+  CHECK_THAT(recorded.player->failure(), Contains("oh"));
+  recorded.tap(SDLK_r);
+  recorded.frames(20);
+  recorded.tap(SDLK_SPACE);
+  recorded.tap(SDLK_PERIOD);
+  recorded.use(SDLK_1, recorded.tip(), recorded.tip() + vec(-1, 0, 0));
+  recorded.with_control(SDLK_z);
+  recorded.tap(SDLK_SPACE);
+  recorded.play_on(1.1);  // over a second's hash
+  recorded.check();
+}
+
+TEST_CASE("a recording goes on where a file is saved while two fingers drag", "[window]") {
+  Recorded recorded;
+  recorded.finger(SDL_FINGERDOWN, 1, recorded.tip());
+  recorded.finger(SDL_FINGERDOWN, 2, recorded.hinge(2));
+  recorded.frames(10);
+  REQUIRE((recorded.world().hands.at(0).grab && recorded.world().hands.at(1).grab));
+  recorded.save(chain + "scene.title = 'saved'");
+  CHECK((recorded.world().hands.at(0).grab && recorded.world().hands.at(1).grab));
+  for (int i = 1; i <= 20; i++) {
+    recorded.finger(SDL_FINGERMOTION, 1, vec(4 - 0.05 * i, 1, 0));
+    recorded.finger(SDL_FINGERMOTION, 2, vec(2, 3 + 0.05 * i, 0));
+    recorded.frames(1);
+  }
+  CHECK((recorded.world().hands.at(0).grab && recorded.world().hands.at(1).grab));
+  CHECK(recorded.world().error.hinge_gap < 1e-9);
+  recorded.finger(SDL_FINGERUP, 1, vec(3, 1, 0));
+  recorded.play_on(1.1);
+  CHECK_FALSE(recorded.world().hands.at(0).grab);
+  recorded.check();
+}
+
+TEST_CASE("a saved file with an error leaves the recording as it is", "[window]") {
+  Recorded recorded;
+  recorded.frames(20);
+  support::write_file(recorded.folder / "scene.lua", chain + "\nlocal x = nothing.here");
+  for (int i = 0; i < 100 && recorded.player->said().empty(); i++) recorded.frames(1);
+  REQUIRE_FALSE(recorded.player->said().empty());
+  CHECK_THAT(recorded.player->said().back().text, Contains("scene.lua:"));
+  recorded.save(chain + "scene.title = 'saved'");
+  recorded.play_on(1.1);  // over a second's hash
+  recorded.check();
+}
