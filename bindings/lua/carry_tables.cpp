@@ -8,31 +8,35 @@
 namespace pantin::lua {
 namespace {
 
-constexpr int deepest = 150;  // tables in tables
-
-/// From the stack of one state to that of another.
+/// From tables of one state to tables of another, and to copies of all that are in them.
 class Copier {
  public:
   Copier(lua_State* from, lua_State* to, Script& script, const Counterparts& counterparts)
       : from_(from), to_(to), script_(script), counterparts_(counterparts) {
+    lua_newtable(from_);
+    waiting_from_ = lua_gettop(from_);
+    lua_newtable(to_);
+    waiting_to_ = lua_gettop(to_);
     lua_newtable(to_);
     copies_ = lua_gettop(to_);
   }
 
-  /// What is in the table at `index` of the old state, into that at the top of the new one.
-  void copy_contents(int index, int depth) {
-    luaL_checkstack(from_, 6, nullptr);
-    luaL_checkstack(to_, 6, nullptr);
-    const int table = lua_absindex(from_, index);
-    lua_pushnil(from_);
-    while (lua_next(from_, table)) {
-      if (push(lua_gettop(from_) - 1, depth)) {
-        if (push(lua_gettop(from_), depth))
-          lua_rawset(to_, -3);
-        else
-          lua_pop(to_, 1);
-      }
+  /// What is in the table at the top of the old stack comes into that at the top of the new one; pops both.
+  void add() {
+    lua_pushvalue(to_, -1);
+    lua_rawsetp(to_, copies_, lua_topointer(from_, -1));
+    lua_rawseti(from_, waiting_from_, ++added_);
+    lua_rawseti(to_, waiting_to_, added_);
+  }
+
+  /// The nearest first, however deep they are.
+  void copy() {
+    for (lua_Integer i = 1; i <= added_; i++) {
+      lua_rawgeti(from_, waiting_from_, i);
+      lua_rawgeti(to_, waiting_to_, i);
+      copy_contents();
       lua_pop(from_, 1);
+      lua_pop(to_, 1);
     }
   }
 
@@ -43,8 +47,21 @@ class Copier {
   }
 
  private:
+  void copy_contents() {
+    lua_pushnil(from_);
+    while (lua_next(from_, -2)) {
+      if (push(lua_gettop(from_) - 1)) {
+        if (push(lua_gettop(from_)))
+          lua_rawset(to_, -3);
+        else
+          lua_pop(to_, 1);
+      }
+      lua_pop(from_, 1);
+    }
+  }
+
   /// Pushes a copy of the value at `index`, or nothing and returns false where it is not plain.
-  bool push(int index, int depth) {
+  bool push(int index) {
     switch (lua_type(from_, index)) {
       case LUA_TBOOLEAN: return lua_pushboolean(to_, lua_toboolean(from_, index)), true;
       case LUA_TNUMBER:
@@ -58,7 +75,7 @@ class Copier {
         const char* text = lua_tolstring(from_, index, &size);
         return lua_pushlstring(to_, text, size), true;
       }
-      case LUA_TTABLE: return push_table(index, depth);
+      case LUA_TTABLE: return push_table(index);
       default: return push_value(index);
     }
   }
@@ -72,26 +89,26 @@ class Copier {
     return id.has_value();
   }
 
-  bool push_table(int index, int depth) {
-    if (depth >= deepest) return false;
+  bool push_table(int index) {
     if (lua_getmetatable(from_, index)) return lua_pop(from_, 1), false;
-    const void* key = lua_topointer(from_, index);
-    if (lua_rawgetp(to_, copies_, key) != LUA_TNIL) return true;
+    if (lua_rawgetp(to_, copies_, lua_topointer(from_, index)) != LUA_TNIL) return true;
     lua_pop(to_, 1);
     lua_newtable(to_);
     lua_pushvalue(to_, -1);
-    lua_rawsetp(to_, copies_, key);
-    copy_contents(index, depth + 1);
+    lua_pushvalue(from_, index);
+    add();
     return true;
   }
 
   lua_State *from_, *to_;
   Script& script_;
   const Counterparts& counterparts_;
-  int copies_;  // index in `to_`: by address of the old table
+  int waiting_from_, waiting_to_;  ///< indices of lists of tables
+  int copies_;                     ///< index in `to_`: by address of the old table
+  lua_Integer added_ = 0;
 };
 
-void carry_data(lua_State* from, lua_State* to, Script& old, Script& fresh, Copier& copier) {
+void add_data(lua_State* from, lua_State* to, Script& old, Script& fresh, Copier& copier) {
   if (lua_rawgetp(from, LUA_REGISTRYINDEX, &old.keys[kind_count]) == LUA_TTABLE) {
     lua_pushnil(from);
     while (lua_next(from, -2)) {
@@ -99,10 +116,11 @@ void carry_data(lua_State* from, lua_State* to, Script& old, Script& fresh, Copi
       if (const auto id = copier.counterpart(any_of(*ref))) {
         push_thing(to, fresh, *id);
         push_data(to, *to_ref(to, -1));
-        copier.copy_contents(-1, 0);
-        lua_pop(to, 2);
+        copier.add();
+        lua_pop(to, 1);
+      } else {
+        lua_pop(from, 1);
       }
-      lua_pop(from, 1);
     }
   }
   lua_pop(from, 1);
@@ -113,13 +131,15 @@ void carry_data(lua_State* from, lua_State* to, Script& old, Script& fresh, Copi
 void carry_tables(Script& old, Script& fresh, const Counterparts& counterparts) {
   old.runtime.run([&](lua_State* from) {
     fresh.runtime.run([&](lua_State* to) {
+      luaL_checkstack(from, 16, nullptr);
+      luaL_checkstack(to, 16, nullptr);
       Copier copier(from, to, fresh, counterparts);
       push_store(from, old);
       push_store(to, fresh);
-      copier.copy_contents(-1, 0);
-      lua_pop(from, 1);
-      lua_pop(to, 1);
-      carry_data(from, to, old, fresh, copier);
+      copier.add();
+      add_data(from, to, old, fresh, copier);
+      copier.copy();
+      lua_settop(from, 0);
       lua_settop(to, 0);
     });
   });
