@@ -4,6 +4,7 @@
 #include "lua/arguments.hpp"
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
+#include "lua/headway.hpp"
 #include "lua/measures.hpp"
 #include "lua/script.hpp"
 #include "lua/snapshot.hpp"
@@ -27,7 +28,11 @@ int advance_opened(lua_State* state) {
   const double seconds = check_number(state, 2, "advance", "argument 1, the time,", "s");
   require(seconds >= 0, "advance: argument 1, the time, must be >= 0 s, got ", seconds);
   const double until = self.world.time + seconds;
-  while (self.world.time < until - 0.5 * self.world.settings.step) step_once(self.script);
+  Headway headway(self.world, until);
+  while (self.world.time < until - 0.5 * self.world.settings.step) {
+    step_once(self.script);
+    headway.check(self.world);
+  }
   return 0;
 }
 

@@ -8,6 +8,7 @@
 
 #include "laws/law.hpp"
 #include "lua/guard.hpp"
+#include "lua/headway.hpp"
 #include "player/home.hpp"
 #include "player/interrupt.hpp"
 #include "player/run.hpp"
@@ -273,9 +274,11 @@ class Studying {
   static double step_to(lua::Scene& scene, double time) {
     const World& world = scene.world();
     const Clock::time_point start = Clock::now();
+    lua::Headway headway(world, time);
     while (world.time < time - 0.5 * world.settings.step && !scene.finished() && !Interrupt::asked()) {
       scene.step();
       require(world.failure.empty(), world.failure);
+      headway.check(world);
     }
     return since(start);
   }

@@ -329,3 +329,16 @@ TEST_CASE("program: pictures and films are the same to the bit each time, with v
   CHECK(read_file(folder / "a.png") == read_file(folder / "b.png"));
   CHECK(read_file(folder / "a.gif") == read_file(folder / "b.gif"));
 }
+
+TEST_CASE("a scene that goes back in time for ever is stopped, and told") {
+  const Folder folder;
+  write_file(folder / "again.lua",
+             "scene:particle{} scene:on('step', function() if scene.time > 0.25 then scene:reset() end end)");
+  write_file(folder / "again_test.lua", "test('again', function() open('again.lua'):advance(1) end)");
+  const Finished run = use(folder, {"run", "again.lua", "--until", "1"});
+  CHECK(run.code == 1);
+  CHECK_THAT(run.err, Contains("goes back in time again and again, and comes no farther than 0.25"));
+  const Finished tested = use(folder, {"test", "."});
+  CHECK(tested.code == 1);
+  CHECK_THAT(tested.out, Contains("goes back in time again and again"));
+}
