@@ -7,20 +7,20 @@ namespace pantin {
 namespace {
 
 /// 1/pivot with its sign; 0 where the pivot vanishes.
-double inverse_pivot(double pivot, double floor, bool& weak) {
+double inverse_pivot(double pivot, double whole, double redundant, bool& weak) {
   const double size = std::fabs(pivot);
-  weak = weak || size < floor * (Factor::weak / Factor::redundant);
-  return size > floor ? 1.0 / pivot : 0.0;
+  weak = weak || size < Factor::weak * whole;
+  return size > redundant * whole ? 1.0 / pivot : 0.0;
 }
 
 /// Inverse by LDU without interchanges.
-Mat3 inverse_ldu(const Mat3& a, Vec3 floor, bool& weak) {
-  const double i0 = inverse_pivot(a[0][0], floor[0], weak);
+Mat3 inverse_ldu(const Mat3& a, Vec3 whole, double redundant, bool& weak) {
+  const double i0 = inverse_pivot(a[0][0], whole[0], redundant, weak);
   const double l10 = a[0][1] * i0, l20 = a[0][2] * i0, u01 = a[1][0] * i0, u02 = a[2][0] * i0;
-  const double i1 = inverse_pivot(a[1][1] - l10 * a[1][0], floor[1], weak);
+  const double i1 = inverse_pivot(a[1][1] - l10 * a[1][0], whole[1], redundant, weak);
   const double l21 = (a[1][2] - l20 * a[1][0]) * i1, u12 = (a[2][1] - l10 * a[2][0]) * i1;
   const double c12 = a[2][1] - l10 * a[2][0];
-  const double i2 = inverse_pivot(a[2][2] - l20 * a[2][0] - l21 * c12, floor[2], weak);
+  const double i2 = inverse_pivot(a[2][2] - l20 * a[2][0] - l21 * c12, whole[2], redundant, weak);
   const double m20 = l21 * l10 - l20, n02 = u01 * u12 - u02;
   const double t0 = n02 * i2, t1 = -u12 * i2;
   return {{vec(i0 + u01 * i1 * l10 + t0 * m20, -i1 * l10 + t1 * m20, m20 * i2),
@@ -29,9 +29,9 @@ Mat3 inverse_ldu(const Mat3& a, Vec3 floor, bool& weak) {
 
 }  // namespace
 
-bool Factor::eliminate(std::uint32_t k, const std::uint32_t*& to) {
+bool Factor::eliminate(std::uint32_t k, const std::uint32_t*& to, double redundant) {
   bool weak_pivot = false;
-  const Mat3 pivot = diagonal[k] = inverse_ldu(diagonal[k], floor[k], weak_pivot);
+  const Mat3 pivot = diagonal[k] = inverse_ldu(diagonal[k], whole[k], redundant, weak_pivot);
   const std::uint32_t begin = first[k], count = first[k + 1] - begin;
   if (count == 1) {  // chains and trees
     const Mat3 l = lower[begin] * pivot;

@@ -16,17 +16,17 @@ struct Factor {
   std::vector<std::uint32_t> target;  // block, or row of the diagonal, that each update of the elimination reaches
   std::vector<Mat3> diagonal;         // (rows); inverted by `factorise`
   std::vector<Mat3> lower, upper;     // (blocks) entries (below[i], column) and (column, below[i])
-  std::vector<Vec3> floor;            // (rows) pivots below this are redundant: `redundant` times the diagonal
+  std::vector<Vec3> whole;            // (rows) sizes of the diagonal before the elimination
   std::vector<Mat3> scratch;          // (tallest column)
 
   static constexpr std::uint32_t on_diagonal = 0x80000000u, is_first = 0x40000000u;  // flags of `target`
-  static constexpr double redundant = 1e-12, weak = 1e-4;                            // of the diagonal
+  static constexpr double weak = 1e-4;                                               // of the diagonal
 
   /// Index of the block (row, column), row > column; it must be in the pattern.
   std::uint32_t block(std::uint32_t row, std::uint32_t column) const;
-  /// Eliminates one column, all before it being done. `to` runs along `target`. A pivot below `floor` is a redundant row:
-  /// its inverse is 0. Returns whether a pivot is weak.
-  bool eliminate(std::uint32_t column, const std::uint32_t*& to);
+  /// Eliminates one column, all before it being done. `to` runs along `target`. A pivot below
+  /// `redundant` of the whole is of a redundant row: its inverse is 0. Returns whether a pivot is weak.
+  bool eliminate(std::uint32_t column, const std::uint32_t*& to, double redundant);
   /// The parts of a solution in place, `y` (rows): columns rising, then columns falling.
   void substitute_forward(std::uint32_t column, Vec3* y) const;
   void substitute_back(std::uint32_t column, Vec3* y) const;

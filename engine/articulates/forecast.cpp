@@ -52,7 +52,7 @@ void set_scale(Forecast& forecast, double last_h, double h) {
 Prediction::Prediction(Articulate& a, double h) : a_(a), h_(h), old_scale_(a.forecast.scale) {
   if (a.last_h == 0.0) a.forecast.known = 0;
   set_scale(a.forecast, a.last_h, h);
-  order_ = a.weak ? std::min<std::size_t>(a.forecast.known, 1) : best_order(a.forecast);
+  order_ = best_order(a.forecast);
   rate_ = a.forecast.known > 0 ? 1.0 / a.last_h : 0.0;
 }
 

@@ -131,7 +131,7 @@ Factor lay_out(RowLists columns) {
   f.diagonal.resize(f.rows);
   f.lower.resize(f.below.size());
   f.upper.resize(f.below.size());
-  f.floor.resize(f.rows);
+  f.whole.resize(f.rows);
   f.scratch.resize(tallest);
   return f;
 }

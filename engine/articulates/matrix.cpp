@@ -84,11 +84,17 @@ void add_hub(Articulate& a, const Hub& hub, const Mat3x4& W, Arms right) {
   for (std::uint32_t k : hub.alone) a.factor.diagonal[k] = zero33();
   for (std::uint32_t k : {hub.variable, hub.variable + 1}) {
     a.factor.diagonal[k] = identity33();
-    a.factor.floor[k] = vec(1, 1, 1) * Factor::redundant;
+    a.factor.whole[k] = vec(1, 1, 1);
   }
 }
 
-/// Adds the compliance to the diagonal block of a row, and says which pivots will count as redundant.
+/// A pivot that is hardly more than the compliance is of a row that says what others do: in Newton's matrix it is left out.
+double redundant(const Articulate& a, const System& system) {
+  if (a.tree) return 1e-16;
+  return system.right == Arms::mean ? std::max(4.0 * system.epsilon, 1e-12) : 1e-12;
+}
+
+/// Adds the compliance to the diagonal block of a row, and keeps its size.
 void finish_diagonal(Articulate& a, std::uint32_t k, const System& system) {
   const Row& row = a.rows[k];
   Mat3& d = a.factor.diagonal[k];
@@ -101,9 +107,10 @@ void finish_diagonal(Articulate& a, std::uint32_t k, const System& system) {
     compliance = all * (own < 1e-8 * all ? std::max(system.epsilon, 1e-8) : system.epsilon);
   }
   if (is_soft(row)) compliance = 0.0;
+  const double part = is_soft(row) ? 1e-12 / redundant(a, system) : 1.0;  // a law tells its force however stiff it is
   for (int i = 0; i < 3; i++) {
     d[i][i] += compliance;
-    a.factor.floor[k][i] = std::fabs(d[i][i]) * (a.tree ? 1e-16 : Factor::redundant);
+    a.factor.whole[k][i] = std::fabs(d[i][i]) * part;
   }
 }
 
@@ -186,6 +193,7 @@ Mat3 inverse_inertia(const Node& n, const Mat3& R) {
 
 bool factorise(Articulate& a, const System& system) {
   bool weak = false;
+  const double least = redundant(a, system);
   Wave done;
   clear_hubs(a);
   auto hub = a.hubs.begin();
@@ -209,7 +217,7 @@ bool factorise(Articulate& a, const System& system) {
       set_right_side(a, done.rows, system);
     }
     for (; done.columns < wave.columns; done.columns++) {
-      weak = a.factor.eliminate(done.columns, to) || weak;
+      weak = a.factor.eliminate(done.columns, to, least) || weak;
       a.factor.substitute_forward(done.columns, a.right_side.data());
     }
   }

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "articulates/articulate.hpp"
 #include "step.hpp"
 #include "support/endure.hpp"
 #include "support/hard_cases.hpp"
@@ -101,4 +102,52 @@ TEST_CASE("hard: a body of 40 hinges swings for seconds at every step length") {
     CHECK(run.gap <= 1e-10);
     CHECK(run.energy <= 1e-9);
   });
+}
+
+namespace {
+
+/// A closed polygon of unit bars in the plane z = 0, each joined to the next by two hinges side by side, one of them
+/// nailed: it moves in its plane, and each joint says twice that it stays there.
+void add_ring_of_axes(World& world, int links) {
+  const double pi = 3.14159265358979323846, height = 0.5 / std::tan(pi / links);
+  std::vector<BodyId> bars;
+  for (int i = 0; i < links; i++) {
+    const double angle = 2 * pi * (i + 0.5) / links, along = 0.5 * angle + 0.25 * pi;
+    BodyDef def;
+    def.mass = 1.0;
+    def.inertia = cases::rod_inertia(1, 1);
+    def.at = vec(std::cos(angle), std::sin(angle), 0) * height;
+    def.orientation = Quat{std::cos(along), 0, 0, std::sin(along)};
+    for (const double z : {-0.1, 0.1})
+      for (const double x : {-0.5, 0.5}) {
+        PointDef point;
+        point.at = vec(x, 0, z);
+        def.points.push_back(point);
+      }
+    bars.push_back(add_body(world, def));
+  }
+  for (std::size_t i = 0; i < bars.size(); i++)
+    for (const std::size_t side : {0u, 2u}) {
+      const BodyId next = bars[(i + 1) % bars.size()];
+      const PointId both[] = {cases::point_of(world, bars[i], side + 1), cases::point_of(world, next, side)};
+      add_hinge(world, both);
+    }
+  add_nail(world, cases::point_of(world, bars[0], 0));
+}
+
+}  // namespace
+
+TEST_CASE("hard: rings whose joints say twice what they say take three iterations a step, and pull no harder for it") {
+  for (const int links : {4, 8}) {
+    World world;
+    add_ring_of_axes(world, links);
+    const Endured run = endure(world, 3.0);
+    CAPTURE(links);
+    check_sound(run, 1.0);
+    CHECK(run.safe + run.halved == 0);
+    CHECK(run.iterations <= 3.0);
+    double hardest = 0.0;
+    for (const Row& row : world.articulates[0]->rows) hardest = std::fmax(hardest, norm(row.f));
+    CHECK(hardest <= 1e3);
+  }
 }
