@@ -22,7 +22,8 @@ return function(name, particles, middle, most)
   end
   grip(left, -width * most / 2)
   grip(right, width * most / 2)
-  local function along() return (right.position.x - left.position.x) / width - 1 end
+  local function whole() return left.alive and right.alive and low.alive and high.alive end
+  local function along() return whole() and (right.position.x - left.position.x) / width - 1 or 0 end
   local function across() return (high.position.y - low.position.y) / height - 1 end
   scene:probe(name, function() return along() > 1e-6 and -across() / along() or 0 end)
   scene:probe(name .. " strain", along)

@@ -3,9 +3,9 @@ local height = scene:param("height", 2, { min = 1, max = 6, help = "of the fall,
 local hold = scene:param("hold", 3, { min = 0, max = 50, help = "how hard the springs keep their angles, J" })
 
 scene.title = "Buckyballs"
-scene.step = 1 / 480
+scene.step = 1 / 960
 scene.duration = 8
-scene.camera = { at = vec(0, 1.7, 8.5), look_at = vec(0, 1.1, 0) }
+scene.camera = { at = vec(-0.3, 1.9, 9.8), look_at = vec(-0.3, 1.1, 0) }
 
 local c60 = structure.molecule("c60.xyz", { scale = 0.2 }):rotate(quat(vec(1, 0.3, 0.2), 0.4))
 local lowest = 0

@@ -7,7 +7,7 @@ local latest = scene:param("latest", 8, { min = 0, max = 100, help = "time at wh
 local broken = scene:param("broken", 0, { min = 0, max = 1, help = "part that is broken off after 1 s" })
 
 scene.title = "Melt"
-scene.step = 1 / 480
+scene.step = 1 / 960
 scene.duration = 12
 scene.camera = { at = vec(1.5, 1.3, 3.4), look_at = vec(0, 0.4, 0) }
 

@@ -2,7 +2,7 @@
 local flow = scene:param("flow", 900, { min = 0, max = 4000, help = "drops per second" })
 
 scene.title = "Waterfall"
-scene.step = 1 / 480
+scene.step = 1 / 960
 scene.duration = 10
 scene.camera = { at = vec(3.4, 2.4, 5.2), look_at = vec(0.7, 1.35, 0) }
 

@@ -4,7 +4,7 @@ test("buckyball: what is rigid keeps its shape, springs give and come back, rods
   local scene = open("scenes/buckyball.lua")
   local function size(form) return scene:read(form) end
   local whole, least = size "deformable", math.huge
-  for _ = 1, 4 * 480 do
+  for _ = 1, 4 * 960 do
     scene:step()
     least = math.min(least, size "deformable")
   end
@@ -28,6 +28,19 @@ test("auxetic: rotating squares have Poisson's ratio -1 at every strain", functi
   end
   expect(scene:read "squares strain"):above(0.2)
   expect(scene.error.worst_hinge_gap):below(1e-9)
+end)
+
+test("auxetic and non_auxetic: sheets go on when all their hinges are cut", function()
+  for name, probe in pairs { auxetic = "squares", non_auxetic = "trellis" } do
+    local scene = open("scenes/" .. name .. ".lua")
+    scene:advance(0.5)
+    expect(scene:read(probe .. " strain")):above(0.001)
+    for _, hinge in ipairs(scene.hinges) do hinge:cut() end
+    scene:advance(0.1)
+    expect(#scene.hinges):equal(0)
+    expect(scene.time):near(0.6, 1e-9)
+    expect(scene:read(probe .. " strain")):above(-1)
+  end
 end)
 
 test("non_auxetic: the trellis follows the closed form of its bars", function()
