@@ -203,6 +203,7 @@ Overlay Player::overlay() const {
     overlay.status[1] = "finished";
   else if (paused_ && failure_.empty() && waits_for_step(waiting_))
     overlay.status[1] = "paused: what you did shows with the next step (space, or .)";
+  if (recorder_) overlay.status.push_back("recording");
   if (!help_) overlay.status.push_back("h: keys");
   if (help_) {
     overlay.help = key_help();

@@ -211,10 +211,9 @@ void ReplayWindow::fail(const std::string& why) {
 }
 
 std::string ReplayWindow::message() const {
-  if (!failure_.empty()) return failure_;
-  if (!replay_.failure().empty()) return "as it was recorded: " + replay_.failure();
   if (target_) return text("going to ", static_cast<double>(*target_) * replay_.step_length(), " s");
-  return told();
+  if (const std::string now = told(); !now.empty()) return now;
+  return text("step ", replay_.tick(), " of ", replay_.ticks(), ", ", replay_.checked(), " hashes as recorded");
 }
 
 Overlay ReplayWindow::overlay() {
@@ -223,7 +222,6 @@ Overlay ReplayWindow::overlay() {
   shown.pace = scene.pace() * speed_;
   shown.views = views_;
   shown.title = title();
-  shown.message = message();
   shown.marks = marks_of(scene);
   mark_hands(shown);
   shown.status = status_.parts(scene.world(), pacing_, shown.pace, paused_);
@@ -273,11 +271,12 @@ void ReplayWindow::draw_bar() {
 }
 
 void ReplayWindow::draw_remarks() {
-  if (!replay_.mismatch().empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, warning_ink(views_.on(View::dark)));
-    ImGui::TextWrapped("%s", replay_.mismatch().c_str());
-    ImGui::PopStyleColor();
-  }
+  std::string failure = failure_;
+  if (failure.empty() && !replay_.failure().empty()) failure = "as it was recorded: " + replay_.failure();
+  ImGui::PushStyleColor(ImGuiCol_Text, warning_ink(views_.on(View::dark)));
+  for (const std::string& wrong : {failure, replay_.mismatch()})
+    if (!wrong.empty()) ImGui::TextWrapped("%s", wrong.c_str());
+  ImGui::PopStyleColor();
   for (const std::string& remark : replay_.remarks()) ImGui::TextWrapped("%s", remark.c_str());
 }
 
@@ -285,8 +284,9 @@ void ReplayWindow::draw_slider(float width) {
   const double step = replay_.step_length();
   const double from = 0.0, until = replay_.duration();
   double at = static_cast<double>(target_.value_or(replay_.tick())) * step;
+  const std::string label = text("%.2f of ", std::round(100.0 * until) / 100.0, " s");
   ImGui::SetNextItemWidth(width - 2.0f * ImGui::GetStyle().WindowPadding.x);
-  if (ImGui::SliderScalar("##time", ImGuiDataType_Double, &at, &from, &until, "%.2f s",
+  if (ImGui::SliderScalar("##time", ImGuiDataType_Double, &at, &from, &until, label.c_str(),
                           ImGuiSliderFlags_NoRoundToFormat | ImGuiSliderFlags_AlwaysClamp))
     target_ = static_cast<std::uint64_t>(std::llround(at / step));
   scrubbing_ = ImGui::IsItemActive();
@@ -326,8 +326,8 @@ void ReplayWindow::draw_buttons() {
   ImGui::SameLine();
   if (icon_button(Icon::faster, "fast forward (+)")) change_speed(2.0);
   ImGui::SameLine();
-  ImGui::Text("step %llu of %llu, %llu hashes as recorded", static_cast<unsigned long long>(replay_.tick()),
-              static_cast<unsigned long long>(replay_.ticks()), static_cast<unsigned long long>(replay_.checked()));
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(message().c_str());
 }
 
 }  // namespace pantin::player
