@@ -59,7 +59,8 @@ void drift_part(Articulate& a, const DriftSettings& settings, double from, doubl
     }
     return;
   }
-  if (depth == most_halvings) return arrive_safely(a, settings, from, to, report);
+  const bool stuck = depth == 0 && a.safe;  // since the last step: shorter ones would not help
+  if (depth == most_halvings || stuck) return arrive_safely(a, settings, from, to, report);
   report.halved++;
   a.smooth = false;
   const double middle = 0.5 * (from + to);

@@ -156,3 +156,21 @@ test("a scene at rest has no error of its energy", function()
   scene:advance(1)
   expect(scene.error.worst_energy):below(1e-6)
 end)
+
+test("a chain that is taut between two nails takes one safe step a step", function()
+  local scene = open_text [[
+    local last
+    for n = 1, 10 do
+      local link = scene:body { mass = 1, inertia = vec(0.01, 0.1, 0.1), at = vec(n - 0.5, 0, 0),
+                                points = { a = vec(-0.5, 0, 0), b = vec(0.5, 0, 0) } }
+      if last then scene:hinge(last.b, link.a) else scene:nail(link.a) end
+      last = link
+    end
+    scene:nail(last.b)
+  ]]
+  scene:advance(2)
+  expect(scene.stats.steps):equal(480)
+  expect(scene.stats.safe_steps):below(1.1 * 480)
+  expect(scene.stats.newton_iterations):below(100 * 480)
+  expect(scene.error.constraint):below(1e-8)
+end)
