@@ -93,12 +93,13 @@ struct Telling {
   Script& script;
 };
 
-/// Calls those who wait for a moment, in the order of asking; those who ask meanwhile wait for the next.
-void tell(Script& script, std::string_view moment, const std::function<int(lua_State*)>& push) {
+/// Calls those who wait for a moment, or for that key, in the order of asking; those who ask meanwhile wait for the next.
+void tell(Script& script, std::string_view moment, const std::string& key, const std::function<int(lua_State*)>& push) {
   {
     const Telling telling(script);
     for (std::size_t i = 0, count = script.subscriptions.size(); i < count; i++) {
       if (script.subscriptions[i].name != moment) continue;
+      if (!script.subscriptions[i].key.empty() && script.subscriptions[i].key != key) continue;
       const std::optional<Callback> function = script.subscriptions[i].function;
       const AnyId target = script.subscriptions[i].target;
       if (!function) continue;
@@ -128,8 +129,10 @@ int scene_on(lua_State* state) {
   const std::string name = check_text(state, 2, "on", "argument 1, the moment,");
   require(std::find(names.begin(), names.end(), name) != names.end(), "on: unknown moment '", name, "'.",
           suggestion(name, names), " Known are ", joined(names));
-  const Callback function = check_function(state, 3, "on", "argument 2");
-  return subscribe(state, self.script, {0, name, function});
+  if (name != "key" || lua_type(state, 3) != LUA_TSTRING)
+    return subscribe(state, self.script, {0, name, check_function(state, 3, "on", "argument 2")});
+  const std::string key = check_text(state, 3, "on", "argument 2, the key,");
+  return subscribe(state, self.script, {0, name, check_function(state, 4, "on", "argument 3"), {}, {}, key});
 }
 
 int scene_button(lua_State* state) {
@@ -174,11 +177,12 @@ void run_behaviours(Script& script) {
       const Callback function = found->second;
       function.call();
     } else {
-      tell(script, name_of(notice.kind), [&](lua_State* state) { return push_notice(state, script, notice); });
+      tell(script, name_of(notice.kind), notice.text,
+           [&](lua_State* state) { return push_notice(state, script, notice); });
     }
   }
   recheck_laws(script);
-  tell(script, "step", [&](lua_State* state) {
+  tell(script, "step", "", [&](lua_State* state) {
     lua_pushnumber(state, script.world.settings.step);
     return 1;
   });

@@ -92,6 +92,13 @@ bool Scene::set_parameter(const std::string& name, const Value& value) {
   const Outside outside;
   return change_parameter(state_->script, name, value);
 }
+std::vector<std::string> Scene::keys() const {
+  std::vector<std::string> keys;
+  for (const Subscription& s : state_->script.subscriptions)
+    if (s.function && !s.key.empty()) keys.push_back(s.key);
+  return keys;
+}
+
 const std::vector<std::string>& Scene::buttons() const { return state_->script.buttons; }
 const std::map<std::string, Value>& Scene::results() const { return state_->script.results; }
 

@@ -81,6 +81,7 @@ class Scene {
   const std::vector<Parameter>& parameters() const;
   /// Applies a value live and returns true, or returns false: the scene must be opened again with it.
   bool set_parameter(const std::string& name, const Value& value);
+  std::vector<std::string> keys() const;            ///< that the script asked for by their names
   const std::vector<std::string>& buttons() const;  ///< names; press one by a Command of the world's input
   const std::map<std::string, Value>& results() const;
   std::vector<std::string> warnings() const;

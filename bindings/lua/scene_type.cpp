@@ -337,11 +337,12 @@ std::vector<Method> telling() {
       {"play", guard<scene_play>,
        "target_or_script: Thing|fun(wait: Waiting), script?: fun(wait: Waiting, target: Thing)", "Event",
        "A script that waits: wait(2) [s], wait(function() … end), wait() for the next step."},
-      {"on", guard<scene_on>, "moment: string, action: function", "Subscription",
+      {"on", guard<scene_on>, "moment: string, key_or_action: string|function, action?: function", "Subscription",
        "Calls a function at each \"step\" (dt), \"press\" \"release\" (hand), \"key\" (name), \"grab\" \"drop\" "
        "(thing, hand), "
        "\"cut\" \"joined\" (hinge), \"broke\" (connection, constraint or hinge, force [N], story), \"removed\" (thing, "
-       "story)."},
+       "story). on(\"key\", \"x\", action) takes that key from the window, whatever that does with it; without a name, "
+       "keys are heard that the window has no use for."},
       {"behave", guard<scene_behave>, "target: Thing|Scene, behaviour: Behaviour, options?: table", "Subscription",
        "Puts a behaviour to work on a target, with which it ends."},
       {"button", guard<scene_button>, "name: string, action: function", "", "Puts a button in the window."},

@@ -24,6 +24,7 @@ struct Subscription {
   std::optional<Callback> function;  ///< empty: cancelled
   AnyId target = {};                 ///< of a behaviour: it ends with this
   std::optional<Callback> stop = {};
+  std::string key = {};  ///< of the moment "key": the only one it waits for, or empty
 };
 
 /// What a snapshot copies of a script.

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -26,6 +27,17 @@ std::string temporary_name(const fs::path& target, int attempt) {
 }
 
 }  // namespace
+
+std::string free_name(const std::string& ending) {
+  char number[16];
+  std::string name;
+  int next = 1;
+  do {
+    std::snprintf(number, sizeof number, "%04d", next++);
+    name = text("pantin-", number, ending);
+  } while (fs::exists(name));
+  return name;
+}
 
 Output::Output(std::string path) : path_(std::move(path)) {
   std::error_code failed;

@@ -5,6 +5,9 @@
 
 namespace pantin::player {
 
+/// "pantin-0001" and that ending, or the first number after it of which there is no file.
+std::string free_name(const std::string& ending);
+
 /// A file to be written: grows under a temporary name beside its own, takes its own when it is complete, and is gone if
 /// it never is. A device or pipe is written to as it is.
 class Output {

@@ -21,6 +21,7 @@ int play_in_window(const RunOptions& options, const std::string& home) {
   Player player(options.scene.empty() ? "" : find_scene(options.scene, home), options, home);
   while (player.frame()) {}
   if (player.display_lost()) say("the display went away: the play ends here, and what was asked for is written");
+  player.end_film();
   player.end_recording();
   outputs.write_tables(player.times(), player.scene().world());
   for (const std::string& picture : outputs.temporaries(".png")) player.write_picture(picture);

@@ -1,8 +1,6 @@
 #include "player/player.hpp"
 
 #include <algorithm>
-#include <cstdio>
-#include <filesystem>
 #include <thread>
 #include <utility>
 
@@ -13,7 +11,6 @@
 #include "player/marks.hpp"
 #include "player/message.hpp"
 #include "view/pick.hpp"
-#include "view/picture.hpp"
 #include "view/view_keys.hpp"
 #include "world/hands.hpp"
 
@@ -68,6 +65,7 @@ bool Player::frame() {
   if (!window_.poll(gestures_) || Interrupt::asked()) return false;
   fit_window();
   swallow_keys();
+  give_keys_to_scene();
   if (!browser_.shown() && !renderer_.writing()) steering_.move(gestures_, elapsed);
   renderer_.listen(gestures_);
   reload();
@@ -111,6 +109,7 @@ void Player::act(const Actions& actions) {
   if (actions.pause) paused_ = !paused_;
   if (actions.step) paused_ = single_step_ = true;
   if (actions.picture) save_picture();
+  if (actions.film) toggle_film();
 }
 
 void Player::fit_window() { renderer_.resize(window_.width(), window_.height(), window_.scale()); }
@@ -163,26 +162,6 @@ void Player::fail(const std::string& why) {
   complain(why);
 }
 
-void Player::write_picture(const std::string& path) {
-  Overlay overlay;
-  overlay.pace = scene_->pace();
-  overlay.views = views_;
-  overlay.marks = marks_of(*scene_);
-  renderer_.draw(scene_->world(), camera_, overlay);
-  write_png(path, renderer_.read_pixels(), renderer_.pixels_wide(), renderer_.pixels_high());
-}
-
-void Player::save_picture() {
-  char name[32];
-  int number = 1;
-  do { std::snprintf(name, sizeof name, "pantin-%04d.png", number++); } while (std::filesystem::exists(name));
-  try {
-    write_picture(name);
-    status_.note(std::string("wrote ") + name);
-    say(std::string("wrote ") + name);
-  } catch (const std::exception& error) { status_.note(error.what()); }
-}
-
 Overlay Player::overlay() const {
   Overlay overlay;
   overlay.pace = scene_->pace() * speed_;
@@ -204,11 +183,13 @@ Overlay Player::overlay() const {
   else if (paused_ && failure_.empty() && waits_for_step(waiting_))
     overlay.status[1] = "paused: what you did shows with the next step (space, or .)";
   if (recorder_) overlay.status.push_back("recording");
-  if (!help_) overlay.status.push_back("h: keys");
-  if (help_) {
-    overlay.help = key_help();
-    overlay.help.insert(overlay.help.end(), view_key_help().begin(), view_key_help().end());
-  }
+  if (film_)
+    overlay.status.push_back(
+        text("filming ", static_cast<int>(film_->seconds()), " s, ", key_for(KeyUse::film), " ends it"));
+  if (help_)
+    overlay.help = key_card();
+  else
+    overlay.status.push_back(text(key_for(KeyUse::help), ": keys"));
   overlay.buttons = scene_->buttons();
   return overlay;
 }

@@ -8,6 +8,7 @@
 #include "lua/scene.hpp"
 #include "player/aim.hpp"
 #include "player/browser.hpp"
+#include "player/live_film.hpp"
 #include "player/open_window.hpp"
 #include "player/options.hpp"
 #include "player/pacing.hpp"
@@ -49,6 +50,8 @@ class Player {
   void redo();
   /// Ends the recording, if there is one; throws Error where it could not be written.
   void end_recording();
+  /// Ends the film, if there is one; where it could not be written, that is told.
+  void end_film();
   /// The scene as it is now, without the lines and cards.
   void write_picture(const std::string& path);
 
@@ -64,6 +67,8 @@ class Player {
   void go_back(bool (Undo::*way)(lua::Scene&, Times&, StepInput&, std::string&));
   void tell(const std::string& what);
   void tell_dropped();
+  void tell_tool();
+  std::string hint() const;
   void draw_tools();
   void mark_hands(Overlay& overlay) const;
   void choose_followed();
@@ -72,7 +77,12 @@ class Player {
   void swallow_keys();
   void wait_for(const std::atomic<bool>& done, const std::string& what);
   void edit(const Edit& edit);
+  void give_keys_to_scene();
   void write_table();
+  void toggle_film();
+  void add_to_film();
+  void wrote(const std::string& path);
+  void log(const std::string& what, bool good);
   void leave_browser();
   void restart();
   void record(const std::string& path);
@@ -101,6 +111,7 @@ class Player {
   Reload reload_;
   std::unique_ptr<lua::Scene> scene_;
   std::unique_ptr<Recorder> recorder_;
+  std::unique_ptr<LiveFilm> film_;  ///< while it is taken
   Window window_;
   Renderer renderer_;
   Camera camera_;
@@ -112,8 +123,10 @@ class Player {
   PaletteWish undo_wish_;
   std::string told_;  ///< what a tool did last, or why it did nothing
   Clock::time_point told_at_{};
-  std::size_t log_read_ = 0;  ///< lines of the world's log
-  StepInput waiting_;         ///< what hands did since the last step
+  Clock::time_point adopted_ = Clock::now();  ///< when the scene was opened
+  bool tried_ = false;                        ///< a hand did something since
+  std::size_t log_read_ = 0;                  ///< lines of the world's log
+  StepInput waiting_;                         ///< what hands did since the last step
   Pacing pacing_;
   Status status_;
   Times times_;

@@ -2,13 +2,14 @@
 #include <algorithm>
 
 #include "player/player.hpp"
+#include "view/keys.hpp"
 #include "view/palette.hpp"
 #include "world/hands.hpp"
 
 namespace pantin::player {
 namespace {
 
-constexpr std::chrono::seconds told_for{4};
+constexpr std::chrono::seconds told_for{4}, hinted_for{30};
 
 }  // namespace
 
@@ -17,8 +18,11 @@ Actions Player::take_hands(double elapsed) {
       scene_->world(),         renderer_.stage(), renderer_.width(), renderer_.height(), renderer_.pointer_on_panel(),
       paused_ ? 0.0 : elapsed, camera_,           waiting_};
   const StepInput before = waiting_;
+  const ToolKind kind = hands_.tool.kind;
   Actions actions = hands_.apply(gestures_, frame);
+  if (hands_.tool.kind != kind) tell_tool();
   for (const std::string& said : actions.said) tell(said);
+  tried_ |= !actions.acts.empty();
   if (!actions.acts.empty()) keep_for_undo(actions.acts.back(), before);
   return actions;
 }
@@ -52,6 +56,8 @@ void Player::tell(const std::string& what) {
   told_at_ = Clock::now();
 }
 
+void Player::tell_tool() { tell(text(hands_.tool.tool().name, ": ", hands_.tool.tool().help)); }
+
 void Player::tell_dropped() {
   const std::vector<LogLine>& log = scene_->world().log;
   log_read_ = std::min(log_read_, log.size());  // a script may have gone back to when it was shorter
@@ -60,10 +66,20 @@ void Player::tell_dropped() {
       tell(log[log_read_].text);
 }
 
+/// What a hand may do next, to one that has done nothing in this scene.
+std::string Player::hint() const {
+  if (tried_ || Clock::now() > adopted_ + hinted_for) return {};
+  return text("drag a point, and throw it; press ", key_for(KeyUse::tool, static_cast<std::size_t>(ToolKind::cut)),
+              " and swipe to cut; ", key_for(KeyUse::pause), " pauses, ", key_for(KeyUse::slower), " slows; ",
+              key_for(KeyUse::scenes), ": all scenes, ", key_for(KeyUse::help), ": all keys");
+}
+
 void Player::draw_tools() {
-  const std::string told = Clock::now() < told_at_ + told_for ? told_ : std::string();
+  const std::string told = Clock::now() < told_at_ + told_for ? told_ : hint();
+  const ToolKind kind = hands_.tool.kind;
   const PaletteWish wish = draw_palette(hands_.tool, undo_.state(*scene_), told, static_cast<float>(renderer_.width()),
                                         static_cast<float>(renderer_.height()));
+  if (hands_.tool.kind != kind) tell_tool();
   undo_wish_ = wish;
 }
 

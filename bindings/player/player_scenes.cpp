@@ -1,15 +1,13 @@
 // What the player does beside the frames: opening scenes, and what was asked for in the panels.
 #include <algorithm>
-#include <cstdio>
 #include <exception>
-#include <filesystem>
 #include <thread>
 
 #include "lua/watchdog.hpp"
 #include "player/home.hpp"
 #include "player/message.hpp"
-#include "player/output.hpp"
 #include "player/player.hpp"
+#include "view/keys.hpp"
 
 namespace pantin::player {
 namespace {
@@ -84,6 +82,8 @@ void Player::adopt(std::unique_ptr<lua::Scene> fresh) {
   failure_.clear();
   pacing_ = {};
   chosen_ = {};
+  tried_ = false;
+  adopted_ = Clock::now();
   renderer_.open(scene_->world());
   window_.set_title(title() + " - Pantin");
 }
@@ -142,23 +142,46 @@ void Player::take_keys() {
 }
 
 bool Player::take_key(const std::string& name) {
-  if (name == "n")
-    browser_.show();
-  else if (name == "escape" && help_)
-    help_ = false;
-  else if ((name == "escape" || name == "q") && from_browser_)
-    browser_.show();
-  else if (name == "pagedown" || name == "pageup")
-    open_neighbour(name == "pagedown" ? 1 : -1);
-  else if (name == "-" || name == "keypad -")
-    speed_ = std::max(0.5 * speed_, slowest);
-  else if (name == "=" || name == "+" || name == "keypad +")
-    speed_ = std::min(2.0 * speed_, fastest);
-  else if (name == "0")
-    speed_ = 1.0;
-  else
-    return panels_.key(name);
+  const std::optional<KeyMeaning> key = meaning_of(name);
+  if (!key) return false;
+  switch (key->use) {
+    case KeyUse::scenes: browser_.show(); break;
+    case KeyUse::leave:
+      if (help_)
+        help_ = false;
+      else if (from_browser_)
+        browser_.show();
+      else
+        return false;
+      break;
+    case KeyUse::scene_before: open_neighbour(-1); break;
+    case KeyUse::scene_next: open_neighbour(1); break;
+    case KeyUse::slower: speed_ = std::max(0.5 * speed_, slowest); break;
+    case KeyUse::faster: speed_ = std::min(2.0 * speed_, fastest); break;
+    case KeyUse::own_pace: speed_ = 1.0; break;
+    case KeyUse::panel: panels_.toggle(key->which); break;
+    case KeyUse::panels: panels_.hide(); break;
+    default: return false;
+  }
   return true;
+}
+
+/// What the scene asked for by its name is not for the window; Esc stays.
+void Player::give_keys_to_scene() {
+  if (browser_.shown()) return;
+  const std::vector<std::string> wanted = scene_->keys();
+  const auto for_scene = [&](const std::string& key) {
+    return key != "escape" && std::ranges::find(wanted, key) != wanted.end();
+  };
+  gestures_.erase_keys([&](const std::string& key) {
+    if (!for_scene(key)) return false;
+    Command command;
+    command.kind = Command::Kind::key;
+    command.name = key;
+    waiting_.commands.push_back(command);
+    return true;
+  });
+  std::erase_if(gestures_.held, for_scene);
 }
 
 /// What was pressed in the browser is not for the scene.
@@ -186,19 +209,6 @@ void Player::edit(const Edit& edit) {
   if (recorder_) record(edit);
 }
 
-void Player::write_table() {
-  char name[32];
-  int number = 1;
-  do { std::snprintf(name, sizeof name, "pantin-%04d.csv", number++); } while (std::filesystem::exists(name));
-  try {
-    Output file(name);
-    file.write(probe_table(times_, scene_->world().probes));
-    file.keep();
-    status_.note(std::string("wrote ") + name);
-    say(std::string("wrote ") + name);
-  } catch (const std::exception& error) { complain(error.what()); }
-}
-
 void Player::fulfil(const Wishes& wishes) {
   if (wishes.speed) speed_ = *wishes.speed;
   if (wishes.pause) paused_ = !paused_;
@@ -206,6 +216,8 @@ void Player::fulfil(const Wishes& wishes) {
   if (wishes.parameter) set_parameter(wishes.parameter->first, wishes.parameter->second);
   if (wishes.edit) edit(*wishes.edit);
   if (wishes.save_table) write_table();
+  if (wishes.picture) save_picture();
+  if (wishes.film) toggle_film();
   if (wishes.restart) restart();
   if (wishes.browse) browser_.show();
   if (wishes.next || wishes.previous) open_neighbour(wishes.next ? 1 : -1);
@@ -213,23 +225,27 @@ void Player::fulfil(const Wishes& wishes) {
 
 void Player::complain(const std::string& why) {
   complained_ = Clock::now();
-  const auto same = std::find_if(said_.begin(), said_.end(), [&](const Said& s) { return s.text == why; });
+  log(why, false);
+}
+
+void Player::log(const std::string& what, bool good) {
+  const auto same = std::find_if(said_.begin(), said_.end(), [&](const Said& s) { return s.text == what; });
   if (same != said_.end()) {
     same->times++;
     return std::rotate(same, same + 1, said_.end()), void();
   }
-  said_.push_back({why, 1});
+  said_.push_back({what, 1, good});
   if (said_.size() > most_said) said_.pop_front();
-  say(why);
+  say(what);
 }
 
 Desk Player::desk() {
   AnyId hovered;
   if (const PointId point = hands_.highlight(); scene_->world().points.alive(point)) hovered = point;
-  Desk desk{*scene_, times_, pacing_, said_, chosen_, hovered, {}};
+  Desk desk{*scene_, times_, pacing_, said_, chosen_, hovered, views_, {}};
   desk.speed = speed_;
   desk.paused = paused_;
-  desk.dark = views_.on(View::dark);
+  desk.filming = film_ != nullptr;
   desk.quick = load_seconds_ < quick_load;
   desk.width = static_cast<float>(renderer_.width());
   desk.height = static_cast<float>(renderer_.height());
@@ -244,7 +260,7 @@ void Player::draw() {
     draw_tools();
     panels_.draw(seen);
   };
-  browser_.work(seen.dark);
+  browser_.work(seen.dark());
   renderer_.draw(scene_->world(), camera_, shown);
   if (const std::string& name = renderer_.pressed_button(); !name.empty()) {
     Command command;
@@ -252,6 +268,7 @@ void Player::draw() {
     command.name = name;
     waiting_.commands.push_back(command);
   }
+  add_to_film();
   window_.present(renderer_);
   status_.frame(scene_->world());
   fulfil(seen.wishes);

@@ -19,6 +19,7 @@
 #include "player/report.hpp"
 #include "player/run.hpp"
 #include "player/test.hpp"
+#include "view/keys.hpp"
 
 namespace pantin::player {
 namespace {
@@ -33,7 +34,7 @@ int do_command(const Options& options) {
     case Options::Command::test: return test(options.arguments, find_home());
     case Options::Command::bench: return bench({options.arguments, options.peers});
     case Options::Command::meta:
-      std::cout << (options.arguments.empty() ? lua::annotations() : lua::reference());
+      std::cout << (options.arguments.empty() ? lua::annotations() : lua::reference() + key_reference());
       return 0;
   }
   return 2;

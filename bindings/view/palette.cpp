@@ -5,6 +5,9 @@
 
 #include <string>
 
+#include "base/check.hpp"
+#include "view/keys.hpp"
+
 namespace pantin {
 
 namespace {
@@ -102,7 +105,8 @@ PaletteWish draw_palette(ToolChoice& choice, const UndoState& undo, const std::s
   for (const Tool& tool : tools()) {
     if (&tool != &tools().front()) ImGui::SameLine();
     const bool chosen = tool.kind == choice.kind;
-    const std::string hint = std::string(tool.name) + " (" + tool.key + "): " + tool.help;
+    const std::string hint =
+        text(tool.name, " (", key_for(KeyUse::tool, static_cast<std::size_t>(tool.kind)), "): ", tool.help);
     if (button(tool.icon, tool.name, hint.c_str(), chosen, true, {side, side}) && !chosen) choice.choose(tool.kind);
   }
   const PaletteWish wish = draw_undo(undo, side);

@@ -50,8 +50,8 @@ constexpr std::pair<const char*, ImGuiKey> editing_keys[] = {{"tab", ImGuiKey_Ta
                                                              {"y", ImGuiKey_Y},
                                                              {"z", ImGuiKey_Z}};
 
-/// Rows of a key and what it does; one that does nothing is a heading.
-void help_column(const char* name, std::span<const std::pair<std::string, std::string>> rows) {
+/// Rows of a key and what it does, which is wrapped at that width [px]; one that does nothing is a heading.
+void help_column(const char* name, std::span<const std::pair<std::string, std::string>> rows, float wrap) {
   if (rows.empty() || !ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoHostExtendX))
     return;
   for (const auto& [key, does] : rows) {
@@ -61,7 +61,9 @@ void help_column(const char* name, std::span<const std::pair<std::string, std::s
     else
       ImGui::TextUnformatted(key.c_str());
     ImGui::TableNextColumn();
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + wrap);
     ImGui::TextDisabled("%s", does.c_str());
+    ImGui::PopTextWrapPos();
   }
   ImGui::EndTable();
 }
@@ -164,6 +166,7 @@ void Panel::take_keys(Gestures& gestures) {
     io.KeysDown[entry.second] =
         std::ranges::any_of(gestures.held, is_key) || std::ranges::any_of(gestures.keys, is_key);
   }
+  if (context_->OpenPopupStack.Size > 0 && std::erase(gestures.keys, "escape") > 0) ImGui::ClosePopupToLevel(0, false);
   if (!writing()) return;
   io.AddInputCharactersUTF8(gestures.text.c_str());
   gestures.keys.clear();
@@ -255,16 +258,23 @@ void Panel::buttons(const Overlay& overlay) {
 
 void Panel::help(const Overlay& overlay, float width, float height) {
   if (overlay.help.empty()) return;
+  const float edge = 8.0f, between = 28.0f;
+  float keys = 0.0f;
+  for (const auto& row : overlay.help) keys = std::max(keys, ImGui::CalcTextSize(row.first.c_str()).x);
+  const float wrap = std::max(0.5f * (width - between - 6.0f * edge) - keys - 3.0f * edge, 8.0f * edge);
   ImGui::SetNextWindowPos({0.5f * width, 0.5f * height}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::Begin("keys", nullptr, quiet);
+  ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {width - edge, height - edge});
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {3.0f, 0.0f});
+  ImGui::Begin("keys", nullptr, quiet & ~ImGuiWindowFlags_NoScrollbar);
   const auto middle = overlay.help.begin() + static_cast<std::ptrdiff_t>(overlay.help.size() / 2);
   auto heading = overlay.help.end();  // that nearest the middle
   for (auto row = overlay.help.begin(); row != overlay.help.end(); ++row)
     if (row->second.empty() && std::abs(row - middle) < std::abs(heading - middle)) heading = row;
-  help_column("left", {overlay.help.begin(), heading});
-  ImGui::SameLine(0.0f, 28.0f);
-  help_column("right", {heading, overlay.help.end()});
+  help_column("left", {overlay.help.begin(), heading}, wrap);
+  ImGui::SameLine(0.0f, between);
+  help_column("right", {heading, overlay.help.end()}, wrap);
   ImGui::End();
+  ImGui::PopStyleVar();
 }
 
 }  // namespace pantin

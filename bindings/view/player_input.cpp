@@ -18,36 +18,6 @@ struct PlayerInput::Work {
   ToolOutput output() const { return {frame.input, actions.said, actions.acts}; }
 };
 
-const std::vector<std::pair<std::string, std::string>>& key_help() {
-  static const std::vector<std::pair<std::string, std::string>> list = {
-      {"Hands", ""},
-      {"left drag", "use the tool: pull a point, and throw it"},
-      {"1 … 9, [ ]", "drag, cut, join, nail, push, spin, remove, make, heat"},
-      {"x, ctrl + click", "cut what is under the pointer"},
-      {"ctrl+z, ctrl+shift+z", "undo, redo"},
-      {"fingers, sticks", "each is a hand of its own"},
-      {"arrows, enter", "a second hand by keys (shift: slow; two mice look like one to SDL)"},
-      {"Time", ""},
-      {"space", "pause, run"},
-      {".", "one step"},
-      {"- + 0", "slower, faster, the scene's own pace"},
-      {"r", "restart"},
-      {"Window", ""},
-      {"n", "all scenes"},
-      {"page up, down", "the scene before, the next"},
-      {"F1 …, tab", "panels; hide them all"},
-      {"s", "take a picture"},
-      {"h", "show or hide the keys"},
-      {"q, Esc", "quit; from a scene of the browser, back to it"},
-      {"View", ""},
-      {"right drag", "turn the view"},
-      {"middle drag", "shift the view (or shift + right)"},
-      {"wheel", "zoom"},
-      {"f", "see the whole scene"},
-  };
-  return list;
-}
-
 Actions PlayerInput::apply(const Gestures& gestures, const Frame& frame) {
   Actions actions;
   actions.quit = gestures.quit;
@@ -130,24 +100,37 @@ void PlayerInput::cut(const Work& work, double x, double y) {
 }
 
 void PlayerInput::key(const Work& work, const std::string& name) {
-  const Frame& frame = work.frame;
-  Actions& a = work.actions;
-  if (name == "space") a.pause = !a.pause;
-  if (name == ".") a.step = true;
-  if (name == "r") a.restart = true;
-  if (name == "s") a.picture = true;
-  if (name == "h") a.help = !a.help;
-  if (name == "q" || name == "escape") a.quit = true;
-  if (name == "ctrl+z") a.undo++;
-  if (name == "ctrl+shift+z" || name == "ctrl+y") a.redo++;
-  tool.key(name);
-  if (name == "f") see_all(frame.world, frame.stage, static_cast<double>(frame.width) / frame.height, frame.camera);
-  if (const auto mouse = work.gestures.pointers.find(0); name == "x" && mouse != work.gestures.pointers.end())
-    cut(work, mouse->second.x, mouse->second.y);
+  const std::optional<KeyMeaning> meaning = meaning_of(name);
+  if (meaning) return use_key(work, *meaning);
   Command command;
   command.kind = Command::Kind::key;
   command.name = name;
-  frame.input.commands.push_back(command);
+  work.frame.input.commands.push_back(command);
+}
+
+void PlayerInput::use_key(const Work& work, KeyMeaning key) {
+  const Frame& f = work.frame;
+  Actions& a = work.actions;
+  switch (key.use) {
+    case KeyUse::tool: tool.choose(static_cast<ToolKind>(key.which)); break;
+    case KeyUse::tool_before: tool.move_on(-1); break;
+    case KeyUse::tool_next: tool.move_on(1); break;
+    case KeyUse::pause: a.pause = !a.pause; break;
+    case KeyUse::step: a.step = true; break;
+    case KeyUse::restart: a.restart = true; break;
+    case KeyUse::picture: a.picture = true; break;
+    case KeyUse::film: a.film = !a.film; break;
+    case KeyUse::help: a.help = !a.help; break;
+    case KeyUse::leave: a.quit = true; break;
+    case KeyUse::undo: a.undo++; break;
+    case KeyUse::redo: a.redo++; break;
+    case KeyUse::see_all: see_all(f.world, f.stage, static_cast<double>(f.width) / f.height, f.camera); break;
+    case KeyUse::cut:
+      if (const auto mouse = work.gestures.pointers.find(0); mouse != work.gestures.pointers.end())
+        cut(work, mouse->second.x, mouse->second.y);
+      break;
+    default: break;
+  }
 }
 
 void PlayerInput::move_hands(const Work& work) {

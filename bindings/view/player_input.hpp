@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "view/gestures.hpp"
+#include "view/keys.hpp"
 #include "view/overlay.hpp"
 #include "view/tool_use.hpp"
 
@@ -14,23 +15,21 @@ namespace pantin {
 
 /// What a person asked of the program, rather than of the world.
 struct Actions {
-  bool pause = false;             ///< space: change between running and paused
-  bool step = false;              ///< . : one step while paused
-  bool restart = false;           ///< r
-  bool picture = false;           ///< s
-  bool help = false;              ///< h: show or hide the keys
-  bool quit = false;              ///< Esc, q, or the window was closed
-  int undo = 0;                   ///< ctrl+z: how often
-  int redo = 0;                   ///< ctrl+shift+z, ctrl+y
+  bool pause = false;             ///< change between running and paused
+  bool step = false;              ///< one, while paused
+  bool restart = false;           ///< the scene
+  bool picture = false;           ///< take one
+  bool film = false;              ///< begin or end one
+  bool help = false;              ///< show or hide the keys
+  bool quit = false;              ///< also where the window was closed
+  int undo = 0, redo = 0;         ///< how often
   std::vector<std::string> acts;  ///< names of the tools' uses whose first command is in the input
   std::vector<std::string> said;  ///< what tools did, or why they did nothing
 };
 
-/// {key, what it does}, for the help card.
-const std::vector<std::pair<std::string, std::string>>& key_help();
-
 /// Turns gestures into the world's input and the camera's moves. Left uses the tool; right turns the view, middle or
-/// shift-right shifts it, the wheel zooms; x or ctrl-click cuts; f frames the scene. Each finger, each stick and the
+/// shift-right shifts it, the wheel zooms, ctrl-click cuts; keys as `window_keys` has them, of which others are for the
+/// scene. Each finger, each stick and the
 /// cursor of the arrow keys is a hand of its own, with the same tool.
 class PlayerInput {
  public:
@@ -72,6 +71,7 @@ class PlayerInput {
   Hold& hold_of(PointerId pointer);
   void pointer_event(const Work& work, const PointerEvent& event);
   void key(const Work& work, const std::string& name);
+  void use_key(const Work& work, KeyMeaning key);
   void cut(const Work& work, double x, double y);
   void move_hands(const Work& work);
 

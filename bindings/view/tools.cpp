@@ -4,25 +4,19 @@ namespace pantin {
 
 const std::vector<Tool>& tools() {
   static const std::vector<Tool> table = {
-      {ToolKind::drag, "drag", "1", "\u261d", "pull a point; let go in full swing to throw it", {}},
-      {ToolKind::cut, "cut", "2", "\u2702", "swipe over hinges, nails, rods, strings and connections", {}},
-      {ToolKind::join, "join", "3", "\u26ad", "drag from a point to a point: they are drawn together and hinged", {}},
-      {ToolKind::nail, "nail", "4", "\u2299", "click a point to nail it where it is; again to pull the nail out", {}},
-      {ToolKind::push, "push", "5", "\u279c", "drag from a thing: the longer, the harder it is pushed that way", {}},
-      {ToolKind::spin, "spin", "6", "\u21bb", "drag over a body as you would turn a globe", {}},
-      {ToolKind::remove, "remove", "7", "\u2715", "click or swipe over what is to go", {}},
+      {ToolKind::drag, "drag", "\u261d", "pull a point; let go in full swing to throw it", {}},
+      {ToolKind::cut, "cut", "\u2702", "swipe over hinges, nails, rods, strings and connections", {}},
+      {ToolKind::join, "join", "\u26ad", "drag from a point to a point: they are drawn together and hinged", {}},
+      {ToolKind::nail, "nail", "\u2299", "click a point to nail it where it is; again to pull the nail out", {}},
+      {ToolKind::push, "push", "\u279c", "drag from a thing: the longer, the harder it is pushed that way", {}},
+      {ToolKind::spin, "spin", "\u21bb", "drag over a body as you would turn a globe", {}},
+      {ToolKind::remove, "remove", "\u2715", "click or swipe over what is to go", {}},
       {ToolKind::make,
        "make",
-       "8",
        "\u271a",
        "drag to make a thing of that size; the ends of a rod are hinged to points under them",
        {"rod", "ball", "tetrahedron", "cube", "octahedron", "dodecahedron", "icosahedron"}},
-      {ToolKind::heat,
-       "heat",
-       "9",
-       "\u2600",
-       "hold over things to shake them, or to bring them to rest",
-       {"heat", "cool"}},
+      {ToolKind::heat, "heat", "\u2600", "hold over things to shake them, or to bring them to rest", {"heat", "cool"}},
   };
   return table;
 }
@@ -33,14 +27,10 @@ void ToolChoice::choose(ToolKind wanted) {
   kind = wanted;
 }
 
-bool ToolChoice::key(std::string_view name) {
-  const std::size_t count = tools().size(), now = static_cast<std::size_t>(kind);
-  for (const Tool& tool : tools())
-    if (name == tool.key) return choose(tool.kind), true;
-  if (name != "[" && name != "]") return false;
-  kind = static_cast<ToolKind>((now + (name == "]" ? 1 : count - 1)) % count);
+void ToolChoice::move_on(int places) {
+  const auto count = static_cast<int>(tools().size());
+  kind = static_cast<ToolKind>((static_cast<int>(kind) + places + count) % count);
   variant = 0;
-  return true;
 }
 
 }  // namespace pantin

@@ -1,19 +1,16 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace pantin {
 
 enum class ToolKind : std::uint8_t { drag, cut, join, nail, push, spin, remove, make, heat };
 
-/// A tool that hands use; its place in the table is that of its key.
+/// A tool that hands use.
 struct Tool {
   ToolKind kind;
   const char* name;
-  const char* key;
   const char* icon;  ///< a letter of DejaVu Sans, UTF-8
   const char* help;
   std::vector<const char*> variants;  ///< what it can be of; its key, pressed again, takes the next
@@ -29,8 +26,8 @@ struct ToolChoice {
   const Tool& tool() const { return tools()[static_cast<std::size_t>(kind)]; }
   /// Takes a tool; the one that is chosen already changes its variant.
   void choose(ToolKind wanted);
-  /// "1" … "9", "[" and "]"; false for other keys.
-  bool key(std::string_view name);
+  /// Takes the tool so many places on, less than there are, round and round.
+  void move_on(int places);
 };
 
 }  // namespace pantin

@@ -1,41 +1,34 @@
 #include "view/view_keys.hpp"
 
+#include "view/keys.hpp"
+
 namespace pantin {
 
 namespace {
 
-struct CameraKey {
-  const char* key;
-  void (*turn)(Camera&);
-  const char* help;
-};
-
-const CameraKey camera_keys[] = {
-    {"u", [](Camera& c) { c.look_freely(); }, "see in perspective"},
-    {"i", [](Camera& c) { c.look_along(Side::front); }, "see from the front, without perspective"},
-    {"o", [](Camera& c) { c.look_along(Side::right); }, "see from the right side"},
-    {"p", [](Camera& c) { c.look_along(Side::top); }, "see from the top"},
-};
+void take(const KeyMeaning& key, Views& views, Camera& camera) {
+  switch (key.use) {
+    case KeyUse::view: views.toggle(static_cast<View>(key.which)); break;
+    case KeyUse::see_freely: camera.look_freely(); break;
+    case KeyUse::see_front: camera.look_along(Side::front); break;
+    case KeyUse::see_right: camera.look_along(Side::right); break;
+    case KeyUse::see_top: camera.look_along(Side::top); break;
+    default: break;
+  }
+}
 
 }  // namespace
 
 void take_view_keys(const Gestures& gestures, Views& views, Camera& camera) {
-  if (gestures.control) return;
-  for (const std::string& key : gestures.keys) {
-    for (const NamedView& named : view_table())
-      if (key == named.key) views.toggle(named.view);
-    for (const CameraKey& turning : camera_keys)
-      if (key == turning.key) turning.turn(camera);
-  }
+  for (const std::string& key : gestures.keys)
+    if (const std::optional<KeyMeaning> meaning = meaning_of(key)) take(*meaning, views, camera);
 }
 
 const std::vector<std::pair<std::string, std::string>>& view_key_help() {
   static const auto list = [] {
     std::vector<std::pair<std::string, std::string>> all;
-    for (const CameraKey& turning : camera_keys) all.emplace_back(turning.key, turning.help);
-    all.emplace_back("double click", "follow a thing; beside all things, follow none");
-    for (const NamedView& named : view_table())
-      all.emplace_back(named.key, std::string(named.name) + ": " + named.help);
+    for (const WindowKeys& row : window_keys())
+      if (row.use >= KeyUse::see_freely) all.emplace_back(row.shown, row.help);
     return all;
   }();
   return list;

@@ -9,10 +9,10 @@
 
 namespace pantin {
 
-/// Toggles views and turns the camera by the keys that were pressed; not with ctrl.
+/// Toggles views and turns the camera by the keys that were pressed.
 void take_view_keys(const Gestures& gestures, Views& views, Camera& camera);
 
-/// {key, what it does}, for the help card.
+/// The same keys, {key, what it does}, for a card of keys that has no others.
 const std::vector<std::pair<std::string, std::string>>& view_key_help();
 
 }  // namespace pantin

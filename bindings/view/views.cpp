@@ -11,19 +11,19 @@ namespace pantin {
 namespace {
 
 constexpr std::array<NamedView, 13> table = {{
-    {View::bodies, "bodies", "b", "bodies, particles and hinges"},
-    {View::loads, "loads", "c", "connections coloured by load: red pulls, blue pushes"},
-    {View::shadows, "shadows", "l", "shadows on the ground"},
-    {View::rings, "rings", "g", "rings of hinges: each member, its body, and the next member"},
-    {View::forces, "forces", "a", "forces of hinges and constraints as arrows"},
-    {View::velocities, "velocities", "v", "velocities as arrows: the way of 0.1 s at the scene's pace"},
-    {View::trails, "trails", "w", "where things have been"},
-    {View::families, "families", "m", "a colour for each family"},
-    {View::articulates, "articulates", "y", "a colour for each articulate: what is solved together"},
-    {View::temperature, "temperature", "t", "temperature of each thing: blue cold, red hot"},
-    {View::errors, "errors", "e", "gaps of hinges and what the solver left open: blue small, red large"},
-    {View::cells, "cells", "k", "cells of the search for neighbours"},
-    {View::dark, "dark", "d", "a dark background"},
+    {View::bodies, "bodies", "bodies, particles and hinges"},
+    {View::loads, "loads", "connections coloured by load: red pulls, blue pushes"},
+    {View::shadows, "shadows", "shadows on the ground"},
+    {View::rings, "rings", "rings of hinges: each member, its body, and the next member"},
+    {View::forces, "forces", "forces of hinges and constraints as arrows"},
+    {View::velocities, "velocities", "velocities as arrows: the way of 0.1 s at the scene's pace"},
+    {View::trails, "trails", "where things have been"},
+    {View::families, "families", "a colour for each family"},
+    {View::articulates, "articulates", "a colour for each articulate: what is solved together"},
+    {View::temperature, "temperature", "temperature of each thing: blue cold, red hot"},
+    {View::errors, "errors", "gaps of hinges and what the solver left open: blue small, red large"},
+    {View::cells, "cells", "cells of the search for neighbours"},
+    {View::dark, "dark", "a dark background"},
 }};
 
 constexpr bool colours(View view) {

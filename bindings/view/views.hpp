@@ -26,7 +26,6 @@ enum class View : std::uint8_t {
 struct NamedView {
   View view;
   const char* name;
-  const char* key;  ///< that toggles it in the window
   const char* help;
 };
 

@@ -28,6 +28,4 @@ scene:probe("first angle", function() return angle(vec(1, 0, 0), double[1].posit
 scene:probe("second angle", function() return angle(double[1].position, double[2].position) end)
 
 -- A tap on the key j gives the single one a push.
-scene:on("key", function(key)
-  if key == "j" then single:kick(vec(0, 0, 1)) end
-end)
+scene:on("key", "j", function() single:kick(vec(0, 0, 1)) end)

@@ -10,6 +10,7 @@
 #include "lua/fields.hpp"
 #include "lua/reference.hpp"
 #include "support/sources.hpp"
+#include "view/keys.hpp"
 
 using namespace pantin;
 using namespace pantin::lua_tests;
@@ -53,11 +54,11 @@ TEST_CASE("scripts/meta/pantin.lua is what the tables of the bindings say") {
   CHECK(written == lua::annotations());
 }
 
-TEST_CASE("assets/pages/reference.md is what the annotations say") {
+TEST_CASE("assets/pages/reference.md is what the annotations and the table of keys say") {
   std::ifstream file(sources::folder() + "/assets/pages/reference.md");
   const std::string written{std::istreambuf_iterator<char>(file), {}};
   INFO("write it anew with: pantin meta reference > assets/pages/reference.md");
-  CHECK(written == lua::reference());
+  CHECK(written == lua::reference() + key_reference());
 }
 
 TEST_CASE("the reference has every class, field, function and parameter of the annotations") {

@@ -96,6 +96,7 @@ TEST_CASE("wrong calls are told") {
              Contains("after: argument 1, the delay, must be a number [s], got a string"));
   CHECK_THAT(failure("scene:at(1, 3, print)"), Contains("must be a thing of the scene, got a number"));
   CHECK_THAT(failure("scene:at(1)"), Contains("at: argument 2"));
+  CHECK_THAT(failure("scene:on('key', 'x')"), Contains("on: argument 3"));
   CHECK_THAT(failure("scene:on('steps', print)"), Contains("unknown moment 'steps'. Did you mean 'step'?"));
 }
 
@@ -105,6 +106,7 @@ TEST_CASE("callbacks hear what happened, until they are cancelled") {
     local function say(...) for _, word in ipairs { ... } do s = s .. tostring(word) .. " " end scene:result("x", s) end
     local p = scene:particle { name = "p" }
     scene:on("key", function(name) say("key", name) end)
+    scene:on("key", "j", function(name) say("named", name) end)
     scene:on("grab", function(thing, hand) say("grab", hand) end)
     scene:on("drop", function(thing, hand) say("drop", hand) end)
     scene:on("removed", function(thing, story) say(story) end)
@@ -119,11 +121,13 @@ TEST_CASE("callbacks hear what happened, until they are cancelled") {
     c.name = name;
     world.input.commands.push_back(c);
   };
+  CHECK(scene->keys() == std::vector<std::string>{"j"});
   command(Command::Kind::key, "k");
+  command(Command::Kind::key, "j");
   command(Command::Kind::button, "go");
   for (int i = 0; i < 10; i++) scene->step();
-  CHECK_THAT(text_of(*scene), Contains("true") && Contains("key k") && Contains("go") &&
-                                  Contains("particle 'p' was removed at") && Contains("by scene.lua:11"));
+  CHECK_THAT(text_of(*scene), Contains("true") && Contains("key k key j named j") && Contains("go") &&
+                                  Contains("particle 'p' was removed at") && Contains("by scene.lua:12"));
 }
 
 TEST_CASE("subscriptions that were cancelled leave nothing behind, and the others keep their order") {

@@ -271,3 +271,27 @@ TEST_CASE("window: when its display goes away, what was asked for is written", "
   play.end(1);
   CHECK(read_tip(folder).size() > 5);
 }
+
+TEST_CASE("window: what is seen is filmed from key to key", "[window]") {
+  if (!can_play() || !have_program("ffmpeg") || !have_program("ffprobe")) return;
+  Screen screen;
+  Folder folder;
+  Play play(screen, folder, "60");
+  play.hand({"key", "space"});
+  play.hand({"key", "F9"});
+  pause(2.0);
+  play.hand({"key", "F9"});
+  pause(0.5);
+  play.hand({"key", "q"});
+  play.end();
+  const Finished probed = finish({{"ffprobe", "-v", "error", "-count_frames", "-show_entries",
+                                   "stream=width,height,nb_read_frames", "-of", "csv=p=0", folder / "pantin-0001.mp4"},
+                                  {},
+                                  "",
+                                  -1});
+  INFO(probed.out << probed.err);
+  int w = 0, h = 0, frames = 0;
+  REQUIRE(std::sscanf(probed.out.c_str(), "%d,%d,%d", &w, &h, &frames) == 3);
+  CHECK((w == width && h == height));
+  CHECK(frames > 10);
+}

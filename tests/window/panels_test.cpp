@@ -1,4 +1,6 @@
 // The panels of the window, by pushed events: what is done in them reaches the scene, and only there.
+#include <imgui.h>
+
 #include <catch2/catch.hpp>
 
 #include "window/played.hpp"
@@ -97,7 +99,7 @@ TEST_CASE("panels: a field of the thing that was clicked is edited, and keys in 
   played.frames(2);
   pushed::key(SDLK_LCTRL, false);
   pushed::type("2.5");
-  pushed::tap(SDLK_x);
+  pushed::tap(SDLK_j);
   played.frames(2);
   pushed::tap(SDLK_RETURN);
   played.frames(3);
@@ -105,7 +107,7 @@ TEST_CASE("panels: a field of the thing that was clicked is edited, and keys in 
   CHECK_FALSE(played.player->scene().results().contains("keys"));
   pushed::tap(SDLK_F8);
   played.frames(2);
-  pushed::tap(SDLK_x);
+  pushed::tap(SDLK_j);
   played.frames(30);
   CHECK(played.player->scene().results().contains("keys"));
 }
@@ -124,4 +126,17 @@ TEST_CASE("panels: all of them are drawn for a scene with probes and one with ev
   SDL_SetWindowSize(window, 640, 360);
   played.frames(3);
   CHECK(played.player->failure().empty());
+}
+
+TEST_CASE("panels: Esc closes the menu, and then leaves", "[window]") {
+  Played played("scene:particle { at = vec(0, 0, 0) }");
+  played.click(930, 25);
+  REQUIRE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel));
+  pushed::tap(SDLK_ESCAPE);
+  played.frames(2);
+  CHECK_FALSE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel));
+  pushed::tap(SDLK_ESCAPE);
+  bool over = false;
+  for (int i = 0; i < 3 && !over; i++) over = !played.player->frame();
+  CHECK(over);
 }

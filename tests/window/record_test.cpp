@@ -26,7 +26,7 @@ const std::string chain = R"(
   end
   for i = 1, 5 do scene:particle { at = vec(i, 1, 0) } end
   scene:button("kick", function() previous.velocity = vec(0, 5 * math.random(), 0) end)
-  scene:on("key", function(key) if key == "o" then error "oh" end end)
+  scene:on("key", "o", function() error "oh" end)
 )";
 
 /// A recorded player that nobody sees.

@@ -80,21 +80,17 @@ struct Bench {
 
 }  // namespace
 
-TEST_CASE("tools are chosen by their keys, and a key pressed again takes the next variant", "[view]") {
-  ToolChoice choice;
-  for (const Tool& tool : tools()) {
-    CHECK(&tools()[static_cast<std::size_t>(tool.kind)] == &tool);
-    choice = {};
-    CHECK(choice.key(tool.key));
-    CHECK(choice.tool().name == std::string(tool.name));
-  }
-  choice = {ToolKind::make, 6};
-  CHECK(choice.key("8"));
+TEST_CASE("a tool that is chosen again takes its next variant, and tools go round", "[view]") {
+  for (const Tool& tool : tools()) CHECK(&tools()[static_cast<std::size_t>(tool.kind)] == &tool);
+  ToolChoice choice{ToolKind::make, 6};
+  choice.choose(ToolKind::make);
   CHECK(choice.variant == 0);
-  CHECK(choice.key("["));
+  choice.move_on(-1);
   CHECK(choice.kind == ToolKind::remove);
-  CHECK(choice.key("]"));
-  CHECK_FALSE(choice.key("q"));
+  choice = {ToolKind::heat, 1};
+  choice.move_on(1);
+  CHECK(choice.kind == ToolKind::drag);
+  CHECK(choice.variant == 0);
 }
 
 TEST_CASE("a swipe cuts the hinges, nails, rods and connections that it crosses, and tells how many", "[view]") {

@@ -9,6 +9,7 @@
 #include "lua/scene.hpp"
 #include "player/pacing.hpp"
 #include "player/table.hpp"
+#include "view/views.hpp"
 
 namespace pantin::player {
 
@@ -23,6 +24,7 @@ struct Wishes {
   bool pause = false, step = false, restart = false;
   bool browse = false, next = false, previous = false;  ///< the browser, and the scenes beside this one
   bool save_table = false;                              ///< the probes, as .csv
+  bool picture = false, film = false;                   ///< take one; begin or end one
   std::optional<Edit> edit;
   std::optional<double> speed;  ///< times the scene's pace
   std::optional<std::pair<std::string, lua::Value>> parameter;
@@ -35,6 +37,7 @@ inline constexpr double slowest = 1.0 / 64.0, fastest = 64.0;
 struct Said {
   std::string text;
   std::uint64_t times = 1;
+  bool good = false;  ///< nothing went wrong
 };
 
 struct Desk {
@@ -44,13 +47,15 @@ struct Desk {
   const std::deque<Said>& said;  ///< oldest first
   AnyId& chosen;                 ///< what the inspector shows
   AnyId hovered;                 ///< under the pointer
+  Views& views;                  ///< those that are on
   Wishes wishes;
   double speed = 1.0;  ///< times the scene's pace
   bool paused = false;
   bool quick = true;  ///< the scene opens so quickly that it may be opened again in each frame
-  bool dark = false;
+  bool filming = false;
   float width = 0.0f, height = 0.0f;  ///< [px]
 
+  bool dark() const { return views.on(View::dark); }
   const World& world() const { return scene.world(); }
 };
 

@@ -28,7 +28,7 @@ class LogPane : public Pane {
     gather(desk.world().log);
     if (lines_.empty() && desk.said.empty()) return ImGui::TextDisabled("nothing was dropped, nothing warned of");
     ImGui::BeginChild("lines", {0.0f, 14.0f * ImGui::GetTextLineHeightWithSpacing()});
-    for (const Said& said : desk.said) show(desk, "", said.text, said.times, true);
+    for (const Said& said : desk.said) show(desk, "", said.text, said.times, !said.good);
     for (const Line& line : lines_) {
       char when[32];
       std::snprintf(when, sizeof when, "%.3f s  ", line.time);
@@ -67,7 +67,7 @@ class LogPane : public Pane {
     const AnyId thing = thing_in(desk.world(), text);
     const bool linked = !std::holds_alternative<std::monostate>(thing);
     ImGui::PushTextWrapPos(0.0f);
-    if (warn) ImGui::PushStyleColor(ImGuiCol_Text, warning_ink(desk.dark));
+    if (warn) ImGui::PushStyleColor(ImGuiCol_Text, warning_ink(desk.dark()));
     if (times > 1)
       ImGui::TextWrapped("%s%s  (%llu times)", when, text.c_str(), static_cast<unsigned long long>(times));
     else

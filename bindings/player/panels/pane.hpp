@@ -24,7 +24,6 @@ class Pane {
 /// How a panel is added: a line in `pane_kinds`.
 struct PaneKind {
   const char* title;
-  const char* key;    ///< shows and hides it
   const char* about;  ///< one line
   float width;        ///< [px] at scale 1
   bool left;          ///< stands at the left edge, under the scene's buttons; else at the right
@@ -41,17 +40,16 @@ std::unique_ptr<Pane> make_phases_pane();
 std::unique_ptr<Pane> make_log_pane();
 std::unique_ptr<Pane> make_inspector_pane();
 
+/// Each has its key, in their order: KeyUse::panel.
 inline constexpr PaneKind pane_kinds[] = {
-    {"Parameters", "f1", "what the scene lets you change", 210.0f, true, true, make_parameters_pane},
-    {"Time", "f2", "what was set to happen: what fired, what was dropped, what waits", 420.0f, false, false,
-     make_time_pane},
-    {"Probes", "f3", "what the scene measures, as plots", 380.0f, false, false, make_probes_pane},
-    {"Energy", "f4", "where energy came from and went", 300.0f, false, false, make_ledger_pane},
-    {"Solver", "f5", "articulates, unknowns, iterations, fallbacks", 300.0f, false, false, make_solver_pane},
-    {"Phases", "f6", "wall time of each phase of a step", 320.0f, false, false, make_phases_pane},
-    {"Log", "f7", "what happened and what went wrong", 460.0f, false, false, make_log_pane},
-    {"Thing", "f8", "the thing that you clicked, field by field, to be edited", 380.0f, false, false,
-     make_inspector_pane},
+    {"Parameters", "what the scene lets you change", 210.0f, true, true, make_parameters_pane},
+    {"Time", "what was set to happen: what fired, what was dropped, what waits", 420.0f, false, false, make_time_pane},
+    {"Probes", "what the scene measures, as plots", 380.0f, false, false, make_probes_pane},
+    {"Energy", "where energy came from and went", 300.0f, false, false, make_ledger_pane},
+    {"Solver", "articulates, unknowns, iterations, fallbacks", 300.0f, false, false, make_solver_pane},
+    {"Phases", "wall time of each phase of a step", 320.0f, false, false, make_phases_pane},
+    {"Log", "what happened and what went wrong", 460.0f, false, false, make_log_pane},
+    {"Thing", "the thing that you clicked, field by field, to be edited", 380.0f, false, false, make_inspector_pane},
 };
 
 }  // namespace pantin::player

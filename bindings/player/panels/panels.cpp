@@ -9,6 +9,7 @@
 
 #include "player/panels/icons.hpp"
 #include "player/panels/layout.hpp"
+#include "view/keys.hpp"
 
 namespace pantin::player {
 namespace {
@@ -33,6 +34,13 @@ float below_buttons(const Desk& desk) {
 
 void gap() { ImGui::SameLine(0.0f, 0.8f * ImGui::GetFontSize()); }
 
+/// A line of the list, with its key; true where it was pressed.
+bool item(const char* name, KeyUse use, std::size_t which, bool on, const char* about) {
+  const bool pressed = ImGui::MenuItem(name, key_for(use, which), on);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", about);
+  return pressed;
+}
+
 /// The next power of two above or below, or the end of the range.
 double other_speed(double speed, bool faster) {
   return std::clamp(faster ? 2.0 * speed : 0.5 * speed, slowest, fastest);
@@ -47,16 +55,13 @@ Panels::Panels() {
   }
 }
 
-bool Panels::key(const std::string& name) {
-  if (name == "tab") return hidden_ = !hidden_, true;
-  for (Slot& slot : slots_)
-    if (name == slot.kind->key) {
-      slot.open = hidden_ || !slot.open;
-      hidden_ = false;
-      return true;
-    }
-  return false;
+void Panels::toggle(std::size_t which) {
+  Slot& slot = slots_.at(which);
+  slot.open = hidden_ || !slot.open;
+  hidden_ = false;
 }
+
+void Panels::hide() { hidden_ = !hidden_; }
 
 void Panels::reset() {
   for (Slot& slot : slots_) {
@@ -120,18 +125,25 @@ void Panels::draw_bar(Desk& desk) {
   ImGui::SameLine();
   if (icon_button(Icon::faster, "fast forward (+)")) wishes.speed = other_speed(desk.speed, true);
   gap();
-  if (icon_button(Icon::panels, "panels (tab hides them)")) ImGui::OpenPopup("panels");
+  if (icon_button(Icon::panels, "panels (tab hides them), views, film")) ImGui::OpenPopup("panels");
   ImGui::PopStyleVar(2);
-  draw_list();
+  draw_list(desk);
   ImGui::End();
 }
 
-void Panels::draw_list() {
+void Panels::draw_list(Desk& desk) {
   if (!ImGui::BeginPopup("panels")) return;
-  for (Slot& slot : slots_) {
-    if (ImGui::MenuItem(slot.kind->title, slot.kind->key, slot.open && !hidden_)) key(slot.kind->key);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", slot.kind->about);
+  for (std::size_t i = 0; i < slots_.size(); i++) {
+    const Slot& slot = slots_[i];
+    if (item(slot.kind->title, KeyUse::panel, i, slot.open && !hidden_, slot.kind->about)) toggle(i);
   }
+  ImGui::Separator();
+  for (const NamedView& named : view_table())
+    if (item(named.name, KeyUse::view, static_cast<std::size_t>(named.view), desk.views.on(named.view), named.help))
+      desk.views.toggle(named.view);
+  ImGui::Separator();
+  desk.wishes.picture |= item("picture", KeyUse::picture, 0, false, "of the scene, as .png");
+  desk.wishes.film |= item("film", KeyUse::film, 0, desk.filming, "what is seen, until it is pressed again, as .mp4");
   ImGui::EndPopup();
 }
 

@@ -14,8 +14,9 @@ class Panels {
 
   /// Within a frame of Dear ImGui.
   void draw(Desk& desk);
-  /// True where the key shows or hides something here.
-  bool key(const std::string& name);
+  /// Shows or hides a panel, or all that are shown.
+  void toggle(std::size_t which);
+  void hide();
   /// Another scene was opened.
   void reset();
   /// Shows a panel by its title.
@@ -30,7 +31,7 @@ class Panels {
     float height = 0.0f;               ///< [px] when last drawn
   };
   void draw_bar(Desk& desk);
-  void draw_list();
+  void draw_list(Desk& desk);
   void place(const std::vector<Slot*>& shown, const Desk& desk);
   static void draw_pane(Slot& slot, Desk& desk);
 

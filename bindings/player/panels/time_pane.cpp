@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "player/panels/pane.hpp"
+#include "view/keys.hpp"
 #include "view/panel_style.hpp"
 
 namespace pantin::player {
@@ -54,6 +55,9 @@ class TimePane : public Pane {
       ImGui::TextDisabled("nothing was set to happen");
     else
       draw_list(desk);
+    if (ImGui::Button(desk.filming ? "end the film" : "film what is seen")) desk.wishes.film = true;
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s: pantin-0001.mp4 and on", key_for(KeyUse::film));
   }
   void reset() override { seen_steps_ = ~0ull; }
 
@@ -74,7 +78,7 @@ class TimePane : public Pane {
     draw_scale(list, from, wide, high, start);
     const float top = from.y + 0.2f * high, bottom = from.y + 0.62f * high;
     for (const TimelineEntry& e : entries_) {
-      const ImU32 ink = ImGui::GetColorU32(color_of(e.state, desk.dark));
+      const ImU32 ink = ImGui::GetColorU32(color_of(e.state, desk.dark()));
       if (e.kind == EventKind::over)
         list.AddRectFilled({x_of(e.from), top}, {x_of(e.until), bottom}, (ink & 0xffffffu) | 0x60000000u);
       if (std::isfinite(e.time)) list.AddLine({x_of(e.time), top}, {x_of(e.time), bottom}, ink, 2.0f);
@@ -116,7 +120,7 @@ class TimePane : public Pane {
     ImGui::TableNextColumn();
     std::isfinite(e.time) ? ImGui::Text("%.3f s", e.time) : ImGui::TextDisabled("when");
     ImGui::TableNextColumn();
-    ImGui::TextColored(color_of(e.state, desk.dark), "%s", word(e.state));
+    ImGui::TextColored(color_of(e.state, desk.dark()), "%s", word(e.state));
     ImGui::TableNextColumn();
     if (e.kind == EventKind::every)
       ImGui::Text("every %.4g s, %llu times", e.period, static_cast<unsigned long long>(e.fired));

@@ -1,0 +1,72 @@
+#pragma once
+// The keys of the window: one table, which the handling of input, the card of keys, hints and the reference read.
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace pantin {
+
+/// What a key is for. `told`: it stands in the table to be read, for it is no key, or one that is held.
+enum class KeyUse : std::uint8_t {
+  told,
+  tool,
+  tool_before,
+  tool_next,
+  cut,
+  undo,
+  redo,
+  pause,
+  step,
+  slower,
+  faster,
+  own_pace,
+  restart,
+  scenes,
+  scene_before,
+  scene_next,
+  panel,
+  panels,
+  picture,
+  film,
+  help,
+  leave,
+  see_all,
+  see_freely,
+  see_front,
+  see_right,
+  see_top,
+  view
+};
+
+struct WindowKeys {
+  const char* group;
+  KeyUse use;
+  std::vector<const char*> keys;  ///< as `Gestures::keys` has them
+  const char* shown;              ///< as they are told
+  std::string help;
+  std::size_t first = 0;  ///< of tools, panels and views: which the first key is for; the next is for the next
+};
+
+/// All, group by group.
+const std::vector<WindowKeys>& window_keys();
+
+/// What a key is for, and for which tool, panel or view.
+struct KeyMeaning {
+  KeyUse use;
+  std::size_t which;
+};
+/// Nothing where the window has no use for it, so that it is the scene's.
+std::optional<KeyMeaning> meaning_of(std::string_view key);
+/// The key of a tool, panel or view, or the first that serves a use.
+const char* key_for(KeyUse use, std::size_t which = 0);
+
+/// {keys, what they do}, with a heading before each group, which does nothing: for the card of keys.
+const std::vector<std::pair<std::string, std::string>>& key_card();
+/// The same as Markdown, for the reference.
+std::string key_reference();
+
+}  // namespace pantin
