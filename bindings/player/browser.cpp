@@ -74,7 +74,7 @@ void Browser::show() {
 
 void Browser::hide() {
   shown_ = false;
-  portraits_.reset();
+  if (portraits_) portraits_->rest();
 }
 
 std::string Browser::neighbour(const std::string& path, int places) {

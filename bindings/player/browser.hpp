@@ -42,7 +42,7 @@ class Browser {
   std::vector<std::size_t> shown_scenes_;  ///< those that the search finds
   std::size_t mark_ = 0;                   ///< of these, the one that Enter opens
   bool moved_ = false;                     ///< the mark, by a key
-  std::unique_ptr<Portraits> portraits_;   ///< while it is shown
+  std::unique_ptr<Portraits> portraits_;   ///< from when it is shown first
   std::string search_, searched_;
   std::string chosen_;
   bool shown_ = false, appearing_ = false, left_ = false;

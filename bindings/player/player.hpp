@@ -24,6 +24,9 @@
 
 namespace pantin::player {
 
+/// As `--set` gives it.
+std::string setting_text(const lua::Value& value);
+
 /// A scene in a window, with hands in it.
 class Player {
  public:
@@ -63,6 +66,7 @@ class Player {
   void take_keys();
   Actions take_hands(double elapsed);
   std::int32_t new_hand();
+  void begin_change(const std::string& name);
   void keep_for_undo(const std::string& act, const StepInput& before);
   void go_back(bool (Undo::*way)(lua::Scene&, Times&, StepInput&, std::string&));
   void tell(const std::string& what);
@@ -124,6 +128,7 @@ class Player {
   std::string told_;  ///< what a tool did last, or why it did nothing
   Clock::time_point told_at_{};
   Clock::time_point adopted_ = Clock::now();  ///< when the scene was opened
+  Clock::time_point changed_at_{};            ///< when a parameter was
   bool tried_ = false;                        ///< a hand did something since
   std::size_t log_read_ = 0;                  ///< lines of the world's log
   StepInput waiting_;                         ///< what hands did since the last step

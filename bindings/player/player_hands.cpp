@@ -47,6 +47,8 @@ void Player::go_back(bool (Undo::*way)(lua::Scene&, Times&, StepInput&, std::str
     hands_.let_go(scene_->world(), waiting_);
     log_read_ = scene_->world().log.size();
     failure_ = scene_->world().failure;
+    for (const lua::Parameter& p : scene_->parameters())
+      if (p.value != p.initial || lua_options_.set.contains(p.name)) lua_options_.set[p.name] = setting_text(p.value);
   }
   tell(told);
 }

@@ -14,15 +14,16 @@ namespace {
 
 constexpr double quick_load = 0.04;  // [s] so long a scene may take to be opened in each frame
 constexpr std::size_t most_said = 200;
+constexpr std::chrono::seconds one_change{1};       // of a parameter, from value to value
 constexpr std::chrono::milliseconds patience{300};  // before it is told that a scene is being opened
 
-std::string text_of(const lua::Value& value) {
+}  // namespace
+
+std::string setting_text(const lua::Value& value) {
   if (const auto* number = std::get_if<double>(&value)) return to_text(*number);
   if (const auto* boolean = std::get_if<bool>(&value)) return *boolean ? "true" : "false";
   return std::get<std::string>(value);
 }
-
-}  // namespace
 
 /// Opens a scene while the window stays alive, so that one that does not come to an end can be stopped.
 std::unique_ptr<lua::Scene> Player::load(const std::string& path, const lua::SceneOptions& options) {
@@ -124,7 +125,8 @@ void Player::open_neighbour(int places) {
 
 void Player::set_parameter(const std::string& name, const lua::Value& value) {
   const auto before = lua_options_.set;
-  lua_options_.set[name] = text_of(value);
+  lua_options_.set[name] = setting_text(value);
+  begin_change(name);
   bool live = true;
   try {
     live = scene_->set_parameter(name, value);
@@ -134,7 +136,14 @@ void Player::set_parameter(const std::string& name, const lua::Value& value) {
     complain(error.what());
     if (!live) return;
   }
+  changed_at_ = Clock::now();
   if (recorder_) recorder_->parameter(name, value);
+}
+
+/// What a slider that is drawn does is one act.
+void Player::begin_change(const std::string& name) {
+  const std::string act = "change of " + name;
+  if (undo_.last() != act || Clock::now() > changed_at_ + one_change) keep_for_undo(act, waiting_);
 }
 
 void Player::take_keys() {
@@ -203,6 +212,7 @@ void Player::choose() {
 }
 
 void Player::edit(const Edit& edit) {
+  keep_for_undo(text("edit of ", edit.value.name), waiting_);
   try {
     lua::write_field(*scene_, edit.thing, edit.value.name, edit.value);
   } catch (const std::exception& error) { complain(error.what()); }

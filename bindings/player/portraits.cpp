@@ -1,5 +1,7 @@
 #include "player/portraits.hpp"
 
+#include <sys/resource.h>
+
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -59,7 +61,9 @@ Portraits::~Portraits() {
     ending_ = true;
   }
   changed_.notify_all();
+  lua::interrupt_scripts();
   thread_.join();
+  lua::allow_scripts();
 }
 
 void* Portraits::picture(const std::string& path) {
@@ -74,8 +78,10 @@ void* Portraits::picture(const std::string& path) {
 const std::string& Portraits::error(const std::string& path) { return entries_[path].error; }
 
 void Portraits::rest() {
-  for (const std::string& path : queue_) entries_[path].asked = false;
+  for (auto& [path, entry] : entries_) entry.asked = entry.tried;
   queue_.clear();
+  const std::lock_guard lock(mutex_);
+  given_up_ = state_ != State::none;
 }
 
 bool Portraits::done() const {
@@ -102,13 +108,13 @@ void Portraits::work(bool dark) {
   std::unique_lock lock(mutex_);
   if (state_ == State::opened || state_ == State::stepped || state_ == State::failed) {
     const State reached = state_;
-    if (reached != State::failed) draw(path_, reached == State::stepped);
-    if (reached != State::opened) {
+    if (reached != State::failed && !given_up_) draw(path_, reached == State::stepped);
+    const bool over = reached != State::opened || given_up_;
+    if (over && !given_up_) {
       entries_[path_].tried = true;
       entries_[path_].error = std::exchange(error_, {});
-      scene_.reset();
     }
-    state_ = reached == State::opened ? State::stepping : State::none;
+    state_ = over ? State::dropping : State::stepping;
     lock.unlock();
     return changed_.notify_all();
   }
@@ -121,6 +127,7 @@ void Portraits::work(bool dark) {
   entry.tried = entry.texture.has_value();
   if (entry.tried) return;
   path_ = path;
+  given_up_ = false;
   state_ = State::opening;
   lock.unlock();
   changed_.notify_all();
@@ -146,32 +153,32 @@ void Portraits::draw(const std::string& path, bool keep) {
   }
 }
 
-/// The thread's work.
+/// The thread's work. The window goes before it.
 void Portraits::run() {
+  setpriority(PRIO_PROCESS, 0, 10);  // of this thread alone
   std::unique_lock lock(mutex_);
   while (!ending_) {
-    changed_.wait(lock, [&] { return ending_ || state_ == State::opening || state_ == State::stepping; });
+    changed_.wait(lock, [&] {
+      return ending_ || state_ == State::opening || state_ == State::stepping || state_ == State::dropping;
+    });
     if (ending_) return;
-    const bool open = state_ == State::opening;
+    const State asked = state_;
     const std::string path = path_;
-    lua::Scene* scene = scene_.get();
-    lock.unlock();
-    std::unique_ptr<lua::Scene> fresh;
+    std::unique_ptr<lua::Scene> scene = std::move(scene_);
     std::string error;
-    bool good = true;
+    lock.unlock();
     try {
-      if (open)
-        fresh = lua::Scene::open(path, options_);
-      else
-        step(*scene);
-    } catch (const std::exception& thrown) {
-      good = false;
-      error = thrown.what();
-    }
+      if (asked == State::opening) scene = lua::Scene::open(path, options_);
+      if (asked == State::stepping) step(*scene);
+      if (asked == State::dropping) scene.reset();
+    } catch (const std::exception& thrown) { error = thrown.what(); }
     lock.lock();
-    if (open) scene_ = std::move(fresh);
+    scene_ = std::move(scene);
+    state_ = asked == State::dropping  ? State::none
+             : !error.empty()          ? State::failed
+             : asked == State::opening ? State::opened
+                                       : State::stepped;
     error_ = std::move(error);
-    state_ = !good ? State::failed : open ? State::opened : State::stepped;
   }
 }
 
@@ -180,7 +187,8 @@ void Portraits::step(lua::Scene& scene) {
   while (scene.world().time < shown_time && scene.world().failure.empty() && !scene.finished()) {
     scene.step();
     const std::lock_guard lock(mutex_);
-    if (ending_ || std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > most_wall) return;
+    const double taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (ending_ || given_up_ || taken > most_wall) return;
   }
 }
 

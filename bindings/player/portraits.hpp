@@ -35,14 +35,14 @@ class Portraits {
   const std::string& error(const std::string& path);
   /// A part of the work, between two frames: reads a file or draws a picture. `dark`: on a dark ground.
   void work(bool dark);
-  /// Forgets what is still to be made, until it is asked for again.
+  /// Forgets what is still to be made, until it is asked for again. Waits for nothing.
   void rest();
   /// Nothing is left to be made.
   bool done() const;
 
  private:
-  /// Of the scene that the thread has in hand. Opened and stepped by the thread, drawn where it waits.
-  enum class State { none, opening, opened, stepping, stepped, failed };
+  /// Of the scene that the thread has in hand. Opened, stepped and dropped by the thread, drawn where it waits.
+  enum class State { none, opening, opened, stepping, stepped, failed, dropping };
   struct Entry {
     std::optional<Texture> texture;
     std::string error;                  ///< why it could not be opened or stepped
@@ -65,10 +65,10 @@ class Portraits {
   std::mutex mutex_;
   std::condition_variable changed_;
   State state_ = State::none;
-  std::string path_;                   ///< in hand
-  std::unique_ptr<lua::Scene> scene_;  ///< the same
-  std::string error_;                  ///< the same
-  bool ending_ = false;
+  std::string path_;                        ///< in hand
+  std::unique_ptr<lua::Scene> scene_;       ///< the same
+  std::string error_;                       ///< the same
+  bool ending_ = false, given_up_ = false;  ///< given up: the scene in hand
   std::thread thread_;
 };
 

@@ -37,6 +37,8 @@ bool Undo::redo(lua::Scene& scene, Times& times, StepInput& waiting, std::string
   return move(scene, times, waiting, future_, past_, "redo", told);
 }
 
+std::string Undo::last() const { return name_of_last(past_); }
+
 void Undo::clear() {
   past_.clear();
   future_.clear();

@@ -11,12 +11,14 @@
 
 namespace pantin::player {
 
-/// The latest acts of hands, each with the scene, the times of its steps and what waited for the next step, as they were
+/// The latest acts of hands, edits and changes of parameters, each with the scene, the times of its steps and what waited for the next step, as they were
 /// before; they are taken back by putting that back.
 class Undo {
  public:
   /// An act begins. Where the scene cannot be put back, nothing is kept; throws Error where it cannot be kept.
   void begin(lua::Scene& scene, const Times& times, const StepInput& waiting, const std::string& act);
+  /// The act that can be taken back, or empty.
+  std::string last() const;
   /// Takes the last act back, or does it again, and tells what became of that. True where the scene was put back.
   bool undo(lua::Scene& scene, Times& times, StepInput& waiting, std::string& told);
   bool redo(lua::Scene& scene, Times& times, StepInput& waiting, std::string& told);

@@ -1047,11 +1047,12 @@ function Scene:when(condition, target_or_action, action, options) end
 ---@param script? fun(wait: Waiting, target: Thing)
 ---@return Event
 function Scene:play(target_or_script, script) end
----Calls a function at each "step" (dt), "press" "release" (hand), "key" (name), "grab" "drop" (thing, hand), "cut" "joined" (hinge), "broke" (connection, constraint or hinge, force [N], story), "removed" (thing, story).
+---Calls a function at each "step" (dt), "press" "release" (hand), "key" (name), "grab" "drop" (thing, hand), "cut" "joined" (hinge), "broke" (connection, constraint or hinge, force [N], story), "removed" (thing, story). on("key", "x", action) takes that key from the window, whatever that does with it; without a name, keys are heard that the window has no use for.
 ---@param moment string
----@param action function
+---@param key_or_action string|function
+---@param action? function
 ---@return Subscription
-function Scene:on(moment, action) end
+function Scene:on(moment, key_or_action, action) end
 ---Puts a behaviour to work on a target, with which it ends.
 ---@param target Thing|Scene
 ---@param behaviour Behaviour

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
+#include "player/portraits.hpp"
 #include "window/played.hpp"
 
 using namespace pantin;
@@ -88,6 +89,21 @@ TEST_CASE("browser: pictures are made and kept", "[window]") {
   pushed::tap(SDLK_RETURN);
   played.frames(3);
   CHECK(played.player->scene().title() == "Mine");
+}
+
+TEST_CASE("browser: giving up a picture waits for no script, nor does the end", "[window]") {
+  const Window window("test", 64, 64, true);
+  support::Folder folder;
+  support::write_file(folder / "endless.lua", "while true do end");
+  support::write_file(folder / "good.lua", "scene:particle { at = vec(0, 0, 0) }");
+  player::Portraits portraits({}, "");
+  portraits.picture(folder / "endless.lua");
+  portraits.work(false);
+  portraits.rest();
+  CHECK(portraits.done());
+  portraits.picture(folder / "good.lua");
+  portraits.work(false);
+  CHECK_FALSE(portraits.done());  // its turn comes after the endless one
 }
 
 TEST_CASE("browser: scenes are told by title and first comment, what is no scene is left out", "[window]") {

@@ -23,6 +23,11 @@ TEST_CASE("panels: a slider of a live parameter calls on_change, and the scene g
   CHECK(played.result("push") == 10.0);
   CHECK(played.world().steps > steps);
   CHECK(played.world().hands.size() <= 1);
+  played.player->undo();  // the whole drag
+  CHECK_FALSE(played.player->scene().results().contains("push"));
+  CHECK(played.player->scene().parameters()[0].value == lua::Value(1.0));
+  played.player->redo();
+  CHECK(played.result("push") == 10.0);
 }
 
 TEST_CASE("panels: a slider of another parameter opens the scene again with its value, in its steps", "[window]") {
@@ -103,6 +108,10 @@ TEST_CASE("panels: a field of the thing that was clicked is edited, and keys in 
   played.frames(2);
   pushed::tap(SDLK_RETURN);
   played.frames(3);
+  CHECK(played.world().points.at_slot(0).mass == 2.5);
+  played.player->undo();
+  CHECK(played.world().points.at_slot(0).mass == 1.0);
+  played.player->redo();
   CHECK(played.world().points.at_slot(0).mass == 2.5);
   CHECK_FALSE(played.player->scene().results().contains("keys"));
   pushed::tap(SDLK_F8);
