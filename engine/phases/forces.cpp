@@ -25,9 +25,10 @@ void refresh_forces(World& world) {
   try {
     if (world.unchecked) require_integrator_fits(world);
     world.unchecked = false;
-    const bool anew = world.influences_changed || !acting_now(world);
+    bool anew = world.influences_changed || !acting_now(world);
     pantin::refresh_forces(world);
     while (world.influences_changed) {  // connections were found too stiff
+      anew = true;
       find_articulates(world);
       pantin::refresh_forces(world);
     }
