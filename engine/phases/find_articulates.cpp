@@ -23,10 +23,16 @@ void save_loose(World& world) {
   for (std::uint32_t slot : world.loose_bodies) world.saved_motion.push_back(world.motion[slot]);
 }
 
-/// Whether something is to be found anew that is tied, or a body: not where free points were only born or have gone.
+bool is_tied(const World& world, PointId id) {
+  if (!world.points.alive(id)) return false;
+  const Point& point = world.points[id];
+  return !point.constraints.empty() || world.particles[point.particle].joins();
+}
+
+/// Whether something is to be found anew that was or is tied, or a body: not where free points were only born or have gone.
 bool ties_changed(const World& world) {
   return std::any_of(world.touched.begin(), world.touched.end(),
-                     [](const Touched& t) { return t.body || t.articulate >= 0; });
+                     [&](const Touched& t) { return t.body || t.articulate >= 0 || is_tied(world, t.point); });
 }
 
 }  // namespace

@@ -299,3 +299,34 @@ test("the ledger is kept once it was read, and closes", function()
   expect(math.abs(ledger.truncation.spring)):above(0)
   expect(ledger.hand + ledger.event + ledger.projection):near(0, 1e-12)
 end)
+
+test("a particle that is tied, or joined to another, while a law pulls at it goes on as if it had been from the start", function()
+  local ties = {
+    "scene:rod(p, vec(1, -1, 0))", "scene:nail(p)", "scene:hinge(p, r)", "scene:on_plane(p, { normal = vec(0, 1, 1) })",
+    "scene:string({ p, vec(1, -1, 0) })", "scene:follow(p, function(t) return vec(1, 0, 0) end)",
+  }
+  for _, tie in ipairs(ties) do
+    local places = {}
+    for _, when in ipairs { "start", "later" } do
+      local scene = open_text([[
+        scene.gravity = vec(0, 0, 0)
+        local family = scene:family "family"
+        local p = scene:particle { at = vec(1, 0, 0), family = family, name = "p" }
+        local q = scene:particle { at = vec(2, 0, 0), family = family, mass = 5, name = "q" }
+        local r = scene:particle { at = vec(1, 0, 0), mass = 2 }
+        scene:interact(family, family, force.spring { stiffness = 6, length = 1 })
+        local function tie() ]] .. tie .. [[ end
+        if "]] .. when .. [[" == "start" then tie() else scene:at(0.05, tie) end
+        scene:at(0.06, function() q:kick(vec(5, 5, 0)) end)
+      ]])
+      scene:advance(0.1)
+      places[#places + 1] = scene:find("p").position
+      places[#places + 1] = scene:find("q").position
+      scene:advance(1)
+      expect(scene.error.energy):below(1e-3)
+      places[#places + 1] = scene:find("p").position
+      places[#places + 1] = scene:find("q").position
+    end
+    for i = 1, 4 do expect((places[i] - places[4 + i]):length()):below(1e-6) end
+  end
+end)
