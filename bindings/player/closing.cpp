@@ -29,10 +29,12 @@ void print_closing(const lua::Scene& scene, const std::string& path, double seco
                 world.error.energy, world.worst.energy, world.error.hinge_gap, world.worst.hinge_gap,
                 static_cast<unsigned long long>(state_hash(world)));
   std::cout << line;
+  if (world.stats.safe_steps > 0)
+    std::cout << text("  ", world.stats.safe_steps,
+                      " safe steps, which only lose energy, where an articulate could not be solved\n");
   if (world.worst.energy > 0.1)
-    std::cout << "  the energy went wrong by more than a tenth of what the scene exchanges: laws may be too stiff for "
-                 "the step "
-              << to_text(world.settings.step) << " s; `pantin report " << path << "` finds one that serves\n";
+    std::cout << "  the energy went wrong by more than a tenth of what the scene exchanges; `pantin report " << path
+              << "` compares steps and integrators\n";
   if (world.settings.accuracy) {
     const MostSubSteps most = most_sub_steps(world);
     std::cout << text("  accuracy ", *world.settings.accuracy, " per second took ", world.sub_steps.count,

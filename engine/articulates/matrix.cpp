@@ -244,9 +244,12 @@ void reuse_factor(Articulate& a, const System& system) {
 
 double mobility(const Articulate& a, const Row& row) {
   if (row.lever > 0.0) {
-    double turning = trace(diagonal(a.nodes[static_cast<std::size_t>(row.a)].inverse_inertia));
-    if (row.b >= 0) turning += trace(diagonal(a.nodes[static_cast<std::size_t>(row.b)].inverse_inertia));
-    return turning * row.lever * row.lever / 3.0;
+    const auto turning = [&](std::int32_t node, Vec3 axis) {
+      const Vec3 inverse = a.nodes[static_cast<std::size_t>(node)].inverse_inertia;
+      return row.kind == RowKind::turn ? dot(inverse, axis * axis) : trace(diagonal(inverse)) / 3.0;
+    };
+    const double first = turning(row.a, row.la);
+    return (row.b < 0 ? first : first + turning(row.b, row.lb)) * row.lever * row.lever;
   }
   const auto end = [](const Node& n, Vec3 l) {
     const double turning =

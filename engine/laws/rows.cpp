@@ -103,7 +103,7 @@ class Tiles {
       std::copy_n(tiled_ + begin, count, slab.own.begin() + first);
       count = static_cast<std::size_t>(omitted_.remove(site, slab.own.begin() + first, slab.own.end()) -
                                        (slab.own.begin() + first));
-      slab.own.resize(first);
+      slab.own.resize(first + count);
       if (count > 0) close_row(slab, site, first, count, unshifted, omitted_.sites.dummy());
     } else if (count > 0) {
       slab.rows.push_back(

@@ -490,7 +490,7 @@ function Align:remove() end
 ---@class Motor
 ---@field a Body its first body (read only)
 ---@field b Body? its second body, or nil for the world (read only)
----@field speed number [rad/s] of a against b, where it keeps that; a number or a function of time [s]
+---@field speed number [rad/s] of a against b, where it keeps that; a number or a function of time [s]; a step turns by 2 atan(speed step / 2), as it turns what spins freely
 ---@field angle number [rad] that it keeps, where it does; a number or a function of time [s]
 ---@field turned number [rad] the angle of a against b now, turns counted (read only)
 ---@field max_torque number [N m] never pushes harder; math.huge: no limit

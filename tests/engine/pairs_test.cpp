@@ -152,6 +152,23 @@ TEST_CASE("pairs: a potential without a cutoff") {
   CHECK(difference(made.force, direct(sites, {}, {0}, {0}, infinity, false, force)) < 1e-12);
 }
 
+TEST_CASE("pairs: without a cutoff what is of one body is left out, however many sites there are") {
+  for (std::size_t n = 2; n < 60; n++) {
+    CAPTURE(n);
+    Sites sites = cases::random_sites({.count = n, .families = 2});
+    for (std::size_t i = 0; i < n; i++) sites.kin[i].first = static_cast<std::uint32_t>(i / 3 + 1);
+    const auto force = [&](std::size_t i, std::size_t j, Vec3 d) {
+      return i / 3 == j / 3 ? zero3() : soft_charge_force(sites, i, j, d);
+    };
+    const Families zero = {0}, one = {1};
+    for (const Families* second : {&zero, &one}) {
+      const Run made = run(*soft_charges(), sites, {}, zero, *second);
+      const std::vector<Vec3> wanted = direct(sites, {}, zero, *second, infinity, false, force);
+      for (std::size_t i = 0; i < n; i++) CHECK(norm(made.force[i] - wanted[i]) < 1e-12);
+    }
+  }
+}
+
 TEST_CASE("pairs: a potential between two families") {
   const Sites sites = cases::random_sites({.count = 700, .families = 3});
   const double cutoff = GENERATE(2.5, infinity);

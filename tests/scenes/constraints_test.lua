@@ -194,3 +194,16 @@ test("the ledger of what turns freely closes too", function()
   scene:advance(1)
   expect(scene.ledger.closure):below(1e-10)
 end)
+
+test("a thin rod that meets the limit of its angle swings back from it, wherever that is", function()
+  for i = 0, 15 do
+    local scene = open_text([[
+      local rod = scene:body { points = { a = { mass = 1 }, b = { at = vec(1, 0, 0), mass = 1 } }, name = "rod" }
+      scene:nail(rod.a)
+      scene:limit(rod, { axis = vec(0, 0, 1), min = ]] .. -1.6 - 0.1 * i .. [[, max = 2 })
+    ]])
+    scene:advance(3)
+    expect(scene.stats.safe_steps):equal(0)
+    expect(scene.error.worst_energy):below(1e-3)
+  end
+end)
