@@ -86,7 +86,7 @@ void add_work(ImpulseWork& work, const Articulate& a, const Condition& c, Vec3 i
 /// all of them do at the velocities that they got has: it is then that of anchors, or where none moves of couples.
 ImpulseWork work_of_impulses(const Articulate& a, const Velocities& v) {
   ImpulseWork work;
-  if (v.forbidden <= 1e-6 * v.fastest) {
+  if (a.tree || v.forbidden <= 1e-6 * v.fastest) {
     for (const Condition& c : a.conditions) add_work(work, a, c, a.impulses[c.row]);
     return work;
   }
