@@ -82,25 +82,6 @@ void add_work(ImpulseWork& work, const Articulate& a, const Condition& c, Vec3 i
   (row(a, c).lever > 0.0 ? work.couples : work.ends) += dot(impulse, c.wanted);
 }
 
-/// Work of the impulses on what moves by itself. Where rows contradict each other their impulses have no bound, but what
-/// all of them do at the velocities that they got has: it is then that of anchors, or where none moves of couples.
-ImpulseWork work_of_impulses(const Articulate& a, const Velocities& v) {
-  ImpulseWork work;
-  if (a.tree || v.forbidden <= 1e-6 * v.fastest) {
-    for (const Condition& c : a.conditions) add_work(work, a, c, a.impulses[c.row]);
-    return work;
-  }
-  bool anchors = false;
-  double all = 0.0;
-  for (std::size_t k = 0; k < a.rows.size(); k++) all += dot(a.impulses[k], a.rows[k].residual);
-  for (const Condition& c : a.conditions) {
-    all += dot(a.impulses[c.row], c.wanted);
-    anchors = anchors || (row(a, c).lever == 0.0 && norm2(c.wanted) > 0.0);
-  }
-  (anchors ? work.ends : work.couples) = all;
-  return work;
-}
-
 /// Energy that what moves by itself may give, if all moves as fast, or for a turn ten times as much, since a crank may turn
 /// others faster than itself [J].
 double driven_energy(const Articulate& a) {
@@ -113,6 +94,25 @@ double driven_energy(const Articulate& a) {
                                             : 0.5 * a.total_mass * speed2);
   }
   return energy;
+}
+
+/// Work of the impulses on what moves by itself. Where rows contradict each other their impulses may have no bound, but what
+/// all of them do at the velocities that they got has: it is then that of anchors, or where none moves of couples.
+ImpulseWork work_of_impulses(const Articulate& a, const Velocities& v) {
+  constexpr double bound = 10.0;  // of what moves and drives
+  ImpulseWork work;
+  for (const Condition& c : a.conditions) add_work(work, a, c, a.impulses[c.row]);
+  if (v.forbidden <= 1e-6 * v.fastest || std::fabs(work.all()) <= bound * (v.kinetic + driven_energy(a))) return work;
+  work = {};
+  bool anchors = false;
+  double all = 0.0;
+  for (std::size_t k = 0; k < a.rows.size(); k++) all += dot(a.impulses[k], a.rows[k].residual);
+  for (const Condition& c : a.conditions) {
+    all += dot(a.impulses[c.row], c.wanted);
+    anchors = anchors || (row(a, c).lever == 0.0 && norm2(c.wanted) > 0.0);
+  }
+  (anchors ? work.ends : work.couples) = all;
+  return work;
 }
 
 /// Takes the residuals through the first half of a solution on the factor at hand.
