@@ -80,7 +80,11 @@ void keep_in_plane(const Plane& plane, Sites& sites) {
     for (std::size_t i = 0; i < sites.n; i++) (*forces)[i] = plane.along((*forces)[i]);
 }
 
-namespace {
+double run_still_laws(const World& world, Forces& f, const Instant& instant, bool with_energy) {
+  std::fill(f.sites.force.begin(), f.sites.force.end(), zero3());
+  if (f.open) std::fill(f.sites.open_force.begin(), f.sites.open_force.end(), zero3());
+  return run_laws(world, f, instant, {false, true}, with_energy);
+}
 
 void collect(const World& world, Forces& f) {
   keep_in_plane(world.plane, f.sites);
@@ -99,8 +103,6 @@ void collect(const World& world, Forces& f) {
     m.damper_torque += world.plane.about(cross(a.r, damping));
   }
 }
-
-}  // namespace
 
 void refresh_ages(const World& world, Forces& f, double time) {
   Sites& s = f.sites;
@@ -131,9 +133,7 @@ bool changes(const Forces& f) {
 /// Forces at the places and velocities that the sites now have; the energy where it is asked for.
 double evaluate(const World& world, Forces& f, const Instant& instant, bool with_energy) {
   refresh_ages(world, f, instant.time);
-  std::fill(f.sites.force.begin(), f.sites.force.end(), zero3());
-  if (f.open) std::fill(f.sites.open_force.begin(), f.sites.open_force.end(), zero3());
-  double energy = run_laws(world, f, instant, {false, true}, with_energy);
+  const double energy = run_still_laws(world, f, instant, with_energy);
   if (f.moving) {
     f.still.assign(f.sites.open_force.begin(), f.sites.open_force.end());
     run_laws(world, f, instant, {true, false}, false);
@@ -265,26 +265,6 @@ double energy_at_ages(const World& world, Forces& f, double time) {
 }
 
 bool stiffness_is_due(World& world) { return std::exchange(world.stiffness_unknown, false) || world.steps % 64 == 0; }
-
-/// Error rate of the kicks of a whole step [1/s], were it not divided: by the forces where all would be at its end if it
-/// went on straight, so that what meets a wall in the step is seen before.
-double coming_kick_error(World& world) {
-  Forces& f = *world.forces;
-  note_kicks(world);
-  read_velocities(world, f, false);
-  const auto places = f.sites.x, force = f.sites.force, open = f.sites.open_force;
-  for (std::size_t i = 0; i < f.sites.n; i++) f.sites.x[i] += f.sites.v[i] * world.settings.step;
-  std::fill(f.sites.force.begin(), f.sites.force.end(), zero3());
-  if (f.open) std::fill(f.sites.open_force.begin(), f.sites.open_force.end(), zero3());
-  run_laws(world, f, instant_of(world, world.time, world.instant), {false, true}, false);
-  collect(world, f);
-  const double rate = kick_error(world) * world.sub_steps.count;
-  f.sites.x = places;
-  f.sites.force = force;
-  f.sites.open_force = open;
-  collect(world, f);
-  return std::isfinite(rate) ? rate : infinity;
-}
 
 /// More sub-steps where the coming step needs them.
 void look_ahead(World& world) {

@@ -102,6 +102,11 @@ void run_law(const World& world, Forces& forces, ActingField& acting);
 /// Adds the forces of the laws; gives the energy [J] of those that have one where it is asked for.
 double run_laws(const World& world, Forces& forces, const Instant& instant, Which which, bool with_energy);
 
+/// The forces of those that do not depend on velocities, at the present places.
+double run_still_laws(const World& world, Forces& forces, const Instant& instant, bool with_energy);
+/// Sums what sites feel over the movers that they sit on.
+void collect(const World& world, Forces& forces);
+
 /// Calls `use(name, law, what acts)` for all laws at work.
 template <class Use>
 void each_law(const World& world, Forces& f, Use use) {

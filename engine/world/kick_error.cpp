@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "articulates/articulate.hpp"
-#include "world/forces.hpp"
+#include "world/forces_parts.hpp"
 
 namespace pantin {
 
@@ -81,6 +81,22 @@ double kick_error(const World& world) {
     worst = std::max(worst, change(world, f, m) / length);
   }
   return worst * world.part.h / 6.0;
+}
+
+double coming_kick_error(World& world) {
+  Forces& f = *world.forces;
+  note_kicks(world);
+  read_velocities(world, f, false);
+  const auto places = f.sites.x, force = f.sites.force, open = f.sites.open_force;
+  for (std::size_t i = 0; i < f.sites.n; i++) f.sites.x[i] += f.sites.v[i] * world.settings.step;
+  run_still_laws(world, f, instant_of(world, world.time, world.instant), false);
+  collect(world, f);
+  const double rate = kick_error(world) * world.sub_steps.count;
+  f.sites.x = places;
+  f.sites.force = force;
+  f.sites.open_force = open;
+  collect(world, f);
+  return std::isfinite(rate) ? rate : infinity;
 }
 
 }  // namespace pantin

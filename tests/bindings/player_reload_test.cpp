@@ -36,6 +36,13 @@ struct Played {
     for (int i = 0; i < count; i++) scene->step();
     REQUIRE(scene->world().failure == "");
   }
+  void press(const std::string& button) {
+    Command command;
+    command.kind = Command::Kind::button;
+    command.name = button;
+    scene->world().input.commands.push_back(command);
+    steps(1);
+  }
   /// Time passes until the change is seen; the new scene takes over where there is one.
   Reloaded look() {
     for (int i = 0; i < 5; i++) {
@@ -154,11 +161,7 @@ TEST_CASE("reload: things keep their data, and the scene its store, as far as th
       return a.data.hits + 10 * scene.store.list[2] + (scene.store.g and 100 or 0)
     end))";
   Played played(text);
-  Command hit;
-  hit.kind = Command::Kind::button;
-  hit.name = "hit";
-  played.scene->world().input.commands.push_back(hit);
-  played.steps(1);
+  played.press("hit");
   CHECK(played.probe() == 153);
   played.save_and_look(text);
   played.steps(1);
@@ -186,11 +189,7 @@ TEST_CASE("reload: tables come along however deep, and one that is in two places
       return scene.store.of_a == a.data and a.data.list == list and sum or -1
     end))";
   Played played(text);
-  Command hit;
-  hit.kind = Command::Kind::button;
-  hit.name = "hit";
-  played.scene->world().input.commands.push_back(hit);
-  played.steps(1);
+  played.press("hit");
   CHECK(played.probe() == 20000 * 20001 / 2);
   played.save_and_look(text);
   played.steps(1);
