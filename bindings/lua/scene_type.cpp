@@ -147,7 +147,8 @@ std::vector<Field> engine_settings() {
       {"integrator", "string", "",
        "\"verlet\" (2nd order), \"implicit\" (the same with connections of any stiffness), \"suzuki4\" (4th order, "
        "where "
-       "nothing dissipates), \"rk4\" (4th order, no constraints), \"euler\" (the paper's; free particles move as with "
+       "nothing dissipates), \"rk4\" (4th order, no constraints), \"euler\" (1st order, semi-implicit; free particles "
+       "as with "
        "\"verlet\")",
        [](const Self& s) {
          const std::string_view name = name_of(s.world.settings.integrator);

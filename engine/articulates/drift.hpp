@@ -7,7 +7,7 @@ namespace pantin {
 /// these fail or the step begins with a gap, the safe step. Velocities are not yet projected.
 void drift(Articulate& articulate, const DriftSettings& settings, DriftReport& report);
 
-/// The paper's scheme (its equations 5): velocity first, then position, with the row forces found by Newton's iteration
+/// Semi-implicit Euler, 1st order: velocity first, then position, with the row forces found by Newton's iteration
 /// with line backtracking on the places at the end. No projection.
 void drift_euler(Articulate& articulate, const DriftSettings& settings, DriftReport& report);
 /// The same for a node without rows.

@@ -1,4 +1,4 @@
-// Newton's iteration on rotations and row forces together, with line backtracking (the paper's), on a factor that is
+// Newton's iteration on rotations and row forces together, with line backtracking, on a factor that is
 // kept while it serves, with a compliance that adapts. Residuals are lengths in metres.
 #include "articulates/newton.hpp"
 

@@ -18,7 +18,7 @@ void place_rows_at_start(Articulate& articulate);
 /// The same at the end, from the nodes' ends and `place1`.
 void place_rows_at_end(Articulate& articulate);
 
-/// Where in the step the row forces act: at the arms of its start (the paper's scheme), the mean of both ends (the
+/// Where in the step the row forces act: at the arms of its start (Euler), the mean of both ends (the
 /// midpoint step), or its end (projections).
 enum class Arms : std::uint8_t { start, mean, end };
 /// The rows' matrix and right side: left arms at the end, right arms as told, M and C of the rows (`scale` C is added),

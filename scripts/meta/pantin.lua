@@ -815,7 +815,7 @@ local Snapshot = {}
 ---@field gravity vec [m/s²] uniform acceleration
 ---@field step number [s] length of one step
 ---@field accuracy number? [1/s] wanted error per second, relative to the sizes of things; sub-steps follow from it
----@field integrator string "verlet" (2nd order), "implicit" (the same with connections of any stiffness), "suzuki4" (4th order, where nothing dissipates), "rk4" (4th order, no constraints), "euler" (the paper's; free particles move as with "verlet")
+---@field integrator string "verlet" (2nd order), "implicit" (the same with connections of any stiffness), "suzuki4" (4th order, where nothing dissipates), "rk4" (4th order, no constraints), "euler" (1st order, semi-implicit; free particles as with "verlet")
 ---@field energy_return boolean give back what the velocity projection took
 ---@field box vec? [m] edges of the periodic box; nil: open space
 ---@field plane string? "xy", "xz" or "yz": everything stays in that plane, and forces across it do nothing; set it before things are made

@@ -1,5 +1,5 @@
--- Figure 1 of the paper: rigid parts and hinges, pulled by the same grips. The squares turn, and their sheet fills out;
--- the trellis beside it becomes thinner.
+-- Two sheets of rigid parts on hinges, pulled by the same grips. The squares turn, and their sheet becomes wider all
+-- ways; the trellis beside it becomes thinner.
 local stretch, trellis = require "stretch", require "trellis"
 local n = scene:param("cells", 6, { min = 2, max = 12, step = 2, help = "squares along each edge" })
 local strain = scene:param("strain", 0.24, { min = 0.01, max = 0.26, help = "largest, by the grips" })

@@ -1,5 +1,5 @@
--- Figure 1 of the paper, the ordinary half: a trellis of rigid bars becomes thinner where it is pulled. Its Poisson's
--- ratio is (length / height)², so it grows with every pull.
+-- A trellis of rigid bars becomes thinner where it is pulled, as most things do. Its Poisson's ratio is
+-- (length / height)², so it grows with every pull.
 local stretch, trellis = require "stretch", require "trellis"
 local n = scene:param("bars", 6, { min = 1, max = 12, step = 1, help = "bars each way, less one" })
 local lean = scene:param("lean", 55, { min = 10, max = 80, help = "of the bars at first, degrees" })
