@@ -45,12 +45,6 @@ struct DrawingCase {
   double wall = std::numeric_limits<double>::infinity(), processor = wall;  // [s] of a frame, least
 };
 
-double processor_time() {
-  timespec time;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
 void draw_some(DrawingCase& one) {
   for (int i = 0; i < warm_frames; i++) one.renderer.draw(one.world, one.camera, one.overlay);
   glFinish();
