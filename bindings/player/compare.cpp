@@ -11,9 +11,14 @@ namespace {
 constexpr double apart = 0.01;  // of the size: runs that are further from each other show different motions
 const double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Root mean square over the things that both have, [m]; NaN where there are none.
-double distance(const Places& a, const Places& b) {
-  double sum = 0.0;
+/// Over the things that two runs have at a time, [m]; NaN where there are none.
+struct Gap {
+  double mean = nan;  ///< root mean square
+  double most = nan;
+};
+
+Gap gap(const Places& a, const Places& b) {
+  double sum = 0.0, most = 0.0;
   std::size_t count = 0;
   for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end();) {
     if (i->first < j->first)
@@ -21,21 +26,26 @@ double distance(const Places& a, const Places& b) {
     else if (j->first < i->first)
       ++j;
     else {
-      sum += norm2(i->second - j->second);
+      const double square = norm2(i->second - j->second);
+      sum += square;
+      if (!(square <= most)) most = square;
       count++;
       ++i, ++j;
     }
   }
-  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : nan;
+  if (count == 0) return {};
+  return {std::sqrt(sum / static_cast<double>(count)), std::sqrt(most)};
 }
 
 /// Over the times that both reached, [m].
-std::vector<double> distances(const StudyRun& a, const StudyRun& b) {
+std::vector<double> gaps(const StudyRun& a, const StudyRun& b, double Gap::*of) {
   std::vector<double> list;
   for (std::size_t k = 0; k < std::min(a.places.size(), b.places.size()); k++)
-    list.push_back(distance(a.places[k], b.places[k]));
+    list.push_back(gap(a.places[k], b.places[k]).*of);
   return list;
 }
+
+std::vector<double> distances(const StudyRun& a, const StudyRun& b) { return gaps(a, b, &Gap::mean); }
 
 /// The largest of those until a time [s].
 double largest(const Study& study, const std::vector<double>& list, double until) {
@@ -70,15 +80,16 @@ bool better(const Worth& a, const Worth& b) {
   return a.distance < b.distance;
 }
 
-/// Errors of runs that part soon after are not told: comparing ends where the finest is still sure of small ones, or
-/// where that is before most of the motion that it shows, of larger ones.
+/// Errors of runs that part soon after are not told: comparing ends where the finest is still sure of small ones, unless
+/// that is near the beginning of the motion that it shows; then of larger ones.
 Worth worth(const Study& study, const std::vector<double>& list) {
   Worth result;
   result.together = result.comparable = last_within(study, list, apart * study.size);
+  constexpr std::pair<double, double> limits[] = {{1e-5, 0.5}, {1e-4, 0.2}, {1e-3, 0.0}};  // of the size, of that time
   if (result.together < study.until)
-    for (const double limit : {1e-5, 1e-4, 1e-3}) {
+    for (const auto& [limit, part] : limits) {
       result.comparable = last_within(study, list, limit * study.size);
-      if (result.comparable >= 0.5 * result.together) break;
+      if (result.comparable >= part * result.together) break;
     }
   if (result.comparable == 0.0) result.comparable = result.together;
   result.distance = largest(study, list, result.comparable);
@@ -123,20 +134,54 @@ void compare_run(Study& study, std::size_t i) {
   run.true_until = last_within(study, list, apart * study.size);
   if (study.comparable == 0.0 || list.empty() || study.times[list.size() - 1] < study.comparable * (1 - 1e-9)) return;
   run.error = largest(study, list, study.comparable);
+  run.farthest = largest(study, gaps(run, study.finest(), &Gap::most), study.comparable);
 }
 
-/// Orders are told where both errors are above the reference's and small beside the size.
-void find_orders(Study& study) {
-  for (std::size_t i = 0; i < study.runs.size(); i++) {
+/// By how much the finest run may be wrong, [m], by what the last halvings of its step changed. Where that falls by the
+/// same factor each time, it goes on so; else, as where events happen in whole steps, what is left may be as much as the
+/// largest of them leaves at order 1.
+double doubt(const Study& study, double Gap::*of) {
+  std::vector<double> changed;  // by the last halving, the one before it ...
+  const StudyRun* finer = &study.finest();
+  for (std::size_t i = study.reference; changed.size() < 3; i--) {
     const StudyRun* const before = coarser(study, i);
-    StudyRun& run = study.runs[i];
-    if (!before || i == study.reference || !(run.error > 3.0 * study.uncertain) || !(before->error < 0.1 * study.size))
-      continue;
-    run.order = std::log2(before->error / run.error) / std::log2(before->step / run.step);
+    if (!before || before->places.size() < study.finest().places.size()) break;
+    changed.push_back(largest(study, gaps(*finer, *before, of), study.comparable));
+    finer = before;
   }
+  if (changed.size() == 3 && changed[0] > 0.0) {
+    const double order = std::log2(changed[1] / changed[0]), order_before = std::log2(changed[2] / changed[1]);
+    if (order > 0.7 && std::fabs(order - order_before) < 0.5) return 1.5 * changed[0] / (std::exp2(order) - 1.0);
+  }
+  double most = 0.0;
+  for (std::size_t k = 0; k < changed.size(); k++) most = std::max(most, std::ldexp(changed[k], -static_cast<int>(k)));
+  return most;
+}
+
+/// By how the error fell from twice the step; of runs as exact as the finest, by how what the halving changed did.
+double order(const Study& study, std::size_t i) {
+  const StudyRun* const before = coarser(study, i);
+  const StudyRun& run = study.runs[i];
+  if (!before || !(before->error < 0.1 * study.size)) return nan;
+  const double halvings = std::log2(before->step / run.step);
+  if (run.error > 10.0 * study.uncertain) return std::log2(before->error / run.error) / halvings;
+  const StudyRun* const first = coarser(study, i - 1);
+  if (!first) return nan;
+  const double changed = largest(study, distances(run, *before), study.comparable);
+  const double changed_before = largest(study, distances(*before, *first), study.comparable);
+  return changed > 1e-10 * study.size ? std::log2(changed_before / changed) / halvings : nan;
+}
+
+void find_orders(Study& study) {
+  for (std::size_t i = 0; i < study.runs.size(); i++) study.runs[i].order = order(study, i);
 }
 
 }  // namespace
+
+double distance(const StudyRun& a, const StudyRun& b) {
+  const std::vector<double> list = distances(a, b);
+  return list.empty() ? nan : *std::max_element(list.begin(), list.end());
+}
 
 void compare(Study& study) {
   choose_reference(study);
@@ -144,10 +189,12 @@ void compare(Study& study) {
   for (std::size_t i = 0; i < study.runs.size(); i++)
     if (i != study.reference) compare_run(study, i);
   study.growth = growth(study, list);
-  // What the finest run lacks is what the last halving changed, less what it gained: a half for order 1, a third for 2.
-  study.uncertain = 0.5 * largest(study, list, study.comparable);
+  study.uncertain = doubt(study, &Gap::mean);
   study.runs[study.reference].true_until = study.together;
-  if (study.comparable > 0.0) study.runs[study.reference].error = study.uncertain;
+  if (study.comparable > 0.0) {
+    study.runs[study.reference].error = study.uncertain;
+    study.runs[study.reference].farthest = doubt(study, &Gap::most);
+  }
   find_orders(study);
 }
 
@@ -156,15 +203,22 @@ const StudyRun* cheapest(const Study& study, double error) {
   // A run may be near the finest until then, and invent energy later.
   const double energy = std::max(0.1, 2.0 * study.finest().worst.energy);
   const auto serves = [&](const StudyRun& run) {
-    return run.trouble.empty() && run.worst.energy <= energy &&
-           run.error + (&run == &study.finest() ? 0.0 : study.uncertain) <= error;
+    return run.trouble.empty() && run.worst.energy <= energy && study.error_of(run) <= error;
   };
+  // What is exact by luck, where shorter steps are not, serves nobody.
+  std::vector<const StudyRun*> serving;
+  bool so_far = true;
+  for (std::size_t i = study.runs.size(); i-- > 0;) {
+    const StudyRun& run = study.runs[i];
+    if (i + 1 == study.runs.size() || !same_series(run, study.runs[i + 1])) so_far = true;
+    so_far = so_far && serves(run);
+    if (so_far) serving.insert(serving.begin(), &run);
+  }
   double least = std::numeric_limits<double>::infinity();
-  for (const StudyRun& run : study.runs)
-    if (serves(run)) least = std::min(least, run.cost());
+  for (const StudyRun* run : serving) least = std::min(least, run->cost());
   const StudyRun* best = nullptr;
-  for (const StudyRun& run : study.runs)
-    if (serves(run) && run.cost() <= as_cheap * least && (!best || run.error < best->error)) best = &run;
+  for (const StudyRun* run : serving)
+    if (run->cost() <= as_cheap * least && (!best || run->error < 0.5 * best->error)) best = run;
   return best;
 }
 

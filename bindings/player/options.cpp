@@ -82,12 +82,16 @@ void add_limits(CLI::App& app, RunOptions& scene, Texts& texts) {
       ->check(check_number)
       ->default_str("5")
       ->type_name("S");
-  app.add_option("--threads", scene.threads, "Threads; 0: all processors. The results are the same")
-      ->check(CLI::Range(0, 256));
   app.add_option("--memory-limit", texts.memory, "Of the script's memory, at least 1MiB")
       ->check(check_bytes)
       ->default_str("2GiB")
       ->type_name("SIZE");
+}
+
+/// Of all that run a scene once; a report's costs are those of one thread.
+void add_threads(CLI::App& app, RunOptions& scene) {
+  app.add_option("--threads", scene.threads, "Threads; 0: all processors. The results are the same")
+      ->check(CLI::Range(0, 256));
 }
 
 /// Of all that draw a scene.
@@ -106,6 +110,7 @@ void add_look(CLI::App& app, Texts& texts) {
 void add_scene_options(CLI::App& app, RunOptions& scene, Texts& texts) {
   add_settings(app, texts);
   add_limits(app, scene, texts);
+  add_threads(app, scene);
   list_option(app, "--out", scene.outputs,
               "By its ending: .csv probes of each step, .png last frame, .mp4 .gif .webp film, .xyz trajectory of all "
               "particles, .glb animation with meshes",
@@ -189,6 +194,7 @@ Options read_options(int argc, const char* const* argv) {
   replay->add_flag("--paused", options.run.paused, "Waits for the space bar before it starts");
   add_look(*replay, texts);
   add_limits(*replay, options.run, texts);
+  add_threads(*replay, options.run);
   CLI::App* report =
       app.add_subcommand("report", "Tells how exact a scene is with which step and integrator, at what cost");
   report->add_option("scene", options.run.scene, "A scene's file, or the name of a shipped one")->required();

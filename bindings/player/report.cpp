@@ -14,8 +14,6 @@
 namespace pantin::player {
 namespace {
 
-constexpr double budget = 40.0;  // [s] of the clock
-
 /// A line on standard error that moves, where that is a terminal.
 class Line {
  public:
@@ -40,8 +38,9 @@ int report(const RunOptions& options, const std::string& prefix, const std::stri
   Study studied;
   {
     const Line line;
-    studied = study(options, home, budget, [&](const std::string& what, double part) { line.show(what, part); });
+    studied = study(options, home, report_budget, [&](const std::string& what, double part) { line.show(what, part); });
   }
+  if (Interrupt::asked()) say("stopped; this is what the runs until then tell");
   const double ns = product_time();
   json.write(report_json(studied, ns).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   picture.write(report_picture(studied));

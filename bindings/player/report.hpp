@@ -7,6 +7,8 @@
 
 namespace pantin::player {
 
+inline constexpr double report_budget = 30.0;  ///< [s] of processor time
+
 /// `pantin report`: speed against error of a scene, to standard output, PREFIX.json and PREFIX.svg. Returns the exit code.
 int report(const RunOptions& options, const std::string& prefix, const std::string& home);
 

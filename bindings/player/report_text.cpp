@@ -16,7 +16,7 @@ constexpr double wanted = 1e-3;  // error, relative to the size
 
 template <class... Values>
 std::string format(const char* pattern, Values... values) {
-  char line[400];
+  char line[1000];
   std::snprintf(line, sizeof line, pattern, values...);
   return line;
 }
@@ -39,14 +39,14 @@ std::string series_name(const StudyRun& run) { return run.accuracy > 0.0 ? "accu
 
 std::string row(const Study& study, const StudyRun& run) {
   const bool finest = &run == &study.finest();
-  std::string line =
-      format("%-9s %-9s %12s %6s %10.4g %12.4g %6.2f %6llu %5llu %10s %10s", series_name(run).c_str(),
-             run.accuracy > 0.0 ? number("%.0e", run.accuracy).c_str() : show_step(run.step).c_str(),
-             finest ? ("(" + number("%.1e", run.error) + ")").c_str() : number("%.2e", run.error).c_str(),
-             number("%.1f", run.order).c_str(), 1e3 * run.cost(), 1e9 * run.seconds / static_cast<double>(run.steps),
-             per_solve(run.stats), static_cast<unsigned long long>(run.stats.halved_steps),
-             static_cast<unsigned long long>(run.stats.safe_steps), number("%.1e", run.worst.constraint).c_str(),
-             number("%.1e", run.worst.energy).c_str());
+  std::string line = format(
+      "%-9s %-9s %12s %6s %10s %12s %6.2f %6llu %5llu %10s %10s", series_name(run).c_str(),
+      run.accuracy > 0.0 ? number("%.0e", run.accuracy).c_str() : show_step(run.step).c_str(),
+      finest ? ("(" + number("%.1e", run.error) + ")").c_str() : number("%.2e", run.error).c_str(),
+      number("%.1f", run.order).c_str(), number("%.4g", 1e3 * run.cost()).c_str(),
+      number("%.4g", 1e9 * run.seconds / static_cast<double>(run.steps)).c_str(), per_solve(run.stats),
+      static_cast<unsigned long long>(run.stats.halved_steps), static_cast<unsigned long long>(run.stats.safe_steps),
+      number("%.1e", run.worst.constraint).c_str(), number("%.1e", run.worst.energy).c_str());
   line += format(" %10.4g", run.true_until);
   if (!run.trouble.empty()) line += "  " + run.trouble;
   return line + "\n";
@@ -84,26 +84,13 @@ std::string ledger_lines(const Study& study) {
 bool still(const Study& study) { return !(study.moved > 1e-9 * study.size); }
 
 /// Runs of different steps differ from the first times on.
-bool never_together(const Study& study) { return study.together < 2.0 * study.times.front(); }
+bool never_together(const Study& study) { return study.together <= 0.05 * study.until; }
 
 std::string cause(const Study& study) {
   if (study.random) return " Its script draws random numbers while it runs, others with every step.";
   if (study.noisy) return " It has a law with noise in it, which is different with every step.";
   if (study.emits) return " It has emitters, whose particles meet other ones with every step.";
   return "";
-}
-
-std::string course(const Study& study) {
-  if (never_together(study))
-    return format(
-               "Runs with different steps part from the beginning (after %g s by more than a hundredth of the size): ",
-               study.times.front()) +
-           "no step can be told to be right." + cause(study) + " Compare averages of many runs instead.\n";
-  if (!study.parts()) return format("The two finest runs stay together for all of the %g s.\n", study.until);
-  std::string result = format("The two finest runs part after %g s", study.together);
-  if (study.growth * study.together > std::log(100.0))
-    result += format(": the motion is chaotic, a small error grows tenfold in %.2g s", std::log(10.0) / study.growth);
-  return result + format(". Errors are told until %g s.", study.comparable) + cause(study) + "\n";
 }
 
 /// Median of the orders of an integrator, NaN where none could be told.
@@ -116,18 +103,44 @@ double order_of(const Study& study, const std::string& integrator) {
   return orders[orders.size() / 2];
 }
 
+/// Integrators of higher order are at an order of 1 where the steps themselves are what is seen.
+std::string first_order(const Study& study) {
+  bool any = false;
+  for (const StudyRun& run : study.runs) {
+    if (run.integrator == "euler") continue;
+    const double order = order_of(study, run.integrator);
+    any = any || std::isfinite(order);
+    if (order > 1.5) return "";
+  }
+  return any ? " Halving the step only halves the error, with each integrator: something happens in whole steps, as "
+               "events,"
+               " impacts and hands do."
+             : "";
+}
+
+std::string course(const Study& study) {
+  if (never_together(study))
+    return format(
+               "Runs with different steps part from the beginning (after %g s by more than a hundredth of the size): ",
+               study.together) +
+           "no step can be told to be right." + cause(study) + " Compare averages of many runs instead.\n";
+  if (!study.parts())
+    return format("The two finest runs stay together for all of the %g s.", study.until) + first_order(study) + "\n";
+  std::string result = format("The two finest runs part after %g s", study.together);
+  if (study.growth * study.together > std::log(100.0))
+    result += format(": the motion is chaotic, a small error grows tenfold in %.2g s", std::log(10.0) / study.growth);
+  return result + format(". Errors are told until %g s.", study.comparable) + cause(study) + first_order(study) + "\n";
+}
+
 /// Where no run is exact enough: how far the best integrator would have to go by its order.
 std::string extrapolated(const Study& study, double error) {
   const StudyRun* best = nullptr;
   double cost = 0.0, step = 0.0;
   for (const StudyRun& run : study.runs) {
-    const double order = order_of(study, run.integrator);
-    const StudyRun* const next = &run == &study.runs.back() ? nullptr : &run + 1;
-    const bool last = !next || !same_series(*next, run) || next == &study.finest();
-    if (!last || run.accuracy > 0.0 || &run == &study.finest() || !run.trouble.empty() || !(order > 0.5) ||
-        !(run.error > 0.0))
-      continue;
-    const double factor = std::pow(error / run.error, 1.0 / order);
+    const double order = order_of(study, run.integrator), exact = study.error_of(run);
+    const bool last = &run == &study.runs.back() || !same_series(*(&run + 1), run);
+    if (!last || run.accuracy > 0.0 || !run.trouble.empty() || !(order > 0.5) || !(exact > error)) continue;
+    const double factor = std::pow(error / exact, 1.0 / order);
     if (best && run.cost() / factor >= cost) continue;
     best = &run;
     cost = run.cost() / factor;
@@ -147,13 +160,17 @@ std::string advice(const Study& study) {
   const double error = wanted * study.size;
   const std::string beginning =
       format("For an error of %.2g m (1e-3 of the scene's size of %.3g m)", error, study.size) +
-      (study.parts() ? format(" until %g s ", study.comparable) : " ");
+      (study.comparable < study.wanted_until * (1 - 1e-9) ? format(" until %.4g s ", study.comparable) : " ");
   if (never_together(study)) return "No step can be recommended by its error.";
   const StudyRun* const run = cheapest(study, error);
   if (!run) return beginning + extrapolated(study, error);
+  const bool longest = run == &study.runs.front() || !same_series(*run, *(run - 1));
   return beginning + "choose " + (run->accuracy > 0.0 ? format("scene.accuracy = %g, ", run->accuracy) : "") +
-         format("scene.step = %s and scene.integrator = \"%s\": it costs %.3g ms per simulated second (error %.1e m).",
-                show_step(run->step).c_str(), run->integrator.c_str(), 1e3 * run->cost(), run->error);
+         format(
+             "scene.step = %s%s and scene.integrator = \"%s\": it costs %.2g ms of processor time per simulated "
+             "second, and its error is at most %.1e m, that of its worst point %.1e m.",
+             show_step(run->step).c_str(), longest && run->accuracy == 0.0 ? " (the longest tried)" : "",
+             run->integrator.c_str(), 1e3 * run->cost(), study.error_of(*run), study.farthest_of(*run));
 }
 
 std::string report_text(const Study& study, double product_ns) {
@@ -163,7 +180,10 @@ std::string report_text(const Study& study, double product_ns) {
                    study.things, study.size, study.energy_return ? "on" : "off");
   result += format(
       "error: root mean square over points and bodies, from the run in brackets, whose own error is about that\n"
-      "ms/s: milliseconds of the clock per simulated second, while a 3x3 product took %.2g ns\n"
+      "order: halving the step divides the error by 2^order\n"
+      "ms/s: milliseconds of processor time per simulated second, on one thread, while a 3x3 product took %.2g ns\n"
+      "iter.: Newton iterations per step and articulate; steps that were halved, or safe ones, which only lose energy\n"
+      "gap, energy: the worst of the constraints' gaps, and of the energy's error relative to what is exchanged\n"
       "true to: until then it is within a hundredth of the size\n",
       product_ns);
   if (std::any_of(study.runs.begin(), study.runs.end(), [](const StudyRun& run) { return run.accuracy > 0.0; }))
@@ -182,6 +202,7 @@ Json of_run(const Study& study, const StudyRun& run) {
   if (!run.trouble.empty()) json["trouble"] = run.trouble;
   json["reference"] = &run == &study.finest();
   json["error"] = run.error;
+  json["error_of_worst"] = run.farthest;
   json["order"] = run.order;
   json["true_until"] = run.true_until;
   json["ms_per_second"] = 1e3 * run.cost();

@@ -1,70 +1,38 @@
 #include "player/study.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
+#include <numeric>
 
 #include "laws/law.hpp"
 #include "lua/guard.hpp"
-#include "lua/headway.hpp"
-#include "player/home.hpp"
 #include "player/interrupt.hpp"
+#include "player/message.hpp"
 #include "player/run.hpp"
 #include "player/summary.hpp"
 
 namespace pantin::player {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using Told = std::function<void(const std::string&, double)>;
 
 constexpr int coarsest = 4;      // times the scene's own step
 constexpr int levels = 8;        // each with half the step of the one before
-constexpr int least_levels = 4;  // that every study has time for
-constexpr int comparisons = 40;  // times at most
-constexpr std::size_t most_things = 2000;
+constexpr int own_levels = 5;    // of the scene's own integrator, for which the time is chosen
+constexpr int least_levels = 3;  // of the others, for which it is; the last has the scene's own step
+constexpr double most_comparisons = 120, least_comparisons = 40;  // in time
+constexpr double most_places = 40000;                             // that a run notes
+constexpr std::size_t most_things = 1000;
 constexpr double accuracies[] = {1e-2, 1e-3, 1e-4, 1e-5};  // [1/s]
+constexpr double settled = 1e-9;  // of the size: finer steps than those of runs so near to each other show nothing new
 
-double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+// Parts of the budget.
+constexpr double for_look = 0.05, for_trial = 0.01, for_core = 0.5, for_runs = 0.8, for_ledger = 0.9;
 
-/// Writes a number so that it reads back as itself.
-std::string exact(double x) {
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%.17g", x);
-  return digits;
-}
-
-/// Points and centres of bodies whose serial is a multiple of `stride`, in the order of their serials.
-Places places_of(const World& world, std::uint64_t stride) {
-  Places list;
-  for (const PointId id : world.points.ids())
-    if (const std::uint64_t serial = world.points[id].serial; serial % stride == 0)
-      list.emplace_back(2 * serial, position(world, id));
-  for (const BodyId id : world.bodies.ids())
-    if (const std::uint64_t serial = world.bodies[id].serial; serial % stride == 0)
-      list.emplace_back(2 * serial + 1, world.motion_of(id).x);
-  std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  return list;
-}
-
-bool same_places(const Places& a, const Places& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
-    return x.first == y.first && norm2(x.second - y.second) == 0.0;
-  });
-}
-
-double diagonal_of(const Places& places) {
-  if (places.empty()) return 0.0;
-  Vec3 lower = places[0].second, upper = lower;
-  for (const auto& place : places)
-    for (int k = 0; k < 3; k++) {
-      lower[k] = std::min(lower[k], place.second[k]);
-      upper[k] = std::max(upper[k], place.second[k]);
-    }
-  return norm(upper - lower);
-}
+double step_of(double own, int level) { return own * coarsest / std::pow(2.0, level); }
 
 bool draws_noise(const Law& law) {
   const std::vector<Input>& inputs = law.graph.inputs();
@@ -72,99 +40,96 @@ bool draws_noise(const Law& law) {
          std::any_of(inputs.begin(), inputs.end(), [](const Input& input) { return input.role == Role::noise; });
 }
 
+bool is_noisy(const World& world) {
+  const auto any = [](const auto& store) {
+    const auto ids = store.ids();
+    return std::any_of(ids.begin(), ids.end(), [&](auto id) { return draws_noise(*store[id].law); });
+  };
+  return any(world.connections) || any(world.interactions) || any(world.fields);
+}
+
 class Studying {
  public:
   Studying(const RunOptions& options, const std::string& home, double budget, const Told& told)
-      : options_(options), home_(home), budget_(budget), told_(told) {
-    study_.path = find_scene(options.scene, home);
+      : options_(options), opener_(options, home), budget_(budget), told_(told) {
+    study_.path = opener_.path();
   }
 
   Study run() {
     look();
+    try_integrators();
     choose_times();
-    find_integrators();
     run_levels();
     run_accuracies();
-    require(!Interrupt::asked(), "report: stopped before there was anything to tell");
+    end_where_it_ended();
     std::stable_sort(study_.runs.begin(), study_.runs.end(),
                      [&](const StudyRun& a, const StudyRun& b) { return rank(a.integrator) < rank(b.integrator); });
     find_movement();
     keep_books();
+    run_again();
     compare(study_);
     return std::move(study_);
   }
 
  private:
-  /// An empty integrator leaves the scene its own, and its accuracy.
-  std::unique_ptr<lua::Scene> open(const std::string& integrator, double step, double accuracy = 0.0) const {
-    lua::SceneOptions options = lua_options(options_, home_);
-    if (!integrator.empty()) {
-      options.set["scene.integrator"] = integrator;
-      options.set["scene.accuracy"] = accuracy > 0.0 ? exact(accuracy) : "nil";
-    }
-    if (step > 0.0) options.set["scene.step"] = exact(step);
-    return lua::Scene::open(study_.path, options);
-  }
+  struct Tried {
+    std::string integrator;
+    double cost = 0.0;  ///< [s] per simulated second with the scene's own step
+  };
 
-  /// What the scene is like as it stands, and for about a second, what it costs.
+  double spent() const { return processor_time() - begin_; }
+
+  /// What the scene is like as it stands. What goes wrong soon, and no less with short steps, is told at once.
   void look() {
-    const auto scene = open("", 0.0);
+    const auto scene = opener_.open();
     World& world = scene->world();
-    const RunOptions& o = options_;
     study_.title = scene->title();
     study_.step = world.settings.step;
     study_.integrator = name_of(world.settings.integrator);
     study_.energy_return = world.settings.energy_return;
-    study_.wanted_until = o.until.value_or(scene->duration().value_or(usual_duration));
+    study_.wanted_until = options_.until.value_or(scene->duration().value_or(usual_duration));
     require(study_.wanted_until >= coarsest * study_.step, "report: the end, ", study_.wanted_until,
             " s, must be at least ", coarsest, " steps of ", study_.step, " s away");
     stride_ = 1 + (world.points.ids().size() + world.bodies.ids().size()) / most_things;
     start_ = places_of(world, stride_);
     study_.things = start_.size();
     study_.size = diagonal_of(start_);
-    const Clock::time_point begin = Clock::now();
-    const double seconds = std::min(1.5, 0.05 * budget_);
-    while (world.time < study_.wanted_until - 0.5 * study_.step && since(begin) < seconds && !Interrupt::asked()) {
-      scene->step();
-      require(world.failure.empty(), world.failure);
-      if (scene->finished()) study_.wanted_until = world.time;
-    }
-    cost_ = since(begin) / world.time;
-    study_.warnings = scene->warnings();
     study_.emits = !world.emitters.ids().empty();
-    const auto is_noisy = [](const auto& store) {
-      const auto ids = store.ids();
-      return std::any_of(ids.begin(), ids.end(), [&](auto id) { return draws_noise(*store[id].law); });
-    };
-    study_.noisy = is_noisy(world.connections) || is_noisy(world.interactions) || is_noisy(world.fields);
+    study_.noisy = is_noisy(world);
+    try {
+      glance(*scene);
+    } catch (const lua::Interrupted&) { throw; } catch (const Error&) {
+      const auto finer = opener_.open(study_.integrator, step_of(study_.step, levels - 1), 0.0);
+      if (!glance(*finer, world.time)) throw;
+    }
+    study_.warnings = scene->warnings();
   }
 
-  /// Whole intervals of whole coarsest steps. A scene that takes long is compared for as long as the first levels of all
-  /// integrators fit into most of the budget.
-  void choose_times() {
-    double until = study_.wanted_until;
-    const double per_second =
-        cost_ * (std::pow(2.0, least_levels) / coarsest) * static_cast<double>(integrators.size());
-    if (!options_.until) until = std::min(until, 0.7 * budget_ / per_second);
-    const double longest = coarsest * study_.step;
-    until = std::max(until, 2.0 * longest);
-    const double interval = longest * std::max(1.0, std::ceil(until / longest / comparisons - 1e-9));
-    const int count = std::max(1, static_cast<int>(std::floor(until / interval + 1e-9)));
-    for (int k = 1; k <= count; k++) study_.times.push_back(k * interval);
-    study_.until = study_.times.back();
+  /// Steps for a little while; false where that does not come to `until` [s].
+  bool glance(lua::Scene& scene, double until = std::numeric_limits<double>::infinity()) {
+    World& world = scene.world();
+    const double begin = processor_time();
+    const double end = std::min(until, study_.wanted_until) - 0.5 * world.settings.step;
+    while (world.time < end && processor_time() - begin < for_look * budget_) {
+      require(!Interrupt::asked(), "report: stopped before there was anything to tell");
+      scene.step();
+      require(world.failure.empty(), world.failure);
+      if (scene.finished()) study_.wanted_until = std::min(study_.wanted_until, world.time);
+    }
+    return world.time >= end;
   }
 
-  void find_integrators() {
-    for (const NamedIntegrator& known : integrators) {
-      const std::string name(known.name);
-      if (const auto given = options_.set.find("scene.integrator");
-          given != options_.set.end() && given->second != name)
-        continue;
+  /// The scene's own first.
+  void try_integrators() {
+    std::vector<std::string> names = {study_.integrator};
+    for (const NamedIntegrator& known : integrators)
+      if (const std::string name(known.name);
+          name != study_.integrator && options_.set.find("scene.integrator") == options_.set.end())
+        names.push_back(name);
+    for (const std::string& name : names) {
       try {
-        const auto scene = open(name, 0.0);
-        scene->step();
-        require(scene->world().failure.empty(), scene->world().failure);
-        tried_.push_back(name);
+        const auto scene = opener_.open(name, study_.step, 0.0);
+        tried_.push_back({name, cost_of(*scene)});
       } catch (const lua::Interrupted&) { throw; } catch (const Error& error) {
         if (name == study_.integrator) throw;
         study_.refused.push_back({name, error.what()});
@@ -172,24 +137,61 @@ class Studying {
     }
   }
 
-  /// From the longest step to the shortest, all integrators in turn, as long as there is time.
+  /// [s] per simulated second, by the first steps after the very first one, which must succeed.
+  double cost_of(lua::Scene& scene) const {
+    World& world = scene.world();
+    scene.step();
+    require(world.failure.empty(), world.failure);
+    const double begin = processor_time(), from = world.time;
+    try {
+      do {
+        scene.step();
+      } while (world.failure.empty() && world.time < study_.wanted_until &&
+               processor_time() - begin < for_trial * budget_);
+    } catch (const lua::Interrupted&) { throw; } catch (const Error&) {
+    }  // the runs will tell
+    return (processor_time() - begin) / std::max(world.time - from, study_.step);
+  }
+
+  /// Whole intervals of whole coarsest steps. A scene that takes long is compared for as long as the first levels of all
+  /// integrators fit into part of the budget.
+  void choose_times() {
+    double until = study_.wanted_until, core = 0.0, all = 0.0;
+    for (const Tried& tried : tried_) {
+      const int count = tried.integrator == study_.integrator ? own_levels : least_levels;
+      core += tried.cost * (std::pow(2.0, count) - 1) / coarsest;
+      all += tried.cost * (std::pow(2.0, levels) - 1) / coarsest;
+    }
+    if (!options_.until && core * until > for_core * budget_) until = round_time(for_core * budget_ / core);
+    const double longest = coarsest * study_.step;
+    until = std::max(until, 2.0 * longest);
+    const double comparisons = std::clamp(most_places / std::max(1.0, static_cast<double>(study_.things)),
+                                          least_comparisons, most_comparisons);
+    const double interval = longest * std::max(1.0, std::ceil(until / longest / comparisons - 1e-9));
+    const int count = std::max(1, static_cast<int>(std::floor(until / interval + 1e-9)));
+    for (int k = 1; k <= count; k++) study_.times.push_back(k * interval);
+    study_.until = study_.times.back();
+    const double least = 3.0 / coarsest * tried_.front().cost * study_.until;
+    expected_ = std::max(least, std::min(budget_, all * study_.until));
+    if (least > 2.0 * budget_)
+      say(text("two runs of ", study_.until, " s take about ", std::ceil(least / 60),
+               " minutes; a shorter --until less"));
+  }
+
+  /// From the longest step to the shortest, all integrators in turn, as long as there is time. Two runs of the scene's own
+  /// that came to the end are worth any time: without them nothing could be told.
   void run_levels() {
-    std::vector<std::string> open_ones = tried_;
+    std::vector<Tried> open_ones = tried_;
     for (int level = 0; level < levels; level++) {
-      const double step = coarsest * study_.step / std::pow(2.0, level);
-      std::vector<std::string> next;
-      for (const std::string& integrator : open_ones) {
-        const StudyRun* const before = last_of(integrator);
-        if (level >= 3 && before && since(begin_) + 2.2 * before->seconds > budget_) continue;
-        if (Interrupt::asked()) return;
-        told_(text(integrator, ", step ", step, " s"), since(begin_) / budget_);
-        StudyRun run = run_one(integrator, step);
-        if (const StudyRun* const same = same_as(run)) {
-          study_.refused.push_back({integrator, "the same as " + same->integrator + " in this scene"});
-          continue;
-        }
-        study_.runs.push_back(std::move(run));
-        next.push_back(integrator);
+      std::vector<Tried> next;
+      for (const Tried& tried : open_ones) {
+        const bool needed = tried.integrator == study_.integrator && level < own_levels && complete(tried) < 2;
+        const StudyRun* const before = last_of(tried.integrator);
+        const double step = step_of(study_.step, level), left = for_runs * budget_ - spent();
+        const double foretold = before ? 2.0 * before->seconds : tried.cost * study_.until * study_.step / step;
+        if (!needed && foretold > left) continue;
+        if (!run_one(tried.integrator, step, 0.0, needed ? std::numeric_limits<double>::infinity() : left)) continue;
+        if (level + 1 < least_levels || !has_settled(tried.integrator)) next.push_back(tried);
       }
       open_ones = next;
     }
@@ -197,90 +199,112 @@ class Studying {
 
   /// With the scene's own step, divided by itself.
   void run_accuracies() {
-    if (std::find(tried_.begin(), tried_.end(), "verlet") == tried_.end()) return;
+    if (rank("verlet") == tried_.size()) return;
     double seconds = 0.0;
     for (const double accuracy : accuracies) {
-      if (Interrupt::asked() || since(begin_) + 3.2 * seconds > budget_) return;
-      StudyRun run = run_one("verlet", study_.step, accuracy);
-      seconds = run.seconds;
-      if (!same_as(run)) study_.runs.push_back(std::move(run));
+      const double left = for_runs * budget_ - spent();
+      if (3.0 * seconds > left) return;
+      const std::size_t count = study_.runs.size();
+      if (!run_one("verlet", study_.step, accuracy, left)) continue;
+      if (study_.runs.size() > count) seconds = study_.runs.back().seconds;
     }
   }
 
-  /// The ledger costs time, so it is kept in a run of its own, of a fifth of the budget at most.
+  /// False where there is no such run: it took too long, or is another integrator's.
+  bool run_one(const std::string& integrator, double step, double accuracy, double limit) {
+    if (Interrupt::asked()) return false;
+    StudyRun run;
+    run.integrator = integrator;
+    run.step = step;
+    run.accuracy = accuracy;
+    const std::string what = run.accuracy > 0.0 ? text("accuracy ", run.accuracy, " per second")
+                                                : text(run.integrator, ", step ", run.step, " s");
+    const auto told = [&](double) { told_(what, spent() / expected_); };
+    told(0.0);
+    if (!perform(run, opener_, study_.times, stride_, limit, told)) return false;
+    study_.random = study_.random || run.random_numbers > 0;
+    for (const StudyRun& other : study_.runs)
+      if (other.step == run.step && same_way(other, run)) {
+        if (run.accuracy == 0.0)
+          study_.refused.push_back({run.integrator, "the same as " + other.integrator + " in this scene"});
+        return false;
+      }
+    study_.runs.push_back(std::move(run));
+    return true;
+  }
+
+  int complete(const Tried& tried) const {
+    return static_cast<int>(std::count_if(study_.runs.begin(), study_.runs.end(), [&](const StudyRun& run) {
+      return run.integrator == tried.integrator && run.accuracy == 0.0 && run.trouble.empty();
+    }));
+  }
+
+  bool has_settled(const std::string& integrator) const {
+    std::vector<const StudyRun*> series;
+    for (const StudyRun& run : study_.runs)
+      if (run.integrator == integrator && run.accuracy == 0.0 && run.trouble.empty()) series.push_back(&run);
+    return series.size() >= 2 && distance(*series.back(), **(series.end() - 2)) <= settled * study_.size;
+  }
+
+  /// Where no run came to the end, because the script ended them, they are compared until the first of them did. What went
+  /// wrong in all of them is told.
+  void end_where_it_ended() {
+    std::size_t count = study_.times.size();
+    for (const StudyRun& run : study_.runs)
+      if (run.finished) count = std::min(count, run.places.size());
+    for (StudyRun& run : study_.runs)
+      if (run.places.size() > count) shorten(run, count);
+    study_.times.resize(count);
+    const StudyRun* const own = last_of(study_.integrator);
+    require(own != nullptr, "report: stopped before there was anything to tell");
+    const bool any = std::any_of(study_.runs.begin(), study_.runs.end(),
+                                 [](const StudyRun& run) { return run.trouble.empty() && !run.places.empty(); });
+    if (!any && !own->trouble.empty()) throw Error(own->trouble);
+    require(any, "report: the script ends the scene after ", own->reached, " s, which is too soon to compare");
+    study_.until = study_.times.back();
+  }
+
+  void shorten(StudyRun& run, std::size_t count) const {
+    run.places.resize(count);
+    run.portions.resize(count);
+    run.seconds = std::accumulate(run.portions.begin(), run.portions.end(), 0.0);
+    run.reached = count > 0 ? study_.times[count - 1] : 0.0;
+  }
+
+  /// The ledger costs time, so it is kept in a run of its own.
   void keep_books() {
-    told_("ledger", since(begin_) / budget_);
-    const auto scene = open("", 0.0);
+    told_("ledger", spent() / expected_);
+    if (Interrupt::asked()) return;
+    const auto scene = opener_.open();
     keep_ledger(scene->world());
-    const Clock::time_point begin = Clock::now();
     try {
       for (const double time : study_.times) {
         step_to(*scene, time);
-        if (Interrupt::asked() || scene->finished() || since(begin) > 0.2 * budget_) break;
+        if (Interrupt::asked() || scene->finished() || spent() > for_ledger * budget_) break;
       }
-    } catch (const lua::Interrupted&) { throw; } catch (const Error& error) {
+    } catch (const Error& error) {
+      if (Interrupt::asked()) return;
       study_.warnings.push_back(error.what());
     }
     study_.ledger = ledger(scene->world());
     study_.ledger["until"] = scene->world().time;
   }
 
-  /// A run of another integrator with the same step that went the very same way, or null.
-  const StudyRun* same_as(const StudyRun& run) const {
-    for (const StudyRun& other : study_.runs)
-      if (other.step == run.step && !(other.integrator == run.integrator && other.accuracy == run.accuracy) &&
-          other.places.size() == run.places.size() &&
-          std::equal(run.places.begin(), run.places.end(), other.places.begin(), same_places))
-        return &other;
-    return nullptr;
+  /// Short runs again, in turn, as long as there is time: what hinders one of them for a while lengthens none.
+  void run_again() {
+    for (int round = 0; round < 3; round++)
+      for (StudyRun& run : study_.runs) {
+        if (!run.trouble.empty() || run.seconds > 0.02 * budget_) continue;
+        if (Interrupt::asked() || spent() + 1.5 * run.seconds > budget_) return;
+        told_("times", spent() / expected_);
+        perform_again(run, opener_, study_.times);
+      }
   }
 
   const StudyRun* last_of(const std::string& integrator) const {
     for (auto run = study_.runs.rbegin(); run != study_.runs.rend(); ++run)
       if (run->integrator == integrator && run->accuracy == 0.0) return &*run;
     return nullptr;
-  }
-
-  StudyRun run_one(const std::string& integrator, double step, double accuracy = 0.0) {
-    StudyRun run;
-    run.integrator = integrator;
-    run.step = step;
-    run.accuracy = accuracy;
-    const auto scene = open(integrator, step, accuracy);
-    const std::string what =
-        accuracy > 0.0 ? text("accuracy ", accuracy, " per second") : text(integrator, ", step ", step, " s");
-    World& world = scene->world();
-    const std::uint64_t drawn = world.random.count;
-    try {
-      for (const double time : study_.times) {
-        run.seconds += step_to(*scene, time);
-        run.reached = world.time;
-        if (Interrupt::asked() || scene->finished()) break;
-        run.places.push_back(places_of(world, stride_));
-        told_(what, since(begin_) / budget_);
-      }
-    } catch (const lua::Interrupted&) { throw; } catch (const Error& error) {
-      run.trouble = error.what();
-    }
-    run.steps = world.steps;
-    run.stats = world.stats;
-    run.worst = world.worst;
-    run.random_numbers = world.random.count - drawn;
-    study_.random = study_.random || run.random_numbers > 0;
-    return run;
-  }
-
-  /// [s] of the clock.
-  static double step_to(lua::Scene& scene, double time) {
-    const World& world = scene.world();
-    const Clock::time_point start = Clock::now();
-    lua::Headway headway(world, time);
-    while (world.time < time - 0.5 * world.settings.step && !scene.finished() && !Interrupt::asked()) {
-      scene.step();
-      require(world.failure.empty(), world.failure);
-      headway.check(world);
-    }
-    return since(start);
   }
 
   /// A single thing has no size but the way it goes.
@@ -295,22 +319,30 @@ class Studying {
   }
 
   std::size_t rank(const std::string& integrator) const {
-    return static_cast<std::size_t>(std::find(tried_.begin(), tried_.end(), integrator) - tried_.begin());
+    const auto is = [&](const Tried& tried) { return tried.integrator == integrator; };
+    return static_cast<std::size_t>(std::find_if(tried_.begin(), tried_.end(), is) - tried_.begin());
   }
 
   const RunOptions& options_;
-  const std::string& home_;
+  const Opener opener_;
   const double budget_;
   const Told& told_;
-  const Clock::time_point begin_ = Clock::now();
+  const double begin_ = processor_time();
   Study study_;
-  std::vector<std::string> tried_;
+  std::vector<Tried> tried_;
   Places start_;
-  std::uint64_t stride_ = 1;
-  double cost_ = 0.0;  ///< [s] per simulated second with the scene's own step
+  Stride stride_ = 1;
+  double expected_ = 0.0;  ///< [s] of processor time in all
 };
 
 }  // namespace
+
+double round_time(double seconds) {
+  const double decade = std::pow(10.0, std::floor(std::log10(seconds)));
+  for (const double of_it : {5.0, 2.0})
+    if (seconds >= of_it * decade) return of_it * decade;
+  return decade;
+}
 
 Study study(const RunOptions& options, const std::string& home, double budget, const Told& progress) {
   return Studying(options, home, budget, progress).run();

@@ -1,46 +1,13 @@
 #pragma once
 // A scene run over steps and integrators, and compared with the finest of its own runs.
-#include <cstdint>
 #include <functional>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "player/options.hpp"
+#include "player/study_run.hpp"
 
 namespace pantin::player {
-
-/// Places of things at one time, by their serial numbers: points, and centres of bodies. (things)
-using Places = std::vector<std::pair<std::uint64_t, Vec3>>;
-
-/// The scene from its start with one integrator and step.
-struct StudyRun {
-  std::string integrator;
-  double step = 0.0;      ///< [s]
-  double accuracy = 0.0;  ///< [1/s] that chose sub-steps; 0: none did
-  std::string trouble;    ///< why it ended early; empty: it did not
-  double reached = 0.0;   ///< [s]
-  double seconds = 0.0;   ///< [s] of the clock, for the steps alone
-  std::uint64_t steps = 0;
-  Stats stats;
-  Accuracy worst;
-  std::uint64_t random_numbers = 0;  ///< drawn by the script while it ran
-  std::vector<Places> places;        ///< (times that it reached)
-
-  /// [m] from the reference: root mean square over the things, the largest until `comparable`.
-  double error = std::numeric_limits<double>::quiet_NaN();
-  double order = std::numeric_limits<double>::quiet_NaN();  ///< by how the error fell from twice the step
-  double true_until = 0.0;  ///< [s] time of the last comparison within a hundredth of the size
-
-  double cost() const { return seconds / reached; }  ///< [s] per simulated second
-};
-
-/// Whether two runs are of one series: of an integrator over its steps, or over accuracies.
-inline bool same_series(const StudyRun& a, const StudyRun& b) {
-  return a.integrator == b.integrator && (a.accuracy > 0.0) == (b.accuracy > 0.0);
-}
 
 /// An integrator that the scene refuses, or that is no other in it, and why.
 struct Refused {
@@ -74,17 +41,29 @@ struct Study {
 
   bool parts() const { return together < until; }
   const StudyRun& finest() const { return runs[reference]; }
+  /// [m] What the error of a run, or that of its worst thing, is at most.
+  double error_of(const StudyRun& run) const { return run.error + (&run == &finest() ? 0.0 : uncertain); }
+  double farthest_of(const StudyRun& run) const { return run.farthest + (&run == &finest() ? 0.0 : finest().farthest); }
 };
 
-/// Studies a scene within about `budget` [s] of the clock. `progress` is told what is being run, and which part of the
-/// budget is spent. Throws what the scene throws with its own step and integrator.
+/// Studies a scene within about `budget` [s] of processor time; where a time is asked for, it takes as long as its first
+/// runs need. `progress` is told what is being run, and which part of all is done. Throws what the scene throws with each
+/// of its steps.
 Study study(const RunOptions& options, const std::string& home, double budget,
             const std::function<void(const std::string& what, double part)>& progress);
+
+/// The longest of … 0.5, 1, 2, 5, 10 … that is not longer: what is compared does not change with every load of the machine.
+double round_time(double seconds);
+
+/// Root mean square over the things that both have, [m]; the largest over the times that both reached. NaN where there
+/// are none.
+double distance(const StudyRun& a, const StudyRun& b);
 
 /// Fills what follows from the runs' places. Needs a run that reached two times.
 void compare(Study& study);
 
-/// The cheapest run whose error is surely below `error` [m], or null; of those that cost nearly the same the most exact.
+/// The cheapest run whose error is surely below `error` [m], as are those of all shorter steps of its series, or null; of
+/// those that cost nearly the same the first, unless another is more exact by far.
 const StudyRun* cheapest(const Study& study, double error);
 
 }  // namespace pantin::player

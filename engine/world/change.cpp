@@ -95,7 +95,7 @@ void set_mass(World& world, PointId id, double mass) {
     require_positive(describe(world, id), "mass", mass, "kg");
     disturb_site(world, point.particle);
     counted(world, id, [&] { point.mass = mass; });
-    if (point.articulate >= 0) touch(world, id);
+    touch(world, id);
   }
 }
 

@@ -78,7 +78,8 @@ TEST_CASE("report: errors, orders and the finest run are found from the places")
   CHECK(chosen->integrator == "verlet");
   CHECK(chosen->step == 0.02);
   CHECK_THAT(advice(study), Catch::StartsWith("For an error of 0.01 m (1e-3 of the scene's size of 10 m) choose "
-                                              "scene.step = 1/50 and scene.integrator = \"verlet\""));
+                                              "scene.step = 1/50 and scene.integrator = \"verlet\": it costs 12 ms "
+                                              "of processor time per simulated second, and its error is at most"));
 }
 
 TEST_CASE("report: what no run reaches is told from the order") {
@@ -98,6 +99,54 @@ TEST_CASE("report: a run that invents energy later is not recommended, however n
   for (StudyRun& run : study.runs) run.worst.energy = run.step > 0.015 ? 0.9 : 0.01;
   REQUIRE(cheapest(study, 1e-2));
   CHECK(cheapest(study, 1e-2)->step == 0.01);
+}
+
+TEST_CASE("report: a step that is exact by luck, where shorter ones are not, is not recommended") {
+  Study study = empty_study();
+  for (const double step : steps)
+    study.runs.push_back(
+        seen(study, "verlet", step, [](double h, double t) { return h == 0.04 ? 0.0 : 30 * h * h * t; }));
+  compare(study);
+  REQUIRE(cheapest(study, 1e-2));
+  CHECK(cheapest(study, 1e-2)->step == 0.005);
+}
+
+TEST_CASE("report: two fine runs that agree by chance, as where an event falls into whole steps, are no proof") {
+  Study study = empty_study();
+  for (const double step : {0.04, 0.02, 0.01, 0.005})
+    study.runs.push_back(seen(study, "verlet", step, [](double h, double) { return std::max(h, 0.01); }));
+  compare(study);
+  CHECK(study.finest().step == 0.005);
+  CHECK(study.uncertain >= 0.0049);  // what order 1 leaves of the halving before
+  Study first_order = empty_study();
+  for (const double step : steps)
+    first_order.runs.push_back(seen(first_order, "euler", step, [](double h, double t) { return 0.5 * h * t; }));
+  compare(first_order);
+  CHECK(first_order.uncertain >= 0.5 * 0.00125 * 4.0);
+  CHECK(first_order.uncertain < 0.5 * 0.00125 * 4.0 * 2.0);
+}
+
+TEST_CASE("report: beside the mean over all things the error of the worst is told") {
+  Study study = empty_study();
+  for (const double step : steps) {
+    study.runs.push_back(seen(study, "verlet", step, [](double, double) { return 0.0; }));
+    for (Places& places : study.runs.back().places)
+      for (std::uint64_t other = 2; other <= 4; other++) places.emplace_back(other, vec(0, step * step, 0));
+  }
+  compare(study);
+  const StudyRun& run = run_of(study, "verlet", 0.04);
+  const double most = 0.04 * 0.04 - study.finest().step * study.finest().step;
+  CHECK(run.farthest == Approx(most));
+  CHECK(run.error == Approx(most * std::sqrt(0.75)));
+}
+
+TEST_CASE("report: a time that is shortened is a round one") {
+  CHECK(round_time(9.99) == 5.0);
+  CHECK(round_time(4.9) == 2.0);
+  CHECK(round_time(1.3) == 1.0);
+  CHECK(round_time(0.6) == 0.5);
+  CHECK(round_time(0.03) == Approx(0.02));
+  CHECK(round_time(100.0) == 100.0);
 }
 
 TEST_CASE("report: comparing ends where the two finest runs part") {
@@ -132,7 +181,7 @@ TEST_CASE("report: a pendulum's errors fall as the integrators' orders say") {
   CHECK(run_of(study, "verlet", 1.0 / 60).order == Approx(2.0).margin(0.1));
   CHECK(run_of(study, "euler", 1.0 / 240).order == Approx(1.0).margin(0.2));
   CHECK(run_of(study, "verlet", 1.0 / 60).error < run_of(study, "euler", 1.0 / 60).error);
-  CHECK_THAT(report_text(study, 1.0), Catch::EndsWith("m).\n"));
+  CHECK_THAT(report_text(study, 1.0), Catch::EndsWith(" m.\n"));
   CHECK(report_json(study, 1.0)["advice"] == advice(study));
 }
 
@@ -148,6 +197,47 @@ TEST_CASE("report: integrators of fourth order and accuracies are tried too, in 
   CHECK(study.finest().accuracy == 0.0);
   CHECK_THAT(report_text(study, 1.0), Catch::Contains("rk4       scene.lua") || Catch::Contains("no constraint ties"));
   CHECK_THAT(report_text(study, 1.0), Catch::Contains("accuracy: that scene.accuracy with verlet and step 1/60"));
+}
+
+TEST_CASE("report: every run is one thread's, and its cost the least of what each part of it took") {
+  const Study study = study_text(pendulum, 1.0);
+  for (const StudyRun& run : study.runs) {
+    double sum = 0.0;
+    for (const double seconds : run.portions) sum += seconds;
+    CHECK(run.seconds == Approx(sum));
+    CHECK(run.portions.size() == run.places.size());
+  }
+  CHECK_THAT(report_text(study, 1.0),
+             Catch::Contains("milliseconds of processor time per simulated second, on one thread"));
+  const char* const words[] = {"pantin", "report", "chain", "--threads", "2"};
+  CHECK_THROWS_AS(read_options(5, words), lua::UsageError);
+}
+
+TEST_CASE("report: a step that is too long for the scene is a line of the table, and shorter ones are compared") {
+  const Study study = study_text(R"(
+    scene.step = 1 / 10
+    scene.gravity = vec(0, 0, 0)
+    local bob = scene:particle { at = vec(1, 0, 0) }
+    scene:on("step", function() if bob.position:length() > 3 then error "it flew away" end end)
+    scene:field(scene, force.point { force = function(p) return -900 * p.position end })
+  )",
+                                 2.0);
+  CHECK_THAT(run_of(study, "verlet", 1.0 / 10).trouble, Catch::Contains("it flew away"));
+  CHECK_FALSE(study.parts());
+  CHECK_THAT(advice(study), Catch::Contains("choose scene.step = 1/"));
+}
+
+TEST_CASE("report: what goes wrong with every step is told, and a script's own end is the end") {
+  CHECK_THROWS_WITH(study_text(std::string(pendulum) + "scene:at(0.5, function() bob.wight = 2 end)", 1.0),
+                    Catch::Contains("wight"));
+  CHECK_THROWS_WITH(study_text(std::string(pendulum) + "for i = 1, 20 do scene:particle { at = vec(i, 3, 0) } end\n"
+                                                       "scene:at(0.001, function() bob.wight = 2 end)",
+                               1000.0),
+                    Catch::Contains("wight"));
+  const Study study = study_text(std::string(pendulum) + "scene:at(0.7, function() scene:finish() end)", 3.0);
+  CHECK(study.until <= 0.72);
+  CHECK(study.until >= 0.6);
+  CHECK_THAT(advice(study), Catch::Contains("choose scene.step = 1/"));
 }
 
 TEST_CASE("report: an accuracy that is the cheapest way to the wanted error is told as such") {

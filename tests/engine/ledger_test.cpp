@@ -192,6 +192,23 @@ TEST_CASE("ledger: hands, pushes, kicks, emitted and removed things have lines, 
   CHECK(all == Approx(world.work).epsilon(1e-12));
 }
 
+TEST_CASE("ledger: a mass that changes is no error of the energy, of a free particle either") {
+  for (const bool tied : {false, true}) {
+    World world;
+    const ParticleId particle = mass_at(world, vec(0, 3, 0));
+    const PointId point = test::point_of(world, particle);
+    if (tied) add_rod(world, point, vec(-2, 3, 0));
+    keep_ledger(world);
+    for (int i = 0; i < 200; i++) {
+      if (i == 50 || i == 120) set_mass(world, point, i == 50 ? 2.5 : 0.5);
+      step(world);
+    }
+    CHECK(world.worst.energy <= 1e-10);
+    CHECK(closure(world) <= 1e-12);
+    CHECK(line(world, Source::edit) != 0.0);
+  }
+}
+
 TEST_CASE("ledger: safe steps post what they take") {
   World world;
   const cases::Chain chain = cases::add_chain(world);

@@ -1,0 +1,124 @@
+#include "player/study_run.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <numeric>
+
+#include "lua/guard.hpp"
+#include "lua/headway.hpp"
+#include "player/home.hpp"
+#include "player/interrupt.hpp"
+#include "player/machine.hpp"
+
+namespace pantin::player {
+namespace {
+
+/// Writes a number so that it reads back as itself.
+std::string exact(double x) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.17g", x);
+  return digits;
+}
+
+bool same_places(const Places& a, const Places& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+    return x.first == y.first && norm2(x.second - y.second) == 0.0;
+  });
+}
+
+}  // namespace
+
+bool same_way(const StudyRun& a, const StudyRun& b) {
+  return a.trouble.empty() && b.trouble.empty() &&
+         std::equal(a.places.begin(), a.places.end(), b.places.begin(), b.places.end(), same_places);
+}
+
+double processor_time() { return 1e-9 * thread_time(); }
+
+Opener::Opener(const RunOptions& options, const std::string& home)
+    : options_(lua_options(options, home)), path_(find_scene(options.scene, home)) {
+  options_.threads = 1;
+}
+
+std::unique_ptr<lua::Scene> Opener::open() const { return lua::Scene::open(path_, options_); }
+
+std::unique_ptr<lua::Scene> Opener::open(const std::string& integrator, double step, double accuracy) const {
+  lua::SceneOptions options = options_;
+  options.set["scene.integrator"] = integrator;
+  options.set["scene.step"] = exact(step);
+  options.set["scene.accuracy"] = accuracy > 0.0 ? exact(accuracy) : "nil";
+  return lua::Scene::open(path_, options);
+}
+
+Places places_of(const World& world, Stride stride) {
+  Places list;
+  for (const PointId id : world.points.ids())
+    if (const std::uint64_t serial = world.points[id].serial; serial % stride == 0)
+      list.emplace_back(2 * serial, position(world, id));
+  for (const BodyId id : world.bodies.ids())
+    if (const std::uint64_t serial = world.bodies[id].serial; serial % stride == 0)
+      list.emplace_back(2 * serial + 1, world.motion_of(id).x);
+  std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  return list;
+}
+
+double diagonal_of(const Places& places) {
+  if (places.empty()) return 0.0;
+  Vec3 lower = places[0].second, upper = lower;
+  for (const auto& place : places)
+    for (int k = 0; k < 3; k++) {
+      lower[k] = std::min(lower[k], place.second[k]);
+      upper[k] = std::max(upper[k], place.second[k]);
+    }
+  return norm(upper - lower);
+}
+
+double step_to(lua::Scene& scene, double time) {
+  const World& world = scene.world();
+  const double start = processor_time();
+  lua::Headway headway(world, time);
+  while (world.time < time - 0.5 * world.settings.step && !scene.finished() && !Interrupt::asked()) {
+    scene.step();
+    require(world.failure.empty(), world.failure);
+    headway.check(world);
+  }
+  return processor_time() - start;
+}
+
+bool perform(StudyRun& run, const Opener& opener, const std::vector<double>& times, Stride stride, double limit,
+             const std::function<void(double part)>& told) {
+  const auto scene = opener.open(run.integrator, run.step, run.accuracy);
+  World& world = scene->world();
+  const std::uint64_t drawn = world.random.count;
+  try {
+    for (const double time : times) {
+      run.portions.push_back(step_to(*scene, time));
+      run.seconds += run.portions.back();
+      run.reached = world.time;
+      if (Interrupt::asked() || run.seconds > limit) return false;
+      run.finished = scene->finished();
+      if (run.finished && world.time < time - 0.5 * run.step) break;
+      run.places.push_back(places_of(world, stride));
+      told(static_cast<double>(run.places.size()) / static_cast<double>(times.size()));
+    }
+  } catch (const lua::Interrupted&) { return false; } catch (const Error& error) {
+    run.trouble = error.what();
+  }
+  run.steps = world.steps;
+  run.stats = world.stats;
+  run.worst = world.worst;
+  run.random_numbers = world.random.count - drawn;
+  return true;
+}
+
+void perform_again(StudyRun& run, const Opener& opener, const std::vector<double>& times) {
+  const auto scene = opener.open(run.integrator, run.step, run.accuracy);
+  for (std::size_t k = 0; k < run.portions.size(); k++) {
+    const double seconds = step_to(*scene, times[k]);
+    if (Interrupt::asked()) break;
+    run.portions[k] = std::min(run.portions[k], seconds);
+  }
+  run.seconds = std::accumulate(run.portions.begin(), run.portions.end(), 0.0);
+}
+
+}  // namespace pantin::player
