@@ -51,15 +51,17 @@ struct Axis {
 Axis axis(const Plot& plot, bool of_x, double start, double end) {
   Axis result{0, 1, start, end};
   bool any = false;
+  const auto include = [&](double value) {
+    const double decade = std::log10(value);
+    const int low = static_cast<int>(std::floor(decade)), high = static_cast<int>(std::ceil(decade));
+    result.first = any ? std::min(result.first, low) : low;
+    result.last = any ? std::max(result.last, high) : high;
+    any = true;
+  };
   for (const Series& series : plot.series)
-    for (const auto& point : series.points) {
-      if (!can_be_drawn(point)) continue;
-      const double decade = std::log10(of_x ? point.first : point.second);
-      const int low = static_cast<int>(std::floor(decade)), high = static_cast<int>(std::ceil(decade));
-      result.first = any ? std::min(result.first, low) : low;
-      result.last = any ? std::max(result.last, high) : high;
-      any = true;
-    }
+    for (const auto& point : series.points)
+      if (can_be_drawn(point)) include(of_x ? point.first : point.second);
+  if (!of_x && plot.level > 0.0) include(plot.level);
   result.last = std::max(result.last, result.first + 1);
   return result;
 }
@@ -121,6 +123,23 @@ void draw_series(std::string& svg, const Series& series, std::size_t index, cons
   svg += text("<polyline fill=\"none\" stroke-width=\"1.8\" ", stroke(index), " points=\"", line, "\"/>\n") + marks;
 }
 
+std::string dashes() { return text("stroke=\"", ink, "\" stroke-dasharray=\"6 4\""); }
+
+void draw_ring(std::string& svg, double x, double y) {
+  svg += text("<circle cx=\"", at(x), "\" cy=\"", at(y), "\" r=\"7\" fill=\"none\" stroke-width=\"1.5\" stroke=\"", ink,
+              "\"/>\n");
+}
+
+void draw_level_and_mark(std::string& svg, const Plot& plot, const Axis& x, const Axis& y) {
+  if (plot.level > 0.0) {
+    const double height = y.place(plot.level);
+    draw_line(svg, x.start, height, x.end, height, dashes());
+  }
+  if (!can_be_drawn(plot.mark)) return;
+  const double px = x.place(plot.mark.first), py = y.place(plot.mark.second);
+  draw_ring(svg, px, py);
+}
+
 void draw_plot(std::string& svg, const Plot& plot, double x0, double y0, const std::vector<std::string>& names) {
   const Axis x = axis(plot, true, x0 + left, x0 + plot_width - right);
   const Axis y = axis(plot, false, y0 + plot_height - bottom, y0 + top);
@@ -129,16 +148,35 @@ void draw_plot(std::string& svg, const Plot& plot, double x0, double y0, const s
     const auto name = std::find(names.begin(), names.end(), series.name);
     draw_series(svg, series, static_cast<std::size_t>(name - names.begin()), x, y);
   }
+  draw_level_and_mark(svg, plot, x, y);
 }
 
 constexpr double legend_width = 190;  // [pixels] of one name
 
-void draw_legend(std::string& svg, const std::vector<std::string>& names, int per_line, double y0) {
-  for (std::size_t i = 0; i < names.size(); i++) {
+struct LegendEntry {
+  std::string name;
+  std::string style;  ///< of a line; empty: a ring
+};
+
+std::vector<LegendEntry> legend_of(const std::vector<Plot>& plots, const std::vector<std::string>& names) {
+  std::vector<LegendEntry> entries;
+  for (std::size_t i = 0; i < names.size(); i++) entries.push_back({names[i], stroke(i) + " stroke-width=\"2.5\""});
+  const auto level = std::find_if(plots.begin(), plots.end(), [](const Plot& plot) { return plot.level > 0.0; });
+  if (level != plots.end()) entries.push_back({level->level_name, dashes()});
+  const auto mark = std::find_if(plots.begin(), plots.end(), [](const Plot& plot) { return can_be_drawn(plot.mark); });
+  if (mark != plots.end()) entries.push_back({mark->mark_name, ""});
+  return entries;
+}
+
+void draw_legend(std::string& svg, const std::vector<LegendEntry>& entries, int per_line, double y0) {
+  for (std::size_t i = 0; i < entries.size(); i++) {
     const int place = static_cast<int>(i);
     const double x = left + legend_width * (place % per_line), y = y0 + legend_line * (place / per_line);
-    draw_line(svg, x, y - 4, x + 22, y - 4, stroke(i) + " stroke-width=\"2.5\"");
-    draw_words(svg, x + 28, y, "", names[i]);
+    if (entries[i].style.empty())
+      draw_ring(svg, x + 11, y - 4);
+    else
+      draw_line(svg, x, y - 4, x + 22, y - 4, entries[i].style);
+    draw_words(svg, x + 28, y, "", entries[i].name);
   }
 }
 
@@ -148,15 +186,16 @@ std::string draw_plots(const std::vector<Plot>& plots, int columns) {
   const int count = static_cast<int>(plots.size()), wide = std::clamp(count, 1, columns);
   const int rows = (count + wide - 1) / wide;
   const std::vector<std::string> names = names_of(plots);
+  const std::vector<LegendEntry> legend = legend_of(plots, names);
   const int per_line = std::max(1, static_cast<int>((plot_width * wide - left) / legend_width));
-  const double lines = std::ceil(static_cast<double>(names.size()) / per_line);
+  const double lines = std::ceil(static_cast<double>(legend.size()) / per_line);
   const double width = plot_width * wide, height = plot_height * rows + 20 + legend_line * lines;
   std::string svg = text("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"", at(width), "\" height=\"", at(height),
                          "\" viewBox=\"0 0 ", at(width), " ", at(height),
                          "\" font-family=\"DejaVu Sans, Verdana, sans-serif\" font-size=\"12\" fill=\"", ink, "\">\n");
   for (int i = 0; i < count; i++)
     draw_plot(svg, plots[static_cast<std::size_t>(i)], plot_width * (i % wide), plot_height * (i / wide), names);
-  draw_legend(svg, names, per_line, plot_height * rows + 20);
+  draw_legend(svg, legend, per_line, plot_height * rows + 20);
   return svg + "</svg>\n";
 }
 

@@ -15,6 +15,10 @@ struct Series {
 struct Plot {
   std::string title, x_name, y_name;
   std::vector<Series> series;
+  std::string level_name = {};  ///< of a dashed line
+  double level = 0.0;           ///< its height; 0: none
+  std::string mark_name = {};   ///< of a ring
+  std::pair<double, double> mark = {0.0, 0.0};
 };
 
 /// An SVG picture of the plots, `columns` in a row, with one legend for all: a name has the same colour in each. The

@@ -83,8 +83,10 @@ std::string ledger_lines(const Study& study) {
 
 bool still(const Study& study) { return !(study.moved > 1e-9 * study.size); }
 
-/// Runs of different steps differ from the first times on.
-bool never_together(const Study& study) { return study.together <= 0.05 * study.until; }
+/// Runs of different steps differ from the first times on, or draw different noise.
+bool never_together(const Study& study) {
+  return study.together <= 0.05 * study.until || (study.noisy && study.parts());
+}
 
 std::string cause(const Study& study) {
   if (study.random) return " Its script draws random numbers while it runs, others with every step.";
@@ -121,7 +123,8 @@ std::string first_order(const Study& study) {
 std::string course(const Study& study) {
   if (never_together(study))
     return format(
-               "Runs with different steps part from the beginning (after %g s by more than a hundredth of the size): ",
+               "Runs with different steps go different ways (they part after %g s by more than a hundredth of the "
+               "size): ",
                study.together) +
            "no step can be told to be right." + cause(study) + " Compare averages of many runs instead.\n";
   if (!study.parts())
@@ -161,7 +164,8 @@ std::string advice(const Study& study) {
   const std::string beginning =
       format("For an error of %.2g m (1e-3 of the scene's size of %.3g m)", error, study.size) +
       (study.comparable < study.wanted_until * (1 - 1e-9) ? format(" until %.4g s ", study.comparable) : " ");
-  if (never_together(study)) return "No step can be recommended by its error.";
+  if (never_together(study))
+    return "No step can be recommended by its error, for runs with different steps go different ways.";
   const StudyRun* const run = cheapest(study, error);
   if (!run) return beginning + extrapolated(study, error);
   const bool longest = run == &study.runs.front() || !same_series(*run, *(run - 1));
@@ -179,7 +183,7 @@ std::string report_text(const Study& study, double product_ns) {
   result += format(", compared at %zu times; %zu points and bodies in %.3g m; energy return %s\n", study.times.size(),
                    study.things, study.size, study.energy_return ? "on" : "off");
   result += format(
-      "error: root mean square over points and bodies, from the run in brackets, whose own error is about that\n"
+      "error: at most, root mean square over points and bodies: from the run in brackets, and that one's own\n"
       "order: halving the step divides the error by 2^order\n"
       "ms/s: milliseconds of processor time per simulated second, on one thread, while a 3x3 product took %.2g ns\n"
       "iter.: Newton iterations per step and articulate; steps that were halved, or safe ones, which only lose energy\n"
@@ -202,7 +206,8 @@ Json of_run(const Study& study, const StudyRun& run) {
   if (!run.trouble.empty()) json["trouble"] = run.trouble;
   json["reference"] = &run == &study.finest();
   json["error"] = run.error;
-  json["error_of_worst"] = run.farthest;
+  json["error_at_most"] = study.error_of(run);
+  json["worst_error_at_most"] = study.farthest_of(run);
   json["order"] = run.order;
   json["true_until"] = run.true_until;
   json["ms_per_second"] = 1e3 * run.cost();
@@ -245,16 +250,26 @@ nlohmann::ordered_json report_json(const Study& study, double product_ns) {
 }
 
 std::string report_picture(const Study& study) {
-  Plot by_cost{scene_name(study.path), "milliseconds per simulated second", "error, m", {}};
-  Plot by_step{scene_name(study.path), "step, s", "error, m", {}};
+  const std::string name = scene_name(study.path);
+  Plot by_cost{name + ": error against cost", "ms of processor time per simulated second", "error, m", {}};
+  Plot by_step{name + ": error against step", "step, s", "error, m", {}};
   for (const StudyRun& run : study.runs) {
     if (by_cost.series.empty() || by_cost.series.back().name != series_name(run)) {
       by_cost.series.push_back({series_name(run), {}});
       if (run.accuracy == 0.0) by_step.series.push_back({series_name(run), {}});
     }
-    by_cost.series.back().points.emplace_back(1e3 * run.cost(), run.error);
-    if (run.accuracy == 0.0) by_step.series.back().points.emplace_back(run.step, run.error);
+    by_cost.series.back().points.emplace_back(1e3 * run.cost(), study.error_of(run));
+    if (run.accuracy == 0.0) by_step.series.back().points.emplace_back(run.step, study.error_of(run));
   }
+  if (still(study) || never_together(study)) return draw_plots({by_cost, by_step}, 2);
+  const StudyRun* const chosen = cheapest(study, wanted * study.size);
+  for (Plot* plot : {&by_cost, &by_step}) {
+    plot->level = wanted * study.size;
+    plot->level_name = "1e-3 of the size";
+    plot->mark_name = "chosen";
+  }
+  if (chosen) by_cost.mark = {1e3 * chosen->cost(), study.error_of(*chosen)};
+  if (chosen && chosen->accuracy == 0.0) by_step.mark = {chosen->step, study.error_of(*chosen)};
   return draw_plots({by_cost, by_step}, 2);
 }
 

@@ -6,8 +6,9 @@
 #include <map>
 #include <memory>
 #include <numeric>
+#include <tuple>
 
-#include "laws/law.hpp"
+#include "laws/draws_noise.hpp"
 #include "lua/guard.hpp"
 #include "player/interrupt.hpp"
 #include "player/message.hpp"
@@ -19,10 +20,14 @@ namespace {
 
 using Told = std::function<void(const std::string&, double)>;
 
-constexpr int coarsest = 4;      // times the scene's own step
-constexpr int levels = 8;        // each with half the step of the one before
-constexpr int own_levels = 5;    // of the scene's own integrator, for which the time is chosen
-constexpr int least_levels = 3;  // of the others, for which it is; the last has the scene's own step
+// Of steps: each level has half the step of the one before; the scene's own and its half come first, without which nothing
+// can be told.
+constexpr int own_level = 2, coarsest = 1 << own_level;
+constexpr int levels[] = {2, 3, 0, 1, 4, 5, 6, 7};
+constexpr int needed = 2;       // runs of the scene's own integrator that come to the end
+constexpr double core = 7.75;   // times the cost of its own step are the first five levels
+constexpr double least = 1.75;  // and the first three, of other integrators
+constexpr double dear = 4.0;    // times that, other integrators are no reason to compare for a shorter time
 constexpr double most_comparisons = 120, least_comparisons = 40;  // in time
 constexpr double most_places = 40000;                             // that a run notes
 constexpr std::size_t most_things = 1000;
@@ -30,15 +35,10 @@ constexpr double accuracies[] = {1e-2, 1e-3, 1e-4, 1e-5};  // [1/s]
 constexpr double settled = 1e-9;  // of the size: finer steps than those of runs so near to each other show nothing new
 
 // Parts of the budget.
-constexpr double for_look = 0.05, for_trial = 0.01, for_core = 0.5, for_runs = 0.8, for_ledger = 0.9;
+constexpr double for_look = 0.05, for_trial = 0.01, for_core = 0.5, for_surprise = 0.1, for_runs = 0.8,
+                 for_ledger = 0.9;
 
 double step_of(double own, int level) { return own * coarsest / std::pow(2.0, level); }
-
-bool draws_noise(const Law& law) {
-  const std::vector<Input>& inputs = law.graph.inputs();
-  return (law.called && law.timed) || (law.also && draws_noise(*law.also)) ||
-         std::any_of(inputs.begin(), inputs.end(), [](const Input& input) { return input.role == Role::noise; });
-}
 
 bool is_noisy(const World& world) {
   const auto any = [](const auto& store) {
@@ -62,8 +62,7 @@ class Studying {
     run_levels();
     run_accuracies();
     end_where_it_ended();
-    std::stable_sort(study_.runs.begin(), study_.runs.end(),
-                     [&](const StudyRun& a, const StudyRun& b) { return rank(a.integrator) < rank(b.integrator); });
+    sort_runs();
     find_movement();
     keep_books();
     run_again();
@@ -99,7 +98,7 @@ class Studying {
     try {
       glance(*scene);
     } catch (const lua::Interrupted&) { throw; } catch (const Error&) {
-      const auto finer = opener_.open(study_.integrator, step_of(study_.step, levels - 1), 0.0);
+      const auto finer = opener_.open(study_.integrator, step_of(study_.step, *std::rbegin(levels)), 0.0);
       if (!glance(*finer, world.time)) throw;
     }
     study_.warnings = scene->warnings();
@@ -156,13 +155,14 @@ class Studying {
   /// Whole intervals of whole coarsest steps. A scene that takes long is compared for as long as the first levels of all
   /// integrators fit into part of the budget.
   void choose_times() {
-    double until = study_.wanted_until, core = 0.0, all = 0.0;
+    double until = study_.wanted_until, first = 0.0, all = 0.0;  // [s] of processor time per simulated second
+    const double own = tried_.front().cost;
     for (const Tried& tried : tried_) {
-      const int count = tried.integrator == study_.integrator ? own_levels : least_levels;
-      core += tried.cost * (std::pow(2.0, count) - 1) / coarsest;
-      all += tried.cost * (std::pow(2.0, levels) - 1) / coarsest;
+      if (tried.cost > dear * own) continue;
+      first += tried.cost * (&tried == &tried_.front() ? core : least);
+      all += tried.cost * (std::exp2(std::size(levels)) - 1) / coarsest;
     }
-    if (!options_.until && core * until > for_core * budget_) until = round_time(for_core * budget_ / core);
+    if (!options_.until && first * until > for_core * budget_) until = round_time(for_core * budget_ / first);
     const double longest = coarsest * study_.step;
     until = std::max(until, 2.0 * longest);
     const double comparisons = std::clamp(most_places / std::max(1.0, static_cast<double>(study_.things)),
@@ -171,30 +171,37 @@ class Studying {
     const int count = std::max(1, static_cast<int>(std::floor(until / interval + 1e-9)));
     for (int k = 1; k <= count; k++) study_.times.push_back(k * interval);
     study_.until = study_.times.back();
-    const double least = 3.0 / coarsest * tried_.front().cost * study_.until;
-    expected_ = std::max(least, std::min(budget_, all * study_.until));
-    if (least > 2.0 * budget_)
-      say(text("two runs of ", study_.until, " s take about ", std::ceil(least / 60),
+    const double shortest = 3.0 * own * study_.until;
+    expected_ = std::max(shortest, std::min(budget_, all * study_.until));
+    if (shortest > 2.0 * budget_)
+      say(text("two runs of ", study_.until, " s take about ", std::ceil(shortest / 60),
                " minutes; a shorter --until less"));
   }
 
-  /// From the longest step to the shortest, all integrators in turn, as long as there is time. Two runs of the scene's own
-  /// that came to the end are worth any time: without them nothing could be told.
+  /// All integrators in turn, level by level, as long as there is time. Longer steps than the scene's own may cost more.
   void run_levels() {
     std::vector<Tried> open_ones = tried_;
-    for (int level = 0; level < levels; level++) {
+    for (const int level : levels) {
+      const double step = step_of(study_.step, level);
       std::vector<Tried> next;
       for (const Tried& tried : open_ones) {
-        const bool needed = tried.integrator == study_.integrator && level < own_levels && complete(tried) < 2;
-        const StudyRun* const before = last_of(tried.integrator);
-        const double step = step_of(study_.step, level), left = for_runs * budget_ - spent();
-        const double foretold = before ? 2.0 * before->seconds : tried.cost * study_.until * study_.step / step;
-        if (!needed && foretold > left) continue;
-        if (!run_one(tried.integrator, step, 0.0, needed ? std::numeric_limits<double>::infinity() : left)) continue;
-        if (level + 1 < least_levels || !has_settled(tried.integrator)) next.push_back(tried);
+        const double left = for_runs * budget_ - spent(), foretold = foretell(tried, step);
+        const double limit = std::min(left, std::max(3.0 * foretold, for_surprise * budget_));
+        const bool is_needed = tried.integrator == study_.integrator && level >= own_level && complete(tried) < needed;
+        if (!is_needed && foretold > left) continue;
+        const Ran ran =
+            run_one(tried.integrator, step, 0.0, is_needed ? std::numeric_limits<double>::infinity() : limit);
+        if (level < own_level || (ran == Ran::done && !has_settled(tried.integrator))) next.push_back(tried);
       }
       open_ones = next;
     }
+  }
+
+  /// [s] that a run will take.
+  double foretell(const Tried& tried, double step) const {
+    for (const StudyRun& run : study_.runs)
+      if (run.integrator == tried.integrator && run.accuracy == 0.0 && run.step == 2.0 * step) return 2.0 * run.seconds;
+    return tried.cost * study_.until * study_.step / step;
   }
 
   /// With the scene's own step, divided by itself.
@@ -204,33 +211,42 @@ class Studying {
     for (const double accuracy : accuracies) {
       const double left = for_runs * budget_ - spent();
       if (3.0 * seconds > left) return;
-      const std::size_t count = study_.runs.size();
-      if (!run_one("verlet", study_.step, accuracy, left)) continue;
-      if (study_.runs.size() > count) seconds = study_.runs.back().seconds;
+      if (run_one("verlet", study_.step, accuracy, left) == Ran::done) seconds = study_.runs.back().seconds;
     }
   }
 
-  /// False where there is no such run: it took too long, or is another integrator's.
-  bool run_one(const std::string& integrator, double step, double accuracy, double limit) {
-    if (Interrupt::asked()) return false;
+  enum class Ran { done, as_another, left };
+
+  /// Keeps the run, unless it took too long or went as another integrator's did.
+  Ran run_one(const std::string& integrator, double step, double accuracy, double limit) {
+    if (Interrupt::asked()) return Ran::left;
     StudyRun run;
     run.integrator = integrator;
     run.step = step;
     run.accuracy = accuracy;
-    const std::string what = run.accuracy > 0.0 ? text("accuracy ", run.accuracy, " per second")
-                                                : text(run.integrator, ", step ", run.step, " s");
+    const std::string what =
+        accuracy > 0.0 ? text("accuracy ", accuracy, " per second") : text(integrator, ", step ", step, " s");
     const auto told = [&](double) { told_(what, spent() / expected_); };
     told(0.0);
-    if (!perform(run, opener_, study_.times, stride_, limit, told)) return false;
+    if (!perform(run, opener_, study_.times, stride_, limit, told)) return Ran::left;
     study_.random = study_.random || run.random_numbers > 0;
     for (const StudyRun& other : study_.runs)
-      if (other.step == run.step && same_way(other, run)) {
-        if (run.accuracy == 0.0)
-          study_.refused.push_back({run.integrator, "the same as " + other.integrator + " in this scene"});
-        return false;
+      if (other.step == step && same_way(other, run)) {
+        if (accuracy == 0.0 && step == study_.step)
+          study_.refused.push_back({integrator, "the same as " + other.integrator + " in this scene"});
+        return Ran::as_another;
       }
     study_.runs.push_back(std::move(run));
-    return true;
+    return Ran::done;
+  }
+
+  /// Series by series, the longest step first.
+  void sort_runs() {
+    const auto key = [&](const StudyRun& run) {
+      return std::tuple(rank(run.integrator), run.accuracy > 0.0, -run.step, -run.accuracy);
+    };
+    std::sort(study_.runs.begin(), study_.runs.end(),
+              [&](const StudyRun& a, const StudyRun& b) { return key(a) < key(b); });
   }
 
   int complete(const Tried& tried) const {
@@ -239,15 +255,16 @@ class Studying {
     }));
   }
 
+  /// Whether its last two runs hardly differ.
   bool has_settled(const std::string& integrator) const {
-    std::vector<const StudyRun*> series;
+    const StudyRun &last = study_.runs.back(), *before = nullptr;
     for (const StudyRun& run : study_.runs)
-      if (run.integrator == integrator && run.accuracy == 0.0 && run.trouble.empty()) series.push_back(&run);
-    return series.size() >= 2 && distance(*series.back(), **(series.end() - 2)) <= settled * study_.size;
+      if (run.integrator == integrator && run.accuracy == 0.0 && run.step == 2.0 * last.step) before = &run;
+    return before && before->trouble.empty() && last.trouble.empty() &&
+           distance(last, *before) <= settled * study_.size;
   }
 
-  /// Where no run came to the end, because the script ended them, they are compared until the first of them did. What went
-  /// wrong in all of them is told.
+  /// Where the script ended runs, all are compared until the first of them did. What went wrong in all of them is told.
   void end_where_it_ended() {
     std::size_t count = study_.times.size();
     for (const StudyRun& run : study_.runs)

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "laws/law.hpp"
+#include "laws/draws_noise.hpp"
 #include "model/path.hpp"
 #include "world/forces_parts.hpp"
 #include "world/solved.hpp"
@@ -23,18 +23,20 @@ constexpr IntegratorStage five[] = {{suzuki, suzuki},
 /// Kutta 1901: where the four slopes are taken. The last stage puts them together.
 constexpr IntegratorStage four[] = {{0.5, 0.5}, {0.5, 0.5}, {1.0, 1.0}, {1.0, 1.0}};
 
-/// The first law that depends on velocities.
-std::string moving_law(const World& world) {
+/// Names the first law for which `is` holds, empty where there is none.
+template <class Is>
+std::string law_that(const World& world, Is is) {
   std::string found;
   const auto look = [&](const auto& row) {
-    for (const Law* law = row.law.get(); row.enabled && law && found.empty(); law = law->also.get())
-      if (law->moving) found = text(law_in_place(row), " depends on velocities");
+    if (found.empty() && row.enabled && row.law && is(*row.law)) found = law_in_place(row);
   };
   for (ConnectionId id : world.connections.ids()) look(world.connections[id]);
   for (InteractionId id : world.interactions.ids()) look(world.interactions[id]);
   for (FieldId id : world.fields.ids()) look(world.fields[id]);
   return found;
 }
+
+bool depends_on_velocities(const Law& law) { return law.moving || (law.also && depends_on_velocities(*law.also)); }
 
 bool is_asked(const World& world, const Connection& c, Solve solve) {
   return c.enabled && c.asked == solve && can_be_solved(world, c);
@@ -53,11 +55,12 @@ std::string what_dissipates(const World& world) {
   for (ConnectionId id : world.connections.ids())
     if (is_asked(world, world.connections[id], Solve::at_end))
       return text(why, describe(world, id), " is solved at the end of the step");
-  const std::string law = moving_law(world);
-  return law.empty() ? "" : why + law;
+  const std::string law = law_that(world, depends_on_velocities);
+  return law.empty() ? "" : text(why, law, " depends on velocities");
 }
 
-std::string what_is_tied(const World& world) {
+/// Its steps see noise at three instants with weights of their own, so that it would heat too little.
+std::string what_is_tied_or_noisy(const World& world) {
   const char* const why = "moves only what no constraint ties: there is ";
   for (ConstraintId id : world.constraints.ids())
     if (world.constraints[id].enabled) return why + describe(world, id);
@@ -67,7 +70,8 @@ std::string what_is_tied(const World& world) {
     if (is_asked(world, world.connections[id], Solve::at_middle) ||
         is_asked(world, world.connections[id], Solve::at_end))
       return text(why, describe(world, id), ", which is to be solved with what it ties");
-  return {};
+  const std::string law = law_that(world, draws_noise);
+  return law.empty() ? "" : text("takes forces in the middle of steps, where noise has no meaning: there is ", law);
 }
 
 constexpr std::array<IntegratorRule, integrators.size()> rules = {{
@@ -79,7 +83,7 @@ constexpr std::array<IntegratorRule, integrators.size()> rules = {{
      .kicks = false,
      .ties = false,
      .conserves = false,
-     .refuses = what_is_tied},
+     .refuses = what_is_tied_or_noisy},
     {.integrator = Integrator::euler, .stages = whole, .conserves = false},
 }};
 

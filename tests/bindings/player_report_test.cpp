@@ -169,7 +169,7 @@ TEST_CASE("report: runs that never agree are told not to be comparable") {
     study.runs.push_back(seen(study, "verlet", step, [](double h, double) { return std::sin(1.0 / h); }));
   compare(study);
   CHECK_THAT(report_text(study, 1.0), Catch::Contains("draws random numbers"));
-  CHECK(advice(study) == "No step can be recommended by its error.");
+  CHECK(advice(study) == "No step can be recommended by its error, for runs with different steps go different ways.");
 }
 
 TEST_CASE("report: a pendulum's errors fall as the integrators' orders say") {
@@ -258,6 +258,15 @@ TEST_CASE("report: a scene in which nothing moves says so, and one that is over 
       Catch::StartsWith("Nothing moves by itself"));
   CHECK_THROWS_WITH(study_text(pendulum, 0.05), Catch::Contains("at least 4 steps"));
   CHECK_THROWS_WITH(study_text("scene:nail(1)", 1.0), Catch::Contains("scene.lua:1:"));
+}
+
+TEST_CASE("report: the picture shows the wanted error and what was chosen") {
+  Study study = empty_study();
+  for (const double step : steps)
+    study.runs.push_back(seen(study, "verlet", step, [](double h, double t) { return 3 * h * h * t; }));
+  compare(study);
+  CHECK_THAT(report_picture(study), Catch::Contains(">1e-3 of the size<") && Catch::Contains(">chosen<") &&
+                                        Catch::Contains("thing: error against cost"));
 }
 
 TEST_CASE("report: the picture names its series and holds only numbers") {

@@ -90,6 +90,14 @@ TEST_CASE("hinged and rigid bodies in a heat bath come to its temperature") {
   CHECK(mean_temperature(world, 40.0) == Approx(0.5).epsilon(0.03));
 }
 
+TEST_CASE("temperature: rk4 refuses a thermostat, which would heat too little in it") {
+  World world;
+  add_particle(world, {});
+  add_field(world, thermostat(0.5, 2.0), {});
+  CHECK_THROWS_WITH(set_integrator(world, Integrator::rk4),
+                    Catch::Contains("where noise has no meaning: there is thermostat"));
+}
+
 TEST_CASE("a nailed chain in a heat bath comes to its temperature, and its links share it") {
   World world;
   world.settings.gravity = zero3();
