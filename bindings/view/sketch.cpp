@@ -40,6 +40,17 @@ void include(Sketch& s, Float3 p, float r) {
 
 }  // namespace
 
+namespace {
+
+/// [N] The largest force that a hinge exerts on a member.
+double load_of(const World& world, const Particle& hinge) {
+  double most = 0.0;
+  for (const PointId point : hinge.points) most = std::fmax(most, norm(world.points[point].row_force));
+  return most;
+}
+
+}  // namespace
+
 struct Sketcher::Eye {
   Vec3 at, forward;
   double unit;   // [m]
@@ -134,13 +145,14 @@ void Sketcher::draw(const World& world, const Camera& camera, const Stage& stage
   const Eye eye{camera.eye(), camera.forward(), camera.distance, 2.0 * std::tan(0.5 * camera.fov) / height};
   joints_.assign(world.particles.slots(), 0.0f);
   tints_.update(world, overlay.views, stage.size);
+  find_loads(world, overlay.views);
   if (overlay.views.on(View::bodies)) {
     for (std::uint32_t s = 0; s < world.bodies.slots(); s++)
       if (world.bodies.alive_at(s)) draw_body(world, world.bodies.id_at(s), eye, stage, sketch);
     draw_particles(world, eye, stage, sketch);
   }
   draw_constraints(world, eye, stage, sketch);
-  draw_connections(world, overlay.views, eye, stage, sketch);
+  draw_connections(world, eye, stage, sketch);
   draw_breaks(world, eye, stage, overlay.pace, sketch);
 }
 
@@ -201,7 +213,7 @@ void Sketcher::draw_particles(const World& world, const Eye& eye, const Stage& s
              tint  ? linear(*tint)
              : own ? linear(*particle.color)
                    : cream,
-             Sketch::hinge, dark);
+             Sketch::hinge, by_load(dark, load_of(world, particle)));
   }
 }
 
@@ -248,12 +260,14 @@ void Sketcher::draw_plane(Vec3 at, Vec3 normal, const Eye& eye, const Stage& sta
 }
 
 /// Strings, paths, planes, joins and limits of length; false for other constraints.
-bool Sketcher::draw_guide(const World& world, const Constraint& c, const Eye& eye, const Stage& stage, Sketch& sketch) {
+bool Sketcher::draw_guide(const World& world, const Constraint& c, const Eye& eye, const Stage& stage,
+                          Sketch& sketch) const {
+  const Rgb tie = by_load(linear(thread), c.tension);
   switch (c.kind) {
     case ConstraintKind::string: {
       const auto place = [&](const Passage& p) { return p.point ? position(world, p.point) : p.place; };
       for (std::size_t i = 1; i < c.passages.size(); i++)
-        eye.bar(sketch, place(c.passages[i - 1]), place(c.passages[i]), 0.01 * stage.unit, 0.7, linear(thread));
+        eye.bar(sketch, place(c.passages[i - 1]), place(c.passages[i]), 0.01 * stage.unit, 0.7, tie);
       for (const Passage& p : c.passages)
         if (!p.point) eye.ball(sketch, p.place, 0.05 * stage.unit, 2.5, linear(iron), Sketch::hinge, linear(iron));
       return true;
@@ -262,7 +276,7 @@ bool Sketcher::draw_guide(const World& world, const Constraint& c, const Eye& ey
     case ConstraintKind::on_plane: draw_plane(position(world, c.a), c.axis_a, eye, stage, sketch); return true;
     case ConstraintKind::join:
     case ConstraintKind::limit:
-      eye.bar(sketch, position(world, c.a), c.b ? position(world, c.b) : c.place, 0.0, 0.6, linear(thread));
+      eye.bar(sketch, position(world, c.a), c.b ? position(world, c.b) : c.place, 0.0, 0.6, tie);
       return true;
     default: return false;
   }
@@ -280,7 +294,7 @@ void Sketcher::draw_constraints(const World& world, const Eye& eye, const Stage&
     if (draw_guide(world, c, eye, stage, sketch)) continue;
     if (c.kind == ConstraintKind::rod) {
       const Vec3 b = c.b ? position(world, c.b) + shift : place;
-      eye.bar(sketch, a, b, 0.025 * std::min(c.length, stage.unit), 0.8, metal);
+      eye.bar(sketch, a, b, 0.025 * std::min(c.length, stage.unit), 0.8, by_load(metal, c.tension));
       if (!c.b) eye.ball(sketch, b, 1.7 * joint, least, metal, Sketch::hinge, metal);
     } else if (c.hand < 0) {
       eye.ball(sketch, place, 1.6 * joint, least, metal, Sketch::hinge,
@@ -305,25 +319,41 @@ std::array<Vec3, 2> shown_ends(const World& world, Vec3 a, Vec3 b) {
 
 }  // namespace
 
-/// Pairs that a law ties: red where it pulls, blue where it pushes, by the largest load of all.
-void Sketcher::draw_connections(const World& world, const Views& views, const Eye& eye, const Stage& stage,
-                                Sketch& sketch) {
-  if (world.connections.empty()) return;
-  double most = 0.0;
+/// Loads of connections, and the largest of all that ties things.
+void Sketcher::find_loads(const World& world, const Views& views) {
+  most_load_ = 0.0;
   loads_.assign(world.connections.slots(), 0.0);
-  for (std::uint32_t s = 0; views.on(View::loads) && s < world.connections.slots(); s++) {
-    if (world.connections.alive_at(s)) loads_[s] = tension(world, world.connections.id_at(s));
-    most = std::fmax(most, std::fabs(loads_[s]));
+  if (!views.on(View::loads)) return;
+  const auto count = [&](double load) {
+    if (std::isfinite(load)) most_load_ = std::fmax(most_load_, std::fabs(load));
+  };
+  for (std::uint32_t s = 0; s < world.connections.slots(); s++) {
+    if (!world.connections.alive_at(s)) continue;
+    loads_[s] = tension(world, world.connections.id_at(s));
+    count(loads_[s]);
   }
-  const Rgb slack = linear(thread), pull = linear(grip), press = linear(strut);
+  for (std::uint32_t s = 0; s < world.constraints.slots(); s++)
+    if (world.constraints.alive_at(s)) count(world.constraints.at_slot(s).tension);
+  for (std::uint32_t s = 0; s < world.particles.slots(); s++)
+    if (world.particles.alive_at(s) && world.particles.at_slot(s).is_hinge())
+      count(load_of(world, world.particles.at_slot(s)));
+}
+
+/// Red where it pulls, blue where it pushes.
+Rgb Sketcher::by_load(Rgb slack, double load) const {
+  if (!(most_load_ > 0.0) || !std::isfinite(load)) return slack;
+  return mix(slack, linear(load > 0.0 ? grip : strut), static_cast<float>(std::sqrt(std::fabs(load) / most_load_)));
+}
+
+/// Pairs that a law ties.
+void Sketcher::draw_connections(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch) const {
+  const Rgb slack = linear(thread);
   for (std::uint32_t s = 0; s < world.connections.slots(); s++) {
     const Connection& c = world.connections.at_slot(s);
     if (!world.connections.alive_at(s) || !c.enabled || c.count != 2) continue;
     const auto [a, b] = shown_ends(world, end_of(world, c, 0), end_of(world, c, 1));
     if (!finite(a) || !finite(b)) continue;
-    const double load = most > 0.0 ? loads_[s] / most : 0.0;
-    const auto part = static_cast<float>(std::sqrt(std::fabs(load)));
-    eye.bar(sketch, a, b, 0.012 * std::min(norm(b - a), stage.unit), 0.6, mix(slack, load > 0.0 ? pull : press, part));
+    eye.bar(sketch, a, b, 0.012 * std::min(norm(b - a), stage.unit), 0.6, by_load(slack, loads_[s]));
   }
 }
 

@@ -79,18 +79,21 @@ class Sketcher {
   void draw_body(const World& world, BodyId body, const Eye& eye, const Stage& stage, Sketch& sketch);
   void draw_particles(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch);
   void draw_free(const World& world, std::uint32_t slot, Vec3 at, const Eye& eye, const Stage& stage, Sketch& sketch);
-  static bool draw_guide(const World& world, const Constraint& constraint, const Eye& eye, const Stage& stage,
-                         Sketch& sketch);
+  bool draw_guide(const World& world, const Constraint& constraint, const Eye& eye, const Stage& stage,
+                  Sketch& sketch) const;
   static void draw_path(const Path& path, const Eye& eye, const Stage& stage, Sketch& sketch);
   static void draw_plane(Vec3 at, Vec3 normal, const Eye& eye, const Stage& stage, Sketch& sketch);
   void draw_constraints(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch);
-  void draw_connections(const World& world, const Views& views, const Eye& eye, const Stage& stage, Sketch& sketch);
+  void draw_connections(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch) const;
+  void find_loads(const World& world, const Views& views);
+  Rgb by_load(Rgb slack, double load) const;
   void draw_breaks(const World& world, const Eye& eye, const Stage& stage, double pace, Sketch& sketch);
 
   Shapes shapes_;
   Appearance appearance_;
   Tints tints_;
   std::vector<double> loads_;  // [N] (slots of connections)
+  double most_load_ = 0.0;     // [N] of all; 0: loads are not shown
   std::vector<float> joints_;  // [m] (slots of particles): what a hinge should exceed
 };
 

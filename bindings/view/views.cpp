@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array<NamedView, 13> table = {{
     {View::bodies, "bodies", "bodies, particles and hinges"},
-    {View::loads, "loads", "connections coloured by load: red pulls, blue pushes"},
+    {View::loads, "loads", "ties and hinges coloured by load: red pulls, blue pushes"},
     {View::shadows, "shadows", "shadows on the ground"},
     {View::rings, "rings", "rings of hinges: each member, its body, and the next member"},
     {View::forces, "forces", "forces of hinges and constraints as arrows"},

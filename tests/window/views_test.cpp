@@ -11,6 +11,7 @@
 #include "support/allocations.hpp"
 #include "view/player_input.hpp"
 #include "view/renderer.hpp"
+#include "view/sketch.hpp"
 #include "view/view_keys.hpp"
 #include "view/window.hpp"
 #include "world/measure.hpp"
@@ -224,4 +225,39 @@ TEST_CASE("along an axis, near and far things have one size, and what is at the 
   CHECK(camera.forward()[axis] == Approx(-1.0));
   camera.look_freely();
   CHECK(camera.project(camera.target, 1280, 720)->pixel == Approx(before));
+}
+
+TEST_CASE("ties and hinges take the colour of their load", "[view]") {
+  const auto scene = lua_tests::open(R"(
+    local function weight(x) return scene:particle { at = vec(x, 0, 0) } end
+    scene:rod(weight(0), vec(0, 1, 0))
+    scene:string({ weight(1), vec(1, 1, 0) }, { length = 1 })
+    scene:connect(weight(2), vec(2, 1, 0), force.spring { stiffness = 100, length = 1 })
+    scene:rod(weight(3), vec(3, -1, 0))  -- it is pushed
+    local function link(x)
+      return scene:body { at = vec(x, 0, 0), mass = 1, inertia = vec(0.1, 0.1, 0.1), points = { vec(-0.5, 0, 0), vec(0.5, 0, 0) } }
+    end
+    local first, second = link(5), link(6)
+    scene:nail(first.points[1])
+    scene:hinge(first.points[2], second.points[1]))");
+  for (int i = 0; i < 24; i++) scene->step();
+  const Stage stage = find_stage(scene->world());
+  const auto sketch_of = [&](const Views& views) {
+    Sketch sketch;
+    Sketcher().draw(scene->world(), first_camera(stage, 1.6), stage, with(views), 720, sketch);
+    return sketch;
+  };
+  const Sketch plain = sketch_of({View::bodies}), loaded = sketch_of({View::bodies, View::loads});
+  REQUIRE(loaded.bars.size() == plain.bars.size());
+  int redder = 0, bluer = 0;
+  for (std::size_t i = 0; i < loaded.bars.size(); i++) {
+    redder += loaded.bars[i].color.r > plain.bars[i].color.r + 0.02f;
+    bluer += loaded.bars[i].color.b > plain.bars[i].color.b + 0.02f;
+  }
+  CHECK(redder == 3);
+  CHECK(bluer == 1);
+  int hinges = 0;
+  for (std::size_t i = 0; i < loaded.balls.size(); i++)
+    hinges += loaded.balls[i].second.r > plain.balls[i].second.r + 0.02f;
+  CHECK(hinges == 1);
 }
