@@ -80,7 +80,35 @@ class Screen {
   int width_, height_;
 };
 
-void draw_arrow(ImDrawList& list, const Stretch& at, ImU32 color, double width) {
+/// A sign of the font that stands for a shape: two triangles, smooth at the edge, where the shape itself takes dozens.
+class Stamp {
+ public:
+  explicit Stamp(ImWchar sign) : glyph_(ImGui::GetFont()->FindGlyphNoFallback(sign)) {}
+  bool there() const { return glyph_ != nullptr; }
+  /// With its upper left corner at a, then round.
+  void put(ImDrawList& list, ImVec2 a, ImVec2 b, ImVec2 c, ImVec2 d, ImU32 color) const {
+    const ImFontGlyph& g = *glyph_;
+    list.AddImageQuad(ImGui::GetFont()->ContainerAtlas->TexID, a, b, c, d, {g.U0, g.V0}, {g.U1, g.V0}, {g.U1, g.V1},
+                      {g.U0, g.V1}, color);
+  }
+
+ private:
+  const ImFontGlyph* glyph_;
+};
+
+struct Stamps {
+  Stamp disc{0x25cf}, head{0x25b6};
+};
+constexpr double largest_disc = 16.0;  // [px] that a sign of the font is fine enough for
+
+void draw_disc(ImDrawList& list, const Stamps& stamps, Spot at, double size, ImU32 color) {
+  const double r = 0.5 * size;
+  if (!stamps.disc.there() || size > largest_disc) return list.AddCircleFilled(imgui(at), static_cast<float>(r), color);
+  stamps.disc.put(list, imgui({at.x - r, at.y - r}), imgui({at.x + r, at.y - r}), imgui({at.x + r, at.y + r}),
+                  imgui({at.x - r, at.y + r}), color);
+}
+
+void draw_arrow(ImDrawList& list, const Stamps& stamps, const Stretch& at, ImU32 color, double width) {
   const double dx = at.second.x - at.first.x, dy = at.second.y - at.first.y, length = std::hypot(dx, dy);
   if (!(length > 0.5)) return;
   const double head = std::min(head_part * length + width, head_widths * width + 4.0), ux = dx / length,
@@ -88,8 +116,13 @@ void draw_arrow(ImDrawList& list, const Stretch& at, ImU32 color, double width) 
   const double back = head * std::cos(head_angle), aside = head * std::sin(head_angle);
   const Spot neck = {at.second.x - back * ux, at.second.y - back * uy};
   list.AddLine(imgui(at.first), imgui(neck), color, static_cast<float>(width));
-  list.AddTriangleFilled(imgui(at.second), imgui({neck.x - aside * uy, neck.y + aside * ux}),
-                         imgui({neck.x + aside * uy, neck.y - aside * ux}), color);
+  const double sx = aside * uy, sy = -aside * ux;
+  const Spot left = {neck.x + sx, neck.y + sy}, right = {neck.x - sx, neck.y - sy};
+  if (stamps.head.there())
+    stamps.head.put(list, imgui(left), imgui({at.second.x + sx, at.second.y + sy}),
+                    imgui({at.second.x - sx, at.second.y - sy}), imgui(right), color);
+  else
+    list.AddTriangleFilled(imgui(at.second), imgui(right), imgui(left), color);
 }
 
 void draw_text(ImDrawList& list, Spot at, const Mark& mark, ImU32 color, ImU32 halo) {
@@ -105,6 +138,7 @@ void draw_text(ImDrawList& list, Spot at, const Mark& mark, ImU32 color, ImU32 h
 void draw_marks(ImDrawList& list, std::span<const Mark> marks, const MarkLook& look, const Camera& camera, int width,
                 int height) {
   const Screen screen(camera, width, height);
+  const Stamps stamps;
   const ImU32 halo = packed(look.halo);
   for (const Mark& mark : marks) {
     const ImU32 color = packed(mark.color.value_or(look.ink));
@@ -112,7 +146,7 @@ void draw_marks(ImDrawList& list, std::span<const Mark> marks, const MarkLook& l
       const auto at = screen.stretch(mark);
       if (!at) continue;
       if (mark.kind == Mark::Kind::arrow)
-        draw_arrow(list, *at, color, mark.size);
+        draw_arrow(list, stamps, *at, color, mark.size);
       else
         list.AddLine(imgui(at->first), imgui(at->second), color, static_cast<float>(mark.size));
     } else if (const auto at = screen.spot(mark)) {
@@ -121,7 +155,7 @@ void draw_marks(ImDrawList& list, std::span<const Mark> marks, const MarkLook& l
       else if (mark.kind == Mark::Kind::ring)
         list.AddCircle(imgui(*at), static_cast<float>(0.5 * mark.size), color, 0, 2.0f);
       else
-        list.AddCircleFilled(imgui(*at), static_cast<float>(0.5 * mark.size), color);
+        draw_disc(list, stamps, *at, mark.size, color);
     }
   }
 }

@@ -26,8 +26,8 @@ ImVec4 with_opacity(ImVec4 color, float opacity) { return {color.x, color.y, col
 ImVec4 warning_ink(bool dark) { return dark ? ImVec4(1.0f, 0.52f, 0.44f, 1.0f) : ImVec4(0.72f, 0.16f, 0.14f, 1.0f); }
 
 void load_panel_font(float scale, std::span<const char* const> paths) {
-  static const ImWchar ranges[] = {0x20,   0xff,   0x370,  0x3ff,  0x2010, 0x2027, 0x2070, 0x209f,
-                                   0x2190, 0x21ff, 0x2200, 0x22ff, 0x2600, 0x27bf, 0};
+  static const ImWchar ranges[] = {0x20,   0xff,   0x370,  0x3ff,  0x2010, 0x2027, 0x2070, 0x209f, 0x2190, 0x21ff,
+                                   0x2200, 0x22ff, 0x25b6, 0x25b6, 0x25cf, 0x25cf, 0x2600, 0x27bf, 0};
   ImGuiIO& io = ImGui::GetIO();
   const float size = std::round(letters * scale);
   for (const char* path : paths) {
