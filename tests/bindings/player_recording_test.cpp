@@ -113,6 +113,41 @@ TEST_CASE("recording: a step back is exact where the script counts in a variable
   CHECK(replay.mismatch() == "");
 }
 
+TEST_CASE("recording: scene.store is what it was, where it was undone and wherever one goes") {
+  Folder folder;
+  write_file(folder / "scene.lua", R"(
+    local p = scene:particle { at = vec(0, 1, 0) }
+    for i = 1, 5 do scene:particle { at = vec(i, 0, 0) } end
+    scene.store.steps = 0
+    scene.store.made = { places = {} }
+    scene:on("step", function()
+      local store = scene.store
+      store.steps = store.steps + 1
+      if store.steps % 10 == 0 then table.insert(store.made.places, p.alive and p.position or vec(0, 0, 0)) end
+      if p.alive then p.velocity = vec(math.sin(store.steps), #store.made.places % 7, 0) end
+      scene:result("steps", store.steps)
+      scene:result("places", #store.made.places)
+    end))");
+  RecordedPerson person(folder / "scene.lua", folder / "play.rec", 5);
+  std::map<std::uint64_t, std::map<std::string, lua::Value>> known;
+  for (std::uint64_t tick = 1; tick <= 1920; tick++) {
+    person.step();
+    if (tick % 240 == 0) known[tick] = person.scene().results();
+  }
+  const std::uint64_t hash = person.hash();
+  person.finish();
+  Replay replay(player::read_recording(folder / "play.rec"), run_options(), sources::folder());
+  to_end(replay);
+  CHECK(replay.mismatch() == "");
+  CHECK(state_hash(replay.scene().world()) == hash);
+  CHECK(replay.scene().results() == known.at(1920));
+  CHECK(std::get<double>(known.at(1920).at("steps")) < 1920);  // some were undone
+  for (const std::uint64_t tick : {1440u, 480u, 1200u, 1680u}) {
+    while (!replay.go_to(tick, 50)) {}
+    CHECK(replay.scene().results() == known.at(tick));
+  }
+}
+
 TEST_CASE("recording: a replay that parts from it says where that began, and says it once") {
   Folder folder;
   write_file(folder / "scene.lua", "scene:body{ name = 'b', mass = 1, inertia = vec(1, 1, 1) }");

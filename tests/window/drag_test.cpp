@@ -58,11 +58,12 @@ class Play {
   Play(const Screen& screen, const Folder& folder, const std::string& until)
       : environment_({"DISPLAY=" + screen.display, "SDL_VIDEODRIVER", "WAYLAND_DISPLAY", "LIBGL_ALWAYS_SOFTWARE=1",
                       "PANTIN_HOME=" + sources::folder()}),
-        process_({{sources::program(), "play", "chain", "--paused", "--until", until, "--out", "tip.csv", "--size",
-                   std::to_string(width) + "x" + std::to_string(height)},
+        process_({{sources::program(), "play", "chain", "--paused", "--until", until, "--out", "tip.csv", "--record",
+                   "play.rec", "--size", std::to_string(width) + "x" + std::to_string(height)},
                   environment_,
                   folder.path,
-                  -1}) {
+                  -1}),
+        record_(folder / "play.rec") {
     // It is called so once its scene is open; and a search fails while windows come and go.
     const std::vector<std::string> search = {"xdotool", "search", "--onlyvisible", "--name",
                                              "^Virtual chain - Pantin$"};
@@ -85,6 +86,13 @@ class Play {
   void move(double x, double y) {
     hand({"mousemove", "--window", window_, std::to_string(static_cast<int>(x)), std::to_string(static_cast<int>(y))});
   }
+  /// Until so many more seconds of the scene were played: the recording tells a hash after each.
+  void wait_for_seconds(int seconds) {
+    const int wanted = hashes() + seconds;
+    for (int i = 0; i < 600 && hashes() < wanted; i++) pause(0.1);
+    INFO(process_.err());
+    REQUIRE(hashes() >= wanted);
+  }
   void end(int wanted = 0) {
     std::optional<int> code = process_.wait(90.0);
     INFO(process_.err());
@@ -92,8 +100,16 @@ class Play {
   }
 
  private:
+  int hashes() const {
+    const std::string text = read_file(record_);
+    int count = 0;
+    for (std::size_t at = 0; (at = text.find("\"hash\"", at)) != text.npos; at++) count++;
+    return count;
+  }
+
   std::vector<std::string> environment_;
   Process process_;
+  std::string record_;
   std::string window_;
 };
 
@@ -266,7 +282,7 @@ TEST_CASE("window: when its display goes away, what was asked for is written", "
   Folder folder;
   Play play(screen, folder, "60");
   play.hand({"key", "space"});
-  pause(2.0);
+  play.wait_for_seconds(1);
   screen.close_down();
   play.end(1);
   CHECK(read_tip(folder).size() > 5);
@@ -278,10 +294,10 @@ TEST_CASE("window: what is seen is filmed from key to key", "[window]") {
   Folder folder;
   Play play(screen, folder, "60");
   play.hand({"key", "space"});
+  play.wait_for_seconds(1);
   play.hand({"key", "F9"});
-  pause(2.0);
+  play.wait_for_seconds(2);
   play.hand({"key", "F9"});
-  pause(0.5);
   play.hand({"key", "q"});
   play.end();
   const Finished probed = finish({{"ffprobe", "-v", "error", "-count_frames", "-show_entries",
