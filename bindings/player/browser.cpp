@@ -50,12 +50,14 @@ void draw_lines(const std::string& text, ImVec2 at, float width, int lines, floa
   const char *from = text.data(), *const end = from + text.size();
   for (int i = 1; i <= lines && from < end; i++) {
     const char* to = font.CalcWordWrapPositionA(size / font.FontSize, from, end, width);
-    std::string line(from, to);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
     if (i == lines && to < end) {
       const float room = width - font.CalcTextSizeA(size, FLT_MAX, 0.0f, more).x;
-      line = std::string(from, font.CalcWordWrapPositionA(size / font.FontSize, from, end, room)) + more;
+      to = font.CalcWordWrapPositionA(size / font.FontSize, from, end, room);
+      const float wide = font.CalcTextSizeA(size, FLT_MAX, 0.0f, from, to).x;
+      list.AddText(nullptr, size, {at.x + wide, at.y}, ImGui::GetColorU32(color), more);
     }
-    ImGui::GetWindowDrawList()->AddText(nullptr, size, at, ImGui::GetColorU32(color), line.c_str());
+    list.AddText(nullptr, size, at, ImGui::GetColorU32(color), from, to);
     at.y += size;
     for (from = to; from < end && (*from == ' ' || *from == '\n'); from++) {}
   }
@@ -68,7 +70,7 @@ Browser::Browser(const std::string& shipped, std::string own, lua::SceneOptions 
 
 void Browser::show() {
   shown_ = appearing_ = true;
-  scenes_ = list_scenes({shipped_, own_});
+  list();
   if (!portraits_) portraits_ = std::make_unique<Portraits>(options_, cache_folder());
 }
 
@@ -78,13 +80,18 @@ void Browser::hide() {
 }
 
 std::string Browser::neighbour(const std::string& path, int places) {
-  scenes_ = list_scenes({shipped_, own_});
+  list();
   if (scenes_.empty()) return {};
   const auto count = static_cast<int>(scenes_.size());
   const auto at = static_cast<int>(find_entry(scenes_, path));
   // From a scene that is not among them, the next is the first.
   const int from = at < count ? at : places > 0 ? -1 : 0;
   return scenes_[static_cast<std::size_t>((from + places + count) % count)].path;
+}
+
+void Browser::list() {
+  scenes_ = list_scenes({shipped_, own_});
+  listed_ = true;
 }
 
 void Browser::work(bool dark) {
@@ -118,14 +125,18 @@ void Browser::draw(const std::string& open, float width, float height) {
   ImGui::Begin("scenes", nullptr, whole_window);
   ImGui::PopStyleVar(2);
   draw_head(width);
+  if (search_ != searched_ || std::exchange(listed_, false)) search();
+  draw_cards(open);
+  ImGui::End();
+}
+
+void Browser::search() {
   shown_scenes_.clear();
   for (std::size_t i = 0; i < scenes_.size(); i++)
     if (found(scenes_[i])) shown_scenes_.push_back(i);
   if (!search_.empty()) std::ranges::stable_sort(shown_scenes_, {}, [&](std::size_t i) { return rank(scenes_[i]); });
   if (search_ != searched_) mark_ = 0;
   searched_ = search_;
-  draw_cards(open);
-  ImGui::End();
 }
 
 void Browser::draw_head(float width) {
@@ -176,7 +187,7 @@ void Browser::draw_cards(const std::string& open) {
       own = true;
       column = 0;
       ImGui::Spacing();
-      ImGui::TextDisabled("%s", scene.path.substr(0, scene.path.rfind('/')).c_str());
+      ImGui::TextDisabled("%.*s", static_cast<int>(scene.path.rfind('/')), scene.path.c_str());
     }
     if (column > 0) ImGui::SameLine();
     column = (column + 1) % columns;

@@ -32,6 +32,8 @@ class Browser {
   void draw_head(float width);
   void draw_cards(const std::string& open);
   bool draw_card(const SceneEntry& scene, float width, bool lit, bool is_open);
+  void list();
+  void search();
   bool found(const SceneEntry& scene) const;
   int rank(const SceneEntry& scene) const;
   void move_mark(int columns);
@@ -40,6 +42,7 @@ class Browser {
   lua::SceneOptions options_;
   std::vector<SceneEntry> scenes_;
   std::vector<std::size_t> shown_scenes_;  ///< those that the search finds
+  bool listed_ = false;                    ///< anew, since the last search
   std::size_t mark_ = 0;                   ///< of these, the one that Enter opens
   bool moved_ = false;                     ///< the mark, by a key
   std::unique_ptr<Portraits> portraits_;   ///< from when it is shown first

@@ -9,7 +9,7 @@ namespace {
 constexpr std::chrono::milliseconds interval{50};
 }
 
-FileWatch::Stamp FileWatch::stamp_of(const std::string& path) {
+FileWatch::Stamp FileWatch::stamp_of(const std::filesystem::path& path) {
   std::error_code error;
   Stamp stamp;
   stamp.time = std::filesystem::last_write_time(path, error);

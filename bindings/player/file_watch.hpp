@@ -31,9 +31,9 @@ class FileWatch {
   struct File {
     Stamp told, seen;
   };
-  static Stamp stamp_of(const std::string& path);
+  static Stamp stamp_of(const std::filesystem::path& path);
 
-  std::map<std::string, File> files_;
+  std::map<std::filesystem::path, File> files_;
   Clock::time_point next_{};
 };
 

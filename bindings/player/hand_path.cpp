@@ -25,16 +25,14 @@ StepInput HandPath::input(int i) const {
 }
 
 void keep_last_moves(StepInput& input) {
-  std::vector<HandMove> last;
+  std::size_t kept = 0;
   for (const HandMove& move : input.moves) {
-    auto same_hand = [&](const HandMove& other) { return other.hand == move.hand; };
-    auto found = std::find_if(last.begin(), last.end(), same_hand);
-    if (found == last.end())
-      last.push_back(move);
-    else
-      *found = move;
+    const auto end = input.moves.begin() + static_cast<std::ptrdiff_t>(kept);
+    const auto found = std::find_if(input.moves.begin(), end, [&](const HandMove& m) { return m.hand == move.hand; });
+    *found = move;
+    kept += found == end;
   }
-  input.moves = std::move(last);
+  input.moves.resize(kept);
 }
 
 }  // namespace pantin::player

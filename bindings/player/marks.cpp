@@ -15,12 +15,19 @@ Mark::Kind mark_kind(lua::Drawing::Kind kind) {
 
 }  // namespace
 
-std::vector<Mark> marks_of(const lua::Scene& scene) {
-  std::vector<Mark> marks;
-  marks.reserve(scene.drawings().size());
-  for (const lua::Drawing& d : scene.drawings())
-    marks.push_back({mark_kind(d.kind), d.from, d.to, d.color, d.size, d.on_screen, d.text});
-  return marks;
+void write_marks_of(const lua::Scene& scene, std::vector<Mark>& marks) {
+  marks.resize(scene.drawings().size());
+  for (std::size_t i = 0; i < marks.size(); i++) {
+    const lua::Drawing& d = scene.drawings()[i];
+    Mark& mark = marks[i];
+    mark.kind = mark_kind(d.kind);
+    mark.from = d.from;
+    mark.to = d.to;
+    mark.color = d.color;
+    mark.size = d.size;
+    mark.on_screen = d.on_screen;
+    mark.text = d.text;
+  }
 }
 
 }  // namespace pantin::player

@@ -6,7 +6,7 @@
 
 namespace pantin::player {
 
-/// What the scene drew in its last step, for the overlay.
-std::vector<Mark> marks_of(const lua::Scene& scene);
+/// What the scene drew in its last step, written over other marks, so that nothing is allocated for the texts.
+void write_marks_of(const lua::Scene& scene, std::vector<Mark>& marks);
 
 }  // namespace pantin::player

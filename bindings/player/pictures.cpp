@@ -32,7 +32,7 @@ Overlay Pictures::overlay() const {
   Overlay overlay;
   overlay.pace = scene_.pace();
   overlay.views = views_;
-  overlay.marks = marks_of(scene_);
+  write_marks_of(scene_, overlay.marks);
   return overlay;
 }
 

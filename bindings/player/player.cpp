@@ -162,8 +162,11 @@ void Player::fail(const std::string& why) {
   complain(why);
 }
 
-Overlay Player::overlay() const {
-  Overlay overlay;
+void Player::fill(Overlay& overlay) const {
+  overlay.message.clear();
+  overlay.title.clear();
+  overlay.help = {};
+  overlay.highlight = {};
   overlay.pace = scene_->pace() * speed_;
   overlay.views = views_;
   if (!failure_.empty())
@@ -171,13 +174,21 @@ Overlay Player::overlay() const {
   else if (!said_.empty() && Clock::now() < complained_ + complaint_shown)
     overlay.message =
         said_.back().times > 1 ? text(said_.back().text, "   (", said_.back().times, " times)") : said_.back().text;
-  if (browser_.shown()) return overlay;
-  overlay.marks = marks_of(*scene_);
-  overlay.title = title();
+  if (browser_.shown()) {
+    overlay.status.clear();
+    overlay.buttons.clear();
+    overlay.marks.clear();
+    return;
+  }
+  write_marks_of(*scene_, overlay.marks);
+  if (scene_->title().empty())
+    overlay.title = title();
+  else
+    overlay.title = scene_->title();
   const auto* chosen = std::get_if<PointId>(&chosen_);
   overlay.highlight = hands_.highlight() || !chosen ? hands_.highlight() : *chosen;
   mark_hands(overlay);
-  overlay.status = status_.parts(scene_->world(), pacing_, overlay.pace, paused_);
+  status_.write(scene_->world(), pacing_, overlay.pace, paused_, overlay.status);
   if (scene_->finished())
     overlay.status[1] = "finished";
   else if (paused_ && failure_.empty() && waits_for_step(waiting_))
@@ -191,7 +202,6 @@ Overlay Player::overlay() const {
   else
     overlay.status.push_back(text(key_for(KeyUse::help), ": keys"));
   overlay.buttons = scene_->buttons();
-  return overlay;
 }
 
 }  // namespace pantin::player

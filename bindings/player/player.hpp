@@ -72,7 +72,7 @@ class Player {
   void tell(const std::string& what);
   void tell_dropped();
   void tell_tool();
-  std::string hint() const;
+  const std::string& hint() const;
   void draw_tools();
   void mark_hands(Overlay& overlay) const;
   void choose_followed();
@@ -107,7 +107,7 @@ class Player {
   void fail_step(const std::string& why);
   void fail(const std::string& why);
   void save_picture();
-  Overlay overlay() const;
+  void fill(Overlay& overlay) const;
 
   std::string path_;
   RunOptions options_;
@@ -118,6 +118,7 @@ class Player {
   std::unique_ptr<LiveFilm> film_;  ///< while it is taken
   Window window_;
   Renderer renderer_;
+  Overlay overlay_;  ///< of the last frame; kept so that nothing is allocated for the next
   Camera camera_;
   Follower follower_;
   PlayerInput hands_;
@@ -132,6 +133,7 @@ class Player {
   bool tried_ = false;                        ///< a hand did something since
   std::size_t log_read_ = 0;                  ///< lines of the world's log
   StepInput waiting_;                         ///< what hands did since the last step
+  StepInput before_hands_;                    ///< the same before this frame
   Pacing pacing_;
   Status status_;
   Times times_;
@@ -143,8 +145,9 @@ class Player {
   std::deque<Said> said_;               ///< the latest, oldest first
   Clock::time_point complained_{};      ///< when the last of them was said
   AnyId chosen_;
-  double speed_ = 1.0;       ///< times the scene's pace
-  double load_seconds_ = 0;  ///< [s] that opening the scene took
+  std::uint64_t changes_ = 0;  ///< made to the scene between its steps
+  double speed_ = 1.0;         ///< times the scene's pace
+  double load_seconds_ = 0;    ///< [s] that opening the scene took
   bool paused_;
   bool help_ = false;
   Views views_;

@@ -11,7 +11,7 @@ void Player::write_picture(const std::string& path) {
   Overlay overlay;
   overlay.pace = scene_->pace();
   overlay.views = views_;
-  overlay.marks = marks_of(*scene_);
+  write_marks_of(*scene_, overlay.marks);
   renderer_.draw(scene_->world(), camera_, overlay);
   write_png(path, renderer_.read_pixels(), renderer_.pixels_wide(), renderer_.pixels_high());
 }

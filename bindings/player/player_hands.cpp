@@ -17,13 +17,13 @@ Actions Player::take_hands(double elapsed) {
   const PlayerInput::Frame frame{
       scene_->world(),         renderer_.stage(), renderer_.width(), renderer_.height(), renderer_.pointer_on_panel(),
       paused_ ? 0.0 : elapsed, camera_,           waiting_};
-  const StepInput before = waiting_;
+  before_hands_ = waiting_;
   const ToolKind kind = hands_.tool.kind;
   Actions actions = hands_.apply(gestures_, frame);
   if (hands_.tool.kind != kind) tell_tool();
   for (const std::string& said : actions.said) tell(said);
   tried_ |= !actions.acts.empty();
-  if (!actions.acts.empty()) keep_for_undo(actions.acts.back(), before);
+  if (!actions.acts.empty()) keep_for_undo(actions.acts.back(), before_hands_);
   return actions;
 }
 
@@ -44,6 +44,7 @@ void Player::redo() { go_back(&Undo::redo); }
 void Player::go_back(bool (Undo::*way)(lua::Scene&, Times&, StepInput&, std::string&)) {
   std::string told;
   if ((undo_.*way)(*scene_, times_, waiting_, told)) {
+    changes_++;
     hands_.let_go(scene_->world(), waiting_);
     log_read_ = scene_->world().log.size();
     failure_ = scene_->world().failure;
@@ -69,15 +70,17 @@ void Player::tell_dropped() {
 }
 
 /// What a hand may do next, to one that has done nothing in this scene.
-std::string Player::hint() const {
-  if (tried_ || Clock::now() > adopted_ + hinted_for) return {};
-  return text("drag a point, and throw it; press ", key_for(KeyUse::tool, static_cast<std::size_t>(ToolKind::cut)),
-              " and swipe to cut; ", key_for(KeyUse::pause), " pauses, ", key_for(KeyUse::slower), " slows; ",
-              key_for(KeyUse::scenes), ": all scenes, ", key_for(KeyUse::help), ": all keys");
+const std::string& Player::hint() const {
+  static const std::string none;
+  static const std::string first =
+      text("drag a point, and throw it; press ", key_for(KeyUse::tool, static_cast<std::size_t>(ToolKind::cut)),
+           " and swipe to cut; ", key_for(KeyUse::pause), " pauses, ", key_for(KeyUse::slower), " slows; ",
+           key_for(KeyUse::scenes), ": all scenes, ", key_for(KeyUse::help), ": all keys");
+  return tried_ || Clock::now() > adopted_ + hinted_for ? none : first;
 }
 
 void Player::draw_tools() {
-  const std::string told = Clock::now() < told_at_ + told_for ? told_ : hint();
+  const std::string& told = Clock::now() < told_at_ + told_for ? told_ : hint();
   const ToolKind kind = hands_.tool.kind;
   const PaletteWish wish = draw_palette(hands_.tool, undo_.state(*scene_), told, static_cast<float>(renderer_.width()),
                                         static_cast<float>(renderer_.height()));
@@ -87,8 +90,7 @@ void Player::draw_tools() {
 
 void Player::mark_hands(Overlay& overlay) const {
   const Sight sight{scene_->world(), renderer_.stage(), camera_, renderer_.width(), renderer_.height()};
-  for (Mark& mark : hands_.marks(gestures_, sight, renderer_.pointer_on_panel()))
-    overlay.marks.push_back(std::move(mark));
+  hands_.add_marks(gestures_, sight, renderer_.pointer_on_panel(), overlay.marks);
 }
 
 }  // namespace pantin::player

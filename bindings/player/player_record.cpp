@@ -54,6 +54,7 @@ void Player::reload() {
   chosen_ = chosen == carried.things.end() ? AnyId{} : chosen->second;
   undo_.clear();
   scene_ = std::move(reloaded->scene);
+  changes_++;
   log_read_ = scene_->world().log.size();
   follower_ = {};
   times_ = {};

@@ -73,6 +73,7 @@ void Player::wait_for(const std::atomic<bool>& done, const std::string& what) {
 }
 
 void Player::adopt(std::unique_ptr<lua::Scene> fresh) {
+  changes_++;
   undo_.clear();
   scene_ = std::move(fresh);
   hands_.reset();
@@ -127,6 +128,7 @@ void Player::set_parameter(const std::string& name, const lua::Value& value) {
   const auto before = lua_options_.set;
   lua_options_.set[name] = setting_text(value);
   begin_change(name);
+  changes_++;
   bool live = true;
   try {
     live = scene_->set_parameter(name, value);
@@ -212,6 +214,7 @@ void Player::choose() {
 }
 
 void Player::edit(const Edit& edit) {
+  changes_++;
   keep_for_undo(text("edit of ", edit.value.name), waiting_);
   try {
     lua::write_field(*scene_, edit.thing, edit.value.name, edit.value);
@@ -256,6 +259,7 @@ Desk Player::desk() {
   desk.speed = speed_;
   desk.paused = paused_;
   desk.filming = film_ != nullptr;
+  desk.changes = changes_;
   desk.quick = load_seconds_ < quick_load;
   desk.width = static_cast<float>(renderer_.width());
   desk.height = static_cast<float>(renderer_.height());
@@ -264,14 +268,15 @@ Desk Player::desk() {
 
 void Player::draw() {
   Desk seen = desk();
-  Overlay shown = overlay();
-  shown.windows = [&] {
+  fill(overlay_);
+  overlay_.windows = [&] {
     if (browser_.shown()) return browser_.draw(path_, seen.width, seen.height);
     draw_tools();
     panels_.draw(seen);
   };
   browser_.work(seen.dark());
-  renderer_.draw(scene_->world(), camera_, shown);
+  renderer_.draw(scene_->world(), camera_, overlay_);
+  overlay_.windows = nullptr;
   if (const std::string& name = renderer_.pressed_button(); !name.empty()) {
     Command command;
     command.kind = Command::Kind::button;

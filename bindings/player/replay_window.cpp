@@ -15,6 +15,7 @@
 #include "player/panels/icons.hpp"
 #include "view/camera_moves.hpp"
 #include "view/hand_marks.hpp"
+#include "view/keys.hpp"
 #include "view/panel_style.hpp"
 #include "view/view_keys.hpp"
 
@@ -26,22 +27,6 @@ constexpr std::chrono::milliseconds longest_seek{50};    // in a frame
 constexpr std::chrono::seconds told_for{4};
 constexpr const char* no_hands = "this is recorded: hands do nothing here";
 constexpr const char* no_undo = "this is recorded: nothing is undone here; a step back (,) or the slider goes back";
-
-const std::vector<std::pair<std::string, std::string>>& replay_key_help() {
-  static const std::vector<std::pair<std::string, std::string>> list = {
-      {"space", "pause, run; at the end: from the start"},
-      {", .", "one step back, one on"},
-      {"r", "to the start"},
-      {"- + 0", "slower, faster, the scene's own pace"},
-      {"right drag", "turn the view"},
-      {"middle drag", "shift the view (or shift + right)"},
-      {"wheel", "zoom"},
-      {"f", "see the whole scene"},
-      {"h", "show or hide the keys"},
-      {"q, Esc", "quit"},
-  };
-  return list;
-}
 
 /// Ticks at which something was done, beside moving hands.
 std::vector<std::uint64_t> ticks_of_acts(const std::vector<RecordedAct>& acts) {
@@ -56,9 +41,6 @@ std::vector<std::uint64_t> ticks_of_acts(const std::vector<RecordedAct>& acts) {
   }
   return ticks;
 }
-
-/// Keys that use a tool or choose one in a scene that is played.
-bool for_hands(const std::string& key) { return key == "x" || (key.size() == 1 && key >= "1" && key <= "9"); }
 
 }  // namespace
 
@@ -118,21 +100,33 @@ void ReplayWindow::take(const PointerEvent& event) {
 
 /// False where the key ends the replay.
 bool ReplayWindow::take_key(const std::string& name) {
-  if (name == "q" || (name == "escape" && !std::exchange(help_, false))) return false;
-  if (name == "space") run_or_pause();
-  if (name == ".") step_on();
-  if (name == ",") step_back();
-  if (name == "r") target_ = 0;
-  if (name == "-" || name == "keypad -") change_speed(0.5);
-  if (name == "=" || name == "+" || name == "keypad +") change_speed(2.0);
-  if (name == "0") speed_ = 1.0;
-  if (name == "h") help_ = !help_;
-  if (name == "f")
-    see_all(replay_.scene().world(), renderer_.stage(), static_cast<double>(renderer_.width()) / renderer_.height(),
-            camera_);
-  if (name == "ctrl+z" || name == "ctrl+shift+z" || name == "ctrl+y") tell(no_undo);
-  if (for_hands(name)) tell(no_hands);
+  const std::optional<KeyMeaning> key = meaning_of(name, KeyPlace::replay);
+  if (!key) return tell_of_play(name), true;
+  switch (key->use) {
+    case KeyUse::pause: run_or_pause(); break;
+    case KeyUse::step: step_on(); break;
+    case KeyUse::step_back: step_back(); break;
+    case KeyUse::restart: target_ = 0; break;
+    case KeyUse::slower: change_speed(0.5); break;
+    case KeyUse::faster: change_speed(2.0); break;
+    case KeyUse::own_pace: speed_ = 1.0; break;
+    case KeyUse::help: help_ = !help_; break;
+    case KeyUse::leave: return name == "escape" && std::exchange(help_, false);
+    case KeyUse::see_all:
+      see_all(replay_.scene().world(), renderer_.stage(), static_cast<double>(renderer_.width()) / renderer_.height(),
+              camera_);
+      break;
+    default: break;
+  }
   return true;
+}
+
+/// A key that serves where a scene is played.
+void ReplayWindow::tell_of_play(const std::string& name) {
+  const std::optional<KeyMeaning> key = meaning_of(name);
+  if (!key) return;
+  if (key->use == KeyUse::undo || key->use == KeyUse::redo) tell(no_undo);
+  if (key->use == KeyUse::tool || key->use == KeyUse::cut) tell(no_hands);
 }
 
 void ReplayWindow::tell(const std::string& what) {
@@ -222,15 +216,14 @@ Overlay ReplayWindow::overlay() {
   shown.pace = scene.pace() * speed_;
   shown.views = views_;
   shown.title = title();
-  shown.marks = marks_of(scene);
+  write_marks_of(scene, shown.marks);
   mark_hands(shown);
-  shown.status = status_.parts(scene.world(), pacing_, shown.pace, paused_);
+  status_.write(scene.world(), pacing_, shown.pace, paused_, shown.status);
   if (at_end()) shown.status[1] = "the end of the recording";
-  if (!help_) shown.status.push_back("h: keys");
-  if (help_) {
-    shown.help = replay_key_help();
-    shown.help.insert(shown.help.end(), view_key_help().begin(), view_key_help().end());
-  }
+  if (help_)
+    shown.help = key_card(KeyPlace::replay);
+  else
+    shown.status.push_back(text(key_for(KeyUse::help), ": keys"));
   return shown;
 }
 

@@ -35,6 +35,7 @@ class ReplayWindow {
   std::string title();
   void take(const PointerEvent& event);
   bool take_key(const std::string& name);
+  void tell_of_play(const std::string& name);
   void tell(const std::string& what);
   void run_or_pause();
   void step_back();

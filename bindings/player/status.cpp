@@ -1,22 +1,31 @@
 #include "player/status.hpp"
 
 #include <cstdio>
+#include <string_view>
 #include <utility>
 
 namespace pantin::player {
 namespace {
 
-std::string print(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
+/// Parts are written where those of the frame before are, so that nothing is allocated.
+class Line {
+ public:
+  explicit Line(std::vector<std::string>& parts) : parts_(parts) {}
+  void print(const char* format, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, value);
+    add(text);
+  }
+  void add(std::string_view text) {
+    if (count_ == parts_.size()) parts_.emplace_back();
+    parts_[count_++] = text;
+  }
+  void end() { parts_.resize(count_); }
 
-std::string speed(const Pacing& pacing, double pace, bool paused) {
-  if (paused) return "paused";
-  if (pacing.slow_motion()) return print("slow motion %.2g×", pace * pacing.speed());
-  return print("speed %.3g×", pace);
-}
+ private:
+  std::vector<std::string>& parts_;
+  std::size_t count_ = 0;
+};
 
 }  // namespace
 
@@ -40,14 +49,22 @@ void Status::note(std::string text) {
   note_until_ = Clock::now() + std::chrono::seconds(4);
 }
 
-std::vector<std::string> Status::parts(const World& world, const Pacing& pacing, double pace, bool paused) const {
-  std::vector<std::string> parts = {print("%.2f s", world.time), speed(pacing, pace, paused),
-                                    print("%.0f frames/s", rate_)};
-  if (world.stats.solves > 0) parts.push_back(print("Newton %.1f", newton_));
-  parts.push_back(print("energy error %.1e", world.error.energy));
-  parts.push_back(print("largest gap %.1e m", world.error.constraint));
-  if (Clock::now() < note_until_) parts.push_back(note_);
-  return parts;
+void Status::write(const World& world, const Pacing& pacing, double pace, bool paused,
+                   std::vector<std::string>& parts) const {
+  Line line(parts);
+  line.print("%.2f s", world.time);
+  if (paused)
+    line.add("paused");
+  else if (pacing.slow_motion())
+    line.print("slow motion %.2g×", pace * pacing.speed());
+  else
+    line.print("speed %.3g×", pace);
+  line.print("%.0f frames/s", rate_);
+  if (world.stats.solves > 0) line.print("Newton %.1f", newton_);
+  line.print("energy error %.1e", world.error.energy);
+  line.print("largest gap %.1e m", world.error.constraint);
+  if (Clock::now() < note_until_) line.add(note_);
+  line.end();
 }
 
 }  // namespace pantin::player

@@ -17,7 +17,8 @@ class Status {
   void frame(const World& world);
   /// Shows a note for a few seconds.
   void note(std::string text);
-  std::vector<std::string> parts(const World& world, const Pacing& pacing, double pace, bool paused) const;
+  /// Writes the parts of the line over those of the frame before.
+  void write(const World& world, const Pacing& pacing, double pace, bool paused, std::vector<std::string>& parts) const;
 
  private:
   Clock::time_point since_ = Clock::now();  ///< start of the present half second

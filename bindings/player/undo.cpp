@@ -2,12 +2,14 @@
 
 #include <utility>
 
+#include "world/snapshot.hpp"
+
 namespace pantin::player {
 namespace {
 
 constexpr std::size_t most_acts = 32;
 
-std::string name_of_last(const auto& entries) { return entries.empty() ? "" : entries.back().act; }
+std::string_view name_of_last(const auto& entries) { return entries.empty() ? std::string_view() : entries.back().act; }
 
 std::string obstacle(const lua::Scene& scene) {
   const std::string why = scene.why_not_restore();
@@ -37,7 +39,7 @@ bool Undo::redo(lua::Scene& scene, Times& times, StepInput& waiting, std::string
   return move(scene, times, waiting, future_, past_, "redo", told);
 }
 
-std::string Undo::last() const { return name_of_last(past_); }
+std::string_view Undo::last() const { return name_of_last(past_); }
 
 void Undo::clear() {
   past_.clear();
@@ -45,7 +47,9 @@ void Undo::clear() {
 }
 
 UndoState Undo::state(const lua::Scene& scene) const {
-  return {name_of_last(past_), name_of_last(future_), obstacle(scene)};
+  UndoState state{name_of_last(past_), name_of_last(future_), {}};
+  if (!can_restore(scene.world())) state.obstacle = [&scene] { return obstacle(scene); };
+  return state;
 }
 
 bool Undo::move(lua::Scene& scene, Times& times, StepInput& waiting, Entries& from, Entries& to, const char* does,

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "lua/scene.hpp"
 #include "player/table.hpp"
@@ -18,12 +19,13 @@ class Undo {
   /// An act begins. Where the scene cannot be put back, nothing is kept; throws Error where it cannot be kept.
   void begin(lua::Scene& scene, const Times& times, const StepInput& waiting, const std::string& act);
   /// The act that can be taken back, or empty.
-  std::string last() const;
+  std::string_view last() const;
   /// Takes the last act back, or does it again, and tells what became of that. True where the scene was put back.
   bool undo(lua::Scene& scene, Times& times, StepInput& waiting, std::string& told);
   bool redo(lua::Scene& scene, Times& times, StepInput& waiting, std::string& told);
   /// Another scene was opened.
   void clear();
+  /// For as long as this and the scene stay as they are.
   UndoState state(const lua::Scene& scene) const;
 
   /// Told each state by its number: that it is kept now, or put back.

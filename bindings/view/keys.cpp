@@ -16,48 +16,59 @@ std::vector<WindowKeys> make_table() {
     const bool says = std::string_view(named.help).starts_with(named.name);
     return WindowKeys{"View", Use::view, {key}, key, says ? named.help : text(named.name, ": ", named.help), place};
   };
+  constexpr std::optional play = KeyPlace::play, replay = KeyPlace::replay;
   return {
-      {"Hands", Use::told, {}, "left drag", "use the tool: pull a point, and throw it"},
+      {"Hands", Use::told, {}, "left drag", "use the tool: pull a point, and throw it", 0, play},
       {"Hands",
        Use::tool,
        {"1", "2", "3", "4", "5", "6", "7", "8", "9"},
        "1 … 9",
-       "drag, cut, join, nail, push, spin, remove, make, heat"},
-      {"Hands", Use::tool_before, {"["}, "[", "the tool before"},
-      {"Hands", Use::tool_next, {"]"}, "]", "the next tool"},
-      {"Hands", Use::cut, {"x"}, "x, ctrl + click", "cut what is under the pointer"},
-      {"Hands", Use::undo, {"ctrl+z"}, "ctrl + z", "undo"},
-      {"Hands", Use::redo, {"ctrl+shift+z", "ctrl+y"}, "ctrl + shift + z", "redo"},
-      {"Hands", Use::told, {}, "fingers, sticks", "each is a hand of its own"},
+       "drag, cut, join, nail, push, spin, remove, make, heat",
+       0,
+       play},
+      {"Hands", Use::tool_before, {"["}, "[", "the tool before", 0, play},
+      {"Hands", Use::tool_next, {"]"}, "]", "the next tool", 0, play},
+      {"Hands", Use::cut, {"x"}, "x, ctrl + click", "cut what is under the pointer", 0, play},
+      {"Hands", Use::undo, {"ctrl+z"}, "ctrl + z", "undo", 0, play},
+      {"Hands", Use::redo, {"ctrl+shift+z", "ctrl+y"}, "ctrl + shift + z", "redo", 0, play},
+      {"Hands", Use::told, {}, "fingers, sticks", "each is a hand of its own", 0, play},
       {"Hands",
        Use::told,
        {"left", "right", "up", "down", "return", "keypad enter", "keypad 2", "keypad 4", "keypad 5", "keypad 6",
         "keypad 8"},
        "arrows, enter",
-       "a second hand (shift: slow)"},
-      {"Time", Use::pause, {"space"}, "space", "pause, run"},
+       "a second hand (shift: slow)",
+       0,
+       play},
+      {"Time", Use::pause, {"space"}, "space", "pause, run", 0, play},
+      {"Time", Use::pause, {"space"}, "space", "pause, run; at the end of a recording: from its start", 0, replay},
       {"Time", Use::step, {"."}, ".", "one step"},
+      {"Time", Use::step_back, {","}, ",", "one step back, in a recording", 0, replay},
       {"Time", Use::slower, {"-", "keypad -"}, "-", "slower"},
       {"Time", Use::faster, {"=", "+", "keypad +"}, "+", "faster"},
       {"Time", Use::own_pace, {"0"}, "0", "the scene's own pace"},
-      {"Time", Use::restart, {"r"}, "r", "restart"},
-      {"Window", Use::scenes, {"n"}, "n", "all scenes"},
-      {"Window", Use::scene_before, {"pageup"}, "page up", "the scene before"},
-      {"Window", Use::scene_next, {"pagedown"}, "page down", "the next scene"},
+      {"Time", Use::restart, {"r"}, "r", "restart", 0, play},
+      {"Time", Use::restart, {"r"}, "r", "to the start of a recording", 0, replay},
+      {"Window", Use::scenes, {"n"}, "n", "all scenes", 0, play},
+      {"Window", Use::scene_before, {"pageup"}, "page up", "the scene before", 0, play},
+      {"Window", Use::scene_next, {"pagedown"}, "page down", "the next scene", 0, play},
       {"Window",
        Use::panel,
        {"f1", "f2", "f3", "f4", "f5", "f6", "f7", "f8"},
        "F1 … F8",
-       "panels: parameters, time, probes, energy, solver, phases, log, thing"},
-      {"Window", Use::panels, {"tab"}, "tab", "hide the panels, show them"},
-      {"Window", Use::picture, {"s"}, "s", "take a picture"},
-      {"Window", Use::film, {"f9"}, "F9", "film what is seen, until it is pressed again"},
+       "panels: parameters, time, probes, energy, solver, phases, log, thing",
+       0,
+       play},
+      {"Window", Use::panels, {"tab"}, "tab", "hide the panels, show them", 0, play},
+      {"Window", Use::picture, {"s"}, "s", "take a picture", 0, play},
+      {"Window", Use::film, {"f9"}, "F9", "film what is seen, until it is pressed again", 0, play},
       {"Window", Use::help, {"h"}, "h", "show or hide the keys"},
-      {"Window", Use::leave, {"escape", "q"}, "Esc, q", "back to the browser of scenes, or quit"},
+      {"Window", Use::leave, {"escape", "q"}, "Esc, q", "back to the browser of scenes, or quit", 0, play},
+      {"Window", Use::leave, {"escape", "q"}, "Esc, q", "quit, in a recording", 0, replay},
       {"View", Use::told, {}, "right drag", "turn the view"},
       {"View", Use::told, {}, "middle drag", "shift the view (or shift + right)"},
       {"View", Use::told, {}, "wheel", "zoom"},
-      {"View", Use::told, {}, "double click", "follow a thing; beside all, none"},
+      {"View", Use::told, {}, "double click", "follow a thing; beside all, none", 0, play},
       {"View", Use::see_all, {"f"}, "f", "see the whole scene"},
       {"View", Use::see_freely, {"u"}, "u", "in perspective"},
       {"View", Use::see_front, {"i"}, "i", "from the front, without perspective"},
@@ -79,6 +90,21 @@ std::vector<WindowKeys> make_table() {
   };
 }
 
+bool counts(const WindowKeys& row, KeyPlace place) { return !row.only || row.only == place; }
+
+using Card = std::vector<std::pair<std::string, std::string>>;
+
+Card make_card(KeyPlace place) {
+  Card rows;
+  std::string_view group;
+  for (const WindowKeys& row : window_keys()) {
+    if (!counts(row, place)) continue;
+    if (group != row.group) rows.emplace_back(group = row.group, "");
+    rows.emplace_back(row.shown, row.help);
+  }
+  return rows;
+}
+
 }  // namespace
 
 const std::vector<WindowKeys>& window_keys() {
@@ -86,10 +112,10 @@ const std::vector<WindowKeys>& window_keys() {
   return table;
 }
 
-std::optional<KeyMeaning> meaning_of(std::string_view key) {
+std::optional<KeyMeaning> meaning_of(std::string_view key, KeyPlace place) {
   for (const WindowKeys& row : window_keys())
     for (std::size_t i = 0; i < row.keys.size(); i++)
-      if (key == row.keys[i]) return KeyMeaning{row.use, row.first + i};
+      if (counts(row, place) && key == row.keys[i]) return KeyMeaning{row.use, row.first + i};
   return {};
 }
 
@@ -99,17 +125,9 @@ const char* key_for(KeyUse use, std::size_t which) {
   return "";
 }
 
-const std::vector<std::pair<std::string, std::string>>& key_card() {
-  static const auto card = [] {
-    std::vector<std::pair<std::string, std::string>> rows;
-    std::string_view group;
-    for (const WindowKeys& row : window_keys()) {
-      if (group != row.group) rows.emplace_back(group = row.group, "");
-      rows.emplace_back(row.shown, row.help);
-    }
-    return rows;
-  }();
-  return card;
+std::span<const std::pair<std::string, std::string>> key_card(KeyPlace place) {
+  static const Card play = make_card(KeyPlace::play), replay = make_card(KeyPlace::replay);
+  return place == KeyPlace::play ? play : replay;
 }
 
 std::string key_reference() {

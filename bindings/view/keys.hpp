@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,6 +22,7 @@ enum class KeyUse : std::uint8_t {
   redo,
   pause,
   step,
+  step_back,
   slower,
   faster,
   own_pace,
@@ -42,6 +44,9 @@ enum class KeyUse : std::uint8_t {
   view
 };
 
+/// A window in which a scene is played, or a recording of it.
+enum class KeyPlace : std::uint8_t { play, replay };
+
 struct WindowKeys {
   const char* group;
   KeyUse use;
@@ -49,6 +54,7 @@ struct WindowKeys {
   const char* shown;              ///< as they are told
   std::string help;
   std::size_t first = 0;  ///< of tools, panels and views: which the first key is for; the next is for the next
+  std::optional<KeyPlace> only = {};  ///< where it counts; nothing: everywhere
 };
 
 /// All, group by group.
@@ -60,12 +66,12 @@ struct KeyMeaning {
   std::size_t which;
 };
 /// Nothing where the window has no use for it, so that it is the scene's.
-std::optional<KeyMeaning> meaning_of(std::string_view key);
+std::optional<KeyMeaning> meaning_of(std::string_view key, KeyPlace place = KeyPlace::play);
 /// The key of a tool, panel or view, or the first that serves a use.
 const char* key_for(KeyUse use, std::size_t which = 0);
 
 /// {keys, what they do}, with a heading before each group, which does nothing: for the card of keys.
-const std::vector<std::pair<std::string, std::string>>& key_card();
+std::span<const std::pair<std::string, std::string>> key_card(KeyPlace place = KeyPlace::play);
 /// The same as Markdown, for the reference.
 std::string key_reference();
 

@@ -24,8 +24,9 @@ bool icon_there(const char* icon) {
   return ImGui::GetFont()->FindGlyphNoFallback(static_cast<ImWchar>(letter)) != nullptr;
 }
 
-/// A button that is marked where it is the chosen one; its hint says more.
-bool button(const char* icon, const char* name, const char* hint, bool chosen, bool enabled, ImVec2 size) {
+/// A button that is marked where it is the chosen one; hint() says more.
+template <class Hint>
+bool button(const char* icon, const char* name, Hint hint, bool chosen, bool enabled, ImVec2 size) {
   const bool drawn = icon_there(icon);
   const char* const label = drawn ? icon : name;
   if (!drawn) {
@@ -40,22 +41,22 @@ bool button(const char* icon, const char* name, const char* hint, bool chosen, b
   if (!drawn) ImGui::SetWindowFontScale(icon_size);
   if (!enabled) ImGui::EndDisabled();
   if (chosen) ImGui::PopStyleColor();
-  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", hint);
+  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", hint().c_str());
   return pressed;
 }
 
 PaletteWish draw_undo(const UndoState& state, float side) {
   PaletteWish wish;
-  const auto hint = [&](const char* does, const std::string& act, const char* key) {
-    if (!state.obstacle.empty()) return state.obstacle;
-    return (act.empty() ? std::string("nothing to ") + does : does + (": " + act)) + " (" + key + ")";
+  const auto hint = [&](const char* does, std::string_view act, const char* key) {
+    if (state.obstacle) return state.obstacle();
+    return act.empty() ? text("nothing to ", does) : text(does, ": ", act, " (", key, ")");
   };
-  const bool can = state.obstacle.empty();
+  const bool can = !state.obstacle;
   ImGui::SameLine(0.0f, 0.4f * side);
-  wish.undo = button("\u21b6", "undo", hint("undo", state.undo, "ctrl+z").c_str(), false, can && !state.undo.empty(),
-                     {side, side});
+  wish.undo = button("\u21b6", "undo", [&] { return hint("undo", state.undo, "ctrl+z"); }, false,
+                     can && !state.undo.empty(), {side, side});
   ImGui::SameLine();
-  wish.redo = button("\u21b7", "redo", hint("redo", state.redo, "ctrl+shift+z").c_str(), false,
+  wish.redo = button("\u21b7", "redo", [&] { return hint("redo", state.redo, "ctrl+shift+z"); }, false,
                      can && !state.redo.empty(), {side, side});
   return wish;
 }
@@ -105,9 +106,10 @@ PaletteWish draw_palette(ToolChoice& choice, const UndoState& undo, const std::s
   for (const Tool& tool : tools()) {
     if (&tool != &tools().front()) ImGui::SameLine();
     const bool chosen = tool.kind == choice.kind;
-    const std::string hint =
-        text(tool.name, " (", key_for(KeyUse::tool, static_cast<std::size_t>(tool.kind)), "): ", tool.help);
-    if (button(tool.icon, tool.name, hint.c_str(), chosen, true, {side, side}) && !chosen) choice.choose(tool.kind);
+    const auto hint = [&] {
+      return text(tool.name, " (", key_for(KeyUse::tool, static_cast<std::size_t>(tool.kind)), "): ", tool.help);
+    };
+    if (button(tool.icon, tool.name, hint, chosen, true, {side, side}) && !chosen) choice.choose(tool.kind);
   }
   const PaletteWish wish = draw_undo(undo, side);
   const float top = ImGui::GetWindowPos().y;

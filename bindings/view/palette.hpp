@@ -1,5 +1,7 @@
 #pragma once
+#include <functional>
 #include <string>
+#include <string_view>
 
 #include "view/tools.hpp"
 
@@ -7,8 +9,8 @@ namespace pantin {
 
 /// What can be undone, by name, or why nothing can.
 struct UndoState {
-  std::string undo, redo;  ///< names of acts; empty: there is none
-  std::string obstacle;    ///< not empty: neither can be done, and this is why
+  std::string_view undo, redo;            ///< names of acts; empty: there is none
+  std::function<std::string()> obstacle;  ///< not empty: neither can be done, and it says why
 };
 
 /// What was pressed beside the tools.

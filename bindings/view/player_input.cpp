@@ -158,8 +158,8 @@ void PlayerInput::move_hands(const Work& work) {
     highlight_ = pick_held(work.sight, mouse->second.x, mouse->second.y);
 }
 
-std::vector<Mark> PlayerInput::marks(const Gestures& gestures, const Sight& sight, bool on_panel) const {
-  std::vector<Mark> marks;
+void PlayerInput::add_marks(const Gestures& gestures, const Sight& sight, bool on_panel,
+                            std::vector<Mark>& marks) const {
   for (const auto& [id, pointer] : gestures.pointers) {
     const auto found = holds_.find(id);
     if (found != holds_.end() && found->second.use.active()) {
@@ -170,7 +170,6 @@ std::vector<Mark> PlayerInput::marks(const Gestures& gestures, const Sight& sigh
       mark_hand(sight, {hand, id == 0, pointer.x, pointer.y, tool, &none}, marks);
     }
   }
-  return marks;
 }
 
 }  // namespace pantin

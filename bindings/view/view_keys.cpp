@@ -24,14 +24,4 @@ void take_view_keys(const Gestures& gestures, Views& views, Camera& camera) {
     if (const std::optional<KeyMeaning> meaning = meaning_of(key)) take(*meaning, views, camera);
 }
 
-const std::vector<std::pair<std::string, std::string>>& view_key_help() {
-  static const auto list = [] {
-    std::vector<std::pair<std::string, std::string>> all;
-    for (const WindowKeys& row : window_keys())
-      if (row.use >= KeyUse::see_freely) all.emplace_back(row.shown, row.help);
-    return all;
-  }();
-  return list;
-}
-
 }  // namespace pantin

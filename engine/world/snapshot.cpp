@@ -26,12 +26,16 @@ void tell_events(const Store<Event>& before, const Store<Event>& now) {
   for (EventId id : now.ids()) *now[id].state = EventState::waiting;
 }
 
-std::string play_in(const WorldData& world) {
-  for (EventId id : world.choreography.events.ids())
-    if (const Event& event = world.choreography.events[id]; event.kind == EventKind::play)
-      return event.label.empty() ? "a play" : event.label;
-  return "";
+const Event* play_in(const WorldData& world) {
+  const auto& events = world.choreography.events;
+  const Event* first = nullptr;
+  for (std::uint32_t s = 0; s < events.slots(); s++)
+    if (const Event& event = events.at_slot(s); events.alive_at(s) && event.kind == EventKind::play)
+      if (!first || event.serial < first->serial) first = &event;
+  return first;
 }
+
+std::string name_of(const Event& play) { return play.label.empty() ? "a play" : play.label; }
 
 constexpr const char* advice = "), which cannot be wound back";
 
@@ -51,16 +55,18 @@ Snapshot take_snapshot(const World& world) {
   return snapshot;
 }
 
+bool can_restore(const World& world) { return !play_in(world); }
+
 std::string why_not_restore(const World& world) {
-  const std::string play = play_in(world);
-  return play.empty() ? "" : text("the scene's script waits (", play, advice);
+  const Event* play = play_in(world);
+  return play ? text("the scene's script waits (", name_of(*play), advice) : "";
 }
 
 std::string why_not_restore(const World& world, const Snapshot& snapshot) {
   const std::string now = why_not_restore(world);
   if (!now.empty()) return now;
-  const std::string then = play_in(snapshot.held_->data);
-  return then.empty() ? "" : text("the scene's script waited at ", snapshot.time(), " s (", then, advice);
+  const Event* then = play_in(snapshot.held_->data);
+  return then ? text("the scene's script waited at ", snapshot.time(), " s (", name_of(*then), advice) : "";
 }
 
 void restore(World& world, const Snapshot& snapshot) {

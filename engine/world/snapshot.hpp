@@ -35,5 +35,6 @@ void restore(World& world, const Snapshot& snapshot);
 std::string why_not_restore(const World& world, const Snapshot& snapshot);
 /// The same before a snapshot is known: a play goes on now.
 std::string why_not_restore(const World& world);
+bool can_restore(const World& world);
 
 }  // namespace pantin

@@ -33,7 +33,8 @@ TEST_CASE("the overlay's marks are what the script drew") {
   const auto scene = open(R"(
     scene.draw:line(vec(0, 0, 0), vec(1, 0, 0)) scene.draw:arrow(vec(0, 0, 0), vec(1, 0, 0))
     scene.draw:text(vec(4, 5, 6), "word", { size = 9, color = "#00ff0088" }) scene.draw:point(vec(1, 1, 0), { space = "screen" }))");
-  const std::vector<Mark> marks = player::marks_of(*scene);
+  std::vector<Mark> marks;
+  player::write_marks_of(*scene, marks);
   REQUIRE(marks.size() == 4);
   CHECK(marks[0].kind == Mark::Kind::line);
   CHECK(marks[1].kind == Mark::Kind::arrow);

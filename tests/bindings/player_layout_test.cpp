@@ -18,7 +18,7 @@ TEST_CASE("layout: no panel covers another or leaves the board, where there is r
   for (const auto& [width, height] :
        {std::pair(420.0f, 118.0f), {380.0f, 167.0f}, {300.0f, 182.0f}, {300.0f, 264.0f}, {320.0f, 350.0f}})
     tiles.push_back({0, 0, width, height});
-  lay_out(tiles, board);
+  Layout().lay_out(tiles, board);
   for (std::size_t i = 0; i < tiles.size(); i++) {
     CHECK(tiles[i].x >= board.left);
     CHECK(tiles[i].x + tiles[i].width <= board.right);
@@ -29,7 +29,7 @@ TEST_CASE("layout: no panel covers another or leaves the board, where there is r
 
 TEST_CASE("layout: panels stand in their order where that fits") {
   std::vector<Tile> tiles = {{0, 0, 420, 100}, {0, 0, 380, 200}};
-  lay_out(tiles, {220, 1270, 50, 640, 8, 20});
+  Layout().lay_out(tiles, {220, 1270, 50, 640, 8, 20});
   CHECK(tiles[0].x == 850);
   CHECK(tiles[0].y == 50);
   CHECK(tiles[1].x == 890);
@@ -39,7 +39,7 @@ TEST_CASE("layout: panels stand in their order where that fits") {
 TEST_CASE("layout: what finds no room shows its title, clear of the left edge and of the other titles") {
   const Board board{220, 780, 50, 400, 8, 20};
   std::vector<Tile> tiles(4, Tile{0, 0, 400, 300});
-  lay_out(tiles, board);
+  Layout().lay_out(tiles, board);
   for (std::size_t i = 0; i < tiles.size(); i++) {
     CHECK(tiles[i].x >= board.left);
     for (std::size_t k = 0; k < i; k++) CHECK(tiles[i].y >= tiles[k].y + board.title);

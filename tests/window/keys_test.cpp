@@ -16,9 +16,12 @@
 using namespace pantin;
 
 TEST_CASE("keys: each is for one thing, and each tool, view and panel has one", "[window]") {
-  std::set<std::string> keys;
-  for (const WindowKeys& row : window_keys())
-    for (const char* key : row.keys) CHECK(keys.insert(key).second);
+  for (const KeyPlace place : {KeyPlace::play, KeyPlace::replay}) {
+    std::set<std::string> keys;
+    for (const WindowKeys& row : window_keys())
+      for (const char* key : row.keys)
+        if (!row.only || row.only == place) CHECK(keys.insert(key).second);
+  }
   std::set<std::string> given;
   for (std::size_t i = 0; i < tools().size(); i++) given.insert(key_for(KeyUse::tool, i));
   for (const NamedView& named : view_table()) given.insert(key_for(KeyUse::view, static_cast<std::size_t>(named.view)));

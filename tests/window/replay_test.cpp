@@ -1,9 +1,13 @@
 // A recording of the window, played again in a window, by pushed events.
 #include "player/replay.hpp"
 
+#include <imgui.h>
+#include <imgui_internal.h>
+
 #include <map>
 
 #include "player/replay_window.hpp"
+#include "view/keys.hpp"
 #include "window/played.hpp"
 #include "world/measure.hpp"
 
@@ -169,4 +173,24 @@ TEST_CASE("replay in the window: where it parts from the recording is kept when 
   CHECK_THAT(watched.window->replay().mismatch(), Contains("between 1 s and 2 s"));
   watched.scrub(0.2);
   CHECK_THAT(watched.window->replay().mismatch(), Contains("between 1 s and 2 s"));
+}
+
+TEST_CASE("replay in the window: its keys are those of the one table, and the card shows them", "[window]") {
+  const Folder folder;
+  Watched watched(recorded(folder));
+  watched.tap(SDLK_h);
+  const ImGuiWindow* card = ImGui::FindWindowByName("keys");
+  REQUIRE(card);
+  CHECK(card->WasActive);
+  watched.tap(SDLK_ESCAPE);  // closes the card alone
+  watched.frames(2);
+  CHECK_FALSE(card->WasActive);
+  for (const auto& row : key_card(KeyPlace::replay)) CHECK(row.first != "ctrl + z");
+  REQUIRE(meaning_of(",", KeyPlace::replay));
+  CHECK(meaning_of(",", KeyPlace::replay)->use == KeyUse::step_back);
+  CHECK_FALSE(meaning_of(","));  // where a scene is played it is the scene's
+  pushed::tap(SDLK_q);
+  bool over = false;
+  for (int i = 0; i < 3 && !over; i++) over = !watched.window->frame();
+  CHECK(over);
 }

@@ -311,7 +311,9 @@ TEST_CASE("what a hand would do is marked, and changes nothing", "[view]") {
     bench.move(bench.seen(bench.tail(1)));
     bench.move({200, 200}, 3);
     bench.frame(0);
-    CHECK_FALSE(bench.person.marks(bench.gestures, sight, false).empty());
+    std::vector<Mark> marks;
+    bench.person.add_marks(bench.gestures, sight, false, marks);
+    CHECK_FALSE(marks.empty());
   }
   CHECK(state_hash(bench.world) == hash);
   bench.choose(ToolKind::drag);
@@ -320,7 +322,8 @@ TEST_CASE("what a hand would do is marked, and changes nothing", "[view]") {
   bench.move({bench.seen(bench.tail(3)).x, 100});
   bench.frame();
   bool told = false;
-  for (const Mark& mark : bench.person.marks(bench.gestures, sight, false))
-    told |= mark.kind == Mark::Kind::text && mark.text.find(" N of ") != mark.text.npos;
+  std::vector<Mark> marks;
+  bench.person.add_marks(bench.gestures, sight, false, marks);
+  for (const Mark& mark : marks) told |= mark.kind == Mark::Kind::text && mark.text.find(" N of ") != mark.text.npos;
   CHECK(told);
 }

@@ -40,6 +40,12 @@ struct Said {
   bool good = false;  ///< nothing went wrong
 };
 
+/// Names a state of the scene, so that a panel need not read again what it knows.
+struct SeenState {
+  std::uint64_t steps = ~0ull, changes = 0;
+  bool operator==(const SeenState&) const = default;
+};
+
 struct Desk {
   lua::Scene& scene;
   const Times& times;
@@ -53,10 +59,12 @@ struct Desk {
   bool paused = false;
   bool quick = true;  ///< the scene opens so quickly that it may be opened again in each frame
   bool filming = false;
+  std::uint64_t changes = 0;          ///< made to the scene between its steps, so far
   float width = 0.0f, height = 0.0f;  ///< [px]
 
   bool dark() const { return views.on(View::dark); }
   const World& world() const { return scene.world(); }
+  SeenState seen() const { return {world().steps, changes}; }
 };
 
 }  // namespace pantin::player

@@ -21,18 +21,41 @@ class InspectorPane : public Pane {
     else if (!std::holds_alternative<std::monostate>(desk.hovered))
       shown_ = desk.hovered;
     if (!alive(world, shown_)) return ImGui::TextDisabled("click a thing of the scene");
+    if (!(seen_ == desk.seen() && read_of_ == shown_)) read(desk);
     bool first = true;
-    for (const AnyId& thing : related(world)) {
+    for (ThingRead& thing : things_) {
       ImGui::PushID(first ? "first" : "more");
-      if (ImGui::CollapsingHeader(describe(world, thing).c_str(), first ? ImGuiTreeNodeFlags_DefaultOpen : 0))
+      if (ImGui::CollapsingHeader(thing.label.c_str(), first ? ImGuiTreeNodeFlags_DefaultOpen : 0))
         draw_fields(desk, thing);
       ImGui::PopID();
       first = false;
     }
   }
-  void reset() override { shown_ = {}, edited_.clear(); }
+  void reset() override { shown_ = {}, edited_.clear(), seen_ = {}; }
 
  private:
+  struct ThingRead {
+    AnyId thing;
+    std::string label;
+    std::vector<FieldReading> fields;
+    std::vector<std::string> links;  ///< (fields) what the things among them are called
+  };
+
+  void read(Desk& desk) {
+    things_.clear();
+    for (const AnyId& thing : related(desk.world())) {
+      ThingRead read{thing, describe(desk.world(), thing), lua::read_fields(desk.scene, thing), {}};
+      for (const FieldReading& field : read.fields) read.links.push_back(link_label(desk.world(), field.thing));
+      things_.push_back(std::move(read));
+    }
+    seen_ = desk.seen();
+    read_of_ = shown_;
+  }
+
+  static std::string link_label(const World& world, const AnyId& thing) {
+    return std::holds_alternative<std::monostate>(thing) ? std::string() : describe(world, thing);
+  }
+
   /// The thing itself, but of a point its body first, then its particle or hinge.
   std::vector<AnyId> related(const World& world) const {
     const auto* point = std::get_if<PointId>(&shown_);
@@ -45,12 +68,12 @@ class InspectorPane : public Pane {
     return things;
   }
 
-  void draw_fields(Desk& desk, const AnyId& thing) {
-    const std::vector<FieldReading> fields = lua::read_fields(desk.scene, thing);
+  void draw_fields(Desk& desk, ThingRead& read) {
     if (!ImGui::BeginTable("fields", 2, ImGuiTableFlags_SizingFixedFit)) return;
     ImGui::TableSetupColumn("name");
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
-    for (const FieldReading& field : fields) {
+    for (std::size_t i = 0; i < read.fields.size(); i++) {
+      FieldReading& field = read.fields[i];
       ImGui::TableNextRow();
       ImGui::TableNextColumn();
       ImGui::AlignTextToFramePadding();
@@ -60,9 +83,9 @@ class InspectorPane : public Pane {
       ImGui::PushID(field.name);
       ImGui::SetNextItemWidth(-1.0f);
       if (!std::holds_alternative<std::monostate>(field.thing))
-        draw_link(desk, field.thing);
+        draw_link(desk, field.thing, read.links[i]);
       else if (field.writable)
-        edit(desk, thing, field);
+        edit(desk, read.thing, field);
       else
         tell(field);
       ImGui::PopID();
@@ -70,8 +93,8 @@ class InspectorPane : public Pane {
     ImGui::EndTable();
   }
 
-  static void draw_link(Desk& desk, const AnyId& thing) {
-    if (ImGui::SmallButton(describe(desk.world(), thing).c_str())) desk.chosen = thing;
+  static void draw_link(Desk& desk, const AnyId& thing, const std::string& label) {
+    if (ImGui::SmallButton(label.c_str())) desk.chosen = thing;
   }
 
   static void tell(const FieldReading& field) {
@@ -88,8 +111,8 @@ class InspectorPane : public Pane {
   }
 
   // While a field is being written, its value is here; it is the thing's when that is done.
-  void edit(Desk& desk, const AnyId& thing, const FieldReading& field) {
-    FieldReading value = edited_ == field.name && edited_of_ == thing ? draft_ : field;
+  void edit(Desk& desk, const AnyId& thing, FieldReading& field) {
+    FieldReading& value = edited_ == field.name && edited_of_ == thing ? draft_ : field;
     bool changed = false;
     if (auto* number = std::get_if<double>(&value.value)) {
       changed = ImGui::InputDouble("##number", number, 0.0, 0.0, "%.6g");
@@ -108,14 +131,19 @@ class InspectorPane : public Pane {
     if (changed) {
       edited_ = field.name;
       edited_of_ = thing;
-      draft_ = value;
+      if (&value != &draft_) draft_ = value;
     }
     if (edited_ != field.name || !(edited_of_ == thing)) return;
     if (ImGui::IsItemDeactivatedAfterEdit()) desk.wishes.edit = Edit{thing, value};
-    if (!ImGui::IsItemActive()) edited_.clear();
+    if (!ImGui::IsItemActive()) {
+      edited_.clear();
+      seen_ = {};
+    }
   }
 
-  AnyId shown_;
+  AnyId shown_, read_of_;
+  SeenState seen_;
+  std::vector<ThingRead> things_;
   std::string edited_;  ///< name of the field that is being written, of
   AnyId edited_of_;
   FieldReading draft_{};

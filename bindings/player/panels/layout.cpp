@@ -1,51 +1,43 @@
 #include "player/panels/layout.hpp"
 
 #include <algorithm>
-#include <functional>
+#include <utility>
 
 namespace pantin::player {
-namespace {
 
-struct PanelColumn {
-  float width, free;  ///< [px], and where the next tile goes
-  std::vector<Tile*> tiles;
-};
-
-/// Fills columns from the right; returns those that have no room.
-std::vector<Tile*> fill(const std::vector<Tile*>& tiles, const Board& board) {
-  std::vector<PanelColumn> columns;
-  for (Tile* tile : tiles) {
+/// Fills columns from the right; false where some have no room.
+bool Layout::fill(const Board& board) {
+  columns_.clear();
+  for (Tile* tile : order_) {
     auto column =
-        std::ranges::find_if(columns, [&](const PanelColumn& c) { return c.free + tile->height <= board.bottom; });
-    if (column == columns.end()) column = columns.insert(column, {0.0f, board.top, {}});
+        std::ranges::find_if(columns_, [&](const Column& c) { return c.free + tile->height <= board.bottom; });
+    if (column == columns_.end()) column = columns_.insert(column, {0.0f, board.top, 0.0f});
     column->width = std::max(column->width, tile->width);
     tile->y = column->free;
     column->free += tile->height + board.gap;
-    column->tiles.push_back(tile);
+    tile->column = static_cast<std::size_t>(column - columns_.begin());
   }
-  std::vector<Tile*> left_over;
   float right = board.right;
-  for (const PanelColumn& column : columns) {
-    for (Tile* tile : column.tiles) {
-      tile->x = right - tile->width;
-      if (tile->x < board.left) left_over.push_back(tile);
-    }
+  for (Column& column : columns_) {
+    column.right = right;
     right -= column.width + board.gap;
   }
-  return left_over;
+  for (Tile* tile : order_) tile->x = columns_[tile->column].right - tile->width;
+  return std::ranges::all_of(order_, [&](const Tile* tile) { return tile->x >= board.left; });
 }
 
-}  // namespace
-
-void lay_out(std::vector<Tile>& tiles, const Board& board) {
-  std::vector<Tile*> order;
-  for (Tile& tile : tiles) order.push_back(&tile);
-  std::vector<Tile*> left_over = fill(order, board);
-  if (left_over.empty()) return;
-  std::ranges::stable_sort(order, std::ranges::greater(), &Tile::height);  // takes fewer columns
-  left_over = fill(order, board);
+void Layout::lay_out(std::vector<Tile>& tiles, const Board& board) {
+  order_.clear();
+  for (Tile& tile : tiles) order_.push_back(&tile);
+  if (fill(board)) return;
+  std::ranges::sort(order_, [](const Tile* a, const Tile* b) {  // takes fewer columns
+    return a->height > b->height || (a->height == b->height && a < b);
+  });
+  fill(board);
+  std::ranges::sort(order_, {}, [](const Tile* t) { return std::pair(t->column, t->y); });
   float y = board.top;
-  for (Tile* tile : left_over) {
+  for (Tile* tile : order_) {
+    if (tile->x >= board.left) continue;
     tile->x = std::max(board.right - tile->width, 0.0f);
     tile->y = y += board.title;
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <vector>
 
 namespace pantin::player {
@@ -6,6 +7,7 @@ namespace pantin::player {
 /// A panel's upper left corner and size [px].
 struct Tile {
   float x = 0.0f, y = 0.0f, width = 0.0f, height = 0.0f;
+  std::size_t column = 0;  ///< from the right edge, where the layout put it
 };
 
 /// Where panels may stand [px].
@@ -14,9 +16,23 @@ struct Board {
   float title = 0.0f;  ///< height of a panel's title
 };
 
-/// Sets the corners of tiles of given sizes: each goes into the first column that has room for it, from the right edge
-/// on, in their order, or the tallest first where that takes too many columns. Those that find no room even so stand in
-/// a cascade from the upper right corner, so that their titles show.
-void lay_out(std::vector<Tile>& tiles, const Board& board);
+/// Lays panels out in each frame, without asking for memory again.
+class Layout {
+ public:
+  /// Sets the corners of tiles of given sizes: each goes into the first column that has room for it, from the right edge
+  /// on, in their order, or the tallest first where that takes too many columns. Those that find no room even so stand in
+  /// a cascade from the upper right corner, so that their titles show.
+  void lay_out(std::vector<Tile>& tiles, const Board& board);
+
+ private:
+  struct Column {
+    float width, free;  ///< [px], and where the next tile goes
+    float right;        ///< [px] edge
+  };
+  bool fill(const Board& board);
+
+  std::vector<Tile*> order_;
+  std::vector<Column> columns_;
+};
 
 }  // namespace pantin::player

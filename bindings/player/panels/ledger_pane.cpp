@@ -24,11 +24,11 @@ class LedgerPane : public Pane {
  public:
   void draw(Desk& desk) override {
     const World& world = desk.world();
-    if (seen_ != world.steps) {
+    if (!(seen_ == desk.seen())) {
       laws_ = law_ledger(world);
       energy_ = energy(world);
       if (world.ledger.kept) truncation_ = truncation(world);
-      seen_ = world.steps;
+      seen_ = desk.seen();
     }
     if (begin_lines()) {
       line("kinetic", energy_.kinetic);
@@ -48,7 +48,7 @@ class LedgerPane : public Pane {
       ImGui::SetTooltip(
           "gravity, projections and integrators too, from now on;\neach law then runs once more in each step");
   }
-  void reset() override { seen_ = ~0ull; }
+  void reset() override { seen_ = {}; }
 
  private:
   void draw_sources(const World& world) {
@@ -72,7 +72,7 @@ class LedgerPane : public Pane {
     if (quiet && laws_.given.empty()) ImGui::TextDisabled("nothing from outside so far");
   }
 
-  std::uint64_t seen_ = ~0ull;
+  SeenState seen_;
   LawLedger laws_;
   Energy energy_;
   std::map<std::string, double> truncation_;

@@ -8,7 +8,6 @@
 #include <tuple>
 
 #include "player/panels/icons.hpp"
-#include "player/panels/layout.hpp"
 #include "view/keys.hpp"
 
 namespace pantin::player {
@@ -80,14 +79,14 @@ void Panels::show(const std::string& title) {
 void Panels::draw(Desk& desk) {
   draw_bar(desk);
   if (hidden_) return;
-  std::vector<Slot*> shown;
+  shown_.clear();
   for (Slot& slot : slots_) {
     if (!slot.open) continue;
     if (!slot.pane) slot.pane = slot.kind->make();
-    if (slot.pane->useful(desk)) shown.push_back(&slot);
+    if (slot.pane->useful(desk)) shown_.push_back(&slot);
   }
-  place(shown, desk);
-  for (Slot* slot : shown) draw_pane(*slot, desk);
+  place(desk);
+  for (Slot* slot : shown_) draw_pane(*slot, desk);
 }
 
 void Panels::draw_bar(Desk& desk) {
@@ -148,13 +147,13 @@ void Panels::draw_list(Desk& desk) {
 }
 
 /// Puts what no hand moved: the panels at the left edge under the scene's buttons, the others in columns from the right.
-void Panels::place(const std::vector<Slot*>& shown, const Desk& desk) {
+void Panels::place(const Desk& desk) {
   const float edge = 10.0f * scale();
   Board board{edge, desk.width - edge, below_bar(), desk.height - above_tools * scale(), 8.0f * scale(), 0.0f};
   board.title = ImGui::GetFrameHeight();
-  std::vector<Tile> tiles;
-  std::vector<Slot*> put;
-  for (Slot* slot : shown) {
+  tiles_.clear();
+  put_.clear();
+  for (Slot* slot : shown_) {
     // Dear ImGui moves a window that is dragged before its frame begins.
     const ImGuiWindow* window = ImGui::FindWindowByName(slot->kind->title);
     slot->moved |= window && slot->height > 0.0f && (window->Pos.x != slot->x || window->Pos.y != slot->y);
@@ -163,12 +162,12 @@ void Panels::place(const std::vector<Slot*>& shown, const Desk& desk) {
       if (!slot->moved) std::tie(slot->x, slot->y) = std::pair(edge, below_buttons(desk));
       board.left = std::max(board.left, edge + width + board.gap);
     } else if (!slot->moved) {
-      tiles.push_back({0.0f, 0.0f, width, slot->height});
-      put.push_back(slot);
+      tiles_.push_back({0.0f, 0.0f, width, slot->height, 0});
+      put_.push_back(slot);
     }
   }
-  lay_out(tiles, board);
-  for (std::size_t i = 0; i < put.size(); i++) std::tie(put[i]->x, put[i]->y) = std::pair(tiles[i].x, tiles[i].y);
+  layout_.lay_out(tiles_, board);
+  for (std::size_t i = 0; i < put_.size(); i++) std::tie(put_[i]->x, put_[i]->y) = std::pair(tiles_[i].x, tiles_[i].y);
 }
 
 void Panels::draw_pane(Slot& slot, Desk& desk) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "player/panels/layout.hpp"
 #include "player/panels/pane.hpp"
 
 namespace pantin::player {
@@ -32,10 +33,13 @@ class Panels {
   };
   void draw_bar(Desk& desk);
   void draw_list(Desk& desk);
-  void place(const std::vector<Slot*>& shown, const Desk& desk);
+  void place(const Desk& desk);
   static void draw_pane(Slot& slot, Desk& desk);
 
   std::array<Slot, std::size(pane_kinds)> slots_;
+  std::vector<Slot*> shown_, put_;  ///< in this frame, and those of them that no hand moved
+  std::vector<Tile> tiles_;         ///< (put_)
+  Layout layout_;
   bool hidden_ = false;  ///< all, but for the bar
 };
 

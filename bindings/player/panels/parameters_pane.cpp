@@ -51,7 +51,8 @@ class ParametersPane : public Pane {
   }
 
   static void choose(Desk& desk, const lua::Parameter& p) {
-    if (ImGui::BeginCombo("##choice", text_of(p.value).c_str())) {
+    const auto* word = std::get_if<std::string>(&p.value);
+    if (ImGui::BeginCombo("##choice", word ? word->c_str() : text_of(p.value).c_str())) {
       for (const lua::Value& choice : p.choices)
         if (ImGui::Selectable(text_of(choice).c_str(), choice == p.value)) wish(desk, p, choice);
       ImGui::EndCombo();

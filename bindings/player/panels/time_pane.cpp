@@ -43,10 +43,9 @@ class TimePane : public Pane {
  public:
   void draw(Desk& desk) override {
     const World& world = desk.world();
-    if (seen_steps_ != world.steps || seen_time_ != world.time) {
+    if (!(seen_ == desk.seen())) {
       entries_ = timeline(world);
-      seen_steps_ = world.steps;
-      seen_time_ = world.time;
+      seen_ = desk.seen();
     }
     ImGui::Text("%.3f s, %llu steps of %.4g ms", world.time, static_cast<unsigned long long>(world.steps),
                 1e3 * world.settings.step);
@@ -59,7 +58,7 @@ class TimePane : public Pane {
     ImGui::SameLine();
     ImGui::TextDisabled("%s: pantin-0001.mp4 and on", key_for(KeyUse::film));
   }
-  void reset() override { seen_steps_ = ~0ull; }
+  void reset() override { seen_ = {}; }
 
  private:
   void draw_strip(const Desk& desk) {
@@ -133,8 +132,7 @@ class TimePane : public Pane {
   }
 
   std::vector<TimelineEntry> entries_;
-  std::uint64_t seen_steps_ = ~0ull;
-  double seen_time_ = -1.0;
+  SeenState seen_;
   double span_ = 10.0;  ///< [s] that the strip shows
 };
 

@@ -1,0 +1,73 @@
+// What a frame of the window asks for: nothing, once it was drawn.
+#include <catch2/catch.hpp>
+
+#include "support/allocations.hpp"
+#include "view/keys.hpp"
+#include "view/views.hpp"
+#include "window/played.hpp"
+
+using namespace pantin;
+
+namespace {
+
+const char* const scene = R"(
+  scene.title = "A title that is longer than what fits in a string"
+  scene.camera = { at = vec(2, 1, 8), look_at = vec(2, 0, 0) }
+  scene:param("number of something, a long name", 2, { min = 1, max = 9, on_change = function() end })
+  scene:param("choice", "that which is long", { choices = { "that which is long", "another that is long" } })
+  scene:param("words", "words that are longer than a short string")
+  scene:param("yes", true)
+  scene:button("a button with a long name", function() end)
+  local a, b = scene:particle { at = vec(0, 0, 0), name = "a bead with a long name" }, scene:particle { at = vec(1, 0, 0) }
+  scene:connect(a, b, force.spring { stiffness = 10 })
+  scene:nail(a)
+  local first = scene:body { points = { { at = vec(2, 0, 0), mass = 1 }, { at = vec(3, 0, 0), mass = 1 } }, name = "the first of the bodies" }
+  local second = scene:body { points = { { at = vec(3, 0, 0), mass = 1 }, { at = vec(4, 0, 0), mass = 1 } } }
+  scene:hinge(first.points[2], second.points[1])
+  scene:nail(first.points[1])
+  scene:rod(b, second.points[2])
+  scene:probe("height of the end, which is long", function() return b.position.y end)
+  scene:probe("other", function() return scene.time end)
+  scene:every(0.1, a, function() end)
+  scene:over(0, 1, function() end)
+  scene:when(function() return false end, function() end)
+  scene:on("step", function()
+    scene.draw:text(vec(0, 0, 0), "a text that is longer than a short string")
+    scene.draw:arrow(vec(0, 0, 0), vec(1, 1, 0))
+  end)
+  scene:at(0.02, function() a.mass = 1 end)
+  local gone = scene:particle { at = vec(0, 2, 0), name = "what goes" }
+  scene:at(0.02, function() gone:remove() end)
+  scene:at(0.03, gone, function() end)
+)";
+
+std::uint64_t asked_in(Played& played, int frames) {
+  const std::uint64_t before = allocations();
+  for (int i = 0; i < frames; i++) played.player->frame();
+  return allocations() - before;
+}
+
+}  // namespace
+
+TEST_CASE("a frame in which nothing changes asks for no memory, with all panels and views", "[window]") {
+  Played played(scene, 5.0, {1280, 720});
+  played.frames(20);
+  played.click(640, 360);
+  for (const NamedView& named : view_table())
+    if (named.view != View::families && named.view != View::articulates)
+      pushed::tap(*key_for(KeyUse::view, static_cast<std::size_t>(named.view)));
+  for (const SDL_Keycode key : {SDLK_F2, SDLK_F3, SDLK_F4, SDLK_F5, SDLK_F6, SDLK_F7, SDLK_F8}) pushed::tap(key);
+  played.frames(10);
+  pushed::tap(SDLK_SPACE);
+  played.frames(20);
+  CHECK(asked_in(played, 10) == 0);
+  pushed::tap(SDLK_h);
+  played.frames(10);
+  CHECK(asked_in(played, 10) == 0);
+}
+
+TEST_CASE("a frame of the browser asks for no memory, once its pictures are there", "[window]") {
+  Played played("", 5.0, {480, 320});
+  for (int i = 0; i < 4000 && asked_in(played, 5) > 0; i++) {}
+  CHECK(asked_in(played, 10) == 0);
+}
