@@ -64,16 +64,30 @@ void store(const Articulate& a, Model& model) {
   for (const Node& n : a.nodes) store(n, model);
   for (const Row& row : a.rows)
     if (row.centre) model.points[row.centre].row_force = zero3();
-  for (const Row& row : a.rows) {
+  for (std::size_t k = 0; k < a.rows.size(); k++) {
+    const Row& row = a.rows[k];
     if (row.kind == RowKind::stiff) continue;
+    const Vec3 f = exerted_force(a, k);
     if (row.condition >= 0) {
       if (!model.constraints.alive(condition(a, row).constraint)) continue;  // it broke in this step
-      store(condition(a, row), row, model.constraints[condition(a, row).constraint]);
+      store(condition(a, row), row, f, model.constraints[condition(a, row).constraint]);
       continue;
     }
-    model.points[row.member].row_force = row.f;
-    model.points[row.centre].row_force -= row.f;
+    model.points[row.member].row_force = f;
+    model.points[row.centre].row_force -= f;
   }
+}
+
+void begin_exerted(Articulate& a) {
+  a.exerted.assign(a.rows.size(), zero3());
+  a.exerted_time = 0.0;
+}
+void add_impulses_exerted(Articulate& a) {
+  for (std::size_t k = 0; k < a.rows.size(); k++) a.exerted[k] += a.impulses[k];
+}
+void add_forces_exerted(Articulate& a, double h) {
+  for (std::size_t k = 0; k < a.rows.size(); k++) a.exerted[k] += a.rows[k].f * h;
+  a.exerted_time += h;
 }
 
 void tell_tensions(const Articulate& a, Model& model) {

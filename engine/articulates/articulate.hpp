@@ -96,12 +96,14 @@ struct Condition {
   // Of rows of one dimension: the range that its value is kept in, [m], and the range of its force, [N].
   double low = 0.0, high = 0.0;
   double lower = -infinity, upper = infinity;
-  double most = infinity;  // [N] what a motor against a limit has instead of a force without bound, while it stalls
-  bool ranged = false;     // low < high
+  double strongest = infinity;  // [N] of a motor
+  double most = infinity;       // [N] what it has instead while it stalls, and
+  double yielding = 0.0;        // [m/N] by how much it then yields
+  bool ranged = false;          // low < high
   // Of a segment of a string: by d1 in the equation of the head, and by the head's force in its own.
   Mat3 into_head = zero33(), from_head = zero33();
   bool held = true;         // the range, or the limit of the force, lets it act as a constraint
-  bool held_before = true;  // at the end of the last step
+  bool held_before = true;  // at the end of the last part of a step
   bool works = false;       // its force may do work
   std::uint32_t row = 0;
   ConstraintId constraint;  // null of a stiff row
@@ -217,6 +219,8 @@ struct Articulate {
   std::vector<Vec3> right_side;  // (rows of the factor)
   Forecast forecast;
   std::vector<Vec3> impulses;   // (rows) [N s] of the last projection of velocities
+  std::vector<Vec3> exerted;    // (rows) [N s] in all, in a full sub-step that is cut into parts or strikes a row
+  double exerted_time = 0.0;    // [s] for which that is the sum; 0: the rows' forces tell all
   std::vector<Vec3> carried;    // (rows) [N s] half of them, see `take_carried_half`
   double carried_h = 0.0;       // [s] of the sub-steps after which they serve; 0: none
   double carried_energy = 0.0;  // [J] that taking them gave
@@ -247,6 +251,7 @@ struct Articulate {
   std::uint32_t open_steps = 0;  // in a row that ended with a gap beyond the tolerance
   bool arrived = false;          // at the end of the full sub-step, by a safe step
   bool smooth = true;            // no part of the full sub-step was halved or safe
+  bool cut = false;              // the full sub-step has more than one part
   bool weak = false;             // the last factor had weak pivots: its multipliers are not all determined
   bool pulled = false;           // laws act on it: its kinetic energy is no longer gravity's alone
   SubSteps sub_steps;            // in each part of a step
@@ -268,8 +273,17 @@ inline const Condition& condition(const Articulate& a, const Row& row) {
 
 inline const Row& row(const Articulate& a, const Condition& c) { return a.rows[c.row]; }
 
-/// Whether a one-dimensional row began to hold in this step, by an inelastic meeting.
+/// Whether a one-dimensional row began to hold in this part of the step, by an inelastic meeting.
 bool struck(const Articulate& articulate);
+/// What row k exerted in the last step, on average [N].
+inline Vec3 exerted_force(const Articulate& a, std::size_t k) {
+  return a.exerted_time > 0.0 ? a.exerted[k] / a.exerted_time : a.rows[k].f;
+}
+/// Begins the sum of what the rows exert in a step that is cut into parts.
+void begin_exerted(Articulate& articulate);
+/// Adds what the rows exert by impulses [N s], or by their forces over h [s].
+void add_impulses_exerted(Articulate& articulate);
+void add_forces_exerted(Articulate& articulate, double h);
 
 /// Copies the model's state into the nodes, with constant forces: gravity [m/s²], pushes and twists; and the world ends
 /// and limits of the rows from their constraints. In a plane all is taken to height 0, so that no row sees the normal.

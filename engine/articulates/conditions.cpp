@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "articulates/newton.hpp"
 #include "base/functions.hpp"
 #include "model/path.hpp"
 
@@ -52,8 +53,9 @@ void load_couple(Condition& condition, const Row& row, const Model& model, const
   condition.length_rate = row.lever * (c.length_rate + c.excess_rate);
   condition.low = row.lever * c.low;
   condition.high = row.lever * c.high;
-  if (condition.held) condition.most = infinity;
-  condition.upper = std::fmin(c.max_torque / row.lever, condition.most);
+  condition.strongest = c.max_torque / row.lever;
+  if (norm(row.f) < 0.5 * condition.most) condition.most = infinity;
+  condition.upper = std::fmin(condition.strongest, condition.most);
   condition.lower = -condition.upper;
   condition.velocity = zero3();
   condition.whole0 = condition.whole1 = zero3();
@@ -163,15 +165,15 @@ void load(Condition& condition, const Row& row, const Model& model, double total
   condition.damping = 2.0 * total_mass / c.time_constant;
 }
 
-void store(const Condition& condition, const Row& row, Constraint& c) {
+void store(const Condition& condition, const Row& row, Vec3 force, Constraint& c) {
   if (row.lever > 0.0) {
-    c.torque = row.f * row.lever;
+    c.torque = force * row.lever;
     c.angle = condition.angle1;
     return;
   }
   if (c.path) c.along = condition.angle1;
-  c.tension = -dot(row.f, direction(row.d1));
-  if (condition.part == 0) c.force = row.f;
+  c.tension = -dot(force, direction(row.d1));
+  if (condition.part == 0) c.force = force;
 }
 
 double inertia_about(const Articulate& a, Vec3 place) {
@@ -180,22 +182,47 @@ double inertia_about(const Articulate& a, Vec3 place) {
   return sum;
 }
 
+namespace {
+
+bool is_motor(const Row& row, const Condition& c) { return row.kind == RowKind::turn && !c.ranged; }
+
+double way_of(const Condition& c) { return c.whole_length1 - c.whole_length0; }
+
+}  // namespace
+
 bool stall_motors(Articulate& a, double h) {
   const bool limits =
       std::any_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) { return c.ranged; });
   bool stalled = false;
   for (Condition& c : a.conditions) {
-    Row& r = a.rows[c.row];
-    const bool motor = r.kind == RowKind::turn && !c.ranged;
-    const double way = c.whole_length1 - c.whole_length0;
-    if (!limits || !motor || !std::isinf(c.upper) || way == 0.0) continue;
+    const Row& r = row(a, c);
+    const double way = std::fabs(way_of(c));
+    const bool yields = limits || std::isfinite(c.strongest);
+    if (!is_motor(r, c) || !yields || std::isfinite(c.most) || way == 0.0) continue;
     const double inertia = inertia_about(a, a.nodes[static_cast<std::size_t>(r.a)].x0) / (r.lever * r.lever);
-    c.most = c.upper = 2.0 * (norm(r.f) + inertia * std::fabs(way) / (h * h));
+    c.most = std::fmin(c.strongest, 2.0 * norm(r.f) + 0.01 * inertia * way / (h * h));
+    c.yielding = way / c.most;
+    c.upper = c.most;
     c.lower = -c.upper;
-    r.f = direction(r.ra0) * std::copysign(c.most, way);
     stalled = true;
   }
   return stalled;
+}
+
+void strengthen_stalled(Articulate& a, double h) {
+  constexpr double most_needed = 1e4;  // more would leave few digits to what else there is
+  for (Condition& c : a.conditions) {
+    if (!std::isfinite(c.most)) continue;
+    const Row& r = row(a, c);
+    const double way = std::fabs(way_of(c));
+    const double inertia = inertia_about(a, a.nodes[static_cast<std::size_t>(r.a)].x0) / (r.lever * r.lever);
+    const double enough = std::isinf(c.strongest) ? 2.0 * inertia : most_needed / mobility(a, r);
+    const double more = std::fmin(std::fmin(10.0 * c.most, c.strongest), enough * way / (h * h));
+    if (!(more > c.most)) continue;
+    c.most = c.upper = more;
+    c.lower = -more;
+    c.yielding = way / more;
+  }
 }
 
 void set_conditions(Articulate& a, double from, double to) {

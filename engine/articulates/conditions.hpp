@@ -19,14 +19,16 @@ std::vector<RowPlan> plan_rows(const Model& model, const Constraint& constraint)
 
 /// What the step needs to know of a constraint; `total_mass` of the articulate [kg].
 void load(Condition& condition, const Row& row, const Model& model, double total_mass);
-/// What the step found out.
-void store(const Condition& condition, const Row& row, Constraint& constraint);
+/// What the step found out; `force` of the row [N].
+void store(const Condition& condition, const Row& row, Vec3 force, Constraint& constraint);
 /// Inertia of all nodes about a place, as if they were one, [kg m²].
 double inertia_about(const Articulate& articulate, Vec3 place);
-/// Limits are stronger than motors: where a step of h [s] cannot be solved, motors without a limit of their torque get one,
-/// twice what they had and what would give all that there is their speed, and begin there; until one gives less. False
-/// where that changes nothing.
+/// Limits are stronger than motors, and all else than motors of limited torque: where a step of h [s] cannot be solved,
+/// motors yield, by as much as the step's way to what would stop them; until they give less than half of it. False where
+/// that changes nothing.
 bool stall_motors(Articulate& articulate, double h);
+/// Motors that stall exert ten times as much in each step of h [s], up to what they can, or would need to move all.
+void strengthen_stalled(Articulate& articulate, double h);
 /// Sets what is prescribed for the part from … to (0 … 1) of the step.
 void set_conditions(Articulate& articulate, double from, double to);
 

@@ -81,7 +81,8 @@ void drift_euler(Articulate& a, const DriftSettings& settings, DriftReport& repo
   set_conditions(a, 0.0, 1.0);
   place_rows_at_start(a);
   a.last_h = 0.0;
-  a.has_factor = false;
+  a.has_factor = a.cut = false;
+  a.exerted_time = 0.0;
   if (!solve_euler(a, settings.h, settings.gravity, report)) return safe_step(a, settings, settings.h, report);
   add_work_of_rows(a, report);
   for (Node& n : a.nodes) {

@@ -49,6 +49,12 @@ void project_path(const Row&, Condition& c) {
   c.kept = c.held ? identity33() : identity33() - outer(T, T);
 }
 
+Stop stop_of_path(const Row& row, const Condition& c) {
+  const Vec3 out = way_out(*c.path, c.angle1);
+  if (norm2(out) == 0.0) return {out};
+  return {out * -1.0, -dot(row.d1 - c.path->place(c.angle1), out)};
+}
+
 Vec3 path_gap(const Row& row, const Condition& c) {
   return row.d1 - c.path->place(c.path->nearest(row.d1, c.angle1)) - row.offset;
 }

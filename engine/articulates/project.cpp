@@ -196,6 +196,12 @@ void carry_half(Articulate& a, double h) {
   }
 }
 
+/// Whether what was struck is a stop, and no motor that reached its speed.
+bool is_stopped(const Articulate& a) {
+  return std::any_of(a.conditions.begin(), a.conditions.end(),
+                     [](const Condition& c) { return c.ranged && c.held && !c.held_before; });
+}
+
 /// Whether some rows may let go or begin to hold.
 bool is_one_sided(const Articulate& a) {
   return std::any_of(a.conditions.begin(), a.conditions.end(),
@@ -219,11 +225,11 @@ void set_kept_matrices(Articulate& a) {
     }
 }
 
-void take_carried_half(Articulate& a, double full, DriftReport& report) {
+bool take_carried_half(Articulate& a, double full, DriftReport& report) {
   a.carried_energy = 0.0;
   if (a.carried_h != full / a.sub_steps.count) {
     std::fill(a.carried.begin(), a.carried.end(), zero3());
-    return;
+    return false;
   }
   const double before = kinetic_energy(a), sign = a.sub_steps.count == 1 ? -1.0 : 1.0;
   report.tell(a.carried_work, sign);
@@ -233,6 +239,7 @@ void take_carried_half(Articulate& a, double full, DriftReport& report) {
   tell_momenta(a);
   a.carried_energy = kinetic_energy(a) - before;
   report.projected += a.carried_energy - a.carried_work.all() * sign;
+  return true;
 }
 
 void project_velocities(Articulate& a, const DriftSettings& settings, DriftReport& report) {
@@ -246,22 +253,31 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
     report.projections++;
     a.has_factor = false;
     factorise_exactly(a, a.least_epsilon);
-    const bool worked = apply_projection(a).all() != 0.0;
-    if (struck(a)) {
-      report.limit += find_velocities(a).kinetic - before.kinetic;
-    } else if (worked) {
-      report.tell(work_of_impulses(a, find_velocities(a)));
+    const bool worked = apply_projection(a).all() != 0.0, strikes = struck(a);
+    if (worked || strikes) {
+      const Velocities after = find_velocities(a);
+      const ImpulseWork work = work_of_impulses(a, after);
+      report.tell(work);
+      if (strikes) (is_stopped(a) ? report.limit : report.motor) += after.kinetic - before.kinetic - work.all();
     }
   }
   tell_momenta(a);
+  if (struck(a) && !a.cut) {
+    begin_exerted(a);
+    add_forces_exerted(a, settings.full);
+    a.cut = true;
+  }
+  if (a.cut) add_impulses_exerted(a);
   const double speed = std::max(before.fastest, std::sqrt(norm(settings.gravity) * a.length));
   const bool noise = before.forbidden <= 1e-9 * speed;  // as large as what the solver leaves
   if (a.smooth && !a.weak && !noise && !is_one_sided(a)) carry_half(a, settings.full / a.sub_steps.count);
   if (settings.energy_return) report.returned += return_energy(a, before.kinetic - a.carried_energy, settings.gravity);
 }
 
-ImpulseWork make_consistent(Articulate& a) {
-  if (a.yields) return {};
+namespace {
+
+/// Takes out what the rows that hold forbid; returns the work of what moves by itself.
+ImpulseWork take_out_forbidden(Articulate& a) {
   find_kept(a);
   const double driven = driven_energy(a);
   ImpulseWork work;
@@ -269,7 +285,7 @@ ImpulseWork make_consistent(Articulate& a) {
     std::fill(a.impulses.begin(), a.impulses.end(), zero3());
     read_momenta(a);
     Velocities v = find_velocities(a);
-    if (v.forbidden <= 1e-13 * v.fastest) break;
+    if (v.forbidden <= 1e-13 * v.fastest) return work;
     const double sane = std::max(1.001 * v.kinetic, driven);
     factorise_exactly(a, epsilon);
     for (int i = 0; i < 3; i++) {
@@ -281,10 +297,47 @@ ImpulseWork make_consistent(Articulate& a) {
       if (v.forbidden > 0.5 * last) break;
     }
     work = work_of_impulses(a, v);
-    if (v.kinetic <= sane || epsilon > 1e-3) break;
+    if (v.kinetic <= sane || epsilon > 1e-3) return work;
   }
+}
+
+/// How much of its impulse a row that holds cannot give [N s]; `time` [s] it has for it.
+double beyond_reach(const Articulate& a, const Condition& c, double time) {
+  const Row& r = row(a, c);
+  const Vec3 impulse = a.impulses[c.row];
+  if (c.ranged) return -dot(impulse, stop(a, r).inward);
+  return std::isinf(c.upper) ? 0.0 : norm(impulse) - c.upper * time;
+}
+
+/// Has the row that can give its impulse least let go, or after some turns all that cannot; false where all can.
+bool let_one_go(Articulate& a, double time, int turn) {
+  constexpr int patience = 8;
+  Condition* worst = nullptr;
+  double most = 0.0;
+  for (Condition& c : a.conditions) {
+    if (!c.held || c.stiff) continue;
+    const double beyond = beyond_reach(a, c, time);
+    if (beyond <= 1e-12 * norm(a.impulses[c.row])) continue;
+    if (turn >= patience) c.held = false;
+    if (beyond > most) worst = &c;
+    most = std::max(most, beyond);
+  }
+  if (worst == nullptr) return false;
+  worst->held = false;
+  hold_with_heads(a);
+  return true;
+}
+
+}  // namespace
+
+ImpulseWork make_consistent(Articulate& a, double time) {
+  std::fill(a.impulses.begin(), a.impulses.end(), zero3());
+  if (a.yields) return {};
+  ImpulseWork work = take_out_forbidden(a);
+  for (int turn = 0; let_one_go(a, time, turn); turn++) work = take_out_forbidden(a);
   tell_momenta(a);
   a.has_factor = false;
+  if (a.cut) add_impulses_exerted(a);
   return work;
 }
 

@@ -67,6 +67,10 @@ Vec3 gap(const Articulate& a, const Row& row) {
   return rule(row).gap(row, condition(a, row));
 }
 
+Stop stop(const Articulate& a, const Row& row) {
+  return row.kind == RowKind::strand ? strand_stop(a, row) : rule(row).stop(row, condition(a, row));
+}
+
 void accept_gap(Articulate& a, Row& row) {
   const Vec3 open = gap(a, row);
   if (row.kind == RowKind::rigid || row.kind == RowKind::axis || row.kind == RowKind::path ||

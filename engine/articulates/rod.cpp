@@ -32,6 +32,11 @@ double evaluate_rod(Row& row, Condition& c, const RowContext& context) {
 
 void project_rod(const Row& row, Condition& c) { project_reading(c, row.d1); }
 
+Stop stop_of_rod(const Row& row, const Condition& c) {
+  const double length = norm(row.d1) - c.accepted;
+  return nearer_end(direction(row.d1), c.low > 0.0 ? length - low_end(c) : infinity, length - high_end(c));
+}
+
 Vec3 rod_gap(const Row& row, const Condition& c) {
   const double length = norm(row.d1) - c.accepted;
   return direction(row.d1) * (c.ranged ? missing(c, c.low > 0.0 ? length - low_end(c) : infinity, length - high_end(c))

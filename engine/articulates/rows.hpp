@@ -10,6 +10,12 @@ struct RowContext {
   double mobility;  ///< [1/kg] tr(S_kk)/3 of the row, last known: how far a force moves it
 };
 
+/// The nearer end of a row's range.
+struct Stop {
+  Vec3 inward;             ///< unit vector: how a force of the row may act
+  double room = infinity;  ///< [m] to the end; below 0 it is passed
+};
+
 struct RowRule {
   /// Sets residual, M and C from d0, d1 and f; returns the size of the residual in metres.
   double (*evaluate)(Row& row, Condition& condition, const RowContext& context);
@@ -17,6 +23,8 @@ struct RowRule {
   void (*project)(const Row& row, Condition& condition);
   /// What is still to be closed at the end of the step, [m], as a change of d1.
   Vec3 (*gap)(const Row& row, const Condition& condition);
+  /// Of a row that stops something, at the end of the step.
+  Stop (*stop)(const Row& row, const Condition& condition);
 };
 
 /// (kinds)
@@ -28,6 +36,7 @@ double evaluate_stiff(Row& row, Condition& condition, const RowContext& context)
 double evaluate_rod(Row& row, Condition& condition, const RowContext& context);
 void project_rod(const Row& row, Condition& condition);
 Vec3 rod_gap(const Row& row, const Condition& condition);
+Stop stop_of_rod(const Row& row, const Condition& condition);
 double evaluate_plane(Row& row, Condition& condition, const RowContext& context);
 void project_plane(const Row& row, Condition& condition);
 Vec3 plane_gap(const Row& row, const Condition& condition);
@@ -40,6 +49,7 @@ Vec3 align_gap(const Row& row, const Condition& condition);
 double evaluate_turn(Row& row, Condition& condition, const RowContext& context);
 void project_turn(const Row& row, Condition& condition);
 Vec3 turn_gap(const Row& row, const Condition& condition);
+Stop stop_of_turn(const Row& row, const Condition& condition);
 
 double evaluate_drawn(Row& row, Condition& condition, const RowContext& context);
 void project_drawn(const Row& row, Condition& condition);
@@ -47,12 +57,15 @@ Vec3 drawn_gap(const Row& row, const Condition& condition);
 double evaluate_path(Row& row, Condition& condition, const RowContext& context);
 void project_path(const Row& row, Condition& condition);
 Vec3 path_gap(const Row& row, const Condition& condition);
+Stop stop_of_path(const Row& row, const Condition& condition);
 
 inline const RowRule& rule(const Row& row) { return row_rules[static_cast<std::size_t>(row.kind)]; }
 
 /// Sets the residual of a row at the end of a step of h [s], with its M and C; returns its size [m].
 double residual(Articulate& articulate, Row& row, double h);
 
+/// The nearer end of the range of a row, at the end of the step.
+Stop stop(const Articulate& articulate, const Row& row);
 /// What is still to be closed of a row at the end of the step, [m].
 Vec3 gap(const Articulate& articulate, const Row& row);
 /// Takes the present gap of a row as a constant offset.
@@ -77,6 +90,10 @@ void project_reading(Condition& condition, Vec3 gradient, double slope = 1.0);
 /// Ends of a range, which is wider while what is outside is drawn in, [m].
 inline double low_end(const Condition& c) { return c.low + std::fmin(0.0, c.length); }
 inline double high_end(const Condition& c) { return c.high + std::fmax(0.0, c.length); }
+/// Of a value along a unit vector, by how far it is above the ends of its range [m].
+inline Stop nearer_end(Vec3 along, double low, double high) {
+  return -high < low ? Stop{along * -1.0, -high} : Stop{along, low};
+}
 /// What a row misses [m], by how far its value is above the ends of its range.
 double missing(const Condition& condition, double low, double high);
 

@@ -70,6 +70,17 @@ void kick(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   for (Node& n : a.nodes) n.p0 += gravity * (n.mass * h);
 }
 
+/// What stops something, and held it or is passed, holds; the motion tells whether it lets go.
+void hold_stops(Articulate& a) {
+  for (Row& row : a.rows) {
+    if (row.condition < 0) continue;
+    Condition& c = condition(a, row);
+    if (!c.ranged && std::isinf(c.upper)) continue;
+    c.held = (c.held_before || (c.ranged && stop(a, row).room < 0.0)) && std::isinf(c.most);
+  }
+  hold_with_heads(a);
+}
+
 /// Sets the residuals of the rows to their gaps, and M and C for a solve in the mass metric; returns Σ g² [m²].
 double find_gaps(Articulate& a) {
   place_rows_at_end(a);
@@ -78,7 +89,8 @@ double find_gaps(Articulate& a) {
     row.residual = gap(a, row);
     if (row.kind != RowKind::rigid) {
       Condition& c = condition(a, row);
-      if (c.ranged || !std::isinf(c.upper)) c.held = norm2(row.residual) > 0.0;
+      if (c.ranged || !std::isinf(c.upper)) c.held = c.ranged && stop(a, row).room < 0.0;
+      c.held_before = c.held_before || c.held;
       rule(row).project(row, c);
     }
     sum += norm2(row.residual);
@@ -151,7 +163,7 @@ void drift_and_close(Articulate& a, double h, double tolerance) {
   a.saved = a.nodes;
   find_gaps(a);
   double allowed = 1e-8 * a.length;
-  for (const Row& row : a.rows) allowed = std::max(allowed, norm(row.residual));
+  for (const Row& row : a.rows) allowed = std::max(allowed, 1.01 * norm(row.residual));
   for (double speed = 1.0;; speed = speed > 1e-3 ? 0.5 * speed : 0.0) {
     for (Node& n : a.nodes) {
       n.p0 = n.p0 * speed;
@@ -202,7 +214,9 @@ void safe_step(Articulate& a, const DriftSettings& settings, double h, DriftRepo
   for (Node& n : a.nodes) settle(n);
   kick(a, h, settings.gravity, report);
   place_rows_at_end(a);
-  report.tell(make_consistent(a));
+  hold_stops(a);
+  report.tell(make_consistent(a, h));
+  for (Condition& c : a.conditions) c.held_before = c.held;
   drift_and_close(a, h, 1e-9 * h * std::sqrt(norm(settings.gravity) * a.length) + 1e-12 * a.length);
   for (Node& n : a.nodes) {
     n.x0 = n.x1;
@@ -212,7 +226,8 @@ void safe_step(Articulate& a, const DriftSettings& settings, double h, DriftRepo
     n.O0 = n.inverse_inertia * n.P0;
   }
   accept_gaps(a, settings.tolerance, report);
-  report.tell(make_consistent(a));
+  for (Condition& c : a.conditions) c.held = c.held_before;
+  report.tell(make_consistent(a, h));
   const double change = mechanical_energy(a, settings.gravity) - before - (report.outside() - outside);
   only_dissipate(a, change, settings.gravity, report);
   for (Row& row : a.rows)

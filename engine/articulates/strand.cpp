@@ -135,6 +135,11 @@ double evaluate_strands(Articulate& a, double h) {
   return worst;
 }
 
+void hold_with_heads(Articulate& a) {
+  for (const Strand& strand : a.strands)
+    for (std::uint32_t k : strand.segments) condition(a, a.rows[k]).held = condition(a, a.rows[strand.head]).held;
+}
+
 void project_strands(Articulate& a) {
   for (const Strand& strand : a.strands) {
     const bool held = condition(a, a.rows[strand.head]).held;
@@ -151,13 +156,18 @@ void project_strands(Articulate& a) {
   }
 }
 
-Vec3 strand_gap(const Articulate& a, const Row& row) {
+Stop strand_stop(const Articulate& a, const Row& row) {
   for (const Strand& strand : a.strands) {
     if (&a.rows[strand.head] != &row) continue;
     const Condition& c = condition(a, row);
-    return direction(row.d1) * std::fmax(0.0, total_length(a, strand) - c.length - c.accepted);
+    return {direction(row.d1) * -1.0, c.length + c.accepted - total_length(a, strand)};
   }
-  return zero3();
+  return {zero3()};
+}
+
+Vec3 strand_gap(const Articulate& a, const Row& row) {
+  const Stop end = strand_stop(a, row);
+  return end.inward * std::fmin(0.0, end.room);
 }
 
 }  // namespace pantin

@@ -3,6 +3,7 @@
 // is a row with a force of its own; one of them, the head, has the equation of the length, the others that their
 // tension is the head's.
 #include "articulates/newton.hpp"
+#include "articulates/rows.hpp"
 
 namespace pantin {
 
@@ -13,6 +14,10 @@ void find_strands(Articulate& articulate);
 double evaluate_strands(Articulate& articulate, double h);
 /// Sets `kept` and `wanted` of the segments, and what couples them in the projection.
 void project_strands(Articulate& articulate);
+/// Has all segments hold that have heads which do.
+void hold_with_heads(Articulate& articulate);
+/// What keeps a head from making its string longer than it may be.
+Stop strand_stop(const Articulate& articulate, const Row& row);
 /// How much longer the strings are than they may be: of a head, along itself; else 0, [m].
 Vec3 strand_gap(const Articulate& articulate, const Row& row);
 

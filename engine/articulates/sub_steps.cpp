@@ -84,6 +84,7 @@ void drift_accurately(Articulate& a, const DriftSettings& settings, const SubSte
   };
   const double h = settings.h * (settings.to - settings.from);
   if (a.edited) a.sub_steps = {a.sub_steps.count};
+  if (a.safe) return move(a, 1);  // what it cannot do it cannot do better by parts
   if (!is_due(a.sub_steps, wanted, fastest_spin(a) * h / a.sub_steps.count)) return move(a, a.sub_steps.count);
   SubSteps n = a.sub_steps;
   const bool reached = move_by_trial(a, trial.start, trial.other, n, h, wanted.accuracy, move, difference);

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "articulates/drift.hpp"
 #include "articulates/islands.hpp"
 #include "phases/phases.hpp"
 #include "world/editing.hpp"
@@ -35,10 +36,7 @@ bool ties_changed(const World& world) {
                      [&](const Touched& t) { return t.body || t.articulate >= 0 || is_tied(world, t.point); });
 }
 
-}  // namespace
-
-void find_articulates(World& world) {
-  begin_part(world, 0);
+void find_changed(World& world) {
   const bool changed = world.topology_changed || world.influences_changed || !world.disturbed.empty();
   const bool loose = !world.loose_bodies.empty() || !world.loose_points.empty();
   if (!changed && !loose && !world.ledger.wanted) return;
@@ -54,6 +52,27 @@ void find_articulates(World& world) {
   if (topology_changed || world.influences_changed) read_masses(world);  // every edit of a mass says so
   save_loose(world);
   begin_ledger(world);
+}
+
+/// What an edit left of velocities is made consistent before any force acts.
+void meet_edited(World& world) {
+  if (!rule_of(world).conserves) return;
+  for (const auto& articulate : world.articulates) {
+    if (!articulate->edited || articulate->rest.asleep) continue;
+    load(*articulate, world, world.settings.gravity);
+    const FirstMeeting met = meet(*articulate, world.settings.step, 0.0);
+    post(world, Source::edit, met.tied);
+    post(world, Source::limit, met.stopped);
+    for (const Node& n : articulate->nodes) store(n, world);
+  }
+}
+
+}  // namespace
+
+void find_articulates(World& world) {
+  begin_part(world, 0);
+  find_changed(world);
+  meet_edited(world);
 }
 
 }  // namespace pantin::phases

@@ -38,10 +38,11 @@ struct Overloads {
 };
 
 void find_overloads(const World& world, const Articulate& a, Overloads& found) {
-  for (const Row& row : a.rows) {
+  for (std::size_t k = 0; k < a.rows.size(); k++) {
+    const Row& row = a.rows[k];
     if (row.kind == RowKind::stiff) continue;  // connections break by themselves
     const bool couple = row.lever > 0.0;
-    const double load = norm(row.f) * (couple ? row.lever : 1.0);
+    const double load = norm(exerted_force(a, k)) * (couple ? row.lever : 1.0);
     const auto story = [&] { return couple ? text("its torque of ", load, " N m") : text("its load of ", load, " N"); };
     if (row.condition < 0) {
       const ParticleId ring = world.points[row.member].particle;

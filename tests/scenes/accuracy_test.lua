@@ -87,3 +87,51 @@ test("a stiff impact within a step is seen before it, so that what meets exchang
   expect(second "scene.accuracy = 1e-3"):near(1, 1e-3)
   expect(second ""):above(2)
 end)
+
+--- The largest difference of what holds a pendulum from its closed form m g cos + m v²/l, over the first of two seconds.
+local function wrong_load(tie, settings)
+  local scene = open_text([[
+    local bob = scene:particle { at = vec(0.2, -math.sqrt(2.21), 0), name = "bob" }
+    scene:field(scene, force.point { potential = function(p) return 10 * p.position.y end })
+  ]] .. settings .. tie)
+  local bob, tie, worst, _ = scene:find "bob", scene:find "tie", 0, scene.ledger
+  for i = 1, 240 do
+    scene:advance(1 / 240)
+    local load = type(tie.force) == "number" and tie.force or tie.force:length()
+    local p, v = bob.position, bob.velocity
+    worst = math.max(worst, math.abs(load - (9.81 + 10) * -p.y / p:length() - v:dot(v) / 1.5))
+  end
+  expect(scene.error.worst_energy):below(1e-4)
+  expect(scene.ledger.closure):below(1e-10)
+  return worst
+end
+
+test("what is taut bears what a pendulum's rod does from the first step on, with sub-steps as without", function()
+  for _, tie in ipairs {
+    'scene:rod(bob, vec(0, 0, 0)).name = "tie"',
+    'scene:string({ vec(0, 0, 0), bob }, { length = 1.5, name = "tie" })',
+    'scene:limit(bob, vec(0, 0, 0), { max = 1.5, name = "tie" })',
+  } do
+    for _, accuracy in ipairs { "nil", "1e-3", "1e-4", "1e-5", "1e-6" } do
+      expect(wrong_load(tie, "scene.accuracy = " .. accuracy .. "\n")):below(0.01)
+    end
+  end
+end)
+
+test("a string that goes taut stops what it stops for good, whatever sub-steps there are", function()
+  for _, accuracy in ipairs { "nil", "1e-3", "1e-6" } do
+    local scene = open_text("scene.accuracy = " .. accuracy .. [[
+      scene.gravity = vec(0, 0, 0)
+      local bob = scene:particle { at = vec(0, -1, 0), velocity = vec(0.3, -2, 0), name = "bob" }
+      scene:string({ vec(0, 0, 0), bob }, { length = 1.5 })
+      scene:field(scene, force.point { potential = function(p) return 0.1 * p.position.x end })
+    ]])
+    scene:advance(0.5)
+    local p, v = scene:find("bob").position, scene:find("bob").velocity
+    expect(p:length()):near(1.5, 1e-9)
+    expect(v:dot(p)):near(0, 1e-6)
+    expect(v:length()):below(0.8)
+    expect(scene.ledger.limit):below(-1.5)
+    expect(scene.error.worst_energy):below(1e-3)
+  end
+end)
