@@ -8,7 +8,33 @@
 #include <algorithm>
 #include <thread>
 
+// oneTBB is not built for the thread sanitizer, which must be told what waits for what, and to pass over its own tasks.
+#ifdef __SANITIZE_THREAD__
+extern "C" void __tsan_acquire(void* address);
+extern "C" void __tsan_release(void* address);
+extern "C" const char* __tsan_default_suppressions() {
+  return "race_top:oneapi/tbb\nrace_top:base/parallel.cpp\nrace_top:std::__atomic_base<int>::load\n";
+}
+#endif
+
 namespace pantin {
+
+namespace {
+
+struct Moment {
+  void is_before_those_that_wait() {
+#ifdef __SANITIZE_THREAD__
+    __tsan_release(this);
+#endif
+  }
+  void wait_is_over() {
+#ifdef __SANITIZE_THREAD__
+    __tsan_acquire(this);
+#endif
+  }
+};
+
+}  // namespace
 
 struct Workers::Arena {
   explicit Arena(int threads)
@@ -27,15 +53,20 @@ Workers::Workers(Workers&&) noexcept = default;
 Workers& Workers::operator=(Workers&&) noexcept = default;
 
 void Workers::share(std::size_t tasks, void (*call)(void*, std::size_t, int), void* f) {
+  Moment start, end;
+  start.is_before_those_that_wait();
   arena_->arena.execute([&] {
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, tasks, 1),
         [&](const tbb::blocked_range<std::size_t>& range) {
+          start.wait_is_over();
           const int worker = tbb::this_task_arena::current_thread_index();
           for (std::size_t task = range.begin(); task != range.end(); task++) call(f, task, worker);
+          end.is_before_those_that_wait();
         },
         tbb::simple_partitioner());
   });
+  end.wait_is_over();
 }
 
 }  // namespace pantin
