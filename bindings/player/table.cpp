@@ -22,12 +22,12 @@ void put(std::string& out, double value) {
 }  // namespace
 
 void Times::add(const World& world) {
-  if (world.steps <= first_step) values.clear();
+  if (world.steps <= first_step) values = {};
   if (values.empty()) first_step = world.steps > 0 ? world.steps - 1 : 0;
-  const std::size_t known = values.size(), count = world.steps - first_step;
-  values.resize(count);
-  for (std::size_t i = known; i < count; i++)  // more than one where a script went forward again
-    values[i] = world.time - static_cast<double>(count - 1 - i) * world.settings.step;
+  const std::size_t count = world.steps - first_step;
+  values.shorten(count);
+  for (std::size_t i = values.size(); i < count; i++)  // more than one where a script went forward again
+    values.push_back(world.time - static_cast<double>(count - 1 - i) * world.settings.step);
 }
 
 std::string probe_table(const Times& times, const std::vector<Probe>& probes) {

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "base/shared_list.hpp"
 #include "world/world.hpp"
 
 namespace pantin::player {
@@ -9,7 +10,7 @@ namespace pantin::player {
 /// The times of the steps, for a table of the probes.
 struct Times {
   std::uint64_t first_step = 0;  ///< steps done before the first of them
-  std::vector<double> values;    ///< [s] (steps)
+  SharedList values;             ///< [s] (steps)
   /// Call it after each step. Where a script went back to another step, later ones are dropped.
   void add(const World& world);
 };

@@ -13,6 +13,7 @@
 
 #include "base/profile.hpp"
 #include "base/random.hpp"
+#include "base/shared_list.hpp"
 #include "model/model.hpp"
 #include "world/choreography.hpp"
 #include "world/input.hpp"
@@ -57,7 +58,7 @@ constexpr std::size_t most_breaks = 1024;
 struct Probe {
   std::string name;
   std::function<double()> read;
-  std::vector<double> values;  ///< (steps since it was added)
+  SharedList values;  ///< (steps since it was added)
   std::uint64_t first_step = 0;
   double latest = 0.0;  ///< read in this step
 };

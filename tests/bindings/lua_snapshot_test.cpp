@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "bindings/lua_support.hpp"
+#include "support/allocations.hpp"
 #include "world/hands.hpp"
 #include "world/measure.hpp"
 
@@ -206,4 +207,33 @@ TEST_CASE("snapshot: a hand holds what it held") {
   CHECK(scene->world().constraints.alive(scene->world().hands[0].grab));
   steps(*scene, 30);
   CHECK(state_hash(scene->world()) == held);
+}
+
+TEST_CASE(
+    "snapshot: fifty of a scene whose probes have recorded for long share the record, and each puts its own back") {
+  const auto scene = open(R"(
+    local p = scene:particle { velocity = vec(1, 0, 0) }
+    for i = 1, 4 do scene:probe("probe " .. i, function() return i * p.position.x end) end)");
+  World& world = scene->world();
+  const auto recorded = [&](std::size_t count) {
+    for (Probe& probe : world.probes)
+      for (std::size_t i = probe.values.size(); i < count; i++) probe.values.push_back(static_cast<double>(i));
+  };
+  steps(*scene, 1);
+  recorded(200000);  // 14 min of steps, 6.4 MB
+  std::vector<std::shared_ptr<const lua::SceneSnapshot>> snapshots;
+  const std::int64_t before = live_bytes();
+  for (int i = 0; i < 50; i++) {
+    snapshots.push_back(scene->take_snapshot());
+    steps(*scene, 1);
+  }
+  CHECK(live_bytes() - before < 6400000);  // not 50 times as much
+  for (const std::size_t i : {49u, 10u, 30u, 0u, 40u}) {
+    scene->restore(*snapshots[i]);
+    for (const Probe& probe : world.probes) {
+      REQUIRE(probe.values.size() == 200000 + i);
+      CHECK(probe.values[199999] == 199999.0);
+    }
+    if (i > 0) CHECK(world.probes[1].values.back() == Approx(2.0 * world.time));
+  }
 }

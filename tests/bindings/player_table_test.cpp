@@ -49,17 +49,17 @@ TEST_CASE("table: rows are dropped where the world went back, and are there agai
     times.add(world);
   };
   for (std::uint64_t step = 1; step <= 4; step++) be_at(step);
-  CHECK(times.values == std::vector<double>{0.5, 1.0, 1.5, 2.0});
+  CHECK(times.values == SharedList{0.5, 1.0, 1.5, 2.0});
   be_at(2);
-  CHECK(times.values == std::vector<double>{0.5, 1.0});
+  CHECK(times.values == SharedList{0.5, 1.0});
   be_at(3);
-  CHECK(times.values == std::vector<double>{0.5, 1.0, 1.5});
+  CHECK(times.values == SharedList{0.5, 1.0, 1.5});
   be_at(0);
   CHECK(times.values.empty());
   be_at(1);
   be_at(3);
   CHECK(times.first_step == 0);
-  CHECK(times.values == std::vector<double>{0.5, 1.0, 1.5});
+  CHECK(times.values == SharedList{0.5, 1.0, 1.5});
 }
 
 TEST_CASE("frame clock: frames go on where the world goes back") {

@@ -26,8 +26,12 @@ struct Curve {
   }
   /// The first index at a time or later.
   std::size_t index(double time) const {
-    return static_cast<std::size_t>(std::lower_bound(times.values.begin(), times.values.end(), time) -
-                                    times.values.begin());
+    std::size_t low = 0, high = size();
+    while (low < high) {
+      const std::size_t middle = low + (high - low) / 2;
+      times.values[middle] < time ? low = middle + 1 : high = middle;
+    }
+    return low;
   }
 };
 
