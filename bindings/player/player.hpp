@@ -46,8 +46,8 @@ class Player {
   const std::string& failure() const { return failure_; }
   /// Opens another scene; where that fails, tells why, and the present one goes on: false.
   bool open(const std::string& path);
-  /// Applies a value of a parameter, live or by opening the scene anew.
-  void set_parameter(const std::string& name, const lua::Value& value);
+  /// Applies a value of a parameter, live or by opening the scene anew. False where the scene refuses it, which is told.
+  bool set_parameter(const std::string& name, const lua::Value& value);
   /// Takes back what hands did last, or does it again; what cannot be done is told.
   void undo();
   void redo();
@@ -61,6 +61,12 @@ class Player {
  private:
   using Clock = std::chrono::steady_clock;
 
+  /// A parameter that the scene was opened anew with.
+  struct Rebuilt {
+    std::string act, name;
+    lua::Value before, after;
+  };
+
   std::string title() const;
   void act(const Actions& actions);
   void take_keys();
@@ -68,6 +74,8 @@ class Player {
   std::int32_t new_hand();
   void begin_change(const std::string& name);
   void keep_for_undo(const std::string& act, const StepInput& before);
+  void open_with(const Rebuilt& rebuilt, const lua::Value& value, const char* does);
+  UndoState undo_state() const;
   void go_back(bool (Undo::*way)(lua::Scene&, Times&, StepInput&, std::string&));
   void tell(const std::string& what);
   void tell_dropped();
@@ -125,6 +133,8 @@ class Player {
   Gestures gestures_;
   Steering steering_;
   Undo undo_;
+  std::optional<Rebuilt> rebuilt_;  ///< the last act before all that `undo_` keeps
+  std::optional<Rebuilt> unbuilt_;  ///< the same, when it was undone
   PaletteWish undo_wish_;
   std::string told_;  ///< what a tool did last, or why it did nothing
   Clock::time_point told_at_{};

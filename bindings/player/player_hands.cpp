@@ -33,13 +33,41 @@ std::int32_t Player::new_hand() {
 }
 
 void Player::keep_for_undo(const std::string& act, const StepInput& before) {
+  unbuilt_.reset();
   try {
     undo_.begin(*scene_, times_, before, act);
   } catch (const Error& error) { tell(text(act, " cannot be undone: ", error.what())); }
 }
 
-void Player::undo() { go_back(&Undo::undo); }
-void Player::redo() { go_back(&Undo::redo); }
+void Player::undo() {
+  if (!rebuilt_ || !undo_.last().empty()) return go_back(&Undo::undo);
+  const Rebuilt rebuilt = *rebuilt_;
+  open_with(rebuilt, rebuilt.before, "undo");
+  if (!rebuilt_ || !(rebuilt_->after == rebuilt.before)) return;
+  rebuilt_.reset();
+  unbuilt_ = rebuilt;
+}
+
+void Player::redo() {
+  if (!unbuilt_) return go_back(&Undo::redo);
+  const Rebuilt rebuilt = *unbuilt_;
+  open_with(rebuilt, rebuilt.after, "redo");
+}
+
+/// What came of the scene that it was before is gone: it starts again.
+void Player::open_with(const Rebuilt& rebuilt, const lua::Value& value, const char* does) {
+  changed_at_ = {};  // an act of its own
+  if (set_parameter(rebuilt.name, value)) tell(text(does, ": ", rebuilt.act, "; the scene starts again"));
+}
+
+UndoState Player::undo_state() const {
+  UndoState state = undo_.state(*scene_);
+  const bool only_rebuilt = undo_.last().empty() && (rebuilt_ || unbuilt_);
+  if (only_rebuilt) state.obstacle = nullptr;  // nothing is wound back
+  if (only_rebuilt && rebuilt_) state.undo = rebuilt_->act;
+  if (only_rebuilt && unbuilt_) state.redo = unbuilt_->act;
+  return state;
+}
 
 void Player::go_back(bool (Undo::*way)(lua::Scene&, Times&, StepInput&, std::string&)) {
   std::string told;
@@ -82,7 +110,7 @@ const std::string& Player::hint() const {
 void Player::draw_tools() {
   const std::string& told = Clock::now() < told_at_ + told_for ? told_ : hint();
   const ToolKind kind = hands_.tool.kind;
-  const PaletteWish wish = draw_palette(hands_.tool, undo_.state(*scene_), told, static_cast<float>(renderer_.width()),
+  const PaletteWish wish = draw_palette(hands_.tool, undo_state(), told, static_cast<float>(renderer_.width()),
                                         static_cast<float>(renderer_.height()));
   if (hands_.tool.kind != kind) tell_tool();
   undo_wish_ = wish;

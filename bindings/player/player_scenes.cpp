@@ -75,6 +75,8 @@ void Player::wait_for(const std::atomic<bool>& done, const std::string& what) {
 void Player::adopt(std::unique_ptr<lua::Scene> fresh) {
   changes_++;
   undo_.clear();
+  rebuilt_.reset();
+  unbuilt_.reset();
   scene_ = std::move(fresh);
   hands_.reset();
   log_read_ = 0;
@@ -124,22 +126,33 @@ void Player::open_neighbour(int places) {
   if (const std::string path = browser_.neighbour(path_, places); !path.empty()) open(path);
 }
 
-void Player::set_parameter(const std::string& name, const lua::Value& value) {
+bool Player::set_parameter(const std::string& name, const lua::Value& value) {
+  const auto& parameters = scene_->parameters();
+  const auto parameter = std::ranges::find(parameters, name, &lua::Parameter::name);
+  if (parameter == parameters.end()) return false;
+  const bool live = parameter->live;
+  Rebuilt rebuilt{"change of " + name, name, parameter->value, value};
+  if (rebuilt_ && rebuilt_->name == name && undo_.last().empty() && Clock::now() < changed_at_ + one_change)
+    rebuilt.before = rebuilt_->before;
   const auto before = lua_options_.set;
   lua_options_.set[name] = setting_text(value);
-  begin_change(name);
+  if (live) begin_change(name);
   changes_++;
-  bool live = true;
+  bool taken = true;
   try {
-    live = scene_->set_parameter(name, value);
-    if (!live) adopt(load(path_, lua_options_));
+    if (!scene_->set_parameter(name, value)) {
+      adopt(load(path_, lua_options_));
+      rebuilt_ = std::move(rebuilt);
+    }
   } catch (const std::exception& error) {
+    taken = false;
     lua_options_.set = before;
     complain(error.what());
-    if (!live) return;
+    if (!live) return false;
   }
   changed_at_ = Clock::now();
   if (recorder_) recorder_->parameter(name, value);
+  return taken;
 }
 
 /// What a slider that is drawn does is one act.

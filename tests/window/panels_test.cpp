@@ -37,6 +37,15 @@ TEST_CASE("panels: a slider of another parameter opens the scene again with its 
   CHECK(played.world().particles.size() == 3);
   played.drag(slider_left + 40, slider_y, slider_right, slider_y);
   CHECK(played.world().particles.size() == 9);
+  played.player->undo();  // the whole drag; the scene starts again
+  CHECK(played.world().particles.size() == 3);
+  CHECK(played.world().steps == 0);
+  played.player->redo();
+  CHECK(played.world().particles.size() == 9);
+  played.player->undo();
+  played.player->undo();
+  CHECK(played.world().particles.size() == 3);
+  played.player->redo();
   played.drag(slider_right - 20, slider_y, slider_left, slider_y);
   CHECK(played.world().particles.size() == 1);
 }
