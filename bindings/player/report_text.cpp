@@ -128,8 +128,13 @@ std::string course(const Study& study) {
                study.together) +
            "no step can be told to be right." + cause(study) + " Compare averages of many runs instead.\n";
   if (!study.parts())
-    return format("The two finest runs stay together for all of the %g s.", study.until) + first_order(study) + "\n";
-  std::string result = format("The two finest runs part after %g s", study.together);
+    return format("The finest runs stay together for all of the %g s", study.until) +
+           (study.comparable < study.until ? format("; errors are told until %g s, while small ones are"
+                                                    " sure.",
+                                                    study.comparable)
+                                           : ".") +
+           first_order(study) + "\n";
+  std::string result = format("The finest runs part after %g s", study.together);
   if (study.growth * study.together > std::log(100.0))
     result += format(": the motion is chaotic, a small error grows tenfold in %.2g s", std::log(10.0) / study.growth);
   return result + format(". Errors are told until %g s.", study.comparable) + cause(study) + first_order(study) + "\n";
@@ -149,7 +154,12 @@ std::string extrapolated(const Study& study, double error) {
     cost = run.cost() / factor;
     step = run.step * factor;
   }
-  if (!best) return "none of the steps tried is that exact, and the error does not fall with the step.";
+  if (!best)
+    return std::any_of(study.runs.begin(), study.runs.end(),
+                       [](const StudyRun& run) { return std::isfinite(run.order); })
+               ? "none of the steps tried is that exact, and the error does not fall with the step."
+               : "none of the steps tried is that exact, and there was no time for more: a shorter --until leaves "
+                 "some.";
   return format(
       "none of the steps tried is that exact; by its order %s would need scene.step of about 1/%.0f: some %.2g ms per "
       "simulated second.",

@@ -23,7 +23,7 @@ using Told = std::function<void(const std::string&, double)>;
 // Of steps: each level has half the step of the one before; the scene's own and its half come first, without which nothing
 // can be told.
 constexpr int own_level = 2, coarsest = 1 << own_level;
-constexpr int levels[] = {2, 3, 0, 1, 4, 5, 6, 7};
+constexpr int levels[] = {2, 3, 1, 0, 4, 5, 6, 7};
 constexpr int needed = 2;       // runs of the scene's own integrator that come to the end
 constexpr double core = 7.75;   // times the cost of its own step are the first five levels
 constexpr double least = 1.75;  // and the first three, of other integrators
@@ -35,7 +35,7 @@ constexpr double accuracies[] = {1e-2, 1e-3, 1e-4, 1e-5};  // [1/s]
 constexpr double settled = 1e-9;  // of the size: finer steps than those of runs so near to each other show nothing new
 
 // Parts of the budget.
-constexpr double for_look = 0.05, for_trial = 0.01, for_core = 0.5, for_surprise = 0.1, for_runs = 0.8,
+constexpr double for_look = 0.05, for_trial = 0.01, for_core = 0.5, for_surprise = 0.03, for_runs = 0.8,
                  for_ledger = 0.9;
 
 double step_of(double own, int level) { return own * coarsest / std::pow(2.0, level); }
@@ -73,7 +73,8 @@ class Studying {
  private:
   struct Tried {
     std::string integrator;
-    double cost = 0.0;  ///< [s] per simulated second with the scene's own step
+    double cost = 0.0;            ///< [s] per simulated second with the scene's own step
+    bool dear_if_longer = false;  ///< a longer step takes much more
   };
 
   double spent() const { return processor_time() - begin_; }
@@ -128,7 +129,7 @@ class Studying {
     for (const std::string& name : names) {
       try {
         const auto scene = opener_.open(name, study_.step, 0.0);
-        tried_.push_back({name, cost_of(*scene)});
+        tried_.push_back({name, cost_of(*scene), false});
       } catch (const lua::Interrupted&) { throw; } catch (const Error& error) {
         if (name == study_.integrator) throw;
         study_.refused.push_back({name, error.what()});
@@ -189,9 +190,14 @@ class Studying {
         const double limit = std::min(left, std::max(3.0 * foretold, for_surprise * budget_));
         const bool is_needed = tried.integrator == study_.integrator && level >= own_level && complete(tried) < needed;
         if (!is_needed && foretold > left) continue;
+        if (level < own_level && tried.dear_if_longer) {
+          next.push_back(tried);
+          continue;
+        }
         const Ran ran =
             run_one(tried.integrator, step, 0.0, is_needed ? std::numeric_limits<double>::infinity() : limit);
         if (level < own_level || (ran == Ran::done && !has_settled(tried.integrator))) next.push_back(tried);
+        if (level < own_level && ran == Ran::left) next.back().dear_if_longer = true;
       }
       open_ones = next;
     }

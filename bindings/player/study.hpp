@@ -30,7 +30,7 @@ struct Study {
 
   std::size_t reference = 0;          ///< the run that the others are compared with
   double uncertain = 0.0;             ///< [m] by how much it may be wrong itself, until `comparable`
-  double together = 0.0;              ///< [s] until then the two finest runs stay within a hundredth of the size
+  double together = 0.0;              ///< [s] until then the finest runs stay within a hundredth of the size
   double comparable = 0.0;            ///< [s] until then errors are told: while the finest run is sure of small ones
   double growth = 0.0;                ///< [1/s] of the logarithm of their distance, where they part
   nlohmann::ordered_json ledger;      ///< [J] of the scene with its own step and integrator
