@@ -1,5 +1,7 @@
 #include "view/keys.hpp"
 
+#include <algorithm>
+
 #include "base/check.hpp"
 #include "view/views.hpp"
 
@@ -54,14 +56,14 @@ std::vector<WindowKeys> make_table() {
       {"Window", Use::scene_next, {"pagedown"}, "page down", "the next scene", 0, play},
       {"Window",
        Use::panel,
-       {"f1", "f2", "f3", "f4", "f5", "f6", "f7", "f8"},
+       {"F1", "F2", "F3", "F4", "F5", "F6", "F7", "F8"},
        "F1 … F8",
        "panels: parameters, time, probes, energy, solver, phases, log, thing",
        0,
        play},
       {"Window", Use::panels, {"tab"}, "tab", "hide the panels, show them", 0, play},
       {"Window", Use::picture, {"s"}, "s", "take a picture", 0, play},
-      {"Window", Use::film, {"f9"}, "F9", "film what is seen, until it is pressed again", 0, play},
+      {"Window", Use::film, {"F9"}, "F9", "film what is seen, until it is pressed again", 0, play},
       {"Window", Use::help, {"h"}, "h", "show or hide the keys"},
       {"Window", Use::leave, {"escape", "q"}, "Esc, q", "back to the browser of scenes, or quit", 0, play},
       {"Window", Use::leave, {"escape", "q"}, "Esc, q", "quit, in a recording", 0, replay},
@@ -90,6 +92,12 @@ std::vector<WindowKeys> make_table() {
   };
 }
 
+/// Those of functions are written in capitals.
+bool same_key(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  return std::ranges::equal(a, b, {}, lower, lower);
+}
+
 bool counts(const WindowKeys& row, KeyPlace place) { return !row.only || row.only == place; }
 
 using Card = std::vector<std::pair<std::string, std::string>>;
@@ -115,7 +123,7 @@ const std::vector<WindowKeys>& window_keys() {
 std::optional<KeyMeaning> meaning_of(std::string_view key, KeyPlace place) {
   for (const WindowKeys& row : window_keys())
     for (std::size_t i = 0; i < row.keys.size(); i++)
-      if (counts(row, place) && key == row.keys[i]) return KeyMeaning{row.use, row.first + i};
+      if (counts(row, place) && same_key(key, row.keys[i])) return KeyMeaning{row.use, row.first + i};
   return {};
 }
 

@@ -84,7 +84,7 @@ void draw_told(const std::string& told, float middle, float bottom, float scale)
   const float pad = 7.0f * scale;
   const ImVec2 size = ImGui::CalcTextSize(told.c_str(), nullptr, false, 2.0f * middle - 4.0f * pad);
   const ImVec2 at = {middle - 0.5f * size.x, bottom - size.y - 2.0f * pad};
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  ImDrawList& list = *ImGui::GetForegroundDrawList();  // also over panels
   list.AddRectFilled({at.x - pad, at.y - pad}, {at.x + size.x + pad, at.y + size.y + pad},
                      ImGui::GetColorU32(ImGuiCol_WindowBg), pad);
   list.AddText(nullptr, 0.0f, at, ImGui::GetColorU32(ImGuiCol_Text), told.c_str(), nullptr, 2.0f * middle - 4.0f * pad);

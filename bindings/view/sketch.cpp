@@ -19,6 +19,7 @@ constexpr Color paper = {1.00f, 0.965f, 0.89f, 1.0f}, deep = {0.13f, 0.24f, 0.30
 
 constexpr Color spark = {1.00f, 0.62f, 0.18f, 1.0f};
 
+constexpr double least_pull = 1e-9;   // [units/s²] that a load could give all that moves, to be shown
 constexpr double streak_time = 0.03;  // [s] of its flight that a streak shows
 constexpr double break_time = 0.5;    // [s] for which a break is shown
 
@@ -47,6 +48,17 @@ double load_of(const World& world, const Particle& hinge) {
   double most = 0.0;
   for (const PointId point : hinge.points) most = std::fmax(most, norm(world.points[point].row_force));
   return most;
+}
+
+/// [kg] Of all that moves.
+double mass_of(const World& world) {
+  double sum = 0.0;
+  const auto add = [&](double mass) { sum += std::isfinite(mass) ? mass : 0.0; };
+  for (std::uint32_t s = 0; s < world.bodies.slots(); s++)
+    if (world.bodies.alive_at(s)) add(world.motion[s].mass);
+  for (std::uint32_t s = 0; s < world.points.slots(); s++)
+    if (world.points.alive_at(s) && !world.points.at_slot(s).body) add(world.points.at_slot(s).mass);
+  return sum;
 }
 
 }  // namespace
@@ -145,7 +157,7 @@ void Sketcher::draw(const World& world, const Camera& camera, const Stage& stage
   const Eye eye{camera.eye(), camera.forward(), camera.distance, 2.0 * std::tan(0.5 * camera.fov) / height};
   joints_.assign(world.particles.slots(), 0.0f);
   tints_.update(world, overlay.views, stage.size);
-  find_loads(world, overlay.views);
+  find_loads(world, overlay.views, stage);
   if (overlay.views.on(View::bodies)) {
     for (std::uint32_t s = 0; s < world.bodies.slots(); s++)
       if (world.bodies.alive_at(s)) draw_body(world, world.bodies.id_at(s), eye, stage, sketch);
@@ -320,7 +332,7 @@ std::array<Vec3, 2> shown_ends(const World& world, Vec3 a, Vec3 b) {
 }  // namespace
 
 /// Loads of connections, and the largest of all that ties things.
-void Sketcher::find_loads(const World& world, const Views& views) {
+void Sketcher::find_loads(const World& world, const Views& views, const Stage& stage) {
   most_load_ = 0.0;
   loads_.assign(world.connections.slots(), 0.0);
   if (!views.on(View::loads)) return;
@@ -337,6 +349,7 @@ void Sketcher::find_loads(const World& world, const Views& views) {
   for (std::uint32_t s = 0; s < world.particles.slots(); s++)
     if (world.particles.alive_at(s) && world.particles.at_slot(s).is_hinge())
       count(load_of(world, world.particles.at_slot(s)));
+  if (most_load_ < least_pull * mass_of(world) * stage.unit) most_load_ = 0.0;  // rounding
 }
 
 /// Red where it pulls, blue where it pushes.

@@ -85,7 +85,7 @@ class Sketcher {
   static void draw_plane(Vec3 at, Vec3 normal, const Eye& eye, const Stage& stage, Sketch& sketch);
   void draw_constraints(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch);
   void draw_connections(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch) const;
-  void find_loads(const World& world, const Views& views);
+  void find_loads(const World& world, const Views& views, const Stage& stage);
   Rgb by_load(Rgb slack, double load) const;
   void draw_breaks(const World& world, const Eye& eye, const Stage& stage, double pace, Sketch& sketch);
 

@@ -36,6 +36,20 @@ TEST_CASE("layout: panels stand in their order where that fits") {
   CHECK(tiles[1].y == 158);
 }
 
+TEST_CASE("layout: what finds no room in a column stands under what is at the left, where it covers none") {
+  Board board{220, 790, 50, 480, 8, 20};
+  board.edge = 10;
+  board.under = 230;
+  std::vector<Tile> tiles = {{0, 0, 300, 260}, {0, 0, 380, 160}, {0, 0, 380, 56}};
+  Layout().lay_out(tiles, board);
+  for (std::size_t i = 0; i < tiles.size(); i++) {
+    CHECK((tiles[i].x >= board.left || tiles[i].y >= board.under));
+    CHECK((tiles[i].x >= board.edge && tiles[i].x + tiles[i].width <= board.right));
+    CHECK(tiles[i].y + tiles[i].height <= board.bottom);
+    for (std::size_t k = 0; k < i; k++) CHECK_FALSE(meet(tiles[i], tiles[k]));
+  }
+}
+
 TEST_CASE("layout: what finds no room shows its title, clear of the left edge and of the other titles") {
   const Board board{220, 780, 50, 400, 8, 20};
   std::vector<Tile> tiles(4, Tile{0, 0, 400, 300});

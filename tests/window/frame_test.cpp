@@ -50,9 +50,9 @@ std::uint64_t asked_in(Played& played, int frames) {
 }  // namespace
 
 TEST_CASE("a frame in which nothing changes asks for no memory, with all panels and views", "[window]") {
-  Played played(scene, 5.0, {1280, 720});
+  Played played(scene, 5.0, {800, 600});
   played.frames(20);
-  played.click(640, 360);
+  played.click(400, 300);
   for (const NamedView& named : view_table())
     if (named.view != View::families && named.view != View::articulates)
       pushed::tap(*key_for(KeyUse::view, static_cast<std::size_t>(named.view)));

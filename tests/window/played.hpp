@@ -20,19 +20,26 @@ struct Played {
   std::unique_ptr<player::Player> player;
 
   /// The browser where the text is empty; it finds the text's scene in `folder`, and keeps its pictures there.
-  explicit Played(const std::string& source, double script_limit = 5.0, player::Size size = {960, 540}) {
+  explicit Played(const std::string& source, double script_limit = 5.0, player::Size size = {960, 540})
+      : Played(source, options_of(script_limit, size)) {}
+  /// What is recorded is in `folder`.
+  Played(const std::string& source, player::RunOptions options) {
     pushed::no_screen();
     // OpenGL's own cache stays where it is: shaders take their time.
     if (const char* home = std::getenv("HOME"))
       setenv("MESA_SHADER_CACHE_DIR", (std::string(home) + "/.cache").c_str(), 0);
     setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
     if (!source.empty()) support::write_file(folder / "scene.lua", source);
-    player::RunOptions options;
-    options.size = size;
     options.scenes = folder.path;
-    options.script_limit = script_limit;
+    if (!options.record.empty()) options.record = folder / options.record;
     player = std::make_unique<player::Player>(source.empty() ? "" : folder / "scene.lua", options, sources::folder());
     frames(3);
+  }
+  static player::RunOptions options_of(double script_limit, player::Size size) {
+    player::RunOptions options;
+    options.size = size;
+    options.script_limit = script_limit;
+    return options;
   }
   void frames(int n) {
     for (int i = 0; i < n; i++) REQUIRE(player->frame());

@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "player/replay.hpp"
-#include "window/played.hpp"
+#include "window/played_chain.hpp"
 #include "world/measure.hpp"
 #include "world/query.hpp"
 
@@ -11,42 +11,28 @@ using Catch::Contains;
 
 namespace {
 
-constexpr int width = 960, height = 540;
+constexpr int width = PlayedChain::width, height = PlayedChain::height;
 
 const std::string chain = R"(
-  scene.camera = { at = vec(3, 2, 14), look_at = vec(3, 2, 0) }
   local count = scene:param("links", 6, { min = 2, max = 12 })
   scene:param("gravity", 9.81, { on_change = function(g) scene.gravity = vec(0, -g, 0) end })
-  local previous
-  for i = 1, count do
-    local link = scene:body { at = vec(i - 0.5, 4, 0), mass = 1, inertia = vec(0.01, 0.1, 0.1),
-      points = { head = vec(-0.5, 0, 0), tail = vec(0.5, 0, 0) } }
-    if previous then scene:hinge(previous.tail, link.head) else scene:nail(link.head) end
-    previous = link
-  end
+)" + PlayedChain::text("count") +
+                          R"(
   for i = 1, 5 do scene:particle { at = vec(i, 1, 0) } end
   scene:button("kick", function() previous.velocity = vec(0, 5 * math.random(), 0) end)
   scene:on("key", "o", function() error "oh" end)
 )";
 
 /// A recorded player that nobody sees.
-struct Recorded {
-  support::Folder folder;
-  std::unique_ptr<player::Player> player;
+struct Recorded : PlayedChain {
   int saved = 0;
 
-  explicit Recorded(const std::string& text = chain) {
-    pushed::no_screen();
-    support::write_file(folder / "scene.lua", text);
+  explicit Recorded(const std::string& source = chain) : PlayedChain(source, recorded()) {}
+  static player::RunOptions recorded() {
     player::RunOptions options;
     options.size = {width, height};
-    options.record = folder / "play.rec";
-    player = std::make_unique<player::Player>(folder / "scene.lua", options, sources::folder());
-    frames(3);
-  }
-  const World& world() const { return player->scene().world(); }
-  void frames(int n) {
-    for (int i = 0; i < n; i++) REQUIRE(player->frame());
+    options.record = "play.rec";
+    return options;
   }
   void tap(SDL_Keycode key) {
     pushed::tap(key);
@@ -57,11 +43,6 @@ struct Recorded {
     tap(key);
     pushed::key(SDLK_LCTRL, false);
     frames(1);
-  }
-  Projected seen(Vec3 place) const {
-    Camera camera;
-    camera.look(vec(3, 2, 14), vec(3, 2, 0));
-    return camera.project(place, width, height).value();
   }
   /// Uses a tool from one place to another.
   void use(SDL_Keycode tool, Vec3 from, Vec3 to) {

@@ -8,7 +8,7 @@
 
 #include "player/replay_window.hpp"
 #include "view/keys.hpp"
-#include "window/played.hpp"
+#include "window/played_chain.hpp"
 #include "world/measure.hpp"
 
 using namespace pantin;
@@ -17,7 +17,7 @@ using support::Folder;
 
 namespace {
 
-constexpr int width = 960, height = 540;
+constexpr int width = PlayedChain::width, height = PlayedChain::height;
 // The slider above the buttons of the bar, at the lower edge.
 constexpr double slider_left = 0.1 * width + 14, slider_right = 0.9 * width - 14;
 
@@ -31,15 +31,7 @@ player::RunOptions run_options() {
 
 /// A play of two seconds in which a chain was pulled about by a hand.
 std::string recorded(const Folder& folder) {
-  const std::string text = R"(
-    scene.camera = { at = vec(3, 2, 14), look_at = vec(3, 2, 0) }
-    local previous
-    for i = 1, 6 do
-      local link = scene:body { at = vec(i - 0.5, 4, 0), mass = 1, inertia = vec(0.01, 0.1, 0.1),
-        points = { head = vec(-0.5, 0, 0), tail = vec(0.5, 0, 0) } }
-      if previous then scene:hinge(previous.tail, link.head) else scene:nail(link.head) end
-      previous = link
-    end)";
+  const std::string text = PlayedChain::text();
   support::write_file(folder / "scene.lua", text);
   lua::SceneOptions options;
   options.home = sources::folder();

@@ -1,58 +1,31 @@
 // What hands did is undone and done again, to the bit, by pushed events.
 #include <catch2/catch.hpp>
 
-#include "player/player.hpp"
-#include "support/process.hpp"
-#include "support/sources.hpp"
-#include "window/pushed.hpp"
+#include "window/played_chain.hpp"
 #include "world/measure.hpp"
 #include "world/query.hpp"
 
 using namespace pantin;
-using support::Folder;
 
 namespace {
 
-constexpr int width = 960, height = 540;
+constexpr int width = PlayedChain::width, height = PlayedChain::height;
 
 /// A player of a chain of six links, paused.
-struct Session {
-  Folder folder;
-  std::unique_ptr<player::Player> player;
-
-  explicit Session(const std::string& more = "") {
-    pushed::no_screen();
-    support::write_file(folder / "scene.lua", R"(
-      scene.camera = { at = vec(3, 2, 14), look_at = vec(3, 2, 0) }
-      local previous
-      for i = 1, 6 do
-        local link = scene:body { at = vec(i - 0.5, 4, 0), mass = 1, inertia = vec(0.01, 0.1, 0.1),
-          points = { head = vec(-0.5, 0, 0), tail = vec(0.5, 0, 0) } }
-        if previous then scene:hinge(previous.tail, link.head) else scene:nail(link.head) end
-        previous = link
-      end
-      scene:probe("energy", function() return scene.energy.total end)
-    )" + more);
+struct Session : PlayedChain {
+  explicit Session(const std::string& more = "")
+      : PlayedChain(text() + "scene:probe('energy', function() return scene.energy.total end) " + more, paused()) {}
+  static player::RunOptions paused() {
     player::RunOptions options;
     options.size = {width, height};
     options.paused = true;
-    player = std::make_unique<player::Player>(folder / "scene.lua", options, sources::folder());
-    frames(3);
-  }
-  const World& world() const { return player->scene().world(); }
-  void frames(int n) {
-    for (int i = 0; i < n; i++) REQUIRE(player->frame());
+    return options;
   }
   void steps(int n) {
     for (int i = 0; i < n; i++) {
       pushed::tap(SDLK_PERIOD);
       frames(1);
     }
-  }
-  Projected seen(Vec3 place) const {
-    Camera camera;
-    camera.look(vec(3, 2, 14), vec(3, 2, 0));
-    return camera.project(place, width, height).value();
   }
   void with_control(SDL_Keycode key, bool shift = false) {
     pushed::key(SDLK_LCTRL);

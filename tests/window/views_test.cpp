@@ -261,3 +261,20 @@ TEST_CASE("ties and hinges take the colour of their load", "[view]") {
     hinges += loaded.balls[i].second.r > plain.balls[i].second.r + 0.02f;
   CHECK(hinges == 1);
 }
+
+TEST_CASE("loads that are rounding alone are not shown", "[view]") {
+  const auto scene = lua_tests::open(R"(
+    scene.gravity = vec(0, 0, 0)
+    scene:rod(scene:particle { at = vec(0, 0, 0) }, scene:particle { at = vec(1, 0, 0) }))");
+  scene->step();
+  World& world = scene->world();
+  const Stage stage = find_stage(world);
+  const auto color_at = [&](double tension) {
+    world.constraints.at_slot(0).tension = tension;
+    Sketch sketch;
+    Sketcher().draw(world, first_camera(stage, 1.6), stage, with({View::bodies, View::loads}), 720, sketch);
+    return sketch.bars.at(0).color.r;
+  };
+  CHECK(color_at(1e-15) == color_at(0.0));
+  CHECK(color_at(1.0) > color_at(0.0));
+}

@@ -14,14 +14,17 @@ struct Tile {
 struct Board {
   float left = 0.0f, right = 0.0f, top = 0.0f, bottom = 0.0f, gap = 0.0f;
   float title = 0.0f;  ///< height of a panel's title
+  float edge = left;   ///< of what stands left of `left`, that reaches down to `under`: below it there is room too
+  float under = 0.0f;
 };
 
 /// Lays panels out in each frame, without asking for memory again.
 class Layout {
  public:
   /// Sets the corners of tiles of given sizes: each goes into the first column that has room for it, from the right edge
-  /// on, in their order, or the tallest first where that takes too many columns. Those that find no room even so stand in
-  /// a cascade from the upper right corner, so that their titles show.
+  /// on, in their order, or the tallest first where that takes too many columns. Those that find no room even so stand
+  /// where they cover none, if there is such a place; else in a cascade from the upper right corner, so that their titles
+  /// show.
   void lay_out(std::vector<Tile>& tiles, const Board& board);
 
  private:
@@ -30,8 +33,11 @@ class Layout {
     float right;        ///< [px] edge
   };
   bool fill(const Board& board);
+  bool free_at(const Tile& tile, const Board& board) const;
+  bool squeeze_in(Tile& tile, const Board& board) const;
 
   std::vector<Tile*> order_;
+  std::vector<const Tile*> placed_;
   std::vector<Column> columns_;
 };
 

@@ -18,7 +18,12 @@ void line(const char* name, double joules) {
   ImGui::Text("%+.6g J", joules);
 }
 
-bool begin_lines() { return ImGui::BeginTable("lines", 2, ImGuiTableFlags_SizingStretchProp); }
+bool begin_lines() {
+  if (!ImGui::BeginTable("lines", 2, ImGuiTableFlags_SizingFixedFit)) return false;
+  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 11.5f * ImGui::GetFontSize());
+  ImGui::TableSetupColumn("joules", ImGuiTableColumnFlags_WidthStretch);
+  return true;
+}
 
 class LedgerPane : public Pane {
  public:

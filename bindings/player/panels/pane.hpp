@@ -43,7 +43,7 @@ std::unique_ptr<Pane> make_inspector_pane();
 /// Each has its key, in their order: KeyUse::panel.
 inline constexpr PaneKind pane_kinds[] = {
     {"Parameters", "what the scene lets you change", 210.0f, true, true, make_parameters_pane},
-    {"Time", "what was set to happen: what fired, what was dropped, what waits", 420.0f, false, false, make_time_pane},
+    {"Time", "what was set to happen: what fired, what was dropped, what waits", 400.0f, false, false, make_time_pane},
     {"Probes", "what the scene measures, as plots", 380.0f, false, false, make_probes_pane},
     {"Energy", "where energy came from and went", 300.0f, false, false, make_ledger_pane},
     {"Solver", "articulates, unknowns, iterations, fallbacks", 300.0f, false, false, make_solver_pane},

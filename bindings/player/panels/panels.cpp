@@ -131,6 +131,7 @@ void Panels::draw_bar(Desk& desk) {
 }
 
 void Panels::draw_list(Desk& desk) {
+  ImGui::SetNextWindowPos({desk.width - 10.0f * scale(), below_bar()}, ImGuiCond_Always, {1.0f, 0.0f});
   if (!ImGui::BeginPopup("panels")) return;
   for (std::size_t i = 0; i < slots_.size(); i++) {
     const Slot& slot = slots_[i];
@@ -149,7 +150,7 @@ void Panels::draw_list(Desk& desk) {
 /// Puts what no hand moved: the panels at the left edge under the scene's buttons, the others in columns from the right.
 void Panels::place(const Desk& desk) {
   const float edge = 10.0f * scale();
-  Board board{edge, desk.width - edge, below_bar(), desk.height - above_tools * scale(), 8.0f * scale(), 0.0f};
+  Board board{edge, desk.width - edge, below_bar(), desk.height - above_tools * scale(), 8.0f * scale()};
   board.title = ImGui::GetFrameHeight();
   tiles_.clear();
   put_.clear();
@@ -161,6 +162,7 @@ void Panels::place(const Desk& desk) {
     if (slot->kind->left) {
       if (!slot->moved) std::tie(slot->x, slot->y) = std::pair(edge, below_buttons(desk));
       board.left = std::max(board.left, edge + width + board.gap);
+      board.under = slot->y + slot->height + board.gap;
     } else if (!slot->moved) {
       tiles_.push_back({0.0f, 0.0f, width, slot->height, 0});
       put_.push_back(slot);

@@ -71,7 +71,7 @@ class ParametersPane : public Pane {
   // A scene that opens slowly is opened with the new value when the slider is let go.
   void number(Desk& desk, const lua::Parameter& p) {
     double value = edited_ == p.name ? number_ : std::get<double>(p.value);
-    const char* format = p.integer && !(p.step && *p.step != std::trunc(*p.step)) ? "%.0f" : "%.4g";
+    const char* format = p.integer && !(p.step && *p.step != std::trunc(*p.step)) ? "%.0f" : "%.6g";
     bool changed = false;
     if (p.min && p.max) {
       const bool wide = *p.min > 0.0 && *p.max >= 1000.0 * *p.min;

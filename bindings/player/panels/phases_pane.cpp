@@ -18,8 +18,9 @@ class PhasesPane : public Pane {
       sum += ms;
       most = std::max(most, ms);
     }
-    ImGui::Text("%.3f ms a step, %.2g s simulated in a second", sum,
-                desk.world().settings.step / std::max(1e-3 * sum, 1e-12));
+    const double rate = desk.world().settings.step / std::max(1e-3 * sum, 1e-12);
+    ImGui::Text(rate < 10.0 ? "%.3f ms a step, %.2g s simulated in 1 s" : "%.3f ms a step, %.0f s simulated in 1 s",
+                sum, rate);
     if (!ImGui::BeginTable("phases", 2, ImGuiTableFlags_SizingFixedFit)) return;
     for (std::size_t i = 0; i < ms_.size(); i++) {
       ImGui::TableNextRow();
