@@ -20,26 +20,27 @@
 
 namespace pantin {
 
-/// A body or a free particle of an articulate: what it has at the start and end of a step.
+/// A body or a free particle of an articulate: what it has at the start and end of a step. What is read together lies
+/// together.
 struct alignas(64) Node {
+  Vec3 x0, p0, P0, O0;
+  Quat q0;
+  double mass, inverse_mass;
+  std::uint32_t slot;  // where it comes from
+  bool is_body;
+  bool turns;  // has a rotation; a point mass has not
+  Mat3 R0;
+  Vec3 coupled;  // 1 or 0 per principal axis: 0 about an axis of symmetry that all arms lie on, where spin is its own
+  Vec3 force, torque;  // [N], [N m] constant in the step, world axes
+  Vec3 inertia, inverse_inertia;
+  // seldom asked for, or only where a step is not the midpoint's
+  std::uint32_t first_row;
+  double reach;  // [m] turns a rotation into a displacement in the residual
+  Vec3 a;        // where couples ask for it, world axes at the start; of a node without rows, principal ones
   Vec3 x1, p1, P1;
   Quat q1;
   Mat3 R1;
-  Vec3 x0, p0, P0, O0;
-  Quat q0;
-  Mat3 R0;
-  Vec3 a;              // world axes at the start
-  Vec3 force, torque;  // [N], [N m] constant in the step, world axes
-  Vec3 inertia, inverse_inertia;
-  double mass, inverse_mass;
-  double reach;                // [m] turns a rotation into a displacement in the residual
   Vec3 row_force, row_torque;  // sums over rows, world axes
-  Vec3 coupled;  // 1 or 0 per principal axis: 0 about an axis of symmetry that all arms lie on, where spin is its own
-  // where it comes from
-  std::uint32_t slot;
-  std::uint32_t first_row;
-  bool is_body;
-  bool turns;  // has a rotation; a point mass has not
 };
 
 /// What a row wants: rigid keeps two points together; limited draws one to a place with a force up to a limit; rod
@@ -57,7 +58,7 @@ struct alignas(64) Row {
   std::int32_t condition = -1;  // of a row that a constraint made; a hinge has none
   RowKind kind = RowKind::rigid;
   double lever = 0.0;  // [m] of a couple; 0: ties points
-  Vec3 f = zero3(), f_saved = zero3();
+  Vec3 f = zero3();
   Vec3 residual = zero3();
   Vec3 d1 = zero3();                // [m] first point less second
   Vec3 offset = zero3();            // [m] gap that cannot be closed
@@ -217,6 +218,7 @@ struct Articulate {
   std::vector<Wave> waves;                   // ends of the stretches; the last reaches all
   Factor factor;
   std::vector<Vec3> right_side;  // (rows of the factor)
+  std::vector<Vec3> f_saved;     // (rows) [N] where a line search starts
   Forecast forecast;
   std::vector<Vec3> impulses;   // (rows) [N s] of the last projection of velocities
   std::vector<Vec3> exerted;    // (rows) [N s] in all, in a full sub-step that is cut into parts or strikes a row
@@ -229,6 +231,7 @@ struct Articulate {
   double length = 0.0;      // [m] median arm: every length in a criterion is a multiple of it
   double total_mass = 0.0;  // [kg]
   Gaps gaps;                // at the start of the next step
+  double residual = 0.0;    // [m] largest of the rigid rows where the solver placed them last
   double last_h = 0.0;      // [s] of the last good step; 0: no history
   /// Relative compliance of the factor, between `least_epsilon` and `most_epsilon`: sets the speed of convergence, never
   /// the answer. Redundant loops that change shape want much, large mass ratios and long chains little. Rows without a

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "articulates/midpoint.hpp"
-
 namespace pantin {
 
 namespace {
@@ -52,6 +50,26 @@ void set_constants(const Articulate& a, NodeBatch& n, std::size_t b) {
     n.reach2[lane] = node.turns ? node.reach * node.reach : 0.0;
   }
 }
+
+/// Orientations and rotation matrices at the end.
+struct Turned {
+  Quatx4 q;
+  Mat3x4 R;
+};
+
+/// cay(a) turns the starts.
+Turned turned(const Articulate& a, std::size_t b) {
+  const NodeBatch& n = a.batches[b];
+  const Lanes w = square_root(n.c);
+  const Vec3x4 u = n.a * (w * 0.5);
+  const Node *n0 = &node_in(a, b, 0), *n1 = &node_in(a, b, 1), *n2 = &node_in(a, b, 2), *n3 = &node_in(a, b, 3);
+  const Quat &q0 = n0->q0, &q1 = n1->q0, &q2 = n2->q0, &q3 = n3->q0;
+  const Quatx4 start = {
+      {q0.w, q1.w, q2.w, q3.w}, {q0.x, q1.x, q2.x, q3.x}, {q0.y, q1.y, q2.y, q3.y}, {q0.z, q1.z, q2.z, q3.z}};
+  const Quatx4 end = Quatx4{w, u.x, u.y, u.z} * start;
+  return {end, matrix(end)};
+}
+Quat lane_of(const Quatx4& q, std::size_t lane) { return {q.w[lane], q.x[lane], q.y[lane], q.z[lane]}; }
 
 /// In the order in which the matrix is filled.
 void find_first_meetings(Articulate& a) {
@@ -150,48 +168,41 @@ void place_at_end(Articulate& a, std::size_t b) {
   }
 }
 
-Mat3x4 tell_places(Articulate& a, std::size_t b) {
-  NodeBatch& n = a.batches[b];
-  const Lanes w = square_root(n.c);
-  const Vec3x4 u = n.a * (w * 0.5);
-  const Node *n0 = &node_in(a, b, 0), *n1 = &node_in(a, b, 1), *n2 = &node_in(a, b, 2), *n3 = &node_in(a, b, 3);
-  const Quat &q0 = n0->q0, &q1 = n1->q0, &q2 = n2->q0, &q3 = n3->q0;
-  const Quatx4 start = {
-      {q0.w, q1.w, q2.w, q3.w}, {q0.x, q1.x, q2.x, q3.x}, {q0.y, q1.y, q2.y, q3.y}, {q0.z, q1.z, q2.z, q3.z}};
-  const Quatx4 end = Quatx4{w, u.x, u.y, u.z} * start;
-  const Mat3x4 R1 = matrix(end);
-  const auto x1 = unpack(n.x1);
-  const auto R = unpack(R1);
+void tell_places(Articulate& a, std::size_t b) {
+  const NodeBatch& n = a.batches[b];
+  const Turned end = turned(a, b);
+  const auto x1 = unpack(n.x1), rotation = unpack(n.a);
+  const auto R1 = unpack(end.R);
   for (std::size_t lane = 0; lane < n.count; lane++) {
     Node& node = a.nodes[batch_size * b + lane];
     node.x1 = x1[lane];
     if (!node.turns) continue;
-    node.q1 = {end.w[lane], end.x[lane], end.y[lane], end.z[lane]};
-    node.R1 = R[lane];
+    node.a = rotation[lane];
+    node.q1 = lane_of(end.q, lane);
+    node.R1 = R1[lane];
   }
-  return R1;
 }
 
 Lanes commit(Articulate& a, std::size_t b, double h, Vec3 gravity) {
-  NodeBatch& n = a.batches[b];
-  const Mat3x4 R1 = tell_places(a, b);
+  const NodeBatch& n = a.batches[b];
+  const Turned end = turned(a, b);
   const Vec3x4 force = pack_nodes(a, b, [](const Node& node) { return node.force; });
   const Vec3x4 push = pack_nodes(a, b, [&](const Node& node) { return node.force - gravity * node.mass; });
   const Vec3x4 way = n.x1 - pack_nodes(a, b, [](const Node& node) { return node.x0; });
   const Lanes work = dot(push, way) + dot(pack_nodes(a, b, [](const Node& node) { return node.torque; }), n.a);
-  const Vec3x4 principal = transposed_times(R1, n.L1);
-  const auto change = unpack((n.row_force + force) * h), P = unpack(principal),
-             O = unpack(principal * n.inverse_inertia), rotation = unpack(n.a);
+  const Vec3x4 principal = transposed_times(end.R, n.L1);
+  const auto x1 = unpack(n.x1), change = unpack((n.row_force + force) * h), P = unpack(principal),
+             O = unpack(principal * n.inverse_inertia);
+  const auto R1 = unpack(end.R);
   for (std::size_t lane = 0; lane < n.count; lane++) {
     Node& node = a.nodes[batch_size * b + lane];
-    node.x0 = node.x1;
+    node.x0 = x1[lane];
     node.p0 += change[lane];
     if (!node.turns) continue;
-    node.q0 = node.q1;
-    node.R0 = node.R1;
+    node.q0 = lane_of(end.q, lane);
+    node.R0 = R1[lane];
     node.P0 = P[lane];
     node.O0 = O[lane];
-    node.a = rotation[lane];
   }
   return work;
 }
@@ -215,14 +226,6 @@ void tell_momenta(Articulate& a, std::size_t b) {
     node.P0 = P[lane];
     node.O0 = O[lane];
   }
-}
-
-void add_impulses(Articulate& a, NodeBatch& n, const std::vector<Vec3>& impulses) {
-  RowLoad load{zero3x4(), zero3x4()};
-  for (const RowEnds& end : ends_of(a, n))
-    add_load(load, end, fetch(end, [&](std::uint32_t k) { return impulses[k]; }), end.r1);
-  n.p += load.force;
-  n.L += load.torque;
 }
 
 }  // namespace pantin

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "articulates/articulate.hpp"
+#include "articulates/midpoint.hpp"
 
 namespace pantin {
 
@@ -50,15 +51,26 @@ Vec3x4 start_spins(const Articulate& articulate, std::size_t batch);
 /// Sets arms at the start or end from the nodes, and hands their rows the places.
 void place_at_start(Articulate& articulate, std::size_t batch);
 void place_at_end(Articulate& articulate, std::size_t batch);
-/// Tells the nodes x1, q1 and R1; returns R1.
-Mat3x4 tell_places(Articulate& articulate, std::size_t batch);
-/// Makes the end of a solved step of `h` [s] the nodes' start; returns the work of pushes and twists [J].
+/// Tells the nodes x1, q1, R1 and a.
+void tell_places(Articulate& articulate, std::size_t batch);
+/// Makes the end of a solved step of `h` [s] the nodes' start, and leaves their ends behind; returns the work of pushes and
+/// twists [J].
 Lanes commit(Articulate& articulate, std::size_t batch, double h, Vec3 gravity);
 
 /// Reads the momenta of the nodes' starts, and tells them.
 void read_momenta(Articulate& articulate, std::size_t batch);
 void tell_momenta(Articulate& articulate, std::size_t batch);
-/// Adds impulses (rows) [N s] to the momenta, at the arms of the end.
-void add_impulses(Articulate& articulate, NodeBatch& batch, const std::vector<Vec3>& impulses);
+/// Kinetic energies of the momenta [J].
+inline Lanes kinetic_energy(const NodeBatch& n) {
+  return (norm2(n.p) * n.inverse_mass + dot(n.L, n.mobility * n.L)) * 0.5;
+}
+/// Adds impulses [N s] to the momenta, at the arms of the end: impulse(k) is that of row k.
+template <class Impulse>
+void add_impulses(Articulate& a, NodeBatch& n, Impulse impulse) {
+  RowLoad load{zero3x4(), zero3x4()};
+  for (const RowEnds& end : ends_of(a, n)) add_load(load, end, fetch(end, impulse), end.r1);
+  n.p += load.force;
+  n.L += load.torque;
+}
 
 }  // namespace pantin

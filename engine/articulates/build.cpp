@@ -239,6 +239,7 @@ std::unique_ptr<Articulate> build_articulate(Model& model, std::span<const Thing
     a.hubs.push_back({static_cast<std::uint32_t>(place[hubs[i]]), a.factor.rows - variables + 2 * i, {}, {}});
   std::sort(a.hubs.begin(), a.hubs.end(), [](const Hub& x, const Hub& y) { return x.node < y.node; });
   a.right_side.resize(a.factor.rows);
+  a.f_saved.resize(a.rows.size());
   a.impulses.resize(a.rows.size());
   a.carried.resize(a.rows.size());
   find_meetings(a);

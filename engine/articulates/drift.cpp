@@ -116,7 +116,7 @@ bool solve_part(Articulate& a, const DriftSettings& settings, double h, DriftRep
   }
   if (settings.ledger) add_unsolved_work(a, h, report);
   for (Condition& c : a.conditions) c.angle0 = c.angle1;
-  measure_gaps(a);
+  find_solved_gaps(a);
   a.last_h = h;
   a.safe = false;
   if (a.epsilon < a.most_epsilon && !a.lowered && ++a.good_steps > a.wait) {

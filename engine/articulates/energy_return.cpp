@@ -127,14 +127,9 @@ bool may_return(const Articulate& a) {
   });
 }
 
-}  // namespace
-
-double return_energy(Articulate& a, double kinetic, Vec3 gravity) {
-  return may_return(a) ? change_kinetic_energy(a, kinetic - kinetic_energy(a), 1.2, gravity) : 0.0;
-}
-
-double change_kinetic_energy(Articulate& a, double change, double most, Vec3 gravity) {
-  const RigidMotion rigid = kept_motion(a, gravity);
+/// Scales the motion relative to a rigid one, by `most` at most, to change the kinetic energy [J]; returns by how much it
+/// did.
+double change_relative_motion(Articulate& a, const RigidMotion& rigid, double change, double most) {
   if (!(rigid.relative > 1e-9 * rigid.kinetic)) return 0.0;
   const double factor = std::min(most, std::sqrt(std::max(0.0, 1.0 + change / rigid.relative)));
   for (Node& n : a.nodes) {
@@ -145,6 +140,18 @@ double change_kinetic_energy(Articulate& a, double change, double most, Vec3 gra
     n.O0 = n.inverse_inertia * n.P0;
   }
   return (factor * factor - 1.0) * rigid.relative;
+}
+
+}  // namespace
+
+double return_energy(Articulate& a, double kinetic, Vec3 gravity) {
+  if (!may_return(a)) return 0.0;
+  const RigidMotion rigid = kept_motion(a, gravity);
+  return change_relative_motion(a, rigid, kinetic - rigid.kinetic, 1.2);
+}
+
+double change_kinetic_energy(Articulate& a, double change, double most, Vec3 gravity) {
+  return change_relative_motion(a, kept_motion(a, gravity), change, most);
 }
 
 }  // namespace pantin

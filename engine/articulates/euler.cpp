@@ -60,11 +60,11 @@ bool solve_euler(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
     solve_hubs(a);
     for (std::size_t k = a.rows.size(); k-- > 0;) {
       a.factor.substitute_back(static_cast<std::uint32_t>(k), a.right_side.data());
-      a.rows[k].f_saved = a.rows[k].f;
+      a.f_saved[k] = a.rows[k].f;
     }
     double fraction = 1.0, e1 = infinity;
     for (int halvings = 0; halvings <= 8; halvings++, fraction *= 0.5) {
-      for (std::size_t k = 0; k < a.rows.size(); k++) a.rows[k].f = a.rows[k].f_saved + a.right_side[k] * fraction;
+      for (std::size_t k = 0; k < a.rows.size(); k++) a.rows[k].f = a.f_saved[k] + a.right_side[k] * fraction;
       e1 = attempt_euler(a, h);
       report.iterations++;
       if (e1 < e * (1.0 - 0.1 * fraction) || e1 <= tolerance) break;

@@ -44,43 +44,63 @@ Lanes place_batch(Articulate& a, std::size_t b, double h) {
   return size2;
 }
 
+/// Places batches and rows, and finds the largest residual.
+class Evaluation {
+ public:
+  Evaluation(Articulate& a, double h) : a_(a), h_(h) {}
+
+  /// Once its unknowns and the forces of its rows are set.
+  void batch(std::size_t b) {
+    const Lanes size2 = place_batch(a_, b, h_);
+    largest2_ = larger(size2, largest2_);
+    unsound_ += size2 * 0.0;
+  }
+  /// Once its batches are placed.
+  void row(std::size_t k) {
+    Row& row = a_.rows[k];
+    place_row_at_end(a_, k);
+    if (row.kind != RowKind::rigid) return count(worst_, residual(a_, row, h_));
+    row.residual = a_.offsets ? row.d1 - row.offset : row.d1;
+    count(worst2_, norm2(row.residual));
+  }
+  /// Once all are; returns the largest residual [m].
+  double end() {
+    if (!a_.strands.empty()) count(worst_, evaluate_strands(a_, h_));
+    a_.residual = std::sqrt(worst2_);
+    if (!(largest_lane(unsound_) == 0.0)) return infinity;
+    return std::max(worst_, std::sqrt(std::max(worst2_, largest_lane(largest2_))));
+  }
+
+ private:
+  static void count(double& worst, double r) { worst = r <= worst ? worst : std::isfinite(r) ? r : infinity; }
+
+  Articulate& a_;
+  double h_;
+  Lanes largest2_ = lanes(0.0), unsound_ = lanes(0.0);
+  double worst2_ = 0.0, worst_ = 0.0;
+};
+
 /// Finds states and residuals of unknowns that set_row(k) and set_batch(b) set; returns the largest residual [m].
 template <class SetRow, class SetBatch>
 double evaluate(Articulate& a, double h, SetRow set_row, SetBatch set_batch) {
-  Lanes largest2 = lanes(0.0), unsound = lanes(0.0);
-  double worst2 = 0.0, worst = 0.0;
-  const auto count2 = [&](double r2) { worst2 = r2 <= worst2 ? worst2 : std::isfinite(r2) ? r2 : infinity; };
-  const auto count = [&](double r) { worst = r <= worst ? worst : std::isfinite(r) ? r : infinity; };
+  Evaluation evaluation(a, h);
   Wave done;
   for (const Wave& wave : a.waves) {
     for (; done.forces < wave.forces; done.forces++) set_row(done.forces);
     for (; done.batches < wave.batches; done.batches++) {
       set_batch(done.batches);
-      const Lanes size2 = place_batch(a, done.batches, h);
-      largest2 = larger(size2, largest2);
-      unsound += size2 * 0.0;
+      evaluation.batch(done.batches);
     }
-    for (; done.rows < wave.rows; done.rows++) {
-      Row& row = a.rows[done.rows];
-      place_row_at_end(a, done.rows);
-      if (row.kind == RowKind::rigid) {
-        row.residual = row.d1 - row.offset;
-        count2(norm2(row.residual));
-      } else {
-        count(residual(a, row, h));
-      }
-    }
+    for (; done.rows < wave.rows; done.rows++) evaluation.row(done.rows);
   }
-  if (!a.strands.empty()) count(evaluate_strands(a, h));
-  if (!(largest_lane(unsound) == 0.0)) return infinity;
-  return std::max(worst, std::sqrt(std::max(worst2, largest_lane(largest2))));
+  return evaluation.end();
 }
 
 /// Moves the unknowns from their saved values by a fraction of the direction: forces in `right_side`, rotations in
 /// `change`.
 double attempt(Articulate& a, double h, double fraction) {
   return evaluate(
-      a, h, [&](std::size_t k) { a.rows[k].f = a.rows[k].f_saved + a.right_side[k] * fraction; },
+      a, h, [&](std::size_t k) { a.rows[k].f = a.f_saved[k] + a.right_side[k] * fraction; },
       [&](std::size_t b) { a.batches[b].a = a.batches[b].a_saved + a.batches[b].change * fraction; });
 }
 
@@ -118,19 +138,38 @@ Lanes find_change(Articulate& a, NodeBatch& n, double h) {
   return norm2(n.change);
 }
 
-/// Finishes the direction from the half solved right side: forces in `right_side`, rotations in `change`; saves the
-/// unknowns that it starts from. Returns the largest rotation.
-double find_direction(Articulate& a, double h) {
+/// Whether the batches of a row are all from b on.
+bool is_from(const Row& row, std::size_t b) {
+  const std::int32_t earlier = row.b < 0 ? row.a : std::min(row.a, row.b);
+  return static_cast<std::size_t>(earlier) >= b * batch_size;
+}
+
+/// Of a direction, and the residual [m] after all of it.
+struct WholeStep {
+  double largest_turn, residual;
+};
+
+/// Finishes the direction from the half solved right side, forces in `right_side` and rotations in `change`, and moves the
+/// unknowns along it, from values that it saves: all in one sweep against the order of elimination.
+WholeStep take_direction(Articulate& a, double h) {
   Lanes largest_turn = lanes(0.0);
-  std::size_t b = a.batches.size();
+  Evaluation evaluation(a, h);
+  std::size_t b = a.batches.size(), placed = a.rows.size();
   solve_hubs(a);
   for (std::size_t k = a.rows.size(); k-- > 0;) {
     a.factor.substitute_back(static_cast<std::uint32_t>(k), a.right_side.data());
-    a.rows[k].f_saved = a.rows[k].f;
-    for (; b > 0 && a.batches[b - 1].first_row == k; b--)
-      largest_turn = larger(find_change(a, a.batches[b - 1], h), largest_turn);
+    Vec3& f = a.rows[k].f;
+    a.f_saved[k] = f;
+    f += a.right_side[k];
+    for (; b > 0 && a.batches[b - 1].first_row == k; b--) {
+      NodeBatch& n = a.batches[b - 1];
+      largest_turn = larger(find_change(a, n, h), largest_turn);
+      n.a += n.change;
+      evaluation.batch(b - 1);
+    }
+    for (; placed > 0 && is_from(a.rows[placed - 1], b); placed--) evaluation.row(placed - 1);
   }
-  return std::sqrt(largest_lane(largest_turn));
+  return {std::sqrt(largest_lane(largest_turn)), evaluation.end()};
 }
 
 void lower_epsilon(Articulate& a) {
@@ -142,9 +181,10 @@ void lower_epsilon(Articulate& a) {
 
 /// One damped Newton step along the direction in the nodes and rows. Returns the new residual.
 double search_line(Articulate& a, double h, double e, double tolerance, bool fresh, DriftReport& report) {
-  double fraction = std::min(1.0, 1.0 / find_direction(a, h));
+  const WholeStep whole = take_direction(a, h);
+  double fraction = std::min(1.0, 1.0 / whole.largest_turn);
   for (std::uint32_t halvings = 0;; halvings++) {
-    const double e1 = attempt(a, h, fraction);
+    const double e1 = fraction == 1.0 ? whole.residual : attempt(a, h, fraction);
     report.iterations++;
     const bool accepted = e1 < e * (1.0 - 0.1 * fraction) || e1 <= tolerance;
     if (accepted || halvings >= most_halvings || (!fresh && halvings == 0)) return e1;
@@ -165,7 +205,7 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   const double good_prediction = std::max(0.01 * tolerance, round_off);
   for (std::uint32_t i = 0; e > (i == 0 ? good_prediction : tolerance) && i < most_iterations; i++) {
     // Near the end an old factor often gains nothing at first, and much the next time.
-    const bool serves = gain <= 0.1 || (gain <= 0.5 && old_uses < 2);
+    const bool serves = gain <= 0.1 || (gain <= 0.5 && old_uses < 2) || (gain < 1.0 && e * gain <= tolerance);
     old_uses++;
     const System system{Arms::mean, a.epsilon, 2.0 / (h * h), -2.0 / (h * h), h};
     if (!have_factor || !serves) {
@@ -212,6 +252,11 @@ Vec3 start_velocity(const Node& n, Vec3 l) {
 
 }  // namespace
 
+void find_solved_gaps(Articulate& a) {
+  if (!a.all_rigid || a.couples || a.offsets) return measure_gaps(a);
+  a.gaps = {a.residual, 0.0, a.residual};
+}
+
 void place_rows_at_start(Articulate& a) {
   for (std::size_t b = 0; b < a.batches.size(); b++) place_at_start(a, b);
   if (a.all_rigid && !a.couples) return;
@@ -254,8 +299,8 @@ void add_unsolved_work(const Articulate& a, double h, DriftReport& report) {
   for (std::size_t i = 0; i < a.nodes.size(); i++) {
     const Node &n = a.nodes[i], &start_of = a.saved[i];
     if (!n.turns) continue;
-    const Vec3 spin = (start_of.O0 + n.O0) * 0.5;
-    report.unsolved += dot(spin - transposed_times(start_of.R0, n.a) / h, n.P0 - start_of.P0);
+    const Vec3 spin = (start_of.O0 + n.O0) * 0.5, turn = lane_of(a.batches[i / batch_size].a, i % batch_size);
+    report.unsolved += dot(spin - transposed_times(start_of.R0, turn) / h, n.P0 - start_of.P0);
   }
 }
 

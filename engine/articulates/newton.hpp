@@ -3,9 +3,12 @@
 
 namespace pantin {
 
-/// Solves one step of h for rotations and row forces together, from predicted unknowns; the result is in the nodes' ends.
-/// False where it does not converge; the starts are untouched.
+/// Solves one step of h for rotations and row forces together, from predicted unknowns; its end becomes the nodes'
+/// start. False where it does not converge; the starts are untouched.
 bool solve_step(Articulate& articulate, double h, Vec3 gravity, DriftReport& report);
+
+/// Finds the gaps that a solved step leaves: those of hinges alone are at hand.
+void find_solved_gaps(Articulate& articulate);
 
 /// Tells the work of world ends that move, of limited pulls, of lengths that change, of motors and limits, in the step just solved.
 void add_work_of_rows(Articulate& articulate, DriftReport& report);

@@ -48,13 +48,19 @@ struct Velocities {
   double forbidden = 0.0;  // [m/s] largest of the rows
 };
 
-/// Sets the rows' residuals to their forbidden velocities.
-Velocities find_velocities(Articulate& a) {
+/// The batches' own momenta, or those of the nodes' starts, which they read.
+enum class From : std::uint8_t { batches, nodes };
+
+/// Sets the rows' residuals to their forbidden velocities, and takes these through the first half of a solution on the
+/// factor at hand if that `serves`.
+Velocities find_velocities(Articulate& a, From from, bool serves = false) {
   Velocities v;
   Lanes kinetic = lanes(0.0), fastest2 = lanes(0.0);
   Wave done;
+  clear_hubs(a);
   for (const Wave& wave : a.waves) {
     for (; done.batches < wave.batches; done.batches++) {
+      if (from == From::nodes) read_momenta(a, done.batches);
       const NodeBatch& n = a.batches[done.batches];
       const Vec3x4 velocity = n.p * n.inverse_mass, spin = n.mobility * n.L;
       kinetic += (dot(velocity, n.p) + dot(spin, n.L)) * 0.5;
@@ -67,7 +73,10 @@ Velocities find_velocities(Articulate& a) {
       find_forbidden_velocity(a, done.rows);
       if (row.kind == RowKind::strand) row.residual = forbidden_of_strand(a, done.rows);
       v.forbidden = std::max(v.forbidden, norm2(row.residual));
+      a.right_side[done.rows] = row.residual * -1.0;
     }
+    for (; serves && done.columns < wave.columns; done.columns++)
+      a.factor.substitute_forward(done.columns, a.right_side.data());
   }
   v.kinetic = sum(kinetic);
   v.fastest = largest_lane(fastest2);
@@ -115,39 +124,34 @@ ImpulseWork work_of_impulses(const Articulate& a, const Velocities& v) {
   return work;
 }
 
-/// Takes the residuals through the first half of a solution on the factor at hand.
-void start_solution(Articulate& a) {
-  for (std::size_t k = 0; k < a.rows.size(); k++) a.right_side[k] = a.rows[k].residual * -1.0;
-  clear_hubs(a);
-  for (std::uint32_t k = 0; k < a.factor.rows; k++) a.factor.substitute_forward(k, a.right_side.data());
+/// The solved impulse of a row, along what it may forbid.
+Vec3 solved_impulse(const Articulate& a, std::uint32_t k) {
+  if (a.rows[k].kind == RowKind::rigid) return a.right_side[k];
+  return is_soft(a.rows[k]) ? zero3() : condition(a, a.rows[k]).kept * a.right_side[k];
 }
 
 /// Finishes the solution of the half solved right side and applies the impulses.
 ImpulseWork apply_projection(Articulate& a) {
-  ImpulseWork work;
+  const auto impulse = [&](std::uint32_t k) { return a.all_rigid ? a.right_side[k] : solved_impulse(a, k); };
+  std::size_t b = a.batches.size();
   solve_hubs(a);
-  for (std::size_t k = a.rows.size(); k-- > 0;)
-    a.factor.substitute_back(static_cast<std::uint32_t>(k), a.right_side.data());
-  for (const Condition& c : a.conditions) {
-    const Row& r = row(a, c);
-    Vec3& impulse = a.right_side[c.row];
-    if (r.kind != RowKind::rigid) impulse = is_soft(r) ? zero3() : c.kept * impulse;
-    add_work(work, a, c, impulse);
+  for (auto k = static_cast<std::uint32_t>(a.rows.size()); k-- > 0;) {
+    a.factor.substitute_back(k, a.right_side.data());
+    a.impulses[k] += impulse(k);
+    for (; b > 0 && a.batches[b - 1].first_row == k; b--) add_impulses(a, a.batches[b - 1], impulse);
   }
-  for (std::size_t k = 0; k < a.rows.size(); k++) a.impulses[k] += a.right_side[k];
-  for (NodeBatch& n : a.batches) add_impulses(a, n, a.right_side);
+  ImpulseWork work;
+  for (const Condition& c : a.conditions) add_work(work, a, c, impulse(c.row));
   return work;
 }
 
-void read_momenta(Articulate& a) {
-  for (std::size_t b = 0; b < a.batches.size(); b++) read_momenta(a, b);
-}
 void tell_momenta(Articulate& a) {
   for (std::size_t b = 0; b < a.batches.size(); b++) tell_momenta(a, b);
 }
 
 void factorise_exactly(Articulate& a, double epsilon) {
   set_kept_matrices(a);
+  for (Node& n : a.nodes) settle(n);
   double scale = 0.0;
   if (!a.all_rigid)
     for (const Row& row : a.rows) scale = std::max(scale, mobility(a, row));
@@ -161,26 +165,27 @@ bool forbids_as_newton(const Articulate& a) {
          });
 }
 
-/// The step's own factor is a cheap approximation of S1, so it is used up to three times; false where it does not serve.
-bool project_with_newton_factor(Articulate& a, const Velocities& before, DriftReport& report) {
+/// Whether the step's own factor, a cheap approximation of S1, may serve.
+bool may_use_newton_factor(Articulate& a) {
   if (!a.has_factor || !forbids_as_newton(a)) return false;
-  if (a.projection_wait > 0) {
-    a.projection_wait--;
-    return false;
-  }
+  if (a.projection_wait == 0) return true;
+  a.projection_wait--;
+  return false;
+}
+
+/// Uses it up to three times, first on the half solved right side; false where it does not serve.
+bool project_with_newton_factor(Articulate& a, const Velocities& before, DriftReport& report) {
   ImpulseWork done;
   for (int i = 0; i < 3; i++) {
-    start_solution(a);
     done += apply_projection(a);
-    const Velocities after = find_velocities(a);
+    const Velocities after = find_velocities(a, From::batches, true);
     if (after.forbidden > 0.2 * before.forbidden + 1e-12 * before.fastest) continue;
     if (after.kinetic > before.kinetic * (1.0 + 1e-12) + std::fabs(done.all())) break;
     report.tell(done);
     return true;
   }
-  read_momenta(a);
   std::fill(a.impulses.begin(), a.impulses.end(), zero3());
-  find_velocities(a);
+  find_velocities(a, From::nodes);
   a.projection_wait = 100;
   return false;
 }
@@ -231,13 +236,18 @@ bool take_carried_half(Articulate& a, double full, DriftReport& report) {
     std::fill(a.carried.begin(), a.carried.end(), zero3());
     return false;
   }
-  const double before = kinetic_energy(a), sign = a.sub_steps.count == 1 ? -1.0 : 1.0;
+  const double sign = a.sub_steps.count == 1 ? -1.0 : 1.0;
   report.tell(a.carried_work, sign);
-  read_momenta(a);
-  for (std::size_t k = 0; k < a.rows.size(); k++) a.right_side[k] = a.carried[k] * sign;
-  for (NodeBatch& n : a.batches) add_impulses(a, n, a.right_side);
-  tell_momenta(a);
-  a.carried_energy = kinetic_energy(a) - before;
+  Lanes gained = lanes(0.0);
+  for (std::size_t b = 0; b < a.batches.size(); b++) {
+    NodeBatch& n = a.batches[b];
+    read_momenta(a, b);
+    const Lanes before = kinetic_energy(n);
+    add_impulses(a, n, [&](std::uint32_t k) { return a.carried[k] * sign; });
+    tell_momenta(a, b);
+    gained += kinetic_energy(n) - before;
+  }
+  a.carried_energy = sum(gained);
   report.projected += a.carried_energy - a.carried_work.all() * sign;
   return true;
 }
@@ -247,15 +257,15 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   if (a.safe || a.yields) return;
   std::fill(a.impulses.begin(), a.impulses.end(), zero3());
   find_kept(a);
-  read_momenta(a);
-  const Velocities before = find_velocities(a);
-  if (!project_with_newton_factor(a, before, report)) {
+  const bool serves = may_use_newton_factor(a);
+  const Velocities before = find_velocities(a, From::nodes, serves);
+  if (!serves || !project_with_newton_factor(a, before, report)) {
     report.projections++;
     a.has_factor = false;
     factorise_exactly(a, a.least_epsilon);
     const bool worked = apply_projection(a).all() != 0.0, strikes = struck(a);
     if (worked || strikes) {
-      const Velocities after = find_velocities(a);
+      const Velocities after = find_velocities(a, From::batches);
       const ImpulseWork work = work_of_impulses(a, after);
       report.tell(work);
       if (strikes) (is_stopped(a) ? report.limit : report.motor) += after.kinetic - before.kinetic - work.all();
@@ -283,17 +293,15 @@ ImpulseWork take_out_forbidden(Articulate& a) {
   ImpulseWork work;
   for (double epsilon = a.least_epsilon;; epsilon *= 100.0) {
     std::fill(a.impulses.begin(), a.impulses.end(), zero3());
-    read_momenta(a);
-    Velocities v = find_velocities(a);
+    Velocities v = find_velocities(a, From::nodes);
     if (v.forbidden <= 1e-13 * v.fastest) return work;
     const double sane = std::max(1.001 * v.kinetic, driven);
     factorise_exactly(a, epsilon);
     for (int i = 0; i < 3; i++) {
       const double last = v.forbidden;
       if (last < 1e-13 * v.fastest) break;
-      if (i > 0) start_solution(a);
       apply_projection(a);
-      v = find_velocities(a);
+      v = find_velocities(a, From::batches, true);
       if (v.forbidden > 0.5 * last) break;
     }
     work = work_of_impulses(a, v);

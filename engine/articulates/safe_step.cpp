@@ -104,7 +104,7 @@ void move_by_solution(Articulate& a, bool turns) {
   for (std::size_t b = 0; b < a.batches.size(); b++) {
     NodeBatch& n = a.batches[b];
     n.p = n.L = zero3x4();
-    add_impulses(a, n, a.right_side);
+    add_impulses(a, n, [&](std::uint32_t k) { return a.right_side[k]; });
     const auto straight = unpack(n.p), turning = unpack(n.L);
     for (std::size_t lane = 0; lane < n.count; lane++) {
       Node& node = a.nodes[batch_size * b + lane];

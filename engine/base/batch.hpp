@@ -52,6 +52,7 @@ inline std::array<Vec3, batch_size> unpack(const Vec3x4& v) {
   return {__builtin_shufflevector(xy, z, 0, 1, 4, 5), __builtin_shufflevector(xy_odd, z_odd, 0, 1, 4, 5),
           __builtin_shufflevector(xy, z, 2, 3, 6, 7), __builtin_shufflevector(xy_odd, z_odd, 2, 3, 6, 7)};
 }
+inline Vec3 lane_of(const Vec3x4& v, std::size_t lane) { return vec(v.x[lane], v.y[lane], v.z[lane]); }
 inline void set_lane(Vec3x4& v, std::size_t lane, Vec3 value) {
   v.x[lane] = value[0];
   v.y[lane] = value[1];
