@@ -141,6 +141,7 @@ class Player {
   Clock::time_point adopted_ = Clock::now();  ///< when the scene was opened
   Clock::time_point changed_at_{};            ///< when a parameter was
   bool tried_ = false;                        ///< a hand did something since
+  Clock::time_point tried_at_{};              ///< when first
   std::size_t log_read_ = 0;                  ///< lines of the world's log
   StepInput waiting_;                         ///< what hands did since the last step
   StepInput before_hands_;                    ///< the same before this frame

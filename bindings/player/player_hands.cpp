@@ -10,6 +10,7 @@ namespace pantin::player {
 namespace {
 
 constexpr std::chrono::seconds told_for{4}, hinted_for{30};
+constexpr std::chrono::seconds played_for{20}, asked_for{10};  // before it is told how to show it, and how long
 
 }  // namespace
 
@@ -22,6 +23,7 @@ Actions Player::take_hands(double elapsed) {
   Actions actions = hands_.apply(gestures_, frame);
   if (hands_.tool.kind != kind) tell_tool();
   for (const std::string& said : actions.said) tell(said);
+  if (!tried_ && !actions.acts.empty()) tried_at_ = Clock::now();
   tried_ |= !actions.acts.empty();
   if (!actions.acts.empty()) keep_for_undo(actions.acts.back(), before_hands_);
   return actions;
@@ -97,14 +99,18 @@ void Player::tell_dropped() {
       tell(log[log_read_].text);
 }
 
-/// What a hand may do next, to one that has done nothing in this scene.
+/// What a hand may do next, to one that has done nothing in this scene; and to one that has, how to show it.
 const std::string& Player::hint() const {
   static const std::string none;
   static const std::string first =
       text("drag a point, and throw it; press ", key_for(KeyUse::tool, static_cast<std::size_t>(ToolKind::cut)),
            " and swipe to cut; ", key_for(KeyUse::pause), " pauses, ", key_for(KeyUse::slower), " slows; ",
            key_for(KeyUse::scenes), ": all scenes, ", key_for(KeyUse::help), ": all keys");
-  return tried_ || Clock::now() > adopted_ + hinted_for ? none : first;
+  static const std::string second = text("to show it to somebody: ", key_for(KeyUse::picture), " takes a picture, ",
+                                         key_for(KeyUse::film), " films what is seen");
+  const Clock::time_point now = Clock::now();
+  if (tried_) return now > tried_at_ + played_for && now < tried_at_ + played_for + asked_for ? second : none;
+  return now > adopted_ + hinted_for ? none : first;
 }
 
 void Player::draw_tools() {

@@ -12,7 +12,7 @@ struct Pen {
   ImDrawList& list;
   ImVec2 middle;
   float size;  // [px] half
-  ImU32 ink;
+  ImU32 ink, ground;
 
   ImVec2 at(float x, float y) const { return {middle.x + x * size, middle.y + y * size}; }
   void bar(float x0, float y0, float x1, float y1) const { list.AddRectFilled(at(x0, y0), at(x1, y1), ink, 1.0f); }
@@ -65,6 +65,14 @@ void draw(Icon icon, const Pen& pen) {
       pen.triangle(-0.75f, 0.0f, 0.5f);
       pen.triangle(0.0f, 0.75f, 0.5f);
       break;
+    case Icon::picture:
+      pen.bar(-0.78f, -0.42f, 0.78f, 0.6f);
+      pen.bar(-0.3f, -0.68f, 0.3f, -0.4f);
+      pen.list.AddCircleFilled(pen.at(0.0f, 0.1f), 0.34f * pen.size, pen.ground);
+      pen.list.AddCircleFilled(pen.at(0.0f, 0.1f), 0.18f * pen.size, pen.ink);
+      break;
+    case Icon::film: pen.list.AddCircleFilled(pen.middle, 0.5f * pen.size, pen.ink); break;
+    case Icon::end_film: pen.bar(-0.5f, -0.5f, 0.5f, 0.5f); break;
     case Icon::panels:
       for (const float y : {-0.5f, 0.0f, 0.5f}) pen.bar(-0.7f, y - 0.1f, 0.7f, y + 0.12f);
       break;
@@ -74,6 +82,8 @@ void draw(Icon icon, const Pen& pen) {
 }  // namespace
 
 bool icon_button(Icon icon, const char* about) {
+  const bool films = icon == Icon::end_film;
+  const ImU32 ink = films ? ImGui::GetColorU32(ImVec4(0.85f, 0.2f, 0.2f, 1.0f)) : ImGui::GetColorU32(ImGuiCol_Text);
   const float side = 1.75f * ImGui::GetFontSize();
   const ImVec2 from = ImGui::GetCursorScreenPos();
   ImGui::PushID(static_cast<int>(icon));
@@ -85,7 +95,8 @@ bool icon_button(Icon icon, const char* about) {
     list.AddRectFilled(from, {from.x + side, from.y + side}, ground, 0.25f * side);
     ImGui::SetTooltip("%s", about);
   }
-  draw(icon, {list, {from.x + 0.5f * side, from.y + 0.5f * side}, 0.3f * side, ImGui::GetColorU32(ImGuiCol_Text)});
+  draw(icon,
+       {list, {from.x + 0.5f * side, from.y + 0.5f * side}, 0.3f * side, ink, ImGui::GetColorU32(ImGuiCol_WindowBg)});
   return pressed;
 }
 

@@ -124,6 +124,11 @@ void Panels::draw_bar(Desk& desk) {
   ImGui::SameLine();
   if (icon_button(Icon::faster, "fast forward (+)")) wishes.speed = other_speed(desk.speed, true);
   gap();
+  wishes.picture |= icon_button(Icon::picture, "take a picture (s)");
+  ImGui::SameLine();
+  wishes.film |= desk.filming ? icon_button(Icon::end_film, "end the film (F9)")
+                              : icon_button(Icon::film, "film what is seen (F9)");
+  gap();
   if (icon_button(Icon::panels, "panels (tab hides them), views, film")) ImGui::OpenPopup("panels");
   ImGui::PopStyleVar(2);
   draw_list(desk);
