@@ -32,9 +32,9 @@ class Line {
 }  // namespace
 
 int report(const RunOptions& options, const std::string& prefix, const std::string& home) {
+  const Interrupt interrupt;
   const std::string start = prefix.empty() ? scene_name(find_scene(options.scene, home)) + "-report" : prefix;
   Output json(start + ".json"), picture(start + ".svg");
-  Interrupt interrupt;
   Study studied;
   {
     const Line line;

@@ -73,8 +73,9 @@ class Studying {
  private:
   struct Tried {
     std::string integrator;
-    double cost = 0.0;            ///< [s] per simulated second with the scene's own step
-    bool dear_if_longer = false;  ///< a longer step takes much more
+    double cost = 0.0;        ///< [s] per simulated second with the scene's own step
+    bool no_longer = false;   ///< steps than those tried: they take much more, or too long
+    bool no_shorter = false;  ///< the same, or they show nothing new
   };
 
   double spent() const { return processor_time() - begin_; }
@@ -129,7 +130,7 @@ class Studying {
     for (const std::string& name : names) {
       try {
         const auto scene = opener_.open(name, study_.step, 0.0);
-        tried_.push_back({name, cost_of(*scene), false});
+        tried_.push_back({name, cost_of(*scene), false, false});
       } catch (const lua::Interrupted&) { throw; } catch (const Error& error) {
         if (name == study_.integrator) throw;
         study_.refused.push_back({name, error.what()});
@@ -181,26 +182,21 @@ class Studying {
 
   /// All integrators in turn, level by level, as long as there is time. Longer steps than the scene's own may cost more.
   void run_levels() {
-    std::vector<Tried> open_ones = tried_;
-    for (const int level : levels) {
-      const double step = step_of(study_.step, level);
-      std::vector<Tried> next;
-      for (const Tried& tried : open_ones) {
+    for (const int level : levels)
+      for (Tried& tried : tried_) {
+        bool& over = level < own_level ? tried.no_longer : tried.no_shorter;
+        if (over) continue;
+        const double step = step_of(study_.step, level);
         const double left = for_runs * budget_ - spent(), foretold = foretell(tried, step);
-        const double limit = std::min(left, std::max(3.0 * foretold, for_surprise * budget_));
         const bool is_needed = tried.integrator == study_.integrator && level >= own_level && complete(tried) < needed;
-        if (!is_needed && foretold > left) continue;
-        if (level < own_level && tried.dear_if_longer) {
-          next.push_back(tried);
-          continue;
-        }
+        over = !is_needed && foretold > left;
+        if (over) continue;
+        const double limit = std::min(left, std::max(3.0 * foretold, for_surprise * budget_));
         const Ran ran =
             run_one(tried.integrator, step, 0.0, is_needed ? std::numeric_limits<double>::infinity() : limit);
-        if (level < own_level || (ran == Ran::done && !has_settled(tried.integrator))) next.push_back(tried);
-        if (level < own_level && ran == Ran::left) next.back().dear_if_longer = true;
+        over = ran != Ran::done || (level > own_level && has_settled(tried.integrator));
+        if (level == own_level && ran == Ran::as_another) tried.no_longer = true;
       }
-      open_ones = next;
-    }
   }
 
   /// [s] that a run will take.
@@ -298,19 +294,17 @@ class Studying {
   void keep_books() {
     told_("ledger", spent() / expected_);
     if (Interrupt::asked()) return;
-    const auto scene = opener_.open();
-    keep_ledger(scene->world());
     try {
+      const auto scene = opener_.open();
+      keep_ledger(scene->world());
       for (const double time : study_.times) {
         step_to(*scene, time);
+        study_.ledger = ledger(scene->world());
+        study_.ledger["until"] = scene->world().time;
         if (Interrupt::asked() || scene->finished() || spent() > for_ledger * budget_) break;
       }
-    } catch (const Error& error) {
-      if (Interrupt::asked()) return;
-      study_.warnings.push_back(error.what());
-    }
-    study_.ledger = ledger(scene->world());
-    study_.ledger["until"] = scene->world().time;
+    } catch (const lua::Interrupted&) {
+    } catch (const Error& error) { study_.warnings.push_back(error.what()); }
   }
 
   /// Short runs again, in turn, as long as there is time: what hinders one of them for a while lengthens none.

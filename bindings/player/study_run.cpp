@@ -87,23 +87,26 @@ double step_to(lua::Scene& scene, double time) {
 
 bool perform(StudyRun& run, const Opener& opener, const std::vector<double>& times, Stride stride, double limit,
              const std::function<void(double part)>& told) {
-  const auto scene = opener.open(run.integrator, run.step, run.accuracy);
-  World& world = scene->world();
-  const std::uint64_t drawn = world.random.count;
+  std::unique_ptr<lua::Scene> scene;
+  std::uint64_t drawn = 0;
   try {
+    scene = opener.open(run.integrator, run.step, run.accuracy);
+    drawn = scene->world().random.count;
     for (const double time : times) {
       run.portions.push_back(step_to(*scene, time));
       run.seconds += run.portions.back();
-      run.reached = world.time;
+      run.reached = scene->world().time;
       if (Interrupt::asked() || run.seconds > limit) return false;
       run.finished = scene->finished();
-      if (run.finished && world.time < time - 0.5 * run.step) break;
-      run.places.push_back(places_of(world, stride));
+      if (run.finished && run.reached < time - 0.5 * run.step) break;
+      run.places.push_back(places_of(scene->world(), stride));
       told(static_cast<double>(run.places.size()) / static_cast<double>(times.size()));
     }
   } catch (const lua::Interrupted&) { return false; } catch (const Error& error) {
     run.trouble = error.what();
   }
+  if (!scene) return true;
+  const World& world = scene->world();
   run.steps = world.steps;
   run.stats = world.stats;
   run.worst = world.worst;
@@ -112,12 +115,14 @@ bool perform(StudyRun& run, const Opener& opener, const std::vector<double>& tim
 }
 
 void perform_again(StudyRun& run, const Opener& opener, const std::vector<double>& times) {
-  const auto scene = opener.open(run.integrator, run.step, run.accuracy);
-  for (std::size_t k = 0; k < run.portions.size(); k++) {
-    const double seconds = step_to(*scene, times[k]);
-    if (Interrupt::asked()) break;
-    run.portions[k] = std::min(run.portions[k], seconds);
-  }
+  try {
+    const auto scene = opener.open(run.integrator, run.step, run.accuracy);
+    for (std::size_t k = 0; k < run.portions.size(); k++) {
+      const double seconds = step_to(*scene, times[k]);
+      if (Interrupt::asked()) break;
+      run.portions[k] = std::min(run.portions[k], seconds);
+    }
+  } catch (const lua::Interrupted&) {}  // what it took before is good enough
   run.seconds = std::accumulate(run.portions.begin(), run.portions.end(), 0.0);
 }
 

@@ -316,6 +316,25 @@ TEST_CASE("program: a report ends in what to choose, and leaves two files") {
   CHECK(use(folder, {"report", "swing.lua", "--until", "0.001"}).code == 1);
 }
 
+TEST_CASE("program: Ctrl-C ends a report with what its runs tell, and one before there are two leaves nothing") {
+  Folder folder;
+  write_file(folder / "swing.lua", swing);
+  for (const double seconds : {0.0, 0.5, 2.0}) {
+    Process process(options({"report", "swing.lua", "--until", "200"}, folder.path));
+    while (folder.files().size() < 3 && !process.wait(0.01)) {}
+    const std::optional<int> early = process.wait(seconds);
+    process.signal(SIGINT);
+    const std::optional<int> code = early ? early : process.wait(20.0);
+    REQUIRE(code);
+    const bool told = *code == 0;
+    CHECK((told || *code == 1));
+    if (!told) CHECK_THAT(process.err(), Contains("anything to tell") || Contains("was interrupted"));
+    CHECK(folder.files() == (told ? std::vector<std::string>{"swing-report.json", "swing-report.svg", "swing.lua"}
+                                  : std::vector<std::string>{"swing.lua"}));
+    for (const char* name : {"swing-report.json", "swing-report.svg"}) std::filesystem::remove(folder / name);
+  }
+}
+
 TEST_CASE("program: pictures and films are the same to the bit each time, with views too", "[slow]") {
   Folder folder;
   write_file(folder / "swing.lua", swing);

@@ -126,6 +126,35 @@ TEST_CASE("report: two fine runs that agree by chance, as where an event falls i
   CHECK(first_order.uncertain < 0.5 * 0.00125 * 4.0 * 2.0);
 }
 
+TEST_CASE("report: the paper's integrator is no measure of others, however well its runs agree") {
+  Study study = empty_study();
+  for (const double step : steps)
+    study.runs.push_back(seen(study, "verlet", step, [](double h, double t) { return 3 * h * h * t; }));
+  for (const double step : steps)
+    study.runs.push_back(seen(study, "euler", step, [](double h, double) { return 0.5 + 1e-9 * h; }));
+  compare(study);
+  CHECK(study.finest().integrator == "verlet");
+  CHECK(run_of(study, "euler", 0.01).error > 0.4);
+  Study alone = empty_study();
+  for (const double step : steps)
+    alone.runs.push_back(seen(alone, "euler", step, [](double h, double t) { return 0.01 * h * t; }));
+  compare(alone);
+  CHECK(alone.finest().integrator == "euler");
+}
+
+TEST_CASE("report: what is of first order with every integrator is told to happen in whole steps") {
+  Study study = empty_study();
+  for (const double step : steps)
+    study.runs.push_back(seen(study, "verlet", step, [](double h, double t) { return 0.05 * h * t; }));
+  compare(study);
+  CHECK_THAT(report_text(study, 1.0), Catch::Contains("happens in whole steps, as events, impacts and hands do"));
+  Study second = empty_study();
+  for (const double step : steps)
+    second.runs.push_back(seen(second, "verlet", step, [](double h, double t) { return 3 * h * h * t; }));
+  compare(second);
+  CHECK_THAT(report_text(second, 1.0), !Catch::Contains("whole steps"));
+}
+
 TEST_CASE("report: beside the mean over all things the error of the worst is told") {
   Study study = empty_study();
   for (const double step : steps) {
@@ -250,6 +279,19 @@ TEST_CASE("report: an accuracy that is the cheapest way to the wanted error is t
   compare(study);
   CHECK(study.finest().accuracy == 0.0);
   CHECK_THAT(advice(study), Catch::Contains("choose scene.accuracy = 0.001, scene.step = 1/25 and"));
+}
+
+TEST_CASE("report: where shorter steps show nothing new longer ones are tried still") {
+  const Study study = study_text(R"(
+    local bob = scene:particle { at = vec(1, 0, 0) }
+    scene:particle { at = vec(3, 0, 0), velocity = vec(1, 0, 0) }
+    scene:field(scene, force.point { force = function(p) return vec(0, 1, 0) end })
+  )",
+                                 1.0);
+  CHECK(run_of(study, "verlet", 1.0 / 60).error < 1e-9);
+  CHECK(run_of(study, "verlet", 1.0 / 480).error < 1e-9);
+  CHECK_THROWS(run_of(study, "verlet", 1.0 / 960));
+  CHECK_THAT(advice(study), Catch::Contains("scene.step = 1/60 (the longest tried)"));
 }
 
 TEST_CASE("report: a scene in which nothing moves says so, and one that is over at once is refused") {
