@@ -11,8 +11,6 @@ using Catch::Contains;
 
 namespace {
 
-constexpr int width = PlayedChain::width, height = PlayedChain::height;
-
 const std::string chain = R"(
   local count = scene:param("links", 6, { min = 2, max = 12 })
   scene:param("gravity", 9.81, { on_change = function(g) scene.gravity = vec(0, -g, 0) end })
