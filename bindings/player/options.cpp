@@ -195,8 +195,9 @@ Options read_options(int argc, const char* const* argv) {
   add_look(*replay, texts);
   add_limits(*replay, options.run, texts);
   add_threads(*replay, options.run);
-  CLI::App* report =
-      app.add_subcommand("report", "Tells how exact a scene is with which step and integrator, at what cost");
+  CLI::App* report = app.add_subcommand(
+      "report",
+      "Tells how exact a scene is with which step and integrator, and what processor time that costs on one thread");
   report->add_option("scene", options.run.scene, "A scene's file, or the name of a shipped one")->required();
   report->add_option("--out", options.prefix, "Writes PREFIX.json and PREFIX.svg [the scene's name and -report]")
       ->type_name("PREFIX");

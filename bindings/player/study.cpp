@@ -40,6 +40,14 @@ constexpr double for_look = 0.05, for_trial = 0.01, for_core = 0.5, for_surprise
 
 double step_of(double own, int level) { return own * coarsest / std::pow(2.0, level); }
 
+/// The first number from `least_part` to three times that which leaves least of `whole` when it divides it.
+long dividing(long whole, long least_part) {
+  long best = least_part;
+  for (long part = least_part; part <= std::min(whole, 3 * least_part); part++)
+    if (whole % part < whole % best) best = part;
+  return best;
+}
+
 bool is_noisy(const World& world) {
   const auto any = [](const auto& store) {
     const auto ids = store.ids();
@@ -169,9 +177,9 @@ class Studying {
     until = std::max(until, 2.0 * longest);
     const double comparisons = std::clamp(most_places / std::max(1.0, static_cast<double>(study_.things)),
                                           least_comparisons, most_comparisons);
-    const double interval = longest * std::max(1.0, std::ceil(until / longest / comparisons - 1e-9));
-    const int count = std::max(1, static_cast<int>(std::floor(until / interval + 1e-9)));
-    for (int k = 1; k <= count; k++) study_.times.push_back(k * interval);
+    const long steps = std::lround(std::floor(until / longest + 1e-9));
+    const long part = dividing(steps, std::max(1L, std::lround(std::ceil(static_cast<double>(steps) / comparisons))));
+    for (long k = part; k <= steps; k += part) study_.times.push_back(static_cast<double>(k) * longest);
     study_.until = study_.times.back();
     const double shortest = 3.0 * own * study_.until;
     expected_ = std::max(shortest, std::min(budget_, all * study_.until));

@@ -281,6 +281,16 @@ TEST_CASE("report: an accuracy that is the cheapest way to the wanted error is t
   CHECK_THAT(advice(study), Catch::Contains("choose scene.accuracy = 0.001, scene.step = 1/25 and"));
 }
 
+TEST_CASE("report: comparing ends where it is asked to") {
+  for (const double until : {0.4, 2.0, 3.2}) {
+    const Study study =
+        study_text("scene:particle {} scene:particle { at = vec(1, 0, 0) } scene.step = 1 / 500", until);
+    CHECK(study.until == Approx(until));
+    CHECK(study.times.size() >= 40);
+    CHECK(study.times.size() <= 120);
+  }
+}
+
 TEST_CASE("report: where shorter steps show nothing new longer ones are tried still") {
   const Study study = study_text(R"(
     local bob = scene:particle { at = vec(1, 0, 0) }
