@@ -97,10 +97,9 @@ struct Condition {
   // Of rows of one dimension: the range that its value is kept in, [m], and the range of its force, [N].
   double low = 0.0, high = 0.0;
   double lower = -infinity, upper = infinity;
-  double strongest = infinity;  // [N] of a motor
-  double most = infinity;       // [N] what it has instead while it stalls, and
-  double yielding = 0.0;        // [m/N] by how much it then yields
-  bool ranged = false;          // low < high
+  double stalled = infinity;  // [N] of a motor that stalls: what it exerts if nothing moves, and
+  double yielding = 0.0;      // [m/N] by how much it yields to that
+  bool ranged = false;        // low < high
   // Of a segment of a string: by d1 in the equation of the head, and by the head's force in its own.
   Mat3 into_head = zero33(), from_head = zero33();
   bool held = true;         // the range, or the limit of the force, lets it act as a constraint

@@ -53,9 +53,9 @@ void load_couple(Condition& condition, const Row& row, const Model& model, const
   condition.length_rate = row.lever * (c.length_rate + c.excess_rate);
   condition.low = row.lever * c.low;
   condition.high = row.lever * c.high;
-  condition.strongest = c.max_torque / row.lever;
-  if (norm(row.f) < 0.5 * condition.most) condition.most = infinity;
-  condition.upper = std::fmin(condition.strongest, condition.most);
+  condition.upper = c.max_torque / row.lever;
+  const double given = norm(row.f), driven_back = std::fmin(1.001 * condition.stalled, condition.upper);
+  if (given < 0.5 * condition.stalled || given > driven_back) condition.stalled = infinity;
   condition.lower = -condition.upper;
   condition.velocity = zero3();
   condition.whole0 = condition.whole1 = zero3();
@@ -197,13 +197,11 @@ bool stall_motors(Articulate& a, double h) {
   for (Condition& c : a.conditions) {
     const Row& r = row(a, c);
     const double way = std::fabs(way_of(c));
-    const bool yields = limits || std::isfinite(c.strongest);
-    if (!is_motor(r, c) || !yields || std::isfinite(c.most) || way == 0.0) continue;
+    const bool yields = limits || std::isfinite(c.upper);
+    if (!is_motor(r, c) || !yields || std::isfinite(c.stalled) || way == 0.0) continue;
     const double inertia = inertia_about(a, a.nodes[static_cast<std::size_t>(r.a)].x0) / (r.lever * r.lever);
-    c.most = std::fmin(c.strongest, 2.0 * norm(r.f) + 0.01 * inertia * way / (h * h));
-    c.yielding = way / c.most;
-    c.upper = c.most;
-    c.lower = -c.upper;
+    c.stalled = std::fmin(c.upper, 2.0 * norm(r.f) + 0.01 * inertia * way / (h * h));
+    c.yielding = way / c.stalled;
     stalled = true;
   }
   return stalled;
@@ -212,15 +210,11 @@ bool stall_motors(Articulate& a, double h) {
 void strengthen_stalled(Articulate& a, double h) {
   constexpr double most_needed = 1e4;  // more would leave few digits to what else there is
   for (Condition& c : a.conditions) {
-    if (!std::isfinite(c.most)) continue;
-    const Row& r = row(a, c);
-    const double way = std::fabs(way_of(c));
-    const double inertia = inertia_about(a, a.nodes[static_cast<std::size_t>(r.a)].x0) / (r.lever * r.lever);
-    const double enough = std::isinf(c.strongest) ? 2.0 * inertia : most_needed / mobility(a, r);
-    const double more = std::fmin(std::fmin(10.0 * c.most, c.strongest), enough * way / (h * h));
-    if (!(more > c.most)) continue;
-    c.most = c.upper = more;
-    c.lower = -more;
+    if (std::isinf(c.stalled) || std::isinf(c.upper)) continue;
+    const double way = std::fabs(way_of(c)), enough = most_needed * way / (h * h * mobility(a, row(a, c)));
+    const double more = std::fmin(std::fmin(10.0 * c.stalled, c.upper), enough);
+    if (!(more > c.stalled)) continue;
+    c.stalled = more;
     c.yielding = way / more;
   }
 }

@@ -24,10 +24,10 @@ void store(const Condition& condition, const Row& row, Vec3 force, Constraint& c
 /// Inertia of all nodes about a place, as if they were one, [kg m²].
 double inertia_about(const Articulate& articulate, Vec3 place);
 /// Limits are stronger than motors, and all else than motors of limited torque: where a step of h [s] cannot be solved,
-/// motors yield, by as much as the step's way to what would stop them; until they give less than half of it. False where
-/// that changes nothing.
+/// motors yield by the step's way to what would stop them; until they give less than half of it, or are driven back. False
+/// where that changes nothing.
 bool stall_motors(Articulate& articulate, double h);
-/// Motors that stall exert ten times as much in each step of h [s], up to what they can, or would need to move all.
+/// Motors of limited torque that stall exert ten times as much in each step of h [s], up to what they can.
 void strengthen_stalled(Articulate& articulate, double h);
 /// Sets what is prescribed for the part from … to (0 … 1) of the step.
 void set_conditions(Articulate& articulate, double from, double to);

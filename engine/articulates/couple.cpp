@@ -99,10 +99,10 @@ Vec3 align_gap(const Row& row, const Condition& c) {
 
 namespace {
 
-/// A motor that stalls: its force grows with what it misses, up to the most.
+/// A motor that stalls: its force grows with what it misses.
 double evaluate_yielding(Row& row, Condition& c, const Reading& r, const RowContext& context) {
   const double kappa = 0.5 * context.h * context.h * context.mobility, weight = kappa / (1.0 + kappa / c.yielding);
-  const double wanted = -r.low / c.yielding, given = std::fmin(c.most, std::fmax(-c.most, wanted));
+  const double wanted = -r.low / c.yielding, given = std::fmin(c.upper, std::fmax(c.lower, wanted));
   c.held = false;
   row.residual = (row.f - r.n * given) * weight;
   c.M = given == wanted ? outer(r.n, r.gradient) * (weight / c.yielding) : zero33();
@@ -117,7 +117,7 @@ double evaluate_turn(Row& row, Condition& c, const RowContext& context) {
   const double value = c.angle1 * row.lever - c.accepted;
   const double low = c.ranged ? low_end(c) : c.length, high = c.ranged ? high_end(c) : c.length;
   const Reading reading{mean_axis(row), twist_gradient(row), value - low, value - high};
-  if (std::isfinite(c.most)) return evaluate_yielding(row, c, reading, context);
+  if (std::isfinite(c.stalled)) return evaluate_yielding(row, c, reading, context);
   return evaluate_reading(row, c, reading, context);
 }
 

@@ -280,27 +280,32 @@ void place_rows_at_end(Articulate& a) {
 }
 
 void add_unsolved_work(const Articulate& a, double h, DriftReport& report) {
-  const auto start = [&](std::int32_t node, Vec3 l) {
-    const Node& n = a.saved[static_cast<std::size_t>(node)];
-    return n.x0 + n.R0 * l;
+  const auto turn_of = [&](std::size_t k) { return lane_of(a.batches[k / batch_size].a, k % batch_size); };
+  // Not as a difference of places, which has no digits of what rests.
+  const auto moved = [&](std::int32_t node, Vec3 l) {
+    const auto k = static_cast<std::size_t>(node);
+    const Node &n = a.nodes[k], &start = a.saved[k];
+    const Vec3 by = (start.p0 + n.p0) * (0.5 * h * n.inverse_mass);
+    return n.turns ? by + cross(turn_of(k), (start.R0 * l + n.R0 * l) * 0.5) : by;
   };
   for (const Row& r : a.rows) {
     const double size = std::max(largest(first(a, r).x0), norm(r.d1));
     report.round_off += std::numeric_limits<double>::epsilon() * norm(r.f) * size;
-    if (r.kind == RowKind::stiff || (r.condition >= 0 && condition(a, r).works)) continue;
+    const bool told = r.condition >= 0 && condition(a, r).works;
+    if (r.kind == RowKind::stiff || (told && r.lever > 0.0)) continue;
     if (r.lever > 0.0) {
       report.unsolved += work_of_couple(a, r);
       continue;
     }
-    const Vec3 d0 = start(r.a, r.la) - (r.b >= 0 ? start(r.b, r.lb) : condition(a, r).place0);
-    const Vec3 drawn = r.kind == RowKind::drawn ? condition(a, r).place1 - condition(a, r).place0 : zero3();
-    report.unsolved += dot(r.f, r.d1 - d0 - drawn);
+    const Vec3 place = r.b < 0 || r.kind == RowKind::drawn ? condition(a, r).place1 - condition(a, r).place0 : zero3();
+    const Vec3 by = moved(r.a, r.la) - (r.b >= 0 ? moved(r.b, r.lb) : zero3()) - place;
+    report.unsolved += dot(r.f, told ? by - (r.d1 - r.d0) : by);
   }
   for (std::size_t i = 0; i < a.nodes.size(); i++) {
     const Node &n = a.nodes[i], &start_of = a.saved[i];
     if (!n.turns) continue;
-    const Vec3 spin = (start_of.O0 + n.O0) * 0.5, turn = lane_of(a.batches[i / batch_size].a, i % batch_size);
-    report.unsolved += dot(spin - transposed_times(start_of.R0, turn) / h, n.P0 - start_of.P0);
+    const Vec3 spin = (start_of.O0 + n.O0) * 0.5;
+    report.unsolved += dot(spin - transposed_times(start_of.R0, turn_of(i)) / h, n.P0 - start_of.P0);
   }
 }
 

@@ -58,7 +58,7 @@ void project_reading(Condition& c, Vec3 gradient, double slope) {
 
 double missing(const Condition& c, double low, double high) {
   if (c.ranged) return std::fmax(high, 0.0) + std::fmin(low, 0.0);
-  return std::isinf(c.upper) ? low : 0.0;
+  return std::isinf(c.upper) && std::isinf(c.stalled) ? low : 0.0;
 }
 
 Vec3 gap(const Articulate& a, const Row& row) {

@@ -76,7 +76,7 @@ void hold_stops(Articulate& a) {
     if (row.condition < 0) continue;
     Condition& c = condition(a, row);
     if (!c.ranged && std::isinf(c.upper)) continue;
-    c.held = (c.held_before || (c.ranged && stop(a, row).room < 0.0)) && std::isinf(c.most);
+    c.held = (c.held_before || (c.ranged && stop(a, row).room < 0.0)) && std::isinf(c.stalled);
   }
   hold_with_heads(a);
 }

@@ -133,7 +133,7 @@ void tell_stalled(World& world, const Articulate& a) {
     if (c.ranged && c.held && (limit == nullptr || norm2(row(a, c).f) > norm2(limit->f))) limit = &row(a, c);
   if (limit == nullptr) return;
   for (const Condition& c : a.conditions)
-    if (std::isfinite(c.most) && std::isinf(c.strongest) && !c.held)
+    if (std::isfinite(c.stalled) && std::isinf(c.upper))
       warn_once(world, text(describe_tie(world, a, row(a, c)), " stalls: "),
                 text(describe_tie(world, a, *limit), " does not let it turn"));
 }
