@@ -280,7 +280,7 @@ class Studying {
     for (const StudyRun& run : study_.runs)
       if (run.finished) count = std::min(count, run.places.size());
     for (StudyRun& run : study_.runs)
-      if (run.places.size() > count) shorten(run, count);
+      if (run.portions.size() > count) shorten(run, count);
     study_.times.resize(count);
     const StudyRun* const own = last_of(study_.integrator);
     require(own != nullptr, "report: stopped before there was anything to tell");

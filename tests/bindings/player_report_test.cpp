@@ -266,6 +266,7 @@ TEST_CASE("report: what goes wrong with every step is told, and a script's own e
   const Study study = study_text(std::string(pendulum) + "scene:at(0.7, function() scene:finish() end)", 3.0);
   CHECK(study.until <= 0.72);
   CHECK(study.until >= 0.6);
+  for (const StudyRun& run : study.runs) CHECK(run.portions.size() == study.times.size());
   CHECK_THAT(advice(study), Catch::Contains("choose scene.step = 1/"));
 }
 
