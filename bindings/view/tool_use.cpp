@@ -154,6 +154,9 @@ void ToolUse::release(const Sight& sight, ToolOutput& output) {
     case ToolKind::drag:
       if (point_) output.input.commands.push_back(command(Command::Kind::release));
       break;
+    case ToolKind::cut:
+      if (done_.empty()) output.said.push_back(std::string("nothing was cut: ") + choice_.tool().help);
+      break;
     case ToolKind::join:
       if (alive) join(sight, output);
       break;
