@@ -162,6 +162,12 @@ void Player::fail(const std::string& why) {
   complain(why);
 }
 
+const Said* Player::complaint() const {
+  if (Clock::now() >= complained_ + complaint_shown) return nullptr;
+  const auto last = std::find_if(said_.rbegin(), said_.rend(), [](const Said& said) { return !said.good; });
+  return last != said_.rend() ? &*last : nullptr;
+}
+
 void Player::fill(Overlay& overlay) const {
   overlay.message.clear();
   overlay.title.clear();
@@ -171,9 +177,8 @@ void Player::fill(Overlay& overlay) const {
   overlay.views = views_;
   if (!failure_.empty())
     overlay.message = failure_ + "   (r starts the scene again)";
-  else if (!said_.empty() && Clock::now() < complained_ + complaint_shown)
-    overlay.message =
-        said_.back().times > 1 ? text(said_.back().text, "   (", said_.back().times, " times)") : said_.back().text;
+  else if (const Said* const said = complaint())
+    overlay.message = said->times > 1 ? text(said->text, "   (", said->times, " times)") : said->text;
   if (browser_.shown()) {
     overlay.status.clear();
     overlay.buttons.clear();

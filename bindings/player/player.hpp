@@ -39,6 +39,8 @@ class Player {
 
   const lua::Scene& scene() const { return *scene_; }
   const std::deque<Said>& said() const { return said_; }
+  /// What went wrong last, while the window shows it; else null.
+  const Said* complaint() const;
   bool display_lost() const { return window_.lost(); }
   bool browsing() const { return browser_.shown(); }
   const Times& times() const { return times_; }
@@ -154,7 +156,7 @@ class Player {
   std::vector<std::string> swallowed_;  ///< keys that were down when the browser was left, until they go up
   bool from_browser_ = false;           ///< Esc goes back to it
   std::deque<Said> said_;               ///< the latest, oldest first
-  Clock::time_point complained_{};      ///< when the last of them was said
+  Clock::time_point complained_{};      ///< when the last of them that is not good was said
   AnyId chosen_;
   std::uint64_t changes_ = 0;  ///< made to the scene between its steps
   double speed_ = 1.0;         ///< times the scene's pace

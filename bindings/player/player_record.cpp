@@ -53,12 +53,15 @@ void Player::reload() {
   const auto chosen = carried.things.find(chosen_);
   chosen_ = chosen == carried.things.end() ? AnyId{} : chosen->second;
   undo_.clear();
+  rebuilt_.reset();
+  unbuilt_.reset();
   scene_ = std::move(reloaded->scene);
   changes_++;
   log_read_ = scene_->world().log.size();
   follower_ = {};
   times_ = {};
   failure_.clear();
+  complained_ = {};
   renderer_.open(scene_->world());
   window_.set_title(title() + " - Pantin");
   status_.note("the file was saved: the scene goes on with it");

@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include <catch2/catch.hpp>
+#include <filesystem>
 
 #include "window/played.hpp"
 
@@ -48,6 +49,39 @@ TEST_CASE("panels: a slider of another parameter opens the scene again with its 
   played.player->redo();
   played.drag(slider_right - 20, slider_y, slider_left, slider_y);
   CHECK(played.world().particles.size() == 1);
+}
+
+TEST_CASE("panels: what a saved file replaced is not undone", "[window]") {
+  const std::string text = R"(
+    local n = scene:param("count", 3, { min = 1, max = 9, step = 2 })
+    for i = 1, n do scene:particle { at = vec(i, 0, 0) } end)";
+  Played played(text);
+  played.player->set_parameter("count", 7.0);
+  played.frames(3);
+  played.save(text + " scene.title = 'saved'");
+  const std::uint64_t steps = played.world().steps;
+  played.player->undo();
+  CHECK(played.world().particles.size() == 7);
+  CHECK(played.world().steps == steps);
+}
+
+TEST_CASE("what went wrong is shown until it is mended, and nothing good in its place", "[window]") {
+  const std::string text = "scene:particle { at = vec(0, 0, 0) }";
+  Played played(text);
+  CHECK_FALSE(played.player->complaint());
+  support::write_file(played.folder / "scene.lua", text + " oops(");
+  for (int i = 0; i < 200 && !played.player->complaint(); i++) played.frames(1);
+  REQUIRE(played.player->complaint());
+  const auto here = std::filesystem::current_path();
+  std::filesystem::current_path(played.folder.path);
+  pushed::tap(SDLK_s);
+  played.frames(3);
+  std::filesystem::current_path(here);
+  REQUIRE(played.player->said().back().good);
+  REQUIRE(played.player->complaint());
+  CHECK_FALSE(played.player->complaint()->good);
+  played.save(text + " scene.title = 'saved'");
+  CHECK_FALSE(played.player->complaint());
 }
 
 TEST_CASE("panels: a parameter that the scene refuses is told, and the old scene goes on", "[window]") {

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -18,6 +19,7 @@ namespace pantin {
 struct Played {
   support::Folder folder;
   std::unique_ptr<player::Player> player;
+  int saved = 0;
 
   /// The browser where the text is empty; it finds the text's scene in `folder`, and keeps its pictures there.
   explicit Played(const std::string& source, double script_limit = 5.0, player::Size size = {960, 540})
@@ -55,6 +57,15 @@ struct Played {
     frames(2);
     pushed::button(false, x1, y1);
     frames(2);
+  }
+  /// Saves the scene, whose title becomes "saved", and waits until it goes on with that.
+  void save(const std::string& text) {
+    const std::string path = folder / "scene.lua";
+    support::write_file(path, text);
+    std::filesystem::last_write_time(path,
+                                     std::filesystem::file_time_type::clock::now() + std::chrono::seconds(++saved));
+    for (int i = 0; i < 200 && player->scene().title() != "saved"; i++) frames(1);
+    REQUIRE(player->scene().title() == "saved");
   }
   double result(const std::string& name) const { return std::get<double>(player->scene().results().at(name)); }
   const World& world() const { return player->scene().world(); }

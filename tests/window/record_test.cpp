@@ -1,5 +1,4 @@
 // Play in the window, with all a person can do, recorded and played again without one.
-#include <filesystem>
 
 #include "player/replay.hpp"
 #include "window/played_chain.hpp"
@@ -23,8 +22,6 @@ const std::string chain = R"(
 
 /// A recorded player that nobody sees.
 struct Recorded : PlayedChain {
-  int saved = 0;
-
   explicit Recorded(const std::string& source = chain) : PlayedChain(source, recorded()) {}
   static player::RunOptions recorded() {
     player::RunOptions options;
@@ -75,14 +72,6 @@ struct Recorded : PlayedChain {
   }
   Vec3 tip() const { return position(world(), world().points.ids().back()); }
   Vec3 hinge(std::size_t i) const { return position(world(), hinges(world()).at(i)); }
-  void save(const std::string& text) {
-    const std::string path = folder / "scene.lua";
-    support::write_file(path, text);
-    std::filesystem::last_write_time(path,
-                                     std::filesystem::file_time_type::clock::now() + std::chrono::seconds(++saved));
-    for (int i = 0; i < 200 && player->scene().title() != "saved"; i++) frames(1);
-    REQUIRE(player->scene().title() == "saved");
-  }
   /// Plays it again and checks that all is as it was.
   void check() {
     player->end_recording();
