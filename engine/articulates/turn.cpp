@@ -7,7 +7,7 @@ namespace pantin {
 namespace {
 
 /// Of the angle about it, by the small rotation.
-Vec3 twist_gradient(const Row& row) { return (row.ra1 + row.rb1) / std::fmax(1.0 + dot(row.ra1, row.rb1), 1e-3); }
+Vec3 twist_gradient(const Row& row) { return (row.ra1 + row.rb1) / std::fmax(1.0 + dot(row.ra1, row.rb1), 1e-9); }
 
 /// A motor that stalls: its force grows with what it misses.
 double evaluate_yielding(Row& row, Condition& c, const Reading& r, const RowContext& context) {

@@ -207,3 +207,20 @@ test("a thin rod that meets the limit of its angle swings back from it, wherever
     expect(scene.error.worst_energy):below(1e-3)
   end
 end)
+
+test("a limit of the turn about an axis holds while that tilts over, and takes energy by its impacts alone", function()
+  for tilt = 0, 2, 0.5 do
+    local scene = open_text("local tilt = " .. tilt .. [[
+      local rod = scene:body { mass = 1, inertia = vec(0.01, 0.1, 0.1), spin = vec(3, 0, 5), name = "rod",
+        at = vec(0.5 * math.cos(tilt), 0, -0.5 * math.sin(tilt)), orientation = quat(vec(0, 1, 0), tilt),
+        points = { o = vec(-0.5, 0, 0) } }
+      scene:nail(rod.o)
+      scene:limit(rod, { axis = vec(0, 0, 1), min = -0.5, max = 0.5, name = "limit" })
+      local _ = scene.ledger
+    ]])
+    scene:advance(1)
+    expect(scene.stats.safe_steps):equal(0)
+    expect(scene.error.worst_energy):below(1e-10)
+    expect(math.abs(scene:find("limit").value)):below(0.5 + 1e-9)
+  end
+end)
