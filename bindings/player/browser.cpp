@@ -146,14 +146,18 @@ void Browser::draw_head(float width) {
   ImGui::SetNextItemWidth(std::min(320.0f * scale(), 0.5f * width));
   if (std::exchange(appearing_, false)) ImGui::SetKeyboardFocusHere();
   const bool was_empty = search_.empty();
-  ImGui::InputTextWithHint("##search", "search", &search_);
+  ImGui::InputTextWithHint("##search", "search", &search_,
+                           ImGuiInputTextFlags_AutoSelectAll);  // a new word replaces it
   if (pressed(ImGuiKey_Escape)) {
     left_ = was_empty;
     search_.clear();
     appearing_ = true;  // the field wants the keys again
   }
   ImGui::SameLine(0.0f, 16.0f * scale());
-  ImGui::TextDisabled("%zu scenes. Click one, or type and press Enter", scenes_.size());
+  if (search_.empty())
+    ImGui::TextDisabled("%zu scenes. Click one, or type and press Enter", scenes_.size());
+  else
+    ImGui::TextDisabled("%zu of %zu scenes (Esc: all)", shown_scenes_.size(), scenes_.size());
   ImGui::Spacing();
 }
 

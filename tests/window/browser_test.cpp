@@ -43,6 +43,11 @@ TEST_CASE("browser: the field has the keys again after Esc, and what is called s
   pushed::tap(SDLK_q);
   played.frames(3);
   CHECK(played.player->browsing());
+  pushed::type("cloth");  // in place of what was searched before
+  played.frames(2);
+  pushed::tap(SDLK_RETURN);
+  played.frames(3);
+  CHECK(played.player->scene().title() == "Cloth");
 }
 
 TEST_CASE("browser: the field has the keys again after a scene that cannot be opened", "[window]") {
