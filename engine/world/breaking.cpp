@@ -65,9 +65,7 @@ void find_overloads(const World& world, const Articulate& a, Overloads& found) {
 
 void break_constraint(World& world, const Overload<ConstraintId>& overload) {
   const ConstraintId id = overload.id;
-  const std::int32_t hand = world.constraints[id].hand;
-  if (hand >= 0 && world.hands[static_cast<std::size_t>(hand)].grab == id)
-    world.hands[static_cast<std::size_t>(hand)].grab = {};
+  let_go(world, id);
   take_out_constraint(world, id, {describe(world, id), next_time(world), overload.story});
   world.notices.push_back({Notice::Kind::broke, id, -1, world.constraints.story(id), overload.load});
 }

@@ -37,7 +37,8 @@ void cut_by_hand(World& world, const Command& c) {
             "constraints can");
     remove(world, *constraint);
   }
-  world.notices.back().hand = c.hand;
+  Notice& told = world.notices.back();
+  if (told.kind != Notice::Kind::drop) told.hand = c.hand;  // a drop is of the hand that held
 }
 
 void join_by_hand(World& world, const Command& c) {

@@ -70,6 +70,8 @@ std::vector<double> attribute_values(std::string_view call, const Family& family
 inline bool given_by_world(std::string_view name) { return name == "step" || name == "boltzmann"; }
 /// Takes a constraint out of the rows of what it ties, and of the world.
 void take_out_constraint(World& world, ConstraintId constraint, Obituary obituary);
+/// Empties the hand that grabs by this constraint, which goes: told as "drop", with the point. False where none does.
+bool let_go(World& world, ConstraintId constraint);
 /// Ends a connection that bore no more than `force` [N]; told as "broke". May be called inside a step.
 void break_connection(World& world, ConnectionId connection, double force);
 

@@ -80,6 +80,14 @@ std::int32_t add_hand(World& world, std::function<Vec3(double)> path) {
   return static_cast<std::int32_t>(world.hands.size()) - 1;
 }
 
+bool editing::let_go(World& world, ConstraintId constraint) {
+  const Constraint& c = world.constraints[constraint];
+  if (c.hand < 0 || world.hands[static_cast<std::size_t>(c.hand)].grab != constraint) return false;
+  world.hands[static_cast<std::size_t>(c.hand)].grab = {};
+  notice(world, Notice::Kind::drop, c.a, describe(world, c.a), c.hand);
+  return true;
+}
+
 namespace {
 
 /// A follow is as stiff as the mass of its articulate asks for; what connections tie to that is to be moved too.

@@ -43,12 +43,9 @@ void remove(World& world, ParticleId id) {
 
 void remove(World& world, ConstraintId id) {
   require_unlocked(world, "remove");
-  const std::int32_t hand = world.constraints[id].hand;
+  const bool grabbed = let_go(world, id);
   take_out_constraint(world, id, obituary(world, describe(world, id)));
-  const std::string story = world.constraints.story(id);
-  const bool grab = hand >= 0 && world.hands[static_cast<std::size_t>(hand)].grab == id;
-  if (grab) world.hands[static_cast<std::size_t>(hand)].grab = {};
-  notice(world, grab ? Notice::Kind::drop : Notice::Kind::removed, id, story, hand);
+  if (!grabbed) notice(world, Notice::Kind::removed, id, world.constraints.story(id));
 }
 
 void remove(World& world, GroupId id) {
