@@ -41,6 +41,7 @@ struct Interaction {
   FamilyId a, b;
   std::vector<double> parameters;  ///< (parameters of the law)
   bool enabled = true;
+  bool told_massless = false;  ///< that it goes by mass and acts on points without
   std::string name;
   std::string place_of_making;  ///< "scene.lua:12", or empty
   std::uint64_t serial = 0;
@@ -55,6 +56,7 @@ struct Field {
   GroupId group;                   ///< they are a group's members; neither: all particles
   std::vector<double> parameters;  ///< (parameters of the law)
   bool enabled = true;
+  bool told_massless = false;  ///< that it goes by mass and acts on points without
   std::string name;
   std::string place_of_making;  ///< "scene.lua:12", or empty
   std::uint64_t serial = 0;

@@ -32,7 +32,9 @@ void refresh_forces(World& world) {
       find_articulates(world);
       pantin::refresh_forces(world);
     }
-    if (anew) wake_pulled(world);
+    if (!anew) return;
+    wake_pulled(world);
+    tell_massless(world);
   } catch (const Error& error) {
     world.failure = error.what();
     log_line(world, "failure", world.failure);

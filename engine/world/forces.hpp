@@ -126,6 +126,8 @@ bool acting_now(const World& world);
 /// either. Throws Error where a law reads what a particle has not. Where connections were found too stiff for explicit
 /// steps, `influences_changed` is set again: articulates are to be found anew first.
 void refresh_forces(World& world);
+/// Warns of laws that go by mass and act on points of bodies that have none, once for each field and interaction.
+void tell_massless(World& world);
 /// Reads where particles now are, and finds the pairs anew once something has moved too far.
 void find_pairs(World& world);
 /// Forces of the present state, after a drift.

@@ -49,18 +49,18 @@ void require_attributes(const World& world, const Sites& sites, const Law& law, 
   }
 }
 
-std::vector<std::uint32_t> of_family(const Sites& sites, std::span<const std::uint32_t> some, FamilyId family) {
+}  // namespace
+
+std::vector<std::uint32_t> sites_of_family(const Forces& forces, FamilyId family, std::span<const std::uint32_t> some) {
   std::vector<std::uint32_t> list;
   for (std::uint32_t i : some)
-    if (sites.family[i] == family.slot - 1) list.push_back(i);
+    if (forces.sites.family[i] == family.slot - 1) list.push_back(i);
   return list;
 }
 
-}  // namespace
-
 std::vector<std::uint32_t> sites_of_field(const World& world, const Forces& forces, const pantin::Field& field,
                                           std::span<const std::uint32_t> some) {
-  if (field.family) return of_family(forces.sites, some, field.family);
+  if (field.family) return sites_of_family(forces, field.family, some);
   std::vector<std::uint32_t> list;
   if (!field.group) {
     for (std::uint32_t i : some)
@@ -100,8 +100,8 @@ void check_attributes(const World& world, const Forces& forces, std::span<const 
   const Sites& sites = forces.sites;
   for (const ActingInteraction& acting : forces.interactions) {
     const Interaction& row = world.interactions[acting.id];
-    require_attributes(world, sites, *acting.law, of_family(sites, some, row.a), 0);
-    require_attributes(world, sites, *acting.law, of_family(sites, some, row.b), 1);
+    require_attributes(world, sites, *acting.law, sites_of_family(forces, row.a, some), 0);
+    require_attributes(world, sites, *acting.law, sites_of_family(forces, row.b, some), 1);
   }
   for (const ActingField& acting : forces.fields)
     require_attributes(world, sites, *acting.law, sites_of_field(world, forces, world.fields[acting.id], some), 0);

@@ -53,7 +53,8 @@ bool are_apart(const Forces& forces);
 /// The same where they are apart, and the forces on them at the present places; others stay. Gives the change of energy
 /// [J], told before of the present state.
 double change_members_apart(const World& world, Forces& forces);
-/// Those of some sites, in rising order, that a field acts on.
+/// Those of some sites, in rising order, that are of a family, or that a field acts on.
+std::vector<std::uint32_t> sites_of_family(const Forces& forces, FamilyId family, std::span<const std::uint32_t> some);
 std::vector<std::uint32_t> sites_of_field(const World& world, const Forces& forces, const Field& field,
                                           std::span<const std::uint32_t> some);
 /// Evaluates laws that depend on velocities again, at the present ones.
