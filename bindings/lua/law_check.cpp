@@ -179,6 +179,19 @@ Outcome outcome(CalledLaw& called, const Law* law, const Called::Block& block) {
   return result;
 }
 
+bool depends_on_time(CalledLaw& called, std::span<const double> times) {
+  const auto at = [&](double time) { return outcome(called, nullptr, Samples(called, time).block()); };
+  const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+  const Outcome first = at(times[0]);
+  for (double time : times.subspan(1)) {
+    const Outcome now = at(time);
+    if (now.failures != first.failures) return true;
+    for (std::size_t i = 0; i < now.called.size(); i++)
+      if (!std::equal(now.called[i].begin(), now.called[i].end(), first.called[i].begin(), same)) return true;
+  }
+  return false;
+}
+
 std::string disagreement(CalledLaw& called, const Law& law, const Called::Block& block) {
   const Reader read(called, block);
   const Outcome tried = outcome(called, &law, block);

@@ -1,6 +1,7 @@
 #pragma once
 // Whether what a law was traced to does what its function does.
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -46,5 +47,8 @@ std::string disagreement(CalledLaw& called, const Law& law, const Called::Block&
 
 /// A sentence about where the law is not the same for exchanged particles, or "". `law`: the expressions, or null.
 std::string asymmetry(CalledLaw& called, const Law* law, double time);
+
+/// Whether the function gives something else at one of these times [s] than at another, on any sample.
+bool depends_on_time(CalledLaw& called, std::span<const double> times);
 
 }  // namespace pantin::lua

@@ -12,7 +12,7 @@
 namespace pantin::lua {
 namespace {
 
-constexpr double sample_times[] = {0.0, 0.7, 13.0};  // [s]
+constexpr double sample_times[] = {0.0, 0.7, 13.0, 1000.0};  // [s]
 
 Law traced_law(const LawFunction& f, Traced traced) {
   const Expr first = traced.outputs[0];
@@ -142,7 +142,7 @@ std::shared_ptr<const Law> called_law(const std::shared_ptr<CalledLaw>& function
   law.called = function;
   law.inputs_wanted = function->inputs_wanted();
   law.moving = !is_potential(f.form);
-  law.timed = takes_time(f) || function->noises > 0;
+  law.timed = function->noises > 0 || (takes_time(f) && depends_on_time(*function, sample_times));
   law.called_energy = is_potential(f.form) && !law.timed && !law.one_sided;
   return std::make_shared<const Law>(std::move(law));
 }

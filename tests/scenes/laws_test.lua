@@ -330,3 +330,50 @@ test("a particle that is tied, or joined to another, while a law pulls at it goe
     for i = 1, 4 do expect((places[i] - places[4 + i]):length()):below(1e-6) end
   end
 end)
+
+test("a called potential that takes the time and does not use it has an energy, and one that uses it has none", function()
+  local function scene_of(potential)
+    local scene = open_text([[
+      scene.gravity = vec(0, 0, 0)
+      local a, b = scene:particle(), scene:particle { at = vec(2, 0, 0) }
+      local function branch(x) if x == 1e9 then return 0 end return 1 end   -- == on a simulated value is not traced
+      local tie = scene:connect(a, b, force.pair { potential = function(r, a, b, own, t) return ]] .. potential .. [[ end })
+      scene:probe("own", function() return tie.energy or -1 end)
+    ]])
+    scene:advance(1)
+    return scene
+  end
+  local still = scene_of "branch(r) * 8 * (r - 1) ^ 2"
+  expect(still:read "own"):near(still.energy.potential, 1e-12)
+  expect(still.energy.total):near(8, 1e-2)
+  expect(still.error.energy):below(1e-2)
+  for _, timed in ipairs { "branch(r) * (8 + math.sin(t)) * (r - 1) ^ 2", "branch(r) * (t > 100 and 9 or 8) * (r - 1) ^ 2" } do
+    local scene = scene_of(timed)
+    expect(scene:read "own"):equal(-1)
+    expect(scene.energy.potential):equal(0)
+    expect(scene.ledger.open):near(scene.energy.kinetic, 1e-9)
+  end
+end)
+
+test("a law that goes by mass and acts on points of a body that have none is told, once", function()
+  local bar = "local bar = scene:body { name = 'bar', mass = 1, inertia = vec(1, 1, 1), points = { vec(0, 0, 0), %s } }\n"
+  local function warnings(source)
+    local scene = open_text(source)
+    for _ = 1, 3 do
+      scene:step()
+      scene:find("bar").mass = 2  -- the laws are arranged anew
+    end
+    local list = {}
+    for _, line in ipairs(scene.log) do if line.kind == "warning" then list[#list + 1] = line.text end end
+    return list
+  end
+  local anchors, weighty = bar:format "vec(1, 0, 0)", bar:format "{ at = vec(1, 0, 0), mass = 1 }"
+  local bath = "scene:field(scene, force.thermostat { rate = 1, temperature = 1 })"
+  local told = warnings(anchors .. bath)
+  expect(#told):equal(1)
+  expect(told[1]):equal("text.lua:2: thermostat: it goes by the mass of points, and those of body 'bar' that it acts on have none, so it does nothing to it; give the mass of the body to its points, as in points = { { at = vec(0, 0, 0), mass = 1 } }")
+  expect(#warnings(weighty .. bath)):equal(0)
+  expect(#warnings(weighty .. "local g = scene:group 'g' g:add(bar.points[1])\n" .. bath:gsub("scene,", "g,"))):equal(1)
+  expect(#warnings(anchors .. "scene:field(scene, force.drag { linear = 1 })")):equal(0)
+  expect(#warnings(anchors .. "scene:field(scene, force.point { force = function(p) return vec(0, -p.mass, 0) end })")):equal(1)
+end)
