@@ -5,6 +5,7 @@
 #include "phases/share.hpp"
 #include "world/energy_scale.hpp"
 #include "world/forces.hpp"
+#include "world/integrator.hpp"
 #include "world/sleep.hpp"
 
 namespace pantin::phases {
@@ -82,9 +83,9 @@ std::string undo_what_went_bad(World& world, const OfLoosePoints& points, double
   put_back(world);
   if (thing.empty() && !energy_lost) return world.trouble;
   if (std::string law = bad_force(world); !law.empty()) return law;
-  if (thing.empty()) return "the energy of the laws is not a finite number";
+  if (thing.empty()) return text("the energy of the laws is not a finite number", try_accuracy(world));
   return text("the state of ", thing, " is no longer a finite number at ", time,
-              " s: forces or speeds are too large for a step of ", world.settings.step, " s");
+              " s: forces or speeds are too large for a step of ", world.settings.step, " s", try_accuracy(world));
 }
 
 void end_pushes(World& world) {

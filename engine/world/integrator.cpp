@@ -105,6 +105,12 @@ void require_integrator_fits(const World& world) {
           "\" has fixed steps");
 }
 
+std::string try_accuracy(const World& world) {
+  if (world.settings.accuracy) return {};
+  return text("; scene.accuracy = 1e-4 would choose sub-steps by the error that they make",
+              rule_of(world).divides ? "" : ", with scene.integrator = \"verlet\"");
+}
+
 void tell_unreached(World& world) {
   if (world.stats.unreached++ > 0) return;
   log_line(world, "notice", "scene.accuracy is not reached: not even the most sub-steps are enough");

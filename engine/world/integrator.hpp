@@ -31,6 +31,9 @@ inline const IntegratorRule& rule_of(const World& world) { return rule_of(world.
 /// Throws Error where the integrator of the settings cannot move the world, or the accuracy needs another one.
 void require_integrator_fits(const World& world);
 
+/// "; scene.accuracy = 1e-4 would …": what to try where steps are too long. Empty where it is set already.
+std::string try_accuracy(const World& world);
+
 /// Counts a step whose accuracy not even the most sub-steps gave, and tells of the first.
 void tell_unreached(World& world);
 

@@ -3,6 +3,7 @@
 
 #include "world/editing.hpp"
 #include "world/forces_parts.hpp"
+#include "world/integrator.hpp"
 
 namespace pantin {
 
@@ -147,11 +148,13 @@ std::string bad_force(const World& world) {
     std::string between = name(bad.sites[0]);
     for (int i = 1; i < bad.count; i++) between += " and " + name(bad.sites[i]);
     const std::string distance = bad.count == 1 ? "" : text(", at a distance of ", bad.distance, " m");
+    const bool met = bad.count > 1 && bad.distance == 0.0;  // then no step is short enough
     return text(law_in_place(row), ": the force ", bad.count == 1 ? "on " : "between ", between,
-                " is not a finite number", distance);
+                " is not a finite number", distance, met ? "" : try_accuracy(world));
   };
   const auto energy = [&](const auto& row, const auto& acting) {
-    return std::isfinite(acting.energy) ? "" : text(law_in_place(row), ": its energy is not a finite number");
+    if (std::isfinite(acting.energy)) return std::string();
+    return text(law_in_place(row), ": its energy is not a finite number", try_accuracy(world));
   };
   for (ActingInteraction& a : f.interactions) {
     const Interaction& row = world.interactions[a.id];

@@ -167,7 +167,8 @@ bool find_too_stiff(World& world, Forces& f) {
     told.push_back(row.law.get());
     log_line(world, "notice",
              text(law_in_place(row), ": connections as stiff as ", describe(world, c.id), " (", c.slope,
-                  " N/m) are solved with what they tie, since steps of ", world.part.full, " s are too long for them"));
+                  " N/m) are solved with what they tie, since steps of ", world.part.full, " s are too long for them",
+                  try_accuracy(world)));
   }
   return !told.empty();
 }

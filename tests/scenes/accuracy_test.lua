@@ -135,3 +135,11 @@ test("a string that goes taut stops what it stops for good, whatever sub-steps t
     expect(scene.error.worst_energy):below(1e-3)
   end
 end)
+
+test("where forces are too large for the step, what is told names scene.accuracy", function()
+  local scene = open_text [[
+    scene:particle { at = vec(0.01, 0, 0) }
+    scene:field(scene, force.point { potential = function(p) return 1e7 * p.position.x ^ 2 end })
+  ]]
+  expect(function() scene:advance(1) end):fails "scene.accuracy = 1e-4 would choose sub-steps by the error that they make; the scene is stopped"
+end)
