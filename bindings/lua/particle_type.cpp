@@ -85,7 +85,8 @@ std::vector<Field> look_and_life() {
          if (!lua_isnil(s.state, i)) family = check_kind(s.state, i, Kind::family, "particle", "family").id<FamilyId>();
          set_family(s.world, id_of(s), family);
        }},
-      {"lifetime", "number", "s", "goes when its age reaches this; a hinge is cut; math.huge: never",
+      {"lifetime", "number", "s",
+       "goes at the beginning of the first step at which its age has reached this; a hinge is cut; math.huge: never",
        [](const Self& s) { lua_pushnumber(s.state, ring(s).lifetime); },
        [](const Self& s, int i) {
          const double life = check_number_or_infinity(s.state, i, "particle", "lifetime", "s");

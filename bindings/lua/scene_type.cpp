@@ -322,26 +322,30 @@ std::vector<Method> telling() {
       {"param", guard<scene_param>, "name: string, default: any, options?: ParamOptions", "any",
        "Declares a parameter and returns its value."},
       {"at", guard<scene_at>, "time: number [s], target_or_action: Thing|function, action?: function", "Event",
-       "Does it once, in the step that reaches the time, before anything moves: up to one step early."},
+       "Does it once, at the beginning of the first step whose time is not before it: never early. A run that ends at "
+       "that time does not do it."},
       {"after", guard<scene_after>, "delay: number [s], target_or_action: Thing|function, action?: function", "Event",
-       "Does it once, a while from now; in the step that reaches that time, as at does."},
+       "Does it once, a while from now, by the rule of at."},
       {"every", guard<scene_every>, "period: number [s], target_or_action: Thing|function, action?: function", "Event",
-       "Does it again and again, at period, 2 period, … from now on; each in the step that reaches it, as at does."},
+       "Does it again and again, at period, 2 period, … from now on, by the rule of at."},
       {"over", guard<scene_over>,
        "from: number [s], to: number [s], target_or_action: Thing|fun(u: number), action?: fun(u: number, target: "
        "Thing)",
-       "Event", "Does it in each step from one time to another, with u from 0 to 1."},
+       "Event",
+       "Does it at the beginning of each step from one time to another, with u from 0 to 1; with 1 for sure, and "
+       "last."},
       {"when", guard<scene_when>,
        "condition: Condition|fun(): boolean, target_or_action: Thing|function, action?: function|WhenOptions, "
        "options?: WhenOptions",
-       "Event", "Does it once something holds."},
+       "Event", "Does it at the beginning of the first step at which something holds."},
       {"play", guard<scene_play>,
        "target_or_script: Thing|fun(wait: Waiting), script?: fun(wait: Waiting, target: Thing)", "Event",
-       "A script that waits: wait(2) [s], wait(function() … end), wait() for the next step."},
+       "A script that waits: wait(2) [s] by the rule of at, wait(function() … end), wait() for the next step."},
       {"on", guard<scene_on>, "moment: string, key_or_action: string|function, action?: function", "Subscription",
        "Calls a function at each \"step\" (dt), \"press\" \"release\" (hand), \"key\" (name), \"grab\" \"drop\" "
-       "(thing, hand), "
-       "\"cut\" \"joined\" (hinge), \"broke\" (connection, constraint or hinge, force [N], story), \"removed\" (thing, "
+       "(point, hand), "
+       "\"cut\" \"joined\" (hinge), \"broke\" (connection, constraint or hinge, force [N] or torque [N m], story), "
+       "\"removed\" (thing, "
        "story). on(\"key\", \"x\", action) takes that key from the window, whatever that does with it; without a name, "
        "keys are heard that the window has no use for."},
       {"behave", guard<scene_behave>, "target: Thing|Scene, behaviour: Behaviour, options?: table", "Subscription",

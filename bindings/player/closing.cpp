@@ -5,6 +5,7 @@
 
 #include "player/home.hpp"
 #include "player/message.hpp"
+#include "world/integrator.hpp"
 #include "world/measure.hpp"
 
 namespace pantin::player {
@@ -34,13 +35,18 @@ void print_closing(const lua::Scene& scene, const std::string& path, double seco
                       " safe steps, which only lose energy, where an articulate could not be solved\n");
   if (world.worst.energy > 0.1)
     std::cout << "  the energy went wrong by more than a tenth of what the scene exchanges; `pantin report " << path
-              << "` compares steps and integrators\n";
+              << "` compares steps and integrators" << try_accuracy(world) << "\n";
   if (world.settings.accuracy) {
     const MostSubSteps most = most_sub_steps(world);
     std::cout << text("  accuracy ", *world.settings.accuracy, " per second took ", world.sub_steps.count,
                       world.sub_steps.count == 1 ? " sub-step" : " sub-steps", " of the scene in the last step, and ",
                       most.count, most.thing.empty() ? " of everything" : " of what moves with " + most.thing, "\n");
   }
+  for (const TimelineEntry& event : timeline(world))
+    if (event.kind == EventKind::once && event.time <= with_round_off(world.time))
+      if (event.state == EventState::waiting)
+        std::cout << "  what was set for " << to_text(event.time)
+                  << " s, when the run ends, is not done: " << event.label << "\n";
   for (const Probe& probe : world.probes)
     if (!probe.values.empty()) std::cout << "  " << probe.name << " " << to_text(probe.values.back()) << "\n";
   for (const auto& [name, value] : scene.results()) std::cout << "  " << name << " " << show(value) << "\n";

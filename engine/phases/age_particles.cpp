@@ -23,7 +23,7 @@ void end_life(World& world, ParticleId id) {
 void age_particles(World& world) {
   if (world.mortals.empty() && world.emitters.empty()) return;
   const Timed timed(world.profile, Phase::age_particles);
-  const std::vector<ParticleId> ended = take_ended(world, with_round_off(next_time(world)));
+  const std::vector<ParticleId> ended = take_ended(world, with_round_off(world.time));
   if (!ended.empty()) {
     const Acting acting(world);
     world.who = [] { return std::string("the end of its lifetime"); };

@@ -5,9 +5,10 @@
 namespace pantin::phases {
 
 void fire_events(World& world) {
+  world.choreography.reached = world.time;
   if (world.choreography.heap.empty() && world.choreography.watching.empty()) return;
   const Timed timed(world.profile, Phase::fire_events);
-  pantin::fire_events(world, next_time(world));
+  pantin::fire_events(world, world.time);
 }
 
 void run_behaviours(World& world) {

@@ -238,7 +238,7 @@ CarriedOver carry_over(const World& old, const Made& before, World& fresh, const
     to[match.first->id] = match.second->id;
     match_points(match, to);
   }
-  begin_at(fresh, old.time);
+  begin_at(fresh, old.time, old.choreography.reached);
   carry_events(before, fresh, now);
   carry_things(old, fresh, list, to);
   carry_emitters(fresh);

@@ -123,7 +123,7 @@ std::optional<Wait> go_on(World& world, EventId id) {
   return {};
 }
 
-void play(World& world, EventId id, double due) {
+void play(World& world, EventId id, double due, double time) {
   Choreography& c = world.choreography;
   c.events[id].fired++;
   c.events[id].watched = false;
@@ -132,7 +132,8 @@ void play(World& world, EventId id, double due) {
   if (!wait) return finish(world, id, EventState::fired);
   Event& event = c.events[id];
   event.waits_for = wait->until;
-  event.time = due + wait->delay;
+  const bool in_time = with_round_off(due) >= time;  // then waits of whole steps add up without round-off
+  event.time = (in_time ? time : due) + wait->delay;
   if (wait->until || !(wait->delay > 0.0))
     watch(c, id);
   else
@@ -169,7 +170,7 @@ void fire(World& world, const Choreography::Due& due, double time) {
     return drop(world, id, text(", due at ", event.kind == EventKind::over ? event.time : due.time, " s"),
                 story(world, event.target));
   if (event.kind == EventKind::over) return go_over(world, id, time);
-  if (event.kind == EventKind::play) return play(world, id, due.time);
+  if (event.kind == EventKind::play) return play(world, id, due.time, time);
   fire_once(world, id);
 }
 
@@ -227,12 +228,12 @@ void end_event(World& world, EventId event, EventState state) {
   if (world.choreography.events.alive(event)) finish(world, event, state);
 }
 
-void begin_at(World& world, double time) {
+void begin_at(World& world, double time, double fired) {
   world.time = world.step_origin = time;
   world.step_count = 0;
-  if (time == 0.0) return;  // what is due at once is still to fire
   Choreography& c = world.choreography;
-  const double reached = with_round_off(time);
+  c.reached = fired;
+  const double reached = with_round_off(fired);
   c.heap.clear();
   for (EventId id : c.events.ids()) {
     Event& event = c.events[id];

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,7 +25,8 @@ struct Gone : Error {
 enum class EventState : std::uint8_t { waiting, fired, dropped, cancelled };
 
 /// once: at `time`. every: at `time` + k · `period`, k = 1, 2, …, exactly. over: in each step from `time` to `until`.
-/// when: in the step in which its condition begins to hold. play: goes on at `time`, and then after each of its waits.
+/// when: in the step at whose beginning its condition begins to hold. play: goes on at `time`, and then after each of
+/// its waits. What is due at a time runs at the beginning of the first step whose own time is not before it.
 enum class EventKind : std::uint8_t { once, every, over, when, play };
 
 /// Something measured, that is to get above or below a limit.
@@ -52,7 +54,7 @@ struct Event {
   double until = 0.0;   ///< [s] > time, of an over
   AnyId target;         ///< not applied when this is gone; monostate: none
   std::function<void()> action;
-  std::function<void(double)> progress;       ///< of an over, in place of `action`: 0 … 1 at the end of the step
+  std::function<void(double)> progress;       ///< of an over, in place of `action`: 0 … 1 when the step begins
   std::function<std::optional<Wait>()> goes;  ///< of a play: to its next wait, or to its end
   Measured condition;                         ///< of a when
   std::string label;                          ///< "scene.lua:12", for the log
@@ -100,6 +102,7 @@ struct Choreography {
   std::vector<Due> heap;           ///< binary heap, earliest first
   std::vector<EventId> watching;   ///< looked at in each step: whens, plays that wait for something, overs that began
   std::deque<TimelineEntry> past;  ///< the latest `most_told` that ended, oldest first
+  double reached = std::numeric_limits<double>::lowest();  ///< [s] what was due up to then has fired
 };
 constexpr std::size_t most_told = 1000;
 
@@ -107,7 +110,7 @@ constexpr std::size_t most_told = 1000;
 EventId add_event(World& world, Event event);
 /// Nothing happens when it is done already.
 void cancel(World& world, EventId event);
-/// Fires what is due up to `time` [s]. An event whose target is gone is dropped and logged with who removed it.
+/// Fires what is due up to `time` [s], when the step begins. An event whose target is gone is dropped and logged with who removed it.
 void fire_events(World& world, double time);
 /// What ended, then what waits in the order in which it is due (whens last): the latest and the next `most_told`.
 std::vector<TimelineEntry> timeline(const World& world);

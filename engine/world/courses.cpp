@@ -35,7 +35,7 @@ class Runner {
       const auto block = places.subspan(first, std::min<std::size_t>(Machine::block, places.size() - first));
       for (std::size_t k = 0; k < block.size(); k++) {
         const Particle& particle = world.particles.at_slot(slots[block[k]]);
-        if (age_ >= 0) machine_.column(age_)[k] = std::fmax(0.0, time - particle.born);
+        if (age_ >= 0) machine_.column(age_)[k] = std::clamp(time - particle.born, 0.0, particle.lifetime);
         if (lifetime_ >= 0) machine_.column(lifetime_)[k] = particle.lifetime;
       }
       machine_.run(static_cast<int>(block.size()));

@@ -326,7 +326,7 @@ function Point:remove() end
 ---@field velocity vec [m/s] velocity in the world; written only of a free particle
 ---@field mass number [kg] mass; of a hinge its points' sum, which is not written
 ---@field family Family? its family, whose attributes are fields of it: p.charge
----@field lifetime number [s] goes when its age reaches this; a hinge is cut; math.huge: never
+---@field lifetime number [s] goes at the beginning of the first step at which its age has reached this; a hinge is cut; math.huge: never
 ---@field age number [s] time since it was made (read only)
 ---@field color color|fun(age: number, life: number): color color, or a function of age and lifetime [s]; overrides its points'
 ---@field radius number|fun(age: number, life: number): number [m] size, or a function of age and lifetime [s]; overrides its points'
@@ -1010,44 +1010,44 @@ function Scene:hand(options) end
 ---@param options? ParamOptions
 ---@return any
 function Scene:param(name, default, options) end
----Does it once, in the step that reaches the time, before anything moves: up to one step early.
+---Does it once, at the beginning of the first step whose time is not before it: never early. A run that ends at that time does not do it.
 ---@param time number [s]
 ---@param target_or_action Thing|function
 ---@param action? function
 ---@return Event
 function Scene:at(time, target_or_action, action) end
----Does it once, a while from now; in the step that reaches that time, as at does.
+---Does it once, a while from now, by the rule of at.
 ---@param delay number [s]
 ---@param target_or_action Thing|function
 ---@param action? function
 ---@return Event
 function Scene:after(delay, target_or_action, action) end
----Does it again and again, at period, 2 period, … from now on; each in the step that reaches it, as at does.
+---Does it again and again, at period, 2 period, … from now on, by the rule of at.
 ---@param period number [s]
 ---@param target_or_action Thing|function
 ---@param action? function
 ---@return Event
 function Scene:every(period, target_or_action, action) end
----Does it in each step from one time to another, with u from 0 to 1.
+---Does it at the beginning of each step from one time to another, with u from 0 to 1; with 1 for sure, and last.
 ---@param from number [s]
 ---@param to number [s]
 ---@param target_or_action Thing|fun(u: number)
 ---@param action? fun(u: number, target: Thing)
 ---@return Event
 function Scene:over(from, to, target_or_action, action) end
----Does it once something holds.
+---Does it at the beginning of the first step at which something holds.
 ---@param condition Condition|fun(): boolean
 ---@param target_or_action Thing|function
 ---@param action? function|WhenOptions
 ---@param options? WhenOptions
 ---@return Event
 function Scene:when(condition, target_or_action, action, options) end
----A script that waits: wait(2) [s], wait(function() … end), wait() for the next step.
+---A script that waits: wait(2) [s] by the rule of at, wait(function() … end), wait() for the next step.
 ---@param target_or_script Thing|fun(wait: Waiting)
 ---@param script? fun(wait: Waiting, target: Thing)
 ---@return Event
 function Scene:play(target_or_script, script) end
----Calls a function at each "step" (dt), "press" "release" (hand), "key" (name), "grab" "drop" (thing, hand), "cut" "joined" (hinge), "broke" (connection, constraint or hinge, force [N], story), "removed" (thing, story). on("key", "x", action) takes that key from the window, whatever that does with it; without a name, keys are heard that the window has no use for.
+---Calls a function at each "step" (dt), "press" "release" (hand), "key" (name), "grab" "drop" (point, hand), "cut" "joined" (hinge), "broke" (connection, constraint or hinge, force [N] or torque [N m], story), "removed" (thing, story). on("key", "x", action) takes that key from the window, whatever that does with it; without a name, keys are heard that the window has no use for.
 ---@param moment string
 ---@param key_or_action string|function
 ---@param action? function

@@ -13,7 +13,7 @@ TEST_CASE("what a script draws in a step is there until the next") {
       scene.draw:arrow(vec(0, 0, 0), vec(0, 1, 0))
       scene.draw:point(vec(-5, 7, 0), { space = "screen", size = 20 })
     end)
-    scene:at(2.5 / 240, function() scene.draw:text(vec(0, 0, 0), "third") end))");
+    scene:at(1.5 / 240, function() scene.draw:text(vec(0, 0, 0), "third") end))");
   REQUIRE(scene->drawings().size() == 1);
   CHECK(scene->drawings()[0].text == "before");
   for (const std::size_t count : {3u, 3u, 4u, 3u}) {

@@ -142,7 +142,7 @@ TEST_CASE("results, finish, probes and warnings come out") {
   const auto scene = open(R"(
     scene:result("n", 3) scene:result("word", "yes") scene:result("flag", true)
     scene:probe("height", function() return 1 + scene.time end)
-    scene:at(2 * scene.step, function() scene:finish() end))");
+    scene:at(scene.step, function() scene:finish() end))");
   CHECK(std::get<double>(scene->results().at("n")) == 3.0);
   CHECK(std::get<bool>(scene->results().at("flag")));
   scene->step();

@@ -122,14 +122,39 @@ TEST_CASE("snapshot: a script goes back when its step is done, with its handlers
       scene:result("x", saved.time)
       assert(not late.alive and not pcall(function() return late.mass end))
     end))");
-  steps(*scene, 240);
-  CHECK(scene->world().time == Approx(119.0 / 240));
-  CHECK(scene->world().probes[0].values.size() == 119);
+  steps(*scene, 241);
+  CHECK(scene->world().time == 0.5);
+  CHECK(scene->world().probes[0].values.size() == 120);
   Command key;
   key.name = "k";
   scene->world().input.commands.push_back(key);
   steps(*scene, 10);
-  CHECK(std::get<double>(scene->results().at("x")) == Approx(119.0 / 240));
+  CHECK(std::get<double>(scene->results().at("x")) == 0.5);
+}
+
+TEST_CASE("snapshot: what is due when it is taken happens after it, again to the bit") {
+  const auto scene = open(R"(
+    scene.step = 0.1
+    local ball, told = scene:particle {}, scene.store
+    told.events = 0
+    local function hit() told.events = told.events + 1 ball:kick(vec(0.1, 0, 0.3)) end
+    scene:at(0.5, hit) scene:at(0.55, hit) scene:every(0.25, hit) scene:over(0.4, 0.9, hit)
+    scene:when({ distance_above = 1, of = { ball, vec(0, 0, 0) } }, hit)
+    scene:probe("events", function() return told.events end))");
+  const auto events = [&] { return scene->world().probes[0].latest; };
+  steps(*scene, 5);
+  REQUIRE(scene->world().time == 0.5);
+  REQUIRE(events() == 2);  // of every at 0.3, of over at 0.4
+  const auto snapshot = scene->take_snapshot();
+  const auto go_on = [&] {
+    steps(*scene, 1);
+    CHECK(events() == 6);  // at, every, over and when at 0.5
+    steps(*scene, 9);
+    return std::pair(state_hash(scene->world()), events());
+  };
+  const auto first = go_on();
+  scene->restore(*snapshot);
+  CHECK(go_on() == first);
 }
 
 TEST_CASE("snapshot: reset goes back to the start") {

@@ -117,7 +117,7 @@ TEST_CASE("trajectory: another program reads each frame") {
   const auto converted = support::finish({{"obabel", "-ixyz", folder / "a.xyz", "-oxyz"}, {}, {}});
   CHECK(converted.err.find("5 molecules converted") != std::string::npos);
   const std::vector<std::string> read = lines(converted.out);
-  REQUIRE(read.size() == 2 * 5 + 3 * 4);  // three particles in two frames, two in three
+  REQUIRE(read.size() == 3 * 5 + 2 * 4);  // three particles in three frames, two in two
   CHECK(std::regex_search(read[4], std::regex(R"(0\.0+ +5\.0+ +0\.0+$)")));
   CHECK(std::regex_search(read.back(), std::regex(R"(2\.0000\d +3\.0+ +3\.0+$)")));  // the rod's far end
 }

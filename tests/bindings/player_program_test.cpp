@@ -191,6 +191,16 @@ TEST_CASE("program: the scene says when to end") {
   CHECK(nlohmann::json::parse(read_file(folder / "b.json"))["time"].get<double>() == Approx(0.125).margin(1.0 / 240));
 }
 
+TEST_CASE("program: what was set for the time at which the run ends is told to be undone") {
+  Folder folder;
+  write_file(folder / "end.lua",
+             "local p = scene:particle {}\nscene:at(0.5, p, function() end)\n"
+             "scene:at(0.4, p, function() end)\nscene:at(0.6, p, function() end)");
+  const Finished result = use(folder, {"run", "end.lua", "--until", "0.5"});
+  CHECK_THAT(result.out, Contains("what was set for 0.5 s, when the run ends, is not done: end.lua:2\n"));
+  CHECK(lines(result.out) == 3);
+}
+
 TEST_CASE("program: a run whose energy went wrong says so, and what finds a better step") {
   Folder folder;
   const std::string spring = "scene.integrator = 'euler'\nlocal p = scene:particle { at = vec(1, 0, 0) }\n";
@@ -257,8 +267,8 @@ TEST_CASE("program: one Ctrl-C ends a script that loops, whatever its limit, and
     loops(*process);
     process->signal(SIGINT);
     CHECK(process->wait(20.0) == 0);
-    CHECK_THAT(process->err(), Contains("steps.lua:2: the script was interrupted") && Contains("stopped at 0.09"));
-    CHECK(nlohmann::json::parse(read_file(folder / "s.json"))["steps"] == 23);
+    CHECK_THAT(process->err(), Contains("steps.lua:2: the script was interrupted") && Contains("stopped at 0.1 s"));
+    CHECK(nlohmann::json::parse(read_file(folder / "s.json"))["steps"] == 24);
     CHECK(folder.files().size() == 4);
   }
   SECTION("twice") {

@@ -139,7 +139,7 @@ TEST_CASE("reload: a handler is called once in each step, however often the file
     played.save_and_look(text + "scene.store.fired = 0");
   }
   played.steps(24);
-  CHECK(played.probe() == 24 * 10000 + 24 * 100 + 4);
+  CHECK(played.probe() == 24 * 10000 + 24 * 100 + 3);
   CHECK(played.scene->world().probes[1].latest == 4 * 24);
   CHECK(played.scene->world().choreography.events.size() == 1);
 }
@@ -210,6 +210,7 @@ TEST_CASE("reload: what is past does not happen again, what is to come does") {
   const std::string text = R"(
     local count = function(name) return function() scene.store[name] = (scene.store[name] or 0) + 1 end end
     scene:at(0.5, count "at")
+    scene:at(1, count "now")  -- when the file is saved
     scene:at(2, count "late")
     scene:every(0.25, count "every")
     scene:when(function() return scene.time > 0.3 end, count "when")
@@ -228,12 +229,13 @@ TEST_CASE("reload: what is past does not happen again, what is to come does") {
   played.steps(1);
   played.steps(360);
   CHECK(stored(played, "at") == 1);
+  CHECK(stored(played, "now") == 1);
   CHECK(stored(played, "late") == 1);
   CHECK(stored(played, "when") == 1);
   CHECK(stored(played, "every") == 10);
-  CHECK(stored(played, "over") == 360);
+  CHECK(stored(played, "over") == 361);
   CHECK(stored(played, "waited") == 2);
-  CHECK(stored(played, "play") == 9);
+  CHECK(stored(played, "play") == 10);
 }
 
 TEST_CASE("reload: what was cut or removed stays so; what is new appears, what the file no longer has goes") {

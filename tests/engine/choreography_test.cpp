@@ -67,6 +67,30 @@ TEST_CASE("a time reached up to round-off counts as reached") {
   CHECK(s.done.size() == 1);
 }
 
+TEST_CASE("events at whole steps fire in just these, over hours of any step") {
+  struct Case {
+    double step, period;  // [s]
+    std::uint64_t steps;  // in a period
+  };
+  for (const Case& c :
+       {Case{1.0 / 60.0, 0.1, 6}, Case{1.0 / 240.0, 0.35, 84}, Case{1e-3, 0.3, 300}, Case{0.1, 0.3, 3}}) {
+    Scene s;
+    std::uint64_t ticks = 0, waits = 0, wrong = 0;
+    Event every = s.event(c.period, "every", c.period);
+    every.action = [&] { ticks++; };
+    add_event(s.world, every);
+    Event play;
+    play.kind = EventKind::play;
+    play.goes = [&]() -> std::optional<Wait> { return waits++, Wait{c.period, {}}; };
+    add_event(s.world, play);
+    for (std::uint64_t k = 0; k < 2'000'000; k++) {
+      fire_events(s.world, static_cast<double>(k) * c.step);
+      wrong += ticks != k / c.steps || waits != k / c.steps + 1;
+    }
+    CHECK(wrong == 0);
+  }
+}
+
 TEST_CASE("an event added while firing fires in the same call if it is due") {
   Scene s;
   Event parent = s.event(1, "parent");

@@ -269,7 +269,7 @@ TEST_CASE("a lifetime written again and again is waited for once, and may be tak
   CHECK(world.particles.alive(id));
   CHECK(world.mortals.empty());
   set_lifetime(world, id, 0.02);
-  advance(world, 0.02);
+  advance(world, 0.025);
   CHECK_FALSE(world.particles.alive(id));
 }
 

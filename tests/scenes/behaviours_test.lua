@@ -86,7 +86,7 @@ test("a behaviour starts, steps and stops with its target", function()
     scene:at(5.5 / 240, function() p:remove() end)
   ]]
   scene:advance(0.1)
-  expect(scene:result "x"):equal "start stop 5"
+  expect(scene:result "x"):equal "start stop 6"
   expect(function() open_text "scene:behave(scene, {})" end):fails "behave: the behaviour has no start, step or stop"
   expect(function() open_text "scene:behave(3, {})" end):fails "behave: argument 1, the target"
   expect(function() open_text "scene:behave(scene, { step = 3 })" end):fails "behave: step must be a function"

@@ -149,3 +149,88 @@ test("when: what is gone has no energy to be below", function()
   scene:advance(0.3)
   expect(scene:read "fired"):equal(0)
 end)
+
+test("an event runs at the beginning of the first step whose time is not before it, whatever sets it", function()
+  for _, step in ipairs { "1/240", "1/60", "0.1", "1e-3", "0.07" } do
+    local scene = open_text("scene.step = " .. step .. [[
+
+      local worst_early, worst_late, count = 0, 0, 0
+      local function due(t)
+        worst_early, worst_late = math.max(worst_early, t - scene.time), math.max(worst_late, scene.time - t - scene.step)
+        count = count + 1
+      end
+      for _, t in ipairs { 0, 0.1, 0.3, 0.35, 1 / 3, 0.7, 1, 1.1 } do scene:at(t, function() due(t) end) end
+      scene:at(0.35, function()
+        local now = scene.time
+        scene:after(0.3, function() due(now + 0.3) end)
+      end)
+      local k = 0
+      scene:every(0.1, function() k = k + 1 due(0.1 * k) end)
+      local time = 0
+      scene:play(function(wait) for _ = 1, 6 do wait(0.2) time = time + 0.2 due(time) end end)
+      scene:probe("early", function() return worst_early end)
+      scene:probe("late", function() return worst_late end)
+      scene:probe("count", function() return count end)
+    ]])
+    scene:advance(1.4)
+    expect(scene:read "early"):below(1e-15)
+    expect(scene:read "late"):below(1e-15)
+    expect(scene:read "count"):equal(8 + 1 + 13 + 6)
+  end
+end)
+
+test("what is due on a step's boundary acts from exactly then, and not in a run that ends there", function()
+  local scene = open_text [[
+    scene.step, scene.gravity = 0.125, vec(0, 0, 0)
+    local function ball(z) return scene:particle { at = vec(0, 0, z) } end
+    local function rod(z) return scene:body { at = vec(0, 0, z), points = { { at = vec(0, 0, 0), mass = 1 }, { at = vec(0, 1, 0), mass = 1 } } } end
+    local kicked, pushed, a, b = ball(0), ball(1), rod(2), rod(2)
+    local hinge = scene:hinge(a.points[1], b.points[1])
+    scene:at(0.5, kicked, function(b) b:kick(vec(1, 0, 0)) end)
+    scene:at(0.5, pushed, function(b) b:push(vec(8, 0, 0)) end)
+    scene:at(0.5, hinge, function(h) h:cut() end)
+    scene:probe("kicked", function() return kicked.position.x end)
+    scene:probe("pushed", function() return pushed.position.x end)
+    scene:probe("hinges", function() return #scene.hinges end)
+  ]]
+  scene:advance(0.5)
+  expect(scene.time):equal(0.5)
+  expect(scene:read "hinges"):equal(1)
+  scene:advance(0.5)
+  expect(scene:read "kicked"):equal(0.5)
+  expect(scene:read "pushed"):equal(0.5 * 8 * 0.125 ^ 2 + 0.375)
+  expect(scene:read "hinges"):equal(0)
+end)
+
+test("an over is told at the beginning of each step what part of it has passed, from 0 to 1", function()
+  local scene = open_text [[
+    scene.step = 0.125
+    local list = ""
+    scene:over(0.25, 0.75, function(u) list = list .. scene.time .. ": " .. u .. " " scene:result("list", list) end)
+    scene:over(0.9, 0.95, function(u) list = list .. scene.time .. ": " .. u scene:result("list", list) end)
+  ]]
+  scene:advance(2)
+  expect(scene:result "list"):equal("0.25: 0.0 0.375: 0.25 0.5: 0.5 0.625: 0.75 0.75: 1.0 1.0: 1.0")
+end)
+
+test("a lifetime ends at the beginning of the first step by which it is over, and ages stay within it until then", function()
+  local scene = open_text [[
+    scene.step, scene.gravity = 0.125, vec(0, 0, 0)
+    local body = { points = { { at = vec(0, 0, 0), mass = 1 }, { at = vec(1, 0, 0), mass = 1 } } }
+    local a, b = scene:body(body), scene:body(body)
+    local hinge = scene:hinge(a.points[1], b.points[1], { lifetime = 0.3 })
+    local whole, half = scene:particle { lifetime = 0.5 }, scene:particle { lifetime = 0.3, radius = function(age, life) return 1 - age / life end }
+    local ended = ""
+    local function tell(thing) ended = ended .. (thing == whole and "whole " or thing == half and "half " or "hinge ") scene:result("ended", ended) end
+    scene:on("removed", tell) scene:on("cut", tell)
+    scene:probe("radius", function() return half.alive and half.radius or 0 end)
+    scene:probe("living", function() return (whole.alive and 1 or 0) + (half.alive and 10 or 0) + #scene.hinges * 100 end)
+  ]]
+  local living = {}
+  for _ = 1, 5 do
+    scene:step()
+    living[#living + 1] = scene:read "living"
+    expect(scene:read "radius"):above(-1e-9)
+  end
+  for i, wanted in ipairs { 111, 111, 111, 1, 0 } do expect(living[i]):equal(wanted) end
+end)

@@ -35,7 +35,7 @@ test("all events of a day fire again, at the same times, after a snapshot is res
   scene:advance(0.6)
   expect(told(scene)):equal(whole)
   expect(whole:find("cancelled") == nil):is_true()
-  expect(whole:find("made by an event 0.7958", 1, true) ~= nil):is_true()
+  expect(whole:find("made by an event 0.8000", 1, true) ~= nil):is_true()
 end)
 
 test("a day begun anew is the same day", function()
