@@ -119,7 +119,7 @@ std::vector<Field> build_fields() {
        [](const Self& s) { lua_pushnumber(s.state, s.world.motion_of(id_of(s)).mass); }, write_mass},
       {"inertia", "vec|table", "kg m²",
        "its points' and its own about the frame's origin, in the frame's axes: vec of the diagonal, or { xx, yy, zz, "
-       "xy, xz, yz }",
+       "xy, xz, yz }. Tied, a body moves with no principal moment below 1e-4 of the largest, and a warning says so",
        [](const Self& s) { push_inertia(s.state, row(s).own_inertia + inertia_of_points(s)); }, write_inertia},
       {"points", "Point[]", "", "its points, in the order of making",
        [](const Self& s) { push_list(s.state, s.script, row(s).points); }, nullptr},

@@ -162,8 +162,18 @@ void update_loose(Model& model, const std::vector<Thing>& things, bool bodies, s
   std::inplace_merge(loose.begin(), loose.begin() + old, loose.end());
 }
 
+/// Bodies move with the inertia that they have loose or tied.
+void settle(Model& model, const std::vector<Thing>& found, bool tied, Settled& settled) {
+  for (Thing t : found) {
+    if (!t.is_body) continue;
+    const BodyId body = model.bodies.id_at(t.slot);
+    settled.energy += settle_inertia(model, body, tied);
+    if (lift(model, body) > 0.0) settled.lifted.push_back(body);
+  }
+}
+
 /// Finds what the given things are tied to; appends whatever else that is to them. Returns the new articulates.
-Articulates gather(Model& model, const Articulates& before, std::vector<Thing>& things) {
+Articulates gather(Model& model, const Articulates& before, std::vector<Thing>& things, Settled& settled) {
   Articulates made;
   std::vector<Thing> loose;
   Search search(model);
@@ -174,6 +184,7 @@ Articulates gather(Model& model, const Articulates& before, std::vector<Thing>& 
     bool constrained = false;
     std::vector<Thing> found = search.from(t, constrained);
     things.insert(things.end(), found.begin(), found.end());
+    settle(model, found, constrained, settled);
     if (!constrained) {
       loose.insert(loose.end(), found.begin(), found.end());
       continue;
@@ -188,22 +199,24 @@ Articulates gather(Model& model, const Articulates& before, std::vector<Thing>& 
 
 }  // namespace
 
-void find_articulates(Model& model, std::vector<std::unique_ptr<Articulate>>& articulates,
-                      std::vector<std::uint32_t>& loose_bodies, std::vector<std::uint32_t>& loose_points) {
+Settled find_articulates(Model& model, std::vector<std::unique_ptr<Articulate>>& articulates,
+                         std::vector<std::uint32_t>& loose_bodies, std::vector<std::uint32_t>& loose_points) {
+  Settled settled;
   for (std::int32_t i : model.disturbed) disturb(*articulates[static_cast<std::size_t>(i)]);
   model.disturbed.clear();
-  if (!model.topology_changed) return;
+  if (!model.topology_changed) return settled;
   for (const Touched& t : model.touched)
     if (t.articulate >= 0) wake(*articulates[static_cast<std::size_t>(t.articulate)]);
   const std::vector<char> changed = changed_articulates(model, articulates);
   std::vector<Thing> things = things_to_gather(model, articulates, changed);
   model.touched.clear();
   model.topology_changed = false;
-  if (things.empty()) return;
-  Articulates made = gather(model, articulates, things);
+  if (things.empty()) return settled;
+  Articulates made = gather(model, articulates, things, settled);
   replace(model, articulates, changed, made);
   update_loose(model, things, true, loose_bodies);
   update_loose(model, things, false, loose_points);
+  return settled;
 }
 
 }  // namespace pantin

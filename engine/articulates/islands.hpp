@@ -14,10 +14,16 @@ struct Thing {
   bool operator==(const Thing&) const = default;
 };
 
+/// What became of the inertia of bodies that were tied or got loose.
+struct Settled {
+  double energy = 0.0;         ///< [J] that this gave
+  std::vector<BodyId> lifted;  ///< move with more than their own
+};
+
 /// Finds anew what the edits since the last call touched: articulates in which a touched thing is no longer tied as it
 /// was are taken apart, and their things, with the untied things that were touched, are gathered into articulates or
 /// found loose. Articulates stay in the order of their smallest serial.
-void find_articulates(Model& model, std::vector<std::unique_ptr<Articulate>>& articulates,
-                      std::vector<std::uint32_t>& loose_bodies, std::vector<std::uint32_t>& loose_points);
+Settled find_articulates(Model& model, std::vector<std::unique_ptr<Articulate>>& articulates,
+                         std::vector<std::uint32_t>& loose_bodies, std::vector<std::uint32_t>& loose_points);
 
 }  // namespace pantin

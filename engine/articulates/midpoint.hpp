@@ -105,11 +105,4 @@ inline void commit(Node& n) {
   n.O0 = n.inverse_inertia * n.P0;
 }
 
-/// Moves a node without rows by h, halving where the rotation is too fast for one step; beyond 2^-5 h it turns about its
-/// principal axes, which always answers.
-void drift_alone(Node& node, double h);
-/// Turns a free body by h with its angular momentum fixed in the world: exactly as a symmetric top, and, before and after,
-/// by half of what the difference of its two most alike moments makes (second order; Touma and Wisdom 1994).
-void turn_freely(Node& node, double h);
-
 }  // namespace pantin

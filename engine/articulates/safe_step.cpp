@@ -4,6 +4,7 @@
 
 #include "articulates/batches.hpp"
 #include "articulates/couple.hpp"
+#include "articulates/loose.hpp"
 #include "articulates/midpoint.hpp"
 #include "articulates/newton.hpp"
 #include "articulates/project.hpp"

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "articulates/drift.hpp"
-#include "articulates/midpoint.hpp"
+#include "articulates/loose.hpp"
 
 namespace pantin {
 
@@ -13,8 +13,12 @@ namespace {
 constexpr std::uint16_t most = 256, patience = 64, longest_wait = 16;
 constexpr double fast = 0.3;  // [rad] in a sub-step: then each step is a trial
 
-/// An error so small counts as quiet: half as many sub-steps have four times as much, and need some room.
-bool is_quiet(const SubSteps& n, double rate, double accuracy) { return n.count > 1 && 8.0 * rate <= accuracy; }
+constexpr double second_order = 4.0, fourth_order = 16.0;  // the error falls by this much with twice as many sub-steps
+
+/// An error so small counts as quiet: half as many sub-steps have `gain` times as much, and need some room.
+bool is_quiet(const SubSteps& n, double rate, double accuracy, double gain) {
+  return n.count > 1 && 2.0 * gain * rate <= accuracy;
+}
 
 SubSteps halved(const SubSteps& n) { return {static_cast<std::uint16_t>(n.count / 2)}; }
 
@@ -52,8 +56,8 @@ double fastest_spin(const Articulate& a) {
 
 /// Moves `thing` by n sub-steps, doubled until the error over h [s] is small enough; false where it is not even then.
 template <class Thing, class Move, class Difference>
-bool move_by_trial(Thing& thing, Thing& start, Thing& other, SubSteps& n, double h, double accuracy, Move move,
-                   Difference differ) {
+bool move_by_trial(Thing& thing, Thing& start, Thing& other, SubSteps& n, double h, double accuracy, double gain,
+                   Move move, Difference differ) {
   if (n.quiet >= patience) n = halved(n);
   const auto passed = static_cast<std::uint16_t>(n.wait - n.left);
   n.wait = std::min<std::uint16_t>(longest_wait, static_cast<std::uint16_t>(2 * n.wait));
@@ -62,13 +66,13 @@ bool move_by_trial(Thing& thing, Thing& start, Thing& other, SubSteps& n, double
   for (;;) {
     other = start;
     move(other, 2u * n.count);
-    const double rate = 4.0 / 3.0 * differ(thing, other) / h;
+    const double rate = gain / (gain - 1.0) * differ(thing, other) / h;
     if (rate > accuracy && n.count < most) {
       n = {static_cast<std::uint16_t>(2 * n.count)};
       std::swap(thing, other);
       continue;
     }
-    n.quiet = is_quiet(n, rate, accuracy) ? static_cast<std::uint16_t>(n.quiet + passed) : std::uint16_t{0};
+    n.quiet = is_quiet(n, rate, accuracy, gain) ? static_cast<std::uint16_t>(n.quiet + passed) : std::uint16_t{0};
     n.left = n.wait;
     return !(rate > accuracy);
   }
@@ -87,7 +91,8 @@ void drift_accurately(Articulate& a, const DriftSettings& settings, const SubSte
   if (a.safe) return move(a, 1);  // what it cannot do it cannot do better by parts
   if (!is_due(a.sub_steps, wanted, fastest_spin(a) * h / a.sub_steps.count)) return move(a, a.sub_steps.count);
   SubSteps n = a.sub_steps;
-  const bool reached = move_by_trial(a, trial.start, trial.other, n, h, wanted.accuracy, move, difference);
+  const bool reached =
+      move_by_trial(a, trial.start, trial.other, n, h, wanted.accuracy, second_order, move, difference);
   a.sub_steps = n;
   a.report.unreached = !reached;
 }
@@ -98,7 +103,8 @@ void drift_alone_accurately(Node& node, double h, const SubStepSettings& wanted,
   };
   if (!node.turns || !is_due(n, wanted, norm(node.O0) * h / n.count)) return move(node, n.count);
   Node start, other;
-  move_by_trial(node, start, other, n, h, wanted.accuracy, move,
+  const double gain = norm2(node.torque) > 0.0 ? second_order : fourth_order;
+  move_by_trial(node, start, other, n, h, wanted.accuracy, gain, move,
                 [](const Node& a, const Node& b) { return turn_between(a.R0, b.R0); });
 }
 
@@ -106,12 +112,12 @@ bool adapt(SubSteps& n, double rate, double accuracy) {
   if (rate > accuracy) {
     while (rate > accuracy && n.count < most) {
       n.count = static_cast<std::uint16_t>(2 * n.count);
-      rate *= 0.25;
+      rate /= second_order;
     }
     n.quiet = 0;
     return !(rate > accuracy);
   }
-  n.quiet = is_quiet(n, rate, accuracy) ? static_cast<std::uint16_t>(n.quiet + 1) : std::uint16_t{0};
+  n.quiet = is_quiet(n, rate, accuracy, second_order) ? static_cast<std::uint16_t>(n.quiet + 1) : std::uint16_t{0};
   if (n.quiet >= patience) n = halved(n);
   return true;
 }

@@ -1,6 +1,6 @@
 #pragma once
 // Sub-steps by a measured local error: a thing is moved over a stretch of time by its number of sub-steps and by twice as
-// many; of the second order, the first ones are wrong by 4/3 of the difference (Richardson 1911).
+// many; of the order p, the first ones are wrong by 2^p/(2^p - 1) of the difference (Richardson 1911).
 #include "articulates/articulate.hpp"
 
 namespace pantin {

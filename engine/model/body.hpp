@@ -22,7 +22,10 @@ struct Body {
   Vec3 own_place = zero3();                     ///< [m] in the frame: its origin, until bodies are merged
   Vec3 centre = zero3();                        ///< [m] centre of mass in the body's frame
   Quat axes;                                    ///< principal axes to the body's frame
-  bool lifted = false;                          ///< its smallest inertia was lifted to 1e-3 of the largest
+  Vec3 moments = zero3();                       ///< [kg m²] principal, that it moves with while nothing ties it
+  Freedom freedom = Freedom::rigid;             ///< of what nothing ties
+  bool bare = false;                            ///< has no inertia about an axis that points are off
+  bool lift_told = false;                       ///< that it moves with more than it has
   std::string name;
   std::uint64_t serial = 0;
 };
@@ -42,9 +45,10 @@ struct Motion {
   Vec3 x = zero3();        ///< [m] centre of mass
   Vec3 p = zero3();        ///< [kg m/s] linear momentum
   Vec3 angular = zero3();  ///< [kg m²/s] angular momentum about the centre, in principal axes
-  Vec3 inertia = zero3();  ///< [kg m²] principal moments; 0 where freedom is point
-  Quat q;                  ///< principal axes to the world
-  double mass = 0.0;       ///< [kg]
+  Vec3 inertia =
+      zero3();        ///< [kg m²] principal moments that it moves with, see `settle_inertia`; 0 where freedom is point
+  Quat q;             ///< principal axes to the world
+  double mass = 0.0;  ///< [kg]
   Freedom freedom = Freedom::rigid;
   SubSteps sub_steps;            ///< where nothing constrains it
   std::int32_t articulate = -1;  ///< index of its articulate, or -1 where nothing constrains it

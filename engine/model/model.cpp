@@ -111,6 +111,49 @@ Mat3 inertia(const Model& m, BodyId body) {
   return times_transposed(r * diagonal(motion.inertia), r);
 }
 
+namespace {
+
+struct Turning {
+  Freedom freedom;
+  Vec3 inertia;  // [kg m²] principal
+};
+
+/// How a body turns, alone or along with what it is tied to.
+Turning turning_of(const Model& m, const Body& body, bool tied) {
+  const bool as_weighed = !tied || body.freedom == Freedom::point || m.plane.flat();
+  if (as_weighed) return {body.freedom, body.moments};
+  if (body.freedom == Freedom::rigid) return {Freedom::rigid, lifted(body.moments)};
+  if (body.constraints.empty()) return {Freedom::line, body.moments};
+  return {Freedom::rigid, lifted(vec(0, body.moments[1], body.moments[2]))};  // what ties its rotation shows its spin
+}
+
+/// Sets how a body turns, at a spin [rad/s, principal axes].
+void set_turning(Motion& motion, const Turning& t, Vec3 spin) {
+  motion.freedom = t.freedom;
+  motion.inertia = t.inertia;
+  motion.angular = t.inertia * spin;
+  if (t.freedom == Freedom::line) motion.angular[0] = 0.0;
+}
+
+}  // namespace
+
+double settle_inertia(Model& m, BodyId id, bool tied) {
+  Motion& motion = m.motion_of(id);
+  const Turning t = turning_of(m, m.bodies[id], tied);
+  if (t.freedom == motion.freedom && same(t.inertia, motion.inertia)) return 0.0;
+  const auto energy = [&] { return 0.5 * dot(motion.angular, motion.angular * inverse_inertia(motion)); };
+  const double before = energy();
+  set_turning(motion, t, motion.angular * inverse_inertia(motion));
+  return energy() - before;
+}
+
+double lift(const Model& m, BodyId id) {
+  const Body& body = m.bodies[id];
+  const Motion& motion = m.motion_of(id);
+  if (motion.freedom != Freedom::rigid || m.plane.flat()) return 0.0;
+  return motion.inertia[0] - (body.bare || body.freedom == Freedom::line ? 0.0 : body.moments[0]);
+}
+
 void update_mass(Model& m, BodyId id) {
   Body& body = m.bodies[id];
   Motion& motion = m.motion_of(id);
@@ -120,26 +163,22 @@ void update_mass(Model& m, BodyId id) {
   const std::string who = body.name.empty() ? "body" : describe(m, id);
   const Quat frame = orientation(m, id);
   const Quat near = m.plane.flat() ? conjugate(frame) * m.plane.about(motion.q) : body.axes;
-  Weighed w = weigh(who, points, {body.own_mass, body.own_inertia, body.own_place}, near, normal_in(m, frame));
+  const Weighed w = weigh(who, points, {body.own_mass, body.own_inertia, body.own_place}, near, normal_in(m, frame));
 
-  if (w.freedom == Freedom::line && !body.constraints.empty()) {  // what ties its rotation shows its spin
-    w.freedom = Freedom::rigid;
-    w.moments[0] = 1e-3 * w.moments[1];
-  }
   const Vec3 from = origin(m, id), spin = angular_velocity(motion);
   const Vec3 x = from + rotate(frame, w.centre);
   const Vec3 speed = motion.mass > 0.0 ? motion.p / motion.mass + cross(spin, x - motion.x) : zero3();
   body.centre = w.centre;
   body.axes = w.axes;
-  body.lifted = w.lifted;
+  body.moments = w.moments;
+  body.bare = w.bare;
+  body.freedom = w.freedom;
   motion.x = x;
   motion.q = m.plane.about(normalised(frame * w.axes));
   motion.mass = w.mass;
-  motion.inertia = w.moments;
-  motion.freedom = w.freedom;
   motion.p = speed * w.mass;
-  motion.angular = w.moments * rotate(conjugate(motion.q), spin);
-  if (w.freedom == Freedom::line) motion.angular[0] = 0.0;
+  const bool tied = motion.articulate >= 0 || !body.constraints.empty();
+  set_turning(motion, turning_of(m, body, tied), rotate(conjugate(motion.q), spin));
 }
 
 namespace {

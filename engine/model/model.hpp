@@ -82,6 +82,11 @@ Mat3 inertia(const Model& m, BodyId body);
 /// and the velocity of every point. Throws Error where the body has no mass, or mass in one place only and points
 /// elsewhere; the body is then as it was.
 void update_mass(Model& m, BodyId body);
+/// Sets the principal moments that a body moves with: its own, or where it is tied none below `least_inertia` of the
+/// largest. Keeps the velocity of every point; returns the energy that this gave [J].
+double settle_inertia(Model& m, BodyId body, bool tied);
+/// By how much the smallest is larger than its own [kg m²].
+double lift(const Model& m, BodyId body);
 
 /// Has the ties of a thing looked at anew before the next step: call where an edit changes mass, places of points in
 /// their body, or what a thing is tied to.

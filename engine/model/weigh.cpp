@@ -5,11 +5,10 @@
 namespace pantin {
 namespace {
 
-constexpr double same_place = 1e-13;    // relative to the largest coordinate: round-off of one place
-constexpr double same_line = 1e-9;      // relative to the extent
-constexpr double no_inertia = 1e-12;    // about a line, relative to that across it
-constexpr double no_moment = 1e-24;     // relative to mass x extent²
-constexpr double least_inertia = 1e-3;  // relative to the largest
+constexpr double same_place = 1e-13;  // relative to the largest coordinate: round-off of one place
+constexpr double same_line = 1e-9;    // relative to the extent
+constexpr double no_inertia = 1e-12;  // about a line, relative to that across it
+constexpr double no_moment = 1e-24;   // relative to mass x extent²
 
 /// Places that count for the shape: all points, and the place of its own mass.
 struct Shape {
@@ -40,18 +39,16 @@ Mat3 about_distance(double mass, Vec3 r) { return (diagonal(vec(1, 1, 1) * norm2
 
 double largest_of(const Mat3& a) { return std::fmax(largest(a[0]), std::fmax(largest(a[1]), largest(a[2]))); }
 
-/// Moments as they are moved with: see Freedom.
+/// Moments as a loose body moves with them: see Freedom.
 void settle(Weighed& w, const Shape& shape) {
   const double most = w.moments[2];
   if (shape.spot && !(most > 0.0)) {
     w.freedom = Freedom::point;
     w.moments = zero3();
-  } else if (shape.line && !shape.spot && w.moments[0] <= no_inertia * most) {
-    w.freedom = Freedom::line;
-    w.moments[0] = most;
-  } else {
-    w.lifted = w.moments[0] < least_inertia * most;
-    for (int i = 0; i < 2; i++) w.moments[i] = std::fmax(w.moments[i], least_inertia * most);
+  } else if (w.moments[0] <= no_inertia * most) {
+    w.bare = !shape.line || shape.spot;
+    w.freedom = w.bare ? Freedom::rigid : Freedom::line;
+    w.moments = w.bare ? lifted(w.moments) : vec(most, most, most);
   }
 }
 
@@ -65,6 +62,11 @@ void settle_in_plane(Weighed& w, const Mat3& inertia, const Quat& axes, Vec3 nor
 }
 
 }  // namespace
+
+Vec3 lifted(Vec3 moments) {
+  const double least = least_inertia * moments[2];
+  return vec(std::fmax(moments[0], least), std::fmax(moments[1], least), moments[2]);
+}
 
 Weighed weigh(const std::string& who, std::span<const MassPoint> points, const OwnMass& own, const Quat& near,
               Vec3 normal) {

@@ -16,11 +16,16 @@ struct MassPoint {
 struct Weighed {
   double mass = 0.0;       ///< [kg]
   Vec3 centre = zero3();   ///< [m] in the body's frame
-  Vec3 moments = zero3();  ///< [kg m²] principal, about the centre; of a line the first axis is the line
+  Vec3 moments = zero3();  ///< [kg m²] principal, about the centre, rising; of a line the first axis is the line
   Quat axes;               ///< principal axes to the body's frame
   Freedom freedom = Freedom::rigid;
-  bool lifted = false;  ///< the smallest moment was lifted to 1e-3 of the largest
+  bool bare = false;  ///< has no moment about an axis that points are off: that is lifted
 };
+
+/// The smallest moment of a body that is tied, relative to its largest: articulates are solved to round-off down to 2e-5.
+constexpr double least_inertia = 1e-4;
+/// Rising principal moments, none below that.
+Vec3 lifted(Vec3 moments);
 
 /// What a body weighs beside its points.
 struct OwnMass {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "articulates/drift.hpp"
 #include "articulates/islands.hpp"
@@ -36,6 +37,32 @@ bool ties_changed(const World& world) {
                      [&](const Touched& t) { return t.body || t.articulate >= 0 || is_tied(world, t.point); });
 }
 
+std::string lift_of(const World& world, BodyId id) {
+  const Body& body = world.bodies[id];
+  const std::string moved = text(world.motion_of(id).inertia[0], " kg m² instead");
+  if (body.bare) return text(": it has points off an axis about which it has no inertia; it moves with ", moved);
+  const double own = body.freedom == Freedom::line ? 0.0 : static_cast<double>(body.moments[0]);
+  return text(": its smallest principal inertia is ", own,
+              " kg m², too little beside its largest for what is tied; until it is loose it moves with ", moved);
+}
+
+/// Names, once, bodies whose inertia had to be lifted.
+void tell_lifted(World& world, const std::vector<BodyId>& bodies) {
+  BodyId first;
+  std::size_t others = 0;
+  for (BodyId id : bodies) {
+    if (std::exchange(world.bodies[id].lift_told, true)) continue;
+    if (first)
+      others++;
+    else
+      first = id;
+  }
+  if (!first) return;
+  const std::string more =
+      others == 0 ? "" : text(", and ", others, others == 1 ? " other body" : " other bodies", " likewise");
+  log_line(world, "warning", describe(world, first) + lift_of(world, first) + more);
+}
+
 void find_changed(World& world) {
   const bool changed = world.topology_changed || world.influences_changed || !world.disturbed.empty();
   const bool loose = !world.loose_bodies.empty() || !world.loose_points.empty();
@@ -47,7 +74,9 @@ void find_changed(World& world) {
   if (topology_changed && ties_changed(world)) editing::disturb_sites(world);
   editing::note_touched_sites(world);
   if (world.influences_changed) choose_solved(world);
-  pantin::find_articulates(world, world.articulates, world.loose_bodies, world.loose_points);
+  const Settled settled = pantin::find_articulates(world, world.articulates, world.loose_bodies, world.loose_points);
+  post(world, Source::edit, settled.energy);
+  tell_lifted(world, settled.lifted);
   if (world.articulates.size() != count) editing::disturb_sites(world);
   if (topology_changed || world.influences_changed) read_masses(world);  // every edit of a mass says so
   save_loose(world);

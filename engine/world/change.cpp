@@ -53,7 +53,7 @@ void reweigh(World& world, BodyId body, Change change, Undo undo) {
   const double before = energy_of(world, body);
   change();
   try {
-    weigh_again(world, body);
+    update_mass(world, body);
   } catch (const Error&) {
     undo();
     throw;

@@ -223,7 +223,7 @@ ConstraintId insert_constraint(World& world, Constraint c) {
   for (BodyId body : {row.body_a, row.body_b})
     if (body) {
       world.bodies[body].constraints.push_back(id);
-      if (world.motion_of(body).freedom == Freedom::line) weigh_again(world, body);
+      if (world.motion_of(body).freedom == Freedom::line) update_mass(world, body);
     }
   touch(world, row);
   return id;

@@ -88,14 +88,6 @@ void notice(World& world, Notice::Kind kind, const AnyId& thing, std::string sto
   world.notices.push_back({kind, thing, hand, std::move(story)});
 }
 
-void weigh_again(World& world, BodyId body) {
-  const bool lifted = world.bodies[body].lifted;
-  update_mass(world, body);
-  if (world.bodies[body].lifted && !lifted)
-    log_line(world, "notice",
-             text(describe(world, body), ": its smallest moment of inertia was lifted to 1e-3 of its largest"));
-}
-
 double size_of(const Model& model, PointId point) {
   const BodyId id = model.points[point].body;
   if (!id) return 0.0;

@@ -81,8 +81,6 @@ void acted(World& world);
 Obituary obituary(const World& world, std::string what);
 void notice(World& world, Notice::Kind kind, const AnyId& thing, std::string story, std::int32_t hand = -1);
 
-/// Works out a body's mass again; an inertia that had to be lifted is told in the log.
-void weigh_again(World& world, BodyId body);
 /// The largest arm of a point's body or distance between its points, [m]; 0 of a free point.
 double size_of(const Model& model, PointId point);
 /// A spin, torque or moment in world axes, in principal axes: less its part along the line of a body that cannot turn

@@ -131,7 +131,7 @@ BodyId body_of_points(World& world, const std::vector<PointId>& points, std::str
     world.points[p].articulate = -1;
   }
   const BodyId body = make_body(world, std::move(name), kept.centre, Quat{}, points);
-  weigh_again(world, body);
+  update_mass(world, body);
   set_momenta(world, body, kept.p, kept.angular);
   for (PointId p : points) {
     world.motion_of(body).force += world.points[p].force;

@@ -125,7 +125,7 @@ BodyId add_body(World& world, const BodyDef& def) {
   world.motion_of(id) = Motion{};
   world.motion_of(id).q = frame;
   for (const PointDef& p : def.points) world.bodies[id].points.push_back(make_body_point(world, p, def.color, id));
-  weigh_again(world, id);
+  update_mass(world, id);
   start(world, id, def, frame);
   touch(world, id);
   post(world, energy_of(world, id));
@@ -150,7 +150,7 @@ PointId add_point(World& world, BodyId body, const PointDef& def) {
   disturb_sites(world);
   const PointId point = make_body_point(world, def, usual, body);
   world.bodies[body].points.push_back(point);
-  weigh_again(world, body);
+  update_mass(world, body);
   touch(world, body);
   post(world, energy_of(world, body) - before);
   return point;

@@ -124,7 +124,7 @@ void merge(World& world, BodyId a, BodyId b) {
   body.own_inertia = own.inertia;
   body.own_place = own.place;
   erase_body(world, b, who);
-  weigh_again(world, a);
+  update_mass(world, a);
   set_momenta(world, a, kept.p, kept.angular);
   take_pushes(world, a, old_a, old_b);
   touch(world, a);

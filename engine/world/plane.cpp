@@ -129,7 +129,7 @@ void put_bodies_in_plane(World& world) {
   try {
     for (BodyId id : ids) {
       before.emplace_back(world.bodies[id], world.motion_of(id));
-      weigh_again(world, id);
+      update_mass(world, id);
       touch(world, id);
     }
   } catch (const Error&) {

@@ -77,7 +77,7 @@ void remove_point(World& world, PointId id) {
   const std::vector<PointId> all = points;
   std::erase(points, id);
   try {
-    weigh_again(world, body);
+    update_mass(world, body);
   } catch (const Error&) {
     points = all;
     throw;

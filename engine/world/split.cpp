@@ -68,7 +68,7 @@ Motion part_of(const Weighed& w, const World& world, BodyId body, Vec3 spin) {
   return m;
 }
 
-/// What the two parts of a body miss of its angular momentum, because an inertia was lifted, goes into their spins, and
+/// What the two parts of a body miss of its angular momentum, because an inertia is lifted, goes into their spins, and
 /// what these cannot take into their motion about each other. `arm` [m] is how far they are from the frame's origin.
 void keep_momenta(const Plane& plane, const Motion& whole, const std::string& who, double arm, Motion& a, Motion& b) {
   a.p = whole.p - b.p;
@@ -119,7 +119,7 @@ BodyId split(World& world, BodyId body, std::span<const PointId> points, std::st
   const BodyId fresh = make_body(world, std::move(name), origin(world, body), orientation(world, body), off);
   take_axes(world, body, fresh);
   for (const auto& [id, part] : {std::pair{body, first}, std::pair{fresh, second}}) {
-    weigh_again(world, id);
+    update_mass(world, id);
     drop_turns(world, id);
     set_momenta(world, id, part.p, rotate(part.q, part.angular));
   }

@@ -367,7 +367,7 @@ function Particle:remove() end
 ---@field momentum vec [kg m/s] mass times velocity (read only)
 ---@field angular_momentum vec [kg m²/s] about its centre of mass, world axes (read only)
 ---@field mass number [kg] its points' and its own
----@field inertia vec|table [kg m²] its points' and its own about the frame's origin, in the frame's axes: vec of the diagonal, or { xx, yy, zz, xy, xz, yz }
+---@field inertia vec|table [kg m²] its points' and its own about the frame's origin, in the frame's axes: vec of the diagonal, or { xx, yy, zz, xy, xz, yz }. Tied, a body moves with no principal moment below 1e-4 of the largest, and a warning says so
 ---@field points Point[] its points, in the order of making (read only)
 ---@field hinges Particle[] the hinges that its points are in (read only)
 ---@field color color color of its first point; writing gives it to all

@@ -217,8 +217,8 @@ TEST_CASE("rods: an anchor off the line of the masses is held up by a lifted ine
   def.name = "hanger";
   const BodyId hanger = add_body(world, def);
   add_nail(world, cases::point_of(world, hanger, 2));
-  CHECK(world.bodies[hanger].lifted);
-  CHECK(world.motion_of(hanger).inertia[0] == Approx(1e-3 * 0.5));
+  CHECK(lift(world, hanger) > 0.0);
+  CHECK(world.motion_of(hanger).inertia[0] == Approx(1e-4 * 0.5));
   kick(world, hanger, vec(0.3, 0, 1));
   step(world);  // the nail answers the kick
   const Watched course = watch(world, 5.0);

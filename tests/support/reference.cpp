@@ -1,6 +1,7 @@
 #include "support/reference.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <cmath>
 #include <numbers>
@@ -169,6 +170,21 @@ Eigen::Vector3d top(double time, int pieces) {
   };
   State start(3);
   start << 0.01, 1, 0.01;
+  return integrate(rate, start, time, pieces);
+}
+
+// Euler 1765: I ω' = I ω × ω + R' τ, with q' = q (0, ω)/2.
+State free_body(Eigen::Vector3d moments, Eigen::Vector3d spin, Eigen::Vector3d torque, double time, int pieces) {
+  const auto rate = [&](const State& y) {
+    const Eigen::Quaterniond q(y(0), y(1), y(2), y(3));
+    const Eigen::Vector3d w = y.tail(3), L = moments.cwiseProduct(w);
+    const Eigen::Quaterniond turning = q * Eigen::Quaterniond(0, w.x() / 2, w.y() / 2, w.z() / 2);
+    State dy(7);
+    dy << turning.w(), turning.vec(), (L.cross(w) + q.inverse() * torque).cwiseQuotient(moments);
+    return dy;
+  };
+  State start(7);
+  start << 1, 0, 0, 0, spin;
   return integrate(rate, start, time, pieces);
 }
 

@@ -46,4 +46,8 @@ State double_pendulum(double time, int pieces);
 /// Angular velocity in the body's frame [rad/s] of a free top with moments (1, 2, 3), from (0.01, 1, 0.01).
 Eigen::Vector3d top(double time, int pieces);
 
+/// Orientation (w, x, y, z), then angular velocity in the body's frame [rad/s], of a body with principal moments [kg m²]
+/// under a constant torque of the world [N m], from no rotation.
+State free_body(Eigen::Vector3d moments, Eigen::Vector3d spin, Eigen::Vector3d torque, double time, int pieces);
+
 }  // namespace pantin::reference
