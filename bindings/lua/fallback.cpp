@@ -169,10 +169,8 @@ std::vector<Input> CalledLaw::inputs_wanted() const {
   for (int who = 0; who < law_.count; who++) {
     if (!is_pair(law_.form)) want_three(wanted, Role::place, who);
     if (law_.form == LawForm::point_force) want_three(wanted, Role::velocity, who);
-    std::vector<std::string> names = common_attributes();
-    const KnownNames& known = law_.known[static_cast<std::size_t>(who)];
-    names.insert(names.end(), known.attributes.begin(), known.attributes.end());
-    for (const std::string& name : names) wanted.push_back({Role::attribute, static_cast<std::uint8_t>(who), 0, name});
+    for (const std::string& name : law_.known[static_cast<std::size_t>(who)].all())
+      wanted.push_back({Role::attribute, static_cast<std::uint8_t>(who), 0, name});
   }
   for (int i = 0; i < noises; i++) wanted.push_back({Role::noise, 0, static_cast<std::uint8_t>(i), ""});
   return wanted;

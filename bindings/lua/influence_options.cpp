@@ -16,9 +16,12 @@ namespace pantin::lua {
 namespace {
 
 KnownNames names_of(const World& world, const End& end) {
-  if (!end.particle) return {"a place of the world", {}};
+  if (!end.particle) {
+    const auto number = [&](int i) { return to_text(end.place[i]); };
+    return {text("the place vec(", number(0), ", ", number(1), ", ", number(2), ") m of the world"), {}, true};
+  }
   const FamilyId family = world.particles[awake(world, end.particle)].family;
-  return family ? names_of_family(world, family) : KnownNames{describe(world, end.particle), {}};
+  return family ? names_of_family(world, family) : KnownNames{describe(world, end.particle), {}, false};
 }
 
 /// What a law may read of any particle of the scene: each must have it when the law acts.

@@ -49,12 +49,11 @@ int particle_index(lua_State* state) {
   const std::string name = key_text(state);
   if (push_motion(state, run, who, name)) return 1;
   const KnownNames& known = run.law.known[static_cast<std::size_t>(who)];
-  const auto has = [&](const std::vector<std::string>& names) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  };
-  if (!has(common_attributes()) && !has(known.attributes)) {
-    std::vector<std::string> names = common_attributes();
-    names.insert(names.end(), known.attributes.begin(), known.attributes.end());
+  const std::vector<std::string> names = known.all();
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    if (known.place)
+      run.mistake(state,
+                  text(known.whose, " has no '", name, "'; a law between a particle and a place cannot read it"));
     run.mistake(state, text(known.whose, " has no attribute '", name, "'.", suggestion(name, names), " It has ",
                             joined(names)));
   }
@@ -145,6 +144,13 @@ int where_chosen(lua_State* state) {
 
 const std::vector<std::string>& common_attributes() {
   static const std::vector<std::string> names = {"mass", "radius", "age", "lifetime"};
+  return names;
+}
+
+std::vector<std::string> KnownNames::all() const {
+  if (place) return {};
+  std::vector<std::string> names = common_attributes();
+  names.insert(names.end(), attributes.begin(), attributes.end());
   return names;
 }
 

@@ -36,7 +36,14 @@ inline bool gives_vec(LawForm form) { return form == LawForm::pair_force || form
 struct KnownNames {
   std::string whose;                    ///< "family 'water'": for messages
   std::vector<std::string> attributes;  ///< besides mass, radius, age and lifetime
-  friend bool operator==(const KnownNames&, const KnownNames&) = default;
+  bool place = false;                   ///< of the world, which has nothing but where it is
+
+  /// All of them.
+  std::vector<std::string> all() const;
+  /// Whether a law made for one serves for the other; of places it does not matter which.
+  friend bool operator==(const KnownNames& a, const KnownNames& b) {
+    return a.place == b.place && a.attributes == b.attributes && (a.place || a.whose == b.whose);
+  }
 };
 
 /// What every particle has: mass, radius, age, lifetime.

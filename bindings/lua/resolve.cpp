@@ -67,15 +67,15 @@ void warn(Script& script, LawSpec& spec, const LawFunction& f, const std::string
 
 /// Attributes that a law of the library reads must be there.
 void check_attributes(const LawSpec& spec, std::span<const KnownNames> known) {
-  const std::vector<std::string>& common = common_attributes();
   for (const std::shared_ptr<const Law>& law : spec.library->laws)
     for (const Input& input : law->graph.inputs_of(law->force)) {
-      const auto has = [&](const std::vector<std::string>& names) {
-        return std::find(names.begin(), names.end(), input.name) != names.end();
-      };
-      if (input.role != Role::attribute || has(common)) continue;
+      if (input.role != Role::attribute) continue;
       const KnownNames& names = known[input.who];
-      require(has(names.attributes), spec.word, ": reads the attribute '", input.name, "', which ", names.whose,
+      const std::vector<std::string> all = names.all();
+      const bool has = std::find(all.begin(), all.end(), input.name) != all.end();
+      require(has || !names.place, spec.word, ": reads the attribute '", input.name, "', which ", names.whose,
+              " has not; tie it to a particle");
+      require(has, spec.word, ": reads the attribute '", input.name, "', which ", names.whose,
               " has not; give it attributes = { ", input.name, " = … }");
     }
 }

@@ -1,13 +1,29 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
+#include <limits>
 #include <new>
 #include <type_traits>
 #include <utility>
 
 namespace pantin {
 
-/// An array whose first element is at a multiple of 64 bytes, for plain types. New elements are not set.
+#if defined(PANTIN_ASSUME) && PANTIN_ASSUME
+/// What nothing has set makes all that reads it no number, where the program's assumptions are checked.
+constexpr bool marks_unset = true;
+#else
+constexpr bool marks_unset = false;
+#endif
+
+/// Puts signalling NaN into `bytes` of memory.
+inline void mark_unset(void* memory, std::size_t bytes) {
+  const double nan = std::numeric_limits<double>::signaling_NaN();
+  for (std::size_t i = 0; i < bytes; i += sizeof(nan))
+    std::memcpy(static_cast<char*>(memory) + i, &nan, std::min(sizeof(nan), bytes - i));
+}
+
+/// An array whose first element is at a multiple of 64 bytes, for plain types. New elements are not set: see `marks_unset`.
 template <class T>
 class AlignedVector {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -32,6 +48,7 @@ class AlignedVector {
   /// Keeps what is there; takes a little more memory than asked for when it grows.
   void resize(std::size_t n) {
     if (n > capacity_) grow(n);
+    if (marks_unset && n > size_) mark_unset(data_ + size_, (n - size_) * sizeof(T));
     size_ = n;
   }
   void assign(std::size_t n, T value) {

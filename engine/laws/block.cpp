@@ -1,6 +1,7 @@
 #include "laws/block.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "base/check.hpp"
 #include "laws/noise.hpp"
@@ -10,6 +11,7 @@ namespace pantin {
 namespace {
 
 constexpr std::size_t length = LawBlock::room;
+constexpr double unset = marks_unset ? std::numeric_limits<double>::signaling_NaN() : 1.0;  // in columns not yet filled
 
 std::vector<Expr> outputs_of(const Law& law, bool with_energy) {
   std::vector<Expr> outputs = law.force;
@@ -30,7 +32,7 @@ LawBlock::LawBlock(const Law& law, bool with_energy, std::span<const std::string
   if (!called_) program = lower(law.graph, outputs_of(law, with_energy), uniform);
   const std::vector<Input>& inputs = called_ ? law.inputs_wanted : program.inputs;
   const std::size_t outputs = called_ ? forces_of(law) + (law.called_energy ? 1 : 0) : 0;
-  memory_.assign((1 + inputs.size() + outputs) * length, 1.0);
+  memory_.assign((1 + inputs.size() + outputs) * length, unset);
   slots_.assign(8 * length, 0);
   for (std::size_t who = 0; who < 4; who++) sites[who] = slots_.data() + who * length;
   if (!called_) machine_.emplace(program);

@@ -56,7 +56,7 @@ struct Sites {
   std::vector<Kin> kin;                           ///< sites that have a body in common never interact
   std::vector<std::uint32_t> bodies_of_hinges;    ///< in no order; some may be of hinges that were
   std::vector<std::string> names;                 ///< of the attributes
-  std::vector<AlignedVector<double>> attributes;  ///< one column for each name; a site that has it not holds any value
+  std::vector<AlignedVector<double>> attributes;  ///< one column for each name; a site that has it not holds NaN
 
   /// Makes room for n sites and puts the dummy in its place; of the columns only the padding is set.
   void resize(std::size_t count);

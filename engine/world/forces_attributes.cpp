@@ -37,11 +37,13 @@ constexpr std::uint32_t none = Forces::none;
 /// Throws where a law would read what one of its particles, in the role `who`, has not.
 void require_attributes(const World& world, const Sites& sites, const Law& law, std::span<const std::uint32_t> where,
                         std::uint8_t who) {
-  if (law.called || where.empty()) return;  // what is called tells by itself what it reads
   for (const Input& input : inputs_of(law)) {
     if (input.role != Role::attribute || input.who != who) continue;
     for (std::uint32_t site : where) {
-      if (sites.particle[site] == none) continue;
+      require(sites.particle[site] != none, law.name, ": it reads '", input.name, "', which the place ",
+              editing::to_text(sites.x[site]),
+              " m of the world has not; tie a particle, or make it a parameter of the law");
+      if (law.called) continue;  // it tells by itself what it reads
       const ParticleId id = world.particles.id_at(sites.particle[site]);
       require(attribute(world, id, input.name).has_value(), law.name, ": it reads '", input.name, "', which ",
               describe(world, id), " has not; give it a family with this attribute");
@@ -88,9 +90,10 @@ void fill_attributes(const World& world, Forces& forces, std::span<const std::ui
   forces.followed.resize(sites.names.size(), 0);
   for (std::size_t c = 0; c < sites.names.size(); c++)
     for (std::uint32_t i : some) {
+      sites.attributes[c][i] = std::numeric_limits<double>::quiet_NaN();
       if (sites.particle[i] == none) continue;
       const auto value = stored_attribute(world, world.particles.id_at(sites.particle[i]), sites.names[c]);
-      sites.attributes[c][i] = value.value_or(std::numeric_limits<double>::quiet_NaN());
+      if (value) sites.attributes[c][i] = *value;
       const Courses* courses = world.particles.at_slot(sites.particle[i]).courses.get();
       if (courses && courses->find(sites.names[c])) forces.followed[c] = 1;
     }

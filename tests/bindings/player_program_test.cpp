@@ -43,6 +43,31 @@ scene:interact(atoms, atoms, force.lennard_jones { epsilon = 1, sigma = 1 })
 scene:field(atoms, force.thermostat { temperature = 1, rate = 1 })
 )";
 
+const char* const ties = R"(
+local atoms = scene:family("atoms", { radius = 0.3, attributes = { charge = 1 } })
+local own = force.pair { parameters = { k = 2 }, potential = function(r, a, b, own) return own.k * r^2 * a.mass end }
+local called = force.pair { tension = function(r, rate, a) if r == 77 then return 0 end return 0.1 * a.charge * rate end }
+local bend = force.many { count = 3, potential = function(p) return p[1].mass * (p[1].position - p[3].position):dot(vec(1, 0, 0))^2 end }
+local last
+for i = 1, 60 do
+  local p = scene:particle { family = atoms, at = vec(i % 4, i // 4 % 4, i // 16), velocity = vec(math.random(), 0, 1) }
+  scene:connect(p, vec(0, i, 0), force.spring { stiffness = 1, length = 1, damping = 0.1 })
+  if i % 3 == 0 then scene:connect(p, vec(i, 0, 1), own) end
+  if i % 5 == 0 then scene:connect(p, vec(i, 1, 1), called) end
+  if last then scene:connect({ p, vec(1, 1, i), last }, bend) end
+  last = p
+end
+for i = 1, 6 do
+  local b = scene:body { mass = 1, inertia = vec(1e-5, 1, 1), at = vec(0, 0, -2 * i), points = { p = vec(0.5, 0.1, 0), q = vec(-0.5, 0, 0) } }
+  if i % 2 == 0 then scene:nail(b.p) end
+  scene:connect(b.q, vec(0, 1, 0), force.spring { stiffness = 5, length = 1 })
+end
+scene:interact(atoms, atoms, force.lennard_jones { epsilon = 0.1, sigma = 0.5 })
+scene:interact(atoms, atoms, force.repel { stiffness = 10 })
+scene:interact(atoms, atoms, force.coulomb { constant = 0.1 })
+scene:field(atoms, force.thermostat { temperature = 1, rate = 1 })
+)";
+
 std::size_t lines(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
@@ -143,6 +168,24 @@ TEST_CASE("program: laws end in the same bits on one, two and four threads") {
     if (wanted.empty()) wanted = hash;
     CHECK(hash == wanted);
   }
+}
+
+TEST_CASE("program: what memory held before does not reach a scene") {
+  Folder folder;
+  write_file(folder / "ties.lua", ties);
+  std::string wanted;
+  for (const char* held : {"0", "85", "170", "255"})
+    for (const char* threads : {"1", "2"}) {
+      Process::Options run =
+          options({"run", "ties.lua", "--until", "0.2", "--threads", threads, "--summary", "ties.json"}, folder.path);
+      run.environment.push_back(std::string("MALLOC_PERTURB_=") + held);
+      const Finished finished = finish(run);
+      CAPTURE(held, threads, finished.err);
+      REQUIRE(finished.code == 0);
+      const std::string hash = nlohmann::json::parse(read_file(folder / "ties.json"))["hash"];
+      if (wanted.empty()) wanted = hash;
+      CHECK(hash == wanted);
+    }
 }
 
 TEST_CASE("program: two runs end in the same bits") {

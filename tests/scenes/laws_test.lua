@@ -184,6 +184,29 @@ test("a law that cannot be traced is called, says so once with its line, and str
   expect(function() open_text(source:format "strict = true,") end):fails("text.lua:4")
 end)
 
+test("a law that reads what a place of the world has not is refused where it is put to use", function()
+  local laws = {
+    { "force.gravitation { constant = 1 }", "mass" },
+    { "force.repel { stiffness = 10 }", "radius" },
+    { "force.pair { potential = function(r, a, b) return a.mass * b.mass * r end }", "mass" },
+    { "force.pair { tension = function(r, rate, a, b) return b.age end }", "age" },
+    { "force.pair { force = function(d, u, a, b) if b.radius == 1 then return d end return -d end }", "radius" },
+  }
+  for _, law in ipairs(laws) do
+    local source = "local p = scene:particle { at = vec(1, 2, 0) }\nscene:connect(p, vec(0, 3, 0), " .. law[1] .. ")"
+    for _, words in ipairs { "text.lua:2", "'" .. law[2] .. "'", "the place vec(0, 3, 0) m of the world" } do
+      expect(function() open_text(source) end):fails(words)
+    end
+  end
+  local scene = open_text [[
+    local p = scene:particle { at = vec(1, 2, 0), mass = 3 }
+    local law = force.pair { potential = function(r, a) return a.mass * r end }
+    scene:connect(p, vec(0, 3, 0), law)
+    scene:connect(p, vec(0, 4, 0), law)
+  ]]
+  scene:advance(0.1)
+end)
+
 test("particles that are bonded are left out as far as exclude says", function()
   local function pairs_felt(exclude)
     local scene = open_text(([[
