@@ -1,96 +1,22 @@
 // What the runs of a study say about each other.
 #include <algorithm>
 #include <cmath>
-#include <map>
 
-#include "player/study.hpp"
+#include "player/doubt.hpp"
 
 namespace pantin::player {
 namespace {
 
-constexpr double apart = 0.01;  // of the size: runs that are further from each other show different motions
 const double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Over the things that two runs have at a time, [m]; NaN where there are none.
-struct Gap {
-  double mean = nan;  ///< root mean square
-  double most = nan;
-};
-
-Gap gap(const Places& a, const Places& b) {
-  double sum = 0.0, most = 0.0;
-  std::size_t count = 0;
-  for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end();) {
-    if (i->first < j->first)
-      ++i;
-    else if (j->first < i->first)
-      ++j;
-    else {
-      const double square = norm2(i->second - j->second);
-      sum += square;
-      if (!(square <= most)) most = square;
-      count++;
-      ++i, ++j;
-    }
-  }
-  if (count == 0) return {};
-  return {std::sqrt(sum / static_cast<double>(count)), std::sqrt(most)};
-}
-
-/// Over the times that both reached, [m].
-std::vector<double> gaps(const StudyRun& a, const StudyRun& b, double Gap::*of) {
-  std::vector<double> list;
-  for (std::size_t k = 0; k < std::min(a.places.size(), b.places.size()); k++)
-    list.push_back(gap(a.places[k], b.places[k]).*of);
-  return list;
-}
-
-std::vector<double> distances(const StudyRun& a, const StudyRun& b) { return gaps(a, b, &Gap::mean); }
-
-/// The largest of those until a time [s].
-double largest(const Study& study, const std::vector<double>& list, double until) {
-  double result = 0.0;
-  for (std::size_t k = 0; k < list.size() && study.times[k] <= until * (1 + 1e-9); k++)
-    if (!(list[k] <= result)) result = list[k];
-  return result;
-}
-
-/// [s] of the last time before the distance exceeds `limit`.
-double last_within(const Study& study, const std::vector<double>& list, double limit) {
-  double time = 0.0;
-  for (std::size_t k = 0; k < list.size() && list[k] <= limit; k++) time = study.times[k];
-  return time;
-}
-
-/// The run with the same integrator and the next longer step, or null; of what chooses its own steps always null.
-const StudyRun* coarser(const Study& study, std::size_t i) {
-  if (i == 0 || study.runs[i].accuracy > 0.0) return nullptr;
-  return same_series(study.runs[i - 1], study.runs[i]) ? &study.runs[i - 1] : nullptr;
-}
-
-bool complete(const Study& study, const StudyRun& run) { return run.places.size() == study.times.size(); }
-
-/// What two runs of an integrator, one with half the step of the other, are worth as the measure of all others.
+/// What a run is worth as the measure of all others.
 struct Worth {
-  double together = -1.0, comparable = 0.0, distance = 0.0;
+  double together = 0.0, comparable = 0.0, doubt = 0.0;
 };
 
 bool better(const Worth& a, const Worth& b) {
   if (a.comparable != b.comparable) return a.comparable > b.comparable;
-  return a.distance < b.distance;
-}
-
-/// What the last halving of the step changed, or a quarter of the one before, lest two runs agree by luck; at each time,
-/// [m].
-std::vector<double> changes(const Study& study, std::size_t i) {
-  const StudyRun* const before = coarser(study, i);
-  const StudyRun* const first = coarser(study, i - 1);
-  std::vector<double> list = distances(study.runs[i], *before);
-  if (!first) return list;
-  const std::vector<double> earlier = distances(*before, *first);
-  for (std::size_t k = 0; k < std::min(list.size(), earlier.size()); k++)
-    list[k] = std::max(list[k], 0.25 * earlier[k]);
-  return list;
+  return a.doubt < b.doubt;
 }
 
 /// Comparing ends where the finest is still sure of errors that are small beside those that are looked for, and of smaller
@@ -98,7 +24,7 @@ std::vector<double> changes(const Study& study, std::size_t i) {
 Worth worth(const Study& study, const std::vector<double>& list) {
   Worth result;
   result.together = result.comparable = last_within(study, list, apart * study.size);
-  constexpr double sure = 3e-4;                                                            // of the size
+  constexpr double sure = 5e-4;                                                            // of the size
   constexpr std::pair<double, double> limits[] = {{1e-5, 0.5}, {1e-4, 0.2}, {sure, 0.0}};  // of the size, of that time
   if (!(largest(study, list, study.until) <= sure * study.size))
     for (const auto& [limit, part] : limits) {
@@ -106,34 +32,27 @@ Worth worth(const Study& study, const std::vector<double>& list) {
       if (result.comparable >= part * result.together) break;
     }
   if (result.comparable == 0.0) result.comparable = result.together;
-  result.distance = largest(study, list, result.comparable);
+  result.doubt = largest(study, list, result.comparable);
   return result;
 }
 
-/// The finest run of the integrator whose finest runs stay together longest and, of those, are nearest. The paper's is the
-/// measure of others only where it is alone: it is of first order, and what it dissipates hides chaos.
-void choose_reference(Study& study) {
-  const auto find = [&](bool papers) {
-    Worth best;
-    for (std::size_t i = 0; i < study.runs.size(); i++) {
-      const StudyRun* const before = coarser(study, i);
-      const bool last = i + 1 == study.runs.size() || !same_series(study.runs[i + 1], study.runs[i]) ||
-                        !complete(study, study.runs[i + 1]);
-      if (!before || !last || !complete(study, study.runs[i])) continue;
-      if ((study.runs[i].integrator == "euler") != papers) continue;
-      const Worth now = worth(study, changes(study, i));
-      if (best.together >= 0.0 && !better(now, best)) continue;
-      best = now;
-      study.reference = i;
-    }
-    return best;
-  };
-  Worth best = find(false);
-  if (best.together < 0.0) best = find(true);
-  require(best.together >= 0.0,
-          "report: there was no time for two runs to be compared: give a shorter time by --until");
-  study.together = best.together;
-  study.comparable = best.comparable;
+/// The run that is sure for longest and, of those, the surest. Null where no three runs of any series tell.
+const Doubted* choose_reference(Study& study, const std::vector<Doubted>& finest) {
+  const Doubted* best = nullptr;
+  Worth of_best;
+  for (const Doubted& one : finest) {
+    if (study.runs[one.run].accuracy > 0.0) continue;
+    if (best == nullptr) study.reference = one.run;
+    const Worth now = worth(study, one.doubt);
+    if (now.together == 0.0 || (best && !better(now, of_best))) continue;
+    best = &one;
+    of_best = now;
+  }
+  if (!best) return nullptr;
+  study.reference = best->run;
+  study.together = of_best.together;
+  study.comparable = of_best.comparable;
+  return best;
 }
 
 /// How fast the distance of the two finest runs grows where they part: slope of its logarithm over the last half of the
@@ -149,34 +68,44 @@ double growth(const Study& study, const std::vector<double>& list) {
   return n >= 3 ? (n * ty - t * y) / (n * tt - t * t) : 0.0;
 }
 
-void compare_run(Study& study, std::size_t i) {
+void compare_run(Study& study, std::size_t i, const std::vector<double>& doubt) {
   StudyRun& run = study.runs[i];
-  const std::vector<double> list = distances(run, study.finest());
+  std::vector<double> list = rising_gaps(run, study.finest(), &Gap::mean);
+  for (std::size_t k = 0; k < list.size(); k++) list[k] += doubt[k];
   run.true_until = last_within(study, list, apart * study.size);
-  if (study.comparable == 0.0 || list.empty() || study.times[list.size() - 1] < study.comparable * (1 - 1e-9)) return;
-  run.error = largest(study, list, study.comparable);
-  run.farthest = largest(study, gaps(run, study.finest(), &Gap::most), study.comparable);
+  if (i == study.reference || list.empty() || study.times[list.size() - 1] < study.comparable * (1 - 1e-9)) return;
+  run.error = largest(study, rising_gaps(run, study.finest(), &Gap::mean), study.comparable);
+  run.farthest = largest(study, rising_gaps(run, study.finest(), &Gap::most), study.comparable);
 }
 
-/// By how much the finest run may be wrong, [m], by what the last halvings of its step changed. Where that falls by the
-/// same factor each time, it goes on so; else, as where events happen in whole steps, what is left may be as much as the
-/// largest of them leaves at order 1.
-double doubt(const Study& study, double Gap::*of) {
-  std::vector<double> changed;  // by the last halving, the one before it ...
-  const StudyRun* finer = &study.finest();
-  for (std::size_t i = study.reference; changed.size() < 3; i--) {
-    const StudyRun* const before = coarser(study, i);
-    if (!before || before->places.size() < study.finest().places.size()) break;
-    changed.push_back(largest(study, gaps(*finer, *before, of), study.comparable));
-    finer = before;
-  }
-  if (changed.size() == 3 && changed[0] > 0.0) {
-    const double order = std::log2(changed[1] / changed[0]), order_before = std::log2(changed[2] / changed[1]);
-    if (order > 0.7 && std::fabs(order - order_before) < 0.5) return 1.5 * changed[0] / (std::exp2(order) - 1.0);
-  }
-  double most = 0.0;
-  for (std::size_t k = 0; k < changed.size(); k++) most = std::max(most, std::ldexp(changed[k], -static_cast<int>(k)));
-  return most;
+/// [s] when a run and the one with twice its step part.
+double parting(const Study& study, std::size_t i) {
+  const StudyRun* const before = coarser(study, i);
+  return before ? last_within(study, gaps(study.runs[i], *before, &Gap::mean), apart * study.size) : 0.0;
+}
+
+/// A small error grows by itself: the nearer runs begin, the longer they stay together.
+bool is_chaotic(const Study& study) {
+  return study.parts() && !study.unresolved() && study.growth * study.together > std::log(100.0) &&
+         parting(study, study.reference) > parting(study, study.reference - 1);
+}
+
+/// The first to have lost or made energy when the finest runs parted, or in the interval after: of those as fine as the
+/// reference, and of the three that tell how wrong that may be.
+std::optional<std::size_t> find_loser(const Study& study, const std::vector<Doubted>& finest) {
+  if (!study.parts()) return {};
+  double first = *std::upper_bound(study.times.begin(), study.times.end(), study.together * (1 + 1e-9)) * (1 - 1e-9);
+  std::optional<std::size_t> loser;
+  const auto look = [&](std::size_t i) {
+    if (study.runs[i].right_until >= first) return;
+    first = study.runs[i].right_until;
+    loser = i;
+  };
+  for (const Doubted& one : finest)
+    if (const StudyRun& run = study.runs[one.run]; run.accuracy == 0.0 && run.step <= study.finest().step * (1 + 1e-9))
+      look(one.run);
+  for (std::size_t i = study.reference; i > 0 && i + 2 > study.reference && coarser(study, i); i--) look(i - 1);
+  return loser;
 }
 
 /// By how the error fell from twice the step; of runs as exact as the finest, by how what the halving changed did.
@@ -188,8 +117,8 @@ double order(const Study& study, std::size_t i) {
   if (run.error > 10.0 * study.uncertain) return std::log2(before->error / run.error) / halvings;
   const StudyRun* const first = coarser(study, i - 1);
   if (!first) return nan;
-  const double changed = largest(study, distances(run, *before), study.comparable);
-  const double changed_before = largest(study, distances(*before, *first), study.comparable);
+  const double changed = largest(study, gaps(run, *before, &Gap::mean), study.comparable);
+  const double changed_before = largest(study, gaps(*before, *first, &Gap::mean), study.comparable);
   return changed > 1e-10 * study.size ? std::log2(changed_before / changed) / halvings : nan;
 }
 
@@ -200,22 +129,24 @@ void find_orders(Study& study) {
 }  // namespace
 
 double distance(const StudyRun& a, const StudyRun& b) {
-  const std::vector<double> list = distances(a, b);
+  const std::vector<double> list = gaps(a, b, &Gap::mean);
   return list.empty() ? nan : *std::max_element(list.begin(), list.end());
 }
 
 void compare(Study& study) {
-  choose_reference(study);
-  const std::vector<double> list = changes(study, study.reference);
-  for (std::size_t i = 0; i < study.runs.size(); i++)
-    if (i != study.reference) compare_run(study, i);
-  study.growth = growth(study, list);
-  study.uncertain = doubt(study, &Gap::mean);
-  study.runs[study.reference].true_until = study.together;
-  if (study.comparable > 0.0) {
-    study.runs[study.reference].error = study.uncertain;
-    study.runs[study.reference].farthest = doubt(study, &Gap::most);
-  }
+  const std::vector<Doubted> finest = doubts(study, &Gap::mean);
+  const Doubted* const reference = choose_reference(study, finest);
+  study.loser = find_loser(study, finest);
+  if (!reference) return;
+  const std::vector<Doubted> worst = doubts(study, &Gap::most);
+  study.uncertain = largest(study, reference->doubt, study.comparable);
+  StudyRun& run = study.runs[study.reference];
+  run.error = study.uncertain;
+  run.farthest = largest(study, worst[static_cast<std::size_t>(reference - finest.data())].doubt, study.comparable);
+  for (std::size_t i = 0; i < study.runs.size(); i++) compare_run(study, i, reference->doubt);
+  if (const StudyRun* const before = coarser(study, study.reference))
+    study.growth = growth(study, gaps(run, *before, &Gap::mean));
+  study.chaotic = is_chaotic(study);
   find_orders(study);
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "player/doubt.hpp"
 #include "player/home.hpp"
 #include "player/plot.hpp"
 #include "player/report.hpp"
@@ -28,6 +29,13 @@ std::string show_step(double step) {
   return format("%.4g", step);
 }
 
+/// With so many digits behind the point, and never less than the number itself.
+std::string at_most(double x, int digits) {
+  if (!std::isfinite(x) || x <= 0.0) return x == 0.0 ? "0" : "-";
+  const double unit = std::pow(10.0, std::floor(std::log10(x)) - digits);
+  return format("%.*e", digits, std::ceil(x / unit * (1 - 1e-12)) * unit);
+}
+
 std::string number(const char* pattern, double x) { return std::isfinite(x) ? format(pattern, x) : "-"; }
 
 double per_solve(const Stats& stats) {
@@ -42,7 +50,7 @@ std::string row(const Study& study, const StudyRun& run) {
   std::string line = format(
       "%-9s %-9s %12s %6s %10s %12s %6.2f %6llu %5llu %10s %10s", series_name(run).c_str(),
       run.accuracy > 0.0 ? number("%.0e", run.accuracy).c_str() : show_step(run.step).c_str(),
-      finest ? ("(" + number("%.1e", run.error) + ")").c_str() : number("%.2e", run.error).c_str(),
+      finest ? ("(" + at_most(run.error, 1) + ")").c_str() : at_most(study.error_of(run), 2).c_str(),
       number("%.1f", run.order).c_str(), number("%.4g", 1e3 * run.cost()).c_str(),
       number("%.4g", 1e9 * run.seconds / static_cast<double>(run.steps)).c_str(), per_solve(run.stats),
       static_cast<unsigned long long>(run.stats.halved_steps), static_cast<unsigned long long>(run.stats.safe_steps),
@@ -81,7 +89,7 @@ std::string ledger_lines(const Study& study) {
   return line + "\n";
 }
 
-bool still(const Study& study) { return !(study.moved > 1e-9 * study.size); }
+bool still(const Study& study) { return !study.unresolved() && !(study.moved > 1e-9 * study.size); }
 
 /// Runs of different steps differ from the first times on, or draw different noise.
 bool never_together(const Study& study) {
@@ -95,32 +103,57 @@ std::string cause(const Study& study) {
   return "";
 }
 
-/// Median of the orders of an integrator, NaN where none could be told.
-double order_of(const Study& study, const std::string& integrator) {
-  std::vector<double> orders;
-  for (const StudyRun& run : study.runs)
-    if (run.integrator == integrator && run.accuracy == 0.0 && std::isfinite(run.order)) orders.push_back(run.order);
-  if (orders.empty()) return std::numeric_limits<double>::quiet_NaN();
-  std::nth_element(orders.begin(), orders.begin() + static_cast<std::ptrdiff_t>(orders.size() / 2), orders.end());
-  return orders[orders.size() / 2];
+/// The order that the last two halvings of a series show, NaN where they do not agree.
+double sure_order(const Study& study, const StudyRun& last) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  if (&last == &study.runs.front() || !same_series(*(&last - 1), last)) return nan;
+  return std::fabs((&last - 1)->order - last.order) < 0.5 ? last.order : nan;
+}
+
+bool is_last(const Study& study, const StudyRun& run) {
+  return &run == &study.runs.back() || !same_series(*(&run + 1), run);
 }
 
 /// Integrators of higher order are at an order of 1 where the steps themselves are what is seen.
 std::string first_order(const Study& study) {
   bool any = false;
   for (const StudyRun& run : study.runs) {
-    if (run.integrator == "euler") continue;
-    const double order = order_of(study, run.integrator);
-    any = any || order > 0.7;
-    if (order > 1.5) return "";
+    if (run.integrator == "euler" || run.accuracy > 0.0 || !is_last(study, run)) continue;
+    const double order = sure_order(study, run);
+    if (!(order > 0.7 && order < 1.5)) return "";
+    any = true;
   }
   return any ? " Halving the step only halves the error, with each integrator: something happens in whole steps, as "
-               "events,"
-               " impacts and hands do."
+               "events, impacts and hands do."
              : "";
 }
 
+std::string told_until(const Study& study) {
+  return study.comparable > 0.0 ? format(" Errors are told until %g s.", study.comparable) : " No error is told.";
+}
+
+/// What the energy of the finest runs says, where they part.
+std::string losing(const Study& study) {
+  const StudyRun& run = study.runs[*study.loser];
+  return format(
+      "Unresolved: the finest runs part after %g s, where they lose or make energy (%s with step %s is right until "
+      "%g s, and wrong by %.1e of what is exchanged at the worst): how it goes on takes shorter steps.",
+      study.together, run.integrator.c_str(), show_step(run.step).c_str(), run.right_until, run.worst.energy);
+}
+
+/// No error is told by fewer than three runs of one integrator that come to the end.
+bool too_few(const Study& study) {
+  const auto complete = [&](const StudyRun* run) { return run && run->places.size() == study.times.size(); };
+  for (std::size_t i = 2; i < study.runs.size(); i++)
+    if (complete(&study.runs[i]) && complete(coarser(study, i)) && complete(coarser(study, i - 1))) return false;
+  return true;
+}
+
 std::string course(const Study& study) {
+  if (too_few(study))
+    return "No error is told: that takes three runs of one integrator that come to the end. A shorter --until leaves "
+           "time for more.\n";
+  if (study.unresolved()) return losing(study) + told_until(study) + "\n";
   if (never_together(study))
     return format(
                "Runs with different steps go different ways (they part after %g s by more than a hundredth of the "
@@ -135,9 +168,9 @@ std::string course(const Study& study) {
                                            : ".") +
            first_order(study) + "\n";
   std::string result = format("The finest runs part after %g s", study.together);
-  if (study.growth * study.together > std::log(100.0))
+  if (study.chaotic)
     result += format(": the motion is chaotic, a small error grows tenfold in %.2g s", std::log(10.0) / study.growth);
-  return result + format(". Errors are told until %g s.", study.comparable) + cause(study) + first_order(study) + "\n";
+  return result + "." + told_until(study) + cause(study) + first_order(study) + "\n";
 }
 
 /// Where no run is exact enough: how far the best integrator would have to go by its order.
@@ -145,9 +178,9 @@ std::string extrapolated(const Study& study, double error) {
   const StudyRun* best = nullptr;
   double cost = 0.0, step = 0.0;
   for (const StudyRun& run : study.runs) {
-    const double order = order_of(study, run.integrator), exact = study.error_of(run);
-    const bool last = &run == &study.runs.back() || !same_series(*(&run + 1), run);
-    if (!last || run.accuracy > 0.0 || !run.trouble.empty() || !(order > 0.5) || !(exact > error)) continue;
+    const double order = sure_order(study, run), exact = study.error_of(run);
+    if (!is_last(study, run) || run.accuracy > 0.0 || !run.trouble.empty() || !(order > 0.5) || !(exact > error))
+      continue;
     const double factor = std::pow(error / exact, 1.0 / order);
     if (best && run.cost() / factor >= cost) continue;
     best = &run;
@@ -175,16 +208,20 @@ std::string advice(const Study& study) {
       format("For an error of %.2g m (1e-3 of the scene's size of %.3g m)", error, study.size) +
       (study.comparable < study.wanted_until * (1 - 1e-9) ? format(" until %.4g s ", study.comparable) : " ");
   if (never_together(study))
-    return "No step can be recommended by its error, for runs with different steps go different ways.";
+    return std::string("No step can be recommended by its error, for ") +
+           (too_few(study)       ? "too few runs came to the end."
+            : study.unresolved() ? "the finest runs lose or make energy."
+                                 : "runs with different steps go different ways.");
   const StudyRun* const run = cheapest(study, error);
   if (!run) return beginning + extrapolated(study, error);
   const bool longest = run == &study.runs.front() || !same_series(*run, *(run - 1));
   return beginning + "choose " + (run->accuracy > 0.0 ? format("scene.accuracy = %g, ", run->accuracy) : "") +
          format(
              "scene.step = %s%s and scene.integrator = \"%s\": it costs %.2g ms of processor time per simulated "
-             "second, and its error is at most %.1e m, that of its worst point %.1e m.",
+             "second, and its error is at most %s m, that of its worst point %s m.",
              show_step(run->step).c_str(), longest && run->accuracy == 0.0 ? " (the longest tried)" : "",
-             run->integrator.c_str(), 1e3 * run->cost(), study.error_of(*run), study.farthest_of(*run));
+             run->integrator.c_str(), 1e3 * run->cost(), at_most(study.error_of(*run), 1).c_str(),
+             at_most(study.farthest_of(*run), 1).c_str());
 }
 
 std::string report_text(const Study& study, double product_ns) {
@@ -193,12 +230,13 @@ std::string report_text(const Study& study, double product_ns) {
   result += format(", compared at %zu times; %zu points and bodies in %.3g m; energy return %s\n", study.times.size(),
                    study.things, study.size, study.energy_return ? "on" : "off");
   result += format(
-      "error: at most, root mean square over points and bodies: from the run in brackets, and that one's own\n"
+      "error: at most, root mean square over points and bodies: the distance to the run in brackets, and by what that\n"
+      "  one may be wrong itself, as at least three runs with different steps agree\n"
       "order: halving the step divides the error by 2^order\n"
       "ms/s: milliseconds of processor time per simulated second, on one thread, while a 3x3 product took %.2g ns\n"
       "iter.: Newton iterations per step and articulate; steps that were halved, or safe ones, which only lose energy\n"
       "gap, energy: the worst of the constraints' gaps, and of the energy's error relative to what is exchanged\n"
-      "true to: until then it is within a hundredth of the size\n",
+      "true to: until then it is surely within a hundredth of the size\n",
       product_ns);
   if (std::any_of(study.runs.begin(), study.runs.end(), [](const StudyRun& run) { return run.accuracy > 0.0; }))
     result += format("accuracy: that scene.accuracy with verlet and step %s\n", show_step(study.step).c_str());
@@ -215,7 +253,7 @@ Json of_run(const Study& study, const StudyRun& run) {
   if (run.accuracy > 0.0) json["accuracy"] = run.accuracy;
   if (!run.trouble.empty()) json["trouble"] = run.trouble;
   json["reference"] = &run == &study.finest();
-  json["error"] = run.error;
+  json["from_reference"] = &run == &study.finest() ? 0.0 : run.error;
   json["error_at_most"] = study.error_of(run);
   json["worst_error_at_most"] = study.farthest_of(run);
   json["order"] = run.order;
@@ -248,6 +286,8 @@ nlohmann::ordered_json report_json(const Study& study, double product_ns) {
   json["together_until"] = study.together;
   json["comparable_until"] = study.comparable;
   json["growth"] = study.growth;
+  json["chaotic"] = study.chaotic;
+  json["unresolved"] = study.unresolved();
   json["product_ns"] = product_ns;
   json["ledger"] = study.ledger;
   json["runs"] = Json::array();

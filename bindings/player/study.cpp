@@ -24,10 +24,10 @@ using Told = std::function<void(const std::string&, double)>;
 // can be told.
 constexpr int own_level = 2, coarsest = 1 << own_level;
 constexpr int levels[] = {2, 3, 1, 0, 4, 5, 6, 7};
-constexpr int needed = 2;       // runs of the scene's own integrator that come to the end
-constexpr double core = 7.75;   // times the cost of its own step are the first five levels
-constexpr double least = 1.75;  // and the first three, of other integrators
-constexpr double dear = 4.0;    // times that, other integrators are no reason to compare for a shorter time
+constexpr int needed = 3;      // runs of the scene's own integrator that come to the end: fewer tell nothing
+constexpr double core = 7.75;  // times the cost of its own step are the first five levels
+constexpr double least_own = 3.5, least = 1.75;  // the first three, and those of other integrators
+constexpr double dear = 4.0;  // times that, other integrators are no reason to compare for a shorter time
 constexpr double most_comparisons = 120, least_comparisons = 40;  // in time
 constexpr double most_places = 40000;                             // that a run notes
 constexpr std::size_t most_things = 1000;
@@ -181,10 +181,10 @@ class Studying {
     const long part = dividing(steps, std::max(1L, std::lround(std::ceil(static_cast<double>(steps) / comparisons))));
     for (long k = part; k <= steps; k += part) study_.times.push_back(static_cast<double>(k) * longest);
     study_.until = study_.times.back();
-    const double shortest = 3.0 * own * study_.until;
+    const double shortest = least_own * own * study_.until;
     expected_ = std::max(shortest, std::min(budget_, all * study_.until));
     if (shortest > 2.0 * budget_)
-      say(text("two runs of ", study_.until, " s take about ", std::ceil(shortest / 60),
+      say(text("three runs of ", study_.until, " s take about ", std::ceil(shortest / 60),
                " minutes; a shorter --until less"));
   }
 
@@ -196,7 +196,7 @@ class Studying {
         if (over) continue;
         const double step = step_of(study_.step, level);
         const double left = for_runs * budget_ - spent(), foretold = foretell(tried, step);
-        const bool is_needed = tried.integrator == study_.integrator && level >= own_level && complete(tried) < needed;
+        const bool is_needed = tried.integrator == study_.integrator && complete(tried) < needed;
         over = !is_needed && foretold > left;
         if (over) continue;
         const double limit = std::min(left, std::max(3.0 * foretold, for_surprise * budget_));
@@ -335,8 +335,9 @@ class Studying {
   /// A single thing has no size but the way it goes.
   void find_movement() {
     std::map<std::uint64_t, Vec3> first(start_.begin(), start_.end());
-    for (const Places& places : last_of(study_.integrator)->places)
-      for (const auto& [serial, place] : places) {
+    const StudyRun& run = *last_of(study_.integrator);
+    for (std::size_t k = 0; k < run.places.size() && study_.times[k] <= run.right_until * (1 + 1e-9); k++)
+      for (const auto& [serial, place] : run.places[k]) {
         const Vec3 from = first.emplace(serial, place).first->second;
         study_.moved = std::max(study_.moved, norm(place - from));
       }

@@ -2,6 +2,7 @@
 // A scene run over steps and integrators, and compared with the finest of its own runs.
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,26 +20,30 @@ struct Study {
   double step = 0.0;       ///< [s] the scene's own
   std::string integrator;  ///< the scene's own
   bool energy_return = false;
-  double wanted_until = 0.0;   ///< [s] as asked for, or the scene's end
-  double until = 0.0;          ///< [s] compared: what there was time for, in whole intervals
-  std::vector<double> times;   ///< [s] of comparison, without 0
-  double size = 0.0;           ///< [m] diagonal of the box round all things at the start
-  std::size_t things = 0;      ///< compared at the start
-  double moved = 0.0;          ///< [m] furthest that anything went in the scene's own integrator's finest run
+  double wanted_until = 0.0;  ///< [s] as asked for, or the scene's end
+  double until = 0.0;         ///< [s] compared: what there was time for, in whole intervals
+  std::vector<double> times;  ///< [s] of comparison, without 0
+  double size = 0.0;          ///< [m] diagonal of the box round all things at the start
+  std::size_t things = 0;     ///< compared at the start
+  double moved = 0.0;         ///< [m] furthest that anything went in the scene's own integrator's finest run, while its
+                              ///< energy is right
   std::vector<StudyRun> runs;  ///< series by series, the longest step first
   std::vector<Refused> refused;
 
   std::size_t reference = 0;          ///< the run that the others are compared with
   double uncertain = 0.0;             ///< [m] by how much it may be wrong itself, until `comparable`
-  double together = 0.0;              ///< [s] until then the finest runs stay within a hundredth of the size
+  double together = 0.0;              ///< [s] until then three runs agree that it is right to a hundredth of the size
   double comparable = 0.0;            ///< [s] until then errors are told: while the finest run is sure of small ones
-  double growth = 0.0;                ///< [1/s] of the logarithm of their distance, where they part
+  double growth = 0.0;                ///< [1/s] of the logarithm of the finest runs' distance, where they part
+  std::optional<std::size_t> loser;   ///< the finest runs part where this one of them loses or makes energy
+  bool chaotic = false;               ///< they part because small errors grow
   nlohmann::ordered_json ledger;      ///< [J] of the scene with its own step and integrator
   bool random = false;                ///< scripts draw random numbers while they run
   bool noisy = false;                 ///< a law draws noise
   bool emits = false;                 ///< emitters make particles
   std::vector<std::string> warnings;  ///< of the scene
 
+  bool unresolved() const { return loser.has_value(); }
   bool parts() const { return together < until; }
   const StudyRun& finest() const { return runs[reference]; }
   /// [m] What the error of a run, or that of its worst thing, is at most.

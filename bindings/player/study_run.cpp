@@ -1,6 +1,7 @@
 #include "player/study_run.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <numeric>
 
@@ -9,6 +10,7 @@
 #include "player/home.hpp"
 #include "player/interrupt.hpp"
 #include "player/machine.hpp"
+#include "world/measure.hpp"
 
 namespace pantin::player {
 namespace {
@@ -24,6 +26,35 @@ bool same_places(const Places& a, const Places& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
     return x.first == y.first && norm2(x.second - y.second) == 0.0;
   });
+}
+
+/// Follows whether a run keeps its energy. What is wrong is held against what moves on average so far: a fast moment, as
+/// of a collision, excuses nothing that is wrong after it.
+class EnergyWatch {
+ public:
+  explicit EnergyWatch(const World& world) : kinetic_(mechanical_energy(world).kinetic) {}
+
+  bool right(const World& world) {
+    kinetic_ += mechanical_energy(world).kinetic;
+    looks_++;
+    const double outside = std::fabs(world.work);
+    const double wrong = world.error.energy * std::max(world.largest_kinetic, outside);
+    right_ = right_ && wrong <= tolerable * std::max(kinetic_ / looks_, outside);
+    return right_;
+  }
+
+ private:
+  static constexpr double tolerable = 0.1;
+  double kinetic_;      ///< [J] sum over the looks
+  double looks_ = 1.0;  ///< the start is the first
+  bool right_ = true;
+};
+
+bool acts_in_steps(const World& world) {
+  const auto events = world.choreography.events.ids();
+  return world.last_act > 0.0 || !world.choreography.past.empty() || !world.breaks.empty() ||
+         !world.emitters.ids().empty() ||
+         std::any_of(events.begin(), events.end(), [&](EventId id) { return world.choreography.events[id].fired > 0; });
 }
 
 }  // namespace
@@ -92,6 +123,7 @@ bool perform(StudyRun& run, const Opener& opener, const std::vector<double>& tim
   try {
     scene = opener.open(run.integrator, run.step, run.accuracy);
     drawn = scene->world().random.count;
+    EnergyWatch energy(scene->world());
     for (const double time : times) {
       run.portions.push_back(step_to(*scene, time));
       run.seconds += run.portions.back();
@@ -100,6 +132,7 @@ bool perform(StudyRun& run, const Opener& opener, const std::vector<double>& tim
       run.finished = scene->finished();
       if (run.finished && run.reached < time - 0.5 * run.step) break;
       run.places.push_back(places_of(scene->world(), stride));
+      if (energy.right(scene->world())) run.right_until = time;
       told(static_cast<double>(run.places.size()) / static_cast<double>(times.size()));
     }
   } catch (const lua::Interrupted&) { return false; } catch (const Error& error) {
@@ -110,6 +143,7 @@ bool perform(StudyRun& run, const Opener& opener, const std::vector<double>& tim
   run.steps = world.steps;
   run.stats = world.stats;
   run.worst = world.worst;
+  run.acted_in_steps = acts_in_steps(world);
   run.random_numbers = world.random.count - drawn;
   return true;
 }

@@ -27,10 +27,13 @@ struct StudyRun {
   std::uint64_t steps = 0;
   Stats stats;
   Accuracy worst;
+  double right_until = 0.0;          ///< [s] until then no energy was lost or made that counts beside what moves
+  bool acted_in_steps = false;       ///< events, scripts, breaks or emitters did something to it at the end of a step
   std::uint64_t random_numbers = 0;  ///< drawn by the script while it ran
   std::vector<Places> places;        ///< (times that it reached)
 
-  /// [m] from the reference: root mean square over the things, the largest until `comparable`.
+  /// [m] from the reference: root mean square over the things, the largest until `comparable`; of the reference itself
+  /// what it is surely within.
   double error = std::numeric_limits<double>::quiet_NaN();
   double farthest = std::numeric_limits<double>::quiet_NaN();  ///< [m] the same of the thing that is wrong most
   double order = std::numeric_limits<double>::quiet_NaN();     ///< by how the error fell from twice the step

@@ -18,7 +18,7 @@ StudyRun seen(const Study& study, const std::string& integrator, double step, Wr
   StudyRun run;
   run.integrator = integrator;
   run.step = step;
-  run.reached = study.until;
+  run.reached = run.right_until = study.until;
   run.seconds = 1e-3 / step;
   run.steps = static_cast<std::uint64_t>(study.until / step);
   for (const double t : study.times) run.places.push_back({{1, vec(t + wrong(step, t), 0, 0)}});
@@ -122,8 +122,80 @@ TEST_CASE("report: two fine runs that agree by chance, as where an event falls i
   for (const double step : steps)
     first_order.runs.push_back(seen(first_order, "euler", step, [](double h, double t) { return 0.5 * h * t; }));
   compare(first_order);
-  CHECK(first_order.uncertain >= 0.5 * 0.00125 * 4.0);
-  CHECK(first_order.uncertain < 0.5 * 0.00125 * 4.0 * 2.0);
+  REQUIRE(first_order.comparable > 0.0);
+  CHECK(first_order.uncertain >= 0.5 * 0.00125 * first_order.comparable);
+  CHECK(first_order.uncertain < 0.5 * 0.00125 * first_order.comparable * 2.1);
+}
+
+TEST_CASE("report: two runs promise nothing") {
+  Study study = empty_study();
+  for (const double step : {0.04, 0.02})
+    study.runs.push_back(seen(study, "verlet", step, [](double h, double t) { return 3 * h * h * t; }));
+  compare(study);
+  CHECK(study.comparable == 0.0);
+  for (const StudyRun& run : study.runs) CHECK(std::isnan(study.error_of(run)));
+  CHECK_THAT(report_text(study, 1.0), Catch::Contains("No error is told: that takes three runs"));
+  CHECK(advice(study) == "No step can be recommended by its error, for too few runs came to the end.");
+}
+
+TEST_CASE("report: where changes do not fall as the order says, nothing is extrapolated") {
+  Study study = empty_study();
+  const auto by_luck = [](double h, double) { return h == 0.00125 ? 0.9e-3 : h == 0.0025 ? 1e-3 : 200 * h * h; };
+  for (const double step : steps) study.runs.push_back(seen(study, "verlet", step, by_luck));
+  compare(study);
+  CHECK(study.uncertain >= 0.9e-3);
+  Study smooth = empty_study();
+  for (const double step : steps)
+    smooth.runs.push_back(seen(smooth, "verlet", step, [](double h, double t) { return 200 * h * h * t; }));
+  compare(smooth);
+  CHECK(smooth.uncertain < 7.0 * 200 * 0.00125 * 0.00125 * smooth.comparable);
+}
+
+TEST_CASE("report: integrators that contradict each other are both in doubt") {
+  Study study = empty_study();
+  for (const double step : steps)
+    study.runs.push_back(seen(study, "verlet", step, [](double h, double t) { return 3 * h * h * t; }));
+  for (const double step : steps)
+    study.runs.push_back(seen(study, "suzuki4", step, [](double h, double t) { return 2e-3 + h * h * h * h * t; }));
+  compare(study);
+  CHECK(study.uncertain >= 1.9e-3);
+}
+
+TEST_CASE("report: runs that lose or make energy are no measure, and where they part nothing is called chaotic") {
+  Study study = empty_study();
+  const auto exploding = [](double h, double t) { return t < 2.5 ? h * h * t : t * t / h; };
+  for (const double step : steps) {
+    study.runs.push_back(seen(study, "verlet", step, exploding));
+    study.runs.back().right_until = 2.0;
+  }
+  compare(study);
+  CHECK(study.comparable == 2.0);
+  CHECK(study.unresolved());
+  CHECK_FALSE(study.chaotic);
+  CHECK_THAT(report_text(study, 1.0), Catch::Contains("Unresolved: the finest runs part after 2 s") &&
+                                          Catch::Contains("Errors are told until 2 s"));
+  Study never = empty_study();
+  never.runs = study.runs;
+  for (StudyRun& run : never.runs) run.right_until = 0.0;
+  compare(never);
+  CHECK_THAT(advice(never), Catch::Contains("the finest runs lose or make energy"));
+}
+
+TEST_CASE("report: a row tells no less than what is promised") {
+  Study study = empty_study();
+  for (const double step : steps)
+    study.runs.push_back(seen(study, "verlet", step, [](double h, double t) { return 2.7181 * h * h * t; }));
+  compare(study);
+  const std::string all = report_text(study, 1.0);
+  std::size_t rows = 0;
+  for (std::size_t at = all.find("\nverlet"); at != std::string::npos; at = all.find("\nverlet", at + 1), rows++) {
+    const StudyRun& run = study.runs[rows];
+    if (&run == &study.finest()) continue;
+    const double told = std::stod(all.substr(at + 20, 14));
+    CHECK(told >= study.error_of(run));
+    CHECK(told < 1.01 * study.error_of(run));
+  }
+  CHECK(rows == study.runs.size());
 }
 
 TEST_CASE("report: the paper's integrator is no measure of others, however well its runs agree") {
