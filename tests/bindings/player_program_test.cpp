@@ -369,7 +369,7 @@ TEST_CASE("program: a report ends in what to choose, and leaves two files") {
   CHECK(use(folder, {"report", "swing.lua", "--until", "0.001"}).code == 1);
 }
 
-TEST_CASE("program: Ctrl-C ends a report with what its runs tell, and one before there are two leaves nothing") {
+TEST_CASE("program: Ctrl-C ends a report with what its runs tell, and one before there is any leaves nothing") {
   Folder folder;
   write_file(folder / "swing.lua", swing);
   for (const double seconds : {0.0, 0.5, 2.0}) {
