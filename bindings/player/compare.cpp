@@ -56,16 +56,23 @@ const Doubted* choose_reference(Study& study, const std::vector<Doubted>& finest
 }
 
 /// How fast the distance of the two finest runs grows where they part: slope of its logarithm over the last half of the
-/// times until then, by least squares, [1/s].
+/// times until then, by least squares, [1/s]. 0 where it does not grow a hundredfold along such a line: one impact or
+/// encounter is no law of growth.
 double growth(const Study& study, const std::vector<double>& list) {
-  double n = 0, t = 0, y = 0, tt = 0, ty = 0;
+  constexpr double seen = 1e-9;  // of the size: below is round-off
+  constexpr double least = 8;    // points
+  double n = 0, t = 0, y = 0, tt = 0, ty = 0, yy = 0;
   for (std::size_t k = 0; k < list.size(); k++) {
     const double time = study.times[k];
-    if (time < 0.5 * study.together || time > study.together * (1 + 1e-9) || !(list[k] > 0.0)) continue;
+    if (time < 0.5 * study.together || time > study.together * (1 + 1e-9) || !(list[k] > seen * study.size)) continue;
     const double value = std::log(list[k]);
-    n += 1, t += time, y += value, tt += time * time, ty += time * value;
+    n += 1, t += time, y += value, tt += time * time, ty += time * value, yy += value * value;
   }
-  return n >= 3 ? (n * ty - t * y) / (n * tt - t * t) : 0.0;
+  if (n < least) return 0.0;
+  const double of_t = n * tt - t * t, of_y = n * yy - y * y, both = n * ty - t * y;
+  const double slope = both / of_t, span = n * study.times[0];
+  const bool on_a_line = both * both > 0.7 * of_t * of_y;
+  return on_a_line && slope * span > std::log(100.0) ? slope : 0.0;
 }
 
 void compare_run(Study& study, std::size_t i, const std::vector<double>& doubt) {
@@ -86,7 +93,7 @@ double parting(const Study& study, std::size_t i) {
 
 /// A small error grows by itself: the nearer runs begin, the longer they stay together.
 bool is_chaotic(const Study& study) {
-  return study.parts() && !study.unresolved() && study.growth * study.together > std::log(100.0) &&
+  return study.parts() && !study.unresolved() && study.growth > 0.0 &&
          parting(study, study.reference) > parting(study, study.reference - 1);
 }
 

@@ -263,6 +263,25 @@ TEST_CASE("report: comparing ends where the two finest runs part") {
   CHECK_THAT(report_text(study, 1.0), Catch::Contains("The finest runs part after 2 s"));
 }
 
+TEST_CASE("report: what grows along a line for long is called chaotic, one jump is not") {
+  Study chaos = empty_study();
+  chaos.times.clear();
+  for (int k = 1; k <= 40; k++) chaos.times.push_back(0.1 * k);
+  Study jump = chaos;
+  for (const double step : steps) {
+    chaos.runs.push_back(
+        seen(chaos, "verlet", step, [](double h, double t) { return h * h * std::pow(10.0, 2.0 * t); }));
+    jump.runs.push_back(seen(jump, "verlet", step, [](double h, double t) { return t < 2 ? 1e-12 * h : 1e3 * h * t; }));
+  }
+  compare(chaos);
+  compare(jump);
+  CHECK(chaos.chaotic);
+  CHECK(chaos.growth == Approx(2.0 * std::log(10.0)).epsilon(0.01));
+  CHECK_THAT(report_text(chaos, 1.0), Catch::Contains("the motion is chaotic, a small error grows tenfold in 0.5 s"));
+  CHECK(jump.parts());
+  CHECK_FALSE(jump.chaotic);
+}
+
 TEST_CASE("report: runs that never agree are told not to be comparable") {
   Study study = empty_study();
   study.random = true;
