@@ -24,8 +24,9 @@ using Told = std::function<void(const std::string&, double)>;
 // can be told.
 constexpr int own_level = 2, coarsest = 1 << own_level;
 constexpr int levels[] = {2, 3, 1, 0, 4, 5, 6, 7};
-constexpr int needed = 3;      // runs of the scene's own integrator that come to the end: fewer tell nothing
-constexpr double core = 7.75;  // times the cost of its own step are the first five levels
+constexpr int first_levels[] = {2, 3, 1, 4};
+constexpr int three = 3;
+constexpr double core = 7.75;                    // times the cost of its own step are the first five levels
 constexpr double least_own = 3.5, least = 1.75;  // the first three, and those of other integrators
 constexpr double dear = 4.0;  // times that, other integrators are no reason to compare for a shorter time
 constexpr double most_comparisons = 120, least_comparisons = 40;  // in time
@@ -188,24 +189,40 @@ class Studying {
                " minutes; a shorter --until less"));
   }
 
-  /// All integrators in turn, level by level, as long as there is time. Longer steps than the scene's own may cost more.
+  /// The scene's own integrator first, until three of its runs come to the end, for fewer tell nothing; then all in turn,
+  /// level by level, as long as there is time.
   void run_levels() {
+    for (const int level : first_levels)
+      if (complete(tried_.front()) < three) run_level(tried_.front(), level);
     for (const int level : levels)
-      for (Tried& tried : tried_) {
-        bool& over = level < own_level ? tried.no_longer : tried.no_shorter;
-        if (over) continue;
-        const double step = step_of(study_.step, level);
-        const double left = for_runs * budget_ - spent(), foretold = foretell(tried, step);
-        const bool is_needed = tried.integrator == study_.integrator && complete(tried) < needed;
-        over = !is_needed && foretold > left;
-        if (over) continue;
-        const double limit = std::min(left, std::max(3.0 * foretold, for_surprise * budget_));
-        const Ran ran =
-            run_one(tried.integrator, step, 0.0, is_needed ? std::numeric_limits<double>::infinity() : limit);
-        over = ran != Ran::done || (level > own_level && has_settled(tried.integrator));
-        if (level == own_level && ran == Ran::as_another) tried.no_longer = true;
-      }
+      for (Tried& tried : tried_)
+        if (!has_run(tried, level)) run_level(tried, level);
   }
+
+  /// Longer steps than the scene's own may cost more.
+  void run_level(Tried& tried, int level) {
+    bool& over = level < own_level ? tried.no_longer : tried.no_shorter;
+    if (over) return;
+    const double step = step_of(study_.step, level);
+    const double left = for_runs * budget_ - spent(), foretold = foretell(tried, step);
+    const bool is_needed = tried.integrator == study_.integrator && complete(tried) < needed();
+    over = !is_needed && foretold > left;
+    if (over) return;
+    double limit = std::min(left, std::max(3.0 * foretold, for_surprise * budget_));
+    if (is_needed) limit = level < own_level ? 3.0 * foretold : std::numeric_limits<double>::infinity();
+    const Ran ran = run_one(tried.integrator, step, 0.0, limit);
+    over = ran != Ran::done || (level > own_level && has_settled(tried.integrator));
+    if (level == own_level && ran == Ran::as_another) tried.no_longer = true;
+  }
+
+  bool has_run(const Tried& tried, int level) const {
+    return std::any_of(study_.runs.begin(), study_.runs.end(), [&](const StudyRun& run) {
+      return run.integrator == tried.integrator && run.accuracy == 0.0 && run.step == step_of(study_.step, level);
+    });
+  }
+
+  /// Runs of the scene's own integrator that are made however long they take: all, where a time is asked for.
+  int needed() const { return options_.until ? three : 2; }
 
   /// [s] that a run will take.
   double foretell(const Tried& tried, double step) const {
