@@ -84,6 +84,7 @@ std::vector<double> own_doubt(const Study& study, std::size_t i, double Gap::*of
   return result;
 }
 
+/// One of each series, but of the paper's integrator only where it is alone.
 std::vector<std::size_t> finest_runs(const Study& study) {
   const auto complete = [&](const StudyRun& run) { return run.places.size() == study.times.size(); };
   std::vector<std::size_t> list, papers;
@@ -122,7 +123,7 @@ std::vector<double> seen_by_others(const Study& study, const std::vector<Doubted
   }
   const std::vector<std::vector<double>> changed = changes(study, own[a].run, of);
   for (std::size_t k = 0; at_other_times && k < farthest.size() && std::isfinite(list[k]); k++)
-    list[k] = std::min(list[k], std::max(3.0 * farthest[k], 2.0 * changed[0][k]));
+    list[k] = std::min(list[k], std::max({3.0 * farthest[k], 2.0 * changed[0][k], promised * study.size}));
   for (std::size_t k = 1; k < list.size(); k++) list[k] = std::max(list[k], list[k - 1]);
   return list;
 }
