@@ -56,7 +56,7 @@ const Doubted* choose_reference(Study& study, const std::vector<Doubted>& finest
 }
 
 /// How fast the distance of the two finest runs grows where they part: slope of its logarithm over the last half of the
-/// times until then, by least squares, [1/s]. 0 where it does not grow a hundredfold along such a line: one impact or
+/// times until then, by least squares, [1/s]. 0 where it does not grow tenfold along such a line: one impact or
 /// encounter is no law of growth.
 double growth(const Study& study, const std::vector<double>& list) {
   constexpr double seen = 1e-9;  // of the size: below is round-off
@@ -72,7 +72,7 @@ double growth(const Study& study, const std::vector<double>& list) {
   const double of_t = n * tt - t * t, of_y = n * yy - y * y, both = n * ty - t * y;
   const double slope = both / of_t, span = n * study.times[0];
   const bool on_a_line = both * both > 0.7 * of_t * of_y;
-  return on_a_line && slope * span > std::log(100.0) ? slope : 0.0;
+  return on_a_line && slope * span > std::log(10.0) ? slope : 0.0;
 }
 
 void compare_run(Study& study, std::size_t i, const std::vector<double>& doubt) {

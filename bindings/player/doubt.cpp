@@ -46,7 +46,7 @@ bool fall_as_expected(const std::vector<double>& changed, std::size_t first, dou
 
 /// By how much the finest of at least three runs may be wrong, by what the halvings of the step changed, the last one
 /// first, [m]. Nothing is extrapolated. Where the changes fall as the order says, what is left is less than the last,
-/// taken twice. Else, as where forces have kinks and things happen in whole steps, runs may agree by luck: what is left
+/// taken three times. Else, as where forces have kinks and things happen in whole steps, runs may agree by luck: what is left
 /// is less than the last three together, and than each of all leaves at order 1, twice.
 double doubt(const std::vector<double>& changed, double order, double size) {
   if (changed.size() < 2) return infinity;
@@ -55,7 +55,7 @@ double doubt(const std::vector<double>& changed, double order, double size) {
   const double of_rounding = 2.0 * (same > 0 ? *std::max_element(&changed[0], &changed[0] + same) : 0.0);
   if (same == changed.size()) return of_rounding;
   const std::size_t first = same > 0 && changed[same - 1] > 1e-3 * rounding * size ? same - 1 : same;
-  if (fall_as_expected(changed, first, order, size)) return same > 0 ? of_rounding : 2.0 * changed[0];
+  if (fall_as_expected(changed, first, order, size)) return same > 0 ? of_rounding : 3.0 * changed[0];
   const std::size_t last = std::min<std::size_t>(changed.size(), 3);
   const double sum = std::accumulate(changed.begin(), changed.begin() + static_cast<std::ptrdiff_t>(last), 0.0);
   const double before = *std::max_element(&changed[1], &changed[0] + last);
