@@ -55,6 +55,7 @@ struct Constraint {
   BodyId body_a;                 ///< whose rotation it ties
   BodyId body_b;                 ///< to this one's; null: to the world
   ParticleId ring;               ///< of an axis: the hinge it belongs to
+  std::uint64_t given = 0;       ///< of an axis: what all axes that were given at once have in common, a serial
   Vec3 place = zero3();          ///< [m] nail's place, target of a follow at the end of this step, world end of a rod
   Vec3 previous = zero3();       ///< [m] `place` one step ago
   Vec3 before = zero3();         ///< [m] `place` two steps ago, once `moves` is 2 or more

@@ -1,5 +1,6 @@
 // Constraints that tie rotations: weld, orient, align, motor, limit of an angle, and the axis of a hinge.
 #include <algorithm>
+#include <utility>
 
 #include "world/constrain.hpp"
 #include "world/deviation.hpp"
@@ -208,17 +209,33 @@ void set_max_torque(World& world, ConstraintId id, double torque) {
 
 namespace editing {
 
-void add_axes(World& world, ParticleId hinge, Vec3 axis) {
+namespace {
+
+/// In a ring that does not hold now its axis does not either.
+void insert_axis(World& world, ParticleId hinge, std::uint64_t given, Constraint c) {
+  c.ring = hinge;
+  c.given = given;
+  c.enabled = world.particles[hinge].enabled;
+  const ConstraintId id = insert_constraint(world, std::move(c));
+  world.particles[hinge].axes.push_back(id);
+}
+
+}  // namespace
+
+void add_axes(World& world, ParticleId hinge, std::span<const BodyId> bodies, Vec3 axis) {
   if (world.plane.flat()) return;  // nothing turns about another
-  std::vector<BodyId> bodies;
-  for (PointId point : world.particles[hinge].points)
-    if (const BodyId body = world.points[point].body) bodies.push_back(body);
   for (std::size_t i = 1; i < bodies.size(); i++) {
     Constraint c = tie_of(world, ConstraintKind::axis, bodies[0], bodies[i]);
     set_axis(world, c, direction(axis));
-    c.ring = hinge;
-    const ConstraintId id = insert_constraint(world, std::move(c));
-    world.particles[hinge].axes.push_back(id);
+    insert_axis(world, hinge, world.particles[hinge].serial, std::move(c));
+  }
+}
+
+void take_over_axes(World& world, ParticleId from, ParticleId to) {
+  for (ConstraintId id : std::exchange(world.particles[from].axes, {})) {
+    world.constraints[id].ring = to;
+    world.particles[to].axes.push_back(id);
+    set_enabled(world, id, world.particles[to].enabled);
   }
 }
 
@@ -230,20 +247,21 @@ void require_axis(const World& world, std::span<const BodyId> bodies, Vec3 axis)
 
 void drop_axes(World& world, ParticleId hinge, BodyId body) {
   const std::vector<ConstraintId> axes = world.particles[hinge].axes;
-  std::vector<std::pair<BodyId, Vec3>> left;  // without their first body the others are tied to the next
+  std::vector<Constraint> left;  // without their first body the others of the same call are tied to the next
   for (ConstraintId id : axes) {
     const Constraint& c = world.constraints[id];
     if (body && c.body_a != body && c.body_b != body) continue;
-    if (body && c.body_a == body) left.push_back({c.body_b, c.axis_b});
+    if (body && c.body_a == body) left.push_back(c);
     take_out_constraint(world, id, {describe(world, id), world.time, culprit(world)});
   }
-  for (std::size_t i = 1; i < left.size(); i++) {
-    Constraint c = tie_of(world, ConstraintKind::axis, left[0].first, left[i].first);
-    c.axis_a = left[0].second;
-    c.axis_b = left[i].second;
-    c.ring = hinge;
-    const ConstraintId id = insert_constraint(world, std::move(c));
-    world.particles[hinge].axes.push_back(id);
+  for (const Constraint& other : left) {
+    const Constraint& next =
+        *std::find_if(left.begin(), left.end(), [&](const Constraint& c) { return c.given == other.given; });
+    if (&next == &other) continue;
+    Constraint c = tie_of(world, ConstraintKind::axis, next.body_b, other.body_b);
+    c.axis_a = next.axis_b;
+    c.axis_b = other.axis_b;
+    insert_axis(world, hinge, other.given, std::move(c));
   }
 }
 

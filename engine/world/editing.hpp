@@ -93,8 +93,10 @@ PointId make_point(World& world, Point row);
 void end_ring(World& world, ParticleId hinge, std::string who);
 /// Whether the points of a hinge are within the scene's tolerance; throws Error where they are not.
 void require_together(const World& world, std::span<const PointId> points);
-/// Makes a hinge turn about an axis only [world axes]; `require_axis` throws Error where that cannot be.
-void add_axes(World& world, ParticleId hinge, Vec3 axis);
+/// Makes some bodies of a hinge turn about an axis only [world axes]; `require_axis` throws Error where that cannot be.
+void add_axes(World& world, ParticleId hinge, std::span<const BodyId> bodies, Vec3 axis);
+/// The axes of a hinge that joins into another one stay, with the bodies that they were given to.
+void take_over_axes(World& world, ParticleId from, ParticleId to);
 void require_axis(const World& world, std::span<const BodyId> bodies, Vec3 axis);
 /// Ends the axes of a hinge that concern a body, or all (null).
 void drop_axes(World& world, ParticleId hinge, BodyId body);

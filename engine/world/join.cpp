@@ -48,10 +48,15 @@ void require_different_bodies(const World& world, const std::vector<Member>& mem
                    describe(world, twice->first), "; a hinge joins different bodies"));
 }
 
-std::vector<BodyId> bodies_of(const World& world, const std::vector<Member>& members) {
+/// Those that a call names: the points' own, and for a free particle all that share its place already.
+std::vector<BodyId> named_bodies(const World& world, std::span<const PointId> points) {
   std::vector<BodyId> bodies;
-  for (const Member& m : members)
-    if (const BodyId body = world.points[m.point].body) bodies.push_back(body);
+  for (PointId point : points) {
+    const Point& row = world.points[point];
+    for (PointId member : row.body ? std::vector{point} : world.particles[row.particle].points)
+      if (const BodyId body = world.points[member].body)
+        if (std::find(bodies.begin(), bodies.end(), body) == bodies.end()) bodies.push_back(body);
+  }
   return bodies;
 }
 
@@ -115,7 +120,8 @@ ParticleId add_hinge(World& world, std::span<const PointId> points, const HingeD
   require_different_bodies(world, members);
   require_together(world, points);
   require_one_holder(world, members);
-  if (def.axis) require_axis(world, bodies_of(world, members), *def.axis);
+  const std::vector<BodyId> bodies = named_bodies(world, points);
+  if (def.axis) require_axis(world, bodies, *def.axis);
 
   Particle ring = shared_data(world, points[0], def);
   disturb_sites(world);
@@ -126,6 +132,7 @@ ParticleId add_hinge(World& world, std::span<const PointId> points, const HingeD
   for (const Member& m : members) {
     const ParticleId old = world.points[m.point].particle;
     if (!world.particles[old].is_hinge()) continue;
+    take_over_axes(world, old, hinge);
     end_ring(world, old, text("joining into ", describe(world, hinge)));
     notice(world, Notice::Kind::removed, old, world.particles.story(old));
   }
@@ -136,7 +143,7 @@ ParticleId add_hinge(World& world, std::span<const PointId> points, const HingeD
     world.particles[point.own].asleep_in = hinge;
   }
   touch(world, hinge);
-  if (def.axis) add_axes(world, hinge, *def.axis);
+  if (def.axis) add_axes(world, hinge, bodies, *def.axis);
   return hinge;
 }
 

@@ -55,6 +55,21 @@ void hand_over(World& world, ConstraintId id, BodyId a, BodyId b, const Frame& f
   touch(world, c);
 }
 
+/// Axes that hinges of both bodies gave to b but not to a are a's now; b is to leave these hinges.
+void take_axes(World& world, BodyId a, BodyId b, const Frame& frame) {
+  const std::vector<ConstraintId> constraints = world.bodies[b].constraints;
+  for (ConstraintId id : constraints) {
+    const Constraint& c = world.constraints[id];
+    if (!c.ring) continue;
+    const auto& axes = world.particles[c.ring].axes;
+    const bool of_both = std::any_of(axes.begin(), axes.end(), [&](ConstraintId other) {
+      const Constraint& o = world.constraints[other];
+      return o.given == c.given && (o.body_a == a || o.body_b == a);
+    });
+    if (!of_both) hand_over(world, id, a, b, frame);
+  }
+}
+
 void merge_rotations(World& world, BodyId a, BodyId b, const Frame& frame) {
   const std::vector<ConstraintId> constraints = world.bodies[b].constraints;
   for (ConstraintId id : constraints) {
@@ -111,6 +126,7 @@ void merge(World& world, BodyId a, BodyId b) {
   }
   std::vector<PointId> points = world.bodies[a].points;
   points.insert(points.end(), world.bodies[b].points.begin(), world.bodies[b].points.end());
+  take_axes(world, a, b, frame);
   part_ties_within(world, points, who);
   merge_rotations(world, a, b, frame);
   take_points(world, a, b, frame);

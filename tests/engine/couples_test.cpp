@@ -4,10 +4,12 @@
 
 #include "step.hpp"
 #include "support/cases.hpp"
+#include "world/assemble.hpp"
 #include "world/constrain.hpp"
 #include "world/deviation.hpp"
 #include "world/measure.hpp"
 #include "world/query.hpp"
+#include "world/snapshot.hpp"
 
 using namespace pantin;
 using Catch::Contains;
@@ -101,6 +103,82 @@ TEST_CASE("a thrown hinge with an axis keeps momentum, angular momentum and ener
   CHECK(norm(angular_momentum(world, all) - L) < 1e-11);
   const Vec3 axis_a = rotate(orientation(world, a), direction(vec(0, 1, 1)));
   CHECK(norm(axis_a - rotate(orientation(world, b), direction(vec(0, 1, 1)))) < 1e-10);
+}
+
+namespace {
+
+/// Largest sine between an axis, given in the world where two bodies were at rest unturned, as each has turned it.
+double off_axis(const World& world, BodyId a, BodyId b, Vec3 axis) {
+  return norm(cross(rotate(orientation(world, a), axis), rotate(orientation(world, b), axis)));
+}
+
+}  // namespace
+
+TEST_CASE("pairs of a hinge keep the axis they were given while others join and leave it") {
+  World world;
+  world.settings.gravity = zero3();
+  std::vector<BodyId> bodies;
+  std::vector<PointId> points;
+  for (int i = 0; i < 5; i++) {
+    BodyDef def;
+    for (Vec3 at : {zero3(), vec(0.3, 0.1, 0), vec(0, 0.2, 0.4)}) {
+      PointDef p;
+      p.at = at;
+      p.mass = 1.0;
+      def.points.push_back(p);
+    }
+    bodies.push_back(add_body(world, def));
+    points.push_back(world.bodies[bodies.back()].points[0]);
+    set_spin(world, bodies.back(), vec(1.0 + i, -2.0, 0.5 * i));
+  }
+  const auto join = [&](std::vector<int> some, std::optional<Vec3> axis) {
+    std::vector<PointId> ends;
+    for (int i : some) ends.push_back(points[static_cast<std::size_t>(i)]);
+    HingeDef def;
+    def.axis = axis;
+    return add_hinge(world, ends, def);
+  };
+  join({0, 1}, y_axis);     // a knuckle turns about y
+  join({1, 2}, x_axis);     // and a wheel on it about x
+  join({3, 4, 2}, z_axis);  // the wheel brings all that it joins; these three share an axis
+  const ParticleId ring = world.points[points[0]].particle;
+  REQUIRE(world.particles[ring].axes.size() == 4);
+  const auto expect = [&](std::vector<double> wanted) {
+    advance(world, world.time + 0.5);
+    CHECK(world.failure == "");
+    CHECK(world.stats.safe_steps == 0);
+    const std::vector<double> found = {off_axis(world, bodies[0], bodies[1], y_axis),
+                                       off_axis(world, bodies[1], bodies[2], x_axis),
+                                       off_axis(world, bodies[4], bodies[2], z_axis)};
+    for (std::size_t i = 0; i < found.size(); i++) CHECK((found[i] < 1e-9) == (wanted[i] == 0.0));
+  };
+  expect({0, 0, 0});
+  const Snapshot before = take_snapshot(world);
+  cut(world, ring, bodies[3]);  // the first of the three; the others keep theirs
+  CHECK(world.particles[ring].axes.size() == 3);
+  expect({0, 0, 0});
+  cut(world, ring, bodies[1]);  // takes both of its own along
+  CHECK(world.particles[ring].axes.size() == 1);
+  expect({1, 1, 0});
+  restore(world, before);
+  CHECK(world.particles[ring].axes.size() == 4);
+  expect({0, 0, 0});
+}
+
+TEST_CASE("a hinge keeps the axis of a body that is merged into another one on it") {
+  World world;
+  world.settings.gravity = zero3();
+  const BodyId a = rod_from(world, zero3()), b = rod_from(world, zero3()), c = rod_from(world, zero3());
+  const PointId knuckle[] = {head(world, a), head(world, b)}, wheel[] = {head(world, b), head(world, c)};
+  HingeDef hinge;
+  add_hinge(world, knuckle, hinge);
+  hinge.axis = y_axis;
+  add_hinge(world, wheel, hinge);
+  merge(world, a, b);
+  set_spin(world, a, vec(1, 2, 3));
+  advance(world, 0.5);
+  CHECK(world.failure == "");
+  CHECK(off_axis(world, a, c, y_axis) < 1e-9);
 }
 
 TEST_CASE("loops of hinges with axes keep their energy, and their velocities need no factor of their own") {
