@@ -1,7 +1,8 @@
 // A point on a path c(u): d = y - c(u) at the nearest u, which has two dimensions. The force has none along the chord
 // c(u1) - c(u0), the very displacement, so that it does no work: n the direction of the chord,
 //   y1 - c(u1) + κ n (n·f) = 0.
-// At the end of an open path the point is held there, as long as it would go on.
+// At the end of an open path the point is held there, as long as it would go on: where it is, and where its force would
+// move it to (Alart and Curnier 1991), tell, so that round-off of the place does not.
 #include "model/path.hpp"
 
 #include "articulates/rows.hpp"
@@ -10,11 +11,19 @@ namespace pantin {
 
 namespace {
 
-/// Direction out of the path at the end where u is, or 0 inside.
-Vec3 way_out(const Path& path, double u) {
-  if (path.closed()) return zero3();
-  if (u >= path.pieces()) return path.tangent(u);
-  return u <= 0.0 ? path.tangent(u) * -1.0 : zero3();
+struct PathEnd {
+  Vec3 place = zero3(), out = zero3();  // [m]; unit vector
+  double room = infinity;               // [m] to it; below 0 where it is passed
+};
+
+/// The end of the piece of an open path that a point d is on, at parameter u; no direction where the piece has none.
+PathEnd end_near(const Path& path, double u, Vec3 d) {
+  const bool first = u < 1.0 && u <= 0.5 * path.pieces(), last = u > path.pieces() - 1.0;
+  if (path.closed() || !(first || last)) return {};
+  const double at = first ? 0.0 : path.pieces();
+  const Vec3 place = path.place(at), out = path.tangent(at) * (first ? -1.0 : 1.0);
+  const bool passed = first ? u <= at : u >= at;
+  return {place, out, passed ? -dot(d - place, out) : norm(path.place(u) - place)};
 }
 
 }  // namespace
@@ -23,10 +32,11 @@ double evaluate_path(Row& row, Condition& c, const RowContext& context) {
   const Path& path = *c.path;
   const double kappa = 0.5 * context.h * context.h * context.mobility;
   c.angle1 = path.nearest(row.d1, c.angle0);
-  const Vec3 place = path.place(c.angle1), open = row.d1 - place, out = way_out(path, c.angle1);
-  if (norm2(out) > 0.0 && dot(row.f, out) * kappa < dot(open, out)) {
+  const Vec3 place = path.place(c.angle1), open = row.d1 - place;
+  const PathEnd end = end_near(path, c.angle1, row.d1);
+  if (-dot(row.f, end.out) * kappa > end.room) {
     c.held = true;
-    row.residual = open - row.offset;
+    row.residual = row.d1 - end.place - row.offset;
     c.M = identity33();
     c.C = zero33();
     return norm(row.residual);
@@ -50,9 +60,8 @@ void project_path(const Row&, Condition& c) {
 }
 
 Stop stop_of_path(const Row& row, const Condition& c) {
-  const Vec3 out = way_out(*c.path, c.angle1);
-  if (norm2(out) == 0.0) return {out};
-  return {out * -1.0, -dot(row.d1 - c.path->place(c.angle1), out)};
+  const PathEnd end = end_near(*c.path, c.angle1, row.d1);
+  return {end.out * -1.0, end.room};
 }
 
 Vec3 path_gap(const Row& row, const Condition& c) {

@@ -112,10 +112,13 @@ void find_strands(Articulate& a) {
     const ConstraintId id = condition(a, row).constraint;
     const auto same = std::find_if(a.strands.begin(), a.strands.end(),
                                    [&](const Strand& s) { return condition(a, a.rows[s.head]).constraint == id; });
-    if (same == a.strands.end())
+    if (same == a.strands.end()) {
       a.strands.push_back({k, {k}, {}, {}, {}});
-    else
-      same->segments.push_back(k);
+      continue;
+    }
+    same->segments.push_back(k);
+    same->head =
+        k;  // the last: what another row holds still leaves the head no pivot before the other segments have one
   }
   for (Strand& strand : a.strands)
     for (std::uint32_t k : strand.segments) {

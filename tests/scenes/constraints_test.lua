@@ -70,6 +70,25 @@ test("a string slides and goes slack, a bead keeps to its path, a point to its p
   expect(scene.error.worst_constraint):below(1e-10)
 end)
 
+test("a lift rests at the end of its path, and its string has the counterweight to bear", function()
+  for _, step in ipairs { 1 / 60, 1 / 240 } do
+    local scene = open_text("scene.step = " .. step .. [[
+
+      local cabin = scene:particle { at = vec(0, 0, 0), mass = 300, name = "cabin" }
+      local counterweight = scene:particle { at = vec(2, 6, 0), mass = 250 }
+      scene:on_path(cabin, { vec(0, 0, 0), vec(0, 6, 0) }, { name = "rail" })
+      scene:string({ cabin, vec(0, 8, 0), vec(2, 8, 0), counterweight }, { name = "rope" })
+    ]])
+    for _ = 1, 120 do
+      scene:step()
+      expect(scene:find("rope").force):near(250 * 9.81, 1e-5)
+      expect(scene:find("rail").force.y):near(50 * 9.81, 1e-5)
+    end
+    expect(scene.stats.safe_steps + scene.stats.halved_steps):equal(0)
+    expect(scene.error.worst_energy):below(1e-6)
+  end
+end)
+
 test("what cannot be is an error at its line", function()
   local function fails(code, text)
     expect(function() open_text("local p = scene:particle()\n" .. code) end):fails(text)
