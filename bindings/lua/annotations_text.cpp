@@ -238,7 +238,7 @@ function quat_methods:inverse() end
 ---@field radius? number [m]
 ---@field lifetime? number [s]
 ---@field family? Family
----@field axis? vec turns about it only; world axes
+---@field axis? vec the bodies given here turn about it only, against each other; world axes
 ---@field breaks_at? table { force [N], torque [N m] }
 ---@field name? string
 

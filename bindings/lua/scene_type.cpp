@@ -280,8 +280,8 @@ std::vector<Method> making() {
       {"join", guard<scene_join>, "a: Point|Particle, b: Point|Particle, options?: JoinOptions", "Join",
        "Draws two points together, at a place or on their way to each other, and makes the hinge when they are within "
        "a tenth of scene.tolerance of their size, some 20 time constants later. Without at, momentum is kept on the "
-       "way; "
-       "angular momentum is not, for they come together on a straight line."},
+       "way, and so is angular momentum: they come together on a straight line, and what that takes goes into the "
+       "turning of all that hangs on them. Two free particles alone have nothing to turn, and lose theirs."},
       {"merge", guard<scene_merge>, "a: Body, b: Body", "Body",
        "a lives on with b's points, which stay valid; b is gone."},
       {"split", guard<scene_split>, "body: Body, points: Point|Point[], ...: Point", "Body",

@@ -184,6 +184,9 @@ struct DriftReport {
   }
 };
 
+/// What all attempts of a drift, and its safe steps, cost.
+inline std::uint32_t cost(const DriftReport& report) { return report.iterations + report.factorisations; }
+
 /// Sums over nodes, for the balance of energy.
 struct NodeTotals {
   double kinetic = 0.0;       ///< [J]
@@ -197,6 +200,14 @@ struct Hub {
   std::uint32_t node, variable;       // row of u in the factor; that of w is the next
   std::vector<std::uint32_t> blocks;  // (rows on the node) those with u; with w the next of the column
   std::vector<std::uint32_t> alone;   // rows on the node that are on no node but hubs
+};
+
+/// What its steps cost, in iterations and factorisations, and what may still be spent on one that cannot be solved.
+struct Effort {
+  double usual = 4.0;        // of a step that is solved at once
+  std::uint32_t spare = 0;   // left of this drift, for attempts that fail
+  std::uint16_t failed = 0;  // steps in a row that were not solved,
+  std::uint16_t pause = 0;   // and for how many more none is to be tried
 };
 
 struct Articulate {
@@ -227,6 +238,7 @@ struct Articulate {
   double carried_energy = 0.0;  // [J] that taking them gave
   ImpulseWork carried_work;     // of them
 
+  Vec3 turned = zero3();    // [kg m²/s] by forces over gaps, which the end of the full sub-step gives back
   double length = 0.0;      // [m] median arm: every length in a criterion is a multiple of it
   double total_mass = 0.0;  // [kg]
   Gaps gaps;                // at the start of the next step
@@ -244,6 +256,7 @@ struct Articulate {
   bool limited = false;          // has limited rows
   bool breakable = false;        // has constraints that may break
   bool open = false;             // has rows that take energy or give it
+  bool draws = false;            // is free, and rows draw points together over a gap
   bool yields = false;           // has no row but soft ones: its velocities are free
   bool has_factor = false;       // the factor is of a Newton matrix
   bool safe = false;             // the last step was a safe one
@@ -257,9 +270,10 @@ struct Articulate {
   bool weak = false;             // the last factor had weak pivots: its multipliers are not all determined
   bool pulled = false;           // laws act on it: its kinetic energy is no longer gravity's alone
   SubSteps sub_steps;            // in each part of a step
-  std::uint64_t serial = 0;      // smallest of its things
-  DriftReport report;            // of the last phase
-  NodeTotals totals;             // at the end of the last step
+  Effort effort;
+  std::uint64_t serial = 0;  // smallest of its things
+  DriftReport report;        // of the last phase
+  NodeTotals totals;         // at the end of the last step
   Rest rest;
 };
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "articulates/build.hpp"
+#include "articulates/momenta.hpp"
 #include "articulates/stiff.hpp"
 #include "model/path.hpp"
 
@@ -109,6 +110,8 @@ void find_dimensions(Articulate& a, const Model& model) {
     a.limited = a.limited || row.kind == RowKind::limited;
     if (row.kind == RowKind::stiff) a.open = a.open || condition(a, row).stiff->is_open();
   }
+  const auto draws = [](const Row& row) { return row.kind == RowKind::drawn || row.kind == RowKind::limited; };
+  a.draws = std::any_of(a.rows.begin(), a.rows.end(), draws) && is_free(a);
   a.yields = std::all_of(a.rows.begin(), a.rows.end(), is_soft);
   a.length = length_of(a, model);
   for (const Node& node : a.nodes) a.total_mass += node.mass;

@@ -7,6 +7,7 @@
 
 #include "articulates/conditions.hpp"
 #include "articulates/midpoint.hpp"
+#include "articulates/momenta.hpp"
 #include "articulates/newton.hpp"
 #include "articulates/project.hpp"
 #include "articulates/rows.hpp"
@@ -34,11 +35,11 @@ void cut(Articulate& a) {
 }
 
 /// A safe step to the end of the part; backwards it makes no sense, so where a full sub-step has parts that go backwards, to
-/// its end.
+/// its end. Where nothing may be spent on shorter parts any more, to the end of all of them.
 void arrive_safely(Articulate& a, const DriftSettings& settings, double from, double to, DriftReport& report) {
   a.smooth = false;
-  a.arrived = settings.backwards;
-  if (a.arrived) to = 1.0;
+  a.arrived = settings.backwards || a.effort.spare == 0;
+  if (a.arrived) to = settings.backwards ? 1.0 : settings.to;
   if (!a.cut) cut(a);
   set_conditions(a, from, to);
   const double h = settings.h * (to - from);
@@ -88,7 +89,10 @@ double make_consistent_at(Articulate& a, const DriftSettings& settings, double a
   const double before = kinetic_energy(a);
   stand_still(a, at);
   const WantedVelocities wanted(a, settings.h, at);
+  const bool over_gaps = acts_over_gaps(a);
+  const Momenta kept = over_gaps ? momenta_of(a) : Momenta{};
   const ImpulseWork work = make_consistent(a, 0.5 * settings.full);
+  if (over_gaps) restore_momenta(a, kept);
   report.tell(work);
   return kinetic_energy(a) - before - work.all();
 }
@@ -100,21 +104,40 @@ void begin_cut(Articulate& a, const DriftSettings& settings, double at, DriftRep
   a.carried_energy += given;
 }
 
+/// Some times what a step costs that is solved at once.
+std::uint32_t allowance(const Articulate& a, std::uint32_t least, double times) {
+  return std::max(least, static_cast<std::uint32_t>(times * a.effort.usual)) * a.sub_steps.count;
+}
+/// What attempts that fail may cost, of all parts together; and what all attempts may.
+std::uint32_t all_spare(const Articulate& a) { return allowance(a, 320, 24.0); }
+std::uint32_t most_cost(const Articulate& a) { return allowance(a, 640, 48.0); }
+
+/// Tries to solve a part of h [s]; what a failure costs is spent.
+bool try_part(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
+  if (cost(report) > most_cost(a)) a.effort.spare = 0;
+  if (a.effort.spare == 0) return false;
+  const std::uint32_t before = cost(report);
+  if (solve_step(a, h, gravity, report)) return true;
+  a.effort.spare -= std::min(a.effort.spare, std::max(1u, cost(report) - before));
+  forget_course(a);
+  return false;
+}
+
 /// Moves over a part of h [s]; false where that cannot be solved, and nothing is changed.
 bool solve_part(Articulate& a, const DriftSettings& settings, double h, DriftReport& report) {
   if (settings.ledger) a.saved = a.nodes;
   for (Condition& c : a.conditions) c.held_before = c.held;
-  bool solved = solve_step(a, h, settings.gravity, report);
-  if (!solved) forget_course(a);
+  bool solved = try_part(a, h, settings.gravity, report);
   if (!solved && stall_motors(a, settings.h)) {
-    solved = solve_step(a, h, settings.gravity, report);
-    if (!solved) forget_course(a);
+    a.effort.spare = all_spare(a);  // it is another step now
+    solved = try_part(a, h, settings.gravity, report);
   }
   if (!solved) {
     for (Condition& c : a.conditions) c.held = c.held_before;
     return false;
   }
   if (settings.ledger) add_unsolved_work(a, h, report);
+  if (acts_over_gaps(a)) a.turned += turned_over_gaps(a, h);
   for (Condition& c : a.conditions) c.angle0 = c.angle1;
   find_solved_gaps(a);
   a.last_h = h;
@@ -140,7 +163,7 @@ void drift_part(Articulate& a, const DriftSettings& settings, double from, doubl
     return;
   }
   const bool stuck = depth == 0 && a.safe;  // since the last step: shorter ones would not help
-  if (depth == most_halvings || stuck) return arrive_safely(a, settings, from, to, report);
+  if (depth == most_halvings || stuck || a.effort.spare == 0) return arrive_safely(a, settings, from, to, report);
   report.halved++;
   a.smooth = false;
   if (!a.cut) begin_cut(a, settings, from, report);
@@ -159,17 +182,47 @@ FirstMeeting meet(Articulate& a, double h, double at) {
   a.torn = a.gaps.open > 1e-8 * a.length;
   if (a.torn) return {};
   const WantedVelocities wanted(a, h, at);
+  const bool free = is_free(a);
+  const Momenta kept = free ? momenta_of(a) : Momenta{};
   const double before = kinetic_energy(a);
   make_consistent(a, 0.0);
   const double between = kinetic_energy(a);
   for (Condition& c : a.conditions) c.held = c.held || stop(a, row(a, c)).room < 1e-9 * a.length;
   hold_with_heads(a);
   const ImpulseWork work = make_consistent(a, 0.0);
+  if (free) restore_momenta(a, kept);
   const double stopped = kinetic_energy(a) - between - work.all();
   return {between - before + work.all(), stopped};
 }
 
+namespace {
+
+/// After a step that could not be solved the next are tried with little, and the longer that lasts the more seldom.
+void begin_effort(Articulate& a) {
+  Effort& effort = a.effort;
+  if (a.edited) effort.failed = effort.pause = 0;
+  const bool waits = effort.pause > 0;
+  if (waits) effort.pause--;
+  effort.spare = waits ? 0 : effort.failed > 0 ? allowance(a, 16, 3.0) : all_spare(a);
+}
+
+void end_effort(Articulate& a, std::uint32_t spare, bool open, const DriftReport& report) {
+  constexpr std::uint16_t longest_pause = 8;
+  Effort& effort = a.effort;
+  if (report.safe == 0 && report.halved == 0)
+    effort.usual += (1.0 * cost(report) / a.sub_steps.count - effort.usual) / 8.0;
+  if (report.safe == 0) {
+    effort.failed = 0;
+  } else if (spare > 0 && !open) {
+    effort.failed = static_cast<std::uint16_t>(std::min(effort.failed + 1, 4));
+    effort.pause = std::min(longest_pause, static_cast<std::uint16_t>((1u << effort.failed) - 1u));
+  }
+}
+
+}  // namespace
+
 void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
+  begin_effort(a);
   if (a.edited) {
     const FirstMeeting met = meet(a, settings.h, settings.from);
     report.met += met.tied;
@@ -184,11 +237,13 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
     const bool open = a.gaps.open > 1e-8 * a.length;
     if (a.sub_steps.count > 1 && !open) carried ? cut(a) : begin_cut(a, settings, settings.from, report);
   }
-  const std::uint32_t count = a.sub_steps.count;
+  const std::uint32_t count = a.sub_steps.count, spare = a.effort.spare;
+  const bool open = a.gaps.open > 1e-8 * a.length;
   const double way = (settings.to - settings.from) / count;
   for (std::uint32_t i = 0; i < count; i++)
     drift_part(a, settings, settings.from + way * i, i + 1 == count ? settings.to : settings.from + way * (i + 1), 0,
                report);
+  end_effort(a, spare, open, report);
   if (a.torn && report.dissipated > 0.0) {  // drawing together what an edit tore apart lifted something
     report.met += report.dissipated;
     report.dissipated = 0.0;

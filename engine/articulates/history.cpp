@@ -66,6 +66,9 @@ void History::hand_on(Articulate& to) const {
     to.safe = to.safe || from.safe;
     to.edited = to.edited || from.edited || from.offsets;
     to.torn = to.torn || from.torn;
+    to.effort.usual = last == nullptr ? from.effort.usual : std::max(to.effort.usual, from.effort.usual);
+    to.effort.failed = std::max(to.effort.failed, from.effort.failed);
+    to.effort.pause = std::max(to.effort.pause, from.effort.pause);
     to.open_steps = std::max(to.open_steps, from.open_steps);
     if (from.epsilon < from.most_epsilon) to.epsilon = std::min(to.epsilon, from.epsilon);
     to.projection_wait = std::max(to.projection_wait, from.projection_wait);

@@ -180,21 +180,23 @@ void lower_epsilon(Articulate& a) {
 }
 
 /// One damped Newton step along the direction in the nodes and rows. Returns the new residual.
-double search_line(Articulate& a, double h, double e, double tolerance, bool fresh, DriftReport& report) {
+double search_line(Articulate& a, double h, double e, double tolerance, bool fresh, std::uint32_t last,
+                   DriftReport& report) {
   const WholeStep whole = take_direction(a, h);
   double fraction = std::min(1.0, 1.0 / whole.largest_turn);
   for (std::uint32_t halvings = 0;; halvings++) {
     const double e1 = fraction == 1.0 ? whole.residual : attempt(a, h, fraction);
     report.iterations++;
     const bool accepted = e1 < e * (1.0 - 0.1 * fraction) || e1 <= tolerance;
-    if (accepted || halvings >= most_halvings || (!fresh && halvings == 0)) return e1;
+    if (accepted || halvings >= most_halvings || cost(report) > last || (!fresh && halvings == 0)) return e1;
     fraction *= 0.5;
   }
 }
 
-/// From predicted unknowns; false where it does not converge.
+/// From predicted unknowns; false where it does not converge, or costs more than may be spent.
 bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   a.lowered = false;
+  const std::uint32_t last = cost(report) + a.effort.spare;
   Goal goal{};
   double e = start_iteration(a, h, gravity, goal), gain = 1.0;
   const auto [tolerance, round_off] = goal;
@@ -204,6 +206,7 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   // A prediction must be better than what an iteration leaves: what rests is to stay at rest.
   const double good_prediction = std::max(0.01 * tolerance, round_off);
   for (std::uint32_t i = 0; e > (i == 0 ? good_prediction : tolerance) && i < most_iterations; i++) {
+    if (cost(report) > last) return e <= 100.0 * tolerance;
     // Near the end an old factor often gains nothing at first, and much the next time.
     const bool serves = gain <= 0.1 || (gain <= 0.5 && old_uses < 2) || (gain < 1.0 && e * gain <= tolerance);
     old_uses++;
@@ -216,7 +219,7 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
     } else {
       reuse_factor(a, system);
     }
-    double e1 = search_line(a, h, e, tolerance, fresh, report);
+    double e1 = search_line(a, h, e, tolerance, fresh, last, report);
     gain = e1 / e;
     if (!fresh && old_uses == 1 && gain < 4.0 && e < 1e-6 * a.length) {
       gain = std::min(gain, 0.5);

@@ -1,10 +1,12 @@
 #include "articulates/project.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "articulates/batches.hpp"
 #include "articulates/conditions.hpp"
 #include "articulates/midpoint.hpp"
+#include "articulates/momenta.hpp"
 #include "articulates/newton.hpp"
 #include "articulates/rows.hpp"
 #include "articulates/strand.hpp"
@@ -254,11 +256,18 @@ bool take_carried_half(Articulate& a, double full, DriftReport& report) {
 
 void project_velocities(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   a.carried_h = 0.0;
-  if (a.safe || a.yields) return;
+  const bool over_gaps = acts_over_gaps(a);
+  Momenta kept = over_gaps ? momenta_of(a) : Momenta{};
+  kept.angular -= std::exchange(a.turned, zero3());
+  if (a.safe || a.yields) {
+    if (over_gaps) report.work += restore_momenta(a, kept);
+    return;
+  }
   std::fill(a.impulses.begin(), a.impulses.end(), zero3());
   find_kept(a);
   const bool serves = may_use_newton_factor(a);
   const Velocities before = find_velocities(a, From::nodes, serves);
+  const double outside = report.outside();
   if (!serves || !project_with_newton_factor(a, before, report)) {
     report.projections++;
     a.has_factor = false;
@@ -272,6 +281,10 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
     }
   }
   tell_momenta(a);
+  if (over_gaps) {
+    const double given = restore_momenta(a, kept);
+    report.work += a.draws ? kinetic_energy(a) - before.kinetic - (report.outside() - outside) : given;
+  }
   if (struck(a) && !a.cut) {
     begin_exerted(a);
     add_forces_exerted(a, settings.full);
@@ -280,7 +293,7 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   if (a.cut) add_impulses_exerted(a);
   const double speed = std::max(before.fastest, std::sqrt(norm(settings.gravity) * a.length));
   const bool noise = before.forbidden <= 1e-9 * speed;  // as large as what the solver leaves
-  if (a.smooth && !a.weak && !noise && !is_one_sided(a)) carry_half(a, settings.full / a.sub_steps.count);
+  if (a.smooth && !a.weak && !noise && !over_gaps && !is_one_sided(a)) carry_half(a, settings.full / a.sub_steps.count);
   if (settings.energy_return) report.returned += return_energy(a, before.kinetic - a.carried_energy, settings.gravity);
 }
 
@@ -297,6 +310,7 @@ ImpulseWork take_out_forbidden(Articulate& a) {
     if (v.forbidden <= 1e-13 * v.fastest) return work;
     const double sane = std::max(1.001 * v.kinetic, driven);
     factorise_exactly(a, epsilon);
+    a.report.factorisations++;
     for (int i = 0; i < 3; i++) {
       const double last = v.forbidden;
       if (last < 1e-13 * v.fastest) break;

@@ -6,6 +6,7 @@
 #include "articulates/couple.hpp"
 #include "articulates/loose.hpp"
 #include "articulates/midpoint.hpp"
+#include "articulates/momenta.hpp"
 #include "articulates/newton.hpp"
 #include "articulates/project.hpp"
 #include "articulates/rows.hpp"
@@ -125,6 +126,8 @@ void move_by_solution(Articulate& a, bool turns) {
 /// after it [m²].
 double try_to_close(Articulate& a, double epsilon, double scale, bool turns) {
   factorise(a, {Arms::end, epsilon, scale, -1.0, 0.0, turns});
+  a.report.iterations++;
+  a.report.factorisations++;
   solve_hubs(a);
   for (std::size_t k = a.rows.size(); k-- > 0;)
     a.factor.substitute_back(static_cast<std::uint32_t>(k), a.right_side.data());
@@ -134,13 +137,13 @@ double try_to_close(Articulate& a, double epsilon, double scale, bool turns) {
 
 /// Closes the gaps of the nodes' ends as far as it can. Where turns lead no further, one shift may: without loops it
 /// closes all.
-void close_gaps(Articulate& a, double tolerance) {
+void close_gaps(Articulate& a, double tolerance, int& left) {
   const double least = std::min(1e-12, a.least_epsilon);
   double sum = find_gaps(a), epsilon = 1e-6, scale = 0.0;
   if (!a.all_rigid)
     for (const Row& row : a.rows) scale = std::max(scale, mobility(a, row));
   bool slow = false, shifted = false;
-  for (int i = 0; i < 60 && sum > tolerance * tolerance; i++) {
+  for (; left > 0 && sum > tolerance * tolerance; left--) {
     const bool turns = epsilon <= 1e3 && !slow;
     if (!turns && shifted) break;
     shifted = shifted || !turns;
@@ -158,34 +161,51 @@ void close_gaps(Articulate& a, double tolerance) {
   measure_gaps(a);
 }
 
+/// Moves the nodes freely over a part of h [s].
+void move_freely(Articulate& a, double h, double part) {
+  for (Node& n : a.nodes) {
+    const Vec3 P = n.P0;
+    n.x0 += n.p0 * (h * part * n.inverse_mass);
+    if (n.turns && part > 0.0) turn_freely(n, h * part);
+    settle(n);
+    if (part < 1.0) n.P0 = P;
+  }
+}
+
 /// Drifts freely, then closes the gaps as far as it can. Where that leaves more open than standing still would, the
-/// motion was too wild: again from the start at half the speed, and in the end at none.
+/// motion was too wild: again from the start half as far, and in the end not at all.
 void drift_and_close(Articulate& a, double h, double tolerance) {
-  a.saved = a.nodes;
   find_gaps(a);
   double allowed = 1e-8 * a.length;
   for (const Row& row : a.rows) allowed = std::max(allowed, 1.01 * norm(row.residual));
-  for (double speed = 1.0;; speed = speed > 1e-3 ? 0.5 * speed : 0.0) {
-    for (Node& n : a.nodes) {
-      n.p0 = n.p0 * speed;
-      n.P0 = n.P0 * speed;
-      n.x0 += n.p0 * (h * n.inverse_mass);
-      if (n.turns) turn_freely(n, h);
-      settle(n);
-    }
-    close_gaps(a, tolerance);
-    if (a.gaps.open <= allowed || speed == 0.0) return;
+  const int most = a.safe ? 36 : 12;  // the next step goes on
+  for (double part = 1.0;; part = part > 0.2 ? 0.25 * part : 0.0) {
+    move_freely(a, h, part);
+    int left = part == 1.0 ? most : 4;
+    close_gaps(a, tolerance, left);
+    if (a.gaps.open <= allowed || part == 0.0) return;
     a.nodes = a.saved;
   }
 }
 
-/// Energy that forces and pulls do not explain is taken out of the motion again, and so is what was carried over from the
-/// last projection, which no projection will take now.
-void only_dissipate(Articulate& a, double change, Vec3 gravity, DriftReport& report) {
-  const double too_much = change + std::max(a.carried_energy, 0.0);
-  a.carried_energy = 0.0;
-  if (too_much > 0.0) change += change_kinetic_energy(a, -too_much, 1.0, gravity);
-  report.dissipated += change;
+/// Shifts all to a centre of mass.
+void shift_to(Articulate& a, Vec3 centre) {
+  const Vec3 by = centre - centre_of_mass(a);
+  for (Node& n : a.nodes) {
+    n.x0 += by;
+    n.x1 = n.x0;
+  }
+}
+
+/// The ends become the starts.
+void begin_at_ends(Articulate& a) {
+  for (Node& n : a.nodes) {
+    n.x0 = n.x1;
+    if (!n.turns) continue;
+    n.q0 = n.q1;
+    n.R0 = n.R1;
+    n.O0 = n.inverse_inertia * n.P0;
+  }
 }
 
 /// Whether no anchor moves, and no length changes.
@@ -194,6 +214,48 @@ bool is_still(const Articulate& a) {
     return norm2(c.velocity) == 0.0 && c.length_rate == 0.0 && same(c.whole0, c.whole1);
   });
 }
+
+/// Nothing has moved but all as one, and so it goes on: whatever else moved is at rest.
+void stay(Articulate& a, double h, bool free, const Momenta& kept) {
+  a.nodes = a.saved;
+  if (free) shift_to(a, centre_of_mass(a) + kept.p * (h / a.total_mass));
+  for (Node& n : a.nodes) {
+    n.p0 = zero3();
+    n.P0 = n.P0 - n.P0 * n.coupled;
+    n.O0 = n.inverse_inertia * n.P0;
+    settle(n);
+  }
+  find_gaps(a);
+  measure_gaps(a);
+  if (free) restore_momenta(a, kept);
+}
+
+/// Energy that forces and pulls do not explain is taken out of the motion again, and so is what was carried over from the
+/// last projection, which no projection will take now. What the motion has not, anchors that move have given, and where
+/// none does it does not go there.
+class OnlyDissipates {
+ public:
+  OnlyDissipates(Articulate& a, Vec3 gravity, DriftReport& report)
+      : a_(a), gravity_(gravity), report_(report), before_(mechanical_energy(a, gravity) - report.outside()) {}
+
+  double change() const { return mechanical_energy(a_, gravity_) - report_.outside() - before_; }
+  /// Whether the motion had enough of it.
+  bool take_out() {
+    const double too_much = change() + std::max(a_.carried_energy, 0.0);
+    if (too_much > 0.0) change_kinetic_energy(a_, -too_much, 1.0, gravity_);
+    return change() <= 1e-12 * kinetic_energy(a_);
+  }
+  void tell() {
+    a_.carried_energy = 0.0;
+    report_.dissipated += change();
+  }
+
+ private:
+  Articulate& a_;
+  Vec3 gravity_;
+  DriftReport& report_;
+  double before_;
+};
 
 /// A small gap that stays (a loop built a little too long) becomes the row's constant offset: not one that is passing, nor
 /// one of rows without loops, which can always be closed.
@@ -209,28 +271,33 @@ void accept_gaps(Articulate& a, double tolerance, DriftReport& report) {
 }  // namespace
 
 void safe_step(Articulate& a, const DriftSettings& settings, double h, DriftReport& report) {
-  const double before = mechanical_energy(a, settings.gravity), outside = report.outside();
+  OnlyDissipates energy(a, settings.gravity, report);
   place_rows_at_start(a);
   hold_stiff(a);
   for (Node& n : a.nodes) settle(n);
   kick(a, h, settings.gravity, report);
+  const bool free = is_free(a);
+  const Momenta kept = momenta_of(a);
+  const Vec3 centre = centre_of_mass(a) + kept.p * (h / a.total_mass);
   place_rows_at_end(a);
   hold_stops(a);
   report.tell(make_consistent(a, h));
   for (Condition& c : a.conditions) c.held_before = c.held;
+  a.saved = a.nodes;
   drift_and_close(a, h, 1e-9 * h * std::sqrt(norm(settings.gravity) * a.length) + 1e-12 * a.length);
-  for (Node& n : a.nodes) {
-    n.x0 = n.x1;
-    if (!n.turns) continue;
-    n.q0 = n.q1;
-    n.R0 = n.R1;
-    n.O0 = n.inverse_inertia * n.P0;
-  }
+  begin_at_ends(a);
+  if (free) shift_to(a, centre);
   accept_gaps(a, settings.tolerance, report);
   for (Condition& c : a.conditions) c.held = c.held_before;
   report.tell(make_consistent(a, h));
-  const double change = mechanical_energy(a, settings.gravity) - before - (report.outside() - outside);
-  only_dissipate(a, change, settings.gravity, report);
+  if (free) restore_momenta(a, kept);
+  if (!energy.take_out() && !a.torn) {
+    if (is_still(a))
+      stay(a, h, free, kept);
+    else
+      report.work += energy.change();
+  }
+  energy.tell();
   for (Row& row : a.rows)
     if (row.kind != RowKind::limited) row.f = zero3();
   for (Condition& c : a.conditions) c.angle0 = c.angle1;

@@ -233,7 +233,7 @@ function quat_methods:inverse() end
 ---@field radius? number [m]
 ---@field lifetime? number [s]
 ---@field family? Family
----@field axis? vec turns about it only; world axes
+---@field axis? vec the bodies given here turn about it only, against each other; world axes
 ---@field breaks_at? table { force [N], torque [N m] }
 ---@field name? string
 
@@ -919,7 +919,7 @@ function Scene:string(points, options) end
 ---@param options? PathOptions
 ---@return OnPath
 function Scene:on_path(point, path, options) end
----Draws two points together, at a place or on their way to each other, and makes the hinge when they are within a tenth of scene.tolerance of their size, some 20 time constants later. Without at, momentum is kept on the way; angular momentum is not, for they come together on a straight line.
+---Draws two points together, at a place or on their way to each other, and makes the hinge when they are within a tenth of scene.tolerance of their size, some 20 time constants later. Without at, momentum is kept on the way, and so is angular momentum: they come together on a straight line, and what that takes goes into the turning of all that hangs on them. Two free particles alone have nothing to turn, and lose theirs.
 ---@param a Point|Particle
 ---@param b Point|Particle
 ---@param options? JoinOptions

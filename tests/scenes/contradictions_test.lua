@@ -231,3 +231,49 @@ test("what swings on a string goes on swinging while something else in its artic
   expect(energy(torn)):near(energy(sound), 0.03)
   expect((torn:find("ball").position - sound:find("ball").position):length()):below(0.03)
 end)
+
+test("safe steps of a taut chain whose end trembles only lose energy", function()
+  for _, step in ipairs { 1 / 60, 1 / 240 } do
+    local scene = open_text("scene.step = " .. step .. [[
+
+      local last
+      for n = 1, 6 do
+        local link = scene:body { mass = 1, inertia = vec(0.0017, 0.0842, 0.0842), at = vec(n - 0.5, 0, 0),
+                                  points = { a = vec(-0.5, 0, 0), e = vec(0.5, 0, 0) } }
+        if last then scene:hinge(last.e, link.a) else scene:nail(link.a) end
+        last = link
+      end
+      scene:follow(last.e, function(t) return vec(6 - 1e-6 + 1e-6 * math.sin(9 * t), 0, 0) end)
+      local _ = scene.ledger
+    ]])
+    local before = 0
+    for _ = 1, math.floor(2 / step) do
+      scene:step()
+      local now = scene.ledger.safe_step
+      expect(now):below(before + 1e-12)
+      before = now
+    end
+    expect(scene.stats.safe_steps):above(0)
+    expect(scene.ledger.closure):below(1e-10)
+  end
+end)
+
+test("a free loop that contradicts itself flies on as it flew", function()
+  local scene = open_text [[
+    scene.gravity = vec(0, 0, 0)
+    local function bar(x, name)
+      return scene:body { mass = 1, inertia = vec(0.02, 0.1, 0.1), at = vec(x, 0, 0), name = name, velocity = vec(1, 2, 3),
+                          spin = vec(0, 0, x), points = { a = vec(-0.5, 0, 0), b = vec(0.5, 0, 0) } }
+    end
+    local one, other = bar(-0.5, "one"), bar(0.5, "other")
+    scene:hinge(one.b, other.a)
+    scene:rod(one.a, other.b).length = 3
+  ]]
+  local p, L = scene.momentum, scene.angular_momentum
+  for _ = 1, 240 do
+    scene:step()
+    expect((scene.momentum - p):length()):below(1e-12 * p:length())
+    expect((scene.angular_momentum - L):length()):below(1e-11)
+  end
+  expect(scene.stats.safe_steps):above(100)
+end)
