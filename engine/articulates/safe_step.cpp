@@ -178,7 +178,7 @@ void drift_and_close(Articulate& a, double h, double tolerance) {
   find_gaps(a);
   double allowed = 1e-8 * a.length;
   for (const Row& row : a.rows) allowed = std::max(allowed, 1.01 * norm(row.residual));
-  const int most = a.safe ? 36 : 12;  // the next step goes on
+  const int most = a.torn ? 60 : a.safe ? 36 : 12;  // the next step goes on
   for (double part = 1.0;; part = part > 0.2 ? 0.25 * part : 0.0) {
     move_freely(a, h, part);
     int left = part == 1.0 ? most : 4;
