@@ -2,6 +2,7 @@
 
 #include "base/subnormals.hpp"
 #include "phases/phases.hpp"
+#include "world/attempt.hpp"
 #include "world/integrator.hpp"
 #include "world/sleep.hpp"
 
@@ -20,16 +21,19 @@ void step(World& world) {
     phases::find_articulates(world);
     phases::refresh_forces(world);
     if (!world.failure.empty()) return;
-    const std::uint32_t count = all_asleep(world) ? 0 : parts(world);
-    for (std::uint32_t part = 0; part < count; part++) {
-      begin_part(world, part);
-      phases::half_kick(world);
-      phases::drift(world);
-      phases::find_pairs(world);
-      phases::apply_forces(world);
-      phases::half_kick_to_end(world);
-      phases::project_velocities(world);
-    }
+    keep_start(world);
+    do {
+      const std::uint32_t count = all_asleep(world) ? 0 : parts(world);
+      for (std::uint32_t part = 0; part < count && !misses_accuracy(world); part++) {
+        begin_part(world, part);
+        phases::half_kick(world);
+        phases::drift(world);
+        phases::find_pairs(world);
+        phases::apply_forces(world);
+        phases::half_kick_to_end(world);
+        phases::project_velocities(world);
+      }
+    } while (is_to_be_done_again(world));
     phases::break_connections(world);
   }
   phases::end_step(world);

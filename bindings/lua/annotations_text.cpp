@@ -70,7 +70,7 @@ function quat_methods:inverse() end
 ---@field merge number [J] lost by what became one body
 ---@field emitter number [J] by particles that emitters made
 ---@field removal number [J] by things removed
----@field damper number [J] by laws that depend on velocities (dampers, drag, wind, thermostats), and what springs swallow that are solved at the end of the step
+---@field damper number [J] by laws that depend on velocities (dampers, drag, wind, thermostats) but for those that do no work by it, as v × B, and what springs swallow that are solved at the end of the step
 ---@field law_edit number [J] by laws made, changed and removed, and attributes that follow an age
 ---@field sleep number [J] that articulates still had which fell asleep
 ---@field projection number [J] taken by the projection of velocities, since it is kept
@@ -81,7 +81,7 @@ function quat_methods:inverse() end
 ---@field since number? [s] when all began to be kept; nil, and so the fields below: not yet
 ---@field gravity number? [J] given to the motion since then
 ---@field closure number? what no line explains of the kinetic energy, relative to all lines: a test of the program
----@field truncation table<string, number>? [J] error of the steps for each law and gravity: change of its energy, and what it gave
+---@field truncation table<string, number>? [J] error of the steps for each law and gravity: change of its energy, and what it gave; of laws without energy, together: what they gave beyond a second estimate along the way
 
 ---@class Stats
 ---@field steps integer
@@ -93,6 +93,8 @@ function quat_methods:inverse() end
 ---@field factorisations integer
 ---@field halved_steps integer
 ---@field safe_steps integer
+---@field rejected_steps integer steps that were done again with more sub-steps, as `scene.accuracy` wants
+---@field missed_accuracy number largest error where not even the most sub-steps gave what `scene.accuracy` wants, in its unit; 0 where none was missed
 ---@field projections integer
 ---@field sub_steps integer of the whole scene in its last step, as `scene.accuracy` wants
 ---@field most_sub_steps integer the most of any body or articulate, those of the scene included

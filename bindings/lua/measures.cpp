@@ -7,6 +7,7 @@
 #include "lua/script.hpp"
 #include "world/choreography.hpp"
 #include "world/forces.hpp"
+#include "world/integrator.hpp"
 #include "world/measure.hpp"
 #include "world/query.hpp"
 #include "world/sleep.hpp"
@@ -86,6 +87,8 @@ void read_stats(const Self& self) {
   set(self.state, "factorisations", s.factorisations);
   set(self.state, "halved_steps", s.halved_steps);
   set(self.state, "safe_steps", s.safe_steps);
+  set(self.state, "rejected_steps", s.rejected);
+  set(self.state, "missed_accuracy", worst_missed(self.world));
   set(self.state, "projections", s.projections);
   set(self.state, "sub_steps", std::uint64_t{self.world.sub_steps.count});
   const MostSubSteps most = most_sub_steps(self.world);

@@ -144,6 +144,15 @@ std::vector<Field> engine_settings() {
          set_accuracy(s.world,
                       lua_isnil(s.state, i) ? std::optional<double>() : check_positive(s, i, "accuracy", "1/s"));
        }},
+      {"accuracy_per", "string", "",
+       "whether `accuracy` is that of a \"second\" or of a \"step\", as where a scene lasts microseconds",
+       [](const Self& s) { lua_pushstring(s.state, s.world.settings.accuracy_per_step ? "step" : "second"); },
+       [](const Self& s, int i) {
+         const std::string per = check_text(s.state, i, "scene", "accuracy_per");
+         require(per == "second" || per == "step", "scene: accuracy_per must be \"second\" or \"step\", got \"", per,
+                 "\"");
+         set_accuracy_per_step(s.world, per == "step");
+       }},
       {"integrator", "string", "",
        "\"verlet\" (2nd order), \"implicit\" (the same with connections of any stiffness), \"suzuki4\" (4th order, "
        "where "

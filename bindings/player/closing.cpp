@@ -38,9 +38,13 @@ void print_closing(const lua::Scene& scene, const std::string& path, double seco
               << "` compares steps and integrators" << try_accuracy(world) << "\n";
   if (world.settings.accuracy) {
     const MostSubSteps most = most_sub_steps(world);
-    std::cout << text("  accuracy ", *world.settings.accuracy, " per second took ", world.sub_steps.count,
+    std::cout << text("  accuracy ", *world.settings.accuracy,
+                      world.settings.accuracy_per_step ? " per step took " : " per second took ", world.sub_steps.count,
                       world.sub_steps.count == 1 ? " sub-step" : " sub-steps", " of the scene in the last step, and ",
                       most.count, most.thing.empty() ? " of everything" : " of what moves with " + most.thing, "\n");
+    if (world.stats.unreached > 0)
+      std::cout << text("  it was missed ", world.stats.unreached, " times, by an error of up to ", worst_missed(world),
+                        "\n");
   }
   for (const TimelineEntry& event : timeline(world))
     if (event.kind == EventKind::once && event.time <= with_round_off(world.time))

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "world/forces.hpp"
+#include "world/integrator.hpp"
 #include "world/measure.hpp"
 #include "world/sleep.hpp"
 
@@ -33,6 +34,7 @@ Json stats(const World& world) {
           {"halved_steps", s.halved_steps},
           {"safe_steps", s.safe_steps},
           {"projections", s.projections},
+          {"rejected_steps", s.rejected},
           {"sub_steps", world.sub_steps.count},
           {"most_sub_steps", most_sub_steps(world).count},
           {"most_sub_steps_of", most_sub_steps(world).thing}};
@@ -77,6 +79,11 @@ nlohmann::ordered_json summary(const lua::Scene& scene) {
                      {"energy", world.error.energy},
                      {"worst_hinge_gap", world.worst.hinge_gap},
                      {"worst_energy", world.worst.energy}};
+  if (world.settings.accuracy)
+    result["accuracy"] = {{"wanted", *world.settings.accuracy},
+                          {"per", world.settings.accuracy_per_step ? "step" : "second"},
+                          {"missed", world.stats.unreached},
+                          {"worst_missed", worst_missed(world)}};
   result["ledger"] = ledger(world);
   result["stats"] = stats(world);
   result["ns_per_phase"] = ns_per_phase(world);

@@ -164,7 +164,7 @@ struct ImpulseWork {
 /// What a drift, or a projection of velocities, did: for counting and the balance of energy.
 struct DriftReport {
   std::uint32_t iterations = 0, factorisations = 0, halved = 0, safe = 0, projections = 0, offsets = 0;
-  bool unreached = false;   // the wanted accuracy
+  double unreached = 0.0;   // [1/s] the error where not even the most sub-steps give the wanted accuracy
   double open_work = 0.0;   // [J] of solved laws without energy that do not depend on velocities
   double damped = 0.0;      // [J] of those that do, and what the end of the step swallowed
   double work = 0.0;        // [J] of the world ends, changing lengths, pushes and twists

@@ -363,4 +363,30 @@ ImpulseWork make_consistent(Articulate& a, double time) {
   return work;
 }
 
+void begin_answers(Articulate& a) {
+  for (Node& n : a.nodes) settle(n);
+  place_rows_at_end(a);
+  make_consistent(a, 0.0);
+  for (Condition& c : a.conditions) {
+    c.velocity = zero3();
+    c.length_rate = 0.0;
+  }
+  find_kept(a);
+  factorise_exactly(a, a.least_epsilon);
+}
+
+void answer(Articulate& a) {
+  if (a.yields) return;
+  for (Condition& c : a.conditions) c.wanted = zero3();
+  std::fill(a.impulses.begin(), a.impulses.end(), zero3());
+  Velocities v = find_velocities(a, From::nodes, true);
+  for (int i = 0; i < 3 && v.forbidden > 1e-13 * v.fastest; i++) {
+    const double last = v.forbidden;
+    apply_projection(a);
+    v = find_velocities(a, From::batches, true);
+    if (v.forbidden > 0.5 * last) break;
+  }
+  tell_momenta(a);
+}
+
 }  // namespace pantin

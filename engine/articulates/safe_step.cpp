@@ -271,6 +271,7 @@ void accept_gaps(Articulate& a, double tolerance, DriftReport& report) {
 }  // namespace
 
 void safe_step(Articulate& a, const DriftSettings& settings, double h, DriftReport& report) {
+  if (!std::isfinite(kinetic_energy(a))) return;  // the end of the step tells what is beyond all numbers
   OnlyDissipates energy(a, settings.gravity, report);
   place_rows_at_start(a);
   hold_stiff(a);

@@ -2,8 +2,9 @@
 //   middle: e = d0 + d1. Of a law with an energy V(s), s = d², Q = ΔV/Δs: f·Δd = -ΔV exactly (discrete gradient;
 //     Gonzalez 1996), for a small Δs by Gauss' rule. Without an energy, 2 Q = tension/distance at the mean distance and
 //     rate: f·Δd = -tension Δr.
-//   end: e = d1, Q = tension/distance at the end of the step, with the rate there, 2 Δr/h less that at its start.
-// Newton's row is M (change of d1) + C df = -residual with M = Q 1 + e ∇Q', C = 1, all divided by what makes it metres.
+//   end: e = d1, Q = tension/distance at the end of the step, with the rate there, 2 Δr/h less that at its start. So are
+//     dampers that are too strong for the step, which the middle would turn round: those with h c / m above 1.
+// Newton's row is M (change of d1) + C df = -residual with M = Σ Q 1 + e ∇Q', C = 1, all divided by what makes it metres.
 #include "articulates/stiff.hpp"
 
 #include <algorithm>
@@ -75,6 +76,7 @@ void make_stiff(const Model& model, ConnectionId id, Row& row, Condition& condit
   const Vec3 d = position(model, tie.a) - (tie.b ? position(model, tie.b) : condition.whole1);
   tie.least2 = 1e-24 * (norm2(d) > 0.0 ? norm2(d) : 1.0);
   for (auto law = c.law; law; law = law->also) tie.curves.emplace_back(*law);
+  tie.at_end.resize(tie.curves.size());
   for (auto* column : {&tie.energy0, &tie.energy1, &tie.pulls, &condition.given}) column->resize(tie.curves.size());
   row.f = direction(d) * -c.tension;
 }
@@ -82,6 +84,7 @@ void make_stiff(const Model& model, ConnectionId id, Row& row, Condition& condit
 void start_stiff(StiffTie& tie, const Row& row, double approach) {
   const double s0 = std::fmax(norm2(row.d0), tie.least2);
   tie.rate0 = approach / std::sqrt(s0);
+  tie.chosen = false;
   for (std::size_t i = 0; i < tie.curves.size(); i++) {
     tie.energy0[i] = tie.energy1[i] = 0.0;
     if (!tie.curves[i].has_energy()) continue;
@@ -90,27 +93,47 @@ void start_stiff(StiffTie& tie, const Row& row, double approach) {
   }
 }
 
+namespace {
+
+/// Chooses where in the step each curve is taken.
+void choose(StiffTie& tie, double s0, const RowContext& context) {
+  tie.chosen = true;
+  for (std::size_t i = 0; i < tie.curves.size(); i++) {
+    PairCurve& curve = tie.curves[i];
+    tie.at_end[i] = tie.solve == Solve::at_end;
+    if (tie.at_end[i] || curve.has_energy() || !curve.is_moving()) continue;
+    curve.run(1, &s0, std::sqrt(s0) * tie.rate0);
+    const double damping = s0 * curve.at(0).by_approach;  // [N s/m]
+    tie.at_end[i] = std::fabs(context.h) * damping * context.mobility > 1.0;
+  }
+}
+
+}  // namespace
+
 double evaluate_stiff(Row& row, Condition& c, const RowContext& context) {
   StiffTie& tie = *c.stiff;
   const double s0 = std::fmax(norm2(row.d0), tie.least2), s1 = std::fmax(norm2(row.d1), tie.least2);
   const double r0 = std::sqrt(s0), r1 = std::sqrt(s1);
-  const bool middle = tie.solve == Solve::at_middle;
-  Pull all;
+  if (!tie.chosen) choose(tie, s0, context);
+  Vec3 missed = row.f, bent = zero3();
+  double Q = 0.0, stiffness = 0.0;
   for (std::size_t i = 0; i < tie.curves.size(); i++) {
     PairCurve& curve = tie.curves[i];
-    const Pull p = !middle              ? at_end(curve, r0, r1, tie.rate0, context.h, tie.energy1[i])
+    const Pull p = tie.at_end[i]        ? at_end(curve, r0, r1, tie.rate0, context.h, tie.energy1[i])
                    : curve.has_energy() ? of_energy(curve, s0, s1, tie.energy0[i], tie.energy1[i])
                                         : at_mean(curve, r0, r1, context.h);
-    all.Q += p.Q;
-    all.slope += p.slope;
+    const Vec3 e = tie.arm(row, i);
+    missed += e * p.Q;
+    bent += e * p.slope;
+    Q += p.Q;
+    stiffness += std::fabs(p.slope) * norm(e) * r1;
     tie.pulls[i] = p.Q;
   }
-  const Vec3 e = middle ? row.d0 + row.d1 : row.d1;
-  const double stiffness = std::fabs(all.Q) + std::fabs(all.slope) * norm(e) * r1;
+  stiffness += std::fabs(Q);
+  const Vec3 way = row.d1 - row.d0;
   const double weight = 1.0 / (stiffness + 2.0 / (context.h * context.h * context.mobility));
-  const Vec3 missed = row.f + e * all.Q, way = row.d1 - row.d0;
   row.residual = missed * weight;
-  c.M = (identity33() * all.Q + outer(e, row.d1 * all.slope)) * weight;
+  c.M = (identity33() * Q + outer(bent, row.d1)) * weight;
   c.C = identity33() * weight;
   // What is missed does work that no energy knows of: it counts as the gap that would do as much.
   const double least = 2e-3 * norm(way) / (context.h * context.h * context.mobility);
@@ -129,10 +152,10 @@ bool StiffTie::is_damped() const {
 }
 
 double StiffTie::settle(const Row& row, std::vector<double>& given) const {
-  const Vec3 way = row.d1 - row.d0, e = solve == Solve::at_middle ? row.d0 + row.d1 : row.d1;
+  const Vec3 way = row.d1 - row.d0;
   double open = 0.0, rest = dot(row.f, way);
   for (std::size_t i = 0; i < curves.size(); i++) {
-    const double work = -pulls[i] * dot(e, way), rise = energy1[i] - energy0[i];
+    const double work = -pulls[i] * dot(arm(row, i), way), rise = energy1[i] - energy0[i];
     rest -= work;
     const double from_energy = !curves[i].has_energy() ? 0.0 : solve == Solve::at_middle ? work : -rise;
     given[i] += from_energy;

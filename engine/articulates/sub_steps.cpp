@@ -10,7 +10,7 @@ namespace pantin {
 
 namespace {
 
-constexpr std::uint16_t most = 256, patience = 64, longest_wait = 16;
+constexpr std::uint16_t patience = 64, longest_wait = 16;
 constexpr double fast = 0.3;  // [rad] in a sub-step: then each step is a trial
 
 constexpr double second_order = 4.0, fourth_order = 16.0;  // the error falls by this much with twice as many sub-steps
@@ -54,10 +54,11 @@ double fastest_spin(const Articulate& a) {
   return std::sqrt(fastest);
 }
 
-/// Moves `thing` by n sub-steps, doubled until the error over h [s] is small enough; false where it is not even then.
+/// Moves `thing` by n sub-steps, doubled until the error over h [s] is small enough; returns the error where it is not even
+/// then [1/s].
 template <class Thing, class Move, class Difference>
-bool move_by_trial(Thing& thing, Thing& start, Thing& other, SubSteps& n, double h, double accuracy, double gain,
-                   Move move, Difference differ) {
+double move_by_trial(Thing& thing, Thing& start, Thing& other, SubSteps& n, double h, double accuracy, double gain,
+                     Move move, Difference differ) {
   if (n.quiet >= patience) n = halved(n);
   const auto passed = static_cast<std::uint16_t>(n.wait - n.left);
   n.wait = std::min<std::uint16_t>(longest_wait, static_cast<std::uint16_t>(2 * n.wait));
@@ -67,14 +68,14 @@ bool move_by_trial(Thing& thing, Thing& start, Thing& other, SubSteps& n, double
     other = start;
     move(other, 2u * n.count);
     const double rate = gain / (gain - 1.0) * differ(thing, other) / h;
-    if (rate > accuracy && n.count < most) {
+    if (rate > accuracy && n.count < sub_step_limit) {
       n = {static_cast<std::uint16_t>(2 * n.count)};
       std::swap(thing, other);
       continue;
     }
     n.quiet = is_quiet(n, rate, accuracy, gain) ? static_cast<std::uint16_t>(n.quiet + passed) : std::uint16_t{0};
     n.left = n.wait;
-    return !(rate > accuracy);
+    return rate > accuracy ? rate : 0.0;
   }
 }
 
@@ -91,10 +92,10 @@ void drift_accurately(Articulate& a, const DriftSettings& settings, const SubSte
   if (a.safe) return move(a, 1);  // what it cannot do it cannot do better by parts
   if (!is_due(a.sub_steps, wanted, fastest_spin(a) * h / a.sub_steps.count)) return move(a, a.sub_steps.count);
   SubSteps n = a.sub_steps;
-  const bool reached =
+  const double unreached =
       move_by_trial(a, trial.start, trial.other, n, h, wanted.accuracy, second_order, move, difference);
   a.sub_steps = n;
-  a.report.unreached = !reached;
+  a.report.unreached = unreached;
 }
 
 void drift_alone_accurately(Node& node, double h, const SubStepSettings& wanted, SubSteps& n) {
@@ -110,7 +111,7 @@ void drift_alone_accurately(Node& node, double h, const SubStepSettings& wanted,
 
 bool adapt(SubSteps& n, double rate, double accuracy) {
   if (rate > accuracy) {
-    while (rate > accuracy && n.count < most) {
+    while (rate > accuracy && n.count < sub_step_limit) {
       n.count = static_cast<std::uint16_t>(2 * n.count);
       rate /= second_order;
     }

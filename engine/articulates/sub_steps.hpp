@@ -5,6 +5,8 @@
 
 namespace pantin {
 
+inline constexpr std::uint16_t sub_step_limit = 256;
+
 struct SubStepSettings {
   double accuracy = 0.0;  ///< [1/s] largest error of a point per second, relative to the thing's length; 0: fixed steps
   bool trials = true;     ///< now may be a trial: once a step

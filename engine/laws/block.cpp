@@ -120,8 +120,9 @@ void LawBlock::make_noise(int n, const Sites& sites_of_all) {
   const std::uint32_t* last = sites[count_ > 1 ? 1 : 0];
   for (const Noise& noise : noise_)
     for (int k = 0; k < n; k++)
-      noise.to[k] = normal(instant_.seed, instant_.number, sites_of_all.serial[sites[0][k]],
-                           sites_of_all.serial[last[k]], noise.index);
+      noise.to[k] = instant_.silent ? 0.0
+                                    : normal(instant_.seed, instant_.number, sites_of_all.serial[sites[0][k]],
+                                             sites_of_all.serial[last[k]], noise.index);
 }
 
 void LawBlock::call(int n, const Sites& sites_of_all) {

@@ -8,6 +8,7 @@
 #include "base/lengths.hpp"
 #include "laws/arranged.hpp"
 #include "laws/block.hpp"
+#include "laws/pair_slopes.hpp"
 
 namespace pantin {
 
@@ -144,6 +145,8 @@ struct Bonds::Kernel {
   std::vector<std::string> names;
   std::size_t workers = 1;
   std::vector<BondBlock> plain, energetic;  // one for each worker
+  std::vector<BondBlock> sloped;            // one of a law of velocity, once its derivatives are asked for
+  bool linear = false;                      // in velocity
   bool own_parameters = false;              // what the blocks are made for
   Arranged bonds;
   AlignedVector<double> pull;  // tension / distance at the last evaluation, by position
@@ -168,6 +171,7 @@ void Bonds::Kernel::make_blocks() {
   const Uniform uniform{!own_parameters};
   plain.clear();
   energetic.clear();
+  sloped.clear();
   for (std::size_t k = 0; k < workers; k++) {
     plain.emplace_back(LawBlock(*law, false, names, uniform));
     if (law->has_energy()) energetic.emplace_back(LawBlock(*law, true, names, uniform));
@@ -278,6 +282,7 @@ Bonds::Bonds(Bonds&&) noexcept = default;
 Bonds& Bonds::operator=(Bonds&&) noexcept = default;
 
 std::size_t Bonds::size() const { return kernel_->bonds.n; }
+std::size_t Bonds::number(std::size_t k) const { return kernel_->bonds.connection[k]; }
 
 void Bonds::arrange(const Ties& ties, const Sites& sites) {
   Kernel& k = *kernel_;
@@ -305,6 +310,29 @@ double Bonds::add_forces_and_energy(Sites& sites, const Box& box, const Instant&
                                     std::span<const double> parameters, Workers& workers) {
   const bool has = kernel_->law->has_energy();
   return kernel_->add(has ? kernel_->energetic : kernel_->plain, sites, box, instant, parameters, workers, has);
+}
+
+bool Bonds::list_slopes(const Sites& sites, const Box& box, const Instant& instant, std::span<const double> parameters,
+                        std::vector<VelocityPair>& to) const {
+  Kernel& kernel = *kernel_;
+  assume(kernel.law->kind != LawKind::many);
+  if (kernel.sloped.empty()) {
+    const std::shared_ptr<const Law> law = with_velocity_slopes(*kernel.law);
+    kernel.linear = is_linear_in_velocity(*law);
+    kernel.sloped.emplace_back(LawBlock(*law, false, kernel.names, Uniform{!kernel.own_parameters}));
+  }
+  BondBlock& block = kernel.sloped.front();
+  block.law.set(instant, parameters);
+  PairSlopes slopes(*kernel.law, sites, to);
+  for (std::size_t begin = 0; begin < kernel.bonds.n; begin += block_size) {
+    const Stretch at{begin, std::min(block_size, kernel.bonds.n - begin)};
+    kernel.gather(block, at, sites, box);
+    block.law.run(static_cast<int>(at.n), sites);
+    slopes.take(block.law, at.n, block.d.data(), block.u.data(), [&](std::size_t k) {
+      return std::pair(kernel.bonds.sites[0][begin + k], kernel.bonds.sites[1][begin + k]);
+    });
+  }
+  return kernel.linear;
 }
 
 double Bonds::pull(std::size_t connection, const Sites& sites, const Box& box) const {

@@ -10,6 +10,7 @@
 #include "laws/law.hpp"
 #include "laws/pairs.hpp"
 #include "laws/sites.hpp"
+#include "laws/velocity_slopes.hpp"
 
 namespace pantin {
 
@@ -35,6 +36,8 @@ class Bonds {
   /// order.
   void arrange(const Ties& ties, const Sites& sites);
   std::size_t size() const;
+  /// The number in Ties of the kth connection in the order in which they are gone through.
+  std::size_t number(std::size_t k) const;
 
   /// Adds the forces to Sites::force, or to Sites::open_force for a law without energy; in a box along the shortest
   /// vectors. `parameters` count where connections have none of their own.
@@ -42,6 +45,9 @@ class Bonds {
                   Workers& workers);
   double add_forces_and_energy(Sites& sites, const Box& box, const Instant& instant, std::span<const double> parameters,
                                Workers& workers);
+  /// Lists the forces of a law of velocity with their derivatives, at Sites::v; tells whether they are linear in it.
+  bool list_slopes(const Sites& sites, const Box& box, const Instant& instant, std::span<const double> parameters,
+                   std::vector<VelocityPair>& to) const;
   /// Tension [N] of a connection (its number in Ties) of a central law at the last evaluation, for sites where they
   /// were then; positive: it pulls. The first call after an evaluation works them out for all.
   double tension(std::size_t connection, const Sites& sites, const Box& box) const;

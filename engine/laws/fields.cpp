@@ -1,6 +1,7 @@
 #include "laws/fields.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "base/check.hpp"
 #include "base/compensated.hpp"
@@ -35,6 +36,8 @@ struct Fields::Kernel {
   std::vector<std::string> names;
   std::size_t workers = 1;
   std::vector<LawBlock> plain, energetic;  // one for each worker; none in a copy that has not run yet
+  std::vector<LawBlock> sloped;            // the same of a law of velocity, from when its derivatives are asked for
+  bool linear = false;                     // in velocity
   std::vector<std::uint32_t> members;
   std::vector<CompensatedSum> energies;
 
@@ -54,6 +57,9 @@ struct Fields::Kernel {
   void add_task(LawBlock& block, std::size_t task, Sites& sites, const Box& box, CompensatedSum* energy) const;
   double add(std::vector<LawBlock>& blocks, Sites& sites, const Box& box, const Instant& instant,
              std::span<const double> parameters, Workers& shared, bool with_energy);
+  void make_sloped();
+  void add_slopes(LawBlock& block, std::size_t task, const Sites& sites, const Box& box, double difference,
+                  SiteSlopes& to) const;
 };
 
 void Fields::Kernel::add_task(LawBlock& block, std::size_t task, Sites& sites, const Box& box,
@@ -82,6 +88,35 @@ double Fields::Kernel::add(std::vector<LawBlock>& blocks, Sites& sites, const Bo
   CompensatedSum total;
   for (std::size_t task = 0; with_energy && task < tasks; task++) total.add(energies[task]);
   return total.value();
+}
+
+void Fields::Kernel::make_sloped() {
+  const std::shared_ptr<const Law> with_slopes = with_velocity_slopes(*law);
+  linear = is_linear_in_velocity(*with_slopes);
+  for (std::size_t k = 0; k < workers; k++) sloped.emplace_back(*with_slopes, false, names);
+}
+
+/// Writes the derivatives of a block's forces by velocity, by differences: the law is called once more for each direction.
+void Fields::Kernel::add_slopes(LawBlock& block, std::size_t task, const Sites& sites, const Box& box,
+                                double difference, SiteSlopes& to) const {
+  run(block, task, sites, box, [&](LawBlock& made, std::span<const std::uint32_t> some) {
+    const auto vector = [&](std::size_t first, std::size_t k) {
+      return vec(made.output(first)[k], made.output(first + 1)[k], made.output(first + 2)[k]);
+    };
+    std::array<Vec3, block_size> force;
+    for (std::size_t k = 0; k < some.size(); k++) to.force[some[k]] += force[k] = vector(0, k);
+    for (std::size_t by = 0; by < 3; by++) {
+      double* const column = law->called ? made.velocity[0][by] : nullptr;
+      if (column != nullptr) {
+        for (std::size_t k = 0; k < some.size(); k++) column[k] += difference;
+        made.run(static_cast<int>(some.size()), sites);
+        for (std::size_t k = 0; k < some.size(); k++) column[k] = sites.v[some[k]][static_cast<int>(by)];
+      }
+      for (std::size_t k = 0; k < some.size(); k++)
+        to.slope[some[k]][static_cast<int>(by)] +=
+            column != nullptr ? (vector(0, k) - force[k]) / difference : vector(3 + 3 * by, k);
+    }
+  });
 }
 
 void Fields::Kernel::make_blocks() {
@@ -125,6 +160,23 @@ double Fields::add_forces_and_energy(Sites& sites, const Box& box, const Instant
   if (kernel_->plain.empty()) kernel_->make_blocks();
   const bool has = kernel_->law->has_energy();
   return kernel_->add(has ? kernel_->energetic : kernel_->plain, sites, box, instant, parameters, workers, has);
+}
+
+bool Fields::add_slopes(const Sites& sites, const Box& box, const Instant& instant, std::span<const double> parameters,
+                        Workers& workers, SiteSlopes& to) {
+  Kernel& k = *kernel_;
+  if (k.sloped.empty()) k.make_sloped();
+  const std::size_t tasks = (k.members.size() + task_size - 1) / task_size;
+  const double difference = k.law->called ? velocity_difference(sites) : 0.0;
+  for (LawBlock& block : k.sloped) block.set(instant, parameters);
+  const auto add_one = [&](std::size_t task, int worker) {
+    k.add_slopes(k.sloped[static_cast<std::size_t>(worker)], task, sites, box, difference, to);
+  };
+  if (k.law->called)
+    for (std::size_t task = 0; task < tasks; task++) add_one(task, 0);
+  else
+    workers.run(tasks, add_one);
+  return k.linear;
 }
 
 std::optional<BadForce> Fields::find_bad(const Sites& sites, const Box& box, const Instant& instant,

@@ -10,6 +10,7 @@
 #include "laws/law.hpp"
 #include "laws/pairs.hpp"
 #include "laws/sites.hpp"
+#include "laws/velocity_slopes.hpp"
 
 namespace pantin {
 
@@ -31,6 +32,9 @@ class Fields {
                   Workers& workers);
   double add_forces_and_energy(Sites& sites, const Box& box, const Instant& instant, std::span<const double> parameters,
                                Workers& workers);
+  /// Adds the forces of a law of velocity and their derivatives, at Sites::v; tells whether they are linear in it.
+  bool add_slopes(const Sites& sites, const Box& box, const Instant& instant, std::span<const double> parameters,
+                  Workers& workers, SiteSlopes& to);
   /// The first site whose force is not finite. Slow: for a message.
   std::optional<BadForce> find_bad(const Sites& sites, const Box& box, const Instant& instant,
                                    std::span<const double> parameters);

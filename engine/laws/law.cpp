@@ -5,6 +5,7 @@
 
 #include "base/check.hpp"
 #include "laws/derivative.hpp"
+#include "laws/velocity_slopes.hpp"
 
 namespace pantin {
 
@@ -140,6 +141,7 @@ Law pair_force(const LawDef& def, Expressions graph, std::span<const Expr> force
                   {Role::distance2, Role::approach, Role::displacement, Role::relative_velocity, Role::noise}};
   Law law = start(def, sort, std::move(graph), force_on_a);
   law.force.assign(force_on_a.begin(), force_on_a.end());
+  law.workless = law.moving && is_workless(law);
   return in_order(std::move(law));
 }
 
@@ -155,6 +157,7 @@ Law point_force(const LawDef& def, Expressions graph, std::span<const Expr> forc
   const Sort sort{"the force on a particle", LawKind::point, 1, {Role::place, Role::velocity, Role::noise}};
   Law law = start(def, sort, std::move(graph), force);
   law.force.assign(force.begin(), force.end());
+  law.workless = law.moving && is_workless(law);
   return in_order(std::move(law));
 }
 

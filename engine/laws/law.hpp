@@ -69,8 +69,10 @@ struct Law {
   /// that is out of range.
   std::function<std::shared_ptr<Law>(std::span<const double>)> remade;
 
-  bool moving = false;  ///< depends on velocities
-  bool timed = false;   ///< depends on time or noise
+  bool moving = false;    ///< depends on velocities
+  bool thermal = false;   ///< a thermostat: acts in the middle of drifts
+  bool workless = false;  ///< what these add to its force does no work
+  bool timed = false;     ///< depends on time or noise
 
   /// Neither what depends on time nor what is one-sided has an energy to keep.
   bool has_energy() const { return energy != no_expression || called_energy; }

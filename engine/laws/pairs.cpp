@@ -7,6 +7,7 @@
 #include "base/check.hpp"
 #include "base/compensated.hpp"
 #include "laws/pair_block.hpp"
+#include "laws/pair_slopes.hpp"
 
 namespace pantin {
 
@@ -79,6 +80,8 @@ struct Pairs::Kernel {
   std::vector<std::string> names;
   std::size_t workers = 1;
   std::vector<PairBlock> plain, energetic;  // one for each worker; none in a copy that has not run yet
+  std::vector<PairBlock> sloped;            // one of a law of velocity, once its derivatives are asked for
+  bool linear = false;                      // in velocity
   std::size_t radius = 0;                   // column of a touching law
   std::vector<CompensatedSum> energies;     // of slabs
 
@@ -194,6 +197,33 @@ double Pairs::add_forces_and_energy(Sites& sites, const Rows& rows, const Instan
   if (kernel_->plain.empty()) kernel_->make_blocks();
   const bool has = kernel_->law->has_energy();
   return kernel_->add(has ? kernel_->energetic : kernel_->plain, sites, rows, instant, parameters, workers, has);
+}
+
+bool Pairs::list_slopes(const Sites& sites, const Rows& rows, const Instant& instant,
+                        std::span<const double> parameters, std::vector<VelocityPair>& to) {
+  Kernel& kernel = *kernel_;
+  if (kernel.sloped.empty()) {
+    const std::shared_ptr<const Law> law = with_velocity_slopes(*kernel.law);
+    kernel.linear = is_linear_in_velocity(*law);
+    kernel.sloped.emplace_back(LawBlock(*law, false, kernel.names));
+  }
+  PairBlock& block = kernel.sloped.front();
+  block.law.set(instant, parameters);
+  PairSlopes slopes(*kernel.law, sites, to);
+  std::vector<std::uint32_t> of_row(LawBlock::most);
+  const auto take = [&](PairBlock& made, bool exchanged) {
+    made.each_part(
+        [&](const PairBlock::Part& part, int at) { std::fill_n(of_row.begin() + at, part.count, part.site); });
+    slopes.take(
+        made.law, static_cast<std::size_t>(made.count), made.d.data(), made.u.data(),
+        [&](std::size_t k) {
+          return exchanged ? std::pair(made.neighbours[k], of_row[k]) : std::pair(of_row[k], made.neighbours[k]);
+        },
+        exchanged ? -1.0 : 1.0);
+  };
+  for (const std::vector<Slab>& phase : rows.phases())
+    for (const Slab& slab : phase) kernel.run(block, sites, rows, slab, take);
+  return kernel.linear;
 }
 
 std::optional<BadForce> Pairs::find_bad(const Sites& sites, const Rows& rows, const Instant& instant,

@@ -4,11 +4,13 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "base/parallel.hpp"
 #include "laws/law.hpp"
 #include "laws/rows.hpp"
 #include "laws/sites.hpp"
+#include "laws/velocity_slopes.hpp"
 
 namespace pantin {
 
@@ -36,6 +38,9 @@ class Pairs {
   /// The same, and gives the energy [J]; 0 for a law without.
   double add_forces_and_energy(Sites& sites, const Rows& rows, const Instant& instant,
                                std::span<const double> parameters, Workers& workers);
+  /// Lists the forces of a law of velocity with their derivatives, at Sites::v; tells whether they are linear in it.
+  bool list_slopes(const Sites& sites, const Rows& rows, const Instant& instant, std::span<const double> parameters,
+                   std::vector<VelocityPair>& to);
   /// The first pair whose force is not finite. Slow: for a message.
   std::optional<BadForce> find_bad(const Sites& sites, const Rows& rows, const Instant& instant,
                                    std::span<const double> parameters);

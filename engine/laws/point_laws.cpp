@@ -60,7 +60,9 @@ std::vector<Law> buoyancy(LawMaker& m) {
 std::vector<Law> thermostat(LawMaker& m) {
   const Symbol drag = m.parameter("rate") * m.attribute(0, "mass");
   const Symbol kick = sqrt(2.0 * drag * m.parameter("boltzmann") * m.parameter("temperature") / m.parameter("step"));
-  return {m.point_force(m.noise() * kick - m.velocity() * drag)};
+  Law law = m.point_force(m.noise() * kick - m.velocity() * drag);
+  law.thermal = true;
+  return {law};
 }
 
 std::vector<Law> wall(LawMaker& m) {
@@ -130,12 +132,11 @@ std::vector<LibraryLaw> point_laws() {
         {"gravity", "m/s²", "weight per mass", Given::optional, 9.81, Range::not_negative}},
        buoyancy},
       {"thermostat",
-       "-γ m v + sqrt(2 γ m k T / h) noise, k Boltzmann's constant and h the step of the scene: free particles spread "
-       "as "
-       "at T at any γ h, while their velocities at the ends of steps are those of T / (1 + γ h / 2)",
-       "P. Langevin, C. R. Acad. Sci. 146, 1908, p. 530; discrete: A. Brünger, C. L. Brooks and M. Karplus, Chem. "
-       "Phys. "
-       "Lett. 105, 1984, p. 495",
+       "-γ m v + sqrt(2 γ m k T / h) noise, k Boltzmann's constant and h the step of the scene, in the middle of each "
+       "drift: particles in a harmonic well spread as at T at any step, and free ones have its velocities",
+       "P. Langevin, C. R. Acad. Sci. 146, 1908, p. 530; the splitting BAOAB: B. Leimkuhler and C. Matthews, Appl. "
+       "Math. "
+       "Res. Express 2013, p. 34",
        LawKind::point,
        1,
        {{"rate", "1/s", "γ", Given::required, 0.0, Range::not_negative},
@@ -154,7 +155,7 @@ std::vector<LibraryLaw> point_laws() {
         {"stiffness", "N/m", "k", Given::required, 0.0, Range::not_negative},
         {"damping", "N s/m", "c", Given::optional, 0.0, Range::not_negative},
         {"friction", "1", "μ", Given::optional, 0.0, Range::not_negative},
-        {"slip", "m/s", "speed below which friction is less than full", Given::optional, 0.01, Range::positive}},
+        {"slip", "m/s", "speed below which friction is less than full", Given::optional, 1e-6, Range::positive}},
        wall},
   };
 }

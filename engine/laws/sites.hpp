@@ -100,6 +100,7 @@ struct Instant {
   double time = 0.0;         ///< [s]
   std::uint64_t number = 0;  ///< of the evaluation, for noise
   std::uint64_t seed = 0;    ///< for noise
+  bool silent = false;       ///< noise is 0
 };
 
 }  // namespace pantin

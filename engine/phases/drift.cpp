@@ -12,6 +12,7 @@
 #include "phases/phases.hpp"
 #include "phases/rk4.hpp"
 #include "phases/share.hpp"
+#include "world/attempt.hpp"
 #include "world/forces.hpp"
 #include "world/integrator.hpp"
 
@@ -27,7 +28,7 @@ DriftSettings drift_settings(const World& world) {
 }
 
 SubStepSettings sub_step_settings(const World& world) {
-  return {world.settings.accuracy.value_or(0.0), world.part.index == 0};
+  return {world.settings.accuracy ? wanted_accuracy(world) : 0.0, world.part.index == 0};
 }
 
 void drift_points(World& world) {
@@ -112,7 +113,7 @@ void count(World& world, const DriftReport& report) {
   post_report(world, report);
   if (report.offsets > 0)
     log_line(world, "notice", "a gap that no motion can close was taken as a constant offset of its hinges");
-  if (report.unreached) tell_unreached(world);
+  if (report.unreached > 0.0) tell_unreached(world, report.unreached, "the motion of what is hinged together");
 }
 
 /// What ties by a row, for whoever reads of it.
@@ -162,13 +163,13 @@ template <class Move>
 void drift_articulates(World& world, Move move) {
   share_articulates(world, [&](Articulate& articulate, int worker) {
     if (articulate.rest.asleep) return;
-    if (world.part.index == 0) load(articulate, world, world.settings.gravity);
+    if (world.part.from == 0.0) load(articulate, world, world.settings.gravity);
     begin_report(articulate);
     move(articulate, worker);
   });
   for (const auto& articulate : world.articulates) {
     if (articulate->rest.asleep) continue;
-    if (world.part.index + 1 == parts(world)) {
+    if (world.part.to == 1.0) {
       tell_open(world, *articulate);
       tell_stalled(world, *articulate);
     }
@@ -240,12 +241,32 @@ const Moves& moves_of(const World& world) {
   return moves[0];
 }
 
+/// In two halves, with thermostats between.
+void drift_halved(World& world) {
+  const StepPart whole = world.part;
+  StepPart& p = world.part;
+  p.h = 0.5 * whole.h;
+  p.to = 0.5 * (whole.from + whole.to);
+  p.last = false;
+  moves_of(world).drift(world);
+  kick_by_thermostats(world, whole.h);
+  p.from = p.to;
+  p.to = whole.to;
+  p.first = false;
+  p.last = whole.last;
+  moves_of(world).drift(world);
+  p = whole;
+}
+
 }  // namespace
 
 void drift(World& world) {
   const Timed timed(world.profile, Phase::drift);
   const LedgerMark before = ledger_mark(world, world.part.index > 0);
-  moves_of(world).drift(world);
+  if (world.forces && world.forces->thermal)
+    drift_halved(world);
+  else
+    moves_of(world).drift(world);
   post_drift(world, before);
 }
 

@@ -7,6 +7,7 @@
 #include "world/forces.hpp"
 #include "world/integrator.hpp"
 #include "world/sleep.hpp"
+#include "world/work_check.hpp"
 
 namespace pantin::phases {
 
@@ -65,14 +66,6 @@ std::string last_act(const World& world) {
   return text("; the last to act on the scene was ", world.last_actor, ", at ", world.last_act, " s");
 }
 
-void put_back(World& world) {
-  for (std::size_t i = 0; i < world.loose_points.size(); i++)
-    world.free_motion[world.loose_points[i]] = world.saved_points[i];
-  for (std::size_t i = 0; i < world.loose_bodies.size(); i++)
-    world.motion[world.loose_bodies[i]] = world.saved_motion[i];
-  take_back_kick(world);
-}
-
 /// Puts the last good state back, and tells the first law that gave a force, or the first thing whose state, is not
 /// finite; empty if all is well.
 std::string undo_what_went_bad(World& world, const OfLoosePoints& points, double time) {
@@ -116,7 +109,8 @@ void measure_errors(World& world, const OfLoosePoints& points) {
   if (acting && told) potential += world.forces->energy;
   const double scale = energy_scale(world, {kinetic, potential});
   if (told && scale > 0.0) {
-    const double wrong = std::fabs(kinetic + potential - world.start_energy - world.work);
+    const double wrong =
+        std::fabs(kinetic + potential - world.start_energy - world.work) + std::fabs(missed_open_work(world));
     world.worst_energy = std::max(world.worst_energy, wrong);
     now.energy = wrong / scale;
     world.worst.energy = world.worst_energy / scale;

@@ -1,11 +1,12 @@
 #include <algorithm>
 
-#include "articulates/sub_steps.hpp"
 #include "phases/phases.hpp"
+#include "world/attempt.hpp"
 #include "world/forces.hpp"
 #include "world/integrator.hpp"
-#include "world/kick_error.hpp"
 #include "world/sleep.hpp"
+#include "world/step_error.hpp"
+#include "world/work_check.hpp"
 
 namespace pantin::phases {
 
@@ -27,27 +28,20 @@ void kick_loose_points(World& world, double half) {
   }
 }
 
-/// Sub-steps of the coming step, by the largest error of this one's.
-void choose_sub_steps(World& world) {
-  double& worst = world.kick_error;
-  worst = world.part.index == 0 ? kick_error(world) : std::max(worst, kick_error(world));
-  if (world.part.index + 1 != parts(world)) return;
-  if (!adapt(world.sub_steps, worst, *world.settings.accuracy)) tell_unreached(world);
-}
-
 }  // namespace
 
 void half_kick(World& world) {
+  if (rule_of(world).kicks || world.part.index == 0) begin_kick(world);
   if (!rule_of(world).kicks || (world.loose_points.empty() && !world.forces)) return;
   const Timed timed(world.profile, Phase::half_kick);
   const double half = 0.5 * world.part.h;
   const bool drifted = world.part.index > 0;
-  if (drifted) begin_kick(world);
-  if (world.settings.accuracy) note_kicks(world);
   const LedgerMark before = ledger_mark(world, drifted);
   kick_loose_points(world, half);
   post_kick(world, before, drifted);
   kick(world, half);
+  note_open_forces(world);
+  if (world.settings.accuracy) note_kicks(world);
 }
 
 void half_kick_to_end(World& world) {
@@ -55,11 +49,12 @@ void half_kick_to_end(World& world) {
   const Timed timed(world.profile, Phase::half_kick_to_end);
   const double half = 0.5 * world.part.h;
   wake_pulled(world, half);
-  if (world.settings.accuracy) choose_sub_steps(world);
   const LedgerMark before = ledger_mark(world, true);
   kick_loose_points(world, half);
   post_kick(world, before, true);
   kick_to_end(world, half);
+  check_open_work(world);
+  if (world.settings.accuracy) note_error(world);
 }
 
 }  // namespace pantin::phases

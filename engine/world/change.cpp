@@ -222,6 +222,11 @@ void set_accuracy(World& world, std::optional<double> accuracy) {
   for (std::uint32_t s = 0; s < world.bodies.slots(); s++) world.motion[s].sub_steps = {};
 }
 
+void set_accuracy_per_step(World& world, bool per_step) {
+  require_unlocked(world, "accuracy_per");
+  world.settings.accuracy_per_step = per_step;
+}
+
 void set_step(World& world, double step) {
   require_unlocked(world, "step");
   require_positive("scene", "step", step, "s");

@@ -202,6 +202,8 @@ void set_box(World& world, std::optional<Vec3> box);
 void set_integrator(World& world, Integrator integrator);
 /// Wanted error per second, relative to the sizes of things, or fixed steps; > 0. Error where the integrator has none.
 void set_accuracy(World& world, std::optional<double> accuracy);
+/// Whether that is wanted of each step, not of each second.
+void set_accuracy_per_step(World& world, bool per_step);
 /// Changes the length of a step [s], from the step that is about to be done.
 void set_step(World& world, double step);
 

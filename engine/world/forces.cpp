@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "articulates/sub_steps.hpp"
+#include "articulates/articulate.hpp"
+#include "laws/draws_noise.hpp"
 #include "world/courses.hpp"
 #include "world/editing.hpp"
 #include "world/forces_parts.hpp"
 #include "world/integrator.hpp"
-#include "world/kick_error.hpp"
 #include "world/solved.hpp"
 
 namespace pantin {
@@ -30,26 +30,25 @@ std::vector<double> present_parameters(const World& world, const Law& law, const
   return values;
 }
 
-void run_law(const World& world, Forces& f, ActingInteraction& a) {
-  a.pairs.add_forces(f.sites, a.rows, instant_of(world, world.time, world.instant),
-                     present_parameters(world, *a.law, world.interactions[a.id].parameters), *world.workers);
+void run_law(const World& world, Forces& f, ActingInteraction& a, const Instant& instant) {
+  a.pairs.add_forces(f.sites, a.rows, instant, present_parameters(world, *a.law, world.interactions[a.id].parameters),
+                     *world.workers);
 }
 
-void run_law(const World& world, Forces& f, ActingConnections& a) {
-  a.bonds.add_forces(f.sites, box_of(world), instant_of(world, world.time, world.instant), {}, *world.workers);
+void run_law(const World& world, Forces& f, ActingConnections& a, const Instant& instant) {
+  a.bonds.add_forces(f.sites, box_of(world), instant, {}, *world.workers);
 }
 
-void run_law(const World& world, Forces& f, ActingField& a) {
-  a.fields.add_forces(f.sites, box_of(world), instant_of(world, world.time, world.instant),
-                      present_parameters(world, *a.law, world.fields[a.id].parameters), *world.workers);
+void run_law(const World& world, Forces& f, ActingField& a, const Instant& instant) {
+  a.fields.add_forces(f.sites, box_of(world), instant, present_parameters(world, *a.law, world.fields[a.id].parameters),
+                      *world.workers);
 }
 
-double run_laws(const World& world, Forces& f, const Instant& instant, Which which, bool with_energy) {
+double run_laws(const World& world, Forces& f, const Instant& instant, bool with_energy) {
   const Box box = box_of(world);
   double energy = 0.0;
-  const auto runs = [&](const Law& law) { return law.moving ? which.moving : which.still; };
   for (ActingInteraction& a : f.interactions) {
-    if (!runs(*a.law)) continue;
+    if (a.law->moving) continue;
     const auto parameters = present_parameters(world, *a.law, world.interactions[a.id].parameters);
     if (with_energy)
       energy += a.energy = a.pairs.add_forces_and_energy(f.sites, a.rows, instant, parameters, *world.workers);
@@ -57,14 +56,14 @@ double run_laws(const World& world, Forces& f, const Instant& instant, Which whi
       a.pairs.add_forces(f.sites, a.rows, instant, parameters, *world.workers);
   }
   for (ActingConnections& a : f.connections) {
-    if (!runs(*a.law) || (a.solved && !(with_energy && a.law->has_energy()))) continue;
+    if (a.law->moving || (a.solved && !(with_energy && a.law->has_energy()))) continue;
     if (with_energy)
       energy += a.energy = a.bonds.add_forces_and_energy(f.sites, box, instant, {}, *world.workers);
     else
       a.bonds.add_forces(f.sites, box, instant, {}, *world.workers);
   }
   for (ActingField& a : f.fields) {
-    if (!runs(*a.law)) continue;
+    if (a.law->moving) continue;
     const auto parameters = present_parameters(world, *a.law, world.fields[a.id].parameters);
     if (with_energy)
       energy += a.energy = a.fields.add_forces_and_energy(f.sites, box, instant, parameters, *world.workers);
@@ -83,7 +82,7 @@ void keep_in_plane(const Plane& plane, Sites& sites) {
 double run_still_laws(const World& world, Forces& f, const Instant& instant, bool with_energy) {
   std::fill(f.sites.force.begin(), f.sites.force.end(), zero3());
   if (f.open) std::fill(f.sites.open_force.begin(), f.sites.open_force.end(), zero3());
-  return run_laws(world, f, instant, {false, true}, with_energy);
+  return run_laws(world, f, instant, with_energy);
 }
 
 void collect(const World& world, Forces& f) {
@@ -130,14 +129,34 @@ bool changes(const Forces& f) {
   });
 }
 
+/// Finds what of the open forces is noise, where errors are to be told without it.
+void find_noise(const World& world, Forces& f, const Instant& instant) {
+  f.noise.clear();
+  if (!world.settings.accuracy || !f.noisy) return;
+  Instant silent = instant;
+  silent.silent = true;
+  const auto force = f.sites.force, open = f.sites.open_force;
+  f.noise.assign(f.sites.n, zero3());
+  for (const bool loud : {true, false}) {
+    std::fill(f.sites.open_force.begin(), f.sites.open_force.end(), zero3());
+    each_law(world, f, [&](const std::string&, const Law& law, auto& acting) {
+      if (draws_noise(law) && !law.thermal) run_law(world, f, acting, loud ? instant : silent);
+    });
+    for (std::size_t i = 0; i < f.sites.n; i++) f.noise[i] += f.sites.open_force[i] * (loud ? 1.0 : -1.0);
+  }
+  f.sites.force = force;
+  f.sites.open_force = open;
+}
+
 /// Forces at the places and velocities that the sites now have; the energy where it is asked for.
 double evaluate(const World& world, Forces& f, const Instant& instant, bool with_energy) {
   refresh_ages(world, f, instant.time);
   const double energy = run_still_laws(world, f, instant, with_energy);
   if (f.moving) {
     f.still.assign(f.sites.open_force.begin(), f.sites.open_force.end());
-    run_laws(world, f, instant, {true, false}, false);
+    find_velocity_slopes(world, f, instant);
   }
+  find_noise(world, f, instant);
   collect(world, f);
   return energy;
 }
@@ -258,21 +277,13 @@ namespace {
 double energy_at_ages(const World& world, Forces& f, double time) {
   const auto force = f.sites.force, open = f.sites.open_force;
   refresh_ages(world, f, time);
-  const double energy = run_laws(world, f, instant_of(world, time, world.instant), {false, true}, true);
+  const double energy = run_laws(world, f, instant_of(world, time, world.instant), true);
   f.sites.force = force;
   f.sites.open_force = open;
   return energy;
 }
 
 bool stiffness_is_due(World& world) { return std::exchange(world.stiffness_unknown, false) || world.steps % 64 == 0; }
-
-/// More sub-steps where the coming step needs them.
-void look_ahead(World& world) {
-  const double count = world.sub_steps.count, rate = coming_kick_error(world) / (count * count);
-  if (rate <= *world.settings.accuracy) return;
-  adapt(world.sub_steps, rate, *world.settings.accuracy);
-  begin_part(world, 0);
-}
 
 /// The energy of the laws comes into the balance.
 void bring_in_energy(World& world) {
@@ -348,9 +359,7 @@ void refresh_forces(World& world) {
     editing::disturb_forces(world);
   }
   if (world.influences_changed) return;
-  if (world.forces && world.settings.accuracy) look_ahead(world);
   if (world.forces && changes(*world.forces)) set_solved_inputs(world, true);
-  begin_kick(world);
 }
 
 void begin_kick(World& world) {
@@ -368,6 +377,14 @@ void find_pairs(World& world) {
   if (f.rows && f.skin.spent(f.sites)) build_rows(world, f, true);
 }
 
+void find_forces_again(World& world) {
+  Forces& f = *world.forces;
+  read_places(world, f, false);
+  if (f.rows && f.skin.spent(f.sites)) build_rows(world, f, false);
+  read_velocities(world, f, false);
+  f.energy = evaluate(world, f, instant_of(world, world.time, world.instant), true);
+}
+
 void apply_forces(World& world) {
   if (!world.forces) return;
   Forces& f = *world.forces;
@@ -379,13 +396,6 @@ void apply_forces(World& world) {
   const double before = ages ? energy_at_ages(world, f, kick_start(world)) : 0.0;
   f.energy = evaluate(world, f, instant_of(world, time_within(world, world.part.to), world.instant), f.told);
   if (ages) editing::post(world, 0.5 * (f.energy - before), Source::law);
-}
-
-void run_moving_laws(World& world, Forces& f) {
-  read_velocities(world, f, true);
-  std::copy(f.still.begin(), f.still.end(), f.sites.open_force.begin());
-  run_laws(world, f, instant_of(world, time_within(world, world.part.to), world.instant), {true, false}, false);
-  collect(world, f);
 }
 
 }  // namespace pantin

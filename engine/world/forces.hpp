@@ -15,6 +15,7 @@
 #include "laws/rows.hpp"
 #include "laws/sites.hpp"
 #include "laws/skin.hpp"
+#include "world/velocity_kick.hpp"
 #include "world/world.hpp"
 
 namespace pantin {
@@ -31,7 +32,6 @@ struct Mover {
   Vec3 damper_force = zero3(), damper_torque = zero3();  ///< of these, of those that depend on velocities
   Vec3 start_p = zero3(), start_P = zero3();             ///< momenta at the start of the step
   Vec3 noted_force = zero3(), noted_torque = zero3();    ///< before the part of the step that is being done
-  Vec3 half_p = zero3(), half_P = zero3();               ///< momenta before the kick that is being swept
 };
 
 /// A site on a mover.
@@ -89,21 +89,32 @@ struct Forces {
   std::vector<ActingConnections> connections;
   Skin skin;
   bool rows = false;           ///< some interaction keeps rows
-  bool moving = false;         ///< some law depends on velocities
+  bool moving = false;         ///< some law depends on velocities, beside thermostats
+  bool thermal = false;        ///< there is a thermostat
   bool open = false;           ///< some law is without energy
   bool open_still = false;     ///< of these some does not depend on velocities
+  bool workless = false;       ///< some law of velocity does no work by it
+  bool noisy = false;          ///< some law draws noise
   bool everybody = false;      ///< some law acts on all particles
   bool grouped = false;        ///< some field acts on a group
   std::vector<char> families;  ///< (slots of families) whether some law acts on all of it
   std::vector<char> followed;  ///< (names of attributes) whether it follows the age of some site
 
-  std::vector<Vec3> still;   ///< (sites) [N] open forces of laws that do not depend on velocities
-  std::vector<Vec3> noted;   ///< (slots of points) [m/s²] accelerations before the part of the step that is being done
-  std::vector<Vec3> half_v;  ///< (sites) [m/s] before the kick that is being swept
+  std::vector<Vec3> still;      ///< (sites) [N] open forces of laws that do not depend on velocities
+  std::vector<Vec3> undamped;   ///< (sites) [N] the same with those of laws of velocity that do no work
+  VelocityForces velocity;      ///< of laws that depend on velocities, but for thermostats
+  VelocityForces thermostats;   ///< of these
+  std::vector<Vec3> open_from;  ///< (slots of particles) [m] where a part of the step begins, see work_check
+  double done = 0.0;            ///< [J] work of laws without energy until then
+  std::vector<Vec3> noise;      ///< (sites) [N] of the open forces what is noise, where `accuracy` leaves it out
+  std::vector<Vec3> noted;  ///< (slots of particles) [m/s²] accelerations in the kick that began a part of the step
+  std::vector<Vec3> noted_place;  ///< (slots of particles) [m] places then
+  std::vector<Vec3> first_place;  ///< (slots of particles) [m] where they were first seen, where `accuracy` asks
+  std::vector<double> extent;  ///< (slots of particles) [m] size of what they interact with and of their ways until now
+  std::size_t worst_site = 0;  ///< with the largest error in the last part
   AlignedVector<Vec3> kicked_from;  ///< (sites) [m/s] before the kick at the end of a part, where the ledger is kept
-  double spread = 0.0;  ///< [m] largest root mean square distance of the sites from their centre, where it is asked
-  double energy = 0.0;  ///< [J] of all laws, when it was last told
-  bool told = false;    ///< in the last step
+  double energy = 0.0;              ///< [J] of all laws, when it was last told
+  bool told = false;                ///< in the last step
 
   bool unsettled = false;             ///< edits have changed what the forces come of
   bool elsewhere = false;             ///< others than free particles that were born or have gone
@@ -113,10 +124,10 @@ struct Forces {
   std::uint64_t settled_in = 0;       ///< the last step, counted from 1, that began with such changes
 };
 
-/// Of the open force on a site that of laws that depend on velocities [N].
+/// Of the open force on a site that of laws of velocity, but for those that do no work by it [N].
 inline Vec3 damping_of(const Forces& f, std::size_t site) {
   if (!f.moving) return zero3();
-  return f.open_still ? f.sites.open_force[site] - f.still[site] : f.sites.open_force[site];
+  return f.open_still || f.workless ? f.sites.open_force[site] - f.undamped[site] : f.sites.open_force[site];
 }
 
 /// Whether the laws at work are those of the present rows: not where an edit waits for the next step.
@@ -134,13 +145,16 @@ void find_pairs(World& world);
 void apply_forces(World& world);
 /// Before the kicks of a part of the step: posts half the work of what only follows ages.
 void begin_kick(World& world);
-/// Changes velocities and momenta by the forces over `half` [s]. Work of laws without energy goes to World::work.
+/// Changes velocities and momenta by the forces over `half` [s], those of laws of velocity as velocity_kick.hpp says. Work
+/// of laws without energy goes to World::work.
 void kick(World& world, double half);
 /// Posts what laws with an energy give in dt [s] at the present velocities.
 void post_present_laws(World& world, double dt);
-/// Momenta of movers as they were before the step's first kick.
-void take_back_kick(World& world);
-/// The same at the end of a step: laws that depend on velocities see those at its end (trapezoidal rule).
+/// Loose things, and the model's rows of those that laws move, as they were before the step's first kick.
+void put_back(World& world);
+/// The forces of that state anew.
+void find_forces_again(World& world);
+/// The same at the end of a step.
 void kick_to_end(World& world, double half);
 /// After the projection: posts what that kick gave to what rows tie, at the velocities that these allow. A motion that they
 /// forbid is turned by the drift, so that what a kick gives to it the next one takes back, or else the projection takes:

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "laws/draws_noise.hpp"
 #include "world/editing.hpp"
 
 namespace pantin {
@@ -173,7 +174,11 @@ std::unique_ptr<Forces> build_forces(const World& world) {
   acting.each_law(world, [&](const Law& law) {
     for (const Input& input : inputs_of(law))
       if (input.role == Role::attribute) forces->sites.names.push_back(input.name);
+    forces->thermal = forces->thermal || law.thermal;
+    if (law.thermal) return;
     forces->moving = forces->moving || law.moving;
+    forces->noisy = forces->noisy || draws_noise(law);
+    forces->workless = forces->workless || law.workless;
     forces->open = forces->open || !law.has_energy();
     forces->open_still = forces->open_still || !(law.has_energy() || law.moving);
   });

@@ -57,8 +57,6 @@ double change_members_apart(const World& world, Forces& forces);
 std::vector<std::uint32_t> sites_of_family(const Forces& forces, FamilyId family, std::span<const std::uint32_t> some);
 std::vector<std::uint32_t> sites_of_field(const World& world, const Forces& forces, const Field& field,
                                           std::span<const std::uint32_t> some);
-/// Evaluates laws that depend on velocities again, at the present ones.
-void run_moving_laws(World& world, Forces& forces);
 /// The particles of a point, body, particle or group, as they were made: some may sleep in hinges.
 std::vector<ParticleId> particles_of(const World& world, const AnyId& thing);
 /// Pairs of sites with no more than `steps` connections between them.
@@ -71,6 +69,14 @@ template <class Row>
 std::string law_in_place(const Row& row) {
   const bool own = row.law->name.find(':') != std::string::npos;
   return own || row.place_of_making.empty() ? row.law->name : row.place_of_making + ": " + row.law->name;
+}
+/// The same of laws at work.
+inline std::string law_at_work(const World& world, const ActingInteraction& a) {
+  return law_in_place(world.interactions[a.id]);
+}
+inline std::string law_at_work(const World& world, const ActingField& a) { return law_in_place(world.fields[a.id]); }
+inline std::string law_at_work(const World& world, const ActingConnections& a) {
+  return a.ids.empty() ? a.law->name : law_in_place(world.connections[a.ids[0]]);
 }
 /// The periodic box, or open space.
 Box box_of(const World& world);
@@ -90,18 +96,15 @@ Instant instant_of(const World& world, double time, std::uint64_t number);
 /// Values of a law's parameters; "step" is the length of the step [s], "boltzmann" k_B [J/K].
 std::vector<double> present_parameters(const World& world, const Law& law, const std::vector<double>& given);
 
-/// Laws that depend on velocities, and the others.
-struct Which {
-  bool moving, still;
-};
 /// Takes what forces have across a plane away.
 void keep_in_plane(const Plane& plane, Sites& sites);
-/// Adds the forces of one law at the present places and velocities.
-void run_law(const World& world, Forces& forces, ActingInteraction& acting);
-void run_law(const World& world, Forces& forces, ActingConnections& acting);
-void run_law(const World& world, Forces& forces, ActingField& acting);
-/// Adds the forces of the laws; gives the energy [J] of those that have one where it is asked for.
-double run_laws(const World& world, Forces& forces, const Instant& instant, Which which, bool with_energy);
+/// Adds the forces of one law at the present places and velocities, at an instant.
+void run_law(const World& world, Forces& forces, ActingInteraction& acting, const Instant& instant);
+void run_law(const World& world, Forces& forces, ActingConnections& acting, const Instant& instant);
+void run_law(const World& world, Forces& forces, ActingField& acting, const Instant& instant);
+/// Adds the forces of the laws that do not depend on velocities; gives the energy [J] of those that have one where it is
+/// asked for.
+double run_laws(const World& world, Forces& forces, const Instant& instant, bool with_energy);
 
 /// The forces of those that do not depend on velocities, at the present places.
 double run_still_laws(const World& world, Forces& forces, const Instant& instant, bool with_energy);

@@ -1,6 +1,9 @@
 #include "world/integrator.hpp"
 
+#include <algorithm>
 #include <array>
+
+#include "articulates/sub_steps.hpp"
 
 #include "laws/draws_noise.hpp"
 #include "model/path.hpp"
@@ -36,7 +39,7 @@ std::string law_that(const World& world, Is is) {
   return found;
 }
 
-bool depends_on_velocities(const Law& law) { return law.moving || (law.also && depends_on_velocities(*law.also)); }
+bool dissipates(const Law& law) { return (law.moving && !law.workless) || (law.also && dissipates(*law.also)); }
 
 bool is_asked(const World& world, const Connection& c, Solve solve) {
   return c.enabled && c.asked == solve && can_be_solved(world, c);
@@ -55,8 +58,8 @@ std::string what_dissipates(const World& world) {
   for (ConnectionId id : world.connections.ids())
     if (is_asked(world, world.connections[id], Solve::at_end))
       return text(why, describe(world, id), " is solved at the end of the step");
-  const std::string law = law_that(world, depends_on_velocities);
-  return law.empty() ? "" : text(why, law, " depends on velocities");
+  const std::string law = law_that(world, dissipates);
+  return law.empty() ? "" : text(why, law, " depends on velocities, and may take energy by it");
 }
 
 /// Its steps see noise at three instants with weights of their own, so that it would heat too little.
@@ -111,9 +114,18 @@ std::string try_accuracy(const World& world) {
               rule_of(world).divides ? "" : ", with scene.integrator = \"verlet\"");
 }
 
-void tell_unreached(World& world) {
+void tell_unreached(World& world, double rate, const std::string& by) {
+  world.stats.worst_unreached = std::max(world.stats.worst_unreached, rate);
   if (world.stats.unreached++ > 0) return;
-  log_line(world, "notice", "scene.accuracy is not reached: not even the most sub-steps are enough");
+  const bool per_step = world.settings.accuracy_per_step;
+  log_line(world, "warning",
+           text("scene.accuracy is not reached: ", sub_step_limit, " sub-steps of a step of ", world.settings.step,
+                " s leave an error of ", worst_missed(world), per_step ? " per step" : " per second",
+                ", relative to the size; ", by, " would need a shorter scene.step"));
+}
+
+double worst_missed(const World& world) {
+  return world.stats.worst_unreached * (world.settings.accuracy_per_step ? world.settings.step : 1.0);
 }
 
 std::uint32_t parts(const World& world) {

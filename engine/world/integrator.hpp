@@ -31,11 +31,15 @@ inline const IntegratorRule& rule_of(const World& world) { return rule_of(world.
 /// Throws Error where the integrator of the settings cannot move the world, or the accuracy needs another one.
 void require_integrator_fits(const World& world);
 
+/// Counts that not even the most sub-steps gave the accuracy, but an error of `rate` [1/s], by what: a law or a thing. Warns
+/// of the first.
+void tell_unreached(World& world, double rate, const std::string& by);
+
+/// The largest error of those, in the unit of the wanted one; 0 where none was missed.
+double worst_missed(const World& world);
+
 /// "; scene.accuracy = 1e-4 would …": what to try where steps are too long. Empty where it is set already.
 std::string try_accuracy(const World& world);
-
-/// Counts a step whose accuracy not even the most sub-steps gave, and tells of the first.
-void tell_unreached(World& world);
 
 /// Parts of the coming step.
 std::uint32_t parts(const World& world);

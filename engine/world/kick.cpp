@@ -5,66 +5,14 @@
 #include "world/forces.hpp"
 #include "world/forces_parts.hpp"
 #include "world/integrator.hpp"
+#include "world/mover_momenta.hpp"
+#include "world/velocity_kick.hpp"
 
 namespace pantin {
 
 namespace {
 
 constexpr std::uint32_t none = Forces::none;
-
-/// The momenta of a mover: after a drift those of its articulate's working copy, else of the model.
-struct Momenta {
-  Vec3* p = nullptr;  // [kg m/s], or of a free point
-  Vec3* v = nullptr;  // [m/s]
-  Vec3* P = nullptr;  // [kg m²/s] in principal axes; null where it cannot turn
-  Node* node = nullptr;
-  double inverse_mass = 0.0;
-  Vec3 inverse_inertia = zero3();
-  Quat q;
-  bool line = false;  // cannot turn about its first axis
-
-  Vec3 velocity() const { return v ? *v : *p * inverse_mass; }
-  Vec3 spin() const { return P ? rotate(q, *P * inverse_inertia) : zero3(); }
-  void add(Vec3 impulse, Vec3 twist) {
-    if (v)
-      *v += impulse * inverse_mass;
-    else
-      *p += impulse;
-    if (!P) return;
-    Vec3 turn = rotate(conjugate(q), twist);
-    if (line) turn[0] = 0.0;
-    *P += turn;
-    if (node) node->O0 = inverse_inertia * *P;
-  }
-};
-
-bool sleeps(const World& world, const Mover& m) {
-  return m.articulate >= 0 && world.articulates[static_cast<std::size_t>(m.articulate)]->rest.asleep;
-}
-
-Momenta momenta_of(World& world, const Mover& m, bool drifted) {
-  Momenta s;
-  if (m.is_body) {
-    Motion& motion = world.motion[m.slot];
-    s.p = &motion.p;
-    s.P = motion.freedom != Freedom::point ? &motion.angular : nullptr;
-    s.inverse_mass = 1.0 / motion.mass;
-    s.inverse_inertia = inverse_inertia(motion);
-    s.q = motion.q;
-    s.line = motion.freedom == Freedom::line;
-  } else {
-    s.v = &world.free_motion[m.slot].v;
-    s.inverse_mass = 1.0 / world.points.at_slot(m.slot).mass;
-  }
-  if (!drifted || m.articulate < 0) return s;
-  Node& n = world.articulates[static_cast<std::size_t>(m.articulate)]->nodes[m.node];
-  s.node = &n;
-  s.v = nullptr;
-  s.p = &n.p0;
-  s.P = s.P ? &n.P0 : nullptr;
-  s.q = n.q0;
-  return s;
-}
 
 /// Work of laws without energy [J].
 struct OpenWork {
@@ -107,7 +55,8 @@ OpenWork kick_points(World& world, Forces& f, double half) {
     const Vec3 damping = damping_of(f, i), mean = v + change * 0.5;
     work.damper += dot(damping, mean) * half;
     work.rest += dot(open - damping, mean) * half;
-    v += change;
+    // What is stopped is as it was solved: the sum would round it.
+    v = f.moving && f.velocity.theta[i] == 1.0 ? f.velocity.v[i] : v + change;
   }
   return work;
 }
@@ -116,7 +65,7 @@ KickWork kick_movers(World& world, Forces& f, double half, bool drifted) {
   KickWork work;
   for (const Mover& m : f.movers) {
     if (sleeps(world, m)) continue;
-    Momenta s = momenta_of(world, m, drifted);
+    MoverMomenta s = momenta_of(world, m, drifted);
     const Vec3 v = s.velocity(), spin = s.spin();
     s.add((m.force + m.open_force) * half, (m.torque + m.open_torque) * half);
     (m.articulate < 0 ? work.loose : work.tied) +=
@@ -130,7 +79,7 @@ OpenWork present_work(World& world, const Forces& f, double dt, bool drifted) {
   OpenWork work;
   for (const Mover& m : f.movers) {
     if (m.articulate < 0 || sleeps(world, m)) continue;
-    const Momenta s = momenta_of(world, m, drifted);
+    const MoverMomenta s = momenta_of(world, m, drifted);
     work += open_work(m, s.velocity() * dt, s.spin() * dt);
   }
   return work;
@@ -151,7 +100,7 @@ AlignedVector<Vec3> site_velocities(World& world, Forces& f, bool drifted) {
   for (std::size_t i = 0; i < f.sites.n; i++)
     if (f.point[i] != none) list[i] = world.free_motion[f.point[i]].v;
   for (const Attached& a : f.attached) {
-    const Momenta s = momenta_of(world, f.movers[a.mover], drifted);
+    const MoverMomenta s = momenta_of(world, f.movers[a.mover], drifted);
     list[a.site] = s.velocity() + cross(s.spin(), a.r);
   }
   return list;
@@ -189,7 +138,7 @@ void post_laws(World& world, Forces& f, const AlignedVector<Vec3>& before, const
   each_law(world, f, [&](const std::string& name, const Law& law, auto& acting) {
     if (!law.has_energy()) return;
     std::fill(f.sites.force.begin(), f.sites.force.end(), zero3());
-    run_law(world, f, acting);
+    run_law(world, f, acting, instant_of(world, world.time, world.instant));
     world.ledger.kicks[name] += work_of(f, before, after, half);
   });
   f.sites.force = force;
@@ -202,55 +151,6 @@ void post_forbidden(World& world, double joules) {
   world.ledger.posted += std::fabs(joules);
 }
 
-void save(World& world, Forces& f) {
-  f.half_v.resize(f.sites.n);
-  for (std::size_t i = 0; i < f.sites.n; i++)
-    if (f.point[i] != none) f.half_v[i] = world.free_motion[f.point[i]].v;
-  for (Mover& m : f.movers) {
-    const Momenta s = momenta_of(world, m, true);
-    m.half_p = s.v ? *s.v : *s.p;
-    m.half_P = s.P ? *s.P : zero3();
-  }
-}
-
-void restore_movers(World& world, Forces& f) {
-  for (Mover& m : f.movers) {
-    Momenta s = momenta_of(world, m, true);
-    (s.v ? *s.v : *s.p) = m.half_p;
-    if (s.P) *s.P = m.half_P;
-    s.add(zero3(), zero3());
-  }
-}
-
-void restore(World& world, Forces& f) {
-  for (std::size_t i = 0; i < f.sites.n; i++)
-    if (f.point[i] != none) world.free_motion[f.point[i]].v = f.half_v[i];
-  restore_movers(world, f);
-}
-
-/// Where the iteration u -> g(u) of a point's velocity goes to, from two of its steps, component by component (Aitken
-/// 1926): exact for a drag that is linear. Slopes of g above ½ are taken for ½: no drag has them.
-Vec3 limit(Vec3 u0, Vec3 u1, Vec3 u2) {
-  Vec3 result = u2;
-  for (int k = 0; k < 3; k++) {
-    const double step = u1[k] - u0[k];
-    if (step == 0.0) continue;
-    const double slope = std::fmin((u2[k] - u1[k]) / step, 0.5);
-    result[k] = u1[k] + (u2[k] - u1[k]) / (1.0 - slope);
-  }
-  return result;
-}
-
-/// Guesses the velocities at the end of the step: the limit of the guesses from the half step's and from one guess on.
-void improve(World& world, Forces& f, double half) {
-  for (std::size_t i = 0; i < f.sites.n; i++) {
-    if (f.point[i] == none) continue;
-    const Vec3 next = f.half_v[i] + (f.sites.force[i] + f.sites.open_force[i]) * (f.inverse_mass[i] * half);
-    Vec3& v = world.free_motion[f.point[i]].v;
-    v = limit(f.half_v[i], v, next);
-  }
-}
-
 }  // namespace
 
 void kick(World& world, double half) {
@@ -259,10 +159,11 @@ void kick(World& world, double half) {
   const bool drifted = world.part.index > 0, allowed = allowed_before(world);
   for (Mover& m : f.movers) {
     if (drifted) break;
-    const Momenta s = momenta_of(world, m, false);
+    const MoverMomenta s = momenta_of(world, m, false);
     m.start_p = s.v ? *s.v : *s.p;
     m.start_P = s.P ? *s.P : zero3();
   }
+  if (f.moving) solve_velocity_kick(world, f, half, time_within(world, world.part.from), {drifted, true});
   const AlignedVector<Vec3> before = site_velocities(world, f, drifted);
   const OpenWork present = present_work(world, f, half, drifted);
   OpenWork told = kick_points(world, f, half);
@@ -286,7 +187,7 @@ void kick_from_rest(World& world, const std::vector<char>& woken, double half) {
     if (m.articulate < 0 || !woken[static_cast<std::size_t>(m.articulate)]) continue;
     const NodePull& pull = world.articulates[static_cast<std::size_t>(m.articulate)]->rest.pulls[m.node];
     const Vec3 force = pull.force + pull.open_force, torque = pull.torque + pull.open_torque;
-    Momenta s = momenta_of(world, m, true);
+    MoverMomenta s = momenta_of(world, m, true);
     s.add(force * half, torque * half);
     given += (dot(pull.force, s.velocity()) + dot(pull.torque, s.spin())) * (0.5 * half);
     open.rest += (dot(pull.open_force, s.velocity()) + dot(pull.open_torque, s.spin())) * (0.5 * half);
@@ -303,10 +204,14 @@ void post_present_laws(World& world, double dt) {
   post_laws(world, *world.forces, present, present, dt);
 }
 
-void take_back_kick(World& world) {
+void put_back(World& world) {
+  for (std::size_t i = 0; i < world.loose_points.size(); i++)
+    world.free_motion[world.loose_points[i]] = world.saved_points[i];
+  for (std::size_t i = 0; i < world.loose_bodies.size(); i++)
+    world.motion[world.loose_bodies[i]] = world.saved_motion[i];
   if (!world.forces) return;
   for (const Mover& m : world.forces->movers) {
-    Momenta s = momenta_of(world, m, false);
+    MoverMomenta s = momenta_of(world, m, false);
     (s.v ? *s.v : *s.p) = m.start_p;
     if (s.P) *s.P = m.start_P;
   }
@@ -315,17 +220,7 @@ void take_back_kick(World& world) {
 void kick_to_end(World& world, double half) {
   if (!world.forces) return;
   Forces& f = *world.forces;
-  if (f.moving) {
-    save(world, f);
-    kick_points(world, f, half);
-    kick_movers(world, f, half, true);
-    run_moving_laws(world, f);
-    improve(world, f, half);
-    restore_movers(world, f);
-    kick_movers(world, f, half, true);
-    run_moving_laws(world, f);
-    restore(world, f);
-  }
+  if (f.moving) solve_velocity_kick(world, f, half, time_within(world, world.part.to), {true, false});
   f.kicked_from = site_velocities(world, f, true);
   OpenWork told = kick_points(world, f, half);
   const KickWork given = kick_movers(world, f, half, true);

@@ -45,7 +45,7 @@ std::optional<std::size_t> find(const World& world, const ActingConnections& act
 }  // namespace
 
 double law_energy(const World& world) {
-  return with_present_laws(world, [&](Forces& f) { return run_laws(world, f, present(world), {false, true}, true); });
+  return with_present_laws(world, [&](Forces& f) { return run_laws(world, f, present(world), true); });
 }
 
 std::optional<double> law_energy(const World& world, InteractionId id) {

@@ -146,7 +146,13 @@ double closure(const World& world) {
 std::map<std::string, double> truncation(const World& world) {
   const Ledger& l = world.ledger;
   std::map<std::string, double> list = {{"gravity", l.gravity_potential + l.gravity}};
-  for (const auto& [name, given] : law_ledger(world).given) {
+  const LawLedger laws = law_ledger(world);
+  if (!laws.without_energy.empty()) {
+    std::string names;
+    for (const std::string& name : laws.without_energy) names += (names.empty() ? "" : " + ") + name;
+    list[names] = -world.open_work_check.missed;
+  }
+  for (const auto& [name, given] : laws.given) {
     const auto before = l.before.find(name);
     const auto kicks = l.kicks.find(name);
     list[name] =

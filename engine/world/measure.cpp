@@ -8,6 +8,7 @@
 #include "world/deviation.hpp"
 #include "world/energy_scale.hpp"
 #include "world/forces.hpp"
+#include "world/work_check.hpp"
 
 namespace pantin {
 namespace {
@@ -178,7 +179,7 @@ Accuracy accuracy(const World& world) {
   a.constraint = std::fmax(a.constraint, a.hinge_gap);
   const Energy now = energy(world);
   if (const double scale = energy_scale(world, now); scale > 0.0 && world.steps > 0)
-    a.energy = std::fabs(now.total() - world.start_energy - world.work) / scale;
+    a.energy = (std::fabs(now.total() - world.start_energy - world.work) + std::fabs(missed_open_work(world))) / scale;
   return a;
 }
 

@@ -144,6 +144,7 @@ bool can_change_members(const World& world, const Forces& f) {
 }
 
 std::vector<std::uint32_t> change_members(const World& world, Forces& f) {
+  f.velocity.known = false;
   const std::vector<ParticleId> changed = living(world, std::move(f.changed));
   f.site_of.resize(world.particles.slots(), none);
   const Turnover turnover(world, f, changed);

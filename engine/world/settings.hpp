@@ -31,6 +31,7 @@ struct Settings {
   Vec3 gravity = vec(0, -9.81, 0);  ///< [m/s²]
   double step = 1.0 / 240.0;        ///< [s] > 0
   Integrator integrator = Integrator::verlet;
+  bool accuracy_per_step = false;  ///< `accuracy` is that of a step, not of a second
   std::optional<double> accuracy;  ///< [1/s] > 0: wanted error, relative to the sizes of things; none: fixed steps
   bool energy_return = true;       ///< give back what the velocity projection took
   double tolerance = 1e-6;  ///< points of a new hinge may be this far apart, relative to the size of their bodies

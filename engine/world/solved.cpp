@@ -121,12 +121,23 @@ std::vector<Give> gives(const World& world, const Forces& f) {
   return list;
 }
 
-/// A connection that could be solved, by its ends' sites, with the slope of its force [N/m].
+/// A connection that could be solved, by its ends' sites, with the slopes of its force by distance [N/m] and by rate
+/// [N s/m].
 struct Candidate {
   ConnectionId id;
   std::uint32_t a, b;
-  double slope;
+  double slope, damping;
 };
+
+/// (connections) how much the force changes with the rate of the distance [N s/m].
+std::vector<double> dampings(const World& world, const Forces& f, const ActingConnections& acting) {
+  std::vector<double> list(acting.ids.size(), 0.0);
+  if (!acting.law->moving) return list;
+  std::vector<VelocityPair> pairs;
+  acting.bonds.list_slopes(f.sites, box_of(world), instant_of(world, world.time, world.instant), {}, pairs);
+  for (std::size_t k = 0; k < pairs.size(); k++) list[acting.bonds.number(k)] = std::fabs(trace(pairs[k].slope));
+  return list;
+}
 
 std::vector<Candidate> candidates(const World& world, Forces& f) {
   std::vector<Candidate> list;
@@ -136,10 +147,11 @@ std::vector<Candidate> candidates(const World& world, Forces& f) {
     Bonds slopes(slope_of(*acting.law), f.sites.names, *world.workers);
     slopes.arrange(acting.ties, f.sites);
     slopes.add_forces(f.sites, box_of(world), instant_of(world, world.time, world.instant), {}, *world.workers);
+    const std::vector<double> damping = dampings(world, f, acting);
     for (std::size_t k = 0; k < acting.ids.size(); k++) {
       const std::uint32_t a = acting.ties.sites[2 * k], b = acting.ties.sites[2 * k + 1];
       const double slope = slopes.pull(k, f.sites, box_of(world));
-      if (std::isfinite(slope)) list.push_back({acting.ids[k], a, b, slope});
+      if (std::isfinite(slope)) list.push_back({acting.ids[k], a, b, slope, damping[k]});
     }
   }
   f.sites.force = force;
@@ -154,21 +166,24 @@ bool find_too_stiff(World& world, Forces& f) {
   const std::vector<Candidate> list = candidates(world, f);
   const std::vector<Give> give = gives(world, f);
   std::vector<double> sums(f.sites.n, 0.0);
-  const double h2 = world.part.full * world.part.full;
+  const double h = world.part.full;
   for (const Candidate& c : list)
-    for (std::uint32_t site : {c.a, c.b}) sums[site] += h2 * c.slope * give[site].mobility;
+    for (std::uint32_t site : {c.a, c.b}) sums[site] += h * h * c.slope * give[site].mobility;
   std::vector<const Law*> told;
   for (const Candidate& c : list) {
     Connection& row = world.connections[c.id];
     const double limit = give[c.a].held || give[c.b].held ? 0.01 : 2.5;
-    if (row.too_stiff || sums[c.a] + sums[c.b] <= limit || !can_be_solved(world, row)) continue;
+    const bool stiff = sums[c.a] + sums[c.b] > limit;
+    const bool strong = h * c.damping * (give[c.a].mobility + give[c.b].mobility) > 1.0;
+    if (row.too_stiff || !(stiff || strong) || !can_be_solved(world, row)) continue;
     row.too_stiff = true;
     if (std::find(told.begin(), told.end(), row.law.get()) != told.end()) continue;
     told.push_back(row.law.get());
-    log_line(world, "notice",
-             text(law_in_place(row), ": connections as stiff as ", describe(world, c.id), " (", c.slope,
-                  " N/m) are solved with what they tie, since steps of ", world.part.full, " s are too long for them",
-                  try_accuracy(world)));
+    log_line(
+        world, "notice",
+        text(law_in_place(row), ": connections as ", stiff ? "stiff" : "strongly damped", " as ", describe(world, c.id),
+             " (", stiff ? c.slope : c.damping, stiff ? " N/m" : " N s/m",
+             ") are solved with what they tie, since steps of ", h, " s are too long for them", try_accuracy(world)));
   }
   return !told.empty();
 }

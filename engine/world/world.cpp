@@ -2,6 +2,7 @@
 
 #include "articulates/sub_steps.hpp"
 #include "base/parallel.hpp"
+#include "world/attempt.hpp"
 #include "world/forces.hpp"
 
 namespace pantin {

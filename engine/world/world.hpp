@@ -24,6 +24,7 @@ namespace pantin {
 
 struct Articulate;
 struct Forces;
+struct StepStart;
 struct Trial;
 class Workers;
 
@@ -93,14 +94,26 @@ struct Stats {
   std::uint64_t safe_steps = 0;
   std::uint64_t projections = 0;  ///< velocity projections that needed a factor of their own
   std::uint32_t worst_iterations = 0;
-  std::uint64_t unreached = 0;  ///< steps of articulates in which not even the most sub-steps gave the accuracy
+  std::uint64_t unreached = 0;   ///< times that not even the most sub-steps gave the accuracy
+  std::uint64_t rejected = 0;    ///< times that a step was done again with more sub-steps
+  double worst_unreached = 0.0;  ///< [1/s] largest error rate told then
+};
+
+/// Parts of steps in which the work of laws without energy was held against a second estimate, each with the weight of those
+/// that it stands for [J].
+struct OpenWorkCheck {
+  double missed = 0.0;   ///< that less what was given
+  double squares = 0.0;  ///< [J²] of the parts
+  double sizes = 0.0;    ///< magnitudes
+  double done = 0.0;     ///< magnitudes of the work
 };
 
 /// How wrong the state is.
 struct Accuracy {
   double hinge_gap = 0.0;   ///< [m] largest distance between points of one hinge, and of nails and rigid follows
   double constraint = 0.0;  ///< [m] the same with rods
-  double energy = 0.0;      ///< |energy - start - work from outside| / largest kinetic energy so far
+  double energy = 0.0;  ///< |energy - start - work from outside| / largest kinetic energy so far, and what of that work
+                        ///< a second estimate does not find
 };
 
 /// What a step is doing: a part of it, from one evaluation of the forces to the next.
@@ -141,6 +154,7 @@ struct WorldData : Model {
   bool stiffness_unknown = true;                ///< an edit may have made connections too stiff for explicit steps
   Ledger ledger;
   double open_work = 0.0;  ///< [J] done by laws without energy that do not depend on velocities; part of `work`
+  OpenWorkCheck open_work_check;
 
   Stats stats;
   Accuracy error;                ///< at the end of the last step
@@ -174,6 +188,7 @@ struct World : WorldData {
   std::vector<std::unique_ptr<Articulate>> articulates;  ///< in the order of their smallest serial
   std::unique_ptr<Forces> forces;                        ///< of the laws; null where none acts
   std::vector<std::unique_ptr<Trial>> trials;            ///< (threads) of sub-steps
+  std::unique_ptr<StepStart> start;                      ///< of a step that may have to be done again
   std::unique_ptr<Workers> workers;                      ///< threads
   Profile profile;
 

@@ -65,7 +65,7 @@ function quat_methods:inverse() end
 ---@field merge number [J] lost by what became one body
 ---@field emitter number [J] by particles that emitters made
 ---@field removal number [J] by things removed
----@field damper number [J] by laws that depend on velocities (dampers, drag, wind, thermostats), and what springs swallow that are solved at the end of the step
+---@field damper number [J] by laws that depend on velocities (dampers, drag, wind, thermostats) but for those that do no work by it, as v × B, and what springs swallow that are solved at the end of the step
 ---@field law_edit number [J] by laws made, changed and removed, and attributes that follow an age
 ---@field sleep number [J] that articulates still had which fell asleep
 ---@field projection number [J] taken by the projection of velocities, since it is kept
@@ -76,7 +76,7 @@ function quat_methods:inverse() end
 ---@field since number? [s] when all began to be kept; nil, and so the fields below: not yet
 ---@field gravity number? [J] given to the motion since then
 ---@field closure number? what no line explains of the kinetic energy, relative to all lines: a test of the program
----@field truncation table<string, number>? [J] error of the steps for each law and gravity: change of its energy, and what it gave
+---@field truncation table<string, number>? [J] error of the steps for each law and gravity: change of its energy, and what it gave; of laws without energy, together: what they gave beyond a second estimate along the way
 
 ---@class Stats
 ---@field steps integer
@@ -88,6 +88,8 @@ function quat_methods:inverse() end
 ---@field factorisations integer
 ---@field halved_steps integer
 ---@field safe_steps integer
+---@field rejected_steps integer steps that were done again with more sub-steps, as `scene.accuracy` wants
+---@field missed_accuracy number largest error where not even the most sub-steps gave what `scene.accuracy` wants, in its unit; 0 where none was missed
 ---@field projections integer
 ---@field sub_steps integer of the whole scene in its last step, as `scene.accuracy` wants
 ---@field most_sub_steps integer the most of any body or articulate, those of the scene included
@@ -815,6 +817,7 @@ local Snapshot = {}
 ---@field gravity vec [m/s²] uniform acceleration
 ---@field step number [s] length of one step
 ---@field accuracy number? [1/s] wanted error per second, relative to the sizes of things; sub-steps follow from it
+---@field accuracy_per string whether `accuracy` is that of a "second" or of a "step", as where a scene lasts microseconds
 ---@field integrator string "verlet" (2nd order), "implicit" (the same with connections of any stiffness), "suzuki4" (4th order, where nothing dissipates), "rk4" (4th order, no constraints), "euler" (1st order, semi-implicit; free particles as with "verlet")
 ---@field energy_return boolean give back what the velocity projection took
 ---@field box vec? [m] edges of the periodic box; nil: open space
@@ -1353,7 +1356,7 @@ function force.buoyancy(options) end
 ---@field temperature number [K] T
 ---@field name? string in the ledger
 
-----γ m v + sqrt(2 γ m k T / h) noise, k Boltzmann's constant and h the step of the scene: free particles spread as at T at any γ h, while their velocities at the ends of steps are those of T / (1 + γ h / 2) (P. Langevin, C. R. Acad. Sci. 146, 1908, p. 530; discrete: A. Brünger, C. L. Brooks and M. Karplus, Chem. Phys. Lett. 105, 1984, p. 495)
+----γ m v + sqrt(2 γ m k T / h) noise, k Boltzmann's constant and h the step of the scene, in the middle of each drift: particles in a harmonic well spread as at T at any step, and free ones have its velocities (P. Langevin, C. R. Acad. Sci. 146, 1908, p. 530; the splitting BAOAB: B. Leimkuhler and C. Matthews, Appl. Math. Res. Express 2013, p. 34)
 ---@param options ThermostatOptions
 ---@return Law
 function force.thermostat(options) end
@@ -1363,7 +1366,7 @@ function force.thermostat(options) end
 ---@field stiffness number [N/m] k
 ---@field damping? number [N s/m] c; 0
 ---@field friction? number μ; 0
----@field slip? number [m/s] speed below which friction is less than full; 0.01
+---@field slip? number [m/s] speed below which friction is less than full; 1e-06
 ---@field name? string in the ledger
 
 ---a ball that reaches behind a plane is pushed out: N = max(k overlap - c v_n, 0), with friction μ N against its sliding v, as v / sqrt(v² + slip²) (P. A. Cundall and O. D. L. Strack, Géotechnique 29, 1979, p. 47)

@@ -1,7 +1,7 @@
 -- Theo Jansen's walking mechanism: six legs on one crank, all in a plane. Turn its speed, or drag it by any joint.
 scene.title = "Strandbeest"
 scene.duration = 20
-scene.plane, scene.step = "xy", 1 / 480
+scene.plane, scene.step = "xy", 1 / 600
 
 local speed = scene:param("speed", 2, { min = -6, max = 6, help = "of the crank, rad/s" })
 
@@ -54,6 +54,6 @@ for n, pin in ipairs(pins) do
     lower[3].particle.family = feet
   end
 end
-scene:field(feet, force.wall { through = vec(0, 0, 0), normal = vec(0, 1, 0), stiffness = 5e3, damping = 30, friction = 0.8 })
+scene:field(feet, force.wall { through = vec(0, 0, 0), normal = vec(0, 1, 0), stiffness = 5e3, damping = 30, friction = 0.8, slip = 0.01 })
 scene.camera = { at = vec(0.3, 1.2, 3.5), look_at = vec(0, 0.7, 0), follow = chassis }
 scene:probe("way", function() return chassis.position.x end)

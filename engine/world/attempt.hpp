@@ -1,0 +1,32 @@
+#pragma once
+// A step whose error is above `scene.accuracy` is done again with more sub-steps, from the state kept at its start.
+#include "articulates/articulate.hpp"
+#include "world/world.hpp"
+
+namespace pantin {
+
+/// What a step changes, beside loose things, which World keeps in any case.
+struct StepStart {
+  bool kept = false;
+  std::vector<Articulate> articulates;
+  Ledger ledger;
+  Stats stats;
+  double work = 0.0, open_work = 0.0;  // [J]
+  OpenWorkCheck open_work_check;
+  std::uint64_t instant = 0;
+};
+
+/// The wanted error [1/s], relative to sizes; `accuracy` must be set.
+double wanted_accuracy(const World& world);
+
+/// Keeps what a step changes before its end, where it may have to be done again.
+void keep_start(World& world);
+/// After a part of a step: notes its error.
+void note_error(World& world);
+/// Whether the error is above what is wanted, and more sub-steps may be had.
+bool misses_accuracy(const World& world);
+/// After the parts of a step: whether it is to be done again; all is then as it was at its start, with more sub-steps. Else
+/// chooses those of the next step, and tells where not even the most are enough.
+bool is_to_be_done_again(World& world);
+
+}  // namespace pantin

@@ -1,0 +1,96 @@
+#include "world/work_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/random.hpp"
+#include "world/forces_parts.hpp"
+#include "world/integrator.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr std::uint32_t none = Forces::none;
+constexpr double one_in = 192.0;  // parts that are looked at
+constexpr double much = 0.3;      // of the largest kinetic energy
+
+bool is_checked(const World& world) {
+  return world.forces && world.forces->open && !world.forces->noisy && rule_of(world).kicks && !world.settings.box;
+}
+
+double done_by_open_laws(const World& world) {
+  return world.open_work + world.ledger.given[static_cast<std::size_t>(Source::damper)];
+}
+
+/// A function of the part alone, so that a run is repeated.
+bool is_drawn(const World& world) {
+  Random random{world.settings.seed, world.instant};
+  return random.uniform() < 1.0 / one_in;
+}
+
+/// Forces of the laws without energy `at` a fraction of the way, each with the mean velocity on it [N] (sites).
+AlignedVector<Vec3> forces_on_way(World& world, Forces& f, const AlignedVector<Vec3>& end,
+                                  const std::vector<Vec3>& ways, double at) {
+  for (std::size_t i = 0; i < f.sites.n; i++) {
+    f.sites.x[i] = end[i] - ways[i] * (1.0 - at);
+    f.sites.v[i] = ways[i] / world.part.h;
+  }
+  std::fill(f.sites.open_force.begin(), f.sites.open_force.end(), zero3());
+  const double time = world.part.from + at * (world.part.to - world.part.from);
+  const Instant instant = instant_of(world, time_within(world, time), world.instant);
+  each_law(world, f, [&](const std::string&, const Law& law, auto& acting) {
+    if (!law.has_energy()) run_law(world, f, acting, instant);
+  });
+  return f.sites.open_force;
+}
+
+}  // namespace
+
+void note_open_forces(World& world) {
+  if (!is_checked(world)) return;
+  Forces& f = *world.forces;
+  f.done = done_by_open_laws(world);
+  f.open_from.resize(world.particles.slots());
+  for (std::size_t i = 0; i < f.sites.n; i++)
+    if (f.sites.particle[i] != none) f.open_from[f.sites.particle[i]] = f.sites.x[i] + f.image[i];
+}
+
+void check_open_work(World& world) {
+  if (!is_checked(world)) return;
+  Forces& f = *world.forces;
+  const double done = std::fabs(done_by_open_laws(world) - f.done);
+  const bool large = done > much * world.largest_kinetic;
+  if (f.open_from.size() < world.particles.slots() || !(large || is_drawn(world))) return;
+  const auto x = f.sites.x, v = f.sites.v, force = f.sites.force, open = f.sites.open_force;
+  std::vector<Vec3> ways(f.sites.n, zero3());
+  for (std::size_t i = 0; i < f.sites.n; i++)
+    if (f.sites.particle[i] != none) ways[i] = x[i] + f.image[i] - f.open_from[f.sites.particle[i]];
+  const auto from = forces_on_way(world, f, x, ways, 0.0), middle = forces_on_way(world, f, x, ways, 0.5),
+             to = forces_on_way(world, f, x, ways, 1.0);
+  double missed = 0.0, all = 0.0;
+  for (std::size_t i = 0; i < f.sites.n; i++) {
+    if (f.sites.particle[i] == none) continue;
+    const Vec3 ends = (from[i] + to[i]) * 0.5;
+    missed += 2.0 / 3.0 * dot(ways[i], middle[i] - ends);
+    all += std::fabs(dot(ways[i], ends));
+  }
+  f.sites.x = x;
+  f.sites.v = v;
+  f.sites.force = force;
+  f.sites.open_force = open;
+  const double weight = large ? 1.0 : one_in;
+  OpenWorkCheck& c = world.open_work_check;
+  c.missed += weight * missed;
+  c.squares += weight * weight * missed * missed;
+  c.sizes += weight * std::fabs(missed);
+  c.done += weight * all;
+}
+
+double missed_open_work(const World& world) {
+  const OpenWorkCheck& c = world.open_work_check;
+  const bool one_sign = std::fabs(c.missed) > 4.0 * std::sqrt(c.squares), large = c.sizes > 0.1 * c.done;
+  return one_sign || large ? c.missed : 0.0;
+}
+
+}  // namespace pantin

@@ -1,0 +1,128 @@
+--- scene.accuracy is kept, or it is said that it is not: against Runge and Kutta's fourth-order steps, written here.
+
+--- State after `time` [s] of y' = f(t, y), from `y`, in `steps`.
+local function runge_kutta(f, y, time, steps)
+  local h = time / steps
+  local function moved(k, by)
+    local z = {}
+    for i = 1, #y do z[i] = y[i] + by * k[i] end
+    return z
+  end
+  for n = 0, steps - 1 do
+    local t = n * h
+    local a = f(t, y)
+    local b = f(t + h / 2, moved(a, h / 2))
+    local c = f(t + h / 2, moved(b, h / 2))
+    local d = f(t + h, moved(c, h))
+    for i = 1, #y do y[i] = y[i] + h / 6 * (a[i] + 2 * b[i] + 2 * c[i] + d[i]) end
+  end
+  return y
+end
+
+--- A particle of 1 kg in a plane, under the acceleration that `law` gives and the Lua function `acceleration` repeats.
+local cases = {
+  { name = "a force of time from rest", at = { 0, 0 }, velocity = { 0, 0 }, size = 0.2,
+    law = "scene:field(scene, force.point { force = function(p, own, t) return vec(60 * math.cos(25 * t), 0, 0) end })",
+    acceleration = function(t) return 60 * math.cos(25 * t), 0 end },
+  { name = "v × B", at = { 1, 0 }, velocity = { 0, 1 }, size = 0.1,
+    law = "scene:field(scene, force.point { force = function(p) return p.velocity:cross(vec(0, 0, 20)) end })",
+    acceleration = function(_, _, _, u, v) return 20 * v, -20 * u end },
+  { name = "a quartic well from rest", at = { 1, 0 }, velocity = { 0, 0 }, size = 2,
+    law = "scene:field(scene, force.point { potential = function(p) return 4 * p.position.x ^ 4 end })",
+    acceleration = function(_, x) return -16 * x ^ 3, 0 end },
+  { name = "a spring of 1e6 N/m", at = { 1, 0 }, velocity = { 0, 0 }, size = 2, time = 0.1,
+    law = "scene:field(scene, force.point { potential = function(p) return 5e5 * p.position.x ^ 2 end })",
+    acceleration = function(_, x) return -1e6 * x, 0 end },
+  { name = "an orbit of eccentricity 0.9", at = { 1.9, 0 }, velocity = { 0, 10 * math.sqrt(0.1 / 1.9) }, size = 2,
+    law = "scene:connect(p, vec(0, 0, 0), force.pair { potential = function(r) return -100 / r end })",
+    acceleration = function(_, x, y)
+      local r3 = (x * x + y * y) ^ 1.5
+      return -100 * x / r3, -100 * y / r3
+    end },
+  { name = "a fly-by of charges", at = { -3, 0.02 }, velocity = { 6, 0 }, size = 6,
+    law = "scene:connect(p, vec(0, 0, 0), force.pair { potential = function(r) return 10 / r end })",
+    acceleration = function(_, x, y)
+      local r3 = (x * x + y * y) ^ 1.5
+      return 10 * x / r3, 10 * y / r3
+    end },
+  { name = "friction as a tanh", at = { 0, 0 }, velocity = { 3, 0 }, size = 0.5,
+    law = "scene:field(scene, force.point { force = function(p) return vec(-4 * math.tanh(p.velocity.x / 0.5), 0, 0) end })",
+    acceleration = function(_, _, _, u) return -4 * math.tanh(u / 0.5), 0 end },
+  { name = "a ball on a stiff spring that drags", at = { 0, 1 }, velocity = { 0, 0 }, size = 1,
+    law = [[scene:field(scene, force.point { force = function(p)
+      local y = p.position.y
+      return vec(0, where(y < 0, math.max(-1e4 * y - 3 * p.velocity.y, 0), 0) - 9.81, 0)
+    end })]],
+    acceleration = function(_, _, y, _, v) return 0, (y < 0 and math.max(-1e4 * y - 3 * v, 0) or 0) - 9.81 end },
+}
+
+for _, case in ipairs(cases) do
+  test("accuracy is kept, or missed aloud: " .. case.name, function()
+    local time = case.time or 1
+    local function slope(t, y)
+      local ax, ay = case.acceleration(t, y[1], y[2], y[3], y[4])
+      return { y[3], y[4], ax, ay }
+    end
+    local exact = runge_kutta(slope, { case.at[1], case.at[2], case.velocity[1], case.velocity[2] }, time, 200000)
+    for _, accuracy in ipairs { 1e-4, 1e-6 } do
+      local scene = open_text(([[
+        scene.gravity, scene.step, scene.accuracy = vec(0, 0, 0), 1 / 100, %g
+        local p = scene:particle { mass = 1, at = vec(%.17g, %.17g, 0), velocity = vec(%.17g, %.17g, 0), name = "p" }
+      ]]):format(accuracy, case.at[1], case.at[2], case.velocity[1], case.velocity[2]) .. case.law)
+      scene:advance(time)
+      local at = scene:find("p").position
+      local error = math.sqrt((at.x - exact[1]) ^ 2 + (at.y - exact[2]) ^ 2) / case.size / time
+      local said = false
+      for _, line in ipairs(scene.log) do said = said or line.text:find("scene.accuracy is not reached", 1, true) end
+      if not said then expect(error):below(2 * accuracy) end
+    end
+  end)
+end
+
+test("a step in which two meet at 30 m/s is done again, and leaves them with each other's velocity or a warning", function()
+  local scene = open_text [[
+    scene.gravity, scene.accuracy = vec(0, 0, 0), 1e-3
+    local f = scene:family("f", { mass = 1 })
+    scene:particle { family = f, at = vec(-3.00046, 0, 0), velocity = vec(30, 0, 0), name = "p" }
+    scene:particle { family = f, at = vec(0, 0, 0), name = "q" }
+    scene:interact(f, f, force.wca { epsilon = 100, sigma = 0.02 })
+  ]]
+  scene:advance(0.2)
+  expect(scene:find("q").velocity.x):near(30, 0.03)
+  expect(scene:find("p").velocity.x):near(0, 0.03)
+  expect(scene.stats.rejected_steps):above(0)
+end)
+
+test("what has nothing to do with the others takes no sub-step from them", function()
+  local function sub_steps(more)
+    local scene = open_text([[
+      scene.gravity, scene.step, scene.accuracy = vec(0, 0, 0), 1 / 100, 1e-4
+      local p = scene:particle { at = vec(1, 0, 0) }
+      scene:connect(p, vec(0, 0, 0), force.spring { stiffness = 40, length = 0 })
+    ]] .. more)
+    scene:advance(1)
+    return scene.stats.sub_steps
+  end
+  local alone = sub_steps ""
+  expect(alone):above(1)
+  for _, more in ipairs {
+    "scene:field(scene, force.drag { linear = 1e-9 })",
+    "scene:connect(scene:particle { at = vec(1e4, 0, 0) }, vec(1e4, 1, 0), force.spring { stiffness = 1 })",
+    "for i = 1, 100 do scene:connect(scene:particle { at = vec(i, 5, 0) }, vec(i, 6, 0), force.spring { stiffness = 1 }) end",
+    "scene:field(scene, force.thermostat { rate = 1e-9, temperature = 1e-9 })",
+  } do
+    expect(sub_steps(more)):above(alone - 1)
+  end
+end)
+
+test("accuracy asked of a step serves a scene of microseconds", function()
+  local scene = open_text [[
+    scene.gravity, scene.step, scene.accuracy, scene.accuracy_per = vec(0, 0, 0), 1e-7, 1e-6, "step"
+    local p = scene:particle { at = vec(1e-6, 0, 0), name = "p" }
+    scene:connect(p, vec(0, 0, 0), force.spring { stiffness = 1e12, length = 0 })
+  ]]
+  scene:advance(1e-5)
+  expect(scene:find("p").position.x / 1e-6):near(math.cos(10), 1e-3)
+  expect(scene.stats.sub_steps):below(33)
+  expect(function() open_text 'scene.accuracy_per = "hour"' end):fails 'accuracy_per must be "second" or "step"'
+end)
