@@ -2,8 +2,9 @@
 //   middle: e = d0 + d1. Of a law with an energy V(s), s = d², Q = ΔV/Δs: f·Δd = -ΔV exactly (discrete gradient;
 //     Gonzalez 1996), for a small Δs by Gauss' rule. Without an energy, 2 Q = tension/distance at the mean distance and
 //     rate: f·Δd = -tension Δr.
-//   end: e = d1, Q = tension/distance at the end of the step, with the rate there, 2 Δr/h less that at its start. So are
-//     dampers that are too strong for the step, which the middle would turn round: those with h c / m above 1.
+//   end: e = d1, Q = tension/distance at the end of the step, with the rate there, 2 Δr/h less that at its start. A damper
+//     that is too strong for the step, with h c / m above 1, the middle would turn round: it and what acts with it have the
+//     tension of the end along d0 + d1, which keeps the angular momentum.
 // Newton's row is M (change of d1) + C df = -residual with M = Σ Q 1 + e ∇Q', C = 1, all divided by what makes it metres.
 #include "articulates/stiff.hpp"
 
@@ -76,7 +77,6 @@ void make_stiff(const Model& model, ConnectionId id, Row& row, Condition& condit
   const Vec3 d = position(model, tie.a) - (tie.b ? position(model, tie.b) : condition.whole1);
   tie.least2 = 1e-24 * (norm2(d) > 0.0 ? norm2(d) : 1.0);
   for (auto law = c.law; law; law = law->also) tie.curves.emplace_back(*law);
-  tie.at_end.resize(tie.curves.size());
   for (auto* column : {&tie.energy0, &tie.energy1, &tie.pulls, &condition.given}) column->resize(tie.curves.size());
   row.f = direction(d) * -c.tension;
 }
@@ -95,17 +95,23 @@ void start_stiff(StiffTie& tie, const Row& row, double approach) {
 
 namespace {
 
-/// Chooses where in the step each curve is taken.
-void choose(StiffTie& tie, double s0, const RowContext& context) {
+/// Whether a damper is too strong for the middle of the step.
+bool is_strong(StiffTie& tie, double s0, const RowContext& context) {
   tie.chosen = true;
-  for (std::size_t i = 0; i < tie.curves.size(); i++) {
-    PairCurve& curve = tie.curves[i];
-    tie.at_end[i] = tie.solve == Solve::at_end;
-    if (tie.at_end[i] || curve.has_energy() || !curve.is_moving()) continue;
+  double damping = 0.0;  // [N s/m]
+  for (PairCurve& curve : tie.curves) {
+    if (curve.has_energy() || !curve.is_moving()) continue;
     curve.run(1, &s0, std::sqrt(s0) * tie.rate0);
-    const double damping = s0 * curve.at(0).by_approach;  // [N s/m]
-    tie.at_end[i] = std::fabs(context.h) * damping * context.mobility > 1.0;
+    damping += s0 * curve.at(0).by_approach;
   }
+  return std::fabs(context.h) * damping * context.mobility > 1.0;
+}
+
+/// The same force along the mean of both distances, where it turns nothing.
+Pull along_mean(Pull p, const Row& row, double r1) {
+  const Vec3 e = row.d0 + row.d1;
+  const double length = std::fmax(norm(e), 1e-12 * r1), cosine = dot(e, row.d1) / (length * r1);
+  return {p.Q * r1 / length, (p.slope * r1 * r1 / length + p.Q / length - p.Q * r1 * cosine / (length * length)) / r1};
 }
 
 }  // namespace
@@ -114,18 +120,21 @@ double evaluate_stiff(Row& row, Condition& c, const RowContext& context) {
   StiffTie& tie = *c.stiff;
   const double s0 = std::fmax(norm2(row.d0), tie.least2), s1 = std::fmax(norm2(row.d1), tie.least2);
   const double r0 = std::sqrt(s0), r1 = std::sqrt(s1);
-  if (!tie.chosen) choose(tie, s0, context);
+  if (!tie.chosen) tie.strong = tie.solve == Solve::at_middle && is_strong(tie, s0, context);
   Vec3 missed = row.f, bent = zero3();
-  double Q = 0.0, stiffness = 0.0;
+  double Q = 0.0, stiffness = 0.0, sizes = 0.0;
   for (std::size_t i = 0; i < tie.curves.size(); i++) {
     PairCurve& curve = tie.curves[i];
-    const Pull p = tie.at_end[i]        ? at_end(curve, r0, r1, tie.rate0, context.h, tie.energy1[i])
-                   : curve.has_energy() ? of_energy(curve, s0, s1, tie.energy0[i], tie.energy1[i])
-                                        : at_mean(curve, r0, r1, context.h);
-    const Vec3 e = tie.arm(row, i);
+    const bool ends = tie.strong || tie.solve == Solve::at_end;
+    Pull p = ends                 ? at_end(curve, r0, r1, tie.rate0, context.h, tie.energy1[i])
+             : curve.has_energy() ? of_energy(curve, s0, s1, tie.energy0[i], tie.energy1[i])
+                                  : at_mean(curve, r0, r1, context.h);
+    if (tie.strong) p = along_mean(p, row, r1);
+    const Vec3 e = tie.arm(row);
     missed += e * p.Q;
     bent += e * p.slope;
     Q += p.Q;
+    sizes += std::fabs(p.Q) * norm(e);
     stiffness += std::fabs(p.slope) * norm(e) * r1;
     tie.pulls[i] = p.Q;
   }
@@ -138,7 +147,8 @@ double evaluate_stiff(Row& row, Condition& c, const RowContext& context) {
   // What is missed does work that no energy knows of: it counts as the gap that would do as much.
   const double least = 2e-3 * norm(way) / (context.h * context.h * context.mobility);
   const double work = std::fabs(dot(missed, way));
-  return std::fmax(norm(row.residual), work > 0.0 ? work / std::fmax(norm(row.f), least) : 0.0);
+  const double force = tie.strong ? sizes : norm(row.f);  // a damper and a spring that are in balance round as each does
+  return std::fmax(norm(row.residual), work > 0.0 ? work / std::fmax(force, least) : 0.0);
 }
 
 bool StiffTie::is_open() const {
@@ -155,9 +165,10 @@ double StiffTie::settle(const Row& row, std::vector<double>& given) const {
   const Vec3 way = row.d1 - row.d0;
   double open = 0.0, rest = dot(row.f, way);
   for (std::size_t i = 0; i < curves.size(); i++) {
-    const double work = -pulls[i] * dot(arm(row, i), way), rise = energy1[i] - energy0[i];
+    const double work = -pulls[i] * dot(arm(row), way), rise = energy1[i] - energy0[i];
     rest -= work;
-    const double from_energy = !curves[i].has_energy() ? 0.0 : solve == Solve::at_middle ? work : -rise;
+    const bool exact = solve == Solve::at_middle && !strong;
+    const double from_energy = !curves[i].has_energy() ? 0.0 : exact ? work : -rise;
     given[i] += from_energy;
     open += work - from_energy;
   }

@@ -15,13 +15,12 @@ struct StiffTie {
   std::vector<double> energy0, energy1;  // (curves) [J] at the start and end of the step being solved
   double least2 = 0.0;                   // [m²] below it distances count as equal to its root
   double rate0 = 0.0;                    // [m/s] of the distance at the start
-  std::vector<double> pulls;             // (curves) [N/m] f = -Σ pull e, e as `arm` says
-  std::vector<char> at_end;              // (curves) whether they are taken at the end of the step, not at its middle
-  bool chosen = false;                   // that, for the step being solved
+  std::vector<double> pulls;             // (curves) [N/m] f = -Σ pull e
+  bool strong = false;                   // a damper is too strong for the middle of the step being solved
+  bool chosen = false;                   // whether that is known
 
-  /// d0 + d1 at the middle, d1 at the end [m].
-  Vec3 arm(const Row& row, std::size_t curve) const { return at_end[curve] ? row.d1 : row.d0 + row.d1; }
-
+  /// e: d0 + d1 at the middle, and of strong dampers; d1 at the end [m].
+  Vec3 arm(const Row& row) const { return solve == Solve::at_middle ? row.d0 + row.d1 : row.d1; }
   /// Whether it takes energy or gives it.
   bool is_open() const;
   /// Whether it takes energy by its nature: it depends on velocities, or swallows at the end of the step.

@@ -42,7 +42,9 @@ class Finder {
     const Vec3 way = d1 - d0;
     const double way2 = norm2(way), at = way2 > 0.0 ? -dot(d0, way) / way2 : 0.0;
     if (!(at > 0.0 && at < 1.0)) return;
-    const Vec3 d = d0 + way * at;
+    Vec3 d = d0 + way * at;
+    if (const double least = 1e-3 * std::sqrt(way2); norm(d) < least)
+      d = direction(d1) * least;  // a law needs a direction
     if (norm(d) < nearer * std::min(norm(d0), norm(d1))) passed_.push_back({a, b, d, tie});
   }
 

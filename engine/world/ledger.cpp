@@ -150,7 +150,8 @@ std::map<std::string, double> truncation(const World& world) {
   if (!laws.without_energy.empty()) {
     std::string names;
     for (const std::string& name : laws.without_energy) names += (names.empty() ? "" : " + ") + name;
-    list[names] = -world.open_work_check.missed;
+    const OpenWorkCheck& check = world.open_work_check;
+    list[names] = check.unkept - check.unkept_at_first - check.missed;
   }
   for (const auto& [name, given] : laws.given) {
     const auto before = l.before.find(name);

@@ -4,6 +4,7 @@
 
 #include "articulates/articulate.hpp"
 #include "articulates/project.hpp"
+#include "world/forces.hpp"
 #include "world/mover_momenta.hpp"
 
 namespace pantin {

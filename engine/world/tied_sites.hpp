@@ -1,11 +1,15 @@
 #pragma once
 // Sites of one articulate on which laws of velocity are too fast for the step: what one does to the others, through all that
 // is hinged together. Not for use outside world/.
+#include <cstdint>
 #include <vector>
 
-#include "world/forces.hpp"
+#include "base/lanes.hpp"
 
 namespace pantin {
+
+struct World;
+struct Forces;
 
 struct TiedSites {
   static constexpr std::size_t most = 32;  ///< more act each as if its body were free

@@ -44,6 +44,7 @@ void ask(const World& world, Forces& f, const Instant& instant, bool thermal) {
   k.fields.clear(n);
   if (f.workless) k.workless.clear(n);
   k.pairs.clear();
+  k.tied.clear();
   k.linear = k.known = true;
   for (ActingField& a : f.fields) {
     if (!asked(*a.law)) continue;
@@ -97,6 +98,7 @@ class Kick {
   void choose_rules();
   void find_clusters();
   void solve_clusters();
+  double work_alone(const TiedSites& c) const;
   void leave_what_amplifies(Mat3& slope, double mobility, double sign);
   void sum_up_carriers();
   double pass_points();
@@ -383,9 +385,23 @@ void Kick::find_clusters() {
     std::sort(on[i].begin(), on[i].end());
     if (cluster_velocity_.empty()) cluster_velocity_.assign(f_.sites.n, vec(infinity, 0.0, 0.0));
     for (std::uint32_t site : on[i]) cluster_velocity_[site] = zero3();
-    clusters_.emplace_back(world_, f_, std::move(on[i]));
+    const auto known =
+        std::find_if(k_.tied.begin(), k_.tied.end(), [&](const TiedSites& t) { return t.sites == on[i]; });
+    if (known != k_.tied.end())
+      clusters_.push_back(std::move(*known));
+    else
+      clusters_.emplace_back(world_, f_, std::move(on[i]));
     if (side_.before) clusters_.back().read_velocities(world_, f_, side_.drifted);
   }
+}
+
+/// What the forces of the solution give to the movers before their rows have a say [J]: where that is above 0, what the rows
+/// forbid of it could come back, and each mover is solved alone, which only takes.
+double Kick::work_alone(const TiedSites& c) const {
+  double work = 0.0;
+  for (std::size_t i = 0; i < c.sites.size(); i++)
+    work += dot(c.force[i], c.velocity[i] + mobility_matrix(c.sites[i]) * c.force[i] * (0.5 * dt_)) * dt_;
+  return work;
 }
 
 void Kick::solve_clusters() {
@@ -399,9 +415,10 @@ void Kick::solve_clusters() {
       others.push_back(other_force(site));
     }
     c.solve(asked, slope, at, others, dt_, side_.before ? dt_ : 0.0);
+    const bool gains = work_alone(c) > 0.0;
     for (std::size_t i = 0; i < c.sites.size(); i++) {
-      k_.told[c.sites[i]] = c.force[i];
-      cluster_velocity_[c.sites[i]] = c.moved[i];
+      k_.told[c.sites[i]] = gains ? zero3() : c.force[i];
+      cluster_velocity_[c.sites[i]] = gains ? vec(infinity, 0.0, 0.0) : c.moved[i];
     }
   }
 }
@@ -506,6 +523,8 @@ void Kick::tell_amplifying() {
 }
 
 void Kick::put_forces() {
+  k_.tied.clear();
+  if (!side_.before) k_.tied = std::move(clusters_);
   for (std::size_t i = 0; i < f_.sites.n; i++) {
     f_.undamped[i] = f_.still[i];
     if (f_.workless && moves(i))

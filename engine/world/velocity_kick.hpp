@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "laws/velocity_slopes.hpp"
+#include "world/tied_sites.hpp"
 
 namespace pantin {
 
@@ -26,6 +27,7 @@ struct VelocityForces {
   AlignedVector<Vec3> at;           ///< (sites) [m/s]
   bool linear = false;              ///< all are, in velocities
   bool known = false;               ///< of the present places and time
+  std::vector<TiedSites> tied;      ///< of the kick that ended the last part, for that which begins the next
 
   /// A body, or a tied point.
   struct Carrier {

@@ -102,10 +102,11 @@ struct Stats {
 /// Parts of steps in which the work of laws without energy was held against a second estimate, each with the weight of those
 /// that it stands for [J].
 struct OpenWorkCheck {
-  double missed = 0.0;   ///< that less what was given
-  double squares = 0.0;  ///< [J²] of the parts
-  double sizes = 0.0;    ///< magnitudes
-  double done = 0.0;     ///< magnitudes of the work
+  double missed = 0.0;                         ///< that less what was given
+  double squares = 0.0;                        ///< [J²] of the parts
+  double sizes = 0.0;                          ///< magnitudes
+  double done = 0.0;                           ///< magnitudes of the work
+  double unkept = 0.0, unkept_at_first = 0.0;  ///< h² f²/8m of these laws, now and when they began to act
 };
 
 /// How wrong the state is.

@@ -1,7 +1,7 @@
 -- Theo Jansen's walking mechanism: six legs on one crank, all in a plane. Turn its speed, or drag it by any joint.
 scene.title = "Strandbeest"
 scene.duration = 20
-scene.plane, scene.step = "xy", 1 / 600
+scene.plane, scene.step = "xy", 1 / 960
 
 local speed = scene:param("speed", 2, { min = -6, max = 6, help = "of the crank, rad/s" })
 
