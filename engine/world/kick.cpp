@@ -43,6 +43,9 @@ bool allowed_after(const World& world) { return rule_of(world).conserves && worl
 
 OpenWork kick_points(World& world, Forces& f, double half) {
   OpenWork work;
+  const Vec3 fallen =
+      world.settings.gravity * (0.5 * half);  // gravity has had its part of the kick: it is in both halves
+  double with_gravity = 0.0;
   FreeMotion* motion = world.free_motion.data();
   for (std::size_t i = 0; i < f.sites.n; i++) {
     if (f.point[i] == none) continue;
@@ -52,12 +55,14 @@ OpenWork kick_points(World& world, Forces& f, double half) {
       continue;
     }
     const Vec3 open = f.sites.open_force[i], change = (f.sites.force[i] + open) * (f.inverse_mass[i] * half);
-    const Vec3 damping = damping_of(f, i), mean = v + change * 0.5;
+    const Vec3 damping = damping_of(f, i), mean = v + change * 0.5 - fallen;
+    with_gravity += dot(open, fallen) * half;
     work.damper += dot(damping, mean) * half;
     work.rest += dot(open - damping, mean) * half;
     // What is stopped is as it was solved: the sum would round it.
     v = f.moving && f.velocity.theta[i] == 1.0 ? f.velocity.v[i] : v + change;
   }
+  if (f.open) post_falling(world, with_gravity);
   return work;
 }
 

@@ -104,6 +104,10 @@ void post_kick(World& world, const LedgerMark& before, bool drifted) {
   post_gravity(world, now.kinetic - before.kinetic - (now.told - before.told));
 }
 
+void post_falling(World& world, double joules) {
+  if (world.ledger.kept) post_gravity(world, joules);
+}
+
 void post_report(World& world, const DriftReport& report) {
   if (!world.ledger.kept) return;
   post_inside(world, Source::projection, report.projected);

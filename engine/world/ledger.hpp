@@ -82,6 +82,8 @@ LedgerMark ledger_mark(const World& world, bool drifted);
 void begin_ledger(World& world);
 /// What changed the kinetic energy since the mark, but for work from outside: gravity, in a kick of loose points;
 void post_kick(World& world, const LedgerMark& before, bool drifted);
+/// of that, what a law without energy and gravity do to each other's work in one kick;
+void post_falling(World& world, double joules);
 /// in a drift, what an articulate told of carried projection, safe steps and what stayed unsolved;
 void post_report(World& world, const DriftReport& report);
 /// gravity as far as things fell, and the integrator's own errors;

@@ -46,7 +46,6 @@ std::vector<std::uint32_t> find_groups(const World& world, const Forces& f) {
   for (const ActingConnections& c : f.connections)
     for (std::size_t k = 0; k < c.ties.sites.size(); k++)
       join(c.ties.sites[k], c.ties.sites[k - k % static_cast<std::size_t>(c.ties.count)]);
-  std::vector<std::uint32_t> first(world.families.slots() + 1, none);
   for (const ActingInteraction& a : f.interactions) {
     const Interaction& row = world.interactions[a.id];
     std::uint32_t known = none;

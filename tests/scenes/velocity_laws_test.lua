@@ -269,3 +269,40 @@ test("a derivative that is not finite is done without", function()
   scene:advance(1)
   expect(scene:find("p").velocity.y):near(math.exp(-1), 1e-3)
 end)
+
+test("what a force without potential holds up against gravity, or turns in it, is booked with no error", function()
+  for _, force in ipairs { "vec(0, 9.81, 0)", "p.velocity:cross(vec(0, 0, 20))" } do
+    local scene = open_text([[
+      scene:particle { mass = 1 }
+      scene:field(scene, force.point { force = function(p) return ]] .. force .. [[ end })
+      local _ = scene.ledger.closure
+    ]])
+    scene:advance(10)
+    expect(scene.error.worst_energy):below(2e-3)
+    expect(scene.ledger.closure):below(1e-10)
+  end
+end)
+
+test("a spring without potential that explodes does not tell that its energy is right", function()
+  local scene = open_text [[
+    scene.gravity, scene.step = vec(0, 0, 0), 1 / 12
+    scene:particle { mass = 1, at = vec(1, 0, 0) }
+    scene:field(scene, force.point { force = function(p) return -1600 * p.position end })
+  ]]
+  scene:advance(1)
+  expect(scene.error.worst_energy):above(0.5)
+end)
+
+test("a spring beside a damper of any strength relaxes at the rate of the two", function()
+  for _, damping in ipairs { 1e4, 1e5 } do
+    local scene = open_text(([[
+      scene.gravity = vec(0, 0, 0)
+      local p, q = scene:particle { name = "p" }, scene:particle { at = vec(1.5, 0, 0), name = "q" }
+      scene:connect(p, q, force.spring { stiffness = 1e4, length = 1, damping = %g })
+    ]]):format(damping))
+    scene:advance(0.5)
+    local length = (scene:find("q").position - scene:find("p").position):length()
+    expect(length):near(1 + 0.5 * math.exp(-0.5 * 1e4 / damping), 5e-3)
+    expect(scene.stats.safe_steps):equal(0)
+  end
+end)
