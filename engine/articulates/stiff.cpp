@@ -147,7 +147,8 @@ double evaluate_stiff(Row& row, Condition& c, const RowContext& context) {
   // What is missed does work that no energy knows of: it counts as the gap that would do as much.
   const double least = 2e-3 * norm(way) / (context.h * context.h * context.mobility);
   const double work = std::fabs(dot(missed, way));
-  const double force = tie.strong ? sizes : norm(row.f);  // a damper and a spring that are in balance round as each does
+  const double force =
+      tie.strong ? sizes : norm(row.f);  // a damper and a spring that are in balance round as each does
   return std::fmax(norm(row.residual), work > 0.0 ? work / std::fmax(force, least) : 0.0);
 }
 
