@@ -233,6 +233,7 @@ struct Articulate {
   std::vector<Vec3> impulses;   // (rows) [N s] of the last projection of velocities
   std::vector<Vec3> exerted;    // (rows) [N s] in all, in a full sub-step that is cut into parts or strikes a row
   double exerted_time = 0.0;    // [s] for which that is the sum; 0: the rows' forces tell all
+  std::vector<Vec3> reaction;   // (rows) [N] what they bore of laws of velocity in the last step; none: nothing
   std::vector<Vec3> carried;    // (rows) [N s] half of them, see `take_carried_half`
   double carried_h = 0.0;       // [s] of the sub-steps after which they serve; 0: none
   double carried_energy = 0.0;  // [J] that taking them gave
@@ -259,6 +260,7 @@ struct Articulate {
   bool draws = false;            // is free, and rows draw points together over a gap
   bool yields = false;           // has no row but soft ones: its velocities are free
   bool has_factor = false;       // the factor is of a Newton matrix
+  bool exact = false;            // the factor is of what the rows forbid, at the nodes' starts
   bool safe = false;             // the last step was a safe one
   bool offsets = false;          // gaps of rows were accepted
   bool edited = true;            // new: velocities are still to be made consistent
@@ -293,7 +295,8 @@ inline const Row& row(const Articulate& a, const Condition& c) { return a.rows[c
 bool struck(const Articulate& articulate);
 /// What row k exerted in the last step, on average [N].
 inline Vec3 exerted_force(const Articulate& a, std::size_t k) {
-  return a.exerted_time > 0.0 ? a.exerted[k] / a.exerted_time : a.rows[k].f;
+  const Vec3 f = a.exerted_time > 0.0 ? a.exerted[k] / a.exerted_time : a.rows[k].f;
+  return a.reaction.empty() ? f : f + a.reaction[k];
 }
 /// Begins the sum of what the rows exert in a step that is cut into parts.
 void begin_exerted(Articulate& articulate);

@@ -222,6 +222,7 @@ void end_effort(Articulate& a, std::uint32_t spare, bool open, const DriftReport
 }  // namespace
 
 void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
+  a.exact = false;
   begin_effort(a);
   if (a.edited) {
     const FirstMeeting met = meet(a, settings.h, settings.from);

@@ -193,6 +193,7 @@ Mat3 inverse_inertia(const Node& n, const Mat3& R) {
 
 bool factorise(Articulate& a, const System& system) {
   bool weak = false;
+  a.exact = false;
   const double least = redundant(a, system);
   Wave done;
   clear_hubs(a);

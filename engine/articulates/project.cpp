@@ -271,7 +271,10 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   if (!serves || !project_with_newton_factor(a, before, report)) {
     report.projections++;
     a.has_factor = false;
-    factorise_exactly(a, a.least_epsilon);
+    if (a.exact)
+      find_velocities(a, From::nodes, true);
+    else
+      factorise_exactly(a, a.least_epsilon);
     const bool worked = apply_projection(a).all() != 0.0, strikes = struck(a);
     if (worked || strikes) {
       const Velocities after = find_velocities(a, From::batches);
@@ -364,29 +367,21 @@ ImpulseWork make_consistent(Articulate& a, double time) {
 }
 
 void begin_answers(Articulate& a) {
-  for (Node& n : a.nodes) settle(n);
-  place_rows_at_end(a);
-  make_consistent(a, 0.0);
-  for (Condition& c : a.conditions) {
-    c.velocity = zero3();
-    c.length_rate = 0.0;
+  if (!a.exact) {
+    for (Node& n : a.nodes) settle(n);
+    place_rows_at_end(a);
   }
   find_kept(a);
+  if (a.exact) return;
   factorise_exactly(a, a.least_epsilon);
+  a.has_factor = false;
+  a.exact = true;
 }
 
 void answer(Articulate& a) {
-  if (a.yields) return;
-  for (Condition& c : a.conditions) c.wanted = zero3();
   std::fill(a.impulses.begin(), a.impulses.end(), zero3());
-  Velocities v = find_velocities(a, From::nodes, true);
-  for (int i = 0; i < 3 && v.forbidden > 1e-13 * v.fastest; i++) {
-    const double last = v.forbidden;
-    apply_projection(a);
-    v = find_velocities(a, From::batches, true);
-    if (v.forbidden > 0.5 * last) break;
-  }
-  tell_momenta(a);
+  find_velocities(a, From::batches, true);
+  apply_projection(a);
 }
 
 }  // namespace pantin

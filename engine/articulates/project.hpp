@@ -31,10 +31,10 @@ void set_kept_matrices(Articulate& articulate);
 /// of what moves by itself.
 ImpulseWork make_consistent(Articulate& articulate, double time);
 
-/// Gets an articulate ready for `answer`, and makes its momenta consistent. Only of a copy: nothing else is kept right.
-void begin_answers(Articulate& copy);
-/// Takes out of the nodes' momenta, which answer to impulses alone, what the rows forbid while all that moves by itself
-/// stands still.
-void answer(Articulate& copy);
+/// Gets an articulate ready for `answer`: finds what the rows that hold forbid at the nodes' starts, Condition::wanted, and
+/// their factor, unless the articulate has it.
+void begin_answers(Articulate& articulate);
+/// Takes out of the batches' momenta what the rows forbid; Articulate::impulses are those of it.
+void answer(Articulate& articulate);
 
 }  // namespace pantin

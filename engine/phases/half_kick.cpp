@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "articulates/articulate.hpp"
 #include "phases/phases.hpp"
 #include "world/attempt.hpp"
 #include "world/forces.hpp"
@@ -31,6 +32,8 @@ void kick_loose_points(World& world, double half) {
 }  // namespace
 
 void half_kick(World& world) {
+  if (world.part.index == 0)
+    for (const auto& articulate : world.articulates) articulate->reaction.clear();
   if (rule_of(world).kicks || world.part.index == 0) begin_kick(world);
   if (!rule_of(world).kicks || (world.loose_points.empty() && !world.forces)) return;
   const Timed timed(world.profile, Phase::half_kick);

@@ -89,7 +89,8 @@ void collect(const World& world, Forces& f) {
   keep_in_plane(world.plane, f.sites);
   for (Mover& m : f.movers) {
     m.force = m.torque = m.open_force = m.open_torque = zero3();
-    m.damper_force = m.damper_torque = zero3();
+    m.damper_force = m.damper_torque = m.solved_force = m.solved_torque = zero3();
+    m.solved = false;
   }
   for (const Attached& a : f.attached) {
     Mover& m = f.movers[a.mover];

@@ -30,6 +30,8 @@ struct Mover {
   Vec3 force = zero3(), torque = zero3();            ///< [N], [N m] of laws with energy; world axes, about the centre
   Vec3 open_force = zero3(), open_torque = zero3();  ///< of those without
   Vec3 damper_force = zero3(), damper_torque = zero3();  ///< of these, of those that depend on velocities
+  Vec3 solved_force = zero3(), solved_torque = zero3();  ///< of open ones, what is solved with the rows in a kick
+  bool solved = false;                                   ///< whether there is such a part: all of laws of velocity
   Vec3 start_p = zero3(), start_P = zero3();             ///< momenta at the start of the step
   Vec3 noted_force = zero3(), noted_torque = zero3();    ///< before the part of the step that is being done
 };

@@ -6,6 +6,7 @@
 #include "world/forces_parts.hpp"
 #include "world/integrator.hpp"
 #include "world/mover_momenta.hpp"
+#include "world/tied_kick.hpp"
 #include "world/velocity_kick.hpp"
 
 namespace pantin {
@@ -26,7 +27,9 @@ struct OpenWork {
   }
 };
 
+/// Of the forces that kicks apply to the mover alone.
 OpenWork open_work(const Mover& m, Vec3 moved, Vec3 turned) {
+  if (m.solved) return {0.0, dot(m.open_force - m.solved_force, moved) + dot(m.open_torque - m.solved_torque, turned)};
   return {dot(m.damper_force, moved) + dot(m.damper_torque, turned),
           dot(m.open_force - m.damper_force, moved) + dot(m.open_torque - m.damper_torque, turned)};
 }
@@ -72,7 +75,7 @@ KickWork kick_movers(World& world, Forces& f, double half, bool drifted) {
     if (sleeps(world, m)) continue;
     MoverMomenta s = momenta_of(world, m, drifted);
     const Vec3 v = s.velocity(), spin = s.spin();
-    s.add((m.force + m.open_force) * half, (m.torque + m.open_torque) * half);
+    s.add((m.force + m.open_force - m.solved_force) * half, (m.torque + m.open_torque - m.solved_torque) * half);
     (m.articulate < 0 ? work.loose : work.tied) +=
         open_work(m, (v + s.velocity()) * (0.5 * half), (spin + s.spin()) * (0.5 * half));
   }
@@ -158,6 +161,12 @@ void post_forbidden(World& world, double joules) {
 
 }  // namespace
 
+void post_tied(World& world, const TiedWork& work) {
+  post_open(world, {work.damper, work.rest});
+  post(world, Source::hand, work.rows.ends);
+  post(world, Source::motor, work.rows.couples);
+}
+
 void kick(World& world, double half) {
   if (!world.forces) return;
   Forces& f = *world.forces;
@@ -168,7 +177,11 @@ void kick(World& world, double half) {
     m.start_p = s.v ? *s.v : *s.p;
     m.start_P = s.P ? *s.P : zero3();
   }
-  if (f.moving) solve_velocity_kick(world, f, half, time_within(world, world.part.from), {drifted, true});
+  if (!drifted) f.velocity.starts.clear();
+  if (f.moving) {
+    solve_velocity_kick(world, f, half, time_within(world, world.part.from), {drifted, true});
+    post_tied(world, kick_tied(world, f));
+  }
   const AlignedVector<Vec3> before = site_velocities(world, f, drifted);
   const OpenWork present = present_work(world, f, half, drifted);
   OpenWork told = kick_points(world, f, half);
@@ -215,6 +228,10 @@ void put_back(World& world) {
   for (std::size_t i = 0; i < world.loose_bodies.size(); i++)
     world.motion[world.loose_bodies[i]] = world.saved_motion[i];
   if (!world.forces) return;
+  for (const VelocityForces::Start& s : world.forces->velocity.starts) {
+    (s.is_body ? world.motion[s.slot].p : world.free_motion[s.slot].v) = s.p;
+    if (s.is_body) world.motion[s.slot].angular = s.P;
+  }
   for (const Mover& m : world.forces->movers) {
     MoverMomenta s = momenta_of(world, m, false);
     (s.v ? *s.v : *s.p) = m.start_p;
@@ -233,7 +250,10 @@ void kick_to_end(World& world, double half) {
   if (!allowed_after(world)) told += given.tied;
   post_open(world, told);
   const AlignedVector<Vec3> after = site_velocities(world, f, true);
-  if (!allowed_after(world)) return post_laws(world, f, f.kicked_from, after, half);
+  if (!allowed_after(world)) {
+    post_tied(world, kick_tied(world, f));
+    return post_laws(world, f, f.kicked_from, after, half);
+  }
   if (world.ledger.kept) post_forbidden(world, given.tied.all() + work_on_tied(f, f.kicked_from, after, half));
 }
 
@@ -243,6 +263,7 @@ void end_kick(World& world, double half) {
   const OpenWork present = present_work(world, f, half, true);
   post_open(world, present);
   const AlignedVector<Vec3> after = site_velocities(world, f, true);
+  post_tied(world, kick_tied(world, f));
   if (!world.ledger.kept) return;
   post_forbidden(world, -present.all() - work_on_tied(f, after, after, half));
   copy_tied(f, after, f.kicked_from);

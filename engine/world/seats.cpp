@@ -3,6 +3,7 @@
 
 #include "articulates/articulate.hpp"
 #include "world/forces_parts.hpp"
+#include "world/integrator.hpp"
 
 namespace pantin {
 
@@ -145,6 +146,15 @@ void compact_kin(Sites& s) {
   s.bodies_of_hinges = std::move(list);
 }
 
+/// Whether some law acts on momenta in a way that rows may have to turn back: those of velocity do not.
+bool pushes(const World& world, const Forces& f) {
+  const auto does = [&](const auto& a) { return !a.law->moving || !rule_of(world).conserves; };
+  return std::any_of(f.interactions.begin(), f.interactions.end(), does) ||
+         std::any_of(f.fields.begin(), f.fields.end(), does) ||
+         std::any_of(f.connections.begin(), f.connections.end(),
+                     [&](const ActingConnections& a) { return !a.solved && does(a); });
+}
+
 }  // namespace
 
 void find_movers(World& world, Forces& f) {
@@ -158,8 +168,10 @@ void find_movers(World& world, Forces& f) {
   }
   for (const Attached& a : f.attached) f.movers[a.mover].pulled = f.movers[a.mover].pulled || a.pulled;
   for (const auto& articulate : world.articulates) articulate->pulled = false;
+  const bool pushed = pushes(world, f);
   for (const Mover& m : f.movers)
-    if (m.articulate >= 0 && m.pulled) world.articulates[static_cast<std::size_t>(m.articulate)]->pulled = true;
+    if (pushed && m.articulate >= 0 && m.pulled)
+      world.articulates[static_cast<std::size_t>(m.articulate)]->pulled = true;
 }
 
 }  // namespace pantin

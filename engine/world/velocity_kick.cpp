@@ -7,8 +7,9 @@
 #include "articulates/articulate.hpp"
 #include "base/check.hpp"
 #include "world/forces_parts.hpp"
+#include "world/integrator.hpp"
 #include "world/mover_momenta.hpp"
-#include "world/tied_sites.hpp"
+#include "world/tied_kick.hpp"
 
 namespace pantin {
 
@@ -28,6 +29,11 @@ double working_part(const Mat3& m) {
   return 0.5 * std::sqrt(norm2(sum[0]) + norm2(sum[1]) + norm2(sum[2]));
 }
 
+bool acts(const VelocityForces& k, std::size_t site) {
+  const Mat3& s = k.fields.slope[site];
+  return norm2(k.fields.force[site]) + norm2(s[0]) + norm2(s[1]) + norm2(s[2]) > 0.0;
+}
+
 bool finite(const Mat3& m) { return pantin::finite(m[0]) && pantin::finite(m[1]) && pantin::finite(m[2]); }
 
 /// Where the velocity of a site is kept.
@@ -44,7 +50,6 @@ void ask(const World& world, Forces& f, const Instant& instant, bool thermal) {
   k.fields.clear(n);
   if (f.workless) k.workless.clear(n);
   k.pairs.clear();
-  k.tied.clear();
   k.linear = k.known = true;
   for (ActingField& a : f.fields) {
     if (!asked(*a.law)) continue;
@@ -96,9 +101,10 @@ class Kick {
   void start();
   void start_carriers();
   void choose_rules();
-  void find_clusters();
-  void solve_clusters();
-  double work_alone(const TiedSites& c) const;
+  void find_tied();
+  void start_tied();
+  void solve_tied();
+  bool finish_tied();
   void leave_what_amplifies(Mat3& slope, double mobility, double sign);
   void sum_up_carriers();
   double pass_points();
@@ -113,10 +119,20 @@ class Kick {
   Vec3 other_force(std::size_t site) const {
     return thermal_ ? zero3() : f_.sites.force[site] + world_.plane.along(f_.still[site]);
   }
-  bool is_tied(std::size_t mover) const { return f_.movers[mover].articulate >= 0; }
+  /// What the mover is solved with; null where it is solved alone.
+  TiedKick* tied_to(std::size_t mover) const {
+    const std::int32_t i = f_.movers[mover].articulate;
+    return i < 0 || tied_of_.empty() ? nullptr : tied_of_[static_cast<std::size_t>(i)];
+  }
   /// By gravity, in the kick [m/s].
-  Vec3 gravity_change() const { return thermal_ ? zero3() : world_.plane.along(world_.settings.gravity) * dt_; }
-  bool moves(std::size_t i) const { return f_.point[i] != none || mover_at(f_, i) != none; }
+  Vec3 gravity() const { return thermal_ ? zero3() : world_.plane.along(world_.settings.gravity); }
+  Vec3 gravity_change() const { return gravity() * dt_; }
+  bool moves(std::size_t i) const {
+    return f_.point[i] != none || (mover_at(f_, i) != none && !left_out(mover_at(f_, i)));
+  }
+  /// Whether no law of velocity acts on what the mover is tied to.
+  bool left_out(std::size_t mover) const { return is_tied(mover) && !tied_to(mover); }
+  bool is_tied(std::size_t mover) const { return f_.movers[mover].articulate >= 0 && rule_of(world_).conserves; }
   double mobility_of(std::size_t site) const;
   Mat3 mobility_matrix(std::size_t site) const;
   double theta_of(std::size_t site) const;
@@ -125,17 +141,13 @@ class Kick {
   Vec3 velocity_of(std::size_t site) const;
   void push(std::size_t site, Vec3 impulse);
 
-  bool in_cluster(std::size_t site) const {
-    return !cluster_velocity_.empty() && pantin::finite(cluster_velocity_[site]);
-  }
-
   World& world_;
   Forces& f_;
   VelocityForces& k_;
   Instant instant_;
   Side side_;
-  std::vector<TiedSites> clusters_;
-  std::vector<Vec3> cluster_velocity_;  // (sites) [m/s] where they are in one; empty: none is
+  std::vector<TiedKick*> tied_of_;  // (articulates), null where no law of velocity acts; empty: nowhere
+  std::vector<char> inner_;         // (pairs) whether both ends are solved together
   bool amplifies_ = false;
   std::vector<char> from_rest_;  // (sites) whether their law is asked at rest next
   bool thermal_;                 // of thermostats alone, in the middle of a drift
@@ -165,7 +177,6 @@ double Kick::theta_of(std::size_t site) const {
 }
 
 Vec3 Kick::velocity_of(std::size_t site) const {
-  if (in_cluster(site)) return cluster_velocity_[site];
   if (f_.point[site] != none) return k_.start[site] + (k_.v[site] - k_.start[site]) * k_.theta[site];
   const std::uint32_t m = mover_at(f_, site);
   if (m == none) return zero3();
@@ -187,6 +198,8 @@ void Kick::push(std::size_t site, Vec3 impulse) {
   c.v += impulse * c.inverse_mass;
   c.spun += turned;
   c.spin += turned;
+  c.pushed += impulse;
+  c.twisted += world_.plane.about(cross(arm_of(site), impulse));
 }
 
 void Kick::start_carriers() {
@@ -212,7 +225,7 @@ void Kick::start_carriers() {
   }
   for (std::size_t i = 0; i < f_.sites.n; i++) {
     const std::uint32_t m = mover_at(f_, i);
-    if (m == none || (is_tied(m) && side_.before)) continue;
+    if (m == none) continue;
     const Vec3 force = other_force(i);
     Carrier& c = k_.carriers[m];
     c.base += force * (dt_ * c.inverse_mass);
@@ -222,12 +235,7 @@ void Kick::start_carriers() {
     Carrier& c = k_.carriers[m];
     c.base += c.v0;
     c.spun += c.spin0;
-    // What is tied is asked at the ends of the step, where its velocities are what rows and gravity make of them.
-    if (is_tied(m) && !side_.before) {
-      c.v0 = c.base;
-      c.spin0 = c.spun;
-    }
-    if (!is_tied(m) && f_.movers[m].is_body) {  // its drift has gravity's part of the kick
+    if (f_.movers[m].is_body) {  // its drift has gravity's part of the kick
       if (side_.before)
         c.base += gravity_change();
       else
@@ -282,7 +290,12 @@ void Kick::choose_rules() {
   // A thermostat's midpoint keeps the distribution of velocities exactly, however fast it is.
   const auto rule = [&](double size) { return size > too_fast && !thermal_ ? 1.0 : 0.5; };
   for (std::size_t i = 0; i < n; i++) k_.theta[i] = rule(k_.strength[i]);
-  for (std::size_t m = 0; m < k_.carriers.size(); m++) k_.carriers[m].theta = rule(k_.strength[n + m]);
+  for (std::size_t m = 0; m < k_.carriers.size(); m++) {
+    k_.carriers[m].theta = rule(k_.strength[n + m]);
+    if (TiedKick* tied = tied_to(m)) tied->theta = std::max(tied->theta, k_.carriers[m].theta);
+  }
+  for (std::size_t m = 0; m < k_.carriers.size(); m++)
+    if (const TiedKick* tied = tied_to(m)) k_.carriers[m].theta = tied->theta;
 }
 
 /// Puts what laws of single particles give on the sites of each mover together.
@@ -292,12 +305,8 @@ void Kick::sum_up_carriers() {
     c.vv = c.vs = c.sv = c.ss = zero33();
   }
   for (const Attached& a : f_.attached) {
+    if (is_tied(a.mover)) continue;
     Carrier& c = k_.carriers[a.mover];
-    if (in_cluster(a.site)) {
-      c.force += k_.told[a.site];
-      c.torque += cross(a.r, k_.told[a.site]);
-      continue;
-    }
     const Mat3 &slope = k_.fields.slope[a.site], arm = hat(a.r);
     const Vec3 force = k_.fields.force[a.site] - slope * k_.at[a.site];
     c.force += force;
@@ -328,8 +337,9 @@ double Kick::pass_points() {
 
 double Kick::pass_carriers() {
   double worst = 0.0;
-  for (Carrier& c : k_.carriers) {
-    if (c.inverse_mass == 0.0) continue;
+  for (std::size_t k = 0; k < k_.carriers.size(); k++) {
+    Carrier& c = k_.carriers[k];
+    if (c.inverse_mass == 0.0 || is_tied(k)) continue;
     const double m = dt_ * c.inverse_mass, theta = c.theta;
     const Vec3 v0 = c.v0 * (1.0 - theta), s0 = c.spin0 * (1.0 - theta);
     const Vec3 rest_v = c.base + (c.force + c.vv * v0 + c.vs * s0) * m;
@@ -350,7 +360,9 @@ double Kick::pass_pairs(bool forward) {
   double worst = 0.0;
   const std::size_t count = k_.pairs.size();
   for (std::size_t k = 0; k < count; k++) {
-    VelocityPair& p = k_.pairs[forward ? k : count - 1 - k];
+    const std::size_t at = forward ? k : count - 1 - k;
+    if (inner_[at]) continue;
+    VelocityPair& p = k_.pairs[at];
     Mat3 give = mobility_matrix(p.a) * theta_of(p.a);
     if (!p.one_sided) give += mobility_matrix(p.b) * theta_of(p.b);
     const Vec3 u = velocity_of(p.b) - velocity_of(p.a);
@@ -364,77 +376,98 @@ double Kick::pass_pairs(bool forward) {
   return worst;
 }
 
-/// Finds the sites that are to be solved with all that ties them.
-void Kick::find_clusters() {
-  k_.told.assign(f_.sites.n, zero3());
-  cluster_velocity_.clear();
-  const auto is_fast = [&](std::size_t m) { return f_.movers[m].articulate >= 0 && k_.carriers[m].theta == 1.0; };
-  std::vector<char> fast;
-  for (std::size_t m = 0; m < f_.movers.size(); m++) {
-    if (!is_fast(m)) continue;
-    fast.resize(world_.articulates.size());
-    fast[static_cast<std::size_t>(f_.movers[m].articulate)] = 1;
-  }
-  if (fast.empty()) return;
-  std::vector<std::vector<std::uint32_t>> on(world_.articulates.size());
+/// Finds what rows tie, where laws of velocity act on it.
+void Kick::find_tied() {
+  k_.tied.clear();
+  inner_.assign(k_.pairs.size(), 0);
+  if (world_.articulates.empty() || !rule_of(world_).conserves) return;
+  std::vector<char> asked(world_.articulates.size(), 0);
+  const auto note = [&](std::uint32_t site) {
+    const std::uint32_t m = mover_at(f_, site);
+    if (m == none || f_.movers[m].articulate < 0 || k_.carriers[m].inverse_mass == 0.0) return;
+    asked[static_cast<std::size_t>(f_.movers[m].articulate)] = 1;
+  };
   for (const Attached& a : f_.attached)
-    if (const std::int32_t i = f_.movers[a.mover].articulate; i >= 0 && k_.carriers[a.mover].inverse_mass > 0.0)
-      if (working_part(k_.fields.slope[a.site]) > 0.0) on[static_cast<std::size_t>(i)].push_back(a.site);
-  for (std::size_t i = 0; i < on.size(); i++) {
-    if (!fast[i] || on[i].empty() || on[i].size() > TiedSites::most || world_.articulates[i]->yields) continue;
-    std::sort(on[i].begin(), on[i].end());
-    if (cluster_velocity_.empty()) cluster_velocity_.assign(f_.sites.n, vec(infinity, 0.0, 0.0));
-    for (std::uint32_t site : on[i]) cluster_velocity_[site] = zero3();
-    const auto known =
-        std::find_if(k_.tied.begin(), k_.tied.end(), [&](const TiedSites& t) { return t.sites == on[i]; });
-    if (known != k_.tied.end())
-      clusters_.push_back(std::move(*known));
-    else
-      clusters_.emplace_back(world_, f_, std::move(on[i]));
-    if (side_.before) clusters_.back().read_velocities(world_, f_, side_.drifted);
+    if (acts(k_, a.site)) note(a.site);
+  for (const VelocityPair& p : k_.pairs) {
+    note(p.a);
+    if (!p.one_sided) note(p.b);
+  }
+  tied_of_.assign(asked.size(), nullptr);
+  for (std::size_t i = 0; i < asked.size(); i++) {
+    if (!asked[i]) continue;
+    k_.tied.push_back(std::make_shared<TiedKick>(world_, f_, k_, i, dt_, side_));
+    tied_of_[i] = k_.tied.back().get();
+  }
+  std::vector<std::size_t> seat(f_.sites.n, 0);
+  for (const Attached& a : f_.attached) {
+    TiedKick* tied = tied_to(a.mover);
+    if (tied == nullptr) continue;
+    seat[a.site] = tied->seats.size();
+    tied->seats.push_back({a.site, f_.movers[a.mover].node, a.r});
+  }
+  const auto tied_at = [&](std::uint32_t site) {
+    const std::uint32_t m = mover_at(f_, site);
+    return m == none ? nullptr : tied_to(m);
+  };
+  for (std::size_t k = 0; k < k_.pairs.size(); k++) {
+    const VelocityPair& p = k_.pairs[k];
+    TiedKick *tied = tied_at(p.a), *other = tied_at(p.b);
+    if (tied != other) {
+      if (tied != nullptr) tied->crossed = true;
+      if (other != nullptr) other->crossed = true;
+    } else if (tied != nullptr) {
+      tied->pairs.push_back({k, seat[p.a], seat[p.b]});
+      inner_[k] = 1;
+    }
   }
 }
 
-/// What the forces of the solution give to the movers before their rows have a say [J]: where that is above 0, what the rows
-/// forbid of it could come back, and each mover is solved alone, which only takes.
-double Kick::work_alone(const TiedSites& c) const {
-  double work = 0.0;
-  for (std::size_t i = 0; i < c.sites.size(); i++)
-    work += dot(c.force[i], c.velocity[i] + mobility_matrix(c.sites[i]) * c.force[i] * (0.5 * dt_)) * dt_;
-  return work;
+void Kick::start_tied() {
+  std::vector<Vec3> forces;
+  for (const auto& tied : k_.tied) {
+    forces.clear();
+    for (const TiedKick::Seat& s : tied->seats) forces.push_back(other_force(s.site));
+    tied->start(forces, gravity());
+    // What is light is damped more slowly where it moves what is heavy.
+    if (tied->theta == 0.5 || tied->crossed || std::fabs(dt_) * tied->fastest_damping() > too_fast) continue;
+    tied->theta = 0.5;
+    tied->find_known();
+    for (std::size_t m = 0; m < f_.movers.size(); m++)
+      if (tied_to(m) == tied.get()) k_.carriers[m].theta = 0.5;
+  }
 }
 
-void Kick::solve_clusters() {
-  for (TiedSites& c : clusters_) {
-    std::vector<Vec3> asked, at, others;
-    std::vector<Mat3> slope;
-    for (std::uint32_t site : c.sites) {
-      asked.push_back(k_.fields.force[site]);
-      slope.push_back(k_.fields.slope[site]);
-      at.push_back(k_.at[site]);
-      others.push_back(other_force(site));
-    }
-    c.solve(asked, slope, at, others, dt_, side_.before ? dt_ : 0.0);
-    const bool gains = work_alone(c) > 0.0;
-    for (std::size_t i = 0; i < c.sites.size(); i++) {
-      k_.told[c.sites[i]] = gains ? zero3() : c.force[i];
-      cluster_velocity_[c.sites[i]] = gains ? vec(infinity, 0.0, 0.0) : c.moved[i];
-    }
+void Kick::solve_tied() {
+  for (const auto& tied : k_.tied) {
+    tied->clear_pushes();
+    for (std::size_t m = 0; m < f_.movers.size(); m++)
+      if (tied->crossed && tied_to(m) == tied.get())
+        tied->push(f_.movers[m].node, k_.carriers[m].pushed, k_.carriers[m].twisted);
+    tied->solve();
+  }
+  for (std::size_t m = 0; m < f_.movers.size(); m++) {
+    const TiedKick* tied = tied_to(m);
+    if (tied == nullptr) continue;
+    Carrier& c = k_.carriers[m];
+    c.v0 = c.v = tied->mean_velocity(f_.movers[m].node);
+    c.spin0 = c.spin = tied->mean_spin(f_.movers[m].node);
   }
 }
 
 void Kick::solve_linear() {
-  solve_clusters();
   sum_up_carriers();
+  const bool sweeps = std::find(inner_.begin(), inner_.end(), 0) != inner_.end();
   for (int sweep = 0; sweep < most_sweeps; sweep++) {
-    double worst = pass_points();
-    worst = std::max(worst, pass_carriers());
-    if (k_.pairs.empty()) return;
-    worst = pass_pairs(sweep % 2 == 0);
-    if (!(worst > exactly * speed_)) break;
+    pass_points();
+    pass_carriers();
+    solve_tied();
+    if (!sweeps || !(pass_pairs(sweep % 2 == 0) > exactly * speed_)) break;
   }
+  if (!sweeps) return;
   pass_points();
   pass_carriers();
+  solve_tied();
 }
 
 /// The forces in the solution: of laws of single particles by their derivatives, of pairs as impulses that were applied.
@@ -442,8 +475,12 @@ void Kick::tell_forces() {
   const std::size_t n = f_.sites.n;
   k_.told_pairs.resize(k_.pairs.size());
   for (std::size_t i = 0; i < n; i++)
-    if (moves(i) && !in_cluster(i)) k_.told[i] = k_.fields.force[i] + k_.fields.slope[i] * (velocity_of(i) - k_.at[i]);
-  for (std::size_t p = 0; p < k_.pairs.size(); p++) k_.told_pairs[p] = k_.pairs[p].impulse / dt_;
+    if (moves(i)) k_.told[i] = k_.fields.force[i] + k_.fields.slope[i] * (velocity_of(i) - k_.at[i]);
+  for (std::size_t k = 0; k < k_.pairs.size(); k++) {
+    VelocityPair& p = k_.pairs[k];
+    if (inner_[k]) p.impulse = (p.force + p.slope * (velocity_of(p.b) - velocity_of(p.a) - p.at)) * dt_;
+    k_.told_pairs[k] = p.impulse / dt_;
+  }
 }
 
 /// A law that Newton's iteration does not get on with is taken for a drag along its force, which gives that force at `u`.
@@ -497,17 +534,34 @@ void Kick::solve() {
     leave_what_amplifies(p.slope, mobility_of(p.a) + (p.one_sided ? 0.0 : mobility_of(p.b)), -1.0);
     p.impulse = zero3();
   }
+  find_tied();
   choose_rules();
-  find_clusters();
-  solve_linear();
-  k_.missed.clear();
-  for (int iteration = 0; !k_.linear && iteration < most_iterations; iteration++) {
-    const bool done = ask_again(iteration);
+  k_.told.assign(f_.sites.n, zero3());
+  start_tied();
+  constexpr int most_turns = 4;  // of rows that let go
+  for (int turn = 0; turn < most_turns; turn++) {
     solve_linear();
-    if (done) break;
+    k_.missed.clear();
+    for (int iteration = 0; !k_.linear && iteration < most_iterations; iteration++) {
+      const bool done = ask_again(iteration);
+      solve_linear();
+      if (done) break;
+    }
+    tell_forces();
+    if (!finish_tied()) break;
   }
-  tell_forces();
   if (amplifies_) tell_amplifying();
+}
+
+/// Whether some rows let go.
+bool Kick::finish_tied() {
+  bool again = false;
+  for (const auto& tied : k_.tied) {
+    std::vector<Vec3> told;
+    for (const TiedKick::Seat& s : tied->seats) told.push_back(k_.told[s.site]);
+    again = tied->finish(told) || again;
+  }
+  return again;
 }
 
 /// Tells, once, of laws that drive what they act on the more the faster it is.
@@ -523,8 +577,6 @@ void Kick::tell_amplifying() {
 }
 
 void Kick::put_forces() {
-  k_.tied.clear();
-  if (!side_.before) k_.tied = std::move(clusters_);
   for (std::size_t i = 0; i < f_.sites.n; i++) {
     f_.undamped[i] = f_.still[i];
     if (f_.workless && moves(i))
@@ -541,6 +593,14 @@ void Kick::put_forces() {
     if (!p.one_sided) add(p.b, k_.told_pairs[k] * -1.0);
   }
   collect(world_, f_);
+  for (const Attached& a : f_.attached) {
+    if (!is_tied(a.mover)) continue;
+    Mover& m = f_.movers[a.mover];
+    const Vec3 force = f_.sites.open_force[a.site] - world_.plane.along(f_.still[a.site]);
+    m.solved_force += force;
+    m.solved_torque += world_.plane.about(cross(a.r, force));
+    m.solved = true;
+  }
 }
 
 double Kick::apply() {
@@ -558,7 +618,7 @@ double Kick::apply() {
     torque[a.mover] += world_.plane.about(cross(a.r, k_.told[a.site]));
   }
   for (std::size_t m = 0; m < f_.movers.size(); m++) {
-    if (sleeps(world_, f_.movers[m])) continue;
+    if (sleeps(world_, f_.movers[m]) || is_tied(m)) continue;
     MoverMomenta s = momenta_of(world_, f_.movers[m], side_.drifted);
     const Vec3 v = s.velocity(), spin = s.spin();
     s.add(force[m] * dt_, torque[m] * dt_);
@@ -600,6 +660,28 @@ void solve_velocity_kick(World& world, Forces& f, double dt, double time, Side s
   kick.put_forces();
 }
 
+namespace {
+
+TiedWork apply_tied(World& world, Forces& f, VelocityForces& k) {
+  TiedWork work;
+  std::vector<Vec3> spared;
+  for (const auto& tied : k.tied) {
+    spared.clear();
+    for (const TiedKick::Seat& s : tied->seats)
+      spared.push_back(&k == &f.velocity && f.workless ? f.undamped[s.site] - f.still[s.site] : zero3());
+    const TiedWork done = tied->apply(spared, world.part.full);
+    work.damper += done.damper;
+    work.rest += done.rest;
+    work.rows += done.rows;
+  }
+  k.tied.clear();
+  return work;
+}
+
+}  // namespace
+
+TiedWork kick_tied(World& world, Forces& f) { return apply_tied(world, f, f.velocity); }
+
 double fastest_damping(const World& world, const Forces& f) {
   double fastest = 0.0;
   for (std::size_t i = 0; f.velocity.known && i < f.sites.n; i++) {
@@ -619,9 +701,10 @@ void kick_by_thermostats(World& world, double dt) {
   read_velocities(world, f, true);
   const Instant instant = instant_of(world, world.time, world.instant);
   ask(world, f, instant, true);
-  Kick kick(world, f, instant, dt, {true, true}, true);
+  Kick kick(world, f, instant, dt, {true, false}, true);
   kick.solve();
   post(world, Source::damper, kick.apply());
+  post_tied(world, apply_tied(world, f, f.thermostats));
 }
 
 }  // namespace pantin

@@ -9,16 +9,18 @@
 //
 // Newton's iteration on all velocities: the laws are asked at w with their derivatives, then the linear equations are solved,
 // those of one thing directly (3 × 3, or 6 × 6 of a body), those of pairs by sweeps that apply equal and opposite impulses.
+#include <memory>
 #include <vector>
 
 #include "laws/velocity_slopes.hpp"
-#include "world/tied_sites.hpp"
 
 namespace pantin {
 
 struct World;
 struct Forces;
 struct Instant;
+class TiedKick;
+struct TiedWork;
 
 /// What laws of velocity give near to the velocities that they were asked at, and room for a kick that is being solved.
 struct VelocityForces {
@@ -27,13 +29,22 @@ struct VelocityForces {
   AlignedVector<Vec3> at;           ///< (sites) [m/s]
   bool linear = false;              ///< all are, in velocities
   bool known = false;               ///< of the present places and time
-  std::vector<TiedSites> tied;      ///< of the kick that ended the last part, for that which begins the next
+  std::vector<std::shared_ptr<TiedKick>> tied;  ///< of what rows tie, solved and not yet applied
 
-  /// A body, or a tied point.
+  /// Momenta at the start of the step of a thing that a kick through rows changed.
+  struct Start {
+    std::uint32_t slot;
+    bool is_body;
+    Vec3 p, P;  // of a body [kg m/s], [kg m²/s]; of a point p is its velocity [m/s]
+  };
+  std::vector<Start> starts;
+
+  /// A body, or a tied point. Of what is solved with its articulate v and spin are w.
   struct Carrier {
     Vec3 v0 = zero3(), spin0 = zero3();                               // at the start of the kick
     Vec3 base = zero3(), spun = zero3();                              // with all but what laws of single particles give
     Vec3 v = zero3(), spin = zero3();                                 // at its end
+    Vec3 pushed = zero3(), twisted = zero3();                         // [N s], [N m s] impulses of pairs
     Vec3 force = zero3(), torque = zero3();                           // of laws of single particles at w = 0
     Mat3 vv = zero33(), vs = zero33(), sv = zero33(), ss = zero33();  // their derivatives by w
     double inverse_mass = 0.0, theta = 0.5;
@@ -57,6 +68,8 @@ void find_velocity_slopes(const World& world, Forces& forces, const Instant& ins
 /// Sets the open forces to those that a kick over dt [s] from the present velocities ends with, with the laws at `time` [s];
 /// loose points have had gravity's and pushes' part of it.
 void solve_velocity_kick(World& world, Forces& forces, double dt, double time, SideOfDrift side);
+/// Changes the momenta of what rows tie as that kick found; forgets it.
+TiedWork kick_tied(World& world, Forces& forces);
 /// The fastest rate at which laws of single particles damp anything where they were asked last [1/s], about.
 double fastest_damping(const World& world, const Forces& forces);
 /// What thermostats do in dt [s], in the middle of a drift: O of the splitting BAOAB (Leimkuhler and Matthews 2013), by the

@@ -1,0 +1,341 @@
+#include "world/tied_kick.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "articulates/batches.hpp"
+#include "articulates/drift.hpp"
+#include "articulates/project.hpp"
+#include "articulates/rows.hpp"
+#include "articulates/strand.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr std::size_t most_directions = 64;
+
+/// a·M b.
+double product(const Motions& a, const Motions& b) {
+  Lanes all = lanes(0.0);
+  for (std::size_t i = 0; i < a.size(); i++) all += dot(a[i].v, b[i].p) + dot(a[i].w, b[i].L);
+  return sum(all);
+}
+
+void add(Motions& to, const Motions& more, double times) {
+  for (std::size_t i = 0; i < to.size(); i++) {
+    to[i].v += more[i].v * times;
+    to[i].w += more[i].w * times;
+    to[i].p += more[i].p * times;
+    to[i].L += more[i].L * times;
+  }
+}
+
+void push(BatchMotion& to, std::size_t lane, Vec3 impulse, Vec3 twist) {
+  set_lane(to.p, lane, lane_of(to.p, lane) + impulse);
+  set_lane(to.L, lane, lane_of(to.L, lane) + twist);
+}
+
+/// Whether the rows of an articulate say which velocities are allowed.
+bool forbids(const Articulate& a) { return !a.yields && !a.safe && !a.torn && a.gaps.open <= 1e-8 * a.length; }
+
+/// A basis that grows, orthonormal in the scalar product of the kinetic energy, with what forces make of each direction.
+struct Space {
+  std::vector<Motions> directions;
+  Eigen::MatrixXd work;  // of the forces that one direction makes, along another
+
+  /// Takes a direction apart from the others, and adds it unless it is hardly more than what answers round; how much of it
+  /// was new.
+  double add_direction(Motions d) {
+    constexpr double round_off = 1e-9;
+    const double whole = std::sqrt(std::max(0.0, product(d, d)));
+    for (int again = 0; again < 2; again++)
+      for (const Motions& q : directions) pantin::add(d, q, -product(q, d));
+    const double size = std::sqrt(std::max(0.0, product(d, d)));
+    if (!(size > round_off * whole)) return 0.0;
+    Motions q(d.size());
+    pantin::add(q, d, 1.0 / size);
+    directions.push_back(std::move(q));
+    return size;
+  }
+  /// The work of impulses that the last direction makes, along all, and of those of others along the last.
+  void add_work(const std::vector<Motions>& felt) {
+    const auto n = static_cast<Eigen::Index>(directions.size());
+    work.conservativeResize(n, n);
+    for (Eigen::Index i = 0; i < n; i++) {
+      const auto k = static_cast<std::size_t>(i);
+      work(i, n - 1) = product(directions[k], felt.back());
+      work(n - 1, i) = product(directions.back(), felt[k]);
+    }
+  }
+};
+
+}  // namespace
+
+TiedKick::TiedKick(World& world, Forces& forces, VelocityForces& laws, std::size_t articulate, double dt,
+                   SideOfDrift side)
+    : world_(world),
+      forces_(forces),
+      laws_(laws),
+      index_(articulate),
+      dt_(dt),
+      side_(side),
+      a_(world.articulates[articulate].get()) {
+  if (!side.drifted && a_->edited) {
+    copy_ = std::make_unique<Articulate>(*a_);
+    a_ = copy_.get();
+    load(*a_, world, zero3());
+    meet(*a_, world.settings.step, world.part.from);
+  } else if (!side.drifted) {
+    for (Node& n : a_->nodes) load(n, world, zero3());
+  }
+  ties_ = forbids(*a_);
+}
+
+TiedKick::~TiedKick() = default;
+
+void TiedKick::push(std::size_t node, Vec3 impulse, Vec3 twist) {
+  pantin::push(pushes_[node / batch_size], node % batch_size, impulse, twist);
+}
+
+void TiedKick::add(Motions& to, const Seat& seat, Vec3 impulse) const {
+  pantin::push(to[seat.node / batch_size], seat.node % batch_size, impulse, world_.plane.about(cross(seat.r, impulse)));
+}
+
+Vec3 TiedKick::velocity_at(const Motions& of, const Seat& seat) const {
+  const BatchMotion& m = of[seat.node / batch_size];
+  const std::size_t lane = seat.node % batch_size;
+  return lane_of(m.v, lane) + cross(lane_of(m.w, lane), seat.r);
+}
+
+Motions TiedKick::allowed(const Motions& impulses) {
+  Motions all(impulses.size());
+  for (std::size_t b = 0; b < all.size(); b++) {
+    a_->batches[b].p = impulses[b].p;
+    a_->batches[b].L = impulses[b].L;
+  }
+  if (ties_) answer(*a_);
+  for (std::size_t b = 0; b < all.size(); b++) {
+    const NodeBatch& n = a_->batches[b];
+    all[b] = {n.p * n.inverse_mass, n.mobility * n.L, n.p, n.L};
+  }
+  return all;
+}
+
+Motions TiedKick::felt(const Motions& by) const {
+  Motions to(by.size());
+  for (const Seat& s : seats) add(to, s, laws_.fields.slope[s.site] * velocity_at(by, s));
+  for (const Pair& p : pairs) {
+    const VelocityPair& law = laws_.pairs[p.pair];
+    const Vec3 force = law.slope * (velocity_at(by, seats[p.b]) - velocity_at(by, seats[p.a]));
+    add(to, seats[p.a], force);
+    if (!law.one_sided) add(to, seats[p.b], force * -1.0);
+  }
+  return to;
+}
+
+/// Impulses of rows that pull without forbidding, as they did last.
+void TiedKick::add_soft_rows(Motions& to) const {
+  for (const Row& row : a_->rows) {
+    if (!is_soft(row)) continue;
+    const auto pull = [&](std::int32_t node, Vec3 arm, double sign) {
+      if (node < 0) return;
+      const auto i = static_cast<std::size_t>(node);
+      const Vec3 impulse = row.f * (sign * dt_);
+      const bool couple = row.lever > 0.0, turns = a_->nodes[i].turns;
+      const Vec3 twist = couple ? impulse * row.lever : turns ? cross(a_->nodes[i].R0 * arm, impulse) : zero3();
+      pantin::push(to[i / batch_size], i % batch_size, couple ? zero3() : impulse, twist);
+    };
+    pull(row.a, row.la, 1.0);
+    pull(row.b, row.lb, -1.0);
+  }
+}
+
+void TiedKick::hold(Condition& c, bool held) {
+  if (c.held != held) a_->exact = false;
+  c.held = held;
+}
+
+void TiedKick::start(const std::vector<Vec3>& forces, Vec3 gravity) {
+  forces_on_seats_ = forces;
+  gravity_ = gravity;
+  for (const Condition& c : a_->conditions) held_.push_back(c.held);
+  for (Condition& c : a_->conditions)  // the drift finds out what those give that can give so much and no more
+    if (!c.stiff && !std::isinf(c.upper)) hold(c, false);
+  find_known();
+}
+
+double TiedKick::fastest_damping() {
+  constexpr std::size_t enough = 8;
+  Motions right = v0_;
+  pantin::add(right, driven_, -1.0);
+  pantin::add(right, others_, 1.0);
+  Space space;
+  std::vector<Motions> all;
+  double fastest = 0.0, first = space.add_direction(right);
+  while (first > 0.0 && all.size() < space.directions.size()) {
+    all.push_back(felt(space.directions.back()));
+    space.add_work(all);
+    const Eigen::MatrixXd working = 0.5 * (space.work + space.work.transpose());
+    fastest = -Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(working, Eigen::EigenvaluesOnly).eigenvalues()(0);
+    if (all.size() < enough) space.add_direction(allowed(all.back()));
+  }
+  return fastest;
+}
+
+void TiedKick::find_known() {
+  const std::size_t n = a_->batches.size();
+  if (ties_) begin_answers(*a_);
+  Motions first(n), other(n);
+  for (std::size_t b = 0; b < n; b++) {
+    read_momenta(*a_, b);
+    const NodeBatch& batch = a_->batches[b];
+    first[b] = {batch.p * batch.inverse_mass, batch.mobility * batch.L, batch.p, batch.L};
+    for (std::size_t lane = 0; lane < batch.count; lane++) {
+      const Vec3 fall = gravity_ * (dt_ * a_->nodes[batch_size * b + lane].mass);
+      pantin::push(other[b], lane, fall, zero3());
+      if (!side_.before) pantin::push(first[b], lane, fall * -1.0, zero3());
+    }
+  }
+  for (std::size_t s = 0; s < seats.size(); s++) add(other, seats[s], forces_on_seats_[s] * dt_);
+  if (theta > 0.5) add_soft_rows(other);  // which else would seem to move what they only hold
+  const bool is_allowed = !ties_ || (side_.before && world_.part.first && !copy_);
+  v0_ = is_allowed ? std::move(first) : allowed(allowed(first));
+  driven_.assign(other.size(), {});
+  const auto moves = [](const Condition& c) { return norm2(c.wanted) > 0.0; };
+  if (ties_ && std::any_of(a_->conditions.begin(), a_->conditions.end(), moves)) driven_ = allowed(driven_);
+  wanted_.clear();
+  for (Condition& c : a_->conditions) wanted_.push_back(std::exchange(c.wanted, zero3()));
+  others_ = allowed(other);
+}
+
+void TiedKick::solve() {
+  Motions known = pushes_;
+  for (const Seat& s : seats) {
+    const Vec3 force = laws_.fields.force[s.site] - laws_.fields.slope[s.site] * laws_.at[s.site];
+    add(known, s, force * dt_);
+  }
+  for (const Pair& p : pairs) {
+    const VelocityPair& law = laws_.pairs[p.pair];
+    const Vec3 impulse = (law.force - law.slope * law.at) * dt_;
+    add(known, seats[p.a], impulse);
+    if (!law.one_sided) add(known, seats[p.b], impulse * -1.0);
+  }
+  pantin::add(known, felt(driven_), dt_);
+  Motions right = v0_;
+  pantin::add(right, driven_, -1.0);
+  pantin::add(right, others_, theta);
+  pantin::add(right, allowed(known), theta);
+  w_ = driven_;
+  Space space;
+  const double size = space.add_direction(right), factor = dt_ * theta;
+  double tolerance = 0.0;
+  std::vector<Motions> all;
+  Eigen::VectorXd y;
+  while (!space.directions.empty()) {
+    all.push_back(felt(space.directions.back()));
+    space.add_work(all);
+    const auto n = static_cast<Eigen::Index>(space.directions.size());
+    const Eigen::MatrixXd A = Eigen::MatrixXd::Identity(n, n) - factor * space.work;
+    y = A.partialPivLu().solve(Eigen::VectorXd::Unit(n, 0) * size);
+    if (space.directions.size() == most_directions) break;
+    const double more = space.add_direction(allowed(all.back()));
+    if (n == 1) {
+      const double reach = std::fabs(factor) * std::hypot(space.work(0, 0), more);
+      tolerance = std::clamp(0.05 * reach * reach * reach, 1e-14, 1e-8);
+    }
+    if (std::fabs(factor * more * y(n - 1)) <= tolerance * size) break;
+  }
+  for (Eigen::Index k = 0; k < y.size(); k++) pantin::add(w_, space.directions[static_cast<std::size_t>(k)], y(k));
+}
+
+Motions TiedKick::told_impulses(const std::vector<Vec3>& told) const {
+  Motions all = pushes_;
+  for (std::size_t s = 0; s < seats.size(); s++) add(all, seats[s], told[s] * dt_);
+  for (const Pair& p : pairs) {
+    const VelocityPair& law = laws_.pairs[p.pair];
+    add(all, seats[p.a], law.impulse);
+    if (!law.one_sided) add(all, seats[p.b], law.impulse * -1.0);
+  }
+  return all;
+}
+
+bool TiedKick::finish(const std::vector<Vec3>& told) {
+  change_ = w_;
+  pantin::add(change_, v0_, -1.0);
+  if (theta == 0.5) pantin::add(change_, Motions(change_), 1.0);
+  pantin::add(change_, others_, -1.0);
+  borne_.assign(a_->rows.size(), zero3());
+  if (ties_) {
+    allowed(told_impulses(told));
+    borne_ = a_->impulses;
+  }
+  const bool again = let_go();
+  if (again) {
+    find_known();
+    return true;
+  }
+  for (std::size_t k = 0; k < held_.size(); k++) hold(a_->conditions[k], held_[k] != 0);
+  return false;
+}
+
+/// Has rows of one side let go that would have to pull; whether some did.
+bool TiedKick::let_go() {
+  bool some = false;
+  for (Condition& c : a_->conditions) {
+    if (!ties_ || !c.ranged || !c.held) continue;
+    const Vec3 inward = stop(*a_, row(*a_, c)).inward, borne = borne_[c.row] + row(*a_, c).f * std::fabs(dt_);
+    if (dot(borne, inward) >= -1e-12 * norm(borne)) continue;
+    hold(c, false);
+    some = true;
+  }
+  if (some) hold_with_heads(*a_);
+  return some;
+}
+
+void TiedKick::change_momenta(Node& n, Vec3 v, Vec3 p, Vec3 L) {
+  if (side_.drifted) {
+    n.p0 += p;
+    if (!n.turns) return;
+    n.P0 += transposed_times(n.R0, L);
+    n.O0 = n.inverse_inertia * n.P0;
+    return;
+  }
+  if (!n.is_body) {
+    FreeMotion& m = world_.free_motion[n.slot];
+    laws_.starts.push_back({n.slot, false, m.v, zero3()});
+    m.v += v;
+    return;
+  }
+  Motion& m = world_.motion[n.slot];
+  laws_.starts.push_back({n.slot, true, m.p, m.angular});
+  m.p += p;
+  if (n.turns) m.angular += transposed_times(matrix(m.q), L);
+}
+
+TiedWork TiedKick::apply(const std::vector<Vec3>& spared, double full) {
+  TiedWork work;
+  Articulate& own = *world_.articulates[index_];
+  Motions mean = v0_;
+  if (!side_.before) pantin::add(mean, others_, 1.0);
+  pantin::add(mean, change_, 0.5);
+  for (std::size_t s = 0; s < seats.size(); s++) work.rest += dot(spared[s], velocity_at(mean, seats[s])) * dt_;
+  for (std::size_t k = 0; k < wanted_.size(); k++) {
+    const Condition& c = a_->conditions[k];
+    (row(*a_, c).lever > 0.0 ? work.rows.couples : work.rows.ends) += dot(borne_[c.row], wanted_[k]);
+  }
+  work.damper = product(mean, change_) - work.rows.all() - work.rest;
+  if (own.reaction.size() != borne_.size()) own.reaction.assign(borne_.size(), zero3());
+  for (std::size_t k = 0; k < borne_.size(); k++) own.reaction[k] += borne_[k] / full;
+  for (std::size_t i = 0; i < own.nodes.size(); i++) {
+    const BatchMotion& batch = change_[i / batch_size];
+    const std::size_t lane = i % batch_size;
+    change_momenta(own.nodes[i], lane_of(batch.v, lane), lane_of(batch.p, lane), lane_of(batch.L, lane));
+  }
+  return work;
+}
+
+}  // namespace pantin
