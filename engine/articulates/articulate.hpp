@@ -230,6 +230,8 @@ struct Articulate {
   std::vector<Vec3> right_side;  // (rows of the factor)
   std::vector<Vec3> f_saved;     // (rows) [N] where a line search starts
   Forecast forecast;
+  std::vector<Vec3>
+      expected;  // (rows) [N] in the coming step, where laws of velocity ask for that; none, or not finite
   std::vector<Vec3> impulses;   // (rows) [N s] of the last projection of velocities
   std::vector<Vec3> exerted;    // (rows) [N s] in all, in a full sub-step that is cut into parts or strikes a row
   double exerted_time = 0.0;    // [s] for which that is the sum; 0: the rows' forces tell all

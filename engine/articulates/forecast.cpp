@@ -67,7 +67,9 @@ void Prediction::row(std::size_t k) {
   Row& row = a_.rows[k];
   const auto miss = [&](std::size_t level, Vec3 by) { forces_missed_[level] += by * by; };
   const Vec3 next = extrapolate(a_.forecast.forces[k], row.f, old_scale_, a_.forecast.scale, order_, miss);
-  if (a_.weak)
+  if (!a_.expected.empty() && finite(a_.expected[k]))
+    row.f = a_.expected[k];
+  else if (a_.weak)
     row.f *= 0.98;  // forgets multipliers that the equations do not determine
   else if (order_ > 0)
     row.f = next;
@@ -80,6 +82,7 @@ void Prediction::end() {
   for (std::size_t k = 1; k < Forecast::levels; k++)
     forecast.missed[k] = k < forecast.known ? 0.5 * forecast.missed[k] + sum(missed[k]) : 0.0;
   forecast.known = std::min(forecast.known + 1, Forecast::levels);
+  a_.expected.clear();
 }
 
 }  // namespace pantin

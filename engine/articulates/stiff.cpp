@@ -152,6 +152,20 @@ double evaluate_stiff(Row& row, Condition& c, const RowContext& context) {
   return std::fmax(norm(row.residual), work > 0.0 ? work / std::fmax(force, least) : 0.0);
 }
 
+StiffPull pull_at(StiffTie& tie, Vec3 d) {
+  StiffPull p;
+  const double s = std::fmax(norm2(d), tie.least2);
+  const Mat3 along = outer(d, d);
+  for (PairCurve& curve : tie.curves) {
+    curve.run(1, &s, 0.0);
+    const PairCurve::Value v = curve.at(0);
+    p.f -= d * v.pull;
+    p.by_place -= identity33() * std::fmax(0.0, v.pull) + along * std::fmax(0.0, 2.0 * v.by_distance2);
+    p.by_rate -= along * std::fmax(0.0, v.by_approach);
+  }
+  return p;
+}
+
 bool StiffTie::is_open() const {
   return solve == Solve::at_end ||
          std::any_of(curves.begin(), curves.end(), [](const PairCurve& curve) { return !curve.has_energy(); });

@@ -35,4 +35,12 @@ void make_stiff(const Model& model, ConnectionId id, Row& row, Condition& condit
 /// Reads the start of a step of h [s] from d0; `approach` is d0 · the velocity of d0 [m²/s].
 void start_stiff(StiffTie& tie, const Row& row, double approach);
 
+/// What a tie pulls its first point with at d [m], at rest [N], and how d [N/m] and its rate [N s/m] change that, where it
+/// draws back.
+struct StiffPull {
+  Vec3 f = zero3();
+  Mat3 by_place = zero33(), by_rate = zero33();
+};
+StiffPull pull_at(StiffTie& tie, Vec3 d);
+
 }  // namespace pantin

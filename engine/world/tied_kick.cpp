@@ -10,6 +10,7 @@
 #include "articulates/drift.hpp"
 #include "articulates/project.hpp"
 #include "articulates/rows.hpp"
+#include "articulates/stiff.hpp"
 #include "articulates/strand.hpp"
 
 namespace pantin {
@@ -24,6 +25,8 @@ double product(const Motions& a, const Motions& b) {
   for (std::size_t i = 0; i < a.size(); i++) all += dot(a[i].v, b[i].p) + dot(a[i].w, b[i].L);
   return sum(all);
 }
+
+double size_of(const Motions& m) { return std::sqrt(std::max(0.0, product(m, m))); }
 
 void add(Motions& to, const Motions& more, double times) {
   for (std::size_t i = 0; i < to.size(); i++) {
@@ -47,15 +50,14 @@ struct Space {
   std::vector<Motions> directions;
   Eigen::MatrixXd work;  // of the forces that one direction makes, along another
 
-  /// Takes a direction apart from the others, and adds it unless it is hardly more than what answers round; how much of it
-  /// was new.
-  double add_direction(Motions d) {
-    constexpr double round_off = 1e-9;
-    const double whole = std::sqrt(std::max(0.0, product(d, d)));
+  /// Takes a direction apart from the others, and adds it unless it is hardly more than what answers leave of what was
+  /// forbidden, of a motion of size `whole` [J^½]; how much of it was new.
+  double add_direction(Motions d, double whole) {
+    constexpr double left = 1e-8;
     for (int again = 0; again < 2; again++)
       for (const Motions& q : directions) pantin::add(d, q, -product(q, d));
-    const double size = std::sqrt(std::max(0.0, product(d, d)));
-    if (!(size > round_off * whole)) return 0.0;
+    const double size = size_of(d);
+    if (!(size > left * whole)) return 0.0;
     Motions q(d.size());
     pantin::add(q, d, 1.0 / size);
     directions.push_back(std::move(q));
@@ -113,10 +115,14 @@ Vec3 TiedKick::velocity_at(const Motions& of, const Seat& seat) const {
 
 Motions TiedKick::allowed(const Motions& impulses) {
   Motions all(impulses.size());
+  Lanes free2 = lanes(0.0);
   for (std::size_t b = 0; b < all.size(); b++) {
-    a_->batches[b].p = impulses[b].p;
-    a_->batches[b].L = impulses[b].L;
+    NodeBatch& n = a_->batches[b];
+    n.p = impulses[b].p;
+    n.L = impulses[b].L;
+    free2 += norm2(n.p) * n.inverse_mass + dot(n.L, n.mobility * n.L);
   }
+  asked_ = std::sqrt(sum(free2));
   if (ties_) answer(*a_);
   for (std::size_t b = 0; b < all.size(); b++) {
     const NodeBatch& n = a_->batches[b];
@@ -134,23 +140,45 @@ Motions TiedKick::felt(const Motions& by) const {
     add(to, seats[p.a], force);
     if (!law.one_sided) add(to, seats[p.b], force * -1.0);
   }
+  add_felt_of_soft_rows(to, by, 1.0);
   return to;
 }
 
-/// Impulses of rows that pull without forbidding, as they did last.
-void TiedKick::add_soft_rows(Motions& to) const {
-  for (const Row& row : a_->rows) {
+/// Rows that pull without forbidding, as the drift that follows will have them.
+void TiedKick::find_soft_rows() {
+  soft_.clear();
+  for (std::size_t k = 0; k < a_->rows.size(); k++) {
+    const Row& row = a_->rows[k];
     if (!is_soft(row)) continue;
-    const auto pull = [&](std::int32_t node, Vec3 arm, double sign) {
-      if (node < 0) return;
-      const auto i = static_cast<std::size_t>(node);
-      const Vec3 impulse = row.f * (sign * dt_);
-      const bool couple = row.lever > 0.0, turns = a_->nodes[i].turns;
-      const Vec3 twist = couple ? impulse * row.lever : turns ? cross(a_->nodes[i].R0 * arm, impulse) : zero3();
-      pantin::push(to[i / batch_size], i % batch_size, couple ? zero3() : impulse, twist);
+    const Condition& c = condition(*a_, row);
+    const auto end = [&](std::int32_t node, Vec3 arm) {
+      const Node& n = a_->nodes[static_cast<std::size_t>(node)];
+      return Seat{0, static_cast<std::size_t>(node), n.turns ? n.R0 * arm : zero3()};
     };
-    pull(row.a, row.la, 1.0);
-    pull(row.b, row.lb, -1.0);
+    const auto place = [&](const Seat& s) { return a_->nodes[s.node].x0 + s.r; };
+    Soft soft{end(row.a, row.la), {}, row.b >= 0, k, row.f, zero33()};
+    if (soft.two) soft.b = end(row.b, row.lb);
+    if (c.stiff) {
+      const StiffPull pull = pull_at(*c.stiff, place(soft.a) - (soft.two ? place(soft.b) : c.place1));
+      soft.force = pull.f;
+      soft.slope = pull.by_place * dt_ + pull.by_rate;
+    } else if (norm(row.f) < c.max_force) {
+      soft.slope = identity33() * -(c.stiffness * dt_ + c.damping);
+    }
+    soft_.push_back(soft);
+  }
+}
+
+void TiedKick::add(Motions& to, const Soft& soft, Vec3 impulse) const {
+  add(to, soft.a, impulse);
+  if (soft.two) add(to, soft.b, impulse * -1.0);
+}
+
+/// What their forces change by with velocities.
+void TiedKick::add_felt_of_soft_rows(Motions& to, const Motions& by, double times) const {
+  for (const Soft& s : soft_) {
+    const Vec3 u = velocity_at(by, s.a) - (s.two ? velocity_at(by, s.b) : zero3());
+    add(to, s, s.slope * u * times);
   }
 }
 
@@ -163,8 +191,6 @@ void TiedKick::start(const std::vector<Vec3>& forces, Vec3 gravity) {
   forces_on_seats_ = forces;
   gravity_ = gravity;
   for (const Condition& c : a_->conditions) held_.push_back(c.held);
-  for (Condition& c : a_->conditions)  // the drift finds out what those give that can give so much and no more
-    if (!c.stiff && !std::isinf(c.upper)) hold(c, false);
   find_known();
 }
 
@@ -175,13 +201,16 @@ double TiedKick::fastest_damping() {
   pantin::add(right, others_, 1.0);
   Space space;
   std::vector<Motions> all;
-  double fastest = 0.0, first = space.add_direction(right);
-  while (first > 0.0 && all.size() < space.directions.size()) {
+  double fastest = 0.0;
+  space.add_direction(right, size_of(right));
+  while (all.size() < space.directions.size()) {
     all.push_back(felt(space.directions.back()));
     space.add_work(all);
     const Eigen::MatrixXd working = 0.5 * (space.work + space.work.transpose());
     fastest = -Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(working, Eigen::EigenvaluesOnly).eigenvalues()(0);
-    if (all.size() < enough) space.add_direction(allowed(all.back()));
+    if (all.size() == enough) break;
+    Motions next = allowed(all.back());
+    space.add_direction(std::move(next), asked_);
   }
   return fastest;
 }
@@ -194,15 +223,15 @@ void TiedKick::find_known() {
     read_momenta(*a_, b);
     const NodeBatch& batch = a_->batches[b];
     first[b] = {batch.p * batch.inverse_mass, batch.mobility * batch.L, batch.p, batch.L};
-    for (std::size_t lane = 0; lane < batch.count; lane++) {
-      const Vec3 fall = gravity_ * (dt_ * a_->nodes[batch_size * b + lane].mass);
-      pantin::push(other[b], lane, fall, zero3());
-      if (!side_.before) pantin::push(first[b], lane, fall * -1.0, zero3());
-    }
+    for (std::size_t lane = 0; lane < batch.count; lane++)
+      pantin::push(other[b], lane, gravity_ * (dt_ * a_->nodes[batch_size * b + lane].mass), zero3());
   }
+  if (!side_.before) pantin::add(first, other, -1.0);  // the drift had it
+  soft_.clear();
+  if (theta > 0.5 && side_.before) find_soft_rows();
+  for (const Soft& s : soft_) add(other, s, s.force * dt_);
   for (std::size_t s = 0; s < seats.size(); s++) add(other, seats[s], forces_on_seats_[s] * dt_);
-  if (theta > 0.5) add_soft_rows(other);  // which else would seem to move what they only hold
-  const bool is_allowed = !ties_ || (side_.before && world_.part.first && !copy_);
+  const bool is_allowed = side_.before && !copy_ && (world_.part.first || !ties_);
   v0_ = is_allowed ? std::move(first) : allowed(allowed(first));
   driven_.assign(other.size(), {});
   const auto moves = [](const Condition& c) { return norm2(c.wanted) > 0.0; };
@@ -231,7 +260,7 @@ void TiedKick::solve() {
   pantin::add(right, allowed(known), theta);
   w_ = driven_;
   Space space;
-  const double size = space.add_direction(right), factor = dt_ * theta;
+  const double size = space.add_direction(right, size_of(right)), factor = dt_ * theta;
   double tolerance = 0.0;
   std::vector<Motions> all;
   Eigen::VectorXd y;
@@ -242,7 +271,8 @@ void TiedKick::solve() {
     const Eigen::MatrixXd A = Eigen::MatrixXd::Identity(n, n) - factor * space.work;
     y = A.partialPivLu().solve(Eigen::VectorXd::Unit(n, 0) * size);
     if (space.directions.size() == most_directions) break;
-    const double more = space.add_direction(allowed(all.back()));
+    Motions next = allowed(all.back());
+    const double more = space.add_direction(std::move(next), asked_);
     if (n == 1) {
       const double reach = std::fabs(factor) * std::hypot(space.work(0, 0), more);
       tolerance = std::clamp(0.05 * reach * reach * reach, 1e-14, 1e-8);
@@ -264,10 +294,20 @@ Motions TiedKick::told_impulses(const std::vector<Vec3>& told) const {
 }
 
 bool TiedKick::finish(const std::vector<Vec3>& told) {
+  told_ = told;
   change_ = w_;
   pantin::add(change_, v0_, -1.0);
   if (theta == 0.5) pantin::add(change_, Motions(change_), 1.0);
   pantin::add(change_, others_, -1.0);
+  if (!soft_.empty()) {
+    Motions soft(w_.size());
+    add_felt_of_soft_rows(soft, w_, -dt_);
+    pantin::add(change_, allowed(soft), 1.0);
+    Articulate& own = *world_.articulates[index_];
+    own.expected.assign(own.rows.size(), vec(infinity, 0.0, 0.0));
+    for (const Soft& s : soft_)
+      own.expected[s.row] = s.force + s.slope * (velocity_at(w_, s.a) - (s.two ? velocity_at(w_, s.b) : zero3()));
+  }
   borne_.assign(a_->rows.size(), zero3());
   if (ties_) {
     allowed(told_impulses(told));
@@ -282,13 +322,18 @@ bool TiedKick::finish(const std::vector<Vec3>& told) {
   return false;
 }
 
-/// Has rows of one side let go that would have to pull; whether some did.
+/// Has rows let go that would have to do what they cannot, with what they did in the last step: of one side to pull, of a
+/// limited force to give more; whether some did.
 bool TiedKick::let_go() {
   bool some = false;
   for (Condition& c : a_->conditions) {
-    if (!ties_ || !c.ranged || !c.held) continue;
-    const Vec3 inward = stop(*a_, row(*a_, c)).inward, borne = borne_[c.row] + row(*a_, c).f * std::fabs(dt_);
-    if (dot(borne, inward) >= -1e-12 * norm(borne)) continue;
+    if (!ties_ || !c.held || is_soft(row(*a_, c))) continue;
+    const double time = std::fabs(dt_);
+    const Vec3 borne = borne_[c.row] * (dt_ > 0.0 ? 1.0 : -1.0) + row(*a_, c).f * time;
+    const double beyond = c.ranged              ? -dot(borne, stop(*a_, row(*a_, c)).inward)
+                          : std::isinf(c.upper) ? 0.0
+                                                : norm(borne) - c.upper * time;
+    if (beyond <= 1e-12 * norm(borne)) continue;
     hold(c, false);
     some = true;
   }
@@ -316,18 +361,37 @@ void TiedKick::change_momenta(Node& n, Vec3 v, Vec3 p, Vec3 L) {
   if (n.turns) m.angular += transposed_times(matrix(m.q), L);
 }
 
+/// The velocities may have changed a little since, as energy was returned: the change is made to give the same [J].
+void TiedKick::scale_to(double given) {
+  if (!side_.drifted) return;
+  Motions now(change_.size());
+  for (std::size_t b = 0; b < now.size(); b++) {
+    read_momenta(*a_, b);
+    now[b].p = a_->batches[b].p;
+    now[b].L = a_->batches[b].L;
+  }
+  const double size = product(change_, change_), along = product(change_, now), slope = size + along;
+  if (std::fabs(slope) < 0.1 * size) return;
+  const double by = (given - along - 0.5 * size) / slope;
+  if (std::fabs(by) < 1e-3) pantin::add(change_, Motions(change_), by);
+}
+
 TiedWork TiedKick::apply(const std::vector<Vec3>& spared, double full) {
   TiedWork work;
   Articulate& own = *world_.articulates[index_];
   Motions mean = v0_;
   if (!side_.before) pantin::add(mean, others_, 1.0);
   pantin::add(mean, change_, 0.5);
+  bool damps = !pairs.empty() || crossed;
+  for (std::size_t s = 0; s < seats.size(); s++) damps = damps || norm2(told_[s] - spared[s]) > 0.0;
   for (std::size_t s = 0; s < seats.size(); s++) work.rest += dot(spared[s], velocity_at(mean, seats[s])) * dt_;
   for (std::size_t k = 0; k < wanted_.size(); k++) {
     const Condition& c = a_->conditions[k];
     (row(*a_, c).lever > 0.0 ? work.rows.couples : work.rows.ends) += dot(borne_[c.row], wanted_[k]);
   }
-  work.damper = product(mean, change_) - work.rows.all() - work.rest;
+  const double given = product(mean, change_), by_laws = given - work.rows.all();
+  (damps ? work.damper : work.rest) = damps ? by_laws - work.rest : by_laws;
+  scale_to(given);
   if (own.reaction.size() != borne_.size()) own.reaction.assign(borne_.size(), zero3());
   for (std::size_t k = 0; k < borne_.size(); k++) own.reaction[k] += borne_[k] / full;
   for (std::size_t i = 0; i < own.nodes.size(); i++) {

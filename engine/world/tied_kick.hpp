@@ -77,15 +77,27 @@ class TiedKick {
   TiedWork apply(const std::vector<Vec3>& spared, double full);
 
  private:
+  /// A row that pulls without forbidding: its force on a is force + slope (v_a - v_b).
+  struct Soft {
+    Seat a, b;
+    bool two;  // else b is a place
+    std::size_t row;
+    Vec3 force;  // [N]
+    Mat3 slope;  // [N s/m]
+  };
+
   void hold(Condition& condition, bool held);
   bool let_go();
   Motions allowed(const Motions& impulses);
   Motions felt(const Motions& by) const;
   Motions told_impulses(const std::vector<Vec3>& told) const;
+  void scale_to(double given);
   void change_momenta(Node& node, Vec3 v, Vec3 p, Vec3 L);
   void add(Motions& to, const Seat& seat, Vec3 impulse) const;
   Vec3 velocity_at(const Motions& of, const Seat& seat) const;
-  void add_soft_rows(Motions& to) const;
+  void find_soft_rows();
+  void add(Motions& to, const Soft& soft, Vec3 impulse) const;
+  void add_felt_of_soft_rows(Motions& to, const Motions& by, double times) const;
 
   World& world_;
   const Forces& forces_;
@@ -98,10 +110,12 @@ class TiedKick {
   bool ties_ = true;                  // its rows forbid velocities
   std::vector<char> held_;            // (conditions)
   std::vector<Vec3> wanted_;          // (conditions) [m/s]
-  std::vector<Vec3> forces_on_seats_;
+  std::vector<Soft> soft_;
+  std::vector<Vec3> forces_on_seats_, told_;
   Vec3 gravity_ = zero3();
   Motions pushes_, v0_, driven_, others_, w_, change_;  // driven_: the least motion that what moves by itself asks for
-  std::vector<Vec3> borne_;                             // (rows) [N s]
+  double asked_ = 0.0;       // [J^½] size of the last motion that was made allowed, before it was
+  std::vector<Vec3> borne_;  // (rows) [N s]
 };
 
 void post_tied(World& world, const TiedWork& work);

@@ -31,23 +31,27 @@ bool is_drawn(const World& world) {
 
 /// What a kick over half a part gives at most beyond half the way's work, h² f²/8m over what is loose [J]: what steps of
 /// second order do not keep of the energy of laws that have none to tell. Of forces that do not damp.
-double unkept(const World& world, const Forces& f) {
-  if (f.moving && !f.velocity.linear) return 0.0;
-  double sum = 0.0;
+struct Unkept {
+  double spared = 0.0, kick = 0.0;  // [J] of forces that do not damp; of all, and on what is tied as if it were not
+};
+
+Unkept unkept(const World& world, const Forces& f) {
+  Unkept sum;
+  const double share = world.part.h * world.part.h / 8.0;
   for (std::size_t i = 0; i < f.sites.n; i++) {
     double mobility = f.inverse_mass[i];
     const std::uint32_t at = f.attached_of[i];
+    bool tied = false;
     if (at != none) {
       const Mover& m = f.movers[f.attached[at].mover];
-      if (m.articulate < 0)
-        mobility = 1.0 / (m.is_body ? world.motion[m.slot].mass : world.points.at_slot(m.slot).mass);
+      mobility = 1.0 / (m.is_body ? world.motion[m.slot].mass : world.points.at_slot(m.slot).mass);
+      tied = m.articulate >= 0;
     }
-    if (mobility == 0.0) continue;
-    Vec3 force = f.sites.open_force[i];
-    if (f.moving && f.velocity.known) force = f.undamped[i];
-    sum += norm2(force) * mobility;
+    const Vec3 force = f.sites.open_force[i], spared = f.moving && f.velocity.known ? f.undamped[i] : force;
+    sum.kick += norm2(force) * mobility * share;
+    if (!tied && (!f.moving || f.velocity.linear)) sum.spared += norm2(spared) * mobility * share;
   }
-  return sum * world.part.h * world.part.h / 8.0;
+  return sum;
 }
 
 /// Forces of the laws without energy `at` a fraction of the way, each with the mean velocity on it [N] (sites).
@@ -72,9 +76,11 @@ void note_open_forces(World& world) {
   if (!is_checked(world)) return;
   Forces& f = *world.forces;
   f.done = done_by_open_laws(world);
-  const double now = unkept(world, f);  // another where an edit or another step came between
-  world.open_work_check.unkept_at_first += now - world.open_work_check.unkept;
-  world.open_work_check.unkept = now;
+  const Unkept now = unkept(world, f);  // another where an edit or another step came between
+  OpenWorkCheck& check = world.open_work_check;
+  check.unkept_at_first += now.spared - check.unkept;
+  check.unkept = now.spared;
+  check.kick = std::max(check.kick, now.kick);
   f.open_from.resize(world.particles.slots());
   for (std::size_t i = 0; i < f.sites.n; i++)
     if (f.sites.particle[i] != none) f.open_from[f.sites.particle[i]] = f.sites.x[i] + f.image[i];
@@ -83,7 +89,7 @@ void note_open_forces(World& world) {
 void check_open_work(World& world) {
   if (!is_checked(world)) return;
   Forces& f = *world.forces;
-  world.open_work_check.unkept = unkept(world, f);
+  world.open_work_check.unkept = unkept(world, f).spared;
   const double done = std::fabs(done_by_open_laws(world) - f.done);
   const bool large = done > much * world.largest_kinetic;
   if (f.open_from.size() < world.particles.slots() || !(large || is_drawn(world))) return;

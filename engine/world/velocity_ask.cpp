@@ -1,0 +1,79 @@
+// What laws of velocity give, with their derivatives.
+#include <algorithm>
+#include <cmath>
+
+#include "world/velocity_kick_parts.hpp"
+
+namespace pantin {
+
+double working_part(const Mat3& m) {
+  const Mat3 sum = m + transpose(m);
+  return 0.5 * std::sqrt(norm2(sum[0]) + norm2(sum[1]) + norm2(sum[2]));
+}
+
+void ask_velocity_laws(const World& world, Forces& f, const Instant& instant, bool thermal) {
+  VelocityForces& k = thermal ? f.thermostats : f.velocity;
+  const std::size_t n = f.sites.n;
+  const auto asked = [&](const Law& law) { return law.moving && law.thermal == thermal; };
+  k.fields.clear(n);
+  if (f.workless) k.workless.clear(n);
+  k.pairs.clear();
+  k.linear = k.known = true;
+  for (ActingField& a : f.fields) {
+    if (!asked(*a.law)) continue;
+    const auto parameters = present_parameters(world, *a.law, world.fields[a.id].parameters);
+    k.linear &= a.fields.add_slopes(f.sites, box_of(world), instant, parameters, *world.workers, k.fields);
+    if (a.law->workless) a.fields.add_slopes(f.sites, box_of(world), instant, parameters, *world.workers, k.workless);
+  }
+  for (ActingInteraction& a : f.interactions) {
+    if (!asked(*a.law)) continue;
+    const auto parameters = present_parameters(world, *a.law, world.interactions[a.id].parameters);
+    k.linear &= a.pairs.list_slopes(f.sites, a.rows, instant, parameters, k.pairs);
+  }
+  for (ActingConnections& a : f.connections)
+    if (asked(*a.law) && !a.solved) k.linear &= a.bonds.list_slopes(f.sites, box_of(world), instant, {}, k.pairs);
+  k.at.assign(n, zero3());
+  std::copy_n(f.sites.v.begin(), n, k.at.begin());
+  const Plane& plane = world.plane;
+  if (!plane.flat()) return;
+  const auto flatten = [&](Vec3& force, Mat3& slope) {
+    force = plane.along(force);
+    for (int c = 0; c < 3; c++) slope[c] = plane.along(slope[c]);
+  };
+  for (std::size_t i = 0; i < n; i++) flatten(k.fields.force[i], k.fields.slope[i]);
+  for (std::size_t i = 0; f.workless && i < n; i++) flatten(k.workless.force[i], k.workless.slope[i]);
+  for (VelocityPair& p : k.pairs) flatten(p.force, p.slope);
+}
+
+void find_velocity_slopes(const World& world, Forces& f, const Instant& instant) {
+  ask_velocity_laws(world, f, instant, false);
+  const VelocityForces& k = f.velocity;
+  f.undamped = f.still;
+  for (std::size_t i = 0; i < f.sites.n; i++) {
+    f.sites.open_force[i] += k.fields.force[i];
+    if (f.workless) f.undamped[i] += k.workless.force[i];
+  }
+  for (const VelocityPair& p : k.pairs) {
+    const auto add = [&](std::size_t site, Vec3 force) {
+      f.sites.open_force[site] += force;
+      if (p.workless) f.undamped[site] += force;
+    };
+    add(p.a, p.force);
+    if (!p.one_sided) add(p.b, p.force * -1.0);
+  }
+}
+
+double fastest_damping(const World& world, const Forces& f) {
+  double fastest = 0.0;
+  for (std::size_t i = 0; f.velocity.known && i < f.sites.n; i++) {
+    double mobility = f.inverse_mass[i];
+    if (const std::uint32_t m = mover_at(f, i); m != Forces::none && f.movers[m].is_body) {
+      const Motion& motion = world.motion[f.movers[m].slot];
+      mobility = 1.0 / motion.mass + norm2(f.attached[f.attached_of[i]].r) * largest(inverse_inertia(motion));
+    }
+    fastest = std::max(fastest, mobility * working_part(f.velocity.fields.slope[i]));
+  }
+  return fastest;
+}
+
+}  // namespace pantin
