@@ -277,3 +277,19 @@ test("a free loop that contradicts itself flies on as it flew", function()
   end
   expect(scene.stats.safe_steps):above(100)
 end)
+
+test("what contradicts itself moves on with noise elsewhere, which has each step in two halves", function()
+  local scene = open_text [[
+    scene.gravity = vec(0, 0, 0)
+    local a = scene:particle { at = vec(0, 0, 0), mass = 1, velocity = vec(1, 0, 0), name = "a" }
+    local b = scene:particle { at = vec(1, 0, 0), mass = 1, velocity = vec(1, 0, 0), name = "b" }
+    scene:rod(a, b).length = 1.2
+    scene:rod(a, b).length = 0.8
+    scene:particle { at = vec(9, 9, 9), mass = 1 }
+    scene:field(scene, force.thermostat { temperature = 1e-12, rate = 1e-12 })
+  ]]
+  scene:advance(1)
+  expect(scene.stats.safe_steps):above(scene.stats.steps)
+  local middle = (scene:find("a").position + scene:find("b").position) / 2
+  expect(middle):near(vec(1.5, 0, 0), 1e-9)
+end)
