@@ -202,11 +202,13 @@ struct Hub {
   std::vector<std::uint32_t> alone;   // rows on the node that are on no node but hubs
 };
 
+inline constexpr std::uint16_t most_failed = 4;
+
 /// What its steps cost, in iterations and factorisations, and what may still be spent on one that cannot be solved.
 struct Effort {
   double usual = 4.0;        // of a step that is solved at once
   std::uint32_t spare = 0;   // left of this drift, for attempts that fail
-  std::uint16_t failed = 0;  // steps in a row that were not solved,
+  std::uint16_t failed = 0;  // attempts in a row that did not solve a step, at most `most_failed`,
   std::uint16_t pause = 0;   // and for how many more none is to be tried
 };
 

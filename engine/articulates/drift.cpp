@@ -217,7 +217,7 @@ void end_effort(Articulate& a, std::uint32_t spare, bool open, const DriftReport
   if (report.safe == 0) {
     effort.failed = 0;
   } else if (spare > 0 && !open) {
-    effort.failed = static_cast<std::uint16_t>(std::min(effort.failed + 1, 4));
+    effort.failed = static_cast<std::uint16_t>(std::min(effort.failed + 1, int{most_failed}));
     effort.pause = std::min(longest_pause, static_cast<std::uint16_t>((1u << effort.failed) - 1u));
   }
 }
@@ -249,10 +249,7 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
     drift_part(a, settings, settings.from + way * i, i + 1 == count ? settings.to : settings.from + way * (i + 1), 0,
                report);
   end_effort(a, spare, open, report);
-  if (a.torn && report.dissipated > 0.0) {  // drawing together what an edit tore apart lifted something
-    report.met += report.dissipated;
-    report.dissipated = 0.0;
-  }
+  if (a.torn) report.met += std::exchange(report.dissipated, 0.0);  // drawing together what an edit tore apart
   a.torn = a.torn && a.gaps.open > 1e-8 * a.length;
 }
 

@@ -158,6 +158,27 @@ void tell_open(World& world, Articulate& a) {
             text("it is open by ", most, " m, and what ties the same things contradicts it, or pulls them too far"));
 }
 
+/// Names the stiffest connection of what is not solved for some steps though it is not open; one of a scene is enough.
+void tell_too_stiff(World& world, const Articulate& a) {
+  const std::string too_stiff = " is too stiff for the step: ";
+  if (!a.safe || a.effort.failed < most_failed || a.gaps.open > world.settings.tolerance * a.length) return;
+  const StiffTie* stiffest = nullptr;
+  double most = 0.0;
+  for (const Condition& c : a.conditions) {
+    if (!c.stiff) continue;
+    double pull = 0.0;
+    for (const double of_curve : c.stiff->pulls) pull += std::fabs(of_curve);
+    if (!(pull > most)) continue;
+    stiffest = c.stiff.get();
+    most = pull;
+  }
+  const auto told = [&](const LogLine& line) { return line.text.find(too_stiff) != std::string::npos; };
+  if (stiffest == nullptr || std::any_of(world.log.begin(), world.log.end(), told)) return;
+  log_line(world, "warning",
+           text(describe(world, stiffest->connection), too_stiff, "its motion at a step of ", world.settings.step,
+                " s cannot be solved, and in safe steps its length is held as it is; a rod keeps a length"));
+}
+
 /// Moves every articulate by `move(articulate, worker)`; a first part begins with the state of the model.
 template <class Move>
 void drift_articulates(World& world, Move move) {
@@ -172,6 +193,7 @@ void drift_articulates(World& world, Move move) {
     if (world.part.to == 1.0) {
       tell_open(world, *articulate);
       tell_stalled(world, *articulate);
+      tell_too_stiff(world, *articulate);
     }
     tell_tensions(*articulate, world);
     post_solved_laws(world, *articulate);

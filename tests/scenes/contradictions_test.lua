@@ -293,3 +293,32 @@ test("what contradicts itself moves on with noise elsewhere, which has each step
   local middle = (scene:find("a").position + scene:find("b").position) / 2
   expect(middle):near(vec(1.5, 0, 0), 1e-9)
 end)
+
+test("a spring too stiff to be solved is named, once", function()
+  local scene = open_text [[
+    local function particle(x) return scene:particle { at = vec(x, 0, 0), mass = 1 } end
+    scene:connect(particle(0), particle(1), force.spring { stiffness = 1e12, length = 1.01, name = "girder" })
+  ]]
+  scene:advance(1)
+  expect(scene.stats.safe_steps):above(0)
+  expect(#warnings(scene)):equal(1)
+  expect(warnings(scene)[1]:find("is too stiff for the step", 1, true) ~= nil):equal(true)
+end)
+
+test("closing the gap of a hinge made over one is an edit, which leaves no energy error", function()
+  local scene = open_text [[
+    local a = scene:body { at = vec(0, 0, 0), mass = 1, inertia = vec(0.1, 0.1, 0.1),
+                           points = { p = vec(0.5, 0, 0), q = vec(-0.5, 0, 0) } }
+    local b = scene:body { at = vec(1.8, 0.5, 0), mass = 1, inertia = vec(0.1, 0.1, 0.1), velocity = vec(0, 3, 0),
+                           spin = vec(0, 1, 4), points = { p = vec(-0.5, 0, 0) } }
+    scene:nail(a.q)
+    scene.tolerance = 1
+    scene:hinge(a.p, b.p)
+    local _ = scene.ledger
+  ]]
+  local before = scene.energy.total
+  scene:advance(1)
+  expect(scene.error.energy):below(1e-9)
+  expect(scene.ledger.edit):near(scene.energy.total - before, 1e-9)
+  expect(math.abs(scene.ledger.edit)):above(0.1)
+end)
