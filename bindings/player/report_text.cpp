@@ -114,7 +114,13 @@ bool is_last(const Study& study, const StudyRun& run) {
   return &run == &study.runs.back() || !same_series(*(&run + 1), run);
 }
 
-/// Integrators of higher order are at an order of 1 where the steps themselves are what is seen.
+/// Whether dampers took energy in the run for the ledger.
+bool is_damped(const Study& study) {
+  return study.ledger.is_object() && study.ledger.contains("damper") && study.ledger["damper"].get<double>() != 0.0;
+}
+
+/// Integrators of higher order are at an order of 1 where the steps themselves are what is seen, or laws are solved at
+/// their end.
 std::string first_order(const Study& study) {
   bool any = false;
   for (const StudyRun& run : study.runs) {
@@ -123,9 +129,11 @@ std::string first_order(const Study& study) {
     if (!(order > 0.7 && order < 1.5)) return "";
     any = true;
   }
-  return any ? " Halving the step only halves the error, with each integrator: something happens in whole steps, as "
-               "events, impacts and hands do."
-             : "";
+  if (!any) return "";
+  const std::string told = " Halving the step only halves the error, with each integrator: ";
+  return told + (is_damped(study) ? "dampers that are strong for the step are of first order, and so is what happens in "
+                                    "whole steps, as events, impacts and hands do."
+                                  : "something happens in whole steps, as events, impacts and hands do.");
 }
 
 std::string told_until(const Study& study) {

@@ -3,8 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "player/report.hpp"
-#include "support/process.hpp"
+#include "bindings/study_support.hpp"
 #include "support/reference.hpp"
 
 using namespace pantin;
@@ -47,15 +46,6 @@ std::vector<std::vector<Vec3>> in_order(const std::vector<std::vector<Vec3>>& tr
 
 std::string name_of(const StudyRun& run) {
   return run.integrator + (run.accuracy > 0 ? text(", accuracy ", run.accuracy) : text(", step 1/", 1.0 / run.step));
-}
-
-Study study_of(const std::string& source, double until) {
-  const support::Folder folder;
-  support::write_file(folder / "scene.lua", source);
-  RunOptions options;
-  options.scene = folder / "scene.lua";
-  options.until = until;
-  return study(options, folder.path, 5.0, [](const std::string&, double) {});
 }
 
 /// No error of a run is larger than the one promised, over the times that it is promised for; `round_off` [m] is what the
@@ -198,7 +188,7 @@ Truth chain_truth(const reference::PlaneChain& chain, int pieces) {
 
 TEST_CASE("promise: a ball on a stiff wall, where runs may agree by luck", "[slow]") {
   for (const auto& [stiffness, damping] : {std::pair(1e5, 0.0), std::pair(1e4, 5.0)}) {
-    const Study study = study_of(
+    const Study study = study_text(
         text("local p = scene:particle { mass = 1, at = vec(0, 1, 0), velocity = vec(1, 0, 0), radius = 0.1 }\n"
              "scene:field(scene, force.wall { normal = vec(0, 1, 0), damping = ",
              damping, ", stiffness = ", stiffness, " })"),
@@ -208,7 +198,7 @@ TEST_CASE("promise: a ball on a stiff wall, where runs may agree by luck", "[slo
 }
 
 TEST_CASE("promise: an orbit of eccentricity 0.9") {
-  const Study study = study_of(R"(
+  const Study study = study_text(R"(
     scene.gravity = vec(0, 0, 0)
     local p = scene:particle { mass = 1, at = vec(0.1, 0, 0), velocity = vec(0, math.sqrt(19), 0) }
     scene:connect(p, vec(0, 0, 0), force.pair { potential = function(r) return -1 / r end })
@@ -219,7 +209,7 @@ TEST_CASE("promise: an orbit of eccentricity 0.9") {
 }
 
 TEST_CASE("promise: a fly-by that no step resolves is not called chaotic, and what explodes there is no size") {
-  const Study study = study_of(R"(
+  const Study study = study_text(R"(
     scene.gravity = vec(0, 0, 0)
     local p = scene:particle { mass = 1, at = vec(-3, 0.02, 0), velocity = vec(6, 0, 0) }
     scene:connect(p, vec(0, 0, 0), force.pair { potential = function(r) return -10 / r end })
@@ -278,14 +268,14 @@ TEST_CASE("promise: a driven oscillator, a quartic well, a force that jumps and 
   };
   for (const Case& c : cases) {
     INFO(c.name);
-    check_promises(study_of(c.source, 1.5), c.truth);
+    check_promises(study_text(c.source, 1.5), c.truth);
   }
 }
 
 TEST_CASE("promise: a double pendulum, until chaos parts the runs") {
   reference::PlaneChain chain = reference::plane_chain(2);
   for (reference::Link& link : chain.links) link.centre = 1.0, link.inertia = 0.0;
-  const Study study = study_of(R"(
+  const Study study = study_text(R"(
     local first = scene:particle { at = vec(1, 0, 0), mass = 1 }
     local second = scene:particle { at = vec(2, 0, 0), mass = 1 }
     scene:rod(vec(0, 0, 0), first)
@@ -308,7 +298,7 @@ TEST_CASE("promise: two bodies on hinges with a motor between them") {
     const double push = -g * (m * c + L * m) * std::cos(a) - g * m * c * std::cos(b);
     return state({w, (push - (cosine + second) * bend - sine * (v * v - w * w)) / (first + second + 2 * cosine), 1});
   };
-  const Study study = study_of(R"(
+  const Study study = study_text(R"(
     local inertia = vec(1 / 600, 1.01 / 12, 1.01 / 12)
     local function link(x)
       return scene:body { mass = 1, inertia = inertia, at = vec(x, 0, 0),
@@ -339,7 +329,7 @@ TEST_CASE("promise: two bodies on hinges with a motor between them") {
 }
 
 TEST_CASE("promise: a kick that falls into whole steps") {
-  const Study study = study_of(R"(
+  const Study study = study_text(R"(
     local p = scene:particle { at = vec(0, 0, 0), velocity = vec(1, 0, 0) }
     scene:at(0.71, function() p:kick(vec(0, 3, 0)) end)
   )",

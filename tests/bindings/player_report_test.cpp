@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "player/plot.hpp"
-#include "support/process.hpp"
+#include "bindings/study_support.hpp"
 
 using namespace pantin;
 using namespace pantin::player;
@@ -36,15 +36,6 @@ Study empty_study() {
 }
 
 constexpr double steps[] = {0.04, 0.02, 0.01, 0.005, 0.0025, 0.00125};
-
-Study study_text(const std::string& source, double until) {
-  const support::Folder folder;
-  support::write_file(folder / "scene.lua", source);
-  RunOptions options;
-  options.scene = folder / "scene.lua";
-  options.until = until;
-  return study(options, folder.path, 5.0, [](const std::string&, double) {});
-}
 
 constexpr const char* pendulum = R"(
 scene.step = 1 / 60
@@ -220,6 +211,8 @@ TEST_CASE("report: what is of first order with every integrator is told to happe
     study.runs.push_back(seen(study, "verlet", step, [](double h, double t) { return 0.05 * h * t; }));
   compare(study);
   CHECK_THAT(report_text(study, 1.0), Catch::Contains("happens in whole steps, as events, impacts and hands do"));
+  study.ledger = {{"damper", -2.0}};
+  CHECK_THAT(report_text(study, 1.0), Catch::Contains("dampers that are strong for the step are of first order"));
   Study second = empty_study();
   for (const double step : steps)
     second.runs.push_back(seen(second, "verlet", step, [](double h, double t) { return 3 * h * h * t; }));
