@@ -131,6 +131,22 @@ LawLedger law_ledger(const World& world) {
   return ledger;
 }
 
+namespace {
+
+/// Whether the sites have one velocity, or the only one has none.
+bool rest(const Sites& sites, const BadForce& bad) {
+  const Vec3 v = bad.count == 1 ? zero3() : sites.v[bad.sites[0]];
+  return std::all_of(bad.sites, bad.sites + bad.count, [&](std::uint32_t site) { return same(sites.v[site], v); });
+}
+
+std::string where_at_rest(const Sites& sites, const BadForce& bad) {
+  const Vec3 x = sites.x[bad.sites[0]];
+  return text(bad.count == 1 ? ", at rest at (" : ", at rest relative to each other, the first at (", x[0], ", ", x[1],
+              ", ", x[2], ") m, where v / |v| is 0 / 0: a direction of motion has no meaning there");
+}
+
+}  // namespace
+
 std::string bad_force(const World& world) {
   if (!world.forces) return {};
   Forces& f = *world.forces;
@@ -148,9 +164,11 @@ std::string bad_force(const World& world) {
     std::string between = name(bad.sites[0]);
     for (int i = 1; i < bad.count; i++) between += " and " + name(bad.sites[i]);
     const std::string distance = bad.count == 1 ? "" : text(", at a distance of ", bad.distance, " m");
-    const bool met = bad.count > 1 && bad.distance == 0.0;  // then no step is short enough
+    const bool met = bad.count > 1 && bad.distance == 0.0, rests = row.law->moving && rest(f.sites, bad);
+    const bool hopeless = met || rests;  // no step is short enough
     return text(law_in_place(row), ": the force ", bad.count == 1 ? "on " : "between ", between,
-                " is not a finite number", distance, met ? "" : try_accuracy(world));
+                " is not a finite number", distance, rests ? where_at_rest(f.sites, bad) : "",
+                hopeless ? "" : try_accuracy(world));
   };
   const auto energy = [&](const auto& row, const auto& acting) {
     if (std::isfinite(acting.energy)) return std::string();

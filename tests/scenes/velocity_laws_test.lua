@@ -426,4 +426,12 @@ test("a stiff spring in thick oil relaxes at the rate of the two", function()
     scene:advance(0.1)
     expect(scene:find("p").position.x - 1):near(math.exp(-0.1 * case[1] / case[2]), 2e-4)
   end
+test("a law that divides by the speed is named with what is at rest, and no accuracy is advised", function()
+  local scene = open_text [[
+    scene.gravity = vec(0, 0, 0)
+    scene:particle { at = vec(0, 0, 0.5), name = "stone" }
+    scene:field(scene, force.point { name = "drag", force = function(p) return -p.velocity / p.velocity:length() end })
+  ]]
+  expect(function() scene:step() end):fails("drag: the force on particle 'stone' is not a finite number, at rest at " ..
+    "(0, 0, 0.5) m, where v / |v| is 0 / 0: a direction of motion has no meaning there; the scene is stopped")
 end)
