@@ -5,6 +5,7 @@
 
 #include "player/home.hpp"
 #include "player/message.hpp"
+#include "world/forces.hpp"
 #include "world/integrator.hpp"
 #include "world/measure.hpp"
 
@@ -15,6 +16,13 @@ std::string show(const lua::Value& value) {
   if (const double* number = std::get_if<double>(&value)) return to_text(*number);
   if (const bool* truth = std::get_if<bool>(&value)) return *truth ? "true" : "false";
   return std::get<std::string>(value);
+}
+
+/// Laws whose work no energy of theirs holds to account, as friction: the first suspects where the energy is wrong.
+std::string suspects(const World& world) {
+  std::string names;
+  for (const std::string& name : law_ledger(world).without_energy) names += text(names.empty() ? "" : ", ", name);
+  return names.empty() ? "" : text("; without an energy of their own act ", names);
 }
 
 }  // namespace
@@ -35,7 +43,7 @@ void print_closing(const lua::Scene& scene, const std::string& path, double seco
                       " safe steps, which only lose energy, where an articulate could not be solved\n");
   if (world.worst.energy > 0.1)
     std::cout << "  the energy went wrong by more than a tenth of what the scene exchanges; `pantin report " << path
-              << "` compares steps and integrators" << try_accuracy(world) << "\n";
+              << "` compares steps and integrators" << try_accuracy(world) << suspects(world) << "\n";
   if (world.settings.accuracy) {
     const MostSubSteps most = most_sub_steps(world);
     std::cout << text("  accuracy ", *world.settings.accuracy,

@@ -133,7 +133,9 @@ std::vector<LibraryLaw> point_laws() {
        buoyancy},
       {"thermostat",
        "-γ m v + sqrt(2 γ m k T / h) noise, k Boltzmann's constant and h the step of the scene, in the middle of each "
-       "drift: particles in a harmonic well spread as at T at any step, and free ones have its velocities",
+       "drift: particles in a harmonic well spread as at T at any step, and free ones have its velocities; in a well "
+       "in "
+       "which they swing at ω the velocities, and with them scene.temperature, are those of T (1 - (ω h)²/4)",
        "P. Langevin, C. R. Acad. Sci. 146, 1908, p. 530; the splitting BAOAB: B. Leimkuhler and C. Matthews, Appl. "
        "Math. "
        "Res. Express 2013, p. 34",

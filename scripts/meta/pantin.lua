@@ -1356,7 +1356,7 @@ function force.buoyancy(options) end
 ---@field temperature number [K] T
 ---@field name? string in the ledger
 
-----γ m v + sqrt(2 γ m k T / h) noise, k Boltzmann's constant and h the step of the scene, in the middle of each drift: particles in a harmonic well spread as at T at any step, and free ones have its velocities (P. Langevin, C. R. Acad. Sci. 146, 1908, p. 530; the splitting BAOAB: B. Leimkuhler and C. Matthews, Appl. Math. Res. Express 2013, p. 34)
+----γ m v + sqrt(2 γ m k T / h) noise, k Boltzmann's constant and h the step of the scene, in the middle of each drift: particles in a harmonic well spread as at T at any step, and free ones have its velocities; in a well in which they swing at ω the velocities, and with them scene.temperature, are those of T (1 - (ω h)²/4) (P. Langevin, C. R. Acad. Sci. 146, 1908, p. 530; the splitting BAOAB: B. Leimkuhler and C. Matthews, Appl. Math. Res. Express 2013, p. 34)
 ---@param options ThermostatOptions
 ---@return Law
 function force.thermostat(options) end

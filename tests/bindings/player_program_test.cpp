@@ -252,7 +252,13 @@ TEST_CASE("program: a run whose energy went wrong says so, and what finds a bett
     scene:field(scene, force.point { potential = function(p) return 1e6 * p.position.x ^ 2 end })
   )");
   CHECK_THAT(use(folder, {"run", "good.lua", "--until", "0.1"}).out, !Contains("pantin report"));
-  CHECK_THAT(use(folder, {"run", "bad.lua", "--until", "0.1"}).out, Contains("`pantin report bad.lua`"));
+  const std::string told = use(folder, {"run", "bad.lua", "--until", "0.1"}).out;
+  CHECK_THAT(told, Contains("`pantin report bad.lua`") && !Contains("without an energy"));
+  write_file(folder / "pushed.lua", spring + R"(
+    scene:field(scene, force.point { name = "shove", force = function(p) return -2e6 * p.position end })
+  )");
+  CHECK_THAT(use(folder, {"run", "pushed.lua", "--until", "0.1"}).out,
+             Contains("`pantin report pushed.lua`") && Contains("without an energy of their own act shove"));
 }
 
 TEST_CASE("program: tests in Lua") {

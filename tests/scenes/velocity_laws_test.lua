@@ -435,3 +435,32 @@ test("a law that divides by the speed is named with what is at rest, and no accu
   expect(function() scene:step() end):fails("drag: the force on particle 'stone' is not a finite number, at rest at " ..
     "(0, 0, 0.5) m, where v / |v| is 0 / 0: a direction of motion has no meaning there; the scene is stopped")
 end)
+
+test("the temperature that a thermostat in a well shows is that of velocities at whole steps", function()
+  local scene = open_text [[
+    scene.gravity = vec(0, 0, 0)
+    scene.step = 1 / 60
+    for i = 1, 1000 do scene:particle { at = vec(0, 0, 0), mass = 1 } end
+    scene:field(scene, force.point { potential = function(p) return 1800 * p.position:dot(p.position) end })
+    scene:field(scene, force.thermostat { temperature = 2, rate = 100 })
+  ]]
+  scene:advance(0.5)
+  local sum = 0
+  for _ = 1, 60 do
+    scene:step()
+    sum = sum + scene.temperature
+  end
+  expect(sum / 60):near(2 * (1 - 1 / 4), 0.03)
+end)
+
+test("a ball that friction holds on a slope keeps its place, and its energy error stays small", function()
+  local scene = open_text [[
+    scene.gravity = vec(0, 0, -9.81)
+    local n = vec(0.3, 0, 1):normalized()
+    scene:particle { at = n * 0.0999, mass = 1, radius = 0.1, name = "ball" }
+    scene:field(scene, force.wall { normal = n, stiffness = 1e4, friction = 0.9, damping = 30 })
+  ]]
+  scene:advance(5)
+  expect(scene:find("ball").velocity:length()):below(1e-6)
+  expect(scene.error.energy):below(0.05)
+end)
