@@ -110,7 +110,7 @@ std::uint32_t allowance(const Articulate& a, std::uint32_t least, double times) 
 }
 /// What attempts that fail may cost until a part is solved; and what all attempts may.
 std::uint32_t all_spare(const Articulate& a) { return allowance(a, 48, 6.0); }
-std::uint32_t most_cost(const Articulate& a) { return allowance(a, 100, 8.0); }
+std::uint32_t most_cost(const Articulate& a) { return allowance(a, 160, 12.0); }
 
 /// Tries to solve a part of h [s]; what a failure costs is spent, until a part is solved.
 bool try_part(Articulate& a, double h, Vec3 gravity, DriftReport& report) {

@@ -248,8 +248,8 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
     if (fresh && gain > 0.2 && e < 1e-4 * a.length && a.epsilon > a.least_epsilon) {
       lower_epsilon(a, shortened ? 1e-3 : 0.1);
       gain = 1.0;
-    } else if (shortened && gain > 0.9) {
-      return e1 <= 100.0 * tolerance;  // a shorter step of time does more
+    } else if (shortened && gain > 0.9 && e1 > 100.0 * tolerance) {
+      return false;  // a shorter step of time does more
     }
     fresh = false;
     e = e1;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 #include "articulates/midpoint.hpp"
 #include "articulates/project.hpp"
@@ -160,7 +161,7 @@ void tell_open(World& world, Articulate& a) {
 
 /// Names the stiffest connection of what is not solved for some steps though it is not open; one of a scene is enough.
 void tell_too_stiff(World& world, const Articulate& a) {
-  const std::string too_stiff = " is too stiff for the step: ";
+  constexpr std::string_view too_stiff = " is too stiff for the step: ";
   if (!a.safe || a.effort.failed < most_failed || a.gaps.open > world.settings.tolerance * a.length) return;
   const StiffTie* stiffest = nullptr;
   double most = 0.0;
@@ -172,7 +173,7 @@ void tell_too_stiff(World& world, const Articulate& a) {
     stiffest = c.stiff.get();
     most = pull;
   }
-  const auto told = [&](const LogLine& line) { return line.text.find(too_stiff) != std::string::npos; };
+  const auto told = [&](const LogLine& line) { return line.text.find(too_stiff) != std::string_view::npos; };
   if (stiffest == nullptr || std::any_of(world.log.begin(), world.log.end(), told)) return;
   log_line(world, "warning",
            text(describe(world, stiffest->connection), too_stiff, "its motion at a step of ", world.settings.step,
