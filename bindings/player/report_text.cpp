@@ -131,9 +131,10 @@ std::string first_order(const Study& study) {
   }
   if (!any) return "";
   const std::string told = " Halving the step only halves the error, with each integrator: ";
-  return told + (is_damped(study) ? "dampers that are strong for the step are of first order, and so is what happens in "
-                                    "whole steps, as events, impacts and hands do."
-                                  : "something happens in whole steps, as events, impacts and hands do.");
+  return told + (is_damped(study)
+                     ? "dampers that are strong for the step are of first order, and so is what happens in "
+                       "whole steps, as events, impacts and hands do."
+                     : "something happens in whole steps, as events, impacts and hands do.");
 }
 
 std::string told_until(const Study& study) {

@@ -203,7 +203,7 @@ TEST_CASE("promise: an orbit of eccentricity 0.9") {
     local p = scene:particle { mass = 1, at = vec(0.1, 0, 0), velocity = vec(0, math.sqrt(19), 0) }
     scene:connect(p, vec(0, 0, 0), force.pair { potential = function(r) return -1 / r end })
   )",
-                               4.0);
+                                 4.0);
   check_promises(study, ball([](double t) { return kepler(t, 0.9); }));
   CHECK(study.comparable == study.until);
 }
@@ -214,7 +214,7 @@ TEST_CASE("promise: a fly-by that no step resolves is not called chaotic, and wh
     local p = scene:particle { mass = 1, at = vec(-3, 0.02, 0), velocity = vec(6, 0, 0) }
     scene:connect(p, vec(0, 0, 0), force.pair { potential = function(r) return -10 / r end })
   )",
-                               1.0);
+                                 1.0);
   check_promises(study, ball(fly_by));
   CHECK_FALSE(study.chaotic);
   CHECK(study.unresolved());
@@ -281,7 +281,7 @@ TEST_CASE("promise: a double pendulum, until chaos parts the runs") {
     scene:rod(vec(0, 0, 0), first)
     scene:rod(first, second)
   )",
-                               30.0);
+                                 30.0);
   check_promises(study, chain_truth(chain, 40), 1e-9);
   CHECK(study.parts());
   CHECK_FALSE(study.unresolved());
@@ -309,7 +309,7 @@ TEST_CASE("promise: two bodies on hinges with a motor between them") {
     scene:hinge(a.tail, b.head)
     scene:motor(b, a, { axis = vec(0, 0, 1), angle = function(t) return 1 - math.cos(3 * t) end })
   )",
-                               3.0);
+                                 3.0);
   check_promises(
       study,
       [&](const std::vector<double>& times) {
@@ -333,7 +333,7 @@ TEST_CASE("promise: a kick that falls into whole steps") {
     local p = scene:particle { at = vec(0, 0, 0), velocity = vec(1, 0, 0) }
     scene:at(0.71, function() p:kick(vec(0, 3, 0)) end)
   )",
-                               1.0);
+                                 1.0);
   check_promises(study,
                  ball([](double t) { return vec(t, -0.5 * 9.81 * t * t + (t > 0.71 ? 3 * (t - 0.71) : 0.0), 0); }));
 }

@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "player/plot.hpp"
 #include "bindings/study_support.hpp"
+#include "player/plot.hpp"
 
 using namespace pantin;
 using namespace pantin::player;
