@@ -426,6 +426,8 @@ test("a stiff spring in thick oil relaxes at the rate of the two", function()
     scene:advance(0.1)
     expect(scene:find("p").position.x - 1):near(math.exp(-0.1 * case[1] / case[2]), 2e-4)
   end
+end)
+
 test("a law that divides by the speed is named with what is at rest, and no accuracy is advised", function()
   local scene = open_text [[
     scene.gravity = vec(0, 0, 0)
