@@ -238,6 +238,7 @@ struct Articulate {
   std::vector<Vec3> exerted;    // (rows) [N s] in all, in a full sub-step that is cut into parts or strikes a row
   double exerted_time = 0.0;    // [s] for which that is the sum; 0: the rows' forces tell all
   std::vector<Vec3> reaction;   // (rows) [N] what they bore of laws of velocity in the last step; none: nothing
+  std::vector<double> loads;    // (rows) [N] that they bore in the last step, where some may break; none: not known
   std::vector<Vec3> carried;    // (rows) [N s] half of them, see `take_carried_half`
   double carried_h = 0.0;       // [s] of the sub-steps after which they serve; 0: none
   double carried_energy = 0.0;  // [J] that taking them gave

@@ -243,3 +243,24 @@ test("a limit of the turn about an axis holds while that tilts over, and takes e
     expect(math.abs(scene:find("limit").value)):below(0.5 + 1e-9)
   end
 end)
+
+test("a rod that breaks breaks when its load says, not at the end of the step", function()
+  -- A pendulum let go at the level of its pivot bears 3 m g sin of its angle below it: 2 m g at a sine of 2/3.
+  local g, sine = 9.81, 2 / 3
+  local speed, cosine = math.sqrt(2 * g * sine), math.sqrt(1 - sine * sine)
+  local vx, vy = -speed * sine, -speed * cosine
+  for _, steps in ipairs { 60, 240 } do
+    local scene = open_text(([[
+      scene.step, scene.plane, scene.gravity = 1 / %d, "xy", vec(0, -9.81, 0)
+      local bob = scene:particle { at = vec(1, 0, 0), mass = 1, name = "bob" }
+      scene:rod(vec(0, 0, 0), bob).breaks_at = { force = 2 * 9.81 }
+    ]]):format(steps))
+    scene:advance(1)
+    local bob = scene:find "bob"
+    -- x of the parabola where it now is, by how far it fell since
+    local fallen = -bob.position.y - sine
+    local t = (vy + math.sqrt(vy * vy + 2 * g * fallen)) / g
+    expect(bob.position.x):near(cosine + vx * t, steps == 60 and 3e-3 or 2e-4)
+    expect(scene.error.energy):below(1e-12)
+  end
+end)
