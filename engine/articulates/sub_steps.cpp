@@ -98,15 +98,18 @@ void drift_accurately(Articulate& a, const DriftSettings& settings, const SubSte
   a.report.unreached = unreached;
 }
 
-void drift_alone_accurately(Node& node, double h, const SubStepSettings& wanted, SubSteps& n) {
+double drift_alone_accurately(Node& node, double h, const SubStepSettings& wanted, SubSteps& n) {
   const auto move = [&](Node& x, std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; i++) drift_alone(x, h / count);
   };
-  if (!node.turns || !is_due(n, wanted, norm(node.O0) * h / n.count)) return move(node, n.count);
+  if (!node.turns || !is_due(n, wanted, norm(node.O0) * h / n.count)) {
+    move(node, n.count);
+    return 0.0;
+  }
   Node start, other;
   const double gain = norm2(node.torque) > 0.0 ? second_order : fourth_order;
-  move_by_trial(node, start, other, n, h, wanted.accuracy, gain, move,
-                [](const Node& a, const Node& b) { return turn_between(a.R0, b.R0); });
+  return move_by_trial(node, start, other, n, h, wanted.accuracy, gain, move,
+                       [](const Node& a, const Node& b) { return turn_between(a.R0, b.R0); });
 }
 
 bool adapt(SubSteps& n, double rate, double accuracy) {

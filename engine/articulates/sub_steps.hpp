@@ -21,8 +21,8 @@ struct Trial {
 /// in its report; `unreached` tells that not even the most were enough.
 void drift_accurately(Articulate& articulate, const DriftSettings& settings, const SubStepSettings& wanted,
                       Trial& trial);
-/// The same for a node without rows over h [s].
-void drift_alone_accurately(Node& node, double h, const SubStepSettings& wanted, SubSteps& sub_steps);
+/// The same for a node without rows over h [s]; returns the error where not even the most are enough, else 0 [1/s].
+double drift_alone_accurately(Node& node, double h, const SubStepSettings& wanted, SubSteps& sub_steps);
 
 /// Sets a number of sub-steps by the error rate that it has [1/s], known once a step; false where the most are not enough.
 bool adapt(SubSteps& sub_steps, double rate, double accuracy);

@@ -99,7 +99,15 @@ void post_solved_laws(World& world, const Articulate& articulate) {
   }
 }
 
-void count(World& world, const DriftReport& report) {
+/// The first thing of an articulate, for whoever reads of it.
+std::string first_of(const World& world, const Articulate& articulate) {
+  const Node& n = articulate.nodes[0];
+  return n.is_body ? describe(world, world.bodies.id_at(n.slot))
+                   : describe(world, world.points.at_slot(n.slot).particle);
+}
+
+void count(World& world, const Articulate& articulate) {
+  const DriftReport& report = articulate.report;
   world.stats.newton_iterations += report.iterations;
   world.stats.factorisations += report.factorisations;
   world.stats.halved_steps += report.halved;
@@ -114,7 +122,8 @@ void count(World& world, const DriftReport& report) {
   post_report(world, report);
   if (report.offsets > 0)
     log_line(world, "notice", "a gap that no motion can close was taken as a constant offset of its hinges");
-  if (report.unreached > 0.0) tell_unreached(world, report.unreached, "the motion of what is hinged together");
+  if (report.unreached > 0.0)
+    tell_unreached(world, report.unreached, "the motion of what is tied to " + first_of(world, articulate));
 }
 
 /// What ties by a row, for whoever reads of it.
@@ -198,7 +207,7 @@ void drift_articulates(World& world, Move move) {
     }
     tell_tensions(*articulate, world);
     post_solved_laws(world, *articulate);
-    count(world, articulate->report);
+    count(world, *articulate);
   }
 }
 
@@ -209,7 +218,15 @@ void drift_by_midpoint(World& world) {
     while (world.trials.size() < static_cast<std::size_t>(world.workers->count()))
       world.trials.push_back(std::make_unique<Trial>());
   drift_points(world);
-  drift_bodies(world, [&](Node& n, Motion& m) { drift_alone_accurately(n, world.part.h, wanted, m.sub_steps); });
+  std::vector<double> missed(wanted.accuracy > 0.0 ? world.bodies.slots() : 0, 0.0);  // [1/s]
+  drift_bodies(world, [&](Node& n, Motion& m) {
+    const double rate = drift_alone_accurately(n, world.part.h, wanted, m.sub_steps);
+    if (rate > 0.0) missed[n.slot] = rate;
+  });
+  for (std::size_t slot = 0; slot < missed.size(); slot++)
+    if (missed[slot] > 0.0)
+      tell_unreached(world, missed[slot],
+                     "the turning of " + describe(world, world.bodies.id_at(static_cast<std::uint32_t>(slot))));
   drift_articulates(world, [&](Articulate& articulate, int worker) {
     if (wanted.accuracy == 0.0) return pantin::drift(articulate, settings, articulate.report);
     drift_accurately(articulate, settings, wanted, *world.trials[static_cast<std::size_t>(worker)]);

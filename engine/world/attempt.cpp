@@ -36,13 +36,20 @@ void keep_start(World& world) {
 }
 
 void note_error(World& world) {
-  if (world.trouble.empty()) world.kick_error = std::max(world.kick_error, kick_error(world));
+  if (world.trouble.empty()) world.kick_error += kick_error(world) * std::fabs(world.part.h) / world.settings.step;
 }
 
 namespace {
 
 /// A law may fail where a step that is too long has led.
 double error_rate(const World& world) { return world.trouble.empty() ? world.kick_error : infinity; }
+
+/// Errors are wanted by the second: the mean over the last one, or since the start where that is less.
+void average_error(World& world, double rate) {
+  const double step = world.settings.step, most = world.settings.accuracy_per_step ? step : std::max(1.0, step);
+  world.error_span = std::min(world.error_span + step, most);
+  world.mean_error += (std::min(rate, 1e6 / step) - world.mean_error) * step / world.error_span;
+}
 
 void begin_again(World& world) {
   StepStart& s = *world.start;
@@ -58,6 +65,7 @@ void begin_again(World& world) {
   world.instant = s.instant;
   world.trouble.clear();
   world.kick_error = 0.0;
+  forget_attempt(world);
   begin_part(world, 0);
   find_forces_again(world);
 }
@@ -78,7 +86,10 @@ bool is_to_be_done_again(World& world) {
     begin_again(world);
     return true;
   }
-  if (!reached && world.trouble.empty()) tell_unreached(world, rate, law_of_worst_error(world));
+  if (!world.trouble.empty()) return false;
+  note_swings(world);
+  average_error(world, world.forces->notes.told_in_step);
+  if (!reached && world.mean_error > wanted) tell_unreached(world, world.mean_error, law_of_worst_error(world));
   return false;
 }
 

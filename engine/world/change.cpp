@@ -216,6 +216,7 @@ void set_accuracy(World& world, std::optional<double> accuracy) {
     world.settings.accuracy = before;
     throw;
   }
+  world.mean_error = world.error_span = 0.0;
   if (accuracy) return;
   world.sub_steps = {};
   for (const auto& articulate : world.articulates) articulate->sub_steps = {};

@@ -18,13 +18,14 @@ constexpr double nearer = 0.7;  // than at both ends: an encounter
 struct Passing {
   std::uint32_t a = 0, b = 0;
   Vec3 d = zero3();     // [m] from a to b where they were nearest
+  Vec3 way = zero3();   // [m] by which that changed over the part
   std::size_t tie = 0;  // number of the connection
 };
 
 class Finder {
  public:
-  Finder(const World& world, Forces& f, double fastest, double smallest)
-      : world_(world), f_(f), box_(box_of(world)), fastest_(fastest), smallest_(smallest) {}
+  Finder(const World& world, Forces& f, double fastest, double nearest)
+      : world_(world), f_(f), box_(box_of(world)), fastest_(fastest), nearest_(nearest) {}
 
   std::vector<Encounter> find() {
     for (ActingConnections& c : f_.connections) of_connections(c);
@@ -35,7 +36,7 @@ class Finder {
  private:
   Vec3 start(std::uint32_t site) const {
     const std::uint32_t slot = f_.sites.particle[site];
-    return slot == none ? f_.sites.x[site] : f_.noted_place[slot] - f_.image[site];
+    return slot == none ? f_.sites.x[site] : f_.notes.place[slot] - f_.image[site];
   }
   void consider(std::uint32_t a, std::uint32_t b, std::size_t tie) {
     const Vec3 d0 = box_.nearest(start(b) - start(a)), d1 = box_.nearest(f_.sites.x[b] - f_.sites.x[a]);
@@ -45,7 +46,7 @@ class Finder {
     Vec3 d = d0 + way * at;
     if (const double least = 1e-3 * std::sqrt(way2); norm(d) < least)
       d = direction(d1) * least;  // a law needs a direction
-    if (norm(d) < nearer * std::min(norm(d0), norm(d1))) passed_.push_back({a, b, d, tie});
+    if (norm(d) < nearer * std::min(norm(d0), norm(d1))) passed_.push_back({a, b, d, way, tie});
   }
 
   void of_connections(const ActingConnections& c) {
@@ -64,7 +65,7 @@ class Finder {
   void of_interaction(ActingInteraction& a) {
     const Interaction& row = world_.interactions[a.id];
     const double cutoff = a.rows.cutoff();
-    if (2.0 * fastest_ < slow * std::min(cutoff, smallest_)) return;
+    if (2.0 * fastest_ < slow * std::min(cutoff, nearest_)) return;
     passed_.clear();
     const std::uint32_t of_a[] = {row.a.slot - 1}, of_b[] = {row.b.slot - 1};
     const double farthest = 2.0 * fastest_ / std::sqrt(1.0 - nearer * nearer);  // at the end, of two that passed
@@ -103,7 +104,7 @@ class Finder {
       const std::uint32_t site = k % 2 == 0 ? p.a : p.b;
       const bool reached = norm(p.d) < (law->touching ? touching_distance(p) : law->cutoff);
       const double force = reached ? norm(sites.force[k] + sites.open_force[k]) : 0.0;
-      found_.push_back({site, force * mobility(site)});
+      found_.push_back({site, force * mobility(site), norm(p.d), norm(p.way)});
     }
   }
 
@@ -124,16 +125,16 @@ class Finder {
   const World& world_;
   Forces& f_;
   Box box_;
-  double fastest_, smallest_;  // [m]
+  double fastest_, nearest_;  // [m]
   std::vector<Passing> passed_;
   std::vector<Encounter> found_;
 };
 
 }  // namespace
 
-std::vector<Encounter> find_encounters(const World& world, Forces& f, double fastest, double smallest) {
+std::vector<Encounter> find_encounters(const World& world, Forces& f, double fastest, double nearest) {
   if (f.interactions.empty() && f.connections.empty()) return {};
-  return Finder(world, f, fastest, smallest).find();
+  return Finder(world, f, fastest, nearest).find();
 }
 
 }  // namespace pantin

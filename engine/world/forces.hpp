@@ -1,5 +1,6 @@
 #pragma once
 // The laws at work: which particles they act on, as the hot loops of laws/ read them, and the forces that come of it.
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "laws/rows.hpp"
 #include "laws/sites.hpp"
 #include "laws/skin.hpp"
+#include "world/swing.hpp"
 #include "world/velocity_kick.hpp"
 #include "world/world.hpp"
 
@@ -33,7 +35,7 @@ struct Mover {
   Vec3 solved_force = zero3(), solved_torque = zero3();  ///< of open ones, what is solved with the rows in a kick
   bool solved = false;                                   ///< whether there is such a part: all of laws of velocity
   Vec3 start_p = zero3(), start_P = zero3();             ///< momenta at the start of the step
-  Vec3 noted_force = zero3(), noted_torque = zero3();    ///< before the part of the step that is being done
+  Vec3 noted_torque = zero3();                           ///< [N m] before the part of the step that is being done
 };
 
 /// A site on a mover.
@@ -74,6 +76,22 @@ struct ActingConnections {
   double energy = 0.0, at_first = 0.0;
 };
 
+/// What the local errors of kicks come of, see step_error.hpp.
+struct KickNotes {
+  std::vector<Vec3> acceleration;  ///< (slots of particles) [m/s²] in the kick that began a part of the step
+  std::vector<Vec3> place;         ///< (slots of particles) [m] then
+  std::vector<Vec3> seen;          ///< (slots of particles) [m] somewhere within the step
+  /// (slots of particles) [m/s³] in the last parts, the latest first; infinite: unknown. Now, and at the start of the step.
+  std::vector<std::array<double, 3>> jerk, kept_jerk;
+  std::vector<Swing> swing, kept_swing;  ///< (slots of particles) now; at the start of the step where some are young
+  std::vector<std::uint32_t> partner;  ///< (slots of particles) that of the nearest of those it interacts with, or none
+  std::vector<Vec3> change, moved;     ///< (sites) [m/s²], [m] over the part
+  std::vector<double> turning,
+      near;  ///< (sites) [m/s²] of a body's far end; [m] to the nearest thing it interacts with
+  double told = 0.0, told_in_step = 0.0;  ///< [1/s] what is told where it is too much: of the last part, of the step
+  std::size_t worst_site = 0;             ///< with the largest error in the last part
+};
+
 struct Forces {
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
@@ -96,24 +114,21 @@ struct Forces {
   bool open = false;           ///< some law is without energy
   bool open_still = false;     ///< of these some does not depend on velocities
   bool workless = false;       ///< some law of velocity does no work by it
+  bool timed = false;          ///< some law depends on time
   bool noisy = false;          ///< some law draws noise
   bool everybody = false;      ///< some law acts on all particles
   bool grouped = false;        ///< some field acts on a group
   std::vector<char> families;  ///< (slots of families) whether some law acts on all of it
   std::vector<char> followed;  ///< (names of attributes) whether it follows the age of some site
 
-  std::vector<Vec3> still;      ///< (sites) [N] open forces of laws that do not depend on velocities
-  std::vector<Vec3> undamped;   ///< (sites) [N] the same with those of laws of velocity that do no work
-  VelocityForces velocity;      ///< of laws that depend on velocities, but for thermostats
-  VelocityForces thermostats;   ///< of these
-  std::vector<Vec3> open_from;  ///< (slots of particles) [m] where a part of the step begins, see work_check
-  double done = 0.0;            ///< [J] work of laws without energy until then
-  std::vector<Vec3> noise;      ///< (sites) [N] of the open forces what is noise, where `accuracy` leaves it out
-  std::vector<Vec3> noted;  ///< (slots of particles) [m/s²] accelerations in the kick that began a part of the step
-  std::vector<Vec3> noted_place;  ///< (slots of particles) [m] places then
-  std::vector<Vec3> first_place;  ///< (slots of particles) [m] where they were first seen, where `accuracy` asks
-  std::vector<double> extent;  ///< (slots of particles) [m] size of what they interact with and of their ways until now
-  std::size_t worst_site = 0;  ///< with the largest error in the last part
+  std::vector<Vec3> still;          ///< (sites) [N] open forces of laws that do not depend on velocities
+  std::vector<Vec3> undamped;       ///< (sites) [N] the same with those of laws of velocity that do no work
+  VelocityForces velocity;          ///< of laws that depend on velocities, but for thermostats
+  VelocityForces thermostats;       ///< of these
+  std::vector<Vec3> open_from;      ///< (slots of particles) [m] where a part of the step begins, see work_check
+  double done = 0.0;                ///< [J] work of laws without energy until then
+  std::vector<Vec3> noise;          ///< (sites) [N] of the open forces what is noise, where `accuracy` leaves it out
+  KickNotes notes;                  ///< of errors, where `accuracy` asks
   AlignedVector<Vec3> kicked_from;  ///< (sites) [m/s] before the kick at the end of a part, where the ledger is kept
   double energy = 0.0;              ///< [J] of all laws, when it was last told
   bool told = false;                ///< in the last step

@@ -177,6 +177,7 @@ std::unique_ptr<Forces> build_forces(const World& world) {
     forces->thermal = forces->thermal || law.thermal;
     if (law.thermal) return;
     forces->moving = forces->moving || law.moving;
+    forces->timed = forces->timed || law.timed;
     forces->noisy = forces->noisy || draws_noise(law);
     forces->workless = forces->workless || law.workless;
     forces->open = forces->open || !law.has_energy();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 
 #include "articulates/sub_steps.hpp"
 
@@ -13,6 +14,12 @@
 namespace pantin {
 
 namespace {
+
+std::string rounded(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.2g", value);
+  return buffer;
+}
 
 constexpr IntegratorStage whole[] = {{1.0, 1.0}};
 
@@ -115,17 +122,25 @@ std::string try_accuracy(const World& world) {
 }
 
 void tell_unreached(World& world, double rate, const std::string& by) {
-  world.stats.worst_unreached = std::max(world.stats.worst_unreached, rate);
-  if (world.stats.unreached++ > 0) return;
-  const bool per_step = world.settings.accuracy_per_step;
+  world.stats.unreached++;
+  if (rate <= world.stats.worst_unreached) return;
+  world.stats.worst_unreached = rate;
+  const std::string what = "scene.accuracy is not reached: ";
+  std::erase_if(world.log, [&](const LogLine& line) { return line.text.starts_with(what); });
   log_line(world, "warning",
-           text("scene.accuracy is not reached: ", sub_step_limit, " sub-steps of a step of ", world.settings.step,
-                " s leave an error of ", worst_missed(world), per_step ? " per step" : " per second",
-                ", relative to the size; ", by, " would need a shorter scene.step"));
+           text(what, sub_step_limit, " sub-steps of a step of ", rounded(world.settings.step), " s leave an error of ",
+                told_rate(world, rate), ", relative to the size; ", by, " would need a shorter scene.step"));
+}
+
+std::string told_rate(const World& world, double rate) {
+  const bool per_step = world.settings.accuracy_per_step;
+  const double told = per_step ? rate * world.settings.step : rate;
+  return (told < 1.0 ? rounded(told) : "more than the size itself") + (per_step ? " per step" : " per second");
 }
 
 double worst_missed(const World& world) {
-  return world.stats.worst_unreached * (world.settings.accuracy_per_step ? world.settings.step : 1.0);
+  return std::min(world.stats.worst_unreached, 1.0 / world.settings.step) *
+         (world.settings.accuracy_per_step ? world.settings.step : 1.0);
 }
 
 std::uint32_t parts(const World& world) {

@@ -32,9 +32,11 @@ inline const IntegratorRule& rule_of(const World& world) { return rule_of(world.
 void require_integrator_fits(const World& world);
 
 /// Counts that not even the most sub-steps gave the accuracy, but an error of `rate` [1/s], by what: a law or a thing. Warns
-/// of the first.
+/// of the largest.
 void tell_unreached(World& world, double rate, const std::string& by);
 
+/// "1.2e-05 per second": an error rate [1/s] as messages tell it.
+std::string told_rate(const World& world, double rate);
 /// The largest error of those, in the unit of the wanted one; 0 where none was missed.
 double worst_missed(const World& world);
 

@@ -145,17 +145,9 @@ std::string where_at_rest(const Sites& sites, const BadForce& bad) {
               ", ", x[2], ") m, where v / |v| is 0 / 0: a direction of motion has no meaning there");
 }
 
-}  // namespace
-
-std::string bad_force(const World& world) {
-  if (!world.forces) return {};
-  Forces& f = *world.forces;
-  if (std::any_of(f.sites.x.begin(), f.sites.x.begin() + static_cast<std::ptrdiff_t>(f.sites.n),
-                  [](Vec3 x) { return !finite(x); })) {
-    read_places(world, f, false);
-    read_velocities(world, f, false);
-  }
-  const Instant instant = instant_of(world, next_time(world), world.instant);
+/// The first law whose force, or if wanted its energy, is not finite where the sites now are, and what to try against it.
+std::string find_bad_force(const World& world, Forces& f, double time, const std::string& advice, bool with_energies) {
+  const Instant instant = instant_of(world, time, world.instant);
   const auto name = [&](std::uint32_t site) {
     return f.sites.particle[site] == Forces::none ? std::string("a place")
                                                   : describe(world, world.particles.id_at(f.sites.particle[site]));
@@ -168,11 +160,11 @@ std::string bad_force(const World& world) {
     const bool hopeless = met || rests;  // no step is short enough
     return text(law_in_place(row), ": the force ", bad.count == 1 ? "on " : "between ", between,
                 " is not a finite number", distance, rests ? where_at_rest(f.sites, bad) : "",
-                hopeless ? "" : try_accuracy(world));
+                hopeless ? "" : advice);
   };
   const auto energy = [&](const auto& row, const auto& acting) {
-    if (std::isfinite(acting.energy)) return std::string();
-    return text(law_in_place(row), ": its energy is not a finite number", try_accuracy(world));
+    if (!with_energies || std::isfinite(acting.energy)) return std::string();
+    return text(law_in_place(row), ": its energy is not a finite number", advice);
   };
   for (ActingInteraction& a : f.interactions) {
     const Interaction& row = world.interactions[a.id];
@@ -193,6 +185,25 @@ std::string bad_force(const World& world) {
     if (const std::string lost = energy(row, a); !lost.empty()) return lost;
   }
   return {};
+}
+
+}  // namespace
+
+std::string bad_force(const World& world) {
+  if (!world.forces) return {};
+  Forces& f = *world.forces;
+  const auto x = f.sites.x, v = f.sites.v;
+  const bool sound =
+      std::all_of(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(f.sites.n), [](Vec3 at) { return finite(at); });
+  read_places(world, f, false);
+  read_velocities(world, f, false);
+  // What is not finite before anything moves no step makes so.
+  if (std::string bad = find_bad_force(world, f, world.time, "", false); !bad.empty()) return bad;
+  if (sound) {
+    f.sites.x = x;
+    f.sites.v = v;
+  }
+  return find_bad_force(world, f, next_time(world), try_accuracy(world), true);
 }
 
 }  // namespace pantin

@@ -1,21 +1,27 @@
 #include "world/step_error.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <array>
+#include <cmath>
 
 #include "articulates/articulate.hpp"
 #include "world/encounters.hpp"
 #include "world/forces_parts.hpp"
+#include "world/integrator.hpp"
+#include "world/step_sizes.hpp"
 
 namespace pantin {
 
 namespace {
 
 constexpr std::uint32_t none = Forces::none;
+constexpr std::array<double, 3> unknown = {infinity, infinity, infinity};
+constexpr double once_around = 6.3, half_around = 3.1;  // [rad]
 
-Vec3 acceleration(const Forces& f, std::size_t site) {
-  const Vec3 force = f.open ? f.sites.force[site] + f.sites.open_force[site] : f.sites.force[site];
-  return force * f.inverse_mass[site];
+/// A fraction 0 … 1 that never comes back in the rhythm of the steps: multiples of the golden ratio.
+double fraction_of(std::uint64_t number) {
+  const double x = static_cast<double>((number + 1) % (std::uint64_t{1} << 40)) * 0.6180339887498949;
+  return x - std::floor(x);
 }
 
 /// Calls `use` with forces that are without noise.
@@ -31,90 +37,63 @@ void without_noise(World& world, Forces& f, Use use) {
   add(1.0);
 }
 
-/// What interacts: sites that connections tie, and the families of interactions, each by the number of one of its sites.
-std::vector<std::uint32_t> find_groups(const World& world, const Forces& f) {
-  std::vector<std::uint32_t> group(f.sites.n);
-  std::iota(group.begin(), group.end(), 0u);
-  const auto root = [&](std::uint32_t i) {
-    while (group[i] != i) i = group[i] = group[group[i]];
-    return i;
-  };
-  const auto join = [&](std::uint32_t i, std::uint32_t j) {
-    const std::uint32_t a = root(i), b = root(j);
-    group[std::max(a, b)] = std::min(a, b);
-  };
-  for (const ActingConnections& c : f.connections)
-    for (std::size_t k = 0; k < c.ties.sites.size(); k++)
-      join(c.ties.sites[k], c.ties.sites[k - k % static_cast<std::size_t>(c.ties.count)]);
-  for (const ActingInteraction& a : f.interactions) {
-    const Interaction& row = world.interactions[a.id];
-    std::uint32_t known = none;
-    for (std::uint32_t i = 0; i < f.sites.n; i++)
-      if (f.sites.family[i] == row.a.slot - 1 || f.sites.family[i] == row.b.slot - 1) {
-        if (known == none) known = i;
-        join(i, known);
-      }
-  }
-  for (std::uint32_t i = 0; i < f.sites.n; i++) group[i] = root(i);
-  return group;
+double mass_of(const World& world, const Mover& m) {
+  return m.is_body ? world.motion[m.slot].mass : world.points.at_slot(m.slot).mass;
 }
 
-/// Of each site: twice the root mean square distance of its group from their centre over the cubic root of their number, or
-/// the edge of its share of a periodic box [m].
-std::vector<double> spacings(const World& world, const Forces& f) {
-  const std::size_t n = f.sites.n;
-  if (const auto& box = world.settings.box)
-    return std::vector<double>(n, std::cbrt((*box)[0] * (*box)[1] * (*box)[2] / static_cast<double>(n)));
-  const std::vector<std::uint32_t> group = find_groups(world, f);
-  std::vector<Vec3> sum(n, zero3());
-  std::vector<double> square(n, 0.0), count(n, 0.0), sizes(n, 0.0);
-  for (std::size_t i = 0; i < n; i++) {
-    const Vec3 d = f.sites.x[i] - f.sites.x[group[i]];
-    sum[group[i]] += d;
-    square[group[i]] += norm2(d);
-    count[group[i]]++;
+Vec3 acceleration(const World& world, const Forces& f, std::size_t site) {
+  if (f.attached_of[site] != none) {
+    const Mover& m = f.movers[f.attached[f.attached_of[site]].mover];
+    return (m.force + m.open_force) / mass_of(world, m);
   }
-  for (std::size_t i = 0; i < n; i++) {
-    const std::size_t g = group[i];
-    const double spread = square[g] / count[g] - norm2(sum[g] / count[g]);
-    sizes[i] = spread > 0.0 ? 2.0 * std::sqrt(spread) / std::cbrt(count[g]) : 0.0;
-  }
-  return sizes;
+  const Vec3 force = f.open ? f.sites.force[site] + f.sites.open_force[site] : f.sites.force[site];
+  return force * f.inverse_mass[site];
 }
 
-/// Of a site that moves by `way` [m] while its acceleration changes from one to another: how far it is to where that is 0.
-double reach(Vec3 way, Vec3 from, Vec3 to) {
-  const double change = norm(to - from);
-  return change > 0.0 ? std::max(norm(from), norm(to)) * norm(way) / change : 0.0;
+Vec3 place(const Forces& f, std::size_t site) { return f.sites.x[site] + f.image[site]; }
+
+/// Whether what a site is on is tied by rows: it has a length of its own.
+const Articulate* articulate_of(const World& world, const Forces& f, std::size_t site) {
+  if (f.attached_of[site] == none) return nullptr;
+  const Mover& m = f.movers[f.attached[f.attached_of[site]].mover];
+  return m.articulate < 0 ? nullptr : world.articulates[static_cast<std::size_t>(m.articulate)].get();
 }
 
-}  // namespace
+/// How far a body reaches from its centre, as its inertia tells [m].
+double reach_of(const World& world, const Mover& m) {
+  if (!m.is_body) return 0.0;
+  const Motion& motion = world.motion[m.slot];
+  return std::sqrt(largest(motion.inertia) / motion.mass);
+}
 
-namespace {
-
-/// Now and then: the widest spacing until now, or how far the site has come since it was first seen [m].
-void find_extents(World& world, Forces& f) {
+/// Looked at in all parts of a step, not once a step.
+bool is_young(const Swing& swing) { return swing.n < 4.0; }
+void begin_notes(World& world, Forces& f) {
+  KickNotes& n = f.notes;
   const std::size_t slots = world.particles.slots();
-  f.first_place.resize(slots, vec(infinity, 0.0, 0.0));
-  f.extent.resize(slots, 0.0);
-  const std::vector<double> spacing = spacings(world, f);
+  const bool grown = n.swing.size() < slots;
+  n.acceleration.resize(slots, zero3());
+  n.place.resize(slots, zero3());
+  n.seen.resize(slots, zero3());
+  n.jerk.resize(slots, unknown);
+  n.swing.resize(slots);
+  if (world.part.index != 0) return;
+  bool young = false;
   for (std::size_t i = 0; i < f.sites.n; i++) {
     const std::uint32_t slot = f.sites.particle[i];
     if (slot == none) continue;
-    const Vec3 x = f.sites.x[i] + f.image[i];
-    if (!finite(f.first_place[slot])) f.first_place[slot] = x;
-    f.extent[slot] = std::max({f.extent[slot], spacing[i], norm(x - f.first_place[slot])});
+    if (n.swing[slot].serial != f.sites.serial[i]) {
+      n.swing[slot] = {.serial = f.sites.serial[i]};
+      n.jerk[slot] = unknown;
+    }
+    young = young || is_young(n.swing[slot]);
   }
-}
-
-/// What the errors of a site are relative to [m]: that, or how far it has to where nothing pulls it; 1 m where all are 0.
-double size_of(const Forces& f, std::size_t i) {
-  const std::uint32_t slot = f.sites.particle[i];
-  if (slot == none) return infinity;
-  double size = f.extent[slot];
-  if (f.point[i] != none)
-    size = std::max(size, reach(f.sites.x[i] + f.image[i] - f.noted_place[slot], f.noted[slot], acceleration(f, i)));
-  return size > 0.0 && std::isfinite(size) ? size : 1.0;
+  n.kept_jerk = n.jerk;
+  n.kept_swing.clear();
+  if (young) n.kept_swing = n.swing;
+  n.told_in_step = 0.0;
+  if (!f.interactions.empty() && (grown || world.steps % 16 == 0 || f.settled_in == world.steps + 1))
+    find_partners(world, f);
 }
 
 }  // namespace
@@ -122,76 +101,260 @@ double size_of(const Forces& f, std::size_t i) {
 void note_kicks(World& world) {
   if (!world.forces) return;
   Forces& f = *world.forces;
-  const std::size_t slots = world.particles.slots();
-  f.noted.resize(slots, zero3());
-  f.noted_place.resize(slots, zero3());
-  const bool due = world.part.index == 0 && world.steps % 16 == 0;  // they change slowly
-  if (due || f.extent.size() < slots) find_extents(world, f);
+  begin_notes(world, f);
   without_noise(world, f, [&] {
     for (std::size_t i = 0; i < f.sites.n; i++) {
-      if (f.sites.particle[i] == none) continue;
-      f.noted[f.sites.particle[i]] = acceleration(f, i);
-      f.noted_place[f.sites.particle[i]] = f.sites.x[i] + f.image[i];
+      const std::uint32_t slot = f.sites.particle[i];
+      if (slot == none) continue;
+      f.notes.acceleration[slot] = acceleration(world, f, i);
+      f.notes.place[slot] = place(f, i);
     }
-    for (Mover& m : f.movers) {
-      m.noted_force = m.force + m.open_force;
-      m.noted_torque = m.torque + m.open_torque;
-    }
+    for (Mover& m : f.movers) m.noted_torque = m.torque + m.open_torque;
   });
+}
+
+void forget_attempt(World& world) {
+  if (!world.forces || world.forces->notes.swing.empty()) return;
+  KickNotes& n = world.forces->notes;
+  n.jerk = n.kept_jerk;
+  if (!n.kept_swing.empty()) n.swing = n.kept_swing;
+  if (!world.forces->interactions.empty()) find_partners(world, *world.forces);
+}
+
+void note_swings(World& world) {
+  if (!world.forces) return;
+  const Forces& f = *world.forces;
+  KickNotes& n = world.forces->notes;
+  const double time = time_within(world, fraction_of(world.steps));
+  for (std::size_t i = 0; i < f.sites.n; i++) {
+    const std::uint32_t slot = f.sites.particle[i];
+    if (slot == none || slot >= n.swing.size() || n.swing[slot].serial == 0) continue;
+    Swing& swing = n.swing[slot];
+    if (std::isfinite(n.jerk[slot][0])) swing.jerk = std::max(swing.jerk, n.jerk[slot][0]);
+    swing.acceleration = std::max(swing.acceleration, norm(acceleration(world, f, i)));
+    if (n.kept_swing.empty() || !is_young(n.kept_swing[slot])) swing.add(n.seen[slot], time, 1.0);
+  }
 }
 
 namespace {
 
-/// Linear acceleration, and that of the far end of a body by its torque [m/s²].
-double change(const World& world, const Mover& m) {
-  const double pull = norm(m.force + m.open_force - m.noted_force);
-  if (!m.is_body) return pull / world.points.at_slot(m.slot).mass;
-  const Motion& motion = world.motion[m.slot];
-  const double extent = std::sqrt(largest(motion.inertia) / motion.mass);
-  const double turning = norm(m.torque + m.open_torque - m.noted_torque);
-  return (pull + (extent > 0.0 ? turning / extent : 0.0)) / motion.mass;
-}
+/// The error of a part of a step.
+class Judge {
+ public:
+  Judge(World& world, Forces& f)
+      : world_(world), f_(f), n_(f.notes), box_(box_of(world)), h_(std::fabs(world.part.h)) {}
+
+  void judge_all() {
+    find_changes();
+    if (f_.timed) add_changes_of_time();
+    n_.near.assign(f_.sites.n, infinity);
+    for (const ActingConnections& c : f_.connections)
+      if (!c.solved) judge_ties(c.ties);
+    if (!f_.interactions.empty()) judge_partners();
+    for (std::size_t i = 0; i < f_.sites.n; i++)
+      if (f_.sites.particle[i] != none) judge_site(i);
+  }
+
+  void judge(const Encounter& met) {
+    const Vec3 change = vec(met.acceleration, 0, 0), moved = vec(0.5 * met.way, 0, 0);
+    const double swing = swing_by(stiffness_along(change, moved), change, moved, h_);
+    see(met.site, met.acceleration, std::max(met.distance, swing), true);
+  }
+
+  double fastest() const { return std::sqrt(fastest2_); }
+  double nearest() const {
+    double least = infinity;
+    for (double near : n_.near) least = std::min(least, near);
+    return least;
+  }
+  double worst() const { return worst_; }
+
+ private:
+  void find_changes() {
+    n_.change.assign(f_.sites.n, zero3());
+    n_.moved.assign(f_.sites.n, zero3());
+    n_.turning.assign(f_.sites.n, 0.0);
+    const bool seen = is_seen();
+    for (std::size_t i = 0; i < f_.sites.n; i++) {
+      const std::uint32_t slot = f_.sites.particle[i];
+      if (slot == none) continue;
+      const Vec3 now = place(f_, i);
+      n_.moved[i] = now - n_.place[slot];
+      n_.change[i] = acceleration(world_, f_, i) - n_.acceleration[slot];
+      fastest2_ = std::max(fastest2_, norm2(n_.moved[i]));
+      Swing& swing = n_.swing[slot];
+      if (!n_.kept_swing.empty() && is_young(n_.kept_swing[slot])) {
+        if (!swing.seen) swing.add(n_.place[slot], time_within(world_, world_.part.from), 1e-9);
+        swing.add(now, time_within(world_, world_.part.to), 1.0 / world_.sub_steps.count);
+      }
+      if (seen) n_.seen[slot] = now - n_.moved[i] * (1.0 - within_);
+    }
+    for (const Attached& a : f_.attached) {
+      const Mover& m = f_.movers[a.mover];
+      const double reach = reach_of(world_, m);
+      if (reach > 0.0)
+        n_.turning[a.site] = norm(m.torque + m.open_torque - m.noted_torque) / (reach * mass_of(world_, m));
+    }
+  }
+
+  /// Whether this is the part of the step in which places are noted and forces of time are asked between its ends.
+  bool is_seen() {
+    const double at = fraction_of(world_.steps) * world_.sub_steps.count;
+    within_ = at - std::floor(at);
+    return static_cast<std::uint32_t>(at) == world_.part.index;
+  }
+
+  /// Forces of time alone at the places of the end, without noise, over the masses [m/s²] (sites).
+  std::vector<Vec3> accelerations_at(double fraction) {
+    std::fill(f_.sites.force.begin(), f_.sites.force.end(), zero3());
+    std::fill(f_.sites.open_force.begin(), f_.sites.open_force.end(), zero3());
+    Instant instant = instant_of(world_, time_within(world_, fraction), world_.instant);
+    instant.silent = true;
+    each_law(world_, f_, [&](const std::string&, const Law& law, auto& acting) {
+      if (law.timed && !law.thermal) run_law(world_, f_, acting, instant);
+    });
+    collect(world_, f_);
+    std::vector<Vec3> result(f_.sites.n);
+    for (std::size_t i = 0; i < f_.sites.n; i++) result[i] = acceleration(world_, f_, i);
+    return result;
+  }
+
+  /// A force whose period divides the part is the same at both of its ends.
+  void add_changes_of_time() {
+    if (!is_seen()) return;
+    const auto force = f_.sites.force, open = f_.sites.open_force;
+    const StepPart& p = world_.part;
+    const auto from = accelerations_at(p.from), to = accelerations_at(p.to),
+               between = accelerations_at(p.from + within_ * (p.to - p.from));
+    f_.sites.force = force;
+    f_.sites.open_force = open;
+    collect(world_, f_);
+    for (std::size_t i = 0; i < f_.sites.n; i++)
+      for (const Vec3& end : {from[i], to[i]})
+        if (norm2(between[i] - end) > norm2(n_.change[i])) n_.change[i] = between[i] - end;
+  }
+
+  void see(std::size_t site, double change, double size, bool told) {
+    const double found = change * h_ / (6.0 * size), rate = std::isfinite(found) ? found : infinity;
+    if (told && !std::isnan(found)) n_.told = std::max(n_.told, rate);
+    if (rate <= worst_) return;
+    worst_ = rate;
+    n_.worst_site = site;
+  }
+
+  void judge_pair(std::uint32_t a, std::uint32_t b) {
+    const double distance = norm(box_.nearest(f_.sites.x[b] - f_.sites.x[a]));
+    n_.near[a] = std::min(n_.near[a], distance);
+    n_.near[b] = std::min(n_.near[b], distance);
+    const Vec3 change = n_.change[b] - n_.change[a];
+    const double all = norm(change) + n_.turning[a] + n_.turning[b];
+    if (all * h_ <= 6.0 * worst_ * distance || articulate_of(world_, f_, a) || articulate_of(world_, f_, b)) return;
+    const Vec3 moved = n_.moved[b] - n_.moved[a];
+    see(a, all, std::max(distance, swing_by(stiffness_along(change, moved), change, moved, h_)), true);
+  }
+
+  void judge_ties(const Ties& ties) {
+    const auto count = static_cast<std::size_t>(ties.count);
+    for (std::size_t k = 0; k < ties.sites.size(); k++)
+      if (k % count != 0) judge_pair(ties.sites[k - 1], ties.sites[k]);
+  }
+
+  void judge_partners() {
+    for (std::uint32_t i = 0; i < f_.sites.n; i++) {
+      const std::uint32_t slot = f_.sites.particle[i];
+      if (slot == none || slot >= n_.partner.size() || n_.partner[slot] == none) continue;
+      const std::uint32_t j = f_.site_of[n_.partner[slot]];
+      if (j != none) judge_pair(i, j);
+    }
+  }
+
+  void judge_site(std::size_t i) {
+    const std::uint32_t slot = f_.sites.particle[i];
+    const double change = norm(n_.change[i]) + n_.turning[i], jump = jump_before(slot, change / h_) * 1.5 * lasting();
+    n_.jerk[slot] = {change / h_, n_.jerk[slot][0], n_.jerk[slot][1]};
+    if (change == 0.0 && jump == 0.0) return;
+    if (const Articulate* articulate = articulate_of(world_, f_, i)) return see(i, change, articulate->length, true);
+    double size = std::isfinite(n_.near[i]) ? n_.near[i] : 0.0;
+    if (f_.attached_of[i] != none)
+      size = std::max(size, reach_of(world_, f_.movers[f_.attached[f_.attached_of[i]].mover]));
+    if (std::max(change, jump) * h_ <= 6.0 * std::min(worst_, n_.told) * size) return;
+    const double stiffness = stiffness_along(n_.change[i], n_.moved[i]);
+    const Swing& swing = n_.swing[slot];
+    size = std::max(size, swing.along(direction(n_.change[i])));
+    // What has just begun to move may swing farther than it has until now.
+    const double turned = turns(i, swing, stiffness, change / h_);
+    if (turned < once_around) size = std::max(size, 2.0 * first_swing(i, stiffness));
+    see(i, change, size, turned > half_around);
+    if (jump > 0.0) see(i, jump, size, true);
+  }
+
+  /// By how much it has swung since it was first seen [rad]: by the stiffness that it meets, or by how fast its acceleration
+  /// changes beside its size.
+  double turns(std::size_t i, const Swing& swing, double stiffness, double jerk) const {
+    if (!swing.seen) return 0.0;
+    const double a = std::max(swing.acceleration, norm(acceleration(world_, f_, i))), j = std::max(swing.jerk, jerk);
+    const double by_way = std::isfinite(stiffness) ? std::sqrt(stiffness) : 0.0;
+    return (time_within(world_, world_.part.to) - swing.since) * std::max(by_way, a > 0.0 ? j / a : 0.0);
+  }
+
+  /// How far it swings if its force changes on as in this part; where laws of velocity act no farther than until they have
+  /// stopped or turned it [m].
+  double first_swing(std::size_t i, double stiffness) const {
+    const double swing = swing_by(stiffness, n_.change[i], n_.moved[i], h_);
+    if (!is_of_velocity(i)) return swing;
+    const double a = norm(acceleration(world_, f_, i)), turning = norm(n_.change[i]) / (h_ * a);
+    return std::min({swing, norm2(n_.moved[i]) / (h_ * h_ * a), a / (turning * turning)});
+  }
+
+  /// Whether laws of velocity are much of what moves a site.
+  bool is_of_velocity(std::size_t i) const {
+    if (!f_.moving) return false;
+    const double all = norm(f_.sites.force[i] + f_.sites.open_force[i]);
+    return all > 0.0 && norm(f_.sites.open_force[i] - f_.still[i]) > 0.1 * all;
+  }
+
+  /// Change of the acceleration by its time [m/s³], where it jumped in the part before, or in the two; 0 where it changed as it
+  /// does before and after.
+  double jump_before(std::uint32_t slot, double jerk) const {
+    const auto [last, before, first] = n_.jerk[slot];
+    if (!std::isfinite(before) || !(last > 3.0 * jerk)) return 0.0;
+    if (last > 3.0 * before) return last;
+    const double most = std::max(last, before);
+    return most > 3.0 * first ? most : 0.0;
+  }
+
+  /// Kicks are wrong by h/4 times a jump on average, and places by that for as long as errors are asked for [s].
+  double lasting() const {
+    const double step = world_.settings.step;
+    return world_.settings.accuracy_per_step ? step : std::max(1.0, step);
+  }
+
+  World& world_;
+  Forces& f_;
+  KickNotes& n_;
+  Box box_;
+  double h_;                             // [s]
+  double worst_ = 0.0, fastest2_ = 0.0;  // [1/s], [m²]
+  double within_ = 0.0;                  // where between the ends of the part things are looked at
+};
 
 }  // namespace
 
 double kick_error(World& world) {
   if (!world.forces) return 0.0;
   Forces& f = *world.forces;
-  const double factor = std::fabs(world.part.h) / 6.0;
-  double worst = 0.0, fastest2 = 0.0, smallest = infinity;
-  const auto see = [&](std::size_t site, double change_over_size) {
-    const double rate = change_over_size * factor;
-    if (rate <= worst) return;
-    worst = std::isfinite(rate) ? rate : infinity;
-    f.worst_site = site;
-  };
-  without_noise(world, f, [&] {
-    for (std::size_t i = 0; i < f.sites.n; i++) {
-      const std::uint32_t slot = f.sites.particle[i];
-      if (slot == none) continue;
-      const double extent = f.extent[slot];
-      fastest2 = std::max(fastest2, norm2(f.sites.x[i] + f.image[i] - f.noted_place[slot]));
-      smallest = std::min(smallest, extent);
-      if (f.point[i] == none) continue;
-      const double change2 = norm2(acceleration(f, i) - f.noted[slot]), least = worst / factor * extent;
-      if (!(change2 <= least * least)) see(i, std::sqrt(change2) / size_of(f, i));
-    }
-    for (const Attached& a : f.attached) {
-      const Mover& m = f.movers[a.mover];
-      const double length =
-          m.articulate < 0 ? size_of(f, a.site) : world.articulates[static_cast<std::size_t>(m.articulate)]->length;
-      see(a.site, change(world, m) / length);
-    }
-  });
-  for (const Encounter& met : find_encounters(world, f, std::sqrt(fastest2), smallest))
-    see(met.site, met.acceleration / size_of(f, met.site));
-  return worst;
+  f.notes.told = 0.0;
+  Judge judge(world, f);
+  without_noise(world, f, [&] { judge.judge_all(); });
+  for (const Encounter& met : find_encounters(world, f, judge.fastest(), judge.nearest())) judge.judge(met);
+  f.notes.told_in_step += f.notes.told * std::fabs(world.part.h) / world.settings.step;
+  return judge.worst();
 }
 
 std::string law_of_worst_error(World& world) {
   Forces& f = *world.forces;
   const auto force = f.sites.force, open = f.sites.open_force;
-  const std::size_t site = std::min(f.worst_site, f.sites.n - 1);
+  const std::size_t site = std::min(f.notes.worst_site, f.sites.n - 1);
   std::string name;
   double most = -1.0;
   each_law(world, f, [&](const std::string&, const Law&, auto& acting) {

@@ -8,11 +8,17 @@ namespace pantin {
 
 /// After the kick that begins a part of a step: notes the accelerations in it, and where all is.
 void note_kicks(World& world);
-/// After the kick at its end: the error [1/s], largest over all that laws move, relative to the size of what it interacts
-/// with. Two kicks of h and one of 2h leave places that differ by h² times the change of acceleration, a third of which is
-/// the error of the two (Richardson 1911). Laws that act only where two have met within the part are seen too: what passed
-/// each other is asked where it was nearest. Noise is left out. Infinite where it is not a number.
+/// After the kick at its end: the error [1/s], largest over all that laws move. Kicks of h leave places that are wrong by h/12
+/// times the change of acceleration in each second (Hairer, Lubich and Wanner 2003). For two that interact, of what changes
+/// between them, relative to their distance; else relative to how far a thing swings beside a uniform motion. Never to
+/// where it is or how far it has come. Laws that act only where two have met within the part are seen too: what passed
+/// each other is asked where it was nearest; and forces of time once between the ends. Noise is left out. Infinite where it
+/// is not a number.
 double kick_error(World& world);
+/// A step is to be done again: what was noted of it is not so.
+void forget_attempt(World& world);
+/// A step is done: notes how things swing.
+void note_swings(World& world);
 /// The law that moves most what had the largest error in `kick_error`, as messages name it.
 std::string law_of_worst_error(World& world);
 

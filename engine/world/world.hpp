@@ -136,7 +136,9 @@ struct WorldData : Model {
   std::uint64_t step_count = 0;  ///< steps since then
   StepPart part;                 ///< of the step
   std::uint64_t instant = 0;     ///< number of the instant that the forces are of: parts done since the start
-  double kick_error = 0.0;       ///< [1/s] largest in the step, where `accuracy` wants to know it
+  double kick_error = 0.0;       ///< [1/s] of the step, where `accuracy` wants to know it
+  double mean_error = 0.0;       ///< [1/s] over the last second, or
+  double error_span = 0.0;       ///< [s] less at first
   SubSteps sub_steps;            ///< full ones, each with kicks and a projection of its own, that `accuracy` asks for
 
   Choreography choreography;
