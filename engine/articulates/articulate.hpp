@@ -212,58 +212,30 @@ struct Effort {
   std::uint16_t pause = 0;   // and for how many more none is to be tried
 };
 
-struct Articulate {
-  Plane plane;
-  std::vector<Node> nodes;
-  std::vector<Row> rows;           // in the order of elimination
-  std::vector<NodeBatch> batches;  // of the nodes
-  std::vector<RowEnds> ends;       // of the batches
-  std::vector<Vec3>
-      at_ends;  // (2 rows + 1) what nodes a and b hand to row k is in 2k and 2k + 1; the last is of no row
+/// What steps change beside nodes and rows; a step that is done again starts from it.
+struct ArticulateState {
   std::vector<Condition> conditions;
-  std::vector<Meeting> meetings;
-  std::vector<Strand> strands;
-  std::vector<Hub> hubs;
-  std::vector<Node> saved;                   // as they were: where a safe step goes back to, and for the ledger
-  std::vector<std::uint32_t> first_meeting;  // (nodes + 1); hubs have none
-  RowLists on;                               // (nodes) the rows that a node is in, rising
-  std::vector<Wave> waves;                   // ends of the stretches; the last reaches all
-  Factor factor;
-  std::vector<Vec3> right_side;  // (rows of the factor)
-  std::vector<Vec3> f_saved;     // (rows) [N] where a line search starts
-  Forecast forecast;
+  std::vector<Vec3> impulses;  // (rows) [N s] of the last projection of velocities
+  std::vector<Vec3> exerted;   // (rows) [N s] in all, in a full sub-step that is cut into parts or strikes a row
+  double exerted_time = 0.0;   // [s] for which that is the sum; 0: the rows' forces tell all
   std::vector<Vec3>
       expected;  // (rows) [N] in the coming step, where laws of velocity ask for that; none, or not finite
-  std::vector<Vec3> impulses;   // (rows) [N s] of the last projection of velocities
-  std::vector<Vec3> exerted;    // (rows) [N s] in all, in a full sub-step that is cut into parts or strikes a row
-  double exerted_time = 0.0;    // [s] for which that is the sum; 0: the rows' forces tell all
   std::vector<Vec3> reaction;   // (rows) [N] what they bore of laws of velocity in the last step; none: nothing
   std::vector<double> loads;    // (rows) [N] that they bore in the last step, where some may break; none: not known
   std::vector<Vec3> carried;    // (rows) [N s] half of them, see `take_carried_half`
   double carried_h = 0.0;       // [s] of the sub-steps after which they serve; 0: none
   double carried_energy = 0.0;  // [J] that taking them gave
   ImpulseWork carried_work;     // of them
-
-  Vec3 turned = zero3();    // [kg m²/s] by forces over gaps, which the end of the full sub-step gives back
-  double length = 0.0;      // [m] median arm: every length in a criterion is a multiple of it
-  double total_mass = 0.0;  // [kg]
-  Gaps gaps;                // at the start of the next step
-  double residual = 0.0;    // [m] largest of the rigid rows where the solver placed them last
-  double last_h = 0.0;      // [s] of the last good step; 0: no history
+  Vec3 turned = zero3();        // [kg m²/s] by forces over gaps, which the end of the full sub-step gives back
+  Gaps gaps;                    // at the start of the next step
+  double residual = 0.0;        // [m] largest of the rigid rows where the solver placed them last
+  double last_h = 0.0;          // [s] of the last good step; 0: no history
   /// Relative compliance of the factor, between `least_epsilon` and `most_epsilon`: sets the speed of convergence, never
   /// the answer. Redundant loops that change shape want much, large mass ratios and long chains little. Rows without a
   /// loop are never redundant.
   double least_epsilon = 1e-10, most_epsilon = 1e-6, epsilon = most_epsilon;
   std::uint32_t good_steps = 0, wait = 20, projection_wait = 0;
-  bool lowered = false;  // epsilon was lowered in this step
-  bool all_rigid = true;
-  bool couples = false;          // has rows that tie rotations
-  bool tree = false;             // its rows make no loop: all are independent
-  bool limited = false;          // has limited rows
-  bool breakable = false;        // has constraints that may break
-  bool open = false;             // has rows that take energy or give it
-  bool draws = false;            // is free, and rows draw points together over a gap
-  bool yields = false;           // has no row but soft ones: its velocities are free
+  bool lowered = false;          // epsilon was lowered in this step
   bool has_factor = false;       // the factor is of a Newton matrix
   bool exact = false;            // the factor is of what the rows forbid, at the nodes' starts
   bool safe = false;             // the last step was a safe one
@@ -275,13 +247,45 @@ struct Articulate {
   bool smooth = true;            // no part of the full sub-step was halved or safe
   bool cut = false;              // the full sub-step has more than one part
   bool weak = false;             // the last factor had weak pivots: its multipliers are not all determined
-  bool pulled = false;           // laws act on it: its kinetic energy is no longer gravity's alone
   SubSteps sub_steps;            // in each part of a step
   Effort effort;
-  std::uint64_t serial = 0;  // smallest of its things
-  DriftReport report;        // of the last phase
-  NodeTotals totals;         // at the end of the last step
+  DriftReport report;  // of the last phase
+  NodeTotals totals;   // at the end of the last step
   Rest rest;
+};
+
+struct Articulate : ArticulateState {
+  Plane plane;
+  std::vector<Node> nodes;
+  std::vector<Row> rows;           // in the order of elimination
+  std::vector<NodeBatch> batches;  // of the nodes
+  std::vector<RowEnds> ends;       // of the batches
+  std::vector<Vec3>
+      at_ends;  // (2 rows + 1) what nodes a and b hand to row k is in 2k and 2k + 1; the last is of no row
+  std::vector<Meeting> meetings;
+  std::vector<Strand> strands;
+  std::vector<Hub> hubs;
+  std::vector<Node> saved;                   // as they were: where a safe step goes back to, and for the ledger
+  std::vector<std::uint32_t> first_meeting;  // (nodes + 1); hubs have none
+  RowLists on;                               // (nodes) the rows that a node is in, rising
+  std::vector<Wave> waves;                   // ends of the stretches; the last reaches all
+  Factor factor;
+  std::vector<Vec3> right_side;  // (rows of the factor)
+  std::vector<Vec3> f_saved;     // (rows) [N] where a line search starts
+  Forecast forecast;
+
+  double length = 0.0;      // [m] median arm: every length in a criterion is a multiple of it
+  double total_mass = 0.0;  // [kg]
+  bool all_rigid = true;
+  bool couples = false;      // has rows that tie rotations
+  bool tree = false;         // its rows make no loop: all are independent
+  bool limited = false;      // has limited rows
+  bool breakable = false;    // has constraints that may break
+  bool open = false;         // has rows that take energy or give it
+  bool draws = false;        // is free, and rows draw points together over a gap
+  bool yields = false;       // has no row but soft ones: its velocities are free
+  bool pulled = false;       // laws act on it: its kinetic energy is no longer gravity's alone
+  std::uint64_t serial = 0;  // smallest of its things
 };
 
 /// Whether a row forbids no motion, and only pulls.

@@ -5,10 +5,16 @@
 
 namespace pantin {
 
+struct ArticulateStart {
+  ArticulateState state;
+  std::vector<Vec3> forces, offsets;  // (rows) [N], [m]
+  std::vector<Node> nodes;            // where it sleeps: else they are loaded from the model
+};
+
 /// What a step changes, beside loose things, which World keeps in any case.
 struct StepStart {
   bool kept = false;
-  std::vector<Articulate> articulates;
+  std::vector<ArticulateStart> articulates;
   Ledger ledger;
   Stats stats;
   double work = 0.0, open_work = 0.0;  // [J]

@@ -89,7 +89,10 @@ struct KickNotes {
   std::vector<double> turning,
       near;  ///< (sites) [m/s²] of a body's far end; [m] to the nearest thing it interacts with
   double told = 0.0, told_in_step = 0.0;  ///< [1/s] what is told where it is too much: of the last part, of the step
-  std::size_t worst_site = 0;             ///< with the largest error in the last part
+  double jump = 0.0;  ///< [1/s] of the jumps of forces in the last part, the largest: what it adds from then on
+  double jumps_in_step = 0.0;  ///< [1/s²] squares of these over the step
+  double jumps = 0.0;          ///< [1/s²] over the time that errors are asked for: their signs are by chance
+  std::size_t worst_site = 0;  ///< with the largest error in the last part
 };
 
 struct Forces {

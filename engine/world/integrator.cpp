@@ -129,13 +129,14 @@ void tell_unreached(World& world, double rate, const std::string& by) {
   std::erase_if(world.log, [&](const LogLine& line) { return line.text.starts_with(what); });
   log_line(world, "warning",
            text(what, sub_step_limit, " sub-steps of a step of ", rounded(world.settings.step), " s leave an error of ",
-                told_rate(world, rate), ", relative to the size; ", by, " would need a shorter scene.step"));
+                told_rate(world, rate), "; ", by, " would need a shorter scene.step"));
 }
 
 std::string told_rate(const World& world, double rate) {
   const bool per_step = world.settings.accuracy_per_step;
   const double told = per_step ? rate * world.settings.step : rate;
-  return (told < 1.0 ? rounded(told) : "more than the size itself") + (per_step ? " per step" : " per second");
+  return (told < 1.0 ? rounded(told) + " of the size" : "more than the size itself") +
+         (per_step ? " per step" : " per second");
 }
 
 double worst_missed(const World& world) {

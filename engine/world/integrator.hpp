@@ -35,7 +35,7 @@ void require_integrator_fits(const World& world);
 /// of the largest.
 void tell_unreached(World& world, double rate, const std::string& by);
 
-/// "1.2e-05 per second": an error rate [1/s] as messages tell it.
+/// "1.2e-05 of the size per second": an error rate [1/s] as messages tell it.
 std::string told_rate(const World& world, double rate);
 /// The largest error of those, in the unit of the wanted one; 0 where none was missed.
 double worst_missed(const World& world);

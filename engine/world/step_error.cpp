@@ -91,7 +91,7 @@ void begin_notes(World& world, Forces& f) {
   n.kept_jerk = n.jerk;
   n.kept_swing.clear();
   if (young) n.kept_swing = n.swing;
-  n.told_in_step = 0.0;
+  n.told_in_step = n.jumps_in_step = 0.0;
   if (!f.interactions.empty() && (grown || world.steps % 16 == 0 || f.settled_in == world.steps + 1))
     find_partners(world, f);
 }
@@ -242,6 +242,11 @@ class Judge {
     n_.worst_site = site;
   }
 
+  void see_jump(std::size_t site, double rate) {
+    n_.jump = std::isfinite(rate) ? rate : infinity;
+    if (n_.jump > worst_) n_.worst_site = site;
+  }
+
   void judge_pair(std::uint32_t a, std::uint32_t b) {
     const double distance = norm(box_.nearest(f_.sites.x[b] - f_.sites.x[a]));
     n_.near[a] = std::min(n_.near[a], distance);
@@ -270,14 +275,15 @@ class Judge {
 
   void judge_site(std::size_t i) {
     const std::uint32_t slot = f_.sites.particle[i];
-    const double change = norm(n_.change[i]) + n_.turning[i], jump = jump_before(slot, change / h_) * 1.5 * lasting();
+    const double change = norm(n_.change[i]) + n_.turning[i], jump = jump_before(slot, change / h_) * h_;
     n_.jerk[slot] = {change / h_, n_.jerk[slot][0], n_.jerk[slot][1]};
     if (change == 0.0 && jump == 0.0) return;
     if (const Articulate* articulate = articulate_of(world_, f_, i)) return see(i, change, articulate->length, true);
     double size = std::isfinite(n_.near[i]) ? n_.near[i] : 0.0;
     if (f_.attached_of[i] != none)
       size = std::max(size, reach_of(world_, f_.movers[f_.attached[f_.attached_of[i]].mover]));
-    if (std::max(change, jump) * h_ <= 6.0 * std::min(worst_, n_.told) * size) return;
+    const bool small = change * h_ <= 6.0 * std::min(worst_, n_.told) * size, soft = jump * h_ <= 4.0 * n_.jump * size;
+    if (small && soft) return;
     const double stiffness = stiffness_along(n_.change[i], n_.moved[i]);
     const Swing& swing = n_.swing[slot];
     size = std::max(size, swing.along(direction(n_.change[i])));
@@ -285,7 +291,8 @@ class Judge {
     const double turned = turns(i, swing, stiffness, change / h_);
     if (turned < once_around) size = std::max(size, 2.0 * first_swing(i, stiffness));
     see(i, change, size, turned > half_around);
-    if (jump > 0.0) see(i, jump, size, true);
+    // Kicks are wrong by h/4 times a jump on average, and places by that in each second from then on.
+    if (jump * h_ > 4.0 * n_.jump * size) see_jump(i, jump * h_ / (4.0 * size));
   }
 
   /// By how much it has swung since it was first seen [rad]: by the stiffness that it meets, or by how fast its acceleration
@@ -323,12 +330,6 @@ class Judge {
     return most > 3.0 * first ? most : 0.0;
   }
 
-  /// Kicks are wrong by h/4 times a jump on average, and places by that for as long as errors are asked for [s].
-  double lasting() const {
-    const double step = world_.settings.step;
-    return world_.settings.accuracy_per_step ? step : std::max(1.0, step);
-  }
-
   World& world_;
   Forces& f_;
   KickNotes& n_;
@@ -343,10 +344,11 @@ class Judge {
 double kick_error(World& world) {
   if (!world.forces) return 0.0;
   Forces& f = *world.forces;
-  f.notes.told = 0.0;
+  f.notes.told = f.notes.jump = 0.0;
   Judge judge(world, f);
   without_noise(world, f, [&] { judge.judge_all(); });
   for (const Encounter& met : find_encounters(world, f, judge.fastest(), judge.nearest())) judge.judge(met);
+  f.notes.jumps_in_step += f.notes.jump * f.notes.jump;
   f.notes.told_in_step += f.notes.told * std::fabs(world.part.h) / world.settings.step;
   return judge.worst();
 }
