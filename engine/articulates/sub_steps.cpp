@@ -11,7 +11,8 @@ namespace pantin {
 namespace {
 
 constexpr std::uint16_t patience = 64, longest_wait = 16;
-constexpr double fast = 0.3;  // [rad] in a sub-step: then each step is a trial
+constexpr double whole_turn = 1.0;  // [rad] that a body without rows turns by at once
+constexpr double fast = 0.3;        // [rad] in a sub-step: then each step is a trial
 
 constexpr double second_order = 4.0, fourth_order = 16.0;  // the error falls by this much with twice as many sub-steps
 
@@ -105,6 +106,13 @@ double drift_alone_accurately(Node& node, double h, const SubStepSettings& wante
   if (!node.turns || !is_due(n, wanted, norm(node.O0) * h / n.count)) {
     move(node, n.count);
     return 0.0;
+  }
+  // Longer turns are cut into the same parts by one sub-step and by two, which would differ by nothing.
+  while (norm(node.O0) * h / n.count > whole_turn && n.count < sub_step_limit)
+    n = {static_cast<std::uint16_t>(2 * n.count)};
+  if (norm(node.O0) * h / n.count > whole_turn) {
+    move(node, n.count);
+    return 1.0 / h;
   }
   Node start, other;
   const double gain = norm2(node.torque) > 0.0 ? second_order : fourth_order;

@@ -126,3 +126,145 @@ test("accuracy asked of a step serves a scene of microseconds", function()
   expect(scene.stats.sub_steps):below(33)
   expect(function() open_text 'scene.accuracy_per = "hour"' end):fails 'accuracy_per must be "second" or "step"'
 end)
+
+--- Sub-steps of the scene on average over a second at accuracy 1e-6, and the error that was missed.
+local function mean_sub_steps(text)
+  local scene = open_text("scene.gravity, scene.step, scene.accuracy = vec(0, 0, 0), 1 / 100, 1e-6\n" .. text)
+  local sum = 0
+  for _ = 1, 100 do
+    scene:advance(1 / 100)
+    sum = sum + scene.stats.sub_steps
+  end
+  return sum / 100, scene.stats.missed_accuracy
+end
+
+local binary = [[
+  local f = scene:family("f", { mass = 1 })
+  scene:interact(f, f, force.pair { cutoff = 3, potential = function(r) return -1 / r end })
+  local p = scene:particle { family = f, at = vec(0.5, 0, 0), velocity = vec(0, 0.7, 0) }
+  local q = scene:particle { family = f, at = vec(-0.5, 0, 0), velocity = vec(0, -0.7, 0) }
+  local function both(change) change(p) change(q) end
+]]
+
+test("a pair takes as many sub-steps wherever it is, goes or falls, and beside whatever is far", function()
+  local alone = mean_sub_steps(binary)
+  expect(alone):above(4)
+  for _, more in ipairs {
+    "scene:particle { family = f, at = vec(1e4, 0, 0), velocity = vec(1000, 0, 0) }",
+    "both(function(a) a.velocity = a.velocity + vec(0, 1e4, 0) end)",
+    "both(function(a) a.position = a.position + vec(1e5, 0, 0) end)",
+    "scene.gravity = vec(0, -100, 0)",
+    "scene.box = vec(1000, 1000, 1000)",
+    "scene:field(scene, force.point { potential = function(p) return 100 * p.position.y end })",
+    "scene:field(scene, force.point { force = function(p, own, t) return vec(1e-9 * math.cos(3 * t), 0, 0) end })",
+    "scene:field(scene, force.thermostat { rate = 1e-9, temperature = 1e-9 })",
+  } do
+    local with = mean_sub_steps(binary .. more)
+    expect(with):above(alone - 0.1)
+    expect(with):below(4 * alone)
+  end
+end)
+
+test("a gyration takes as many sub-steps with a drift along the field or across it", function()
+  local turning = [[
+    local p = scene:particle { mass = 1, at = vec(1, 0, 0), velocity = vec(0, 1, 0) }
+    scene:field(scene, force.point { force = function(p) return p.velocity:cross(vec(0, 0, 20)) end })
+  ]]
+  local alone = mean_sub_steps(turning)
+  for _, more in ipairs {
+    "p.velocity = vec(0, 1, 1000)",
+    "p.position = vec(1e6, 0, 0)",
+    "scene.gravity = vec(0, 0, -10)",
+    "p.velocity = vec(0, -99, 0) scene:field(scene, force.point { force = function() return vec(2000, 0, 0) end })",
+  } do
+    expect(mean_sub_steps(turning .. more)):above(0.9 * alone)
+  end
+end)
+
+test("a force whose period divides the step is seen, and from rest no size is told before there is one", function()
+  for _, multiple in ipairs { 1, 4 } do
+    local w = 200 * math.pi * multiple
+    local scene = open_text(([[
+      scene.gravity, scene.step, scene.accuracy = vec(0, 0, 0), 1 / 100, 1e-4
+      scene:particle { mass = 1, name = "p" }
+      scene:field(scene, force.point { force = function(p, own, t) return vec(60 * math.sin(%.17g * t), 0, 0) end })
+    ]]):format(w))
+    scene:advance(1)
+    expect(scene.stats.sub_steps):equal(256)
+    local error = math.abs(scene:find("p").position.x - 60 / w) / (120 / w ^ 2)
+    expect(scene.stats.missed_accuracy):above(error / 2)
+  end
+  local slow = open_text [[
+    scene.gravity, scene.step, scene.accuracy = vec(0, 0, 0), 1 / 60, 1e-4
+    scene:particle { mass = 1, name = "p" }
+    scene:field(scene, force.point { force = function(p, own, t) return vec(60 * math.sin(25 * t), 0, 0) end })
+  ]]
+  slow:advance(2)
+  expect(slow.stats.missed_accuracy):equal(0)
+  expect(slow:find("p").position.x):near(60 / 25 * (2 - math.sin(50) / 25), 4e-5)
+end)
+
+test("a planet of eccentricity 0.99 is told to be wrong by no less than half of what it is", function()
+  local scene = open_text(([[
+    scene.gravity, scene.step, scene.accuracy = vec(0, 0, 0), 1 / 100, 1e-6
+    local p = scene:particle { mass = 1, at = vec(1.99, 0, 0), velocity = vec(0, %.17g, 0), name = "p" }
+    scene:connect(p, vec(0, 0, 0), force.pair { potential = function(r) return -100 / r end })
+  ]]):format(10 * math.sqrt(0.01 / 1.99)))
+  scene:advance(1)
+  local low, high = math.pi + 10 - 1, math.pi + 10 + 1  -- Kepler's equation of the eccentric anomaly
+  for _ = 1, 60 do
+    local E = (low + high) / 2
+    if E - 0.99 * math.sin(E) < math.pi + 10 then low = E else high = E end
+  end
+  local x, y = 0.99 - math.cos(low), -math.sqrt(1 - 0.99 ^ 2) * math.sin(low)
+  local at = scene:find("p").position
+  local error = math.sqrt((at.x - x) ^ 2 + (at.y - y) ^ 2) / 2
+  expect(error):above(1e-3)
+  expect(scene.stats.missed_accuracy):above(error / 2)
+end)
+
+test("a gas with a cutoff and a thermostat takes few sub-steps", function()
+  local scene = open_text [[
+    scene.gravity, scene.box, scene.step, scene.accuracy = vec(0, 0, 0), vec(6, 6, 6), 0.004, 1e-3
+    local f = scene:family("f", { mass = 1 })
+    scene:interact(f, f, force.lennard_jones { epsilon = 1, sigma = 1, cutoff = 2.5 })
+    for i = 0, 4 do for j = 0, 4 do for k = 0, 4 do
+      scene:particle { family = f, at = 1.2 * vec(i, j, k) }
+    end end end
+    scene:field(scene, force.thermostat { rate = 1, temperature = 1 })
+  ]]
+  scene:advance(0.4)
+  expect(scene.stats.sub_steps):below(17)
+  expect(scene.stats.missed_accuracy):equal(0)
+end)
+
+test("what is not finite at rest names its law, and no accuracy", function()
+  local scene = open_text [[
+    scene.gravity = vec(0, 0, 0)
+    scene:particle {}
+    scene:field(scene, force.point { force = function(p) return p.position / p.position:length() end })
+  ]]
+  local ok, message = pcall(function() scene:advance(1) end)
+  expect(ok):equal(false)
+  expect(tostring(message):find("is not a finite number", 1, true) ~= nil):is_true()
+  expect(tostring(message):find("scene.accuracy", 1, true)):equal(nil)
+end)
+
+test("scene.accuracy_per alone is said to do nothing, once", function()
+  local scene = open_text 'scene.accuracy_per = "step"'
+  scene:advance(0.1)
+  expect(#scene.log):equal(1)
+  expect(scene.log[1].text):equal 'scene.accuracy_per = "step" does nothing without scene.accuracy'
+end)
+
+test("a body that turns too fast for the most sub-steps is told, however fast", function()
+  for _, spin in ipairs { 30, 300, 3000 } do
+    local scene = open_text(([[
+      scene.gravity, scene.step, scene.accuracy = vec(0, 0, 0), 1 / 10, 1e-9
+      scene:body { mass = 1, inertia = vec(1, 1.5, 2), spin = vec(%d, %d, %d), name = "top" }
+    ]]):format(spin, spin, spin))
+    scene:advance(0.3)
+    expect(scene.stats.missed_accuracy):above(1e-9)
+    expect(scene.log[1].text:find("the turning of body 'top' would need a shorter scene.step", 1, true) ~= nil):is_true()
+  end
+end)
