@@ -8,6 +8,7 @@
 
 #include "articulates/batches.hpp"
 #include "articulates/drift.hpp"
+#include "articulates/newton.hpp"
 #include "articulates/project.hpp"
 #include "articulates/rows.hpp"
 #include "articulates/stiff.hpp"
@@ -25,6 +26,8 @@ double product(const Motions& a, const Motions& b) {
   for (std::size_t i = 0; i < a.size(); i++) all += dot(a[i].v, b[i].p) + dot(a[i].w, b[i].L);
   return sum(all);
 }
+
+double size_of(const Mat3& m) { return std::sqrt(norm2(m[0]) + norm2(m[1]) + norm2(m[2])); }
 
 double size_of(const Motions& m) { return std::sqrt(std::max(0.0, product(m, m))); }
 
@@ -89,10 +92,10 @@ TiedKick::TiedKick(World& world, Forces& forces, VelocityForces& laws, std::size
   if (!side.drifted && a_->edited) {
     copy_ = std::make_unique<Articulate>(*a_);
     a_ = copy_.get();
-    load(*a_, world, zero3());
+    load(*a_, world, world.settings.gravity);
     meet(*a_, world.settings.step, world.part.from);
   } else if (!side.drifted) {
-    for (Node& n : a_->nodes) load(n, world, zero3());
+    for (Node& n : a_->nodes) load(n, world, world.settings.gravity);
   }
   ties_ = forbids(*a_);
 }
@@ -140,6 +143,11 @@ Motions TiedKick::felt(const Motions& by) const {
     add(to, seats[p.a], force);
     if (!law.one_sided) add(to, seats[p.b], force * -1.0);
   }
+  return to;
+}
+
+Motions TiedKick::felt_with_soft_rows(const Motions& by) const {
+  Motions to = felt(by);
   add_felt_of_soft_rows(to, by, 1.0);
   return to;
 }
@@ -156,14 +164,16 @@ void TiedKick::find_soft_rows() {
       return Seat{0, static_cast<std::size_t>(node), n.turns ? n.R0 * arm : zero3()};
     };
     const auto place = [&](const Seat& s) { return a_->nodes[s.node].x0 + s.r; };
-    Soft soft{end(row.a, row.la), {}, row.b >= 0, k, row.f, zero33()};
+    Soft soft{end(row.a, row.la), {}, row.b >= 0, k, row.f, zero33(), 0.0};
     if (soft.two) soft.b = end(row.b, row.lb);
     if (c.stiff) {
       const StiffPull pull = pull_at(*c.stiff, place(soft.a) - (soft.two ? place(soft.b) : c.place1));
       soft.force = pull.f;
       soft.slope = pull.by_place * dt_ + pull.by_rate;
+      soft.stiffness = size_of(pull.by_place);
     } else if (norm(row.f) < c.max_force) {
       soft.slope = identity33() * -(c.stiffness * dt_ + c.damping);
+      soft.stiffness = c.stiffness;
     }
     soft_.push_back(soft);
   }
@@ -187,9 +197,9 @@ void TiedKick::hold(Condition& c, bool held) {
   c.held = held;
 }
 
-void TiedKick::start(const std::vector<Vec3>& forces, Vec3 gravity) {
+void TiedKick::start(const std::vector<Vec3>& forces, bool alone) {
   forces_on_seats_ = forces;
-  gravity_ = gravity;
+  alone_ = alone;
   for (const Condition& c : a_->conditions) held_.push_back(c.held);
   find_known();
 }
@@ -215,6 +225,28 @@ double TiedKick::fastest_damping() {
   return fastest;
 }
 
+double TiedKick::fastest_swing() const {
+  std::vector<double> squares(a_->nodes.size(), 0.0);
+  for (const Soft& s : soft_) {
+    const double square = s.stiffness * mobility(*a_, a_->rows[s.row]);
+    squares[s.a.node] += square;
+    if (s.two) squares[s.b.node] += square;
+  }
+  return squares.empty() ? 0.0 : std::sqrt(*std::max_element(squares.begin(), squares.end()));
+}
+
+void TiedKick::choose_rule(double too_fast) {
+  if (theta == 0.5) return;
+  if (side_.before) find_soft_rows();
+  if (!soft_.empty()) find_known();
+  const double damping = fastest_damping();
+  const bool slow = !crossed && std::fabs(dt_) * damping <= too_fast;
+  if (slow) theta = 0.5;
+  if (soft_.empty() || (!slow && damping >= 2.0 * fastest_swing())) return;
+  soft_.clear();
+  find_known();
+}
+
 void TiedKick::find_known() {
   const std::size_t n = a_->batches.size();
   if (ties_) begin_answers(*a_);
@@ -223,12 +255,12 @@ void TiedKick::find_known() {
     read_momenta(*a_, b);
     const NodeBatch& batch = a_->batches[b];
     first[b] = {batch.p * batch.inverse_mass, batch.mobility * batch.L, batch.p, batch.L};
-    for (std::size_t lane = 0; lane < batch.count; lane++)
-      pantin::push(other[b], lane, gravity_ * (dt_ * a_->nodes[batch_size * b + lane].mass), zero3());
+    for (std::size_t lane = 0; lane < batch.count && !alone_; lane++) {
+      const Node& node = a_->nodes[batch_size * b + lane];
+      pantin::push(other[b], lane, world_.plane.along(node.force) * dt_, world_.plane.about(node.torque) * dt_);
+    }
   }
   if (!side_.before) pantin::add(first, other, -1.0);  // the drift had it
-  soft_.clear();
-  if (theta > 0.5 && side_.before) find_soft_rows();
   for (const Soft& s : soft_) add(other, s, s.force * dt_);
   for (std::size_t s = 0; s < seats.size(); s++) add(other, seats[s], forces_on_seats_[s] * dt_);
   const bool is_allowed = side_.before && !copy_ && (world_.part.first || !ties_);
@@ -253,7 +285,7 @@ void TiedKick::solve() {
     add(known, seats[p.a], impulse);
     if (!law.one_sided) add(known, seats[p.b], impulse * -1.0);
   }
-  pantin::add(known, felt(driven_), dt_);
+  pantin::add(known, felt_with_soft_rows(driven_), dt_);
   Motions right = v0_;
   pantin::add(right, driven_, -1.0);
   pantin::add(right, others_, theta);
@@ -265,7 +297,7 @@ void TiedKick::solve() {
   std::vector<Motions> all;
   Eigen::VectorXd y;
   while (!space.directions.empty()) {
-    all.push_back(felt(space.directions.back()));
+    all.push_back(felt_with_soft_rows(space.directions.back()));
     space.add_work(all);
     const auto n = static_cast<Eigen::Index>(space.directions.size());
     const Eigen::MatrixXd A = Eigen::MatrixXd::Identity(n, n) - factor * space.work;

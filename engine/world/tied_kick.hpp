@@ -55,12 +55,15 @@ class TiedKick {
   double theta = 0.5;
 
   std::size_t articulate() const { return index_; }
-  /// Takes the forces that do not depend on velocities: those on its seats [N], and gravity [m/s²].
-  void start(const std::vector<Vec3>& forces, Vec3 gravity);
+  /// Takes the forces that do not depend on velocities: those on its seats [N], and unless the laws act `alone` what the
+  /// drift applies, gravity, pushes and twists.
+  void start(const std::vector<Vec3>& forces, bool alone);
   /// Finds what goes by `theta` and the rows that hold anew.
   void find_known();
-  /// The fastest rate at which laws damp what moves [1/s], from below: what they ask for through all rows.
-  double fastest_damping();
+  /// Where what acts on single sites is too fast for a step of dt: `too_fast` is the bound of dt |∂a/∂v|. What is light is
+  /// damped more slowly where it moves what is heavy. And where laws overdamp all that pulls without forbidding, these
+  /// pulls count as the coming drift has them; else their swings are damped as they are at the ends of steps.
+  void choose_rule(double too_fast);
   /// Forgets impulses of other pairs; takes one on a node [N s], [N m s].
   void clear_pushes() { pushes_.assign(a_->batches.size(), {}); }
   void push(std::size_t node, Vec3 impulse, Vec3 twist);
@@ -82,20 +85,25 @@ class TiedKick {
     Seat a, b;
     bool two;  // else b is a place
     std::size_t row;
-    Vec3 force;  // [N]
-    Mat3 slope;  // [N s/m]
+    Vec3 force;        // [N]
+    Mat3 slope;        // [N s/m]
+    double stiffness;  // [N/m]
   };
 
   void hold(Condition& condition, bool held);
   bool let_go();
   Motions allowed(const Motions& impulses);
+  /// Forces that velocities make: of the laws; and of them and soft rows.
   Motions felt(const Motions& by) const;
+  Motions felt_with_soft_rows(const Motions& by) const;
   Motions told_impulses(const std::vector<Vec3>& told) const;
   void scale_to(double given);
   void change_momenta(Node& node, Vec3 v, Vec3 p, Vec3 L);
   void add(Motions& to, const Seat& seat, Vec3 impulse) const;
   Vec3 velocity_at(const Motions& of, const Seat& seat) const;
   void find_soft_rows();
+  double fastest_damping();      // [1/s] by laws, through all rows, from below
+  double fastest_swing() const;  // [1/s] at most, of soft rows
   void add(Motions& to, const Soft& soft, Vec3 impulse) const;
   void add_felt_of_soft_rows(Motions& to, const Motions& by, double times) const;
 
@@ -112,7 +120,7 @@ class TiedKick {
   std::vector<Vec3> wanted_;          // (conditions) [m/s]
   std::vector<Soft> soft_;
   std::vector<Vec3> forces_on_seats_, told_;
-  Vec3 gravity_ = zero3();
+  bool alone_ = false;
   Motions pushes_, v0_, driven_, others_, w_, change_;  // driven_: the least motion that what moves by itself asks for
   double asked_ = 0.0;       // [J^½] size of the last motion that was made allowed, before it was
   std::vector<Vec3> borne_;  // (rows) [N s]

@@ -297,13 +297,10 @@ void VelocityKick::start_tied() {
   for (const auto& tied : k_.tied) {
     forces.clear();
     for (const TiedKick::Seat& s : tied->seats) forces.push_back(other_force(s.site));
-    tied->start(forces, gravity());
-    // What is light is damped more slowly where it moves what is heavy.
-    if (tied->theta == 0.5 || tied->crossed || std::fabs(dt_) * tied->fastest_damping() > kicks::too_fast) continue;
-    tied->theta = 0.5;
-    tied->find_known();
+    tied->start(forces, thermal_);
+    tied->choose_rule(kicks::too_fast);
     for (std::size_t m = 0; m < f_.movers.size(); m++)
-      if (tied_to(m) == tied.get()) k_.carriers[m].theta = 0.5;
+      if (tied_to(m) == tied.get()) k_.carriers[m].theta = tied->theta;
   }
 }
 

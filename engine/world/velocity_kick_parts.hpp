@@ -75,8 +75,7 @@ class VelocityKick {
     return i < 0 || tied_of_.empty() ? nullptr : tied_of_[static_cast<std::size_t>(i)];
   }
   /// By gravity, in the kick [m/s].
-  Vec3 gravity() const { return thermal_ ? zero3() : world_.plane.along(world_.settings.gravity); }
-  Vec3 gravity_change() const { return gravity() * dt_; }
+  Vec3 gravity_change() const { return thermal_ ? zero3() : world_.plane.along(world_.settings.gravity) * dt_; }
   bool moves(std::size_t i) const {
     return f_.point[i] != kicks::none || (mover_at(f_, i) != kicks::none && !left_out(mover_at(f_, i)));
   }
