@@ -74,17 +74,17 @@ void push_breaking(lua_State* state, const Breaking& b) {
 }
 
 Field breaks_at_field() {
-  return {
-      "breaks_at",
-      "table",
-      "",
-      "{ force [N], torque [N m], length [m] } at which it breaks; a weld's torque is about the middle between the two "
-      "centres of mass",
-      [](const Self& s) { push_breaking(s.state, constraint_row(s).breaks_at); },
-      [](const Self& s, int i) {
-        const std::string what = std::string(type_of(s.ref.kind).word) + ": breaks_at";
-        set_breaks_at(s.world, constraint_of(s), check_breaking(s.state, i, what));
-      }};
+  return {"breaks_at",
+          "table",
+          "",
+          "{ force [N], torque [N m], length [m] } at which it breaks, within a step where its load passes that; a "
+          "weld's torque is about the middle between the two "
+          "centres of mass",
+          [](const Self& s) { push_breaking(s.state, constraint_row(s).breaks_at); },
+          [](const Self& s, int i) {
+            const std::string what = std::string(type_of(s.ref.kind).word) + ": breaks_at";
+            set_breaks_at(s.world, constraint_of(s), check_breaking(s.state, i, what));
+          }};
 }
 
 std::function<double(double)> number_of_time(Callback function, std::string what) {

@@ -85,13 +85,14 @@ void stand_still(Articulate& a, double at) {
 /// Makes velocities consistent at a moment of the step, where a row is struck or a cut step begins: a solved part turns the
 /// sign of what is forbidden, which over several parts no row of one side bears. Returns what this gave beyond the work of
 /// what moves by itself [J].
-double make_consistent_at(Articulate& a, const DriftSettings& settings, double at, DriftReport& report) {
+double make_consistent_at(Articulate& a, const DriftSettings& settings, double at, DriftReport& report,
+                          double struck = 0.0) {
   const double before = kinetic_energy(a);
   stand_still(a, at);
   const WantedVelocities wanted(a, settings.h, at);
   const bool over_gaps = acts_over_gaps(a);
   const Momenta kept = over_gaps ? momenta_of(a) : Momenta{};
-  const ImpulseWork work = make_consistent(a, 0.5 * settings.full);
+  const ImpulseWork work = make_consistent(a, 0.5 * settings.full, struck);
   if (over_gaps) restore_momenta(a, kept);
   report.tell(work);
   return kinetic_energy(a) - before - work.all();
@@ -161,7 +162,7 @@ void drift_part(Articulate& a, const DriftSettings& settings, double from, doubl
   if (solve_part(a, settings, h, report)) {
     if (!a.cut) return;
     add_forces_exerted(a, h);
-    if (struck(a)) report.limit += make_consistent_at(a, settings, to, report);
+    if (struck(a)) report.limit += make_consistent_at(a, settings, to, report, h);
     for (Condition& c : a.conditions) c.held_before = c.held;
     return;
   }

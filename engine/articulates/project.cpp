@@ -326,22 +326,23 @@ ImpulseWork take_out_forbidden(Articulate& a) {
   }
 }
 
-/// How much of its impulse a row that holds cannot give [N s]; `time` [s] it has for it.
-double beyond_reach(const Articulate& a, const Condition& c, double time) {
+/// How much of its impulse a row that holds cannot give [N s]; `time` [s] it has for it. A stop that was struck for `struck`
+/// [s] gave an impulse there, of which this may take back a part: the meeting turned what it should end.
+double beyond_reach(const Articulate& a, const Condition& c, double time, double struck) {
   const Row& r = row(a, c);
   const Vec3 impulse = a.impulses[c.row];
-  if (c.ranged) return -dot(impulse, stop(a, r).inward);
+  if (c.ranged) return -dot(c.held_before ? impulse : impulse + r.f * struck, stop(a, r).inward);
   return std::isinf(c.upper) ? 0.0 : norm(impulse) - c.upper * time;
 }
 
 /// Has the row that can give its impulse least let go, or after some turns all that cannot; false where all can.
-bool let_one_go(Articulate& a, double time, int turn) {
+bool let_one_go(Articulate& a, double time, double struck, int turn) {
   constexpr int patience = 8;
   Condition* worst = nullptr;
   double most = 0.0;
   for (Condition& c : a.conditions) {
     if (!c.held || c.stiff) continue;
-    const double beyond = beyond_reach(a, c, time);
+    const double beyond = beyond_reach(a, c, time, struck);
     if (beyond <= 1e-12 * norm(a.impulses[c.row])) continue;
     if (turn >= patience) c.held = false;
     if (beyond > most) worst = &c;
@@ -355,11 +356,11 @@ bool let_one_go(Articulate& a, double time, int turn) {
 
 }  // namespace
 
-ImpulseWork make_consistent(Articulate& a, double time) {
+ImpulseWork make_consistent(Articulate& a, double time, double struck) {
   std::fill(a.impulses.begin(), a.impulses.end(), zero3());
   if (a.yields) return {};
   ImpulseWork work = take_out_forbidden(a);
-  for (int turn = 0; let_one_go(a, time, turn); turn++) work = take_out_forbidden(a);
+  for (int turn = 0; let_one_go(a, time, struck, turn); turn++) work = take_out_forbidden(a);
   tell_momenta(a);
   a.has_factor = false;
   if (a.cut) add_impulses_exerted(a);

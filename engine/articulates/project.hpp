@@ -27,9 +27,9 @@ void set_kept_matrices(Articulate& articulate);
 
 /// Makes momenta consistent (an inelastic meeting), with the least compliance that gives a sane energy: anchors may be
 /// near-singular or contradict each other. Rows that hold let go where they would have to do what they cannot: a stop to
-/// pull, a motor to exert more than it can in `time` [s]. Arms at the nodes' ends; ends must equal starts. Returns the work
+/// pull, beyond what it gave if it was struck for the last `struck` [s], a motor to exert more than it can in `time` [s]. Arms at the nodes' ends; ends must equal starts. Returns the work
 /// of what moves by itself.
-ImpulseWork make_consistent(Articulate& articulate, double time);
+ImpulseWork make_consistent(Articulate& articulate, double time, double struck = 0.0);
 
 /// Gets an articulate ready for `answer`: finds what the rows that hold forbid at the nodes' starts, Condition::wanted, and
 /// their factor, unless the articulate has it.

@@ -404,7 +404,7 @@ function Body:remove() end
 ---@field point Point the point that it holds (read only)
 ---@field at vec [m] the place; the point is drawn to a new one
 ---@field force vec [N] what it exerted on its first point in the last step (read only)
----@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks; a weld's torque is about the middle between the two centres of mass
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks, within a step where its load passes that; a weld's torque is about the middle between the two centres of mass
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -419,7 +419,7 @@ function Nail:remove() end
 ---@field target vec [m] where the target is; written as a vec or a function of time [s]
 ---@field max_force number [N] never pulls harder; math.huge: no limit
 ---@field force vec [N] what it exerted on its first point in the last step (read only)
----@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks; a weld's torque is about the middle between the two centres of mass
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks, within a step where its load passes that; a weld's torque is about the middle between the two centres of mass
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -435,7 +435,7 @@ function Follow:remove() end
 ---@field at vec [m] place of its second end; written where no point is there
 ---@field length number [m] the distance that it keeps; written as a number or a function of time [s]
 ---@field force number [N] tension in the last step, > 0 when it pulls (read only)
----@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks; a weld's torque is about the middle between the two centres of mass
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks, within a step where its load passes that; a weld's torque is about the middle between the two centres of mass
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -450,7 +450,7 @@ function Rod:remove() end
 ---@field b Body? its second body, or nil for the world (read only)
 ---@field force vec [N] what it exerted on its first point in the last step (read only)
 ---@field torque vec [N m] what it exerted on its first body in the last step; a weld's is about the middle between the centres of mass (read only)
----@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks; a weld's torque is about the middle between the two centres of mass
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks, within a step where its load passes that; a weld's torque is about the middle between the two centres of mass
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -464,7 +464,7 @@ function Weld:remove() end
 ---@field a Body its first body (read only)
 ---@field to quat the orientation; written as a quat or a function of time [s]; the body is drawn to a new one
 ---@field torque vec [N m] what it exerted on its first body in the last step; a weld's is about the middle between the centres of mass (read only)
----@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks; a weld's torque is about the middle between the two centres of mass
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks, within a step where its load passes that; a weld's torque is about the middle between the two centres of mass
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -479,7 +479,7 @@ function Orient:remove() end
 ---@field b Body? its second body, or nil for the world (read only)
 ---@field angle number [rad] the angle, 0 to π; written as a number or a function of time [s]
 ---@field torque vec [N m] what it exerted on its first body in the last step; a weld's is about the middle between the centres of mass (read only)
----@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks; a weld's torque is about the middle between the two centres of mass
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks, within a step where its load passes that; a weld's torque is about the middle between the two centres of mass
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -497,7 +497,7 @@ function Align:remove() end
 ---@field turned number [rad] the angle of a against b now, turns counted (read only)
 ---@field max_torque number [N m] never pushes harder; math.huge: no limit
 ---@field torque vec [N m] what it exerted on its first body in the last step; a weld's is about the middle between the centres of mass (read only)
----@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks; a weld's torque is about the middle between the two centres of mass
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks, within a step where its load passes that; a weld's torque is about the middle between the two centres of mass
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -513,7 +513,7 @@ function Motor:remove() end
 ---@field value number the angle [rad] or distance [m] now (read only)
 ---@field force vec [N] what it exerted on its first point in the last step (read only)
 ---@field torque vec [N m] what it exerted on its first body in the last step; a weld's is about the middle between the centres of mass (read only)
----@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks; a weld's torque is about the middle between the two centres of mass
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks, within a step where its load passes that; a weld's torque is about the middle between the two centres of mass
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -528,7 +528,7 @@ function Limit:remove() end
 ---@field through vec [m] a place on the plane; the point is drawn to a new one
 ---@field normal vec across the plane, of unit length
 ---@field force vec [N] what it exerted on its first point in the last step (read only)
----@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks; a weld's torque is about the middle between the two centres of mass
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks, within a step where its load passes that; a weld's torque is about the middle between the two centres of mass
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -543,7 +543,7 @@ function OnPlane:remove() end
 ---@field length number [m] the most that it is long; written as a number or a function of time [s]
 ---@field taken number [m] how long its way is now: less than its length where it is slack (read only)
 ---@field force number [N] tension in the last step, 0 where it is slack (read only)
----@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks; a weld's torque is about the middle between the two centres of mass
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks, within a step where its load passes that; a weld's torque is about the middle between the two centres of mass
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -558,7 +558,7 @@ function String:remove() end
 ---@field path vec[] [m] the places that the path goes through (read only)
 ---@field along number where on the path the point is: 0 at the first place, 1 at the second, and so on (read only)
 ---@field force vec [N] what it exerted on its first point in the last step (read only)
----@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks; a weld's torque is about the middle between the two centres of mass
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks, within a step where its load passes that; a weld's torque is about the middle between the two centres of mass
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)
@@ -573,7 +573,7 @@ function OnPath:remove() end
 ---@field b Point the second point (read only)
 ---@field max_force number [N] it never pulls harder; math.huge: no limit (read only)
 ---@field force vec [N] what it exerted on its first point in the last step (read only)
----@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks; a weld's torque is about the middle between the two centres of mass
+---@field breaks_at table { force [N], torque [N m], length [m] } at which it breaks, within a step where its load passes that; a weld's torque is about the middle between the two centres of mass
 ---@field enabled boolean whether it acts
 ---@field name string what messages and scene:find call it
 ---@field alive boolean whether it still exists (read only)

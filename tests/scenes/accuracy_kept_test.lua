@@ -268,3 +268,19 @@ test("a body that turns too fast for the most sub-steps is told, however fast", 
     expect(scene.log[1].text:find("the turning of body 'top' would need a shorter scene.step", 1, true) ~= nil):is_true()
   end
 end)
+
+test("a string that goes taut leaves what goes along it, however many sub-steps", function()
+  for start = 1, 12 do
+    local y, vx, vy = -1.40 - 0.0081 * start, 0.3 + 0.05 * start, -2 + 0.07 * start
+    for _, accuracy in ipairs { 1e-3, 1e-6, 1e-10 } do
+      local scene = open_text(([[
+        scene.gravity, scene.step, scene.accuracy = vec(0, 0, 0), 1 / 100, %g
+        local p = scene:particle { mass = 1, at = vec(0, %g, 0), velocity = vec(%g, %g, 0), name = "p" }
+        scene:string({ vec(0, 0, 0), p }, { length = 1.5 })
+      ]]):format(accuracy, y, vx, vy))
+      scene:advance(0.15)
+      -- the angular momentum about the other end is kept
+      expect(scene:find("p").velocity:length()):near(math.abs(y * vx) / 1.5, 1e-9)
+    end
+  end
+end)
