@@ -271,7 +271,7 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   if (!serves || !project_with_newton_factor(a, before, report)) {
     report.projections++;
     a.has_factor = false;
-    if (a.exact)
+    if (a.exact && a.tree)
       find_velocities(a, From::nodes, true);
     else
       factorise_exactly(a, a.least_epsilon);
@@ -374,7 +374,9 @@ void begin_answers(Articulate& a) {
   }
   find_kept(a);
   if (a.exact) return;
-  factorise_exactly(a, a.least_epsilon);
+  // Of loops some rows may say what others do.
+  constexpr double redundant = 1e-8;
+  factorise_exactly(a, a.tree ? a.least_epsilon : redundant);
   a.has_factor = false;
   a.exact = true;
 }

@@ -56,7 +56,7 @@ struct Space {
   /// Takes a direction apart from the others, and adds it unless it is hardly more than what answers leave of what was
   /// forbidden, of a motion of size `whole` [J^½]; how much of it was new.
   double add_direction(Motions d, double whole) {
-    constexpr double left = 1e-8;
+    constexpr double left = 1e-7;
     for (int again = 0; again < 2; again++)
       for (const Motions& q : directions) pantin::add(d, q, -product(q, d));
     const double size = size_of(d);
@@ -169,10 +169,10 @@ void TiedKick::find_soft_rows() {
     if (c.stiff) {
       const StiffPull pull = pull_at(*c.stiff, place(soft.a) - (soft.two ? place(soft.b) : c.place1));
       soft.force = pull.f;
-      soft.slope = pull.by_place * dt_ + pull.by_rate;
+      soft.slope = pull.by_place * (c.stiff->solve == Solve::at_end ? 2.0 * dt_ : dt_) + pull.by_rate;
       soft.stiffness = size_of(pull.by_place);
     } else if (norm(row.f) < c.max_force) {
-      soft.slope = identity33() * -(c.stiffness * dt_ + c.damping);
+      soft.slope = identity33() * -(2.0 * c.stiffness * dt_ + c.damping);
       soft.stiffness = c.stiffness;
     }
     soft_.push_back(soft);
@@ -309,7 +309,7 @@ void TiedKick::solve() {
       const double reach = std::fabs(factor) * std::hypot(space.work(0, 0), more);
       tolerance = std::clamp(0.05 * reach * reach * reach, 1e-14, 1e-8);
     }
-    if (std::fabs(factor * more * y(n - 1)) <= tolerance * size) break;
+    if (!(std::fabs(factor * more * y(n - 1)) > tolerance * size)) break;
   }
   for (Eigen::Index k = 0; k < y.size(); k++) pantin::add(w_, space.directions[static_cast<std::size_t>(k)], y(k));
 }

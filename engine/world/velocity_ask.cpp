@@ -11,6 +11,21 @@ double working_part(const Mat3& m) {
   return 0.5 * std::sqrt(norm2(sum[0]) + norm2(sum[1]) + norm2(sum[2]));
 }
 
+namespace {
+
+/// The antisymmetric matrix nearest to the derivative of a force that does no work by velocity, with which the force comes
+/// of the velocity v: a solution near to v does no work then either, however far Newton's iteration has come.
+Mat3 turning_part(const Mat3& slope, Vec3 force, Vec3 v) {
+  const double square = norm2(v);
+  const Mat3 turning = (slope - transpose(slope)) * 0.5;
+  if (!(square > 0.0)) return turning;
+  Vec3 rest = force - turning * v;
+  rest -= v * (dot(rest, v) / square);
+  return turning + (outer(rest, v) - outer(v, rest)) * (1.0 / square);
+}
+
+}  // namespace
+
 void ask_velocity_laws(const World& world, Forces& f, const Instant& instant, bool thermal) {
   VelocityForces& k = thermal ? f.thermostats : f.velocity;
   const std::size_t n = f.sites.n;
@@ -19,11 +34,15 @@ void ask_velocity_laws(const World& world, Forces& f, const Instant& instant, bo
   if (f.workless) k.workless.clear(n);
   k.pairs.clear();
   k.linear = k.known = true;
+  bool bends = false;
   for (ActingField& a : f.fields) {
     if (!asked(*a.law)) continue;
     const auto parameters = present_parameters(world, *a.law, world.fields[a.id].parameters);
-    k.linear &= a.fields.add_slopes(f.sites, box_of(world), instant, parameters, *world.workers, k.fields);
-    if (a.law->workless) a.fields.add_slopes(f.sites, box_of(world), instant, parameters, *world.workers, k.workless);
+    const bool linear = a.fields.add_slopes(f.sites, box_of(world), instant, parameters, *world.workers, k.fields);
+    k.linear &= linear;
+    if (!a.law->workless) continue;
+    a.fields.add_slopes(f.sites, box_of(world), instant, parameters, *world.workers, k.workless);
+    bends |= !linear;
   }
   for (ActingInteraction& a : f.interactions) {
     if (!asked(*a.law)) continue;
@@ -34,6 +53,11 @@ void ask_velocity_laws(const World& world, Forces& f, const Instant& instant, bo
     if (asked(*a.law) && !a.solved) k.linear &= a.bonds.list_slopes(f.sites, box_of(world), instant, {}, k.pairs);
   k.at.assign(n, zero3());
   std::copy_n(f.sites.v.begin(), n, k.at.begin());
+  for (std::size_t i = 0; bends && i < n; i++) {
+    const Mat3 turning = turning_part(k.workless.slope[i], k.workless.force[i], k.at[i]);
+    k.fields.slope[i] += turning - k.workless.slope[i];
+    k.workless.slope[i] = turning;
+  }
   const Plane& plane = world.plane;
   if (!plane.flat()) return;
   const auto flatten = [&](Vec3& force, Mat3& slope) {

@@ -16,9 +16,12 @@ using kicks::none;
 
 constexpr int most_iterations = 40, restart = 3, trusted_iterations = 16;
 
-/// A law that Newton's iteration does not get on with is taken for a drag along its force, which gives that force at `u`.
-Mat3 chord(Vec3 force, Vec3 u, double sign) {
+/// A law that Newton's iteration does not get on with is taken for a drag along its force, which gives that force at `u`; one
+/// that hardly takes anything stays as its `slope` has it.
+Mat3 chord(const Mat3& slope, Vec3 force, Vec3 u, double sign) {
+  constexpr double hardly = 1e-6;
   const double power = sign * dot(force, u);
+  if (std::fabs(power) <= hardly * norm(force) * norm(u)) return slope;
   return power < 0.0 ? outer(force, force) * (sign / power) : zero33();
 }
 
@@ -61,7 +64,7 @@ bool VelocityKick::ask_again(int iteration) {
     const double missed = from_rest_[i] ? infinity : std::fabs(dt_) * mobility * norm(force - k_.told[i]);
     // Dry friction stops what slides: its slope there does not tell, that of rest leads to the solution from below.
     from_rest_[i] = iteration == restart && missed > nearly * speed_;
-    if (is_stuck(i, missed)) k_.fields.slope[i] = chord(force, f_.sites.v[i], 1.0);
+    if (is_stuck(i, missed)) k_.fields.slope[i] = chord(k_.fields.slope[i], force, f_.sites.v[i], 1.0);
     leave_what_amplifies(k_.fields.slope[i], mobility, 1.0);
   }
   for (std::size_t k = 0; k < before.size(); k++) {
@@ -69,7 +72,7 @@ bool VelocityKick::ask_again(int iteration) {
     p.impulse = before[k].impulse;
     const double mobility = mobility_of(p.a) + (p.one_sided ? 0.0 : mobility_of(p.b));
     if (is_stuck(n + k, std::fabs(dt_) * mobility * norm(p.force - k_.told_pairs[k])))
-      p.slope = chord(p.force, p.at, -1.0);
+      p.slope = chord(p.slope, p.force, p.at, -1.0);
     leave_what_amplifies(p.slope, mobility, -1.0);
   }
   return worst <= nearly * speed_;
