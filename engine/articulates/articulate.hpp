@@ -243,7 +243,7 @@ struct ArticulateState {
   bool edited = true;            // new: velocities are still to be made consistent
   bool torn = false;             // by an edit, and still open
   std::uint32_t open_steps = 0;  // in a row that ended with a gap beyond the tolerance
-  bool arrived = false;          // at the end of the full sub-step, or of what is to be moved over, by a safe step
+  bool arrived = false;          // at the end of the full sub-step, by a safe step
   bool smooth = true;            // no part of the full sub-step was halved or safe
   bool cut = false;              // the full sub-step has more than one part
   bool weak = false;             // the last factor had weak pivots: its multipliers are not all determined

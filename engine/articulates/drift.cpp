@@ -34,12 +34,12 @@ void cut(Articulate& a) {
   for (std::size_t k = 0; k < a.rows.size(); k++) a.exerted[k] = a.carried[k] * sign;
 }
 
-/// A safe step to the end of all parts, for where one cannot be solved others seldom can; where a full sub-step has parts
-/// that go backwards, to its end, since backwards a safe step makes no sense.
-void arrive_safely(Articulate& a, const DriftSettings& settings, double from, DriftReport& report) {
+/// A safe step to the end of the part; backwards it makes no sense, so where a full sub-step has parts that go backwards, to
+/// its end. Where nothing may be spent on shorter parts any more, to the end of all of them.
+void arrive_safely(Articulate& a, const DriftSettings& settings, double from, double to, DriftReport& report) {
   a.smooth = false;
-  a.arrived = true;
-  const double to = settings.backwards ? 1.0 : settings.to;
+  a.arrived = settings.backwards || a.effort.spare == 0;
+  if (a.arrived) to = settings.backwards ? 1.0 : settings.to;
   if (!a.cut) cut(a);
   set_conditions(a, from, to);
   const double h = settings.h * (to - from);
@@ -109,19 +109,16 @@ void begin_cut(Articulate& a, const DriftSettings& settings, double at, DriftRep
 std::uint32_t allowance(const Articulate& a, std::uint32_t least, double times) {
   return std::max(least, static_cast<std::uint32_t>(times * a.effort.usual)) * a.sub_steps.count;
 }
-/// What attempts that fail may cost until a part is solved; and what all attempts may.
-std::uint32_t all_spare(const Articulate& a) { return allowance(a, 48, 6.0); }
-std::uint32_t most_cost(const Articulate& a) { return allowance(a, 160, 12.0); }
+/// What attempts that fail may cost, of all parts together; and what all attempts may.
+std::uint32_t all_spare(const Articulate& a) { return allowance(a, 320, 24.0); }
+std::uint32_t most_cost(const Articulate& a) { return allowance(a, 640, 48.0); }
 
-/// Tries to solve a part of h [s]; what a failure costs is spent, until a part is solved.
+/// Tries to solve a part of h [s]; what a failure costs is spent.
 bool try_part(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   if (cost(report) > most_cost(a)) a.effort.spare = 0;
   if (a.effort.spare == 0) return false;
   const std::uint32_t before = cost(report);
-  if (solve_step(a, h, gravity, report)) {
-    if (a.cut && a.effort.failed == 0) a.effort.spare = all_spare(a);
-    return true;
-  }
+  if (solve_step(a, h, gravity, report)) return true;
   a.effort.spare -= std::min(a.effort.spare, std::max(1u, cost(report) - before));
   forget_course(a);
   return false;
@@ -158,7 +155,7 @@ void drift_part(Articulate& a, const DriftSettings& settings, double from, doubl
   if (a.arrived) return;
   const double h = settings.h * (to - from);
   set_conditions(a, from, to);
-  if (a.gaps.open > 1e-8 * a.length) return arrive_safely(a, settings, from, report);
+  if (a.gaps.open > 1e-8 * a.length) return arrive_safely(a, settings, from, to, report);
   if (solve_part(a, settings, h, report)) {
     if (!a.cut) return;
     add_forces_exerted(a, h);
@@ -167,7 +164,7 @@ void drift_part(Articulate& a, const DriftSettings& settings, double from, doubl
     return;
   }
   const bool stuck = depth == 0 && a.safe;  // since the last step: shorter ones would not help
-  if (depth == most_halvings || stuck || a.effort.spare == 0) return arrive_safely(a, settings, from, report);
+  if (depth == most_halvings || stuck || a.effort.spare == 0) return arrive_safely(a, settings, from, to, report);
   report.halved++;
   a.smooth = false;
   if (!a.cut) begin_cut(a, settings, from, report);
@@ -228,7 +225,6 @@ void end_effort(Articulate& a, std::uint32_t spare, bool open, const DriftReport
 void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   a.exact = false;
   begin_effort(a);
-  if (settings.first || !settings.backwards) a.arrived = false;
   if (a.edited) {
     const FirstMeeting met = meet(a, settings.h, settings.from);
     report.met += met.tied;
@@ -238,7 +234,7 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
     strengthen_stalled(a, settings.h);
     const bool carried = take_carried_half(a, settings.full, report);
     a.smooth = true;
-    a.cut = false;
+    a.arrived = a.cut = false;
     a.exerted_time = 0.0;
     const bool open = a.gaps.open > 1e-8 * a.length;
     if (a.sub_steps.count > 1 && !open) carried ? cut(a) : begin_cut(a, settings, settings.from, report);

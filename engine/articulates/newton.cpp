@@ -16,7 +16,7 @@ namespace pantin {
 
 namespace {
 
-constexpr std::uint32_t most_iterations = 40, most_halvings = 5;
+constexpr std::uint32_t most_iterations = 40, most_halvings = 6;
 
 const Node& first(const Articulate& a, const Row& row) { return a.nodes[static_cast<std::size_t>(row.a)]; }
 const Node& second(const Articulate& a, const Row& row) { return a.nodes[static_cast<std::size_t>(row.b)]; }
@@ -172,30 +172,23 @@ WholeStep take_direction(Articulate& a, double h) {
   return {std::sqrt(largest_lane(largest_turn)), evaluation.end()};
 }
 
-void lower_epsilon(Articulate& a, double by) {
-  a.epsilon = std::max(a.least_epsilon, by * a.epsilon);
+void lower_epsilon(Articulate& a) {
+  a.epsilon = std::max(a.least_epsilon, 0.1 * a.epsilon);
   a.good_steps = 0;
   if (!a.lowered) a.wait = std::min(2 * a.wait, 2000u);
   a.lowered = true;
 }
 
-/// The residual [m] after a step along a direction, and whether all of it would not do.
-struct Searched {
-  double residual;
-  bool shortened;
-};
-
-/// One damped Newton step along the direction in the nodes and rows.
-Searched search_line(Articulate& a, double h, double e, double tolerance, bool fresh, std::uint32_t last,
-                     DriftReport& report) {
+/// One damped Newton step along the direction in the nodes and rows. Returns the new residual.
+double search_line(Articulate& a, double h, double e, double tolerance, bool fresh, std::uint32_t last,
+                   DriftReport& report) {
   const WholeStep whole = take_direction(a, h);
   double fraction = std::min(1.0, 1.0 / whole.largest_turn);
   for (std::uint32_t halvings = 0;; halvings++) {
     const double e1 = fraction == 1.0 ? whole.residual : attempt(a, h, fraction);
     report.iterations++;
     const bool accepted = e1 < e * (1.0 - 0.1 * fraction) || e1 <= tolerance;
-    if (accepted || halvings >= most_halvings || cost(report) > last || (!fresh && halvings == 0))
-      return {e1, halvings > 0};
+    if (accepted || halvings >= most_halvings || cost(report) > last || (!fresh && halvings == 0)) return e1;
     fraction *= 0.5;
   }
 }
@@ -226,7 +219,7 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
     } else {
       reuse_factor(a, system);
     }
-    const auto [e1, shortened] = search_line(a, h, e, tolerance, fresh, last, report);
+    double e1 = search_line(a, h, e, tolerance, fresh, last, report);
     gain = e1 / e;
     if (!fresh && old_uses == 1 && gain < 4.0 && e < 1e-6 * a.length) {
       gain = std::min(gain, 0.5);
@@ -238,7 +231,7 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
       gain = 1.0;
       if (!fresh) continue;
       if (e < 1e-4 * a.length && e > 100.0 * tolerance && a.epsilon > a.least_epsilon) {
-        lower_epsilon(a, 1e-3);
+        lower_epsilon(a);
         fresh = false;
         continue;
       }
@@ -246,10 +239,8 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
     }
     if (fresh && gain > 0.2 && e1 < 10.0 * round_off) return true;
     if (fresh && gain > 0.2 && e < 1e-4 * a.length && a.epsilon > a.least_epsilon) {
-      lower_epsilon(a, shortened ? 1e-3 : 0.1);
+      lower_epsilon(a);
       gain = 1.0;
-    } else if (shortened && gain > 0.9 && e1 > 100.0 * tolerance) {
-      return false;  // a shorter step of time does more
     }
     fresh = false;
     e = e1;

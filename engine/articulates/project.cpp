@@ -367,16 +367,14 @@ ImpulseWork make_consistent(Articulate& a, double time, double struck) {
   return work;
 }
 
-void begin_answers(Articulate& a) {
+void begin_answers(Articulate& a, double epsilon) {
   if (!a.exact) {
     for (Node& n : a.nodes) settle(n);
     place_rows_at_end(a);
   }
   find_kept(a);
   if (a.exact) return;
-  // Of loops some rows may say what others do.
-  constexpr double redundant = 1e-8;
-  factorise_exactly(a, a.tree ? a.least_epsilon : redundant);
+  factorise_exactly(a, std::max(epsilon, a.least_epsilon));
   a.has_factor = false;
   a.exact = true;
 }

@@ -32,8 +32,8 @@ void set_kept_matrices(Articulate& articulate);
 ImpulseWork make_consistent(Articulate& articulate, double time, double struck = 0.0);
 
 /// Gets an articulate ready for `answer`: finds what the rows that hold forbid at the nodes' starts, Condition::wanted, and
-/// their factor, unless the articulate has it.
-void begin_answers(Articulate& articulate);
+/// their factor with a compliance `epsilon` at least, unless the articulate has one.
+void begin_answers(Articulate& articulate, double epsilon);
 /// Takes out of the batches' momenta what the rows forbid; Articulate::impulses are those of it.
 void answer(Articulate& articulate);
 

@@ -19,6 +19,7 @@ namespace pantin {
 namespace {
 
 constexpr std::size_t most_directions = 64;
+constexpr double redundant = 1e-8;  // compliance where rows of loops may say what others do: in space most do
 
 /// a·M b.
 double product(const Motions& a, const Motions& b) {
@@ -44,6 +45,8 @@ void push(BatchMotion& to, std::size_t lane, Vec3 impulse, Vec3 twist) {
   set_lane(to.p, lane, lane_of(to.p, lane) + impulse);
   set_lane(to.L, lane, lane_of(to.L, lane) + twist);
 }
+
+bool wants_motion(const Condition& c) { return norm2(c.wanted) > 0.0; }
 
 /// Whether the rows of an articulate say which velocities are allowed.
 bool forbids(const Articulate& a) { return !a.yields && !a.safe && !a.torn && a.gaps.open <= 1e-8 * a.length; }
@@ -98,6 +101,7 @@ TiedKick::TiedKick(World& world, Forces& forces, VelocityForces& laws, std::size
     for (Node& n : a_->nodes) load(n, world, world.settings.gravity);
   }
   ties_ = forbids(*a_);
+  if (!a_->tree && !world.plane.flat()) epsilon_ = redundant;
 }
 
 TiedKick::~TiedKick() = default;
@@ -131,7 +135,15 @@ Motions TiedKick::allowed(const Motions& impulses) {
     const NodeBatch& n = a_->batches[b];
     all[b] = {n.p * n.inverse_mass, n.mobility * n.L, n.p, n.L};
   }
-  return all;
+  // Rows that say what others do need more compliance: to forbid takes energy, where nothing is wanted.
+  const bool wants = std::any_of(a_->conditions.begin(), a_->conditions.end(), wants_motion);
+  if (!ties_ || wants || size_of(all) <= (1.0 + 1e-9) * asked_ || epsilon_ > 1e-5) return all;
+  epsilon_ = 100.0 * std::max(epsilon_, a_->least_epsilon);
+  a_->exact = false;
+  begin_answers(*a_, epsilon_);
+  if (at_rest_)
+    for (Condition& c : a_->conditions) c.wanted = zero3();
+  return allowed(impulses);
 }
 
 Motions TiedKick::felt(const Motions& by) const {
@@ -249,7 +261,8 @@ void TiedKick::choose_rule(double too_fast) {
 
 void TiedKick::find_known() {
   const std::size_t n = a_->batches.size();
-  if (ties_) begin_answers(*a_);
+  at_rest_ = false;
+  if (ties_) begin_answers(*a_, epsilon_);
   Motions first(n), other(n);
   for (std::size_t b = 0; b < n; b++) {
     read_momenta(*a_, b);
@@ -266,10 +279,10 @@ void TiedKick::find_known() {
   const bool is_allowed = side_.before && !copy_ && (world_.part.first || !ties_);
   v0_ = is_allowed ? std::move(first) : allowed(allowed(first));
   driven_.assign(other.size(), {});
-  const auto moves = [](const Condition& c) { return norm2(c.wanted) > 0.0; };
-  if (ties_ && std::any_of(a_->conditions.begin(), a_->conditions.end(), moves)) driven_ = allowed(driven_);
+  if (ties_ && std::any_of(a_->conditions.begin(), a_->conditions.end(), wants_motion)) driven_ = allowed(driven_);
   wanted_.clear();
   for (Condition& c : a_->conditions) wanted_.push_back(std::exchange(c.wanted, zero3()));
+  at_rest_ = true;
   others_ = allowed(other);
 }
 
@@ -393,9 +406,10 @@ void TiedKick::change_momenta(Node& n, Vec3 v, Vec3 p, Vec3 L) {
   if (n.turns) m.angular += transposed_times(matrix(m.q), L);
 }
 
-/// The velocities may have changed a little since, as energy was returned: the change is made to give the same [J].
-void TiedKick::scale_to(double given) {
-  if (!side_.drifted) return;
+/// The velocities may have changed a little since, as energy was returned: the change is made to give the same [J]. Returns
+/// what it gives.
+double TiedKick::scale_to(double given) {
+  if (!side_.drifted) return given;
   Motions now(change_.size());
   for (std::size_t b = 0; b < now.size(); b++) {
     read_momenta(*a_, b);
@@ -403,9 +417,10 @@ void TiedKick::scale_to(double given) {
     now[b].L = a_->batches[b].L;
   }
   const double size = product(change_, change_), along = product(change_, now), slope = size + along;
-  if (std::fabs(slope) < 0.1 * size) return;
   const double by = (given - along - 0.5 * size) / slope;
-  if (std::fabs(by) < 1e-3) pantin::add(change_, Motions(change_), by);
+  if (std::fabs(slope) < 0.1 * size || !(std::fabs(by) < 1e-3)) return along + 0.5 * size;
+  pantin::add(change_, Motions(change_), by);
+  return (1.0 + by) * along + 0.5 * (1.0 + by) * (1.0 + by) * size;
 }
 
 TiedWork TiedKick::apply(const std::vector<Vec3>& spared, double full) {
@@ -421,9 +436,8 @@ TiedWork TiedKick::apply(const std::vector<Vec3>& spared, double full) {
     const Condition& c = a_->conditions[k];
     (row(*a_, c).lever > 0.0 ? work.rows.couples : work.rows.ends) += dot(borne_[c.row], wanted_[k]);
   }
-  const double given = product(mean, change_), by_laws = given - work.rows.all();
+  const double by_laws = scale_to(product(mean, change_)) - work.rows.all();
   (damps ? work.damper : work.rest) = damps ? by_laws - work.rest : by_laws;
-  scale_to(given);
   if (own.reaction.size() != borne_.size()) own.reaction.assign(borne_.size(), zero3());
   for (std::size_t k = 0; k < borne_.size(); k++) own.reaction[k] += borne_[k] / full;
   for (std::size_t i = 0; i < own.nodes.size(); i++) {

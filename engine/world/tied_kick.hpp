@@ -97,7 +97,7 @@ class TiedKick {
   Motions felt(const Motions& by) const;
   Motions felt_with_soft_rows(const Motions& by) const;
   Motions told_impulses(const std::vector<Vec3>& told) const;
-  void scale_to(double given);
+  double scale_to(double given);
   void change_momenta(Node& node, Vec3 v, Vec3 p, Vec3 L);
   void add(Motions& to, const Seat& seat, Vec3 impulse) const;
   Vec3 velocity_at(const Motions& of, const Seat& seat) const;
@@ -120,7 +120,8 @@ class TiedKick {
   std::vector<Vec3> wanted_;          // (conditions) [m/s]
   std::vector<Soft> soft_;
   std::vector<Vec3> forces_on_seats_, told_;
-  bool alone_ = false;
+  bool alone_ = false, at_rest_ = false;
+  double epsilon_ = 0.0;                                // compliance of the rows that they need
   Motions pushes_, v0_, driven_, others_, w_, change_;  // driven_: the least motion that what moves by itself asks for
   double asked_ = 0.0;       // [J^½] size of the last motion that was made allowed, before it was
   std::vector<Vec3> borne_;  // (rows) [N s]

@@ -466,3 +466,42 @@ test("a ball that friction holds on a slope keeps its place, and its energy erro
   expect(scene:find("ball").velocity:length()):below(1e-6)
   expect(scene.error.energy):below(0.05)
 end)
+
+test("a magnetic force that grows with the speed keeps the energy too, of particles and of hinged bodies", function()
+  for _, strength in ipairs { 24, 240, 2400 } do
+    local law = ("scene:field(scene, force.point { force = function(p) local v = p.velocity "
+      .. "return v:cross(vec(0.3, 0.2, 1) * (%g * v:dot(v))) end })"):format(strength)
+    local free = open_text("scene.gravity = vec(0, 0, 0) scene:particle { velocity = vec(1, 0, 0) }" .. law)
+    free:advance(0.5)
+    expect(free.energy.kinetic):near(0.5, 1e-10)
+    local hinged = open_text("scene.gravity = vec(0, 0, 0)\n" .. bars(3) .. law)
+    hinged:advance(step)
+    local before = hinged.energy.kinetic
+    hinged:advance(0.5)
+    expect(hinged.energy.kinetic / before):near(1, 1e-9)
+  end
+end)
+
+test("a dissipative spring in thick oil relaxes at the rate of the two", function()
+  local scene = open_text [[
+    scene.gravity = vec(0, 0, 0)
+    local p = scene:particle { mass = 1, at = vec(2, 0, 0), name = "p" }
+    scene:connect(p, vec(0, 0, 0), force.spring { stiffness = 5e7, length = 1, implicit = "dissipative" })
+    scene:field(scene, force.drag { linear = 1e7 })
+  ]]
+  scene:advance(0.4)
+  expect(scene:find("p").position.x - 1):near(math.exp(-2), 5e-3)
+end)
+
+test("panels that redundant hinges tie meet a floor with friction and damping, and none takes a safe step", function()
+  local scene = open("scenes/buckyball.lua", { form = "panels" })
+  scene:advance(0.9)
+  expect(scene.stats.safe_steps):equal(0)
+  expect(scene.error.energy):below(5e-3)
+end)
+
+test("a puppet on strings in drag takes no safe step", function()
+  local scene = open "scenes/puppet.lua"
+  scene:advance(12)
+  expect(scene.stats.safe_steps):equal(0)
+end)
