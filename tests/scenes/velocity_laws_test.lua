@@ -494,7 +494,7 @@ test("a dissipative spring in thick oil relaxes at the rate of the two", functio
 end)
 
 test("panels that redundant hinges tie meet a floor with friction and damping, and none takes a safe step", function()
-  local scene = open("scenes/buckyball.lua", { form = "panels" })
+  local scene = open "scenes/buckyball.lua"
   scene:advance(0.9)
   expect(scene.stats.safe_steps):equal(0)
   expect(scene.error.energy):below(5e-3)
