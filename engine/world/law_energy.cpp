@@ -159,8 +159,7 @@ std::string find_bad_force(const World& world, Forces& f, double time, const std
     const bool met = bad.count > 1 && bad.distance == 0.0, rests = row.law->moving && rest(f.sites, bad);
     const bool hopeless = met || rests;  // no step is short enough
     return text(law_in_place(row), ": the force ", bad.count == 1 ? "on " : "between ", between,
-                " is not a finite number", distance, rests ? where_at_rest(f.sites, bad) : "",
-                hopeless ? "" : advice);
+                " is not a finite number", distance, rests ? where_at_rest(f.sites, bad) : "", hopeless ? "" : advice);
   };
   const auto energy = [&](const auto& row, const auto& acting) {
     if (!with_energies || std::isfinite(acting.energy)) return std::string();

@@ -83,15 +83,8 @@ struct Space {
 
 }  // namespace
 
-TiedKick::TiedKick(World& world, Forces& forces, VelocityForces& laws, std::size_t articulate, double dt,
-                   SideOfDrift side)
-    : world_(world),
-      forces_(forces),
-      laws_(laws),
-      index_(articulate),
-      dt_(dt),
-      side_(side),
-      a_(world.articulates[articulate].get()) {
+TiedKick::TiedKick(World& world, VelocityForces& laws, std::size_t articulate, double dt, SideOfDrift side)
+    : world_(world), laws_(laws), index_(articulate), dt_(dt), side_(side), a_(world.articulates[articulate].get()) {
   if (!side.drifted && a_->edited) {
     copy_ = std::make_unique<Articulate>(*a_);
     a_ = copy_.get();
@@ -319,7 +312,7 @@ void TiedKick::solve() {
     Motions next = allowed(all.back());
     const double more = space.add_direction(std::move(next), asked_);
     if (n == 1) {
-      const double reach = std::fabs(factor) * std::hypot(space.work(0, 0), more);
+      const double reach = std::fabs(factor) * std::sqrt(space.work(0, 0) * space.work(0, 0) + more * more);
       tolerance = std::clamp(0.05 * reach * reach * reach, 1e-14, 1e-8);
     }
     if (!(std::fabs(factor * more * y(n - 1)) > tolerance * size)) break;

@@ -44,7 +44,7 @@ class TiedKick {
   };
 
   /// Of an articulate that has the state where `drifted`, else what the model has.
-  TiedKick(World& world, Forces& forces, VelocityForces& laws, std::size_t articulate, double dt, SideOfDrift side);
+  TiedKick(World& world, VelocityForces& laws, std::size_t articulate, double dt, SideOfDrift side);
   ~TiedKick();
   TiedKick(const TiedKick&) = delete;
   TiedKick& operator=(const TiedKick&) = delete;
@@ -108,7 +108,6 @@ class TiedKick {
   void add_felt_of_soft_rows(Motions& to, const Motions& by, double times) const;
 
   World& world_;
-  const Forces& forces_;
   VelocityForces& laws_;
   std::size_t index_;
   double dt_;

@@ -265,7 +265,7 @@ void VelocityKick::find_tied() {
   tied_of_.assign(asked.size(), nullptr);
   for (std::size_t i = 0; i < asked.size(); i++) {
     if (!asked[i]) continue;
-    k_.tied.push_back(std::make_shared<TiedKick>(world_, f_, k_, i, dt_, side_));
+    k_.tied.push_back(std::make_shared<TiedKick>(world_, k_, i, dt_, side_));
     tied_of_[i] = k_.tied.back().get();
   }
   std::vector<std::size_t> seat(f_.sites.n, 0);
