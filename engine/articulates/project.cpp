@@ -271,7 +271,7 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   if (!serves || !project_with_newton_factor(a, before, report)) {
     report.projections++;
     a.has_factor = false;
-    if (a.exact && a.tree)
+    if (a.exact)
       find_velocities(a, From::nodes, true);
     else
       factorise_exactly(a, a.least_epsilon);

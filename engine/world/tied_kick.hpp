@@ -52,6 +52,7 @@ class TiedKick {
   std::vector<Seat> seats;
   std::vector<Pair> pairs;
   bool crossed = false;  ///< some pairs have one end elsewhere
+  bool settled = false;  ///< the laws give what was expected of them at w
   double theta = 0.5;
 
   std::size_t articulate() const { return index_; }

@@ -50,7 +50,12 @@ bool VelocityKick::ask_again(int iteration) {
   ask_velocity_laws(world_, f_, instant_, thermal_);
   assume(k_.pairs.size() == before.size());
   k_.missed.resize(n + before.size(), infinity);
+  for (const auto& tied : k_.tied) tied->settled = true;
   double worst = 0.0;
+  const auto unsettle = [&](std::size_t site, double missed) {
+    const std::uint32_t m = missed > nearly * speed_ ? mover_at(f_, site) : none;
+    if (TiedKick* tied = m == none ? nullptr : tied_to(m)) tied->settled = false;
+  };
   /// Whether the iteration has stopped getting nearer.
   const auto is_stuck = [&](std::size_t at, double missed) {
     const double last = std::exchange(k_.missed[at], missed);
@@ -64,6 +69,7 @@ bool VelocityKick::ask_again(int iteration) {
     const double missed = from_rest_[i] ? infinity : std::fabs(dt_) * mobility * norm(force - k_.told[i]);
     // Dry friction stops what slides: its slope there does not tell, that of rest leads to the solution from below.
     from_rest_[i] = iteration == restart && missed > nearly * speed_;
+    unsettle(i, missed);
     if (is_stuck(i, missed)) k_.fields.slope[i] = chord(k_.fields.slope[i], force, f_.sites.v[i], 1.0);
     leave_what_amplifies(k_.fields.slope[i], mobility, 1.0);
   }
@@ -71,8 +77,10 @@ bool VelocityKick::ask_again(int iteration) {
     VelocityPair& p = k_.pairs[k];
     p.impulse = before[k].impulse;
     const double mobility = mobility_of(p.a) + (p.one_sided ? 0.0 : mobility_of(p.b));
-    if (is_stuck(n + k, std::fabs(dt_) * mobility * norm(p.force - k_.told_pairs[k])))
-      p.slope = chord(p.slope, p.force, p.at, -1.0);
+    const double missed = std::fabs(dt_) * mobility * norm(p.force - k_.told_pairs[k]);
+    unsettle(p.a, missed);
+    unsettle(p.b, missed);
+    if (is_stuck(n + k, missed)) p.slope = chord(p.slope, p.force, p.at, -1.0);
     leave_what_amplifies(p.slope, mobility, -1.0);
   }
   return worst <= nearly * speed_;
@@ -91,6 +99,7 @@ void VelocityKick::solve() {
   start_tied();
   constexpr int most_turns = 4;  // of rows that let go
   for (int turn = 0; turn < most_turns; turn++) {
+    for (const auto& tied : k_.tied) tied->settled = false;
     solve_linear();
     k_.missed.clear();
     for (int iteration = 0; !k_.linear && iteration < most_iterations; iteration++) {

@@ -304,8 +304,10 @@ void VelocityKick::start_tied() {
   }
 }
 
-void VelocityKick::solve_tied() {
+/// All that are not settled, or those that pairs push from elsewhere.
+void VelocityKick::solve_tied(bool all) {
   for (const auto& tied : k_.tied) {
+    if (!tied->crossed && (!all || tied->settled)) continue;
     tied->clear_pushes();
     for (std::size_t m = 0; m < f_.movers.size(); m++)
       if (tied->crossed && tied_to(m) == tied.get())
@@ -327,13 +329,13 @@ void VelocityKick::solve_linear() {
   for (int sweep = 0; sweep < most_sweeps; sweep++) {
     pass_points();
     pass_carriers();
-    solve_tied();
+    solve_tied(sweep == 0);
     if (!sweeps || !(pass_pairs(sweep % 2 == 0) > kicks::exactly * speed_)) break;
   }
   if (!sweeps) return;
   pass_points();
   pass_carriers();
-  solve_tied();
+  solve_tied(false);
 }
 
 }  // namespace pantin

@@ -53,7 +53,7 @@ class VelocityKick {
   void choose_rules();
   void find_tied();
   void start_tied();
-  void solve_tied();
+  void solve_tied(bool all);
   bool finish_tied();
   void leave_what_amplifies(Mat3& slope, double mobility, double sign);
   void sum_up_carriers();

@@ -104,6 +104,7 @@ struct Stats {
 struct OpenWorkCheck {
   double missed = 0.0;                         ///< that less what was given
   double squares = 0.0;                        ///< [J²] of the parts
+  double drawn = 0.0;                          ///< [J²] of those of them that stand for others
   double sizes = 0.0;                          ///< magnitudes
   double done = 0.0;                           ///< magnitudes of the work
   double unkept = 0.0, unkept_at_first = 0.0;  ///< h² f²/8m of these laws, now and when they began to act
