@@ -21,65 +21,12 @@ namespace {
 constexpr std::size_t most_directions = 64;
 constexpr double redundant = 1e-8;  // compliance where rows of loops may say what others do: in space most do
 
-/// a·M b.
-double product(const Motions& a, const Motions& b) {
-  Lanes all = lanes(0.0);
-  for (std::size_t i = 0; i < a.size(); i++) all += dot(a[i].v, b[i].p) + dot(a[i].w, b[i].L);
-  return sum(all);
-}
-
 double size_of(const Mat3& m) { return std::sqrt(norm2(m[0]) + norm2(m[1]) + norm2(m[2])); }
-
-double size_of(const Motions& m) { return std::sqrt(std::max(0.0, product(m, m))); }
-
-void add(Motions& to, const Motions& more, double times) {
-  for (std::size_t i = 0; i < to.size(); i++) {
-    to[i].v += more[i].v * times;
-    to[i].w += more[i].w * times;
-    to[i].p += more[i].p * times;
-    to[i].L += more[i].L * times;
-  }
-}
-
-void push(BatchMotion& to, std::size_t lane, Vec3 impulse, Vec3 twist) {
-  set_lane(to.p, lane, lane_of(to.p, lane) + impulse);
-  set_lane(to.L, lane, lane_of(to.L, lane) + twist);
-}
 
 bool wants_motion(const Condition& c) { return norm2(c.wanted) > 0.0; }
 
 /// Whether the rows of an articulate say which velocities are allowed.
 bool forbids(const Articulate& a) { return !a.yields && !a.safe && !a.torn && a.gaps.open <= 1e-8 * a.length; }
-
-/// A basis that grows, orthonormal in the scalar product of the kinetic energy, with what forces make of each direction.
-struct Space {
-  std::vector<Motions> directions;
-  Eigen::MatrixXd work;  // of the forces that one direction makes, along another
-
-  /// Takes a direction apart from the others, and adds it unless it is hardly more than what answers leave of what was
-  /// forbidden, of a motion of size `whole` [J^½]; how much of it was new.
-  double add_direction(Motions d, double whole) {
-    constexpr double left = 1e-7;
-    for (int again = 0; again < 2; again++)
-      for (const Motions& q : directions) pantin::add(d, q, -product(q, d));
-    const double size = size_of(d);
-    if (!(size > left * whole)) return 0.0;
-    Motions q(d.size());
-    pantin::add(q, d, 1.0 / size);
-    directions.push_back(std::move(q));
-    return size;
-  }
-  /// The work of impulses that the last direction makes, along all, and of those of others along the last.
-  void add_work(const std::vector<Motions>& felt) {
-    const auto n = static_cast<Eigen::Index>(directions.size());
-    work.conservativeResize(n, n);
-    for (Eigen::Index i = 0; i < n; i++) {
-      const auto k = static_cast<std::size_t>(i);
-      work(i, n - 1) = product(directions[k], felt.back());
-      work(n - 1, i) = product(directions.back(), felt[k]);
-    }
-  }
-};
 
 }  // namespace
 
@@ -214,7 +161,7 @@ double TiedKick::fastest_damping() {
   Motions right = v0_;
   pantin::add(right, driven_, -1.0);
   pantin::add(right, others_, 1.0);
-  Space space;
+  MotionSpace space;
   std::vector<Motions> all;
   double fastest = 0.0;
   space.add_direction(right, size_of(right));
@@ -297,7 +244,7 @@ void TiedKick::solve() {
   pantin::add(right, others_, theta);
   pantin::add(right, allowed(known), theta);
   w_ = driven_;
-  Space space;
+  MotionSpace space;
   const double size = space.add_direction(right, size_of(right)), factor = dt_ * theta;
   double tolerance = 0.0;
   std::vector<Motions> all;

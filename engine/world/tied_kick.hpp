@@ -13,16 +13,10 @@
 #include <vector>
 
 #include "articulates/articulate.hpp"
+#include "articulates/motions.hpp"
 #include "world/forces.hpp"
 
 namespace pantin {
-
-/// Of four nodes of an articulate, world axes.
-struct BatchMotion {
-  Vec3x4 v = zero3x4(), w = zero3x4();  ///< [m/s], [rad/s]
-  Vec3x4 p = zero3x4(), L = zero3x4();  ///< [kg m/s], [kg m²/s]
-};
-using Motions = std::vector<BatchMotion>;
 
 /// What a kick gave [J].
 struct TiedWork {

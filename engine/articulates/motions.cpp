@@ -1,0 +1,53 @@
+#include "articulates/motions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pantin {
+
+double product(const Motions& a, const Motions& b) {
+  Lanes all = lanes(0.0);
+  for (std::size_t i = 0; i < a.size(); i++) all += dot(a[i].v, b[i].p) + dot(a[i].w, b[i].L);
+  return sum(all);
+}
+
+double size_of(const Motions& m) { return std::sqrt(std::max(0.0, product(m, m))); }
+
+void add(Motions& to, const Motions& more, double times) {
+  for (std::size_t i = 0; i < to.size(); i++) {
+    to[i].v += more[i].v * times;
+    to[i].w += more[i].w * times;
+    to[i].p += more[i].p * times;
+    to[i].L += more[i].L * times;
+  }
+}
+
+void push(BatchMotion& to, std::size_t lane, Vec3 impulse, Vec3 twist) {
+  set_lane(to.p, lane, lane_of(to.p, lane) + impulse);
+  set_lane(to.L, lane, lane_of(to.L, lane) + twist);
+}
+
+double MotionSpace::add_direction(Motions direction, double whole) {
+  constexpr double left = 1e-7;
+  for (int again = 0; again < 2; again++)
+    for (const Motions& q : directions) add(direction, q, -product(q, direction));
+  const double size = size_of(direction);
+  if (!(size > left * whole)) return 0.0;
+  Motions unit(direction.size());
+  add(unit, direction, 1.0 / size);
+  directions.push_back(std::move(unit));
+  return size;
+}
+
+void MotionSpace::add_work(const std::vector<Motions>& felt) {
+  const auto n = static_cast<Eigen::Index>(directions.size());
+  work.conservativeResize(n, n);
+  for (Eigen::Index i = 0; i < n; i++) {
+    const auto k = static_cast<std::size_t>(i);
+    work(i, n - 1) = product(directions[k], felt.back());
+    work(n - 1, i) = product(directions.back(), felt[k]);
+  }
+}
+
+}  // namespace pantin

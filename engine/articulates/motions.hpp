@@ -1,0 +1,36 @@
+#pragma once
+// Motions of all nodes of an articulate as vectors, with the scalar product of the kinetic energy.
+#include <Eigen/Core>
+#include <vector>
+
+#include "base/batch.hpp"
+
+namespace pantin {
+
+/// Of four nodes, world axes: velocities, and the momenta that go with them.
+struct BatchMotion {
+  Vec3x4 v = zero3x4(), w = zero3x4();  ///< [m/s], [rad/s]
+  Vec3x4 p = zero3x4(), L = zero3x4();  ///< [kg m/s], [kg m²/s]
+};
+using Motions = std::vector<BatchMotion>;
+
+/// v_a · p_b + w_a · L_b over all nodes [J].
+double product(const Motions& a, const Motions& b);
+double size_of(const Motions& motions);  ///< [J^½]
+void add(Motions& to, const Motions& more, double times);
+/// Adds impulses [N s], [N m s] to the momenta in a lane.
+void push(BatchMotion& to, std::size_t lane, Vec3 impulse, Vec3 twist);
+
+/// A basis that grows, orthonormal, with the work that the impulses which each direction makes do along all.
+struct MotionSpace {
+  std::vector<Motions> directions;
+  Eigen::MatrixXd work;  ///< [1/s] of the impulses of the column along the row
+
+  /// Takes a direction apart from the others, and adds it unless it is hardly more than what answers leave of what was
+  /// forbidden, of a motion of size `whole` [J^½]; how much of it was new.
+  double add_direction(Motions direction, double whole);
+  /// The work of the impulses that the last direction makes, the last of `felt` (directions), and that along it.
+  void add_work(const std::vector<Motions>& felt);
+};
+
+}  // namespace pantin
