@@ -816,7 +816,7 @@ local Snapshot = {}
 ---@field store table plain values of yours, which snapshots keep
 ---@field gravity vec [m/s²] uniform acceleration
 ---@field step number [s] length of one step
----@field accuracy number? [1/s] wanted error per second, relative to the distance between what interacts, or to how far it swings beside a uniform motion where it interacts with nothing; sub-steps follow from it
+---@field accuracy number? [1/s] wanted error per second, relative to the distance between what interacts, or to how far it swings beside a uniform motion where it interacts with nothing; sub-steps follow from it. Ties that follow functions of time ask these at the ends of steps all the same
 ---@field accuracy_per string whether `accuracy` is that of a "second" or of a "step", as where a scene lasts microseconds
 ---@field integrator string "verlet" (2nd order), "implicit" (the same with connections of any stiffness), "suzuki4" (4th order, where nothing dissipates), "rk4" (4th order, no constraints), "euler" (1st order, semi-implicit; free particles as with "verlet")
 ---@field energy_return boolean give back what the velocity projection took
