@@ -122,8 +122,7 @@ std::vector<Field> engine_settings() {
       {"accuracy", "number?", "1/s",
        "wanted error per second, relative to the distance between what interacts, or to how far it swings beside a "
        "uniform motion where it interacts with nothing; sub-steps follow from it. Ties that follow functions of time "
-       "ask "
-       "these at the ends of steps all the same",
+       "ask these at the ends of steps all the same",
        [](const Self& s) {
          if (s.world.settings.accuracy)
            lua_pushnumber(s.state, *s.world.settings.accuracy);
