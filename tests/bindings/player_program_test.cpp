@@ -200,7 +200,7 @@ TEST_CASE("program: two runs end in the same bits") {
 TEST_CASE("program: a scene's errors exit 1 with file and line, and leave no output") {
   Folder folder;
   struct Case {
-    std::string script, line, says;
+    std::string script, line, says, limit = "1";
   };
   std::vector<Case> cases = {
       {"local x = (1", "bad.lua:1: ", ""},
@@ -209,12 +209,12 @@ TEST_CASE("program: a scene's errors exit 1 with file and line, and leave no out
       {"scene:at(0.1,\nfunction() error('boom') end)", "bad.lua:2: ", "boom"},
       {"scene:on('step', function()\n  local p = nil + 1\nend)", "bad.lua:2: ", ""},
       {"while true do\nend", "bad.lua:1: ", ""},
-      {"local t = {}\nwhile true do t[#t + 1] = ('x'):rep(1e6) .. #t end", "bad.lua:2: ", "memory"},
+      {"local t = {}\nwhile true do t[#t + 1] = ('x'):rep(1e6) .. #t end", "bad.lua:2: ", "memory", "60"},
   };
   for (const Case& bad : cases) {
     write_file(folder / "bad.lua", bad.script);
-    Finished result = use(folder, {"run", "bad.lua", "--until", "1", "--script-limit", "1", "--memory-limit", "64MiB",
-                                   "--out", "a.csv", "--summary", "s.json"});
+    Finished result = use(folder, {"run", "bad.lua", "--until", "1", "--script-limit", bad.limit, "--memory-limit",
+                                   "64MiB", "--out", "a.csv", "--summary", "s.json"});
     INFO(bad.script << "\n" << result.err);
     CHECK(result.code == 1);
     CHECK_THAT(result.err, Contains(bad.line) && Contains(bad.says));
