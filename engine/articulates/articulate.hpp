@@ -215,11 +215,10 @@ struct Effort {
 /// What steps change beside nodes and rows; a step that is done again starts from it.
 struct ArticulateState {
   std::vector<Condition> conditions;
-  std::vector<Vec3> impulses;  // (rows) [N s] of the last projection of velocities
-  std::vector<Vec3> exerted;   // (rows) [N s] in all, in a full sub-step that is cut into parts or strikes a row
-  double exerted_time = 0.0;   // [s] for which that is the sum; 0: the rows' forces tell all
-  std::vector<Vec3>
-      expected;  // (rows) [N] in the coming step, where laws of velocity ask for that; none, or not finite
+  std::vector<Vec3> impulses;   // (rows) [N s] of the last projection of velocities
+  std::vector<Vec3> exerted;    // (rows) [N s] in all, in a full sub-step that is cut into parts or strikes a row
+  double exerted_time = 0.0;    // [s] for which that is the sum; 0: the rows' forces tell all
+  std::vector<Vec3> expected;   // (rows) [N] in the coming step, where laws of velocity ask for it; none, or not finite
   std::vector<Vec3> reaction;   // (rows) [N] what they bore of laws of velocity in the last step; none: nothing
   std::vector<double> loads;    // (rows) [N] that they bore in the last step, where some may break; none: not known
   std::vector<Vec3> carried;    // (rows) [N s] half of them, see `take_carried_half`
@@ -243,7 +242,7 @@ struct ArticulateState {
   bool edited = true;            // new: velocities are still to be made consistent
   bool torn = false;             // by an edit, and still open
   std::uint32_t open_steps = 0;  // in a row that ended with a gap beyond the tolerance
-  bool arrived = false;          // at the end of the full sub-step, by a safe step
+  double arrived = 0.0;          // part of the full sub-step that a safe step has already moved over
   bool smooth = true;            // no part of the full sub-step was halved or safe
   bool cut = false;              // the full sub-step has more than one part
   bool weak = false;             // the last factor had weak pivots: its multipliers are not all determined

@@ -34,15 +34,20 @@ void cut(Articulate& a) {
   for (std::size_t k = 0; k < a.rows.size(); k++) a.exerted[k] = a.carried[k] * sign;
 }
 
-/// A safe step to the end of the part; backwards it makes no sense, so where a full sub-step has parts that go backwards, to
-/// its end. Where nothing may be spent on shorter parts any more, to the end of all of them.
-void arrive_safely(Articulate& a, const DriftSettings& settings, double from, double to, DriftReport& report) {
+/// From … to (0 … 1) of a step, by so many halvings from a part that ends at `end`.
+struct Part {
+  double from, to, end;
+  int depth;
+};
+
+/// A safe step over all that is left of what was halved; backwards it makes no sense, so where a full sub-step has parts
+/// that go backwards, to its end. Where nothing may be spent on attempts any more, to the end of the drift.
+void arrive_safely(Articulate& a, const DriftSettings& settings, const Part& part, DriftReport& report) {
   a.smooth = false;
-  a.arrived = settings.backwards || a.effort.spare == 0;
-  if (a.arrived) to = settings.backwards ? 1.0 : settings.to;
+  a.arrived = settings.backwards ? 1.0 : a.effort.spare == 0 ? settings.to : part.end;
   if (!a.cut) cut(a);
-  set_conditions(a, from, to);
-  const double h = settings.h * (to - from);
+  set_conditions(a, part.from, a.arrived);
+  const double h = settings.h * (a.arrived - part.from);
   safe_step(a, settings, h, report);
   add_forces_exerted(a, h);
 }
@@ -109,9 +114,10 @@ void begin_cut(Articulate& a, const DriftSettings& settings, double at, DriftRep
 std::uint32_t allowance(const Articulate& a, std::uint32_t least, double times) {
   return std::max(least, static_cast<std::uint32_t>(times * a.effort.usual)) * a.sub_steps.count;
 }
-/// What attempts that fail may cost, of all parts together; and what all attempts may.
-std::uint32_t all_spare(const Articulate& a) { return allowance(a, 320, 24.0); }
-std::uint32_t most_cost(const Articulate& a) { return allowance(a, 640, 48.0); }
+/// What attempts that fail may cost, of all parts together: rows without a loop do not contradict each other.
+std::uint32_t all_spare(const Articulate& a) { return a.tree ? allowance(a, 320, 24.0) : allowance(a, 160, 16.0); }
+/// What all attempts may.
+std::uint32_t most_cost(const Articulate& a) { return a.tree ? allowance(a, 640, 48.0) : allowance(a, 240, 24.0); }
 
 /// Tries to solve a part of h [s]; what a failure costs is spent.
 bool try_part(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
@@ -129,6 +135,7 @@ bool solve_part(Articulate& a, const DriftSettings& settings, double h, DriftRep
   if (settings.ledger) a.saved = a.nodes;
   for (Condition& c : a.conditions) c.held_before = c.held;
   bool solved = try_part(a, h, settings.gravity, report);
+  if (!solved && a.lowered) solved = try_part(a, h, settings.gravity, report);  // not from where a softer factor led
   if (!solved && stall_motors(a, settings.h)) {
     a.effort.spare = all_spare(a);  // it is another step now
     solved = try_part(a, h, settings.gravity, report);
@@ -150,27 +157,26 @@ bool solve_part(Articulate& a, const DriftSettings& settings, double h, DriftRep
   return true;
 }
 
-/// Moves over the part from … to (0 … 1) of the step.
-void drift_part(Articulate& a, const DriftSettings& settings, double from, double to, int depth, DriftReport& report) {
-  if (a.arrived) return;
-  const double h = settings.h * (to - from);
-  set_conditions(a, from, to);
-  if (a.gaps.open > 1e-8 * a.length) return arrive_safely(a, settings, from, to, report);
+void drift_part(Articulate& a, const DriftSettings& settings, const Part& part, DriftReport& report) {
+  if (part.from < a.arrived) return;
+  const double h = settings.h * (part.to - part.from);
+  set_conditions(a, part.from, part.to);
+  if (a.gaps.open > 1e-8 * a.length) return arrive_safely(a, settings, part, report);
   if (solve_part(a, settings, h, report)) {
     if (!a.cut) return;
     add_forces_exerted(a, h);
-    if (struck(a)) report.limit += make_consistent_at(a, settings, to, report, h);
+    if (struck(a)) report.limit += make_consistent_at(a, settings, part.to, report, h);
     for (Condition& c : a.conditions) c.held_before = c.held;
     return;
   }
-  const bool stuck = depth == 0 && a.safe;  // since the last step: shorter ones would not help
-  if (depth == most_halvings || stuck || a.effort.spare == 0) return arrive_safely(a, settings, from, to, report);
+  const bool stuck = part.depth == 0 && a.safe;  // since the last step: shorter ones would not help
+  if (part.depth == most_halvings || stuck || a.effort.spare == 0) return arrive_safely(a, settings, part, report);
   report.halved++;
   a.smooth = false;
-  if (!a.cut) begin_cut(a, settings, from, report);
-  const double middle = 0.5 * (from + to);
-  drift_part(a, settings, from, middle, depth + 1, report);
-  drift_part(a, settings, middle, to, depth + 1, report);
+  if (!a.cut) begin_cut(a, settings, part.from, report);
+  const double middle = 0.5 * (part.from + part.to);
+  drift_part(a, settings, {part.from, middle, part.end, part.depth + 1}, report);
+  drift_part(a, settings, {middle, part.to, part.end, part.depth + 1}, report);
 }
 
 }  // namespace
@@ -234,7 +240,8 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
     strengthen_stalled(a, settings.h);
     const bool carried = take_carried_half(a, settings.full, report);
     a.smooth = true;
-    a.arrived = a.cut = false;
+    a.arrived = 0.0;
+    a.cut = false;
     a.exerted_time = 0.0;
     const bool open = a.gaps.open > 1e-8 * a.length;
     if (a.sub_steps.count > 1 && !open) carried ? cut(a) : begin_cut(a, settings, settings.from, report);
@@ -242,9 +249,10 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   const std::uint32_t count = a.sub_steps.count, spare = a.effort.spare;
   const bool open = a.gaps.open > 1e-8 * a.length;
   const double way = (settings.to - settings.from) / count;
-  for (std::uint32_t i = 0; i < count; i++)
-    drift_part(a, settings, settings.from + way * i, i + 1 == count ? settings.to : settings.from + way * (i + 1), 0,
-               report);
+  for (std::uint32_t i = 0; i < count; i++) {
+    const double to = i + 1 == count ? settings.to : settings.from + way * (i + 1);
+    drift_part(a, settings, {settings.from + way * i, to, to, 0}, report);
+  }
   end_effort(a, spare, open, report);
   if (a.torn) report.met += std::exchange(report.dissipated, 0.0);  // drawing together what an edit tore apart
   a.torn = a.torn && a.gaps.open > 1e-8 * a.length;

@@ -17,6 +17,7 @@ namespace pantin {
 namespace {
 
 constexpr std::uint32_t most_iterations = 40, most_halvings = 6;
+constexpr int most_lost = 2;  // searches in a row, along directions of factors of their own
 
 const Node& first(const Articulate& a, const Row& row) { return a.nodes[static_cast<std::size_t>(row.a)]; }
 const Node& second(const Articulate& a, const Row& row) { return a.nodes[static_cast<std::size_t>(row.b)]; }
@@ -172,15 +173,21 @@ WholeStep take_direction(Articulate& a, double h) {
   return {std::sqrt(largest_lane(largest_turn)), evaluation.end()};
 }
 
-void lower_epsilon(Articulate& a) {
-  a.epsilon = std::max(a.least_epsilon, 0.1 * a.epsilon);
+void lower_epsilon(Articulate& a, bool far) {
+  a.epsilon = far ? a.least_epsilon : std::max(a.least_epsilon, 0.1 * a.epsilon);
   a.good_steps = 0;
   if (!a.lowered) a.wait = std::min(2 * a.wait, 2000u);
   a.lowered = true;
 }
 
-/// One damped Newton step along the direction in the nodes and rows. Returns the new residual.
-double search_line(Articulate& a, double h, double e, double tolerance, bool fresh, std::uint32_t last,
+/// What a search along a line left [m], and whether it found what it looked for.
+struct Search {
+  double residual;
+  bool found;
+};
+
+/// One damped Newton step along the direction in the nodes and rows.
+Search search_line(Articulate& a, double h, double e, double tolerance, bool fresh, std::uint32_t last,
                    DriftReport& report) {
   const WholeStep whole = take_direction(a, h);
   double fraction = std::min(1.0, 1.0 / whole.largest_turn);
@@ -188,7 +195,8 @@ double search_line(Articulate& a, double h, double e, double tolerance, bool fre
     const double e1 = fraction == 1.0 ? whole.residual : attempt(a, h, fraction);
     report.iterations++;
     const bool accepted = e1 < e * (1.0 - 0.1 * fraction) || e1 <= tolerance;
-    if (accepted || halvings >= most_halvings || cost(report) > last || (!fresh && halvings == 0)) return e1;
+    if (accepted || halvings >= most_halvings || cost(report) > last || (!fresh && halvings == 0))
+      return {e1, accepted};
     fraction *= 0.5;
   }
 }
@@ -202,7 +210,7 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   const auto [tolerance, round_off] = goal;
   a.forecast.rough = e > 0.03 * a.length;
   bool have_factor = false, fresh = false;
-  int old_uses = 0;
+  int old_uses = 0, lost = 0, slow = 0;
   // A prediction must be better than what an iteration leaves: what rests is to stay at rest.
   const double good_prediction = std::max(0.01 * tolerance, round_off);
   for (std::uint32_t i = 0; e > (i == 0 ? good_prediction : tolerance) && i < most_iterations; i++) {
@@ -219,8 +227,11 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
     } else {
       reuse_factor(a, system);
     }
-    double e1 = search_line(a, h, e, tolerance, fresh, last, report);
+    const auto [e1, found] = search_line(a, h, e, tolerance, fresh, last, report);
     gain = e1 / e;
+    lost = found ? 0 : lost + fresh;
+    slow = gain > 0.9 ? slow + fresh : 0;
+    if ((lost == most_lost || (a.lowered && slow == most_lost)) && e1 > 100.0 * tolerance) return false;
     if (!fresh && old_uses == 1 && gain < 4.0 && e < 1e-6 * a.length) {
       gain = std::min(gain, 0.5);
       e = e1;
@@ -231,16 +242,18 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
       gain = 1.0;
       if (!fresh) continue;
       if (e < 1e-4 * a.length && e > 100.0 * tolerance && a.epsilon > a.least_epsilon) {
-        lower_epsilon(a);
+        lower_epsilon(a, !found);
         fresh = false;
+        lost = 0;
         continue;
       }
       return e < 100.0 * tolerance;
     }
     if (fresh && gain > 0.2 && e1 < 10.0 * round_off) return true;
     if (fresh && gain > 0.2 && e < 1e-4 * a.length && a.epsilon > a.least_epsilon) {
-      lower_epsilon(a);
+      lower_epsilon(a, !found);
       gain = 1.0;
+      lost = 0;
     }
     fresh = false;
     e = e1;

@@ -100,6 +100,6 @@ end
 test("a step that cannot be solved costs no more than some hundred iterations", function()
   for seed = 1, 60 do
     local median, worst = run(seed)
-    expect(worst):below(math.max(10 * median, 700))
+    expect(worst):below(math.max(10 * median, 400))
   end
 end)
