@@ -92,8 +92,8 @@ Type make_motor() {
       {body_a,
        body_b,
        number_field<1>("speed", "rad/s",
-                       "of a against b, where it keeps that; a number or a function of time [s]; a step turns by "
-                       "2 atan(speed step / 2), as it turns what spins freely"),
+                       "of a against b, where it keeps that; a number or a function of time [s]; a step, "
+                       "or a sub-step, turns by 2 atan(speed step / 2), as it turns what spins freely"),
        number_field<0>("angle", "rad", "that it keeps, where it does; a number or a function of time [s]"),
        {"turned", "number", "rad", "the angle of a against b now, turns counted",
         [](const Self& s) { lua_pushnumber(s.state, constraint_row(s).angle); }, nullptr},

@@ -121,8 +121,8 @@ std::vector<Field> engine_settings() {
        [](const Self& s, int i) { set_step(s.world, check_positive(s, i, "step", "s")); }},
       {"accuracy", "number?", "1/s",
        "wanted error per second, relative to the distance between what interacts, or to how far it swings beside a "
-       "uniform motion where it interacts with nothing; sub-steps follow from it. Ties that follow functions of time "
-       "ask these at the ends of steps all the same",
+       "uniform motion where it interacts with nothing; sub-steps follow from it. Functions of time that ties follow "
+       "are then asked at each quarter of a step",
        [](const Self& s) {
          if (s.world.settings.accuracy)
            lua_pushnumber(s.state, *s.world.settings.accuracy);

@@ -70,6 +70,9 @@ struct alignas(64) Row {
   PointId centre;                                                   // of a hinge: the star's point, that -f pulls
 };
 
+/// What of a condition leaves the straight way between the ends of a step.
+enum class Bent : std::uint8_t { nothing, place, length, turn };
+
 /// What the row of a constraint has beyond a hinge's: a world end, a matrix of its own, limits.
 struct Condition {
   Vec3 place0 = zero3(), place1 = zero3();  // [m] world end, at the start and end of the step being solved
@@ -82,6 +85,7 @@ struct Condition {
   double length = 0.0;  // [m] of a rod, at the end of the step being solved
   double whole_length0 = 0.0, whole_length1 = 0.0;  // [m] at the start and end of the whole step
   double length_rate = 0.0;                         // [m/s]
+  Bend bend;  // [m] of what is prescribed, [rad] of a turn; of a length, or [m/s] of a speed, the first component
   double accepted = 0.0;                  // [m] what a rod is longer than that because no motion can make it shorter
   double stiffness = 0.0, damping = 0.0;  // [N/m], [N s/m] of a limited row
   double max_force = 0.0;                 // [N]
@@ -100,6 +104,9 @@ struct Condition {
   double stalled = infinity;  // [N] of a motor that stalls: what it exerts if nothing moves, and
   double yielding = 0.0;      // [m/N] by how much it yields to that
   bool ranged = false;        // low < high
+  Bent bent = Bent::nothing;
+  bool by_speed = false;    // of a motor: its turn in a part is what a body of its speed turns by then
+  double start_rate = 0.0;  // [m/s] of such a motor: `length_rate` at the start of the step
   // Of a segment of a string: by d1 in the equation of the head, and by the head's force in its own.
   Mat3 into_head = zero33(), from_head = zero33();
   bool held = true;         // the range, or the limit of the force, lets it act as a constraint

@@ -25,15 +25,6 @@ Quat quaternion_of(Vec3 rotation) {
   return {functions::cos(0.5 * angle), u[0], u[1], u[2]};
 }
 
-Quat between(const Quat& from, const Quat& to, double part) {
-  if (part == 0.0) return from;
-  if (part == 1.0) return to;
-  const double same = from.w * to.w + from.x * to.x + from.y * to.y + from.z * to.z < 0.0 ? -part : part;
-  const double rest = 1.0 - part;
-  return normalised({from.w * rest + to.w * same, from.x * rest + to.x * same, from.y * rest + to.y * same,
-                     from.z * rest + to.z * same});
-}
-
 bool equal(const Quat& a, const Quat& b) { return a.w == b.w && a.x == b.x && a.y == b.y && a.z == b.z; }
 
 /// Frames of the bodies to principal axes: `turn` of a constraint as one between the nodes.
@@ -70,6 +61,10 @@ void load_couple(Condition& condition, const Row& row, const Model& model, const
     condition.whole0 = model.plane.about(rotate(to_b, c.previous_away));
     condition.whole1 = model.plane.about(rotate(to_b, c.away));
   }
+  condition.by_speed = c.by_speed;
+  condition.start_rate = row.lever * c.previous_rate;
+  condition.bent = c.bend.straight() ? Bent::nothing : c.attitude ? Bent::turn : Bent::length;
+  condition.bend = c.bend.mapped([&](Vec3 v) { return c.attitude ? model.plane.about(v) : v * row.lever; });
   condition.works = c.kind == ConstraintKind::motor || condition.ranged ||
                     condition.whole_length0 != condition.whole_length1 ||
                     !equal(condition.whole_turn0, condition.whole_turn1) || !same(condition.whole0, condition.whole1);
@@ -147,6 +142,8 @@ void load(Condition& condition, const Row& row, const Model& model, double total
   condition.whole_length0 = c.previous_length + c.previous_excess;
   condition.whole_length1 = c.length + c.excess;
   condition.length_rate = c.length_rate + c.excess_rate;
+  condition.bent = c.bend.straight() ? Bent::nothing : c.target ? Bent::place : Bent::length;
+  condition.bend = c.bend.mapped([&](Vec3 v) { return c.target ? model.plane.along(v) : v; });
   condition.low = c.low;
   condition.high = c.high;
   condition.normal = model.plane.axis(c.axis_a);
@@ -219,16 +216,32 @@ void strengthen_stalled(Articulate& a, double h) {
   }
 }
 
-void set_conditions(Articulate& a, double from, double to) {
+double speed(const Condition& c, double at) {
+  return c.start_rate + (c.length_rate - c.start_rate) * at + c.bend.at(at)[0];
+}
+
+void set_conditions(Articulate& a, double h, double from, double to) {
   for (Condition& c : a.conditions) {
     const Vec3 way = c.whole1 - c.whole0;
     c.place0 = c.whole0 + way * from;
     c.place1 = to == 1.0 ? c.whole1 : c.whole0 + way * to;
     c.length = to == 1.0 ? c.whole_length1 : c.whole_length0 + (c.whole_length1 - c.whole_length0) * to;
+    if (c.bent == Bent::place) {
+      c.place0 += c.bend.at(from);
+      c.place1 += c.bend.at(to);
+    }
+    if (c.bent == Bent::length && !c.by_speed) c.length += c.bend.at(to)[0];
     const Row& r = row(a, c);
     if (r.lever == 0.0) continue;
+    if (c.by_speed)
+      c.length =
+          r.lever * (c.angle0 + 2.0 * functions::atan(0.5 * h * (to - from) * speed(c, 0.5 * (from + to)) / r.lever));
     c.turn0 = between(c.whole_turn0, c.whole_turn1, from);
     c.turn1 = between(c.whole_turn0, c.whole_turn1, to);
+    if (c.bent == Bent::turn) {
+      c.turn0 = quaternion_of(c.bend.at(from)) * c.turn0;
+      c.turn1 = quaternion_of(c.bend.at(to)) * c.turn1;
+    }
     if (r.kind != RowKind::axis) continue;
     c.axis0 = rotate(quaternion_of(c.place0), c.axis);
     c.axis1 = rotate(quaternion_of(c.place1), c.axis);

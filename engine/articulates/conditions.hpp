@@ -29,7 +29,9 @@ double inertia_about(const Articulate& articulate, Vec3 place);
 bool stall_motors(Articulate& articulate, double h);
 /// Motors of limited torque that stall exert ten times as much in each step of h [s], up to what they can.
 void strengthen_stalled(Articulate& articulate, double h);
-/// Sets what is prescribed for the part from … to (0 … 1) of the step.
-void set_conditions(Articulate& articulate, double from, double to);
+/// What a motor by speed wants at a moment `at` (0 … 1) of the step, [m/s].
+double speed(const Condition& condition, double at);
+/// Sets what is prescribed for the part from … to (0 … 1) of a step of h [s].
+void set_conditions(Articulate& articulate, double h, double from, double to);
 
 }  // namespace pantin

@@ -46,7 +46,7 @@ void arrive_safely(Articulate& a, const DriftSettings& settings, const Part& par
   a.smooth = false;
   a.arrived = settings.backwards ? 1.0 : a.effort.spare == 0 ? settings.to : part.end;
   if (!a.cut) cut(a);
-  set_conditions(a, part.from, a.arrived);
+  set_conditions(a, settings.h, part.from, a.arrived);
   const double h = settings.h * (a.arrived - part.from);
   safe_step(a, settings, h, report);
   add_forces_exerted(a, h);
@@ -58,15 +58,8 @@ class WantedVelocities {
  public:
   WantedVelocities(Articulate& a, double h, double at) : a_(a) {
     for (const Condition& c : a.conditions) at_end_.push_back({c.velocity, c.length_rate});
-    for (const Row& row : a.rows) {
-      if (row.condition < 0 || row.lever > 0.0) continue;
-      const auto k = static_cast<std::size_t>(row.condition);
-      Condition& c = a.conditions[k];
-      const Vec3 start = (c.whole1 - c.whole0) / h * 2.0 - c.velocity;
-      const double start_rate = (c.whole_length1 - c.whole_length0) / h * 2.0 - c.length_rate;
-      c.velocity = start + (c.velocity - start) * at;
-      c.length_rate = start_rate + (c.length_rate - start_rate) * at;
-    }
+    for (const Row& row : a.rows)
+      if (row.condition >= 0) want(a.conditions[static_cast<std::size_t>(row.condition)], row.lever, h, at);
   }
   ~WantedVelocities() {
     for (std::size_t k = 0; k < a_.conditions.size(); k++)
@@ -76,13 +69,36 @@ class WantedVelocities {
   WantedVelocities& operator=(const WantedVelocities&) = delete;
 
  private:
+  static void want(Condition& c, double lever, double h, double at) {
+    if (c.by_speed) {
+      c.length_rate = speed(c, at);
+      return;
+    }
+    add_bend(c, lever, -1.0 / h, 1.0);
+    if (lever == 0.0) {
+      const Vec3 start = (c.whole1 - c.whole0) / h * 2.0 - c.velocity;
+      const double start_rate = (c.whole_length1 - c.whole_length0) / h * 2.0 - c.length_rate;
+      c.velocity = start + (c.velocity - start) * at;
+      c.length_rate = start_rate + (c.length_rate - start_rate) * at;
+    }
+    add_bend(c, lever, 1.0 / h, at);
+  }
+  static void add_bend(Condition& c, double lever, double times, double at) {
+    if (c.bent == Bent::nothing) return;
+    const Vec3 rate = c.bend.rate(at) * times;
+    if (c.bent == Bent::length)
+      c.length_rate += rate[0];
+    else
+      c.velocity += c.bent == Bent::turn ? rate * lever : rate;
+  }
+
   Articulate& a_;
   std::vector<std::pair<Vec3, double>> at_end_;
 };
 
 /// Puts the ends of nodes and rows where they start, at a moment of the step.
-void stand_still(Articulate& a, double at) {
-  set_conditions(a, at, at);
+void stand_still(Articulate& a, double h, double at) {
+  set_conditions(a, h, at, at);
   for (Node& n : a.nodes) settle(n);
   place_rows_at_end(a);
 }
@@ -93,7 +109,7 @@ void stand_still(Articulate& a, double at) {
 double make_consistent_at(Articulate& a, const DriftSettings& settings, double at, DriftReport& report,
                           double struck = 0.0) {
   const double before = kinetic_energy(a);
-  stand_still(a, at);
+  stand_still(a, settings.h, at);
   const WantedVelocities wanted(a, settings.h, at);
   const bool over_gaps = acts_over_gaps(a);
   const Momenta kept = over_gaps ? momenta_of(a) : Momenta{};
@@ -160,7 +176,7 @@ bool solve_part(Articulate& a, const DriftSettings& settings, double h, DriftRep
 void drift_part(Articulate& a, const DriftSettings& settings, const Part& part, DriftReport& report) {
   if (part.from < a.arrived) return;
   const double h = settings.h * (part.to - part.from);
-  set_conditions(a, part.from, part.to);
+  set_conditions(a, settings.h, part.from, part.to);
   if (a.gaps.open > 1e-8 * a.length) return arrive_safely(a, settings, part, report);
   if (solve_part(a, settings, h, report)) {
     if (!a.cut) return;
@@ -183,7 +199,7 @@ void drift_part(Articulate& a, const DriftSettings& settings, const Part& part, 
 
 FirstMeeting meet(Articulate& a, double h, double at) {
   a.edited = a.cut = false;
-  stand_still(a, at);
+  stand_still(a, h, at);
   measure_gaps(a);
   for (Condition& c : a.conditions) c.held = !c.ranged && std::isinf(c.upper);  // of motors the step finds out
   a.torn = a.gaps.open > 1e-8 * a.length;

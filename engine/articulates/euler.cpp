@@ -78,7 +78,7 @@ bool solve_euler(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
 }  // namespace
 
 void drift_euler(Articulate& a, const DriftSettings& settings, DriftReport& report) {
-  set_conditions(a, 0.0, 1.0);
+  set_conditions(a, settings.h, 0.0, 1.0);
   place_rows_at_start(a);
   a.last_h = 0.0;
   a.has_factor = a.cut = false;

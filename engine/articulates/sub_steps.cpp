@@ -80,6 +80,19 @@ double move_by_trial(Thing& thing, Thing& start, Thing& other, SubSteps& n, doub
   }
 }
 
+/// The error [1/s] that what moves as it wants has between the moments at which it is asked, if it is too large: how much
+/// the finest of these still changes.
+template <class Move>
+double bend_error(const Articulate& a, Trial& trial, const SubStepSettings& wanted, double h, Move move) {
+  const auto bent = [](const Condition& c) { return c.bent != Bent::nothing; };
+  if (std::none_of(a.conditions.begin(), a.conditions.end(), bent)) return 0.0;
+  trial.other = trial.start;
+  for (Condition& c : trial.other.conditions) c.bend.curve = zero3();
+  move(trial.other, a.sub_steps.count);
+  const double rate = difference(a, trial.other) / h;
+  return rate > wanted.accuracy ? rate : 0.0;
+}
+
 }  // namespace
 
 void drift_accurately(Articulate& a, const DriftSettings& settings, const SubStepSettings& wanted, Trial& trial) {
@@ -96,7 +109,7 @@ void drift_accurately(Articulate& a, const DriftSettings& settings, const SubSte
   const double unreached =
       move_by_trial(a, trial.start, trial.other, n, h, wanted.accuracy, second_order, move, difference);
   a.sub_steps = n;
-  a.report.unreached = unreached;
+  a.report.unreached = std::max(unreached, bend_error(a, trial, wanted, h, move));
 }
 
 double drift_alone_accurately(Node& node, double h, const SubStepSettings& wanted, SubSteps& n) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/lanes.hpp"
+#include "model/bend.hpp"
 #include "model/body.hpp"
 #include "model/breaking.hpp"
 #include "model/particle.hpp"
@@ -64,6 +65,7 @@ struct Constraint {
   double previous_length = 0.0;  ///< one step ago
   double before_length = 0.0;    ///< two steps ago, once `moves` is 2 or more
   double length_rate = 0.0;      ///< [1/s] of it at the end of this step
+  double previous_rate = 0.0;    ///< [rad/s] of a motor that is told its speed: that at the start of this step
   double excess = 0.0;           ///< length still to be drawn in
   double excess_rate = 0.0;      ///< [1/s]
   double previous_excess = 0.0;  ///< `excess` one step ago
@@ -94,8 +96,9 @@ struct Constraint {
   std::function<double(double)> number;  ///< `length` at time t [s], or a motor's speed; empty where that
                                          ///< is set by hand
   std::function<Quat(double)> attitude;  ///< of an orient: `turn` at time t [s]
-  std::int32_t hand = -1;                ///< of a hand's grab: index of the hand
-  std::uint32_t moves = 0;               ///< samples of the target since it last jumped
+  Bend bend;                ///< of `place` [m], `length` in its first component, or `turn` [rad], in this step
+  std::int32_t hand = -1;   ///< of a hand's grab: index of the hand
+  std::uint32_t moves = 0;  ///< samples of the target since it last jumped
   bool enabled = true;
   Breaking breaks_at;
   Vec3 force = zero3();   ///< [N] on a in the last step; of a rod along it

@@ -172,6 +172,7 @@ void set_length(World& world, ConstraintId id, double value, std::function<doubl
   c.number = std::move(function);
   if (c.by_speed) {
     c.length_rate = value;
+    c.moves = 0;
     return;
   }
   if (c.kind == ConstraintKind::align) {

@@ -50,45 +50,93 @@ Value rate_at_end(Value now, Value last, Value before, double h, std::uint32_t m
   return moves >= 2 ? (3.0 * now - 4.0 * last + before) / (2.0 * h) : (now - last) / h;
 }
 
+/// Whether steps are divided finely enough to tell the way between their ends from a straight one.
+bool follows_bends(const World& world) {
+  return world.settings.accuracy || world.settings.integrator == Integrator::suzuki4;
+}
+
+/// The way of what moves as it wants, by what that is `off` the straight one at parts of the step. None of one that does not
+/// begin where the last step ended.
+template <class Off>
+Bend bend_of(const World& world, const Constraint& c, Off off) {
+  if (!follows_bends(world)) return {};
+  const Vec3 quarter = off(0.25), half = off(0.5), three_quarters = off(0.75);
+  const bool jumps = c.moves == 0 && norm(off(0.0)) > std::fmax(norm(quarter), norm(half));
+  return jumps ? Bend{} : Bend::through(quarter, half, three_quarters);
+}
+
 void move_place(const World& world, ConstraintId id, Constraint& c, double time, double h) {
-  Vec3 next = c.hand >= 0 ? world.hands[static_cast<std::size_t>(c.hand)].position : c.place;
-  if (c.target) next = c.target(time);
-  if (!finite(next)) require_finite(describe(world, id), "target", next, "m");
-  next = world.plane.beside(next, c.place);
+  const auto target = [&](double t) {
+    Vec3 place = c.hand >= 0 ? world.hands[static_cast<std::size_t>(c.hand)].position : c.place;
+    if (c.target) place = c.target(t);
+    if (!finite(place)) require_finite(describe(world, id), "target", place, "m");
+    return world.plane.beside(place, c.place);
+  };
+  const Vec3 next = target(time);
+  c.bend = {};
+  if (c.target)
+    c.bend = bend_of(world, c, [&](double s) { return target(time + (s - 1.0) * h) - c.place - (next - c.place) * s; });
   c.before = c.previous;
   c.previous = c.place;
   c.place = next;
   c.moves++;
-  c.velocity = rate_at_end(c.place, c.previous, c.before, h, c.moves);
+  c.velocity = c.bend.straight() ? rate_at_end(c.place, c.previous, c.before, h, c.moves)
+                                 : (c.place - c.previous + c.bend.rate(1.0)) / h;
 }
 
 void move_length(const World& world, ConstraintId id, Constraint& c, double time, double h) {
   const bool of_length = c.kind == ConstraintKind::rod || c.kind == ConstraintKind::string;
   const char* what = of_length ? "length" : c.by_speed ? "speed" : "angle";
-  double next = c.by_speed ? c.length_rate : c.length;
-  if (c.number) next = c.number(time);
-  if (!std::isfinite(next)) require_finite(describe(world, id), what, next, of_length ? "m" : "rad");
+  const auto target = [&](double t) {
+    const double value = c.number ? c.number(t) : c.by_speed ? c.length_rate : c.length;
+    if (!std::isfinite(value)) require_finite(describe(world, id), what, value, of_length ? "m" : "rad");
+    if (of_length) require_positive(describe(world, id), what, value, "m");
+    return value;
+  };
+  const double next = target(time);
+  c.bend = {};
+  const double last = c.by_speed ? c.length_rate : c.length;
+  if (c.number)
+    c.bend = bend_of(world, c,
+                     [&](double s) { return vec(target(time + (s - 1.0) * h) - last - (next - last) * s, 0.0, 0.0); });
   if (c.by_speed) {
+    const double mean = 0.5 * (last + next) + c.bend.at(0.5)[0];
+    c.previous_rate = last;
     c.length_rate = next;
     c.previous_length = c.angle;
-    c.length = c.angle + 2.0 * functions::atan(0.5 * next * h);  // what a step makes of a body of that spin
+    c.length = c.angle + 2.0 * functions::atan(0.5 * mean * h);  // what a step makes of a body of that spin
+    c.moves++;
     return;
   }
-  if (of_length) require_positive(describe(world, id), what, next, "m");
   c.before_length = c.previous_length;
   c.previous_length = c.length;
   c.length = next;
   c.moves++;
-  c.length_rate = rate_at_end(c.length, c.previous_length, c.before_length, h, c.moves);
+  c.length_rate = c.bend.straight() ? rate_at_end(c.length, c.previous_length, c.before_length, h, c.moves)
+                                    : (c.length - c.previous_length + c.bend.rate(1.0)[0]) / h;
+}
+
+/// The vector of the turn from one orientation to another that is near, [rad] to second order.
+Vec3 turn_to(const Quat& to, const Quat& from) {
+  const Quat q = to * conjugate(from);
+  return vec(q.x, q.y, q.z) * (q.w < 0.0 ? -2.0 : 2.0);
 }
 
 void move_attitude(const World& world, ConstraintId id, Constraint& c, double time, double h) {
+  const auto target = [&](double t) {
+    return turned_in_plane(world, c.body_a, unit(describe(world, id), c.attitude(t)));
+  };
+  const Quat next = target(time);
+  c.bend = bend_of(world, c, [&](double s) {
+    const Quat straight = between(c.turn, next, s), q = target(time + (s - 1.0) * h) * conjugate(straight);
+    return direction(vec(q.x, q.y, q.z)) * (2.0 * functions::atan2(norm(vec(q.x, q.y, q.z)), q.w));
+  });
   c.previous_turn = c.turn;
-  c.turn = turned_in_plane(world, c.body_a, unit(describe(world, id), c.attitude(time)));
-  const Quat q = c.turn * conjugate(c.previous_turn);
-  const Vec3 mean = vec(q.x, q.y, q.z) * ((q.w < 0.0 ? -2.0 : 2.0) / h);
+  c.turn = next;
+  const Vec3 mean = turn_to(c.turn, c.previous_turn) / h;
   c.moves++;
   c.spin = c.moves >= 2 ? mean * 1.5 - c.previous_spin * 0.5 : mean;
+  if (!c.bend.straight()) c.spin = mean + c.bend.rate(1.0) / h;
   c.previous_spin = mean;
 }
 

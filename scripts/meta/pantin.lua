@@ -492,7 +492,7 @@ function Align:remove() end
 ---@class Motor
 ---@field a Body its first body (read only)
 ---@field b Body? its second body, or nil for the world (read only)
----@field speed number [rad/s] of a against b, where it keeps that; a number or a function of time [s]; a step turns by 2 atan(speed step / 2), as it turns what spins freely
+---@field speed number [rad/s] of a against b, where it keeps that; a number or a function of time [s]; a step, or a sub-step, turns by 2 atan(speed step / 2), as it turns what spins freely
 ---@field angle number [rad] that it keeps, where it does; a number or a function of time [s]
 ---@field turned number [rad] the angle of a against b now, turns counted (read only)
 ---@field max_torque number [N m] never pushes harder; math.huge: no limit
@@ -816,7 +816,7 @@ local Snapshot = {}
 ---@field store table plain values of yours, which snapshots keep
 ---@field gravity vec [m/s²] uniform acceleration
 ---@field step number [s] length of one step
----@field accuracy number? [1/s] wanted error per second, relative to the distance between what interacts, or to how far it swings beside a uniform motion where it interacts with nothing; sub-steps follow from it. Ties that follow functions of time ask these at the ends of steps all the same
+---@field accuracy number? [1/s] wanted error per second, relative to the distance between what interacts, or to how far it swings beside a uniform motion where it interacts with nothing; sub-steps follow from it. Functions of time that ties follow are then asked at each quarter of a step
 ---@field accuracy_per string whether `accuracy` is that of a "second" or of a "step", as where a scene lasts microseconds
 ---@field integrator string "verlet" (2nd order), "implicit" (the same with connections of any stiffness), "suzuki4" (4th order, where nothing dissipates), "rk4" (4th order, no constraints), "euler" (1st order, semi-implicit; free particles as with "verlet")
 ---@field energy_return boolean give back what the velocity projection took
