@@ -129,7 +129,8 @@ bool is_to_be_done_again(World& world) {
   if (!world.trouble.empty()) return false;
   note_swings(world);
   const double told = average_error(world);
-  if (!reached && told > wanted) tell_unreached(world, told, law_of_worst_error(world));
+  const bool missed = !reached || world.forces->notes.told_late;
+  if (missed && told > wanted) tell_unreached(world, told, law_of_worst_error(world));
   return false;
 }
 

@@ -83,12 +83,15 @@ struct KickNotes {
   std::vector<Vec3> seen;          ///< (slots of particles) [m] somewhere within the step
   /// (slots of particles) [m/s³] in the last parts, the latest first; infinite: unknown. Now, and at the start of the step.
   std::vector<std::array<double, 3>> jerk, kept_jerk;
+  /// (slots of particles) [m] errors of what was too young for a size to be relative to. Now, and at the start of the step.
+  std::vector<double> untold, kept_untold;
   std::vector<Swing> swing, kept_swing;  ///< (slots of particles) now; at the start of the step where some are young
   std::vector<std::uint32_t> partner;  ///< (slots of particles) that of the nearest of those it interacts with, or none
   std::vector<Vec3> change, moved;     ///< (sites) [m/s²], [m] over the part
   std::vector<double> turning,
       near;  ///< (sites) [m/s²] of a body's far end; [m] to the nearest thing it interacts with
   double told = 0.0, told_in_step = 0.0;  ///< [1/s] what is told where it is too much: of the last part, of the step
+  bool told_late = false;                 ///< some of that is of steps before
   double jump = 0.0;  ///< [1/s] of the jumps of forces in the last part, the largest: what it adds from then on
   double jumps_in_step = 0.0;  ///< [1/s²] squares of these over the step
   double jumps = 0.0;          ///< [1/s²] over the time that errors are asked for: their signs are by chance

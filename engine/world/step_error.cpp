@@ -76,6 +76,7 @@ void begin_notes(World& world, Forces& f) {
   n.place.resize(slots, zero3());
   n.seen.resize(slots, zero3());
   n.jerk.resize(slots, unknown);
+  n.untold.resize(slots, 0.0);
   n.swing.resize(slots);
   if (world.part.index != 0) return;
   bool young = false;
@@ -85,13 +86,16 @@ void begin_notes(World& world, Forces& f) {
     if (n.swing[slot].serial != f.sites.serial[i]) {
       n.swing[slot] = {.serial = f.sites.serial[i]};
       n.jerk[slot] = unknown;
+      n.untold[slot] = 0.0;
     }
     young = young || is_young(n.swing[slot]);
   }
   n.kept_jerk = n.jerk;
+  n.kept_untold = n.untold;
   n.kept_swing.clear();
   if (young) n.kept_swing = n.swing;
   n.told_in_step = n.jumps_in_step = 0.0;
+  n.told_late = false;
   if (!f.interactions.empty() && (grown || world.steps % 16 == 0 || f.settled_in == world.steps + 1))
     find_partners(world, f);
 }
@@ -117,6 +121,7 @@ void forget_attempt(World& world) {
   if (!world.forces || world.forces->notes.swing.empty()) return;
   KickNotes& n = world.forces->notes;
   n.jerk = n.kept_jerk;
+  n.untold = n.kept_untold;
   if (!n.kept_swing.empty()) n.swing = n.kept_swing;
   if (!world.forces->interactions.empty()) find_partners(world, *world.forces);
 }
@@ -242,6 +247,17 @@ class Judge {
     n_.worst_site = site;
   }
 
+  /// Adds up errors until there is a size that they are relative to, which then tells them in the present part.
+  void tell_later(double& untold, double change, double size, bool known) {
+    if (!known) {
+      untold += change * h_ * h_ / 6.0;
+    } else if (untold > 0.0) {
+      n_.told = std::max(n_.told, untold / (size * h_));
+      n_.told_late = true;
+      untold = 0.0;
+    }
+  }
+
   void see_jump(std::size_t site, double rate) {
     n_.jump = std::isfinite(rate) ? rate : infinity;
     if (n_.jump > worst_) n_.worst_site = site;
@@ -283,7 +299,7 @@ class Judge {
     if (f_.attached_of[i] != none)
       size = std::max(size, reach_of(world_, f_.movers[f_.attached[f_.attached_of[i]].mover]));
     const bool small = change * h_ <= 6.0 * std::min(worst_, n_.told) * size, soft = jump * h_ <= 4.0 * n_.jump * size;
-    if (small && soft) return;
+    if (small && soft && n_.untold[slot] == 0.0) return;
     const double stiffness = stiffness_along(n_.change[i], n_.moved[i]);
     const Swing& swing = n_.swing[slot];
     size = std::max(size, swing.along(direction(n_.change[i])));
@@ -291,6 +307,7 @@ class Judge {
     const double turned = turns(i, swing, stiffness, change / h_);
     if (turned < once_around) size = std::max(size, 2.0 * first_swing(i, stiffness));
     see(i, change, size, turned > half_around);
+    tell_later(n_.untold[slot], change, size, turned > half_around);
     // Kicks are wrong by h/4 times a jump on average, and places by that in each second from then on.
     if (jump * h_ > 4.0 * n_.jump * size) see_jump(i, jump * h_ / (4.0 * size));
   }

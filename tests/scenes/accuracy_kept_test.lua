@@ -335,3 +335,17 @@ for _, case in ipairs(driven) do
     end
   end)
 end
+
+test("the error of what stops before there is a size to compare it with is told once there is one", function()
+  for _, steps in ipairs { 10, 60 } do
+    local scene = open_text("scene.step, scene.accuracy = 1 / " .. steps .. [[, 1e-4
+      scene.gravity = vec(0, 0, 0)
+      local p = scene:particle { mass = 1, velocity = vec(10, 0, 0), name = "p" }
+      scene:field(p, force.drag { quadratic = 500 })
+    ]])
+    scene:advance(1)
+    local way = math.log(1 + 500 * 10) / 500
+    expect(scene.stats.missed_accuracy):above(math.abs(scene:find("p").position.x / way - 1))
+    expect(scene.stats.missed_accuracy):below(0.5)
+  end
+end)
