@@ -341,7 +341,7 @@ test("the error of what stops before there is a size to compare it with is told 
     local scene = open_text("scene.step, scene.accuracy = 1 / " .. steps .. [[, 1e-4
       scene.gravity = vec(0, 0, 0)
       local p = scene:particle { mass = 1, velocity = vec(10, 0, 0), name = "p" }
-      scene:field(p, force.drag { quadratic = 500 })
+      scene:field(scene, force.drag { quadratic = 500 })
     ]])
     scene:advance(1)
     local way = math.log(1 + 500 * 10) / 500
