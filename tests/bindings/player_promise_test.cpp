@@ -187,13 +187,16 @@ Truth chain_truth(const reference::PlaneChain& chain, int pieces) {
 }  // namespace
 
 TEST_CASE("promise: a ball on a stiff wall, where runs may agree by luck", "[slow]") {
-  for (const auto& [stiffness, damping] : {std::pair(1e5, 0.0), std::pair(1e4, 5.0)}) {
+  struct Wall {
+    double stiffness, damping;
+  };
+  for (const Wall& wall : {Wall{1e5, 0.0}, Wall{1e4, 5.0}}) {
     const Study study = study_text(
         text("local p = scene:particle { mass = 1, at = vec(0, 1, 0), velocity = vec(1, 0, 0), radius = 0.1 }\n"
              "scene:field(scene, force.wall { normal = vec(0, 1, 0), damping = ",
-             damping, ", stiffness = ", stiffness, " })"),
+             wall.damping, ", stiffness = ", wall.stiffness, " })"),
         2.0);
-    check_promises(study, ball([&](double t) { return vec(t, bounce(t, stiffness, damping), 0); }));
+    check_promises(study, ball([&](double t) { return vec(t, bounce(t, wall.stiffness, wall.damping), 0); }));
   }
 }
 

@@ -2,6 +2,7 @@
 // Somebody who plays with both hands and all tools while it is recorded, from a fixed series of numbers.
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,13 +23,15 @@ namespace pantin {
 
 class RecordedPerson {
  public:
-  /// `record` is written; parts of a second in which each thing is done.
-  RecordedPerson(const std::string& scene_path, const std::string& record, std::uint64_t seed = 7)
+  /// `record` is written; parts of a second in which each thing is done. `set` is as on the command line.
+  RecordedPerson(const std::string& scene_path, const std::string& record, std::uint64_t seed = 7,
+                 const std::map<std::string, std::string>& set = {})
       : path_(scene_path), state_(seed) {
+    options_.set = set;
     options_.home = sources::folder();
     scene_ = reload_.open(path_, options_);
     const auto named = [this](const std::string& file) { return player::path_as_recorded(file, options_.home); };
-    player::RecordingHead head{player::program_version(), named(path_), {}, {}};
+    player::RecordingHead head{player::program_version(), named(path_), set, {}};
     for (const auto& [file, content] : reload_.files()) head.files[named(file)] = content;
     recorder_ = std::make_unique<player::Recorder>(record, head);
     reload_.on_read = [this, named](const lua::FileRead& file) { recorder_->file(named(file.path), file.content); };

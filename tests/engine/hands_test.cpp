@@ -80,9 +80,9 @@ TEST_CASE("a scripted hand follows its path at the end of the step, whatever the
 
 TEST_CASE("a path or position that is no number is an error, and a path cannot edit") {
   World world;
-  CHECK_THROWS_WITH(feed(world, move(0, vec(0, NAN, 0))), Contains("hand 1: position must be finite"));
+  CHECK_THROWS_WITH(feed(world, move(0, vec(0, std::nan(""), 0))), Contains("hand 1: position must be finite"));
   CHECK_THROWS_WITH(feed(world, move(-1, zero3())), Contains("its number must be 1 to"));
-  CHECK_THROWS_WITH(add_hand(world, [](double) { return vec(INFINITY, 0, 0); }), Contains("path must be finite"));
+  CHECK_THROWS_WITH(add_hand(world, [](double) { return vec(infinity, 0, 0); }), Contains("path must be finite"));
   add_hand(world, [&](double t) {
     if (t > 0.0) add_particle(world, {});
     return zero3();
@@ -206,7 +206,7 @@ TEST_CASE("the velocity of a followed target is exact for a parabola once there 
   feed(world, {});
   CHECK(c.previous[0] == Approx(1.23));
   CHECK(c.velocity[0] == Approx(2 + 6 * 0.2));
-  def.target = [](double t) { return t > 0.25 ? vec(0, NAN, 0) : zero3(); };
+  def.target = [](double t) { return t > 0.25 ? vec(0, std::nan(""), 0) : zero3(); };
   set_target(world, id, def.target);
   CHECK_THROWS_WITH(feed(world, {}), Contains("follow") && Contains("target must be finite"));
 }

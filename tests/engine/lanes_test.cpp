@@ -62,5 +62,5 @@ TEST_CASE("direction of zero is the fallback, and NaN is not finite") {
   CHECK(norm(direction(a)) == Approx(1.0));
   CHECK(finite(a));
   CHECK_FALSE(finite(vec(0, std::nan(""), 0)));
-  CHECK_FALSE(finite(vec(0, 0, INFINITY)));
+  CHECK_FALSE(finite(vec(0, 0, infinity)));
 }

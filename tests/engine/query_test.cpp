@@ -1,6 +1,7 @@
 #include "world/query.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "support/rods.hpp"
 
@@ -40,7 +41,7 @@ TEST_CASE("near gives particles within the radius, nearest first") {
   CHECK(near(world, zero3(), 1) == std::vector<ParticleId>{c, a});
   set_box(world, std::nullopt);
   CHECK_THROWS_WITH(near(world, zero3(), -1), Contains("radius must be >= 0 m"));
-  CHECK_THROWS_WITH(near(world, vec(0, NAN, 0), 1), Contains("at must be finite"));
+  CHECK_THROWS_WITH(near(world, vec(0, std::nan(""), 0), 1), Contains("at must be finite"));
 }
 
 TEST_CASE("particles are those awake, hinges those of several points") {
