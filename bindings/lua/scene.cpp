@@ -102,10 +102,21 @@ std::vector<std::string> Scene::keys() const {
 const std::vector<std::string>& Scene::buttons() const { return state_->script.buttons; }
 const std::map<std::string, Value>& Scene::results() const { return state_->script.results; }
 
+namespace {
+
+std::vector<std::string> texts(const std::vector<LogLine>& log, std::string_view kind) {
+  std::vector<std::string> texts;
+  for (const LogLine& line : log)
+    if (line.kind == kind) texts.push_back(line.text);
+  return texts;
+}
+
+}  // namespace
+
+std::vector<std::string> Scene::notices() const { return texts(world().log, "notice"); }
+
 std::vector<std::string> Scene::warnings() const {
-  std::vector<std::string> warnings;
-  for (const LogLine& line : world().log)
-    if (line.kind == "warning") warnings.push_back(line.text);
+  std::vector<std::string> warnings = texts(world().log, "warning");
   const auto& log = world().log;
   const auto is_dropped = [](const LogLine& line) { return line.kind == "dropped"; };
   const auto first = std::find_if(log.begin(), log.end(), is_dropped);

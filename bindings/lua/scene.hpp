@@ -85,6 +85,7 @@ class Scene {
   const std::vector<std::string>& buttons() const;  ///< names; press one by a Command of the world's input
   const std::map<std::string, Value>& results() const;
   std::vector<std::string> warnings() const;
+  std::vector<std::string> notices() const;
   const std::vector<Drawing>& drawings() const;  ///< what the script drew in the last step
 
   /// The present state: the world's, what the script declared, `scene.store` and the `data` of things. Between two steps;

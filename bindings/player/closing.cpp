@@ -62,6 +62,7 @@ void print_closing(const lua::Scene& scene, const std::string& path, double seco
   for (const Probe& probe : world.probes)
     if (!probe.values.empty()) std::cout << "  " << probe.name << " " << to_text(probe.values.back()) << "\n";
   for (const auto& [name, value] : scene.results()) std::cout << "  " << name << " " << show(value) << "\n";
+  for (const std::string& notice : scene.notices()) std::cout << "  " << notice << "\n";
   std::cout << std::flush;
   for (const std::string& warning : scene.warnings()) say(warning);
 }

@@ -89,6 +89,7 @@ nlohmann::ordered_json summary(const lua::Scene& scene) {
   result["ns_per_phase"] = ns_per_phase(world);
   result["results"] = results(scene);
   result["warnings"] = scene.warnings();
+  result["notices"] = scene.notices();
   if (!world.failure.empty()) result["failure"] = world.failure;
   return result;
 }

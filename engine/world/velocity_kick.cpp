@@ -126,7 +126,7 @@ bool VelocityKick::finish_tied() {
 
 /// Tells, once, of laws that drive what they act on the more the faster it is.
 void VelocityKick::tell_amplifying() {
-  constexpr const char* what = "a force that grows with the velocity drives what it acts on ever faster: ";
+  constexpr const char* what = "a force that grows with the velocity gives energy to what it acts on: ";
   const auto told = [&](const LogLine& line) { return line.text.starts_with(what); };
   if (std::any_of(world_.log.begin(), world_.log.end(), told)) return;
   std::string names;

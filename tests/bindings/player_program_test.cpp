@@ -156,6 +156,7 @@ TEST_CASE("program: a table and a summary of a run") {
   CHECK(summary["stats"]["newton_iterations"].get<int>() >= 50);
   CHECK(summary["ns_per_phase"]["drift"].get<double>() > 0.0);
   CHECK(summary["warnings"].is_array());
+  CHECK(summary["notices"].is_array());
 }
 
 TEST_CASE("program: laws end in the same bits on one, two and four threads") {
