@@ -174,6 +174,7 @@ struct DriftReport {
   double unreached = 0.0;   // [1/s] the error where not even the most sub-steps give the wanted accuracy
   double open_work = 0.0;   // [J] of solved laws without energy that do not depend on velocities
   double damped = 0.0;      // [J] of those that do, and what the end of the step swallowed
+  double driven = 0.0;      // [J] of strong dampers, where the rule of the step made them give
   double work = 0.0;        // [J] of the world ends, changing lengths, pushes and twists
   double motor = 0.0;       // [J] of motors, and of turns and angles that follow a function of time
   double limit = 0.0;       // [J] of limits, and of all rows where one is struck

@@ -329,7 +329,9 @@ void add_work_of_rows(Articulate& a, DriftReport& report) {
   for (Condition& c : a.conditions) {
     const Row& r = row(a, c);
     if (c.stiff) {
-      (c.stiff->is_damped() ? report.damped : report.open_work) += c.stiff->settle(r, c.given);
+      const double open = c.stiff->settle(r, c.given);
+      (c.stiff->is_damped() ? report.damped : report.open_work) += open;
+      if (c.stiff->strong) report.driven += std::max(open, 0.0);
       continue;
     }
     if ((r.b < 0 || r.kind == RowKind::drawn) && r.lever == 0.0) report.work += dot(r.f, c.place1 - c.place0);

@@ -127,8 +127,9 @@ struct Forces {
   std::vector<char> families;  ///< (slots of families) whether some law acts on all of it
   std::vector<char> followed;  ///< (names of attributes) whether it follows the age of some site
 
-  std::vector<Vec3> still;          ///< (sites) [N] open forces of laws that do not depend on velocities
-  std::vector<Vec3> undamped;       ///< (sites) [N] the same with those of laws of velocity that do no work
+  std::vector<Vec3> still;  ///< (sites) [N] open forces of laws that do not depend on velocities
+  /// (sites) [N] the same with what laws of velocity give that do no work by it, and what linear ones give at rest
+  std::vector<Vec3> undamped;
   VelocityForces velocity;          ///< of laws that depend on velocities, but for thermostats
   VelocityForces thermostats;       ///< of these
   std::vector<Vec3> open_from;      ///< (slots of particles) [m] where a part of the step begins, see work_check
@@ -150,7 +151,8 @@ struct Forces {
 /// Of the open force on a site that of laws of velocity, but for those that do no work by it [N].
 inline Vec3 damping_of(const Forces& f, std::size_t site) {
   if (!f.moving) return zero3();
-  return f.open_still || f.workless ? f.sites.open_force[site] - f.undamped[site] : f.sites.open_force[site];
+  const bool spared = f.open_still || f.workless || f.velocity.linear;
+  return spared ? f.sites.open_force[site] - f.undamped[site] : f.sites.open_force[site];
 }
 
 /// Whether the laws at work are those of the present rows: not where an edit waits for the next step.

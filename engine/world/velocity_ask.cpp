@@ -69,21 +69,48 @@ void ask_velocity_laws(const World& world, Forces& f, const Instant& instant, bo
   for (VelocityPair& p : k.pairs) flatten(p.force, p.slope);
 }
 
+namespace {
+
+/// What a linear law gives at rest, but for round-off.
+Vec3 at_rest(Vec3 force, Vec3 by_velocity) {
+  const Vec3 rest = force - by_velocity;
+  return norm2(rest) > 1e-28 * norm2(force) ? rest : zero3();
+}
+
+}  // namespace
+
+Vec3 spared_force(const Forces& f, const VelocityForces& k, std::size_t site, Vec3 v) {
+  Vec3 spared = zero3(), force = k.fields.force[site];
+  Mat3 slope = k.fields.slope[site];
+  if (f.workless) {
+    spared = k.workless.force[site] + k.workless.slope[site] * (v - k.at[site]);
+    force -= k.workless.force[site];
+    slope -= k.workless.slope[site];
+  }
+  return k.linear ? spared + at_rest(force, slope * k.at[site]) : spared;
+}
+
+Vec3 spared_force(const VelocityForces& k, const VelocityPair& pair, Vec3 all) {
+  if (pair.workless) return all;
+  return k.linear ? at_rest(pair.force, pair.slope * pair.at) : zero3();
+}
+
 void find_velocity_slopes(const World& world, Forces& f, const Instant& instant) {
   ask_velocity_laws(world, f, instant, false);
   const VelocityForces& k = f.velocity;
   f.undamped = f.still;
   for (std::size_t i = 0; i < f.sites.n; i++) {
     f.sites.open_force[i] += k.fields.force[i];
-    if (f.workless) f.undamped[i] += k.workless.force[i];
+    f.undamped[i] += spared_force(f, k, i, k.at[i]);
   }
   for (const VelocityPair& p : k.pairs) {
-    const auto add = [&](std::size_t site, Vec3 force) {
-      f.sites.open_force[site] += force;
-      if (p.workless) f.undamped[site] += force;
+    const Vec3 spared = spared_force(k, p, p.force);
+    const auto add = [&](std::size_t site, double sign) {
+      f.sites.open_force[site] += p.force * sign;
+      f.undamped[site] += spared * sign;
     };
-    add(p.a, p.force);
-    if (!p.one_sided) add(p.b, p.force * -1.0);
+    add(p.a, 1.0);
+    if (!p.one_sided) add(p.b, -1.0);
   }
 }
 

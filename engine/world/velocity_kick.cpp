@@ -139,18 +139,18 @@ void VelocityKick::tell_amplifying() {
 void VelocityKick::put_forces() {
   for (std::size_t i = 0; i < f_.sites.n; i++) {
     f_.undamped[i] = f_.still[i];
-    if (f_.workless && moves(i))
-      f_.undamped[i] += k_.workless.force[i] + k_.workless.slope[i] * (velocity_of(i) - k_.at[i]);
+    if (moves(i)) f_.undamped[i] += spared_force(f_, k_, i, velocity_of(i));
     f_.sites.open_force[i] = f_.still[i] + k_.told[i];
   }
   for (std::size_t k = 0; k < k_.pairs.size(); k++) {
     const VelocityPair& p = k_.pairs[k];
-    const auto add = [&](std::size_t site, Vec3 force) {
-      f_.sites.open_force[site] += force;
-      if (p.workless) f_.undamped[site] += force;
+    const Vec3 spared = spared_force(k_, p, k_.told_pairs[k]);
+    const auto add = [&](std::size_t site, double sign) {
+      f_.sites.open_force[site] += k_.told_pairs[k] * sign;
+      f_.undamped[site] += spared * sign;
     };
-    add(p.a, k_.told_pairs[k]);
-    if (!p.one_sided) add(p.b, k_.told_pairs[k] * -1.0);
+    add(p.a, 1.0);
+    if (!p.one_sided) add(p.b, -1.0);
   }
   collect(world_, f_);
   for (const Attached& a : f_.attached) {
@@ -208,7 +208,7 @@ TiedWork apply_tied(World& world, Forces& f, VelocityForces& k) {
   for (const auto& tied : k.tied) {
     spared.clear();
     for (const TiedKick::Seat& s : tied->seats)
-      spared.push_back(&k == &f.velocity && f.workless ? f.undamped[s.site] - f.still[s.site] : zero3());
+      spared.push_back(&k == &f.velocity && (f.workless || k.linear) ? f.undamped[s.site] - f.still[s.site] : zero3());
     const TiedWork done = tied->apply(spared, world.part.full);
     work.damper += done.damper;
     work.rest += done.rest;

@@ -64,3 +64,31 @@ test("steps in which feet meet the floor, stick and slip lose nothing that is no
   expect(math.abs(ledger.truncation.wall)):below(0.05)
   expect(scene.error.worst_energy):below(5e-3)
 end)
+
+test("a law of place and velocity in one tells its energy error like one of place alone", function()
+  for _, stiffness in ipairs { 5184, 57600, 235000 } do
+    local function error_of(force)
+      local scene = open_text("local k = " .. stiffness .. [[
+        scene.gravity = vec(0, 0, 0)
+        local p = scene:particle { mass = 1, at = vec(0.5, 0, 0) }
+        scene:field(scene, force.point { force = function(p) return vec(]] .. force .. [[, 0, 0) end })
+      ]])
+      scene:advance(0.1)
+      return scene.error.worst_energy
+    end
+    local alone = error_of("-k * p.position.x")
+    expect(error_of("-k * p.position.x - 0.3 * p.velocity.x")):near(alone, 0.1 * alone)
+  end
+end)
+
+test("a damped spring that the step makes give energy tells it as an error", function()
+  local scene = open_text [[
+    scene.gravity = vec(0, 0, 0)
+    local a = scene:particle { at = vec(0, 0, 0), mass = 1 }
+    local b = scene:particle { at = vec(1, 0, 0), mass = 1, velocity = vec(0.5, 0, 0) }
+    scene:connect(a, b, force.spring { stiffness = 1e9, length = 1, damping = 1e6 })
+  ]]
+  scene:step()
+  local gained = scene.energy.total - 0.125  -- J
+  expect(gained <= 0 or scene.error.worst_energy > 0.5):is_true()
+end)
