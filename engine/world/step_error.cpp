@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "articulates/articulate.hpp"
+#include "articulates/sub_steps.hpp"
 #include "world/encounters.hpp"
 #include "world/forces_parts.hpp"
 #include "world/integrator.hpp"
@@ -247,10 +248,11 @@ class Judge {
     n_.worst_site = site;
   }
 
-  /// Adds up errors until there is a size that they are relative to, which then tells them in the present part.
+  /// Adds up the errors of the most sub-steps until there is a size that they are relative to, which then tells them in the
+  /// present part.
   void tell_later(double& untold, double change, double size, bool known) {
     if (!known) {
-      untold += change * h_ * h_ / 6.0;
+      if (world_.sub_steps.count == sub_step_limit) untold += change * h_ * h_ / 6.0;
     } else if (untold > 0.0) {
       n_.told = std::max(n_.told, untold / (size * h_));
       n_.told_late = true;
