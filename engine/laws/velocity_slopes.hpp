@@ -37,6 +37,7 @@ struct VelocityPair {
   bool workless = false;
   Vec3 force = zero3(), at = zero3();  ///< [N], [m/s]
   Mat3 slope = zero33();               ///< [N s/m]
+  Vec3 at_rest = zero3();              ///< [N] without relative velocity; none where workless
   Vec3 impulse = zero3();              ///< [N s] while a kick is being solved
 };
 

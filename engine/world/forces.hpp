@@ -128,7 +128,7 @@ struct Forces {
   std::vector<char> followed;  ///< (names of attributes) whether it follows the age of some site
 
   std::vector<Vec3> still;  ///< (sites) [N] open forces of laws that do not depend on velocities
-  /// (sites) [N] the same with what laws of velocity give that do no work by it, and what linear ones give at rest
+  /// (sites) [N] the same with what laws of velocity also give at rest, and what does no work by the velocity
   std::vector<Vec3> undamped;
   VelocityForces velocity;          ///< of laws that depend on velocities, but for thermostats
   VelocityForces thermostats;       ///< of these
@@ -150,9 +150,7 @@ struct Forces {
 
 /// Of the open force on a site that of laws of velocity, but for those that do no work by it [N].
 inline Vec3 damping_of(const Forces& f, std::size_t site) {
-  if (!f.moving) return zero3();
-  const bool spared = f.open_still || f.workless || f.velocity.linear;
-  return spared ? f.sites.open_force[site] - f.undamped[site] : f.sites.open_force[site];
+  return f.moving ? f.sites.open_force[site] - f.undamped[site] : zero3();
 }
 
 /// Whether the laws at work are those of the present rows: not where an edit waits for the next step.

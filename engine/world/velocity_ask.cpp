@@ -1,7 +1,9 @@
 // What laws of velocity give, with their derivatives.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "base/check.hpp"
 #include "world/velocity_kick_parts.hpp"
 
 namespace pantin {
@@ -71,32 +73,65 @@ void ask_velocity_laws(const World& world, Forces& f, const Instant& instant, bo
 
 namespace {
 
-/// What a linear law gives at rest, but for round-off.
-Vec3 at_rest(Vec3 force, Vec3 by_velocity) {
+/// What is left of a force without the part by velocity, but for round-off.
+Vec3 without(Vec3 force, Vec3 by_velocity) {
   const Vec3 rest = force - by_velocity;
   return norm2(rest) > 1e-28 * norm2(force) ? rest : zero3();
 }
 
+Vec3 if_finite(Vec3 force) { return std::isfinite(norm2(force)) ? force : zero3(); }
+
+void find_at_rest(VelocityForces& k, const Forces& f) {
+  for (std::size_t i = 0; i < f.sites.n; i++) {
+    Vec3 force = k.fields.force[i];
+    Mat3 slope = k.fields.slope[i];
+    if (f.workless) {
+      force -= k.workless.force[i];
+      slope -= k.workless.slope[i];
+    }
+    k.at_rest[i] = without(force, slope * k.at[i]);
+  }
+  for (VelocityPair& p : k.pairs) p.at_rest = p.workless ? zero3() : without(p.force, p.slope * p.at);
+}
+
+void ask_at_rest(const World& world, Forces& f, const Instant& instant) {
+  VelocityForces& k = f.velocity;
+  const SiteSlopes fields = k.fields, workless = k.workless;
+  const std::vector<VelocityPair> pairs = k.pairs;
+  const AlignedVector<Vec3> at = k.at, v = f.sites.v;
+  std::fill(f.sites.v.begin(), f.sites.v.end(), zero3());
+  ask_velocity_laws(world, f, instant, false);
+  for (std::size_t i = 0; i < f.sites.n; i++)
+    k.at_rest[i] = if_finite(f.workless ? k.fields.force[i] - k.workless.force[i] : k.fields.force[i]);
+  assume(k.pairs.size() == pairs.size());
+  const std::vector<VelocityPair> resting = std::exchange(k.pairs, pairs);
+  for (std::size_t i = 0; i < pairs.size(); i++)
+    if (!pairs[i].workless) k.pairs[i].at_rest = if_finite(resting[i].force);
+  k.fields = fields;
+  k.workless = workless;
+  k.at = at;
+  f.sites.v = v;
+  k.linear = false;
+}
+
 }  // namespace
 
-Vec3 spared_force(const Forces& f, const VelocityForces& k, std::size_t site, Vec3 v) {
-  Vec3 spared = zero3(), force = k.fields.force[site];
-  Mat3 slope = k.fields.slope[site];
-  if (f.workless) {
-    spared = k.workless.force[site] + k.workless.slope[site] * (v - k.at[site]);
-    force -= k.workless.force[site];
-    slope -= k.workless.slope[site];
-  }
-  return k.linear ? spared + at_rest(force, slope * k.at[site]) : spared;
+void ask_velocity_laws_first(const World& world, Forces& f, const Instant& instant) {
+  VelocityForces& k = f.velocity;
+  ask_velocity_laws(world, f, instant, false);
+  k.at_rest.resize(f.sites.n);
+  k.linear ? find_at_rest(k, f) : ask_at_rest(world, f, instant);
 }
 
-Vec3 spared_force(const VelocityForces& k, const VelocityPair& pair, Vec3 all) {
-  if (pair.workless) return all;
-  return k.linear ? at_rest(pair.force, pair.slope * pair.at) : zero3();
+Vec3 spared_force(const Forces& f, const VelocityForces& k, std::size_t site, Vec3 v) {
+  if (!f.workless) return k.at_rest[site];
+  return k.at_rest[site] + k.workless.force[site] + k.workless.slope[site] * (v - k.at[site]);
 }
+
+Vec3 spared_force(const VelocityPair& pair, Vec3 all) { return pair.workless ? all : pair.at_rest; }
 
 void find_velocity_slopes(const World& world, Forces& f, const Instant& instant) {
-  ask_velocity_laws(world, f, instant, false);
+  ask_velocity_laws_first(world, f, instant);
   const VelocityForces& k = f.velocity;
   f.undamped = f.still;
   for (std::size_t i = 0; i < f.sites.n; i++) {
@@ -104,7 +139,7 @@ void find_velocity_slopes(const World& world, Forces& f, const Instant& instant)
     f.undamped[i] += spared_force(f, k, i, k.at[i]);
   }
   for (const VelocityPair& p : k.pairs) {
-    const Vec3 spared = spared_force(k, p, p.force);
+    const Vec3 spared = spared_force(p, p.force);
     const auto add = [&](std::size_t site, double sign) {
       f.sites.open_force[site] += p.force * sign;
       f.undamped[site] += spared * sign;

@@ -76,6 +76,7 @@ bool VelocityKick::ask_again(int iteration) {
   for (std::size_t k = 0; k < before.size(); k++) {
     VelocityPair& p = k_.pairs[k];
     p.impulse = before[k].impulse;
+    p.at_rest = before[k].at_rest;
     const double mobility = mobility_of(p.a) + (p.one_sided ? 0.0 : mobility_of(p.b));
     const double missed = std::fabs(dt_) * mobility * norm(p.force - k_.told_pairs[k]);
     unsettle(p.a, missed);
@@ -144,7 +145,7 @@ void VelocityKick::put_forces() {
   }
   for (std::size_t k = 0; k < k_.pairs.size(); k++) {
     const VelocityPair& p = k_.pairs[k];
-    const Vec3 spared = spared_force(k_, p, k_.told_pairs[k]);
+    const Vec3 spared = spared_force(p, k_.told_pairs[k]);
     const auto add = [&](std::size_t site, double sign) {
       f_.sites.open_force[site] += k_.told_pairs[k] * sign;
       f_.undamped[site] += spared * sign;
@@ -193,7 +194,7 @@ void solve_velocity_kick(World& world, Forces& f, double dt, double time, SideOf
     read_velocities(world, f, side.drifted);
     f.still.resize(f.sites.n, zero3());
     f.undamped.resize(f.sites.n, zero3());
-    ask_velocity_laws(world, f, instant, false);
+    ask_velocity_laws_first(world, f, instant);
   }
   VelocityKick kick(world, f, instant, dt, side);
   kick.solve();
@@ -208,7 +209,7 @@ TiedWork apply_tied(World& world, Forces& f, VelocityForces& k) {
   for (const auto& tied : k.tied) {
     spared.clear();
     for (const TiedKick::Seat& s : tied->seats)
-      spared.push_back(&k == &f.velocity && (f.workless || k.linear) ? f.undamped[s.site] - f.still[s.site] : zero3());
+      spared.push_back(&k == &f.velocity ? f.undamped[s.site] - f.still[s.site] : zero3());
     const TiedWork done = tied->apply(spared, world.part.full);
     work.damper += done.damper;
     work.rest += done.rest;

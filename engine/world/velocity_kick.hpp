@@ -27,6 +27,7 @@ struct VelocityForces {
   SiteSlopes fields, workless;      ///< of laws of single particles; of those of them that do no work by velocity
   std::vector<VelocityPair> pairs;  ///< of interactions and connections
   AlignedVector<Vec3> at;           ///< (sites) [m/s]
+  AlignedVector<Vec3> at_rest;      ///< (sites) [N] what fields give without velocities, but for workless ones
   bool linear = false;              ///< all are, in velocities
   bool known = false;               ///< of the present places and time
   std::vector<std::shared_ptr<TiedKick>> tied;  ///< of what rows tie, solved and not yet applied

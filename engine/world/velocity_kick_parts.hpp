@@ -26,11 +26,13 @@ inline std::uint32_t mover_at(const Forces& f, std::size_t site) {
 }
 /// Fills in what laws of velocity give at Sites::v: thermostats, or the others.
 void ask_velocity_laws(const World& world, Forces& forces, const Instant& instant, bool thermal);
+/// The same of all but thermostats at new places or another time: also fills in what they give at rest.
+void ask_velocity_laws_first(const World& world, Forces& forces, const Instant& instant);
 
-/// What laws of velocity give a site that moves with v [m/s], or a pair of all that they give it, that does no work by the
-/// velocity; of laws that are linear in it also what they give at rest [N].
+/// Of what laws of velocity give a site that moves with v [m/s], or a pair of all that they give it: what they also give at
+/// rest, and what does no work by the velocity [N].
 Vec3 spared_force(const Forces& forces, const VelocityForces& laws, std::size_t site, Vec3 v);
-Vec3 spared_force(const VelocityForces& laws, const VelocityPair& pair, Vec3 all);
+Vec3 spared_force(const VelocityPair& pair, Vec3 all);
 
 /// Solves a kick for all that laws of velocity act on.
 class VelocityKick {

@@ -49,7 +49,7 @@ Unkept unkept(const World& world, const Forces& f) {
     }
     const Vec3 force = f.sites.open_force[i], spared = f.moving && f.velocity.known ? f.undamped[i] : force;
     sum.kick += norm2(force) * mobility * share;
-    if (!tied && (!f.moving || f.velocity.linear)) sum.spared += norm2(spared) * mobility * share;
+    if (!tied) sum.spared += norm2(spared) * mobility * share;
   }
   return sum;
 }
