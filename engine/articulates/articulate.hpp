@@ -220,6 +220,11 @@ struct Effort {
   std::uint16_t pause = 0;   // and for how many more none is to be tried
 };
 
+/// How two points of a node moved on average over the last part of a step [m/s], and how that changed [m/s²].
+struct MeanMotion {
+  std::array<Vec3, 2> velocity{}, acceleration{};
+};
+
 /// What steps change beside nodes and rows; a step that is done again starts from it.
 struct ArticulateState {
   std::vector<Condition> conditions;
@@ -242,19 +247,22 @@ struct ArticulateState {
   /// loop are never redundant.
   double least_epsilon = 1e-10, most_epsilon = 1e-6, epsilon = most_epsilon;
   std::uint32_t good_steps = 0, wait = 20, projection_wait = 0;
-  bool lowered = false;          // epsilon was lowered in this step
-  bool has_factor = false;       // the factor is of a Newton matrix
-  bool exact = false;            // the factor is of what the rows forbid, at the nodes' starts
-  bool safe = false;             // the last step was a safe one
-  bool offsets = false;          // gaps of rows were accepted
-  bool edited = true;            // new: velocities are still to be made consistent
-  bool torn = false;             // by an edit, and still open
-  std::uint32_t open_steps = 0;  // in a row that ended with a gap beyond the tolerance
-  double arrived = 0.0;          // part of the full sub-step that a safe step has already moved over
-  bool smooth = true;            // no part of the full sub-step was halved or safe
-  bool cut = false;              // the full sub-step has more than one part
-  bool weak = false;             // the last factor had weak pivots: its multipliers are not all determined
-  SubSteps sub_steps;            // in each part of a step
+  bool lowered = false;           // epsilon was lowered in this step
+  bool has_factor = false;        // the factor is of a Newton matrix
+  bool exact = false;             // the factor is of what the rows forbid, at the nodes' starts
+  bool safe = false;              // the last step was a safe one
+  bool offsets = false;           // gaps of rows were accepted
+  bool edited = true;             // new: velocities are still to be made consistent
+  bool torn = false;              // by an edit, and still open
+  std::uint32_t open_steps = 0;   // in a row that ended with a gap beyond the tolerance
+  double arrived = 0.0;           // part of the full sub-step that a safe step has already moved over
+  bool smooth = true;             // no part of the full sub-step was halved or safe
+  bool cut = false;               // the full sub-step has more than one part
+  bool weak = false;              // the last factor had weak pivots: its multipliers are not all determined
+  SubSteps sub_steps;             // in each part of a step
+  std::vector<MeanMotion> means;  // (nodes) where `accuracy` asks
+  double means_span = 0.0;        // [s] from part to part
+  std::uint8_t means_known = 0;   // 1: velocities are known, 2: accelerations too
   Effort effort;
   DriftReport report;  // of the last phase
   NodeTotals totals;   // at the end of the last step

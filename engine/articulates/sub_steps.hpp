@@ -1,6 +1,8 @@
 #pragma once
 // Sub-steps by a measured local error: a thing is moved over a stretch of time by its number of sub-steps and by twice as
-// many; of the order p, the first ones are wrong by 2^p/(2^p - 1) of the difference (Richardson 1911).
+// many; of the order p, the first ones are wrong by 2^p/(2^p - 1) of the difference (Richardson 1911). That is done now and
+// then, and wherever the motion changes more suddenly than the last trials bear: a midpoint step of h is wrong by h³/12
+// times a jerk or so.
 #include "articulates/articulate.hpp"
 
 namespace pantin {
@@ -9,12 +11,14 @@ inline constexpr std::uint16_t sub_step_limit = 256;
 
 struct SubStepSettings {
   double accuracy = 0.0;  ///< [1/s] largest error of a point per second, relative to the thing's length; 0: fixed steps
-  bool trials = true;     ///< now may be a trial: once a step
+  bool trials = true;     ///< this is the first part of a step
+  double span = 0.0;      ///< [s] from the part before that is like this one; 0: there is none in each step
 };
 
 /// Where trials happen.
 struct Trial {
   Articulate start, other;
+  std::vector<MeanMotion> means;
 };
 
 /// Moves a loaded articulate over the settings' part of the step by as many sub-steps as the accuracy wants. What it did is

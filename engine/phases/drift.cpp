@@ -29,7 +29,11 @@ DriftSettings drift_settings(const World& world) {
 }
 
 SubStepSettings sub_step_settings(const World& world) {
-  return {world.settings.accuracy ? wanted_accuracy(world) : 0.0, world.part.index == 0};
+  const bool alike = rule_of(world).stages.size() == 1, first = world.part.index == 0;
+  return {world.settings.accuracy ? wanted_accuracy(world) : 0.0, first,
+          alike   ? world.part.h
+          : first ? world.settings.step
+                  : 0.0};
 }
 
 void drift_points(World& world) {

@@ -1,0 +1,86 @@
+--- scene.accuracy of what is tied, when something happens to it in the middle of a run: kept, or told to be missed.
+
+--- Angle from the line down, and its rate, of a pendulum of 1 m after `time` [s] in `g(t)` [m/s²] along x and down, by
+--- Runge and Kutta's fourth-order steps.
+local function swing(angle, rate, from, to, g)
+  local steps = 20000
+  local h = (to - from) / steps
+  local function turned(t, a)
+    local side, down = g(t)
+    return side * math.cos(a) - down * math.sin(a)
+  end
+  for n = 0, steps - 1 do
+    local t = from + n * h
+    local k1, l1 = rate, turned(t, angle)
+    local k2, l2 = rate + h / 2 * l1, turned(t + h / 2, angle + h / 2 * k1)
+    local k3, l3 = rate + h / 2 * l2, turned(t + h / 2, angle + h / 2 * k2)
+    local k4, l4 = rate + h * l3, turned(t + h, angle + h * k3)
+    angle, rate = angle + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4), rate + h / 6 * (l1 + 2 * l2 + 2 * l3 + l4)
+  end
+  return angle, rate
+end
+
+local rod = [[
+  local p = scene:particle { mass = 1, at = vec(0, -1, 0), name = "p" }
+  scene:rod(p, vec(0, 0, 0))
+]]
+local earth = function() return 0, 9.81 end
+local time = 1.5  -- s
+
+local cases = {
+  { name = "a kick", text = rod .. [[scene:at(0.55, function() scene:find("p"):kick(vec(20, 0, 0)) end)]],
+    angle = function() return swing(0, 20, 0.55, time, earth) end },
+  { name = "another velocity", text = rod .. [[scene:at(0.55, function() scene:find("p").velocity = vec(-12, 0, 0) end)]],
+    angle = function() return swing(0, -12, 0.55, time, earth) end },
+  { name = "gravity to another side", text = rod .. [[scene:at(0.55, function() scene.gravity = vec(300, -9.81, 0) end)]],
+    angle = function() return swing(0, 0, 0.55, time, function() return 300, 9.81 end) end },
+  { name = "a nail that begins to shake", text = [[
+      local q = scene:particle { mass = 1, at = vec(0, 0, 0), name = "q" }
+      local p = scene:particle { mass = 1, at = vec(0, -1, 0), name = "p" }
+      local nail = scene:follow(q, vec(0, 0, 0))
+      scene:rod(p, q)
+      scene:at(0.55, function() nail.target = function(t) return vec(0.1 * math.sin(40 * (t - 0.55)), 0, 0) end end)
+    ]],
+    angle = function()
+      return swing(0, -4, 0.55, time, function(t) return 160 * math.sin(40 * (t - 0.55)), 9.81 end)
+    end },
+  { name = "a string that goes taut", text = [[
+      local p = scene:particle { mass = 1, at = vec(0.3, 0, 0), name = "p" }
+      scene:string({ p, vec(0, 0, 0) }, { length = 1 })
+    ]],
+    angle = function()
+      local down = math.sqrt(0.91)
+      local taut = math.sqrt(2 * down / 9.81)
+      return swing(math.atan(0.3, down), -9.81 * taut * 0.3, taut, time, earth)
+    end },
+}
+
+for _, case in ipairs(cases) do
+  test("accuracy of what is tied is kept, or missed aloud: " .. case.name, function()
+    local angle = case.angle()
+    for _, accuracy in ipairs { 1e-3, 1e-4, 1e-5, 1e-6 } do
+      local scene = open_text("scene.step, scene.accuracy = 1 / 60, " .. accuracy .. "\n" .. case.text)
+      scene:advance(time)
+      local p, q = scene:find "p", scene:find "q"
+      local place = q and p.position - q.position or p.position
+      local missed = (place - vec(math.sin(angle), -math.cos(angle), 0)):length()
+      expect(missed):below(2 * time * math.max(accuracy, scene.stats.missed_accuracy))
+    end
+  end)
+end
+
+test("a motor whose speed jumps within a step turns as far as it says, or tells by how much it misses", function()
+  for _, jump in ipairs { 0.337, 0.5, 0.721 } do
+    for _, accuracy in ipairs { 1e-2, 1e-4 } do
+      local scene = open_text(([[
+        scene.gravity, scene.step, scene.accuracy = vec(0, 0, 0), 1 / 60, %g
+        local arm = scene:body { mass = 1, inertia = vec(1, 2, 3), points = { nail = vec(0, 0, 0), tip = vec(1, 0, 0) },
+                                 name = "arm" }
+        scene:motor(arm, { axis = vec(0, 0, 1), name = "motor", speed = function(t) return where(t < %g, 0, 10) end })
+      ]]):format(accuracy, jump))
+      scene:advance(1)
+      local missed = math.abs(scene:find("motor").turned - 10 * (1 - jump))
+      expect(missed):below(2 * math.max(accuracy, scene.stats.missed_accuracy))
+    end
+  end
+end)
