@@ -28,12 +28,24 @@ void push(BatchMotion& to, std::size_t lane, Vec3 impulse, Vec3 twist) {
   set_lane(to.L, lane, lane_of(to.L, lane) + twist);
 }
 
-double MotionSpace::add_direction(Motions direction, double whole) {
-  constexpr double left = 1e-7;
+/// Leaves what is new in a direction; its size.
+double MotionSpace::take_apart(Motions& direction) const {
   for (int again = 0; again < 2; again++)
     for (const Motions& q : directions) add(direction, q, -product(q, direction));
-  const double size = size_of(direction);
-  if (!(size > left * whole)) return 0.0;
+  return size_of(direction);
+}
+
+double MotionSpace::add_direction(Motions direction, double whole,
+                                  const std::function<Motions(const Motions&)>& allowed) {
+  constexpr double left = 1e-7, little = 1e-3, most = 0.5;
+  const double found = take_apart(direction);
+  if (!(found > left * whole)) return 0.0;
+  double size = found;
+  if (found < little * whole) {
+    direction = allowed(direction);
+    size = take_apart(direction);
+    if (!(size > most * found)) return 0.0;
+  }
   Motions unit(direction.size());
   add(unit, direction, 1.0 / size);
   directions.push_back(std::move(unit));

@@ -1,6 +1,7 @@
 #pragma once
 // Motions of all nodes of an articulate as vectors, with the scalar product of the kinetic energy.
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 #include "base/batch.hpp"
@@ -27,10 +28,14 @@ struct MotionSpace {
   Eigen::MatrixXd work;  ///< [1/s] of the impulses of the column along the row
 
   /// Takes a direction apart from the others, and adds it unless it is hardly more than what answers leave of what was
-  /// forbidden, of a motion of size `whole` [J^½]; how much of it was new.
-  double add_direction(Motions direction, double whole);
+  /// forbidden, of a motion of size `whole` [J^½]; how much of it was new. Where that is little, `allowed` takes out of it
+  /// what was left so, which else would be most of it.
+  double add_direction(Motions direction, double whole, const std::function<Motions(const Motions&)>& allowed);
   /// The work of the impulses that the last direction makes, the last of `felt` (directions), and that along it.
   void add_work(const std::vector<Motions>& felt);
+
+ private:
+  double take_apart(Motions& direction) const;
 };
 
 }  // namespace pantin

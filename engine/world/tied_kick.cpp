@@ -164,7 +164,8 @@ double TiedKick::fastest_damping() {
   MotionSpace space;
   std::vector<Motions> all;
   double fastest = 0.0;
-  space.add_direction(right, size_of(right));
+  const auto again = [&](const Motions& motions) { return allowed(motions); };
+  space.add_direction(right, size_of(right), again);
   while (all.size() < space.directions.size()) {
     all.push_back(felt(space.directions.back()));
     space.add_work(all);
@@ -172,7 +173,7 @@ double TiedKick::fastest_damping() {
     fastest = -Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(working, Eigen::EigenvaluesOnly).eigenvalues()(0);
     if (all.size() == enough) break;
     Motions next = allowed(all.back());
-    space.add_direction(std::move(next), asked_);
+    space.add_direction(std::move(next), asked_, again);
   }
   return fastest;
 }
@@ -245,7 +246,8 @@ void TiedKick::solve() {
   pantin::add(right, allowed(known), theta);
   w_ = driven_;
   MotionSpace space;
-  const double size = space.add_direction(right, size_of(right)), factor = dt_ * theta;
+  const auto again = [&](const Motions& motions) { return allowed(motions); };
+  const double size = space.add_direction(right, size_of(right), again), factor = dt_ * theta;
   double tolerance = 0.0;
   std::vector<Motions> all;
   Eigen::VectorXd y;
@@ -257,7 +259,7 @@ void TiedKick::solve() {
     y = A.partialPivLu().solve(Eigen::VectorXd::Unit(n, 0) * size);
     if (space.directions.size() == most_directions) break;
     Motions next = allowed(all.back());
-    const double more = space.add_direction(std::move(next), asked_);
+    const double more = space.add_direction(std::move(next), asked_, again);
     if (n == 1) {
       const double reach = std::fabs(factor) * std::sqrt(space.work(0, 0) * space.work(0, 0) + more * more);
       tolerance = std::clamp(0.05 * reach * reach * reach, 1e-14, 1e-8);
@@ -377,7 +379,7 @@ TiedWork TiedKick::apply(const std::vector<Vec3>& spared, double full) {
     (row(*a_, c).lever > 0.0 ? work.rows.couples : work.rows.ends) += dot(borne_[c.row], wanted_[k]);
   }
   const double by_laws = scale_to(product(mean, change_)) - work.rows.all();
-  (damps ? work.damper : work.rest) = damps ? by_laws - work.rest : by_laws;
+  if (damps) work.damper = by_laws - work.rest;
   if (own.reaction.size() != borne_.size()) own.reaction.assign(borne_.size(), zero3());
   for (std::size_t k = 0; k < borne_.size(); k++) own.reaction[k] += borne_[k] / full;
   for (std::size_t i = 0; i < own.nodes.size(); i++) {
