@@ -27,6 +27,11 @@ std::string suspects(const World& world) {
 
 }  // namespace
 
+std::optional<std::string> energy_gone_wrong(const World& world) {
+  if (world.worst.energy <= 0.1) return {};
+  return "the energy went wrong by more than a tenth of what the scene exchanges";
+}
+
 void print_closing(const lua::Scene& scene, const std::string& path, double seconds) {
   const World& world = scene.world();
   char line[200];
@@ -41,9 +46,9 @@ void print_closing(const lua::Scene& scene, const std::string& path, double seco
   if (world.stats.safe_steps > 0)
     std::cout << text("  ", world.stats.safe_steps,
                       " safe steps, which only lose energy, where an articulate could not be solved\n");
-  if (world.worst.energy > 0.1)
-    std::cout << "  the energy went wrong by more than a tenth of what the scene exchanges; `pantin report " << path
-              << "` compares steps and integrators" << try_accuracy(world) << suspects(world) << "\n";
+  if (const auto wrong = energy_gone_wrong(world))
+    std::cout << "  " << *wrong << "; `pantin report " << path << "` compares steps and integrators"
+              << try_accuracy(world) << suspects(world) << "\n";
   if (world.settings.accuracy) {
     const MostSubSteps most = most_sub_steps(world);
     std::cout << text("  accuracy ", *world.settings.accuracy,

@@ -1,9 +1,13 @@
 #pragma once
+#include <optional>
 #include <string>
 
 #include "lua/scene.hpp"
 
 namespace pantin::player {
+
+/// A sentence where a run's energy is not to be trusted.
+std::optional<std::string> energy_gone_wrong(const World& world);
 
 /// A few lines on standard output at the end of a run, and the scene's warnings on standard error. `seconds` of wall time.
 void print_closing(const lua::Scene& scene, const std::string& path, double seconds);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "player/closing.hpp"
 #include "world/forces.hpp"
 #include "world/integrator.hpp"
 #include "world/measure.hpp"
@@ -88,7 +89,9 @@ nlohmann::ordered_json summary(const lua::Scene& scene) {
   result["stats"] = stats(world);
   result["ns_per_phase"] = ns_per_phase(world);
   result["results"] = results(scene);
-  result["warnings"] = scene.warnings();
+  std::vector<std::string> warnings = scene.warnings();
+  if (const auto wrong = energy_gone_wrong(world)) warnings.push_back(*wrong);
+  result["warnings"] = warnings;
   result["notices"] = scene.notices();
   if (!world.failure.empty()) result["failure"] = world.failure;
   return result;

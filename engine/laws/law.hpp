@@ -69,6 +69,8 @@ struct Law {
   /// that is out of range.
   std::function<std::shared_ptr<Law>(std::span<const double>)> remade;
 
+  mutable std::shared_ptr<const Law> within;  ///< once `within_cutoff` has made it
+
   bool moving = false;    ///< depends on velocities
   bool thermal = false;   ///< a thermostat: acts in the middle of drifts
   bool workless = false;  ///< what these add to its force does no work

@@ -127,21 +127,21 @@ void move_bodies(World& world, std::size_t stage, double dt) {
   }
 }
 
-/// Its steps are explicit: what is damped faster than they can follow would gain.
-void require_slow_damping(World& world) {
-  constexpr double limit = 2.5;  // the real axis is stable to 2.785
+/// Its steps are explicit: what velocities change faster than they can follow would gain.
+void require_slow_change(World& world) {
+  constexpr double limit = 2.5;  // it is stable to 2.785 of damping, and to 2.828 of turning
   if (!world.forces || !world.forces->moving || !world.trouble.empty()) return;
-  const double rate = fastest_damping(world, *world.forces);
+  const double rate = fastest_change(world, *world.forces);
   if (rate * world.settings.step <= limit) return;
-  world.trouble = text("the integrator \"rk4\" cannot follow a force that damps at ", rate, " per second in steps of ",
-                       world.settings.step, " s: \"verlet\" can, or a shorter scene.step");
+  world.trouble = text("the integrator \"rk4\" cannot follow a force that damps or turns what moves at ", rate,
+                       " per second in steps of ", world.settings.step, " s: \"verlet\" can, or a shorter scene.step");
 }
 
 }  // namespace
 
 void take_rk4_stage(World& world) {
   const std::size_t stage = world.part.index;
-  if (stage == 0) require_slow_damping(world);
+  if (stage == 0) require_slow_change(world);
   const double h = world.settings.step, dt = stage == 3 ? h / 6.0 : world.part.h;
   Slopes& s = world.slopes;
   s.acceleration.resize(world.points.slots());

@@ -2,6 +2,7 @@
 
 #include "laws/library.hpp"
 #include "laws/sites.hpp"
+#include "laws/within_cutoff.hpp"
 #include "world/edit.hpp"
 #include "world/editing.hpp"
 #include "world/solved.hpp"
@@ -77,7 +78,7 @@ ConnectionId add_connection(World& world, std::shared_ptr<const Law> law, const 
   require_positive_or_infinite("connect", "breaks_at.length", def.max_length, "m");
   Connection row;
   row.parameters = checked_parameters("connect", *law, def.parameters);
-  row.law = std::move(law);
+  row.law = within_cutoff(law);
   row.count = static_cast<std::uint32_t>(def.ends.size());
   row.max_force = def.max_force;
   row.max_length = def.max_length;
@@ -243,13 +244,13 @@ void replace_law(World& world, const std::shared_ptr<const Law>& law, const std:
   require_unlocked(world, "replace_law");
   disturb_forces(world);
   world.stiffness_unknown = true;
-  const auto replace = [&](auto& rows) {
+  const auto replace = [](auto& rows, const auto& old, const auto& now) {
     for (std::uint32_t s = 0; s < rows.slots(); s++)
-      if (rows.alive_at(s) && rows.at_slot(s).law == law) rows.at_slot(s).law = by;
+      if (rows.alive_at(s) && rows.at_slot(s).law == old) rows.at_slot(s).law = now;
   };
-  replace(world.connections);
-  replace(world.interactions);
-  replace(world.fields);
+  replace(world.connections, within_cutoff(law), within_cutoff(by));
+  replace(world.interactions, law, by);
+  replace(world.fields, law, by);
 }
 
 void set_breaks_at(World& world, ConnectionId id, double max_force, double max_length) {

@@ -130,6 +130,16 @@ Vec3 spared_force(const Forces& f, const VelocityForces& k, std::size_t site, Ve
 
 Vec3 spared_force(const VelocityPair& pair, Vec3 all) { return pair.workless ? all : pair.at_rest; }
 
+namespace {
+
+/// How fast a force with this slope changes velocities of a unit mass, by damping or by turning [1/s], about.
+double rate_part(const Mat3& slope) {
+  const Mat3 turning = slope - transpose(slope);
+  return std::max(working_part(slope), std::sqrt((norm2(turning[0]) + norm2(turning[1]) + norm2(turning[2])) / 8.0));
+}
+
+}  // namespace
+
 void find_velocity_slopes(const World& world, Forces& f, const Instant& instant) {
   ask_velocity_laws_first(world, f, instant);
   const VelocityForces& k = f.velocity;
@@ -149,15 +159,23 @@ void find_velocity_slopes(const World& world, Forces& f, const Instant& instant)
   }
 }
 
-double fastest_damping(const World& world, const Forces& f) {
+double fastest_change(const World& world, const Forces& f) {
+  if (!f.velocity.known) return 0.0;
+  std::vector<double> strength(f.sites.n);
+  for (std::size_t i = 0; i < f.sites.n; i++) strength[i] = rate_part(f.velocity.fields.slope[i]);
+  for (const VelocityPair& p : f.velocity.pairs) {
+    const double felt = rate_part(p.slope) * (p.one_sided ? 1.0 : 2.0);
+    strength[p.a] += felt;
+    if (!p.one_sided) strength[p.b] += felt;
+  }
   double fastest = 0.0;
-  for (std::size_t i = 0; f.velocity.known && i < f.sites.n; i++) {
+  for (std::size_t i = 0; i < f.sites.n; i++) {
     double mobility = f.inverse_mass[i];
     if (const std::uint32_t m = mover_at(f, i); m != Forces::none && f.movers[m].is_body) {
       const Motion& motion = world.motion[f.movers[m].slot];
       mobility = 1.0 / motion.mass + norm2(f.attached[f.attached_of[i]].r) * largest(inverse_inertia(motion));
     }
-    fastest = std::max(fastest, mobility * working_part(f.velocity.fields.slope[i]));
+    fastest = std::max(fastest, mobility * strength[i]);
   }
   return fastest;
 }

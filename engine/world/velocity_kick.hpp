@@ -71,8 +71,9 @@ void find_velocity_slopes(const World& world, Forces& forces, const Instant& ins
 void solve_velocity_kick(World& world, Forces& forces, double dt, double time, SideOfDrift side);
 /// Changes the momenta of what rows tie as that kick found; forgets it.
 TiedWork kick_tied(World& world, Forces& forces);
-/// The fastest rate at which laws of single particles damp anything where they were asked last [1/s], about.
-double fastest_damping(const World& world, const Forces& forces);
+/// The fastest rate at which laws of velocity damp or turn the velocity of anything where they were asked last [1/s], at most
+/// about.
+double fastest_change(const World& world, const Forces& forces);
 /// What thermostats do in dt [s], in the middle of a drift: O of the splitting BAOAB (Leimkuhler and Matthews 2013), by the
 /// implicit midpoint, which keeps Maxwell's distribution for any dt.
 void kick_by_thermostats(World& world, double dt);

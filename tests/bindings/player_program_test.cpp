@@ -253,7 +253,8 @@ TEST_CASE("program: a run whose energy went wrong says so, and what finds a bett
     scene:field(scene, force.point { potential = function(p) return 1e6 * p.position.x ^ 2 end })
   )");
   CHECK_THAT(use(folder, {"run", "good.lua", "--until", "0.1"}).out, !Contains("pantin report"));
-  const std::string told = use(folder, {"run", "bad.lua", "--until", "0.1"}).out;
+  const std::string told = use(folder, {"run", "bad.lua", "--until", "0.1", "--summary", "bad.json"}).out;
+  CHECK_THAT(read_file(folder / "bad.json"), Contains("the energy went wrong"));
   CHECK_THAT(told, Contains("`pantin report bad.lua`") && !Contains("without an energy"));
   write_file(folder / "pushed.lua", spring + R"(
     scene:field(scene, force.point { name = "shove", force = function(p) return -2e6 * p.position end })

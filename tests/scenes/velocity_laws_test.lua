@@ -233,7 +233,7 @@ test("a thermostat spreads what is in a harmonic well as its temperature says, a
   expect(sum / count):near(3, 0.06)
 end)
 
-test("rk4 stops where something is damped faster than its steps can follow, and says what can", function()
+test("rk4 stops where something is damped or turned faster than its steps can follow, and says what can", function()
   local function damped(by)
     local scene = open_text('scene.integrator, scene.gravity = "rk4", vec(0, 0, 0)\n' .. [[
       scene:particle { velocity = vec(10, 0, 0), name = "p" }
@@ -243,6 +243,16 @@ test("rk4 stops where something is damped faster than its steps can follow, and 
   end
   expect(damped(10)):near(10 * math.exp(-1), 1e-6)
   expect(function() damped(1e4) end):fails '"verlet" can, or a shorter scene.step'
+  local two = [[
+    scene.integrator, scene.gravity, scene.step = "rk4", vec(0, 0, 0), 1 / 60
+    local p, q = scene:particle { velocity = vec(1, 0, 0) }, scene:particle { at = vec(1, 0, 0) }
+  ]]
+  for _, law in ipairs {
+    "scene:connect(p, q, force.damper { damping = 200 })",
+    "scene:field(scene, force.point { force = function(p) return p.velocity:cross(vec(0, 0, 240)) - 0.5 * p.velocity end })",
+  } do
+    expect(function() open_text(two .. law):advance(1) end):fails '"verlet" can, or a shorter scene.step'
+  end
 end)
 
 test("a drag below 0 is followed, booked and told", function()
