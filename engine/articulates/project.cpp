@@ -18,8 +18,8 @@ namespace {
 /// Sets the residual of a row to its forbidden velocity.
 void find_forbidden_velocity(Articulate& a, std::size_t k) {
   Row& row = a.rows[k];
-  row.residual = is_soft(row) ? zero3() : handed_over(a, k);
-  if (row.condition < 0 || is_soft(row)) return;
+  row.residual = handed_over(a, k);
+  if (row.condition < 0) return;
   const Condition& c = condition(a, row);
   row.residual -= c.wanted;
   if (row.kind != RowKind::rigid) row.residual = c.kept * row.residual;
@@ -34,6 +34,29 @@ Vec3 forbidden_of_strand(const Articulate& a, std::uint32_t k) {
            into_head(a, strand, [&](const Row& row) { return handed_over(a, condition(a, row).row); });
   }
   return zero3();
+}
+
+bool settles(const Condition& c) { return c.stiff && c.settling > 0.0; }
+
+/// Has damped rows that are solved settle: with the others, but not stiffly.
+void keep_settling(Articulate& a) {
+  for (Condition& c : a.conditions) {
+    if (!settles(c)) continue;
+    const Vec3 n = direction(row(a, c).d1);
+    c.kept = outer(n, n);
+    c.wanted = n * c.mean_rate;
+  }
+}
+
+/// Work of what settles [J], once its impulses are solved and before its velocities are found anew.
+double work_of_settling(const Articulate& a) {
+  double work = 0.0;
+  for (const Condition& c : a.conditions)
+    if (settles(c)) {
+      const Vec3 impulse = a.impulses[c.row], after = c.wanted - impulse / c.settling;
+      work += 0.5 * dot(impulse, row(a, c).residual + c.wanted + after);
+    }
+  return work;
 }
 
 void find_kept(Articulate& a) {
@@ -74,7 +97,7 @@ Velocities find_velocities(Articulate& a, From from, bool serves = false) {
       Row& row = a.rows[done.rows];
       find_forbidden_velocity(a, done.rows);
       if (row.kind == RowKind::strand) row.residual = forbidden_of_strand(a, done.rows);
-      v.forbidden = std::max(v.forbidden, norm2(row.residual));
+      if (!is_soft(row)) v.forbidden = std::max(v.forbidden, norm2(row.residual));
       a.right_side[done.rows] = row.residual * -1.0;
     }
     for (; serves && done.columns < wave.columns; done.columns++)
@@ -88,8 +111,9 @@ Velocities find_velocities(Articulate& a, From from, bool serves = false) {
   return v;
 }
 
-/// Adds the work of the impulse of a row.
+/// Adds the work of the impulse of a row on what moves by itself.
 void add_work(ImpulseWork& work, const Articulate& a, const Condition& c, Vec3 impulse) {
+  if (c.stiff) return;
   (row(a, c).lever > 0.0 ? work.couples : work.ends) += dot(impulse, c.wanted);
 }
 
@@ -117,8 +141,10 @@ ImpulseWork work_of_impulses(const Articulate& a, const Velocities& v) {
   work = {};
   bool anchors = false;
   double all = 0.0;
-  for (std::size_t k = 0; k < a.rows.size(); k++) all += dot(a.impulses[k], a.rows[k].residual);
+  for (std::size_t k = 0; k < a.rows.size(); k++)
+    if (!is_soft(a.rows[k])) all += dot(a.impulses[k], a.rows[k].residual);
   for (const Condition& c : a.conditions) {
+    if (c.stiff) continue;
     all += dot(a.impulses[c.row], c.wanted);
     anchors = anchors || (row(a, c).lever == 0.0 && norm2(c.wanted) > 0.0);
   }
@@ -129,7 +155,7 @@ ImpulseWork work_of_impulses(const Articulate& a, const Velocities& v) {
 /// The solved impulse of a row, along what it may forbid.
 Vec3 solved_impulse(const Articulate& a, std::uint32_t k) {
   if (a.rows[k].kind == RowKind::rigid) return a.right_side[k];
-  return is_soft(a.rows[k]) ? zero3() : condition(a, a.rows[k]).kept * a.right_side[k];
+  return condition(a, a.rows[k]).kept * a.right_side[k];
 }
 
 /// Finishes the solution of the half solved right side and applies the impulses.
@@ -157,6 +183,8 @@ void factorise_exactly(Articulate& a, double epsilon) {
   double scale = 0.0;
   if (!a.all_rigid)
     for (const Row& row : a.rows) scale = std::max(scale, mobility(a, row));
+  for (Condition& c : a.conditions)
+    if (settles(c)) c.C += c.kept * (1.0 / (c.settling * scale));
   factorise(a, {Arms::end, epsilon, scale, -1.0});
 }
 
@@ -256,18 +284,23 @@ bool take_carried_half(Articulate& a, double full, DriftReport& report) {
 
 void project_velocities(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   a.carried_h = 0.0;
-  const bool over_gaps = acts_over_gaps(a);
+  const bool over_gaps = acts_over_gaps(a), damped = std::any_of(a.conditions.begin(), a.conditions.end(), settles);
   Momenta kept = over_gaps ? momenta_of(a) : Momenta{};
   kept.angular -= std::exchange(a.turned, zero3());
-  if (a.safe || a.yields) {
+  if (a.safe || (a.yields && !damped)) {
     if (over_gaps) report.work += restore_momenta(a, kept);
     return;
   }
   std::fill(a.impulses.begin(), a.impulses.end(), zero3());
   find_kept(a);
+  if (damped) {
+    keep_settling(a);
+    a.exact = false;
+  }
   const bool serves = may_use_newton_factor(a);
   const Velocities before = find_velocities(a, From::nodes, serves);
   const double outside = report.outside();
+  double settled = 0.0;
   if (!serves || !project_with_newton_factor(a, before, report)) {
     report.projections++;
     a.has_factor = false;
@@ -276,17 +309,20 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
     else
       factorise_exactly(a, a.least_epsilon);
     const bool worked = apply_projection(a).all() != 0.0, strikes = struck(a);
+    if (damped) settled = work_of_settling(a);
+    report.damped += settled;
     if (worked || strikes) {
       const Velocities after = find_velocities(a, From::batches);
       const ImpulseWork work = work_of_impulses(a, after);
       report.tell(work);
-      if (strikes) (is_stopped(a) ? report.limit : report.motor) += after.kinetic - before.kinetic - work.all();
+      if (strikes)
+        (is_stopped(a) ? report.limit : report.motor) += after.kinetic - before.kinetic - settled - work.all();
     }
   }
   tell_momenta(a);
   if (over_gaps) {
     const double given = restore_momenta(a, kept);
-    report.work += a.draws ? kinetic_energy(a) - before.kinetic - (report.outside() - outside) : given;
+    report.work += a.draws ? kinetic_energy(a) - before.kinetic - settled - (report.outside() - outside) : given;
   }
   if (struck(a) && !a.cut) {
     begin_exerted(a);
@@ -296,8 +332,10 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   if (a.cut) add_impulses_exerted(a);
   const double speed = std::max(before.fastest, std::sqrt(norm(settings.gravity) * a.length));
   const bool noise = before.forbidden <= 1e-9 * speed;  // as large as what the solver leaves
-  if (a.smooth && !a.weak && !noise && !over_gaps && !is_one_sided(a)) carry_half(a, settings.full / a.sub_steps.count);
-  if (settings.energy_return) report.returned += return_energy(a, before.kinetic - a.carried_energy, settings.gravity);
+  if (a.smooth && !a.weak && !noise && !over_gaps && !damped && !is_one_sided(a))
+    carry_half(a, settings.full / a.sub_steps.count);
+  if (settings.energy_return)
+    report.returned += return_energy(a, before.kinetic + settled - a.carried_energy, settings.gravity);
 }
 
 namespace {

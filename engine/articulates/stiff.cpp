@@ -1,10 +1,12 @@
-// A connection solved with its articulate, so that no stiffness limits the step. The force is f = -Q e.
-//   middle: e = d0 + d1. Of a law with an energy V(s), s = d², Q = ΔV/Δs: f·Δd = -ΔV exactly (discrete gradient;
-//     Gonzalez 1996), for a small Δs by Gauss' rule. Without an energy, 2 Q = tension/distance at the mean distance and
-//     rate: f·Δd = -tension Δr.
-//   end: e = d1, Q = tension/distance at the end of the step, with the rate there, 2 Δr/h less that at its start. A damper
-//     that is too strong for the step, with h c / m above 1, the middle would turn round: it and what acts with it have the
-//     tension of the end along d0 + d1, which keeps the angular momentum.
+// A connection solved with its articulate, so that no stiffness limits the step. The force is f = -Q e, e = d0 + d1. Of a
+// law with an energy V(s), s = d², Q = ΔV/Δs: f·Δd = -ΔV exactly (discrete gradient; Gonzalez 1996), for a small Δs by Gauss'
+// rule. Without an energy, 2 Q = tension/distance at the mean distance r̄ and the mean rate u = Δr/h: f·Δd = -tension Δr, of
+// a damper -c h u², which never gives.
+//   What is damped is to settle where the step is too long to follow it, and with these alone it would swing to and fro. With
+// D = h c/m and z² = h² k/m it has so much more damping that its length decays about as it does in truth (k h/2 is the
+// backward rule); and at the end of the full sub-step the rate of its distance is drawn to u by an impulse -κ (rate - u), which
+// can give κ u²/4 at most and has κ < 4 c h: spring, damper and impulse together take energy, always. Both are of third order
+// in h.
 // Newton's row is M (change of d1) + C df = -residual with M = Σ Q 1 + e ∇Q', C = 1, all divided by what makes it metres.
 #include "articulates/stiff.hpp"
 
@@ -54,12 +56,9 @@ Pull at_mean(PairCurve& curve, double r0, double r1, double h) {
   return {0.5 * v.pull, 0.5 * (v.by_distance2 * r + v.by_approach * (0.5 * rate + r / h)) / r1};
 }
 
-Pull at_end(PairCurve& curve, double r0, double r1, double rate0, double h, double& energy1) {
-  const double rate = 2.0 * (r1 - r0) / h - rate0, s = r1 * r1;
-  curve.run(1, &s, r1 * rate);
-  const PairCurve::Value v = curve.at(0);
-  energy1 = v.energy;
-  return {v.pull, (2.0 * v.by_distance2 * r1 + v.by_approach * (rate + 2.0 * r1 / h)) / r1};
+Pull of_damper(double damping, double r0, double r1, double h) {
+  const double r = 0.5 * (r0 + r1), rate = (r1 - r0) / h;
+  return {0.5 * damping * rate / r, 0.5 * damping * (1.0 / h - 0.5 * rate / r) / (r * r1)};
 }
 
 }  // namespace
@@ -95,23 +94,26 @@ void start_stiff(StiffTie& tie, const Row& row, double approach) {
 
 namespace {
 
-/// Whether a damper is too strong for the middle of the step.
-bool is_strong(StiffTie& tie, double s0, const RowContext& context) {
+/// Finds how it is to settle in the step, by its stiffness and damping at the start.
+void choose_damping(StiffTie& tie, double s0, const RowContext& context) {
   tie.chosen = true;
-  double damping = 0.0;  // [N s/m]
+  tie.damping = tie.settling = 0.0;
+  double c = 0.0, k = 0.0;  // [N s/m], [N/m]
   for (PairCurve& curve : tie.curves) {
-    if (curve.has_energy() || !curve.is_moving()) continue;
     curve.run(1, &s0, std::sqrt(s0) * tie.rate0);
-    damping += s0 * curve.at(0).by_approach;
+    const PairCurve::Value v = curve.at(0);
+    if (curve.is_moving()) c += s0 * v.by_approach;
+    k += v.pull + 2.0 * s0 * v.by_distance2;
   }
-  return std::fabs(context.h) * damping * context.mobility > 1.0;
-}
-
-/// The same force along the mean of both distances, where it turns nothing.
-Pull along_mean(Pull p, const Row& row, double r1) {
-  const Vec3 e = row.d0 + row.d1;
-  const double length = std::fmax(norm(e), 1e-12 * r1), cosine = dot(e, row.d1) / (length * r1);
-  return {p.Q * r1 / length, (p.slope * r1 * r1 / length + p.Q / length - p.Q * r1 * cosine / (length * length)) / r1};
+  c = std::fmax(c, 0.0);
+  k = std::fmax(k, 0.0);
+  const bool swallows = tie.solve == Solve::at_end;
+  if (!swallows && c == 0.0) return;
+  const double h = context.h, z2 = h * h * k * context.mobility, D = h * c * context.mobility;
+  const double part = swallows ? 1.0 : z2 * D / (z2 * D + 4.0 * z2 + 6.0 * D * D);
+  tie.damping = 0.5 * h * k * part;
+  const double fast = D * D + 0.25 * z2;
+  tie.settling = swallows ? 0.5 * h * (c + tie.damping) : 0.5 * h * c * fast / (1.0 + fast);
 }
 
 }  // namespace
@@ -119,36 +121,37 @@ Pull along_mean(Pull p, const Row& row, double r1) {
 double evaluate_stiff(Row& row, Condition& c, const RowContext& context) {
   StiffTie& tie = *c.stiff;
   const double s0 = std::fmax(norm2(row.d0), tie.least2), s1 = std::fmax(norm2(row.d1), tie.least2);
-  const double r0 = std::sqrt(s0), r1 = std::sqrt(s1);
-  if (!tie.chosen) tie.strong = tie.solve == Solve::at_middle && is_strong(tie, s0, context);
-  Vec3 missed = row.f, bent = zero3();
-  double Q = 0.0, stiffness = 0.0, sizes = 0.0;
-  for (std::size_t i = 0; i < tie.curves.size(); i++) {
-    PairCurve& curve = tie.curves[i];
-    const bool ends = tie.strong || tie.solve == Solve::at_end;
-    Pull p = ends                 ? at_end(curve, r0, r1, tie.rate0, context.h, tie.energy1[i])
-             : curve.has_energy() ? of_energy(curve, s0, s1, tie.energy0[i], tie.energy1[i])
-                                  : at_mean(curve, r0, r1, context.h);
-    if (tie.strong) p = along_mean(p, row, r1);
-    const Vec3 e = tie.arm(row);
+  const double r0 = std::sqrt(s0), r1 = std::sqrt(s1), h = context.h;
+  if (!tie.chosen) choose_damping(tie, s0, context);
+  const Vec3 e = row.d0 + row.d1;
+  Vec3 missed = row.f;
+  double Q = 0.0, slope = 0.0, sizes = 0.0, stiffness = 0.0;
+  const auto add = [&](Pull p) {
     missed += e * p.Q;
-    bent += e * p.slope;
     Q += p.Q;
+    slope += p.slope;
     sizes += std::fabs(p.Q) * norm(e);
     stiffness += std::fabs(p.slope) * norm(e) * r1;
+  };
+  for (std::size_t i = 0; i < tie.curves.size(); i++) {
+    PairCurve& curve = tie.curves[i];
+    const Pull p =
+        curve.has_energy() ? of_energy(curve, s0, s1, tie.energy0[i], tie.energy1[i]) : at_mean(curve, r0, r1, h);
+    add(p);
     tie.pulls[i] = p.Q;
   }
+  if (tie.damping > 0.0) add(of_damper(tie.damping, r0, r1, h));
+  tie.mean_rate = (r1 - r0) / h;
   stiffness += std::fabs(Q);
   const Vec3 way = row.d1 - row.d0;
   const double weight = 1.0 / (stiffness + 2.0 / (context.h * context.h * context.mobility));
   row.residual = missed * weight;
-  c.M = (identity33() * Q + outer(bent, row.d1)) * weight;
+  c.M = (identity33() * Q + outer(e * slope, row.d1)) * weight;
   c.C = identity33() * weight;
   // What is missed does work that no energy knows of: it counts as the gap that would do as much.
   const double least = 2e-3 * norm(way) / (context.h * context.h * context.mobility);
   const double work = std::fabs(dot(missed, way));
-  const double force =
-      tie.strong ? sizes : norm(row.f);  // a damper and a spring that are in balance round as each does
+  const double force = tie.settling > 0.0 ? sizes : norm(row.f);  // what is in balance rounds as each part does
   return std::fmax(norm(row.residual), work > 0.0 ? work / std::fmax(force, least) : 0.0);
 }
 
@@ -177,15 +180,12 @@ bool StiffTie::is_damped() const {
 }
 
 double StiffTie::settle(const Row& row, std::vector<double>& given) const {
-  const Vec3 way = row.d1 - row.d0;
-  double open = 0.0, rest = dot(row.f, way);
+  const Vec3 e = row.d0 + row.d1, way = row.d1 - row.d0;
+  double open = -damping * mean_rate * (norm(row.d1) - norm(row.d0)), rest = dot(row.f, way) - open;
   for (std::size_t i = 0; i < curves.size(); i++) {
-    const double work = -pulls[i] * dot(arm(row), way), rise = energy1[i] - energy0[i];
+    const double work = -pulls[i] * dot(e, way);
     rest -= work;
-    const bool exact = solve == Solve::at_middle && !strong;
-    const double from_energy = !curves[i].has_energy() ? 0.0 : exact ? work : -rise;
-    given[i] += from_energy;
-    open += work - from_energy;
+    (curves[i].has_energy() ? given[i] : open) += work;
   }
   given[0] += rest;
   return open;

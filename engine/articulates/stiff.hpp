@@ -16,11 +16,11 @@ struct StiffTie {
   double least2 = 0.0;                   // [m²] below it distances count as equal to its root
   double rate0 = 0.0;                    // [m/s] of the distance at the start
   std::vector<double> pulls;             // (curves) [N/m] f = -Σ pull e
-  bool strong = false;                   // a damper is too strong for the middle of the step being solved
-  bool chosen = false;                   // whether that is known
+  bool chosen = false;                   // whether these are known of the step being solved:
+  double damping = 0.0;                  // [N s/m] beyond that of its curves
+  double settling = 0.0;                 // [kg] κ
+  double mean_rate = 0.0;                // [m/s] of the distance over the step
 
-  /// e: d0 + d1 at the middle, and of strong dampers; d1 at the end [m].
-  Vec3 arm(const Row& row) const { return solve == Solve::at_middle ? row.d0 + row.d1 : row.d1; }
   /// Whether it takes energy or gives it.
   bool is_open() const;
   /// Whether it takes energy by its nature: it depends on velocities, or swallows at the end of the step.

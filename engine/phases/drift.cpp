@@ -84,7 +84,6 @@ void post_work(World& world, const DriftReport& report) {
   post(world, Source::hand, report.work);
   post(world, Source::motor, report.motor);
   post(world, Source::damper, report.damped);
-  world.open_work_check.driven += report.driven;
   post(world, Source::limit, report.limit);
 }
 
