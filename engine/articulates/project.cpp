@@ -51,11 +51,11 @@ void keep_settling(Articulate& a) {
 /// Work of what settles [J], once its impulses are solved and before its velocities are found anew.
 double work_of_settling(const Articulate& a) {
   double work = 0.0;
-  for (const Condition& c : a.conditions)
-    if (settles(c)) {
-      const Vec3 impulse = a.impulses[c.row], after = c.wanted - impulse / c.settling;
-      work += 0.5 * dot(impulse, row(a, c).residual + c.wanted + after);
-    }
+  for (const Condition& c : a.conditions) {
+    if (!settles(c)) continue;
+    const Vec3 impulse = a.impulses[c.row], after = impulse / -c.settling;
+    work += dot(impulse, c.wanted + (row(a, c).residual + after) * 0.5);
+  }
   return work;
 }
 
@@ -97,7 +97,7 @@ Velocities find_velocities(Articulate& a, From from, bool serves = false) {
       Row& row = a.rows[done.rows];
       find_forbidden_velocity(a, done.rows);
       if (row.kind == RowKind::strand) row.residual = forbidden_of_strand(a, done.rows);
-      if (!is_soft(row)) v.forbidden = std::max(v.forbidden, norm2(row.residual));
+      v.forbidden = std::max(v.forbidden, norm2(row.residual));
       a.right_side[done.rows] = row.residual * -1.0;
     }
     for (; serves && done.columns < wave.columns; done.columns++)
@@ -141,10 +141,8 @@ ImpulseWork work_of_impulses(const Articulate& a, const Velocities& v) {
   work = {};
   bool anchors = false;
   double all = 0.0;
-  for (std::size_t k = 0; k < a.rows.size(); k++)
-    if (!is_soft(a.rows[k])) all += dot(a.impulses[k], a.rows[k].residual);
+  for (std::size_t k = 0; k < a.rows.size(); k++) all += dot(a.impulses[k], a.rows[k].residual);
   for (const Condition& c : a.conditions) {
-    if (c.stiff) continue;
     all += dot(a.impulses[c.row], c.wanted);
     anchors = anchors || (row(a, c).lever == 0.0 && norm2(c.wanted) > 0.0);
   }
@@ -284,23 +282,18 @@ bool take_carried_half(Articulate& a, double full, DriftReport& report) {
 
 void project_velocities(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   a.carried_h = 0.0;
-  const bool over_gaps = acts_over_gaps(a), damped = std::any_of(a.conditions.begin(), a.conditions.end(), settles);
+  const bool over_gaps = acts_over_gaps(a);
   Momenta kept = over_gaps ? momenta_of(a) : Momenta{};
   kept.angular -= std::exchange(a.turned, zero3());
-  if (a.safe || (a.yields && !damped)) {
+  if (a.safe || a.yields) {
     if (over_gaps) report.work += restore_momenta(a, kept);
     return;
   }
   std::fill(a.impulses.begin(), a.impulses.end(), zero3());
   find_kept(a);
-  if (damped) {
-    keep_settling(a);
-    a.exact = false;
-  }
   const bool serves = may_use_newton_factor(a);
   const Velocities before = find_velocities(a, From::nodes, serves);
   const double outside = report.outside();
-  double settled = 0.0;
   if (!serves || !project_with_newton_factor(a, before, report)) {
     report.projections++;
     a.has_factor = false;
@@ -309,20 +302,17 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
     else
       factorise_exactly(a, a.least_epsilon);
     const bool worked = apply_projection(a).all() != 0.0, strikes = struck(a);
-    if (damped) settled = work_of_settling(a);
-    report.damped += settled;
     if (worked || strikes) {
       const Velocities after = find_velocities(a, From::batches);
       const ImpulseWork work = work_of_impulses(a, after);
       report.tell(work);
-      if (strikes)
-        (is_stopped(a) ? report.limit : report.motor) += after.kinetic - before.kinetic - settled - work.all();
+      if (strikes) (is_stopped(a) ? report.limit : report.motor) += after.kinetic - before.kinetic - work.all();
     }
   }
   tell_momenta(a);
   if (over_gaps) {
     const double given = restore_momenta(a, kept);
-    report.work += a.draws ? kinetic_energy(a) - before.kinetic - settled - (report.outside() - outside) : given;
+    report.work += a.draws ? kinetic_energy(a) - before.kinetic - (report.outside() - outside) : given;
   }
   if (struck(a) && !a.cut) {
     begin_exerted(a);
@@ -332,10 +322,8 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   if (a.cut) add_impulses_exerted(a);
   const double speed = std::max(before.fastest, std::sqrt(norm(settings.gravity) * a.length));
   const bool noise = before.forbidden <= 1e-9 * speed;  // as large as what the solver leaves
-  if (a.smooth && !a.weak && !noise && !over_gaps && !damped && !is_one_sided(a))
-    carry_half(a, settings.full / a.sub_steps.count);
-  if (settings.energy_return)
-    report.returned += return_energy(a, before.kinetic + settled - a.carried_energy, settings.gravity);
+  if (a.smooth && !a.weak && !noise && !over_gaps && !is_one_sided(a)) carry_half(a, settings.full / a.sub_steps.count);
+  if (settings.energy_return) report.returned += return_energy(a, before.kinetic - a.carried_energy, settings.gravity);
 }
 
 namespace {
@@ -393,6 +381,20 @@ bool let_one_go(Articulate& a, double time, double struck, int turn) {
 }
 
 }  // namespace
+
+void settle_velocities(Articulate& a, DriftReport& report) {
+  if (a.safe || std::none_of(a.conditions.begin(), a.conditions.end(), settles)) return;
+  std::fill(a.impulses.begin(), a.impulses.end(), zero3());
+  find_kept(a);
+  keep_settling(a);
+  find_velocities(a, From::nodes);
+  factorise_exactly(a, a.least_epsilon);
+  a.has_factor = a.exact = false;
+  report.tell(apply_projection(a));
+  report.damped += work_of_settling(a);
+  tell_momenta(a);
+  if (a.cut) add_impulses_exerted(a);
+}
 
 ImpulseWork make_consistent(Articulate& a, double time, double struck) {
   std::fill(a.impulses.begin(), a.impulses.end(), zero3());

@@ -22,6 +22,10 @@ double return_energy(Articulate& articulate, double kinetic, Vec3 gravity);
 /// energy by `change` [J]. Spin that nothing couples to stays as it is. Returns by how much it changed [J].
 double change_kinetic_energy(Articulate& articulate, double change, double most, Vec3 gravity);
 
+/// At the end of a full step, once its velocities are consistent: has damped rows that are solved settle, see stiff.cpp, without
+/// what the rows forbid.
+void settle_velocities(Articulate& articulate, DriftReport& report);
+
 /// Sets M and C of the rows for projections, from what velocities are forbidden: M = kept, C = 1 - M.
 void set_kept_matrices(Articulate& articulate);
 
