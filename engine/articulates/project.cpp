@@ -382,8 +382,11 @@ bool let_one_go(Articulate& a, double time, double struck, int turn) {
 
 }  // namespace
 
+bool is_to_settle(const Articulate& a) {
+  return a.open && !a.safe && std::any_of(a.conditions.begin(), a.conditions.end(), settles);
+}
+
 void settle_velocities(Articulate& a, DriftReport& report) {
-  if (a.safe || std::none_of(a.conditions.begin(), a.conditions.end(), settles)) return;
   std::fill(a.impulses.begin(), a.impulses.end(), zero3());
   find_kept(a);
   keep_settling(a);

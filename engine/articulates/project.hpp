@@ -22,8 +22,9 @@ double return_energy(Articulate& articulate, double kinetic, Vec3 gravity);
 /// energy by `change` [J]. Spin that nothing couples to stays as it is. Returns by how much it changed [J].
 double change_kinetic_energy(Articulate& articulate, double change, double most, Vec3 gravity);
 
-/// At the end of a full step, once its velocities are consistent: has damped rows that are solved settle, see stiff.cpp, without
-/// what the rows forbid.
+/// Whether damped rows that were solved are to settle, see stiff.cpp.
+bool is_to_settle(const Articulate& articulate);
+/// Has them, at the end of a full sub-step, once no velocity is left that the rows forbid, and without any such.
 void settle_velocities(Articulate& articulate, DriftReport& report);
 
 /// Sets M and C of the rows for projections, from what velocities are forbidden: M = kept, C = 1 - M.

@@ -1,12 +1,12 @@
-// A connection solved with its articulate, so that no stiffness limits the step. The force is f = -Q e, e = d0 + d1. Of a
-// law with an energy V(s), s = d², Q = ΔV/Δs: f·Δd = -ΔV exactly (discrete gradient; Gonzalez 1996), for a small Δs by Gauss'
-// rule. Without an energy, 2 Q = tension/distance at the mean distance r̄ and the mean rate u = Δr/h: f·Δd = -tension Δr, of
-// a damper -c h u², which never gives.
-//   What is damped is to settle where the step is too long to follow it, and with these alone it would swing to and fro. With
-// D = h c/m and z² = h² k/m it has so much more damping that its length decays about as it does in truth (k h/2 is the
-// backward rule); and at the end of the full sub-step the rate of its distance is drawn to u by an impulse -κ (rate - u), which
-// can give κ u²/4 at most and has κ < 4 c h: spring, damper and impulse together take energy, always. Both are of third order
-// in h.
+// A connection solved with its articulate, so that no stiffness limits the step. The force is f = -Q e, e = d0 + d1.
+// Of a law with an energy V(s), s = d², Q = ΔV/Δs: f·Δd = -ΔV exactly (discrete gradient; Gonzalez 1996), for a small Δs
+// by Gauss' rule. Without an energy, 2 Q = tension/distance at the mean distance and the mean rate u = Δr/h:
+// f·Δd = -tension Δr, of a damper -c h u², which never gives.
+//   With these alone what is damped would swing to and fro where the step is too long to follow it. So it has more
+// damping, by which its length settles about as fast as in truth, at most that of the backward rule, h k/2. And at the
+// end of the full sub-step the rate of its distance is drawn to u by an impulse -κ (rate - u). That gives κ u²/4 at most,
+// and κ <= 4 c h: spring, damper and impulse together only take energy. Both are small, of third order in h, where
+// D = h c/m and z² = h² k/m are.
 // Newton's row is M (change of d1) + C df = -residual with M = Σ Q 1 + e ∇Q', C = 1, all divided by what makes it metres.
 #include "articulates/stiff.hpp"
 
@@ -144,15 +144,20 @@ double evaluate_stiff(Row& row, Condition& c, const RowContext& context) {
   tie.mean_rate = (r1 - r0) / h;
   stiffness += std::fabs(Q);
   const Vec3 way = row.d1 - row.d0;
-  const double weight = 1.0 / (stiffness + 2.0 / (context.h * context.h * context.mobility));
+  const double weight = 1.0 / (stiffness + 2.0 / (h * h * context.mobility));
   row.residual = missed * weight;
   c.M = (identity33() * Q + outer(e * slope, row.d1)) * weight;
   c.C = identity33() * weight;
   // What is missed does work that no energy knows of: it counts as the gap that would do as much.
-  const double least = 2e-3 * norm(way) / (context.h * context.h * context.mobility);
+  const double least = 2e-3 * norm(way) / (h * h * context.mobility);
   const double work = std::fabs(dot(missed, way));
   const double force = tie.settling > 0.0 ? sizes : norm(row.f);  // what is in balance rounds as each part does
-  return std::fmax(norm(row.residual), work > 0.0 ? work / std::fmax(force, least) : 0.0);
+  // What is missed across the connection, where it is not stiff, moves it much further; it counts for a part of that, since
+  // its length hardly changes with it.
+  const Vec3 u = direction(e);
+  const double across = norm(missed - u * dot(missed, u)) / (std::fabs(Q) + 2.0 / (h * h * context.mobility));
+  const double size = std::fmax(norm(row.residual), 0.01 * across);
+  return std::fmax(size, work > 0.0 ? work / std::fmax(force, least) : 0.0);
 }
 
 StiffPull pull_at(StiffTie& tie, Vec3 d) {
@@ -179,15 +184,22 @@ bool StiffTie::is_damped() const {
          std::any_of(curves.begin(), curves.end(), [](const PairCurve& curve) { return curve.is_moving(); });
 }
 
-double StiffTie::settle(const Row& row, std::vector<double>& given) const {
+double StiffTie::settle(const Row& row, std::vector<double>& given) {
   const Vec3 e = row.d0 + row.d1, way = row.d1 - row.d0;
-  double open = -damping * mean_rate * (norm(row.d1) - norm(row.d0)), rest = dot(row.f, way) - open;
+  const double r = 0.5 * (norm(row.d0) + norm(row.d1)), s = std::fmax(r * r, least2);
+  double taken = damping * mean_rate * (norm(row.d1) - norm(row.d0));
+  double open = -taken, rest = dot(row.f, way) + taken;
   for (std::size_t i = 0; i < curves.size(); i++) {
     const double work = -pulls[i] * dot(e, way);
     rest -= work;
     (curves[i].has_energy() ? given[i] : open) += work;
+    if (!curves[i].is_moving()) continue;
+    curves[i].run(1, &s, 0.0);
+    taken -= work + 0.5 * curves[i].at(0).pull * dot(e, way);
   }
   given[0] += rest;
+  const double most = 4.0 * std::fmax(taken, 0.0), rate2 = mean_rate * mean_rate;
+  if (settling * rate2 > most) settling = most / rate2;
   return open;
 }
 

@@ -18,16 +18,16 @@ struct StiffTie {
   std::vector<double> pulls;             // (curves) [N/m] f = -Σ pull e
   bool chosen = false;                   // whether these are known of the step being solved:
   double damping = 0.0;                  // [N s/m] beyond that of its curves
-  double settling = 0.0;                 // [kg] κ
+  double settling = 0.0;                 // [kg] κ, and what it draws to:
   double mean_rate = 0.0;                // [m/s] of the distance over the step
 
   /// Whether it takes energy or gives it.
   bool is_open() const;
   /// Whether it takes energy by its nature: it depends on velocities, or swallows at the end of the step.
   bool is_damped() const;
-  /// Once a step is solved: adds what the curves' energies gave to the motion to `given` (curves) [J], and returns the work
-  /// of laws without energy and what the end of the step swallowed, [J].
-  double settle(const Row& row, std::vector<double>& given) const;
+  /// Once a step is solved: adds what the curves' energies gave to the motion to `given` (curves) [J], bounds `settling`
+  /// by what dampers took, and returns the work of laws without energy and of `damping`, [J].
+  double settle(const Row& row, std::vector<double>& given);
 };
 
 /// Makes the tie of a connection, with the force that it had; `row` and `condition` are its.

@@ -263,10 +263,12 @@ void project_articulates(World& world) {
 
 /// Damped connections that are solved, once all kicks are over.
 void settle_articulates(World& world) {
+  const auto settles = [](const auto& articulate) { return !articulate->rest.asleep && is_to_settle(*articulate); };
+  if (std::none_of(world.articulates.begin(), world.articulates.end(), settles)) return;
   const LedgerMark before = ledger_mark(world, true);
   share_articulates(world, [&](Articulate& articulate, int) {
     articulate.report = {};
-    if (!articulate.rest.asleep) pantin::settle_velocities(articulate, articulate.report);
+    if (!articulate.rest.asleep && is_to_settle(articulate)) settle_velocities(articulate, articulate.report);
   });
   for (const auto& articulate : world.articulates) post_work(world, articulate->report);
   post_projection(world, before, 0.0);
