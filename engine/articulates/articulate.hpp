@@ -118,6 +118,7 @@ struct Condition {
       stiff;                  // of a stiff row; copies of an articulate share it, so it keeps nothing between steps
   std::vector<double> given;  // (its curves) [J] what their energies gave to the motion in this part of the step
   double settling = 0.0, mean_rate = 0.0;  // [kg], [m/s] those of `stiff`, in the last part of the step
+  bool settles = false;                    // now
 };
 
 /// Two rows that meet at a node: a block of the matrix. Of a node with rows 0, 1 … rising its meetings are (0, 0), (1, 0),

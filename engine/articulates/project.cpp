@@ -36,29 +36,6 @@ Vec3 forbidden_of_strand(const Articulate& a, std::uint32_t k) {
   return zero3();
 }
 
-bool settles(const Condition& c) { return c.stiff && c.settling > 0.0; }
-
-/// Has damped rows that are solved settle: with the others, but not stiffly.
-void keep_settling(Articulate& a) {
-  for (Condition& c : a.conditions) {
-    if (!settles(c)) continue;
-    const Vec3 n = direction(row(a, c).d1);
-    c.kept = outer(n, n);
-    c.wanted = n * c.mean_rate;
-  }
-}
-
-/// Work of what settles [J], once its impulses are solved and before its velocities are found anew.
-double work_of_settling(const Articulate& a) {
-  double work = 0.0;
-  for (const Condition& c : a.conditions) {
-    if (!settles(c)) continue;
-    const Vec3 impulse = a.impulses[c.row], after = impulse / -c.settling;
-    work += dot(impulse, c.wanted + (row(a, c).residual + after) * 0.5);
-  }
-  return work;
-}
-
 void find_kept(Articulate& a) {
   for (Condition& c : a.conditions) c.wanted = c.velocity;
   if (a.all_rigid) return;
@@ -182,7 +159,7 @@ void factorise_exactly(Articulate& a, double epsilon) {
   if (!a.all_rigid)
     for (const Row& row : a.rows) scale = std::max(scale, mobility(a, row));
   for (Condition& c : a.conditions)
-    if (settles(c)) c.C += c.kept * (1.0 / (c.settling * scale));
+    if (c.settles) c.C += c.kept * (1.0 / (c.settling * scale));
   factorise(a, {Arms::end, epsilon, scale, -1.0});
 }
 
@@ -382,23 +359,6 @@ bool let_one_go(Articulate& a, double time, double struck, int turn) {
 
 }  // namespace
 
-bool is_to_settle(const Articulate& a) {
-  return a.open && !a.safe && std::any_of(a.conditions.begin(), a.conditions.end(), settles);
-}
-
-void settle_velocities(Articulate& a, DriftReport& report) {
-  std::fill(a.impulses.begin(), a.impulses.end(), zero3());
-  find_kept(a);
-  keep_settling(a);
-  find_velocities(a, From::nodes);
-  factorise_exactly(a, a.least_epsilon);
-  a.has_factor = a.exact = false;
-  report.tell(apply_projection(a));
-  report.damped += work_of_settling(a);
-  tell_momenta(a);
-  if (a.cut) add_impulses_exerted(a);
-}
-
 ImpulseWork make_consistent(Articulate& a, double time, double struck) {
   std::fill(a.impulses.begin(), a.impulses.end(), zero3());
   if (a.yields) return {};
@@ -422,10 +382,10 @@ void begin_answers(Articulate& a, double epsilon) {
   a.exact = true;
 }
 
-void answer(Articulate& a) {
+ImpulseWork answer(Articulate& a) {
   std::fill(a.impulses.begin(), a.impulses.end(), zero3());
   find_velocities(a, From::batches, true);
-  apply_projection(a);
+  return apply_projection(a);
 }
 
 }  // namespace pantin

@@ -28,16 +28,15 @@ struct Pull {
   double Q = 0.0, slope = 0.0;
 };
 
-Pull of_energy(PairCurve& curve, double s0, double s1, double energy0, double& energy1) {
+Pull of_energy(PairCurve& curve, double s0, double s1, double energy0) {
   const double change = s1 - s0;
   std::array<double, 5> s;
   for (std::size_t i = 0; i < 4; i++) s[i] = s0 + change * places[i];
   s[4] = s1;
   curve.run(5, s.data(), 0.0);
   const PairCurve::Value end = curve.at(4);
-  energy1 = end.energy;
   if (std::fabs(change) > 2e-3 * std::fmax(s0, s1)) {
-    const double Q = (energy1 - energy0) / change;
+    const double Q = (end.energy - energy0) / change;
     return {Q, (end.pull - 2.0 * Q) / change};
   }
   Pull p;
@@ -76,7 +75,7 @@ void make_stiff(const Model& model, ConnectionId id, Row& row, Condition& condit
   const Vec3 d = position(model, tie.a) - (tie.b ? position(model, tie.b) : condition.whole1);
   tie.least2 = 1e-24 * (norm2(d) > 0.0 ? norm2(d) : 1.0);
   for (auto law = c.law; law; law = law->also) tie.curves.emplace_back(*law);
-  for (auto* column : {&tie.energy0, &tie.energy1, &tie.pulls, &condition.given}) column->resize(tie.curves.size());
+  for (auto* column : {&tie.energy0, &tie.pulls, &condition.given}) column->resize(tie.curves.size());
   row.f = direction(d) * -c.tension;
 }
 
@@ -85,10 +84,10 @@ void start_stiff(StiffTie& tie, const Row& row, double approach) {
   tie.rate0 = approach / std::sqrt(s0);
   tie.chosen = false;
   for (std::size_t i = 0; i < tie.curves.size(); i++) {
-    tie.energy0[i] = tie.energy1[i] = 0.0;
+    tie.energy0[i] = 0.0;
     if (!tie.curves[i].has_energy()) continue;
     tie.curves[i].run(1, &s0, 0.0);
-    tie.energy0[i] = tie.energy1[i] = tie.curves[i].at(0).energy;
+    tie.energy0[i] = tie.curves[i].at(0).energy;
   }
 }
 
@@ -135,8 +134,7 @@ double evaluate_stiff(Row& row, Condition& c, const RowContext& context) {
   };
   for (std::size_t i = 0; i < tie.curves.size(); i++) {
     PairCurve& curve = tie.curves[i];
-    const Pull p =
-        curve.has_energy() ? of_energy(curve, s0, s1, tie.energy0[i], tie.energy1[i]) : at_mean(curve, r0, r1, h);
+    const Pull p = curve.has_energy() ? of_energy(curve, s0, s1, tie.energy0[i]) : at_mean(curve, r0, r1, h);
     add(p);
     tie.pulls[i] = p.Q;
   }

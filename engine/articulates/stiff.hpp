@@ -11,15 +11,15 @@ struct StiffTie {
   ConnectionId connection;
   ParticleId a, b;  // b null: a place of the world
   Solve solve = Solve::at_middle;
-  std::vector<PairCurve> curves;         // of the law, and of the laws that act with it
-  std::vector<double> energy0, energy1;  // (curves) [J] at the start and end of the step being solved
-  double least2 = 0.0;                   // [m²] below it distances count as equal to its root
-  double rate0 = 0.0;                    // [m/s] of the distance at the start
-  std::vector<double> pulls;             // (curves) [N/m] f = -Σ pull e
-  bool chosen = false;                   // whether these are known of the step being solved:
-  double damping = 0.0;                  // [N s/m] beyond that of its curves
-  double settling = 0.0;                 // [kg] κ, and what it draws to:
-  double mean_rate = 0.0;                // [m/s] of the distance over the step
+  std::vector<PairCurve> curves;  // of the law, and of the laws that act with it
+  std::vector<double> energy0;    // (curves) [J] at the start of the step being solved
+  double least2 = 0.0;            // [m²] below it distances count as equal to its root
+  double rate0 = 0.0;             // [m/s] of the distance at the start
+  std::vector<double> pulls;      // (curves) [N/m] f = -Σ pull e
+  bool chosen = false;            // whether these are known of the step being solved:
+  double damping = 0.0;           // [N s/m] beyond that of its curves
+  double settling = 0.0;          // [kg] κ, and what it draws to:
+  double mean_rate = 0.0;         // [m/s] of the distance over the step
 
   /// Whether it takes energy or gives it.
   bool is_open() const;
