@@ -117,6 +117,8 @@ struct Condition {
   std::shared_ptr<StiffTie>
       stiff;                  // of a stiff row; copies of an articulate share it, so it keeps nothing between steps
   std::vector<double> given;  // (its curves) [J] what their energies gave to the motion in this part of the step
+  double settling = 0.0, mean_rate = 0.0;  // [kg], [m/s] those of `stiff`, in the last part of the step
+  bool settles = false;                    // now
 };
 
 /// Two rows that meet at a node: a block of the matrix. Of a node with rows 0, 1 … rising its meetings are (0, 0), (1, 0),
@@ -173,8 +175,7 @@ struct DriftReport {
   std::uint32_t iterations = 0, factorisations = 0, halved = 0, safe = 0, projections = 0, offsets = 0;
   double unreached = 0.0;   // [1/s] the error where not even the most sub-steps give the wanted accuracy
   double open_work = 0.0;   // [J] of solved laws without energy that do not depend on velocities
-  double damped = 0.0;      // [J] of those that do, and what the end of the step swallowed
-  double driven = 0.0;      // [J] of strong dampers, where the rule of the step made them give
+  double damped = 0.0;      // [J] of those that do, of what settles, and of what is swallowed
   double work = 0.0;        // [J] of the world ends, changing lengths, pushes and twists
   double motor = 0.0;       // [J] of motors, and of turns and angles that follow a function of time
   double limit = 0.0;       // [J] of limits, and of all rows where one is struck

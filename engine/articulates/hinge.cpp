@@ -29,7 +29,7 @@ const RowRule row_rules[11] = {
     // strands are done together, once all rows are placed
     {[](Row&, Condition&, const RowContext&) { return 0.0; }, [](const Row&, Condition&) {}, no_gap, no_stop},
     {evaluate_path, project_path, path_gap, stop_of_path},
-    {evaluate_stiff, project_soft, no_gap, no_stop},
+    {evaluate_stiff, project_stiff, no_gap, no_stop},
     {evaluate_drawn, project_drawn, drawn_gap, no_stop},
 };
 

@@ -331,7 +331,8 @@ void add_work_of_rows(Articulate& a, DriftReport& report) {
     if (c.stiff) {
       const double open = c.stiff->settle(r, c.given);
       (c.stiff->is_damped() ? report.damped : report.open_work) += open;
-      if (c.stiff->strong) report.driven += std::max(open, 0.0);
+      c.settling = c.stiff->settling;
+      c.mean_rate = c.stiff->mean_rate;
       continue;
     }
     if ((r.b < 0 || r.kind == RowKind::drawn) && r.lever == 0.0) report.work += dot(r.f, c.place1 - c.place0);

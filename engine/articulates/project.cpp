@@ -18,8 +18,8 @@ namespace {
 /// Sets the residual of a row to its forbidden velocity.
 void find_forbidden_velocity(Articulate& a, std::size_t k) {
   Row& row = a.rows[k];
-  row.residual = is_soft(row) ? zero3() : handed_over(a, k);
-  if (row.condition < 0 || is_soft(row)) return;
+  row.residual = handed_over(a, k);
+  if (row.condition < 0) return;
   const Condition& c = condition(a, row);
   row.residual -= c.wanted;
   if (row.kind != RowKind::rigid) row.residual = c.kept * row.residual;
@@ -88,8 +88,9 @@ Velocities find_velocities(Articulate& a, From from, bool serves = false) {
   return v;
 }
 
-/// Adds the work of the impulse of a row.
+/// Adds the work of the impulse of a row on what moves by itself.
 void add_work(ImpulseWork& work, const Articulate& a, const Condition& c, Vec3 impulse) {
+  if (c.stiff) return;
   (row(a, c).lever > 0.0 ? work.couples : work.ends) += dot(impulse, c.wanted);
 }
 
@@ -129,7 +130,7 @@ ImpulseWork work_of_impulses(const Articulate& a, const Velocities& v) {
 /// The solved impulse of a row, along what it may forbid.
 Vec3 solved_impulse(const Articulate& a, std::uint32_t k) {
   if (a.rows[k].kind == RowKind::rigid) return a.right_side[k];
-  return is_soft(a.rows[k]) ? zero3() : condition(a, a.rows[k]).kept * a.right_side[k];
+  return condition(a, a.rows[k]).kept * a.right_side[k];
 }
 
 /// Finishes the solution of the half solved right side and applies the impulses.
@@ -157,6 +158,8 @@ void factorise_exactly(Articulate& a, double epsilon) {
   double scale = 0.0;
   if (!a.all_rigid)
     for (const Row& row : a.rows) scale = std::max(scale, mobility(a, row));
+  for (Condition& c : a.conditions)
+    if (c.settles) c.C += c.kept * (1.0 / (c.settling * scale));
   factorise(a, {Arms::end, epsilon, scale, -1.0});
 }
 
@@ -379,10 +382,10 @@ void begin_answers(Articulate& a, double epsilon) {
   a.exact = true;
 }
 
-void answer(Articulate& a) {
+ImpulseWork answer(Articulate& a) {
   std::fill(a.impulses.begin(), a.impulses.end(), zero3());
   find_velocities(a, From::batches, true);
-  apply_projection(a);
+  return apply_projection(a);
 }
 
 }  // namespace pantin

@@ -34,7 +34,13 @@ ImpulseWork make_consistent(Articulate& articulate, double time, double struck =
 /// Gets an articulate ready for `answer`: finds what the rows that hold forbid at the nodes' starts, Condition::wanted, and
 /// their factor with a compliance `epsilon` at least, unless the articulate has one.
 void begin_answers(Articulate& articulate, double epsilon);
-/// Takes out of the batches' momenta what the rows forbid; Articulate::impulses are those of it.
-void answer(Articulate& articulate);
+/// Takes out of the batches' momenta what the rows forbid; Articulate::impulses are those of it. Returns the work of what
+/// moves by itself.
+ImpulseWork answer(Articulate& articulate);
+
+/// Whether damped rows that were solved are to settle, see stiff.cpp.
+bool is_to_settle(const Articulate& articulate);
+/// Has them, at the end of a full sub-step, once no velocity is left that the rows forbid, and without any such.
+void settle_velocities(Articulate& articulate, DriftReport& report);
 
 }  // namespace pantin

@@ -33,6 +33,7 @@ extern const RowRule row_rules[11];
 double evaluate_limited(Row& row, Condition& condition, const RowContext& context);
 void project_soft(const Row& row, Condition& condition);
 double evaluate_stiff(Row& row, Condition& condition, const RowContext& context);
+void project_stiff(const Row& row, Condition& condition);
 double evaluate_rod(Row& row, Condition& condition, const RowContext& context);
 void project_rod(const Row& row, Condition& condition);
 Vec3 rod_gap(const Row& row, const Condition& condition);

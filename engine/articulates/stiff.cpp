@@ -1,10 +1,12 @@
-// A connection solved with its articulate, so that no stiffness limits the step. The force is f = -Q e.
-//   middle: e = d0 + d1. Of a law with an energy V(s), s = d², Q = ΔV/Δs: f·Δd = -ΔV exactly (discrete gradient;
-//     Gonzalez 1996), for a small Δs by Gauss' rule. Without an energy, 2 Q = tension/distance at the mean distance and
-//     rate: f·Δd = -tension Δr.
-//   end: e = d1, Q = tension/distance at the end of the step, with the rate there, 2 Δr/h less that at its start. A damper
-//     that is too strong for the step, with h c / m above 1, the middle would turn round: it and what acts with it have the
-//     tension of the end along d0 + d1, which keeps the angular momentum.
+// A connection solved with its articulate, so that no stiffness limits the step. The force is f = -Q e, e = d0 + d1.
+// Of a law with an energy V(s), s = d², Q = ΔV/Δs: f·Δd = -ΔV exactly (discrete gradient; Gonzalez 1996), for a small Δs
+// by Gauss' rule. Without an energy, 2 Q = tension/distance at the mean distance and the mean rate u = Δr/h:
+// f·Δd = -tension Δr, of a damper -c h u², which never gives.
+//   With these alone what is damped would swing to and fro where the step is too long to follow it. So it has more
+// damping, by which its length settles about as fast as in truth, at most that of the backward rule, h k/2. And at the
+// end of the full sub-step the rate of its distance is drawn to u by an impulse -κ (rate - u). That gives κ u²/4 at most,
+// and κ <= 4 c h: spring, damper and impulse together only take energy. Both are small, of third order in h, where
+// D = h c/m and z² = h² k/m are.
 // Newton's row is M (change of d1) + C df = -residual with M = Σ Q 1 + e ∇Q', C = 1, all divided by what makes it metres.
 #include "articulates/stiff.hpp"
 
@@ -26,16 +28,15 @@ struct Pull {
   double Q = 0.0, slope = 0.0;
 };
 
-Pull of_energy(PairCurve& curve, double s0, double s1, double energy0, double& energy1) {
+Pull of_energy(PairCurve& curve, double s0, double s1, double energy0) {
   const double change = s1 - s0;
   std::array<double, 5> s;
   for (std::size_t i = 0; i < 4; i++) s[i] = s0 + change * places[i];
   s[4] = s1;
   curve.run(5, s.data(), 0.0);
   const PairCurve::Value end = curve.at(4);
-  energy1 = end.energy;
   if (std::fabs(change) > 2e-3 * std::fmax(s0, s1)) {
-    const double Q = (energy1 - energy0) / change;
+    const double Q = (end.energy - energy0) / change;
     return {Q, (end.pull - 2.0 * Q) / change};
   }
   Pull p;
@@ -54,12 +55,9 @@ Pull at_mean(PairCurve& curve, double r0, double r1, double h) {
   return {0.5 * v.pull, 0.5 * (v.by_distance2 * r + v.by_approach * (0.5 * rate + r / h)) / r1};
 }
 
-Pull at_end(PairCurve& curve, double r0, double r1, double rate0, double h, double& energy1) {
-  const double rate = 2.0 * (r1 - r0) / h - rate0, s = r1 * r1;
-  curve.run(1, &s, r1 * rate);
-  const PairCurve::Value v = curve.at(0);
-  energy1 = v.energy;
-  return {v.pull, (2.0 * v.by_distance2 * r1 + v.by_approach * (rate + 2.0 * r1 / h)) / r1};
+Pull of_damper(double damping, double r0, double r1, double h) {
+  const double r = 0.5 * (r0 + r1), rate = (r1 - r0) / h;
+  return {0.5 * damping * rate / r, 0.5 * damping * (1.0 / h - 0.5 * rate / r) / (r * r1)};
 }
 
 }  // namespace
@@ -77,7 +75,7 @@ void make_stiff(const Model& model, ConnectionId id, Row& row, Condition& condit
   const Vec3 d = position(model, tie.a) - (tie.b ? position(model, tie.b) : condition.whole1);
   tie.least2 = 1e-24 * (norm2(d) > 0.0 ? norm2(d) : 1.0);
   for (auto law = c.law; law; law = law->also) tie.curves.emplace_back(*law);
-  for (auto* column : {&tie.energy0, &tie.energy1, &tie.pulls, &condition.given}) column->resize(tie.curves.size());
+  for (auto* column : {&tie.energy0, &tie.pulls, &condition.given}) column->resize(tie.curves.size());
   row.f = direction(d) * -c.tension;
 }
 
@@ -86,32 +84,35 @@ void start_stiff(StiffTie& tie, const Row& row, double approach) {
   tie.rate0 = approach / std::sqrt(s0);
   tie.chosen = false;
   for (std::size_t i = 0; i < tie.curves.size(); i++) {
-    tie.energy0[i] = tie.energy1[i] = 0.0;
+    tie.energy0[i] = 0.0;
     if (!tie.curves[i].has_energy()) continue;
     tie.curves[i].run(1, &s0, 0.0);
-    tie.energy0[i] = tie.energy1[i] = tie.curves[i].at(0).energy;
+    tie.energy0[i] = tie.curves[i].at(0).energy;
   }
 }
 
 namespace {
 
-/// Whether a damper is too strong for the middle of the step.
-bool is_strong(StiffTie& tie, double s0, const RowContext& context) {
+/// Finds how it is to settle in the step, by its stiffness and damping at the start.
+void choose_damping(StiffTie& tie, double s0, const RowContext& context) {
   tie.chosen = true;
-  double damping = 0.0;  // [N s/m]
+  tie.damping = tie.settling = 0.0;
+  double c = 0.0, k = 0.0;  // [N s/m], [N/m]
   for (PairCurve& curve : tie.curves) {
-    if (curve.has_energy() || !curve.is_moving()) continue;
     curve.run(1, &s0, std::sqrt(s0) * tie.rate0);
-    damping += s0 * curve.at(0).by_approach;
+    const PairCurve::Value v = curve.at(0);
+    if (curve.is_moving()) c += s0 * v.by_approach;
+    k += v.pull + 2.0 * s0 * v.by_distance2;
   }
-  return std::fabs(context.h) * damping * context.mobility > 1.0;
-}
-
-/// The same force along the mean of both distances, where it turns nothing.
-Pull along_mean(Pull p, const Row& row, double r1) {
-  const Vec3 e = row.d0 + row.d1;
-  const double length = std::fmax(norm(e), 1e-12 * r1), cosine = dot(e, row.d1) / (length * r1);
-  return {p.Q * r1 / length, (p.slope * r1 * r1 / length + p.Q / length - p.Q * r1 * cosine / (length * length)) / r1};
+  c = std::fmax(c, 0.0);
+  k = std::fmax(k, 0.0);
+  const bool swallows = tie.solve == Solve::at_end;
+  if (!swallows && c == 0.0) return;
+  const double h = context.h, z2 = h * h * k * context.mobility, D = h * c * context.mobility;
+  const double part = swallows ? 1.0 : z2 * D / (z2 * D + 4.0 * z2 + 6.0 * D * D);
+  tie.damping = 0.5 * h * k * part;
+  const double fast = D * D + 0.25 * z2;
+  tie.settling = swallows ? 0.5 * h * (c + tie.damping) : 0.5 * h * c * fast / (1.0 + fast);
 }
 
 }  // namespace
@@ -119,37 +120,42 @@ Pull along_mean(Pull p, const Row& row, double r1) {
 double evaluate_stiff(Row& row, Condition& c, const RowContext& context) {
   StiffTie& tie = *c.stiff;
   const double s0 = std::fmax(norm2(row.d0), tie.least2), s1 = std::fmax(norm2(row.d1), tie.least2);
-  const double r0 = std::sqrt(s0), r1 = std::sqrt(s1);
-  if (!tie.chosen) tie.strong = tie.solve == Solve::at_middle && is_strong(tie, s0, context);
-  Vec3 missed = row.f, bent = zero3();
-  double Q = 0.0, stiffness = 0.0, sizes = 0.0;
-  for (std::size_t i = 0; i < tie.curves.size(); i++) {
-    PairCurve& curve = tie.curves[i];
-    const bool ends = tie.strong || tie.solve == Solve::at_end;
-    Pull p = ends                 ? at_end(curve, r0, r1, tie.rate0, context.h, tie.energy1[i])
-             : curve.has_energy() ? of_energy(curve, s0, s1, tie.energy0[i], tie.energy1[i])
-                                  : at_mean(curve, r0, r1, context.h);
-    if (tie.strong) p = along_mean(p, row, r1);
-    const Vec3 e = tie.arm(row);
+  const double r0 = std::sqrt(s0), r1 = std::sqrt(s1), h = context.h;
+  if (!tie.chosen) choose_damping(tie, s0, context);
+  const Vec3 e = row.d0 + row.d1;
+  Vec3 missed = row.f;
+  double Q = 0.0, slope = 0.0, sizes = 0.0, stiffness = 0.0;
+  const auto add = [&](Pull p) {
     missed += e * p.Q;
-    bent += e * p.slope;
     Q += p.Q;
+    slope += p.slope;
     sizes += std::fabs(p.Q) * norm(e);
     stiffness += std::fabs(p.slope) * norm(e) * r1;
+  };
+  for (std::size_t i = 0; i < tie.curves.size(); i++) {
+    PairCurve& curve = tie.curves[i];
+    const Pull p = curve.has_energy() ? of_energy(curve, s0, s1, tie.energy0[i]) : at_mean(curve, r0, r1, h);
+    add(p);
     tie.pulls[i] = p.Q;
   }
+  if (tie.damping > 0.0) add(of_damper(tie.damping, r0, r1, h));
+  tie.mean_rate = (r1 - r0) / h;
   stiffness += std::fabs(Q);
   const Vec3 way = row.d1 - row.d0;
-  const double weight = 1.0 / (stiffness + 2.0 / (context.h * context.h * context.mobility));
+  const double weight = 1.0 / (stiffness + 2.0 / (h * h * context.mobility));
   row.residual = missed * weight;
-  c.M = (identity33() * Q + outer(bent, row.d1)) * weight;
+  c.M = (identity33() * Q + outer(e * slope, row.d1)) * weight;
   c.C = identity33() * weight;
   // What is missed does work that no energy knows of: it counts as the gap that would do as much.
-  const double least = 2e-3 * norm(way) / (context.h * context.h * context.mobility);
+  const double least = 2e-3 * norm(way) / (h * h * context.mobility);
   const double work = std::fabs(dot(missed, way));
-  const double force =
-      tie.strong ? sizes : norm(row.f);  // a damper and a spring that are in balance round as each does
-  return std::fmax(norm(row.residual), work > 0.0 ? work / std::fmax(force, least) : 0.0);
+  const double force = tie.settling > 0.0 ? sizes : norm(row.f);  // what is in balance rounds as each part does
+  // What is missed across the connection, where it is not stiff, moves it much further; it counts for a part of that, since
+  // its length hardly changes with it.
+  const Vec3 u = direction(e);
+  const double across = norm(missed - u * dot(missed, u)) / (std::fabs(Q) + 2.0 / (h * h * context.mobility));
+  const double size = std::fmax(norm(row.residual), 0.01 * across);
+  return std::fmax(size, work > 0.0 ? work / std::fmax(force, least) : 0.0);
 }
 
 StiffPull pull_at(StiffTie& tie, Vec3 d) {
@@ -176,18 +182,22 @@ bool StiffTie::is_damped() const {
          std::any_of(curves.begin(), curves.end(), [](const PairCurve& curve) { return curve.is_moving(); });
 }
 
-double StiffTie::settle(const Row& row, std::vector<double>& given) const {
-  const Vec3 way = row.d1 - row.d0;
-  double open = 0.0, rest = dot(row.f, way);
+double StiffTie::settle(const Row& row, std::vector<double>& given) {
+  const Vec3 e = row.d0 + row.d1, way = row.d1 - row.d0;
+  const double r = 0.5 * (norm(row.d0) + norm(row.d1)), s = std::fmax(r * r, least2);
+  double taken = damping * mean_rate * (norm(row.d1) - norm(row.d0));
+  double open = -taken, rest = dot(row.f, way) + taken;
   for (std::size_t i = 0; i < curves.size(); i++) {
-    const double work = -pulls[i] * dot(arm(row), way), rise = energy1[i] - energy0[i];
+    const double work = -pulls[i] * dot(e, way);
     rest -= work;
-    const bool exact = solve == Solve::at_middle && !strong;
-    const double from_energy = !curves[i].has_energy() ? 0.0 : exact ? work : -rise;
-    given[i] += from_energy;
-    open += work - from_energy;
+    (curves[i].has_energy() ? given[i] : open) += work;
+    if (!curves[i].is_moving()) continue;
+    curves[i].run(1, &s, 0.0);
+    taken -= work + 0.5 * curves[i].at(0).pull * dot(e, way);
   }
   given[0] += rest;
+  const double most = 4.0 * std::fmax(taken, 0.0), rate2 = mean_rate * mean_rate;
+  if (settling * rate2 > most) settling = most / rate2;
   return open;
 }
 

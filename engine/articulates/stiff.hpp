@@ -11,23 +11,23 @@ struct StiffTie {
   ConnectionId connection;
   ParticleId a, b;  // b null: a place of the world
   Solve solve = Solve::at_middle;
-  std::vector<PairCurve> curves;         // of the law, and of the laws that act with it
-  std::vector<double> energy0, energy1;  // (curves) [J] at the start and end of the step being solved
-  double least2 = 0.0;                   // [m²] below it distances count as equal to its root
-  double rate0 = 0.0;                    // [m/s] of the distance at the start
-  std::vector<double> pulls;             // (curves) [N/m] f = -Σ pull e
-  bool strong = false;                   // a damper is too strong for the middle of the step being solved
-  bool chosen = false;                   // whether that is known
+  std::vector<PairCurve> curves;  // of the law, and of the laws that act with it
+  std::vector<double> energy0;    // (curves) [J] at the start of the step being solved
+  double least2 = 0.0;            // [m²] below it distances count as equal to its root
+  double rate0 = 0.0;             // [m/s] of the distance at the start
+  std::vector<double> pulls;      // (curves) [N/m] f = -Σ pull e
+  bool chosen = false;            // whether these are known of the step being solved:
+  double damping = 0.0;           // [N s/m] beyond that of its curves
+  double settling = 0.0;          // [kg] κ, and what it draws to:
+  double mean_rate = 0.0;         // [m/s] of the distance over the step
 
-  /// e: d0 + d1 at the middle, and of strong dampers; d1 at the end [m].
-  Vec3 arm(const Row& row) const { return solve == Solve::at_middle ? row.d0 + row.d1 : row.d1; }
   /// Whether it takes energy or gives it.
   bool is_open() const;
   /// Whether it takes energy by its nature: it depends on velocities, or swallows at the end of the step.
   bool is_damped() const;
-  /// Once a step is solved: adds what the curves' energies gave to the motion to `given` (curves) [J], and returns the work
-  /// of laws without energy and what the end of the step swallowed, [J].
-  double settle(const Row& row, std::vector<double>& given) const;
+  /// Once a step is solved: adds what the curves' energies gave to the motion to `given` (curves) [J], bounds `settling`
+  /// by what dampers took, and returns the work of laws without energy and of `damping`, [J].
+  double settle(const Row& row, std::vector<double>& given);
 };
 
 /// Makes the tie of a connection, with the force that it had; `row` and `condition` are its.

@@ -84,7 +84,6 @@ void post_work(World& world, const DriftReport& report) {
   post(world, Source::hand, report.work);
   post(world, Source::motor, report.motor);
   post(world, Source::damper, report.damped);
-  world.open_work_check.driven += report.driven;
   post(world, Source::limit, report.limit);
 }
 
@@ -262,6 +261,19 @@ void project_articulates(World& world) {
   post_projection(world, before, returned);
 }
 
+/// Damped connections that are solved, once all kicks are over.
+void settle_articulates(World& world) {
+  const auto settles = [](const auto& articulate) { return !articulate->rest.asleep && is_to_settle(*articulate); };
+  if (std::none_of(world.articulates.begin(), world.articulates.end(), settles)) return;
+  const LedgerMark before = ledger_mark(world, true);
+  share_articulates(world, [&](Articulate& articulate, int) {
+    articulate.report = {};
+    if (!articulate.rest.asleep && is_to_settle(articulate)) settle_velocities(articulate, articulate.report);
+  });
+  for (const auto& articulate : world.articulates) post_work(world, articulate->report);
+  post_projection(world, before, 0.0);
+}
+
 void leave_velocities(World&) {}
 
 /// How an integrator moves things over a part of the step, and what it does with the velocities after a full sub-step.
@@ -269,14 +281,15 @@ struct Moves {
   Integrator integrator;
   void (*drift)(World&);
   void (*project)(World&);
+  void (*settle)(World&);
 };
 
 constexpr std::array<Moves, integrators.size()> moves = {{
-    {Integrator::verlet, drift_by_midpoint, project_articulates},
-    {Integrator::implicit, drift_by_midpoint, project_articulates},
-    {Integrator::euler, drift_by_euler, leave_velocities},
-    {Integrator::suzuki4, drift_by_midpoint, project_articulates},
-    {Integrator::rk4, take_rk4_stage, leave_velocities},
+    {Integrator::verlet, drift_by_midpoint, project_articulates, settle_articulates},
+    {Integrator::implicit, drift_by_midpoint, project_articulates, settle_articulates},
+    {Integrator::euler, drift_by_euler, leave_velocities, leave_velocities},
+    {Integrator::suzuki4, drift_by_midpoint, project_articulates, settle_articulates},
+    {Integrator::rk4, take_rk4_stage, leave_velocities, leave_velocities},
 }};
 
 const Moves& moves_of(const World& world) {
@@ -320,6 +333,7 @@ void project_velocities(World& world) {
   const Timed timed(world.profile, Phase::project_velocities);
   moves_of(world).project(world);
   end_kick(world, 0.5 * world.part.h);
+  moves_of(world).settle(world);
 }
 
 }  // namespace pantin::phases

@@ -123,7 +123,7 @@ double missed_open_work(const World& world) {
   const OpenWorkCheck& c = world.open_work_check;
   const bool some = c.sizes > 2.0 * std::sqrt(c.drawn);  // not one part alone that stands for many
   const bool one_sign = std::fabs(c.missed) > 4.0 * std::sqrt(c.squares), large = some && c.sizes > 0.1 * c.done;
-  return (one_sign || large ? c.missed : 0.0) - (c.unkept - c.unkept_at_first) + c.driven;
+  return (one_sign || large ? c.missed : 0.0) - (c.unkept - c.unkept_at_first);
 }
 
 }  // namespace pantin

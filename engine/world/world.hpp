@@ -108,7 +108,6 @@ struct OpenWorkCheck {
   double sizes = 0.0;                          ///< magnitudes
   double done = 0.0;                           ///< magnitudes of the work
   double unkept = 0.0, unkept_at_first = 0.0;  ///< h² f²/8m of these laws, now and when they began to act
-  double driven = 0.0;                         ///< what dampers gave that only take
   double kick = 0.0;  ///< the largest so far that one kick could give to what nothing ties: the same of all of them
 };
 
