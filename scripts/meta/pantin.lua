@@ -1149,7 +1149,7 @@ function OpenedScene:near(at, radius) end
 ---@field name? string in the ledger
 
 ---@class PairLawOptions
----@field cutoff? number [m] no force beyond
+---@field cutoff? number [m] no force beyond; a connection keeps to one that is given here, not to what a law takes by itself
 ---@field shift? boolean the energy is 0 at the cutoff; true unless given
 ---@field one_sided? boolean b feels nothing of what a feels
 ---@field exclude? integer pairs within so many connections are left out
