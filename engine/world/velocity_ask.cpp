@@ -28,17 +28,54 @@ Mat3 turning_part(const Mat3& slope, Vec3 force, Vec3 v) {
 
 }  // namespace
 
-void ask_velocity_laws(const World& world, Forces& f, const Instant& instant, bool thermal) {
+namespace {
+
+bool is_asked(const Law& law, bool thermal) { return law.moving && law.thermal == thermal; }
+
+/// Lists the pairs of each law by `list(law's pairs, to)`, which tells whether it is linear; of laws that were listed before
+/// those that are not linear again, in their places.
+template <class Acting, class List>
+void list_pairs(Acting& acting, bool thermal, bool again, std::size_t& number, VelocityForces& k, List list) {
+  for (auto& a : acting) {
+    if (!is_asked(*a.law, thermal)) continue;
+    if constexpr (requires { a.solved; })
+      if (a.solved) continue;
+    if (!again) {
+      const std::size_t begin = k.pairs.size();
+      const bool linear = list(a, k.pairs);
+      k.listed.push_back({begin, k.pairs.size(), linear});
+      k.linear &= linear;
+      continue;
+    }
+    const VelocityForces::Listed& before = k.listed[number++];
+    if (before.linear) continue;
+    std::vector<VelocityPair> fresh;
+    list(a, fresh);
+    assume(fresh.size() == before.end - before.begin);
+    for (std::size_t i = 0; i < fresh.size(); i++) {
+      VelocityPair& p = k.pairs[before.begin + i];
+      fresh[i].impulse = p.impulse;
+      fresh[i].at_rest = p.at_rest;
+      p = fresh[i];
+    }
+  }
+}
+
+}  // namespace
+
+void ask_velocity_laws(const World& world, Forces& f, const Instant& instant, bool thermal, bool again) {
   VelocityForces& k = thermal ? f.thermostats : f.velocity;
   const std::size_t n = f.sites.n;
-  const auto asked = [&](const Law& law) { return law.moving && law.thermal == thermal; };
   k.fields.clear(n);
   if (f.workless) k.workless.clear(n);
-  k.pairs.clear();
-  k.linear = k.known = true;
+  if (!again) {
+    k.pairs.clear();
+    k.listed.clear();
+    k.linear = k.known = true;
+  }
   bool bends = false;
   for (ActingField& a : f.fields) {
-    if (!asked(*a.law)) continue;
+    if (!is_asked(*a.law, thermal)) continue;
     const auto parameters = present_parameters(world, *a.law, world.fields[a.id].parameters);
     const bool linear = a.fields.add_slopes(f.sites, box_of(world), instant, parameters, *world.workers, k.fields);
     k.linear &= linear;
@@ -46,13 +83,14 @@ void ask_velocity_laws(const World& world, Forces& f, const Instant& instant, bo
     a.fields.add_slopes(f.sites, box_of(world), instant, parameters, *world.workers, k.workless);
     bends |= !linear;
   }
-  for (ActingInteraction& a : f.interactions) {
-    if (!asked(*a.law)) continue;
+  std::size_t number = 0;
+  list_pairs(f.interactions, thermal, again, number, k, [&](ActingInteraction& a, std::vector<VelocityPair>& to) {
     const auto parameters = present_parameters(world, *a.law, world.interactions[a.id].parameters);
-    k.linear &= a.pairs.list_slopes(f.sites, a.rows, instant, parameters, k.pairs);
-  }
-  for (ActingConnections& a : f.connections)
-    if (asked(*a.law) && !a.solved) k.linear &= a.bonds.list_slopes(f.sites, box_of(world), instant, {}, k.pairs);
+    return a.pairs.list_slopes(f.sites, a.rows, instant, parameters, to);
+  });
+  list_pairs(f.connections, thermal, again, number, k, [&](ActingConnections& a, std::vector<VelocityPair>& to) {
+    return a.bonds.list_slopes(f.sites, box_of(world), instant, {}, to);
+  });
   k.at.assign(n, zero3());
   std::copy_n(f.sites.v.begin(), n, k.at.begin());
   for (std::size_t i = 0; bends && i < n; i++) {

@@ -46,10 +46,8 @@ bool VelocityKick::ask_again(int iteration) {
   tell_forces();
   from_rest_.resize(n, 0);
   for (std::size_t i = 0; i < n; i++) f_.sites.v[i] = from_rest_[i] ? zero3() : velocity_of(i);
-  const std::vector<VelocityPair> before = std::move(k_.pairs);
-  ask_velocity_laws(world_, f_, instant_, thermal_);
-  assume(k_.pairs.size() == before.size());
-  k_.missed.resize(n + before.size(), infinity);
+  ask_velocity_laws(world_, f_, instant_, thermal_, true);
+  k_.missed.resize(n + k_.pairs.size(), infinity);
   for (const auto& tied : k_.tied) tied->settled = true;
   double worst = 0.0;
   const auto unsettle = [&](std::size_t site, double missed) {
@@ -73,16 +71,17 @@ bool VelocityKick::ask_again(int iteration) {
     if (is_stuck(i, missed)) k_.fields.slope[i] = chord(k_.fields.slope[i], force, f_.sites.v[i], 1.0);
     leave_what_amplifies(k_.fields.slope[i], mobility, 1.0);
   }
-  for (std::size_t k = 0; k < before.size(); k++) {
-    VelocityPair& p = k_.pairs[k];
-    p.impulse = before[k].impulse;
-    p.at_rest = before[k].at_rest;
-    const double mobility = mobility_of(p.a) + (p.one_sided ? 0.0 : mobility_of(p.b));
-    const double missed = std::fabs(dt_) * mobility * norm(p.force - k_.told_pairs[k]);
-    unsettle(p.a, missed);
-    unsettle(p.b, missed);
-    if (is_stuck(n + k, missed)) p.slope = chord(p.slope, p.force, p.at, -1.0);
-    leave_what_amplifies(p.slope, mobility, -1.0);
+  for (const VelocityForces::Listed& law : k_.listed) {
+    for (std::size_t k = law.begin; !law.linear && k < law.end; k++) {
+      VelocityPair& p = k_.pairs[k];
+      const double mobility = mobility_of(p.a) + (p.one_sided ? 0.0 : mobility_of(p.b));
+      const double missed = std::fabs(dt_) * mobility * norm(p.force - k_.told_pairs[k]);
+      unsettle(p.a, missed);
+      unsettle(p.b, missed);
+      if (is_stuck(n + k, missed)) p.slope = chord(p.slope, p.force, p.at, -1.0);
+      leave_what_amplifies(p.slope, mobility, -1.0);
+      find_pair_answer(k);
+    }
   }
   return worst <= nearly * speed_;
 }
@@ -101,6 +100,8 @@ void VelocityKick::solve() {
   constexpr int most_turns = 4;  // of rows that let go
   for (int turn = 0; turn < most_turns; turn++) {
     for (const auto& tied : k_.tied) tied->settled = false;
+    k_.answers.resize(k_.pairs.size());
+    for (std::size_t k = 0; k < k_.pairs.size(); k++) find_pair_answer(k);
     solve_linear();
     k_.missed.clear();
     for (int iteration = 0; !k_.linear && iteration < most_iterations; iteration++) {

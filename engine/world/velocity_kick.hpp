@@ -24,8 +24,14 @@ struct TiedWork;
 
 /// What laws of velocity give near to the velocities that they were asked at, and room for a kick that is being solved.
 struct VelocityForces {
-  SiteSlopes fields, workless;      ///< of laws of single particles; of those of them that do no work by velocity
+  SiteSlopes fields, workless;  ///< of laws of single particles; of those of them that do no work by velocity
+  /// Pairs of one law.
+  struct Listed {
+    std::size_t begin, end;
+    bool linear;
+  };
   std::vector<VelocityPair> pairs;  ///< of interactions and connections
+  std::vector<Listed> listed;       ///< of laws, in the order of `pairs`
   AlignedVector<Vec3> at;           ///< (sites) [m/s]
   AlignedVector<Vec3> at_rest;      ///< (sites) [N] what fields give without velocities, but for workless ones
   bool linear = false;              ///< all are, in velocities
@@ -51,6 +57,13 @@ struct VelocityForces {
     double inverse_mass = 0.0, theta = 0.5;
     Mat3 mobility = zero33();  // [1/(kg m²)] of turning, world axes
   };
+  /// What a pair answers to relative velocities u: its impulse grows by inverse (known + slope u - impulse).
+  struct PairAnswer {
+    Vec3 known;             // [N s]
+    Mat3 slope, inverse;    // [N s²/m], -
+    double mobility = 0.0;  // [1/kg]
+  };
+  std::vector<PairAnswer> answers;      // (pairs)
   std::vector<Carrier> carriers;        // (movers)
   AlignedVector<Vec3> start, base, v;   // (sites) of free points, as of carriers
   std::vector<double> theta, strength;  // (sites) and then (movers)

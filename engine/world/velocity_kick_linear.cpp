@@ -224,25 +224,36 @@ double VelocityKick::pass_carriers() {
   return worst;
 }
 
-/// Applies to each pair in turn the impulse that its law gives at the velocities that come of it.
+void VelocityKick::find_pair_answer(std::size_t pair) {
+  if (inner_[pair]) return;
+  const VelocityPair& p = k_.pairs[pair];
+  Mat3 give = mobility_matrix(p.a) * theta_of(p.a);
+  if (!p.one_sided) give += mobility_matrix(p.b) * theta_of(p.b);
+  VelocityForces::PairAnswer& answer = k_.answers[pair];
+  answer.known = (p.force - p.slope * p.at) * dt_;
+  answer.slope = p.slope * dt_;
+  answer.inverse = inverse(identity33() + answer.slope * give);
+  answer.mobility = std::max({give[0][0], give[1][1], give[2][2]});
+}
+
+/// Applies to each pair in turn the impulse that its law gives at the velocities that come of it; returns about the largest
+/// change of a velocity [m/s].
 double VelocityKick::pass_pairs(bool forward) {
-  double worst = 0.0;
+  double worst2 = 0.0;
   const std::size_t count = k_.pairs.size();
   for (std::size_t k = 0; k < count; k++) {
     const std::size_t at = forward ? k : count - 1 - k;
     if (inner_[at]) continue;
     VelocityPair& p = k_.pairs[at];
-    Mat3 give = mobility_matrix(p.a) * theta_of(p.a);
-    if (!p.one_sided) give += mobility_matrix(p.b) * theta_of(p.b);
+    const VelocityForces::PairAnswer& answer = k_.answers[at];
     const Vec3 u = velocity_of(p.b) - velocity_of(p.a);
-    const Vec3 missing = (p.force + p.slope * (u - p.at)) * dt_ - p.impulse;
-    const Vec3 more = inverse(identity33() + p.slope * give * dt_) * missing;
+    const Vec3 more = answer.inverse * (answer.known + answer.slope * u - p.impulse);
     p.impulse += more;
     push(p.a, more);
     if (!p.one_sided) push(p.b, more * -1.0);
-    worst = std::max(worst, norm(give * more));
+    worst2 = std::max(worst2, norm2(more) * (answer.mobility * answer.mobility));
   }
-  return worst;
+  return std::sqrt(worst2);
 }
 
 /// Finds what rows tie, where laws of velocity act on it.

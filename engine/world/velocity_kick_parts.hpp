@@ -14,7 +14,7 @@ namespace kicks {
 constexpr std::uint32_t none = Forces::none;
 constexpr double too_fast = 0.5;  ///< dt |∂a/∂v| beyond which a kick is backward Euler's
 constexpr double nearly = 1e-9;   ///< of the speeds: what a solution may miss
-constexpr double exactly = 1e-15;
+constexpr double exactly = 1e-13;
 }  // namespace kicks
 
 /// Size of the symmetric part, which is what does work [N s/m].
@@ -24,8 +24,9 @@ inline std::uint32_t mover_at(const Forces& f, std::size_t site) {
   const std::uint32_t attached = f.attached_of[site];
   return attached == Forces::none ? Forces::none : f.attached[attached].mover;
 }
-/// Fills in what laws of velocity give at Sites::v: thermostats, or the others.
-void ask_velocity_laws(const World& world, Forces& forces, const Instant& instant, bool thermal);
+/// Fills in what laws of velocity give at Sites::v: thermostats, or the others. Where they are asked `again` in a kick, pairs
+/// of laws that are linear stay as they are.
+void ask_velocity_laws(const World& world, Forces& forces, const Instant& instant, bool thermal, bool again = false);
 /// The same of all but thermostats at new places or another time: also fills in what they give at rest.
 void ask_velocity_laws_first(const World& world, Forces& forces, const Instant& instant);
 
@@ -66,6 +67,7 @@ class VelocityKick {
   void sum_up_carriers();
   double pass_points();
   double pass_carriers();
+  void find_pair_answer(std::size_t pair);
   double pass_pairs(bool forward);
   void solve_linear();
   void tell_forces();
