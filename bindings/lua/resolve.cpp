@@ -14,19 +14,19 @@ namespace {
 
 constexpr double sample_times[] = {0.0, 0.7, 13.0, 1000.0};  // [s]
 
-Law traced_law(const LawFunction& f, Traced traced) {
+Law traced_law(const LawFunction& f, const Traced& traced) {
   const Expr first = traced.outputs[0];
   switch (f.form) {
-    case LawForm::pair_potential: return central_potential(f.def, std::move(traced.graph), first);
-    case LawForm::pair_tension: return central_tension(f.def, std::move(traced.graph), first);
-    case LawForm::pair_force: return pair_force(f.def, std::move(traced.graph), traced.outputs);
-    case LawForm::point_potential: return point_potential(f.def, std::move(traced.graph), first);
-    case LawForm::point_force: return point_force(f.def, std::move(traced.graph), traced.outputs);
+    case LawForm::pair_potential: return central_potential(f.def, traced.graph, first);
+    case LawForm::pair_tension: return central_tension(f.def, traced.graph, first);
+    case LawForm::pair_force: return pair_force(f.def, traced.graph, traced.outputs);
+    case LawForm::point_potential: return point_potential(f.def, traced.graph, first);
+    case LawForm::point_force: return point_force(f.def, traced.graph, traced.outputs);
     case LawForm::many_potential:
     case LawForm::number_course:
     case LawForm::color_course: break;
   }
-  return many_potential(f.def, f.count, std::move(traced.graph), first);
+  return many_potential(f.def, f.count, traced.graph, first);
 }
 
 /// Runs the function on samples; throws its error where it came through on none of them.
@@ -42,7 +42,7 @@ std::shared_ptr<const Law> try_trace(CalledLaw& called, std::string& reason) {
   Traced traced = trace(called.law().function.runtime(), called.law());
   reason = traced.refusal;
   if (!reason.empty()) return {};
-  const auto law = std::make_shared<const Law>(traced_law(called.law(), std::move(traced)));
+  const auto law = std::make_shared<const Law>(traced_law(called.law(), traced));
   for (double time : sample_times) {
     Samples samples(called, time);
     const std::string difference = disagreement(called, *law, samples.block());

@@ -40,7 +40,7 @@ struct Sort {
 };
 
 // A law without its expressions, when these depend on nothing that they must not.
-Law start(const LawDef& def, const Sort& sort, Expressions&& graph, std::span<const Expr> expressions) {
+Law start(const LawDef& def, const Sort& sort, const Expressions& graph, std::span<const Expr> expressions) {
   for (Expr e : expressions)
     require(!graph.is_constant(e) || std::isfinite(graph[e].value), def.name, ": ", sort.name,
             " must be a finite number, and this is always ", graph[e].value);
@@ -66,7 +66,7 @@ Law start(const LawDef& def, const Sort& sort, Expressions&& graph, std::span<co
     law.moving = law.moving || role == Role::approach || role == Role::relative_velocity || role == Role::velocity;
     law.timed = law.timed || role == Role::time || role == Role::noise;
   }
-  law.graph = std::move(graph);
+  law.graph = graph;
   return law;
 }
 
@@ -103,9 +103,8 @@ Expr rate_of_distance(Expressions& graph) {
   return graph.multiply(graph.input(approach), graph.power(graph.input(distance2), -0.5));
 }
 
-Law central_potential(const LawDef& def, Expressions graph, Expr potential) {
-  Law law =
-      start(def, {"a potential of a pair", LawKind::central, 2, {Role::distance2}}, std::move(graph), {&potential, 1});
+Law central_potential(const LawDef& def, const Expressions& graph, Expr potential) {
+  Law law = start(def, {"a potential of a pair", LawKind::central, 2, {Role::distance2}}, graph, {&potential, 1});
   Expressions& g = law.graph;
   const Expr r2 = g.input(distance2);
   const Expr slope = derivative(g, potential, distance2), second = derivative(g, slope, distance2);
@@ -119,9 +118,9 @@ Law central_potential(const LawDef& def, Expressions graph, Expr potential) {
   return in_order(std::move(law));
 }
 
-Law central_tension(const LawDef& def, Expressions graph, Expr tension) {
+Law central_tension(const LawDef& def, const Expressions& graph, Expr tension) {
   const Sort sort{"a tension", LawKind::central, 2, {Role::distance2, Role::approach, Role::noise}};
-  Law law = start(def, sort, std::move(graph), {&tension, 1});
+  Law law = start(def, sort, graph, {&tension, 1});
   Expressions& g = law.graph;
   const Expr r = g.square_root(g.input(distance2));
   law.force = {g.divide(tension, r)};
@@ -133,37 +132,36 @@ Law central_tension(const LawDef& def, Expressions graph, Expr tension) {
   return in_order(std::move(law));
 }
 
-Law pair_force(const LawDef& def, Expressions graph, std::span<const Expr> force_on_a) {
+Law pair_force(const LawDef& def, const Expressions& graph, std::span<const Expr> force_on_a) {
   assume(force_on_a.size() == 3);
   const Sort sort{"the force of a pair",
                   LawKind::pair,
                   2,
                   {Role::distance2, Role::approach, Role::displacement, Role::relative_velocity, Role::noise}};
-  Law law = start(def, sort, std::move(graph), force_on_a);
+  Law law = start(def, sort, graph, force_on_a);
   law.force.assign(force_on_a.begin(), force_on_a.end());
   law.workless = law.moving && is_workless(law);
   return in_order(std::move(law));
 }
 
-Law point_potential(const LawDef& def, Expressions graph, Expr potential) {
-  Law law =
-      start(def, {"a potential of a particle", LawKind::point, 1, {Role::place}}, std::move(graph), {&potential, 1});
+Law point_potential(const LawDef& def, const Expressions& graph, Expr potential) {
+  Law law = start(def, {"a potential of a particle", LawKind::point, 1, {Role::place}}, graph, {&potential, 1});
   set_force_from_potential(law, potential);
   return in_order(std::move(law));
 }
 
-Law point_force(const LawDef& def, Expressions graph, std::span<const Expr> force) {
+Law point_force(const LawDef& def, const Expressions& graph, std::span<const Expr> force) {
   assume(force.size() == 3);
   const Sort sort{"the force on a particle", LawKind::point, 1, {Role::place, Role::velocity, Role::noise}};
-  Law law = start(def, sort, std::move(graph), force);
+  Law law = start(def, sort, graph, force);
   law.force.assign(force.begin(), force.end());
   law.workless = law.moving && is_workless(law);
   return in_order(std::move(law));
 }
 
-Law many_potential(const LawDef& def, int count, Expressions graph, Expr potential) {
+Law many_potential(const LawDef& def, int count, const Expressions& graph, Expr potential) {
   const Sort sort{"a potential of several particles", LawKind::many, count, {Role::place}};
-  Law law = start(def, sort, std::move(graph), {&potential, 1});
+  Law law = start(def, sort, graph, {&potential, 1});
   set_force_from_potential(law, potential);
   return in_order(std::move(law));
 }

@@ -96,16 +96,16 @@ Expr rate_of_distance(Expressions& graph);
 /// Laws from expressions of `graph`, whose derivatives are taken here. Throw Error where an expression depends on what
 /// its kind of law does not have, or on a parameter that is not in `def`.
 /// `potential` [J] of distance2, attributes, parameters and time.
-Law central_potential(const LawDef& def, Expressions graph, Expr potential);
+Law central_potential(const LawDef& def, const Expressions& graph, Expr potential);
 /// `tension` [N] pulls when positive; of approach and noise too.
-Law central_tension(const LawDef& def, Expressions graph, Expr tension);
+Law central_tension(const LawDef& def, const Expressions& graph, Expr tension);
 /// (3) [N] of distance2, approach, displacement, relative velocity, attributes, parameters, time and noise.
-Law pair_force(const LawDef& def, Expressions graph, std::span<const Expr> force_on_a);
+Law pair_force(const LawDef& def, const Expressions& graph, std::span<const Expr> force_on_a);
 /// `potential` [J] of place and attributes of a, parameters and time.
-Law point_potential(const LawDef& def, Expressions graph, Expr potential);
+Law point_potential(const LawDef& def, const Expressions& graph, Expr potential);
 /// (3) [N] of velocity and noise too.
-Law point_force(const LawDef& def, Expressions graph, std::span<const Expr> force);
+Law point_force(const LawDef& def, const Expressions& graph, std::span<const Expr> force);
 /// `potential` [J] of the places and attributes of `count` particles, parameters and time.
-Law many_potential(const LawDef& def, int count, Expressions graph, Expr potential);
+Law many_potential(const LawDef& def, int count, const Expressions& graph, Expr potential);
 
 }  // namespace pantin

@@ -27,7 +27,7 @@ std::shared_ptr<const Law> soft_cores() {
   def.cutoff = 1.0;
   def.exclude = 2;
   const Expr energy = g.scale(g.multiply(depth, depth), 0.01);
-  return std::make_shared<Law>(central_potential(def, std::move(g), energy));
+  return std::make_shared<Law>(central_potential(def, g, energy));
 }
 
 /// A site, told without its number.

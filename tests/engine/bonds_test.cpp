@@ -25,7 +25,7 @@ std::shared_ptr<const Law> spring() {
   LawDef def;
   def.name = "spring";
   def.parameters = {{"stiffness", 10.0, "N/m"}, {"length", 1.0, "m"}};
-  return std::make_shared<Law>(central_potential(def, std::move(g), potential));
+  return std::make_shared<Law>(central_potential(def, g, potential));
 }
 
 /// k (x1 - 2 x0 + x2)² / 2 with the first particle in the middle.
@@ -41,7 +41,7 @@ std::shared_ptr<const Law> bending() {
   def.name = "bending";
   def.parameters = {{"stiffness", 3.0, "N/m"}};
   const Expr potential = g.scale(g.multiply(parameter(g, "stiffness"), sum), 0.5);
-  return std::make_shared<Law>(many_potential(def, 3, std::move(g), potential));
+  return std::make_shared<Law>(many_potential(def, 3, g, potential));
 }
 
 /// Random pairs, most of them near in the order of sites.
@@ -172,7 +172,7 @@ TEST_CASE("bonds: a damper feels the velocities of its ends") {
   const Expr tension = rate_of_distance(g);
   LawDef def;
   def.name = "damper";
-  const auto law = std::make_shared<Law>(central_tension(def, std::move(g), tension));
+  const auto law = std::make_shared<Law>(central_tension(def, g, tension));
   Sites sites = cases::random_sites({.count = 2, .speed = 1.0});
   Ties ties;
   ties.sites = {0, 1};

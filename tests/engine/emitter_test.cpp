@@ -40,7 +40,7 @@ std::shared_ptr<const Law> bowl(double factor) {
   const Expr energy = g.scale(g.multiply(g.input({Role::attribute, 0, 0, "radius"}), sum), 0.5 * factor);
   LawDef def;
   def.name = "bowl";
-  return std::make_shared<Law>(point_potential(def, std::move(g), energy));
+  return std::make_shared<Law>(point_potential(def, g, energy));
 }
 
 /// `age` times a factor, as the course of a name.

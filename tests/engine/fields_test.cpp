@@ -22,7 +22,7 @@ std::shared_ptr<const Law> saddle() {
   LawDef def;
   def.name = "saddle";
   const Expr potential = g.multiply(g.input({Role::attribute, 0, 0, "charge"}), product);
-  return std::make_shared<Law>(point_potential(def, std::move(g), potential));
+  return std::make_shared<Law>(point_potential(def, g, potential));
 }
 
 std::vector<std::uint32_t> every(std::size_t step, std::size_t n) {
@@ -58,7 +58,7 @@ TEST_CASE("fields: a force of velocity and time has no energy") {
     force.push_back(g.multiply(g.input({Role::velocity, 0, k, {}}), g.input({Role::time, 0, 0, {}})));
   LawDef def;
   def.name = "thrust";
-  const auto law = std::make_shared<Law>(point_force(def, std::move(g), force));
+  const auto law = std::make_shared<Law>(point_force(def, g, force));
   Sites sites = cases::random_sites({.count = 100, .speed = 2.0});
   Workers workers;
   Fields fields(law, sites.names, workers);

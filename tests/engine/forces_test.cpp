@@ -28,7 +28,7 @@ std::shared_ptr<const Law> spring(double stiffness, double length) {
   def.name = "spring";
   def.parameters = {{"stiffness", stiffness, "N/m"}, {"length", length, "m"}};
   const Expr energy = g.scale(g.multiply(k, g.multiply(stretch, stretch)), 0.5);
-  return std::make_shared<Law>(central_potential(def, std::move(g), energy));
+  return std::make_shared<Law>(central_potential(def, g, energy));
 }
 
 /// -G m m / r
@@ -38,7 +38,7 @@ std::shared_ptr<const Law> gravitation(double constant) {
   const Expr energy = g.scale(g.multiply(masses, g.power(g.input({Role::distance2, 0, 0, {}}), -0.5)), -constant);
   LawDef def;
   def.name = "gravitation";
-  return std::make_shared<Law>(central_potential(def, std::move(g), energy));
+  return std::make_shared<Law>(central_potential(def, g, energy));
 }
 
 /// -c v
@@ -48,7 +48,7 @@ std::shared_ptr<const Law> drag(double c) {
   for (std::uint8_t k = 0; k < 3; k++) force.push_back(g.scale(g.input({Role::velocity, 0, k, {}}), -c));
   LawDef def;
   def.name = "drag";
-  return std::make_shared<Law>(point_force(def, std::move(g), force));
+  return std::make_shared<Law>(point_force(def, g, force));
 }
 
 ParticleId particle(World& world, Vec3 at, Vec3 velocity = zero3(), double mass = 1.0) {
@@ -272,7 +272,7 @@ TEST_CASE("forces: a force that is not a number stops the world in its last good
   const Expr bad = g.square_root(g.subtract(g.square_root(g.input({Role::distance2, 0, 0, {}})), g.constant(1)));
   LawDef def;
   def.name = "scene.lua:7";
-  const auto law = std::make_shared<Law>(central_tension(def, std::move(g), bad));
+  const auto law = std::make_shared<Law>(central_tension(def, g, bad));
   const ParticleId a = particle(world, zero3()), b = particle(world, vec(1.5, 0, 0), vec(-1, 0, 0));
   connect(world, law, {{a}, {b}});
   advance(world, 2.0);
@@ -287,7 +287,7 @@ TEST_CASE("forces: a law that reads what a particle has not is refused by name")
   std::vector<Expr> force(3, g.input({Role::attribute, 0, 0, "charge"}));
   LawDef def;
   def.name = "scene.lua:9";
-  const auto law = std::make_shared<Law>(point_force(def, std::move(g), force));
+  const auto law = std::make_shared<Law>(point_force(def, g, force));
   particle(world, zero3());
   add_field(world, law, {});
   step(world);

@@ -76,7 +76,7 @@ TEST_CASE("hand: it moves what connections tie to what it holds, and tears them"
   Expressions graph;
   const Expr stretch = graph.subtract(graph.square_root(graph.input({Role::distance2, 0, 0, {}})), graph.constant(0.1));
   const Expr energy = graph.scale(graph.multiply(stretch, stretch), 20.0);
-  const auto spring = std::make_shared<Law>(central_potential({.name = "thread"}, std::move(graph), energy));
+  const auto spring = std::make_shared<Law>(central_potential({.name = "thread"}, graph, energy));
   World world;
   world.settings.step = 1.0 / 1000;
   std::vector<ParticleId> knots;

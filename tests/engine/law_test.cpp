@@ -121,5 +121,5 @@ TEST_CASE("law: one that is never a finite number is refused") {
   const Expr nothing = g.constant(std::nan(""));
   LawDef def;
   def.name = "scene.lua:3";
-  CHECK_THROWS_WITH(central_potential(def, std::move(g), nothing), Catch::Contains("must be a finite number"));
+  CHECK_THROWS_WITH(central_potential(def, g, nothing), Catch::Contains("must be a finite number"));
 }

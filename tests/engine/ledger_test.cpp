@@ -28,7 +28,7 @@ std::shared_ptr<const Law> ledger_spring(const char* name, double stiffness, dou
   LawDef def;
   def.name = name;
   const Expr energy = g.scale(g.multiply(stretch, stretch), 0.5 * stiffness);
-  return std::make_shared<Law>(central_potential(def, std::move(g), energy));
+  return std::make_shared<Law>(central_potential(def, g, energy));
 }
 
 void tie(World& world, std::shared_ptr<const Law> law, ParticleId a, ParticleId b) {

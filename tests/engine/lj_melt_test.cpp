@@ -48,8 +48,7 @@ void fill(World& world, const cases::Melt& melt, Expressions g, Expr potential) 
   LawDef def;
   def.cutoff = 2.5;
   def.shift = false;
-  add_interaction(world, std::make_shared<Law>(central_potential(def, std::move(g), potential)), atom.family,
-                  atom.family);
+  add_interaction(world, std::make_shared<Law>(central_potential(def, g, potential)), atom.family, atom.family);
 }
 
 /// Of one atom.

@@ -24,7 +24,7 @@ std::shared_ptr<const Law> soft_cores(double cutoff, double strength) {
   def.cutoff = cutoff;
   def.exclude = 2;
   const Expr energy = g.scale(g.multiply(depth, depth), strength);
-  return std::make_shared<Law>(central_potential(def, std::move(g), energy));
+  return std::make_shared<Law>(central_potential(def, g, energy));
 }
 
 /// m k |x|² / 2
@@ -35,7 +35,7 @@ std::shared_ptr<const Law> well(double k) {
   LawDef def;
   def.name = "well";
   const Expr energy = g.scale(g.multiply(g.input({Role::attribute, 0, 0, "mass"}), sum), 0.5 * k);
-  return std::make_shared<Law>(point_potential(def, std::move(g), energy));
+  return std::make_shared<Law>(point_potential(def, g, energy));
 }
 
 /// k r²
@@ -44,7 +44,7 @@ std::shared_ptr<const Law> string_of(double k) {
   LawDef def;
   def.name = "string";
   const Expr energy = g.scale(g.input({Role::distance2, 0, 0, {}}), k);
-  return std::make_shared<Law>(central_potential(def, std::move(g), energy));
+  return std::make_shared<Law>(central_potential(def, g, energy));
 }
 
 void prepare(World& world, double step) {
@@ -253,7 +253,7 @@ TEST_CASE("members: a newborn that lacks what a law reads stops the world, and s
   ParticleDef ion;
   ion.family = add_family(world, ions);
   add_particle(world, ion);
-  add_field(world, std::make_shared<Law>(point_potential(def, std::move(g), energy)), {});
+  add_field(world, std::make_shared<Law>(point_potential(def, g, energy)), {});
   step(world);
   REQUIRE(world.failure.empty());
   add_particle(world, {});

@@ -35,7 +35,7 @@ LawPtr soft_charges(double cutoff = infinity) {
   def.cutoff = cutoff;
   def.parameters = {{"strength", 2.0, "J m²"}};
   const Expr potential = g.multiply(parameter(g, "strength"), g.divide(charges, soft));
-  return std::make_shared<Law>(central_potential(def, std::move(g), potential));
+  return std::make_shared<Law>(central_potential(def, g, potential));
 }
 
 /// A force on a of the radii of both, the distance vector and the relative velocity; not symmetric.
@@ -51,7 +51,7 @@ LawPtr odd_force(bool one_sided, double cutoff) {
   def.name = "odd";
   def.cutoff = cutoff;
   def.one_sided = one_sided;
-  return std::make_shared<Law>(pair_force(def, std::move(g), force));
+  return std::make_shared<Law>(pair_force(def, g, force));
 }
 
 struct Run {
@@ -202,7 +202,7 @@ TEST_CASE("pairs: a one-sided central law within one family pulls each by its ow
   def.name = "own charge";
   def.cutoff = 2.0;
   def.one_sided = true;
-  const Law law = central_tension(def, std::move(g), tension);
+  const Law law = central_tension(def, g, tension);
   const Sites sites = cases::random_sites();
   const Run made = run(law, sites, {}, {0}, {0});
   const auto force = [&](std::size_t i, std::size_t, Vec3 d) { return d * sites.attributes[0][i]; };
@@ -215,7 +215,7 @@ TEST_CASE("pairs: a damper works against approach") {
   LawDef def;
   def.name = "damper";
   def.cutoff = 2.0;
-  const Law law = central_tension(def, std::move(g), tension);
+  const Law law = central_tension(def, g, tension);
   const Sites sites = cases::random_sites({.speed = 1.0});
   const Run made = run(law, sites, cube(10.0), {0}, {0});
   const auto force = [&](std::size_t i, std::size_t j, Vec3 d) {
@@ -269,7 +269,7 @@ TEST_CASE("pairs: at one place and beyond the cutoff a singular law stays finite
   LawDef def;
   def.name = "lennard-jones";
   def.cutoff = 2.5;
-  const Law law = central_potential(def, std::move(g), potential);
+  const Law law = central_potential(def, g, potential);
   Sites sites = cases::random_sites({.count = 2});
   for (const double r : {0.0, 1e-300, 1e-8, 2.49, 2.6, 1e9}) {
     sites.x[0] = vec(1, 2, 3);
@@ -288,7 +288,7 @@ TEST_CASE("pairs: noise is the same for both of a pair") {
   LawDef def;
   def.name = "noise";
   def.cutoff = 2.0;
-  const Law law = central_tension(def, std::move(g), noise);
+  const Law law = central_tension(def, g, noise);
   const Sites sites = cases::random_sites();
   const Run made = run(law, sites, {}, {0}, {0}), again = run(law, sites, {}, {0}, {0}, 2.5);
   Vec3 sum = zero3();
@@ -337,7 +337,7 @@ TEST_CASE("pairs: the pair whose force is not finite is found") {
   LawDef def;
   def.name = "log";
   def.cutoff = 2.0;
-  const auto law = std::make_shared<Law>(central_tension(def, std::move(g), tension));
+  const auto law = std::make_shared<Law>(central_tension(def, g, tension));
   Sites sites = cases::random_sites({.count = 3, .edge = 0.0});
   for (std::size_t i = 0; i < 3; i++) sites.x[i] = vec(static_cast<double>(i), 0, 0);
   Workers workers;

@@ -26,7 +26,7 @@ std::shared_ptr<const Law> elastic(double k, double length = 0.0) {
   const Expr energy = g.scale(g.multiply(stretch, stretch), 0.5 * k);
   LawDef def;
   def.name = "elastic";
-  return std::make_shared<Law>(central_potential(def, std::move(g), energy));
+  return std::make_shared<Law>(central_potential(def, g, energy));
 }
 
 /// c times the rate of the distance.
@@ -35,7 +35,7 @@ std::shared_ptr<const Law> viscous(double c) {
   const Expr tension = g.scale(rate_of_distance(g), c);
   LawDef def;
   def.name = "viscous";
-  return std::make_shared<Law>(central_tension(def, std::move(g), tension));
+  return std::make_shared<Law>(central_tension(def, g, tension));
 }
 
 ParticleId ball(World& world, Vec3 at, double mass, Vec3 velocity = zero3()) {

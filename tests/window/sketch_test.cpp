@@ -138,7 +138,7 @@ TEST_CASE("in a periodic box things are shown where the box has them, and ties b
   const Expr energy = graph.input({Role::distance2, 0, 0, {}});
   ConnectionDef def;
   def.ends = {{a}, {b}};
-  add_connection(world, std::make_shared<Law>(central_potential({.name = "tie"}, std::move(graph), energy)), def);
+  add_connection(world, std::make_shared<Law>(central_potential({.name = "tie"}, graph, energy)), def);
   set_box(world, vec(10, 10, 10));
   const PointId point = world.particles[a].points[0];
   CHECK(shown_place(world, point)[0] == 9.5);
