@@ -4,7 +4,7 @@ test("buckyball: what is rigid keeps its shape, springs give and come back, rods
   local scene = open("scenes/buckyball.lua")
   local function size(form) return scene:read(form) end
   local whole, least = size "deformable", math.huge
-  for _ = 1, 4 * 960 do
+  for _ = 1, 2.5 * 960 do
     scene:step()
     least = math.min(least, size "deformable")
   end
