@@ -292,14 +292,15 @@ TEST_CASE("sleep: the same bits by any number of threads, and with every integra
     for (int threads = 1; threads <= 2; threads++) {
       World world;
       world.workers = std::make_unique<Workers>(threads);
-      for (int i = 0; i < 40; i++) cases::add_chain(world, {.links = 2, .start = vec(0, 0, i)});
+      world.settings.step = 1.0 / 60;
+      for (int i = 0; i < 20; i++) cases::add_chain(world, {.links = 2, .start = vec(0, 0, i)});
       drag(world, 2.0);
       set_integrator(world, integrator);
-      steps(world, 240 * 25);
-      CHECK(sleepers(world) == 40);
+      steps(world, 60 * 25);
+      CHECK(sleepers(world) == 20);
       kick(world, world.bodies.ids()[7], vec(0, 0, 1));
       steps(world, 10);
-      CHECK(sleepers(world) == 39);
+      CHECK(sleepers(world) == 19);
       hashes[threads - 1] = state_hash(world);
     }
     CHECK(hashes[0] == hashes[1]);
