@@ -200,7 +200,7 @@ TEST_CASE("promise: a ball on a stiff wall, where runs may agree by luck", "[slo
   }
 }
 
-TEST_CASE("promise: an orbit of eccentricity 0.9") {
+TEST_CASE("promise: an orbit of eccentricity 0.9", "[slow]") {
   const Study study = study_text(R"(
     scene.gravity = vec(0, 0, 0)
     local p = scene:particle { mass = 1, at = vec(0.1, 0, 0), velocity = vec(0, math.sqrt(19), 0) }
@@ -226,7 +226,7 @@ TEST_CASE("promise: a fly-by that no step resolves is not called chaotic, and wh
   CHECK_THAT(report_text(study, 1.0), Catch::Contains("Unresolved: the finest runs part after 0.4"));
 }
 
-TEST_CASE("promise: a driven oscillator, a quartic well, a force that jumps and one that has a kink") {
+TEST_CASE("promise: a driven oscillator, a quartic well, a force that jumps and one that has a kink", "[slow]") {
   struct Case {
     const char* name;
     std::string source;
@@ -275,7 +275,7 @@ TEST_CASE("promise: a driven oscillator, a quartic well, a force that jumps and 
   }
 }
 
-TEST_CASE("promise: a double pendulum, until chaos parts the runs") {
+TEST_CASE("promise: a double pendulum, until chaos parts the runs", "[slow]") {
   reference::PlaneChain chain = reference::plane_chain(2);
   for (reference::Link& link : chain.links) link.centre = 1.0, link.inertia = 0.0;
   const Study study = study_text(R"(
