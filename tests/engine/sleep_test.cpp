@@ -74,6 +74,24 @@ struct Asleep {
   }
 };
 
+/// Two loose balls on a spring without tension, which explicit steps of 1/240 s cannot follow from 7 s on.
+ConnectionId add_stiffening_spring(World& world) {
+  Expressions g;
+  const Expr t = g.input({Role::time, 0, 0, {}}), t2 = g.multiply(t, t), t4 = g.multiply(t2, t2);
+  const Expr stretch = g.add(g.square_root(g.input({Role::distance2, 0, 0, {}})), g.constant(-1.0));
+  LawDef law;
+  law.name = "stiffening";
+  ConnectionDef def;
+  for (double x : {10.0, 11.0}) {
+    ParticleDef ball;
+    ball.at = vec(x, 0, 0);
+    ball.mass = 1;
+    def.ends.push_back({add_particle(world, ball)});
+  }
+  const Expr stiffness = g.scale(g.multiply(t4, t4), 0.0125), energy = g.multiply(stretch, stretch);
+  return add_connection(world, std::make_shared<Law>(central_potential(law, g, g.multiply(stiffness, energy))), def);
+}
+
 }  // namespace
 
 TEST_CASE("sleep: a damped chain falls asleep where it came to rest, is not solved then, and the ledger closes") {
@@ -274,6 +292,21 @@ TEST_CASE("sleep: a body that comes near with a law of pairs wakes it, and momen
   CHECK(norm(momentum(world, everything(world)) - vec(-1, 0, 0)) <= 1e-9);  // what was too weak to wake it
   CHECK(closure(world) <= 1e-10);
   CHECK(world.error.energy <= 1e-4);
+}
+
+TEST_CASE("sleep: springs that become solved by themselves wake what fell asleep in other laws than act now") {
+  ConnectionId spring;
+  Asleep scene([&](Asleep& s) { spring = add_stiffening_spring(s.world); });
+  World& world = scene.world;
+  Articulate& articulate = *world.articulates[static_cast<std::size_t>(world.motion_of(scene.rod).articulate)];
+  articulate.rest.movers++;  // as if a law had pulled at it then
+  steps(world, 100);
+  REQUIRE(world.connections[spring].solve == Solve::explicitly);
+  REQUIRE(asleep(world, scene.rod));
+  for (int i = 0; i < 300 && world.connections[spring].solve == Solve::explicitly; i++) steps(world, 1);
+  REQUIRE(world.connections[spring].solve == Solve::at_middle);
+  CHECK(!asleep(world, scene.rod));
+  CHECK(asleep(world, scene.other));
 }
 
 TEST_CASE("sleep: where all sleep no phase has work, and time goes on") {
