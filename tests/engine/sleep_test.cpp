@@ -325,15 +325,15 @@ TEST_CASE("sleep: the same bits by any number of threads, and with every integra
     for (int threads = 1; threads <= 2; threads++) {
       World world;
       world.workers = std::make_unique<Workers>(threads);
-      world.settings.step = 1.0 / 60;
-      for (int i = 0; i < 20; i++) cases::add_chain(world, {.links = 2, .start = vec(0, 0, i)});
+      world.settings.step = 1.0 / 120;
+      for (int i = 0; i < 12; i++) cases::add_chain(world, {.links = 2, .start = vec(0, 0, i)});
       drag(world, 2.0);
       set_integrator(world, integrator);
-      steps(world, 60 * 25);
-      CHECK(sleepers(world) == 20);
+      steps(world, 120 * 15);
+      CHECK(sleepers(world) == 12);
       kick(world, world.bodies.ids()[7], vec(0, 0, 1));
       steps(world, 10);
-      CHECK(sleepers(world) == 19);
+      CHECK(sleepers(world) == 11);
       hashes[threads - 1] = state_hash(world);
     }
     CHECK(hashes[0] == hashes[1]);
