@@ -181,11 +181,11 @@ void run_behaviours(Script& script) {
            [&](lua_State* state) { return push_notice(state, script, notice); });
     }
   }
-  recheck_laws(script);
   tell(script, "step", "", [&](lua_State* state) {
     lua_pushnumber(state, script.world.settings.step);
     return 1;
   });
+  recheck_laws(script);
 }
 
 const Type& subscription_type() {

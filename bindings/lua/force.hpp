@@ -1,5 +1,6 @@
 #pragma once
 // Laws as values of Lua: what `force.pair{ … }`, `force.spring{ … }` and the others return.
+#include <cstdint>
 #include <lua.hpp>
 #include <memory>
 #include <optional>
@@ -23,6 +24,7 @@ struct ResolvedLaw {
   std::shared_ptr<CalledLaw>
       function;                     ///< of a traced law of a scene: to be compared with now and then (`recheck_law`)
   Solve solve = Solve::explicitly;  ///< of its connections
+  std::uint64_t captured = 0;       ///< of such a function, when it was traced: see `captured_values`
 };
 
 /// A law as a scene wrote it.
@@ -56,6 +58,10 @@ LawSpec* to_law(lua_State* state, int index);
 ResolvedLaw resolve_law(lua_State* state, int index, Script& script, std::span<const KnownNames> known,
                         bool exchangeable);
 
+/// Whether a traced law reads what the script has changed since.
+bool has_changed(const ResolvedLaw& law);
+/// Traces such a law with what it reads now; false where that cannot be done any more.
+bool trace_again(ResolvedLaw& law);
 /// Compares a traced law with its function on real pairs, given as for a called law (columns of
 /// `function->inputs_wanted()`; no outputs). "" or a sentence, after which `called_law` should take its place.
 std::string recheck_law(const ResolvedLaw& law, const Called::Block& block);

@@ -205,8 +205,9 @@ std::string disagreement(CalledLaw& called, const Law& law, const Called::Block&
       if (law.kind == LawKind::central && (inputs.empty() || inputs[0] != distance2))
         inputs.insert(inputs.begin(), distance2);
       const bool energy = i == law.force.size();
-      return text("traced, the ", energy ? "energy" : "force", " is ", got, " and called it is ", wanted, " at ",
-                  read.describe(inputs, k));
+      const std::string where = read.describe(inputs, k);
+      return text("traced, the ", energy ? "energy" : "force", " is ", got, " and called it is ", wanted,
+                  where.empty() ? "" : " at ", where);
     }
   return "";
 }

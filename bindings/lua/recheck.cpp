@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <span>
+#include <utility>
 
 #include "laws/sites.hpp"
 #include "lua/script.hpp"
@@ -132,10 +133,34 @@ void watch_law(Script& script, const AnyId& id, const ResolvedLaw& law) {
   script.traced.push_back({id, law});
 }
 
+namespace {
+
+/// Whether the law is traced no more.
+bool follow_changes(Script& script, TracedAtWork& at_work) {
+  constexpr int often = 16;
+  const std::shared_ptr<const Law> old = at_work.law.laws.front();
+  if (++at_work.traced_again <= often && trace_again(at_work.law)) {
+    replace_law(script.world, old, at_work.law.laws.front());
+    return false;
+  }
+  log_line(
+      script.world, "warning",
+      text(at_work.law.function->law().function.place(),
+           ": the scene changes what this law reads again and again: it is called in Lua from now on, some 50 to 300 "
+           "times slower; as one of its parameters it may change at no cost"));
+  replace_law(script.world, old, called_law(at_work.law.function));
+  return true;
+}
+
+}  // namespace
+
 void recheck_laws(Script& script) {
   World& world = script.world;
-  if (script.traced.empty() || !std::has_single_bit(world.steps)) return;
+  if (script.traced.empty()) return;
   std::erase_if(script.traced, [&](const TracedAtWork& t) { return !alive(world, t.id); });
+  if (std::exchange(script.runs_seen, script.runtime.runs()) != script.runtime.runs())
+    std::erase_if(script.traced, [&](TracedAtWork& t) { return has_changed(t.law) && follow_changes(script, t); });
+  if (!std::has_single_bit(world.steps)) return;
   for (std::size_t i = 0; i < script.traced.size(); i++) {
     const TracedAtWork at_work = script.traced[i];
     const std::string found = disagreement(world, at_work);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lua/arguments.hpp"
+#include "lua/captured.hpp"
 #include "lua/force.hpp"
 #include "lua/guard.hpp"
 #include "lua/law_check.hpp"
@@ -119,7 +120,7 @@ ResolvedLaw make_ready(LawSpec& spec, const LawFunction& f, Script& script, bool
   }
   std::vector<double> values;
   for (const pantin::Parameter& p : f.def.parameters) values.push_back(p.value);
-  if (law) return {{law}, values, called, spec.solve};
+  if (law) return {{law}, values, called, spec.solve, captured_values(f.function)};
   require(!spec.strict, spec.word, ": strict = true, and the law cannot be traced: ", reason);
   require(spec.solve == Solve::explicitly, spec.word,
           ": implicit needs a law that can be traced, and this one cannot: ", reason);
@@ -157,12 +158,26 @@ ResolvedLaw resolve_law(lua_State* state, int index, Script& script, std::span<c
     check_attributes(*spec, known);
     return *spec->library;
   }
+  std::erase_if(spec->ready, [](const LawSpec::Ready& ready) { return has_changed(ready.law); });
   for (const LawSpec::Ready& ready : spec->ready)
     if (ready.exchangeable == exchangeable && std::equal(known.begin(), known.end(), ready.known.begin()))
       return ready.law;
   const LawFunction f = function_of(state, lua_absindex(state, index), *spec, known);
   spec->ready.push_back({{known.begin(), known.end()}, exchangeable, make_ready(*spec, f, script, exchangeable)});
   return spec->ready.back().law;
+}
+
+bool has_changed(const ResolvedLaw& law) {
+  return law.function && captured_values(law.function->law().function) != law.captured;
+}
+
+bool trace_again(ResolvedLaw& law) {
+  std::string reason;
+  const std::shared_ptr<const Law> traced = try_trace(*law.function, reason);
+  if (!traced) return false;
+  law.laws = {traced};
+  law.captured = captured_values(law.function->law().function);
+  return true;
 }
 
 std::string recheck_law(const ResolvedLaw& law, const Called::Block& block) {

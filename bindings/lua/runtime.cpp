@@ -86,6 +86,7 @@ int Runtime::start(lua_State* state) {
 void Runtime::run_job(Job& job) {
   lua_State* state = active();
   const Inside inside(*this, state, limits_.seconds);
+  runs_++;
   require(lua_checkstack(state, 8) != 0, "the script called itself too deeply");
   lua_pushcfunction(state, describe_error);
   lua_pushcfunction(state, start);

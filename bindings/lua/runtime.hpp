@@ -48,6 +48,8 @@ class Runtime {
   /// All of a file, which `on_read` is told, or nothing where it cannot be read.
   std::optional<std::string> read(const std::string& path) const;
 
+  /// How often scripts ran.
+  std::uint64_t runs() const { return runs_; }
   /// The state that runs: the main one, or a coroutine.
   lua_State* active() const { return watch_.running.load(std::memory_order_relaxed); }
   Watch& watch() { return watch_; }
@@ -75,6 +77,7 @@ class Runtime {
   [[noreturn]] void fail(lua_State* state, int status);
 
   Limits limits_;
+  std::uint64_t runs_ = 0;
   std::size_t bytes_ = 0;
   std::string refused_at_;  ///< place at which memory was refused last
   lua_State* main_ = nullptr;

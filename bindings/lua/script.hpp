@@ -45,6 +45,7 @@ struct ScriptData {
   std::vector<Subscription> subscriptions;  ///< in the order of asking
   std::size_t cancelled = 0;                ///< subscriptions that are only there to be dropped
   std::vector<TracedAtWork> traced;
+  std::uint64_t runs_seen = 0;  ///< Runtime::runs when these were looked at
 };
 
 /// Where a script runs. It outlives all that holds functions of it.

@@ -1,7 +1,7 @@
 // A connection solved with its articulate, so that no stiffness limits the step. The force is f = -Q e, e = d0 + d1.
 // Of a law with an energy V(s), s = d², Q = ΔV/Δs: f·Δd = -ΔV exactly (discrete gradient; Gonzalez 1996), for a small Δs
-// by Gauss' rule. Without an energy, 2 Q = tension/distance at the mean distance and the mean rate u = Δr/h:
-// f·Δd = -tension Δr, of a damper -c h u², which never gives.
+// by Gauss' rule. Without an energy, Q = tension/(|d0| + |d1|) with its mean on the way, by the same rule, at the mean
+// rate u = Δr/h: f·Δd = -tension Δr, of a damper -c h u², which never gives.
 //   With these alone what is damped would swing to and fro where the step is too long to follow it. So it has more
 // damping, by which its length settles about as fast as in truth, at most that of the backward rule, h k/2. And at the
 // end of the full sub-step the rate of its distance is drawn to u by an impulse -κ (rate - u). That gives κ u²/4 at most,
@@ -48,11 +48,23 @@ Pull of_energy(PairCurve& curve, double s0, double s1, double energy0) {
   return p;
 }
 
-Pull at_mean(PairCurve& curve, double r0, double r1, double h) {
-  const double r = 0.5 * (r0 + r1), rate = (r1 - r0) / h, s = r * r;
-  curve.run(1, &s, r * rate);
-  const PairCurve::Value v = curve.at(0);
-  return {0.5 * v.pull, 0.5 * (v.by_distance2 * r + v.by_approach * (0.5 * rate + r / h)) / r1};
+/// The mean tension on the way, at the mean rate.
+Pull of_tension(PairCurve& curve, double r0, double r1, double rate, double h) {
+  std::array<double, 4> r, s;
+  for (std::size_t i = 0; i < 4; i++) {
+    r[i] = r0 + (r1 - r0) * places[i];
+    s[i] = r[i] * r[i];
+  }
+  curve.run(4, s.data(), rate);
+  double tension = 0.0, by_end = 0.0;  // [N], [N/m]
+  for (std::size_t i = 0; i < 4; i++) {
+    const PairCurve::Value v = curve.at(static_cast<int>(i));
+    const double by_distance = v.pull + r[i] * (2.0 * r[i] * v.by_distance2 + rate * v.by_approach);
+    tension += weights[i] * v.pull * r[i];
+    by_end += weights[i] * (by_distance * places[i] + s[i] * v.by_approach / h);
+  }
+  const double both = r0 + r1, Q = tension / both;
+  return {Q, (by_end - Q) / (both * r1)};
 }
 
 Pull of_damper(double damping, double r0, double r1, double h) {
@@ -99,7 +111,7 @@ void choose_damping(StiffTie& tie, double s0, const RowContext& context) {
   tie.damping = tie.settling = 0.0;
   double c = 0.0, k = 0.0;  // [N s/m], [N/m]
   for (PairCurve& curve : tie.curves) {
-    curve.run(1, &s0, std::sqrt(s0) * tie.rate0);
+    curve.run(1, &s0, tie.rate0);
     const PairCurve::Value v = curve.at(0);
     if (curve.is_moving()) c += s0 * v.by_approach;
     k += v.pull + 2.0 * s0 * v.by_distance2;
@@ -134,7 +146,8 @@ double evaluate_stiff(Row& row, Condition& c, const RowContext& context) {
   };
   for (std::size_t i = 0; i < tie.curves.size(); i++) {
     PairCurve& curve = tie.curves[i];
-    const Pull p = curve.has_energy() ? of_energy(curve, s0, s1, tie.energy0[i]) : at_mean(curve, r0, r1, h);
+    const Pull p =
+        curve.has_energy() ? of_energy(curve, s0, s1, tie.energy0[i]) : of_tension(curve, r0, r1, (r1 - r0) / h, h);
     add(p);
     tie.pulls[i] = p.Q;
   }
@@ -184,16 +197,15 @@ bool StiffTie::is_damped() const {
 
 double StiffTie::settle(const Row& row, std::vector<double>& given) {
   const Vec3 e = row.d0 + row.d1, way = row.d1 - row.d0;
-  const double r = 0.5 * (norm(row.d0) + norm(row.d1)), s = std::fmax(r * r, least2);
-  double taken = damping * mean_rate * (norm(row.d1) - norm(row.d0));
+  const double least = std::sqrt(least2), r0 = std::fmax(norm(row.d0), least), r1 = std::fmax(norm(row.d1), least);
+  double taken = damping * mean_rate * (r1 - r0);
   double open = -taken, rest = dot(row.f, way) + taken;
   for (std::size_t i = 0; i < curves.size(); i++) {
     const double work = -pulls[i] * dot(e, way);
     rest -= work;
     (curves[i].has_energy() ? given[i] : open) += work;
     if (!curves[i].is_moving()) continue;
-    curves[i].run(1, &s, 0.0);
-    taken -= work + 0.5 * curves[i].at(0).pull * dot(e, way);
+    taken -= work + of_tension(curves[i], r0, r1, 0.0, infinity).Q * dot(e, way);
   }
   given[0] += rest;
   const double most = 4.0 * std::fmax(taken, 0.0), rate2 = mean_rate * mean_rate;

@@ -141,7 +141,7 @@ void drift_accurately(Articulate& a, const DriftSettings& settings, const SubSte
   if (a.edited || a.safe) a.means_known = 0;
   if (a.safe) return move(a, 1);  // what it cannot do it cannot do better by parts
   SubSteps n = a.sub_steps;
-  bool due = is_due(n, wanted);
+  bool due = is_due(n, wanted) || (wanted.span != 0.0 && a.means_known < 2);
   trial.start = a;
   move(a, n.count);
   double jerk = 0.0;

@@ -1,6 +1,7 @@
 #include "laws/pair_curve.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -51,7 +52,7 @@ bool PairCurve::set(std::size_t input, double value) {
   return true;
 }
 
-void PairCurve::run(int n, const double* distance2, double approach) {
+void PairCurve::run(int n, const double* distance2, double rate) {
   if (changed_) machine_.run_uniform();
   changed_ = false;
   if (distance2_ >= 0) {
@@ -59,7 +60,10 @@ void PairCurve::run(int n, const double* distance2, double approach) {
     std::copy_n(distance2, n, column);
     std::fill(column + n, column + kernels::padding, distance2[n - 1]);
   }
-  if (approach_ >= 0) machine_.fill(approach_, approach);
+  if (approach_ >= 0) {
+    double* column = machine_.column(approach_);
+    for (int k = 0; k < kernels::padding; k++) column[k] = std::sqrt(distance2[std::min(k, n - 1)]) * rate;
+  }
   machine_.run(n);
 }
 

@@ -30,8 +30,8 @@ class PairCurve {
   std::span<const Input> inputs() const { return inputs_; }
   bool set(std::size_t input, double value);  ///< whether it was another
 
-  /// Of n <= most pairs, at distance² [m²] > 0 and approach [m²/s].
-  void run(int n, const double* distance2, double approach);
+  /// Of n <= most pairs, at distance² [m²] > 0 that changes by `rate` [m/s].
+  void run(int n, const double* distance2, double rate);
   Value at(int k) const;
 
  private:

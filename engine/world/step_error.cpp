@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "articulates/articulate.hpp"
+#include "articulates/momenta.hpp"
 #include "articulates/sub_steps.hpp"
 #include "world/encounters.hpp"
 #include "world/forces_parts.hpp"
@@ -293,10 +294,12 @@ class Judge {
 
   void judge_site(std::size_t i) {
     const std::uint32_t slot = f_.sites.particle[i];
-    const double change = norm(n_.change[i]) + n_.turning[i], jump = jump_before(slot, change / h_) * h_;
+    const Articulate* articulate = articulate_of(world_, f_, i);
+    const double change = norm(n_.change[i]) + n_.turning[i] + (articulate ? turned_by_rows(i, *articulate) : 0.0);
+    const double jump = jump_before(slot, change / h_) * h_;
     n_.jerk[slot] = {change / h_, n_.jerk[slot][0], n_.jerk[slot][1]};
     if (change == 0.0 && jump == 0.0) return;
-    if (const Articulate* articulate = articulate_of(world_, f_, i)) return see(i, change, articulate->length, true);
+    if (articulate) return see(i, change, articulate->length, true);
     double size = std::isfinite(n_.near[i]) ? n_.near[i] : 0.0;
     if (f_.attached_of[i] != none)
       size = std::max(size, reach_of(world_, f_.movers[f_.attached[f_.attached_of[i]].mover]));
@@ -312,6 +315,13 @@ class Judge {
     tell_later(n_.untold[slot], change, size, turned > half_around);
     // Kicks are wrong by h/4 times a jump on average, and places by that in each second from then on.
     if (jump * h_ > 4.0 * n_.jump * size) see_jump(i, jump * h_ / (4.0 * size));
+  }
+
+  /// What rows make of a force that stays as it is changes as they turn with what they tie [m/s²].
+  double turned_by_rows(std::size_t i, const Articulate& articulate) const {
+    if (is_free(articulate)) return 0.0;
+    const double moved = norm(n_.moved[i]), turn = std::min(1.0, moved / articulate.length);
+    return std::min(norm(acceleration(world_, f_, i)), 2.0 * moved / (h_ * h_)) * turn;
   }
 
   /// By how much it has swung since it was first seen [rad]: by the stiffness that it meets, or by how fast its acceleration

@@ -102,7 +102,7 @@ void ask_velocity_laws(const World& world, Forces& f, const Instant& instant, bo
   if (!plane.flat()) return;
   const auto flatten = [&](Vec3& force, Mat3& slope) {
     force = plane.along(force);
-    for (int c = 0; c < 3; c++) slope[c] = plane.along(slope[c]);
+    for (int c = 0; c < 3; c++) slope[c] = c == plane.normal ? zero3() : plane.along(slope[c]);
   };
   for (std::size_t i = 0; i < n; i++) flatten(k.fields.force[i], k.fields.slope[i]);
   for (std::size_t i = 0; f.workless && i < n; i++) flatten(k.workless.force[i], k.workless.slope[i]);
@@ -170,10 +170,13 @@ Vec3 spared_force(const VelocityPair& pair, Vec3 all) { return pair.workless ? a
 
 namespace {
 
-/// How fast a force with this slope changes velocities of a unit mass, by damping or by turning [1/s], about.
+/// How fast a force with this slope changes velocities of a unit mass, by damping or by turning [1/s], at most.
 double rate_part(const Mat3& slope) {
-  const Mat3 turning = slope - transpose(slope);
-  return std::max(working_part(slope), std::sqrt((norm2(turning[0]) + norm2(turning[1]) + norm2(turning[2])) / 8.0));
+  const Mat3 turned = transpose(slope), working = slope + turned, turning = slope - turned;
+  double damps = 0.0;
+  for (const Vec3& column : working.column)
+    damps = std::max(damps, 0.5 * (std::fabs(column[0]) + std::fabs(column[1]) + std::fabs(column[2])));
+  return std::max(damps, std::sqrt((norm2(turning[0]) + norm2(turning[1]) + norm2(turning[2])) / 8.0));
 }
 
 }  // namespace

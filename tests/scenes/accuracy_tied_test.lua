@@ -84,3 +84,23 @@ test("a motor whose speed jumps within a step turns as far as it says, or tells 
     end
   end
 end)
+
+test("a kick in the second step of a rod's life is seen as in any other", function()
+  local scene = open_text("scene.step, scene.accuracy = 1 / 64, 1e-4\n" .. rod
+    .. [[scene:at(1 / 64, function() scene:find("p"):kick(vec(50, 0, 0)) end)]])
+  scene:advance(1 / 32)
+  local angle = swing(0, 50, 1 / 64, 1 / 32, earth)
+  local missed = (scene:find("p").position - vec(math.sin(angle), -math.cos(angle), 0)):length()
+  expect(missed):below(2 * math.max(1e-4, scene.stats.missed_accuracy) / 32)
+end)
+
+test("a force that stays as it is makes as small an error on a rod as gravity does", function()
+  local angle = swing(0, 0, 0, 1, function() return 1000, 9.81 end)
+  for _, accuracy in ipairs { 1e-2, 1e-3, 1e-4 } do
+    local scene = open_text("scene.step, scene.accuracy = 1 / 64, " .. accuracy .. "\n" .. rod
+      .. "scene:field(scene, force.point { potential = function(p) return -1000 * p.position.x end })")
+    scene:advance(1)
+    local missed = (scene:find("p").position - vec(math.sin(angle), -math.cos(angle), 0)):length()
+    expect(missed):below(2 * math.max(accuracy, scene.stats.missed_accuracy))
+  end
+end)

@@ -215,3 +215,24 @@ for name, code in pairs(tied) do
     end
   end)
 end
+
+test("a solved tension that bends with the distance keeps the energy as its integral has it", function()
+  for _, case in ipairs {
+    { "1e5 * x * x * x", function(x) return 1e5 / 4 * x ^ 4 end },
+    { "1e6 * (math.exp(x) - 1)", function(x) return 1e6 * (math.exp(x) - x - 1) end },
+  } do
+    local scene = open_text([[
+      scene.gravity = vec(0, 0, 0)
+      local p = scene:particle { mass = 1, at = vec(2, 0, 0), name = "p" }
+      scene:connect(p, vec(0, 0, 0), force.pair { implicit = true,
+        tension = function(r) local x = r - 1 return ]] .. case[1] .. [[ end })
+    ]])
+    local function energy()
+      local p = scene:find "p"
+      return 0.5 * p.velocity:dot(p.velocity) + case[2](p.position:length() - 1)
+    end
+    local before = energy()
+    scene:advance(1)
+    expect(energy() / before):near(1, 1e-5)
+  end
+end)

@@ -242,6 +242,7 @@ test("rk4 stops where something is damped or turned faster than its steps can fo
     return scene:find("p").velocity.x
   end
   expect(damped(10)):near(10 * math.exp(-1), 1e-6)
+  damped(500)
   expect(function() damped(1e4) end):fails '"verlet" can, or a shorter scene.step'
   local two = [[
     scene.integrator, scene.gravity, scene.step = "rk4", vec(0, 0, 0), 1 / 60
@@ -354,4 +355,28 @@ test("a ball that friction holds on a slope keeps its place, and its energy erro
   scene:advance(5)
   expect(scene:find("ball").velocity:length()):below(1e-6)
   expect(scene.error.energy):below(0.05)
+end)
+
+test("in a plane a magnetic force turns by what of it is along the normal, and keeps the energy", function()
+  local scene = open_text [[
+    scene.gravity, scene.plane = vec(0, 0, 0), "xy"
+    scene:particle { mass = 1, velocity = vec(1, 0, 0) }
+    scene:field(scene, force.point { force = function(p) return p.velocity:cross(vec(500, 300, 20)) end })
+  ]]
+  scene:advance(2)
+  expect(scene.energy.kinetic):near(0.5, 1e-10)
+end)
+
+test("what creeps in strong damping that depends on the place has a small energy error", function()
+  local scene = open_text [[
+    scene.gravity = vec(0, 0, 0)
+    scene:particle { mass = 1, at = vec(2, 0, 0), velocity = vec(1, 0, 0), name = "p" }
+    scene:field(scene, force.point { force = function(p)
+      local x, v = p.position.x, p.velocity.x
+      return vec(-4e4 * x - 3e5 * x * x * v, 0, 0)
+    end })
+  ]]
+  scene:advance(1)
+  expect(scene:find("p").position.x):near(1.932, 1e-3)
+  expect(scene.error.worst_energy):below(0.01)
 end)

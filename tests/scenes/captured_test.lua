@@ -1,0 +1,44 @@
+--- What a law reads from outside, where the scene changes it in the middle of a run.
+
+local function speed(setup, law)
+  local scene = open_text("scene.gravity = vec(0, 0, 0)\n" .. setup .. [[
+    local p = scene:particle { mass = 2, name = "p" }
+    scene:field(scene, force.point { force = function(p) return ]] .. law .. " end })")
+  scene:advance(1)
+  return scene:find("p").velocity, scene
+end
+
+test("a local that an event switches on and off acts from then on and no longer", function()
+  local v = speed([[
+    local boost = 0
+    scene:at(0.5, function() boost = 100 end)
+    scene:at(0.75, function() boost = 0 end)
+  ]], "vec(boost, 0, 0)")
+  expect(v.x):near(100 * 0.25 / 2, 1e-9)
+end)
+
+test("so do a global, a value in a table, a vec, and what another function reads", function()
+  local v, scene = speed([[
+    gust = 0
+    local wind, deep = { now = vec(0, 0, 0) }, { inside = { strength = 0 } }
+    local function strength() return deep.inside.strength end
+    scene:at(0.25, function() wind.now = vec(1, 0, 0) end)
+    scene:at(0.5, function() deep.inside.strength = 2 end)
+    scene:at(0.75, function() gust = 3 end)
+  ]], "wind.now + vec(0, strength(), gust)")
+  expect((v - vec(0.75, 1, 0.75) / 2):length()):below(1e-9)
+  expect(#scene.log):equal(0)
+end)
+
+test("a law that reads what changes in each step follows it, and is told to be slow once", function()
+  local v, scene = speed([[
+    local steps = 0
+    scene:on("step", function() steps = steps + 1 end)
+  ]], "vec(steps, 0, 0)")
+  expect(v.x):near(0.5 * 240 * 241 / 240 / 2, 1e-9)
+  local told = 0
+  for _, line in ipairs(scene.log) do
+    if line.text:find("one of its parameters", 1, true) then told = told + 1 end
+  end
+  expect(told):equal(1)
+end)
