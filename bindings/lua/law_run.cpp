@@ -49,11 +49,14 @@ int particle_index(lua_State* state) {
   const std::string name = key_text(state);
   if (push_motion(state, run, who, name)) return 1;
   const KnownNames& known = run.law.known[static_cast<std::size_t>(who)];
-  const std::vector<std::string> names = known.all();
+  std::vector<std::string> names = known.all();
   if (std::find(names.begin(), names.end(), name) == names.end()) {
     if (known.place)
       run.mistake(state,
                   text(known.whose, " has no '", name, "'; a law between a particle and a place cannot read it"));
+    const LawForm form = run.law.form;
+    if (!is_pair(form)) names.insert(names.begin(), "position");
+    if (form == LawForm::point_force) names.insert(names.begin() + 1, "velocity");
     run.mistake(state, text(known.whose, " has no attribute '", name, "'.", suggestion(name, names), " It has ",
                             joined(names)));
   }

@@ -57,7 +57,8 @@ void print_closing(const lua::Scene& scene, const std::string& path, double seco
                       most.count, most.thing.empty() ? " of everything" : " of what moves with " + most.thing, "\n");
     if (world.stats.unreached > 0)
       std::cout << text("  it was missed in ", world.stats.unreached, world.stats.unreached == 1 ? " step" : " steps",
-                        ", with an error of up to ", told_rate(world, world.stats.worst_unreached), "\n");
+                        world.stats.worst_unreached < 1.0 ? ", with an error of up to " : ", with an error of ",
+                        told_rate(world, world.stats.worst_unreached), "\n");
   }
   for (const TimelineEntry& event : timeline(world))
     if (event.kind == EventKind::once && event.time <= with_round_off(world.time))

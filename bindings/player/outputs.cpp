@@ -37,10 +37,10 @@ void Outputs::write_tables(const Times& times, const World& world) const {
     if (file.path().ends_with(".csv")) file.write(probe_table(times, world.probes));
 }
 
-void Outputs::write_summary(const lua::Scene& scene) const {
+void Outputs::write_summary(const lua::Scene& scene, const std::string& failure) const {
   // A name that is not UTF-8 must not lose the rest.
   for (const Output& file : summary_)
-    file.write(summary(scene).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+    file.write(summary(scene, failure).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 void Outputs::keep() {

@@ -24,7 +24,7 @@ class Outputs {
   std::vector<std::string> films() const;
 
   void write_tables(const Times& times, const World& world) const;
-  void write_summary(const lua::Scene& scene) const;
+  void write_summary(const lua::Scene& scene, const std::string& failure = "") const;
   /// All are complete: they take their own names.
   void keep();
 

@@ -86,16 +86,24 @@ int run(const RunOptions& options, const std::string& home) {
   World& world = scene->world();
   Frames frames(*scene, options, outputs);
   Times times;
-  run_to(*scene, options.until.value_or(scene->duration().value_or(usual_duration)), [&] {
-    times.add(world);
-    frames.add();
-  });
+  std::string failure;
+  try {
+    run_to(*scene, options.until.value_or(scene->duration().value_or(usual_duration)), [&] {
+      times.add(world);
+      frames.add();
+    });
+  } catch (const Error& error) {
+    if (world.steps == 0) throw;
+    failure = error.what();
+    say(failure);
+  }
 
-  if (Interrupt::asked()) say(text("stopped at ", world.time, " s; what there is by then is kept"));
+  if (Interrupt::asked() || !failure.empty()) say(text("stopped at ", world.time, " s; what there is by then is kept"));
   outputs.write_tables(times, world);
   frames.finish();
-  outputs.write_summary(*scene);
+  outputs.write_summary(*scene, failure);
   outputs.keep();
+  if (!failure.empty()) return 1;
   print_closing(*scene, path, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   return 0;
 }

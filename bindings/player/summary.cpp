@@ -64,7 +64,7 @@ nlohmann::ordered_json ledger(const World& world) {
   return result;
 }
 
-nlohmann::ordered_json summary(const lua::Scene& scene) {
+nlohmann::ordered_json summary(const lua::Scene& scene, const std::string& failure) {
   const World& world = scene.world();
   Energy now = energy(world);
   char hash[17];
@@ -93,7 +93,7 @@ nlohmann::ordered_json summary(const lua::Scene& scene) {
   if (const auto wrong = energy_gone_wrong(world)) warnings.push_back(*wrong);
   result["warnings"] = warnings;
   result["notices"] = scene.notices();
-  if (!world.failure.empty()) result["failure"] = world.failure;
+  if (const std::string& why = failure.empty() ? world.failure : failure; !why.empty()) result["failure"] = why;
   return result;
 }
 

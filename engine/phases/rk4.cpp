@@ -133,8 +133,9 @@ void require_slow_change(World& world) {
   if (!world.forces || !world.forces->moving || !world.trouble.empty()) return;
   const double rate = fastest_change(world, *world.forces);
   if (rate * world.settings.step <= limit) return;
-  world.trouble = text("the integrator \"rk4\" cannot follow a force that damps or turns what moves at ", rate,
-                       " per second in steps of ", world.settings.step, " s: \"verlet\" can, or a shorter scene.step");
+  world.trouble = text("the integrator \"rk4\" cannot follow ", velocity_laws(world, *world.forces),
+                       ", a force that damps or turns what moves at ", rate, " per second in steps of ",
+                       world.settings.step, " s: \"verlet\" can, or a shorter scene.step");
 }
 
 }  // namespace

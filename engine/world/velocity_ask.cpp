@@ -13,6 +13,11 @@ double working_part(const Mat3& m) {
   return 0.5 * std::sqrt(norm2(sum[0]) + norm2(sum[1]) + norm2(sum[2]));
 }
 
+double turning_rate(const Mat3& slope) {
+  const Mat3 twice = slope - transpose(slope);
+  return std::sqrt((norm2(twice[0]) + norm2(twice[1]) + norm2(twice[2])) / 8.0);
+}
+
 namespace {
 
 /// The antisymmetric matrix nearest to the derivative of a force that does no work by velocity, with which the force comes
@@ -172,11 +177,11 @@ namespace {
 
 /// How fast a force with this slope changes velocities of a unit mass, by damping or by turning [1/s], at most.
 double rate_part(const Mat3& slope) {
-  const Mat3 turned = transpose(slope), working = slope + turned, turning = slope - turned;
+  const Mat3 working = slope + transpose(slope);
   double damps = 0.0;
   for (const Vec3& column : working.column)
     damps = std::max(damps, 0.5 * (std::fabs(column[0]) + std::fabs(column[1]) + std::fabs(column[2])));
-  return std::max(damps, std::sqrt((norm2(turning[0]) + norm2(turning[1]) + norm2(turning[2])) / 8.0));
+  return std::max(damps, turning_rate(slope));
 }
 
 }  // namespace

@@ -113,6 +113,7 @@ void VelocityKick::solve() {
     if (!finish_tied()) break;
   }
   if (amplifies_) tell_amplifying();
+  if (f_.workless && !thermal_) tell_fast_turns();
 }
 
 /// Whether some rows let go.
@@ -128,14 +129,26 @@ bool VelocityKick::finish_tied() {
 
 /// Tells, once, of laws that drive what they act on the more the faster it is.
 void VelocityKick::tell_amplifying() {
-  constexpr const char* what = "a force that grows with the velocity gives energy to what it acts on: ";
+  tell_once("a force that grows with the velocity gives energy to what it acts on: ", "");
+}
+
+/// Tells, once, where a step is too long to follow what turns without losing speed.
+void VelocityKick::tell_fast_turns() {
+  constexpr double much = 1.0;  // [rad] in a step
+  double most = 0.0;
+  for (std::size_t i = 0; f_.workless && i < f_.sites.n; i++)
+    if (moves(i)) most = std::max(most, 2.0 * std::fabs(dt_) * mobility_of(i) * turning_rate(k_.workless.slope[i]));
+  if (most <= much) return;
+  tell_once(
+      "a force turns velocities farther in a step than it can follow, so that speeds are right and places are not: ",
+      text(", by some ", std::round(most), " rad; scene.accuracy chooses shorter steps"));
+}
+
+/// Tells of the laws at work.
+void VelocityKick::tell_once(const std::string& what, const std::string& rest) {
   const auto told = [&](const LogLine& line) { return line.text.starts_with(what); };
   if (std::any_of(world_.log.begin(), world_.log.end(), told)) return;
-  std::string names;
-  each_law(world_, f_, [&](const std::string&, const Law& law, auto& acting) {
-    if (law.moving && !law.thermal) names += (names.empty() ? "" : " or ") + law_at_work(world_, acting);
-  });
-  log_line(world_, "notice", what + names);
+  log_line(world_, "notice", what + velocity_laws(world_, f_) + rest);
 }
 
 void VelocityKick::put_forces() {
@@ -187,6 +200,14 @@ double VelocityKick::apply() {
     work += (dot(force[m], v + s.velocity()) + dot(torque[m], spin + s.spin())) * (0.5 * dt_);
   }
   return work;
+}
+
+std::string velocity_laws(const World& world, Forces& f) {
+  std::string names;
+  each_law(world, f, [&](const std::string&, const Law& law, auto& acting) {
+    if (law.moving && !law.thermal) names += (names.empty() ? "" : " or ") + law_at_work(world, acting);
+  });
+  return names;
 }
 
 void solve_velocity_kick(World& world, Forces& f, double dt, double time, SideOfDrift side) {

@@ -10,6 +10,7 @@
 // Newton's iteration on all velocities: the laws are asked at w with their derivatives, then the linear equations are solved,
 // those of one thing directly (3 × 3, or 6 × 6 of a body), those of pairs by sweeps that apply equal and opposite impulses.
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "laws/velocity_slopes.hpp"
@@ -84,6 +85,8 @@ void find_velocity_slopes(const World& world, Forces& forces, const Instant& ins
 void solve_velocity_kick(World& world, Forces& forces, double dt, double time, SideOfDrift side);
 /// Changes the momenta of what rows tie as that kick found; forgets it.
 TiedWork kick_tied(World& world, Forces& forces);
+/// Names of the laws of velocity at work, but for thermostats: "drag or magnet".
+std::string velocity_laws(const World& world, Forces& forces);
 /// The fastest rate at which laws of velocity damp or turn the velocity of anything where they were asked last [1/s], at most
 /// about.
 double fastest_change(const World& world, const Forces& forces);

@@ -17,6 +17,8 @@ constexpr double nearly = 1e-9;   ///< of the speeds: what a solution may miss
 constexpr double exactly = 1e-13;
 }  // namespace kicks
 
+/// How fast the antisymmetric part of a slope turns velocities of a unit mass [1/s].
+double turning_rate(const Mat3& slope);
 /// Size of the symmetric part, which is what does work [N s/m].
 double working_part(const Mat3& slope);
 /// The mover that a site is on, or Forces::none.
@@ -72,6 +74,8 @@ class VelocityKick {
   void solve_linear();
   void tell_forces();
   void tell_amplifying();
+  void tell_fast_turns();
+  void tell_once(const std::string& what, const std::string& rest);
   bool ask_again(int iteration);
 
   /// Of laws that do not depend on velocities [N].

@@ -380,3 +380,17 @@ test("what creeps in strong damping that depends on the place has a small energy
   expect(scene:find("p").position.x):near(1.932, 1e-3)
   expect(scene.error.worst_energy):below(0.01)
 end)
+
+test("a magnetic force that turns what moves farther in a step than can be followed is told once", function()
+  for _, case in ipairs { { 100, 0 }, { 1e5, 1 } } do
+    local scene = open_text(("scene.gravity = vec(0, 0, 0) scene:particle { velocity = vec(1, 0, 0) }\n"
+      .. "scene:field(scene, force.point { force = function(p) return p.velocity:cross(vec(0, 0, %g)) end })")
+      :format(case[1]))
+    scene:advance(0.1)
+    local told = 0
+    for _, line in ipairs(scene.log) do
+      if line.text:find("farther in a step than it can follow", 1, true) then told = told + 1 end
+    end
+    expect(told):equal(case[2])
+  end
+end)
