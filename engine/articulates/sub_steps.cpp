@@ -47,7 +47,11 @@ double distance(const Node& a, const Node& b) {
   return a.turns ? moved + extent(a) * turn_between(a.R0, b.R0) : moved;
 }
 
+/// Whether it was halved into what may be the parts of others.
+bool is_halved(const DriftReport& report) { return report.halved > 0 && report.safe == 0; }
+
 double difference(const Articulate& a, const Articulate& b) {
+  if (is_halved(a.report) || is_halved(b.report)) return infinity;
   double worst = 0.0;
   for (std::size_t i = 0; i < a.nodes.size(); i++) worst = std::max(worst, distance(a.nodes[i], b.nodes[i]));
   return worst / a.length;
@@ -147,7 +151,7 @@ void drift_accurately(Articulate& a, const DriftSettings& settings, const SubSte
   double jerk = 0.0;
   if (wanted.span != 0.0) jerk = find_means(a, trial.start, h, wanted.span, trial.means);
   const auto by_jerk = [&] { return h * h / (1.0 * n.count * n.count) * jerk / a.length; };
-  due = due || static_cast<double>(n.seen) * by_jerk() > wanted.accuracy;
+  due = due || is_halved(a.report) || static_cast<double>(n.seen) * by_jerk() > wanted.accuracy;
   if (due) {
     const Tried tried =
         double_sub_steps(a, trial.start, trial.other, n, h, wanted.accuracy, second_order, move, difference);

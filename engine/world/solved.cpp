@@ -18,6 +18,17 @@ bool can_be_solved(const World& world, const Connection& c) {
   return true;
 }
 
+namespace {
+
+/// Time stands still within what is solved: a law of time is asked once a step. Where an accuracy is wanted that will not do.
+bool needs_its_time(const World& world, const Connection& c) {
+  bool timed = false;
+  for (auto law = c.law; law; law = law->also) timed = timed || law->timed;
+  return timed && world.settings.accuracy && rule_of(world).divides;
+}
+
+}  // namespace
+
 void choose_solved(World& world) {
   const bool ties = rule_of(world).ties;
   for (ConnectionId id : world.connections.ids()) {
@@ -25,7 +36,8 @@ void choose_solved(World& world) {
     Solve solve = c.asked;
     if (solve == Solve::explicitly && (c.too_stiff || world.settings.integrator == Integrator::implicit))
       solve = Solve::at_middle;
-    if (solve != Solve::explicitly && (!ties || !can_be_solved(world, c))) solve = Solve::explicitly;
+    if (solve != Solve::explicitly && (!ties || !can_be_solved(world, c) || needs_its_time(world, c)))
+      solve = Solve::explicitly;
     if (solve == c.solve) continue;
     c.solve = solve;
     c.tension = 0.0;

@@ -1,12 +1,12 @@
 --- scene.accuracy of what is tied, when something happens to it in the middle of a run: kept, or told to be missed.
 
---- Angle from the line down, and its rate, of a pendulum of 1 m after `time` [s] in `g(t)` [m/s²] along x and down, by
+--- Angle from the line down, and its rate, of a pendulum of 1 m after `time` [s] in `g(t, angle)` [m/s²] along x and down, by
 --- Runge and Kutta's fourth-order steps.
 local function swing(angle, rate, from, to, g)
   local steps = 20000
   local h = (to - from) / steps
   local function turned(t, a)
-    local side, down = g(t)
+    local side, down = g(t, a)
     return side * math.cos(a) - down * math.sin(a)
   end
   for n = 0, steps - 1 do
@@ -103,4 +103,33 @@ test("a force that stays as it is makes as small an error on a rod as gravity do
     local missed = (scene:find("p").position - vec(math.sin(angle), -math.cos(angle), 0)):length()
     expect(missed):below(2 * math.max(accuracy, scene.stats.missed_accuracy))
   end
+end)
+
+test("a step that had to be cut to be solved is judged as others are", function()
+  local angle = swing(0, 0, 0, 0.125, function(_, a)
+    local x, y = 2 - math.sin(a), math.cos(a)
+    local r = math.sqrt(x * x + y * y)
+    local pull = 1e4 * (r - 1) / r
+    return pull * x, 9.81 - pull * y
+  end)
+  local scene = open_text("scene.step, scene.accuracy = 1 / 64, 1e-3\n" .. rod
+    .. "scene:connect(p, vec(2, 0, 0), force.spring { stiffness = 1e4, length = 1 })")
+  scene:advance(0.125)
+  local missed = (scene:find("p").position - vec(math.sin(angle), -math.cos(angle), 0)):length()
+  expect(missed):below(2 * math.max(1e-3, scene.stats.missed_accuracy))
+end)
+
+test("a stiff spring whose law knows the time is divided with the scene's steps where an accuracy is wanted", function()
+  local function place(settings)
+    local scene = open_text("scene.gravity = vec(0, 0, 0) " .. settings .. [[
+      local p = scene:particle { mass = 1, at = vec(1, 0, 0), name = "p" }
+      scene:connect(p, vec(0, 0, 0), force.pair { implicit = scene.integrator ~= "rk4",
+        tension = function(r, rate, a, b, own, t) return 1e4 * (r - 1) + 300 * math.sin(60 * t) end })
+    ]])
+    scene:advance(0.5)
+    return scene:find("p").position.x, scene.stats.missed_accuracy
+  end
+  local fine = place "scene.step, scene.integrator = 1 / 20000, 'rk4'"
+  local x, missed = place "scene.step, scene.accuracy = 1 / 60, 1e-4"
+  expect(math.abs(x - fine)):below(2 * 0.5 * math.max(1e-4, missed))
 end)
