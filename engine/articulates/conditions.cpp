@@ -64,7 +64,7 @@ void load_couple(Condition& condition, const Row& row, const Model& model, const
   condition.by_speed = c.by_speed;
   condition.start_rate = row.lever * c.previous_rate;
   condition.bent = c.bend.straight() ? Bent::nothing : c.attitude ? Bent::turn : Bent::length;
-  condition.bend = c.bend.mapped([&](Vec3 v) { return c.attitude ? model.plane.about(v) : v * row.lever; });
+  condition.bend = c.bend.mapped(row.lever, [&](Vec3 v) { return c.attitude ? model.plane.about(v) : v * row.lever; });
   condition.works = c.kind == ConstraintKind::motor || condition.ranged ||
                     condition.whole_length0 != condition.whole_length1 ||
                     !equal(condition.whole_turn0, condition.whole_turn1) || !same(condition.whole0, condition.whole1);
@@ -143,7 +143,7 @@ void load(Condition& condition, const Row& row, const Model& model, double total
   condition.whole_length1 = c.length + c.excess;
   condition.length_rate = c.length_rate + c.excess_rate;
   condition.bent = c.bend.straight() ? Bent::nothing : c.target ? Bent::place : Bent::length;
-  condition.bend = c.bend.mapped([&](Vec3 v) { return c.target ? model.plane.along(v) : v; });
+  condition.bend = c.bend.mapped(1.0, [&](Vec3 v) { return c.target ? model.plane.along(v) : v; });
   condition.low = c.low;
   condition.high = c.high;
   condition.normal = model.plane.axis(c.axis_a);

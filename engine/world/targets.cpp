@@ -62,7 +62,10 @@ Bend bend_of(const World& world, const Constraint& c, Off off) {
   if (!follows_bends(world)) return {};
   const Vec3 quarter = off(0.25), half = off(0.5), three_quarters = off(0.75);
   const bool jumps = c.moves == 0 && norm(off(0.0)) > std::fmax(norm(quarter), norm(half));
-  return jumps ? Bend{} : Bend::through(quarter, half, three_quarters);
+  if (jumps) return {};
+  Bend bend = Bend::through(quarter, half, three_quarters);
+  for (double s : {0.125, 0.375, 0.625, 0.875}) bend.missed = std::fmax(bend.missed, norm(off(s) - bend.at(s)));
+  return bend;
 }
 
 void move_place(const World& world, ConstraintId id, Constraint& c, double time, double h) {

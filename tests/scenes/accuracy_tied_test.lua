@@ -133,3 +133,23 @@ test("a stiff spring whose law knows the time is divided with the scene's steps 
   local x, missed = place "scene.step, scene.accuracy = 1 / 60, 1e-4"
   expect(math.abs(x - fine)):below(2 * 0.5 * math.max(1e-4, missed))
 end)
+
+test("a target that begins to move at once within a step is followed as well as is asked, or what is missed is told", function()
+  for _, kink in ipairs { 12.1, 12.27, 12.5, 12.71, 12.93 } do
+    local from = kink / 64
+    local angle = swing(0, -20, from, 0.25, earth)  -- in the frame of the target, which goes at 20 m/s
+    local place = vec(20 * (0.25 - from) + math.sin(angle), -math.cos(angle), 0)
+    for _, accuracy in ipairs { 1e-2, 1e-3, 1e-5 } do
+      local scene = open_text(([[
+        scene.step, scene.accuracy = 1 / 64, %g
+        local pivot = scene:particle { mass = 1, at = vec(0, 0, 0) }
+        local bob = scene:particle { mass = 1, at = vec(0, -1, 0), name = "bob" }
+        scene:rod(pivot, bob)
+        scene:follow(pivot, function(t) return vec(where(t < %.17g, 0, 20 * (t - %.17g)), 0, 0) end)
+      ]]):format(accuracy, from, from))
+      scene:advance(0.25)
+      local missed = (scene:find("bob").position - place):length()
+      expect(missed):below(2 * 0.25 * math.max(accuracy, scene.stats.missed_accuracy))
+    end
+  end
+end)
