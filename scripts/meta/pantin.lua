@@ -1153,7 +1153,7 @@ function OpenedScene:near(at, radius) end
 ---@field shift? boolean the energy is 0 at the cutoff; true unless given
 ---@field one_sided? boolean b feels nothing of what a feels
 ---@field exclude? integer pairs within so many connections are left out
----@field implicit? boolean|"dissipative" connections are solved with what they tie, whatever their stiffness: with exact energy, or losing it
+---@field implicit? boolean|"dissipative" connections are solved with what they tie, whatever their stiffness: with exact energy, or losing it; of a law that knows the time not where scene.accuracy is set
 
 ---@class ConnectOptions
 ---@field breaks_at? { force?: number, length?: number } [N] and [m] at which it breaks
