@@ -139,7 +139,9 @@ namespace {
 bool follow_changes(Script& script, TracedAtWork& at_work) {
   constexpr int often = 16;
   const std::shared_ptr<const Law> old = at_work.law.laws.front();
-  if (++at_work.traced_again <= often && trace_again(at_work.law)) {
+  const bool traced = trace_again(at_work.law);
+  if (traced && at_work.law.laws.front() == old) return false;  // it sees what has changed, and does not read it
+  if (traced && ++at_work.traced_again <= often) {
     replace_law(script.world, old, at_work.law.laws.front());
     return false;
   }

@@ -171,11 +171,27 @@ bool has_changed(const ResolvedLaw& law) {
   return law.function && captured_values(law.function->law().function) != law.captured;
 }
 
+namespace {
+
+bool same_expressions(const Law& a, const Law& b) {
+  const Expressions &g = a.graph, &h = b.graph;
+  const bool alike = g.size() == h.size() && a.force == b.force && a.energy == b.energy && a.stiffness == b.stiffness &&
+                     g.inputs() == h.inputs() && g.splines() == h.splines();
+  for (std::size_t i = 0; alike && i < g.size(); i++) {
+    const Expressions::Node &m = g[static_cast<Expr>(i)], &n = h[static_cast<Expr>(i)];
+    const bool same = m.kind == n.kind && m.function == n.function && m.value == n.value && m.index == n.index;
+    if (!same || m.terms != n.terms) return false;
+  }
+  return alike;
+}
+
+}  // namespace
+
 bool trace_again(ResolvedLaw& law) {
   std::string reason;
   const std::shared_ptr<const Law> traced = try_trace(*law.function, reason);
   if (!traced) return false;
-  law.laws = {traced};
+  if (!same_expressions(*traced, *law.laws.front())) law.laws = {traced};
   law.captured = captured_values(law.function->law().function);
   return true;
 }

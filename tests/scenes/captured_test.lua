@@ -42,3 +42,12 @@ test("a law that reads what changes in each step follows it, and is told to be s
   end
   expect(told):equal(1)
 end)
+
+test("a global that the scene changes in each step does not make a law slow that does not read it", function()
+  local v, scene = speed([[
+    steps = 0
+    scene:on("step", function() steps = steps + 1 end)
+  ]], "vec(math.cos(0 * p.position.x), 0, 0)")
+  expect(v.x):near(0.5, 1e-9)
+  expect(#scene.log):equal(0)
+end)
