@@ -3,6 +3,7 @@
 #include "base/subnormals.hpp"
 #include "phases/phases.hpp"
 #include "world/attempt.hpp"
+#include "world/choreography.hpp"
 #include "world/integrator.hpp"
 #include "world/sleep.hpp"
 

@@ -7,6 +7,7 @@
 #include "lua/guard.hpp"
 #include "lua/script.hpp"
 #include "lua/targets.hpp"
+#include "world/choreography.hpp"
 
 namespace pantin::lua {
 namespace {

@@ -6,6 +6,7 @@
 #include "lua/guard.hpp"
 #include "lua/script.hpp"
 #include "world/choreography.hpp"
+#include "world/closure.hpp"
 #include "world/forces.hpp"
 #include "world/integrator.hpp"
 #include "world/measure.hpp"

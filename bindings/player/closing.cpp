@@ -5,6 +5,7 @@
 
 #include "player/home.hpp"
 #include "player/message.hpp"
+#include "world/choreography.hpp"
 #include "world/forces.hpp"
 #include "world/integrator.hpp"
 #include "world/measure.hpp"

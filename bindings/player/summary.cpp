@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "player/closing.hpp"
+#include "world/closure.hpp"
 #include "world/forces.hpp"
 #include "world/integrator.hpp"
 #include "world/measure.hpp"

@@ -90,6 +90,9 @@ struct LawDef {
   std::vector<Parameter> parameters = {};
 };
 
+/// Whether a law's parameter of that name is the world's own: the length of its step, and k_B.
+inline bool given_by_world(std::string_view name) { return name == "step" || name == "boltzmann"; }
+
 /// The rate of distance of a pair [m/s].
 Expr rate_of_distance(Expressions& graph);
 

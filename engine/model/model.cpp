@@ -292,6 +292,28 @@ std::string describe(const Model& m, const AnyId& id) {
       id);
 }
 
+double size_of(const Model& model, PointId point) {
+  const BodyId id = model.points[point].body;
+  if (!id) return 0.0;
+  const Body& body = model.bodies[id];
+  const Vec3 first = model.points[body.points[0]].place;
+  double size = 0.0;
+  for (PointId p : body.points) {
+    const Vec3 place = model.points[p].place;
+    size = std::fmax(size, std::fmax(norm(place - body.centre), norm(place - first)));
+  }
+  return size;
+}
+
+Vec3 turning_part(const Motion& motion, Vec3 v) {
+  if (motion.freedom == Freedom::point) return zero3();
+  Vec3 part = rotate(conjugate(motion.q), v);
+  if (motion.freedom == Freedom::line) part[0] = 0.0;
+  for (int i = 0; i < 3; i++)
+    if (motion.inertia[i] == 0.0) part[i] = 0.0;
+  return part;
+}
+
 namespace {
 
 struct Alive {

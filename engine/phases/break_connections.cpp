@@ -6,6 +6,7 @@
 #include "world/constrain.hpp"
 #include "world/editing.hpp"
 #include "world/forces.hpp"
+#include "world/met.hpp"
 
 namespace pantin::phases {
 
@@ -28,7 +29,7 @@ void break_connections(World& world) {
       const double force = tension(world, id), length = norm(end_of(world, c, 1) - end_of(world, c, 0));
       if (std::fabs(force) > c.max_force || length > c.max_length) broken.push_back({id, force});
     }
-  for (const auto& [id, force] : broken) editing::break_connection(world, id, force);
+  for (const auto& [id, force] : broken) internal::break_connection(world, id, force);
 }
 
 }  // namespace pantin::phases

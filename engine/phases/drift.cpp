@@ -14,6 +14,7 @@
 #include "phases/rk4.hpp"
 #include "phases/share.hpp"
 #include "world/attempt.hpp"
+#include "world/balance.hpp"
 #include "world/forces.hpp"
 #include "world/integrator.hpp"
 

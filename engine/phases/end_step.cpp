@@ -3,6 +3,7 @@
 #include "articulates/articulate.hpp"
 #include "phases/phases.hpp"
 #include "phases/share.hpp"
+#include "world/balance.hpp"
 #include "world/energy_scale.hpp"
 #include "world/forces.hpp"
 #include "world/integrator.hpp"

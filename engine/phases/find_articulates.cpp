@@ -4,6 +4,7 @@
 #include "articulates/drift.hpp"
 #include "articulates/islands.hpp"
 #include "phases/phases.hpp"
+#include "world/balance.hpp"
 #include "world/editing.hpp"
 #include "world/integrator.hpp"
 #include "world/solved.hpp"
@@ -71,13 +72,13 @@ void find_changed(World& world) {
   const bool topology_changed = world.topology_changed;
   const std::size_t count = world.articulates.size();
   world.unchecked = world.unchecked || topology_changed || world.influences_changed;
-  if (topology_changed && ties_changed(world)) editing::disturb_sites(world);
-  editing::note_touched_sites(world);
+  if (topology_changed && ties_changed(world)) internal::disturb_sites(world);
+  internal::note_touched_sites(world);
   if (world.influences_changed) choose_solved(world);
   const Settled settled = pantin::find_articulates(world, world.articulates, world.loose_bodies, world.loose_points);
   post(world, Source::edit, settled.energy);
   tell_lifted(world, settled.lifted);
-  if (world.articulates.size() != count) editing::disturb_sites(world);
+  if (world.articulates.size() != count) internal::disturb_sites(world);
   if (topology_changed || world.influences_changed) read_masses(world);  // every edit of a mass says so
   save_loose(world);
   begin_ledger(world);

@@ -3,6 +3,7 @@
 #include "articulates/articulate.hpp"
 #include "phases/phases.hpp"
 #include "world/attempt.hpp"
+#include "world/balance.hpp"
 #include "world/forces.hpp"
 #include "world/integrator.hpp"
 #include "world/sleep.hpp"

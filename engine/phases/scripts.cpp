@@ -1,5 +1,6 @@
 // The two phases in which scripts run and may edit.
 #include "phases/phases.hpp"
+#include "world/choreography.hpp"
 #include "world/hands.hpp"
 
 namespace pantin::phases {

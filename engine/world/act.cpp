@@ -4,7 +4,7 @@
 
 namespace pantin {
 
-using namespace editing;
+using namespace internal;
 
 void push(World& world, BodyId body, Vec3 force, std::optional<Vec3> at) {
   require_unlocked(world, "push");
@@ -30,7 +30,7 @@ void kick(World& world, BodyId body, Vec3 impulse, std::optional<Vec3> at) {
   disturb_forces_by_motion(world);
   m.p += world.plane.along(impulse);
   if (at) m.angular += turning_part(m, cross(*at - m.x, impulse));
-  post(world, energy_of(world, body) - before, Source::event);
+  post(world, Source::event, energy_of(world, body) - before);
   disturb(world, body);
 }
 
@@ -70,7 +70,7 @@ void kick(World& world, PointId id, Vec3 impulse) {
   const double before = energy_of(world, id);
   disturb_forces_by_motion(world);
   world.motion_of(id).v += world.plane.along(impulse) / point.mass;
-  post(world, energy_of(world, id) - before, Source::event);
+  post(world, Source::event, energy_of(world, id) - before);
   disturb(world, id);
 }
 

@@ -41,8 +41,6 @@ struct JoinDef {
 /// never meet). They count as met within a tenth of the tolerance of their size. A greatest force that is too weak is told
 /// in the log.
 ConstraintId add_join(World& world, PointId a, PointId b, const JoinDef& def = {});
-/// Makes the hinges of joins whose points met in the step just done.
-void make_met_hinges(World& world);
 
 /// Pairs of particles (of a group, those of its bodies too) that are at most `distance` [m] > 0 apart, and not of one
 /// body, ring or connection.

@@ -4,13 +4,14 @@
 #include <unordered_set>
 
 #include "world/assemble.hpp"
+#include "world/choreography.hpp"
 #include "world/editing.hpp"
 #include "world/measure.hpp"
 #include "world/query.hpp"
 
 namespace pantin {
 
-using namespace editing;
+using namespace internal;
 
 namespace {
 

@@ -8,7 +8,7 @@
 
 namespace pantin {
 
-using namespace editing;
+using namespace internal;
 
 namespace {
 

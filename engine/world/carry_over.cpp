@@ -60,7 +60,7 @@ class Carrier {
   void operator()(BodyId from, BodyId to) {
     const Motion& motion = old_.motion_of(from);
     const Plane& plane = fresh_.plane;
-    set_orientation(fresh_, to, editing::turned_in_plane(fresh_, to, orientation(old_, from)));
+    set_orientation(fresh_, to, internal::turned_in_plane(fresh_, to, orientation(old_, from)));
     set_origin(fresh_, to, plane.beside(origin(old_, from), origin(fresh_, to)));
     set_velocity(fresh_, to, plane.along(motion.p / motion.mass));
     set_spin(fresh_, to, plane.about(angular_velocity(motion)));

@@ -10,7 +10,7 @@
 
 namespace pantin {
 
-using namespace editing;
+using namespace internal;
 
 namespace {
 
@@ -26,7 +26,7 @@ void counted(World& world, Id id, Change change) {
   acted(world);
   const double before = energy_of(world, id);
   change();
-  post(world, energy_of(world, id) - before);
+  post(world, Source::edit, energy_of(world, id) - before);
 }
 
 /// The same of its place.
@@ -58,7 +58,7 @@ void reweigh(World& world, BodyId body, Change change, Undo undo) {
     undo();
     throw;
   }
-  post(world, energy_of(world, body) - before);
+  post(world, Source::edit, energy_of(world, body) - before);
   touch(world, body);
 }
 
@@ -180,7 +180,7 @@ void set_gravity(World& world, Vec3 gravity) {
   const double before = energy(world).potential;
   world.settings.gravity = world.plane.along(gravity);
   wake_all(world);
-  post(world, energy(world).potential - before);
+  post(world, Source::edit, energy(world).potential - before);
 }
 
 void set_box(World& world, std::optional<Vec3> box) {

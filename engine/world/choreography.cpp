@@ -4,8 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "world/editing.hpp"
+#include "world/checks.hpp"
 #include "world/measured.hpp"
+#include "world/record.hpp"
 #include "world/resume.hpp"
 
 namespace pantin {
@@ -63,7 +64,7 @@ void finish(World& world, EventId id, EventState state) {
   const std::string what = name_of(c.events[id]);
   c.past.push_back(entry_of(world, c.events[id], world.time));
   if (c.past.size() > most_told) c.past.pop_front();
-  c.events.remove(id, {what, world.time, state == EventState::cancelled ? editing::culprit(world) : "its end"});
+  c.events.remove(id, {what, world.time, state == EventState::cancelled ? internal::culprit(world) : "its end"});
 }
 
 /// Why a target is gone.
@@ -188,12 +189,12 @@ void check_kind(const World& world, const Event& event) {
                                                     : static_cast<bool>(event.action);
   require(acts, "event: it has no action");
   if (event.kind == EventKind::every) {
-    editing::require_positive("event", "period", event.period, "s");
+    internal::require_positive("event", "period", event.period, "s");
     require(with_round_off(event.time) < event.time + event.period,
             "event: its period must be long enough to tell two times apart, got ", event.period, " s");
   }
   if (event.kind == EventKind::over) {
-    editing::require_finite("event", "end", event.until, "s");
+    internal::require_finite("event", "end", event.until, "s");
     require(event.until > event.time, "event: its end must be after its beginning at ", event.time, " s, got ",
             event.until, " s");
   }
@@ -203,9 +204,9 @@ void check_kind(const World& world, const Event& event) {
 }  // namespace
 
 EventId add_event(World& world, Event event) {
-  editing::require_unlocked(world, "event");
+  internal::require_unlocked(world, "event");
   if (event.kind == EventKind::when) event.time = world.time;
-  editing::require_finite("event", "time", event.time, "s");
+  internal::require_finite("event", "time", event.time, "s");
   require(with_round_off(event.time) >= world.time, "event: its time must not be past, got ", event.time,
           " s, and it is ", world.time, " s now");
   check_kind(world, event);
@@ -251,7 +252,7 @@ void begin_at(World& world, double time, double fired) {
 }
 
 void cancel(World& world, EventId event) {
-  editing::require_unlocked(world, "cancel");
+  internal::require_unlocked(world, "cancel");
   if (!world.choreography.events.alive(event)) return;
   finish(world, event, EventState::cancelled);
   tidy(world.choreography);

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "world/editing.hpp"
+#include "world/checks.hpp"
 #include "world/measure.hpp"
 #include "world/near_pairs.hpp"
 
@@ -26,7 +26,7 @@ struct Sets {
 }  // namespace
 
 std::vector<std::vector<AnyId>> clusters(const World& world, GroupId group, double distance) {
-  editing::require_not_negative("clusters", "distance", distance, "m");
+  internal::require_not_negative("clusters", "distance", distance, "m");
   const Things things = things_of(world, group);
   std::vector<AnyId> ids;
   std::vector<Vec3> places;

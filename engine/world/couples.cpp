@@ -9,7 +9,7 @@
 
 namespace pantin {
 
-using namespace editing;
+using namespace internal;
 
 namespace {
 
@@ -208,7 +208,7 @@ void set_max_torque(World& world, ConstraintId id, double torque) {
   c.max_torque = torque;
 }
 
-namespace editing {
+namespace internal {
 
 namespace {
 
@@ -266,6 +266,6 @@ void drop_axes(World& world, ParticleId hinge, BodyId body) {
   }
 }
 
-}  // namespace editing
+}  // namespace internal
 
 }  // namespace pantin

@@ -1,5 +1,5 @@
 #pragma once
-// What follows the age of particles: giving it to them, and its values at a time.
+// What follows the age of particles: its values at a time.
 #include <optional>
 #include <span>
 #include <string>
@@ -7,12 +7,9 @@
 #include <vector>
 
 #include "laws/course.hpp"
-#include "world/edit.hpp"
+#include "world/world.hpp"
 
 namespace pantin {
-
-/// Makes "color", "radius" or an attribute follow the particle's age, until it is written as a value again.
-void set_course(World& world, ParticleId particle, std::shared_ptr<const Course> course);
 
 /// What a course gives at a time [s]; none where the particle has no course of that name.
 std::optional<double> course_value(const World& world, ParticleId particle, std::string_view name, double time);
@@ -28,15 +25,5 @@ Look look_of(const World& world, const Particle& particle);
 /// columns[k][i], where that particle has such a course; leaves the others.
 void follow_courses(const World& world, std::string_view name, double time, std::span<const std::uint32_t> slots,
                     std::span<double* const> columns);
-
-namespace editing {
-
-/// The courses of a new particle: its family's, less what is given as a value, with its own. Throws Error for a name that
-/// neither a particle nor its family has.
-std::shared_ptr<const Courses> courses_of(std::string_view call, const Family& family,
-                                          const std::shared_ptr<const Courses>& own, bool radius_given,
-                                          bool color_given, std::span<const AttributeDef> given);
-
-}  // namespace editing
 
 }  // namespace pantin

@@ -14,6 +14,8 @@
 
 namespace pantin {
 
+struct Course;
+
 /// A named value of a family's attribute.
 struct AttributeDef {
   std::string name;
@@ -164,6 +166,8 @@ void set_radius(World& world, ParticleId particle, double radius);  ///< [m] >= 
 void set_color(World& world, ParticleId particle, const Color& color);
 void set_look(World& world, ParticleId particle, Look look);
 void set_attribute(World& world, ParticleId particle, std::string_view name, double value);
+/// Makes "color", "radius" or an attribute follow the particle's age, until it is written as a value again.
+void set_course(World& world, ParticleId particle, std::shared_ptr<const Course> course);
 void set_own_mass(World& world, BodyId body, double mass);
 void set_own_inertia(World& world, BodyId body, const Mat3& inertia);
 

@@ -2,57 +2,7 @@
 
 #include "world/edit.hpp"
 
-namespace pantin::editing {
-
-void require_unlocked(const World& world, std::string_view call) {
-  require(!world.locked, call, ": the world cannot be edited while it steps; edit in an event or a step callback");
-}
-
-std::string to_text(Vec3 v) {
-  return text("(", static_cast<double>(v[0]), ", ", static_cast<double>(v[1]), ", ", static_cast<double>(v[2]), ")");
-}
-
-void require_finite(std::string_view call, std::string_view name, Vec3 v, std::string_view unit) {
-  if (!finite(v)) throw Error(text(call, ": ", name, " must be finite, got ", to_text(v), " ", unit));
-}
-void require_finite(std::string_view call, std::string_view name, double x, std::string_view unit) {
-  require(std::isfinite(x), call, ": ", name, " must be finite, got ", x, " ", unit);
-}
-void require_positive(std::string_view call, std::string_view name, double x, std::string_view unit) {
-  require(x > 0.0 && std::isfinite(x), call, ": ", name, " must be > 0 ", unit, " and finite, got ", x);
-}
-void require_positive_or_infinite(std::string_view call, std::string_view name, double x, std::string_view unit) {
-  require(x > 0.0, call, ": ", name, " must be > 0 ", unit, ", got ", x);
-}
-void require_not_negative(std::string_view call, std::string_view name, double x, std::string_view unit) {
-  require(x >= 0.0 && std::isfinite(x), call, ": ", name, " must be >= 0 ", unit, " and finite, got ", x);
-}
-
-void require_inertia(std::string_view call, const Mat3& inertia) {
-  double most = 0.0, skew = 0.0;
-  for (int i = 0; i < 3; i++) {
-    require(finite(inertia[i]), call, ": inertia must be finite, got ", to_text(inertia[i]), " kg m² in column ",
-            i + 1);
-    most = std::fmax(most, largest(inertia[i]));
-  }
-  for (int i = 0; i < 3; i++)
-    for (int j = 0; j < i; j++) skew = std::fmax(skew, std::fabs(inertia[i][j] - inertia[j][i]));
-  require(skew <= 1e-9 * most, call, ": inertia must be symmetric, but two elements differ by ", skew, " kg m²");
-  const Vec3 moments = principal_axes(inertia, identity33()).moments;
-  require(moments[0] >= -1e-9 * most, call, ": inertia must not be negative about any axis; its principal moments are ",
-          to_text(moments), " kg m²");
-  require(moments[2] - moments[1] - moments[0] <= 1e-9 * most, call,
-          ": no body has this inertia, as one principal moment is larger than the sum of the others: ",
-          to_text(moments), " kg m²");
-}
-
-Quat unit(std::string_view call, const Quat& q) {
-  const double most = std::fmax(std::fmax(std::fabs(q.w), std::fabs(q.x)), std::fmax(std::fabs(q.y), std::fabs(q.z)));
-  const bool numbers = std::isfinite(q.w) && std::isfinite(q.x) && std::isfinite(q.y) && std::isfinite(q.z);
-  require(numbers && most > 0.0, call, ": orientation must be a finite quaternion other than 0, got (", q.w, ", ", q.x,
-          ", ", q.y, ", ", q.z, ")");
-  return normalised({q.w / most, q.x / most, q.y / most, q.z / most});
-}
+namespace pantin::internal {
 
 double energy_of(const World& world, BodyId body) {
   const Motion& m = world.motion_of(body);
@@ -68,46 +18,6 @@ double energy_of(const World& world, PointId free_point) {
 double energy_round(const World& world, PointId point) {
   const BodyId body = world.points[point].body;
   return body ? energy_of(world, body) : energy_of(world, point);
-}
-
-void post(World& world, double joules, Source source) { pantin::post(world, source, joules); }
-
-std::string culprit(const World& world) {
-  std::string name = world.who ? world.who() : "";
-  return name.empty() ? "the program" : name;
-}
-
-void acted(World& world) {
-  world.last_actor = culprit(world);
-  world.last_act = world.time;
-}
-
-Obituary obituary(const World& world, std::string what) { return {std::move(what), world.time, culprit(world)}; }
-
-void notice(World& world, Notice::Kind kind, const AnyId& thing, std::string story, std::int32_t hand) {
-  world.notices.push_back({kind, thing, hand, std::move(story)});
-}
-
-double size_of(const Model& model, PointId point) {
-  const BodyId id = model.points[point].body;
-  if (!id) return 0.0;
-  const Body& body = model.bodies[id];
-  const Vec3 first = model.points[body.points[0]].place;
-  double size = 0.0;
-  for (PointId p : body.points) {
-    const Vec3 place = model.points[p].place;
-    size = std::fmax(size, std::fmax(norm(place - body.centre), norm(place - first)));
-  }
-  return size;
-}
-
-Vec3 turning_part(const Motion& motion, Vec3 v) {
-  if (motion.freedom == Freedom::point) return zero3();
-  Vec3 part = rotate(conjugate(motion.q), v);
-  if (motion.freedom == Freedom::line) part[0] = 0.0;
-  for (int i = 0; i < 3; i++)
-    if (motion.inertia[i] == 0.0) part[i] = 0.0;
-  return part;
 }
 
 PointId make_point(World& world, Point row) {
@@ -206,4 +116,4 @@ Vec3 present(World& world, const std::function<Vec3(double)>& place) {
   return place(world.time);
 }
 
-}  // namespace pantin::editing
+}  // namespace pantin::internal

@@ -12,7 +12,7 @@
 
 namespace pantin {
 
-using namespace editing;
+using namespace internal;
 
 namespace {
 
@@ -127,7 +127,7 @@ void make(World& world, EmitterId id, const Base& base, double time, double end)
     await_end(world, world.points[point].own);
   }
   touch(world, point);
-  post(world, energy_of(world, point), Source::emitter);
+  post(world, Source::emitter, energy_of(world, point));
 }
 
 /// Removes an emitter whose point is gone.

@@ -5,7 +5,7 @@
 
 namespace pantin {
 
-using namespace editing;
+using namespace internal;
 
 namespace {
 
@@ -17,7 +17,7 @@ std::string names_of(const Family& family) {
 
 }  // namespace
 
-namespace editing {
+namespace internal {
 
 std::vector<double> attribute_values(std::string_view call, const Family& family, std::span<const AttributeDef> given) {
   std::vector<double> values;
@@ -34,7 +34,7 @@ std::vector<double> attribute_values(std::string_view call, const Family& family
   return values;
 }
 
-}  // namespace editing
+}  // namespace internal
 
 FamilyId add_family(World& world, const FamilyDef& def) {
   require_unlocked(world, "family");

@@ -6,7 +6,7 @@
 #include "articulates/articulate.hpp"
 #include "laws/draws_noise.hpp"
 #include "world/courses.hpp"
-#include "world/editing.hpp"
+#include "world/disturb.hpp"
 #include "world/forces_parts.hpp"
 #include "world/integrator.hpp"
 #include "world/solved.hpp"
@@ -24,7 +24,7 @@ constexpr std::size_t few_pairs = 4096;
 std::vector<double> present_parameters(const World& world, const Law& law, const std::vector<double>& given) {
   std::vector<double> values = given;
   for (std::size_t i = 0; i < values.size(); i++) {
-    if (!editing::given_by_world(law.parameters[i].name)) continue;
+    if (!given_by_world(law.parameters[i].name)) continue;
     values[i] = law.parameters[i].name == "step" ? world.part.full : world.settings.boltzmann;
   }
   return values;
@@ -194,86 +194,6 @@ bool acting_now(const World& world) { return world.forces && !world.influences_c
 
 namespace {
 
-/// The energy of the laws leaves the balance.
-void withdraw_energy(World& world) {
-  Forces& f = *world.forces;
-  editing::post(world, -(f.told ? f.energy : law_energy(world)), Source::law);
-  each_law(world, f, [&](const std::string& name, const Law& law, auto& acting) {
-    if (law.has_energy()) world.given_by_laws[name] += acting.at_first - acting.energy;
-  });
-}
-
-void unsettle(World& world) {
-  if (world.forces->unsettled) return;
-  withdraw_energy(world);
-  world.forces->unsettled = true;
-}
-
-}  // namespace
-
-void editing::disturb_forces(World& world) {
-  if (world.influences_changed) return;
-  if (acting_now(world)) withdraw_energy(world);
-  world.influences_changed = true;
-}
-
-void editing::disturb_sites(World& world) {
-  if (world.influences_changed || !world.forces) return;
-  unsettle(world);
-  world.forces->elsewhere = true;
-}
-
-void editing::disturb_forces_by_motion(World& world) {
-  if (world.forces && world.forces->moving) disturb_sites(world);
-}
-
-void editing::disturb_site(World& world, ParticleId particle) {
-  disturb_sites(world);
-  note_site(world, particle);
-}
-
-void editing::disturb_forces_by_birth(World& world, FamilyId family) {
-  if (!world.influences_changed && world.forces && acts_on_all(*world.forces, family)) unsettle(world);
-}
-
-void editing::note_site(World& world, ParticleId particle) {
-  if (!world.influences_changed && world.forces && world.forces->unsettled) world.forces->changed.push_back(particle);
-}
-
-void editing::disturb_forces_by_death(World& world, ParticleId particle) {
-  if (world.influences_changed || !world.forces) return;
-  std::vector<std::uint32_t>& sites = world.forces->site_of;
-  const std::uint32_t slot = particle.slot - 1;
-  if (slot >= sites.size() || sites[slot] == none) return;
-  unsettle(world);
-  world.forces->gone.push_back(sites[slot]);
-  sites[slot] = none;
-}
-
-void editing::disturb_forces_by_break(World& world, const Connection& connection) {
-  if (world.influences_changed || !world.forces) return;
-  disturb_sites(world);
-  world.forces->untied.push_back(connection.serial);
-  for (ParticleId end : connection.particles)
-    if (end && world.particles.alive(end)) note_site(world, awake(world, end));
-}
-
-void editing::note_touched_sites(World& world) {
-  if (world.influences_changed || !world.forces || !world.forces->elsewhere) return;
-  const auto note = [&](PointId point) {
-    const ParticleId own = world.points[point].own;
-    note_site(world, own);
-    if (const ParticleId ring = world.particles[own].asleep_in) note_site(world, ring);
-  };
-  for (const Touched& t : world.touched) {
-    if (t.body && world.bodies.alive(t.body))
-      for (PointId point : world.bodies[t.body].points) note(point);
-    if (!t.body && world.points.alive(t.point)) note(t.point);
-  }
-}
-
-namespace {
-
 /// Energy of the laws at the present places, with ages of another time [s]; forces stay, ages do not.
 double energy_at_ages(const World& world, Forces& f, double time) {
   const auto force = f.sites.force, open = f.sites.open_force;
@@ -293,7 +213,7 @@ void bring_in_energy(World& world) {
   if (world.steps == 0)
     world.start_energy += f.energy;
   else
-    editing::post(world, f.energy, Source::law);
+    post(world, Source::law, f.energy);
 }
 
 /// Reads the present state after an edit that left most sites as they were.
@@ -357,7 +277,7 @@ void refresh_forces(World& world) {
   } else if (world.forces && world.forces->unsettled) {
     settle(world);
   } else if (world.forces && stiffness_is_due(world) && find_too_stiff(world, *world.forces)) {
-    editing::disturb_forces(world);
+    internal::disturb_forces(world);
   }
   if (world.influences_changed) return;
   if (world.forces && changes(*world.forces)) set_solved_inputs(world, true);
@@ -368,7 +288,7 @@ void begin_kick(World& world) {
   // What changes with age alone is work from outside: half of it at the places before the drift, half at those after.
   Forces& f = *world.forces;
   const double energy = f.energy;
-  editing::post(world, 0.5 * (energy_at_ages(world, f, kick_end(world)) - energy), Source::law);
+  post(world, Source::law, 0.5 * (energy_at_ages(world, f, kick_end(world)) - energy));
 }
 
 void find_pairs(World& world) {
@@ -396,7 +316,7 @@ void apply_forces(World& world) {
   f.told = ages || (end_of_step && tells_energy(world, f));
   const double before = ages ? energy_at_ages(world, f, kick_start(world)) : 0.0;
   f.energy = evaluate(world, f, instant_of(world, time_within(world, world.part.to), world.instant), f.told);
-  if (ages) editing::post(world, 0.5 * (f.energy - before), Source::law);
+  if (ages) post(world, Source::law, 0.5 * (f.energy - before));
 }
 
 }  // namespace pantin

@@ -3,8 +3,8 @@
 #include <limits>
 #include <numeric>
 
+#include "world/checks.hpp"
 #include "world/courses.hpp"
-#include "world/editing.hpp"
 #include "world/forces_parts.hpp"
 
 namespace pantin {
@@ -41,7 +41,7 @@ void require_attributes(const World& world, const Sites& sites, const Law& law, 
     if (input.role != Role::attribute || input.who != who) continue;
     for (std::uint32_t site : where) {
       require(sites.particle[site] != none, law.name, ": it reads '", input.name, "', which the place ",
-              editing::to_text(sites.x[site]),
+              internal::to_text(sites.x[site]),
               " m of the world has not; tie a particle, or make it a parameter of the law");
       if (law.called) continue;  // it tells by itself what it reads
       const ParticleId id = world.particles.id_at(sites.particle[site]);

@@ -6,7 +6,6 @@
 #include <unordered_map>
 
 #include "laws/draws_noise.hpp"
-#include "world/editing.hpp"
 
 namespace pantin {
 

@@ -8,7 +8,7 @@
 
 namespace pantin {
 
-using namespace editing;
+using namespace internal;
 
 namespace {
 
@@ -139,7 +139,7 @@ BodyId body_of_points(World& world, const std::vector<PointId>& points, std::str
     world.points[p].force = zero3();
   }
   touch(world, body);
-  post(world, energy_of(world, body) - before, Source::merge);
+  post(world, Source::merge, energy_of(world, body) - before);
   return body;
 }
 
@@ -185,7 +185,7 @@ std::vector<ParticleId> shatter(World& world, BodyId body) {
   }
   world.bodies[body].points.clear();
   erase_body(world, body, who);
-  post(world, after - before);
+  post(world, Source::edit, after - before);
   return particles;
 }
 

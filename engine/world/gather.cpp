@@ -9,7 +9,7 @@
 
 namespace pantin {
 
-using namespace editing;
+using namespace internal;
 
 namespace {
 
@@ -161,7 +161,7 @@ void heat(World& world, const Things& things, double joules) {
   add_velocity(world, things, common);
   for (BodyId id : things.bodies) disturb(world, id);
   for (PointId id : things.free_points) disturb(world, id);
-  post(world, energy(world, things).kinetic - before, Source::event);
+  post(world, Source::event, energy(world, things).kinetic - before);
 }
 
 }  // namespace pantin

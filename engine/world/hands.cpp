@@ -10,7 +10,7 @@
 
 namespace pantin {
 
-using namespace editing;
+using namespace internal;
 
 namespace {
 
@@ -80,7 +80,7 @@ std::int32_t add_hand(World& world, std::function<Vec3(double)> path) {
   return static_cast<std::int32_t>(world.hands.size()) - 1;
 }
 
-bool editing::let_go(World& world, ConstraintId constraint) {
+bool internal::let_go(World& world, ConstraintId constraint) {
   const Constraint& c = world.constraints[constraint];
   if (c.hand < 0 || world.hands[static_cast<std::size_t>(c.hand)].grab != constraint) return false;
   world.hands[static_cast<std::size_t>(c.hand)].grab = {};

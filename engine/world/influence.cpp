@@ -9,7 +9,7 @@
 
 namespace pantin {
 
-using namespace editing;
+using namespace internal;
 
 namespace {
 
@@ -172,7 +172,7 @@ void remove(World& world, ConnectionId id) {
   notice(world, Notice::Kind::removed, id, world.connections.story(id));
 }
 
-void editing::break_connection(World& world, ConnectionId id, double force) {
+void internal::break_connection(World& world, ConnectionId id, double force) {
   const Connection& row = world.connections[id];
   if (world.breaks.size() == most_breaks) world.breaks.pop_front();
   world.breaks.push_back({end_of(world, row, 0), end_of(world, row, 1), next_time(world)});

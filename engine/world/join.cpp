@@ -6,7 +6,7 @@
 
 namespace pantin {
 
-using namespace editing;
+using namespace internal;
 
 namespace {
 
@@ -99,7 +99,7 @@ Particle shared_data(const World& world, PointId first, const HingeDef& def) {
 
 }  // namespace
 
-void editing::require_together(const World& world, std::span<const PointId> points) {
+void internal::require_together(const World& world, std::span<const PointId> points) {
   const Vec3 first = position(world, points[0]);
   const double size = size_of(world, points[0]);
   for (std::size_t i = 1; i < points.size(); i++) {

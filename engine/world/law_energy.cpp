@@ -1,7 +1,6 @@
 // What the laws at work tell: their energies, loads, and what went wrong.
 #include <algorithm>
 
-#include "world/editing.hpp"
 #include "world/forces_parts.hpp"
 #include "world/integrator.hpp"
 

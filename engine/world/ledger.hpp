@@ -10,7 +10,6 @@
 namespace pantin {
 
 struct World;
-struct DriftReport;
 
 /// What changes the energy, besides gravity and laws that have one.
 /// hand: also moving anchors and lengths, pushes on what is tied. motor: also turns and angles by functions of time.
@@ -57,39 +56,13 @@ struct Ledger {
   double kinetic = 0.0, potential = 0.0, explained = 0.0;  ///< [J] at the start of the step, and until then
 };
 
-/// Energy from outside: part of World::work.
+/// Energy from outside: part of World::work. The first step starts the balance anew, so building a scene is no work.
 void post(World& world, Source source, double joules);
+
+/// What a law without energy and gravity do to each other's work in one kick [J].
+void post_falling(World& world, double joules);
 
 /// From the next step on all is kept; each law that has an energy is then run once more in each kick.
 void keep_ledger(World& world);
-
-/// |change of the kinetic energy - posts|, since the ledger is kept, over the sum of |posts|, or over the largest kinetic or
-/// the potential energy where that is more, as of what rests: a test of the code.
-double closure(const World& world);
-/// What the energy of a law (and of "gravity") changed by, and what its kicks gave: the step's own error, per law, [J]. Of
-/// laws without energy, together: what their kicks gave beyond a second estimate of their work.
-std::map<std::string, double> truncation(const World& world);
-
-/// State before a part of a step, for what it posts. Nothing is measured where the ledger is not kept.
-struct LedgerMark {
-  double kinetic = 0.0;  ///< [J]
-  double falling = 0.0;  ///< [J] potential energy in gravity of what no kick gives it
-  double told = 0.0;     ///< [J] posted so far, but for gravity, return and the integrator
-  double size = 0.0;     ///< [J] sum of magnitudes of energies
-};
-/// `drifted`: what is tied has its state in the articulates.
-LedgerMark ledger_mark(const World& world, bool drifted);
-void begin_ledger(World& world);
-/// What changed the kinetic energy since the mark, but for work from outside: gravity, in a kick of loose points;
-void post_kick(World& world, const LedgerMark& before, bool drifted);
-/// of that, what a law without energy and gravity do to each other's work in one kick;
-void post_falling(World& world, double joules);
-/// in a drift, what an articulate told of carried projection, safe steps and what stayed unsolved;
-void post_report(World& world, const DriftReport& report);
-/// gravity as far as things fell, and the integrator's own errors;
-void post_drift(World& world, const LedgerMark& before);
-/// in a projection, `returned` [J] and the rest.
-void post_projection(World& world, const LedgerMark& before, double returned);
-void end_ledger(World& world);
 
 }  // namespace pantin

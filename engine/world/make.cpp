@@ -6,7 +6,7 @@
 
 namespace pantin {
 
-using namespace editing;
+using namespace internal;
 
 namespace {
 
@@ -105,7 +105,7 @@ ParticleId add_particle(World& world, const ParticleDef& def) {
   particle.courses = std::move(courses);
   note_site(world, id);
   touch(world, point);
-  post(world, energy_of(world, point));
+  post(world, Source::edit, energy_of(world, point));
   return id;
 }
 
@@ -128,7 +128,7 @@ BodyId add_body(World& world, const BodyDef& def) {
   update_mass(world, id);
   start(world, id, def, frame);
   touch(world, id);
-  post(world, energy_of(world, id));
+  post(world, Source::edit, energy_of(world, id));
   return id;
 }
 
@@ -152,7 +152,7 @@ PointId add_point(World& world, BodyId body, const PointDef& def) {
   world.bodies[body].points.push_back(point);
   update_mass(world, body);
   touch(world, body);
-  post(world, energy_of(world, body) - before);
+  post(world, Source::edit, energy_of(world, body) - before);
   return point;
 }
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "world/editing.hpp"
 #include "world/forces_parts.hpp"
 
 namespace pantin {

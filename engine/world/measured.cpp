@@ -112,9 +112,9 @@ Measured measured(const World& world, Quantity quantity, const std::vector<Where
 
 void check(const World& world, const Measured& m) {
   require(static_cast<bool>(m.measure), "when: there is nothing to measure");
-  editing::require_finite("when", "the limit", m.limit, "");
-  editing::require_not_negative("when", "mean", m.mean, "s");
-  editing::require_not_negative("when", "hysteresis", m.hysteresis, "");
+  internal::require_finite("when", "the limit", m.limit, "");
+  internal::require_not_negative("when", "mean", m.mean, "s");
+  internal::require_not_negative("when", "hysteresis", m.hysteresis, "");
   require(m.mean <= most_samples * world.settings.step, "when: mean must be at most ",
           most_samples * world.settings.step, " s (a million steps), got ", m.mean);
 }

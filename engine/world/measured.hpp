@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "base/lanes.hpp"
-#include "world/choreography.hpp"
+#include "world/world.hpp"
 
 namespace pantin {
 

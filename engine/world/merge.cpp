@@ -6,7 +6,7 @@
 
 namespace pantin {
 
-using namespace editing;
+using namespace internal;
 
 namespace {
 
@@ -144,7 +144,7 @@ void merge(World& world, BodyId a, BodyId b) {
   set_momenta(world, a, kept.p, kept.angular);
   take_pushes(world, a, old_a, old_b);
   touch(world, a);
-  post(world, energy_of(world, a) - before, Source::merge);
+  post(world, Source::merge, energy_of(world, a) - before);
 }
 
 }  // namespace pantin

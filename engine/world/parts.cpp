@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <unordered_set>
 
-namespace pantin::editing {
+namespace pantin::internal {
 
 Totals totals_of(const World& world, std::span<const BodyId> bodies, std::span<const PointId> free_points) {
   Totals t;
@@ -91,4 +91,4 @@ void erase_body(World& world, BodyId id, const std::string& who) {
   notice(world, Notice::Kind::removed, id, world.bodies.story(id));
 }
 
-}  // namespace pantin::editing
+}  // namespace pantin::internal

@@ -5,7 +5,7 @@
 
 #include "world/editing.hpp"
 
-namespace pantin::editing {
+namespace pantin::internal {
 
 constexpr double round_off = 8.0 * std::numeric_limits<double>::epsilon();  ///< of a place, relative
 
@@ -28,4 +28,4 @@ void drop_rotations(World& world, BodyId body);
 /// Takes a body that has no points any more out of the world.
 void erase_body(World& world, BodyId body, const std::string& who);
 
-}  // namespace pantin::editing
+}  // namespace pantin::internal

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "laws/sites.hpp"
-#include "world/editing.hpp"
+#include "world/checks.hpp"
 
 namespace pantin {
 namespace {
@@ -60,8 +60,8 @@ std::vector<ParticleId> hinges(const World& world) {
 }
 
 std::vector<ParticleId> near(const World& world, Vec3 at, double radius) {
-  editing::require_finite("near", "at", at, "m");
-  editing::require_not_negative("near", "radius", radius, "m");
+  internal::require_finite("near", "at", at, "m");
+  internal::require_not_negative("near", "radius", radius, "m");
   const Box box{world.settings.box.value_or(zero3())};
   std::vector<std::pair<double, ParticleId>> found;
   for (ParticleId p : particles(world))

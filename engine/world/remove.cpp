@@ -3,14 +3,14 @@
 
 namespace pantin {
 
-using namespace editing;
+using namespace internal;
 
 void remove(World& world, BodyId id) {
   require_unlocked(world, "remove");
   const std::string what = describe(world, id);
   disturb_sites(world);
   touch(world, id);
-  post(world, -energy_of(world, id), Source::removal);
+  post(world, Source::removal, -energy_of(world, id));
   const std::vector<PointId> points = world.bodies[id].points;
   std::vector<std::string> names;
   for (PointId p : points) names.push_back(describe(world, p));
@@ -30,7 +30,7 @@ void remove(World& world, PointId id) {
   const ParticleId own = point.own;
   disturb_forces_by_death(world, own);
   touch(world, id);
-  post(world, -energy_of(world, id), Source::removal);
+  post(world, Source::removal, -energy_of(world, id));
   erase_point(world, id, what);
   notice(world, Notice::Kind::removed, own, world.particles.story(own));
 }
@@ -84,7 +84,7 @@ void remove_point(World& world, PointId id) {
   }
   touch(world, body);
   erase_point(world, id, what);
-  post(world, energy_of(world, body) - before);
+  post(world, Source::edit, energy_of(world, body) - before);
   notice(world, Notice::Kind::removed, own, world.particles.story(own));
 }
 

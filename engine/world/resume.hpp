@@ -1,6 +1,6 @@
 #pragma once
 // Beginning in the middle: for a world that goes on where another one is.
-#include "world/choreography.hpp"
+#include "world/world.hpp"
 
 namespace pantin {
 

@@ -70,7 +70,7 @@ std::string why_not_restore(const World& world, const Snapshot& snapshot) {
 }
 
 void restore(World& world, const Snapshot& snapshot) {
-  editing::require_unlocked(world, "restore");
+  internal::require_unlocked(world, "restore");
   const std::string why = why_not_restore(world, snapshot);
   require(why.empty(), "restore: ", why);
   const Snapshot::Held& held = *snapshot.held_;

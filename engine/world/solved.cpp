@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "articulates/stiff.hpp"
-#include "world/editing.hpp"
 #include "world/forces_parts.hpp"
 #include "world/integrator.hpp"
 

@@ -7,7 +7,7 @@
 
 namespace pantin {
 
-using namespace editing;
+using namespace internal;
 
 namespace {
 
@@ -124,7 +124,7 @@ BodyId split(World& world, BodyId body, std::span<const PointId> points, std::st
     set_momenta(world, id, part.p, rotate(part.q, part.angular));
   }
   touch(world, fresh);
-  post(world, energy_of(world, body) + energy_of(world, fresh) - before);
+  post(world, Source::edit, energy_of(world, body) + energy_of(world, fresh) - before);
   return fresh;
 }
 

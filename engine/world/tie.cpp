@@ -5,7 +5,7 @@
 
 namespace pantin {
 
-using namespace editing;
+using namespace internal;
 
 namespace {
 

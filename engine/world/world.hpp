@@ -15,9 +15,9 @@
 #include "base/random.hpp"
 #include "base/shared_list.hpp"
 #include "model/model.hpp"
-#include "world/choreography.hpp"
 #include "world/input.hpp"
 #include "world/ledger.hpp"
+#include "world/queue.hpp"
 #include "world/settings.hpp"
 
 namespace pantin {

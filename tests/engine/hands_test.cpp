@@ -1,3 +1,4 @@
+#include "world/choreography.hpp"
 #include "world/hands.hpp"
 
 #include <catch2/catch.hpp>

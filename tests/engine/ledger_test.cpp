@@ -1,4 +1,5 @@
 // Every joule of kinetic energy has a line in the ledger, and the lines are worked out without each other.
+#include "world/closure.hpp"
 #include "world/ledger.hpp"
 
 #include <catch2/catch.hpp>

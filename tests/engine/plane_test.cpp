@@ -12,6 +12,7 @@
 #include "support/hard_cases.hpp"
 #include "support/reference.hpp"
 #include "support/watch.hpp"
+#include "world/closure.hpp"
 #include "world/constrain.hpp"
 #include "world/ledger.hpp"
 #include "world/measure.hpp"

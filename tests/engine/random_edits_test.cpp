@@ -2,6 +2,7 @@
 
 #include "support/random_edits.hpp"
 #include "support/watch.hpp"
+#include "world/choreography.hpp"
 
 using namespace pantin;
 using Catch::Contains;

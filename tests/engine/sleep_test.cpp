@@ -1,4 +1,5 @@
 // Articulates fall asleep once their motion has died away, and cost nothing until something moves them again.
+#include "world/closure.hpp"
 #include "world/sleep.hpp"
 
 #include <catch2/catch.hpp>

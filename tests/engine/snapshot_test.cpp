@@ -13,6 +13,7 @@
 #include "support/cases.hpp"
 #include "support/melt.hpp"
 #include "world/assemble.hpp"
+#include "world/choreography.hpp"
 #include "world/hands.hpp"
 #include "world/measure.hpp"
 #include "world/snapshot.hpp"

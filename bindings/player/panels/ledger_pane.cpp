@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "player/panels/pane.hpp"
+#include "world/closure.hpp"
 #include "world/forces.hpp"
 #include "world/measure.hpp"
 

@@ -8,6 +8,7 @@
 #include "player/panels/pane.hpp"
 #include "view/keys.hpp"
 #include "view/panel_style.hpp"
+#include "world/choreography.hpp"
 
 namespace pantin::player {
 namespace {

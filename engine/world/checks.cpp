@@ -1,0 +1,57 @@
+#include "world/checks.hpp"
+
+#include <cmath>
+
+namespace pantin::internal {
+
+void require_unlocked(const World& world, std::string_view call) {
+  require(!world.locked, call, ": the world cannot be edited while it steps; edit in an event or a step callback");
+}
+
+std::string to_text(Vec3 v) {
+  return text("(", static_cast<double>(v[0]), ", ", static_cast<double>(v[1]), ", ", static_cast<double>(v[2]), ")");
+}
+
+void require_finite(std::string_view call, std::string_view name, Vec3 v, std::string_view unit) {
+  if (!finite(v)) throw Error(text(call, ": ", name, " must be finite, got ", to_text(v), " ", unit));
+}
+void require_finite(std::string_view call, std::string_view name, double x, std::string_view unit) {
+  require(std::isfinite(x), call, ": ", name, " must be finite, got ", x, " ", unit);
+}
+void require_positive(std::string_view call, std::string_view name, double x, std::string_view unit) {
+  require(x > 0.0 && std::isfinite(x), call, ": ", name, " must be > 0 ", unit, " and finite, got ", x);
+}
+void require_positive_or_infinite(std::string_view call, std::string_view name, double x, std::string_view unit) {
+  require(x > 0.0, call, ": ", name, " must be > 0 ", unit, ", got ", x);
+}
+void require_not_negative(std::string_view call, std::string_view name, double x, std::string_view unit) {
+  require(x >= 0.0 && std::isfinite(x), call, ": ", name, " must be >= 0 ", unit, " and finite, got ", x);
+}
+
+void require_inertia(std::string_view call, const Mat3& inertia) {
+  double most = 0.0, skew = 0.0;
+  for (int i = 0; i < 3; i++) {
+    require(finite(inertia[i]), call, ": inertia must be finite, got ", to_text(inertia[i]), " kg m² in column ",
+            i + 1);
+    most = std::fmax(most, largest(inertia[i]));
+  }
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < i; j++) skew = std::fmax(skew, std::fabs(inertia[i][j] - inertia[j][i]));
+  require(skew <= 1e-9 * most, call, ": inertia must be symmetric, but two elements differ by ", skew, " kg m²");
+  const Vec3 moments = principal_axes(inertia, identity33()).moments;
+  require(moments[0] >= -1e-9 * most, call, ": inertia must not be negative about any axis; its principal moments are ",
+          to_text(moments), " kg m²");
+  require(moments[2] - moments[1] - moments[0] <= 1e-9 * most, call,
+          ": no body has this inertia, as one principal moment is larger than the sum of the others: ",
+          to_text(moments), " kg m²");
+}
+
+Quat unit(std::string_view call, const Quat& q) {
+  const double most = std::fmax(std::fmax(std::fabs(q.w), std::fabs(q.x)), std::fmax(std::fabs(q.y), std::fabs(q.z)));
+  const bool numbers = std::isfinite(q.w) && std::isfinite(q.x) && std::isfinite(q.y) && std::isfinite(q.z);
+  require(numbers && most > 0.0, call, ": orientation must be a finite quaternion other than 0, got (", q.w, ", ", q.x,
+          ", ", q.y, ", ", q.z, ")");
+  return normalised({q.w / most, q.x / most, q.y / most, q.z / most});
+}
+
+}  // namespace pantin::internal
