@@ -5,9 +5,6 @@
 // Letters follow the equations: x place [m], q orientation, R its matrix, p momentum [kg m/s], P angular momentum in
 // principal axes [kg m²/s], O = I⁻¹P [rad/s], a the step's Cayley vector [rad], f the force of a row on its first point
 // [N] (the second gets -f), l arms in principal axes [m], r arms in the world [m]; 0 start and 1 end of a step of h [s].
-// A row of a couple ties rotations: lever f is a torque on its first node [N m], d is lever times a small rotation of the
-// first node against the second [m], l and r are axes (unit vectors). Its torque does the work lever f·(ā_a - ā_b) exactly,
-// ā = R0 a: a rigid couple does none, since equal relative rotations at both ends have equal ā.
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -16,6 +13,7 @@
 #include "articulates/factor.hpp"
 #include "articulates/forecast.hpp"
 #include "articulates/rest.hpp"
+#include "articulates/row.hpp"
 #include "model/model.hpp"
 
 namespace pantin {
@@ -41,84 +39,6 @@ struct alignas(64) Node {
   Quat q1;
   Mat3 R1;
   Vec3 row_force, row_torque;  // sums over rows, world axes
-};
-
-/// What a row wants: rigid keeps two points together; limited draws one to a place with a force up to a limit; rod
-/// keeps a distance or keeps it in a range; plane keeps a point on a plane; strand is a segment of a string; path keeps
-/// a point on a path; stiff pulls by a law; drawn has two points approach each other. Of couples, rigid keeps an
-/// orientation, axis keeps two axes together, align keeps the angle between them, turn drives the angle about an axis
-/// or keeps it in a range.
-enum class RowKind : std::uint8_t { rigid, limited, rod, plane, axis, align, turn, strand, path, stiff, drawn };
-
-struct StiffTie;
-
-/// Ties a point of node a to a point of node b, or to a place of the world (b = -1), by one force.
-struct alignas(64) Row {
-  std::int32_t a = 0, b = -1;
-  std::int32_t condition = -1;  // of a row that a constraint made; a hinge has none
-  RowKind kind = RowKind::rigid;
-  double lever = 0.0;  // [m] of a couple; 0: ties points
-  Vec3 f = zero3();
-  Vec3 residual = zero3();
-  Vec3 d1 = zero3();                // [m] first point less second
-  Vec3 offset = zero3();            // [m] gap that cannot be closed
-  Vec3 la = zero3(), lb = zero3();  // arms of the two points
-  // of rows that are not rigid:
-  Vec3 d0 = zero3();
-  Vec3 ra0 = zero3(), rb0 = zero3(), ra1 = zero3(), rb1 = zero3();  // axes of a couple
-  PointId member;                                                   // of a hinge: the point that f pulls
-  PointId centre;                                                   // of a hinge: the star's point, that -f pulls
-};
-
-/// What of a condition leaves the straight way between the ends of a step.
-enum class Bent : std::uint8_t { nothing, place, length, turn };
-
-/// What the row of a constraint has beyond a hinge's: a world end, a matrix of its own, limits.
-struct Condition {
-  Vec3 place0 = zero3(), place1 = zero3();  // [m] world end, at the start and end of the step being solved
-  Vec3 whole0 = zero3(), whole1 = zero3();  // [m] the same of the whole step, where that is halved
-  Vec3 velocity = zero3();                  // [m/s] of the world end at the end of the step
-  Mat3 kept = zero33();                     // projects on the directions in which velocities are forbidden,
-  Vec3 wanted = zero3();                    // [m/s] but for this one of d1
-  Mat3 M = zero33(),
-       C = zero33();    // the row of Newton's matrix: M (change of d1) + C df = -residual; rigid: M = 1, C = 0
-  double length = 0.0;  // [m] of a rod, at the end of the step being solved
-  double whole_length0 = 0.0, whole_length1 = 0.0;  // [m] at the start and end of the whole step
-  double length_rate = 0.0;                         // [m/s]
-  Bend bend;  // [m] of what is prescribed, [rad] of a turn; of a length, or [m/s] of a speed, the first component
-  double accepted = 0.0;                  // [m] what a rod is longer than that because no motion can make it shorter
-  double stiffness = 0.0, damping = 0.0;  // [N/m], [N s/m] of a limited row
-  double max_force = 0.0;                 // [N]
-  // Of couples: principal axes of the second node, or the world, turned by `turn` are those of the first; `axis` is b's,
-  // at the ends of a step while it is drawn in.
-  Quat turn0, turn1, whole_turn0, whole_turn1;
-  Vec3 axis = zero3(), axis0 = zero3(), axis1 = zero3();
-  double angle0 = 0.0,
-         angle1 = 0.0;         // [rad] of a turn at the start and end, turns counted
-  Vec3 normal = zero3();       // of a plane
-  const Path* path = nullptr;  // of a point on one; its parameter is `angle`
-  std::uint32_t part = 0;      // which row of its constraint it is
-  // Of rows of one dimension: the range that its value is kept in, [m], and the range of its force, [N].
-  double low = 0.0, high = 0.0;
-  double lower = -infinity, upper = infinity;
-  double stalled = infinity;  // [N] of a motor that stalls: what it exerts if nothing moves, and
-  double yielding = 0.0;      // [m/N] by how much it yields to that
-  bool ranged = false;        // low < high
-  Bent bent = Bent::nothing;
-  bool by_speed = false;    // of a motor: its turn in a part is what a body of its speed turns by then
-  double start_rate = 0.0;  // [m/s] of such a motor: `length_rate` at the start of the step
-  // Of a segment of a string: by d1 in the equation of the head, and by the head's force in its own.
-  Mat3 into_head = zero33(), from_head = zero33();
-  bool held = true;         // the range, or the limit of the force, lets it act as a constraint
-  bool held_before = true;  // at the end of the last part of a step
-  bool works = false;       // its force may do work
-  std::uint32_t row = 0;
-  ConstraintId constraint;  // null of a stiff row
-  std::shared_ptr<StiffTie>
-      stiff;                  // of a stiff row; copies of an articulate share it, so it keeps nothing between steps
-  std::vector<double> given;  // (its curves) [J] what their energies gave to the motion in this part of the step
-  double settling = 0.0, mean_rate = 0.0;  // [kg], [m/s] those of `stiff`, in the last part of the step
-  bool settles = false;                    // now
 };
 
 /// Two rows that meet at a node: a block of the matrix. Of a node with rows 0, 1 … rising its meetings are (0, 0), (1, 0),
@@ -304,9 +224,6 @@ struct Articulate : ArticulateState {
   std::uint64_t serial = 0;  // smallest of its things
 };
 
-/// Whether a row forbids no motion, and only pulls.
-inline bool is_soft(const Row& row) { return row.kind == RowKind::limited || row.kind == RowKind::stiff; }
-
 inline Condition& condition(Articulate& a, const Row& row) {
   return a.conditions[static_cast<std::size_t>(row.condition)];
 }
@@ -316,44 +233,15 @@ inline const Condition& condition(const Articulate& a, const Row& row) {
 
 inline const Row& row(const Articulate& a, const Condition& c) { return a.rows[c.row]; }
 
-/// Whether a one-dimensional row began to hold in this part of the step, by an inelastic meeting.
-bool struck(const Articulate& articulate);
 /// What row k exerted in the last step, on average [N].
 inline Vec3 exerted_force(const Articulate& a, std::size_t k) {
   const Vec3 f = a.exerted_time > 0.0 ? a.exerted[k] / a.exerted_time : a.rows[k].f;
   return a.reaction.empty() ? f : f + a.reaction[k];
 }
-/// Begins the sum of what the rows exert in a step that is cut into parts.
-void begin_exerted(Articulate& articulate);
-/// Adds what the rows exert by impulses [N s], or by their forces over h [s].
-void add_impulses_exerted(Articulate& articulate);
-void add_forces_exerted(Articulate& articulate, double h);
-
-/// Copies the model's state into the nodes, with constant forces: gravity [m/s²], pushes and twists; and the world ends
-/// and limits of the rows from their constraints. In a plane all is taken to height 0, so that no row sees the normal.
-void load(Articulate& articulate, const Model& model, Vec3 gravity);
-/// Copies the state of one thing into a node.
-void load(Node& node, const Model& model, Vec3 gravity);
-/// After an edit of velocities: the unknowns have no history, and the velocities are to be made consistent.
-void disturb(Articulate& articulate);
 /// It moves again, or is not to fall asleep before its motion was looked at anew.
 inline void wake(Articulate& articulate) { articulate.rest = {}; }
-/// Empties what a drift tells: `report`, and what the energies of solved laws gave.
-void begin_report(Articulate& articulate);
-/// Writes the nodes' starts and the rows' forces back.
-void store(const Articulate& articulate, Model& model);
-void store(const Node& node, Model& model);
-
-/// Writes the tensions of solved connections.
-void tell_tensions(const Articulate& articulate, Model& model);
-
-/// Kinetic energy of the nodes' starts, [J].
-double kinetic_energy(const Articulate& articulate);
+/// Kinetic energy of a node's start, [J].
 inline double kinetic_energy(const Node& n) { return 0.5 * (norm2(n.p0) * n.inverse_mass + dot(n.P0, n.O0)); }
-NodeTotals totals_of(const Articulate& articulate);
-/// Finds `gaps` anew from the rows at the end of the step.
-void measure_gaps(Articulate& articulate);
-
 /// What a drift needs to know of the world.
 struct DriftSettings {
   double h;          ///< [s] length of the step

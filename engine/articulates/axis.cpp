@@ -1,5 +1,4 @@
 // Two axes stay together: d = lever n_b × n_a, and the force along their mean is 0.
-#include "articulates/couple.hpp"
 #include "articulates/rows.hpp"
 
 namespace pantin {

@@ -7,6 +7,7 @@
 #include "articulates/batches.hpp"
 #include "articulates/conditions.hpp"
 #include "articulates/history.hpp"
+#include "articulates/state.hpp"
 #include "articulates/stiff.hpp"
 
 namespace pantin {

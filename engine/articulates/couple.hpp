@@ -12,9 +12,6 @@ void place_couple_at_end(Articulate& articulate, Row& row);
 /// Work of a couple in the step just solved on both nodes [J].
 double work_of_couple(const Articulate& articulate, const Row& row);
 
-/// Mean of the axes of a couple over its nodes and the step, of unit length.
-inline Vec3 mean_axis(const Row& row) { return direction(row.ra0 + row.rb0 + row.ra1 + row.rb1); }
-
 /// Adds a row's force at an arm, in the world [m], to `row_force` and `row_torque` [N m] of a node about its centre.
 inline void pull(Node& n, const Row& row, Vec3 arm, Vec3 f) {
   if (row.lever > 0.0) {

@@ -10,8 +10,10 @@
 #include "articulates/momenta.hpp"
 #include "articulates/newton.hpp"
 #include "articulates/project.hpp"
+#include "articulates/row_gaps.hpp"
 #include "articulates/rows.hpp"
 #include "articulates/safe_step.hpp"
+#include "articulates/state.hpp"
 #include "articulates/strand.hpp"
 
 namespace pantin {

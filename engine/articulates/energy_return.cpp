@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "articulates/project.hpp"
+#include "articulates/state.hpp"
 
 namespace pantin {
 

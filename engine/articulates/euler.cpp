@@ -5,8 +5,10 @@
 #include "articulates/drift.hpp"
 #include "articulates/midpoint.hpp"
 #include "articulates/newton.hpp"
+#include "articulates/row_gaps.hpp"
 #include "articulates/rows.hpp"
 #include "articulates/safe_step.hpp"
+#include "articulates/state.hpp"
 #include "articulates/strand.hpp"
 #include "base/functions.hpp"
 

@@ -1,6 +1,5 @@
 // Hinge, nail, rigid follow, weld and orient: two points, or two orientations, stay together. M = 1 and C = 0 are left out
 // of the products.
-#include "articulates/newton.hpp"
 #include "articulates/rows.hpp"
 
 namespace pantin {
@@ -32,10 +31,5 @@ const RowRule row_rules[11] = {
     {evaluate_stiff, project_stiff, no_gap, no_stop},
     {evaluate_drawn, project_drawn, drawn_gap, no_stop},
 };
-
-double residual(Articulate& a, Row& row, double h) {
-  if (row.kind == RowKind::rigid) return evaluate_rigid(row);
-  return rule(row).evaluate(row, condition(a, row), {h, mobility(a, row)});
-}
 
 }  // namespace pantin

@@ -4,6 +4,7 @@
 
 #include "articulates/build.hpp"
 #include "articulates/conditions.hpp"
+#include "articulates/state.hpp"
 
 namespace pantin {
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "articulates/state.hpp"
+
 namespace pantin {
 
 namespace {

@@ -1,6 +1,7 @@
 // Newton's iteration on rotations and row forces together, with line backtracking, on a factor that is
 // kept while it serves, with a compliance that adapts. Residuals are lengths in metres.
 #include "articulates/newton.hpp"
+#include "articulates/prediction.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -8,7 +9,9 @@
 #include "articulates/batches.hpp"
 #include "articulates/couple.hpp"
 #include "articulates/midpoint.hpp"
+#include "articulates/row_gaps.hpp"
 #include "articulates/rows.hpp"
+#include "articulates/state.hpp"
 #include "articulates/stiff.hpp"
 #include "articulates/strand.hpp"
 

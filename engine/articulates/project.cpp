@@ -8,7 +8,9 @@
 #include "articulates/midpoint.hpp"
 #include "articulates/momenta.hpp"
 #include "articulates/newton.hpp"
+#include "articulates/row_gaps.hpp"
 #include "articulates/rows.hpp"
+#include "articulates/state.hpp"
 #include "articulates/strand.hpp"
 
 namespace pantin {

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "articulates/rows.hpp"
-#include "articulates/strand.hpp"
 
 namespace pantin {
 
@@ -59,34 +58,6 @@ void project_reading(Condition& c, Vec3 gradient, double slope) {
 double missing(const Condition& c, double low, double high) {
   if (c.ranged) return std::fmax(high, 0.0) + std::fmin(low, 0.0);
   return std::isinf(c.upper) && std::isinf(c.stalled) ? low : 0.0;
-}
-
-Vec3 gap(const Articulate& a, const Row& row) {
-  if (row.kind == RowKind::rigid) return row.d1 - row.offset;
-  if (row.kind == RowKind::strand) return strand_gap(a, row);
-  return rule(row).gap(row, condition(a, row));
-}
-
-Stop stop(const Articulate& a, const Row& row) {
-  return row.kind == RowKind::strand ? strand_stop(a, row) : rule(row).stop(row, condition(a, row));
-}
-
-void accept_gap(Articulate& a, Row& row) {
-  const Vec3 open = gap(a, row);
-  if (row.kind == RowKind::rigid || row.kind == RowKind::axis || row.kind == RowKind::path ||
-      row.kind == RowKind::drawn) {
-    row.offset += open;
-    return;
-  }
-  Condition& c = condition(a, row);
-  const double size = norm(open);
-  c.accepted += size;
-  if (norm(gap(a, row)) > size) c.accepted -= 2.0 * size;
-}
-
-bool struck(const Articulate& a) {
-  return std::any_of(a.conditions.begin(), a.conditions.end(),
-                     [](const Condition& c) { return c.held && !c.held_before; });
 }
 
 }  // namespace pantin

@@ -1,7 +1,7 @@
 #pragma once
 // What each kind of row asks for. A kind is one file that fills one entry of the table: the residual of the row at the
 // end of a step with its derivative, its part in the velocity projection, and the gap that the safe step closes.
-#include "articulates/articulate.hpp"
+#include "articulates/row.hpp"
 
 namespace pantin {
 
@@ -61,16 +61,6 @@ Vec3 path_gap(const Row& row, const Condition& condition);
 Stop stop_of_path(const Row& row, const Condition& condition);
 
 inline const RowRule& rule(const Row& row) { return row_rules[static_cast<std::size_t>(row.kind)]; }
-
-/// Sets the residual of a row at the end of a step of h [s], with its M and C; returns its size [m].
-double residual(Articulate& articulate, Row& row, double h);
-
-/// The nearer end of the range of a row, at the end of the step.
-Stop stop(const Articulate& articulate, const Row& row);
-/// What is still to be closed of a row at the end of the step, [m].
-Vec3 gap(const Articulate& articulate, const Row& row);
-/// Takes the present gap of a row as a constant offset.
-void accept_gap(Articulate& articulate, Row& row);
 
 /// A row of one dimension reads a value, held in a range by a force along n.
 struct Reading {

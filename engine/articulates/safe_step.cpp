@@ -9,7 +9,9 @@
 #include "articulates/momenta.hpp"
 #include "articulates/newton.hpp"
 #include "articulates/project.hpp"
+#include "articulates/row_gaps.hpp"
 #include "articulates/rows.hpp"
+#include "articulates/state.hpp"
 #include "articulates/stiff.hpp"
 #include "articulates/strand.hpp"
 

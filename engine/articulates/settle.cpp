@@ -4,6 +4,7 @@
 #include "articulates/batches.hpp"
 #include "articulates/project.hpp"
 #include "articulates/rows.hpp"
+#include "articulates/state.hpp"
 
 namespace pantin {
 

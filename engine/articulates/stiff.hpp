@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "articulates/articulate.hpp"
 #include "articulates/rows.hpp"
 #include "laws/pair_curve.hpp"
 

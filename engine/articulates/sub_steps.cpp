@@ -6,6 +6,7 @@
 
 #include "articulates/drift.hpp"
 #include "articulates/loose.hpp"
+#include "articulates/state.hpp"
 
 namespace pantin {
 

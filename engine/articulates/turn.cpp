@@ -1,5 +1,4 @@
 // A motor or a limit: the angle about an axis, driven to a value or kept in a range.
-#include "articulates/couple.hpp"
 #include "articulates/rows.hpp"
 
 namespace pantin {

@@ -9,6 +9,7 @@
 #include "laws/arranged.hpp"
 #include "laws/block.hpp"
 #include "laws/pair_slopes.hpp"
+#include "laws/velocity_slopes.hpp"
 
 namespace pantin {
 

@@ -6,6 +6,7 @@
 #include "base/check.hpp"
 #include "base/compensated.hpp"
 #include "laws/block.hpp"
+#include "laws/velocity_slopes.hpp"
 
 namespace pantin {
 

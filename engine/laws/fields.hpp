@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "laws/answers.hpp"
 #include "laws/law.hpp"
 #include "laws/pairs.hpp"
 #include "laws/sites.hpp"
-#include "laws/velocity_slopes.hpp"
 
 namespace pantin {
 

@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include "laws/answers.hpp"
 #include "laws/block.hpp"
-#include "laws/velocity_slopes.hpp"
 
 namespace pantin {
 

@@ -8,6 +8,7 @@
 #include "base/compensated.hpp"
 #include "laws/pair_block.hpp"
 #include "laws/pair_slopes.hpp"
+#include "laws/velocity_slopes.hpp"
 
 namespace pantin {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/lanes.hpp"
 #include "base/random.hpp"
 #include "laws/derivative.hpp"
 
@@ -102,12 +103,6 @@ bool is_workless(const Law& law) {
     if (!(std::fabs(power) <= 1e-12 * size)) return false;
   }
   return true;
-}
-
-double velocity_difference(const Sites& sites) {
-  double fastest = 0.0;
-  for (std::size_t i = 0; i < sites.n; i++) fastest = std::max(fastest, norm2(sites.v[i]));
-  return fastest > 0.0 ? 1e-7 * std::sqrt(fastest) : 1e-7;
 }
 
 }  // namespace pantin

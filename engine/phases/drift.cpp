@@ -6,7 +6,9 @@
 
 #include "articulates/midpoint.hpp"
 #include "articulates/project.hpp"
+#include "articulates/row_gaps.hpp"
 #include "articulates/rows.hpp"
+#include "articulates/state.hpp"
 #include "articulates/stiff.hpp"
 #include "articulates/sub_steps.hpp"
 #include "base/check.hpp"

@@ -3,6 +3,7 @@
 
 #include "articulates/drift.hpp"
 #include "articulates/islands.hpp"
+#include "articulates/state.hpp"
 #include "phases/phases.hpp"
 #include "world/balance.hpp"
 #include "world/editing.hpp"

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "articulates/articulate.hpp"
+#include "articulates/state.hpp"
 #include "phases/phases.hpp"
 #include "world/attempt.hpp"
 #include "world/balance.hpp"

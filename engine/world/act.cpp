@@ -1,3 +1,4 @@
+#include "articulates/state.hpp"
 #include "world/edit.hpp"
 #include "world/editing.hpp"
 #include "world/sleep.hpp"

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "articulates/state.hpp"
 #include "world/forces.hpp"
 #include "world/integrator.hpp"
 #include "world/measure.hpp"

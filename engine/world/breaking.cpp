@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "articulates/articulate.hpp"
+#include "articulates/state.hpp"
 #include "world/constrain.hpp"
 #include "world/deviation.hpp"
 #include "world/editing.hpp"

@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "articulates/articulate.hpp"
+#include "articulates/state.hpp"
 #include "world/edit.hpp"
 #include "world/editing.hpp"
 #include "world/integrator.hpp"

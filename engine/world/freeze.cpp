@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "articulates/state.hpp"
 #include "world/assemble.hpp"
 #include "world/measure.hpp"
 #include "world/parts.hpp"

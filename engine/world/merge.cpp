@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "articulates/state.hpp"
 #include "model/weigh.hpp"
 #include "world/assemble.hpp"
 #include "world/parts.hpp"

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "articulates/state.hpp"
+
 namespace pantin::internal {
 
 Totals totals_of(const World& world, std::span<const BodyId> bodies, std::span<const PointId> free_points) {

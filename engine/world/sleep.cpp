@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "articulates/articulate.hpp"
+#include "articulates/state.hpp"
 #include "world/forces.hpp"
 
 namespace pantin {

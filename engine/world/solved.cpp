@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "articulates/articulate.hpp"
 #include "articulates/stiff.hpp"
 #include "world/forces_parts.hpp"
 #include "world/integrator.hpp"

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "articulates/state.hpp"
 #include "model/weigh.hpp"
 #include "world/assemble.hpp"
 #include "world/parts.hpp"

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "laws/velocity_slopes.hpp"
+#include "laws/answers.hpp"
 
 namespace pantin {
 

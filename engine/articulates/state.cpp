@@ -1,9 +1,9 @@
-#include "articulates/articulate.hpp"
+#include "articulates/state.hpp"
 
 #include <algorithm>
 
 #include "articulates/conditions.hpp"
-#include "articulates/rows.hpp"
+#include "articulates/row_gaps.hpp"
 #include "articulates/stiff.hpp"
 
 namespace pantin {
@@ -125,6 +125,11 @@ void measure_gaps(Articulate& a) {
     else
       a.gaps.rods = std::max(a.gaps.rods, open + norm(row.offset) + std::fabs(condition(a, row).accepted));
   }
+}
+
+bool struck(const Articulate& a) {
+  return std::any_of(a.conditions.begin(), a.conditions.end(),
+                     [](const Condition& c) { return c.held && !c.held_before; });
 }
 
 }  // namespace pantin

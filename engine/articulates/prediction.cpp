@@ -1,4 +1,4 @@
-#include "articulates/forecast.hpp"
+#include "articulates/prediction.hpp"
 
 #include <algorithm>
 

@@ -1,0 +1,102 @@
+#pragma once
+// A row of an articulate's equations: a force of three components between two nodes, or between one and the world. Letters
+// as in articulates/articulate.hpp.
+//
+// A row of a couple ties rotations: lever f is a torque on its first node [N m], d is lever times a small rotation of the
+// first node against the second [m], l and r are axes (unit vectors). Its torque does the work lever f·(ā_a - ā_b) exactly,
+// ā = R0 a: a rigid couple does none, since equal relative rotations at both ends have equal ā.
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "base/lanes.hpp"
+#include "model/bend.hpp"
+#include "model/constraint.hpp"
+
+namespace pantin {
+
+/// What a row wants: rigid keeps two points together; limited draws one to a place with a force up to a limit; rod
+/// keeps a distance or keeps it in a range; plane keeps a point on a plane; strand is a segment of a string; path keeps
+/// a point on a path; stiff pulls by a law; drawn has two points approach each other. Of couples, rigid keeps an
+/// orientation, axis keeps two axes together, align keeps the angle between them, turn drives the angle about an axis
+/// or keeps it in a range.
+enum class RowKind : std::uint8_t { rigid, limited, rod, plane, axis, align, turn, strand, path, stiff, drawn };
+
+struct StiffTie;
+
+/// Ties a point of node a to a point of node b, or to a place of the world (b = -1), by one force.
+struct alignas(64) Row {
+  std::int32_t a = 0, b = -1;
+  std::int32_t condition = -1;  // of a row that a constraint made; a hinge has none
+  RowKind kind = RowKind::rigid;
+  double lever = 0.0;  // [m] of a couple; 0: ties points
+  Vec3 f = zero3();
+  Vec3 residual = zero3();
+  Vec3 d1 = zero3();                // [m] first point less second
+  Vec3 offset = zero3();            // [m] gap that cannot be closed
+  Vec3 la = zero3(), lb = zero3();  // arms of the two points
+  // of rows that are not rigid:
+  Vec3 d0 = zero3();
+  Vec3 ra0 = zero3(), rb0 = zero3(), ra1 = zero3(), rb1 = zero3();  // axes of a couple
+  PointId member;                                                   // of a hinge: the point that f pulls
+  PointId centre;                                                   // of a hinge: the star's point, that -f pulls
+};
+
+/// What of a condition leaves the straight way between the ends of a step.
+enum class Bent : std::uint8_t { nothing, place, length, turn };
+
+/// What the row of a constraint has beyond a hinge's: a world end, a matrix of its own, limits.
+struct Condition {
+  Vec3 place0 = zero3(), place1 = zero3();  // [m] world end, at the start and end of the step being solved
+  Vec3 whole0 = zero3(), whole1 = zero3();  // [m] the same of the whole step, where that is halved
+  Vec3 velocity = zero3();                  // [m/s] of the world end at the end of the step
+  Mat3 kept = zero33();                     // projects on the directions in which velocities are forbidden,
+  Vec3 wanted = zero3();                    // [m/s] but for this one of d1
+  Mat3 M = zero33(),
+       C = zero33();    // the row of Newton's matrix: M (change of d1) + C df = -residual; rigid: M = 1, C = 0
+  double length = 0.0;  // [m] of a rod, at the end of the step being solved
+  double whole_length0 = 0.0, whole_length1 = 0.0;  // [m] at the start and end of the whole step
+  double length_rate = 0.0;                         // [m/s]
+  Bend bend;  // [m] of what is prescribed, [rad] of a turn; of a length, or [m/s] of a speed, the first component
+  double accepted = 0.0;                  // [m] what a rod is longer than that because no motion can make it shorter
+  double stiffness = 0.0, damping = 0.0;  // [N/m], [N s/m] of a limited row
+  double max_force = 0.0;                 // [N]
+  // Of couples: principal axes of the second node, or the world, turned by `turn` are those of the first; `axis` is b's,
+  // at the ends of a step while it is drawn in.
+  Quat turn0, turn1, whole_turn0, whole_turn1;
+  Vec3 axis = zero3(), axis0 = zero3(), axis1 = zero3();
+  double angle0 = 0.0,
+         angle1 = 0.0;         // [rad] of a turn at the start and end, turns counted
+  Vec3 normal = zero3();       // of a plane
+  const Path* path = nullptr;  // of a point on one; its parameter is `angle`
+  std::uint32_t part = 0;      // which row of its constraint it is
+  // Of rows of one dimension: the range that its value is kept in, [m], and the range of its force, [N].
+  double low = 0.0, high = 0.0;
+  double lower = -infinity, upper = infinity;
+  double stalled = infinity;  // [N] of a motor that stalls: what it exerts if nothing moves, and
+  double yielding = 0.0;      // [m/N] by how much it yields to that
+  bool ranged = false;        // low < high
+  Bent bent = Bent::nothing;
+  bool by_speed = false;    // of a motor: its turn in a part is what a body of its speed turns by then
+  double start_rate = 0.0;  // [m/s] of such a motor: `length_rate` at the start of the step
+  // Of a segment of a string: by d1 in the equation of the head, and by the head's force in its own.
+  Mat3 into_head = zero33(), from_head = zero33();
+  bool held = true;         // the range, or the limit of the force, lets it act as a constraint
+  bool held_before = true;  // at the end of the last part of a step
+  bool works = false;       // its force may do work
+  std::uint32_t row = 0;
+  ConstraintId constraint;  // null of a stiff row
+  std::shared_ptr<StiffTie>
+      stiff;                  // of a stiff row; copies of an articulate share it, so it keeps nothing between steps
+  std::vector<double> given;  // (its curves) [J] what their energies gave to the motion in this part of the step
+  double settling = 0.0, mean_rate = 0.0;  // [kg], [m/s] those of `stiff`, in the last part of the step
+  bool settles = false;                    // now
+};
+
+/// Whether a row forbids no motion, and only pulls.
+inline bool is_soft(const Row& row) { return row.kind == RowKind::limited || row.kind == RowKind::stiff; }
+
+/// Mean of the axes of a couple over its nodes and the step, of unit length.
+inline Vec3 mean_axis(const Row& row) { return direction(row.ra0 + row.rb0 + row.ra1 + row.rb1); }
+
+}  // namespace pantin
