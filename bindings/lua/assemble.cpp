@@ -1,12 +1,12 @@
 #include "lua/assemble.hpp"
 
+#include "edit/assemble.hpp"
 #include "lua/arguments.hpp"
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
 #include "lua/influence_options.hpp"
 #include "lua/script.hpp"
 #include "lua/targets.hpp"
-#include "world/assemble.hpp"
 
 namespace pantin::lua {
 namespace {

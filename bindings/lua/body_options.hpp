@@ -3,7 +3,7 @@
 #include <lua.hpp>
 #include <string>
 
-#include "world/edit.hpp"
+#include "edit/edit.hpp"
 
 namespace pantin::lua {
 

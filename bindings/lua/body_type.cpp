@@ -1,11 +1,11 @@
+#include "edit/edit.hpp"
 #include "lua/arguments.hpp"
 #include "lua/body_options.hpp"
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
 #include "lua/script.hpp"
 #include "lua/targets.hpp"
-#include "world/edit.hpp"
-#include "world/query.hpp"
+#include "measure/query.hpp"
 
 namespace pantin::lua {
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-#include "world/carry_over.hpp"
+#include "snapshot/carry_over.hpp"
 
 namespace pantin::lua {
 

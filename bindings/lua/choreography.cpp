@@ -2,12 +2,12 @@
 
 #include <cmath>
 
+#include "choreography/choreography.hpp"
 #include "lua/arguments.hpp"
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
 #include "lua/script.hpp"
 #include "lua/targets.hpp"
-#include "world/choreography.hpp"
 
 namespace pantin::lua {
 namespace {

@@ -3,8 +3,8 @@
 #include <lua.hpp>
 #include <string>
 
+#include "choreography/choreography.hpp"
 #include "lua/callback.hpp"
-#include "world/choreography.hpp"
 
 namespace pantin::lua {
 

@@ -1,11 +1,11 @@
 // Conditions of `scene:when`: `{ temperature_above = 300, of = group }`.
+#include "choreography/conditions.hpp"
 #include "lua/arguments.hpp"
 #include "lua/choreography.hpp"
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
 #include "lua/script.hpp"
 #include "lua/targets.hpp"
-#include "world/measured.hpp"
 
 namespace pantin::lua {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 // Fields that constraints share.
+#include "edit/constrain.hpp"
 #include "lua/callback.hpp"
 #include "lua/fields.hpp"
-#include "world/constrain.hpp"
 
 namespace pantin::lua {
 

@@ -1,11 +1,11 @@
 // Nail, follow and rod.
+#include "edit/edit.hpp"
 #include "lua/arguments.hpp"
 #include "lua/constraint_fields.hpp"
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
 #include "lua/script.hpp"
 #include "lua/tie_options.hpp"
-#include "world/edit.hpp"
 
 namespace pantin::lua {
 namespace {

@@ -1,9 +1,9 @@
 // Weld, orient, align, motor and limit.
+#include "constraints/violation.hpp"
 #include "lua/arguments.hpp"
 #include "lua/constraint_fields.hpp"
 #include "lua/guard.hpp"
 #include "lua/script.hpp"
-#include "world/deviation.hpp"
 
 namespace pantin::lua {
 namespace {

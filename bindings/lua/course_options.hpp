@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "laws/course.hpp"
+#include "laws/curve.hpp"
 
 namespace pantin::lua {
 

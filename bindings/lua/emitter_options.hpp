@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "edit/emitter.hpp"
 #include "lua/arguments.hpp"
-#include "world/emitter.hpp"
 
 namespace pantin::lua {
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "choreography/hands.hpp"
 #include "lua/arguments.hpp"
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
 #include "lua/script.hpp"
 #include "lua/tie_options.hpp"
-#include "world/hands.hpp"
 
 namespace pantin::lua {
 namespace {

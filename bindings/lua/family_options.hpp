@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "edit/edit.hpp"
 #include "lua/arguments.hpp"
-#include "world/edit.hpp"
 
 namespace pantin::lua {
 

@@ -1,9 +1,9 @@
+#include "edit/edit.hpp"
 #include "lua/arguments.hpp"
 #include "lua/fields.hpp"
 #include "lua/measures.hpp"
 #include "lua/script.hpp"
-#include "world/edit.hpp"
-#include "world/query.hpp"
+#include "measure/query.hpp"
 
 namespace pantin::lua {
 namespace {

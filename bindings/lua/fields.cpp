@@ -2,13 +2,13 @@
 
 #include <cstring>
 
+#include "edit/edit.hpp"
 #include "lua/arguments.hpp"
 #include "lua/guard.hpp"
 #include "lua/law_run.hpp"
 #include "lua/runtime.hpp"
 #include "lua/script.hpp"
 #include "lua/tostring.hpp"
-#include "world/edit.hpp"
 
 namespace pantin::lua {
 namespace {

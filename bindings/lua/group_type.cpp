@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "edit/edit.hpp"
 #include "lua/arguments.hpp"
 #include "lua/assemble.hpp"
 #include "lua/fields.hpp"
@@ -8,9 +9,8 @@
 #include "lua/measures.hpp"
 #include "lua/script.hpp"
 #include "lua/targets.hpp"
-#include "world/edit.hpp"
-#include "world/measure.hpp"
-#include "world/query.hpp"
+#include "measure/measure.hpp"
+#include "measure/query.hpp"
 
 namespace pantin::lua {
 namespace {

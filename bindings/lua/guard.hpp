@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/check.hpp"
-#include "world/choreography.hpp"
+#include "choreography/choreography.hpp"
 
 namespace pantin::lua {
 

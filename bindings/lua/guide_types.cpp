@@ -1,10 +1,10 @@
 // OnPlane, String, OnPath and Join.
+#include "constraints/violation.hpp"
 #include "lua/arguments.hpp"
 #include "lua/constraint_fields.hpp"
 #include "lua/guard.hpp"
 #include "lua/script.hpp"
 #include "model/path.hpp"
-#include "world/deviation.hpp"
 
 namespace pantin::lua {
 namespace {

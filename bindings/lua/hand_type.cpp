@@ -1,4 +1,4 @@
-#include "world/hands.hpp"
+#include "choreography/hands.hpp"
 
 #include "lua/arguments.hpp"
 #include "lua/fields.hpp"

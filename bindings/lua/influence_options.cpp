@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "choreography/bonding.hpp"
+#include "edit/edit.hpp"
 #include "lua/arguments.hpp"
 #include "lua/fields.hpp"
 #include "lua/force.hpp"
@@ -9,8 +11,6 @@
 #include "lua/guard.hpp"
 #include "lua/script.hpp"
 #include "lua/targets.hpp"
-#include "world/bonding.hpp"
-#include "world/edit.hpp"
 
 namespace pantin::lua {
 namespace {

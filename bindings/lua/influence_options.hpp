@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "edit/edit.hpp"
 #include "lua/fields.hpp"
 #include "lua/law_run.hpp"
-#include "world/edit.hpp"
 
 namespace pantin::lua {
 

@@ -1,13 +1,13 @@
 // Connection, interaction and field: what makes laws act.
 #include <algorithm>
 
+#include "edit/edit.hpp"
+#include "forces/forces.hpp"
 #include "laws/law.hpp"
 #include "lua/arguments.hpp"
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
 #include "lua/script.hpp"
-#include "world/edit.hpp"
-#include "world/forces.hpp"
 
 namespace pantin::lua {
 namespace {

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "laws/course.hpp"
+#include "edit/edit.hpp"
+#include "laws/curve.hpp"
 #include "lua/arguments.hpp"
-#include "world/edit.hpp"
 
 namespace pantin::lua {
 

@@ -1,17 +1,17 @@
 #include "lua/measures.hpp"
 
 #include "articulates/articulate.hpp"
+#include "choreography/choreography.hpp"
+#include "forces/forces.hpp"
+#include "forces/integrator.hpp"
+#include "forces/sleep.hpp"
 #include "lua/arguments.hpp"
 #include "lua/choreography.hpp"
 #include "lua/guard.hpp"
 #include "lua/script.hpp"
-#include "world/choreography.hpp"
-#include "world/closure.hpp"
-#include "world/forces.hpp"
-#include "world/integrator.hpp"
-#include "world/measure.hpp"
-#include "world/query.hpp"
-#include "world/sleep.hpp"
+#include "measure/ledger_closure.hpp"
+#include "measure/measure.hpp"
+#include "measure/query.hpp"
 
 namespace pantin::lua {
 namespace {

@@ -1,3 +1,5 @@
+#include "edit/edit.hpp"
+#include "forces/curves.hpp"
 #include "lua/arguments.hpp"
 #include "lua/constraint_fields.hpp"
 #include "lua/course_options.hpp"
@@ -7,9 +9,7 @@
 #include "lua/pushes.hpp"
 #include "lua/script.hpp"
 #include "lua/targets.hpp"
-#include "world/courses.hpp"
-#include "world/edit.hpp"
-#include "world/query.hpp"
+#include "measure/query.hpp"
 
 namespace pantin::lua {
 namespace {

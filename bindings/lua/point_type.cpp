@@ -1,9 +1,9 @@
+#include "edit/edit.hpp"
 #include "lua/arguments.hpp"
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
 #include "lua/pushes.hpp"
 #include "lua/script.hpp"
-#include "world/edit.hpp"
 
 namespace pantin::lua {
 namespace {

@@ -2,11 +2,11 @@
 // `push` and `kick` of a point, and of a particle, which is pushed at the point that stands for it.
 #include <vector>
 
+#include "edit/edit.hpp"
 #include "lua/arguments.hpp"
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
 #include "lua/targets.hpp"
-#include "world/edit.hpp"
 
 namespace pantin::lua {
 

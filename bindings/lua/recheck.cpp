@@ -5,11 +5,11 @@
 #include <span>
 #include <utility>
 
-#include "laws/sites.hpp"
+#include "edit/edit.hpp"
+#include "forces/forces.hpp"
+#include "laws/run/sites.hpp"
 #include "lua/script.hpp"
-#include "world/edit.hpp"
-#include "world/forces.hpp"
-#include "world/query.hpp"
+#include "measure/query.hpp"
 
 namespace pantin::lua {
 namespace {

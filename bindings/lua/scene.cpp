@@ -9,7 +9,7 @@
 #include "lua/files.hpp"
 #include "lua/script.hpp"
 #include "lua/snapshot.hpp"
-#include "step.hpp"
+#include "step/step.hpp"
 
 namespace pantin::lua {
 

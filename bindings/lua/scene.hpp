@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "lua/drawing.hpp"
-#include "world/carry_over.hpp"
+#include "snapshot/carry_over.hpp"
 #include "world/world.hpp"
 
 namespace pantin::lua {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edit/edit.hpp"
 #include "lua/arguments.hpp"
 #include "lua/guard.hpp"
 #include "lua/script.hpp"
 #include "lua/targets.hpp"
-#include "world/edit.hpp"
 
 namespace pantin::lua {
 namespace {

@@ -1,4 +1,5 @@
 // `scene`: the table of all that it can do.
+#include "edit/edit.hpp"
 #include "lua/arguments.hpp"
 #include "lua/assemble.hpp"
 #include "lua/body_options.hpp"
@@ -20,7 +21,6 @@
 #include "lua/structure_type.hpp"
 #include "lua/targets.hpp"
 #include "lua/tie_options.hpp"
-#include "world/edit.hpp"
 
 namespace pantin::lua {
 namespace {

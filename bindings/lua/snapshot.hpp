@@ -6,7 +6,7 @@
 
 #include "lua/kept_tables.hpp"
 #include "lua/script.hpp"
-#include "world/snapshot.hpp"
+#include "snapshot/snapshot.hpp"
 
 namespace pantin::lua {
 

@@ -1,12 +1,12 @@
 #include "lua/tie_options.hpp"
 
+#include "edit/constrain.hpp"
 #include "lua/arguments.hpp"
 #include "lua/constraint_fields.hpp"
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
 #include "lua/script.hpp"
 #include "lua/targets.hpp"
-#include "world/constrain.hpp"
 
 namespace pantin::lua {
 namespace {

@@ -1,6 +1,6 @@
 #include "player/aim.hpp"
 
-#include "world/measure.hpp"
+#include "measure/measure.hpp"
 
 namespace pantin::player {
 

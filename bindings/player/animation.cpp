@@ -4,8 +4,8 @@
 #include <bit>
 #include <cmath>
 
-#include "world/courses.hpp"
-#include "world/forces.hpp"
+#include "forces/curves.hpp"
+#include "forces/forces.hpp"
 
 namespace pantin::player {
 namespace {

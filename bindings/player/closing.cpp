@@ -3,12 +3,12 @@
 #include <cstdio>
 #include <iostream>
 
+#include "choreography/choreography.hpp"
+#include "forces/forces.hpp"
+#include "forces/integrator.hpp"
+#include "measure/measure.hpp"
 #include "player/home.hpp"
 #include "player/message.hpp"
-#include "world/choreography.hpp"
-#include "world/forces.hpp"
-#include "world/integrator.hpp"
-#include "world/measure.hpp"
 
 namespace pantin::player {
 namespace {

@@ -4,6 +4,7 @@
 #include <thread>
 #include <utility>
 
+#include "choreography/hands.hpp"
 #include "lua/guard.hpp"
 #include "player/hand_path.hpp"
 #include "player/home.hpp"
@@ -12,7 +13,6 @@
 #include "player/message.hpp"
 #include "view/pick.hpp"
 #include "view/view_keys.hpp"
-#include "world/hands.hpp"
 
 namespace pantin::player {
 namespace {

@@ -1,10 +1,10 @@
 // What the player does with hands and their tools.
 #include <algorithm>
 
+#include "choreography/hands.hpp"
 #include "player/player.hpp"
 #include "view/keys.hpp"
 #include "view/palette.hpp"
-#include "world/hands.hpp"
 
 namespace pantin::player {
 namespace {

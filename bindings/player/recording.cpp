@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "measure/measure.hpp"
 #include "player/recording_json.hpp"
-#include "world/measure.hpp"
 
 namespace fs = std::filesystem;
 

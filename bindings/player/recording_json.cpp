@@ -9,8 +9,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "choreography/commands.hpp"
 #include "player/recording.hpp"
-#include "world/commands.hpp"
 
 namespace pantin::player {
 namespace {

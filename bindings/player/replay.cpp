@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <utility>
 
+#include "choreography/hands.hpp"
 #include "lua/files.hpp"
 #include "lua/inspect.hpp"
-#include "world/hands.hpp"
-#include "world/measure.hpp"
+#include "measure/measure.hpp"
 
 namespace pantin::player {
 namespace {

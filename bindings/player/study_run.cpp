@@ -7,10 +7,10 @@
 
 #include "lua/guard.hpp"
 #include "lua/headway.hpp"
+#include "measure/measure.hpp"
 #include "player/home.hpp"
 #include "player/interrupt.hpp"
 #include "player/machine.hpp"
-#include "world/measure.hpp"
 
 namespace pantin::player {
 namespace {

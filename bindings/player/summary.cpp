@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "forces/forces.hpp"
+#include "forces/integrator.hpp"
+#include "forces/sleep.hpp"
+#include "measure/ledger_closure.hpp"
+#include "measure/measure.hpp"
 #include "player/closing.hpp"
-#include "world/closure.hpp"
-#include "world/forces.hpp"
-#include "world/integrator.hpp"
-#include "world/measure.hpp"
-#include "world/sleep.hpp"
 
 namespace pantin::player {
 namespace {

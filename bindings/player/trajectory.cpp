@@ -5,9 +5,9 @@
 #include <charconv>
 #include <cstring>
 
-#include "laws/sites.hpp"
-#include "world/courses.hpp"
-#include "world/query.hpp"
+#include "forces/curves.hpp"
+#include "laws/run/sites.hpp"
+#include "measure/query.hpp"
 
 namespace pantin::player {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "world/snapshot.hpp"
+#include "snapshot/snapshot.hpp"
 
 namespace pantin::player {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "world/courses.hpp"
+#include "forces/curves.hpp"
 
 namespace pantin {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "world/measure.hpp"
+#include "measure/measure.hpp"
 
 namespace pantin {
 

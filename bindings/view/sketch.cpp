@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "laws/sites.hpp"
+#include "forces/curves.hpp"
+#include "forces/forces.hpp"
+#include "laws/run/sites.hpp"
 #include "model/path.hpp"
-#include "world/courses.hpp"
-#include "world/forces.hpp"
 
 namespace pantin {
 

@@ -5,12 +5,12 @@
 #include <cstdio>
 #include <optional>
 
+#include "choreography/commands.hpp"
+#include "edit/assemble.hpp"
 #include "structures/polyhedra.hpp"
 #include "view/pick.hpp"
 #include "view/sketch.hpp"
 #include "view/swipe.hpp"
-#include "world/assemble.hpp"
-#include "world/commands.hpp"
 
 namespace pantin {
 

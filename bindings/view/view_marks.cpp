@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "articulates/articulate.hpp"
+#include "forces/forces.hpp"
 #include "view/sketch.hpp"
-#include "world/forces.hpp"
 
 namespace pantin {
 

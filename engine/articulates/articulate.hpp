@@ -11,9 +11,9 @@
 
 #include "articulates/batch.hpp"
 #include "articulates/factor.hpp"
-#include "articulates/forecast.hpp"
+#include "articulates/predictor.hpp"
 #include "articulates/rest.hpp"
-#include "articulates/row.hpp"
+#include "constraints/row.hpp"
 #include "model/model.hpp"
 
 namespace pantin {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "edit/edit.hpp"
 #include "structures/structure.hpp"
-#include "world/edit.hpp"
 
 namespace pantin {
 

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "articulates/articulate.hpp"
+#include "measure/measure.hpp"
 #include "player/bench.hpp"
-#include "step.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
 #include "support/reference.hpp"
 #include "support/watch.hpp"
-#include "world/measure.hpp"
 
 namespace pantin {
 

@@ -10,9 +10,9 @@
 #include "base/lengths.hpp"
 #include "base/parallel.hpp"
 #include "bench/clock.hpp"
-#include "laws/cells.hpp"
-#include "laws/rows.hpp"
-#include "laws/skin.hpp"
+#include "laws/run/cells.hpp"
+#include "laws/run/neighbours.hpp"
+#include "laws/run/skin.hpp"
 
 namespace pantin::by_hand {
 

@@ -1,7 +1,7 @@
 #pragma once
 // What laws are measured against: loops written for one law each, in which everything stays in registers.
-#include "laws/bonds.hpp"
-#include "laws/sites.hpp"
+#include "laws/run/bonds.hpp"
+#include "laws/run/sites.hpp"
 #include "support/melt.hpp"
 
 namespace pantin::by_hand {

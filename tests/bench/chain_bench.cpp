@@ -10,7 +10,7 @@
 #include "base/check.hpp"
 #include "player/bench.hpp"
 #include "player/machine.hpp"
-#include "step.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
 #include "support/watch.hpp"
 

@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "bench/clock.hpp"
+#include "choreography/choreography.hpp"
+#include "edit/assemble.hpp"
 #include "laws/library.hpp"
 #include "player/bench.hpp"
-#include "step.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
-#include "world/assemble.hpp"
-#include "world/choreography.hpp"
 
 namespace pantin {
 

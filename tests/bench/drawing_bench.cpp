@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "bench/clock.hpp"
+#include "edit/edit.hpp"
 #include "player/bench.hpp"
 #include "support/cases.hpp"
 #include "view/renderer.hpp"
 #include "view/window.hpp"
-#include "world/edit.hpp"
 
 namespace pantin {
 

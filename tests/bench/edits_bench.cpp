@@ -9,7 +9,7 @@
 #include "bench/clock.hpp"
 #include "player/bench.hpp"
 #include "player/machine.hpp"
-#include "step.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
 
 namespace pantin {

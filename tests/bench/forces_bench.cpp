@@ -13,13 +13,13 @@
 #include "bench/by_hand.hpp"
 #include "bench/clock.hpp"
 #include "bench/lammps.hpp"
-#include "laws/bonds.hpp"
+#include "edit/edit.hpp"
+#include "forces/forces.hpp"
 #include "laws/program.hpp"
+#include "laws/run/bonds.hpp"
 #include "lua/scene.hpp"
 #include "player/bench.hpp"
 #include "support/process.hpp"
-#include "world/edit.hpp"
-#include "world/forces.hpp"
 
 namespace pantin {
 

@@ -4,12 +4,12 @@
 #include <limits>
 
 #include "clock.hpp"
+#include "measure/measure.hpp"
 #include "player/bench.hpp"
 #include "player/machine.hpp"
-#include "step.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
 #include "support/reference.hpp"
-#include "world/measure.hpp"
 
 namespace pantin {
 

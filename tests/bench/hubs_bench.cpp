@@ -6,7 +6,7 @@
 #include "base/check.hpp"
 #include "bench/clock.hpp"
 #include "player/bench.hpp"
-#include "step.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
 
 namespace pantin {

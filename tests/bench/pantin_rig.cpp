@@ -3,8 +3,8 @@
 #include <array>
 
 #include "base/check.hpp"
-#include "step.hpp"
-#include "world/edit.hpp"
+#include "edit/edit.hpp"
+#include "step/step.hpp"
 
 namespace pantin {
 

@@ -6,12 +6,12 @@
 #include <memory>
 
 #include "base/check.hpp"
+#include "forces/sleep.hpp"
 #include "laws/library.hpp"
 #include "player/bench.hpp"
 #include "player/machine.hpp"
-#include "step.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
-#include "world/sleep.hpp"
 
 namespace pantin {
 

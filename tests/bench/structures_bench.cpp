@@ -6,7 +6,7 @@
 #include "bench/clock.hpp"
 #include "laws/library.hpp"
 #include "player/bench.hpp"
-#include "step.hpp"
+#include "step/step.hpp"
 #include "structures/build.hpp"
 #include "structures/lattice.hpp"
 #include "structures/polyhedra.hpp"

@@ -7,10 +7,10 @@
 #include "base/check.hpp"
 #include "base/parallel.hpp"
 #include "bench/clock.hpp"
+#include "measure/measure.hpp"
 #include "player/bench.hpp"
-#include "step.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
-#include "world/measure.hpp"
 
 namespace pantin {
 

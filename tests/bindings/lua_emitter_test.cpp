@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "bindings/lua_support.hpp"
-#include "step.hpp"
+#include "step/step.hpp"
 
 using namespace pantin;
 using namespace pantin::lua_tests;

@@ -3,7 +3,7 @@
 
 #include "laws/law.hpp"
 #include "lua/scene.hpp"
-#include "step.hpp"
+#include "step/step.hpp"
 #include "world/world.hpp"
 
 using namespace pantin;

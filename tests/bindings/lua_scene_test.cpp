@@ -1,5 +1,5 @@
 #include "bindings/lua_support.hpp"
-#include "world/measure.hpp"
+#include "measure/measure.hpp"
 
 using namespace pantin;
 using namespace pantin::lua_tests;

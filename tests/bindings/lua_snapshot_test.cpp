@@ -3,9 +3,9 @@
 #include <filesystem>
 
 #include "bindings/lua_support.hpp"
+#include "choreography/hands.hpp"
+#include "measure/measure.hpp"
 #include "support/allocations.hpp"
-#include "world/hands.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 using namespace pantin::lua_tests;

@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 
+#include "choreography/hands.hpp"
+#include "edit/edit.hpp"
 #include "player/hand_path.hpp"
-#include "world/edit.hpp"
-#include "world/hands.hpp"
 
 using namespace pantin;
 using namespace pantin::player;

@@ -4,11 +4,11 @@
 #include <filesystem>
 
 #include "bindings/lua_support.hpp"
+#include "choreography/hands.hpp"
+#include "edit/edit.hpp"
+#include "measure/query.hpp"
 #include "player/reload.hpp"
 #include "support/process.hpp"
-#include "world/edit.hpp"
-#include "world/hands.hpp"
-#include "world/query.hpp"
 
 using namespace pantin;
 using namespace pantin::support;

@@ -8,16 +8,16 @@
 #include <string>
 #include <vector>
 
+#include "choreography/hands.hpp"
 #include "lua/inspect.hpp"
+#include "measure/measure.hpp"
+#include "measure/query.hpp"
 #include "player/recording.hpp"
 #include "player/reload.hpp"
 #include "player/replay.hpp"
 #include "player/undo.hpp"
 #include "support/process.hpp"
 #include "support/sources.hpp"
-#include "world/hands.hpp"
-#include "world/measure.hpp"
-#include "world/query.hpp"
 
 namespace pantin {
 

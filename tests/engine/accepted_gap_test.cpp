@@ -1,10 +1,10 @@
 // Gaps too small to be an error, which no motion can close, are taken as constant offsets, and told as what they are.
 #include <catch2/catch.hpp>
 
-#include "step.hpp"
+#include "edit/edit.hpp"
+#include "measure/measure.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
-#include "world/edit.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 

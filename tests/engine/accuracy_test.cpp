@@ -5,12 +5,12 @@
 
 #include "articulates/articulate.hpp"
 #include "base/parallel.hpp"
-#include "step.hpp"
+#include "edit/edit.hpp"
+#include "measure/measure.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
 #include "support/kepler.hpp"
 #include "support/reference.hpp"
-#include "world/edit.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 using Catch::Contains;

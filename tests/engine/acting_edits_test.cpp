@@ -4,9 +4,9 @@
 #include <set>
 #include <tuple>
 
-#include "phases/phases.hpp"
+#include "forces/forces_parts.hpp"
+#include "step/phases.hpp"
 #include "support/random_edits.hpp"
-#include "world/forces_parts.hpp"
 
 using namespace pantin;
 

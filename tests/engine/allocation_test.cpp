@@ -3,10 +3,10 @@
 
 #include <new>
 
-#include "step.hpp"
+#include "choreography/hands.hpp"
+#include "step/step.hpp"
 #include "support/allocations.hpp"
 #include "support/cases.hpp"
-#include "world/hands.hpp"
 
 using namespace pantin;
 

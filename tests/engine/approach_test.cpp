@@ -5,10 +5,10 @@
 #include <functional>
 #include <memory>
 
+#include "edit/constrain.hpp"
 #include "model/path.hpp"
-#include "step.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
-#include "world/constrain.hpp"
 
 using namespace pantin;
 

@@ -2,11 +2,11 @@
 // masses over twelve.
 #include <catch2/catch.hpp>
 
-#include "step.hpp"
+#include "edit/assemble.hpp"
+#include "edit/constrain.hpp"
+#include "measure/query.hpp"
+#include "step/step.hpp"
 #include "support/balance.hpp"
-#include "world/assemble.hpp"
-#include "world/constrain.hpp"
-#include "world/query.hpp"
 
 using namespace pantin;
 

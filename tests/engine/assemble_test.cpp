@@ -1,15 +1,15 @@
-#include "world/assemble.hpp"
+#include "edit/assemble.hpp"
 
 #include <catch2/catch.hpp>
 
+#include "edit/constrain.hpp"
 #include "laws/library.hpp"
-#include "laws/sites.hpp"
-#include "step.hpp"
+#include "laws/run/sites.hpp"
+#include "measure/measure.hpp"
+#include "measure/query.hpp"
+#include "step/step.hpp"
 #include "support/balance.hpp"
 #include "support/cases.hpp"
-#include "world/constrain.hpp"
-#include "world/measure.hpp"
-#include "world/query.hpp"
 
 using namespace pantin;
 using namespace pantin::cases;

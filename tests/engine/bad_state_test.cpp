@@ -1,10 +1,10 @@
 // A state that overflows stops the world, names what went wrong, and keeps the last state that was good.
 #include <catch2/catch.hpp>
 
-#include "step.hpp"
+#include "measure/measure.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
 #include "support/watch.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 

@@ -1,5 +1,5 @@
 // Laws run over connections give what a plain loop gives.
-#include "laws/bonds.hpp"
+#include "laws/run/bonds.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

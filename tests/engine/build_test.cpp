@@ -6,10 +6,10 @@
 #include <map>
 
 #include "laws/library.hpp"
-#include "step.hpp"
+#include "measure/measure.hpp"
+#include "step/step.hpp"
 #include "structures/lattice.hpp"
 #include "structures/polyhedra.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 using Catch::Contains;

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <vector>
 
-#include "step.hpp"
+#include "measure/measure.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
 #include "support/reference.hpp"
 #include "support/watch.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 

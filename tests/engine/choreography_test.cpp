@@ -1,8 +1,8 @@
-#include "world/choreography.hpp"
+#include "choreography/choreography.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "world/edit.hpp"
+#include "edit/edit.hpp"
 
 using namespace pantin;
 using Catch::Contains;

@@ -1,12 +1,12 @@
-#include "world/commands.hpp"
+#include "choreography/commands.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "step.hpp"
+#include "edit/assemble.hpp"
+#include "measure/measure.hpp"
+#include "measure/query.hpp"
+#include "step/step.hpp"
 #include "support/rods.hpp"
-#include "world/assemble.hpp"
-#include "world/measure.hpp"
-#include "world/query.hpp"
 
 using namespace pantin;
 using namespace pantin::test;

@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "base/random.hpp"
+#include "choreography/hands.hpp"
+#include "edit/constrain.hpp"
+#include "measure/measure.hpp"
 #include "model/path.hpp"
-#include "step.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
-#include "world/constrain.hpp"
-#include "world/hands.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 

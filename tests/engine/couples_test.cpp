@@ -2,14 +2,14 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "step.hpp"
+#include "constraints/violation.hpp"
+#include "edit/assemble.hpp"
+#include "edit/constrain.hpp"
+#include "measure/measure.hpp"
+#include "measure/query.hpp"
+#include "snapshot/snapshot.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
-#include "world/assemble.hpp"
-#include "world/constrain.hpp"
-#include "world/deviation.hpp"
-#include "world/measure.hpp"
-#include "world/query.hpp"
-#include "world/snapshot.hpp"
 
 using namespace pantin;
 using Catch::Contains;

@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "base/parallel.hpp"
-#include "step.hpp"
+#include "choreography/hands.hpp"
+#include "measure/measure.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
 #include "support/sources.hpp"
 #include "support/watch.hpp"
-#include "world/hands.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 

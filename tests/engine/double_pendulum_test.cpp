@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "step.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
 #include "support/reference.hpp"
 #include "support/watch.hpp"

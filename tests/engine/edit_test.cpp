@@ -1,10 +1,10 @@
-#include "world/edit.hpp"
+#include "edit/edit.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "step.hpp"
+#include "measure/measure.hpp"
+#include "step/step.hpp"
 #include "support/rods.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 using namespace pantin::test;

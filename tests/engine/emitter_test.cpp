@@ -1,19 +1,19 @@
 // Emitters: how many particles, when, where, and what they bring with them.
-#include "world/emitter.hpp"
+#include "edit/emitter.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 #include <set>
 
-#include "laws/course.hpp"
-#include "step.hpp"
+#include "forces/curves.hpp"
+#include "forces/forces.hpp"
+#include "laws/curve.hpp"
+#include "measure/measure.hpp"
+#include "measure/query.hpp"
+#include "step/step.hpp"
 #include "support/allocations.hpp"
 #include "support/cases.hpp"
-#include "world/courses.hpp"
-#include "world/forces.hpp"
-#include "world/measure.hpp"
-#include "world/query.hpp"
 
 using namespace pantin;
 using Catch::Contains;

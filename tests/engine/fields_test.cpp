@@ -1,5 +1,5 @@
 // Laws run over single particles.
-#include "laws/fields.hpp"
+#include "laws/run/fields.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,16 +1,16 @@
 // Laws at work in a world: on free particles, on bodies and hinges, through edits and failures.
-#include "world/forces.hpp"
+#include "forces/forces.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <memory>
 
+#include "edit/edit.hpp"
 #include "laws/library.hpp"
-#include "step.hpp"
+#include "measure/measure.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
 #include "support/watch.hpp"
-#include "world/edit.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 

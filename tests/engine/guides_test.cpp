@@ -2,12 +2,12 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "constraints/violation.hpp"
+#include "edit/constrain.hpp"
+#include "measure/measure.hpp"
 #include "model/path.hpp"
-#include "step.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
-#include "world/constrain.hpp"
-#include "world/deviation.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 using Catch::Contains;

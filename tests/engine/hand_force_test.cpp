@@ -4,11 +4,11 @@
 #include <memory>
 #include <vector>
 
+#include "choreography/hands.hpp"
 #include "laws/law.hpp"
-#include "step.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
 #include "support/watch.hpp"
-#include "world/hands.hpp"
 
 using namespace pantin;
 

@@ -1,10 +1,10 @@
-#include "world/choreography.hpp"
-#include "world/hands.hpp"
+#include "choreography/hands.hpp"
+#include "choreography/choreography.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "step.hpp"
+#include "step/step.hpp"
 #include "support/rods.hpp"
 
 using namespace pantin;

@@ -2,10 +2,10 @@
 #include <catch2/catch.hpp>
 #include <memory>
 
-#include "step.hpp"
+#include "edit/assemble.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
 #include "support/endure.hpp"
-#include "world/assemble.hpp"
 
 using namespace pantin;
 

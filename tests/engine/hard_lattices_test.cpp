@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "articulates/articulate.hpp"
-#include "step.hpp"
+#include "measure/measure.hpp"
+#include "step/step.hpp"
 #include "support/endure.hpp"
 #include "support/hard_cases.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 

@@ -2,10 +2,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "step.hpp"
+#include "measure/measure.hpp"
+#include "step/step.hpp"
 #include "support/endure.hpp"
 #include "support/hard_cases.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <memory>
 
-#include "step.hpp"
+#include "choreography/hands.hpp"
+#include "measure/measure.hpp"
+#include "step/step.hpp"
 #include "support/endure.hpp"
 #include "support/hard_cases.hpp"
-#include "world/hands.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 

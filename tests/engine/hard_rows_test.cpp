@@ -2,11 +2,11 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "step.hpp"
+#include "measure/measure.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
 #include "support/endure.hpp"
 #include "support/reference.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 

@@ -1,7 +1,7 @@
 // A chain of unit rods with a sphere up to a million times heavier at its end.
 #include <catch2/catch.hpp>
 
-#include "step.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
 #include "support/reference.hpp"
 #include "support/watch.hpp"

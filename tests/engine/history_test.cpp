@@ -3,10 +3,10 @@
 #include <vector>
 
 #include "articulates/articulate.hpp"
-#include "step.hpp"
+#include "measure/measure.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
 #include "support/watch.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 

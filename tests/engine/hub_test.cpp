@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "articulates/articulate.hpp"
-#include "step.hpp"
+#include "edit/constrain.hpp"
+#include "measure/measure.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
 #include "support/watch.hpp"
-#include "world/constrain.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 

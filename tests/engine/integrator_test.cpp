@@ -1,18 +1,18 @@
 // Integrators of the fourth order, and what they refuse.
-#include "world/integrator.hpp"
+#include "forces/integrator.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
 
+#include "choreography/hands.hpp"
 #include "laws/library.hpp"
-#include "step.hpp"
+#include "measure/measure.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
 #include "support/kepler.hpp"
 #include "support/reference.hpp"
 #include "support/watch.hpp"
-#include "world/hands.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 using Catch::Contains;

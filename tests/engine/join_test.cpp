@@ -1,10 +1,10 @@
-#include "world/edit.hpp"
+#include "edit/edit.hpp"
 
 #include <catch2/catch.hpp>
 
+#include "measure/measure.hpp"
+#include "measure/query.hpp"
 #include "support/rods.hpp"
-#include "world/measure.hpp"
-#include "world/query.hpp"
 
 using namespace pantin;
 using namespace pantin::test;

@@ -1,10 +1,10 @@
 #include <catch2/catch.hpp>
 
-#include "step.hpp"
+#include "edit/assemble.hpp"
+#include "measure/measure.hpp"
+#include "measure/query.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
-#include "world/assemble.hpp"
-#include "world/measure.hpp"
-#include "world/query.hpp"
 
 using namespace pantin;
 using namespace pantin::cases;

@@ -1,20 +1,20 @@
 // Every joule of kinetic energy has a line in the ledger, and the lines are worked out without each other.
-#include "world/closure.hpp"
 #include "world/ledger.hpp"
+#include "measure/ledger_closure.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "choreography/hands.hpp"
+#include "edit/constrain.hpp"
+#include "edit/edit.hpp"
+#include "forces/forces.hpp"
 #include "laws/library.hpp"
-#include "step.hpp"
+#include "measure/measure.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
 #include "support/rods.hpp"
 #include "support/watch.hpp"
-#include "world/constrain.hpp"
-#include "world/edit.hpp"
-#include "world/forces.hpp"
-#include "world/hands.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <memory>
 
+#include "edit/edit.hpp"
+#include "forces/forces.hpp"
 #include "laws/law.hpp"
-#include "step.hpp"
+#include "measure/measure.hpp"
+#include "step/step.hpp"
 #include "support/melt.hpp"
-#include "world/edit.hpp"
-#include "world/forces.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 

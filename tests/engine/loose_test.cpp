@@ -4,15 +4,15 @@
 #include <cmath>
 
 #include "base/lanes.hpp"
+#include "edit/edit.hpp"
+#include "forces/integrator.hpp"
+#include "measure/measure.hpp"
 #include "model/weigh.hpp"
-#include "step.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
 #include "support/reference.hpp"
 #include "support/watch.hpp"
-#include "world/edit.hpp"
-#include "world/integrator.hpp"
 #include "world/ledger.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 using Catch::Contains;

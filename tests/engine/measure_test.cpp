@@ -1,9 +1,9 @@
-#include "world/measure.hpp"
+#include "measure/measure.hpp"
 
 #include <catch2/catch.hpp>
 
+#include "edit/constrain.hpp"
 #include "support/rods.hpp"
-#include "world/constrain.hpp"
 
 using namespace pantin;
 using namespace pantin::test;

@@ -5,11 +5,11 @@
 
 #include "base/parallel.hpp"
 #include "base/random.hpp"
-#include "step.hpp"
-#include "world/edit.hpp"
-#include "world/emitter.hpp"
-#include "world/forces.hpp"
-#include "world/measure.hpp"
+#include "edit/edit.hpp"
+#include "edit/emitter.hpp"
+#include "forces/forces.hpp"
+#include "measure/measure.hpp"
+#include "step/step.hpp"
 
 using namespace pantin;
 

@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "step.hpp"
-#include "world/edit.hpp"
+#include "edit/edit.hpp"
+#include "step/step.hpp"
 
 using namespace pantin;
 using Catch::Contains;

@@ -2,12 +2,12 @@
 #include <catch2/catch.hpp>
 
 #include "base/random.hpp"
-#include "step.hpp"
+#include "edit/assemble.hpp"
+#include "edit/constrain.hpp"
+#include "measure/measure.hpp"
+#include "measure/query.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
-#include "world/assemble.hpp"
-#include "world/constrain.hpp"
-#include "world/measure.hpp"
-#include "world/query.hpp"
 
 using namespace pantin;
 

@@ -1,5 +1,5 @@
 // Laws run over pairs give what a plain double loop gives.
-#include "laws/pairs.hpp"
+#include "laws/run/pairs.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -43,6 +43,6 @@ std::vector<std::string> phases_told(const std::string& readme) {
 
 TEST_CASE("phases: the step, the profiler and the README name the same ones in the same order") {
   const std::vector<std::string> names(phase_names.begin(), phase_names.end());
-  CHECK(phases_called(text_of("engine/step.cpp")) == names);
+  CHECK(phases_called(text_of("engine/step/step.cpp")) == names);
   CHECK(phases_told(text_of("README.md")) == names);
 }

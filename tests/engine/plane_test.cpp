@@ -6,16 +6,16 @@
 
 #include "articulates/articulate.hpp"
 #include "base/parallel.hpp"
+#include "edit/constrain.hpp"
+#include "measure/ledger_closure.hpp"
+#include "measure/measure.hpp"
 #include "model/weigh.hpp"
-#include "step.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
 #include "support/hard_cases.hpp"
 #include "support/reference.hpp"
 #include "support/watch.hpp"
-#include "world/closure.hpp"
-#include "world/constrain.hpp"
 #include "world/ledger.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 

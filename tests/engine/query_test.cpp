@@ -1,4 +1,4 @@
-#include "world/query.hpp"
+#include "measure/query.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

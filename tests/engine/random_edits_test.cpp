@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 
+#include "choreography/choreography.hpp"
 #include "support/random_edits.hpp"
 #include "support/watch.hpp"
-#include "world/choreography.hpp"
 
 using namespace pantin;
 using Catch::Contains;

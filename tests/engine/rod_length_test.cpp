@@ -2,9 +2,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "step.hpp"
-#include "world/constrain.hpp"
-#include "world/measure.hpp"
+#include "edit/constrain.hpp"
+#include "measure/measure.hpp"
+#include "step/step.hpp"
 
 using namespace pantin;
 

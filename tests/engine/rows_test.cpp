@@ -1,5 +1,5 @@
 // Neighbour rows hold each pair that is near enough, once, and no other.
-#include "laws/rows.hpp"
+#include "laws/run/neighbours.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/check.hpp"
-#include "laws/skin.hpp"
+#include "laws/run/skin.hpp"
 #include "support/sites.hpp"
 
 using namespace pantin;

@@ -1,6 +1,6 @@
 // Articulates fall asleep once their motion has died away, and cost nothing until something moves them again.
-#include "world/closure.hpp"
-#include "world/sleep.hpp"
+#include "forces/sleep.hpp"
+#include "measure/ledger_closure.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -10,15 +10,15 @@
 
 #include "articulates/articulate.hpp"
 #include "base/parallel.hpp"
+#include "choreography/hands.hpp"
+#include "edit/constrain.hpp"
+#include "edit/edit.hpp"
+#include "forces/forces.hpp"
 #include "laws/library.hpp"
-#include "step.hpp"
+#include "measure/measure.hpp"
+#include "snapshot/snapshot.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
-#include "world/constrain.hpp"
-#include "world/edit.hpp"
-#include "world/forces.hpp"
-#include "world/hands.hpp"
-#include "world/measure.hpp"
-#include "world/snapshot.hpp"
 
 using namespace pantin;
 

@@ -8,15 +8,15 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "choreography/choreography.hpp"
+#include "choreography/hands.hpp"
+#include "edit/assemble.hpp"
 #include "laws/library.hpp"
-#include "step.hpp"
+#include "measure/measure.hpp"
+#include "snapshot/snapshot.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
 #include "support/melt.hpp"
-#include "world/assemble.hpp"
-#include "world/choreography.hpp"
-#include "world/hands.hpp"
-#include "world/measure.hpp"
-#include "world/snapshot.hpp"
 
 using namespace pantin;
 using Catch::Contains;

@@ -1,12 +1,12 @@
 // What one step does to time and to simple things, and what no step length, gravity or spin may break.
-#include "step.hpp"
+#include "step/step.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "measure/measure.hpp"
 #include "support/cases.hpp"
 #include "support/watch.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 

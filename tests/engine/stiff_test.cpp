@@ -2,15 +2,15 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "edit/constrain.hpp"
+#include "edit/edit.hpp"
+#include "forces/forces.hpp"
 #include "laws/library.hpp"
-#include "step.hpp"
+#include "measure/measure.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
 #include "support/endure.hpp"
 #include "support/watch.hpp"
-#include "world/constrain.hpp"
-#include "world/edit.hpp"
-#include "world/forces.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 

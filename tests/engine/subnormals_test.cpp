@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "step.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
 
 using namespace pantin;

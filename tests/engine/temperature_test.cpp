@@ -1,12 +1,12 @@
 #include <catch2/catch.hpp>
 
+#include "edit/assemble.hpp"
+#include "edit/constrain.hpp"
 #include "laws/library.hpp"
+#include "measure/freedoms.hpp"
 #include "model/path.hpp"
-#include "step.hpp"
+#include "step/step.hpp"
 #include "support/cases.hpp"
-#include "world/assemble.hpp"
-#include "world/constrain.hpp"
-#include "world/freedoms.hpp"
 
 using namespace pantin;
 using namespace pantin::cases;

@@ -1,4 +1,4 @@
-#include "world/constrain.hpp"
+#include "edit/constrain.hpp"
 
 #include <catch2/catch.hpp>
 

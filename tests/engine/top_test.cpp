@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "base/lanes.hpp"
+#include "measure/measure.hpp"
 #include "support/cases.hpp"
 #include "support/reference.hpp"
 #include "support/watch.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 

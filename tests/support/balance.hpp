@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/random.hpp"
-#include "world/edit.hpp"
-#include "world/measure.hpp"
+#include "edit/edit.hpp"
+#include "measure/measure.hpp"
 
 namespace pantin {
 

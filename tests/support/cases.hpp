@@ -3,7 +3,7 @@
 // plane z = 0. A rod is a box of length × 0.1 length × 0.1 length, along x in its own frame.
 #include <vector>
 
-#include "world/edit.hpp"
+#include "edit/edit.hpp"
 
 namespace pantin::cases {
 

@@ -6,9 +6,9 @@
 #include <iostream>
 
 #include "base/check.hpp"
-#include "step.hpp"
+#include "measure/measure.hpp"
+#include "step/step.hpp"
 #include "support/watch.hpp"
-#include "world/measure.hpp"
 
 namespace pantin {
 

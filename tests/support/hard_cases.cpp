@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "base/functions.hpp"
-#include "world/constrain.hpp"
+#include "edit/constrain.hpp"
 
 namespace pantin::cases {
 

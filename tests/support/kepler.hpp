@@ -1,8 +1,8 @@
 #pragma once
 #include <memory>
 
+#include "edit/edit.hpp"
 #include "laws/library.hpp"
-#include "world/edit.hpp"
 
 namespace pantin::cases {
 

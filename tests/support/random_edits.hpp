@@ -3,13 +3,13 @@
 #include <memory>
 #include <vector>
 
+#include "choreography/bonding.hpp"
+#include "edit/assemble.hpp"
+#include "edit/constrain.hpp"
 #include "laws/library.hpp"
-#include "step.hpp"
+#include "measure/query.hpp"
+#include "step/step.hpp"
 #include "support/balance.hpp"
-#include "world/assemble.hpp"
-#include "world/bonding.hpp"
-#include "world/constrain.hpp"
-#include "world/query.hpp"
 
 namespace pantin {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "world/edit.hpp"
+#include "edit/edit.hpp"
 
 namespace pantin::test {
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 
 #include "base/random.hpp"
-#include "laws/cells.hpp"
-#include "laws/sites.hpp"
+#include "laws/run/cells.hpp"
+#include "laws/run/sites.hpp"
 
 namespace pantin::cases {
 

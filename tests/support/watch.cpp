@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "step.hpp"
-#include "world/measure.hpp"
+#include "measure/measure.hpp"
+#include "step/step.hpp"
 
 namespace pantin {
 

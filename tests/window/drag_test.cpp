@@ -9,11 +9,11 @@
 #include <thread>
 
 #include "lua/scene.hpp"
+#include "measure/query.hpp"
 #include "player/aim.hpp"
 #include "support/process.hpp"
 #include "support/sources.hpp"
 #include "view/stage.hpp"
-#include "world/query.hpp"
 
 using namespace pantin;
 using namespace pantin::support;

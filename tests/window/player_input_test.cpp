@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "step.hpp"
+#include "step/step.hpp"
 #include "window/small_worlds.hpp"
 
 using namespace pantin;

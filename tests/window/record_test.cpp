@@ -1,9 +1,9 @@
 // Play in the window, with all a person can do, recorded and played again without one.
 
+#include "measure/measure.hpp"
+#include "measure/query.hpp"
 #include "player/replay.hpp"
 #include "window/played_chain.hpp"
-#include "world/measure.hpp"
-#include "world/query.hpp"
 
 using namespace pantin;
 using Catch::Contains;

@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "base/check.hpp"
+#include "choreography/hands.hpp"
 #include "support/process.hpp"
 #include "view/gl.hpp"
 #include "view/panel_style.hpp"
 #include "view/sketch.hpp"
 #include "view/window.hpp"
 #include "window/small_worlds.hpp"
-#include "world/hands.hpp"
 
 using namespace pantin;
 

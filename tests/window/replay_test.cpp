@@ -6,10 +6,10 @@
 
 #include <map>
 
+#include "measure/measure.hpp"
 #include "player/replay_window.hpp"
 #include "view/keys.hpp"
 #include "window/played_chain.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 using Catch::Contains;

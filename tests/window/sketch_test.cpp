@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "laws/course.hpp"
+#include "laws/curve.hpp"
 #include "laws/law.hpp"
 #include "support/allocations.hpp"
 #include "view/pick.hpp"

@@ -2,7 +2,7 @@
 // Worlds for the tests of the view, built without a scene.
 #include <vector>
 
-#include "world/edit.hpp"
+#include "edit/edit.hpp"
 
 namespace pantin::small_worlds {
 

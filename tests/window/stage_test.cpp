@@ -2,9 +2,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "edit/emitter.hpp"
 #include "support/library_laws.hpp"
 #include "window/small_worlds.hpp"
-#include "world/emitter.hpp"
 
 using namespace pantin;
 

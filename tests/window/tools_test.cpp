@@ -3,12 +3,12 @@
 
 #include <catch2/catch.hpp>
 
-#include "step.hpp"
+#include "edit/edit.hpp"
+#include "measure/measure.hpp"
+#include "measure/query.hpp"
+#include "step/step.hpp"
 #include "view/player_input.hpp"
 #include "window/small_worlds.hpp"
-#include "world/edit.hpp"
-#include "world/measure.hpp"
-#include "world/query.hpp"
 
 using namespace pantin;
 using Catch::Contains;

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "measure/measure.hpp"
 #include "window/played.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 

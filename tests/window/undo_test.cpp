@@ -1,9 +1,9 @@
 // What hands did is undone and done again, to the bit, by pushed events.
 #include <catch2/catch.hpp>
 
+#include "measure/measure.hpp"
+#include "measure/query.hpp"
 #include "window/played_chain.hpp"
-#include "world/measure.hpp"
-#include "world/query.hpp"
 
 using namespace pantin;
 

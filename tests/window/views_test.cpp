@@ -8,13 +8,13 @@
 #include <set>
 
 #include "bindings/lua_support.hpp"
+#include "measure/measure.hpp"
 #include "support/allocations.hpp"
 #include "view/player_input.hpp"
 #include "view/renderer.hpp"
 #include "view/sketch.hpp"
 #include "view/view_keys.hpp"
 #include "view/window.hpp"
-#include "world/measure.hpp"
 
 using namespace pantin;
 using Catch::Contains;

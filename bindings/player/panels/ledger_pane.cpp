@@ -3,10 +3,10 @@
 
 #include <cmath>
 
+#include "forces/forces.hpp"
+#include "measure/ledger_closure.hpp"
+#include "measure/measure.hpp"
 #include "player/panels/pane.hpp"
-#include "world/closure.hpp"
-#include "world/forces.hpp"
-#include "world/measure.hpp"
 
 namespace pantin::player {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "measure/query.hpp"
 #include "player/panels/pane.hpp"
 #include "view/panel_style.hpp"
-#include "world/query.hpp"
 
 namespace pantin::player {
 namespace {

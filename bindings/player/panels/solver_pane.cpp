@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "articulates/articulate.hpp"
+#include "measure/measure.hpp"
 #include "player/panels/pane.hpp"
 #include "view/panel_style.hpp"
-#include "world/measure.hpp"
 
 namespace pantin::player {
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "choreography/choreography.hpp"
 #include "player/panels/pane.hpp"
 #include "view/keys.hpp"
 #include "view/panel_style.hpp"
-#include "world/choreography.hpp"
 
 namespace pantin::player {
 namespace {

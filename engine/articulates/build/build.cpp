@@ -1,0 +1,294 @@
+// Makes the nodes and rows of an articulate, orders them by elimination and lays out the factor. What was there before
+// an edit keeps the history from which the unknowns are predicted.
+#include "articulates/build/build.hpp"
+
+#include <algorithm>
+
+#include "articulates/build/history.hpp"
+#include "articulates/solve/batches.hpp"
+#include "articulates/solve/conditions.hpp"
+#include "articulates/solve/state.hpp"
+#include "articulates/solve/stiff.hpp"
+
+namespace pantin {
+
+namespace {
+
+void weigh(Node& n, const Model& model) {
+  if (n.is_body) {
+    const Motion& m = model.motion[n.slot];
+    n.mass = m.mass;
+    n.inertia = m.inertia;
+    n.inverse_inertia = inverse_inertia(m);
+    n.turns = m.freedom != Freedom::point;
+  } else {
+    n.mass = model.points.at_slot(n.slot).mass;
+    n.inertia = n.inverse_inertia = zero3();
+    n.turns = false;
+  }
+  n.inverse_mass = 1.0 / n.mass;
+}
+
+/// Least radius of gyration of the bodies of a couple, [m].
+double lever(const Articulate& a, const Row& row) {
+  const auto gyration = [&](std::int32_t node) {
+    const Node& n = a.nodes[static_cast<std::size_t>(node)];
+    return std::sqrt((n.inertia[0] + n.inertia[1] + n.inertia[2]) * (0.5 * n.inverse_mass));
+  };
+  return row.b < 0 ? gyration(row.a) : std::min(gyration(row.a), gyration(row.b));
+}
+
+using Edges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+/// Any segment of a string may become its head, which meets whatever its segments meet.
+Edges edges_of_strings(const std::vector<Tie>& ties, const RowLists& on) {
+  Edges edges;
+  std::vector<std::uint32_t> segments;
+  for (std::uint32_t k = 0; k < ties.size(); k++)
+    if (ties[k].kind == RowKind::strand) segments.push_back(k);
+  for (std::uint32_t i : segments)
+    for (std::uint32_t j : segments) {
+      if (ties[i].constraint != ties[j].constraint) continue;
+      if (j != i) edges.emplace_back(i, j);
+      for (std::int32_t node : {ties[j].a, ties[j].b})
+        if (node >= 0)
+          for (std::uint32_t k : on[static_cast<std::size_t>(node)])
+            if (k != i) edges.insert(edges.end(), {{i, k}, {k, i}});
+    }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+/// Nodes with many rows to nodes of few, which meet at variables of the node. Segments of a string meet each other.
+std::vector<std::uint32_t> find_hubs(const std::vector<Tie>& ties, const RowLists& on) {
+  constexpr std::ptrdiff_t few = 8;
+  const auto rows = [&](std::size_t node) { return std::ssize(on[node]); };
+  std::vector<std::uint32_t> hubs;
+  for (std::uint32_t n = 0; n + 1 < on.first.size(); n++) {
+    if (rows(n) <= few) continue;
+    const auto leads_to_few = [&](std::uint32_t k) {
+      const std::int32_t other = ties[k].a == static_cast<std::int32_t>(n) ? ties[k].b : ties[k].a;
+      return other >= 0 && rows(static_cast<std::size_t>(other)) <= few;
+    };
+    const auto on_string = [&](std::uint32_t k) { return ties[k].kind == RowKind::strand; };
+    const auto list = on[n];
+    if (std::count_if(list.begin(), list.end(), leads_to_few) > few &&
+        std::none_of(list.begin(), list.end(), on_string))
+      hubs.push_back(n);
+  }
+  return hubs;
+}
+
+/// Which rows meet: at a node, at the two variables of a hub, which follow the rows, or as segments of a string.
+RowLists neighbours_of(const std::vector<Tie>& ties, const RowLists& on, const std::vector<std::uint32_t>& hubs) {
+  const auto rows = static_cast<std::uint32_t>(ties.size());
+  std::vector<std::uint32_t> variable(on.first.size() - 1, 0);  // of a hub, else 0
+  for (std::uint32_t i = 0; i < hubs.size(); i++) variable[hubs[i]] = rows + 2 * i;
+  const Edges edges = edges_of_strings(ties, on);
+  RowLists graph;
+  graph.first.reserve(rows + 2 * hubs.size() + 1);
+  graph.rows.reserve(4 * std::size_t{rows});
+  graph.first.push_back(0);
+  auto edge = edges.begin();
+  for (std::uint32_t i = 0; i < rows; i++) {
+    for (std::int32_t node : {ties[i].a, ties[i].b}) {
+      if (node < 0) continue;
+      const auto n = static_cast<std::size_t>(node);
+      if (variable[n] > 0)
+        graph.rows.insert(graph.rows.end(), {variable[n], variable[n] + 1});
+      else
+        std::copy_if(on[n].begin(), on[n].end(), std::back_inserter(graph.rows),
+                     [&](std::uint32_t j) { return j != i; });
+    }
+    for (; edge != edges.end() && edge->first == i; ++edge) graph.rows.push_back(edge->second);
+    const auto begin = graph.rows.begin() + graph.first.back();
+    std::sort(begin, graph.rows.end());
+    graph.rows.erase(std::unique(begin, graph.rows.end()), graph.rows.end());
+    graph.first.push_back(static_cast<std::uint32_t>(graph.rows.size()));
+  }
+  for (std::uint32_t hub : hubs)
+    for (int k = 0; k < 2; k++) {
+      graph.rows.insert(graph.rows.end(), on[hub].begin(), on[hub].end());
+      graph.first.push_back(static_cast<std::uint32_t>(graph.rows.size()));
+    }
+  return graph;
+}
+
+/// Numbers nodes in the order in which the rows meet them; `things` (nodes) in that order.
+struct NodeOrder {
+  std::vector<std::uint32_t> things, first_rows;
+};
+
+NodeOrder order_nodes(const std::vector<Tie>& ties, const std::vector<std::uint32_t>& order, std::size_t count,
+                      std::vector<std::int32_t>& place) {
+  NodeOrder nodes;
+  nodes.things.reserve(count);
+  nodes.first_rows.reserve(count);
+  place.assign(count, -1);
+  for (std::uint32_t k = 0; k < order.size(); k++)
+    for (std::int32_t node : {ties[order[k]].a, ties[order[k]].b}) {
+      if (node < 0 || place[static_cast<std::size_t>(node)] >= 0) continue;
+      place[static_cast<std::size_t>(node)] = static_cast<std::int32_t>(nodes.things.size());
+      nodes.things.push_back(static_cast<std::uint32_t>(node));
+      nodes.first_rows.push_back(k);
+    }
+  return nodes;
+}
+
+Node make_node(const Model& model, Thing t, std::uint32_t first_row) {
+  Node n{};
+  n.slot = t.slot;
+  n.is_body = t.is_body;
+  n.first_row = first_row;
+  weigh(n, model);
+  return n;
+}
+
+void add_nodes(Articulate& a, Model& model, std::span<const Thing> things, const NodeOrder& order) {
+  a.nodes.reserve(things.size());
+  for (std::size_t k = 0; k < order.things.size(); k++) {
+    const Thing t = things[order.things[k]];
+    a.nodes.push_back(make_node(model, t, order.first_rows[k]));
+    node_of(model, t) = static_cast<std::int32_t>(k);
+  }
+}
+
+Condition make_condition(const Model& model, const Tie& tie, Row& row) {
+  Condition condition;
+  condition.constraint = tie.constraint;
+  condition.part = tie.part;
+  if (tie.connection) {
+    make_stiff(model, tie.connection, row, condition);
+    return condition;
+  }
+  const Constraint& c = model.constraints[tie.constraint];
+  condition.length = c.length;
+  condition.held = condition.held_before =
+      c.kind != ConstraintKind::limit && c.kind != ConstraintKind::string && !c.path && std::isinf(c.max_torque);
+  row.f = tie.couple ? c.torque / row.lever : c.force;
+  return condition;
+}
+
+/// What the last steps found out of a row.
+void hand_on(const History::Before& before, Row& row, Condition* condition) {
+  row.f = before.row->f;
+  if (condition == nullptr || condition->stiff) return;
+  const Condition& old = pantin::condition(*before.articulate, *before.row);
+  condition->held = old.held;
+  condition->held_before = old.held_before;
+}
+
+/// Returns whether the row was there before.
+bool add_row(Articulate& a, const Model& model, const Tie& tie, const std::vector<std::int32_t>& place,
+             const History& history) {
+  Row row;
+  row.kind = tie.kind;
+  row.a = place[static_cast<std::size_t>(tie.a)];
+  if (tie.b >= 0) row.b = place[static_cast<std::size_t>(tie.b)];
+  row.la = tie.la;
+  row.lb = tie.lb;
+  row.member = tie.member;
+  row.centre = tie.centre;
+  if (tie.couple) row.lever = lever(a, row);
+  if (tie.member) {
+    row.f = model.points[tie.member].row_force;
+  } else {
+    row.condition = static_cast<std::int32_t>(a.conditions.size());
+    a.conditions.push_back(make_condition(model, tie, row));
+    a.conditions.back().row = static_cast<std::uint32_t>(a.rows.size());
+  }
+  const History::Before before = history.row(tie);
+  a.forecast.forces.push_back(before.row != nullptr ? before.articulate->forecast.forces[before.index()]
+                                                    : Forecast::OfRow{});
+  if (before.row != nullptr) hand_on(before, row, tie.member ? nullptr : &a.conditions.back());
+  a.rows.push_back(row);
+  return before.row != nullptr;
+}
+
+std::uint64_t serial_of(const Model& model, Thing t) {
+  return t.is_body ? model.bodies.at_slot(t.slot).serial : model.points.at_slot(t.slot).serial;
+}
+
+}  // namespace
+
+std::unique_ptr<Articulate> build_articulate(Model& model, std::span<const Thing> things, const Articulates& before) {
+  const History history(model, things, before);
+  for (std::size_t i = 0; i < things.size(); i++) node_of(model, things[i]) = static_cast<std::int32_t>(i);
+  std::vector<Tie> ties;
+  ties.reserve(things.size());
+  for (Thing t : things) find_ties(model, t, TiesOf::listed, ties);
+  const RowLists on = rows_of_nodes(things.size(), ties);
+  const std::vector<std::uint32_t> hubs = find_hubs(ties, on);
+  const auto variables = static_cast<std::uint32_t>(2 * hubs.size());
+  Elimination elimination = minimum_degree(neighbours_of(ties, on, hubs), variables);
+  elimination.order.resize(ties.size());
+  std::vector<std::int32_t> place;
+  const NodeOrder order = order_nodes(ties, elimination.order, things.size(), place);
+
+  auto articulate = std::make_unique<Articulate>();
+  Articulate& a = *articulate;
+  a.plane = model.plane;
+  a.serial = serial_of(model, things.front());
+  a.factor = lay_out(std::move(elimination.columns));
+  a.breakable = std::any_of(ties.begin(), ties.end(), [](const Tie& tie) { return tie.may_break; });
+  history.hand_on(a);
+  add_nodes(a, model, things, order);
+  a.rows.reserve(ties.size());
+  for (std::uint32_t k : elimination.order)
+    if (!add_row(a, model, ties[k], place, history)) disturb(a);
+  for (std::uint32_t i = 0; i < hubs.size(); i++)
+    a.hubs.push_back({static_cast<std::uint32_t>(place[hubs[i]]), a.factor.rows - variables + 2 * i, {}, {}});
+  std::sort(a.hubs.begin(), a.hubs.end(), [](const Hub& x, const Hub& y) { return x.node < y.node; });
+  a.right_side.resize(a.factor.rows);
+  a.f_saved.resize(a.rows.size());
+  a.impulses.resize(a.rows.size());
+  a.carried.resize(a.rows.size());
+  find_meetings(a);
+  find_dimensions(a, model);
+  lay_out_batches(a);
+  find_waves(a);
+  history.hand_on(a, order.things);
+  return articulate;
+}
+
+namespace {
+
+/// Whether a node is as heavy as its thing.
+bool weighs_as_built(const Model& model, const Node& node) {
+  Node now{};
+  now.slot = node.slot;
+  now.is_body = node.is_body;
+  weigh(now, model);
+  return now.mass == node.mass && same(now.inertia, node.inertia) && now.turns == node.turns;
+}
+
+}  // namespace
+
+bool is_row_of(const Articulate& a, const Row& row, const Tie& tie) {
+  if (row.kind != tie.kind || row.member != tie.member || row.centre != tie.centre || !same(row.la, tie.la) ||
+      !same(row.lb, tie.lb))
+    return false;
+  if (tie.member) return true;
+  const Condition& c = condition(a, row);
+  if (tie.connection) return c.stiff && c.stiff->connection == tie.connection && c.stiff->solve == tie.solve;
+  return c.constraint == tie.constraint && c.part == tie.part;
+}
+
+bool is_as_built(const Model& model, const Articulate& a, Thing t) {
+  const std::int32_t node = node_of(model, t);
+  const auto index = static_cast<std::size_t>(node);
+  if (!weighs_as_built(model, a.nodes[index])) return false;
+  std::vector<Tie> ties;
+  find_ties(model, t, TiesOf::all, ties);
+  std::erase_if(ties, [&](const Tie& tie) { return tie.a != node && tie.b != node; });
+  const auto there = [&](const Tie& tie) {
+    if (tie.may_break && !a.breakable) return false;
+    const auto rows = a.on[index];
+    return std::any_of(rows.begin(), rows.end(), [&](std::uint32_t k) {
+      return a.rows[k].a == tie.a && a.rows[k].b == tie.b && is_row_of(a, a.rows[k], tie);
+    });
+  };
+  return ties.size() == a.on[index].size() && std::all_of(ties.begin(), ties.end(), there);
+}
+
+}  // namespace pantin

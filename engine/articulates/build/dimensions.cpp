@@ -1,0 +1,125 @@
+#include <algorithm>
+
+#include "articulates/build/build.hpp"
+#include "articulates/solve/momenta.hpp"
+#include "articulates/solve/stiff.hpp"
+#include "model/path.hpp"
+
+namespace pantin {
+
+namespace {
+
+/// Calls visit(node, arm) for both ends of all rows; the arm of a couple is infinite about all axes.
+template <class Visit>
+void each_end(Articulate& a, Visit visit) {
+  const Vec3 all = vec(infinity, infinity, infinity);
+  for (const Row& row : a.rows) {
+    visit(a.nodes[static_cast<std::size_t>(row.a)], row.lever > 0.0 ? all : row.la);
+    if (row.b >= 0) visit(a.nodes[static_cast<std::size_t>(row.b)], row.lever > 0.0 ? all : row.lb);
+  }
+}
+
+/// Clears `coupled` about the axis of symmetry that all arms lie on.
+void find_free_axes(Articulate& a) {
+  for (Node& n : a.nodes) n.coupled = zero3();
+  each_end(a, [](Node& n, Vec3 arm) {
+    const Vec3 l = vec(std::fabs(arm[0]), std::fabs(arm[1]), std::fabs(arm[2]));
+    const double least = 1e-9 * n.reach;
+    for (int axis = 0; axis < 3; axis++)
+      if (std::fmax(l[(axis + 1) % 3], l[(axis + 2) % 3]) > least) n.coupled[axis] = 1.0;
+  });
+  for (Node& n : a.nodes) {
+    if (!n.turns) n.coupled = zero3();
+    for (int axis = 0; axis < 3 && n.turns; axis++) {
+      const double x = n.inertia[(axis + 1) % 3], y = n.inertia[(axis + 2) % 3];
+      if (std::fabs(x - y) > 1e-9 * std::fmax(x, y)) n.coupled[axis] = 1.0;
+    }
+  }
+}
+
+/// Whether the rows make no loop; the world counts as one node, and a couple beside a row between points makes none.
+bool is_tree(const Articulate& a) {
+  if (!a.strands.empty()) return false;
+  const bool anchored = std::any_of(a.rows.begin(), a.rows.end(), [](const Row& row) { return row.b < 0; });
+  const auto couple_rows = std::count_if(a.rows.begin(), a.rows.end(), [](const Row& r) { return r.lever > 0.0; });
+  const std::size_t edges = a.nodes.size() - (anchored ? 0 : 1);
+  if (couple_rows == 0) return a.rows.size() == edges;
+  std::vector<std::pair<std::int32_t, std::int32_t>> points, couples;
+  for (const Row& row : a.rows) (row.lever > 0.0 ? couples : points).push_back(std::minmax(row.a, row.b));
+  std::sort(couples.begin(), couples.end());
+  if (std::adjacent_find(couples.begin(), couples.end()) != couples.end()) return false;
+  std::sort(points.begin(), points.end());
+  const auto alone = std::count_if(couples.begin(), couples.end(), [&](const auto& pair) {
+    return !std::binary_search(points.begin(), points.end(), pair);
+  });
+  return points.size() + static_cast<std::size_t>(alone) == edges;
+}
+
+std::vector<double> lengths_of(const Articulate& a, const Model& model) {
+  std::vector<double> lengths;
+  lengths.reserve(2 * a.rows.size());
+  for (const Row& row : a.rows) {
+    if (row.kind == RowKind::path) {
+      const auto& places = model.constraints[condition(a, row).constraint].path->places();
+      lengths.push_back(norm(places[1] - places[0]));
+    }
+    if (row.kind == RowKind::strand) lengths.push_back(model.constraints[condition(a, row).constraint].length);
+    if (row.kind == RowKind::rod && condition(a, row).length > 0.0) lengths.push_back(condition(a, row).length);
+    if (row.kind == RowKind::stiff) lengths.push_back(1e12 * std::sqrt(condition(a, row).stiff->least2));
+    if (row.lever > 0.0) {
+      lengths.push_back(row.lever);
+      continue;
+    }
+    for (double l : {norm(row.la), row.b >= 0 ? norm(row.lb) : 0.0})
+      if (l > 0.0) lengths.push_back(l);
+  }
+  return lengths;
+}
+
+/// The median arm; of points without arms the size of their coordinates.
+double length_of(const Articulate& a, const Model& model) {
+  std::vector<double> lengths = lengths_of(a, model);
+  if (!lengths.empty()) {
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::nth_element(lengths.begin(), middle, lengths.end());
+    return *middle;
+  }
+  double length = 0.0;
+  for (const Row& row : a.rows)
+    if (row.member) length = std::max(length, norm(position(model, row.member)));
+  return length == 0.0 ? 1.0 : length;
+}
+
+void find_reaches(Articulate& a) {
+  for (Node& node : a.nodes) node.reach = 0.1 * a.length;
+  for (const Row& row : a.rows) {
+    double& ra = a.nodes[static_cast<std::size_t>(row.a)].reach;
+    ra = std::max(ra, row.lever > 0.0 ? row.lever : norm(row.la));
+    if (row.b < 0) continue;
+    double& rb = a.nodes[static_cast<std::size_t>(row.b)].reach;
+    rb = std::max(rb, row.lever > 0.0 ? row.lever : norm(row.lb));
+  }
+}
+
+}  // namespace
+
+void find_dimensions(Articulate& a, const Model& model) {
+  for (const Row& row : a.rows) {
+    a.all_rigid = a.all_rigid && row.kind == RowKind::rigid;
+    a.couples = a.couples || row.lever > 0.0;
+    a.limited = a.limited || row.kind == RowKind::limited;
+    if (row.kind == RowKind::stiff) a.open = a.open || condition(a, row).stiff->is_open();
+  }
+  const auto draws = [](const Row& row) { return row.kind == RowKind::drawn || row.kind == RowKind::limited; };
+  a.draws = std::any_of(a.rows.begin(), a.rows.end(), draws) && is_free(a);
+  a.yields = std::all_of(a.rows.begin(), a.rows.end(), is_soft);
+  a.length = length_of(a, model);
+  for (const Node& node : a.nodes) a.total_mass += node.mass;
+  find_reaches(a);
+  find_free_axes(a);
+  a.tree = is_tree(a);
+  if (a.tree) a.least_epsilon = a.most_epsilon = 1e-16;
+  a.epsilon = std::min(a.epsilon, a.most_epsilon);
+}
+
+}  // namespace pantin

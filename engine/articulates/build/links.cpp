@@ -1,0 +1,139 @@
+#include "articulates/build/links.hpp"
+
+#include <algorithm>
+
+#include "articulates/solve/conditions.hpp"
+
+namespace pantin {
+
+namespace {
+
+class Finder {
+ public:
+  Finder(const Model& model, TiesOf which, std::vector<Tie>& ties)
+      : model_(model), which_(which), ties_(ties), begin_(ties.size()) {}
+
+  void visit(Thing t) {
+    if (!t.is_body) return visit(model_.points.id_at(t.slot));
+    const Body& body = model_.bodies.at_slot(t.slot);
+    for (PointId point : body.points) visit(point);
+    for (ConstraintId id : body.constraints) add(id, model_.constraints[id].body_a == model_.bodies.id_at(t.slot));
+  }
+
+ private:
+  const Model& model_;
+  const TiesOf which_;
+  std::vector<Tie>& ties_;
+  const std::size_t begin_;
+
+  bool wanted(bool listed_here) const { return listed_here || which_ == TiesOf::all; }
+
+  void visit(PointId id) {
+    const Point& point = model_.points[id];
+    const Particle& ring = model_.particles[point.particle];
+    const bool is_first = ring.points.front() == id;
+    if (ring.joins() && wanted(is_first)) add_hinge(ring, star(model_, point.particle));
+    for (ConstraintId c : point.constraints) add(c, model_.constraints[c].a == id);
+    if (which_ == TiesOf::all)  // the star is pulled by what ties other members too
+      for (PointId member : ring.points) visit_connections(model_.points[member].own);
+    else
+      visit_connections(point.own);
+    if (ring.is_hinge() && wanted(is_first)) visit_connections(point.particle);
+  }
+
+  void visit_connections(ParticleId ring) {
+    for (ConnectionId id : model_.particles[ring].connections) {
+      const Connection& c = model_.connections[id];
+      if (!c.enabled || c.solve == Solve::explicitly) continue;
+      if (wanted((c.particles[0] ? c.particles[0] : c.particles[1]) == ring)) add(id, c);
+    }
+  }
+
+  void tie_a(Tie& tie, PointId point) const {
+    tie.a = node_of(model_, holder(model_, point));
+    tie.la = model_.plane.along(arm(model_, point));
+  }
+  void tie_b(Tie& tie, PointId point) const {
+    tie.b = node_of(model_, holder(model_, point));
+    tie.lb = model_.plane.along(arm(model_, point));
+  }
+  /// A place or an axis in the frame of a body, in principal axes of its node.
+  std::int32_t tie(BodyId id, Vec3 v, bool is_axis, Vec3& arm) const {
+    const Body& body = model_.bodies[id];
+    const Vec3 turned = rotate(conjugate(body.axes), is_axis ? v : v - body.centre);
+    arm = is_axis ? model_.plane.axis(turned) : model_.plane.along(turned);
+    return node_of(model_, Thing{id.slot - 1, true});
+  }
+
+  void add_hinge(const Particle& ring, PointId centre) {
+    for (PointId member : ring.points) {
+      if (member == centre) continue;
+      Tie tie;
+      tie.may_break = ring.breaks_at.possible();
+      tie_a(tie, member);
+      tie_b(tie, centre);
+      tie.member = member;
+      tie.centre = centre;
+      ties_.push_back(tie);
+    }
+  }
+
+  /// Whether something found from another of its ends is there already.
+  template <class Is>
+  bool found(Is is) const {
+    return which_ == TiesOf::all && std::any_of(ties_.begin() + static_cast<std::ptrdiff_t>(begin_), ties_.end(), is);
+  }
+
+  void add(ConstraintId id, bool listed_here) {
+    const Constraint& c = model_.constraints[id];
+    if (!c.enabled || !wanted(listed_here) || found([&](const Tie& tie) { return tie.constraint == id; })) return;
+    for (const RowPlan& plan : plan_rows(model_, c)) {
+      Tie row;
+      row.kind = plan.kind;
+      row.couple = plan.couple;
+      row.may_break = c.breaks_at.possible();
+      row.part = plan.part;
+      row.constraint = id;
+      if (plan.point_a) tie_a(row, plan.point_a);
+      if (plan.point_b) tie_b(row, plan.point_b);
+      if (plan.body_a) row.a = tie(plan.body_a, plan.arm_a, plan.couple, row.la);
+      if (plan.body_b) row.b = tie(plan.body_b, plan.arm_b, plan.couple, row.lb);
+      ties_.push_back(row);
+    }
+  }
+
+  /// Between the points at which its rings are pulled.
+  void add(ConnectionId id, const Connection& c) {
+    if (found([&](const Tie& tie) { return tie.connection == id; })) return;
+    const bool swapped = !c.particles[0];  // a place of the world is always the second end
+    const ParticleId a = c.particles[swapped ? 1 : 0], b = c.particles[swapped ? 0 : 1];
+    if (b && holder(model_, star(model_, a)) == holder(model_, star(model_, b))) return;  // nothing can move
+    Tie tie;
+    tie.kind = RowKind::stiff;
+    tie.connection = id;
+    tie.solve = c.solve;
+    tie_a(tie, star(model_, a));
+    if (b) tie_b(tie, star(model_, b));
+    ties_.push_back(tie);
+  }
+};
+
+}  // namespace
+
+void find_ties(const Model& model, Thing thing, TiesOf which, std::vector<Tie>& ties) {
+  Finder(model, which, ties).visit(thing);
+}
+
+Thing holder(const Model& model, PointId point) {
+  const Point& p = model.points[point];
+  return p.body ? Thing{p.body.slot - 1, true} : Thing{point.slot - 1, false};
+}
+
+std::int32_t& node_of(Model& model, Thing t) {
+  return t.is_body ? model.motion[t.slot].node : model.points.at_slot(t.slot).node;
+}
+std::int32_t node_of(const Model& model, Thing t) {
+  return t.is_body ? model.motion[t.slot].node : model.points.at_slot(t.slot).node;
+}
+
+}  // namespace pantin

@@ -1,0 +1,35 @@
+#pragma once
+// What ties a body or a free point to others, as rows still to be made.
+#include <vector>
+
+#include "articulates/articulate.hpp"
+#include "articulates/build/islands.hpp"
+
+namespace pantin {
+
+/// A row that a hinge, a constraint or a solved connection wants; its nodes as the model tells them at present.
+struct Tie {
+  RowKind kind = RowKind::rigid;
+  bool couple = false;
+  bool may_break = false;
+  std::uint32_t part = 0;       // which row of its constraint
+  std::int32_t a = -1, b = -1;  // nodes; b = -1: the world
+  PointId member, centre;       // of a hinge
+  ConstraintId constraint;
+  ConnectionId connection;
+  Solve solve = Solve::explicitly;  // how the connection acts
+  Vec3 la = zero3(), lb = zero3();  // arms, or axes, in principal axes
+};
+
+/// Each tie is `listed` by one of the things that it concerns, so that all things list all ties once.
+enum class TiesOf : std::uint8_t { listed, all };
+/// Adds the ties of a thing.
+void find_ties(const Model& model, Thing thing, TiesOf which, std::vector<Tie>& ties);
+
+/// The body of a point, or the point itself.
+Thing holder(const Model& model, PointId point);
+/// Index of a thing in its articulate.
+std::int32_t& node_of(Model& model, Thing thing);
+std::int32_t node_of(const Model& model, Thing thing);
+
+}  // namespace pantin

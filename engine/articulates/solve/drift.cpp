@@ -1,0 +1,279 @@
+#include "articulates/solve/drift.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "articulates/solve/conditions.hpp"
+#include "articulates/solve/fallback_step.hpp"
+#include "articulates/solve/midpoint.hpp"
+#include "articulates/solve/momenta.hpp"
+#include "articulates/solve/newton.hpp"
+#include "articulates/solve/project.hpp"
+#include "articulates/solve/row_gaps.hpp"
+#include "articulates/solve/segments.hpp"
+#include "articulates/solve/state.hpp"
+#include "constraints/row_rule.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr int most_halvings = 5;
+
+/// The unknowns have no history but the forces of the last step.
+void forget_course(Articulate& a) {
+  a.last_h = 0.0;
+  for (std::size_t k = 0; k < a.rows.size(); k++) a.rows[k].f = a.forecast.forces[k][0];
+}
+
+/// From here on the full sub-step is cut into parts.
+void cut(Articulate& a) {
+  const double sign = a.sub_steps.count == 1 ? -1.0 : 1.0;
+  a.cut = true;
+  begin_exerted(a);
+  for (std::size_t k = 0; k < a.rows.size(); k++) a.exerted[k] = a.carried[k] * sign;
+}
+
+/// From … to (0 … 1) of a step, by so many halvings from a part that ends at `end`.
+struct Part {
+  double from, to, end;
+  int depth;
+};
+
+/// A safe step over all that is left of what was halved; backwards it makes no sense, so where a full sub-step has parts
+/// that go backwards, to its end. Where nothing may be spent on attempts any more, to the end of the drift.
+void arrive_safely(Articulate& a, const DriftSettings& settings, const Part& part, DriftReport& report) {
+  a.smooth = false;
+  a.arrived = settings.backwards ? 1.0 : a.effort.spare == 0 ? settings.to : part.end;
+  if (!a.cut) cut(a);
+  set_conditions(a, settings.h, part.from, a.arrived);
+  const double h = settings.h * (a.arrived - part.from);
+  safe_step(a, settings, h, report);
+  add_forces_exerted(a, h);
+}
+
+/// Velocities that conditions want at a moment `at` (0 … 1) of the step, by what they want at its end and on the way; at
+/// the end again when this goes.
+class WantedVelocities {
+ public:
+  WantedVelocities(Articulate& a, double h, double at) : a_(a) {
+    for (const Condition& c : a.conditions) at_end_.push_back({c.velocity, c.length_rate});
+    for (const Row& row : a.rows)
+      if (row.condition >= 0) want(a.conditions[static_cast<std::size_t>(row.condition)], row.lever, h, at);
+  }
+  ~WantedVelocities() {
+    for (std::size_t k = 0; k < a_.conditions.size(); k++)
+      std::tie(a_.conditions[k].velocity, a_.conditions[k].length_rate) = at_end_[k];
+  }
+  WantedVelocities(const WantedVelocities&) = delete;
+  WantedVelocities& operator=(const WantedVelocities&) = delete;
+
+ private:
+  static void want(Condition& c, double lever, double h, double at) {
+    if (c.by_speed) {
+      c.length_rate = speed(c, at);
+      return;
+    }
+    add_bend(c, lever, -1.0 / h, 1.0);
+    if (lever == 0.0) {
+      const Vec3 start = (c.whole1 - c.whole0) / h * 2.0 - c.velocity;
+      const double start_rate = (c.whole_length1 - c.whole_length0) / h * 2.0 - c.length_rate;
+      c.velocity = start + (c.velocity - start) * at;
+      c.length_rate = start_rate + (c.length_rate - start_rate) * at;
+    }
+    add_bend(c, lever, 1.0 / h, at);
+  }
+  static void add_bend(Condition& c, double lever, double times, double at) {
+    if (c.bent == Bent::nothing) return;
+    const Vec3 rate = c.bend.rate(at) * times;
+    if (c.bent == Bent::length)
+      c.length_rate += rate[0];
+    else
+      c.velocity += c.bent == Bent::turn ? rate * lever : rate;
+  }
+
+  Articulate& a_;
+  std::vector<std::pair<Vec3, double>> at_end_;
+};
+
+/// Puts the ends of nodes and rows where they start, at a moment of the step.
+void stand_still(Articulate& a, double h, double at) {
+  set_conditions(a, h, at, at);
+  for (Node& n : a.nodes) settle(n);
+  place_rows_at_end(a);
+}
+
+/// Makes velocities consistent at a moment of the step, where a row is struck or a cut step begins: a solved part turns the
+/// sign of what is forbidden, which over several parts no row of one side bears. Returns what this gave beyond the work of
+/// what moves by itself [J].
+double make_consistent_at(Articulate& a, const DriftSettings& settings, double at, DriftReport& report,
+                          double struck = 0.0) {
+  const double before = kinetic_energy(a);
+  stand_still(a, settings.h, at);
+  const WantedVelocities wanted(a, settings.h, at);
+  const bool over_gaps = acts_over_gaps(a);
+  const Momenta kept = over_gaps ? momenta_of(a) : Momenta{};
+  const ImpulseWork work = make_consistent(a, 0.5 * settings.full, struck);
+  if (over_gaps) restore_momenta(a, kept);
+  report.tell(work);
+  return kinetic_energy(a) - before - work.all();
+}
+
+void begin_cut(Articulate& a, const DriftSettings& settings, double at, DriftReport& report) {
+  cut(a);
+  const double given = make_consistent_at(a, settings, at, report);
+  report.projected += given;
+  a.carried_energy += given;
+}
+
+/// Some times what a step costs that is solved at once.
+std::uint32_t allowance(const Articulate& a, std::uint32_t least, double times) {
+  return std::max(least, static_cast<std::uint32_t>(times * a.effort.usual)) * a.sub_steps.count;
+}
+/// What attempts that fail may cost, of all parts together: rows without a loop do not contradict each other.
+std::uint32_t all_spare(const Articulate& a) { return a.tree ? allowance(a, 320, 24.0) : allowance(a, 160, 16.0); }
+/// What all attempts may.
+std::uint32_t most_cost(const Articulate& a) { return a.tree ? allowance(a, 640, 48.0) : allowance(a, 240, 24.0); }
+
+/// Tries to solve a part of h [s]; what a failure costs is spent.
+bool try_part(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
+  if (cost(report) > most_cost(a)) a.effort.spare = 0;
+  if (a.effort.spare == 0) return false;
+  const std::uint32_t before = cost(report);
+  if (solve_step(a, h, gravity, report)) return true;
+  a.effort.spare -= std::min(a.effort.spare, std::max(1u, cost(report) - before));
+  forget_course(a);
+  return false;
+}
+
+/// Moves over a part of h [s]; false where that cannot be solved, and nothing is changed.
+bool solve_part(Articulate& a, const DriftSettings& settings, double h, DriftReport& report) {
+  if (settings.ledger) a.saved = a.nodes;
+  for (Condition& c : a.conditions) c.held_before = c.held;
+  bool solved = try_part(a, h, settings.gravity, report);
+  if (!solved && a.lowered) solved = try_part(a, h, settings.gravity, report);  // not from where a softer factor led
+  if (!solved && stall_motors(a, settings.h)) {
+    a.effort.spare = all_spare(a);  // it is another step now
+    solved = try_part(a, h, settings.gravity, report);
+  }
+  if (!solved) {
+    for (Condition& c : a.conditions) c.held = c.held_before;
+    return false;
+  }
+  if (settings.ledger) add_unsolved_work(a, h, report);
+  if (acts_over_gaps(a)) a.turned += turned_over_gaps(a, h);
+  for (Condition& c : a.conditions) c.angle0 = c.angle1;
+  find_solved_gaps(a);
+  a.last_h = h;
+  a.safe = false;
+  if (a.epsilon < a.most_epsilon && !a.lowered && ++a.good_steps > a.wait) {
+    a.epsilon = std::min(a.most_epsilon, 10.0 * a.epsilon);
+    a.good_steps = 0;
+  }
+  return true;
+}
+
+void drift_part(Articulate& a, const DriftSettings& settings, const Part& part, DriftReport& report) {
+  if (part.from < a.arrived) return;
+  const double h = settings.h * (part.to - part.from);
+  set_conditions(a, settings.h, part.from, part.to);
+  if (a.gaps.open > 1e-8 * a.length) return arrive_safely(a, settings, part, report);
+  if (solve_part(a, settings, h, report)) {
+    if (!a.cut) return;
+    add_forces_exerted(a, h);
+    if (struck(a)) report.limit += make_consistent_at(a, settings, part.to, report, h);
+    for (Condition& c : a.conditions) c.held_before = c.held;
+    return;
+  }
+  const bool stuck = part.depth == 0 && a.safe;  // since the last step: shorter ones would not help
+  if (part.depth == most_halvings || stuck || a.effort.spare == 0) return arrive_safely(a, settings, part, report);
+  report.halved++;
+  a.smooth = false;
+  if (!a.cut) begin_cut(a, settings, part.from, report);
+  const double middle = 0.5 * (part.from + part.to);
+  drift_part(a, settings, {part.from, middle, part.end, part.depth + 1}, report);
+  drift_part(a, settings, {middle, part.to, part.end, part.depth + 1}, report);
+}
+
+}  // namespace
+
+FirstMeeting meet(Articulate& a, double h, double at) {
+  a.edited = a.cut = false;
+  stand_still(a, h, at);
+  measure_gaps(a);
+  for (Condition& c : a.conditions) c.held = !c.ranged && std::isinf(c.upper);  // of motors the step finds out
+  a.torn = a.gaps.open > 1e-8 * a.length;
+  if (a.torn) return {};
+  const WantedVelocities wanted(a, h, at);
+  const bool free = is_free(a);
+  const Momenta kept = free ? momenta_of(a) : Momenta{};
+  const double before = kinetic_energy(a);
+  make_consistent(a, 0.0);
+  const double between = kinetic_energy(a);
+  for (Condition& c : a.conditions) c.held = c.held || stop(a, row(a, c)).room < 1e-9 * a.length;
+  hold_with_heads(a);
+  const ImpulseWork work = make_consistent(a, 0.0);
+  if (free) restore_momenta(a, kept);
+  const double stopped = kinetic_energy(a) - between - work.all();
+  return {between - before + work.all(), stopped};
+}
+
+namespace {
+
+/// After a step that could not be solved the next are tried with little, and the longer that lasts the more seldom.
+void begin_effort(Articulate& a) {
+  Effort& effort = a.effort;
+  if (a.edited) effort.failed = effort.pause = 0;
+  const bool waits = effort.pause > 0;
+  if (waits) effort.pause--;
+  effort.spare = waits ? 0 : effort.failed > 0 ? allowance(a, 16, 3.0) : all_spare(a);
+}
+
+void end_effort(Articulate& a, std::uint32_t spare, bool open, const DriftReport& report) {
+  constexpr std::uint16_t longest_pause = 8;
+  Effort& effort = a.effort;
+  if (report.safe == 0 && report.halved == 0)
+    effort.usual += (1.0 * cost(report) / a.sub_steps.count - effort.usual) / 8.0;
+  if (report.safe == 0) {
+    effort.failed = 0;
+  } else if (spare > 0 && !open) {
+    effort.failed = static_cast<std::uint16_t>(std::min(effort.failed + 1, int{most_failed}));
+    effort.pause = std::min(longest_pause, static_cast<std::uint16_t>((1u << effort.failed) - 1u));
+  }
+}
+
+}  // namespace
+
+void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
+  a.exact = false;
+  begin_effort(a);
+  if (a.edited) {
+    const FirstMeeting met = meet(a, settings.h, settings.from);
+    report.met += met.tied;
+    report.limit += met.stopped;
+  }
+  if (settings.first) {
+    strengthen_stalled(a, settings.h);
+    const bool carried = take_carried_half(a, settings.full, report);
+    a.smooth = true;
+    a.arrived = 0.0;
+    a.cut = false;
+    a.exerted_time = 0.0;
+    const bool open = a.gaps.open > 1e-8 * a.length;
+    if (a.sub_steps.count > 1 && !open) carried ? cut(a) : begin_cut(a, settings, settings.from, report);
+  }
+  const std::uint32_t count = a.sub_steps.count, spare = a.effort.spare;
+  const bool open = a.gaps.open > 1e-8 * a.length;
+  const double way = (settings.to - settings.from) / count;
+  for (std::uint32_t i = 0; i < count; i++) {
+    const double to = i + 1 == count ? settings.to : settings.from + way * (i + 1);
+    drift_part(a, settings, {settings.from + way * i, to, to, 0}, report);
+  }
+  end_effort(a, spare, open, report);
+  if (a.torn) report.met += std::exchange(report.dissipated, 0.0);  // drawing together what an edit tore apart
+  a.torn = a.torn && a.gaps.open > 1e-8 * a.length;
+}
+
+}  // namespace pantin

@@ -1,0 +1,313 @@
+#include "articulates/solve/fallback_step.hpp"
+
+#include <algorithm>
+
+#include "articulates/solve/angular_rows.hpp"
+#include "articulates/solve/batches.hpp"
+#include "articulates/solve/loose.hpp"
+#include "articulates/solve/midpoint.hpp"
+#include "articulates/solve/momenta.hpp"
+#include "articulates/solve/newton.hpp"
+#include "articulates/solve/project.hpp"
+#include "articulates/solve/row_gaps.hpp"
+#include "articulates/solve/segments.hpp"
+#include "articulates/solve/state.hpp"
+#include "articulates/solve/stiff.hpp"
+#include "constraints/row_rule.hpp"
+
+namespace pantin {
+
+namespace {
+
+/// Kinetic, and potential in gravity, [J].
+double mechanical_energy(const Articulate& a, Vec3 gravity) {
+  double energy = kinetic_energy(a);
+  for (const Node& n : a.nodes) energy -= n.mass * dot(gravity, n.x0);
+  return energy;
+}
+
+/// What pulls by a law keeps its length in a safe step, and with it its energy.
+void hold_stiff(Articulate& a) {
+  for (Row& row : a.rows) {
+    if (row.kind != RowKind::stiff) continue;
+    Condition& c = condition(a, row);
+    c.length = norm(row.d0);
+    c.accepted = 0.0;
+    row.offset = zero3();
+    row.kind = norm2(row.d0) > c.stiff->least2 ? RowKind::rod : RowKind::rigid;
+  }
+  a.yields = false;
+}
+void release_stiff(Articulate& a) {
+  for (Row& row : a.rows)
+    if (row.condition >= 0 && condition(a, row).stiff) row.kind = RowKind::stiff;
+  a.yields = std::all_of(a.rows.begin(), a.rows.end(), is_soft);
+  measure_gaps(a);
+}
+
+/// Forces of limited rows at the start of the step, softened as a backward step would, pushes and twists; tells what they
+/// give. Then gravity.
+void kick(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
+  const double before = kinetic_energy(a);
+  for (Row& row : a.rows) {
+    row.f = zero3();
+    if (row.kind != RowKind::limited) continue;
+    const Condition& c = condition(a, row);
+    const double give = 1.0 + h * (h * c.stiffness + c.damping) * mobility(a, row);
+    const Vec3 z = row.d0 * (-c.stiffness / give);
+    const double pull = norm(z);
+    row.f = pull > c.max_force ? z * (c.max_force / pull) : z;
+    const auto pull_node = [&](std::int32_t node, Vec3 arm, Vec3 f) {
+      Node& n = a.nodes[static_cast<std::size_t>(node)];
+      n.p0 += f * h;
+      if (n.turns) n.P0 += transposed_times(n.R0, cross(n.R0 * arm, f)) * h;
+    };
+    pull_node(row.a, row.la, row.f);
+    if (row.b >= 0) pull_node(row.b, row.lb, row.f * -1.0);
+  }
+  for (Node& n : a.nodes) {
+    n.p0 += (n.force - gravity * n.mass) * h;
+    n.P0 += transposed_times(n.R0, n.torque) * h;
+    n.O0 = n.inverse_inertia * n.P0;
+  }
+  report.work += kinetic_energy(a) - before;
+  for (Node& n : a.nodes) n.p0 += gravity * (n.mass * h);
+}
+
+/// What stops something, and held it or is passed, holds; the motion tells whether it lets go.
+void hold_stops(Articulate& a) {
+  for (Row& row : a.rows) {
+    if (row.condition < 0) continue;
+    Condition& c = condition(a, row);
+    if (!c.ranged && std::isinf(c.upper)) continue;
+    c.held = (c.held_before || (c.ranged && stop(a, row).room < 0.0)) && std::isinf(c.stalled);
+  }
+  hold_with_heads(a);
+}
+
+/// Sets the residuals of the rows to their gaps, and M and C for a solve in the mass metric; returns Σ g² [m²].
+double find_gaps(Articulate& a) {
+  place_rows_at_end(a);
+  double sum = 0.0;
+  for (Row& row : a.rows) {
+    row.residual = gap(a, row);
+    if (row.kind != RowKind::rigid) {
+      Condition& c = condition(a, row);
+      if (c.ranged || !std::isinf(c.upper)) c.held = c.ranged && stop(a, row).room < 0.0;
+      c.held_before = c.held_before || c.held;
+      rule(row).project(row, c);
+    }
+    sum += norm2(row.residual);
+  }
+  project_strands(a);
+  set_kept_matrices(a);
+  return std::isfinite(sum) ? sum : infinity;
+}
+
+void move_by_solution(Articulate& a, bool turns) {
+  for (std::size_t b = 0; b < a.batches.size(); b++) {
+    NodeBatch& n = a.batches[b];
+    n.p = n.L = zero3x4();
+    add_impulses(a, n, [&](std::uint32_t k) { return a.right_side[k]; });
+    const auto straight = unpack(n.p), turning = unpack(n.L);
+    for (std::size_t lane = 0; lane < n.count; lane++) {
+      Node& node = a.nodes[batch_size * b + lane];
+      node.x0 = node.x1;
+      node.q0 = node.q1;
+      node.R0 = node.R1;
+      node.x1 = node.x0 + straight[lane] * node.inverse_mass;
+      if (!node.turns || !turns) continue;
+      const Vec3 u = inverse_inertia(node, node.R0) * turning[lane] * 0.5;
+      node.q1 = normalised(Quat{1.0, u[0], u[1], u[2]} * node.q0);
+      node.R1 = matrix(node.q1);
+    }
+  }
+}
+
+/// One step of Levenberg and Marquardt from the gaps at hand, in which nodes may turn or are only shifted. Returns Σ g²
+/// after it [m²].
+double try_to_close(Articulate& a, double epsilon, double scale, bool turns) {
+  factorise(a, {Arms::end, epsilon, scale, -1.0, 0.0, turns});
+  a.report.iterations++;
+  a.report.factorisations++;
+  solve_hubs(a);
+  for (std::size_t k = a.rows.size(); k-- > 0;)
+    a.factor.substitute_back(static_cast<std::uint32_t>(k), a.right_side.data());
+  move_by_solution(a, turns);
+  return find_gaps(a);
+}
+
+/// Closes the gaps of the nodes' ends as far as it can. Where turns lead no further, one shift may: without loops it
+/// closes all.
+void close_gaps(Articulate& a, double tolerance, int& left) {
+  const double least = std::min(1e-12, a.least_epsilon);
+  double sum = find_gaps(a), epsilon = 1e-6, scale = 0.0;
+  if (!a.all_rigid)
+    for (const Row& row : a.rows) scale = std::max(scale, mobility(a, row));
+  bool slow = false, shifted = false;
+  for (; left > 0 && sum > tolerance * tolerance; left--) {
+    const bool turns = epsilon <= 1e3 && !slow;
+    if (!turns && shifted) break;
+    shifted = shifted || !turns;
+    const double now = try_to_close(a, turns ? epsilon : least, scale, turns);
+    if (now < sum) {
+      epsilon = turns ? std::max(least, 0.02 * epsilon) : 1e-6;
+      slow = turns && epsilon == least && now > 0.998 * sum;
+      sum = now;
+      continue;
+    }
+    for (Node& n : a.nodes) settle(n);
+    find_gaps(a);
+    epsilon *= 20.0;
+  }
+  measure_gaps(a);
+}
+
+/// Moves the nodes freely over a part of h [s].
+void move_freely(Articulate& a, double h, double part) {
+  for (Node& n : a.nodes) {
+    const Vec3 P = n.P0;
+    n.x0 += n.p0 * (h * part * n.inverse_mass);
+    if (n.turns && part > 0.0) turn_freely(n, h * part);
+    settle(n);
+    if (part < 1.0) n.P0 = P;
+  }
+}
+
+/// Drifts freely, then closes the gaps as far as it can. Where that leaves more open than standing still would, the
+/// motion was too wild: again from the start half as far, and in the end not at all.
+void drift_and_close(Articulate& a, double h, double tolerance) {
+  find_gaps(a);
+  double allowed = 1e-8 * a.length;
+  for (const Row& row : a.rows) allowed = std::max(allowed, 1.01 * norm(row.residual));
+  const int most = a.torn ? 60 : a.safe ? 36 : 12;  // the next step goes on
+  for (double part = 1.0;; part = part > 0.2 ? 0.25 * part : 0.0) {
+    move_freely(a, h, part);
+    int left = part == 1.0 ? most : 4;
+    close_gaps(a, tolerance, left);
+    if (a.gaps.open <= allowed || part == 0.0) return;
+    a.nodes = a.saved;
+  }
+}
+
+/// Shifts all to a centre of mass.
+void shift_to(Articulate& a, Vec3 centre) {
+  const Vec3 by = centre - centre_of_mass(a);
+  for (Node& n : a.nodes) {
+    n.x0 += by;
+    n.x1 = n.x0;
+  }
+}
+
+/// The ends become the starts.
+void begin_at_ends(Articulate& a) {
+  for (Node& n : a.nodes) {
+    n.x0 = n.x1;
+    if (!n.turns) continue;
+    n.q0 = n.q1;
+    n.R0 = n.R1;
+    n.O0 = n.inverse_inertia * n.P0;
+  }
+}
+
+/// Whether no anchor moves, and no length changes.
+bool is_still(const Articulate& a) {
+  return std::all_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) {
+    return norm2(c.velocity) == 0.0 && c.length_rate == 0.0 && same(c.whole0, c.whole1);
+  });
+}
+
+/// Nothing has moved but all as one, and so it goes on: whatever else moved is at rest.
+void stay(Articulate& a, double h, bool free, const Momenta& kept) {
+  a.nodes = a.saved;
+  if (free) shift_to(a, centre_of_mass(a) + kept.p * (h / a.total_mass));
+  for (Node& n : a.nodes) {
+    n.p0 = zero3();
+    n.P0 = n.P0 - n.P0 * n.coupled;
+    n.O0 = n.inverse_inertia * n.P0;
+    settle(n);
+  }
+  find_gaps(a);
+  measure_gaps(a);
+  if (free) restore_momenta(a, kept);
+}
+
+/// Energy that forces and pulls do not explain is taken out of the motion again, and so is what was carried over from the
+/// last projection, which no projection will take now. What the motion has not, anchors that move have given, and where
+/// none does it does not go there.
+class OnlyDissipates {
+ public:
+  OnlyDissipates(Articulate& a, Vec3 gravity, DriftReport& report)
+      : a_(a), gravity_(gravity), report_(report), before_(mechanical_energy(a, gravity) - report.outside()) {}
+
+  double change() const { return mechanical_energy(a_, gravity_) - report_.outside() - before_; }
+  /// Whether the motion had enough of it.
+  bool take_out() {
+    const double too_much = change() + std::max(a_.carried_energy, 0.0);
+    if (too_much > 0.0) change_kinetic_energy(a_, -too_much, 1.0, gravity_);
+    return change() <= 1e-12 * kinetic_energy(a_);
+  }
+  void tell() {
+    a_.carried_energy = 0.0;
+    report_.dissipated += change();
+  }
+
+ private:
+  Articulate& a_;
+  Vec3 gravity_;
+  DriftReport& report_;
+  double before_;
+};
+
+/// A small gap that stays (a loop built a little too long) becomes the row's constant offset: not one that is passing, nor
+/// one of rows without loops, which can always be closed.
+void accept_gaps(Articulate& a, double tolerance, DriftReport& report) {
+  if (a.tree || !is_still(a) || a.gaps.open <= 1e-8 * a.length || a.gaps.open > tolerance * a.length) return;
+  for (Row& row : a.rows)
+    if (row.kind != RowKind::limited) accept_gap(a, row);
+  a.offsets = true;
+  report.offsets++;
+  measure_gaps(a);
+}
+
+}  // namespace
+
+void safe_step(Articulate& a, const DriftSettings& settings, double h, DriftReport& report) {
+  if (!std::isfinite(kinetic_energy(a))) return;  // the end of the step tells what is beyond all numbers
+  OnlyDissipates energy(a, settings.gravity, report);
+  place_rows_at_start(a);
+  hold_stiff(a);
+  for (Node& n : a.nodes) settle(n);
+  kick(a, h, settings.gravity, report);
+  const bool free = is_free(a);
+  const Momenta kept = momenta_of(a);
+  const Vec3 centre = centre_of_mass(a) + kept.p * (h / a.total_mass);
+  place_rows_at_end(a);
+  hold_stops(a);
+  report.tell(make_consistent(a, h));
+  for (Condition& c : a.conditions) c.held_before = c.held;
+  a.saved = a.nodes;
+  drift_and_close(a, h, 1e-9 * h * std::sqrt(norm(settings.gravity) * a.length) + 1e-12 * a.length);
+  begin_at_ends(a);
+  if (free) shift_to(a, centre);
+  accept_gaps(a, settings.tolerance, report);
+  for (Condition& c : a.conditions) c.held = c.held_before;
+  report.tell(make_consistent(a, h));
+  if (free) restore_momenta(a, kept);
+  if (!energy.take_out() && !a.torn) {
+    if (is_still(a))
+      stay(a, h, free, kept);
+    else
+      report.work += energy.change();
+  }
+  energy.tell();
+  for (Row& row : a.rows)
+    if (row.kind != RowKind::limited) row.f = zero3();
+  for (Condition& c : a.conditions) c.angle0 = c.angle1;
+  release_stiff(a);
+  a.last_h = 0.0;
+  a.safe = true;
+  report.safe++;
+}
+
+}  // namespace pantin

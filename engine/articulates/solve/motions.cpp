@@ -1,0 +1,65 @@
+#include "articulates/solve/motions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pantin {
+
+double product(const Motions& a, const Motions& b) {
+  Lanes all = lanes(0.0);
+  for (std::size_t i = 0; i < a.size(); i++) all += dot(a[i].v, b[i].p) + dot(a[i].w, b[i].L);
+  return sum(all);
+}
+
+double size_of(const Motions& m) { return std::sqrt(std::max(0.0, product(m, m))); }
+
+void add(Motions& to, const Motions& more, double times) {
+  for (std::size_t i = 0; i < to.size(); i++) {
+    to[i].v += more[i].v * times;
+    to[i].w += more[i].w * times;
+    to[i].p += more[i].p * times;
+    to[i].L += more[i].L * times;
+  }
+}
+
+void push(BatchMotion& to, std::size_t lane, Vec3 impulse, Vec3 twist) {
+  set_lane(to.p, lane, lane_of(to.p, lane) + impulse);
+  set_lane(to.L, lane, lane_of(to.L, lane) + twist);
+}
+
+/// Leaves what is new in a direction; its size.
+double MotionSpace::take_apart(Motions& direction) const {
+  for (int again = 0; again < 2; again++)
+    for (const Motions& q : directions) add(direction, q, -product(q, direction));
+  return size_of(direction);
+}
+
+double MotionSpace::add_direction(Motions direction, double whole,
+                                  const std::function<Motions(const Motions&)>& allowed) {
+  constexpr double left = 1e-7, little = 1e-3, most = 0.5;
+  const double found = take_apart(direction);
+  if (!(found > left * whole)) return 0.0;
+  double size = found;
+  if (found < little * whole) {
+    direction = allowed(direction);
+    size = take_apart(direction);
+    if (!(size > most * found)) return 0.0;
+  }
+  Motions unit(direction.size());
+  add(unit, direction, 1.0 / size);
+  directions.push_back(std::move(unit));
+  return size;
+}
+
+void MotionSpace::add_work(const std::vector<Motions>& felt) {
+  const auto n = static_cast<Eigen::Index>(directions.size());
+  work.conservativeResize(n, n);
+  for (Eigen::Index i = 0; i < n; i++) {
+    const auto k = static_cast<std::size_t>(i);
+    work(i, n - 1) = product(directions[k], felt.back());
+    work(n - 1, i) = product(directions.back(), felt[k]);
+  }
+}
+
+}  // namespace pantin

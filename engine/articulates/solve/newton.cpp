@@ -1,0 +1,358 @@
+// Newton's iteration on rotations and row forces together, with line backtracking, on a factor that is
+// kept while it serves, with a compliance that adapts. Residuals are lengths in metres.
+#include "articulates/solve/newton.hpp"
+#include "articulates/solve/prediction.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "articulates/solve/angular_rows.hpp"
+#include "articulates/solve/batches.hpp"
+#include "articulates/solve/midpoint.hpp"
+#include "articulates/solve/row_gaps.hpp"
+#include "articulates/solve/segments.hpp"
+#include "articulates/solve/state.hpp"
+#include "articulates/solve/stiff.hpp"
+#include "constraints/row_rule.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr std::uint32_t most_iterations = 40, most_halvings = 6;
+constexpr int most_lost = 2;  // searches in a row, along directions of factors of their own
+
+const Node& first(const Articulate& a, const Row& row) { return a.nodes[static_cast<std::size_t>(row.a)]; }
+const Node& second(const Articulate& a, const Row& row) { return a.nodes[static_cast<std::size_t>(row.b)]; }
+
+/// Where the rows' ends are, at the end of the step.
+void place_row_at_end(Articulate& a, std::size_t k) {
+  Row& row = a.rows[k];
+  if (row.lever > 0.0) return place_couple_at_end(a, row);
+  row.d1 = a.at_ends[2 * k] - (row.b >= 0 ? a.at_ends[2 * k + 1] : condition(a, row).place1);
+}
+
+Vec3x4 mean_arm(const RowEnds& end) { return (end.r0 + end.r1) * 0.5; }
+
+/// What the unknowns, once set, make of a batch; hands the rows its places. Returns the squares of the residuals [m²].
+Lanes place_batch(Articulate& a, std::size_t b, double h) {
+  NodeBatch& n = a.batches[b];
+  const auto ends = ends_of(a, n);
+  turn_arms(n, ends);
+  RowLoad load{zero3x4(), zero3x4()};
+  for (const RowEnds& end : ends)
+    add_load(load, end, fetch(end, [&](std::uint32_t k) { return a.rows[k].f; }), mean_arm(end));
+  const Lanes size2 = evaluate(n, load, h);
+  for (const RowEnds& end : ends) hand_over(a, end, n.x1 + end.r1);
+  if (a.couples) tell_places(a, b);
+  return size2;
+}
+
+/// Places batches and rows, and finds the largest residual.
+class Evaluation {
+ public:
+  Evaluation(Articulate& a, double h) : a_(a), h_(h) {}
+
+  /// Once its unknowns and the forces of its rows are set.
+  void batch(std::size_t b) {
+    const Lanes size2 = place_batch(a_, b, h_);
+    largest2_ = larger(size2, largest2_);
+    unsound_ += size2 * 0.0;
+  }
+  /// Once its batches are placed.
+  void row(std::size_t k) {
+    Row& row = a_.rows[k];
+    place_row_at_end(a_, k);
+    if (row.kind != RowKind::rigid) return count(worst_, residual(a_, row, h_));
+    row.residual = a_.offsets ? row.d1 - row.offset : row.d1;
+    count(worst2_, norm2(row.residual));
+  }
+  /// Once all are; returns the largest residual [m].
+  double end() {
+    if (!a_.strands.empty()) count(worst_, evaluate_strands(a_, h_));
+    a_.residual = std::sqrt(worst2_);
+    if (!(largest_lane(unsound_) == 0.0)) return infinity;
+    return std::max(worst_, std::sqrt(std::max(worst2_, largest_lane(largest2_))));
+  }
+
+ private:
+  static void count(double& worst, double r) { worst = r <= worst ? worst : std::isfinite(r) ? r : infinity; }
+
+  Articulate& a_;
+  double h_;
+  Lanes largest2_ = lanes(0.0), unsound_ = lanes(0.0);
+  double worst2_ = 0.0, worst_ = 0.0;
+};
+
+/// Finds states and residuals of unknowns that set_row(k) and set_batch(b) set; returns the largest residual [m].
+template <class SetRow, class SetBatch>
+double evaluate(Articulate& a, double h, SetRow set_row, SetBatch set_batch) {
+  Evaluation evaluation(a, h);
+  Wave done;
+  for (const Wave& wave : a.waves) {
+    for (; done.forces < wave.forces; done.forces++) set_row(done.forces);
+    for (; done.batches < wave.batches; done.batches++) {
+      set_batch(done.batches);
+      evaluation.batch(done.batches);
+    }
+    for (; done.rows < wave.rows; done.rows++) evaluation.row(done.rows);
+  }
+  return evaluation.end();
+}
+
+/// Moves the unknowns from their saved values by a fraction of the direction: forces in `right_side`, rotations in
+/// `change`.
+double attempt(Articulate& a, double h, double fraction) {
+  return evaluate(
+      a, h, [&](std::size_t k) { a.rows[k].f = a.f_saved[k] + a.right_side[k] * fraction; },
+      [&](std::size_t b) { a.batches[b].a = a.batches[b].a_saved + a.batches[b].change * fraction; });
+}
+
+/// The residual that counts as solved, and the size of its round-off, [m].
+struct Goal {
+  double tolerance, round_off;
+};
+
+/// Where the iteration begins: predicted unknowns. Returns their largest residual [m].
+double start_iteration(Articulate& a, double h, Vec3 gravity, Goal& goal) {
+  Prediction prediction(a, h);
+  Extent extent;
+  const double e = evaluate(
+      a, h, [&](std::size_t k) { prediction.row(k); },
+      [&](std::size_t b) {
+        begin(a, b, h, extent);
+        prediction.batch(b);
+      });
+  prediction.end();
+  const double speed2 = std::max(norm(gravity) * a.length, largest_lane(extent.speed2));
+  goal.round_off = 8e-16 * std::max(a.length, largest_lane(extent.place));
+  const double wanted = std::min(3e-11 * std::fabs(h) * std::sqrt(speed2), 5e-11 * a.length);
+  goal.tolerance = std::max(wanted, goal.round_off);
+  return e;
+}
+
+/// The change of the rotations that goes with that of the rows' forces, and which they start from; returns its square.
+Lanes find_change(Articulate& a, NodeBatch& n, double h) {
+  RowLoad load{zero3x4(), zero3x4()};
+  for (const RowEnds& end : ends_of(a, n))
+    add_load(load, end, fetch(end, [&](std::uint32_t k) { return a.right_side[k]; }), mean_arm(end));
+  const Vec3x4& tau = load.torque;
+  n.a_saved = n.a;
+  n.change = n.da + n.J_inverse * (tau - cross(n.a, tau) * 0.5) * h;
+  return norm2(n.change);
+}
+
+/// Whether the batches of a row are all from b on.
+bool is_from(const Row& row, std::size_t b) {
+  const std::int32_t earlier = row.b < 0 ? row.a : std::min(row.a, row.b);
+  return static_cast<std::size_t>(earlier) >= b * batch_size;
+}
+
+/// Of a direction, and the residual [m] after all of it.
+struct WholeStep {
+  double largest_turn, residual;
+};
+
+/// Finishes the direction from the half solved right side, forces in `right_side` and rotations in `change`, and moves the
+/// unknowns along it, from values that it saves: all in one sweep against the order of elimination.
+WholeStep take_direction(Articulate& a, double h) {
+  Lanes largest_turn = lanes(0.0);
+  Evaluation evaluation(a, h);
+  std::size_t b = a.batches.size(), placed = a.rows.size();
+  solve_hubs(a);
+  for (std::size_t k = a.rows.size(); k-- > 0;) {
+    a.factor.substitute_back(static_cast<std::uint32_t>(k), a.right_side.data());
+    Vec3& f = a.rows[k].f;
+    a.f_saved[k] = f;
+    f += a.right_side[k];
+    for (; b > 0 && a.batches[b - 1].first_row == k; b--) {
+      NodeBatch& n = a.batches[b - 1];
+      largest_turn = larger(find_change(a, n, h), largest_turn);
+      n.a += n.change;
+      evaluation.batch(b - 1);
+    }
+    for (; placed > 0 && is_from(a.rows[placed - 1], b); placed--) evaluation.row(placed - 1);
+  }
+  return {std::sqrt(largest_lane(largest_turn)), evaluation.end()};
+}
+
+void lower_epsilon(Articulate& a, bool far) {
+  a.epsilon = far ? a.least_epsilon : std::max(a.least_epsilon, 0.1 * a.epsilon);
+  a.good_steps = 0;
+  if (!a.lowered) a.wait = std::min(2 * a.wait, 2000u);
+  a.lowered = true;
+}
+
+/// What a search along a line left [m], and whether it found what it looked for.
+struct Search {
+  double residual;
+  bool found;
+};
+
+/// One damped Newton step along the direction in the nodes and rows.
+Search search_line(Articulate& a, double h, double e, double tolerance, bool fresh, std::uint32_t last,
+                   DriftReport& report) {
+  const WholeStep whole = take_direction(a, h);
+  double fraction = std::min(1.0, 1.0 / whole.largest_turn);
+  for (std::uint32_t halvings = 0;; halvings++) {
+    const double e1 = fraction == 1.0 ? whole.residual : attempt(a, h, fraction);
+    report.iterations++;
+    const bool accepted = e1 < e * (1.0 - 0.1 * fraction) || e1 <= tolerance;
+    if (accepted || halvings >= most_halvings || cost(report) > last || (!fresh && halvings == 0))
+      return {e1, accepted};
+    fraction *= 0.5;
+  }
+}
+
+/// From predicted unknowns; false where it does not converge, or costs more than may be spent.
+bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
+  a.lowered = false;
+  const std::uint32_t last = cost(report) + a.effort.spare;
+  Goal goal{};
+  double e = start_iteration(a, h, gravity, goal), gain = 1.0;
+  const auto [tolerance, round_off] = goal;
+  a.forecast.rough = e > 0.03 * a.length;
+  bool have_factor = false, fresh = false;
+  int old_uses = 0, lost = 0, slow = 0;
+  // A prediction must be better than what an iteration leaves: what rests is to stay at rest.
+  const double good_prediction = std::max(0.01 * tolerance, round_off);
+  for (std::uint32_t i = 0; e > (i == 0 ? good_prediction : tolerance) && i < most_iterations; i++) {
+    if (cost(report) > last) return e <= 100.0 * tolerance;
+    // Near the end an old factor often gains nothing at first, and much the next time.
+    const bool serves = gain <= 0.1 || (gain <= 0.5 && old_uses < 2) || (gain < 1.0 && e * gain <= tolerance);
+    old_uses++;
+    const System system{Arms::mean, a.epsilon, 2.0 / (h * h), -2.0 / (h * h), h};
+    if (!have_factor || !serves) {
+      old_uses = 0;
+      a.weak = factorise(a, system) && !a.tree;
+      a.has_factor = have_factor = fresh = true;
+      report.factorisations++;
+    } else {
+      reuse_factor(a, system);
+    }
+    const auto [e1, found] = search_line(a, h, e, tolerance, fresh, last, report);
+    gain = e1 / e;
+    lost = found ? 0 : lost + fresh;
+    slow = gain > 0.9 ? slow + fresh : 0;
+    if ((lost == most_lost || (a.lowered && slow == most_lost)) && e1 > 100.0 * tolerance) return false;
+    if (!fresh && old_uses == 1 && gain < 4.0 && e < 1e-6 * a.length) {
+      gain = std::min(gain, 0.5);
+      e = e1;
+      continue;
+    }
+    if (!(e1 < e)) {
+      e = attempt(a, h, 0.0);
+      gain = 1.0;
+      if (!fresh) continue;
+      if (e < 1e-4 * a.length && e > 100.0 * tolerance && a.epsilon > a.least_epsilon) {
+        lower_epsilon(a, !found);
+        fresh = false;
+        lost = 0;
+        continue;
+      }
+      return e < 100.0 * tolerance;
+    }
+    if (fresh && gain > 0.2 && e1 < 10.0 * round_off) return true;
+    if (fresh && gain > 0.2 && e < 1e-4 * a.length && a.epsilon > a.least_epsilon) {
+      lower_epsilon(a, !found);
+      gain = 1.0;
+      lost = 0;
+    }
+    fresh = false;
+    e = e1;
+  }
+  return e <= 100.0 * tolerance;
+}
+
+/// Velocity of a point at the start, [m/s].
+Vec3 start_velocity(const Node& n, Vec3 l) {
+  return n.p0 * n.inverse_mass + (n.turns ? n.R0 * cross(n.O0, l) : zero3());
+}
+
+}  // namespace
+
+void find_solved_gaps(Articulate& a) {
+  if (!a.all_rigid || a.couples || a.offsets) return measure_gaps(a);
+  a.gaps = {a.residual, 0.0, a.residual};
+}
+
+void place_rows_at_start(Articulate& a) {
+  for (std::size_t b = 0; b < a.batches.size(); b++) place_at_start(a, b);
+  if (a.all_rigid && !a.couples) return;
+  for (std::size_t k = 0; k < a.rows.size(); k++) {
+    Row& row = a.rows[k];
+    if (row.lever > 0.0) {
+      place_couple_at_start(a, row);
+      continue;
+    }
+    row.d0 = a.at_ends[2 * k] - (row.b >= 0 ? a.at_ends[2 * k + 1] : condition(a, row).place0);
+    if (row.kind != RowKind::stiff) continue;
+    Vec3 v = start_velocity(first(a, row), row.la);
+    if (row.b >= 0) v -= start_velocity(second(a, row), row.lb);
+    start_stiff(*condition(a, row).stiff, row, dot(row.d0, v));
+  }
+}
+
+void place_rows_at_end(Articulate& a) {
+  for (std::size_t b = 0; b < a.batches.size(); b++) place_at_end(a, b);
+  for (std::size_t k = 0; k < a.rows.size(); k++) { place_row_at_end(a, k); }
+}
+
+void add_unsolved_work(const Articulate& a, double h, DriftReport& report) {
+  const auto turn_of = [&](std::size_t k) { return lane_of(a.batches[k / batch_size].a, k % batch_size); };
+  // Not as a difference of places, which has no digits of what rests.
+  const auto moved = [&](std::int32_t node, Vec3 l) {
+    const auto k = static_cast<std::size_t>(node);
+    const Node &n = a.nodes[k], &start = a.saved[k];
+    const Vec3 by = (start.p0 + n.p0) * (0.5 * h * n.inverse_mass);
+    return n.turns ? by + cross(turn_of(k), (start.R0 * l + n.R0 * l) * 0.5) : by;
+  };
+  for (const Row& r : a.rows) {
+    const double size = std::max(largest(first(a, r).x0), norm(r.d1));
+    report.round_off += std::numeric_limits<double>::epsilon() * norm(r.f) * size;
+    const bool told = r.condition >= 0 && condition(a, r).works;
+    if (r.kind == RowKind::stiff || (told && r.lever > 0.0)) continue;
+    if (r.lever > 0.0) {
+      report.unsolved += work_of_couple(a, r);
+      continue;
+    }
+    const Vec3 place = r.b < 0 || r.kind == RowKind::drawn ? condition(a, r).place1 - condition(a, r).place0 : zero3();
+    const Vec3 by = moved(r.a, r.la) - (r.b >= 0 ? moved(r.b, r.lb) : zero3()) - place;
+    report.unsolved += dot(r.f, told ? by - (r.d1 - r.d0) : by);
+  }
+  for (std::size_t i = 0; i < a.nodes.size(); i++) {
+    const Node &n = a.nodes[i], &start_of = a.saved[i];
+    if (!n.turns) continue;
+    const Vec3 spin = (start_of.O0 + n.O0) * 0.5;
+    report.unsolved += dot(spin - transposed_times(start_of.R0, turn_of(i)) / h, n.P0 - start_of.P0);
+  }
+}
+
+void add_work_of_rows(Articulate& a, DriftReport& report) {
+  for (Condition& c : a.conditions) {
+    const Row& r = row(a, c);
+    if (c.stiff) {
+      const double open = c.stiff->settle(r, c.given);
+      (c.stiff->is_damped() ? report.damped : report.open_work) += open;
+      c.settling = c.stiff->settling;
+      c.mean_rate = c.stiff->mean_rate;
+      continue;
+    }
+    if ((r.b < 0 || r.kind == RowKind::drawn) && r.lever == 0.0) report.work += dot(r.f, c.place1 - c.place0);
+    if (!c.works) continue;
+    double& line = c.ranged ? report.limit : r.lever > 0.0 ? report.motor : report.work;
+    line += r.lever > 0.0 ? work_of_couple(a, r) : dot(r.f, r.d1 - r.d0);
+  }
+}
+
+bool solve_step(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
+  if (!a.all_rigid || a.couples) place_rows_at_start(a);
+  if (!iterate(a, h, gravity, report)) return false;
+  Lanes pushed = lanes(0.0);
+  for (std::size_t b = 0; b < a.batches.size(); b++) pushed += commit(a, b, h, gravity);
+  report.work += sum(pushed);
+  add_work_of_rows(a, report);
+  return true;
+}
+
+}  // namespace pantin

@@ -1,0 +1,393 @@
+#include "articulates/solve/project.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "articulates/solve/batches.hpp"
+#include "articulates/solve/conditions.hpp"
+#include "articulates/solve/midpoint.hpp"
+#include "articulates/solve/momenta.hpp"
+#include "articulates/solve/newton.hpp"
+#include "articulates/solve/row_gaps.hpp"
+#include "articulates/solve/segments.hpp"
+#include "articulates/solve/state.hpp"
+#include "constraints/row_rule.hpp"
+
+namespace pantin {
+
+namespace {
+
+/// Sets the residual of a row to its forbidden velocity.
+void find_forbidden_velocity(Articulate& a, std::size_t k) {
+  Row& row = a.rows[k];
+  row.residual = handed_over(a, k);
+  if (row.condition < 0) return;
+  const Condition& c = condition(a, row);
+  row.residual -= c.wanted;
+  if (row.kind != RowKind::rigid) row.residual = c.kept * row.residual;
+}
+
+/// Of a string's head that of the whole string; of its other segments 0, which
+/// have the head's impulse.
+Vec3 forbidden_of_strand(const Articulate& a, std::uint32_t k) {
+  for (const Strand& strand : a.strands) {
+    if (strand.head != k) continue;
+    return a.rows[k].residual +
+           into_head(a, strand, [&](const Row& row) { return handed_over(a, condition(a, row).row); });
+  }
+  return zero3();
+}
+
+void find_kept(Articulate& a) {
+  for (Condition& c : a.conditions) c.wanted = c.velocity;
+  if (a.all_rigid) return;
+  for (Row& row : a.rows)
+    if (row.kind != RowKind::rigid) rule(row).project(row, condition(a, row));
+  project_strands(a);
+}
+
+struct Velocities {
+  double kinetic = 0.0;    // [J]
+  double fastest = 0.0;    // [m/s] of nodes' centres and world ends
+  double forbidden = 0.0;  // [m/s] largest of the rows
+};
+
+/// The batches' own momenta, or those of the nodes' starts, which they read.
+enum class From : std::uint8_t { batches, nodes };
+
+/// Sets the rows' residuals to their forbidden velocities, and takes these through the first half of a solution on the
+/// factor at hand if that `serves`.
+Velocities find_velocities(Articulate& a, From from, bool serves = false) {
+  Velocities v;
+  Lanes kinetic = lanes(0.0), fastest2 = lanes(0.0);
+  Wave done;
+  clear_hubs(a);
+  for (const Wave& wave : a.waves) {
+    for (; done.batches < wave.batches; done.batches++) {
+      if (from == From::nodes) read_momenta(a, done.batches);
+      const NodeBatch& n = a.batches[done.batches];
+      const Vec3x4 velocity = n.p * n.inverse_mass, spin = n.mobility * n.L;
+      kinetic += (dot(velocity, n.p) + dot(spin, n.L)) * 0.5;
+      fastest2 = larger(norm2(velocity), fastest2);
+      for (const RowEnds& end : ends_of(a, n))
+        hand_over(a, end, (velocity + cross(spin, end.r1)) * end.sign + spin * end.lever);
+    }
+    for (; done.rows < wave.rows; done.rows++) {
+      Row& row = a.rows[done.rows];
+      find_forbidden_velocity(a, done.rows);
+      if (row.kind == RowKind::strand) row.residual = forbidden_of_strand(a, done.rows);
+      v.forbidden = std::max(v.forbidden, norm2(row.residual));
+      a.right_side[done.rows] = row.residual * -1.0;
+    }
+    for (; serves && done.columns < wave.columns; done.columns++)
+      a.factor.substitute_forward(done.columns, a.right_side.data());
+  }
+  v.kinetic = sum(kinetic);
+  v.fastest = largest_lane(fastest2);
+  for (const Condition& c : a.conditions) v.fastest = std::max(v.fastest, norm2(c.velocity));
+  v.fastest = std::sqrt(v.fastest);
+  v.forbidden = std::sqrt(v.forbidden);
+  return v;
+}
+
+/// Adds the work of the impulse of a row on what moves by itself.
+void add_work(ImpulseWork& work, const Articulate& a, const Condition& c, Vec3 impulse) {
+  if (c.stiff) return;
+  (row(a, c).lever > 0.0 ? work.couples : work.ends) += dot(impulse, c.wanted);
+}
+
+/// Energy that what moves by itself may give, if all moves as fast, or for a turn ten times as much, since a crank may turn
+/// others faster than itself [J].
+double driven_energy(const Articulate& a) {
+  double energy = 0.0;
+  for (const Condition& c : a.conditions) {
+    const Row& r = row(a, c);
+    const double speed2 = std::max(norm2(c.velocity), norm2(c.wanted));
+    const Vec3 centre = a.nodes[static_cast<std::size_t>(r.a)].x0;
+    energy = std::max(energy, r.lever > 0.0 ? 5.0 * inertia_about(a, centre) * speed2 / (r.lever * r.lever)
+                                            : 0.5 * a.total_mass * speed2);
+  }
+  return energy;
+}
+
+/// Work of the impulses on what moves by itself. Where rows contradict each other their impulses may have no bound, but what
+/// all of them do at the velocities that they got has: it is then that of anchors, or where none moves of couples.
+ImpulseWork work_of_impulses(const Articulate& a, const Velocities& v) {
+  constexpr double bound = 10.0;  // of what moves and drives
+  ImpulseWork work;
+  for (const Condition& c : a.conditions) add_work(work, a, c, a.impulses[c.row]);
+  if (v.forbidden <= 1e-6 * v.fastest || std::fabs(work.all()) <= bound * (v.kinetic + driven_energy(a))) return work;
+  work = {};
+  bool anchors = false;
+  double all = 0.0;
+  for (std::size_t k = 0; k < a.rows.size(); k++) all += dot(a.impulses[k], a.rows[k].residual);
+  for (const Condition& c : a.conditions) {
+    all += dot(a.impulses[c.row], c.wanted);
+    anchors = anchors || (row(a, c).lever == 0.0 && norm2(c.wanted) > 0.0);
+  }
+  (anchors ? work.ends : work.couples) = all;
+  return work;
+}
+
+/// The solved impulse of a row, along what it may forbid.
+Vec3 solved_impulse(const Articulate& a, std::uint32_t k) {
+  if (a.rows[k].kind == RowKind::rigid) return a.right_side[k];
+  return condition(a, a.rows[k]).kept * a.right_side[k];
+}
+
+/// Finishes the solution of the half solved right side and applies the impulses.
+ImpulseWork apply_projection(Articulate& a) {
+  const auto impulse = [&](std::uint32_t k) { return a.all_rigid ? a.right_side[k] : solved_impulse(a, k); };
+  std::size_t b = a.batches.size();
+  solve_hubs(a);
+  for (auto k = static_cast<std::uint32_t>(a.rows.size()); k-- > 0;) {
+    a.factor.substitute_back(k, a.right_side.data());
+    a.impulses[k] += impulse(k);
+    for (; b > 0 && a.batches[b - 1].first_row == k; b--) add_impulses(a, a.batches[b - 1], impulse);
+  }
+  ImpulseWork work;
+  for (const Condition& c : a.conditions) add_work(work, a, c, impulse(c.row));
+  return work;
+}
+
+void tell_momenta(Articulate& a) {
+  for (std::size_t b = 0; b < a.batches.size(); b++) tell_momenta(a, b);
+}
+
+void factorise_exactly(Articulate& a, double epsilon) {
+  set_kept_matrices(a);
+  for (Node& n : a.nodes) settle(n);
+  double scale = 0.0;
+  if (!a.all_rigid)
+    for (const Row& row : a.rows) scale = std::max(scale, mobility(a, row));
+  for (Condition& c : a.conditions)
+    if (c.settles) c.C += c.kept * (1.0 / (c.settling * scale));
+  factorise(a, {Arms::end, epsilon, scale, -1.0});
+}
+
+/// Whether the rows of Newton's matrix forbid the velocities that projections do.
+bool forbids_as_newton(const Articulate& a) {
+  return a.all_rigid || std::all_of(a.rows.begin(), a.rows.end(), [](const Row& row) {
+           return row.kind == RowKind::rigid || row.kind == RowKind::axis;
+         });
+}
+
+/// Whether the step's own factor, a cheap approximation of S1, may serve.
+bool may_use_newton_factor(Articulate& a) {
+  if (!a.has_factor || !forbids_as_newton(a)) return false;
+  if (a.projection_wait == 0) return true;
+  a.projection_wait--;
+  return false;
+}
+
+/// Uses it up to three times, first on the half solved right side; false where it does not serve.
+bool project_with_newton_factor(Articulate& a, const Velocities& before, DriftReport& report) {
+  ImpulseWork done;
+  for (int i = 0; i < 3; i++) {
+    done += apply_projection(a);
+    const Velocities after = find_velocities(a, From::batches, true);
+    if (after.forbidden > 0.2 * before.forbidden + 1e-12 * before.fastest) continue;
+    if (after.kinetic > before.kinetic * (1.0 + 1e-12) + std::fabs(done.all())) break;
+    report.tell(done);
+    return true;
+  }
+  std::fill(a.impulses.begin(), a.impulses.end(), zero3());
+  find_velocities(a, From::nodes);
+  a.projection_wait = 100;
+  return false;
+}
+
+void carry_half(Articulate& a, double h) {
+  a.carried_h = h;
+  for (std::size_t k = 0; k < a.rows.size(); k++) a.carried[k] = (a.carried[k] + a.impulses[k]) * 0.5;
+  a.carried_work = {};
+  for (const Condition& c : a.conditions) {
+    if (row(a, c).kind != RowKind::rigid)
+      a.carried[c.row] = c.kept * a.carried[c.row];  // earlier ones were along others
+    add_work(a.carried_work, a, c, a.carried[c.row]);
+  }
+}
+
+/// Whether what was struck is a stop, and no motor that reached its speed.
+bool is_stopped(const Articulate& a) {
+  return std::any_of(a.conditions.begin(), a.conditions.end(),
+                     [](const Condition& c) { return c.ranged && c.held && !c.held_before; });
+}
+
+/// Whether some rows may let go or begin to hold.
+bool is_one_sided(const Articulate& a) {
+  return std::any_of(a.conditions.begin(), a.conditions.end(),
+                     [](const Condition& c) { return c.ranged || !std::isinf(c.upper); });
+}
+
+}  // namespace
+
+void set_kept_matrices(Articulate& a) {
+  for (Row& row : a.rows) {
+    if (row.kind == RowKind::rigid) continue;
+    Condition& c = condition(a, row);
+    c.M = c.kept;
+    c.C = identity33() - c.kept;
+  }
+  for (const Strand& strand : a.strands)
+    for (std::uint32_t k : strand.segments) {
+      if (k == strand.head) continue;
+      condition(a, a.rows[k]).M = zero33();
+      condition(a, a.rows[k]).C = identity33();
+    }
+}
+
+bool take_carried_half(Articulate& a, double full, DriftReport& report) {
+  a.carried_energy = 0.0;
+  if (a.carried_h != full / a.sub_steps.count) {
+    std::fill(a.carried.begin(), a.carried.end(), zero3());
+    return false;
+  }
+  const double sign = a.sub_steps.count == 1 ? -1.0 : 1.0;
+  report.tell(a.carried_work, sign);
+  Lanes gained = lanes(0.0);
+  for (std::size_t b = 0; b < a.batches.size(); b++) {
+    NodeBatch& n = a.batches[b];
+    read_momenta(a, b);
+    const Lanes before = kinetic_energy(n);
+    add_impulses(a, n, [&](std::uint32_t k) { return a.carried[k] * sign; });
+    tell_momenta(a, b);
+    gained += kinetic_energy(n) - before;
+  }
+  a.carried_energy = sum(gained);
+  report.projected += a.carried_energy - a.carried_work.all() * sign;
+  return true;
+}
+
+void project_velocities(Articulate& a, const DriftSettings& settings, DriftReport& report) {
+  a.carried_h = 0.0;
+  const bool over_gaps = acts_over_gaps(a);
+  Momenta kept = over_gaps ? momenta_of(a) : Momenta{};
+  kept.angular -= std::exchange(a.turned, zero3());
+  if (a.safe || a.yields) {
+    if (over_gaps) report.work += restore_momenta(a, kept);
+    return;
+  }
+  std::fill(a.impulses.begin(), a.impulses.end(), zero3());
+  find_kept(a);
+  const bool serves = may_use_newton_factor(a);
+  const Velocities before = find_velocities(a, From::nodes, serves);
+  const double outside = report.outside();
+  if (!serves || !project_with_newton_factor(a, before, report)) {
+    report.projections++;
+    a.has_factor = false;
+    if (a.exact)
+      find_velocities(a, From::nodes, true);
+    else
+      factorise_exactly(a, a.least_epsilon);
+    const bool worked = apply_projection(a).all() != 0.0, strikes = struck(a);
+    if (worked || strikes) {
+      const Velocities after = find_velocities(a, From::batches);
+      const ImpulseWork work = work_of_impulses(a, after);
+      report.tell(work);
+      if (strikes) (is_stopped(a) ? report.limit : report.motor) += after.kinetic - before.kinetic - work.all();
+    }
+  }
+  tell_momenta(a);
+  if (over_gaps) {
+    const double given = restore_momenta(a, kept);
+    report.work += a.draws ? kinetic_energy(a) - before.kinetic - (report.outside() - outside) : given;
+  }
+  if (struck(a) && !a.cut) {
+    begin_exerted(a);
+    add_forces_exerted(a, settings.full);
+    a.cut = true;
+  }
+  if (a.cut) add_impulses_exerted(a);
+  const double speed = std::max(before.fastest, std::sqrt(norm(settings.gravity) * a.length));
+  const bool noise = before.forbidden <= 1e-9 * speed;  // as large as what the solver leaves
+  if (a.smooth && !a.weak && !noise && !over_gaps && !is_one_sided(a)) carry_half(a, settings.full / a.sub_steps.count);
+  if (settings.energy_return) report.returned += return_energy(a, before.kinetic - a.carried_energy, settings.gravity);
+}
+
+namespace {
+
+/// Takes out what the rows that hold forbid; returns the work of what moves by itself.
+ImpulseWork take_out_forbidden(Articulate& a) {
+  find_kept(a);
+  const double driven = driven_energy(a);
+  ImpulseWork work;
+  for (double epsilon = a.least_epsilon;; epsilon *= 100.0) {
+    std::fill(a.impulses.begin(), a.impulses.end(), zero3());
+    Velocities v = find_velocities(a, From::nodes);
+    if (v.forbidden <= 1e-13 * v.fastest) return work;
+    const double sane = std::max(1.001 * v.kinetic, driven);
+    factorise_exactly(a, epsilon);
+    a.report.factorisations++;
+    for (int i = 0; i < 3; i++) {
+      const double last = v.forbidden;
+      if (last < 1e-13 * v.fastest) break;
+      apply_projection(a);
+      v = find_velocities(a, From::batches, true);
+      if (v.forbidden > 0.5 * last) break;
+    }
+    work = work_of_impulses(a, v);
+    if (v.kinetic <= sane || epsilon > 1e-3) return work;
+  }
+}
+
+/// How much of its impulse a row that holds cannot give [N s]; `time` [s] it has for it. A stop that was struck for `struck`
+/// [s] gave an impulse there, of which this may take back a part: the meeting turned what it should end.
+double beyond_reach(const Articulate& a, const Condition& c, double time, double struck) {
+  const Row& r = row(a, c);
+  const Vec3 impulse = a.impulses[c.row];
+  if (c.ranged) return -dot(c.held_before ? impulse : impulse + r.f * struck, stop(a, r).inward);
+  return std::isinf(c.upper) ? 0.0 : norm(impulse) - c.upper * time;
+}
+
+/// Has the row that can give its impulse least let go, or after some turns all that cannot; false where all can.
+bool let_one_go(Articulate& a, double time, double struck, int turn) {
+  constexpr int patience = 8;
+  Condition* worst = nullptr;
+  double most = 0.0;
+  for (Condition& c : a.conditions) {
+    if (!c.held || c.stiff) continue;
+    const double beyond = beyond_reach(a, c, time, struck);
+    if (beyond <= 1e-12 * norm(a.impulses[c.row])) continue;
+    if (turn >= patience) c.held = false;
+    if (beyond > most) worst = &c;
+    most = std::max(most, beyond);
+  }
+  if (worst == nullptr) return false;
+  worst->held = false;
+  hold_with_heads(a);
+  return true;
+}
+
+}  // namespace
+
+ImpulseWork make_consistent(Articulate& a, double time, double struck) {
+  std::fill(a.impulses.begin(), a.impulses.end(), zero3());
+  if (a.yields) return {};
+  ImpulseWork work = take_out_forbidden(a);
+  for (int turn = 0; let_one_go(a, time, struck, turn); turn++) work = take_out_forbidden(a);
+  tell_momenta(a);
+  a.has_factor = false;
+  if (a.cut) add_impulses_exerted(a);
+  return work;
+}
+
+void begin_answers(Articulate& a, double epsilon) {
+  if (!a.exact) {
+    for (Node& n : a.nodes) settle(n);
+    place_rows_at_end(a);
+  }
+  find_kept(a);
+  if (a.exact) return;
+  factorise_exactly(a, std::max(epsilon, a.least_epsilon));
+  a.has_factor = false;
+  a.exact = true;
+}
+
+ImpulseWork answer(Articulate& a) {
+  std::fill(a.impulses.begin(), a.impulses.end(), zero3());
+  find_velocities(a, From::batches, true);
+  return apply_projection(a);
+}
+
+}  // namespace pantin

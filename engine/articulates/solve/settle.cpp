@@ -1,0 +1,50 @@
+// Damped rows that were solved settle, by impulses that are solved with those of all that forbids velocities.
+#include <algorithm>
+
+#include "articulates/solve/batches.hpp"
+#include "articulates/solve/project.hpp"
+#include "articulates/solve/state.hpp"
+#include "constraints/row_rule.hpp"
+
+namespace pantin {
+
+namespace {
+
+/// Work of what settles [J], by its impulses and its residuals before.
+double work_of_settling(const Articulate& a) {
+  double work = 0.0;
+  for (const Condition& c : a.conditions) {
+    if (!c.settles) continue;
+    const Vec3 impulse = a.impulses[c.row], before = row(a, c).residual, after = impulse / -c.settling;
+    work += dot(impulse, c.wanted + (before + after) * 0.5);
+  }
+  return work;
+}
+
+}  // namespace
+
+void project_stiff(const Row& row, Condition& c) {
+  const Vec3 n = c.settles ? direction(row.d1) : zero3();
+  c.kept = outer(n, n);
+  c.wanted += n * c.mean_rate;
+}
+
+bool is_to_settle(const Articulate& a) {
+  return a.open && !a.safe &&
+         std::any_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) { return c.settling > 0.0; });
+}
+
+void settle_velocities(Articulate& a, DriftReport& report) {
+  for (Condition& c : a.conditions) c.settles = c.settling > 0.0;
+  a.exact = false;
+  begin_answers(a, 0.0);
+  for (std::size_t b = 0; b < a.batches.size(); b++) read_momenta(a, b);
+  report.tell(answer(a));
+  report.damped += work_of_settling(a);
+  for (std::size_t b = 0; b < a.batches.size(); b++) tell_momenta(a, b);
+  for (Condition& c : a.conditions) c.settles = false;
+  a.exact = false;
+  if (a.cut) add_impulses_exerted(a);
+}
+
+}  // namespace pantin

@@ -1,0 +1,135 @@
+#include "articulates/solve/state.hpp"
+
+#include <algorithm>
+
+#include "articulates/solve/conditions.hpp"
+#include "articulates/solve/row_gaps.hpp"
+#include "articulates/solve/stiff.hpp"
+
+namespace pantin {
+
+void load(Node& n, const Model& model, Vec3 gravity) {
+  if (n.is_body) {
+    const Motion& m = model.motion[n.slot];
+    n.x0 = model.plane.along(m.x);
+    n.p0 = m.p;
+    n.P0 = m.angular;
+    n.q0 = m.q;
+    n.R0 = matrix(m.q);
+    n.O0 = n.inverse_inertia * n.P0;
+    n.force = gravity * n.mass + m.force;
+    n.torque = m.torque;
+  } else {
+    const FreeMotion& m = model.free_motion[n.slot];
+    n.x0 = model.plane.along(m.x);
+    n.p0 = m.v * n.mass;
+    n.P0 = n.O0 = n.torque = zero3();
+    n.q0 = {};
+    n.R0 = identity33();
+    n.force = gravity * n.mass + model.points.at_slot(n.slot).force;
+  }
+}
+
+void store(const Node& n, Model& model) {
+  if (n.is_body) {
+    Motion& m = model.motion[n.slot];
+    m.x = model.plane.beside(n.x0, m.x);
+    m.p = n.p0;
+    m.angular = n.P0;
+    m.q = n.turns ? normalised(n.q0) : n.q0;
+  } else {
+    FreeMotion& m = model.free_motion[n.slot];
+    m = {model.plane.beside(n.x0, m.x), n.p0 * n.inverse_mass};
+  }
+}
+
+void load(Articulate& a, const Model& model, Vec3 gravity) {
+  for (Node& n : a.nodes) load(n, model, gravity);
+  for (Condition& c : a.conditions)
+    if (!c.stiff) load(c, row(a, c), model, a.total_mass);
+}
+
+void begin_report(Articulate& a) {
+  a.report = {};
+  for (Condition& c : a.conditions) std::fill(c.given.begin(), c.given.end(), 0.0);
+}
+
+void disturb(Articulate& a) {
+  wake(a);
+  a.edited = true;
+  a.last_h = a.carried_h = 0.0;
+}
+
+void store(const Articulate& a, Model& model) {
+  for (const Node& n : a.nodes) store(n, model);
+  for (const Row& row : a.rows)
+    if (row.centre) model.points[row.centre].row_force = zero3();
+  for (std::size_t k = 0; k < a.rows.size(); k++) {
+    const Row& row = a.rows[k];
+    if (row.kind == RowKind::stiff) continue;
+    const Vec3 f = exerted_force(a, k);
+    if (row.condition >= 0) {
+      if (!model.constraints.alive(condition(a, row).constraint)) continue;  // it broke in this step
+      store(condition(a, row), row, f, model.constraints[condition(a, row).constraint]);
+      continue;
+    }
+    model.points[row.member].row_force = f;
+    model.points[row.centre].row_force -= f;
+  }
+}
+
+void begin_exerted(Articulate& a) {
+  a.exerted.assign(a.rows.size(), zero3());
+  a.exerted_time = 0.0;
+}
+void add_impulses_exerted(Articulate& a) {
+  for (std::size_t k = 0; k < a.rows.size(); k++) a.exerted[k] += a.impulses[k];
+}
+void add_forces_exerted(Articulate& a, double h) {
+  for (std::size_t k = 0; k < a.rows.size(); k++) a.exerted[k] += a.rows[k].f * h;
+  a.exerted_time += h;
+}
+
+void tell_tensions(const Articulate& a, Model& model) {
+  for (const Row& row : a.rows)
+    if (row.kind == RowKind::stiff)
+      model.connections[condition(a, row).stiff->connection].tension = -dot(row.f, direction(row.d1));
+}
+
+double kinetic_energy(const Articulate& a) {
+  double t = 0.0;
+  for (const Node& n : a.nodes) t += kinetic_energy(n);
+  return t;
+}
+
+NodeTotals totals_of(const Articulate& a) {
+  NodeTotals t;
+  double unsound = 0.0;
+  for (const Node& n : a.nodes) {
+    t.kinetic += kinetic_energy(n);
+    t.mass_place += n.x0 * n.mass;
+    unsound += 0.0 * (n.q0.w + n.q0.x + n.q0.y + n.q0.z);
+  }
+  t.finite = std::isfinite(t.kinetic + unsound) && finite(t.mass_place);
+  return t;
+}
+
+void measure_gaps(Articulate& a) {
+  a.gaps = {};
+  for (const Row& row : a.rows) {
+    if (is_soft(row)) continue;
+    const double open = norm(gap(a, row));
+    a.gaps.open = std::max(a.gaps.open, open);
+    if (row.kind == RowKind::rigid && row.lever == 0.0)
+      a.gaps.points = std::max(a.gaps.points, norm(row.d1));
+    else
+      a.gaps.rods = std::max(a.gaps.rods, open + norm(row.offset) + std::fabs(condition(a, row).accepted));
+  }
+}
+
+bool struck(const Articulate& a) {
+  return std::any_of(a.conditions.begin(), a.conditions.end(),
+                     [](const Condition& c) { return c.held && !c.held_before; });
+}
+
+}  // namespace pantin

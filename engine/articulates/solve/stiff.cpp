@@ -1,0 +1,216 @@
+// A connection solved with its articulate, so that no stiffness limits the step. The force is f = -Q e, e = d0 + d1.
+// Of a law with an energy V(s), s = d², Q = ΔV/Δs: f·Δd = -ΔV exactly (discrete gradient; Gonzalez 1996), for a small Δs
+// by Gauss' rule. Without an energy, Q = tension/(|d0| + |d1|) with its mean on the way, by the same rule, at the mean
+// rate u = Δr/h: f·Δd = -tension Δr, of a damper -c h u², which never gives.
+//   With these alone what is damped would swing to and fro where the step is too long to follow it. So it has more
+// damping, by which its length settles about as fast as in truth, at most that of the backward rule, h k/2. And at the
+// end of the full sub-step the rate of its distance is drawn to u by an impulse -κ (rate - u). That gives κ u²/4 at most,
+// and κ <= 4 c h: spring, damper and impulse together only take energy. Both are small, of third order in h, where
+// D = h c/m and z² = h² k/m are.
+// Newton's row is M (change of d1) + C df = -residual with M = Σ Q 1 + e ∇Q', C = 1, all divided by what makes it metres.
+#include "articulates/solve/stiff.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pantin {
+
+namespace {
+
+constexpr std::array<double, 4> places = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
+                                          0.93056815579702629};
+constexpr std::array<double, 4> weights = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
+                                           0.17392742256872693};
+
+/// Q with its derivative along d1: ∇Q = slope d1.
+struct Pull {
+  double Q = 0.0, slope = 0.0;
+};
+
+Pull of_energy(PairCurve& curve, double s0, double s1, double energy0) {
+  const double change = s1 - s0;
+  std::array<double, 5> s;
+  for (std::size_t i = 0; i < 4; i++) s[i] = s0 + change * places[i];
+  s[4] = s1;
+  curve.run(5, s.data(), 0.0);
+  const PairCurve::Value end = curve.at(4);
+  if (std::fabs(change) > 2e-3 * std::fmax(s0, s1)) {
+    const double Q = (end.energy - energy0) / change;
+    return {Q, (end.pull - 2.0 * Q) / change};
+  }
+  Pull p;
+  for (std::size_t i = 0; i < 4; i++) {
+    const PairCurve::Value v = curve.at(static_cast<int>(i));
+    p.Q += 0.5 * weights[i] * v.pull;
+    p.slope += weights[i] * places[i] * v.by_distance2;
+  }
+  return p;
+}
+
+/// The mean tension on the way, at the mean rate.
+Pull of_tension(PairCurve& curve, double r0, double r1, double rate, double h) {
+  std::array<double, 4> r, s;
+  for (std::size_t i = 0; i < 4; i++) {
+    r[i] = r0 + (r1 - r0) * places[i];
+    s[i] = r[i] * r[i];
+  }
+  curve.run(4, s.data(), rate);
+  double tension = 0.0, by_end = 0.0;  // [N], [N/m]
+  for (std::size_t i = 0; i < 4; i++) {
+    const PairCurve::Value v = curve.at(static_cast<int>(i));
+    const double by_distance = v.pull + r[i] * (2.0 * r[i] * v.by_distance2 + rate * v.by_approach);
+    tension += weights[i] * v.pull * r[i];
+    by_end += weights[i] * (by_distance * places[i] + s[i] * v.by_approach / h);
+  }
+  const double both = r0 + r1, Q = tension / both;
+  return {Q, (by_end - Q) / (both * r1)};
+}
+
+Pull of_damper(double damping, double r0, double r1, double h) {
+  const double r = 0.5 * (r0 + r1), rate = (r1 - r0) / h;
+  return {0.5 * damping * rate / r, 0.5 * damping * (1.0 / h - 0.5 * rate / r) / (r * r1)};
+}
+
+}  // namespace
+
+void make_stiff(const Model& model, ConnectionId id, Row& row, Condition& condition) {
+  const Connection& c = model.connections[id];
+  const bool swapped = !c.particles[0];  // a place of the world is always the second end
+  condition.stiff = std::make_shared<StiffTie>();
+  StiffTie& tie = *condition.stiff;
+  tie.connection = id;
+  tie.a = c.particles[swapped ? 1 : 0];
+  tie.b = c.particles[swapped ? 0 : 1];
+  tie.solve = c.solve;
+  if (!tie.b) condition.whole0 = condition.whole1 = model.plane.along(c.places[swapped ? 0 : 1]);
+  const Vec3 d = position(model, tie.a) - (tie.b ? position(model, tie.b) : condition.whole1);
+  tie.least2 = 1e-24 * (norm2(d) > 0.0 ? norm2(d) : 1.0);
+  for (auto law = c.law; law; law = law->also) tie.curves.emplace_back(*law);
+  for (auto* column : {&tie.energy0, &tie.pulls, &condition.given}) column->resize(tie.curves.size());
+  row.f = direction(d) * -c.tension;
+}
+
+void start_stiff(StiffTie& tie, const Row& row, double approach) {
+  const double s0 = std::fmax(norm2(row.d0), tie.least2);
+  tie.rate0 = approach / std::sqrt(s0);
+  tie.chosen = false;
+  for (std::size_t i = 0; i < tie.curves.size(); i++) {
+    tie.energy0[i] = 0.0;
+    if (!tie.curves[i].has_energy()) continue;
+    tie.curves[i].run(1, &s0, 0.0);
+    tie.energy0[i] = tie.curves[i].at(0).energy;
+  }
+}
+
+namespace {
+
+/// Finds how it is to settle in the step, by its stiffness and damping at the start.
+void choose_damping(StiffTie& tie, double s0, const RowContext& context) {
+  tie.chosen = true;
+  tie.damping = tie.settling = 0.0;
+  double c = 0.0, k = 0.0;  // [N s/m], [N/m]
+  for (PairCurve& curve : tie.curves) {
+    curve.run(1, &s0, tie.rate0);
+    const PairCurve::Value v = curve.at(0);
+    if (curve.is_moving()) c += s0 * v.by_approach;
+    k += v.pull + 2.0 * s0 * v.by_distance2;
+  }
+  c = std::fmax(c, 0.0);
+  k = std::fmax(k, 0.0);
+  const bool swallows = tie.solve == Solve::at_end;
+  if (!swallows && c == 0.0) return;
+  const double h = context.h, z2 = h * h * k * context.mobility, D = h * c * context.mobility;
+  const double part = swallows ? 1.0 : z2 * D / (z2 * D + 4.0 * z2 + 6.0 * D * D);
+  tie.damping = 0.5 * h * k * part;
+  const double fast = D * D + 0.25 * z2;
+  tie.settling = swallows ? 0.5 * h * (c + tie.damping) : 0.5 * h * c * fast / (1.0 + fast);
+}
+
+}  // namespace
+
+double evaluate_stiff(Row& row, Condition& c, const RowContext& context) {
+  StiffTie& tie = *c.stiff;
+  const double s0 = std::fmax(norm2(row.d0), tie.least2), s1 = std::fmax(norm2(row.d1), tie.least2);
+  const double r0 = std::sqrt(s0), r1 = std::sqrt(s1), h = context.h;
+  if (!tie.chosen) choose_damping(tie, s0, context);
+  const Vec3 e = row.d0 + row.d1;
+  Vec3 missed = row.f;
+  double Q = 0.0, slope = 0.0, sizes = 0.0, stiffness = 0.0;
+  const auto add = [&](Pull p) {
+    missed += e * p.Q;
+    Q += p.Q;
+    slope += p.slope;
+    sizes += std::fabs(p.Q) * norm(e);
+    stiffness += std::fabs(p.slope) * norm(e) * r1;
+  };
+  for (std::size_t i = 0; i < tie.curves.size(); i++) {
+    PairCurve& curve = tie.curves[i];
+    const Pull p =
+        curve.has_energy() ? of_energy(curve, s0, s1, tie.energy0[i]) : of_tension(curve, r0, r1, (r1 - r0) / h, h);
+    add(p);
+    tie.pulls[i] = p.Q;
+  }
+  if (tie.damping > 0.0) add(of_damper(tie.damping, r0, r1, h));
+  tie.mean_rate = (r1 - r0) / h;
+  stiffness += std::fabs(Q);
+  const Vec3 way = row.d1 - row.d0;
+  const double weight = 1.0 / (stiffness + 2.0 / (h * h * context.mobility));
+  row.residual = missed * weight;
+  c.M = (identity33() * Q + outer(e * slope, row.d1)) * weight;
+  c.C = identity33() * weight;
+  // What is missed does work that no energy knows of: it counts as the gap that would do as much.
+  const double least = 2e-3 * norm(way) / (h * h * context.mobility);
+  const double work = std::fabs(dot(missed, way));
+  const double force = tie.settling > 0.0 ? sizes : norm(row.f);  // what is in balance rounds as each part does
+  // What is missed across the connection, where it is not stiff, moves it much further; it counts for a part of that, since
+  // its length hardly changes with it.
+  const Vec3 u = direction(e);
+  const double across = norm(missed - u * dot(missed, u)) / (std::fabs(Q) + 2.0 / (h * h * context.mobility));
+  const double size = std::fmax(norm(row.residual), 0.01 * across);
+  return std::fmax(size, work > 0.0 ? work / std::fmax(force, least) : 0.0);
+}
+
+StiffPull pull_at(StiffTie& tie, Vec3 d) {
+  StiffPull p;
+  const double s = std::fmax(norm2(d), tie.least2);
+  const Mat3 along = outer(d, d);
+  for (PairCurve& curve : tie.curves) {
+    curve.run(1, &s, 0.0);
+    const PairCurve::Value v = curve.at(0);
+    p.f -= d * v.pull;
+    p.by_place -= identity33() * std::fmax(0.0, v.pull) + along * std::fmax(0.0, 2.0 * v.by_distance2);
+    p.by_rate -= along * std::fmax(0.0, v.by_approach);
+  }
+  return p;
+}
+
+bool StiffTie::is_open() const {
+  return solve == Solve::at_end ||
+         std::any_of(curves.begin(), curves.end(), [](const PairCurve& curve) { return !curve.has_energy(); });
+}
+
+bool StiffTie::is_damped() const {
+  return solve == Solve::at_end ||
+         std::any_of(curves.begin(), curves.end(), [](const PairCurve& curve) { return curve.is_moving(); });
+}
+
+double StiffTie::settle(const Row& row, std::vector<double>& given) {
+  const Vec3 e = row.d0 + row.d1, way = row.d1 - row.d0;
+  const double least = std::sqrt(least2), r0 = std::fmax(norm(row.d0), least), r1 = std::fmax(norm(row.d1), least);
+  double taken = damping * mean_rate * (r1 - r0);
+  double open = -taken, rest = dot(row.f, way) + taken;
+  for (std::size_t i = 0; i < curves.size(); i++) {
+    const double work = -pulls[i] * dot(e, way);
+    rest -= work;
+    (curves[i].has_energy() ? given[i] : open) += work;
+    if (!curves[i].is_moving()) continue;
+    taken -= work + of_tension(curves[i], r0, r1, 0.0, infinity).Q * dot(e, way);
+  }
+  given[0] += rest;
+  const double most = 4.0 * std::fmax(taken, 0.0), rate2 = mean_rate * mean_rate;
+  if (settling * rate2 > most) settling = most / rate2;
+  return open;
+}
+
+}  // namespace pantin

@@ -1,0 +1,47 @@
+#pragma once
+#include <vector>
+
+#include "articulates/articulate.hpp"
+#include "constraints/row_rule.hpp"
+#include "laws/pair_curve.hpp"
+
+namespace pantin {
+
+/// What the row of a connection has that is solved with its articulate.
+struct StiffTie {
+  ConnectionId connection;
+  ParticleId a, b;  // b null: a place of the world
+  Solve solve = Solve::at_middle;
+  std::vector<PairCurve> curves;  // of the law, and of the laws that act with it
+  std::vector<double> energy0;    // (curves) [J] at the start of the step being solved
+  double least2 = 0.0;            // [m²] below it distances count as equal to its root
+  double rate0 = 0.0;             // [m/s] of the distance at the start
+  std::vector<double> pulls;      // (curves) [N/m] f = -Σ pull e
+  bool chosen = false;            // whether these are known of the step being solved:
+  double damping = 0.0;           // [N s/m] beyond that of its curves
+  double settling = 0.0;          // [kg] κ, and what it draws to:
+  double mean_rate = 0.0;         // [m/s] of the distance over the step
+
+  /// Whether it takes energy or gives it.
+  bool is_open() const;
+  /// Whether it takes energy by its nature: it depends on velocities, or swallows at the end of the step.
+  bool is_damped() const;
+  /// Once a step is solved: adds what the curves' energies gave to the motion to `given` (curves) [J], bounds `settling`
+  /// by what dampers took, and returns the work of laws without energy and of `damping`, [J].
+  double settle(const Row& row, std::vector<double>& given);
+};
+
+/// Makes the tie of a connection, with the force that it had; `row` and `condition` are its.
+void make_stiff(const Model& model, ConnectionId id, Row& row, Condition& condition);
+/// Reads the start of a step of h [s] from d0; `approach` is d0 · the velocity of d0 [m²/s].
+void start_stiff(StiffTie& tie, const Row& row, double approach);
+
+/// What a tie pulls its first point with at d [m], at rest [N], and how d [N/m] and its rate [N s/m] change that, where it
+/// draws back.
+struct StiffPull {
+  Vec3 f = zero3();
+  Mat3 by_place = zero33(), by_rate = zero33();
+};
+StiffPull pull_at(StiffTie& tie, Vec3 d);
+
+}  // namespace pantin

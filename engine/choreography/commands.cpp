@@ -1,0 +1,159 @@
+#include "choreography/commands.hpp"
+
+#include <algorithm>
+
+#include "choreography/hands.hpp"
+#include "edit/assemble.hpp"
+#include "edit/editing.hpp"
+#include "measure/freedoms.hpp"
+#include "measure/query.hpp"
+#include "measure/reach.hpp"
+
+namespace pantin {
+
+using namespace internal;
+
+namespace {
+
+void grab_by_hand(World& world, const Command& c) {
+  hand_of_input(world, c.hand);
+  grab(world, c.hand, c.point, c.max_force == 0.0 ? std::optional<double>() : c.max_force);
+}
+
+/// What connections leave is shown as what breaks is.
+void cut_by_hand(World& world, const Command& c) {
+  if (const auto* hinge = std::get_if<ParticleId>(&c.thing)) {
+    cut(world, *hinge);
+  } else if (const auto* tie = std::get_if<ConnectionId>(&c.thing)) {
+    const Connection& row = world.connections[*tie];
+    const Break broken{end_of(world, row, 0), end_of(world, row, 1), next_time(world)};
+    remove(world, *tie);
+    if (world.breaks.size() == most_breaks) world.breaks.pop_front();
+    world.breaks.push_back(broken);
+  } else {
+    const auto* constraint = std::get_if<ConstraintId>(&c.thing);
+    require(constraint != nullptr, "cut: ", describe(world, c.thing),
+            " cannot be cut; hinges, connections and "
+            "constraints can");
+    remove(world, *constraint);
+  }
+  Notice& told = world.notices.back();
+  if (told.kind != Notice::Kind::drop) told.hand = c.hand;  // a drop is of the hand that held
+}
+
+void join_by_hand(World& world, const Command& c) {
+  for (PointId p : {c.point, c.other}) require(world.points.alive(p), "join: ", world.points.story(p));
+  JoinDef def;
+  def.max_force = c.max_force;
+  if (c.max_force == 0.0) def.max_force = std::fmax(usual_grab_force(world, c.point), usual_grab_force(world, c.other));
+  def.time_constant = 0.1;
+  add_join(world, c.point, c.other, def);
+}
+
+void spin_by_hand(World& world, const Command& c) {
+  require_finite("spin", "spin", c.amount, "rad/s");
+  const BodyId body = world.points[c.point].body;
+  require(static_cast<bool>(body), "spin: ", describe(world, c.point), " is a free particle, which cannot turn");
+  const Motion& m = world.motion_of(body);
+  const Vec3 spin = rotate(m.q, m.angular * inverse_inertia(m));
+  set_spin(world, body, spin + world.plane.about(c.amount));
+}
+
+/// Moves what is made so that an end is where the point is to which it is hinged.
+void hinge_end(World& world, PointId end, PointId to) {
+  if (!world.points.alive(to)) return;
+  const PointId ring[] = {to, end};
+  add_hinge(world, ring);
+}
+
+void make_by_hand(World& world, const Command& c) {
+  require(!c.points.empty(), "make: no points were given");
+  require_finite("make", "place", c.place, "m");
+  if (c.points.size() == 1) {
+    ParticleDef def;
+    def.at = c.place + c.points[0];
+    def.mass = c.mass;
+    def.radius = c.radius;
+    add_particle(world, def);
+    return;
+  }
+  BodyDef def;
+  def.at = c.place;
+  for (Vec3 at : c.points) {
+    def.points.emplace_back();
+    def.points.back().at = at;
+    def.points.back().mass = c.mass / static_cast<double>(c.points.size());
+    def.points.back().radius = c.radius;
+  }
+  if (world.points.alive(c.point)) def.points.front().at = position(world, c.point) - c.place;
+  if (world.points.alive(c.other)) def.points.back().at = position(world, c.other) - c.place;
+  const BodyId body = add_body(world, def);
+  try {
+    hinge_end(world, world.bodies[body].points.front(), c.point);
+    hinge_end(world, world.bodies[body].points.back(), c.other);
+  } catch (const Error&) {
+    remove(world, body);
+    throw;
+  }
+}
+
+/// A single thing at rest has no motion relative to itself, and stays as it is.
+void heat_by_hand(World& world, const Command& c) {
+  require_finite("heat", "place", c.place, "m");
+  require_positive("heat", "radius", c.radius, "m");
+  require_finite("heat", "the energy", c.energy, "J");
+  const Things things = heated_by(world, c.place, c.radius);
+  const double own = heat_in(world, things);
+  const bool alone = things.bodies.size() + things.free_points.size() == 1 && count_freedoms(world, things).common > 0;
+  if (alone && !(own > 1e-12 * std::fmax(energy(world, things).kinetic, c.energy))) return;
+  heat(world, things, std::fmax(c.energy, -own));
+}
+
+void carry_out(World& world, const Command& c) {
+  switch (c.kind) {
+    case Command::Kind::grab: return grab_by_hand(world, c);
+    case Command::Kind::release: return release(world, c.hand);
+    case Command::Kind::cut: return cut_by_hand(world, c);
+    case Command::Kind::key: return notice(world, Notice::Kind::key, {}, c.name, c.hand);
+    case Command::Kind::button: return notice(world, Notice::Kind::button, {}, c.name, c.hand);
+    case Command::Kind::join: return join_by_hand(world, c);
+    case Command::Kind::nail: add_nail(world, c.point); return;
+    case Command::Kind::push: return kick(world, c.point, world.plane.along(c.amount));
+    case Command::Kind::spin: return spin_by_hand(world, c);
+    case Command::Kind::remove: return remove(world, c.thing);
+    case Command::Kind::make: return make_by_hand(world, c);
+    case Command::Kind::heat: return heat_by_hand(world, c);
+  }
+}
+
+}  // namespace
+
+std::string_view name_of(Command::Kind kind) {
+  static constexpr std::string_view names[] = {"grab", "release", "cut",  "key",    "button", "join",
+                                               "nail", "push",    "spin", "remove", "make",   "heat"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+Things heated_by(const World& world, Vec3 place, double radius) {
+  Things things = things_of(world, near(world, place, radius));
+  std::sort(things.free_points.begin(), things.free_points.end());
+  if (things.bodies.size() + things.free_points.size() != 1) return things;
+  const PointId one = things.bodies.empty() ? things.free_points[0] : world.bodies[things.bodies[0]].points[0];
+  return tied_to(world, one, false);
+}
+
+void carry_out(World& world, std::span<const Command> commands) {
+  if (commands.empty()) return;
+  const Acting acting(world);
+  world.locked = false;
+  for (const Command& command : commands) {
+    world.who = [hand = command.hand] { return text("hand ", hand + 1); };
+    try {
+      carry_out(world, command);
+    } catch (const Error& error) {
+      log_line(world, "dropped", text(name_of(command.kind), " by hand ", command.hand + 1, ": ", error.what()));
+    }
+  }
+}
+
+}  // namespace pantin

@@ -1,0 +1,63 @@
+// Rows of one dimension: what rods, planes, angles and limits share.
+#include <algorithm>
+
+#include "constraints/row_rule.hpp"
+
+namespace pantin {
+
+namespace {
+
+/// What keeps a row: a gap to close, or, where it is not held, a force to have.
+struct Hold {
+  bool held;
+  double gap, force;
+};
+
+Hold hold(const Condition& c, const Reading& r, double along, double kappa) {
+  if (c.ranged) {
+    if (along * kappa < r.high) return {true, r.high, 0.0};
+    if (along * kappa > r.low) return {true, r.low, 0.0};
+    return {false, 0.0, 0.0};
+  }
+  const double wanted = along - r.low / kappa;
+  if (wanted < c.lower) return {false, 0.0, c.lower};
+  if (wanted > c.upper) return {false, 0.0, c.upper};
+  return {true, r.low, 0.0};
+}
+
+}  // namespace
+
+double evaluate_reading(Row& row, Condition& c, const Reading& r, const RowContext& context) {
+  const double kappa = 0.5 * context.h * context.h * context.mobility;
+  const double along = dot(row.f, r.n);
+  const Hold h = hold(c, r, along, kappa);
+  c.held = h.held;
+  if (!h.held) {
+    row.residual = (row.f - r.n * h.force) * kappa;
+    c.M = (identity33() - outer(r.n, r.n)) * (-kappa * h.force * r.bend);
+    c.C = identity33() * kappa;
+    return norm(row.residual);
+  }
+  const Vec3 across = row.f - r.n * along;
+  const Mat3 P = identity33() - outer(r.n, r.n);
+  row.residual = r.n * h.gap + across * kappa;
+  c.M = outer(r.n, r.gradient) - P * (kappa * along * r.bend);
+  c.C = P * kappa;
+  const double weight = std::fmax(kappa, r.way / std::fmax(norm(row.f), 1e-3 * r.way / kappa));
+  return std::fmax(std::fabs(h.gap), norm(across) * weight);
+}
+
+void project_reading(Condition& c, Vec3 gradient, double slope) {
+  c.kept = zero33();
+  if (!c.held) return;
+  const Vec3 n = direction(gradient);
+  c.kept = outer(n, n);
+  c.wanted += n * (c.length_rate / slope);
+}
+
+double missing(const Condition& c, double low, double high) {
+  if (c.ranged) return std::fmax(high, 0.0) + std::fmin(low, 0.0);
+  return std::isinf(c.upper) && std::isinf(c.stalled) ? low : 0.0;
+}
+
+}  // namespace pantin

@@ -1,0 +1,26 @@
+// A follow with a limit: a damped spring taken at the end of the step (backward, dissipative), whose pull saturates:
+//   z = (k + d/h) d1 - (d/h) d0,   f = -z min(1, F/|z|).
+#include "constraints/row_rule.hpp"
+
+namespace pantin {
+
+double evaluate_limited(Row& row, Condition& c, const RowContext& context) {
+  const double k = c.stiffness + c.damping / context.h;
+  const Vec3 z = row.d1 * k - row.d0 * (c.damping / context.h);
+  const double pull = norm(z);
+  c.C = identity33();
+  if (pull <= c.max_force) {
+    row.residual = row.f + z;
+    c.M = c.C * k;
+    return norm(row.residual) / k;
+  }
+  const Vec3 u = z / pull;
+  const double secant = k * c.max_force / pull;
+  row.residual = row.f + u * c.max_force;
+  c.M = (c.C - outer(u, u)) * secant;
+  return norm(row.residual) / secant;
+}
+
+void project_soft(const Row&, Condition& c) { c.kept = zero33(); }
+
+}  // namespace pantin

@@ -1,0 +1,71 @@
+// A point on a path c(u): d = y - c(u) at the nearest u, which has two dimensions. The force has none along the chord
+// c(u1) - c(u0), the very displacement, so that it does no work: n the direction of the chord,
+//   y1 - c(u1) + κ n (n·f) = 0.
+// At the end of an open path the point is held there, as long as it would go on: where it is, and where its force would
+// move it to (Alart and Curnier 1991), tell, so that round-off of the place does not.
+#include "model/path.hpp"
+
+#include "constraints/row_rule.hpp"
+
+namespace pantin {
+
+namespace {
+
+struct PathEnd {
+  Vec3 place = zero3(), out = zero3();  // [m]; unit vector
+  double room = infinity;               // [m] to it; below 0 where it is passed
+};
+
+/// The end of the piece of an open path that a point d is on, at parameter u; no direction where the piece has none.
+PathEnd end_near(const Path& path, double u, Vec3 d) {
+  const bool first = u < 1.0 && u <= 0.5 * path.pieces(), last = u > path.pieces() - 1.0;
+  if (path.closed() || !(first || last)) return {};
+  const double at = first ? 0.0 : path.pieces();
+  const Vec3 place = path.place(at), out = path.tangent(at) * (first ? -1.0 : 1.0);
+  const bool passed = first ? u <= at : u >= at;
+  return {place, out, passed ? -dot(d - place, out) : norm(path.place(u) - place)};
+}
+
+}  // namespace
+
+double evaluate_path(Row& row, Condition& c, const RowContext& context) {
+  const Path& path = *c.path;
+  const double kappa = 0.5 * context.h * context.h * context.mobility;
+  c.angle1 = path.nearest(row.d1, c.angle0);
+  const Vec3 place = path.place(c.angle1), open = row.d1 - place;
+  const PathEnd end = end_near(path, c.angle1, row.d1);
+  if (-dot(row.f, end.out) * kappa > end.room) {
+    c.held = true;
+    row.residual = row.d1 - end.place - row.offset;
+    c.M = identity33();
+    c.C = zero33();
+    return norm(row.residual);
+  }
+  c.held = false;
+  const Vec3 chord = place - path.place(c.angle0), T = path.tangent(c.angle1);
+  const double way = norm(chord);
+  const Vec3 n = way > 1e-12 * norm(place) ? chord / way : T;
+  const double along = dot(row.f, n);
+  row.residual = open - row.offset + n * (along * kappa);
+  const double bend = way > 1e-12 * norm(place) ? dot(row.f, T - n * dot(n, T)) / way : 0.0;
+  c.M = identity33() - outer(T, T) + outer(n, T) * (kappa * bend);
+  c.C = outer(n, n) * kappa;
+  const double weight = std::fmax(kappa, way / std::fmax(norm(row.f), 1e-3 * way / kappa));
+  return std::fmax(norm(open - row.offset), std::fabs(along) * weight);
+}
+
+void project_path(const Row&, Condition& c) {
+  const Vec3 T = c.path->tangent(c.angle1);
+  c.kept = c.held ? identity33() : identity33() - outer(T, T);
+}
+
+Stop stop_of_path(const Row& row, const Condition& c) {
+  const PathEnd end = end_near(*c.path, c.angle1, row.d1);
+  return {end.out * -1.0, end.room};
+}
+
+Vec3 path_gap(const Row& row, const Condition& c) {
+  return row.d1 - c.path->place(c.path->nearest(row.d1, c.angle1)) - row.offset;
+}
+
+}  // namespace pantin

@@ -1,0 +1,46 @@
+// A rod: g = (|d1|² - L²)/2L = 0 by a force along the mean direction d̄ = (d0 + d1)/2, so that force times displacement is
+// λ Δg exactly (discrete gradient; Gonzalez 1996). The force is a 3-vector like any row's, held to n = d̄/|d̄|. A limit of
+// length is the same with two L.
+#include "constraints/row_rule.hpp"
+
+namespace pantin {
+
+namespace {
+
+double above(const Row& row, double length) {
+  return std::isinf(length) ? -infinity : (dot(row.d1, row.d1) - length * length) / (2.0 * length);
+}
+
+}  // namespace
+
+double evaluate_rod(Row& row, Condition& c, const RowContext& context) {
+  const Vec3 middle = (row.d0 + row.d1) * 0.5;
+  const double reach = norm(middle);
+  Reading r{direction(middle), zero3(), 0.0, 0.0, 0.0, norm(row.d1 - row.d0)};
+  const double low = c.ranged ? low_end(c) : c.length, high = c.ranged ? high_end(c) : c.length;
+  const double length = (c.ranged ? std::fmin(high, std::fmax(low, norm(row.d1))) : c.length) + c.accepted;
+  r.gradient = row.d1 / length;
+  r.bend = 1.0 / (2.0 * std::fmax(reach, 1e-3 * length));
+  if (c.ranged) {
+    r.low = low > 0.0 ? above(row, low + c.accepted) : infinity;
+    r.high = above(row, high + c.accepted);
+  } else {
+    r.low = above(row, length);
+  }
+  return evaluate_reading(row, c, r, context);
+}
+
+void project_rod(const Row& row, Condition& c) { project_reading(c, row.d1); }
+
+Stop stop_of_rod(const Row& row, const Condition& c) {
+  const double length = norm(row.d1) - c.accepted;
+  return nearer_end(direction(row.d1), c.low > 0.0 ? length - low_end(c) : infinity, length - high_end(c));
+}
+
+Vec3 rod_gap(const Row& row, const Condition& c) {
+  const double length = norm(row.d1) - c.accepted;
+  return direction(row.d1) * (c.ranged ? missing(c, c.low > 0.0 ? length - low_end(c) : infinity, length - high_end(c))
+                                       : length - c.length);
+}
+
+}  // namespace pantin

@@ -1,0 +1,91 @@
+#pragma once
+// What each kind of row asks for. A kind is one file that fills one entry of the table: the residual of the row at the
+// end of a step with its derivative, its part in the velocity projection, and the gap that the safe step closes.
+#include "constraints/row.hpp"
+
+namespace pantin {
+
+struct RowContext {
+  double h;         ///< [s]
+  double mobility;  ///< [1/kg] tr(S_kk)/3 of the row, last known: how far a force moves it
+};
+
+/// The nearer end of a row's range.
+struct Stop {
+  Vec3 inward;             ///< unit vector: how a force of the row may act
+  double room = infinity;  ///< [m] to the end; below 0 it is passed
+};
+
+struct RowRule {
+  /// Sets residual, M and C from d0, d1 and f; returns the size of the residual in metres.
+  double (*evaluate)(Row& row, Condition& condition, const RowContext& context);
+  /// Sets `kept`, and adds to `wanted` what changes by prescription.
+  void (*project)(const Row& row, Condition& condition);
+  /// What is still to be closed at the end of the step, [m], as a change of d1.
+  Vec3 (*gap)(const Row& row, const Condition& condition);
+  /// Of a row that stops something, at the end of the step.
+  Stop (*stop)(const Row& row, const Condition& condition);
+};
+
+/// (kinds)
+extern const RowRule row_rules[11];
+
+double evaluate_limited(Row& row, Condition& condition, const RowContext& context);
+void project_soft(const Row& row, Condition& condition);
+double evaluate_stiff(Row& row, Condition& condition, const RowContext& context);
+void project_stiff(const Row& row, Condition& condition);
+double evaluate_rod(Row& row, Condition& condition, const RowContext& context);
+void project_rod(const Row& row, Condition& condition);
+Vec3 rod_gap(const Row& row, const Condition& condition);
+Stop stop_of_rod(const Row& row, const Condition& condition);
+double evaluate_plane(Row& row, Condition& condition, const RowContext& context);
+void project_plane(const Row& row, Condition& condition);
+Vec3 plane_gap(const Row& row, const Condition& condition);
+double evaluate_axis(Row& row, Condition& condition, const RowContext& context);
+void project_axis(const Row& row, Condition& condition);
+Vec3 axis_gap(const Row& row, const Condition& condition);
+double evaluate_align(Row& row, Condition& condition, const RowContext& context);
+void project_align(const Row& row, Condition& condition);
+Vec3 align_gap(const Row& row, const Condition& condition);
+double evaluate_turn(Row& row, Condition& condition, const RowContext& context);
+void project_turn(const Row& row, Condition& condition);
+Vec3 turn_gap(const Row& row, const Condition& condition);
+Stop stop_of_turn(const Row& row, const Condition& condition);
+
+double evaluate_drawn(Row& row, Condition& condition, const RowContext& context);
+void project_drawn(const Row& row, Condition& condition);
+Vec3 drawn_gap(const Row& row, const Condition& condition);
+double evaluate_path(Row& row, Condition& condition, const RowContext& context);
+void project_path(const Row& row, Condition& condition);
+Vec3 path_gap(const Row& row, const Condition& condition);
+Stop stop_of_path(const Row& row, const Condition& condition);
+
+inline const RowRule& rule(const Row& row) { return row_rules[static_cast<std::size_t>(row.kind)]; }
+
+/// A row of one dimension reads a value, held in a range by a force along n.
+struct Reading {
+  Vec3 n;             ///< of unit length; a force along it does work on the value exactly
+  Vec3 gradient;      ///< of the value at the end of the step, by d1
+  double low, high;   ///< [m] how far the value is above the ends of the range
+  double bend = 0.0;  ///< [1/m] by how much n turns, across itself, with a change of d1
+  double way = 0.0;   ///< [m] how far d moves in the step: a force across n does work on that
+};
+/// Sets residual, M, C and `held`; returns the size of the residual [m]. Held, the force along n is what keeps the value
+/// at the end of its range; else it is 0, or the limit that it would exceed. Which, is told by where the force would go
+/// to close the gap (Alart and Curnier 1991). Held to n by two more equations: n g + κ P f = 0, P = 1 - n n',
+/// κ = (h²/2) mobility to make a force a length.
+double evaluate_reading(Row& row, Condition& condition, const Reading& reading, const RowContext& context);
+/// Sets `kept` and `wanted` of a row that forbids velocities along `gradient`, where it is held; `slope` is by how much the
+/// value changes with d along that.
+void project_reading(Condition& condition, Vec3 gradient, double slope = 1.0);
+/// Ends of a range, which is wider while what is outside is drawn in, [m].
+inline double low_end(const Condition& c) { return c.low + std::fmin(0.0, c.length); }
+inline double high_end(const Condition& c) { return c.high + std::fmax(0.0, c.length); }
+/// Of a value along a unit vector, by how far it is above the ends of its range [m].
+inline Stop nearer_end(Vec3 along, double low, double high) {
+  return -high < low ? Stop{along * -1.0, -high} : Stop{along, low};
+}
+/// What a row misses [m], by how far its value is above the ends of its range.
+double missing(const Condition& condition, double low, double high);
+
+}  // namespace pantin

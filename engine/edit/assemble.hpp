@@ -1,0 +1,60 @@
+#pragma once
+// Making one thing of several and several of one, between two steps. Every function checks its input and throws Error,
+// leaving the world as it was. Mass, centre of mass, momentum and angular momentum are kept to round-off; kinetic energy
+// that is lost by what becomes one body is the ledger's line `merge`.
+#include <array>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "edit/edit.hpp"
+#include "measure/measure.hpp"
+
+namespace pantin {
+
+/// a lives on with the points and the own mass of b, which is gone; points, hinges and constraints stay, but for those
+/// between the two. A name that a has already is taken from b's point.
+void merge(World& world, BodyId a, BodyId b);
+/// Some of a body's points, not all, become a body of their own, which moves as they did. Both must have mass enough to
+/// be bodies; own mass stays where it is.
+BodyId split(World& world, BodyId body, std::span<const PointId> points, std::string name = {});
+/// Free particles and bodies of a group become one body: the first of its bodies where it has no particles.
+BodyId freeze(World& world, GroupId group, std::string name = {});
+/// The points of a body become free particles, its own mass another; points without mass are gone. An angular momentum
+/// that these cannot carry is an error.
+std::vector<ParticleId> shatter(World& world, BodyId body);
+
+struct JoinDef {
+  std::optional<Vec3> at;       ///< [m] where they are to meet; not given: on their way to each other
+  double time_constant = 0.05;  ///< [s] > 0
+  double max_force = std::numeric_limits<double>::infinity();  ///< [N] > 0: never pulls harder, until they are near
+  std::function<void(ParticleId)> on_met;                      ///< called with the hinge, in the step after
+  std::string name;                                            ///< of the hinge
+};
+/// Draws two points of different bodies together as a dynamic constraint (Barzel and Barr 1988), and makes the hinge when
+/// they meet; told as "joined". They come together on a straight line, so the forces on them, which are opposite, are not
+/// along it: momentum is kept on the way, angular momentum is not (by forces along it points that pass each other would
+/// never meet). They count as met within a tenth of the tolerance of their size. A greatest force that is too weak is told
+/// in the log.
+ConstraintId add_join(World& world, PointId a, PointId b, const JoinDef& def = {});
+
+/// Pairs of particles (of a group, those of its bodies too) that are at most `distance` [m] > 0 apart, and not of one
+/// body, ring or connection.
+std::vector<std::array<ParticleId, 2>> pairs_within(const World& world, GroupId group, double distance);
+std::vector<std::array<ParticleId, 2>> pairs_within(const World& world, const std::vector<ParticleId>& particles,
+                                                    double distance);
+/// Connections that are members of a group, and those among its things; those all of whose ends are among particles.
+std::vector<ConnectionId> connections_in(const World& world, GroupId group);
+std::vector<ConnectionId> connections_among(const World& world, const std::vector<ParticleId>& particles);
+/// Adds kinetic energy [J], relative to the common motion of what nothing holds; a negative one cools, at most to rest.
+/// What is at rest gets random velocities.
+void heat(World& world, const AnyId& things, double joules);
+void heat(World& world, const Things& things, double joules);
+/// Kinetic energy [J] relative to the common motion of what nothing holds.
+double heat_in(const World& world, const Things& things);
+
+}  // namespace pantin

@@ -1,0 +1,183 @@
+// Constraints and hinges that bear only so much.
+#include <algorithm>
+
+#include "articulates/articulate.hpp"
+#include "articulates/solve/state.hpp"
+#include "constraints/violation.hpp"
+#include "edit/constrain.hpp"
+#include "edit/editing.hpp"
+
+namespace pantin {
+
+using namespace internal;
+
+namespace {
+
+void require_breaking(const std::string& who, const Breaking& b) {
+  require_positive_or_infinite(who, "breaks_at.force", b.force, "N");
+  require_positive_or_infinite(who, "breaks_at.torque", b.torque, "N m");
+  require_positive_or_infinite(who, "breaks_at.length", b.length, "m");
+}
+
+/// What bore too much.
+template <class Id>
+struct Overload {
+  Id id;
+  double load;        ///< [N] or [N m]
+  std::string story;  ///< what broke it
+  double since;       ///< [s] when it broke, before the end of the step
+  friend bool operator==(const Overload& o, Id other) { return o.id == other; }
+};
+
+template <class Id>
+void note(std::vector<Overload<Id>>& list, const Overload<Id>& load, bool too_much) {
+  if (too_much && std::find(list.begin(), list.end(), load.id) == list.end()) list.push_back(load);
+}
+
+struct Overloads {
+  std::vector<Overload<ConstraintId>> constraints;
+  std::vector<Overload<ParticleId>> hinges;
+};
+
+/// How long before the end of the step [s] a load that grew evenly, from the middle of the last step to that of this one,
+/// passed what is borne; 0 where it is not known, or leapt.
+double time_since(const World& world, double before, double load, double borne) {
+  const double h = world.settings.step, more = load - before;
+  if (!(before <= borne) || !(more < 0.5 * borne) || !(more > 0.0)) return 0.0;
+  return h * (0.5 + (load - borne) / more);
+}
+
+void find_overloads(const World& world, const Articulate& a, Overloads& found) {
+  for (std::size_t k = 0; k < a.rows.size(); k++) {
+    const Row& row = a.rows[k];
+    if (row.kind == RowKind::stiff) continue;  // connections break by themselves
+    const bool couple = row.lever > 0.0;
+    const double load = norm(exerted_force(a, k)) * (couple ? row.lever : 1.0);
+    const auto since = [&](double borne) {
+      return a.loads.size() == a.rows.size() ? time_since(world, a.loads[k], load, borne) : 0.0;
+    };
+    const auto story = [&] { return couple ? text("its torque of ", load, " N m") : text("its load of ", load, " N"); };
+    if (row.condition < 0) {
+      const ParticleId ring = world.points[row.member].particle;
+      const double borne = world.particles[ring].breaks_at.force;
+      note(found.hinges, {ring, load, story(), since(borne)}, load > borne);
+      continue;
+    }
+    const ConstraintId id = condition(a, row).constraint;
+    const Constraint& c = world.constraints[id];
+    if (c.ring) {
+      const double borne = world.particles[c.ring].breaks_at.torque;
+      note(found.hinges, {c.ring, load, story(), since(borne)}, load > borne);
+      continue;
+    }
+    const double length = couple ? 0.0 : norm(row.d1);
+    const double borne = couple ? c.breaks_at.torque : c.breaks_at.force;
+    if (length > c.breaks_at.length)
+      note(found.constraints, {id, load, text("its length of ", length, " m"), 0.0}, true);
+    else
+      note(found.constraints, {id, load, story(), since(borne)}, load > borne);
+  }
+}
+
+/// When what a row is of broke [s] before the end of the step; 0: it did not, or that is not known.
+double broken_since(const World& world, const Articulate& a, const Row& row, const Overloads& found) {
+  const auto time = [](const auto& list, auto id) {
+    const auto at = std::find(list.begin(), list.end(), id);
+    return at == list.end() ? 0.0 : at->since;
+  };
+  if (row.kind == RowKind::stiff) return 0.0;
+  if (row.condition < 0) return time(found.hinges, world.points[row.member].particle);
+  const ConstraintId id = condition(a, row).constraint;
+  const ParticleId ring = world.constraints[id].ring;
+  return std::max(time(found.constraints, id), ring ? time(found.hinges, ring) : 0.0);
+}
+
+/// Takes back what rows did after they broke.
+void take_back(World& world, Articulate& a, const Overloads& found) {
+  const double before = kinetic_energy(a);
+  for (std::size_t k = 0; k < a.rows.size(); k++) {
+    const Row& row = a.rows[k];
+    const double since = broken_since(world, a, row, found);
+    if (since == 0.0) continue;
+    const Vec3 f = exerted_force(a, k);
+    const double load = norm(f), last = a.loads[k] / (row.lever > 0.0 ? row.lever : 1.0);
+    const double mean = load + (load - last) * (0.5 - 0.5 * since / world.settings.step);  // from then to the end
+    const auto strike = [&](std::int32_t node, Vec3 arm, double sign) {
+      if (node < 0) return;
+      Node& n = a.nodes[static_cast<std::size_t>(node)];
+      const Vec3 impulse = f * (sign * since * mean / load);
+      if (row.lever == 0.0) n.p0 += impulse;
+      if (!n.turns) return;
+      const Vec3 twist = row.lever > 0.0 ? impulse * row.lever : cross(n.R0 * arm, impulse);
+      n.P0 += transposed_times(n.R0, world.plane.about(twist));
+      n.O0 = n.inverse_inertia * n.P0;
+    };
+    strike(row.a, row.la, -1.0);
+    strike(row.b, row.lb, 1.0);
+  }
+  post(world, Source::edit, kinetic_energy(a) - before);
+}
+
+void break_constraint(World& world, const Overload<ConstraintId>& overload) {
+  const ConstraintId id = overload.id;
+  let_go(world, id);
+  take_out_constraint(world, id, {describe(world, id), next_time(world) - overload.since, overload.story});
+  world.notices.push_back({Notice::Kind::broke, id, -1, world.constraints.story(id), overload.load});
+}
+
+void break_hinge(World& world, const Overload<ParticleId>& overload) {
+  end_ring(world, overload.id, overload.story);
+  world.notices.push_back({Notice::Kind::broke, overload.id, -1, world.particles.story(overload.id), overload.load});
+}
+
+void note_loads(Articulate& a) {
+  a.loads.resize(a.rows.size());
+  for (std::size_t k = 0; k < a.rows.size(); k++)
+    a.loads[k] = norm(exerted_force(a, k)) * (a.rows[k].lever > 0.0 ? a.rows[k].lever : 1.0);
+}
+
+}  // namespace
+
+void set_breaks_at(World& world, ConstraintId id, const Breaking& breaks_at) {
+  require_unlocked(world, "breaks_at");
+  require_breaking(describe(world, id), breaks_at);
+  Constraint& c = world.constraints[id];
+  if (c.breaks_at.possible() != breaks_at.possible()) touch(world, c);
+  c.breaks_at = breaks_at;
+}
+
+void set_breaks_at(World& world, ParticleId id, const Breaking& breaks_at) {
+  require_unlocked(world, "breaks_at");
+  Particle& hinge = world.particles[id];
+  require(hinge.is_hinge(), "breaks_at: ", describe(world, id), " is no hinge");
+  require_breaking(describe(world, id), breaks_at);
+  if (hinge.breaks_at.possible() != breaks_at.possible()) touch(world, id);
+  hinge.breaks_at = breaks_at;
+}
+
+void set_enabled(World& world, ParticleId id, bool enabled) {
+  require_unlocked(world, "enabled");
+  Particle& hinge = world.particles[id];
+  require(hinge.is_hinge(), "enabled: ", describe(world, id), " is no hinge");
+  if (hinge.enabled == enabled) return;
+  if (enabled) require_together(world, hinge.points);
+  hinge.enabled = enabled;
+  for (ConstraintId axis : hinge.axes) set_enabled(world, axis, enabled);
+  for (PointId point : hinge.points) world.points[point].row_force = zero3();
+  touch(world, id);
+}
+
+void break_constraints(World& world) {
+  Overloads found;
+  for (const auto& articulate : world.articulates)
+    if (articulate->breakable) find_overloads(world, *articulate, found);
+  for (const auto& articulate : world.articulates) {
+    if (!articulate->breakable) continue;
+    if (!found.constraints.empty() || !found.hinges.empty()) take_back(world, *articulate, found);
+    note_loads(*articulate);
+  }
+  for (const auto& overload : found.constraints) break_constraint(world, overload);
+  for (const auto& overload : found.hinges) break_hinge(world, overload);
+}
+
+}  // namespace pantin

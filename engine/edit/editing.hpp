@@ -1,0 +1,70 @@
+#pragma once
+// What every edit shares: the energy it makes, and how things join and leave rings.
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "constraints/violation.hpp"
+#include "edit/edit.hpp"
+#include "forces/disturb.hpp"
+#include "world/checks.hpp"
+#include "world/in_plane.hpp"
+#include "world/record.hpp"
+
+namespace pantin::internal {
+
+/// Kinetic and potential energy of one thing, [J].
+double energy_of(const World& world, BodyId body);
+double energy_of(const World& world, PointId free_point);
+/// Of a free point, or of the body that the point belongs to.
+double energy_round(const World& world, PointId point);
+
+/// Values of a family's attributes: those given, else the family's. Throws Error for a name that it does not have.
+std::vector<double> attribute_values(std::string_view call, const Family& family, std::span<const AttributeDef> given);
+
+/// The courses of a new particle: its family's, less what is given as a value, with its own. Throws Error for a name that
+/// neither a particle nor its family has.
+std::shared_ptr<const Courses> courses_of(std::string_view call, const Family& family,
+                                          const std::shared_ptr<const Courses>& own, bool radius_given,
+                                          bool color_given, std::span<const AttributeDef> given);
+
+/// A constraint starts anew, see constraints/violation.hpp.
+inline void start_constraint(const World& world, Constraint& constraint) {
+  pantin::start_constraint(world, constraint, world.settings.tolerance);
+}
+/// Puts a constraint into the world. Throws Error where it does not fit into the world's plane.
+ConstraintId insert_constraint(World& world, Constraint constraint);
+/// Takes a constraint out of the rows of what it ties, and of the world.
+void take_out_constraint(World& world, ConstraintId constraint, Obituary obituary);
+/// Empties the hand that grabs by this constraint, which goes: told as "drop", with the point. False where none does.
+bool let_go(World& world, ConstraintId constraint);
+/// Ends a connection that bore no more than `force` [N]; told as "broke". May be called inside a step.
+void break_connection(World& world, ConnectionId connection, double force);
+
+/// A point with its own particle, in no body yet.
+PointId make_point(World& world, Point row);
+/// Ends a hinge: its points' own particles wake with copies of the shared data.
+void end_ring(World& world, ParticleId hinge, std::string who);
+/// Whether the points of a hinge are within the scene's tolerance; throws Error where they are not.
+void require_together(const World& world, std::span<const PointId> points);
+/// Makes some bodies of a hinge turn about an axis only [world axes]; `require_axis` throws Error where that cannot be.
+void add_axes(World& world, ParticleId hinge, std::span<const BodyId> bodies, Vec3 axis);
+/// The axes of a hinge that joins into another one stay, with the bodies that they were given to.
+void take_over_axes(World& world, ParticleId from, ParticleId to);
+void require_axis(const World& world, std::span<const BodyId> bodies, Vec3 axis);
+/// Ends the axes of a hinge that concern a body, or all (null).
+void drop_axes(World& world, ParticleId hinge, BodyId body);
+/// Takes one point out of its hinge; a hinge of one point ends. `who` goes into its obituary.
+void leave_ring(World& world, PointId point, const std::string& who);
+/// Removes constraints of a point, takes it out of its ring, and removes it with its particle.
+void erase_point(World& world, PointId point, const std::string& what);
+/// The nail or rigid follow that already holds a ring in place, or null.
+ConstraintId holder(const Model& model, ParticleId ring);
+/// Throws Error where something other than `but` holds the point's ring in place already.
+void require_free_of_holders(const World& world, std::string_view call, PointId point, ConstraintId but = {});
+
+/// Where a target or path is now, [m]. It looks and answers: the world is locked meanwhile.
+Vec3 present(World& world, const std::function<Vec3(double)>& place);
+
+}  // namespace pantin::internal

@@ -1,0 +1,264 @@
+#include <algorithm>
+
+#include "edit/edit.hpp"
+#include "edit/editing.hpp"
+#include "forces/solved.hpp"
+#include "laws/library.hpp"
+#include "laws/run/sites.hpp"
+#include "laws/within_cutoff.hpp"
+
+namespace pantin {
+
+using namespace internal;
+
+namespace {
+
+std::vector<double> checked_parameters(std::string_view call, const Law& law, std::vector<double> values) {
+  if (values.empty())
+    for (const Parameter& p : law.parameters) values.push_back(p.value);
+  require(values.size() == law.parameters.size(), call, ": the law has ", law.parameters.size(), " parameters, got ",
+          values.size());
+  for (std::size_t i = 0; i < values.size(); i++)
+    if (!given_by_world(law.parameters[i].name))
+      require_finite(call, law.parameters[i].name, values[i], law.parameters[i].unit);
+  return values;
+}
+
+const char* kind_name(LawKind kind) {
+  static constexpr const char* names[] = {"pair", "pair", "point", "many"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+bool is_pair(const Law& law) { return law.kind == LawKind::central || law.kind == LawKind::pair; }
+
+/// Every end alive, none twice, at least one that can move.
+void check_ends(const World& world, const Law& law, std::span<const End> ends) {
+  const std::size_t wanted = is_pair(law) ? 2 : static_cast<std::size_t>(law.count);
+  require(law.kind != LawKind::point, "connect: a point law acts on single particles; use scene:field");
+  require(ends.size() == wanted, "connect: a ", kind_name(law.kind), " law ties ", wanted, " particles, got ",
+          ends.size());
+  bool any = false;
+  for (std::size_t i = 0; i < ends.size(); i++) {
+    if (!ends[i].particle) {
+      require_finite("connect", "a place", ends[i].place, "m");
+      continue;
+    }
+    any = true;
+    require(world.particles.alive(ends[i].particle), "connect: ", world.particles.story(ends[i].particle));
+    for (std::size_t j = 0; j < i; j++)
+      require(!ends[j].particle || awake(world, ends[j].particle) != awake(world, ends[i].particle),
+              "connect: ", describe(world, ends[i].particle), " is given twice");
+  }
+  require(any, "connect: one of its ends must be a particle; all are places");
+}
+
+void write_parameter(const Law& law, std::vector<double>& values, std::size_t index, double value) {
+  const std::string& name = law.parameters[index].name;
+  require(!given_by_world(name), "parameters: ", name, " is the scene's, and cannot be written here");
+  require_finite("parameters", name, value, law.parameters[index].unit);
+  values[index] = value;
+}
+
+}  // namespace
+
+double present_value(const World& world, std::span<const End> ends) {
+  const Box box{world.settings.box.value_or(zero3())};
+  std::vector<Vec3> places;
+  for (const End& end : ends) {
+    const Vec3 place = end.particle ? position(world, end.particle) : end.place;
+    places.push_back(places.empty() ? place : places.back() + box.nearest(place - places.back()));
+  }
+  return present_value(places);
+}
+
+ConnectionId add_connection(World& world, std::shared_ptr<const Law> law, const ConnectionDef& def) {
+  require_unlocked(world, "connect");
+  check_ends(world, *law, def.ends);
+  require_positive_or_infinite("connect", "breaks_at.force", def.max_force, "N");
+  require_positive_or_infinite("connect", "breaks_at.length", def.max_length, "m");
+  Connection row;
+  row.parameters = checked_parameters("connect", *law, def.parameters);
+  row.law = within_cutoff(law);
+  row.count = static_cast<std::uint32_t>(def.ends.size());
+  row.max_force = def.max_force;
+  row.max_length = def.max_length;
+  row.name = def.name;
+  row.place_of_making = world.who ? world.who() : "";
+  row.serial = world.next_serial++;
+  for (std::size_t i = 0; i < def.ends.size(); i++) {
+    row.particles[i] = def.ends[i].particle;
+    if (!row.particles[i]) row.places.resize(def.ends.size(), zero3());
+  }
+  for (std::size_t i = 0; i < row.places.size(); i++) row.places[i] = def.ends[i].place;
+  row.asked = def.solve;
+  require(
+      row.asked == Solve::explicitly || can_be_solved(world, row), "connect: ",
+      world.settings.box ? "implicit = true works in open space, and this scene is a periodic box"
+      : world.plane.flat()
+          ? "implicit = true needs ends at one height in scene.plane, and a law of their distance, traced, two-sided "
+            "and without noise"
+          : "implicit = true needs a law of the distance of two particles, traced, two-sided and "
+            "without noise");
+  disturb_forces(world);
+  world.stiffness_unknown = true;
+  const ConnectionId id = world.connections.add(std::move(row));
+  for (const End& end : def.ends)
+    if (end.particle) world.particles[end.particle].connections.push_back(id);
+  return id;
+}
+
+InteractionId add_interaction(World& world, std::shared_ptr<const Law> law, FamilyId a, FamilyId b,
+                              std::vector<double> parameters) {
+  require_unlocked(world, "interact");
+  require(is_pair(*law), "interact: it needs a pair law, got a ", kind_name(law->kind), " law");
+  for (FamilyId family : {a, b}) require(world.families.alive(family), "interact: ", world.families.story(family));
+  Interaction row;
+  row.parameters = checked_parameters("interact", *law, std::move(parameters));
+  row.law = std::move(law);
+  row.a = a;
+  row.b = b;
+  row.place_of_making = world.who ? world.who() : "";
+  row.serial = world.next_serial++;
+  disturb_forces(world);
+  return world.interactions.add(std::move(row));
+}
+
+FieldId add_field(World& world, std::shared_ptr<const Law> law, const AnyId& target, std::vector<double> parameters) {
+  require_unlocked(world, "field");
+  require(law->kind == LawKind::point, "field: it needs a point law, got a ", kind_name(law->kind), " law");
+  Field row;
+  if (const FamilyId* family = std::get_if<FamilyId>(&target)) {
+    require(world.families.alive(*family), "field: ", world.families.story(*family));
+    row.family = *family;
+  } else if (const GroupId* group = std::get_if<GroupId>(&target)) {
+    require(world.groups.alive(*group), "field: ", world.groups.story(*group));
+    row.group = *group;
+  } else {
+    require(std::holds_alternative<std::monostate>(target), "field: it acts on a family, a group or the scene, got ",
+            describe(world, target));
+  }
+  row.parameters = checked_parameters("field", *law, std::move(parameters));
+  row.law = std::move(law);
+  row.place_of_making = world.who ? world.who() : "";
+  row.serial = world.next_serial++;
+  disturb_forces(world);
+  return world.fields.add(std::move(row));
+}
+
+namespace {
+
+/// What ties things into one articulate is to be found anew.
+void touch_solved(World& world, const Connection& c) {
+  if (c.solve == Solve::explicitly) return;
+  for (ParticleId end : {c.particles[0], c.particles[1]})
+    if (end && world.particles.alive(end)) touch(world, end);
+}
+
+void take_out(World& world, ConnectionId id, Obituary obituary) {
+  const Connection row = world.connections[id];
+  disturb_forces_by_break(world, row);
+  touch_solved(world, row);
+  for (std::uint32_t i = 0; i < row.count; i++)
+    if (row.particles[i] && world.particles.alive(row.particles[i]))
+      std::erase(world.particles[row.particles[i]].connections, id);
+  world.connections.remove(id, std::move(obituary));
+}
+
+}  // namespace
+
+void remove(World& world, ConnectionId id) {
+  require_unlocked(world, "remove");
+  take_out(world, id, obituary(world, describe(world, id)));
+  notice(world, Notice::Kind::removed, id, world.connections.story(id));
+}
+
+void internal::break_connection(World& world, ConnectionId id, double force) {
+  const Connection& row = world.connections[id];
+  if (world.breaks.size() == most_breaks) world.breaks.pop_front();
+  world.breaks.push_back({end_of(world, row, 0), end_of(world, row, 1), next_time(world)});
+  const double length = norm(end_of(world, row, 1) - end_of(world, row, 0));
+  const std::string by =
+      std::fabs(force) > row.max_force ? text("its load of ", force, " N") : text("its length of ", length, " m");
+  take_out(world, id, {describe(world, id), next_time(world), by});
+  world.notices.push_back({Notice::Kind::broke, id, -1, world.connections.story(id), force});
+}
+
+void remove(World& world, InteractionId id) {
+  require_unlocked(world, "remove");
+  const std::string what = describe(world, id);
+  disturb_forces(world);
+  world.interactions.remove(id, obituary(world, what));
+}
+
+void remove(World& world, FieldId id) {
+  require_unlocked(world, "remove");
+  const std::string what = describe(world, id);
+  disturb_forces(world);
+  world.fields.remove(id, obituary(world, what));
+}
+
+void set_enabled(World& world, ConnectionId id, bool enabled) {
+  require_unlocked(world, "enabled");
+  disturb_forces(world);
+  world.stiffness_unknown = true;
+  touch_solved(world, world.connections[id]);
+  world.connections[id].enabled = enabled;
+}
+void set_enabled(World& world, InteractionId id, bool enabled) {
+  require_unlocked(world, "enabled");
+  disturb_forces(world);
+  world.interactions[id].enabled = enabled;
+}
+void set_enabled(World& world, FieldId id, bool enabled) {
+  require_unlocked(world, "enabled");
+  disturb_forces(world);
+  world.fields[id].enabled = enabled;
+}
+
+void set_parameter(World& world, ConnectionId id, std::size_t index, double value) {
+  require_unlocked(world, "parameters");
+  disturb_forces(world);
+  world.stiffness_unknown = true;
+  write_parameter(*world.connections[id].law, world.connections[id].parameters, index, value);
+}
+void set_parameter(World& world, InteractionId id, std::size_t index, double value) {
+  require_unlocked(world, "parameters");
+  disturb_forces(world);
+  Interaction& row = world.interactions[id];
+  std::vector<double> values = row.parameters;
+  write_parameter(*row.law, values, index, value);
+  if (row.law->remade) {
+    const std::shared_ptr<Law> law = row.law->remade(values);
+    law->name = row.law->name;
+    row.law = law;
+  }
+  row.parameters = values;
+}
+void set_parameter(World& world, FieldId id, std::size_t index, double value) {
+  require_unlocked(world, "parameters");
+  disturb_forces(world);
+  write_parameter(*world.fields[id].law, world.fields[id].parameters, index, value);
+}
+
+void replace_law(World& world, const std::shared_ptr<const Law>& law, const std::shared_ptr<const Law>& by) {
+  require_unlocked(world, "replace_law");
+  disturb_forces(world);
+  world.stiffness_unknown = true;
+  const auto replace = [](auto& rows, const auto& old, const auto& now) {
+    for (std::uint32_t s = 0; s < rows.slots(); s++)
+      if (rows.alive_at(s) && rows.at_slot(s).law == old) rows.at_slot(s).law = now;
+  };
+  replace(world.connections, within_cutoff(law), within_cutoff(by));
+  replace(world.interactions, law, by);
+  replace(world.fields, law, by);
+}
+
+void set_breaks_at(World& world, ConnectionId id, double max_force, double max_length) {
+  require_unlocked(world, "breaks_at");
+  require_positive_or_infinite("connection", "breaks_at.force", max_force, "N");
+  require_positive_or_infinite("connection", "breaks_at.length", max_length, "m");
+  world.connections[id].max_force = max_force;
+  world.connections[id].max_length = max_length;
+}
+
+}  // namespace pantin

@@ -1,0 +1,151 @@
+#include <algorithm>
+
+#include "articulates/solve/state.hpp"
+#include "edit/assemble.hpp"
+#include "edit/parts.hpp"
+#include "model/weigh.hpp"
+
+namespace pantin {
+
+using namespace internal;
+
+namespace {
+
+/// How the frame of one body lies in that of another.
+struct Frame {
+  Quat turn;
+  Vec3 shift;
+  Vec3 place(Vec3 v) const { return shift + rotate(turn, v); }
+};
+
+Mat3 about_other_place(const OwnMass& own, Vec3 place) {
+  const Vec3 r = own.place - place;
+  return own.inertia + (identity33() * norm2(r) - outer(r, r)) * own.mass;
+}
+
+OwnMass own_of(const Body& body) { return {body.own_mass, body.own_inertia, body.own_place}; }
+
+OwnMass together(const OwnMass& a, const OwnMass& b) {
+  OwnMass both;
+  both.mass = a.mass + b.mass;
+  both.place = both.mass > 0.0 ? a.place + (b.place - a.place) * (b.mass / both.mass) : a.place;
+  both.inertia = about_other_place(a, both.place) + about_other_place(b, both.place);
+  return both;
+}
+
+/// Rotations that are tied to b are tied to a from now on, as they are now.
+void hand_over(World& world, ConstraintId id, BodyId a, BodyId b, const Frame& frame) {
+  Constraint& c = world.constraints[id];
+  if (c.body_a == b) {
+    c.body_a = a;
+    c.axis_a = rotate(frame.turn, c.axis_a);
+    c.arm_a = frame.place(c.arm_a);
+    c.turn = normalised(c.turn * conjugate(frame.turn));
+    c.previous_turn = normalised(c.previous_turn * conjugate(frame.turn));
+    if (const auto wanted = c.attitude)
+      c.attitude = [wanted, turn = frame.turn](double time) { return wanted(time) * conjugate(turn); };
+  } else {
+    c.body_b = a;
+    c.axis_b = rotate(frame.turn, c.axis_b);
+    c.arm_b = frame.place(c.arm_b);
+    c.turn = normalised(frame.turn * c.turn);
+    c.previous_turn = normalised(frame.turn * c.previous_turn);
+  }
+  std::erase(world.bodies[b].constraints, id);
+  world.bodies[a].constraints.push_back(id);
+  touch(world, c);
+}
+
+/// Axes that hinges of both bodies gave to b but not to a are a's now; b is to leave these hinges.
+void take_axes(World& world, BodyId a, BodyId b, const Frame& frame) {
+  const std::vector<ConstraintId> constraints = world.bodies[b].constraints;
+  for (ConstraintId id : constraints) {
+    const Constraint& c = world.constraints[id];
+    if (!c.ring) continue;
+    const auto& axes = world.particles[c.ring].axes;
+    const bool of_both = std::any_of(axes.begin(), axes.end(), [&](ConstraintId other) {
+      const Constraint& o = world.constraints[other];
+      return o.given == c.given && (o.body_a == a || o.body_b == a);
+    });
+    if (!of_both) hand_over(world, id, a, b, frame);
+  }
+}
+
+void merge_rotations(World& world, BodyId a, BodyId b, const Frame& frame) {
+  const std::vector<ConstraintId> constraints = world.bodies[b].constraints;
+  for (ConstraintId id : constraints) {
+    const Constraint& c = world.constraints[id];
+    if ((c.body_a == a && c.body_b == b) || (c.body_a == b && c.body_b == a))
+      remove(world, id);
+    else
+      hand_over(world, id, a, b, frame);
+  }
+}
+
+void take_points(World& world, BodyId a, BodyId b, const Frame& frame) {
+  std::vector<PointId>& points = world.bodies[a].points;
+  const auto is_taken = [&](const std::string& name) {
+    return std::any_of(points.begin(), points.end(), [&](PointId p) { return world.points[p].name == name; });
+  };
+  for (PointId id : world.bodies[b].points) {
+    Point& point = world.points[id];
+    point.place = frame.place(point.place);
+    point.body = a;
+    if (is_taken(point.name)) point.name.clear();
+    points.push_back(id);
+  }
+  world.bodies[b].points.clear();
+}
+
+/// Pushes of this step go on.
+void take_pushes(World& world, BodyId a, const Motion& old_a, const Motion& old_b) {
+  Motion& m = world.motion_of(a);
+  m.force = old_a.force + old_b.force;
+  const Vec3 moved = cross(old_a.x - m.x, old_a.force) + cross(old_b.x - m.x, old_b.force);
+  m.torque = old_a.torque + old_b.torque + world.plane.about(moved);
+}
+
+}  // namespace
+
+void merge(World& world, BodyId a, BodyId b) {
+  require_unlocked(world, "merge");
+  for (BodyId id : {a, b}) require(world.bodies.alive(id), "merge: ", world.bodies.story(id));
+  require(a != b, "merge: both are ", describe(world, a), "; it needs two bodies");
+  acted(world);
+  disturb_sites(world);
+  const Quat to_a = conjugate(orientation(world, a));
+  const Frame frame{normalised(to_a * orientation(world, b)), rotate(to_a, origin(world, b) - origin(world, a))};
+  const double before = energy_of(world, a) + energy_of(world, b);
+  const BodyId both[] = {a, b};
+  const Totals kept = totals_of(world, both, {});
+  const Motion old_a = world.motion_of(a), old_b = world.motion_of(b);
+  const std::string who = text(culprit(world), ", merging it into ", describe(world, a));
+
+  for (BodyId id : both) {
+    touch(world, id);
+    disturb(world, id);
+  }
+  std::vector<PointId> points = world.bodies[a].points;
+  points.insert(points.end(), world.bodies[b].points.begin(), world.bodies[b].points.end());
+  take_axes(world, a, b, frame);
+  part_ties_within(world, points, who);
+  merge_rotations(world, a, b, frame);
+  take_points(world, a, b, frame);
+  OwnMass own_b = own_of(world.bodies[b]);
+  const Mat3 R = matrix(frame.turn);
+  own_b.place = frame.place(own_b.place);
+  own_b.inertia = times_transposed(R * own_b.inertia, R);
+  Body& body = world.bodies[a];
+  const OwnMass own = together(own_of(body), own_b);
+  body.own_mass = own.mass;
+  body.own_inertia = own.inertia;
+  body.own_place = own.place;
+  erase_body(world, b, who);
+  update_mass(world, a);
+  set_momenta(world, a, kept.p, kept.angular);
+  take_pushes(world, a, old_a, old_b);
+  touch(world, a);
+  post(world, Source::merge, energy_of(world, a) - before);
+}
+
+}  // namespace pantin

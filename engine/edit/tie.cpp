@@ -1,0 +1,160 @@
+#include "constraints/violation.hpp"
+#include "edit/edit.hpp"
+#include "edit/editing.hpp"
+#include "forces/sleep.hpp"
+
+namespace pantin {
+
+using namespace internal;
+
+namespace {
+
+void require_point(const World& world, const char* call, PointId point) {
+  require(world.points.alive(point), call, ": ", world.points.story(point));
+}
+
+ConstraintId add_rod_row(World& world, Constraint c, Vec3 far_end, std::optional<double> length) {
+  const double distance = norm(position(world, c.a) - far_end);
+  c.kind = ConstraintKind::rod;
+  c.time_constant = 0.1;
+  c.length = length.value_or(distance);
+  if (!length) require(distance > 0.0, "rod: its ends are in one place, so it has no length; a length must be > 0 m");
+  require_positive("rod", "length", c.length, "m");
+  c.previous_length = c.before_length = c.length;
+  require(std::fabs(distance - c.length) <= world.settings.tolerance * c.length, "rod: its ends are ", distance,
+          " m apart, but its length is given as ", c.length, " m; move them first, or set the length afterwards");
+  return insert_constraint(world, std::move(c));
+}
+
+Constraint& of_kind(World& world, ConstraintId id, ConstraintKind kind, const char* call) {
+  require_unlocked(world, call);
+  Constraint& c = world.constraints[id];
+  require(c.kind == kind, call, ": ", describe(world, id), " has none");
+  wake(world, c);
+  return c;
+}
+
+}  // namespace
+
+ConstraintId add_nail(World& world, PointId point, std::optional<Vec3> at, double time_constant) {
+  require_unlocked(world, "nail");
+  require_point(world, "nail", point);
+  if (at) require_finite("nail", "at", *at, "m");
+  require_positive("nail", "time_constant", time_constant, "s");
+  require_free_of_holders(world, "nail", point);
+  Constraint c;
+  c.kind = ConstraintKind::nail;
+  c.a = point;
+  c.time_constant = time_constant;
+  c.place = at ? *at : position(world, point);
+  start_constraint(world, c);
+  return insert_constraint(world, std::move(c));
+}
+
+ConstraintId add_follow(World& world, PointId point, const FollowDef& def) {
+  require_unlocked(world, "follow");
+  require_point(world, "follow", point);
+  require_positive_or_infinite("follow", "max_force", def.max_force, "N");
+  require_positive("follow", "time_constant", def.time_constant, "s");
+  if (!std::isfinite(def.max_force)) require_free_of_holders(world, "follow", point);
+  Vec3 place = def.at;
+  if (def.hand >= 0) {
+    const auto hand = static_cast<std::size_t>(def.hand);
+    require(hand < world.hands.size(), "follow: there is no hand ", hand + 1);
+    require(world.hands[hand].placed, "follow: hand ", hand + 1, " has no position yet");
+    place = world.hands[hand].position;
+  } else if (def.target) {
+    place = present(world, def.target);
+  }
+  require_finite("follow", "target", place, "m");
+  if (def.hand >= 0 || def.target) place = world.plane.beside(place, position(world, point));
+  Constraint c;
+  c.kind = ConstraintKind::follow;
+  c.a = point;
+  c.max_force = def.max_force;
+  c.time_constant = def.time_constant;
+  c.hand = def.hand;
+  if (def.hand < 0) c.target = def.target;
+  c.place = place;
+  start_constraint(world, c);
+  return insert_constraint(world, std::move(c));
+}
+
+ConstraintId add_rod(World& world, PointId a, PointId b, std::optional<double> length) {
+  require_unlocked(world, "rod");
+  require_point(world, "rod", a);
+  require_point(world, "rod", b);
+  const Point &pa = world.points[a], &pb = world.points[b];
+  require(pa.particle != pb.particle, "rod: its ends are one particle, ", describe(world, pa.particle),
+          "; a rod ties two");
+  require(!pa.body || pa.body != pb.body, "rod: both ends belong to ", describe(world, pa.body),
+          ", which is rigid already");
+  Constraint c;
+  c.a = a;
+  c.b = b;
+  return add_rod_row(world, std::move(c), position(world, b), length);
+}
+
+ConstraintId add_rod(World& world, PointId a, Vec3 place, std::optional<double> length) {
+  require_unlocked(world, "rod");
+  require_point(world, "rod", a);
+  require_finite("rod", "place", place, "m");
+  Constraint c;
+  c.a = a;
+  c.place = c.previous = c.before = place;
+  return add_rod_row(world, std::move(c), place, length);
+}
+
+void set_enabled(World& world, ConstraintId id, bool enabled) {
+  require_unlocked(world, "enabled");
+  Constraint& c = world.constraints[id];
+  if (c.enabled == enabled) return;
+  touch(world, c);
+  c.enabled = enabled;
+  c.force = c.torque = zero3();
+  c.tension = 0.0;
+  if (!enabled) return;
+  start_constraint(world, c);
+}
+
+void set_target(World& world, ConstraintId follow, std::function<Vec3(double)> target) {
+  Constraint& c = of_kind(world, follow, ConstraintKind::follow, "target");
+  require(c.hand < 0, "target: ", describe(world, follow), " belongs to hand ", c.hand + 1, " and goes where it goes");
+  Vec3 place = target ? present(world, target) : c.place;
+  require_finite("follow", "target", place, "m");
+  place = world.plane.beside(place, c.place);
+  c.place = place;
+  start_constraint(world, c);
+  c.target = std::move(target);
+  touch(world, c);
+}
+
+void set_place(World& world, ConstraintId id, Vec3 place) {
+  require_unlocked(world, "place");
+  Constraint& c = world.constraints[id];
+  const std::string who = describe(world, id);
+  require_finite(who, "place", place, "m");
+  require(c.hand < 0, who, ": it belongs to hand ", c.hand + 1, " and goes where it goes");
+  if (c.kind == ConstraintKind::rod) {
+    require(!c.b, who, ": both its ends are points; move those");
+    touch(world, c);
+  }
+  if (c.kind != ConstraintKind::on_plane) require_height(world, who, "place", place, c.place);
+  wake(world, c);
+  c.target = nullptr;
+  c.place = place;
+  start_constraint(world, c);
+}
+
+void set_max_force(World& world, ConstraintId follow, double force) {
+  Constraint& c = of_kind(world, follow, ConstraintKind::follow, "max_force");
+  require_positive_or_infinite("follow", "max_force", force, "N");
+  const bool was = std::isfinite(c.max_force), is = std::isfinite(force);
+  if (was && !is) require_free_of_holders(world, "follow", c.a);
+  c.max_force = force;
+  if (was == is) return;
+  start_constraint(world, c);
+  touch(world, c);
+}
+
+}  // namespace pantin

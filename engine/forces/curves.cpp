@@ -1,0 +1,112 @@
+#include "forces/curves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace pantin {
+
+namespace {
+
+/// Runs a course for particles.
+class Runner {
+ public:
+  explicit Runner(const Course& course)
+      : machine_(course.program),
+        age_(machine_.input(course_age)),
+        lifetime_(machine_.input(course_lifetime)),
+        outputs_(course.program.outputs.size()) {
+    machine_.run_uniform();
+  }
+
+  /// `places`: which of `slots` to run for, and where the results go.
+  void run(const World& world, double time, std::span<const std::uint32_t> places, std::span<const std::uint32_t> slots,
+           std::span<double* const> columns) {
+    for (std::size_t first = 0; first < places.size(); first += Machine::block) {
+      const auto block = places.subspan(first, std::min<std::size_t>(Machine::block, places.size() - first));
+      for (std::size_t k = 0; k < block.size(); k++) {
+        const Particle& particle = world.particles.at_slot(slots[block[k]]);
+        if (age_ >= 0) machine_.column(age_)[k] = std::clamp(time - particle.born, 0.0, particle.lifetime);
+        if (lifetime_ >= 0) machine_.column(lifetime_)[k] = particle.lifetime;
+      }
+      machine_.run(static_cast<int>(block.size()));
+      for (std::size_t output = 0; output < outputs_; output++) {
+        const double* values = machine_.output(static_cast<int>(output));
+        for (std::size_t k = 0; k < block.size(); k++) columns[output][block[k]] = values[k];
+      }
+    }
+  }
+
+ private:
+  Machine machine_;
+  int age_, lifetime_;
+  std::size_t outputs_;
+};
+
+const Course* find_course(const World& world, ParticleId id, std::string_view name) {
+  const Particle& particle = world.particles[id];
+  return particle.courses ? particle.courses->find(name) : nullptr;
+}
+
+float channel(double x) { return static_cast<float>(x > 0.0 ? std::fmin(x, 1.0) : 0.0); }
+
+}  // namespace
+
+std::optional<double> course_value(const World& world, ParticleId particle, std::string_view name, double time) {
+  const Course* course = find_course(world, particle, name);
+  if (!course) return {};
+  const std::uint32_t place = 0, slot = particle.slot - 1;
+  double value = 0.0;
+  double* const column = &value;
+  Runner(*course).run(world, time, {&place, 1}, {&slot, 1}, {&column, 1});
+  return value;
+}
+
+Color present_color(const World& world, ParticleId id) {
+  const Particle& particle = world.particles[id];
+  if (!find_course(world, id, "color")) return particle.color.value_or(world.points[particle.points[0]].color);
+  double c[4];
+  double* const columns[] = {&c[0], &c[1], &c[2], &c[3]};
+  const std::uint32_t slot = id.slot - 1;
+  follow_courses(world, "color", world.time, {&slot, 1}, columns);
+  return {channel(c[0]), channel(c[1]), channel(c[2]), channel(c[3])};
+}
+
+double present_radius(const World& world, ParticleId id) {
+  const Particle& particle = world.particles[id];
+  return course_value(world, id, "radius", world.time)
+      .value_or(particle.radius.value_or(world.points[particle.points[0]].radius));
+}
+
+Look look_of(const World& world, const Particle& particle) {
+  if (particle.look) return *particle.look;
+  return particle.family ? world.families[particle.family].look.value_or(Look::ball) : Look::ball;
+}
+
+void follow_courses(const World& world, std::string_view name, double time, std::span<const std::uint32_t> slots,
+                    std::span<double* const> columns) {
+  struct Followers {
+    const Course* course;
+    std::vector<std::uint32_t> places;
+  };
+  std::vector<Followers> groups;
+  std::unordered_map<const Courses*, std::size_t> known;  // only looked up: its order reaches nothing
+  const Courses* last = nullptr;
+  std::size_t group = 0;
+  for (std::uint32_t i = 0; i < slots.size(); i++) {
+    if (slots[i] >= world.particles.slots() || !world.particles.alive_at(slots[i])) continue;
+    const Courses* courses = world.particles.at_slot(slots[i]).courses.get();
+    if (!courses) continue;
+    if (courses != last) {
+      const auto [found, is_new] = known.try_emplace(courses, groups.size());
+      if (is_new) groups.push_back({courses->find(name), {}});
+      group = found->second;
+      last = courses;
+    }
+    if (groups[group].course) groups[group].places.push_back(i);
+  }
+  for (const Followers& g : groups)
+    if (g.course) Runner(*g.course).run(world, time, g.places, slots, columns);
+}
+
+}  // namespace pantin

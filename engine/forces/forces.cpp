@@ -1,0 +1,322 @@
+#include "forces/forces.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "articulates/articulate.hpp"
+#include "forces/curves.hpp"
+#include "forces/disturb.hpp"
+#include "forces/forces_parts.hpp"
+#include "forces/integrator.hpp"
+#include "forces/solved.hpp"
+#include "laws/draws_noise.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr std::uint32_t none = Forces::none;
+/// Laws over no more pairs than this tell their energy in every step, others in every sixteenth.
+constexpr std::size_t few_pairs = 4096;
+
+}  // namespace
+
+std::vector<double> present_parameters(const World& world, const Law& law, const std::vector<double>& given) {
+  std::vector<double> values = given;
+  for (std::size_t i = 0; i < values.size(); i++) {
+    if (!given_by_world(law.parameters[i].name)) continue;
+    values[i] = law.parameters[i].name == "step" ? world.part.full : world.settings.boltzmann;
+  }
+  return values;
+}
+
+void run_law(const World& world, Forces& f, ActingInteraction& a, const Instant& instant) {
+  a.pairs.add_forces(f.sites, a.rows, instant, present_parameters(world, *a.law, world.interactions[a.id].parameters),
+                     *world.workers);
+}
+
+void run_law(const World& world, Forces& f, ActingConnections& a, const Instant& instant) {
+  a.bonds.add_forces(f.sites, box_of(world), instant, {}, *world.workers);
+}
+
+void run_law(const World& world, Forces& f, ActingField& a, const Instant& instant) {
+  a.fields.add_forces(f.sites, box_of(world), instant, present_parameters(world, *a.law, world.fields[a.id].parameters),
+                      *world.workers);
+}
+
+double run_laws(const World& world, Forces& f, const Instant& instant, bool with_energy) {
+  const Box box = box_of(world);
+  double energy = 0.0;
+  for (ActingInteraction& a : f.interactions) {
+    if (a.law->moving) continue;
+    const auto parameters = present_parameters(world, *a.law, world.interactions[a.id].parameters);
+    if (with_energy)
+      energy += a.energy = a.pairs.add_forces_and_energy(f.sites, a.rows, instant, parameters, *world.workers);
+    else
+      a.pairs.add_forces(f.sites, a.rows, instant, parameters, *world.workers);
+  }
+  for (ActingConnections& a : f.connections) {
+    if (a.law->moving || (a.solved && !(with_energy && a.law->has_energy()))) continue;
+    if (with_energy)
+      energy += a.energy = a.bonds.add_forces_and_energy(f.sites, box, instant, {}, *world.workers);
+    else
+      a.bonds.add_forces(f.sites, box, instant, {}, *world.workers);
+  }
+  for (ActingField& a : f.fields) {
+    if (a.law->moving) continue;
+    const auto parameters = present_parameters(world, *a.law, world.fields[a.id].parameters);
+    if (with_energy)
+      energy += a.energy = a.fields.add_forces_and_energy(f.sites, box, instant, parameters, *world.workers);
+    else
+      a.fields.add_forces(f.sites, box, instant, parameters, *world.workers);
+  }
+  return energy;
+}
+
+void keep_in_plane(const Plane& plane, Sites& sites) {
+  if (!plane.flat()) return;
+  for (auto* forces : {&sites.force, &sites.open_force})
+    for (std::size_t i = 0; i < sites.n; i++) (*forces)[i] = plane.along((*forces)[i]);
+}
+
+double run_still_laws(const World& world, Forces& f, const Instant& instant, bool with_energy) {
+  std::fill(f.sites.force.begin(), f.sites.force.end(), zero3());
+  if (f.open) std::fill(f.sites.open_force.begin(), f.sites.open_force.end(), zero3());
+  return run_laws(world, f, instant, with_energy);
+}
+
+void collect(const World& world, Forces& f) {
+  keep_in_plane(world.plane, f.sites);
+  for (Mover& m : f.movers) {
+    m.force = m.torque = m.open_force = m.open_torque = zero3();
+    m.damper_force = m.damper_torque = m.solved_force = m.solved_torque = zero3();
+    m.solved = false;
+  }
+  for (const Attached& a : f.attached) {
+    Mover& m = f.movers[a.mover];
+    m.force += f.sites.force[a.site];
+    m.torque += world.plane.about(cross(a.r, f.sites.force[a.site]));
+    m.open_force += f.sites.open_force[a.site];
+    m.open_torque += world.plane.about(cross(a.r, f.sites.open_force[a.site]));
+    const Vec3 damping = world.plane.along(damping_of(f, a.site));
+    m.damper_force += damping;
+    m.damper_torque += world.plane.about(cross(a.r, damping));
+  }
+}
+
+void refresh_ages(const World& world, Forces& f, double time) {
+  Sites& s = f.sites;
+  for (std::size_t c = 0; c < s.names.size(); c++) {
+    if (s.names[c] == "age")
+      for (std::size_t i = 0; i < s.n; i++)
+        if (s.particle[i] != none)
+          s.attributes[c][i] = std::fmax(0.0, time - world.particles.at_slot(s.particle[i]).born);
+    double* const column = s.attributes[c].data();
+    if (f.followed[c]) follow_courses(world, s.names[c], time, s.particle, {&column, 1});
+  }
+}
+
+namespace {
+
+bool follows(const Forces& f) {
+  return std::any_of(f.followed.begin(), f.followed.end(), [](char c) { return c != 0; });
+}
+
+/// Whether solved laws read what changes by itself.
+bool changes(const Forces& f) {
+  return std::any_of(f.connections.begin(), f.connections.end(), [&](const ActingConnections& a) {
+    const auto& names = f.sites.names;
+    return a.solved && (a.law->timed || follows(f) || std::find(names.begin(), names.end(), "age") != names.end());
+  });
+}
+
+/// Finds what of the open forces is noise, where errors are to be told without it.
+void find_noise(const World& world, Forces& f, const Instant& instant) {
+  f.noise.clear();
+  if (!world.settings.accuracy || !f.noisy) return;
+  Instant silent = instant;
+  silent.silent = true;
+  const auto force = f.sites.force, open = f.sites.open_force;
+  f.noise.assign(f.sites.n, zero3());
+  for (const bool loud : {true, false}) {
+    std::fill(f.sites.open_force.begin(), f.sites.open_force.end(), zero3());
+    each_law(world, f, [&](const std::string&, const Law& law, auto& acting) {
+      if (draws_noise(law) && !law.thermal) run_law(world, f, acting, loud ? instant : silent);
+    });
+    for (std::size_t i = 0; i < f.sites.n; i++) f.noise[i] += f.sites.open_force[i] * (loud ? 1.0 : -1.0);
+  }
+  f.sites.force = force;
+  f.sites.open_force = open;
+}
+
+/// Forces at the places and velocities that the sites now have; the energy where it is asked for.
+double evaluate(const World& world, Forces& f, const Instant& instant, bool with_energy) {
+  refresh_ages(world, f, instant.time);
+  const double energy = run_still_laws(world, f, instant, with_energy);
+  if (f.moving) {
+    f.still.assign(f.sites.open_force.begin(), f.sites.open_force.end());
+    find_velocity_slopes(world, f, instant);
+  }
+  find_noise(world, f, instant);
+  collect(world, f);
+  return energy;
+}
+
+}  // namespace
+
+Instant instant_of(const World& world, double time, std::uint64_t number) {
+  return {time, number, world.settings.seed};
+}
+
+void start(const World& world, Forces& f) {
+  read_places(world, f, false);
+  build_rows(world, f, false);
+  if (!f.rows) {
+    for (ActingConnections& c : f.connections) c.bonds.arrange(c.ties, f.sites);
+    arrange_fields(world, f);
+  }
+  read_velocities(world, f, false);
+}
+
+namespace {
+
+bool tells_energy(const World& world, const Forces& f) {
+  std::size_t pairs = 0;
+  for (const ActingInteraction& a : f.interactions) pairs += a.rows.pairs();
+  for (const ActingConnections& a : f.connections) pairs += a.ties.size();
+  // Where particles come and go it will be asked for before the next step.
+  return pairs <= few_pairs || (world.steps + 1) % 16 == 0 || f.settled_in == world.steps + 1;
+}
+
+}  // namespace
+
+bool acting_now(const World& world) { return world.forces && !world.influences_changed && !world.forces->unsettled; }
+
+namespace {
+
+/// Energy of the laws at the present places, with ages of another time [s]; forces stay, ages do not.
+double energy_at_ages(const World& world, Forces& f, double time) {
+  const auto force = f.sites.force, open = f.sites.open_force;
+  refresh_ages(world, f, time);
+  const double energy = run_laws(world, f, instant_of(world, time, world.instant), true);
+  f.sites.force = force;
+  f.sites.open_force = open;
+  return energy;
+}
+
+bool stiffness_is_due(World& world) { return std::exchange(world.stiffness_unknown, false) || world.steps % 64 == 0; }
+
+/// The energy of the laws comes into the balance.
+void bring_in_energy(World& world) {
+  Forces& f = *world.forces;
+  each_law(world, f, [](const std::string&, const Law&, auto& acting) { acting.at_first = acting.energy; });
+  if (world.steps == 0)
+    world.start_energy += f.energy;
+  else
+    post(world, Source::law, f.energy);
+}
+
+/// Reads the present state after an edit that left most sites as they were.
+void start_again(const World& world, Forces& f) {
+  read_places(world, f, false);
+  build_rows_in_order(world, f);
+  for (ActingConnections& c : f.connections) c.bonds.arrange(c.ties, f.sites);
+  arrange_fields(world, f);
+  if (f.moving) read_velocities(world, f, false);
+}
+
+/// Forces of the present state with laws, or on sites, that were just changed.
+void start_acting(World& world) {
+  Forces& f = *world.forces;
+  if (stiffness_is_due(world) && find_too_stiff(world, f)) {
+    world.influences_changed = true;
+    return;
+  }
+  set_solved_inputs(world, false);
+  f.energy = evaluate(world, f, instant_of(world, world.time, world.instant), true);
+  bring_in_energy(world);
+}
+
+void make_forces(World& world) {
+  world.forces = build_forces(world);
+  world.influences_changed = false;
+  for (const auto& articulate : world.articulates) articulate->pulled = false;
+  if (!world.forces) {
+    world.sub_steps = {};
+    return;
+  }
+  find_movers(world, *world.forces);
+  start(world, *world.forces);
+  start_acting(world);
+}
+
+/// The same where edits changed what some sites are, or the state of what they are on.
+void settle(World& world) {
+  Forces& f = *world.forces;
+  f.settled_in = world.steps + 1;
+  if (!can_change_members(world, f)) {
+    make_forces(world);
+  } else if (f.told && are_apart(f)) {
+    f.energy += change_members_apart(world, f);
+    bring_in_energy(world);
+  } else {
+    const bool elsewhere = f.elsewhere;
+    change_members(world, f);
+    if (f.sites.n == 0) return make_forces(world);
+    if (elsewhere) find_movers(world, f);
+    start_again(world, f);
+    start_acting(world);
+  }
+}
+
+}  // namespace
+
+void refresh_forces(World& world) {
+  if (world.influences_changed) {
+    make_forces(world);
+  } else if (world.forces && world.forces->unsettled) {
+    settle(world);
+  } else if (world.forces && stiffness_is_due(world) && find_too_stiff(world, *world.forces)) {
+    internal::disturb_forces(world);
+  }
+  if (world.influences_changed) return;
+  if (world.forces && changes(*world.forces)) set_solved_inputs(world, true);
+}
+
+void begin_kick(World& world) {
+  if (!world.forces || !follows(*world.forces)) return;
+  // What changes with age alone is work from outside: half of it at the places before the drift, half at those after.
+  Forces& f = *world.forces;
+  const double energy = f.energy;
+  post(world, Source::law, 0.5 * (energy_at_ages(world, f, kick_end(world)) - energy));
+}
+
+void find_pairs(World& world) {
+  if (!world.forces) return;
+  Forces& f = *world.forces;
+  read_places(world, f, true);
+  if (f.rows && f.skin.spent(f.sites)) build_rows(world, f, true);
+}
+
+void find_forces_again(World& world) {
+  Forces& f = *world.forces;
+  read_places(world, f, false);
+  if (f.rows && f.skin.spent(f.sites)) build_rows(world, f, false);
+  read_velocities(world, f, false);
+  f.energy = evaluate(world, f, instant_of(world, world.time, world.instant), true);
+}
+
+void apply_forces(World& world) {
+  if (!world.forces) return;
+  Forces& f = *world.forces;
+  if (f.moving) read_velocities(world, f, true);
+  world.instant++;
+  const bool end_of_kick = rule_of(world).kicks || world.part.last, end_of_step = world.part.index + 1 == parts(world);
+  const bool ages = follows(f) && end_of_kick;
+  f.told = ages || (end_of_step && tells_energy(world, f));
+  const double before = ages ? energy_at_ages(world, f, kick_start(world)) : 0.0;
+  f.energy = evaluate(world, f, instant_of(world, time_within(world, world.part.to), world.instant), f.told);
+  if (ages) post(world, Source::law, 0.5 * (f.energy - before));
+}
+
+}  // namespace pantin

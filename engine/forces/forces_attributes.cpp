@@ -1,0 +1,127 @@
+// What laws read by name of the particles that they act on.
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "forces/curves.hpp"
+#include "forces/forces_parts.hpp"
+#include "world/checks.hpp"
+
+namespace pantin {
+
+namespace {
+
+std::optional<double> stored_attribute(const World& world, ParticleId id, std::string_view name) {
+  const Particle& particle = world.particles[awake(world, id)];
+  if (name == "mass") return mass(world, id);
+  if (name == "radius") return particle.radius.value_or(world.points[particle.points[0]].radius);
+  if (name == "age") return world.time - particle.born;
+  if (name == "lifetime") return particle.lifetime;
+  if (!particle.family) return {};
+  const std::ptrdiff_t found = world.families[particle.family].find(name);
+  if (found < 0) return {};
+  return particle.values[static_cast<std::size_t>(found)];
+}
+
+}  // namespace
+
+std::optional<double> attribute(const World& world, ParticleId id, std::string_view name) {
+  if (const auto value = course_value(world, awake(world, id), name, world.time)) return value;
+  return stored_attribute(world, id, name);
+}
+
+namespace {
+
+constexpr std::uint32_t none = Forces::none;
+
+/// Throws where a law would read what one of its particles, in the role `who`, has not.
+void require_attributes(const World& world, const Sites& sites, const Law& law, std::span<const std::uint32_t> where,
+                        std::uint8_t who) {
+  for (const Input& input : inputs_of(law)) {
+    if (input.role != Role::attribute || input.who != who) continue;
+    for (std::uint32_t site : where) {
+      require(sites.particle[site] != none, law.name, ": it reads '", input.name, "', which the place ",
+              internal::to_text(sites.x[site]),
+              " m of the world has not; tie a particle, or make it a parameter of the law");
+      if (law.called) continue;  // it tells by itself what it reads
+      const ParticleId id = world.particles.id_at(sites.particle[site]);
+      require(attribute(world, id, input.name).has_value(), law.name, ": it reads '", input.name, "', which ",
+              describe(world, id), " has not; give it a family with this attribute");
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> sites_of_family(const Forces& forces, FamilyId family, std::span<const std::uint32_t> some) {
+  std::vector<std::uint32_t> list;
+  for (std::uint32_t i : some)
+    if (forces.sites.family[i] == family.slot - 1) list.push_back(i);
+  return list;
+}
+
+std::vector<std::uint32_t> sites_of_field(const World& world, const Forces& forces, const pantin::Field& field,
+                                          std::span<const std::uint32_t> some) {
+  if (field.family) return sites_of_family(forces, field.family, some);
+  std::vector<std::uint32_t> list;
+  if (!field.group) {
+    for (std::uint32_t i : some)
+      if (forces.sites.particle[i] != none) list.push_back(i);
+    return list;
+  }
+  for (ParticleId p : particles_of(world, AnyId(field.group))) {
+    const std::uint32_t site = forces.site_of[awake(world, p).slot - 1];
+    if (std::binary_search(some.begin(), some.end(), site)) list.push_back(site);
+  }
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+  return list;
+}
+
+std::vector<Input> inputs_of(const Law& law) {
+  if (law.called) return law.inputs_wanted;
+  std::vector<Expr> outputs = law.force;
+  if (law.energy != no_expression) outputs.push_back(law.energy);
+  return law.graph.inputs_of(outputs);
+}
+
+void fill_attributes(const World& world, Forces& forces, std::span<const std::uint32_t> some) {
+  Sites& sites = forces.sites;
+  forces.followed.resize(sites.names.size(), 0);
+  for (std::size_t c = 0; c < sites.names.size(); c++)
+    for (std::uint32_t i : some) {
+      sites.attributes[c][i] = std::numeric_limits<double>::quiet_NaN();
+      if (sites.particle[i] == none) continue;
+      const auto value = stored_attribute(world, world.particles.id_at(sites.particle[i]), sites.names[c]);
+      if (value) sites.attributes[c][i] = *value;
+      const Courses* courses = world.particles.at_slot(sites.particle[i]).courses.get();
+      if (courses && courses->find(sites.names[c])) forces.followed[c] = 1;
+    }
+}
+
+void check_attributes(const World& world, const Forces& forces, std::span<const std::uint32_t> some) {
+  const Sites& sites = forces.sites;
+  for (const ActingInteraction& acting : forces.interactions) {
+    const Interaction& row = world.interactions[acting.id];
+    require_attributes(world, sites, *acting.law, sites_of_family(forces, row.a, some), 0);
+    require_attributes(world, sites, *acting.law, sites_of_family(forces, row.b, some), 1);
+  }
+  for (const ActingField& acting : forces.fields)
+    require_attributes(world, sites, *acting.law, sites_of_field(world, forces, world.fields[acting.id], some), 0);
+  for (const ActingConnections& acting : forces.connections)
+    for (std::size_t who = 0; who < static_cast<std::size_t>(acting.ties.count); who++) {
+      std::vector<std::uint32_t> ends;
+      for (std::size_t k = who; k < acting.ties.sites.size(); k += static_cast<std::size_t>(acting.ties.count))
+        if (std::binary_search(some.begin(), some.end(), acting.ties.sites[k])) ends.push_back(acting.ties.sites[k]);
+      require_attributes(world, sites, *acting.law, ends, static_cast<std::uint8_t>(who));
+    }
+}
+
+void arrange_fields(const World& world, Forces& forces) {
+  std::vector<std::uint32_t> all(forces.sites.n);
+  std::iota(all.begin(), all.end(), 0u);
+  for (ActingField& acting : forces.fields)
+    acting.fields.arrange(sites_of_field(world, forces, world.fields[acting.id], all));
+}
+
+}  // namespace pantin

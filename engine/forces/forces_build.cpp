@@ -1,0 +1,209 @@
+// From the model's rows to what the hot loops read.
+#include "forces/forces_parts.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <unordered_map>
+
+#include "laws/draws_noise.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr std::uint32_t none = Forces::none;
+
+/// Finds what becomes a site.
+struct Builder {
+  const World& world;
+  Forces& forces;
+  std::vector<Wanted> how = {};   // (slots of particles)
+  std::vector<Vec3> places = {};  // of sites that are places of the world
+
+  void find_wanted() {
+    std::vector<char>& family = forces.families;
+    family.assign(world.families.slots(), 0);
+    for (InteractionId id : world.interactions.ids()) {
+      const Interaction& row = world.interactions[id];
+      if (!row.enabled) continue;
+      family[row.a.slot - 1] = family[row.b.slot - 1] = 1;
+    }
+    how.assign(world.particles.slots(), Wanted::not_at_all);
+    for (FieldId id : world.fields.ids()) {
+      const Field& row = world.fields[id];
+      if (!row.enabled) continue;
+      if (row.family) family[row.family.slot - 1] = 1;
+      forces.grouped = forces.grouped || row.group;
+      forces.everybody = forces.everybody || (!row.family && !row.group);
+      if (!row.group || !world.groups.alive(row.group)) continue;
+      for (ParticleId p : particles_of(world, AnyId(row.group))) how[awake(world, p).slot - 1] = Wanted::by_others;
+    }
+    for (std::uint32_t s = 0; s < world.particles.slots(); s++)
+      if (world.particles.alive_at(s) && !world.particles.at_slot(s).asleep_in)
+        how[s] = std::max(how[s], wanted(world, forces, world.particles.id_at(s)));
+  }
+
+  std::vector<std::uint32_t> slots_by_serial() const {
+    std::vector<std::uint32_t> slots;
+    for (std::uint32_t s = 0; s < how.size(); s++)
+      if (how[s] != Wanted::not_at_all) slots.push_back(s);
+    std::sort(slots.begin(), slots.end(), [&](std::uint32_t i, std::uint32_t j) {
+      return world.particles.at_slot(i).serial < world.particles.at_slot(j).serial;
+    });
+    return slots;
+  }
+
+  void add_sites() {
+    const std::vector<std::uint32_t> slots = slots_by_serial();
+    Sites& sites = forces.sites;
+    sites.resize(slots.size() + places.size());
+    sites.clear_forces();
+    forces.point.assign(sites.n, none);
+    forces.attached_of.assign(sites.n, none);
+    forces.inverse_mass.assign(sites.n, 0.0);
+    forces.image.assign(sites.n, zero3());
+    forces.site_of.assign(world.particles.slots(), none);
+    for (std::uint32_t i = 0; i < slots.size(); i++)
+      seat(world, forces, i, world.particles.id_at(slots[i]), how[slots[i]]);
+    for (std::size_t k = 0; k < places.size(); k++) {
+      const std::size_t i = slots.size() + k;
+      sites.x[i] = places[k];
+      sites.v[i] = zero3();
+      sites.particle[i] = sites.family[i] = none;
+      sites.kin[i] = {};
+      sites.serial[i] = 0;
+    }
+  }
+};
+
+/// Laws at work with what they act on, before there are sites.
+struct Active {
+  std::vector<InteractionId> interactions;
+  std::vector<FieldId> fields;
+  struct Batch {
+    std::shared_ptr<const Law> law;
+    bool solved;
+    std::vector<ConnectionId> ids;
+  };
+  std::vector<Batch> connections;  // in the order of their first connection
+
+  explicit Active(const World& world) {
+    for (InteractionId id : world.interactions.ids())
+      if (world.interactions[id].enabled) interactions.push_back(id);
+    for (FieldId id : world.fields.ids())
+      if (world.fields[id].enabled) fields.push_back(id);
+    std::unordered_map<const Law*, std::size_t> places[2];  // only looked up: their order reaches nothing
+    for (ConnectionId id : world.connections.ids()) {
+      const Connection& row = world.connections[id];
+      if (!row.enabled) continue;
+      const bool solved = row.solve != Solve::explicitly;
+      for (auto law = row.law; law; law = law->also) {
+        const auto [found, is_new] = places[solved].try_emplace(law.get(), connections.size());
+        if (is_new) connections.push_back({law, solved, {}});
+        connections[found->second].ids.push_back(id);
+      }
+    }
+  }
+
+  bool none_at_all() const { return interactions.empty() && fields.empty() && connections.empty(); }
+
+  template <class Use>
+  void each_law(const World& world, Use&& use) const {
+    for (InteractionId id : interactions)
+      for (auto law = world.interactions[id].law; law; law = law->also) use(*law);
+    for (FieldId id : fields)
+      for (auto law = world.fields[id].law; law; law = law->also) use(*law);
+    for (const Batch& batch : connections) use(*batch.law);
+  }
+};
+
+/// The law with its energy alone.
+std::shared_ptr<const Law> energy_alone(const Law& law) {
+  auto told = std::make_shared<Law>(law);
+  told->force = {told->graph.constant(0.0)};
+  told->also = nullptr;
+  return told;
+}
+
+void add_connections(const World& world, Forces& forces, const Active::Batch& batch,
+                     std::span<const std::uint32_t> place_sites, std::size_t& next_place) {
+  const auto law = batch.solved ? energy_alone(*batch.law) : batch.law;
+  ActingConnections acting{batch.law, batch.solved, {}, {}, {}, Bonds(law, forces.sites.names, *world.workers)};
+  acting.ties.count = static_cast<int>(world.connections[batch.ids[0]].count);
+  acting.ties.parameters.resize(batch.law->parameters.size());
+  for (ConnectionId id : batch.ids) {
+    const Connection& row = world.connections[id];
+    TieEnds ends{};
+    for (std::uint32_t i = 0; i < row.count; i++)
+      ends[i] = row.particles[i] ? forces.site_of[awake(world, row.particles[i]).slot - 1] : place_sites[next_place++];
+    add_tie(world, acting, id, ends);
+  }
+  forces.connections.push_back(std::move(acting));
+}
+
+}  // namespace
+
+std::vector<ParticleId> particles_of(const World& world, const AnyId& thing) {
+  std::vector<ParticleId> list;
+  const auto visit = [&](const auto& self, const AnyId& id) -> void {
+    if (!alive(world, id)) return;
+    if (const auto* particle = std::get_if<ParticleId>(&id)) list.push_back(*particle);
+    if (const auto* point = std::get_if<PointId>(&id)) list.push_back(world.points[*point].own);
+    if (const auto* body = std::get_if<BodyId>(&id))
+      for (PointId p : world.bodies[*body].points) list.push_back(world.points[p].own);
+    if (const auto* group = std::get_if<GroupId>(&id))
+      for (const AnyId& member : world.groups[*group].members) self(self, member);
+  };
+  visit(visit, thing);
+  return list;
+}
+
+std::unique_ptr<Forces> build_forces(const World& world) {
+  const Active acting(world);
+  if (acting.none_at_all()) return nullptr;
+  auto forces = std::make_unique<Forces>();
+  Builder builder{world, *forces};
+  builder.find_wanted();
+  for (const Active::Batch& batch : acting.connections)
+    for (ConnectionId id : batch.ids) {
+      const Connection& row = world.connections[id];
+      for (std::size_t i = 0; i < row.places.size(); i++)
+        if (!row.particles[i]) builder.places.push_back(row.places[i]);
+    }
+  acting.each_law(world, [&](const Law& law) {
+    for (const Input& input : inputs_of(law))
+      if (input.role == Role::attribute) forces->sites.names.push_back(input.name);
+    forces->thermal = forces->thermal || law.thermal;
+    if (law.thermal) return;
+    forces->moving = forces->moving || law.moving;
+    forces->timed = forces->timed || law.timed;
+    forces->noisy = forces->noisy || draws_noise(law);
+    forces->workless = forces->workless || law.workless;
+    forces->open = forces->open || !law.has_energy();
+    forces->open_still = forces->open_still || !(law.has_energy() || law.moving);
+  });
+  std::vector<std::string>& names = forces->sites.names;
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  builder.add_sites();
+  std::vector<std::uint32_t> all(forces->sites.n);
+  std::iota(all.begin(), all.end(), 0u);
+  fill_attributes(world, *forces, all);
+
+  std::vector<std::uint32_t> place_sites(builder.places.size());
+  std::iota(place_sites.begin(), place_sites.end(),
+            static_cast<std::uint32_t>(forces->sites.n - builder.places.size()));
+  std::size_t next_place = 0;
+  for (const Active::Batch& batch : acting.connections) add_connections(world, *forces, batch, place_sites, next_place);
+  for (InteractionId id : acting.interactions)
+    for (auto law = world.interactions[id].law; law; law = law->also)
+      forces->interactions.push_back(
+          {id, law, Pairs(law, names, *world.workers), Rows{}, bonded(*forces, law->exclude)});
+  for (FieldId id : acting.fields)
+    for (auto law = world.fields[id].law; law; law = law->also)
+      forces->fields.push_back({id, law, Fields(law, names, *world.workers)});
+  check_attributes(world, *forces, all);
+  return forces;
+}
+
+}  // namespace pantin

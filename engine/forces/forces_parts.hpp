@@ -1,0 +1,123 @@
+#pragma once
+// Not for use outside world/.
+#include <array>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "forces/forces.hpp"
+
+namespace pantin {
+
+/// Makes the laws of the model ready to act; null where there are none. Places are not yet read.
+std::unique_ptr<Forces> build_forces(const World& world);
+/// Gives the fields their sites; after every change of their order.
+void arrange_fields(const World& world, Forces& forces);
+/// Reads what the laws at work read by name of some sites, in rising order, but for what follows the age of particles.
+void fill_attributes(const World& world, Forces& forces, std::span<const std::uint32_t> some);
+/// Throws Error where laws act on one of these sites, in rising order, that has not what they read.
+void check_attributes(const World& world, const Forces& forces, std::span<const std::uint32_t> some);
+std::vector<Input> inputs_of(const Law& law);
+/// Whether laws act on every free particle of a family, or of none where it is null.
+inline bool acts_on_all(const Forces& forces, FamilyId family) {
+  return forces.everybody || (family && family.slot <= forces.families.size() && forces.families[family.slot - 1]);
+}
+/// Which laws want a site of a particle.
+enum class Wanted : std::uint8_t { not_at_all, by_solved, by_others };
+/// What families and connections want of one that is awake; not of fields on groups.
+Wanted wanted(const World& world, const Forces& forces, ParticleId particle);
+/// Makes a site that of a particle, on what moves it: a loose point, a body or a tied point.
+void seat(const World& world, Forces& forces, std::uint32_t site, ParticleId particle, Wanted how);
+void unseat(Forces& forces, std::uint32_t site);
+/// Finds which of `attached` each site is, after their numbers changed.
+void number_attached(Forces& forces);
+/// Finds where in articulates the movers are, and which laws pull; without those on which nothing sits any more.
+void find_movers(World& world, Forces& forces);
+
+/// The sites of a connection's ends.
+using TieEnds = std::array<std::uint32_t, 4>;
+/// Adds a connection to those of its law, unless a hinge has joined two of its ends.
+void add_tie(const World& world, ActingConnections& acting, ConnectionId connection, const TieEnds& ends);
+/// Takes out connections that are gone, and lists those anew whose ends may have changed.
+void change_ties(const World& world, Forces& forces, const std::vector<ConnectionId>& changed);
+
+/// Whether `change_members` can do what edits ask for; otherwise all is to be built anew.
+bool can_change_members(const World& world, const Forces& forces);
+/// Looks at the particles anew that edits say may have changed: takes sites away, gives new ones, and seats others anew.
+/// Gives these in rising order. Places are not yet read.
+std::vector<std::uint32_t> change_members(const World& world, Forces& forces);
+/// Whether only free particles were born or have gone, and what laws do to one of them has to do with no other, and comes of
+/// its state alone.
+bool are_apart(const Forces& forces);
+/// The same where they are apart, and the forces on them at the present places; others stay. Gives the change of energy
+/// [J], told before of the present state.
+double change_members_apart(const World& world, Forces& forces);
+/// Those of some sites, in rising order, that are of a family, or that a field acts on.
+std::vector<std::uint32_t> sites_of_family(const Forces& forces, FamilyId family, std::span<const std::uint32_t> some);
+std::vector<std::uint32_t> sites_of_field(const World& world, const Forces& forces, const Field& field,
+                                          std::span<const std::uint32_t> some);
+/// The particles of a point, body, particle or group, as they were made: some may sleep in hinges.
+std::vector<ParticleId> particles_of(const World& world, const AnyId& thing);
+/// Pairs of sites with no more than `steps` connections between them.
+Exclusions bonded(const Forces& forces, int steps);
+/// From pairs of n sites, each in both orders.
+Exclusions exclusions(std::size_t n, std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs);
+
+/// A law as messages name it: "scene.lua:12", or where one of the library was put to use, "scene.lua:3: lennard_jones".
+template <class Row>
+std::string law_in_place(const Row& row) {
+  const bool own = row.law->name.find(':') != std::string::npos;
+  return own || row.place_of_making.empty() ? row.law->name : row.place_of_making + ": " + row.law->name;
+}
+/// The same of laws at work.
+inline std::string law_at_work(const World& world, const ActingInteraction& a) {
+  return law_in_place(world.interactions[a.id]);
+}
+inline std::string law_at_work(const World& world, const ActingField& a) { return law_in_place(world.fields[a.id]); }
+inline std::string law_at_work(const World& world, const ActingConnections& a) {
+  return a.ids.empty() ? a.law->name : law_in_place(world.connections[a.ids[0]]);
+}
+/// The periodic box, or open space.
+Box box_of(const World& world);
+/// State of the sites: of what articulates hold after a drift as they have it, before as the model has it.
+void read_places(const World& world, Forces& forces, bool drifted);
+void read_velocities(const World& world, Forces& forces, bool drifted);
+/// Sorts the sites by cells and builds the rows anew.
+void build_rows(const World& world, Forces& forces, bool drifted);
+/// The same after an edit, with the sites in the order that they are in.
+void build_rows_in_order(const World& world, Forces& forces);
+/// Reads the present state into laws that were just built.
+void start(const World& world, Forces& forces);
+/// Ages, and what follows them, at a time [s].
+void refresh_ages(const World& world, Forces& forces, double time);
+
+Instant instant_of(const World& world, double time, std::uint64_t number);
+/// Values of a law's parameters; "step" is the length of the step [s], "boltzmann" k_B [J/K].
+std::vector<double> present_parameters(const World& world, const Law& law, const std::vector<double>& given);
+
+/// Takes what forces have across a plane away.
+void keep_in_plane(const Plane& plane, Sites& sites);
+/// Adds the forces of one law at the present places and velocities, at an instant.
+void run_law(const World& world, Forces& forces, ActingInteraction& acting, const Instant& instant);
+void run_law(const World& world, Forces& forces, ActingConnections& acting, const Instant& instant);
+void run_law(const World& world, Forces& forces, ActingField& acting, const Instant& instant);
+/// Adds the forces of the laws that do not depend on velocities; gives the energy [J] of those that have one where it is
+/// asked for.
+double run_laws(const World& world, Forces& forces, const Instant& instant, bool with_energy);
+
+/// The forces of those that do not depend on velocities, at the present places.
+double run_still_laws(const World& world, Forces& forces, const Instant& instant, bool with_energy);
+/// Sums what sites feel over the movers that they sit on.
+void collect(const World& world, Forces& forces);
+
+/// Calls `use(name, law, what acts)` for all laws at work.
+template <class Use>
+void each_law(const World& world, Forces& f, Use use) {
+  const auto name = [](const auto& row, const Law& law) { return row.name.empty() ? law.name : row.name; };
+  for (ActingInteraction& a : f.interactions) use(name(world.interactions[a.id], *a.law), *a.law, a);
+  for (ActingConnections& a : f.connections) use(a.law->name, *a.law, a);
+  for (ActingField& a : f.fields) use(name(world.fields[a.id], *a.law), *a.law, a);
+}
+
+}  // namespace pantin

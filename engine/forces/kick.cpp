@@ -1,0 +1,273 @@
+// What the forces of the laws do to velocities and momenta.
+#include <algorithm>
+
+#include "articulates/articulate.hpp"
+#include "forces/forces.hpp"
+#include "forces/forces_parts.hpp"
+#include "forces/integrator.hpp"
+#include "forces/mover_momenta.hpp"
+#include "forces/tied_kick.hpp"
+#include "forces/velocity_kick.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr std::uint32_t none = Forces::none;
+
+/// Work of laws without energy [J].
+struct OpenWork {
+  double damper = 0.0;  // of those that depend on velocities
+  double rest = 0.0;
+
+  double all() const { return damper + rest; }
+  void operator+=(const OpenWork& more) {
+    damper += more.damper;
+    rest += more.rest;
+  }
+};
+
+/// Of the forces that kicks apply to the mover alone.
+OpenWork open_work(const Mover& m, Vec3 moved, Vec3 turned) {
+  if (m.solved) return {0.0, dot(m.open_force - m.solved_force, moved) + dot(m.open_torque - m.solved_torque, turned)};
+  return {dot(m.damper_force, moved) + dot(m.damper_torque, turned),
+          dot(m.open_force - m.damper_force, moved) + dot(m.open_torque - m.damper_torque, turned)};
+}
+
+/// Of what rows tie, and of all else.
+struct KickWork {
+  OpenWork tied, loose;
+};
+
+/// Whether the velocities of what rows tie are without what these forbid: at the start of the kick that begins a part of
+/// the step; after the projection that follows the kick at its end.
+bool allowed_before(const World& world) { return rule_of(world).conserves && world.part.first; }
+bool allowed_after(const World& world) { return rule_of(world).conserves && world.part.last; }
+
+OpenWork kick_points(World& world, Forces& f, double half) {
+  OpenWork work;
+  const Vec3 fallen =
+      world.settings.gravity * (0.5 * half);  // gravity has had its part of the kick: it is in both halves
+  double with_gravity = 0.0;
+  FreeMotion* motion = world.free_motion.data();
+  for (std::size_t i = 0; i < f.sites.n; i++) {
+    if (f.point[i] == none) continue;
+    Vec3& v = motion[f.point[i]].v;
+    if (!f.open) {
+      v += f.sites.force[i] * (f.inverse_mass[i] * half);
+      continue;
+    }
+    const Vec3 open = f.sites.open_force[i], change = (f.sites.force[i] + open) * (f.inverse_mass[i] * half);
+    const Vec3 damping = damping_of(f, i), mean = v + change * 0.5 - fallen;
+    with_gravity += dot(open, fallen) * half;
+    work.damper += dot(damping, mean) * half;
+    work.rest += dot(open - damping, mean) * half;
+    // What is stopped is as it was solved: the sum would round it.
+    v = f.moving && f.velocity.theta[i] == 1.0 ? f.velocity.v[i] : v + change;
+  }
+  if (f.open) post_falling(world, with_gravity);
+  return work;
+}
+
+KickWork kick_movers(World& world, Forces& f, double half, bool drifted) {
+  KickWork work;
+  for (const Mover& m : f.movers) {
+    if (sleeps(world, m)) continue;
+    MoverMomenta s = momenta_of(world, m, drifted);
+    const Vec3 v = s.velocity(), spin = s.spin();
+    s.add((m.force + m.open_force - m.solved_force) * half, (m.torque + m.open_torque - m.solved_torque) * half);
+    (m.articulate < 0 ? work.loose : work.tied) +=
+        open_work(m, (v + s.velocity()) * (0.5 * half), (spin + s.spin()) * (0.5 * half));
+  }
+  return work;
+}
+
+/// What the present forces give to tied movers over `dt` [s] at the present velocities.
+OpenWork present_work(World& world, const Forces& f, double dt, bool drifted) {
+  OpenWork work;
+  for (const Mover& m : f.movers) {
+    if (m.articulate < 0 || sleeps(world, m)) continue;
+    const MoverMomenta s = momenta_of(world, m, drifted);
+    work += open_work(m, s.velocity() * dt, s.spin() * dt);
+  }
+  return work;
+}
+
+void post_open(World& world, const OpenWork& work) {
+  world.work += work.rest;
+  world.open_work += work.rest;
+  world.ledger.posted += std::fabs(work.rest);
+  post(world, Source::damper, work.damper);
+}
+
+/// Velocities of the sites' places, [m/s] (sites); none where the ledger is not kept.
+AlignedVector<Vec3> site_velocities(World& world, Forces& f, bool drifted) {
+  AlignedVector<Vec3> list;
+  if (!world.ledger.kept) return list;
+  list.assign(f.sites.n, zero3());
+  for (std::size_t i = 0; i < f.sites.n; i++)
+    if (f.point[i] != none) list[i] = world.free_motion[f.point[i]].v;
+  for (const Attached& a : f.attached) {
+    const MoverMomenta s = momenta_of(world, f.movers[a.mover], drifted);
+    list[a.site] = s.velocity() + cross(s.spin(), a.r);
+  }
+  return list;
+}
+
+/// Copies the velocities of sites that rows tie.
+void copy_tied(const Forces& f, const AlignedVector<Vec3>& from, AlignedVector<Vec3>& to) {
+  for (const Attached& a : f.attached)
+    if (f.movers[a.mover].articulate >= 0) to[a.site] = from[a.site];
+}
+
+/// What the forces that the sites now have gave in a kick over `half` [s], with velocities that
+/// changed evenly, [J].
+double work_of(const Forces& f, const AlignedVector<Vec3>& before, const AlignedVector<Vec3>& after, double half) {
+  double work = 0.0;
+  for (std::size_t i = 0; i < f.sites.n; i++) work += dot(f.sites.force[i], before[i] + after[i]) * (0.5 * half);
+  return work;
+}
+
+double work_on_tied(const Forces& f, const AlignedVector<Vec3>& before, const AlignedVector<Vec3>& after, double half) {
+  double work = 0.0;
+  for (const Attached& a : f.attached)
+    if (f.movers[a.mover].articulate >= 0)
+      work += dot(f.sites.force[a.site], before[a.site] + after[a.site]) * (0.5 * half);
+  return work;
+}
+
+void post_laws(World& world, Forces& f, const AlignedVector<Vec3>& before, const AlignedVector<Vec3>& after,
+               double half) {
+  if (!world.ledger.kept) return;
+  const double work = work_of(f, before, after, half);
+  world.ledger.laws += work;
+  world.ledger.posted += std::fabs(work);
+  const auto force = f.sites.force, open = f.sites.open_force;
+  each_law(world, f, [&](const std::string& name, const Law& law, auto& acting) {
+    if (!law.has_energy()) return;
+    std::fill(f.sites.force.begin(), f.sites.force.end(), zero3());
+    run_law(world, f, acting, instant_of(world, world.time, world.instant));
+    world.ledger.kicks[name] += work_of(f, before, after, half);
+  });
+  f.sites.force = force;
+  f.sites.open_force = open;
+}
+
+/// What kicks gave to motions that the rows forbid.
+void post_forbidden(World& world, double joules) {
+  world.ledger.given[static_cast<std::size_t>(Source::projection)] += joules;
+  world.ledger.posted += std::fabs(joules);
+}
+
+}  // namespace
+
+void post_tied(World& world, const TiedWork& work) {
+  post_open(world, {work.damper, work.rest});
+  post(world, Source::hand, work.rows.ends);
+  post(world, Source::motor, work.rows.couples);
+}
+
+void kick(World& world, double half) {
+  if (!world.forces) return;
+  Forces& f = *world.forces;
+  const bool drifted = world.part.index > 0, allowed = allowed_before(world);
+  for (Mover& m : f.movers) {
+    if (drifted) break;
+    const MoverMomenta s = momenta_of(world, m, false);
+    m.start_p = s.v ? *s.v : *s.p;
+    m.start_P = s.P ? *s.P : zero3();
+  }
+  if (!drifted) f.velocity.starts.clear();
+  if (f.moving) {
+    solve_velocity_kick(world, f, half, time_within(world, world.part.from), {drifted, true});
+    post_tied(world, kick_tied(world, f));
+  }
+  const AlignedVector<Vec3> before = site_velocities(world, f, drifted);
+  const OpenWork present = present_work(world, f, half, drifted);
+  OpenWork told = kick_points(world, f, half);
+  const KickWork given = kick_movers(world, f, half, drifted);
+  told += given.loose;
+  told += allowed ? present : given.tied;
+  post_open(world, told);
+  AlignedVector<Vec3> after = site_velocities(world, f, drifted);
+  if (allowed && world.ledger.kept) {
+    post_forbidden(world, given.tied.all() - present.all() + work_on_tied(f, before, after, half) -
+                              work_on_tied(f, before, before, half));
+    copy_tied(f, before, after);
+  }
+  post_laws(world, f, before, after, half);
+}
+
+void kick_from_rest(World& world, const std::vector<char>& woken, double half) {
+  double given = 0.0;
+  OpenWork open;
+  for (const Mover& m : world.forces->movers) {
+    if (m.articulate < 0 || !woken[static_cast<std::size_t>(m.articulate)]) continue;
+    const NodePull& pull = world.articulates[static_cast<std::size_t>(m.articulate)]->rest.pulls[m.node];
+    const Vec3 force = pull.force + pull.open_force, torque = pull.torque + pull.open_torque;
+    MoverMomenta s = momenta_of(world, m, true);
+    s.add(force * half, torque * half);
+    given += (dot(pull.force, s.velocity()) + dot(pull.torque, s.spin())) * (0.5 * half);
+    open.rest += (dot(pull.open_force, s.velocity()) + dot(pull.open_torque, s.spin())) * (0.5 * half);
+    s.add(force * (-2.0 * half), torque * (-2.0 * half));  // the drift turns what the rows forbid
+  }
+  post_open(world, open);
+  world.ledger.laws += given;
+  world.ledger.posted += std::fabs(given);
+}
+
+void post_present_laws(World& world, double dt) {
+  if (!world.forces) return;
+  const AlignedVector<Vec3> present = site_velocities(world, *world.forces, false);
+  post_laws(world, *world.forces, present, present, dt);
+}
+
+void put_back(World& world) {
+  for (std::size_t i = 0; i < world.loose_points.size(); i++)
+    world.free_motion[world.loose_points[i]] = world.saved_points[i];
+  for (std::size_t i = 0; i < world.loose_bodies.size(); i++)
+    world.motion[world.loose_bodies[i]] = world.saved_motion[i];
+  if (!world.forces) return;
+  for (const VelocityForces::Start& s : world.forces->velocity.starts) {
+    (s.is_body ? world.motion[s.slot].p : world.free_motion[s.slot].v) = s.p;
+    if (s.is_body) world.motion[s.slot].angular = s.P;
+  }
+  for (const Mover& m : world.forces->movers) {
+    MoverMomenta s = momenta_of(world, m, false);
+    (s.v ? *s.v : *s.p) = m.start_p;
+    if (s.P) *s.P = m.start_P;
+  }
+}
+
+void kick_to_end(World& world, double half) {
+  if (!world.forces) return;
+  Forces& f = *world.forces;
+  if (f.moving) solve_velocity_kick(world, f, half, time_within(world, world.part.to), {true, false});
+  f.kicked_from = site_velocities(world, f, true);
+  OpenWork told = kick_points(world, f, half);
+  const KickWork given = kick_movers(world, f, half, true);
+  told += given.loose;
+  if (!allowed_after(world)) told += given.tied;
+  post_open(world, told);
+  const AlignedVector<Vec3> after = site_velocities(world, f, true);
+  if (!allowed_after(world)) {
+    post_tied(world, kick_tied(world, f));
+    return post_laws(world, f, f.kicked_from, after, half);
+  }
+  if (world.ledger.kept) post_forbidden(world, given.tied.all() + work_on_tied(f, f.kicked_from, after, half));
+}
+
+void end_kick(World& world, double half) {
+  if (!world.forces || !allowed_after(world)) return;
+  Forces& f = *world.forces;
+  const OpenWork present = present_work(world, f, half, true);
+  post_open(world, present);
+  const AlignedVector<Vec3> after = site_velocities(world, f, true);
+  post_tied(world, kick_tied(world, f));
+  if (!world.ledger.kept) return;
+  post_forbidden(world, -present.all() - work_on_tied(f, after, after, half));
+  copy_tied(f, after, f.kicked_from);
+  post_laws(world, f, f.kicked_from, after, half);
+}
+
+}  // namespace pantin

@@ -1,0 +1,72 @@
+// Laws that go by the mass of what they act on, given points that have none.
+#include <algorithm>
+#include <numeric>
+
+#include "forces/forces_parts.hpp"
+
+namespace pantin {
+
+namespace {
+
+/// Whether the law is none at all where its particle `who` has no mass.
+bool goes_by_mass(const Law& law, std::uint8_t who) {
+  if (law.called) return false;
+  const Input mass{Role::attribute, who, 0, "mass"};
+  Expressions graph = law.graph;
+  return std::all_of(law.force.begin(), law.force.end(), [&](Expr force) {
+    const Expr without = graph.replaced(force, mass, graph.constant(0.0));
+    return graph.is_constant(without) && graph[without].value == 0.0;
+  });
+}
+
+/// The first body of those that the sites are of whose sites have no mass together, or null.
+BodyId massless_body(const World& world, const Forces& f, std::span<const std::uint32_t> sites,
+                     const AlignedVector<double>& mass) {
+  std::vector<double> sums(f.movers.size(), -1.0);  // -1: not among them
+  for (std::uint32_t site : sites) {
+    if (f.attached_of[site] == Forces::none) continue;
+    double& sum = sums[f.attached[f.attached_of[site]].mover];
+    sum = std::fmax(sum, 0.0) + mass[site];
+  }
+  for (std::size_t i = 0; i < sums.size(); i++)
+    if (sums[i] == 0.0 && f.movers[i].is_body) return world.bodies.id_at(f.movers[i].slot);
+  return {};
+}
+
+template <class Row>
+void tell(World& world, Row& row, BodyId body) {
+  if (!body) return;
+  row.told_massless = true;
+  log_line(world, "warning",
+           text(law_in_place(row), ": it goes by the mass of points, and those of ", describe(world, body),
+                " that it acts on have none, so it does nothing to it; give the mass of the body to its points, as in "
+                "points = { { at = vec(0, 0, 0), mass = 1 } }"));
+}
+
+}  // namespace
+
+void tell_massless(World& world) {
+  if (!world.forces) return;
+  const Forces& f = *world.forces;
+  const auto& names = f.sites.names;
+  const auto column = static_cast<std::size_t>(std::find(names.begin(), names.end(), "mass") - names.begin());
+  if (column == names.size()) return;
+  const auto& mass = f.sites.attributes[column];
+  if (std::none_of(f.attached.begin(), f.attached.end(), [&](const Attached& a) { return mass[a.site] == 0.0; }))
+    return;
+  std::vector<std::uint32_t> all(f.sites.n);
+  std::iota(all.begin(), all.end(), 0u);
+  for (const ActingField& acting : f.fields) {
+    Field& row = world.fields[acting.id];
+    if (!row.told_massless && goes_by_mass(*acting.law, 0))
+      tell(world, row, massless_body(world, f, sites_of_field(world, f, row, all), mass));
+  }
+  for (const ActingInteraction& acting : f.interactions)
+    for (const std::uint8_t who : {std::uint8_t{0}, std::uint8_t{1}}) {
+      Interaction& row = world.interactions[acting.id];
+      if (!row.told_massless && goes_by_mass(*acting.law, who))
+        tell(world, row, massless_body(world, f, sites_of_family(f, who == 0 ? row.a : row.b, all), mass));
+    }
+}
+
+}  // namespace pantin

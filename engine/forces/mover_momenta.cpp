@@ -1,0 +1,47 @@
+#include "forces/mover_momenta.hpp"
+
+#include "articulates/articulate.hpp"
+
+namespace pantin {
+
+void MoverMomenta::add(Vec3 impulse, Vec3 twist) {
+  if (v)
+    *v += impulse * inverse_mass;
+  else
+    *p += impulse;
+  if (!P) return;
+  Vec3 turn = rotate(conjugate(q), twist);
+  if (line) turn[0] = 0.0;
+  *P += turn;
+  if (node) node->O0 = inverse_inertia * *P;
+}
+
+bool sleeps(const World& world, const Mover& m) {
+  return m.articulate >= 0 && world.articulates[static_cast<std::size_t>(m.articulate)]->rest.asleep;
+}
+
+MoverMomenta momenta_of(World& world, const Mover& m, bool drifted) {
+  MoverMomenta s;
+  if (m.is_body) {
+    Motion& motion = world.motion[m.slot];
+    s.p = &motion.p;
+    s.P = motion.freedom != Freedom::point ? &motion.angular : nullptr;
+    s.inverse_mass = 1.0 / motion.mass;
+    s.inverse_inertia = inverse_inertia(motion);
+    s.q = motion.q;
+    s.line = motion.freedom == Freedom::line;
+  } else {
+    s.v = &world.free_motion[m.slot].v;
+    s.inverse_mass = 1.0 / world.points.at_slot(m.slot).mass;
+  }
+  if (!drifted || m.articulate < 0) return s;
+  Node& n = world.articulates[static_cast<std::size_t>(m.articulate)]->nodes[m.node];
+  s.node = &n;
+  s.v = nullptr;
+  s.p = &n.p0;
+  s.P = s.P ? &n.P0 : nullptr;
+  s.q = n.q0;
+  return s;
+}
+
+}  // namespace pantin

@@ -1,0 +1,177 @@
+// What the sites of laws sit on: loose points, or the bodies and tied points that move them.
+#include <algorithm>
+
+#include "articulates/articulate.hpp"
+#include "forces/forces_parts.hpp"
+#include "forces/integrator.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr std::uint32_t none = Forces::none;
+
+std::uint32_t mover_of(const World& world, Forces& f, PointId centre) {
+  const BodyId body = world.points[centre].body;
+  std::vector<std::uint32_t>& known = body ? f.mover_of_body : f.mover_of_point;
+  const std::uint32_t slot = (body ? body.slot : centre.slot) - 1;
+  if (known.size() <= slot) known.resize(slot + 1, none);
+  if (known[slot] == none) {
+    known[slot] = static_cast<std::uint32_t>(f.movers.size());
+    Mover m;
+    m.slot = slot;
+    m.is_body = static_cast<bool>(body);
+    f.movers.push_back(m);
+  }
+  return known[slot];
+}
+
+Kin kin_of(const World& world, Forces& f, const Particle& particle) {
+  std::vector<std::uint32_t>& list = f.sites.bodies_of_hinges;
+  Kin kin;
+  if (particle.is_hinge()) kin.begin = static_cast<std::uint32_t>(list.size());
+  for (PointId p : particle.points) {
+    const BodyId body = world.points[p].body;
+    if (!body) continue;
+    if (kin.first == 0) kin.first = body.slot;
+    if (particle.is_hinge()) list.push_back(body.slot);
+  }
+  if (particle.is_hinge()) kin.count = static_cast<std::uint32_t>(list.size()) - kin.begin;
+  return kin;
+}
+
+}  // namespace
+
+Wanted wanted(const World& world, const Forces& f, ParticleId id) {
+  const Particle& particle = world.particles[id];
+  if (acts_on_all(f, particle.family)) return Wanted::by_others;
+  Wanted how = Wanted::not_at_all;
+  const auto look = [&](ParticleId end) {
+    for (ConnectionId c : world.particles[end].connections) {
+      const Connection& row = world.connections[c];
+      if (row.enabled) how = std::max(how, row.solve == Solve::explicitly ? Wanted::by_others : Wanted::by_solved);
+    }
+  };
+  look(id);
+  if (particle.is_hinge())
+    for (PointId p : particle.points) look(world.points[p].own);
+  return how;
+}
+
+void seat(const World& world, Forces& f, std::uint32_t site, ParticleId id, Wanted how) {
+  const Particle& particle = world.particles[id];
+  Sites& s = f.sites;
+  s.particle[site] = id.slot - 1;
+  s.serial[site] = particle.serial;
+  s.family[site] = particle.family ? particle.family.slot - 1 : none;
+  s.kin[site] = kin_of(world, f, particle);
+  s.force[site] = s.open_force[site] = zero3();
+  f.site_of[id.slot - 1] = site;
+  f.image[site] = zero3();
+  f.point[site] = f.attached_of[site] = none;
+  f.inverse_mass[site] = 0.0;
+  const PointId centre = star(world, id);
+  const Point& p = world.points[centre];
+  if (!p.body && p.articulate < 0) {
+    f.point[site] = centre.slot - 1;
+    f.inverse_mass[site] = 1.0 / p.mass;
+    return;
+  }
+  Attached a;
+  a.site = site;
+  a.arm = arm(world, centre);
+  a.mover = mover_of(world, f, centre);
+  a.pulled = how == Wanted::by_others;
+  f.attached_of[site] = static_cast<std::uint32_t>(f.attached.size());
+  f.attached.push_back(a);
+}
+
+void unseat(Forces& f, std::uint32_t site) {
+  const std::uint32_t at = f.attached_of[site];
+  f.point[site] = f.attached_of[site] = none;
+  if (at == none) return;
+  f.attached[at] = f.attached.back();
+  f.attached_of[f.attached[at].site] = at;
+  f.attached_of[site] = none;
+  f.attached.pop_back();
+}
+
+void number_attached(Forces& f) {
+  f.attached_of.assign(f.sites.n, none);
+  for (std::size_t k = 0; k < f.attached.size(); k++) f.attached_of[f.attached[k].site] = static_cast<std::uint32_t>(k);
+}
+
+namespace {
+
+/// Takes out movers on which nothing sits any more; the last take their places.
+void drop_movers(Forces& f) {
+  std::vector<std::uint32_t> now(f.movers.size(), none), unused;
+  for (const Attached& a : f.attached) now[a.mover] = a.mover;
+  const auto known = [&](const Mover& m) -> std::uint32_t& {
+    return (m.is_body ? f.mover_of_body : f.mover_of_point)[m.slot];
+  };
+  for (std::uint32_t k = 0; k < now.size(); k++) {
+    if (now[k] != none) continue;
+    unused.push_back(k);
+    known(f.movers[k]) = none;
+  }
+  if (unused.empty()) return;
+  std::size_t size = f.movers.size();
+  for (std::size_t hole = 0, holes = unused.size(); hole < holes;) {
+    if (unused[holes - 1] == --size) {
+      holes--;
+      continue;
+    }
+    const std::uint32_t to = unused[hole++];
+    f.movers[to] = f.movers[size];
+    now[size] = known(f.movers[to]) = to;
+  }
+  f.movers.resize(size);
+  for (Attached& a : f.attached) a.mover = now[a.mover];
+}
+
+/// Leaves out the bodies of hinges that were, once they are most.
+void compact_kin(Sites& s) {
+  std::size_t used = 0;
+  for (std::size_t i = 0; i < s.n; i++) used += s.kin[i].count;
+  if (s.bodies_of_hinges.size() <= 2 * used + 64) return;
+  std::vector<std::uint32_t> list;
+  for (std::uint32_t i = 0; i < s.n; i++) {
+    const std::span<const std::uint32_t> bodies = s.bodies_of(i);
+    const auto begin = static_cast<std::uint32_t>(list.size());
+    if (s.kin[i].count == 0) continue;
+    list.insert(list.end(), bodies.begin(), bodies.end());
+    s.kin[i].begin = begin;
+  }
+  s.bodies_of_hinges = std::move(list);
+}
+
+/// Whether some law acts on momenta in a way that rows may have to turn back: those of velocity do not.
+bool pushes(const World& world, const Forces& f) {
+  const auto does = [&](const auto& a) { return !a.law->moving || !rule_of(world).conserves; };
+  return std::any_of(f.interactions.begin(), f.interactions.end(), does) ||
+         std::any_of(f.fields.begin(), f.fields.end(), does) ||
+         std::any_of(f.connections.begin(), f.connections.end(),
+                     [&](const ActingConnections& a) { return !a.solved && does(a); });
+}
+
+}  // namespace
+
+void find_movers(World& world, Forces& f) {
+  drop_movers(f);
+  compact_kin(f.sites);
+  for (Mover& m : f.movers) {
+    m.articulate = m.is_body ? world.motion[m.slot].articulate : world.points.at_slot(m.slot).articulate;
+    if (m.articulate >= 0)
+      m.node = static_cast<std::uint32_t>(m.is_body ? world.motion[m.slot].node : world.points.at_slot(m.slot).node);
+    m.pulled = false;
+  }
+  for (const Attached& a : f.attached) f.movers[a.mover].pulled = f.movers[a.mover].pulled || a.pulled;
+  for (const auto& articulate : world.articulates) articulate->pulled = false;
+  const bool pushed = pushes(world, f);
+  for (const Mover& m : f.movers)
+    if (pushed && m.articulate >= 0 && m.pulled)
+      world.articulates[static_cast<std::size_t>(m.articulate)]->pulled = true;
+}
+
+}  // namespace pantin

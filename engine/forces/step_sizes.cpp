@@ -1,0 +1,53 @@
+#include "forces/step_sizes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "forces/forces_parts.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr std::uint32_t none = Forces::none;
+
+}  // namespace
+
+void find_partners(World& world, Forces& f) {
+  const Box box = box_of(world);
+  f.notes.partner.assign(world.particles.slots(), none);
+  std::vector<double> least(f.sites.n, infinity);
+  const auto meet = [&](std::uint32_t i, std::uint32_t j, double square) {
+    if (!(square < least[i])) return;
+    least[i] = square;
+    f.notes.partner[f.sites.particle[i]] = f.sites.particle[j];
+  };
+  for (const ActingInteraction& a : f.interactions)
+    for (const auto& phase : a.rows.phases())
+      for (const Slab& slab : phase)
+        for (const NeighbourRow& r : slab.rows)
+          for (std::uint32_t k = 0; k < r.count; k++) {
+            const std::uint32_t j = slab.list[r.begin + k];
+            if (j >= f.sites.n) continue;
+            const double square = norm2(box.nearest(f.sites.x[j] - f.sites.x[r.site]));
+            meet(r.site, j, square);
+            meet(j, r.site, square);
+          }
+}
+
+namespace {
+
+double way_along(Vec3 change, Vec3 moved) { return std::fabs(dot(change, moved)) / norm(change); }
+
+}  // namespace
+
+double stiffness_along(Vec3 change, Vec3 moved) {
+  const double size = norm(change);
+  return size > 0.0 ? size / way_along(change, moved) : 0.0;
+}
+
+double swing_by(double stiffness, Vec3 change, Vec3 moved, double h) {
+  return stiffness > 0.0 ? way_along(change, moved) / (h * std::sqrt(stiffness)) : 0.0;
+}
+
+}  // namespace pantin

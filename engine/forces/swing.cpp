@@ -1,0 +1,34 @@
+#include "forces/swing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pantin {
+
+void Swing::add(Vec3 place, double time, double weight) {
+  if (!seen) {
+    seen = true;
+    first = place;
+    since = time;
+  }
+  const Vec3 d = place - first;
+  const double at = time - since;
+  n += weight;
+  t += at * weight;
+  tt += at * at * weight;
+  x += d * weight;
+  xt += d * (at * weight);
+  squares += d * d * weight;
+  products += d * rotate_lanes(d) * weight;
+}
+
+double Swing::along(Vec3 u) const {
+  if (n == 0.0) return 0.0;
+  const double square = dot(squares, u * u) + 2.0 * dot(products, u * rotate_lanes(u));
+  const double mean = dot(x, u) / n, times = tt - t * t / n, both = dot(xt, u) - mean * t;
+  const double rest = square - n * mean * mean - (times > 0.0 ? both * both / times : 0.0);
+  constexpr double round_off = 1e-14;
+  return rest > round_off * square ? std::sqrt(8.0 * rest / n) : 0.0;
+}
+
+}  // namespace pantin

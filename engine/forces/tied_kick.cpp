@@ -1,0 +1,395 @@
+#include "forces/tied_kick.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "articulates/solve/batches.hpp"
+#include "articulates/solve/drift.hpp"
+#include "articulates/solve/newton.hpp"
+#include "articulates/solve/project.hpp"
+#include "articulates/solve/row_gaps.hpp"
+#include "articulates/solve/segments.hpp"
+#include "articulates/solve/state.hpp"
+#include "articulates/solve/stiff.hpp"
+#include "constraints/row_rule.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr std::size_t most_directions = 64;
+constexpr double redundant = 1e-8;  // compliance where rows of loops may say what others do: in space most do
+
+double size_of(const Mat3& m) { return std::sqrt(norm2(m[0]) + norm2(m[1]) + norm2(m[2])); }
+
+bool wants_motion(const Condition& c) { return norm2(c.wanted) > 0.0; }
+
+/// Whether the rows of an articulate say which velocities are allowed.
+bool forbids(const Articulate& a) { return !a.yields && !a.safe && !a.torn && a.gaps.open <= 1e-8 * a.length; }
+
+}  // namespace
+
+TiedKick::TiedKick(World& world, VelocityForces& laws, std::size_t articulate, double dt, SideOfDrift side)
+    : world_(world), laws_(laws), index_(articulate), dt_(dt), side_(side), a_(world.articulates[articulate].get()) {
+  if (!side.drifted && a_->edited) {
+    copy_ = std::make_unique<Articulate>(*a_);
+    a_ = copy_.get();
+    load(*a_, world, world.settings.gravity);
+    meet(*a_, world.settings.step, world.part.from);
+  } else if (!side.drifted) {
+    for (Node& n : a_->nodes) load(n, world, world.settings.gravity);
+  }
+  ties_ = forbids(*a_);
+  if (!a_->tree && !world.plane.flat()) epsilon_ = redundant;
+}
+
+TiedKick::~TiedKick() = default;
+
+void TiedKick::push(std::size_t node, Vec3 impulse, Vec3 twist) {
+  pantin::push(pushes_[node / batch_size], node % batch_size, impulse, twist);
+}
+
+void TiedKick::add(Motions& to, const Seat& seat, Vec3 impulse) const {
+  pantin::push(to[seat.node / batch_size], seat.node % batch_size, impulse, world_.plane.about(cross(seat.r, impulse)));
+}
+
+Vec3 TiedKick::velocity_at(const Motions& of, const Seat& seat) const {
+  const BatchMotion& m = of[seat.node / batch_size];
+  const std::size_t lane = seat.node % batch_size;
+  return lane_of(m.v, lane) + cross(lane_of(m.w, lane), seat.r);
+}
+
+Motions TiedKick::allowed(const Motions& impulses) {
+  Motions all(impulses.size());
+  Lanes free2 = lanes(0.0);
+  for (std::size_t b = 0; b < all.size(); b++) {
+    NodeBatch& n = a_->batches[b];
+    n.p = impulses[b].p;
+    n.L = impulses[b].L;
+    free2 += norm2(n.p) * n.inverse_mass + dot(n.L, n.mobility * n.L);
+  }
+  asked_ = std::sqrt(sum(free2));
+  if (ties_) answer(*a_);
+  for (std::size_t b = 0; b < all.size(); b++) {
+    const NodeBatch& n = a_->batches[b];
+    all[b] = {n.p * n.inverse_mass, n.mobility * n.L, n.p, n.L};
+  }
+  // Rows that say what others do need more compliance: to forbid takes energy, where nothing is wanted.
+  const bool wants = std::any_of(a_->conditions.begin(), a_->conditions.end(), wants_motion);
+  if (!ties_ || wants || size_of(all) <= (1.0 + 1e-9) * asked_ || epsilon_ > 1e-5) return all;
+  epsilon_ = 100.0 * std::max(epsilon_, a_->least_epsilon);
+  a_->exact = false;
+  begin_answers(*a_, epsilon_);
+  if (at_rest_)
+    for (Condition& c : a_->conditions) c.wanted = zero3();
+  return allowed(impulses);
+}
+
+Motions TiedKick::felt(const Motions& by) const {
+  Motions to(by.size());
+  for (const Seat& s : seats) add(to, s, laws_.fields.slope[s.site] * velocity_at(by, s));
+  for (const Pair& p : pairs) {
+    const VelocityPair& law = laws_.pairs[p.pair];
+    const Vec3 force = law.slope * (velocity_at(by, seats[p.b]) - velocity_at(by, seats[p.a]));
+    add(to, seats[p.a], force);
+    if (!law.one_sided) add(to, seats[p.b], force * -1.0);
+  }
+  return to;
+}
+
+Motions TiedKick::felt_with_soft_rows(const Motions& by) const {
+  Motions to = felt(by);
+  add_felt_of_soft_rows(to, by, 1.0);
+  return to;
+}
+
+/// Rows that pull without forbidding, as the drift that follows will have them.
+void TiedKick::find_soft_rows() {
+  soft_.clear();
+  for (std::size_t k = 0; k < a_->rows.size(); k++) {
+    const Row& row = a_->rows[k];
+    if (!is_soft(row)) continue;
+    const Condition& c = condition(*a_, row);
+    const auto end = [&](std::int32_t node, Vec3 arm) {
+      const Node& n = a_->nodes[static_cast<std::size_t>(node)];
+      return Seat{0, static_cast<std::size_t>(node), n.turns ? n.R0 * arm : zero3()};
+    };
+    const auto place = [&](const Seat& s) { return a_->nodes[s.node].x0 + s.r; };
+    Soft soft{end(row.a, row.la), {}, row.b >= 0, k, row.f, zero33(), 0.0};
+    if (soft.two) soft.b = end(row.b, row.lb);
+    if (c.stiff) {
+      const StiffPull pull = pull_at(*c.stiff, place(soft.a) - (soft.two ? place(soft.b) : c.place1));
+      soft.force = pull.f;
+      soft.slope = pull.by_place * (c.stiff->solve == Solve::at_end ? 2.0 * dt_ : dt_) + pull.by_rate;
+      soft.stiffness = size_of(pull.by_place);
+    } else if (norm(row.f) < c.max_force) {
+      soft.slope = identity33() * -(2.0 * c.stiffness * dt_ + c.damping);
+      soft.stiffness = c.stiffness;
+    }
+    soft_.push_back(soft);
+  }
+}
+
+void TiedKick::add(Motions& to, const Soft& soft, Vec3 impulse) const {
+  add(to, soft.a, impulse);
+  if (soft.two) add(to, soft.b, impulse * -1.0);
+}
+
+/// What their forces change by with velocities.
+void TiedKick::add_felt_of_soft_rows(Motions& to, const Motions& by, double times) const {
+  for (const Soft& s : soft_) {
+    const Vec3 u = velocity_at(by, s.a) - (s.two ? velocity_at(by, s.b) : zero3());
+    add(to, s, s.slope * u * times);
+  }
+}
+
+void TiedKick::hold(Condition& c, bool held) {
+  if (c.held != held) a_->exact = false;
+  c.held = held;
+}
+
+void TiedKick::start(const std::vector<Vec3>& forces, bool alone) {
+  forces_on_seats_ = forces;
+  alone_ = alone;
+  for (const Condition& c : a_->conditions) held_.push_back(c.held);
+  find_known();
+}
+
+double TiedKick::fastest_damping() {
+  constexpr std::size_t enough = 8;
+  Motions right = v0_;
+  pantin::add(right, driven_, -1.0);
+  pantin::add(right, others_, 1.0);
+  MotionSpace space;
+  std::vector<Motions> all;
+  double fastest = 0.0;
+  const auto again = [&](const Motions& motions) { return allowed(motions); };
+  space.add_direction(right, size_of(right), again);
+  while (all.size() < space.directions.size()) {
+    all.push_back(felt(space.directions.back()));
+    space.add_work(all);
+    const Eigen::MatrixXd working = 0.5 * (space.work + space.work.transpose());
+    fastest = -Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(working, Eigen::EigenvaluesOnly).eigenvalues()(0);
+    if (all.size() == enough) break;
+    Motions next = allowed(all.back());
+    space.add_direction(std::move(next), asked_, again);
+  }
+  return fastest;
+}
+
+double TiedKick::fastest_swing() const {
+  std::vector<double> squares(a_->nodes.size(), 0.0);
+  for (const Soft& s : soft_) {
+    const double square = s.stiffness * mobility(*a_, a_->rows[s.row]);
+    squares[s.a.node] += square;
+    if (s.two) squares[s.b.node] += square;
+  }
+  return squares.empty() ? 0.0 : std::sqrt(*std::max_element(squares.begin(), squares.end()));
+}
+
+void TiedKick::choose_rule(double too_fast) {
+  if (theta == 0.5) return;
+  if (side_.before) find_soft_rows();
+  if (!soft_.empty()) find_known();
+  const double damping = fastest_damping();
+  const bool slow = !crossed && std::fabs(dt_) * damping <= too_fast;
+  if (slow) theta = 0.5;
+  if (soft_.empty() || (!slow && damping >= 2.0 * fastest_swing())) return;
+  soft_.clear();
+  find_known();
+}
+
+void TiedKick::find_known() {
+  const std::size_t n = a_->batches.size();
+  at_rest_ = false;
+  if (ties_) begin_answers(*a_, epsilon_);
+  Motions first(n), other(n);
+  for (std::size_t b = 0; b < n; b++) {
+    read_momenta(*a_, b);
+    const NodeBatch& batch = a_->batches[b];
+    first[b] = {batch.p * batch.inverse_mass, batch.mobility * batch.L, batch.p, batch.L};
+    for (std::size_t lane = 0; lane < batch.count && !alone_; lane++) {
+      const Node& node = a_->nodes[batch_size * b + lane];
+      pantin::push(other[b], lane, world_.plane.along(node.force) * dt_, world_.plane.about(node.torque) * dt_);
+    }
+  }
+  if (!side_.before) pantin::add(first, other, -1.0);  // the drift had it
+  for (const Soft& s : soft_) add(other, s, s.force * dt_);
+  for (std::size_t s = 0; s < seats.size(); s++) add(other, seats[s], forces_on_seats_[s] * dt_);
+  const bool is_allowed = side_.before && !copy_ && (world_.part.first || !ties_);
+  v0_ = is_allowed ? std::move(first) : allowed(allowed(first));
+  driven_.assign(other.size(), {});
+  if (ties_ && std::any_of(a_->conditions.begin(), a_->conditions.end(), wants_motion)) driven_ = allowed(driven_);
+  wanted_.clear();
+  for (Condition& c : a_->conditions) wanted_.push_back(std::exchange(c.wanted, zero3()));
+  at_rest_ = true;
+  others_ = allowed(other);
+}
+
+void TiedKick::solve() {
+  Motions known = pushes_;
+  for (const Seat& s : seats) {
+    const Vec3 force = laws_.fields.force[s.site] - laws_.fields.slope[s.site] * laws_.at[s.site];
+    add(known, s, force * dt_);
+  }
+  for (const Pair& p : pairs) {
+    const VelocityPair& law = laws_.pairs[p.pair];
+    const Vec3 impulse = (law.force - law.slope * law.at) * dt_;
+    add(known, seats[p.a], impulse);
+    if (!law.one_sided) add(known, seats[p.b], impulse * -1.0);
+  }
+  pantin::add(known, felt_with_soft_rows(driven_), dt_);
+  Motions right = v0_;
+  pantin::add(right, driven_, -1.0);
+  pantin::add(right, others_, theta);
+  pantin::add(right, allowed(known), theta);
+  w_ = driven_;
+  MotionSpace space;
+  const auto again = [&](const Motions& motions) { return allowed(motions); };
+  const double size = space.add_direction(right, size_of(right), again), factor = dt_ * theta;
+  double tolerance = 0.0;
+  std::vector<Motions> all;
+  Eigen::VectorXd y;
+  while (!space.directions.empty()) {
+    all.push_back(felt_with_soft_rows(space.directions.back()));
+    space.add_work(all);
+    const auto n = static_cast<Eigen::Index>(space.directions.size());
+    const Eigen::MatrixXd A = Eigen::MatrixXd::Identity(n, n) - factor * space.work;
+    y = A.partialPivLu().solve(Eigen::VectorXd::Unit(n, 0) * size);
+    if (space.directions.size() == most_directions) break;
+    Motions next = allowed(all.back());
+    const double more = space.add_direction(std::move(next), asked_, again);
+    if (n == 1) {
+      const double reach = std::fabs(factor) * std::sqrt(space.work(0, 0) * space.work(0, 0) + more * more);
+      tolerance = std::clamp(0.05 * reach * reach * reach, 1e-14, 1e-8);
+    }
+    if (!(std::fabs(factor * more * y(n - 1)) > tolerance * size)) break;
+  }
+  for (Eigen::Index k = 0; k < y.size(); k++) pantin::add(w_, space.directions[static_cast<std::size_t>(k)], y(k));
+}
+
+Motions TiedKick::told_impulses(const std::vector<Vec3>& told) const {
+  Motions all = pushes_;
+  for (std::size_t s = 0; s < seats.size(); s++) add(all, seats[s], told[s] * dt_);
+  for (const Pair& p : pairs) {
+    const VelocityPair& law = laws_.pairs[p.pair];
+    add(all, seats[p.a], law.impulse);
+    if (!law.one_sided) add(all, seats[p.b], law.impulse * -1.0);
+  }
+  return all;
+}
+
+bool TiedKick::finish(const std::vector<Vec3>& told) {
+  told_ = told;
+  change_ = w_;
+  pantin::add(change_, v0_, -1.0);
+  if (theta == 0.5) pantin::add(change_, Motions(change_), 1.0);
+  pantin::add(change_, others_, -1.0);
+  if (!soft_.empty()) {
+    Motions soft(w_.size());
+    add_felt_of_soft_rows(soft, w_, -dt_);
+    pantin::add(change_, allowed(soft), 1.0);
+    Articulate& own = *world_.articulates[index_];
+    own.expected.assign(own.rows.size(), vec(infinity, 0.0, 0.0));
+    for (const Soft& s : soft_)
+      own.expected[s.row] = s.force + s.slope * (velocity_at(w_, s.a) - (s.two ? velocity_at(w_, s.b) : zero3()));
+  }
+  borne_.assign(a_->rows.size(), zero3());
+  if (ties_) {
+    allowed(told_impulses(told));
+    borne_ = a_->impulses;
+  }
+  const bool again = let_go();
+  if (again) {
+    find_known();
+    return true;
+  }
+  for (std::size_t k = 0; k < held_.size(); k++) hold(a_->conditions[k], held_[k] != 0);
+  return false;
+}
+
+/// Has rows let go that would have to do what they cannot, with what they did in the last step: of one side to pull, of a
+/// limited force to give more; whether some did.
+bool TiedKick::let_go() {
+  bool some = false;
+  for (Condition& c : a_->conditions) {
+    if (!ties_ || !c.held || is_soft(row(*a_, c))) continue;
+    const double time = std::fabs(dt_);
+    const Vec3 borne = borne_[c.row] * (dt_ > 0.0 ? 1.0 : -1.0) + row(*a_, c).f * time;
+    const double beyond = c.ranged              ? -dot(borne, stop(*a_, row(*a_, c)).inward)
+                          : std::isinf(c.upper) ? 0.0
+                                                : norm(borne) - c.upper * time;
+    if (beyond <= 1e-12 * norm(borne)) continue;
+    hold(c, false);
+    some = true;
+  }
+  if (some) hold_with_heads(*a_);
+  return some;
+}
+
+void TiedKick::change_momenta(Node& n, Vec3 v, Vec3 p, Vec3 L) {
+  if (side_.drifted) {
+    n.p0 += p;
+    if (!n.turns) return;
+    n.P0 += transposed_times(n.R0, L);
+    n.O0 = n.inverse_inertia * n.P0;
+    return;
+  }
+  if (!n.is_body) {
+    FreeMotion& m = world_.free_motion[n.slot];
+    laws_.starts.push_back({n.slot, false, m.v, zero3()});
+    m.v += v;
+    return;
+  }
+  Motion& m = world_.motion[n.slot];
+  laws_.starts.push_back({n.slot, true, m.p, m.angular});
+  m.p += p;
+  if (n.turns) m.angular += transposed_times(matrix(m.q), L);
+}
+
+/// The velocities may have changed a little since, as energy was returned: the change is made to give the same [J]. Returns
+/// what it gives.
+double TiedKick::scale_to(double given) {
+  if (!side_.drifted) return given;
+  Motions now(change_.size());
+  for (std::size_t b = 0; b < now.size(); b++) {
+    read_momenta(*a_, b);
+    now[b].p = a_->batches[b].p;
+    now[b].L = a_->batches[b].L;
+  }
+  const double size = product(change_, change_), along = product(change_, now), slope = size + along;
+  const double by = (given - along - 0.5 * size) / slope;
+  if (std::fabs(slope) < 0.1 * size || !(std::fabs(by) < 1e-3)) return along + 0.5 * size;
+  pantin::add(change_, Motions(change_), by);
+  return (1.0 + by) * along + 0.5 * (1.0 + by) * (1.0 + by) * size;
+}
+
+TiedWork TiedKick::apply(const std::vector<Vec3>& spared, double full) {
+  TiedWork work;
+  Articulate& own = *world_.articulates[index_];
+  Motions mean = v0_;
+  if (!side_.before) pantin::add(mean, others_, 1.0);
+  pantin::add(mean, change_, 0.5);
+  bool damps = !pairs.empty() || crossed;
+  for (std::size_t s = 0; s < seats.size(); s++) damps = damps || norm2(told_[s] - spared[s]) > 0.0;
+  for (std::size_t s = 0; s < seats.size(); s++) work.rest += dot(spared[s], velocity_at(mean, seats[s])) * dt_;
+  for (std::size_t k = 0; k < wanted_.size(); k++) {
+    const Condition& c = a_->conditions[k];
+    (row(*a_, c).lever > 0.0 ? work.rows.couples : work.rows.ends) += dot(borne_[c.row], wanted_[k]);
+  }
+  const double by_laws = scale_to(product(mean, change_)) - work.rows.all();
+  if (damps) work.damper = by_laws - work.rest;
+  if (own.reaction.size() != borne_.size()) own.reaction.assign(borne_.size(), zero3());
+  for (std::size_t k = 0; k < borne_.size(); k++) own.reaction[k] += borne_[k] / full;
+  for (std::size_t i = 0; i < own.nodes.size(); i++) {
+    const BatchMotion& batch = change_[i / batch_size];
+    const std::size_t lane = i % batch_size;
+    change_momenta(own.nodes[i], lane_of(batch.v, lane), lane_of(batch.p, lane), lane_of(batch.L, lane));
+  }
+  return work;
+}
+
+}  // namespace pantin

@@ -1,0 +1,260 @@
+#include "forces/velocity_kick.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/check.hpp"
+#include "forces/velocity_kick_parts.hpp"
+
+namespace pantin {
+
+namespace {
+
+using kicks::nearly;
+using kicks::none;
+
+constexpr int most_iterations = 40, restart = 3, trusted_iterations = 16;
+
+/// A law that Newton's iteration does not get on with is taken for a drag along its force, which gives that force at `u`; one
+/// that hardly takes anything stays as its `slope` has it.
+Mat3 chord(const Mat3& slope, Vec3 force, Vec3 u, double sign) {
+  constexpr double hardly = 1e-6;
+  const double power = sign * dot(force, u);
+  if (std::fabs(power) <= hardly * norm(force) * norm(u)) return slope;
+  return power < 0.0 ? outer(force, force) * (sign / power) : zero33();
+}
+
+}  // namespace
+
+/// The forces in the solution: of laws of single particles by their derivatives, of pairs as impulses that were applied.
+void VelocityKick::tell_forces() {
+  const std::size_t n = f_.sites.n;
+  k_.told_pairs.resize(k_.pairs.size());
+  for (std::size_t i = 0; i < n; i++)
+    if (moves(i)) k_.told[i] = k_.fields.force[i] + k_.fields.slope[i] * (velocity_of(i) - k_.at[i]);
+  for (std::size_t k = 0; k < k_.pairs.size(); k++) {
+    VelocityPair& p = k_.pairs[k];
+    if (inner_[k]) p.impulse = (p.force + p.slope * (velocity_of(p.b) - velocity_of(p.a) - p.at)) * dt_;
+    k_.told_pairs[k] = p.impulse / dt_;
+  }
+}
+
+/// Asks the laws at the velocities found, and returns whether they give what was expected of them.
+bool VelocityKick::ask_again(int iteration) {
+  const std::size_t n = f_.sites.n;
+  tell_forces();
+  from_rest_.resize(n, 0);
+  for (std::size_t i = 0; i < n; i++) f_.sites.v[i] = from_rest_[i] ? zero3() : velocity_of(i);
+  ask_velocity_laws(world_, f_, instant_, thermal_, true);
+  k_.missed.resize(n + k_.pairs.size(), infinity);
+  for (const auto& tied : k_.tied) tied->settled = true;
+  double worst = 0.0;
+  const auto unsettle = [&](std::size_t site, double missed) {
+    const std::uint32_t m = missed > nearly * speed_ ? mover_at(f_, site) : none;
+    if (TiedKick* tied = m == none ? nullptr : tied_to(m)) tied->settled = false;
+  };
+  /// Whether the iteration has stopped getting nearer.
+  const auto is_stuck = [&](std::size_t at, double missed) {
+    const double last = std::exchange(k_.missed[at], missed);
+    worst = std::max(worst, missed);
+    return iteration >= trusted_iterations && missed > 0.25 * last && missed > nearly * speed_;
+  };
+  for (std::size_t i = 0; i < n; i++) {
+    if (!moves(i)) continue;
+    const Vec3 force = k_.fields.force[i];
+    const double mobility = mobility_of(i);
+    const double missed = from_rest_[i] ? infinity : std::fabs(dt_) * mobility * norm(force - k_.told[i]);
+    // Dry friction stops what slides: its slope there does not tell, that of rest leads to the solution from below.
+    from_rest_[i] = iteration == restart && missed > nearly * speed_;
+    unsettle(i, missed);
+    if (is_stuck(i, missed)) k_.fields.slope[i] = chord(k_.fields.slope[i], force, f_.sites.v[i], 1.0);
+    leave_what_amplifies(k_.fields.slope[i], mobility, 1.0);
+  }
+  for (const VelocityForces::Listed& law : k_.listed) {
+    for (std::size_t k = law.begin; !law.linear && k < law.end; k++) {
+      VelocityPair& p = k_.pairs[k];
+      const double mobility = mobility_of(p.a) + (p.one_sided ? 0.0 : mobility_of(p.b));
+      const double missed = std::fabs(dt_) * mobility * norm(p.force - k_.told_pairs[k]);
+      unsettle(p.a, missed);
+      unsettle(p.b, missed);
+      if (is_stuck(n + k, missed)) p.slope = chord(p.slope, p.force, p.at, -1.0);
+      leave_what_amplifies(p.slope, mobility, -1.0);
+      find_pair_answer(k);
+    }
+  }
+  return worst <= nearly * speed_;
+}
+
+void VelocityKick::solve() {
+  for (std::size_t i = 0; i < f_.sites.n; i++)
+    if (moves(i)) leave_what_amplifies(k_.fields.slope[i], mobility_of(i), 1.0);
+  for (VelocityPair& p : k_.pairs) {
+    leave_what_amplifies(p.slope, mobility_of(p.a) + (p.one_sided ? 0.0 : mobility_of(p.b)), -1.0);
+    p.impulse = zero3();
+  }
+  find_tied();
+  choose_rules();
+  k_.told.assign(f_.sites.n, zero3());
+  start_tied();
+  constexpr int most_turns = 4;  // of rows that let go
+  for (int turn = 0; turn < most_turns; turn++) {
+    for (const auto& tied : k_.tied) tied->settled = false;
+    k_.answers.resize(k_.pairs.size());
+    for (std::size_t k = 0; k < k_.pairs.size(); k++) find_pair_answer(k);
+    solve_linear();
+    k_.missed.clear();
+    for (int iteration = 0; !k_.linear && iteration < most_iterations; iteration++) {
+      const bool done = ask_again(iteration);
+      solve_linear();
+      if (done) break;
+    }
+    tell_forces();
+    if (!finish_tied()) break;
+  }
+  if (amplifies_) tell_amplifying();
+  if (f_.workless && !thermal_) tell_fast_turns();
+}
+
+/// Whether some rows let go.
+bool VelocityKick::finish_tied() {
+  bool again = false;
+  for (const auto& tied : k_.tied) {
+    std::vector<Vec3> told;
+    for (const TiedKick::Seat& s : tied->seats) told.push_back(k_.told[s.site]);
+    again = tied->finish(told) || again;
+  }
+  return again;
+}
+
+/// Tells, once, of laws that drive what they act on the more the faster it is.
+void VelocityKick::tell_amplifying() {
+  tell_once("a force that grows with the velocity gives energy to what it acts on: ", "");
+}
+
+/// Tells, once, where a step is too long to follow what turns without losing speed.
+void VelocityKick::tell_fast_turns() {
+  constexpr double much = 1.0;  // [rad] in a step
+  double most = 0.0;
+  for (std::size_t i = 0; f_.workless && i < f_.sites.n; i++)
+    if (moves(i)) most = std::max(most, 2.0 * std::fabs(dt_) * mobility_of(i) * turning_rate(k_.workless.slope[i]));
+  if (most <= much) return;
+  tell_once(
+      "a force turns velocities farther in a step than it can follow, so that speeds are right and places are not: ",
+      text(", by some ", std::round(most), " rad; scene.accuracy chooses shorter steps"));
+}
+
+/// Tells of the laws at work.
+void VelocityKick::tell_once(const std::string& what, const std::string& rest) {
+  const auto told = [&](const LogLine& line) { return line.text.starts_with(what); };
+  if (std::any_of(world_.log.begin(), world_.log.end(), told)) return;
+  log_line(world_, "notice", what + velocity_laws(world_, f_) + rest);
+}
+
+void VelocityKick::put_forces() {
+  for (std::size_t i = 0; i < f_.sites.n; i++) {
+    f_.undamped[i] = f_.still[i];
+    if (moves(i)) f_.undamped[i] += spared_force(f_, k_, i, velocity_of(i));
+    f_.sites.open_force[i] = f_.still[i] + k_.told[i];
+  }
+  for (std::size_t k = 0; k < k_.pairs.size(); k++) {
+    const VelocityPair& p = k_.pairs[k];
+    const Vec3 spared = spared_force(p, k_.told_pairs[k]);
+    const auto add = [&](std::size_t site, double sign) {
+      f_.sites.open_force[site] += k_.told_pairs[k] * sign;
+      f_.undamped[site] += spared * sign;
+    };
+    add(p.a, 1.0);
+    if (!p.one_sided) add(p.b, -1.0);
+  }
+  collect(world_, f_);
+  for (const Attached& a : f_.attached) {
+    if (!is_tied(a.mover)) continue;
+    Mover& m = f_.movers[a.mover];
+    const Vec3 force = f_.sites.open_force[a.site] - world_.plane.along(f_.still[a.site]);
+    m.solved_force += force;
+    m.solved_torque += world_.plane.about(cross(a.r, force));
+    m.solved = true;
+  }
+}
+
+double VelocityKick::apply() {
+  double work = 0.0;
+  for (std::size_t i = 0; i < f_.sites.n; i++) {
+    if (f_.point[i] == none) continue;
+    Vec3& v = world_.free_motion[f_.point[i]].v;
+    const Vec3 change = k_.told[i] * (f_.inverse_mass[i] * dt_);
+    work += dot(k_.told[i], v + change * 0.5) * dt_;
+    v += change;
+  }
+  std::vector<Vec3> force(f_.movers.size(), zero3()), torque(f_.movers.size(), zero3());
+  for (const Attached& a : f_.attached) {
+    force[a.mover] += k_.told[a.site];
+    torque[a.mover] += world_.plane.about(cross(a.r, k_.told[a.site]));
+  }
+  for (std::size_t m = 0; m < f_.movers.size(); m++) {
+    if (sleeps(world_, f_.movers[m]) || is_tied(m)) continue;
+    MoverMomenta s = momenta_of(world_, f_.movers[m], side_.drifted);
+    const Vec3 v = s.velocity(), spin = s.spin();
+    s.add(force[m] * dt_, torque[m] * dt_);
+    work += (dot(force[m], v + s.velocity()) + dot(torque[m], spin + s.spin())) * (0.5 * dt_);
+  }
+  return work;
+}
+
+std::string velocity_laws(const World& world, Forces& f) {
+  std::string names;
+  each_law(world, f, [&](const std::string&, const Law& law, auto& acting) {
+    if (law.moving && !law.thermal) names += (names.empty() ? "" : " or ") + law_at_work(world, acting);
+  });
+  return names;
+}
+
+void solve_velocity_kick(World& world, Forces& f, double dt, double time, SideOfDrift side) {
+  const Instant instant = instant_of(world, time, world.instant);
+  if (!f.velocity.known) {
+    read_velocities(world, f, side.drifted);
+    f.still.resize(f.sites.n, zero3());
+    f.undamped.resize(f.sites.n, zero3());
+    ask_velocity_laws_first(world, f, instant);
+  }
+  VelocityKick kick(world, f, instant, dt, side);
+  kick.solve();
+  kick.put_forces();
+}
+
+namespace {
+
+TiedWork apply_tied(World& world, Forces& f, VelocityForces& k) {
+  TiedWork work;
+  std::vector<Vec3> spared;
+  for (const auto& tied : k.tied) {
+    spared.clear();
+    for (const TiedKick::Seat& s : tied->seats)
+      spared.push_back(&k == &f.velocity ? f.undamped[s.site] - f.still[s.site] : zero3());
+    const TiedWork done = tied->apply(spared, world.part.full);
+    work.damper += done.damper;
+    work.rest += done.rest;
+    work.rows += done.rows;
+  }
+  k.tied.clear();
+  return work;
+}
+
+}  // namespace
+
+TiedWork kick_tied(World& world, Forces& f) { return apply_tied(world, f, f.velocity); }
+
+void kick_by_thermostats(World& world, double dt) {
+  Forces& f = *world.forces;
+  read_places(world, f, true);
+  read_velocities(world, f, true);
+  const Instant instant = instant_of(world, world.time, world.instant);
+  ask_velocity_laws(world, f, instant, true);
+  VelocityKick kick(world, f, instant, dt, {true, false}, true);
+  kick.solve();
+  post(world, Source::damper, kick.apply());
+  post_tied(world, apply_tied(world, f, f.thermostats));
+}
+
+}  // namespace pantin

@@ -1,0 +1,141 @@
+#include "forces/work_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/random.hpp"
+#include "forces/forces_parts.hpp"
+#include "forces/integrator.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr std::uint32_t none = Forces::none;
+constexpr double one_in = 192.0;  // parts that are looked at
+constexpr double much = 0.3;      // of the largest kinetic energy
+
+bool is_checked(const World& world) {
+  return world.forces && world.forces->open && !world.forces->noisy && rule_of(world).kicks && !world.settings.box;
+}
+
+double done_by_open_laws(const World& world) {
+  return world.open_work + world.ledger.given[static_cast<std::size_t>(Source::damper)];
+}
+
+/// A function of the part alone, so that a run is repeated.
+bool is_drawn(const World& world) {
+  Random random{world.settings.seed, world.instant};
+  return random.uniform() < 1.0 / one_in;
+}
+
+/// The part of a kick that damping leaves, as it was solved last.
+double undamped_part(const Forces& f, std::size_t site) {
+  const VelocityForces& k = f.velocity;
+  const std::uint32_t attached = f.attached_of[site];
+  const std::size_t at = attached == none ? site : f.sites.n + f.attached[attached].mover;
+  if (!f.moving || at >= k.strength.size() || site >= k.theta.size()) return 1.0;
+  const double theta = attached == none ? k.theta[site] : k.carriers[at - f.sites.n].theta;
+  return 1.0 / (1.0 + theta * k.strength[at]);
+}
+
+/// What a kick over half a part gives at most beyond half the way's work, h² f²/8m over what is loose [J]: what steps of
+/// second order do not keep of the energy of laws that have none to tell. Of forces that do not damp.
+struct Unkept {
+  double spared = 0.0, kick = 0.0;  // [J] of forces that do not damp; of all, and on what is tied as if it were not
+};
+
+Unkept unkept(const World& world, const Forces& f) {
+  Unkept sum;
+  const double share = world.part.h * world.part.h / 8.0;
+  for (std::size_t i = 0; i < f.sites.n; i++) {
+    double mobility = f.inverse_mass[i];
+    const std::uint32_t at = f.attached_of[i];
+    bool tied = false;
+    if (at != none) {
+      const Mover& m = f.movers[f.attached[at].mover];
+      mobility = 1.0 / (m.is_body ? world.motion[m.slot].mass : world.points.at_slot(m.slot).mass);
+      tied = m.articulate >= 0;
+    }
+    const Vec3 force = f.sites.open_force[i], spared = f.moving && f.velocity.known ? f.undamped[i] : force;
+    sum.kick += norm2(force) * mobility * share;
+    const double part = undamped_part(f, i);
+    if (!tied) sum.spared += norm2(spared) * (part * part * mobility * share);
+  }
+  return sum;
+}
+
+/// Forces of the laws without energy `at` a fraction of the way, of laws of velocity what they also give at rest [N] (sites).
+AlignedVector<Vec3> forces_on_way(World& world, Forces& f, const AlignedVector<Vec3>& end,
+                                  const std::vector<Vec3>& ways, double at) {
+  for (std::size_t i = 0; i < f.sites.n; i++) {
+    f.sites.x[i] = end[i] - ways[i] * (1.0 - at);
+    f.sites.v[i] = zero3();
+  }
+  std::fill(f.sites.open_force.begin(), f.sites.open_force.end(), zero3());
+  const double time = world.part.from + at * (world.part.to - world.part.from);
+  const Instant instant = instant_of(world, time_within(world, time), world.instant);
+  each_law(world, f, [&](const std::string&, const Law& law, auto& acting) {
+    if (!law.has_energy()) run_law(world, f, acting, instant);
+  });
+  return f.sites.open_force;
+}
+
+}  // namespace
+
+void note_open_forces(World& world) {
+  if (!is_checked(world)) return;
+  Forces& f = *world.forces;
+  f.done = done_by_open_laws(world);
+  const Unkept now = unkept(world, f);  // another where an edit or another step came between
+  OpenWorkCheck& check = world.open_work_check;
+  check.unkept_at_first += now.spared - check.unkept;
+  check.unkept = now.spared;
+  check.kick = std::max(check.kick, now.kick);
+  f.open_from.resize(world.particles.slots());
+  for (std::size_t i = 0; i < f.sites.n; i++)
+    if (f.sites.particle[i] != none) f.open_from[f.sites.particle[i]] = f.sites.x[i] + f.image[i];
+}
+
+void check_open_work(World& world) {
+  if (!is_checked(world)) return;
+  Forces& f = *world.forces;
+  world.open_work_check.unkept = unkept(world, f).spared;
+  const double done = std::fabs(done_by_open_laws(world) - f.done);
+  const bool large = done > much * world.largest_kinetic;
+  if (f.open_from.size() < world.particles.slots() || !(large || is_drawn(world))) return;
+  const auto x = f.sites.x, v = f.sites.v, force = f.sites.force, open = f.sites.open_force;
+  std::vector<Vec3> ways(f.sites.n, zero3());
+  for (std::size_t i = 0; i < f.sites.n; i++)
+    if (f.sites.particle[i] != none) ways[i] = x[i] + f.image[i] - f.open_from[f.sites.particle[i]];
+  const auto from = forces_on_way(world, f, x, ways, 0.0), middle = forces_on_way(world, f, x, ways, 0.5),
+             to = forces_on_way(world, f, x, ways, 1.0);
+  double missed = 0.0, all = 0.0;
+  for (std::size_t i = 0; i < f.sites.n; i++) {
+    if (f.sites.particle[i] == none) continue;
+    const Vec3 ends = (from[i] + to[i]) * 0.5;
+    missed += 2.0 / 3.0 * dot(ways[i], middle[i] - ends);
+    all += std::fabs(dot(ways[i], ends));
+  }
+  f.sites.x = x;
+  f.sites.v = v;
+  f.sites.force = force;
+  f.sites.open_force = open;
+  if (!std::isfinite(missed)) return;  // of a law that has no value at rest
+  const double weight = large ? 1.0 : one_in;
+  OpenWorkCheck& c = world.open_work_check;
+  c.missed += weight * missed;
+  c.squares += weight * weight * missed * missed;
+  if (!large) c.drawn += weight * weight * missed * missed;
+  c.sizes += weight * std::fabs(missed);
+  c.done += weight * all;
+}
+
+double missed_open_work(const World& world) {
+  const OpenWorkCheck& c = world.open_work_check;
+  const bool some = c.sizes > 2.0 * std::sqrt(c.drawn);  // not one part alone that stands for many
+  const bool one_sign = std::fabs(c.missed) > 4.0 * std::sqrt(c.squares), large = some && c.sizes > 0.1 * c.done;
+  return (one_sign || large ? c.missed : 0.0) - (c.unkept - c.unkept_at_first);
+}
+
+}  // namespace pantin

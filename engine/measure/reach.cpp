@@ -1,0 +1,57 @@
+#include "measure/reach.hpp"
+
+#include <unordered_set>
+
+namespace pantin {
+namespace {
+
+struct Walk {
+  const World& world;
+  Things found;
+  std::vector<PointId> open;  // points whose ring and rods are still to be followed
+  std::unordered_set<BodyId> bodies;
+  std::unordered_set<PointId> free_points;
+
+  void meet(BodyId body) {
+    if (!bodies.insert(body).second) return;
+    found.bodies.push_back(body);
+    for (PointId p : world.bodies[body].points) open.push_back(p);
+    for (ConstraintId id : world.bodies[body].constraints) {
+      const Constraint& c = world.constraints[id];
+      if (!c.enabled || !c.body_b) continue;
+      meet(c.body_a);
+      meet(c.body_b);
+    }
+  }
+  void meet(PointId id) {
+    if (const BodyId body = world.points[id].body) return meet(body);
+    if (!free_points.insert(id).second) return;
+    found.free_points.push_back(id);
+    open.push_back(id);
+  }
+};
+
+}  // namespace
+
+Things tied_to(const World& world, PointId point, bool by_connections) {
+  Walk walk{world, {}, {}, {}, {}};
+  walk.meet(point);
+  while (!walk.open.empty()) {
+    const PointId id = walk.open.back();
+    walk.open.pop_back();
+    const Particle& ring = world.particles[world.points[id].particle];
+    for (PointId member : ring.points) walk.meet(member);
+    for (ConnectionId c : ring.connections) {
+      const Connection& tie = world.connections[c];
+      for (std::uint32_t i = 0; by_connections && tie.enabled && i < tie.count; i++)
+        if (tie.particles[i]) walk.meet(world.particles[awake(world, tie.particles[i])].points[0]);
+    }
+    for (ConstraintId c : world.points[id].constraints) {
+      const Constraint& tie = world.constraints[c];
+      if (tie.enabled) tie.each_point([&](PointId other) { walk.meet(other); });
+    }
+  }
+  return std::move(walk.found);
+}
+
+}  // namespace pantin

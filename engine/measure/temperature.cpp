@@ -1,0 +1,139 @@
+#include <algorithm>
+#include <unordered_set>
+
+#include "measure/freedoms.hpp"
+#include "model/path.hpp"
+
+namespace pantin {
+namespace {
+
+/// Counts what the things can do: their own freedoms, less what ties among them take.
+struct Freedoms {
+  const World& world;
+  std::unordered_set<BodyId> bodies;
+  std::unordered_set<PointId> points;
+  std::unordered_set<ParticleId> rings;
+  std::unordered_set<ConstraintId> constraints;
+  long count = 0;
+  FreedomCount common = {};
+
+  void hold(Vec3 direction) {
+    constexpr double least = 1e-6;  // of a direction that counts as another one
+    const Vec3 rest = common.loose * direction;
+    if (!(norm(rest) > least)) return;
+    common.loose = common.loose - outer(rest, rest) * (1.0 / norm2(rest));
+    common.common--;
+    if (common.common == 0) common.loose = zero33();
+  }
+
+  void hold_by(const Constraint& c) {
+    if (c.kind == ConstraintKind::on_plane) return hold(c.axis_a);
+    const Vec3 along = c.kind == ConstraintKind::on_path ? c.path->tangent(c.along) : zero3();
+    for (int i = 0; i < 3; i++) {
+      Vec3 axis = zero3();
+      axis[i] = 1.0;
+      hold(axis - along * dot(along, axis));
+    }
+  }
+
+  bool among(PointId id) const {
+    const BodyId body = world.points[id].body;
+    return body ? bodies.contains(body) : points.contains(id);
+  }
+
+  void ties_of(PointId id) {
+    const ParticleId ring = world.points[id].particle;
+    const auto& members = world.particles[ring].points;
+    if (world.particles[ring].joins() && rings.insert(ring).second)
+      count -= (world.plane.flat() ? 2 : 3) *
+               (std::count_if(members.begin(), members.end(), [&](PointId p) { return among(p); }) - 1);
+    ties(world.points[id].constraints);
+  }
+
+  void ties(const std::vector<ConstraintId>& list) {
+    for (ConstraintId c : list)
+      if (constraints.insert(c).second) tie(world.constraints[c]);
+  }
+
+  /// How many freedoms a constraint takes.
+  long taken(const Constraint& c) const { return world.plane.flat() ? taken_in_plane(c) : taken_in_space(c); }
+
+  static long taken_in_plane(const Constraint& c) {
+    switch (c.kind) {
+      case ConstraintKind::nail:
+      case ConstraintKind::follow: return c.pins() ? 2 : 0;
+      case ConstraintKind::join: return std::isfinite(c.max_force) ? 0 : 2;
+      case ConstraintKind::on_path:
+      case ConstraintKind::rod:
+      case ConstraintKind::on_plane:
+      case ConstraintKind::orient:
+      case ConstraintKind::align: return 1;
+      case ConstraintKind::weld: return 3;
+      case ConstraintKind::motor: return std::isfinite(c.max_torque) ? 0 : 1;
+      case ConstraintKind::axis:
+      case ConstraintKind::string:
+      case ConstraintKind::limit: break;
+    }
+    return 0;
+  }
+
+  static long taken_in_space(const Constraint& c) {
+    switch (c.kind) {
+      case ConstraintKind::nail:
+      case ConstraintKind::follow: return c.pins() ? 3 : 0;
+      case ConstraintKind::join: return std::isfinite(c.max_force) ? 0 : 3;
+      case ConstraintKind::on_path: return 2;
+      case ConstraintKind::rod:
+      case ConstraintKind::on_plane: return 1;
+      case ConstraintKind::axis: return 2;
+      case ConstraintKind::weld: return 6;
+      case ConstraintKind::orient: return 3;
+      case ConstraintKind::align: return c.length == 0.0 ? 2 : 1;
+      case ConstraintKind::motor: return std::isfinite(c.max_torque) ? 0 : 1;
+      case ConstraintKind::string:
+      case ConstraintKind::limit: break;
+    }
+    return 0;
+  }
+
+  void tie(const Constraint& c) {
+    if (!c.enabled || taken(c) == 0) return;
+    if (c.a && !c.b) hold_by(c);
+    if (c.b && !(among(c.a) && among(c.b))) return;
+    if (c.body_b && !(bodies.contains(c.body_a) && bodies.contains(c.body_b))) return;
+    count -= taken(c);
+  }
+};
+
+}  // namespace
+
+FreedomCount count_freedoms(const World& world, const Things& things) {
+  Freedoms f{world,
+             {things.bodies.begin(), things.bodies.end()},
+             {things.free_points.begin(), things.free_points.end()},
+             {},
+             {}};
+  const bool flat = world.plane.flat();
+  const long ways = flat ? 2 : 3;
+  f.common = {0, diagonal(world.plane.directions()), ways};
+  for (BodyId id : things.bodies) {
+    const Freedom freedom = world.motion_of(id).freedom;
+    f.count += ways + (freedom == Freedom::point ? 0 : flat ? 1 : freedom == Freedom::line ? 2 : 3);
+    for (PointId p : world.bodies[id].points) f.ties_of(p);
+    f.ties(world.bodies[id].constraints);
+  }
+  f.count += ways * static_cast<long>(things.free_points.size());
+  for (PointId p : things.free_points) f.ties_of(p);
+  f.common.count = f.count - f.common.common;
+  return f.common;
+}
+
+double temperature(const World& world, const Things& things) {
+  const FreedomCount freedoms = count_freedoms(world, things);
+  if (freedoms.count <= 0) return 0.0;
+  const Vec3 common = freedoms.loose * momentum(world, things);
+  const double kinetic = energy(world, things).kinetic - 0.5 * norm2(common) / mass(world, things);
+  return std::fmax(0.0, 2.0 * kinetic / (static_cast<double>(freedoms.count) * world.settings.boltzmann));
+}
+
+}  // namespace pantin

@@ -1,0 +1,89 @@
+#include "snapshot/snapshot.hpp"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "articulates/articulate.hpp"
+#include "edit/editing.hpp"
+#include "forces/forces.hpp"
+#include "forces/solved.hpp"
+
+namespace pantin {
+
+struct Snapshot::Held {
+  WorldData data;
+  std::vector<Articulate> articulates;
+  std::optional<Forces> forces;
+};
+
+namespace {
+
+/// Handles of events outlive their rows; what they tell is kept beside these.
+void tell_events(const Store<Event>& before, const Store<Event>& now) {
+  for (EventId id : before.ids())
+    if (!now.alive(id)) *before[id].state = EventState::cancelled;
+  for (EventId id : now.ids()) *now[id].state = EventState::waiting;
+}
+
+const Event* play_in(const WorldData& world) {
+  const auto& events = world.choreography.events;
+  const Event* first = nullptr;
+  for (std::uint32_t s = 0; s < events.slots(); s++)
+    if (const Event& event = events.at_slot(s); events.alive_at(s) && event.kind == EventKind::play)
+      if (!first || event.serial < first->serial) first = &event;
+  return first;
+}
+
+std::string name_of(const Event& play) { return play.label.empty() ? "a play" : play.label; }
+
+constexpr const char* advice = "), which cannot be wound back";
+
+}  // namespace
+
+double Snapshot::time() const { return held_->data.time; }
+std::uint64_t Snapshot::steps() const { return held_->data.steps; }
+
+Snapshot take_snapshot(const World& world) {
+  auto held = std::make_shared<Snapshot::Held>();
+  held->data = world;
+  held->articulates.reserve(world.articulates.size());
+  for (const auto& articulate : world.articulates) held->articulates.push_back(*articulate);
+  if (world.forces) held->forces.emplace(*world.forces);
+  Snapshot snapshot;
+  snapshot.held_ = std::move(held);
+  return snapshot;
+}
+
+bool can_restore(const World& world) { return !play_in(world); }
+
+std::string why_not_restore(const World& world) {
+  const Event* play = play_in(world);
+  return play ? text("the scene's script waits (", name_of(*play), advice) : "";
+}
+
+std::string why_not_restore(const World& world, const Snapshot& snapshot) {
+  const std::string now = why_not_restore(world);
+  if (!now.empty()) return now;
+  const Event* then = play_in(snapshot.held_->data);
+  return then ? text("the scene's script waited at ", snapshot.time(), " s (", name_of(*then), advice) : "";
+}
+
+void restore(World& world, const Snapshot& snapshot) {
+  internal::require_unlocked(world, "restore");
+  const std::string why = why_not_restore(world, snapshot);
+  require(why.empty(), "restore: ", why);
+  const Snapshot::Held& held = *snapshot.held_;
+  tell_events(world.choreography.events, held.data.choreography.events);
+  static_cast<WorldData&>(world) = held.data;
+  world.articulates.clear();
+  for (const Articulate& articulate : held.articulates)
+    world.articulates.push_back(std::make_unique<Articulate>(articulate));
+  world.forces = held.forces ? std::make_unique<Forces>(*held.forces) : nullptr;
+  const bool found_anew = world.topology_changed || world.influences_changed;
+  if (found_anew) return;
+  set_solved_inputs(world, false);  // copies of solved connections share what this sets, which wakes
+  for (std::size_t i = 0; i < held.articulates.size(); i++) world.articulates[i]->rest = held.articulates[i].rest;
+}
+
+}  // namespace pantin

@@ -1,0 +1,56 @@
+#include "forces/forces.hpp"
+
+#include "forces/integrator.hpp"
+#include "forces/sleep.hpp"
+#include "step/phases.hpp"
+
+namespace pantin::phases {
+
+namespace {
+
+/// A law that fails stops the world at the end of the step, in its last good state.
+template <class Run>
+void run_or_fail(World& world, Run run) {
+  if (!world.trouble.empty()) return;
+  try {
+    run(world);
+  } catch (const Error& error) { world.trouble = error.what(); }
+}
+
+}  // namespace
+
+void refresh_forces(World& world) {
+  if (!world.unchecked && !world.influences_changed && !world.forces) return;
+  const Timed timed(world.profile, Phase::refresh_forces);
+  try {
+    if (world.unchecked) require_integrator_fits(world);
+    world.unchecked = false;
+    bool anew = world.influences_changed || !acting_now(world);
+    pantin::refresh_forces(world);
+    while (world.influences_changed) {  // connections were found too stiff
+      anew = true;
+      find_articulates(world);
+      pantin::refresh_forces(world);
+    }
+    if (!anew) return;
+    wake_pulled(world);
+    tell_massless(world);
+  } catch (const Error& error) {
+    world.failure = error.what();
+    log_line(world, "failure", world.failure);
+  }
+}
+
+void find_pairs(World& world) {
+  if (!world.forces) return;
+  const Timed timed(world.profile, Phase::find_pairs);
+  run_or_fail(world, pantin::find_pairs);
+}
+
+void apply_forces(World& world) {
+  if (!world.forces) return;
+  const Timed timed(world.profile, Phase::apply_forces);
+  run_or_fail(world, pantin::apply_forces);
+}
+
+}  // namespace pantin::phases

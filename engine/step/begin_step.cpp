@@ -1,0 +1,19 @@
+#include "choreography/hands.hpp"
+#include "measure/measure.hpp"
+#include "step/phases.hpp"
+
+namespace pantin::phases {
+
+void begin_step(World& world) {
+  const bool moved = !world.hands.empty() || !world.input.moves.empty() || !world.input.commands.empty();
+  if (world.steps > 0 && !moved) return;
+  const Timed timed(world.profile, Phase::begin_step);
+  if (world.steps == 0) {
+    world.start_energy = energy(world, everything(world)).total();  // laws add theirs when they begin to act
+    world.work = 0.0;
+    world.ledger.given = {};
+  }
+  apply_input(world, next_time(world));
+}
+
+}  // namespace pantin::phases

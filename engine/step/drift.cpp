@@ -1,0 +1,342 @@
+#include "articulates/solve/drift.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "articulates/solve/midpoint.hpp"
+#include "articulates/solve/project.hpp"
+#include "articulates/solve/row_gaps.hpp"
+#include "articulates/solve/state.hpp"
+#include "articulates/solve/stiff.hpp"
+#include "articulates/solve/sub_steps.hpp"
+#include "base/check.hpp"
+#include "constraints/row_rule.hpp"
+#include "forces/forces.hpp"
+#include "forces/integrator.hpp"
+#include "step/attempt.hpp"
+#include "step/ledger_posts.hpp"
+#include "step/phases.hpp"
+#include "step/rk4.hpp"
+#include "step/share.hpp"
+
+namespace pantin::phases {
+
+namespace {
+
+DriftSettings drift_settings(const World& world) {
+  const Settings& s = world.settings;
+  const StepPart& p = world.part;
+  return {s.step, s.gravity, s.tolerance, s.energy_return, world.ledger.kept,
+          p.from, p.to,      p.full,      p.first,         rule_of(world).backwards};
+}
+
+SubStepSettings sub_step_settings(const World& world) {
+  const bool alike = rule_of(world).stages.size() == 1, first = world.part.index == 0;
+  return {world.settings.accuracy ? wanted_accuracy(world) : 0.0, first,
+          alike   ? world.part.h
+          : first ? world.settings.step
+                  : 0.0};
+}
+
+void drift_points(World& world) {
+  constexpr std::size_t enough = 4096;
+  share_blocks(world, world.loose_points.size(), enough, [&](std::size_t first, std::size_t last, int) {
+    for (std::size_t i = first; i < last; i++) {
+      FreeMotion& m = world.free_motion[world.loose_points[i]];
+      m.x += m.v * world.part.h;
+    }
+  });
+}
+
+/// Moves a body by `move(node, its motion)`; returns the work of pushes and twists [J].
+template <class Move>
+double drift_body(World& world, std::uint32_t slot, Move move) {
+  const Vec3 gravity = world.settings.gravity;
+  Motion& m = world.motion[slot];
+  Node n{};
+  n.is_body = true;
+  n.slot = slot;
+  n.mass = m.mass;
+  n.inverse_mass = 1.0 / m.mass;
+  n.inertia = m.inertia;
+  n.inverse_inertia = inverse_inertia(m);
+  n.turns = m.freedom != Freedom::point;
+  load(n, world, gravity);
+  const Vec3 x = n.x0;
+  const double before = kinetic_energy(n);
+  move(n, m);
+  store(n, world);
+  const bool pushed = norm2(m.force) > 0.0 || norm2(m.torque) > 0.0;
+  return pushed ? kinetic_energy(n) - before - n.mass * dot(gravity, n.x0 - x) : 0.0;
+}
+
+template <class Move>
+void drift_bodies(World& world, Move move) {
+  constexpr std::size_t enough = 64;
+  if (world.pushed) {  // their work is summed in order
+    for (std::uint32_t slot : world.loose_bodies) post(world, Source::event, drift_body(world, slot, move));
+    return;
+  }
+  share_blocks(world, world.loose_bodies.size(), enough, [&](std::size_t first, std::size_t last, int) {
+    for (std::size_t i = first; i < last; i++) drift_body(world, world.loose_bodies[i], move);
+  });
+}
+
+void post_work(World& world, const DriftReport& report) {
+  post(world, Source::hand, report.work);
+  post(world, Source::motor, report.motor);
+  post(world, Source::damper, report.damped);
+  post(world, Source::limit, report.limit);
+}
+
+/// What the energies of solved laws gave.
+void post_solved_laws(World& world, const Articulate& articulate) {
+  Ledger& ledger = world.ledger;
+  if (!ledger.kept) return;
+  for (const Condition& c : articulate.conditions) {
+    if (!c.stiff) continue;
+    std::shared_ptr<const Law> law = world.connections[c.stiff->connection].law;
+    for (double given : c.given) {
+      ledger.laws += given;
+      ledger.kicks[law->name] += given;
+      ledger.posted += std::fabs(given);
+      law = law->also;
+    }
+  }
+}
+
+/// The first thing of an articulate, for whoever reads of it.
+std::string first_of(const World& world, const Articulate& articulate) {
+  const Node& n = articulate.nodes[0];
+  return n.is_body ? describe(world, world.bodies.id_at(n.slot))
+                   : describe(world, world.points.at_slot(n.slot).particle);
+}
+
+void count(World& world, const Articulate& articulate) {
+  const DriftReport& report = articulate.report;
+  world.stats.newton_iterations += report.iterations;
+  world.stats.factorisations += report.factorisations;
+  world.stats.halved_steps += report.halved;
+  world.stats.safe_steps += report.safe;
+  world.stats.solves++;
+  world.stats.worst_iterations = std::max(world.stats.worst_iterations, report.iterations);
+  world.work += report.open_work;
+  world.open_work += report.open_work;
+  world.ledger.posted += std::fabs(report.open_work);
+  post_work(world, report);
+  post(world, Source::edit, report.met);
+  post_report(world, report);
+  if (report.offsets > 0)
+    log_line(world, "notice", "a gap that no motion can close was taken as a constant offset of its hinges");
+  if (report.unreached > 0.0)
+    tell_unreached(world, report.unreached, "the motion of what is tied to " + first_of(world, articulate));
+}
+
+/// What ties by a row, for whoever reads of it.
+std::string describe_tie(const World& world, const Articulate& articulate, const Row& row) {
+  if (row.condition < 0) return describe(world, world.points[row.member].particle);
+  return describe(world, condition(articulate, row).constraint);
+}
+
+void warn_once(World& world, const std::string& what, const std::string& rest) {
+  const auto told = [&](const LogLine& line) { return line.text.starts_with(what); };
+  if (std::none_of(world.log.begin(), world.log.end(), told)) log_line(world, "warning", what + rest);
+}
+
+/// Names, once, a motor of unlimited torque that stands against a limit.
+void tell_stalled(World& world, const Articulate& a) {
+  const Row* limit = nullptr;
+  for (const Condition& c : a.conditions)
+    if (c.ranged && c.held && (limit == nullptr || norm2(row(a, c).f) > norm2(limit->f))) limit = &row(a, c);
+  if (limit == nullptr) return;
+  for (const Condition& c : a.conditions)
+    if (std::isfinite(c.stalled) && std::isinf(c.upper))
+      warn_once(world, text(describe_tie(world, a, row(a, c)), " stalls: "),
+                text(describe_tie(world, a, *limit), " does not let it turn"));
+}
+
+/// Names, once, what has stayed open for some steps: constraints contradict each other, or are pulled too far.
+void tell_open(World& world, Articulate& a) {
+  constexpr std::uint32_t some = 10;
+  a.open_steps = a.gaps.open > world.settings.tolerance * a.length ? a.open_steps + 1 : 0;
+  if (a.open_steps != some) return;
+  const Row* worst = nullptr;
+  double most = 0.0;
+  for (const Row& row : a.rows) {
+    const double open = is_soft(row) ? 0.0 : norm(gap(a, row));
+    if (open <= most) continue;
+    worst = &row;
+    most = open;
+  }
+  if (worst == nullptr) return;
+  const std::string what = describe_tie(world, a, *worst) + " cannot be kept: ";
+  warn_once(world, what,
+            text("it is open by ", most, " m, and what ties the same things contradicts it, or pulls them too far"));
+}
+
+/// Names the stiffest connection of what is not solved for some steps though it is not open; one of a scene is enough.
+void tell_too_stiff(World& world, const Articulate& a) {
+  constexpr std::string_view too_stiff = " is too stiff for the step: ";
+  if (!a.safe || a.effort.failed < most_failed || a.gaps.open > world.settings.tolerance * a.length) return;
+  const StiffTie* stiffest = nullptr;
+  double most = 0.0;
+  for (const Condition& c : a.conditions) {
+    if (!c.stiff) continue;
+    double pull = 0.0;
+    for (const double of_curve : c.stiff->pulls) pull += std::fabs(of_curve);
+    if (!(pull > most)) continue;
+    stiffest = c.stiff.get();
+    most = pull;
+  }
+  const auto told = [&](const LogLine& line) { return line.text.find(too_stiff) != std::string_view::npos; };
+  if (stiffest == nullptr || std::any_of(world.log.begin(), world.log.end(), told)) return;
+  log_line(world, "warning",
+           text(describe(world, stiffest->connection), too_stiff, "its motion at a step of ", world.settings.step,
+                " s cannot be solved, and in safe steps its length is held as it is; a rod keeps a length"));
+}
+
+/// Moves every articulate by `move(articulate, worker)`; a first part begins with the state of the model.
+template <class Move>
+void drift_articulates(World& world, Move move) {
+  share_articulates(world, [&](Articulate& articulate, int worker) {
+    if (articulate.rest.asleep) return;
+    if (world.part.from == 0.0) load(articulate, world, world.settings.gravity);
+    begin_report(articulate);
+    move(articulate, worker);
+  });
+  for (const auto& articulate : world.articulates) {
+    if (articulate->rest.asleep) continue;
+    if (world.part.to == 1.0) {
+      tell_open(world, *articulate);
+      tell_stalled(world, *articulate);
+      tell_too_stiff(world, *articulate);
+    }
+    tell_tensions(*articulate, world);
+    post_solved_laws(world, *articulate);
+    count(world, *articulate);
+  }
+}
+
+void drift_by_midpoint(World& world) {
+  const DriftSettings settings = drift_settings(world);
+  const SubStepSettings wanted = sub_step_settings(world);
+  if (wanted.accuracy > 0.0)
+    while (world.trials.size() < static_cast<std::size_t>(world.workers->count()))
+      world.trials.push_back(std::make_unique<Trial>());
+  drift_points(world);
+  std::vector<double> missed(wanted.accuracy > 0.0 ? world.bodies.slots() : 0, 0.0);  // [1/s]
+  drift_bodies(world, [&](Node& n, Motion& m) {
+    const double rate = drift_alone_accurately(n, world.part.h, wanted, m.sub_steps);
+    if (rate > 0.0) missed[n.slot] = rate;
+  });
+  for (std::size_t slot = 0; slot < missed.size(); slot++)
+    if (missed[slot] > 0.0)
+      tell_unreached(world, missed[slot],
+                     "the turning of " + describe(world, world.bodies.id_at(static_cast<std::uint32_t>(slot))));
+  drift_articulates(world, [&](Articulate& articulate, int worker) {
+    if (wanted.accuracy == 0.0) return pantin::drift(articulate, settings, articulate.report);
+    drift_accurately(articulate, settings, wanted, *world.trials[static_cast<std::size_t>(worker)]);
+  });
+}
+
+void drift_by_euler(World& world) {
+  const DriftSettings settings = drift_settings(world);
+  drift_points(world);
+  drift_bodies(world, [&](Node& n, Motion&) { drift_euler_alone(n, world.part.h); });
+  drift_articulates(world, [&](Articulate& articulate, int) { drift_euler(articulate, settings, articulate.report); });
+}
+
+void project_articulates(World& world) {
+  const DriftSettings settings = drift_settings(world);
+  const LedgerMark before = ledger_mark(world, true);
+  double returned = 0.0;
+  share_articulates(world, [&](Articulate& articulate, int) {
+    articulate.report = {};
+    if (articulate.rest.asleep) return;
+    pantin::project_velocities(articulate, settings, articulate.report);
+  });
+  for (const auto& articulate : world.articulates) {
+    world.stats.projections += articulate->report.projections;
+    post_work(world, articulate->report);
+    returned += articulate->report.returned;
+  }
+  post_projection(world, before, returned);
+}
+
+/// Damped connections that are solved, once all kicks are over.
+void settle_articulates(World& world) {
+  const auto settles = [](const auto& articulate) { return !articulate->rest.asleep && is_to_settle(*articulate); };
+  if (std::none_of(world.articulates.begin(), world.articulates.end(), settles)) return;
+  const LedgerMark before = ledger_mark(world, true);
+  share_articulates(world, [&](Articulate& articulate, int) {
+    articulate.report = {};
+    if (!articulate.rest.asleep && is_to_settle(articulate)) settle_velocities(articulate, articulate.report);
+  });
+  for (const auto& articulate : world.articulates) post_work(world, articulate->report);
+  post_projection(world, before, 0.0);
+}
+
+void leave_velocities(World&) {}
+
+/// How an integrator moves things over a part of the step, and what it does with the velocities after a full sub-step.
+struct Moves {
+  Integrator integrator;
+  void (*drift)(World&);
+  void (*project)(World&);
+  void (*settle)(World&);
+};
+
+constexpr std::array<Moves, integrators.size()> moves = {{
+    {Integrator::verlet, drift_by_midpoint, project_articulates, settle_articulates},
+    {Integrator::implicit, drift_by_midpoint, project_articulates, settle_articulates},
+    {Integrator::euler, drift_by_euler, leave_velocities, leave_velocities},
+    {Integrator::suzuki4, drift_by_midpoint, project_articulates, settle_articulates},
+    {Integrator::rk4, take_rk4_stage, leave_velocities, leave_velocities},
+}};
+
+const Moves& moves_of(const World& world) {
+  for (const Moves& m : moves)
+    if (m.integrator == world.settings.integrator) return m;
+  assume(false);
+  return moves[0];
+}
+
+/// In two halves, with thermostats between.
+void drift_halved(World& world) {
+  const StepPart whole = world.part;
+  StepPart& p = world.part;
+  p.h = 0.5 * whole.h;
+  p.to = 0.5 * (whole.from + whole.to);
+  p.last = false;
+  moves_of(world).drift(world);
+  kick_by_thermostats(world, whole.h);
+  p.from = p.to;
+  p.to = whole.to;
+  p.first = false;
+  p.last = whole.last;
+  moves_of(world).drift(world);
+  p = whole;
+}
+
+}  // namespace
+
+void drift(World& world) {
+  const Timed timed(world.profile, Phase::drift);
+  const LedgerMark before = ledger_mark(world, world.part.index > 0);
+  if (world.forces && world.forces->thermal)
+    drift_halved(world);
+  else
+    moves_of(world).drift(world);
+  post_drift(world, before);
+}
+
+void project_velocities(World& world) {
+  if (!world.part.last) return;
+  const Timed timed(world.profile, Phase::project_velocities);
+  moves_of(world).project(world);
+  end_kick(world, 0.5 * world.part.h);
+  moves_of(world).settle(world);
+}
+
+}  // namespace pantin::phases

@@ -1,0 +1,154 @@
+#include <algorithm>
+
+#include "articulates/articulate.hpp"
+#include "articulates/solve/state.hpp"
+#include "forces/forces.hpp"
+#include "forces/integrator.hpp"
+#include "forces/sleep.hpp"
+#include "forces/work_check.hpp"
+#include "measure/energy_scale.hpp"
+#include "step/ledger_posts.hpp"
+#include "step/phases.hpp"
+#include "step/share.hpp"
+
+namespace pantin::phases {
+
+namespace {
+
+/// A place that is a number, and a kinetic energy that is one.
+bool sound(Vec3 place, const Quat& q, double kinetic) {
+  return finite(place) && std::isfinite(q.w + q.x + q.y + q.z) && std::isfinite(kinetic);
+}
+
+double kinetic_energy(const Motion& m) {
+  return 0.5 * (norm2(m.p) / m.mass + dot(m.angular, m.angular * inverse_inertia(m)));
+}
+
+struct OfLoosePoints {
+  double kinetic = 0.0;       ///< [J]
+  Vec3 mass_place = zero3();  ///< [kg m] sum of mass times place
+  bool finite = true;         ///< these sums are; then all states are
+};
+
+OfLoosePoints measure_loose_points(const World& world) {
+  Vec3 kinetic = zero3(), mass_place = zero3(), unsound = zero3();
+  for (std::size_t i = 0; i < world.loose_points.size(); i++) {
+    const FreeMotion& m = world.free_motion[world.loose_points[i]];
+    kinetic += m.v * m.v * world.loose_masses[i];
+    mass_place += m.x * world.loose_masses[i];
+    unsound += m.x * 0.0;
+  }
+  const double sum = 0.5 * (kinetic[0] + kinetic[1] + kinetic[2]);
+  return {sum, mass_place, std::isfinite(sum) && finite(unsound)};
+}
+
+/// Names the first thing whose new state is not finite; empty if all is well.
+std::string first_bad(const World& world, const OfLoosePoints& points) {
+  for (std::size_t i = 0; !points.finite && i < world.loose_points.size(); i++) {
+    const std::uint32_t slot = world.loose_points[i];
+    const FreeMotion& m = world.free_motion[slot];
+    if (!sound(m.x, {}, norm2(m.v))) return describe(world, world.points.at_slot(slot).particle);
+  }
+  for (std::uint32_t slot : world.loose_bodies) {
+    const Motion& m = world.motion[slot];
+    if (!sound(m.x, m.q, kinetic_energy(m))) return describe(world, world.bodies.id_at(slot));
+  }
+  for (const auto& articulate : world.articulates) {
+    if (articulate->totals.finite) continue;
+    for (const Node& n : articulate->nodes)
+      if (!sound(n.x0, n.q0, pantin::kinetic_energy(n)))
+        return n.is_body ? describe(world, world.bodies.id_at(n.slot))
+                         : describe(world, world.points.at_slot(n.slot).particle);
+  }
+  return {};
+}
+
+std::string last_act(const World& world) {
+  if (world.last_actor.empty()) return {};
+  return text("; the last to act on the scene was ", world.last_actor, ", at ", world.last_act, " s");
+}
+
+/// Puts the last good state back, and tells the first law that gave a force, or the first thing whose state, is not
+/// finite; empty if all is well.
+std::string undo_what_went_bad(World& world, const OfLoosePoints& points, double time) {
+  const std::string thing = first_bad(world, points);
+  const Forces* forces = world.forces.get();
+  const bool energy_lost = forces && forces->told && !std::isfinite(forces->energy);
+  if (thing.empty() && !energy_lost && world.trouble.empty()) return {};
+  put_back(world);
+  if (thing.empty() && !energy_lost) return world.trouble;
+  if (std::string law = bad_force(world); !law.empty()) return law;
+  if (thing.empty()) return text("the energy of the laws is not a finite number", try_accuracy(world));
+  return text("the state of ", thing, " is no longer a finite number at ", time,
+              " s: forces or speeds are too large for a step of ", world.settings.step, " s", try_accuracy(world));
+}
+
+void end_pushes(World& world) {
+  for (std::uint32_t s = 0; s < world.bodies.slots(); s++) world.motion[s].force = world.motion[s].torque = zero3();
+  for (std::uint32_t s = 0; s < world.points.slots(); s++) world.points.at_slot(s).force = zero3();
+  world.pushed = false;
+}
+
+/// Energies and gaps from the working copies, which are at hand; `accuracy()` finds the same from the model's rows.
+void measure_errors(World& world, const OfLoosePoints& points) {
+  const Vec3 gravity = world.settings.gravity;
+  double kinetic = points.kinetic, potential = -dot(gravity, points.mass_place);
+  Accuracy now;
+  for (const auto& articulate : world.articulates) {
+    kinetic += articulate->totals.kinetic;
+    potential -= dot(gravity, articulate->totals.mass_place);
+    now.hinge_gap = std::max(now.hinge_gap, articulate->gaps.points);
+    now.constraint = std::max(now.constraint, articulate->gaps.all());
+  }
+  for (std::uint32_t slot : world.loose_bodies) {
+    const Motion& m = world.motion[slot];
+    kinetic += kinetic_energy(m);
+    potential -= m.mass * dot(gravity, m.x);
+  }
+  world.largest_kinetic = std::max(world.largest_kinetic, kinetic);
+  now.energy = world.error.energy;
+  const bool acting = acting_now(world), told = !acting || world.forces->told;
+  if (acting && told) potential += world.forces->energy;
+  const double scale = energy_scale(world, {kinetic, potential});
+  if (told && scale > 0.0) {
+    const double wrong =
+        std::fabs(kinetic + potential - world.start_energy - world.work) + std::fabs(missed_open_work(world));
+    world.worst_energy = std::max(world.worst_energy, wrong);
+    now.energy = wrong / scale;
+    world.worst.energy = world.worst_energy / scale;
+  }
+  world.worst.hinge_gap = std::max(world.worst.hinge_gap, now.hinge_gap);
+  world.worst.constraint = std::max(world.worst.constraint, now.constraint);
+  world.error = now;
+}
+
+}  // namespace
+
+void end_step(World& world) {
+  const Timed timed(world.profile, Phase::end_step);
+  const double time = next_time(world);
+  const OfLoosePoints points = measure_loose_points(world);
+  share_articulates(world, [](Articulate& articulate, int) {
+    if (!articulate.rest.asleep) articulate.totals = totals_of(articulate);
+  });
+  if (const std::string bad = undo_what_went_bad(world, points, time); !bad.empty()) {
+    world.failure =
+        text(bad, "; the scene is stopped at its last good state", world.trouble.empty() ? last_act(world) : "");
+    log_line(world, "failure", world.failure);
+    return;
+  }
+  share_articulates(world, [&](Articulate& articulate, int) {
+    if (!articulate.rest.asleep) store(articulate, world);
+  });
+  fall_asleep(world);
+  world.time = time;
+  world.step_count++;
+  world.steps++;
+  if (world.pushed) end_pushes(world);
+  end_ledger(world);
+  measure_errors(world, points);
+  for (Probe& probe : world.probes) probe.latest = probe.read();  // one that fails leaves no row half recorded
+  for (Probe& probe : world.probes) probe.values.push_back(probe.latest);
+}
+
+}  // namespace pantin::phases

@@ -1,0 +1,47 @@
+#include "step/step.hpp"
+
+#include "base/subnormals.hpp"
+#include "choreography/choreography.hpp"
+#include "forces/integrator.hpp"
+#include "forces/sleep.hpp"
+#include "step/attempt.hpp"
+#include "step/phases.hpp"
+
+namespace pantin {
+
+void step(World& world) {
+  if (!world.failure.empty()) return;
+  world.profile.begin();
+  phases::begin_step(world);
+  phases::fire_events(world);
+  phases::run_behaviours(world);
+  phases::age_particles(world);
+  const Lock lock(world);
+  {
+    const SubnormalsAreZero subnormals_are_zero;
+    phases::find_articulates(world);
+    phases::refresh_forces(world);
+    if (!world.failure.empty()) return;
+    keep_start(world);
+    do {
+      const std::uint32_t count = all_asleep(world) ? 0 : parts(world);
+      for (std::uint32_t part = 0; part < count && !misses_accuracy(world); part++) {
+        begin_part(world, part);
+        phases::half_kick(world);
+        phases::drift(world);
+        phases::find_pairs(world);
+        phases::apply_forces(world);
+        phases::half_kick_to_end(world);
+        phases::project_velocities(world);
+      }
+    } while (is_to_be_done_again(world));
+    phases::break_connections(world);
+  }
+  phases::end_step(world);
+}
+
+void advance(World& world, double until) {
+  while (world.failure.empty() && world.time < until - 0.5 * world.settings.step) step(world);
+}
+
+}  // namespace pantin

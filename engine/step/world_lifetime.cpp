@@ -1,0 +1,13 @@
+// Here, since what a world owns is known whole only to the step.
+#include "articulates/solve/sub_steps.hpp"
+#include "base/parallel.hpp"
+#include "forces/forces.hpp"
+#include "step/attempt.hpp"
+#include "world/world.hpp"
+
+namespace pantin {
+
+World::World() : workers(std::make_unique<Workers>()) {}
+World::~World() = default;
+
+}  // namespace pantin
