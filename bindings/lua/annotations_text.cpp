@@ -75,7 +75,7 @@ function quat_methods:inverse() end
 ---@field sleep number [J] that articulates still had which fell asleep
 ---@field projection number [J] taken by the projection of velocities, since it is kept
 ---@field energy_return number [J] given back of that
----@field safe_step number [J] taken by safe steps, since it is kept
+---@field fallback_step number [J] taken by fallback steps, since it is kept
 ---@field integrator number [J] that the integrators euler and rk4 gave by being inexact, since it is kept
 ---@field unsolved number [J] of forces on what the iteration left open within its tolerance, since it is kept
 ---@field since number? [s] when all began to be kept; nil, and so the fields below: not yet
@@ -92,7 +92,7 @@ function quat_methods:inverse() end
 ---@field solves integer
 ---@field factorisations integer
 ---@field halved_steps integer
----@field safe_steps integer
+---@field fallback_steps integer
 ---@field rejected_steps integer steps that were done again with more sub-steps, as `scene.accuracy` wants
 ---@field missed_accuracy number largest error where not even the most sub-steps gave what `scene.accuracy` wants, in its unit; 0 where none was missed
 ---@field projections integer

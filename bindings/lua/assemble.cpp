@@ -3,8 +3,8 @@
 #include "edit/assemble.hpp"
 #include "lua/arguments.hpp"
 #include "lua/fields.hpp"
+#include "lua/force_element_options.hpp"
 #include "lua/guard.hpp"
-#include "lua/influence_options.hpp"
 #include "lua/script.hpp"
 #include "lua/targets.hpp"
 

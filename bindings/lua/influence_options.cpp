@@ -1,4 +1,4 @@
-#include "lua/influence_options.hpp"
+#include "lua/force_element_options.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,8 @@
 #include "lua/measures.hpp"
 
+#include <algorithm>
+#include <cstring>
+
 #include "articulates/articulate.hpp"
 #include "choreography/choreography.hpp"
 #include "forces/forces.hpp"
@@ -27,6 +30,30 @@ void set(lua_State* state, const char* name, std::uint64_t value) {
 void set(lua_State* state, const char* name, const std::string& value) {
   lua_pushlstring(state, value.data(), value.size());
   lua_setfield(state, -2, name);
+}
+
+/// Answers t[old] with t[now], and says once what the name is now. Upvalues: the world, the two names.
+int read_old_name(lua_State* state) {
+  const char* old = lua_tostring(state, lua_upvalueindex(2));
+  if (lua_type(state, 2) != LUA_TSTRING || std::strcmp(lua_tostring(state, 2), old) != 0) return 0;
+  const char* now = lua_tostring(state, lua_upvalueindex(3));
+  World& world = *static_cast<World*>(lua_touserdata(state, lua_upvalueindex(1)));
+  const std::string notice = text("'", old, "' is called '", now, "' now");
+  const auto is_it = [&](const LogLine& line) { return line.text == notice; };
+  if (std::none_of(world.log.begin(), world.log.end(), is_it)) log_line(world, "notice", notice);
+  lua_getfield(state, 1, now);
+  return 1;
+}
+
+/// The table on top of the stack answers to an old name of a field, too.
+void keep_old_name(const Self& self, const char* old, const char* now) {
+  lua_createtable(self.state, 0, 1);
+  lua_pushlightuserdata(self.state, &self.world);
+  lua_pushstring(self.state, old);
+  lua_pushstring(self.state, now);
+  lua_pushcclosure(self.state, read_old_name, 3);
+  lua_setfield(self.state, -2, "__index");
+  lua_setmetatable(self.state, -2);
 }
 
 void push_energy(lua_State* state, const Energy& energy) {
@@ -66,6 +93,7 @@ void read_ledger(const Self& self) {
   const Ledger& kept = self.world.ledger;
   for (std::size_t i = 0; i < source_names.size(); i++)
     set(self.state, std::string(source_names[i]).c_str(), kept.given[i]);
+  keep_old_name(self, "safe_step", "fallback_step");
   keep_ledger(self.world);
   if (!kept.kept) return;
   set(self.state, "since", kept.since);
@@ -87,7 +115,7 @@ void read_stats(const Self& self) {
   set(self.state, "solves", s.solves);
   set(self.state, "factorisations", s.factorisations);
   set(self.state, "halved_steps", s.halved_steps);
-  set(self.state, "safe_steps", s.safe_steps);
+  set(self.state, "fallback_steps", s.fallback_steps);
   set(self.state, "rejected_steps", s.rejected);
   set(self.state, "missed_accuracy", worst_missed(self.world));
   set(self.state, "projections", s.projections);
@@ -100,6 +128,7 @@ void read_stats(const Self& self) {
   for (std::size_t i = 0; i < phase_names.size(); i++)
     set(self.state, std::string(phase_names[i]).c_str(), static_cast<double>(self.world.profile.ns[i]));
   lua_setfield(self.state, -2, "ns");
+  keep_old_name(self, "safe_steps", "fallback_steps");
 }
 
 void read_log(const Self& self) {

@@ -142,7 +142,7 @@ std::shared_ptr<const Law> called_law(const std::shared_ptr<CalledLaw>& function
   law.parameters = f.def.parameters;
   law.called = function;
   law.inputs_wanted = function->inputs_wanted();
-  law.moving = !is_potential(f.form);
+  law.velocity_dependent = !is_potential(f.form);
   law.timed = function->noises > 0 || (takes_time(f) && depends_on_time(*function, sample_times));
   law.called_energy = is_potential(f.form) && !law.timed && !law.one_sided;
   return std::make_shared<const Law>(std::move(law));

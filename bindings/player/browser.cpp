@@ -204,7 +204,7 @@ void Browser::draw_cards(const std::string& open) {
   ImGui::EndChild();
 }
 
-bool Browser::draw_card(const SceneEntry& scene, float width, bool lit, bool is_open) {
+bool Browser::draw_card(const SceneEntry& scene, float width, bool lit, bool is_nonconservative) {
   const float pad = 10.0f * scale(), line = ImGui::GetTextLineHeight(), round = 8.0f * scale();
   const float picture = width * Portraits::height / Portraits::width, height = picture + 3.6f * line + 1.6f * pad;
   ImGui::PushID(scene.path.c_str());
@@ -221,7 +221,7 @@ bool Browser::draw_card(const SceneEntry& scene, float width, bool lit, bool is_
                          ImDrawFlags_RoundCornersTop);
   else if (portraits_)
     draw_error(portraits_->error(scene.path), from, {to.x, from.y + picture});
-  if (lit || is_open)
+  if (lit || is_nonconservative)
     list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_CheckMark), round, 0, (lit ? 3.0f : 1.5f) * scale());
   const ImVec2 at = {from.x + pad, from.y + picture + 0.6f * pad};
   const float wrap = width - 2.0f * pad;

@@ -31,7 +31,7 @@ class Browser {
  private:
   void draw_head(float width);
   void draw_cards(const std::string& open);
-  bool draw_card(const SceneEntry& scene, float width, bool lit, bool is_open);
+  bool draw_card(const SceneEntry& scene, float width, bool lit, bool is_nonconservative);
   void list();
   void search();
   bool found(const SceneEntry& scene) const;

@@ -44,9 +44,9 @@ void print_closing(const lua::Scene& scene, const std::string& path, double seco
                 world.error.energy, world.worst.energy, world.error.hinge_gap, world.worst.hinge_gap,
                 static_cast<unsigned long long>(state_hash(world)));
   std::cout << line;
-  if (world.stats.safe_steps > 0)
-    std::cout << text("  ", world.stats.safe_steps,
-                      " safe steps, which only lose energy, where an articulate could not be solved\n");
+  if (world.stats.fallback_steps > 0)
+    std::cout << text("  ", world.stats.fallback_steps,
+                      " fallback steps, which only lose energy, where an articulate could not be solved\n");
   if (const auto wrong = energy_gone_wrong(world))
     std::cout << "  " << *wrong << "; `pantin report " << path << "` compares steps and integrators"
               << try_accuracy(world) << suspects(world) << "\n";

@@ -47,14 +47,15 @@ std::string series_name(const StudyRun& run) { return run.accuracy > 0.0 ? "accu
 
 std::string row(const Study& study, const StudyRun& run) {
   const bool finest = &run == &study.finest();
-  std::string line = format(
-      "%-9s %-9s %12s %6s %10s %12s %6.2f %6llu %5llu %10s %10s", series_name(run).c_str(),
-      run.accuracy > 0.0 ? number("%.0e", run.accuracy).c_str() : show_step(run.step).c_str(),
-      finest ? ("(" + at_most(run.error, 1) + ")").c_str() : at_most(study.error_of(run), 2).c_str(),
-      number("%.1f", run.order).c_str(), number("%.4g", 1e3 * run.cost()).c_str(),
-      number("%.4g", 1e9 * run.seconds / static_cast<double>(run.steps)).c_str(), per_solve(run.stats),
-      static_cast<unsigned long long>(run.stats.halved_steps), static_cast<unsigned long long>(run.stats.safe_steps),
-      number("%.1e", run.worst.constraint).c_str(), number("%.1e", run.worst.energy).c_str());
+  std::string line =
+      format("%-9s %-9s %12s %6s %10s %12s %6.2f %6llu %5llu %10s %10s", series_name(run).c_str(),
+             run.accuracy > 0.0 ? number("%.0e", run.accuracy).c_str() : show_step(run.step).c_str(),
+             finest ? ("(" + at_most(run.error, 1) + ")").c_str() : at_most(study.error_of(run), 2).c_str(),
+             number("%.1f", run.order).c_str(), number("%.4g", 1e3 * run.cost()).c_str(),
+             number("%.4g", 1e9 * run.seconds / static_cast<double>(run.steps)).c_str(), per_solve(run.stats),
+             static_cast<unsigned long long>(run.stats.halved_steps),
+             static_cast<unsigned long long>(run.stats.fallback_steps), number("%.1e", run.worst.constraint).c_str(),
+             number("%.1e", run.worst.energy).c_str());
   line += format(" %10.4g", run.true_until);
   if (!run.trouble.empty()) line += "  " + run.trouble;
   return line + "\n";
@@ -273,7 +274,7 @@ Json of_run(const Study& study, const StudyRun& run) {
   json["newton_iterations"] = run.stats.newton_iterations;
   json["solves"] = run.stats.solves;
   json["halved_steps"] = run.stats.halved_steps;
-  json["safe_steps"] = run.stats.safe_steps;
+  json["fallback_steps"] = run.stats.fallback_steps;
   json["worst_hinge_gap"] = run.worst.hinge_gap;
   json["worst_constraint"] = run.worst.constraint;
   json["worst_energy"] = run.worst.energy;

@@ -34,7 +34,7 @@ Json stats(const World& world) {
           {"solves", s.solves},
           {"factorisations", s.factorisations},
           {"halved_steps", s.halved_steps},
-          {"safe_steps", s.safe_steps},
+          {"fallback_steps", s.fallback_steps},
           {"projections", s.projections},
           {"rejected_steps", s.rejected},
           {"sub_steps", world.sub_steps.count},

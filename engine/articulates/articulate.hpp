@@ -34,41 +34,41 @@ struct alignas(64) Node {
   // seldom asked for, or only where a step is not the midpoint's
   std::uint32_t first_row;
   double reach;  // [m] turns a rotation into a displacement in the residual
-  Vec3 a;        // where couples ask for it, world axes at the start; of a node without rows, principal ones
+  Vec3 a;        // where angular rows ask for it, world axes at the start; of a node without rows, principal ones
   Vec3 x1, p1, P1;
   Quat q1;
   Mat3 R1;
   Vec3 row_force, row_torque;  // sums over rows, world axes
 };
 
-/// Two rows that meet at a node: a block of the matrix. Of a node with rows 0, 1 … rising its meetings are (0, 0), (1, 0),
+/// Two rows that meet at a node: a block of the matrix. Of a node with rows 0, 1 … rising its blocks are (0, 0), (1, 0),
 /// (1, 1), (2, 0) …
-struct Meeting {
+struct RowBlock {
   std::uint32_t block;            // of the factor; diagonal where the two are one
   bool first_lower, first_upper;  // the first to reach its block
 };
 
 /// A row that meets a segment of a string at a node: a part of the block of that row and the string's head.
-struct StrandMeeting {
+struct StringBlock {
   std::uint32_t segment, column, node, block;
   bool upper;
 };
 /// The block of a segment and its string's head.
-struct StrandLink {
+struct HeadBlock {
   std::uint32_t segment, block;
 };
-struct Strand {
+struct SlidingString {
   std::uint32_t head;
   std::vector<std::uint32_t> segments;  // rows, the head among them
-  std::vector<StrandMeeting> meetings;
-  std::vector<StrandLink> links;
+  std::vector<StringBlock> blocks;
+  std::vector<HeadBlock> links;
   std::vector<std::uint32_t> cleared;  // blocks that nothing else sets
 };
 
 /// How far a sweep in the order of elimination may go in each kind of work, one after the other, so that all it needs
 /// is done and what it reads is still in the cache: batches whose rows are all below `forces`, rows whose batches are all
 /// below `batches`, columns of the factor that reach only rows below `rows`.
-struct Wave {
+struct Tile {
   std::uint32_t forces = 0, batches = 0, rows = 0, columns = 0;
 };
 
@@ -80,40 +80,40 @@ struct Gaps {
   double all() const { return std::fmax(points, rods); }
 };
 
-/// Work [J] of impulses on what moves by itself: anchors and lengths, and the turns of couples.
+/// Work [J] of impulses on what moves by itself: anchors and lengths, and the turns of angular rows.
 struct ImpulseWork {
-  double ends = 0.0, couples = 0.0;
-  double all() const { return ends + couples; }
+  double ends = 0.0, turns = 0.0;
+  double all() const { return ends + turns; }
   void operator+=(const ImpulseWork& more) {
     ends += more.ends;
-    couples += more.couples;
+    turns += more.turns;
   }
 };
 
 /// What a drift, or a projection of velocities, did: for counting and the balance of energy.
 struct DriftReport {
-  std::uint32_t iterations = 0, factorisations = 0, halved = 0, safe = 0, projections = 0, offsets = 0;
-  double unreached = 0.0;   // [1/s] the error where not even the most sub-steps give the wanted accuracy
-  double open_work = 0.0;   // [J] of solved laws without energy that do not depend on velocities
-  double damped = 0.0;      // [J] of those that do, of what settles, and of what is swallowed
-  double work = 0.0;        // [J] of the world ends, changing lengths, pushes and twists
-  double motor = 0.0;       // [J] of motors, and of turns and angles that follow a function of time
-  double limit = 0.0;       // [J] of limits, and of all rows where one is struck
-  double met = 0.0;         // [J] of making velocities consistent after an edit
-  double projected = 0.0;   // [J] of the half of a projection that was carried over
-  double dissipated = 0.0;  // [J] change of the energy in safe steps that nothing from outside made
-  double unsolved = 0.0;    // [J] of forces on gaps that the iteration left open; only where the ledger is kept
-  double round_off = 0.0;   // [J] of the work of rows; the same
-  double returned = 0.0;    // [J] given back of what the projection took
+  std::uint32_t iterations = 0, factorisations = 0, halved = 0, fallbacks = 0, projections = 0, offsets = 0;
+  double unreached = 0.0;             // [1/s] the error where not even the most sub-steps give the wanted accuracy
+  double nonconservative_work = 0.0;  // [J] of solved laws without energy that do not depend on velocities
+  double damped = 0.0;                // [J] of those that do, of what settles, and of what is swallowed
+  double work = 0.0;                  // [J] of the world ends, changing lengths, pushes and twists
+  double motor = 0.0;                 // [J] of motors, and of turns and angles that follow a function of time
+  double limit = 0.0;                 // [J] of limits, and of all rows where one is struck
+  double met = 0.0;                   // [J] of making velocities consistent after an edit
+  double projected = 0.0;             // [J] of the symmetric projection
+  double dissipated = 0.0;            // [J] change of the energy in fallback steps that nothing from outside made
+  double unsolved = 0.0;   // [J] of forces on gaps that the iteration left open; only where the ledger is kept
+  double round_off = 0.0;  // [J] of the work of rows; the same
+  double returned = 0.0;   // [J] given back of what the projection took
 
   double outside() const { return work + motor; }
   void tell(const ImpulseWork& done, double sign = 1.0) {
     work += done.ends * sign;
-    motor += done.couples * sign;
+    motor += done.turns * sign;
   }
 };
 
-/// What all attempts of a drift, and its safe steps, cost.
+/// What all attempts of a drift, and its fallback steps, cost.
 inline std::uint32_t cost(const DriftReport& report) { return report.iterations + report.factorisations; }
 
 /// Sums over nodes, for the balance of energy.
@@ -155,14 +155,14 @@ struct ArticulateState {
   std::vector<Vec3> expected;   // (rows) [N] in the coming step, where laws of velocity ask for it; none, or not finite
   std::vector<Vec3> reaction;   // (rows) [N] what they bore of laws of velocity in the last step; none: nothing
   std::vector<double> loads;    // (rows) [N] that they bore in the last step, where some may break; none: not known
-  std::vector<Vec3> carried;    // (rows) [N s] half of them, see `take_carried_half`
-  double carried_h = 0.0;       // [s] of the sub-steps after which they serve; 0: none
-  double carried_energy = 0.0;  // [J] that taking them gave
-  ImpulseWork carried_work;     // of them
-  Vec3 turned = zero3();        // [kg m²/s] by forces over gaps, which the end of the full sub-step gives back
-  Gaps gaps;                    // at the start of the next step
-  double residual = 0.0;        // [m] largest of the rigid rows where the solver placed them last
-  double last_h = 0.0;          // [s] of the last good step; 0: no history
+  std::vector<Vec3> symmetric;  // (rows) [N s] half of them, see `project_symmetrically`
+  double symmetric_h = 0.0;     // [s] of the sub-steps after which they serve; 0: none
+  double symmetric_energy = 0.0;  // [J] that taking them gave
+  ImpulseWork symmetric_work;     // of them
+  Vec3 turned = zero3();          // [kg m²/s] by forces over gaps, which the end of the full sub-step gives back
+  Gaps gaps;                      // at the start of the next step
+  double residual = 0.0;          // [m] largest of the rigid rows where the solver placed them last
+  double last_h = 0.0;            // [s] of the last good step; 0: no history
   /// Relative compliance of the factor, between `least_epsilon` and `most_epsilon`: sets the speed of convergence, never
   /// the answer. Redundant loops that change shape want much, large mass ratios and long chains little. Rows without a
   /// loop are never redundant.
@@ -171,13 +171,13 @@ struct ArticulateState {
   bool lowered = false;           // epsilon was lowered in this step
   bool has_factor = false;        // the factor is of a Newton matrix
   bool exact = false;             // the factor is of what the rows forbid, at the nodes' starts
-  bool safe = false;              // the last step was a safe one
+  bool fell_back = false;         // the last step was a fallback step
   bool offsets = false;           // gaps of rows were accepted
   bool edited = true;             // new: velocities are still to be made consistent
   bool torn = false;              // by an edit, and still open
   std::uint32_t open_steps = 0;   // in a row that ended with a gap beyond the tolerance
-  double arrived = 0.0;           // part of the full sub-step that a safe step has already moved over
-  bool smooth = true;             // no part of the full sub-step was halved or safe
+  double arrived = 0.0;           // part of the full sub-step that a fallback step has already moved over
+  bool smooth = true;             // no part of the full sub-step was halved or a fallback step
   bool cut = false;               // the full sub-step has more than one part
   bool weak = false;              // the last factor had weak pivots: its multipliers are not all determined
   SubSteps sub_steps;             // in each part of a step
@@ -198,30 +198,30 @@ struct Articulate : ArticulateState {
   std::vector<RowEnds> ends;       // of the batches
   std::vector<Vec3>
       at_ends;  // (2 rows + 1) what nodes a and b hand to row k is in 2k and 2k + 1; the last is of no row
-  std::vector<Meeting> meetings;
-  std::vector<Strand> strands;
+  std::vector<RowBlock> row_blocks;
+  std::vector<SlidingString> strings;
   std::vector<Hub> hubs;
-  std::vector<Node> saved;                   // as they were: where a safe step goes back to, and for the ledger
-  std::vector<std::uint32_t> first_meeting;  // (nodes + 1); hubs have none
-  RowLists on;                               // (nodes) the rows that a node is in, rising
-  std::vector<Wave> waves;                   // ends of the stretches; the last reaches all
+  std::vector<Node> saved;                     // as they were: where a fallback step goes back to, and for the ledger
+  std::vector<std::uint32_t> first_row_block;  // (nodes + 1); hubs have none
+  RowLists on;                                 // (nodes) the rows that a node is in, rising
+  std::vector<Tile> tiles;                     // ends of the stretches; the last reaches all
   Factor factor;
   std::vector<Vec3> right_side;  // (rows of the factor)
   std::vector<Vec3> f_saved;     // (rows) [N] where a line search starts
-  Forecast forecast;
+  Predictor predictor;
 
   double length = 0.0;      // [m] median arm: every length in a criterion is a multiple of it
   double total_mass = 0.0;  // [kg]
   bool all_rigid = true;
-  bool couples = false;      // has rows that tie rotations
-  bool tree = false;         // its rows make no loop: all are independent
-  bool limited = false;      // has limited rows
-  bool breakable = false;    // has constraints that may break
-  bool open = false;         // has rows that take energy or give it
-  bool draws = false;        // is free, and rows draw points together over a gap
-  bool yields = false;       // has no row but soft ones: its velocities are free
-  bool pulled = false;       // laws act on it: its kinetic energy is no longer gravity's alone
-  std::uint64_t serial = 0;  // smallest of its things
+  bool turns = false;            // has angular rows
+  bool tree = false;             // its rows make no loop: all are independent
+  bool soft = false;             // has soft rows
+  bool breakable = false;        // has constraints that may break
+  bool nonconservative = false;  // has rows that take energy or give it
+  bool attracts = false;         // is free, and rows draw points together over a gap
+  bool yields = false;           // has no row but soft ones: its velocities are free
+  bool pulled = false;           // laws act on it: its kinetic energy is no longer gravity's alone
+  std::uint64_t serial = 0;      // smallest of its things
 };
 
 inline Condition& condition(Articulate& a, const Row& row) {

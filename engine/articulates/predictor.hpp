@@ -10,7 +10,7 @@
 
 namespace pantin {
 
-struct Forecast {
+struct Predictor {
   static constexpr std::size_t levels = 7;
   using OfRow = std::array<Vec3, levels>;
   using OfBatch = std::array<Vec3x4, levels>;

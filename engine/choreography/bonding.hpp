@@ -5,7 +5,7 @@
 
 #include "choreography/choreography.hpp"
 #include "laws/law.hpp"
-#include "model/influence.hpp"
+#include "model/force_element.hpp"
 
 namespace pantin {
 

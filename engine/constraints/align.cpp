@@ -12,13 +12,13 @@ double angle_between(const Row& row) { return functions::atan2(norm(cross(row.rb
 
 double evaluate_align(Row& row, Condition& c, const RowContext& context) {
   const double value = angle_between(row) * row.lever - c.length - c.accepted;
-  return evaluate_reading(
+  return evaluate_function(
       row, c,
       {direction(cross(row.rb0 + row.rb1, row.ra0 + row.ra1)), direction(cross(row.rb1, row.ra1)), value, value},
       context);
 }
 
-void project_align(const Row& row, Condition& c) { project_reading(c, cross(row.rb1, row.ra1)); }
+void project_align(const Row& row, Condition& c) { project_function(c, cross(row.rb1, row.ra1)); }
 
 Vec3 align_gap(const Row& row, const Condition& c) {
   return direction(cross(row.rb1, row.ra1)) * (angle_between(row) * row.lever - c.length - c.accepted);

@@ -13,7 +13,7 @@ struct Hold {
   double gap, force;
 };
 
-Hold hold(const Condition& c, const Reading& r, double along, double kappa) {
+Hold hold(const Condition& c, const ConstraintFunction& r, double along, double kappa) {
   if (c.ranged) {
     if (along * kappa < r.high) return {true, r.high, 0.0};
     if (along * kappa > r.low) return {true, r.low, 0.0};
@@ -27,7 +27,7 @@ Hold hold(const Condition& c, const Reading& r, double along, double kappa) {
 
 }  // namespace
 
-double evaluate_reading(Row& row, Condition& c, const Reading& r, const RowContext& context) {
+double evaluate_function(Row& row, Condition& c, const ConstraintFunction& r, const RowContext& context) {
   const double kappa = 0.5 * context.h * context.h * context.mobility;
   const double along = dot(row.f, r.n);
   const Hold h = hold(c, r, along, kappa);
@@ -47,7 +47,7 @@ double evaluate_reading(Row& row, Condition& c, const Reading& r, const RowConte
   return std::fmax(std::fabs(h.gap), norm(across) * weight);
 }
 
-void project_reading(Condition& c, Vec3 gradient, double slope) {
+void project_function(Condition& c, Vec3 gradient, double slope) {
   c.kept = zero33();
   if (!c.held) return;
   const Vec3 n = direction(gradient);

@@ -4,7 +4,7 @@
 
 namespace pantin {
 
-double evaluate_limited(Row& row, Condition& c, const RowContext& context) {
+double evaluate_soft(Row& row, Condition& c, const RowContext& context) {
   const double k = c.stiffness + c.damping / context.h;
   const Vec3 z = row.d1 * k - row.d0 * (c.damping / context.h);
   const double pull = norm(z);

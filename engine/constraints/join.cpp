@@ -3,15 +3,15 @@
 
 namespace pantin {
 
-double evaluate_drawn(Row& row, Condition& c, const RowContext&) {
+double evaluate_attract(Row& row, Condition& c, const RowContext&) {
   row.residual = row.d1 - c.place1 - row.offset;
   c.M = identity33();
   c.C = zero33();
   return norm(row.residual);
 }
 
-void project_drawn(const Row&, Condition& c) { c.kept = identity33(); }
+void project_attract(const Row&, Condition& c) { c.kept = identity33(); }
 
-Vec3 drawn_gap(const Row& row, const Condition& c) { return row.d1 - c.place1 - row.offset; }
+Vec3 attract_gap(const Row& row, const Condition& c) { return row.d1 - c.place1 - row.offset; }
 
 }  // namespace pantin

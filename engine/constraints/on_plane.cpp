@@ -5,10 +5,10 @@ namespace pantin {
 
 double evaluate_plane(Row& row, Condition& c, const RowContext& context) {
   const double height = dot(c.normal, row.d1) - c.accepted;
-  return evaluate_reading(row, c, {c.normal, c.normal, height, height, 0.0, norm(row.d1 - row.d0)}, context);
+  return evaluate_function(row, c, {c.normal, c.normal, height, height, 0.0, norm(row.d1 - row.d0)}, context);
 }
 
-void project_plane(const Row&, Condition& c) { project_reading(c, c.normal); }
+void project_plane(const Row&, Condition& c) { project_function(c, c.normal); }
 
 Vec3 plane_gap(const Row& row, const Condition& c) { return c.normal * (dot(c.normal, row.d1) - c.accepted); }
 

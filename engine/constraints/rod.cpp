@@ -16,7 +16,7 @@ double above(const Row& row, double length) {
 double evaluate_rod(Row& row, Condition& c, const RowContext& context) {
   const Vec3 middle = (row.d0 + row.d1) * 0.5;
   const double reach = norm(middle);
-  Reading r{direction(middle), zero3(), 0.0, 0.0, 0.0, norm(row.d1 - row.d0)};
+  ConstraintFunction r{direction(middle), zero3(), 0.0, 0.0, 0.0, norm(row.d1 - row.d0)};
   const double low = c.ranged ? low_end(c) : c.length, high = c.ranged ? high_end(c) : c.length;
   const double length = (c.ranged ? std::fmin(high, std::fmax(low, norm(row.d1))) : c.length) + c.accepted;
   r.gradient = row.d1 / length;
@@ -27,10 +27,10 @@ double evaluate_rod(Row& row, Condition& c, const RowContext& context) {
   } else {
     r.low = above(row, length);
   }
-  return evaluate_reading(row, c, r, context);
+  return evaluate_function(row, c, r, context);
 }
 
-void project_rod(const Row& row, Condition& c) { project_reading(c, row.d1); }
+void project_rod(const Row& row, Condition& c) { project_function(c, row.d1); }
 
 Stop stop_of_rod(const Row& row, const Condition& c) {
   const double length = norm(row.d1) - c.accepted;

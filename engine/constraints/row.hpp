@@ -2,9 +2,9 @@
 // A row of an articulate's equations: a force of three components between two nodes, or between one and the world. Letters
 // as in articulates/articulate.hpp.
 //
-// A row of a couple ties rotations: lever f is a torque on its first node [N m], d is lever times a small rotation of the
+// An angular row ties rotations: lever f is a torque on its first node [N m], d is lever times a small rotation of the
 // first node against the second [m], l and r are axes (unit vectors). Its torque does the work lever f·(ā_a - ā_b) exactly,
-// ā = R0 a: a rigid couple does none, since equal relative rotations at both ends have equal ā.
+// ā = R0 a: a rigid one does none, since equal relative rotations at both ends have equal ā.
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -15,12 +15,12 @@
 
 namespace pantin {
 
-/// What a row wants: rigid keeps two points together; limited draws one to a place with a force up to a limit; rod
-/// keeps a distance or keeps it in a range; plane keeps a point on a plane; strand is a segment of a string; path keeps
-/// a point on a path; stiff pulls by a law; drawn has two points approach each other. Of couples, rigid keeps an
+/// What a row wants: rigid keeps two points together; soft draws one to a place with a force up to a limit; rod
+/// keeps a distance or keeps it in a range; plane keeps a point on a plane; segment is one of a string; path keeps
+/// a point on a path; stiff pulls by a law; attract has two points approach each other. Of angular rows, rigid keeps an
 /// orientation, axis keeps two axes together, align keeps the angle between them, turn drives the angle about an axis
 /// or keeps it in a range.
-enum class RowKind : std::uint8_t { rigid, limited, rod, plane, axis, align, turn, strand, path, stiff, drawn };
+enum class RowKind : std::uint8_t { rigid, soft, rod, plane, axis, align, turn, segment, path, stiff, attract };
 
 struct StiffTie;
 
@@ -29,7 +29,7 @@ struct alignas(64) Row {
   std::int32_t a = 0, b = -1;
   std::int32_t condition = -1;  // of a row that a constraint made; a hinge has none
   RowKind kind = RowKind::rigid;
-  double lever = 0.0;  // [m] of a couple; 0: ties points
+  double lever = 0.0;  // [m] of an angular row; 0: ties points
   Vec3 f = zero3();
   Vec3 residual = zero3();
   Vec3 d1 = zero3();                // [m] first point less second
@@ -37,7 +37,7 @@ struct alignas(64) Row {
   Vec3 la = zero3(), lb = zero3();  // arms of the two points
   // of rows that are not rigid:
   Vec3 d0 = zero3();
-  Vec3 ra0 = zero3(), rb0 = zero3(), ra1 = zero3(), rb1 = zero3();  // axes of a couple
+  Vec3 ra0 = zero3(), rb0 = zero3(), ra1 = zero3(), rb1 = zero3();  // axes of an angular row
   PointId member;                                                   // of a hinge: the point that f pulls
   PointId centre;                                                   // of a hinge: the star's point, that -f pulls
 };
@@ -59,9 +59,9 @@ struct Condition {
   double length_rate = 0.0;                         // [m/s]
   Bend bend;  // [m] of what is prescribed, [rad] of a turn; of a length, or [m/s] of a speed, the first component
   double accepted = 0.0;                  // [m] what a rod is longer than that because no motion can make it shorter
-  double stiffness = 0.0, damping = 0.0;  // [N/m], [N s/m] of a limited row
+  double stiffness = 0.0, damping = 0.0;  // [N/m], [N s/m] of a soft row
   double max_force = 0.0;                 // [N]
-  // Of couples: principal axes of the second node, or the world, turned by `turn` are those of the first; `axis` is b's,
+  // Of angular rows: principal axes of the second node, or the world, turned by `turn` are those of the first; `axis` is b's,
   // at the ends of a step while it is drawn in.
   Quat turn0, turn1, whole_turn0, whole_turn1;
   Vec3 axis = zero3(), axis0 = zero3(), axis1 = zero3();
@@ -94,9 +94,9 @@ struct Condition {
 };
 
 /// Whether a row forbids no motion, and only pulls.
-inline bool is_soft(const Row& row) { return row.kind == RowKind::limited || row.kind == RowKind::stiff; }
+inline bool is_soft(const Row& row) { return row.kind == RowKind::soft || row.kind == RowKind::stiff; }
 
-/// Mean of the axes of a couple over its nodes and the step, of unit length.
+/// Mean of the axes of an angular row over its nodes and the step, of unit length.
 inline Vec3 mean_axis(const Row& row) { return direction(row.ra0 + row.rb0 + row.ra1 + row.rb1); }
 
 }  // namespace pantin

@@ -1,6 +1,6 @@
 #pragma once
 // What each kind of row asks for. A kind is one file that fills one entry of the table: the residual of the row at the
-// end of a step with its derivative, its part in the velocity projection, and the gap that the safe step closes.
+// end of a step with its derivative, its part in the velocity projection, and the gap that the fallback step closes.
 #include "constraints/row.hpp"
 
 namespace pantin {
@@ -30,7 +30,7 @@ struct RowRule {
 /// (kinds)
 extern const RowRule row_rules[11];
 
-double evaluate_limited(Row& row, Condition& condition, const RowContext& context);
+double evaluate_soft(Row& row, Condition& condition, const RowContext& context);
 void project_soft(const Row& row, Condition& condition);
 double evaluate_stiff(Row& row, Condition& condition, const RowContext& context);
 void project_stiff(const Row& row, Condition& condition);
@@ -52,9 +52,9 @@ void project_turn(const Row& row, Condition& condition);
 Vec3 turn_gap(const Row& row, const Condition& condition);
 Stop stop_of_turn(const Row& row, const Condition& condition);
 
-double evaluate_drawn(Row& row, Condition& condition, const RowContext& context);
-void project_drawn(const Row& row, Condition& condition);
-Vec3 drawn_gap(const Row& row, const Condition& condition);
+double evaluate_attract(Row& row, Condition& condition, const RowContext& context);
+void project_attract(const Row& row, Condition& condition);
+Vec3 attract_gap(const Row& row, const Condition& condition);
 double evaluate_path(Row& row, Condition& condition, const RowContext& context);
 void project_path(const Row& row, Condition& condition);
 Vec3 path_gap(const Row& row, const Condition& condition);
@@ -63,7 +63,7 @@ Stop stop_of_path(const Row& row, const Condition& condition);
 inline const RowRule& rule(const Row& row) { return row_rules[static_cast<std::size_t>(row.kind)]; }
 
 /// A row of one dimension reads a value, held in a range by a force along n.
-struct Reading {
+struct ConstraintFunction {
   Vec3 n;             ///< of unit length; a force along it does work on the value exactly
   Vec3 gradient;      ///< of the value at the end of the step, by d1
   double low, high;   ///< [m] how far the value is above the ends of the range
@@ -74,10 +74,10 @@ struct Reading {
 /// at the end of its range; else it is 0, or the limit that it would exceed. Which, is told by where the force would go
 /// to close the gap (Alart and Curnier 1991). Held to n by two more equations: n g + κ P f = 0, P = 1 - n n',
 /// κ = (h²/2) mobility to make a force a length.
-double evaluate_reading(Row& row, Condition& condition, const Reading& reading, const RowContext& context);
+double evaluate_function(Row& row, Condition& condition, const ConstraintFunction& function, const RowContext& context);
 /// Sets `kept` and `wanted` of a row that forbids velocities along `gradient`, where it is held; `slope` is by how much the
 /// value changes with d along that.
-void project_reading(Condition& condition, Vec3 gradient, double slope = 1.0);
+void project_function(Condition& condition, Vec3 gradient, double slope = 1.0);
 /// Ends of a range, which is wider while what is outside is drawn in, [m].
 inline double low_end(const Condition& c) { return c.low + std::fmin(0.0, c.length); }
 inline double high_end(const Condition& c) { return c.high + std::fmax(0.0, c.length); }

@@ -9,7 +9,7 @@ namespace {
 Vec3 twist_gradient(const Row& row) { return (row.ra1 + row.rb1) / std::fmax(1.0 + dot(row.ra1, row.rb1), 1e-9); }
 
 /// A motor that stalls: its force grows with what it misses.
-double evaluate_yielding(Row& row, Condition& c, const Reading& r, const RowContext& context) {
+double evaluate_yielding(Row& row, Condition& c, const ConstraintFunction& r, const RowContext& context) {
   const double kappa = 0.5 * context.h * context.h * context.mobility, weight = kappa / (1.0 + kappa / c.yielding);
   const double wanted = -r.low / c.yielding, given = std::fmin(c.upper, std::fmax(c.lower, wanted));
   c.held = false;
@@ -24,15 +24,15 @@ double evaluate_yielding(Row& row, Condition& c, const Reading& r, const RowCont
 double evaluate_turn(Row& row, Condition& c, const RowContext& context) {
   const double value = c.angle1 * row.lever - c.accepted;
   const double low = c.ranged ? low_end(c) : c.length, high = c.ranged ? high_end(c) : c.length;
-  const Reading reading{mean_axis(row), twist_gradient(row), value - low, value - high};
-  if (std::isfinite(c.stalled)) return evaluate_yielding(row, c, reading, context);
-  return evaluate_reading(row, c, reading, context);
+  const ConstraintFunction function{mean_axis(row), twist_gradient(row), value - low, value - high};
+  if (std::isfinite(c.stalled)) return evaluate_yielding(row, c, function, context);
+  return evaluate_function(row, c, function, context);
 }
 
 void project_turn(const Row& row, Condition& c) {
   const Vec3 gradient = twist_gradient(row);
-  project_reading(c, gradient,
-                  std::fmax(1.0, norm(gradient)));  // less only where the axes are opposite, and it has none
+  project_function(c, gradient,
+                   std::fmax(1.0, norm(gradient)));  // less only where the axes are opposite, and it has none
 }
 
 Stop stop_of_turn(const Row& row, const Condition& c) {

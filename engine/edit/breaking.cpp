@@ -51,12 +51,14 @@ void find_overloads(const World& world, const Articulate& a, Overloads& found) {
   for (std::size_t k = 0; k < a.rows.size(); k++) {
     const Row& row = a.rows[k];
     if (row.kind == RowKind::stiff) continue;  // connections break by themselves
-    const bool couple = row.lever > 0.0;
-    const double load = norm(exerted_force(a, k)) * (couple ? row.lever : 1.0);
+    const bool angular = row.lever > 0.0;
+    const double load = norm(exerted_force(a, k)) * (angular ? row.lever : 1.0);
     const auto since = [&](double borne) {
       return a.loads.size() == a.rows.size() ? time_since(world, a.loads[k], load, borne) : 0.0;
     };
-    const auto story = [&] { return couple ? text("its torque of ", load, " N m") : text("its load of ", load, " N"); };
+    const auto story = [&] {
+      return angular ? text("its torque of ", load, " N m") : text("its load of ", load, " N");
+    };
     if (row.condition < 0) {
       const ParticleId ring = world.points[row.member].particle;
       const double borne = world.particles[ring].breaks_at.force;
@@ -70,8 +72,8 @@ void find_overloads(const World& world, const Articulate& a, Overloads& found) {
       note(found.hinges, {c.ring, load, story(), since(borne)}, load > borne);
       continue;
     }
-    const double length = couple ? 0.0 : norm(row.d1);
-    const double borne = couple ? c.breaks_at.torque : c.breaks_at.force;
+    const double length = angular ? 0.0 : norm(row.d1);
+    const double borne = angular ? c.breaks_at.torque : c.breaks_at.force;
     if (length > c.breaks_at.length)
       note(found.constraints, {id, load, text("its length of ", length, " m"), 0.0}, true);
     else

@@ -204,7 +204,7 @@ void set_integrator(World& world, Integrator integrator) {
   if (integrator == before) return;
   disturb_forces(world);
   world.stiffness_unknown = true;
-  for (const auto& articulate : world.articulates) articulate->carried_h = 0.0;
+  for (const auto& articulate : world.articulates) articulate->symmetric_h = 0.0;
 }
 
 void set_accuracy(World& world, std::optional<double> accuracy) {

@@ -26,19 +26,19 @@ void unsettle(World& world) {
 namespace internal {
 
 void disturb_forces(World& world) {
-  if (world.influences_changed) return;
+  if (world.force_elements_changed) return;
   if (acting_now(world)) withdraw_energy(world);
-  world.influences_changed = true;
+  world.force_elements_changed = true;
 }
 
 void disturb_sites(World& world) {
-  if (world.influences_changed || !world.forces) return;
+  if (world.force_elements_changed || !world.forces) return;
   unsettle(world);
   world.forces->elsewhere = true;
 }
 
 void disturb_forces_by_motion(World& world) {
-  if (world.forces && world.forces->moving) disturb_sites(world);
+  if (world.forces && world.forces->velocity_dependent) disturb_sites(world);
 }
 
 void disturb_site(World& world, ParticleId particle) {
@@ -47,15 +47,16 @@ void disturb_site(World& world, ParticleId particle) {
 }
 
 void disturb_forces_by_birth(World& world, FamilyId family) {
-  if (!world.influences_changed && world.forces && acts_on_all(*world.forces, family)) unsettle(world);
+  if (!world.force_elements_changed && world.forces && acts_on_all(*world.forces, family)) unsettle(world);
 }
 
 void note_site(World& world, ParticleId particle) {
-  if (!world.influences_changed && world.forces && world.forces->unsettled) world.forces->changed.push_back(particle);
+  if (!world.force_elements_changed && world.forces && world.forces->unsettled)
+    world.forces->changed.push_back(particle);
 }
 
 void disturb_forces_by_death(World& world, ParticleId particle) {
-  if (world.influences_changed || !world.forces) return;
+  if (world.force_elements_changed || !world.forces) return;
   std::vector<std::uint32_t>& sites = world.forces->site_of;
   const std::uint32_t slot = particle.slot - 1;
   if (slot >= sites.size() || sites[slot] == Forces::none) return;
@@ -65,7 +66,7 @@ void disturb_forces_by_death(World& world, ParticleId particle) {
 }
 
 void disturb_forces_by_break(World& world, const Connection& connection) {
-  if (world.influences_changed || !world.forces) return;
+  if (world.force_elements_changed || !world.forces) return;
   disturb_sites(world);
   world.forces->untied.push_back(connection.serial);
   for (ParticleId end : connection.particles)
@@ -73,7 +74,7 @@ void disturb_forces_by_break(World& world, const Connection& connection) {
 }
 
 void note_touched_sites(World& world) {
-  if (world.influences_changed || !world.forces || !world.forces->elsewhere) return;
+  if (world.force_elements_changed || !world.forces || !world.forces->elsewhere) return;
   const auto note = [&](PointId point) {
     const ParticleId own = world.points[point].own;
     note_site(world, own);

@@ -103,7 +103,7 @@ class Finder {
       const Passing& p = passed_[k / 2];
       const std::uint32_t site = k % 2 == 0 ? p.a : p.b;
       const bool reached = norm(p.d) < (law->touching ? touching_distance(p) : law->cutoff);
-      const double force = reached ? norm(sites.force[k] + sites.open_force[k]) : 0.0;
+      const double force = reached ? norm(sites.force[k] + sites.nonconservative_force[k]) : 0.0;
       found_.push_back({site, force * mobility(site), norm(p.d), norm(p.way)});
     }
   }
@@ -118,7 +118,7 @@ class Finder {
     if (f_.point[site] != none) return f_.inverse_mass[site];
     const std::uint32_t at = f_.attached_of[site];
     if (at == none) return 0.0;
-    const Mover& m = f_.movers[f_.attached[at].mover];
+    const Receiver& m = f_.receivers[f_.attached[at].receiver];
     return 1.0 / (m.is_body ? world_.motion[m.slot].mass : world_.points.at_slot(m.slot).mass);
   }
 

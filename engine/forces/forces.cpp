@@ -48,7 +48,7 @@ double run_laws(const World& world, Forces& f, const Instant& instant, bool with
   const Box box = box_of(world);
   double energy = 0.0;
   for (ActingInteraction& a : f.interactions) {
-    if (a.law->moving) continue;
+    if (a.law->velocity_dependent) continue;
     const auto parameters = present_parameters(world, *a.law, world.interactions[a.id].parameters);
     if (with_energy)
       energy += a.energy = a.pairs.add_forces_and_energy(f.sites, a.rows, instant, parameters, *world.workers);
@@ -56,14 +56,14 @@ double run_laws(const World& world, Forces& f, const Instant& instant, bool with
       a.pairs.add_forces(f.sites, a.rows, instant, parameters, *world.workers);
   }
   for (ActingConnections& a : f.connections) {
-    if (a.law->moving || (a.solved && !(with_energy && a.law->has_energy()))) continue;
+    if (a.law->velocity_dependent || (a.solved && !(with_energy && a.law->has_energy()))) continue;
     if (with_energy)
       energy += a.energy = a.bonds.add_forces_and_energy(f.sites, box, instant, {}, *world.workers);
     else
       a.bonds.add_forces(f.sites, box, instant, {}, *world.workers);
   }
   for (ActingField& a : f.fields) {
-    if (a.law->moving) continue;
+    if (a.law->velocity_dependent) continue;
     const auto parameters = present_parameters(world, *a.law, world.fields[a.id].parameters);
     if (with_energy)
       energy += a.energy = a.fields.add_forces_and_energy(f.sites, box, instant, parameters, *world.workers);
@@ -75,29 +75,29 @@ double run_laws(const World& world, Forces& f, const Instant& instant, bool with
 
 void keep_in_plane(const Plane& plane, Sites& sites) {
   if (!plane.flat()) return;
-  for (auto* forces : {&sites.force, &sites.open_force})
+  for (auto* forces : {&sites.force, &sites.nonconservative_force})
     for (std::size_t i = 0; i < sites.n; i++) (*forces)[i] = plane.along((*forces)[i]);
 }
 
 double run_still_laws(const World& world, Forces& f, const Instant& instant, bool with_energy) {
   std::fill(f.sites.force.begin(), f.sites.force.end(), zero3());
-  if (f.open) std::fill(f.sites.open_force.begin(), f.sites.open_force.end(), zero3());
+  if (f.nonconservative) std::fill(f.sites.nonconservative_force.begin(), f.sites.nonconservative_force.end(), zero3());
   return run_laws(world, f, instant, with_energy);
 }
 
 void collect(const World& world, Forces& f) {
   keep_in_plane(world.plane, f.sites);
-  for (Mover& m : f.movers) {
-    m.force = m.torque = m.open_force = m.open_torque = zero3();
+  for (Receiver& m : f.receivers) {
+    m.force = m.torque = m.nonconservative_force = m.nonconservative_torque = zero3();
     m.damper_force = m.damper_torque = m.solved_force = m.solved_torque = zero3();
     m.solved = false;
   }
   for (const Attached& a : f.attached) {
-    Mover& m = f.movers[a.mover];
+    Receiver& m = f.receivers[a.receiver];
     m.force += f.sites.force[a.site];
     m.torque += world.plane.about(cross(a.r, f.sites.force[a.site]));
-    m.open_force += f.sites.open_force[a.site];
-    m.open_torque += world.plane.about(cross(a.r, f.sites.open_force[a.site]));
+    m.nonconservative_force += f.sites.nonconservative_force[a.site];
+    m.nonconservative_torque += world.plane.about(cross(a.r, f.sites.nonconservative_force[a.site]));
     const Vec3 damping = world.plane.along(damping_of(f, a.site));
     m.damper_force += damping;
     m.damper_torque += world.plane.about(cross(a.r, damping));
@@ -130,31 +130,31 @@ bool changes(const Forces& f) {
   });
 }
 
-/// Finds what of the open forces is noise, where errors are to be told without it.
+/// Finds what of the nonconservative forces is noise, where errors are to be told without it.
 void find_noise(const World& world, Forces& f, const Instant& instant) {
   f.noise.clear();
   if (!world.settings.accuracy || !f.noisy) return;
   Instant silent = instant;
   silent.silent = true;
-  const auto force = f.sites.force, open = f.sites.open_force;
+  const auto force = f.sites.force, open = f.sites.nonconservative_force;
   f.noise.assign(f.sites.n, zero3());
   for (const bool loud : {true, false}) {
-    std::fill(f.sites.open_force.begin(), f.sites.open_force.end(), zero3());
+    std::fill(f.sites.nonconservative_force.begin(), f.sites.nonconservative_force.end(), zero3());
     each_law(world, f, [&](const std::string&, const Law& law, auto& acting) {
       if (draws_noise(law) && !law.thermal) run_law(world, f, acting, loud ? instant : silent);
     });
-    for (std::size_t i = 0; i < f.sites.n; i++) f.noise[i] += f.sites.open_force[i] * (loud ? 1.0 : -1.0);
+    for (std::size_t i = 0; i < f.sites.n; i++) f.noise[i] += f.sites.nonconservative_force[i] * (loud ? 1.0 : -1.0);
   }
   f.sites.force = force;
-  f.sites.open_force = open;
+  f.sites.nonconservative_force = open;
 }
 
 /// Forces at the places and velocities that the sites now have; the energy where it is asked for.
 double evaluate(const World& world, Forces& f, const Instant& instant, bool with_energy) {
   refresh_ages(world, f, instant.time);
   const double energy = run_still_laws(world, f, instant, with_energy);
-  if (f.moving) {
-    f.still.assign(f.sites.open_force.begin(), f.sites.open_force.end());
+  if (f.velocity_dependent) {
+    f.still.assign(f.sites.nonconservative_force.begin(), f.sites.nonconservative_force.end());
     find_velocity_slopes(world, f, instant);
   }
   find_noise(world, f, instant);
@@ -190,17 +190,19 @@ bool tells_energy(const World& world, const Forces& f) {
 
 }  // namespace
 
-bool acting_now(const World& world) { return world.forces && !world.influences_changed && !world.forces->unsettled; }
+bool acting_now(const World& world) {
+  return world.forces && !world.force_elements_changed && !world.forces->unsettled;
+}
 
 namespace {
 
 /// Energy of the laws at the present places, with ages of another time [s]; forces stay, ages do not.
 double energy_at_ages(const World& world, Forces& f, double time) {
-  const auto force = f.sites.force, open = f.sites.open_force;
+  const auto force = f.sites.force, open = f.sites.nonconservative_force;
   refresh_ages(world, f, time);
   const double energy = run_laws(world, f, instant_of(world, time, world.instant), true);
   f.sites.force = force;
-  f.sites.open_force = open;
+  f.sites.nonconservative_force = open;
   return energy;
 }
 
@@ -222,14 +224,14 @@ void start_again(const World& world, Forces& f) {
   build_rows_in_order(world, f);
   for (ActingConnections& c : f.connections) c.bonds.arrange(c.ties, f.sites);
   arrange_fields(world, f);
-  if (f.moving) read_velocities(world, f, false);
+  if (f.velocity_dependent) read_velocities(world, f, false);
 }
 
 /// Forces of the present state with laws, or on sites, that were just changed.
 void start_acting(World& world) {
   Forces& f = *world.forces;
   if (stiffness_is_due(world) && find_too_stiff(world, f)) {
-    world.influences_changed = true;
+    world.force_elements_changed = true;
     return;
   }
   set_solved_inputs(world, false);
@@ -239,13 +241,13 @@ void start_acting(World& world) {
 
 void make_forces(World& world) {
   world.forces = build_forces(world);
-  world.influences_changed = false;
+  world.force_elements_changed = false;
   for (const auto& articulate : world.articulates) articulate->pulled = false;
   if (!world.forces) {
     world.sub_steps = {};
     return;
   }
-  find_movers(world, *world.forces);
+  find_receivers(world, *world.forces);
   start(world, *world.forces);
   start_acting(world);
 }
@@ -263,7 +265,7 @@ void settle(World& world) {
     const bool elsewhere = f.elsewhere;
     change_members(world, f);
     if (f.sites.n == 0) return make_forces(world);
-    if (elsewhere) find_movers(world, f);
+    if (elsewhere) find_receivers(world, f);
     start_again(world, f);
     start_acting(world);
   }
@@ -272,14 +274,14 @@ void settle(World& world) {
 }  // namespace
 
 void refresh_forces(World& world) {
-  if (world.influences_changed) {
+  if (world.force_elements_changed) {
     make_forces(world);
   } else if (world.forces && world.forces->unsettled) {
     settle(world);
   } else if (world.forces && stiffness_is_due(world) && find_too_stiff(world, *world.forces)) {
     internal::disturb_forces(world);
   }
-  if (world.influences_changed) return;
+  if (world.force_elements_changed) return;
   if (world.forces && changes(*world.forces)) set_solved_inputs(world, true);
 }
 
@@ -309,7 +311,7 @@ void find_forces_again(World& world) {
 void apply_forces(World& world) {
   if (!world.forces) return;
   Forces& f = *world.forces;
-  if (f.moving) read_velocities(world, f, true);
+  if (f.velocity_dependent) read_velocities(world, f, true);
   world.instant++;
   const bool end_of_kick = rule_of(world).kicks || world.part.last, end_of_step = world.part.index + 1 == parts(world);
   const bool ages = follows(f) && end_of_kick;

@@ -23,24 +23,25 @@
 namespace pantin {
 
 /// A body, or a free point that is tied, on which laws act through its sites.
-struct Mover {
+struct Receiver {
   std::uint32_t slot = 0;  ///< of Model::bodies or points
   bool is_body = true;
-  std::int32_t articulate = -1;                      ///< index, or -1
-  std::uint32_t node = 0;                            ///< of the articulate
-  bool pulled = false;                               ///< by laws that are not solved with the articulate
-  Vec3 force = zero3(), torque = zero3();            ///< [N], [N m] of laws with energy; world axes, about the centre
-  Vec3 open_force = zero3(), open_torque = zero3();  ///< of those without
+  std::int32_t articulate = -1;            ///< index, or -1
+  std::uint32_t node = 0;                  ///< of the articulate
+  bool pulled = false;                     ///< by laws that are not solved with the articulate
+  Vec3 force = zero3(), torque = zero3();  ///< [N], [N m] of laws with energy; world axes, about the centre
+  Vec3 nonconservative_force = zero3(), nonconservative_torque = zero3();  ///< of those without
   Vec3 damper_force = zero3(), damper_torque = zero3();  ///< of these, of those that depend on velocities
-  Vec3 solved_force = zero3(), solved_torque = zero3();  ///< of open ones, what is solved with the rows in a kick
-  bool solved = false;                                   ///< whether there is such a part: all of laws of velocity
-  Vec3 start_p = zero3(), start_P = zero3();             ///< momenta at the start of the step
-  Vec3 noted_torque = zero3();                           ///< [N m] before the part of the step that is being done
+  Vec3 solved_force = zero3(),
+       solved_torque = zero3();               ///< of nonconservative ones, what is solved with the rows in a kick
+  bool solved = false;                        ///< whether there is such a part: all of laws of velocity
+  Vec3 start_p = zero3(), start_P = zero3();  ///< momenta at the start of the step
+  Vec3 noted_torque = zero3();                ///< [N m] before the part of the step that is being done
 };
 
-/// A site on a mover.
+/// A site on a receiver.
 struct Attached {
-  std::uint32_t site = 0, mover = 0;
+  std::uint32_t site = 0, receiver = 0;
   bool pulled = true;  ///< by laws that are not solved with the articulate
   Vec3 arm = zero3();  ///< [m] in principal axes
   Vec3 r = zero3();    ///< [m] the same in the world
@@ -106,36 +107,36 @@ struct Forces {
   std::vector<double> inverse_mass;    ///< (sites) [1/kg] of such a point, else 0
   std::vector<Vec3> image;             ///< (sites) [m] in a periodic box: place of the particle less that of the site
   std::vector<std::uint32_t> site_of;  ///< (slots of particles), or `none`
-  std::vector<Mover> movers;
-  std::vector<std::uint32_t> mover_of_body, mover_of_point;  ///< (slots), or `none`
+  std::vector<Receiver> receivers;
+  std::vector<std::uint32_t> receiver_of_body, receiver_of_point;  ///< (slots), or `none`
   std::vector<Attached> attached;
   std::vector<std::uint32_t> attached_of;  ///< (sites), or `none`
   std::vector<ActingInteraction> interactions;
   std::vector<ActingField> fields;
   std::vector<ActingConnections> connections;
   Skin skin;
-  bool rows = false;           ///< some interaction keeps rows
-  bool moving = false;         ///< some law depends on velocities, beside thermostats
-  bool thermal = false;        ///< there is a thermostat
-  bool open = false;           ///< some law is without energy
-  bool open_still = false;     ///< of these some does not depend on velocities
-  bool workless = false;       ///< some law of velocity does no work by it
-  bool timed = false;          ///< some law depends on time
-  bool noisy = false;          ///< some law draws noise
-  bool everybody = false;      ///< some law acts on all particles
-  bool grouped = false;        ///< some field acts on a group
-  std::vector<char> families;  ///< (slots of families) whether some law acts on all of it
-  std::vector<char> followed;  ///< (names of attributes) whether it follows the age of some site
+  bool rows = false;                   ///< some interaction keeps rows
+  bool velocity_dependent = false;     ///< some law depends on velocities, beside thermostats
+  bool thermal = false;                ///< there is a thermostat
+  bool nonconservative = false;        ///< some law is without energy
+  bool nonconservative_still = false;  ///< of these some does not depend on velocities
+  bool workless = false;               ///< some law of velocity does no work by it
+  bool timed = false;                  ///< some law depends on time
+  bool noisy = false;                  ///< some law draws noise
+  bool everybody = false;              ///< some law acts on all particles
+  bool grouped = false;                ///< some field acts on a group
+  std::vector<char> families;          ///< (slots of families) whether some law acts on all of it
+  std::vector<char> followed;          ///< (names of attributes) whether it follows the age of some site
 
-  std::vector<Vec3> still;  ///< (sites) [N] open forces of laws that do not depend on velocities
+  std::vector<Vec3> still;  ///< (sites) [N] nonconservative forces of laws that do not depend on velocities
   /// (sites) [N] the same with what laws of velocity also give at rest, and what does no work by the velocity
   std::vector<Vec3> undamped;
-  VelocityForces velocity;          ///< of laws that depend on velocities, but for thermostats
-  VelocityForces thermostats;       ///< of these
-  std::vector<Vec3> open_from;      ///< (slots of particles) [m] where a part of the step begins, see work_check
-  double done = 0.0;                ///< [J] work of laws without energy until then
-  std::vector<Vec3> noise;          ///< (sites) [N] of the open forces what is noise, where `accuracy` leaves it out
-  KickNotes notes;                  ///< of errors, where `accuracy` asks
+  VelocityForces velocity;      ///< of laws that depend on velocities, but for thermostats
+  VelocityForces thermostats;   ///< of these
+  std::vector<Vec3> open_from;  ///< (slots of particles) [m] where a part of the step begins, see work_check
+  double done = 0.0;            ///< [J] work of laws without energy until then
+  std::vector<Vec3> noise;  ///< (sites) [N] of the nonconservative forces what is noise, where `accuracy` leaves it out
+  KickNotes notes;          ///< of errors, where `accuracy` asks
   AlignedVector<Vec3> kicked_from;  ///< (sites) [m/s] before the kick at the end of a part, where the ledger is kept
   double energy = 0.0;              ///< [J] of all laws, when it was last told
   bool told = false;                ///< in the last step
@@ -148,9 +149,9 @@ struct Forces {
   std::uint64_t settled_in = 0;       ///< the last step, counted from 1, that began with such changes
 };
 
-/// Of the open force on a site that of laws of velocity, but for those that do no work by it [N].
+/// Of the nonconservative force on a site that of laws of velocity, but for those that do no work by it [N].
 inline Vec3 damping_of(const Forces& f, std::size_t site) {
-  return f.moving ? f.sites.open_force[site] - f.undamped[site] : zero3();
+  return f.velocity_dependent ? f.sites.nonconservative_force[site] - f.undamped[site] : zero3();
 }
 
 /// Whether the laws at work are those of the present rows: not where an edit waits for the next step.
@@ -158,7 +159,7 @@ bool acting_now(const World& world);
 
 /// Makes the laws act on what the model now holds, and finds the forces of the present state, where an edit has changed
 /// either. Throws Error where a law reads what a particle has not. Where connections were found too stiff for explicit
-/// steps, `influences_changed` is set again: articulates are to be found anew first.
+/// steps, `force_elements_changed` is set again: articulates are to be found anew first.
 void refresh_forces(World& world);
 /// Warns of laws that go by mass and act on points of bodies that have none, once for each field and interaction.
 void tell_massless(World& world);
@@ -184,7 +185,7 @@ void kick_to_end(World& world, double half);
 /// all of this is on that line.
 void end_kick(World& world, double half);
 
-/// Gives the movers of articulates that wake in a part of a step what its first half kick over `half` [s] and its drift
+/// Gives the receivers of articulates that wake in a part of a step what its first half kick over `half` [s] and its drift
 /// make of what rests in the pulls that they slept in: (articulates) whether it wakes.
 void kick_from_rest(World& world, const std::vector<char>& woken, double half);
 

@@ -64,7 +64,7 @@ struct Builder {
     forces.image.assign(sites.n, zero3());
     forces.site_of.assign(world.particles.slots(), none);
     for (std::uint32_t i = 0; i < slots.size(); i++)
-      seat(world, forces, i, world.particles.id_at(slots[i]), how[slots[i]]);
+      bind_site(world, forces, i, world.particles.id_at(slots[i]), how[slots[i]]);
     for (std::size_t k = 0; k < places.size(); k++) {
       const std::size_t i = slots.size() + k;
       sites.x[i] = places[k];
@@ -175,12 +175,12 @@ std::unique_ptr<Forces> build_forces(const World& world) {
       if (input.role == Role::attribute) forces->sites.names.push_back(input.name);
     forces->thermal = forces->thermal || law.thermal;
     if (law.thermal) return;
-    forces->moving = forces->moving || law.moving;
+    forces->velocity_dependent = forces->velocity_dependent || law.velocity_dependent;
     forces->timed = forces->timed || law.timed;
     forces->noisy = forces->noisy || draws_noise(law);
     forces->workless = forces->workless || law.workless;
-    forces->open = forces->open || !law.has_energy();
-    forces->open_still = forces->open_still || !(law.has_energy() || law.moving);
+    forces->nonconservative = forces->nonconservative || !law.has_energy();
+    forces->nonconservative_still = forces->nonconservative_still || !(law.has_energy() || law.velocity_dependent);
   });
   std::vector<std::string>& names = forces->sites.names;
   std::sort(names.begin(), names.end());

@@ -28,12 +28,12 @@ enum class Wanted : std::uint8_t { not_at_all, by_solved, by_others };
 /// What families and connections want of one that is awake; not of fields on groups.
 Wanted wanted(const World& world, const Forces& forces, ParticleId particle);
 /// Makes a site that of a particle, on what moves it: a loose point, a body or a tied point.
-void seat(const World& world, Forces& forces, std::uint32_t site, ParticleId particle, Wanted how);
-void unseat(Forces& forces, std::uint32_t site);
+void bind_site(const World& world, Forces& forces, std::uint32_t site, ParticleId particle, Wanted how);
+void unbind_site(Forces& forces, std::uint32_t site);
 /// Finds which of `attached` each site is, after their numbers changed.
 void number_attached(Forces& forces);
-/// Finds where in articulates the movers are, and which laws pull; without those on which nothing sits any more.
-void find_movers(World& world, Forces& forces);
+/// Finds where in articulates the receivers are, and which laws pull; without those to which nothing is bound any more.
+void find_receivers(World& world, Forces& forces);
 
 /// The sites of a connection's ends.
 using TieEnds = std::array<std::uint32_t, 4>;
@@ -44,7 +44,7 @@ void change_ties(const World& world, Forces& forces, const std::vector<Connectio
 
 /// Whether `change_members` can do what edits ask for; otherwise all is to be built anew.
 bool can_change_members(const World& world, const Forces& forces);
-/// Looks at the particles anew that edits say may have changed: takes sites away, gives new ones, and seats others anew.
+/// Looks at the particles anew that edits say may have changed: takes sites away, gives new ones, and binds others anew.
 /// Gives these in rising order. Places are not yet read.
 std::vector<std::uint32_t> change_members(const World& world, Forces& forces);
 /// Whether only free particles were born or have gone, and what laws do to one of them has to do with no other, and comes of
@@ -108,7 +108,7 @@ double run_laws(const World& world, Forces& forces, const Instant& instant, bool
 
 /// The forces of those that do not depend on velocities, at the present places.
 double run_still_laws(const World& world, Forces& forces, const Instant& instant, bool with_energy);
-/// Sums what sites feel over the movers that they sit on.
+/// Sums what sites feel over the receivers that they are bound to.
 void collect(const World& world, Forces& forces);
 
 /// Calls `use(name, law, what acts)` for all laws at work.

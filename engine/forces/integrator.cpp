@@ -46,7 +46,9 @@ std::string law_that(const World& world, Is is) {
   return found;
 }
 
-bool dissipates(const Law& law) { return (law.moving && !law.workless) || (law.also && dissipates(*law.also)); }
+bool dissipates(const Law& law) {
+  return (law.velocity_dependent && !law.workless) || (law.also && dissipates(*law.also));
+}
 
 bool is_asked(const World& world, const Connection& c, Solve solve) {
   return c.enabled && c.asked == solve && can_be_solved(world, c);

@@ -5,7 +5,7 @@
 #include "forces/forces.hpp"
 #include "forces/forces_parts.hpp"
 #include "forces/integrator.hpp"
-#include "forces/mover_momenta.hpp"
+#include "forces/receiver_momenta.hpp"
 #include "forces/tied_kick.hpp"
 #include "forces/velocity_kick.hpp"
 
@@ -16,27 +16,30 @@ namespace {
 constexpr std::uint32_t none = Forces::none;
 
 /// Work of laws without energy [J].
-struct OpenWork {
+struct NonconservativeWork {
   double damper = 0.0;  // of those that depend on velocities
   double rest = 0.0;
 
   double all() const { return damper + rest; }
-  void operator+=(const OpenWork& more) {
+  void operator+=(const NonconservativeWork& more) {
     damper += more.damper;
     rest += more.rest;
   }
 };
 
-/// Of the forces that kicks apply to the mover alone.
-OpenWork open_work(const Mover& m, Vec3 moved, Vec3 turned) {
-  if (m.solved) return {0.0, dot(m.open_force - m.solved_force, moved) + dot(m.open_torque - m.solved_torque, turned)};
-  return {dot(m.damper_force, moved) + dot(m.damper_torque, turned),
-          dot(m.open_force - m.damper_force, moved) + dot(m.open_torque - m.damper_torque, turned)};
+/// Of the forces that kicks apply to the receiver alone.
+NonconservativeWork nonconservative_work(const Receiver& m, Vec3 moved, Vec3 turned) {
+  if (m.solved)
+    return {0.0, dot(m.nonconservative_force - m.solved_force, moved) +
+                     dot(m.nonconservative_torque - m.solved_torque, turned)};
+  return {
+      dot(m.damper_force, moved) + dot(m.damper_torque, turned),
+      dot(m.nonconservative_force - m.damper_force, moved) + dot(m.nonconservative_torque - m.damper_torque, turned)};
 }
 
 /// Of what rows tie, and of all else.
 struct KickWork {
-  OpenWork tied, loose;
+  NonconservativeWork tied, loose;
 };
 
 /// Whether the velocities of what rows tie are without what these forbid: at the start of the kick that begins a part of
@@ -44,8 +47,8 @@ struct KickWork {
 bool allowed_before(const World& world) { return rule_of(world).conserves && world.part.first; }
 bool allowed_after(const World& world) { return rule_of(world).conserves && world.part.last; }
 
-OpenWork kick_points(World& world, Forces& f, double half) {
-  OpenWork work;
+NonconservativeWork kick_points(World& world, Forces& f, double half) {
+  NonconservativeWork work;
   const Vec3 fallen =
       world.settings.gravity * (0.5 * half);  // gravity has had its part of the kick: it is in both halves
   double with_gravity = 0.0;
@@ -53,49 +56,50 @@ OpenWork kick_points(World& world, Forces& f, double half) {
   for (std::size_t i = 0; i < f.sites.n; i++) {
     if (f.point[i] == none) continue;
     Vec3& v = motion[f.point[i]].v;
-    if (!f.open) {
+    if (!f.nonconservative) {
       v += f.sites.force[i] * (f.inverse_mass[i] * half);
       continue;
     }
-    const Vec3 open = f.sites.open_force[i], change = (f.sites.force[i] + open) * (f.inverse_mass[i] * half);
+    const Vec3 open = f.sites.nonconservative_force[i], change = (f.sites.force[i] + open) * (f.inverse_mass[i] * half);
     const Vec3 damping = damping_of(f, i), mean = v + change * 0.5 - fallen;
     with_gravity += dot(open, fallen) * half;
     work.damper += dot(damping, mean) * half;
     work.rest += dot(open - damping, mean) * half;
     // What is stopped is as it was solved: the sum would round it.
-    v = f.moving && f.velocity.theta[i] == 1.0 ? f.velocity.v[i] : v + change;
+    v = f.velocity_dependent && f.velocity.theta[i] == 1.0 ? f.velocity.v[i] : v + change;
   }
-  if (f.open) post_falling(world, with_gravity);
+  if (f.nonconservative) post_falling(world, with_gravity);
   return work;
 }
 
-KickWork kick_movers(World& world, Forces& f, double half, bool drifted) {
+KickWork kick_receivers(World& world, Forces& f, double half, bool drifted) {
   KickWork work;
-  for (const Mover& m : f.movers) {
+  for (const Receiver& m : f.receivers) {
     if (sleeps(world, m)) continue;
-    MoverMomenta s = momenta_of(world, m, drifted);
+    ReceiverMomenta s = momenta_of(world, m, drifted);
     const Vec3 v = s.velocity(), spin = s.spin();
-    s.add((m.force + m.open_force - m.solved_force) * half, (m.torque + m.open_torque - m.solved_torque) * half);
+    s.add((m.force + m.nonconservative_force - m.solved_force) * half,
+          (m.torque + m.nonconservative_torque - m.solved_torque) * half);
     (m.articulate < 0 ? work.loose : work.tied) +=
-        open_work(m, (v + s.velocity()) * (0.5 * half), (spin + s.spin()) * (0.5 * half));
+        nonconservative_work(m, (v + s.velocity()) * (0.5 * half), (spin + s.spin()) * (0.5 * half));
   }
   return work;
 }
 
-/// What the present forces give to tied movers over `dt` [s] at the present velocities.
-OpenWork present_work(World& world, const Forces& f, double dt, bool drifted) {
-  OpenWork work;
-  for (const Mover& m : f.movers) {
+/// What the present forces give to tied receivers over `dt` [s] at the present velocities.
+NonconservativeWork present_work(World& world, const Forces& f, double dt, bool drifted) {
+  NonconservativeWork work;
+  for (const Receiver& m : f.receivers) {
     if (m.articulate < 0 || sleeps(world, m)) continue;
-    const MoverMomenta s = momenta_of(world, m, drifted);
-    work += open_work(m, s.velocity() * dt, s.spin() * dt);
+    const ReceiverMomenta s = momenta_of(world, m, drifted);
+    work += nonconservative_work(m, s.velocity() * dt, s.spin() * dt);
   }
   return work;
 }
 
-void post_open(World& world, const OpenWork& work) {
+void post_nonconservative(World& world, const NonconservativeWork& work) {
   world.work += work.rest;
-  world.open_work += work.rest;
+  world.nonconservative_work += work.rest;
   world.ledger.posted += std::fabs(work.rest);
   post(world, Source::damper, work.damper);
 }
@@ -108,7 +112,7 @@ AlignedVector<Vec3> site_velocities(World& world, Forces& f, bool drifted) {
   for (std::size_t i = 0; i < f.sites.n; i++)
     if (f.point[i] != none) list[i] = world.free_motion[f.point[i]].v;
   for (const Attached& a : f.attached) {
-    const MoverMomenta s = momenta_of(world, f.movers[a.mover], drifted);
+    const ReceiverMomenta s = momenta_of(world, f.receivers[a.receiver], drifted);
     list[a.site] = s.velocity() + cross(s.spin(), a.r);
   }
   return list;
@@ -117,7 +121,7 @@ AlignedVector<Vec3> site_velocities(World& world, Forces& f, bool drifted) {
 /// Copies the velocities of sites that rows tie.
 void copy_tied(const Forces& f, const AlignedVector<Vec3>& from, AlignedVector<Vec3>& to) {
   for (const Attached& a : f.attached)
-    if (f.movers[a.mover].articulate >= 0) to[a.site] = from[a.site];
+    if (f.receivers[a.receiver].articulate >= 0) to[a.site] = from[a.site];
 }
 
 /// What the forces that the sites now have gave in a kick over `half` [s], with velocities that
@@ -131,7 +135,7 @@ double work_of(const Forces& f, const AlignedVector<Vec3>& before, const Aligned
 double work_on_tied(const Forces& f, const AlignedVector<Vec3>& before, const AlignedVector<Vec3>& after, double half) {
   double work = 0.0;
   for (const Attached& a : f.attached)
-    if (f.movers[a.mover].articulate >= 0)
+    if (f.receivers[a.receiver].articulate >= 0)
       work += dot(f.sites.force[a.site], before[a.site] + after[a.site]) * (0.5 * half);
   return work;
 }
@@ -142,7 +146,7 @@ void post_laws(World& world, Forces& f, const AlignedVector<Vec3>& before, const
   const double work = work_of(f, before, after, half);
   world.ledger.laws += work;
   world.ledger.posted += std::fabs(work);
-  const auto force = f.sites.force, open = f.sites.open_force;
+  const auto force = f.sites.force, open = f.sites.nonconservative_force;
   each_law(world, f, [&](const std::string& name, const Law& law, auto& acting) {
     if (!law.has_energy()) return;
     std::fill(f.sites.force.begin(), f.sites.force.end(), zero3());
@@ -150,7 +154,7 @@ void post_laws(World& world, Forces& f, const AlignedVector<Vec3>& before, const
     world.ledger.kicks[name] += work_of(f, before, after, half);
   });
   f.sites.force = force;
-  f.sites.open_force = open;
+  f.sites.nonconservative_force = open;
 }
 
 /// What kicks gave to motions that the rows forbid.
@@ -162,33 +166,33 @@ void post_forbidden(World& world, double joules) {
 }  // namespace
 
 void post_tied(World& world, const TiedWork& work) {
-  post_open(world, {work.damper, work.rest});
+  post_nonconservative(world, {work.damper, work.rest});
   post(world, Source::hand, work.rows.ends);
-  post(world, Source::motor, work.rows.couples);
+  post(world, Source::motor, work.rows.turns);
 }
 
 void kick(World& world, double half) {
   if (!world.forces) return;
   Forces& f = *world.forces;
   const bool drifted = world.part.index > 0, allowed = allowed_before(world);
-  for (Mover& m : f.movers) {
+  for (Receiver& m : f.receivers) {
     if (drifted) break;
-    const MoverMomenta s = momenta_of(world, m, false);
+    const ReceiverMomenta s = momenta_of(world, m, false);
     m.start_p = s.v ? *s.v : *s.p;
     m.start_P = s.P ? *s.P : zero3();
   }
   if (!drifted) f.velocity.starts.clear();
-  if (f.moving) {
+  if (f.velocity_dependent) {
     solve_velocity_kick(world, f, half, time_within(world, world.part.from), {drifted, true});
     post_tied(world, kick_tied(world, f));
   }
   const AlignedVector<Vec3> before = site_velocities(world, f, drifted);
-  const OpenWork present = present_work(world, f, half, drifted);
-  OpenWork told = kick_points(world, f, half);
-  const KickWork given = kick_movers(world, f, half, drifted);
+  const NonconservativeWork present = present_work(world, f, half, drifted);
+  NonconservativeWork told = kick_points(world, f, half);
+  const KickWork given = kick_receivers(world, f, half, drifted);
   told += given.loose;
   told += allowed ? present : given.tied;
-  post_open(world, told);
+  post_nonconservative(world, told);
   AlignedVector<Vec3> after = site_velocities(world, f, drifted);
   if (allowed && world.ledger.kept) {
     post_forbidden(world, given.tied.all() - present.all() + work_on_tied(f, before, after, half) -
@@ -200,18 +204,19 @@ void kick(World& world, double half) {
 
 void kick_from_rest(World& world, const std::vector<char>& woken, double half) {
   double given = 0.0;
-  OpenWork open;
-  for (const Mover& m : world.forces->movers) {
+  NonconservativeWork others;
+  for (const Receiver& m : world.forces->receivers) {
     if (m.articulate < 0 || !woken[static_cast<std::size_t>(m.articulate)]) continue;
     const NodePull& pull = world.articulates[static_cast<std::size_t>(m.articulate)]->rest.pulls[m.node];
-    const Vec3 force = pull.force + pull.open_force, torque = pull.torque + pull.open_torque;
-    MoverMomenta s = momenta_of(world, m, true);
+    const Vec3 force = pull.force + pull.nonconservative_force, torque = pull.torque + pull.nonconservative_torque;
+    ReceiverMomenta s = momenta_of(world, m, true);
     s.add(force * half, torque * half);
     given += (dot(pull.force, s.velocity()) + dot(pull.torque, s.spin())) * (0.5 * half);
-    open.rest += (dot(pull.open_force, s.velocity()) + dot(pull.open_torque, s.spin())) * (0.5 * half);
+    others.rest +=
+        (dot(pull.nonconservative_force, s.velocity()) + dot(pull.nonconservative_torque, s.spin())) * (0.5 * half);
     s.add(force * (-2.0 * half), torque * (-2.0 * half));  // the drift turns what the rows forbid
   }
-  post_open(world, open);
+  post_nonconservative(world, others);
   world.ledger.laws += given;
   world.ledger.posted += std::fabs(given);
 }
@@ -232,8 +237,8 @@ void put_back(World& world) {
     (s.is_body ? world.motion[s.slot].p : world.free_motion[s.slot].v) = s.p;
     if (s.is_body) world.motion[s.slot].angular = s.P;
   }
-  for (const Mover& m : world.forces->movers) {
-    MoverMomenta s = momenta_of(world, m, false);
+  for (const Receiver& m : world.forces->receivers) {
+    ReceiverMomenta s = momenta_of(world, m, false);
     (s.v ? *s.v : *s.p) = m.start_p;
     if (s.P) *s.P = m.start_P;
   }
@@ -242,13 +247,13 @@ void put_back(World& world) {
 void kick_to_end(World& world, double half) {
   if (!world.forces) return;
   Forces& f = *world.forces;
-  if (f.moving) solve_velocity_kick(world, f, half, time_within(world, world.part.to), {true, false});
+  if (f.velocity_dependent) solve_velocity_kick(world, f, half, time_within(world, world.part.to), {true, false});
   f.kicked_from = site_velocities(world, f, true);
-  OpenWork told = kick_points(world, f, half);
-  const KickWork given = kick_movers(world, f, half, true);
+  NonconservativeWork told = kick_points(world, f, half);
+  const KickWork given = kick_receivers(world, f, half, true);
   told += given.loose;
   if (!allowed_after(world)) told += given.tied;
-  post_open(world, told);
+  post_nonconservative(world, told);
   const AlignedVector<Vec3> after = site_velocities(world, f, true);
   if (!allowed_after(world)) {
     post_tied(world, kick_tied(world, f));
@@ -260,8 +265,8 @@ void kick_to_end(World& world, double half) {
 void end_kick(World& world, double half) {
   if (!world.forces || !allowed_after(world)) return;
   Forces& f = *world.forces;
-  const OpenWork present = present_work(world, f, half, true);
-  post_open(world, present);
+  const NonconservativeWork present = present_work(world, f, half, true);
+  post_nonconservative(world, present);
   const AlignedVector<Vec3> after = site_velocities(world, f, true);
   post_tied(world, kick_tied(world, f));
   if (!world.ledger.kept) return;

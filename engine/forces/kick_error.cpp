@@ -31,7 +31,7 @@ template <class Use>
 void without_noise(World& world, Forces& f, Use use) {
   const auto add = [&](double sign) {
     if (f.noise.empty()) return;
-    for (std::size_t i = 0; i < f.sites.n; i++) f.sites.open_force[i] += f.noise[i] * sign;
+    for (std::size_t i = 0; i < f.sites.n; i++) f.sites.nonconservative_force[i] += f.noise[i] * sign;
     collect(world, f);
   };
   add(-1.0);
@@ -39,16 +39,17 @@ void without_noise(World& world, Forces& f, Use use) {
   add(1.0);
 }
 
-double mass_of(const World& world, const Mover& m) {
+double mass_of(const World& world, const Receiver& m) {
   return m.is_body ? world.motion[m.slot].mass : world.points.at_slot(m.slot).mass;
 }
 
 Vec3 acceleration(const World& world, const Forces& f, std::size_t site) {
   if (f.attached_of[site] != none) {
-    const Mover& m = f.movers[f.attached[f.attached_of[site]].mover];
-    return (m.force + m.open_force) / mass_of(world, m);
+    const Receiver& m = f.receivers[f.attached[f.attached_of[site]].receiver];
+    return (m.force + m.nonconservative_force) / mass_of(world, m);
   }
-  const Vec3 force = f.open ? f.sites.force[site] + f.sites.open_force[site] : f.sites.force[site];
+  const Vec3 force =
+      f.nonconservative ? f.sites.force[site] + f.sites.nonconservative_force[site] : f.sites.force[site];
   return force * f.inverse_mass[site];
 }
 
@@ -57,12 +58,12 @@ Vec3 place(const Forces& f, std::size_t site) { return f.sites.x[site] + f.image
 /// Whether what a site is on is tied by rows: it has a length of its own.
 const Articulate* articulate_of(const World& world, const Forces& f, std::size_t site) {
   if (f.attached_of[site] == none) return nullptr;
-  const Mover& m = f.movers[f.attached[f.attached_of[site]].mover];
+  const Receiver& m = f.receivers[f.attached[f.attached_of[site]].receiver];
   return m.articulate < 0 ? nullptr : world.articulates[static_cast<std::size_t>(m.articulate)].get();
 }
 
 /// How far a body reaches from its centre, as its inertia tells [m].
-double reach_of(const World& world, const Mover& m) {
+double reach_of(const World& world, const Receiver& m) {
   if (!m.is_body) return 0.0;
   const Motion& motion = world.motion[m.slot];
   return std::sqrt(largest(motion.inertia) / motion.mass);
@@ -115,7 +116,7 @@ void note_kicks(World& world) {
       f.notes.acceleration[slot] = acceleration(world, f, i);
       f.notes.place[slot] = place(f, i);
     }
-    for (Mover& m : f.movers) m.noted_torque = m.torque + m.open_torque;
+    for (Receiver& m : f.receivers) m.noted_torque = m.torque + m.nonconservative_torque;
   });
 }
 
@@ -197,10 +198,10 @@ class Judge {
       if (seen) n_.seen[slot] = now - n_.moved[i] * (1.0 - within_);
     }
     for (const Attached& a : f_.attached) {
-      const Mover& m = f_.movers[a.mover];
+      const Receiver& m = f_.receivers[a.receiver];
       const double reach = reach_of(world_, m);
       if (reach > 0.0)
-        n_.turning[a.site] = norm(m.torque + m.open_torque - m.noted_torque) / (reach * mass_of(world_, m));
+        n_.turning[a.site] = norm(m.torque + m.nonconservative_torque - m.noted_torque) / (reach * mass_of(world_, m));
     }
   }
 
@@ -214,7 +215,7 @@ class Judge {
   /// Forces of time alone at the places of the end, without noise, over the masses [m/s²] (sites).
   std::vector<Vec3> accelerations_at(double fraction) {
     std::fill(f_.sites.force.begin(), f_.sites.force.end(), zero3());
-    std::fill(f_.sites.open_force.begin(), f_.sites.open_force.end(), zero3());
+    std::fill(f_.sites.nonconservative_force.begin(), f_.sites.nonconservative_force.end(), zero3());
     Instant instant = instant_of(world_, time_within(world_, fraction), world_.instant);
     instant.silent = true;
     each_law(world_, f_, [&](const std::string&, const Law& law, auto& acting) {
@@ -229,12 +230,12 @@ class Judge {
   /// A force whose period divides the part is the same at both of its ends.
   void add_changes_of_time() {
     if (!is_seen()) return;
-    const auto force = f_.sites.force, open = f_.sites.open_force;
+    const auto force = f_.sites.force, open = f_.sites.nonconservative_force;
     const StepPart& p = world_.part;
     const auto from = accelerations_at(p.from), to = accelerations_at(p.to),
                between = accelerations_at(p.from + within_ * (p.to - p.from));
     f_.sites.force = force;
-    f_.sites.open_force = open;
+    f_.sites.nonconservative_force = open;
     collect(world_, f_);
     for (std::size_t i = 0; i < f_.sites.n; i++)
       for (const Vec3& end : {from[i], to[i]})
@@ -302,7 +303,7 @@ class Judge {
     if (articulate) return see(i, change, articulate->length, true);
     double size = std::isfinite(n_.near[i]) ? n_.near[i] : 0.0;
     if (f_.attached_of[i] != none)
-      size = std::max(size, reach_of(world_, f_.movers[f_.attached[f_.attached_of[i]].mover]));
+      size = std::max(size, reach_of(world_, f_.receivers[f_.attached[f_.attached_of[i]].receiver]));
     const bool small = change * h_ <= 6.0 * std::min(worst_, n_.told) * size, soft = jump * h_ <= 4.0 * n_.jump * size;
     if (small && soft && n_.untold[slot] == 0.0) return;
     const double stiffness = stiffness_along(n_.change[i], n_.moved[i]);
@@ -344,9 +345,9 @@ class Judge {
 
   /// Whether laws of velocity are much of what moves a site.
   bool is_of_velocity(std::size_t i) const {
-    if (!f_.moving) return false;
-    const double all = norm(f_.sites.force[i] + f_.sites.open_force[i]);
-    return all > 0.0 && norm(f_.sites.open_force[i] - f_.still[i]) > 0.1 * all;
+    if (!f_.velocity_dependent) return false;
+    const double all = norm(f_.sites.force[i] + f_.sites.nonconservative_force[i]);
+    return all > 0.0 && norm(f_.sites.nonconservative_force[i] - f_.still[i]) > 0.1 * all;
   }
 
   /// Change of the acceleration by its time [m/s³], where it jumped in the part before, or in the two; 0 where it changed as it
@@ -384,21 +385,21 @@ double kick_error(World& world) {
 
 std::string law_of_worst_error(World& world) {
   Forces& f = *world.forces;
-  const auto force = f.sites.force, open = f.sites.open_force;
+  const auto force = f.sites.force, open = f.sites.nonconservative_force;
   const std::size_t site = std::min(f.notes.worst_site, f.sites.n - 1);
   std::string name;
   double most = -1.0;
   each_law(world, f, [&](const std::string&, const Law&, auto& acting) {
     std::fill(f.sites.force.begin(), f.sites.force.end(), zero3());
-    std::fill(f.sites.open_force.begin(), f.sites.open_force.end(), zero3());
+    std::fill(f.sites.nonconservative_force.begin(), f.sites.nonconservative_force.end(), zero3());
     run_law(world, f, acting, instant_of(world, world.time, world.instant));
-    const double pull = norm(f.sites.force[site] + f.sites.open_force[site]);
+    const double pull = norm(f.sites.force[site] + f.sites.nonconservative_force[site]);
     if (!(pull > most)) return;
     most = pull;
     name = law_at_work(world, acting);
   });
   f.sites.force = force;
-  f.sites.open_force = open;
+  f.sites.nonconservative_force = open;
   return name;
 }
 

@@ -11,7 +11,7 @@ namespace {
 /// Calls `read` with the laws of the present state at work, which it may run; what they were is put back.
 template <class Read>
 auto with_present_laws(const World& world, Read read) -> decltype(read(*world.forces)) {
-  if (!acting_now(world) && (world.forces || world.influences_changed)) {
+  if (!acting_now(world) && (world.forces || world.force_elements_changed)) {
     const std::unique_ptr<Forces> fresh = build_forces(world);
     if (!fresh) return {};
     start(world, *fresh);
@@ -20,10 +20,10 @@ auto with_present_laws(const World& world, Read read) -> decltype(read(*world.fo
   }
   if (!world.forces) return {};
   Forces& f = *world.forces;
-  const auto force = f.sites.force, open = f.sites.open_force;
+  const auto force = f.sites.force, open = f.sites.nonconservative_force;
   auto result = read(f);
   f.sites.force = force;
-  f.sites.open_force = open;
+  f.sites.nonconservative_force = open;
   return result;
 }
 
@@ -115,7 +115,7 @@ std::vector<double> tensions(const World& world) {
 }
 
 LawLedger law_ledger(const World& world) {
-  LawLedger ledger{world.given_by_laws, {}, world.open_work};
+  LawLedger ledger{world.given_by_laws, {}, world.nonconservative_work};
   if (!acting_now(world)) return ledger;
   law_energy(world);
   each_law(world, *world.forces, [&](const std::string& name, const Law& law, const auto& acting) {
@@ -155,7 +155,7 @@ std::string find_bad_force(const World& world, Forces& f, double time, const std
     std::string between = name(bad.sites[0]);
     for (int i = 1; i < bad.count; i++) between += " and " + name(bad.sites[i]);
     const std::string distance = bad.count == 1 ? "" : text(", at a distance of ", bad.distance, " m");
-    const bool met = bad.count > 1 && bad.distance == 0.0, rests = row.law->moving && rest(f.sites, bad);
+    const bool met = bad.count > 1 && bad.distance == 0.0, rests = row.law->velocity_dependent && rest(f.sites, bad);
     const bool hopeless = met || rests;  // no step is short enough
     return text(law_in_place(row), ": the force ", bad.count == 1 ? "on " : "between ", between,
                 " is not a finite number", distance, rests ? where_at_rest(f.sites, bad) : "", hopeless ? "" : advice);

@@ -22,14 +22,14 @@ bool goes_by_mass(const Law& law, std::uint8_t who) {
 /// The first body of those that the sites are of whose sites have no mass together, or null.
 BodyId massless_body(const World& world, const Forces& f, std::span<const std::uint32_t> sites,
                      const AlignedVector<double>& mass) {
-  std::vector<double> sums(f.movers.size(), -1.0);  // -1: not among them
+  std::vector<double> sums(f.receivers.size(), -1.0);  // -1: not among them
   for (std::uint32_t site : sites) {
     if (f.attached_of[site] == Forces::none) continue;
-    double& sum = sums[f.attached[f.attached_of[site]].mover];
+    double& sum = sums[f.attached[f.attached_of[site]].receiver];
     sum = std::fmax(sum, 0.0) + mass[site];
   }
   for (std::size_t i = 0; i < sums.size(); i++)
-    if (sums[i] == 0.0 && f.movers[i].is_body) return world.bodies.id_at(f.movers[i].slot);
+    if (sums[i] == 0.0 && f.receivers[i].is_body) return world.bodies.id_at(f.receivers[i].slot);
   return {};
 }
 

@@ -1,4 +1,4 @@
-// Particles that are born, go or are seated elsewhere, and the sites that laws see of them: what else there is stays where
+// Particles that are born, go or are bound elsewhere, and the sites that laws see of them: what else there is stays where
 // it is.
 #include <algorithm>
 #include <numeric>
@@ -28,7 +28,7 @@ void move(Forces& f, std::uint32_t from, std::uint32_t to) {
   s.family[to] = s.family[from];
   s.kin[to] = s.kin[from];
   s.force[to] = s.force[from];
-  s.open_force[to] = s.open_force[from];
+  s.nonconservative_force[to] = s.nonconservative_force[from];
   for (auto& column : s.attributes) column[to] = column[from];
   f.point[to] = f.point[from];
   f.attached_of[to] = f.attached_of[from];
@@ -73,7 +73,7 @@ struct Member {
   Wanted how;
 };
 
-/// Who is to have a site, and who is to be seated anew; sites that nobody wants any more go to those that are gone.
+/// Who is to have a site, and who is to be bound anew; sites that nobody wants any more go to those that are gone.
 struct Turnover {
   std::vector<Member> born, kept;
 
@@ -103,7 +103,7 @@ std::vector<std::uint32_t> replace(const World& world, Forces& f, const std::vec
   std::vector<std::uint32_t> fresh;
   for (std::size_t k = 0; k < born.size(); k++) {
     fresh.push_back(k < f.gone.size() ? f.gone[k] : static_cast<std::uint32_t>(before + k - f.gone.size()));
-    seat(world, f, fresh.back(), born[k].id, born[k].how);
+    bind_site(world, f, fresh.back(), born[k].id, born[k].how);
   }
   auto last = static_cast<std::uint32_t>(before);
   for (std::size_t hole = born.size(), holes = f.gone.size(); hole < holes;) {
@@ -149,12 +149,12 @@ std::vector<std::uint32_t> change_members(const World& world, Forces& f) {
   f.site_of.resize(world.particles.slots(), none);
   const Turnover turnover(world, f, changed);
   std::sort(f.gone.begin(), f.gone.end());
-  for (std::uint32_t site : f.gone) unseat(f, site);
+  for (std::uint32_t site : f.gone) unbind_site(f, site);
   std::vector<std::uint32_t> fresh = replace(world, f, turnover.born);
   for (const Member& m : turnover.kept) {
     const std::uint32_t site = f.site_of[m.id.slot - 1];
-    unseat(f, site);
-    seat(world, f, site, m.id, m.how);
+    unbind_site(f, site);
+    bind_site(world, f, site, m.id, m.how);
     fresh.push_back(site);
   }
   std::sort(fresh.begin(), fresh.end());
@@ -171,7 +171,7 @@ std::vector<std::uint32_t> change_members(const World& world, Forces& f) {
 
 bool are_apart(const Forces& f) {
   const auto follows = [](char followed) { return followed != 0; };
-  return !f.elsewhere && f.interactions.empty() && !(f.moving && f.open_still) && !f.grouped &&
+  return !f.elsewhere && f.interactions.empty() && !(f.velocity_dependent && f.nonconservative_still) && !f.grouped &&
          std::none_of(f.followed.begin(), f.followed.end(), follows) &&
          std::find(f.sites.names.begin(), f.sites.names.end(), "age") == f.sites.names.end();
 }

@@ -45,7 +45,7 @@ bool is_still(const World& world, Articulate& a) {
   const double rest = 0.5 * least * speed * speed;
   const bool still =
       r.last_peak >= 0.0 && r.peak <= rest && r.peak <= std::max(most_growth * r.last_peak, unseen * rest);
-  const bool closed = !a.safe && a.gaps.open <= 1e-8 * a.length;
+  const bool closed = !a.fell_back && a.gaps.open <= 1e-8 * a.length;
   r = {false, 0, 0.0, r.peak, speed / time, {}, 0};
   return still && closed;
 }
@@ -61,30 +61,30 @@ void stop(World& world, Articulate& a) {
 /// Notes what laws do to articulates that fall asleep.
 void note_pulls(World& world, const std::vector<char>& falling) {
   if (!world.forces) return;
-  for (const Mover& m : world.forces->movers) {
+  for (const Receiver& m : world.forces->receivers) {
     if (m.articulate < 0 || !falling[static_cast<std::size_t>(m.articulate)]) continue;
     Articulate& a = *world.articulates[static_cast<std::size_t>(m.articulate)];
     a.rest.pulls.resize(a.nodes.size());
-    a.rest.pulls[m.node] = {m.force, m.torque, m.open_force, m.open_torque};
-    a.rest.movers++;
+    a.rest.pulls[m.node] = {m.force, m.torque, m.nonconservative_force, m.nonconservative_torque};
+    a.rest.receivers++;
   }
 }
 
 /// Whether a law's pull is another than that which its articulate sleeps in.
-bool differs(const Articulate& a, const Mover& m) {
+bool differs(const Articulate& a, const Receiver& m) {
   if (a.rest.pulls.empty()) return true;
   const NodePull& was = a.rest.pulls[m.node];
   const Node& n = a.nodes[m.node];
   const double most = n.mass * a.rest.acceleration;
-  const Vec3 force = m.force + m.open_force - was.force - was.open_force;
-  const Vec3 torque = m.torque + m.open_torque - was.torque - was.open_torque;
+  const Vec3 force = m.force + m.nonconservative_force - was.force - was.nonconservative_force;
+  const Vec3 torque = m.torque + m.nonconservative_torque - was.torque - was.nonconservative_torque;
   return !(norm(force) <= most && norm(torque) <= most * n.reach);
 }
 
 /// Which wake; empty: none.
 std::vector<char> find_pulled(const World& world) {
   std::vector<char> woken;
-  for (const Mover& m : world.forces->movers) {
+  for (const Receiver& m : world.forces->receivers) {
     if (m.articulate < 0) continue;
     const auto i = static_cast<std::size_t>(m.articulate);
     const Articulate& a = *world.articulates[i];
@@ -143,14 +143,14 @@ void fall_asleep(World& world) {
 
 void wake_pulled(World& world) {
   if (sleepers(world) == 0) return;
-  std::vector<std::uint32_t> movers(world.articulates.size(), 0);
+  std::vector<std::uint32_t> receivers(world.articulates.size(), 0);
   if (world.forces) {
-    for (const Mover& m : world.forces->movers)
-      if (m.articulate >= 0) movers[static_cast<std::size_t>(m.articulate)]++;
+    for (const Receiver& m : world.forces->receivers)
+      if (m.articulate >= 0) receivers[static_cast<std::size_t>(m.articulate)]++;
     wake(world, find_pulled(world));
   }
-  for (std::size_t i = 0; i < movers.size(); i++)
-    if (world.articulates[i]->rest.asleep && world.articulates[i]->rest.movers != movers[i])
+  for (std::size_t i = 0; i < receivers.size(); i++)
+    if (world.articulates[i]->rest.asleep && world.articulates[i]->rest.receivers != receivers[i])
       wake(*world.articulates[i]);
 }
 

@@ -88,7 +88,7 @@ std::shared_ptr<const Law> slope_of(const Law& law) {
   return slope;
 }
 
-/// How far a unit impulse moves a site, at most, [1/kg]; and whether it sits on what rows hold, whose velocities are
+/// How far a unit impulse moves a site, at most, [1/kg]; and whether it is bound to what rows hold, whose velocities are
 /// projected.
 struct Give {
   double mobility = 0.0;
@@ -116,7 +116,7 @@ std::vector<Give> gives(const World& world, const Forces& f) {
   std::vector<std::vector<Hold>> on;
   for (const auto& articulate : world.articulates) on.push_back(holds(*articulate));
   for (const Attached& a : f.attached) {
-    const Mover& m = f.movers[a.mover];
+    const Receiver& m = f.receivers[a.receiver];
     Give& give = list[a.site];
     const Hold hold = m.articulate < 0 ? Hold::none : on[static_cast<std::size_t>(m.articulate)][m.node];
     if (hold == Hold::nailed) continue;
@@ -144,7 +144,7 @@ struct Candidate {
 /// (connections) how much the force changes with the rate of the distance [N s/m].
 std::vector<double> dampings(const World& world, const Forces& f, const ActingConnections& acting) {
   std::vector<double> list(acting.ids.size(), 0.0);
-  if (!acting.law->moving) return list;
+  if (!acting.law->velocity_dependent) return list;
   std::vector<VelocityPair> pairs;
   acting.bonds.list_slopes(f.sites, box_of(world), instant_of(world, world.time, world.instant), {}, pairs);
   for (std::size_t k = 0; k < pairs.size(); k++) list[acting.bonds.number(k)] = std::fabs(trace(pairs[k].slope));
@@ -153,7 +153,7 @@ std::vector<double> dampings(const World& world, const Forces& f, const ActingCo
 
 std::vector<Candidate> candidates(const World& world, Forces& f) {
   std::vector<Candidate> list;
-  const auto force = f.sites.force, open = f.sites.open_force;
+  const auto force = f.sites.force, open = f.sites.nonconservative_force;
   for (const ActingConnections& acting : f.connections) {
     if (acting.ids.empty() || acting.solved || !PairCurve::possible(*acting.law)) continue;
     Bonds slopes(slope_of(*acting.law), f.sites.names, *world.workers);
@@ -167,7 +167,7 @@ std::vector<Candidate> candidates(const World& world, Forces& f) {
     }
   }
   f.sites.force = force;
-  f.sites.open_force = open;
+  f.sites.nonconservative_force = open;
   return list;
 }
 

@@ -28,7 +28,7 @@ double size_of(const Mat3& m) { return std::sqrt(norm2(m[0]) + norm2(m[1]) + nor
 bool wants_motion(const Condition& c) { return norm2(c.wanted) > 0.0; }
 
 /// Whether the rows of an articulate say which velocities are allowed.
-bool forbids(const Articulate& a) { return !a.yields && !a.safe && !a.torn && a.gaps.open <= 1e-8 * a.length; }
+bool forbids(const Articulate& a) { return !a.yields && !a.fell_back && !a.torn && a.gaps.open <= 1e-8 * a.length; }
 
 }  // namespace
 
@@ -52,14 +52,14 @@ void TiedKick::push(std::size_t node, Vec3 impulse, Vec3 twist) {
   pantin::push(pushes_[node / batch_size], node % batch_size, impulse, twist);
 }
 
-void TiedKick::add(Motions& to, const Seat& seat, Vec3 impulse) const {
-  pantin::push(to[seat.node / batch_size], seat.node % batch_size, impulse, world_.plane.about(cross(seat.r, impulse)));
+void TiedKick::add(Motions& to, const NodeSite& site, Vec3 impulse) const {
+  pantin::push(to[site.node / batch_size], site.node % batch_size, impulse, world_.plane.about(cross(site.r, impulse)));
 }
 
-Vec3 TiedKick::velocity_at(const Motions& of, const Seat& seat) const {
-  const BatchMotion& m = of[seat.node / batch_size];
-  const std::size_t lane = seat.node % batch_size;
-  return lane_of(m.v, lane) + cross(lane_of(m.w, lane), seat.r);
+Vec3 TiedKick::velocity_at(const Motions& of, const NodeSite& site) const {
+  const BatchMotion& m = of[site.node / batch_size];
+  const std::size_t lane = site.node % batch_size;
+  return lane_of(m.v, lane) + cross(lane_of(m.w, lane), site.r);
 }
 
 Motions TiedKick::allowed(const Motions& impulses) {
@@ -90,12 +90,12 @@ Motions TiedKick::allowed(const Motions& impulses) {
 
 Motions TiedKick::felt(const Motions& by) const {
   Motions to(by.size());
-  for (const Seat& s : seats) add(to, s, laws_.fields.slope[s.site] * velocity_at(by, s));
+  for (const NodeSite& s : sites) add(to, s, laws_.fields.slope[s.site] * velocity_at(by, s));
   for (const Pair& p : pairs) {
     const VelocityPair& law = laws_.pairs[p.pair];
-    const Vec3 force = law.slope * (velocity_at(by, seats[p.b]) - velocity_at(by, seats[p.a]));
-    add(to, seats[p.a], force);
-    if (!law.one_sided) add(to, seats[p.b], force * -1.0);
+    const Vec3 force = law.slope * (velocity_at(by, sites[p.b]) - velocity_at(by, sites[p.a]));
+    add(to, sites[p.a], force);
+    if (!law.one_sided) add(to, sites[p.b], force * -1.0);
   }
   return to;
 }
@@ -115,9 +115,9 @@ void TiedKick::find_soft_rows() {
     const Condition& c = condition(*a_, row);
     const auto end = [&](std::int32_t node, Vec3 arm) {
       const Node& n = a_->nodes[static_cast<std::size_t>(node)];
-      return Seat{0, static_cast<std::size_t>(node), n.turns ? n.R0 * arm : zero3()};
+      return NodeSite{0, static_cast<std::size_t>(node), n.turns ? n.R0 * arm : zero3()};
     };
-    const auto place = [&](const Seat& s) { return a_->nodes[s.node].x0 + s.r; };
+    const auto place = [&](const NodeSite& s) { return a_->nodes[s.node].x0 + s.r; };
     Soft soft{end(row.a, row.la), {}, row.b >= 0, k, row.f, zero33(), 0.0};
     if (soft.two) soft.b = end(row.b, row.lb);
     if (c.stiff) {
@@ -152,7 +152,7 @@ void TiedKick::hold(Condition& c, bool held) {
 }
 
 void TiedKick::start(const std::vector<Vec3>& forces, bool alone) {
-  forces_on_seats_ = forces;
+  forces_on_sites_ = forces;
   alone_ = alone;
   for (const Condition& c : a_->conditions) held_.push_back(c.held);
   find_known();
@@ -218,7 +218,7 @@ void TiedKick::find_known() {
   }
   if (!side_.before) pantin::add(first, other, -1.0);  // the drift had it
   for (const Soft& s : soft_) add(other, s, s.force * dt_);
-  for (std::size_t s = 0; s < seats.size(); s++) add(other, seats[s], forces_on_seats_[s] * dt_);
+  for (std::size_t s = 0; s < sites.size(); s++) add(other, sites[s], forces_on_sites_[s] * dt_);
   const bool is_allowed = side_.before && !copy_ && (world_.part.first || !ties_);
   v0_ = is_allowed ? std::move(first) : allowed(allowed(first));
   driven_.assign(other.size(), {});
@@ -231,15 +231,15 @@ void TiedKick::find_known() {
 
 void TiedKick::solve() {
   Motions known = pushes_;
-  for (const Seat& s : seats) {
+  for (const NodeSite& s : sites) {
     const Vec3 force = laws_.fields.force[s.site] - laws_.fields.slope[s.site] * laws_.at[s.site];
     add(known, s, force * dt_);
   }
   for (const Pair& p : pairs) {
     const VelocityPair& law = laws_.pairs[p.pair];
     const Vec3 impulse = (law.force - law.slope * law.at) * dt_;
-    add(known, seats[p.a], impulse);
-    if (!law.one_sided) add(known, seats[p.b], impulse * -1.0);
+    add(known, sites[p.a], impulse);
+    if (!law.one_sided) add(known, sites[p.b], impulse * -1.0);
   }
   pantin::add(known, felt_with_soft_rows(driven_), dt_);
   Motions right = v0_;
@@ -273,11 +273,11 @@ void TiedKick::solve() {
 
 Motions TiedKick::told_impulses(const std::vector<Vec3>& told) const {
   Motions all = pushes_;
-  for (std::size_t s = 0; s < seats.size(); s++) add(all, seats[s], told[s] * dt_);
+  for (std::size_t s = 0; s < sites.size(); s++) add(all, sites[s], told[s] * dt_);
   for (const Pair& p : pairs) {
     const VelocityPair& law = laws_.pairs[p.pair];
-    add(all, seats[p.a], law.impulse);
-    if (!law.one_sided) add(all, seats[p.b], law.impulse * -1.0);
+    add(all, sites[p.a], law.impulse);
+    if (!law.one_sided) add(all, sites[p.b], law.impulse * -1.0);
   }
   return all;
 }
@@ -374,11 +374,11 @@ TiedWork TiedKick::apply(const std::vector<Vec3>& spared, double full) {
   if (!side_.before) pantin::add(mean, others_, 1.0);
   pantin::add(mean, change_, 0.5);
   bool damps = !pairs.empty() || crossed;
-  for (std::size_t s = 0; s < seats.size(); s++) damps = damps || norm2(told_[s] - spared[s]) > 0.0;
-  for (std::size_t s = 0; s < seats.size(); s++) work.rest += dot(spared[s], velocity_at(mean, seats[s])) * dt_;
+  for (std::size_t s = 0; s < sites.size(); s++) damps = damps || norm2(told_[s] - spared[s]) > 0.0;
+  for (std::size_t s = 0; s < sites.size(); s++) work.rest += dot(spared[s], velocity_at(mean, sites[s])) * dt_;
   for (std::size_t k = 0; k < wanted_.size(); k++) {
     const Condition& c = a_->conditions[k];
-    (row(*a_, c).lever > 0.0 ? work.rows.couples : work.rows.ends) += dot(borne_[c.row], wanted_[k]);
+    (row(*a_, c).lever > 0.0 ? work.rows.turns : work.rows.ends) += dot(borne_[c.row], wanted_[k]);
   }
   const double by_laws = scale_to(product(mean, change_)) - work.rows.all();
   if (damps) work.damper = by_laws - work.rest;

@@ -27,12 +27,12 @@ struct TiedWork {
 class TiedKick {
  public:
   /// A site that laws act on.
-  struct Seat {
+  struct NodeSite {
     std::uint32_t site;
     std::size_t node;
     Vec3 r;  ///< [m] arm in the world
   };
-  /// A pair with both ends here, by its place in VelocityForces::pairs and those of its seats.
+  /// A pair with both ends here, by its place in VelocityForces::pairs and those of its sites.
   struct Pair {
     std::size_t pair, a, b;
   };
@@ -43,14 +43,14 @@ class TiedKick {
   TiedKick(const TiedKick&) = delete;
   TiedKick& operator=(const TiedKick&) = delete;
 
-  std::vector<Seat> seats;
+  std::vector<NodeSite> sites;
   std::vector<Pair> pairs;
   bool crossed = false;  ///< some pairs have one end elsewhere
   bool settled = false;  ///< the laws give what was expected of them at w
   double theta = 0.5;
 
   std::size_t articulate() const { return index_; }
-  /// Takes the forces that do not depend on velocities: those on its seats [N], and unless the laws act `alone` what the
+  /// Takes the forces that do not depend on velocities: those on its sites [N], and unless the laws act `alone` what the
   /// drift applies, gravity, pushes and twists.
   void start(const std::vector<Vec3>& forces, bool alone);
   /// Finds what goes by `theta` and the rows that hold anew.
@@ -67,17 +67,17 @@ class TiedKick {
   /// w of a node [m/s], [rad/s].
   Vec3 mean_velocity(std::size_t node) const { return lane_of(w_[node / batch_size].v, node % batch_size); }
   Vec3 mean_spin(std::size_t node) const { return lane_of(w_[node / batch_size].w, node % batch_size); }
-  /// Finds what it changes, and what rows bear of the forces [N] on its seats; whether one that would have to pull lets go, so
+  /// Finds what it changes, and what rows bear of the forces [N] on its sites; whether one that would have to pull lets go, so
   /// that all is to be solved again.
   bool finish(const std::vector<Vec3>& told);
   /// Changes the momenta, and tells the rows what they bear of a full sub-step of `full` [s]. Of what the laws do, forces
-  /// `spared` [N] on its seats do not damp.
+  /// `spared` [N] on its sites do not damp.
   TiedWork apply(const std::vector<Vec3>& spared, double full);
 
  private:
   /// A row that pulls without forbidding: its force on a is force + slope (v_a - v_b).
   struct Soft {
-    Seat a, b;
+    NodeSite a, b;
     bool two;  // else b is a place
     std::size_t row;
     Vec3 force;        // [N]
@@ -94,8 +94,8 @@ class TiedKick {
   Motions told_impulses(const std::vector<Vec3>& told) const;
   double scale_to(double given);
   void change_momenta(Node& node, Vec3 v, Vec3 p, Vec3 L);
-  void add(Motions& to, const Seat& seat, Vec3 impulse) const;
-  Vec3 velocity_at(const Motions& of, const Seat& seat) const;
+  void add(Motions& to, const NodeSite& site, Vec3 impulse) const;
+  Vec3 velocity_at(const Motions& of, const NodeSite& site) const;
   void find_soft_rows();
   double fastest_damping();      // [1/s] by laws, through all rows, from below
   double fastest_swing() const;  // [1/s] at most, of soft rows
@@ -113,7 +113,7 @@ class TiedKick {
   std::vector<char> held_;            // (conditions)
   std::vector<Vec3> wanted_;          // (conditions) [m/s]
   std::vector<Soft> soft_;
-  std::vector<Vec3> forces_on_seats_, told_;
+  std::vector<Vec3> forces_on_sites_, told_;
   bool alone_ = false, at_rest_ = false;
   double epsilon_ = 0.0;                                // compliance of the rows that they need
   Motions pushes_, v0_, driven_, others_, w_, change_;  // driven_: the least motion that what moves by itself asks for

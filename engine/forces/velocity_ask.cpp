@@ -35,7 +35,7 @@ Mat3 turning_part(const Mat3& slope, Vec3 force, Vec3 v) {
 
 namespace {
 
-bool is_asked(const Law& law, bool thermal) { return law.moving && law.thermal == thermal; }
+bool is_asked(const Law& law, bool thermal) { return law.velocity_dependent && law.thermal == thermal; }
 
 /// Lists the pairs of each law by `list(law's pairs, to)`, which tells whether it is linear; of laws that were listed before
 /// those that are not linear again, in their places.
@@ -191,13 +191,13 @@ void find_velocity_slopes(const World& world, Forces& f, const Instant& instant)
   const VelocityForces& k = f.velocity;
   f.undamped = f.still;
   for (std::size_t i = 0; i < f.sites.n; i++) {
-    f.sites.open_force[i] += k.fields.force[i];
+    f.sites.nonconservative_force[i] += k.fields.force[i];
     f.undamped[i] += spared_force(f, k, i, k.at[i]);
   }
   for (const VelocityPair& p : k.pairs) {
     const Vec3 spared = spared_force(p, p.force);
     const auto add = [&](std::size_t site, double sign) {
-      f.sites.open_force[site] += p.force * sign;
+      f.sites.nonconservative_force[site] += p.force * sign;
       f.undamped[site] += spared * sign;
     };
     add(p.a, 1.0);
@@ -217,8 +217,8 @@ double fastest_change(const World& world, const Forces& f) {
   double fastest = 0.0;
   for (std::size_t i = 0; i < f.sites.n; i++) {
     double mobility = f.inverse_mass[i];
-    if (const std::uint32_t m = mover_at(f, i); m != Forces::none && f.movers[m].is_body) {
-      const Motion& motion = world.motion[f.movers[m].slot];
+    if (const std::uint32_t m = receiver_at(f, i); m != Forces::none && f.receivers[m].is_body) {
+      const Motion& motion = world.motion[f.receivers[m].slot];
       mobility = 1.0 / motion.mass + norm2(f.attached[f.attached_of[i]].r) * largest(inverse_inertia(motion));
     }
     fastest = std::max(fastest, mobility * strength[i]);

@@ -51,7 +51,7 @@ bool VelocityKick::ask_again(int iteration) {
   for (const auto& tied : k_.tied) tied->settled = true;
   double worst = 0.0;
   const auto unsettle = [&](std::size_t site, double missed) {
-    const std::uint32_t m = missed > nearly * speed_ ? mover_at(f_, site) : none;
+    const std::uint32_t m = missed > nearly * speed_ ? receiver_at(f_, site) : none;
     if (TiedKick* tied = m == none ? nullptr : tied_to(m)) tied->settled = false;
   };
   /// Whether the iteration has stopped getting nearer.
@@ -121,7 +121,7 @@ bool VelocityKick::finish_tied() {
   bool again = false;
   for (const auto& tied : k_.tied) {
     std::vector<Vec3> told;
-    for (const TiedKick::Seat& s : tied->seats) told.push_back(k_.told[s.site]);
+    for (const TiedKick::NodeSite& s : tied->sites) told.push_back(k_.told[s.site]);
     again = tied->finish(told) || again;
   }
   return again;
@@ -155,13 +155,13 @@ void VelocityKick::put_forces() {
   for (std::size_t i = 0; i < f_.sites.n; i++) {
     f_.undamped[i] = f_.still[i];
     if (moves(i)) f_.undamped[i] += spared_force(f_, k_, i, velocity_of(i));
-    f_.sites.open_force[i] = f_.still[i] + k_.told[i];
+    f_.sites.nonconservative_force[i] = f_.still[i] + k_.told[i];
   }
   for (std::size_t k = 0; k < k_.pairs.size(); k++) {
     const VelocityPair& p = k_.pairs[k];
     const Vec3 spared = spared_force(p, k_.told_pairs[k]);
     const auto add = [&](std::size_t site, double sign) {
-      f_.sites.open_force[site] += k_.told_pairs[k] * sign;
+      f_.sites.nonconservative_force[site] += k_.told_pairs[k] * sign;
       f_.undamped[site] += spared * sign;
     };
     add(p.a, 1.0);
@@ -169,9 +169,9 @@ void VelocityKick::put_forces() {
   }
   collect(world_, f_);
   for (const Attached& a : f_.attached) {
-    if (!is_tied(a.mover)) continue;
-    Mover& m = f_.movers[a.mover];
-    const Vec3 force = f_.sites.open_force[a.site] - world_.plane.along(f_.still[a.site]);
+    if (!is_tied(a.receiver)) continue;
+    Receiver& m = f_.receivers[a.receiver];
+    const Vec3 force = f_.sites.nonconservative_force[a.site] - world_.plane.along(f_.still[a.site]);
     m.solved_force += force;
     m.solved_torque += world_.plane.about(cross(a.r, force));
     m.solved = true;
@@ -187,14 +187,14 @@ double VelocityKick::apply() {
     work += dot(k_.told[i], v + change * 0.5) * dt_;
     v += change;
   }
-  std::vector<Vec3> force(f_.movers.size(), zero3()), torque(f_.movers.size(), zero3());
+  std::vector<Vec3> force(f_.receivers.size(), zero3()), torque(f_.receivers.size(), zero3());
   for (const Attached& a : f_.attached) {
-    force[a.mover] += k_.told[a.site];
-    torque[a.mover] += world_.plane.about(cross(a.r, k_.told[a.site]));
+    force[a.receiver] += k_.told[a.site];
+    torque[a.receiver] += world_.plane.about(cross(a.r, k_.told[a.site]));
   }
-  for (std::size_t m = 0; m < f_.movers.size(); m++) {
-    if (sleeps(world_, f_.movers[m]) || is_tied(m)) continue;
-    MoverMomenta s = momenta_of(world_, f_.movers[m], side_.drifted);
+  for (std::size_t m = 0; m < f_.receivers.size(); m++) {
+    if (sleeps(world_, f_.receivers[m]) || is_tied(m)) continue;
+    ReceiverMomenta s = momenta_of(world_, f_.receivers[m], side_.drifted);
     const Vec3 v = s.velocity(), spin = s.spin();
     s.add(force[m] * dt_, torque[m] * dt_);
     work += (dot(force[m], v + s.velocity()) + dot(torque[m], spin + s.spin())) * (0.5 * dt_);
@@ -205,7 +205,7 @@ double VelocityKick::apply() {
 std::string velocity_laws(const World& world, Forces& f) {
   std::string names;
   each_law(world, f, [&](const std::string&, const Law& law, auto& acting) {
-    if (law.moving && !law.thermal) names += (names.empty() ? "" : " or ") + law_at_work(world, acting);
+    if (law.velocity_dependent && !law.thermal) names += (names.empty() ? "" : " or ") + law_at_work(world, acting);
   });
   return names;
 }
@@ -230,7 +230,7 @@ TiedWork apply_tied(World& world, Forces& f, VelocityForces& k) {
   std::vector<Vec3> spared;
   for (const auto& tied : k.tied) {
     spared.clear();
-    for (const TiedKick::Seat& s : tied->seats)
+    for (const TiedKick::NodeSite& s : tied->sites)
       spared.push_back(&k == &f.velocity ? f.undamped[s.site] - f.still[s.site] : zero3());
     const TiedWork done = tied->apply(spared, world.part.full);
     work.damper += done.damper;

@@ -65,9 +65,9 @@ struct VelocityForces {
     double mobility = 0.0;  // [1/kg]
   };
   std::vector<PairAnswer> answers;      // (pairs)
-  std::vector<Carrier> carriers;        // (movers)
+  std::vector<Carrier> carriers;        // (receivers)
   AlignedVector<Vec3> start, base, v;   // (sites) of free points, as of carriers
-  std::vector<double> theta, strength;  // (sites) and then (movers)
+  std::vector<double> theta, strength;  // (sites) and then (receivers)
   AlignedVector<Vec3> told;             // (sites) [N] of laws of single particles in the solution
   std::vector<double> missed;           // (sites, then pairs) of the iteration before
   std::vector<Vec3> told_pairs;         // (pairs) [N]
@@ -78,9 +78,9 @@ struct SideOfDrift {
   bool drifted, before;
 };
 
-/// Asks the laws of velocity for their forces and derivatives at Sites::v, and adds the forces to Sites::open_force.
+/// Asks the laws of velocity for their forces and derivatives at Sites::v, and adds the forces to Sites::nonconservative_force.
 void find_velocity_slopes(const World& world, Forces& forces, const Instant& instant);
-/// Sets the open forces to those that a kick over dt [s] from the present velocities ends with, with the laws at `time` [s];
+/// Sets the nonconservative forces to those that a kick over dt [s] from the present velocities ends with, with the laws at `time` [s];
 /// loose points have had gravity's and pushes' part of it.
 void solve_velocity_kick(World& world, Forces& forces, double dt, double time, SideOfDrift side);
 /// Changes the momenta of what rows tie as that kick found; forgets it.

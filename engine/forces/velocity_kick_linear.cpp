@@ -25,7 +25,7 @@ bool finite(const Mat3& m) { return pantin::finite(m[0]) && pantin::finite(m[1])
 
 double VelocityKick::mobility_of(std::size_t site) const {
   if (f_.point[site] != none) return f_.inverse_mass[site];
-  const std::uint32_t m = mover_at(f_, site);
+  const std::uint32_t m = receiver_at(f_, site);
   if (m == none) return 0.0;
   const Carrier& c = k_.carriers[m];
   return c.inverse_mass + norm2(arm_of(site)) * largest(vec(c.mobility[0][0], c.mobility[1][1], c.mobility[2][2]));
@@ -33,7 +33,7 @@ double VelocityKick::mobility_of(std::size_t site) const {
 
 Mat3 VelocityKick::mobility_matrix(std::size_t site) const {
   if (f_.point[site] != none) return identity33() * f_.inverse_mass[site];
-  const std::uint32_t m = mover_at(f_, site);
+  const std::uint32_t m = receiver_at(f_, site);
   if (m == none) return zero33();
   const Carrier& c = k_.carriers[m];
   const Mat3 arm = hat(arm_of(site));
@@ -41,13 +41,13 @@ Mat3 VelocityKick::mobility_matrix(std::size_t site) const {
 }
 
 double VelocityKick::theta_of(std::size_t site) const {
-  const std::uint32_t m = mover_at(f_, site);
+  const std::uint32_t m = receiver_at(f_, site);
   return m == none ? k_.theta[site] : k_.carriers[m].theta;
 }
 
 Vec3 VelocityKick::velocity_of(std::size_t site) const {
   if (f_.point[site] != none) return k_.start[site] + (k_.v[site] - k_.start[site]) * k_.theta[site];
-  const std::uint32_t m = mover_at(f_, site);
+  const std::uint32_t m = receiver_at(f_, site);
   if (m == none) return zero3();
   const Carrier& c = k_.carriers[m];
   return c.v0 + (c.v - c.v0) * c.theta + cross(c.spin0 + (c.spin - c.spin0) * c.theta, arm_of(site));
@@ -59,7 +59,7 @@ void VelocityKick::push(std::size_t site, Vec3 impulse) {
     k_.v[site] += impulse * f_.inverse_mass[site];
     return;
   }
-  const std::uint32_t m = mover_at(f_, site);
+  const std::uint32_t m = receiver_at(f_, site);
   if (m == none) return;
   Carrier& c = k_.carriers[m];
   const Vec3 turned = c.mobility * world_.plane.about(cross(arm_of(site), impulse));
@@ -72,11 +72,11 @@ void VelocityKick::push(std::size_t site, Vec3 impulse) {
 }
 
 void VelocityKick::start_carriers() {
-  k_.carriers.assign(f_.movers.size(), {});
-  for (std::size_t m = 0; m < f_.movers.size(); m++) {
-    if (sleeps(world_, f_.movers[m])) continue;
+  k_.carriers.assign(f_.receivers.size(), {});
+  for (std::size_t m = 0; m < f_.receivers.size(); m++) {
+    if (sleeps(world_, f_.receivers[m])) continue;
     Carrier& c = k_.carriers[m];
-    const MoverMomenta s = momenta_of(world_, f_.movers[m], side_.drifted);
+    const ReceiverMomenta s = momenta_of(world_, f_.receivers[m], side_.drifted);
     c.v0 = s.velocity();
     c.spin0 = s.spin();
     c.inverse_mass = s.inverse_mass;
@@ -93,7 +93,7 @@ void VelocityKick::start_carriers() {
     }
   }
   for (std::size_t i = 0; i < f_.sites.n; i++) {
-    const std::uint32_t m = mover_at(f_, i);
+    const std::uint32_t m = receiver_at(f_, i);
     if (m == none) continue;
     const Vec3 force = other_force(i);
     Carrier& c = k_.carriers[m];
@@ -104,7 +104,7 @@ void VelocityKick::start_carriers() {
     Carrier& c = k_.carriers[m];
     c.base += c.v0;
     c.spun += c.spin0;
-    if (f_.movers[m].is_body) {  // its drift has gravity's part of the kick
+    if (f_.receivers[m].is_body) {  // its drift has gravity's part of the kick
       if (side_.before)
         c.base += gravity_change();
       else
@@ -146,7 +146,7 @@ void VelocityKick::choose_rules() {
   const std::size_t n = f_.sites.n;
   k_.strength.assign(n + k_.carriers.size(), 0.0);
   const auto strength = [&](std::size_t site) -> double& {
-    const std::uint32_t m = mover_at(f_, site);
+    const std::uint32_t m = receiver_at(f_, site);
     return k_.strength[m == none ? site : n + m];
   };
   for (std::size_t i = 0; i < n; i++)
@@ -167,15 +167,15 @@ void VelocityKick::choose_rules() {
     if (const TiedKick* tied = tied_to(m)) k_.carriers[m].theta = tied->theta;
 }
 
-/// Puts what laws of single particles give on the sites of each mover together.
+/// Puts what laws of single particles give on the sites of each receiver together.
 void VelocityKick::sum_up_carriers() {
   for (Carrier& c : k_.carriers) {
     c.force = c.torque = zero3();
     c.vv = c.vs = c.sv = c.ss = zero33();
   }
   for (const Attached& a : f_.attached) {
-    if (is_tied(a.mover)) continue;
-    Carrier& c = k_.carriers[a.mover];
+    if (is_tied(a.receiver)) continue;
+    Carrier& c = k_.carriers[a.receiver];
     const Mat3 &slope = k_.fields.slope[a.site], arm = hat(a.r);
     const Vec3 force = k_.fields.force[a.site] - slope * k_.at[a.site];
     c.force += force;
@@ -263,9 +263,9 @@ void VelocityKick::find_tied() {
   if (world_.articulates.empty() || !rule_of(world_).conserves) return;
   std::vector<char> asked(world_.articulates.size(), 0);
   const auto note = [&](std::uint32_t site) {
-    const std::uint32_t m = mover_at(f_, site);
-    if (m == none || f_.movers[m].articulate < 0 || k_.carriers[m].inverse_mass == 0.0) return;
-    asked[static_cast<std::size_t>(f_.movers[m].articulate)] = 1;
+    const std::uint32_t m = receiver_at(f_, site);
+    if (m == none || f_.receivers[m].articulate < 0 || k_.carriers[m].inverse_mass == 0.0) return;
+    asked[static_cast<std::size_t>(f_.receivers[m].articulate)] = 1;
   };
   for (const Attached& a : f_.attached)
     if (acts(k_, a.site)) note(a.site);
@@ -279,15 +279,15 @@ void VelocityKick::find_tied() {
     k_.tied.push_back(std::make_shared<TiedKick>(world_, k_, i, dt_, side_));
     tied_of_[i] = k_.tied.back().get();
   }
-  std::vector<std::size_t> seat(f_.sites.n, 0);
+  std::vector<std::size_t> place_of(f_.sites.n, 0);
   for (const Attached& a : f_.attached) {
-    TiedKick* tied = tied_to(a.mover);
+    TiedKick* tied = tied_to(a.receiver);
     if (tied == nullptr) continue;
-    seat[a.site] = tied->seats.size();
-    tied->seats.push_back({a.site, f_.movers[a.mover].node, a.r});
+    place_of[a.site] = tied->sites.size();
+    tied->sites.push_back({a.site, f_.receivers[a.receiver].node, a.r});
   }
   const auto tied_at = [&](std::uint32_t site) {
-    const std::uint32_t m = mover_at(f_, site);
+    const std::uint32_t m = receiver_at(f_, site);
     return m == none ? nullptr : tied_to(m);
   };
   for (std::size_t k = 0; k < k_.pairs.size(); k++) {
@@ -297,7 +297,7 @@ void VelocityKick::find_tied() {
       if (tied != nullptr) tied->crossed = true;
       if (other != nullptr) other->crossed = true;
     } else if (tied != nullptr) {
-      tied->pairs.push_back({k, seat[p.a], seat[p.b]});
+      tied->pairs.push_back({k, place_of[p.a], place_of[p.b]});
       inner_[k] = 1;
     }
   }
@@ -307,10 +307,10 @@ void VelocityKick::start_tied() {
   std::vector<Vec3> forces;
   for (const auto& tied : k_.tied) {
     forces.clear();
-    for (const TiedKick::Seat& s : tied->seats) forces.push_back(other_force(s.site));
+    for (const TiedKick::NodeSite& s : tied->sites) forces.push_back(other_force(s.site));
     tied->start(forces, thermal_);
     tied->choose_rule(kicks::too_fast);
-    for (std::size_t m = 0; m < f_.movers.size(); m++)
+    for (std::size_t m = 0; m < f_.receivers.size(); m++)
       if (tied_to(m) == tied.get()) k_.carriers[m].theta = tied->theta;
   }
 }
@@ -320,17 +320,17 @@ void VelocityKick::solve_tied(bool all) {
   for (const auto& tied : k_.tied) {
     if (!tied->crossed && (!all || tied->settled)) continue;
     tied->clear_pushes();
-    for (std::size_t m = 0; m < f_.movers.size(); m++)
+    for (std::size_t m = 0; m < f_.receivers.size(); m++)
       if (tied->crossed && tied_to(m) == tied.get())
-        tied->push(f_.movers[m].node, k_.carriers[m].pushed, k_.carriers[m].twisted);
+        tied->push(f_.receivers[m].node, k_.carriers[m].pushed, k_.carriers[m].twisted);
     tied->solve();
   }
-  for (std::size_t m = 0; m < f_.movers.size(); m++) {
+  for (std::size_t m = 0; m < f_.receivers.size(); m++) {
     const TiedKick* tied = tied_to(m);
     if (tied == nullptr) continue;
     Carrier& c = k_.carriers[m];
-    c.v0 = c.v = tied->mean_velocity(f_.movers[m].node);
-    c.spin0 = c.spin = tied->mean_spin(f_.movers[m].node);
+    c.v0 = c.v = tied->mean_velocity(f_.receivers[m].node);
+    c.spin0 = c.spin = tied->mean_spin(f_.receivers[m].node);
   }
 }
 

@@ -5,7 +5,7 @@
 
 #include "forces/forces_parts.hpp"
 #include "forces/integrator.hpp"
-#include "forces/mover_momenta.hpp"
+#include "forces/receiver_momenta.hpp"
 #include "forces/tied_kick.hpp"
 
 namespace pantin {
@@ -21,10 +21,10 @@ constexpr double exactly = 1e-13;
 double turning_rate(const Mat3& slope);
 /// Size of the symmetric part, which is what does work [N s/m].
 double working_part(const Mat3& slope);
-/// The mover that a site is on, or Forces::none.
-inline std::uint32_t mover_at(const Forces& f, std::size_t site) {
+/// The receiver that a site is on, or Forces::none.
+inline std::uint32_t receiver_at(const Forces& f, std::size_t site) {
   const std::uint32_t attached = f.attached_of[site];
-  return attached == Forces::none ? Forces::none : f.attached[attached].mover;
+  return attached == Forces::none ? Forces::none : f.attached[attached].receiver;
 }
 /// Fills in what laws of velocity give at Sites::v: thermostats, or the others. Where they are asked `again` in a kick, pairs
 /// of laws that are linear stay as they are.
@@ -52,7 +52,7 @@ class VelocityKick {
   }
 
   void solve();
-  /// Sets the open forces to those of the solution.
+  /// Sets the nonconservative forces to those of the solution.
   void put_forces();
   /// Changes velocities and momenta as the solution does; returns the work [J].
   double apply();
@@ -82,19 +82,21 @@ class VelocityKick {
   Vec3 other_force(std::size_t site) const {
     return thermal_ ? zero3() : f_.sites.force[site] + world_.plane.along(f_.still[site]);
   }
-  /// What the mover is solved with; null where it is solved alone.
-  TiedKick* tied_to(std::size_t mover) const {
-    const std::int32_t i = f_.movers[mover].articulate;
+  /// What the receiver is solved with; null where it is solved alone.
+  TiedKick* tied_to(std::size_t receiver) const {
+    const std::int32_t i = f_.receivers[receiver].articulate;
     return i < 0 || tied_of_.empty() ? nullptr : tied_of_[static_cast<std::size_t>(i)];
   }
   /// By gravity, in the kick [m/s].
   Vec3 gravity_change() const { return thermal_ ? zero3() : world_.plane.along(world_.settings.gravity) * dt_; }
   bool moves(std::size_t i) const {
-    return f_.point[i] != kicks::none || (mover_at(f_, i) != kicks::none && !left_out(mover_at(f_, i)));
+    return f_.point[i] != kicks::none || (receiver_at(f_, i) != kicks::none && !left_out(receiver_at(f_, i)));
   }
-  /// Whether no law of velocity acts on what the mover is tied to.
-  bool left_out(std::size_t mover) const { return is_tied(mover) && !tied_to(mover); }
-  bool is_tied(std::size_t mover) const { return f_.movers[mover].articulate >= 0 && rule_of(world_).conserves; }
+  /// Whether no law of velocity acts on what the receiver is tied to.
+  bool left_out(std::size_t receiver) const { return is_tied(receiver) && !tied_to(receiver); }
+  bool is_tied(std::size_t receiver) const {
+    return f_.receivers[receiver].articulate >= 0 && rule_of(world_).conserves;
+  }
   double mobility_of(std::size_t site) const;
   Mat3 mobility_matrix(std::size_t site) const;
   double theta_of(std::size_t site) const;

@@ -16,11 +16,12 @@ constexpr double one_in = 192.0;  // parts that are looked at
 constexpr double much = 0.3;      // of the largest kinetic energy
 
 bool is_checked(const World& world) {
-  return world.forces && world.forces->open && !world.forces->noisy && rule_of(world).kicks && !world.settings.box;
+  return world.forces && world.forces->nonconservative && !world.forces->noisy && rule_of(world).kicks &&
+         !world.settings.box;
 }
 
-double done_by_open_laws(const World& world) {
-  return world.open_work + world.ledger.given[static_cast<std::size_t>(Source::damper)];
+double done_by_nonconservative_laws(const World& world) {
+  return world.nonconservative_work + world.ledger.given[static_cast<std::size_t>(Source::damper)];
 }
 
 /// A function of the part alone, so that a run is repeated.
@@ -33,8 +34,8 @@ bool is_drawn(const World& world) {
 double undamped_part(const Forces& f, std::size_t site) {
   const VelocityForces& k = f.velocity;
   const std::uint32_t attached = f.attached_of[site];
-  const std::size_t at = attached == none ? site : f.sites.n + f.attached[attached].mover;
-  if (!f.moving || at >= k.strength.size() || site >= k.theta.size()) return 1.0;
+  const std::size_t at = attached == none ? site : f.sites.n + f.attached[attached].receiver;
+  if (!f.velocity_dependent || at >= k.strength.size() || site >= k.theta.size()) return 1.0;
   const double theta = attached == none ? k.theta[site] : k.carriers[at - f.sites.n].theta;
   return 1.0 / (1.0 + theta * k.strength[at]);
 }
@@ -53,11 +54,12 @@ Unkept unkept(const World& world, const Forces& f) {
     const std::uint32_t at = f.attached_of[i];
     bool tied = false;
     if (at != none) {
-      const Mover& m = f.movers[f.attached[at].mover];
+      const Receiver& m = f.receivers[f.attached[at].receiver];
       mobility = 1.0 / (m.is_body ? world.motion[m.slot].mass : world.points.at_slot(m.slot).mass);
       tied = m.articulate >= 0;
     }
-    const Vec3 force = f.sites.open_force[i], spared = f.moving && f.velocity.known ? f.undamped[i] : force;
+    const Vec3 force = f.sites.nonconservative_force[i],
+               spared = f.velocity_dependent && f.velocity.known ? f.undamped[i] : force;
     sum.kick += norm2(force) * mobility * share;
     const double part = undamped_part(f, i);
     if (!tied) sum.spared += norm2(spared) * (part * part * mobility * share);
@@ -72,23 +74,23 @@ AlignedVector<Vec3> forces_on_way(World& world, Forces& f, const AlignedVector<V
     f.sites.x[i] = end[i] - ways[i] * (1.0 - at);
     f.sites.v[i] = zero3();
   }
-  std::fill(f.sites.open_force.begin(), f.sites.open_force.end(), zero3());
+  std::fill(f.sites.nonconservative_force.begin(), f.sites.nonconservative_force.end(), zero3());
   const double time = world.part.from + at * (world.part.to - world.part.from);
   const Instant instant = instant_of(world, time_within(world, time), world.instant);
   each_law(world, f, [&](const std::string&, const Law& law, auto& acting) {
     if (!law.has_energy()) run_law(world, f, acting, instant);
   });
-  return f.sites.open_force;
+  return f.sites.nonconservative_force;
 }
 
 }  // namespace
 
-void note_open_forces(World& world) {
+void note_nonconservative_forces(World& world) {
   if (!is_checked(world)) return;
   Forces& f = *world.forces;
-  f.done = done_by_open_laws(world);
+  f.done = done_by_nonconservative_laws(world);
   const Unkept now = unkept(world, f);  // another where an edit or another step came between
-  OpenWorkCheck& check = world.open_work_check;
+  WorkCheck& check = world.work_check;
   check.unkept_at_first += now.spared - check.unkept;
   check.unkept = now.spared;
   check.kick = std::max(check.kick, now.kick);
@@ -97,14 +99,14 @@ void note_open_forces(World& world) {
     if (f.sites.particle[i] != none) f.open_from[f.sites.particle[i]] = f.sites.x[i] + f.image[i];
 }
 
-void check_open_work(World& world) {
+void check_work(World& world) {
   if (!is_checked(world)) return;
   Forces& f = *world.forces;
-  world.open_work_check.unkept = unkept(world, f).spared;
-  const double done = std::fabs(done_by_open_laws(world) - f.done);
+  world.work_check.unkept = unkept(world, f).spared;
+  const double done = std::fabs(done_by_nonconservative_laws(world) - f.done);
   const bool large = done > much * world.largest_kinetic;
   if (f.open_from.size() < world.particles.slots() || !(large || is_drawn(world))) return;
-  const auto x = f.sites.x, v = f.sites.v, force = f.sites.force, open = f.sites.open_force;
+  const auto x = f.sites.x, v = f.sites.v, force = f.sites.force, open = f.sites.nonconservative_force;
   std::vector<Vec3> ways(f.sites.n, zero3());
   for (std::size_t i = 0; i < f.sites.n; i++)
     if (f.sites.particle[i] != none) ways[i] = x[i] + f.image[i] - f.open_from[f.sites.particle[i]];
@@ -120,10 +122,10 @@ void check_open_work(World& world) {
   f.sites.x = x;
   f.sites.v = v;
   f.sites.force = force;
-  f.sites.open_force = open;
+  f.sites.nonconservative_force = open;
   if (!std::isfinite(missed)) return;  // of a law that has no value at rest
   const double weight = large ? 1.0 : one_in;
-  OpenWorkCheck& c = world.open_work_check;
+  WorkCheck& c = world.work_check;
   c.missed += weight * missed;
   c.squares += weight * weight * missed * missed;
   if (!large) c.drawn += weight * weight * missed * missed;
@@ -131,8 +133,8 @@ void check_open_work(World& world) {
   c.done += weight * all;
 }
 
-double missed_open_work(const World& world) {
-  const OpenWorkCheck& c = world.open_work_check;
+double missed_work(const World& world) {
+  const WorkCheck& c = world.work_check;
   const bool some = c.sizes > 2.0 * std::sqrt(c.drawn);  // not one part alone that stands for many
   const bool one_sign = std::fabs(c.missed) > 4.0 * std::sqrt(c.squares), large = some && c.sizes > 0.1 * c.done;
   return (one_sign || large ? c.missed : 0.0) - (c.unkept - c.unkept_at_first);

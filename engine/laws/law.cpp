@@ -63,7 +63,8 @@ Law start(const LawDef& def, const Sort& sort, const Expressions& graph, std::sp
     const auto named = [&](const Parameter& parameter) { return parameter.name == input.name; };
     require(role != Role::parameter || std::any_of(law.parameters.begin(), law.parameters.end(), named), def.name,
             ": there is no parameter \"", input.name, "\"");
-    law.moving = law.moving || role == Role::approach || role == Role::relative_velocity || role == Role::velocity;
+    law.velocity_dependent =
+        law.velocity_dependent || role == Role::approach || role == Role::relative_velocity || role == Role::velocity;
     law.timed = law.timed || role == Role::time || role == Role::noise;
   }
   law.graph = graph;
@@ -140,7 +141,7 @@ Law pair_force(const LawDef& def, const Expressions& graph, std::span<const Expr
                   {Role::distance2, Role::approach, Role::displacement, Role::relative_velocity, Role::noise}};
   Law law = start(def, sort, graph, force_on_a);
   law.force.assign(force_on_a.begin(), force_on_a.end());
-  law.workless = law.moving && is_workless(law);
+  law.workless = law.velocity_dependent && is_workless(law);
   return in_order(std::move(law));
 }
 
@@ -155,7 +156,7 @@ Law point_force(const LawDef& def, const Expressions& graph, std::span<const Exp
   const Sort sort{"the force on a particle", LawKind::point, 1, {Role::place, Role::velocity, Role::noise}};
   Law law = start(def, sort, graph, force);
   law.force.assign(force.begin(), force.end());
-  law.workless = law.moving && is_workless(law);
+  law.workless = law.velocity_dependent && is_workless(law);
   return in_order(std::move(law));
 }
 

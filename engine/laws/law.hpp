@@ -71,10 +71,10 @@ struct Law {
 
   mutable std::shared_ptr<const Law> within;  ///< once `within_cutoff` has made it
 
-  bool moving = false;    ///< depends on velocities
-  bool thermal = false;   ///< a thermostat: acts in the middle of drifts
-  bool workless = false;  ///< what these add to its force does no work
-  bool timed = false;     ///< depends on time or noise
+  bool velocity_dependent = false;  ///< depends on velocities
+  bool thermal = false;             ///< a thermostat: acts in the middle of drifts
+  bool workless = false;            ///< what these add to its force does no work
+  bool timed = false;               ///< depends on time or noise
 
   /// Neither what depends on time nor what is one-sided has an energy to keep.
   bool has_energy() const { return energy != no_expression || called_energy; }

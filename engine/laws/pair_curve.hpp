@@ -25,7 +25,7 @@ class PairCurve {
   explicit PairCurve(const Law& law);
 
   bool has_energy() const { return has_energy_; }
-  bool is_moving() const { return approach_ >= 0; }  ///< depends on how fast the distance changes
+  bool depends_on_velocity() const { return approach_ >= 0; }  ///< depends on how fast the distance changes
   /// Attributes, parameters and time that the law reads; to be set before `run`.
   std::span<const Input> inputs() const { return inputs_; }
   bool set(std::size_t input, double value);  ///< whether it was another

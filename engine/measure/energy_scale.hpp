@@ -11,7 +11,7 @@ namespace pantin {
 /// that changes in a scene at rest.
 inline double energy_scale(const World& world, const Energy& now) {
   return std::max({world.largest_kinetic, std::fabs(world.work), std::fabs(now.total() - world.start_energy),
-                   world.open_work_check.kick, 1e-8 * std::fabs(now.potential)});
+                   world.work_check.kick, 1e-8 * std::fabs(now.potential)});
 }
 
 }  // namespace pantin

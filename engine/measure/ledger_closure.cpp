@@ -21,7 +21,7 @@ std::map<std::string, double> truncation(const World& world) {
   if (!laws.without_energy.empty()) {
     std::string names;
     for (const std::string& name : laws.without_energy) names += (names.empty() ? "" : " + ") + name;
-    const OpenWorkCheck& check = world.open_work_check;
+    const WorkCheck& check = world.work_check;
     list[names] = check.unkept - check.unkept_at_first - check.missed;
   }
   for (const auto& [name, given] : laws.given) {

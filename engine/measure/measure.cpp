@@ -179,7 +179,7 @@ Accuracy accuracy(const World& world) {
   a.constraint = std::fmax(a.constraint, a.hinge_gap);
   const Energy now = energy(world);
   if (const double scale = energy_scale(world, now); scale > 0.0 && world.steps > 0)
-    a.energy = (std::fabs(now.total() - world.start_energy - world.work) + std::fabs(missed_open_work(world))) / scale;
+    a.energy = (std::fabs(now.total() - world.start_energy - world.work) + std::fabs(missed_work(world))) / scale;
   return a;
 }
 

@@ -8,7 +8,7 @@
 #include "model/constraint.hpp"
 #include "model/emitter.hpp"
 #include "model/family.hpp"
-#include "model/influence.hpp"
+#include "model/force_element.hpp"
 #include "model/particle.hpp"
 
 namespace pantin {

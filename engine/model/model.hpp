@@ -10,8 +10,8 @@
 #include "model/constraint.hpp"
 #include "model/emitter.hpp"
 #include "model/family.hpp"
+#include "model/force_element.hpp"
 #include "model/group.hpp"
-#include "model/influence.hpp"
 #include "model/particle.hpp"
 #include "model/plane.hpp"
 #include "model/point.hpp"
@@ -41,7 +41,7 @@ struct Model {
   Store<Emitter> emitters;
   std::uint64_t next_serial = 1;
   bool topology_changed = true;         ///< an edit waits for `find_articulates`
-  bool influences_changed = false;      ///< an edit concerns which laws act on what
+  bool force_elements_changed = false;  ///< an edit concerns which laws act on what
   std::vector<Touched> touched;         ///< whose ties are to be looked at anew
   std::vector<std::int32_t> disturbed;  ///< articulates whose places or velocities an edit changed
 

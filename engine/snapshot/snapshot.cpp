@@ -80,7 +80,7 @@ void restore(World& world, const Snapshot& snapshot) {
   for (const Articulate& articulate : held.articulates)
     world.articulates.push_back(std::make_unique<Articulate>(articulate));
   world.forces = held.forces ? std::make_unique<Forces>(*held.forces) : nullptr;
-  const bool found_anew = world.topology_changed || world.influences_changed;
+  const bool found_anew = world.topology_changed || world.force_elements_changed;
   if (found_anew) return;
   set_solved_inputs(world, false);  // copies of solved connections share what this sets, which wakes
   for (std::size_t i = 0; i < held.articulates.size(); i++) world.articulates[i]->rest = held.articulates[i].rest;

@@ -20,14 +20,14 @@ void run_or_fail(World& world, Run run) {
 }  // namespace
 
 void refresh_forces(World& world) {
-  if (!world.unchecked && !world.influences_changed && !world.forces) return;
+  if (!world.unchecked && !world.force_elements_changed && !world.forces) return;
   const Timed timed(world.profile, Phase::refresh_forces);
   try {
     if (world.unchecked) require_integrator_fits(world);
     world.unchecked = false;
-    bool anew = world.influences_changed || !acting_now(world);
+    bool anew = world.force_elements_changed || !acting_now(world);
     pantin::refresh_forces(world);
-    while (world.influences_changed) {  // connections were found too stiff
+    while (world.force_elements_changed) {  // connections were found too stiff
       anew = true;
       find_articulates(world);
       pantin::refresh_forces(world);

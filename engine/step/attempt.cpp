@@ -65,8 +65,8 @@ void keep_start(World& world) {
   s.ledger = world.ledger;
   s.stats = world.stats;
   s.work = world.work;
-  s.open_work = world.open_work;
-  s.open_work_check = world.open_work_check;
+  s.nonconservative_work = world.nonconservative_work;
+  s.work_check = world.work_check;
   s.instant = world.instant;
 }
 
@@ -100,8 +100,8 @@ void begin_again(World& world) {
   world.stats = s.stats;
   world.stats.rejected = rejected;
   world.work = s.work;
-  world.open_work = s.open_work;
-  world.open_work_check = s.open_work_check;
+  world.nonconservative_work = s.nonconservative_work;
+  world.work_check = s.work_check;
   world.instant = s.instant;
   world.trouble.clear();
   world.kick_error = 0.0;

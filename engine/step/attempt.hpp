@@ -17,8 +17,8 @@ struct StepStart {
   std::vector<ArticulateStart> articulates;
   Ledger ledger;
   Stats stats;
-  double work = 0.0, open_work = 0.0;  // [J]
-  OpenWorkCheck open_work_check;
+  double work = 0.0, nonconservative_work = 0.0;  // [J]
+  WorkCheck work_check;
   std::uint64_t instant = 0;
 };
 

@@ -118,12 +118,12 @@ void count(World& world, const Articulate& articulate) {
   world.stats.newton_iterations += report.iterations;
   world.stats.factorisations += report.factorisations;
   world.stats.halved_steps += report.halved;
-  world.stats.safe_steps += report.safe;
+  world.stats.fallback_steps += report.fallbacks;
   world.stats.solves++;
   world.stats.worst_iterations = std::max(world.stats.worst_iterations, report.iterations);
-  world.work += report.open_work;
-  world.open_work += report.open_work;
-  world.ledger.posted += std::fabs(report.open_work);
+  world.work += report.nonconservative_work;
+  world.nonconservative_work += report.nonconservative_work;
+  world.ledger.posted += std::fabs(report.nonconservative_work);
   post_work(world, report);
   post(world, Source::edit, report.met);
   post_report(world, report);
@@ -157,7 +157,7 @@ void tell_stalled(World& world, const Articulate& a) {
 }
 
 /// Names, once, what has stayed open for some steps: constraints contradict each other, or are pulled too far.
-void tell_open(World& world, Articulate& a) {
+void tell_nonconservative(World& world, Articulate& a) {
   constexpr std::uint32_t some = 10;
   a.open_steps = a.gaps.open > world.settings.tolerance * a.length ? a.open_steps + 1 : 0;
   if (a.open_steps != some) return;
@@ -178,7 +178,7 @@ void tell_open(World& world, Articulate& a) {
 /// Names the stiffest connection of what is not solved for some steps though it is not open; one of a scene is enough.
 void tell_too_stiff(World& world, const Articulate& a) {
   constexpr std::string_view too_stiff = " is too stiff for the step: ";
-  if (!a.safe || a.effort.failed < most_failed || a.gaps.open > world.settings.tolerance * a.length) return;
+  if (!a.fell_back || a.effort.failed < most_failed || a.gaps.open > world.settings.tolerance * a.length) return;
   const StiffTie* stiffest = nullptr;
   double most = 0.0;
   for (const Condition& c : a.conditions) {
@@ -193,7 +193,7 @@ void tell_too_stiff(World& world, const Articulate& a) {
   if (stiffest == nullptr || std::any_of(world.log.begin(), world.log.end(), told)) return;
   log_line(world, "warning",
            text(describe(world, stiffest->connection), too_stiff, "its motion at a step of ", world.settings.step,
-                " s cannot be solved, and in safe steps its length is held as it is; a rod keeps a length"));
+                " s cannot be solved, and in fallback steps its length is held as it is; a rod keeps a length"));
 }
 
 /// Moves every articulate by `move(articulate, worker)`; a first part begins with the state of the model.
@@ -208,7 +208,7 @@ void drift_articulates(World& world, Move move) {
   for (const auto& articulate : world.articulates) {
     if (articulate->rest.asleep) continue;
     if (world.part.to == 1.0) {
-      tell_open(world, *articulate);
+      tell_nonconservative(world, *articulate);
       tell_stalled(world, *articulate);
       tell_too_stiff(world, *articulate);
     }

@@ -112,7 +112,7 @@ void measure_errors(World& world, const OfLoosePoints& points) {
   const double scale = energy_scale(world, {kinetic, potential});
   if (told && scale > 0.0) {
     const double wrong =
-        std::fabs(kinetic + potential - world.start_energy - world.work) + std::fabs(missed_open_work(world));
+        std::fabs(kinetic + potential - world.start_energy - world.work) + std::fabs(missed_work(world));
     world.worst_energy = std::max(world.worst_energy, wrong);
     now.energy = wrong / scale;
     world.worst.energy = world.worst_energy / scale;

@@ -66,21 +66,21 @@ void tell_lifted(World& world, const std::vector<BodyId>& bodies) {
 }
 
 void find_changed(World& world) {
-  const bool changed = world.topology_changed || world.influences_changed || !world.disturbed.empty();
+  const bool changed = world.topology_changed || world.force_elements_changed || !world.disturbed.empty();
   const bool loose = !world.loose_bodies.empty() || !world.loose_points.empty();
   if (!changed && !loose && !world.ledger.wanted) return;
   const Timed timed(world.profile, Phase::find_articulates);
   const bool topology_changed = world.topology_changed;
   const std::size_t count = world.articulates.size();
-  world.unchecked = world.unchecked || topology_changed || world.influences_changed;
+  world.unchecked = world.unchecked || topology_changed || world.force_elements_changed;
   if (topology_changed && ties_changed(world)) internal::disturb_sites(world);
   internal::note_touched_sites(world);
-  if (world.influences_changed) choose_solved(world);
+  if (world.force_elements_changed) choose_solved(world);
   const Settled settled = pantin::find_articulates(world, world.articulates, world.loose_bodies, world.loose_points);
   post(world, Source::edit, settled.energy);
   tell_lifted(world, settled.lifted);
   if (world.articulates.size() != count) internal::disturb_sites(world);
-  if (topology_changed || world.influences_changed) read_masses(world);  // every edit of a mass says so
+  if (topology_changed || world.force_elements_changed) read_masses(world);  // every edit of a mass says so
   save_loose(world);
   begin_ledger(world);
 }
@@ -91,7 +91,7 @@ void meet_edited(World& world) {
   for (const auto& articulate : world.articulates) {
     if (!articulate->edited || articulate->rest.asleep) continue;
     load(*articulate, world, world.settings.gravity);
-    const FirstMeeting met = meet(*articulate, world.settings.step, 0.0);
+    const FirstImpact met = meet(*articulate, world.settings.step, 0.0);
     post(world, Source::edit, met.tied);
     post(world, Source::limit, met.stopped);
     for (const Node& n : articulate->nodes) store(n, world);

@@ -45,7 +45,7 @@ void half_kick(World& world) {
   kick_loose_points(world, half);
   post_kick(world, before, drifted);
   kick(world, half);
-  note_open_forces(world);
+  note_nonconservative_forces(world);
   if (world.settings.accuracy) note_kicks(world);
 }
 
@@ -58,7 +58,7 @@ void half_kick_to_end(World& world) {
   kick_loose_points(world, half);
   post_kick(world, before, true);
   kick_to_end(world, half);
-  check_open_work(world);
+  check_work(world);
   if (world.settings.accuracy) note_error(world);
 }
 

@@ -24,7 +24,7 @@ double outside(const World& world) { return world.work - world.ledger.given[numb
 double explained(const World& world) {
   const Ledger& l = world.ledger;
   return l.gravity + l.laws + outside(world) + l.given[number(Source::projection)] +
-         l.given[number(Source::energy_return)] + l.given[number(Source::safe_step)] +
+         l.given[number(Source::energy_return)] + l.given[number(Source::fallback_step)] +
          l.given[number(Source::unsolved)] + l.given[number(Source::integrator)];
 }
 
@@ -39,7 +39,7 @@ LedgerMark ledger_mark(const World& world, bool drifted) {
   LedgerMark m;
   if (!world.ledger.kept) return m;
   const Ledger& l = world.ledger;
-  m.told = outside(world) + l.laws + l.given[number(Source::projection)] + l.given[number(Source::safe_step)] +
+  m.told = outside(world) + l.laws + l.given[number(Source::projection)] + l.given[number(Source::fallback_step)] +
            l.given[number(Source::unsolved)];
   const Vec3 gravity = world.settings.gravity;
   const bool kicks = rule_of(world).kicks;
@@ -93,7 +93,7 @@ void post_kick(World& world, const LedgerMark& before, bool drifted) {
 void post_report(World& world, const DriftReport& report) {
   if (!world.ledger.kept) return;
   post_inside(world, Source::projection, report.projected);
-  post_inside(world, Source::safe_step, report.dissipated);
+  post_inside(world, Source::fallback_step, report.dissipated);
   post_inside(world, Source::unsolved, report.unsolved);
   world.ledger.round_off += report.round_off;
 }

@@ -21,27 +21,28 @@ void find_accelerations(World& world) {
   const Forces& f = *world.forces;
   for (std::size_t i = 0; i < f.sites.n; i++)
     if (f.point[i] != Forces::none)
-      a[f.point[i]] += (f.open ? f.sites.force[i] + f.sites.open_force[i] : f.sites.force[i]) * f.inverse_mass[i];
+      a[f.point[i]] += (f.nonconservative ? f.sites.force[i] + f.sites.nonconservative_force[i] : f.sites.force[i]) *
+                       f.inverse_mass[i];
 }
 
 /// Work of pushes and laws over dt [s] at the present velocities [J].
 void post_work(World& world, double dt) {
   double open = 0.0, damper = 0.0;
   const Forces* f = world.forces.get();
-  if (f && f->open)
+  if (f && f->nonconservative)
     for (std::size_t i = 0; i < f->sites.n; i++)
       if (f->point[i] != Forces::none) {
         const Vec3 damping = damping_of(*f, i), v = world.free_motion[f->point[i]].v;
         damper += dot(damping, v);
-        open += dot(f->sites.open_force[i] - damping, v);
+        open += dot(f->sites.nonconservative_force[i] - damping, v);
       }
   if (f)
-    for (const Mover& m : f->movers) {
+    for (const Receiver& m : f->receivers) {
       const Vec3 v = world.motion[m.slot].p / world.motion[m.slot].mass, spin = angular_velocity(world.motion[m.slot]);
       damper += dot(m.damper_force, v) + dot(m.damper_torque, spin);
-      open += dot(m.open_force - m.damper_force, v) + dot(m.open_torque - m.damper_torque, spin);
+      open += dot(m.nonconservative_force - m.damper_force, v) + dot(m.nonconservative_torque - m.damper_torque, spin);
     }
-  world.open_work += open * dt;
+  world.nonconservative_work += open * dt;
   world.work += open * dt;
   world.ledger.posted += std::fabs(open * dt);
   post(world, Source::damper, damper * dt);
@@ -108,9 +109,9 @@ void find_loads(World& world) {
     s.torques[slot] = m.torque;
   }
   if (!world.forces) return;
-  for (const Mover& m : world.forces->movers) {
-    s.forces[m.slot] += m.force + m.open_force;
-    s.torques[m.slot] += m.torque + m.open_torque;
+  for (const Receiver& m : world.forces->receivers) {
+    s.forces[m.slot] += m.force + m.nonconservative_force;
+    s.torques[m.slot] += m.torque + m.nonconservative_torque;
   }
 }
 
@@ -130,7 +131,7 @@ void move_bodies(World& world, std::size_t stage, double dt) {
 /// Its steps are explicit: what velocities change faster than they can follow would gain.
 void require_slow_change(World& world) {
   constexpr double limit = 2.5;  // it is stable to 2.785 of damping, and to 2.828 of turning
-  if (!world.forces || !world.forces->moving || !world.trouble.empty()) return;
+  if (!world.forces || !world.forces->velocity_dependent || !world.trouble.empty()) return;
   const double rate = fastest_change(world, *world.forces);
   if (rate * world.settings.step <= limit) return;
   world.trouble = text("the integrator \"rk4\" cannot follow ", velocity_laws(world, *world.forces),

@@ -31,13 +31,13 @@ enum class Source : std::uint8_t {
   sleep,
   projection,
   energy_return,
-  safe_step,
+  fallback_step,
   unsolved,
   integrator
 };
 inline constexpr std::array<std::string_view, 16> source_names = {
-    "hand",   "motor",    "limit", "event",      "edit",          "merge",     "emitter",  "removal",
-    "damper", "law_edit", "sleep", "projection", "energy_return", "safe_step", "unsolved", "integrator"};
+    "hand",   "motor",    "limit", "event",      "edit",          "merge",         "emitter",  "removal",
+    "damper", "law_edit", "sleep", "projection", "energy_return", "fallback_step", "unsolved", "integrator"};
 
 struct Ledger {
   std::array<double, source_names.size()> given{};  ///< [J] since the start; the last five since it is kept

@@ -91,7 +91,7 @@ struct Stats {
   std::uint64_t solves = 0;  ///< articulate steps solved
   std::uint64_t factorisations = 0;
   std::uint64_t halved_steps = 0;
-  std::uint64_t safe_steps = 0;
+  std::uint64_t fallback_steps = 0;
   std::uint64_t projections = 0;  ///< velocity projections that needed a factor of their own
   std::uint32_t worst_iterations = 0;
   std::uint64_t unreached = 0;   ///< times that not even the most sub-steps gave the accuracy
@@ -101,7 +101,7 @@ struct Stats {
 
 /// Parts of steps in which the work of laws without energy was held against a second estimate, each with the weight of those
 /// that it stands for [J].
-struct OpenWorkCheck {
+struct WorkCheck {
   double missed = 0.0;                         ///< that less what was given
   double squares = 0.0;                        ///< [J²] of the parts
   double drawn = 0.0;                          ///< [J²] of those of them that stand for others
@@ -158,8 +158,9 @@ struct WorldData : Model {
   std::map<std::string, double> given_by_laws;  ///< [J] since the start, up to when the laws at work began to act
   bool stiffness_unknown = true;                ///< an edit may have made connections too stiff for explicit steps
   Ledger ledger;
-  double open_work = 0.0;  ///< [J] done by laws without energy that do not depend on velocities; part of `work`
-  OpenWorkCheck open_work_check;
+  double nonconservative_work =
+      0.0;  ///< [J] done by laws without energy that do not depend on velocities; part of `work`
+  WorkCheck work_check;
 
   Stats stats;
   Accuracy error;                ///< at the end of the last step

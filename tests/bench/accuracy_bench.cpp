@@ -67,7 +67,7 @@ Outcome outcome(const HardCase& hard, Integrator integrator, double rate, Balanc
     if (balance != Balance::plain) return;
     for (const auto& articulate : world.articulates) articulate->carried_h = 0.0;
   });
-  return {course.gap, course.energy_error(), error, world.stats.halved_steps, world.stats.safe_steps};
+  return {course.gap, course.energy_error(), error, world.stats.halved_steps, world.stats.fallback_steps};
 }
 
 void run_case(const HardCase& hard) {

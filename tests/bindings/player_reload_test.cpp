@@ -99,7 +99,7 @@ TEST_CASE("reload: things go on where they were, and time goes on") {
   other.steps(120);
   CHECK(norm(played.place("link6") - other.place("link6")) < 1e-6);
   CHECK(played.scene->world().error.hinge_gap < 1e-9);
-  CHECK(played.scene->world().stats.safe_steps == 0);
+  CHECK(played.scene->world().stats.fallback_steps == 0);
 }
 
 TEST_CASE("reload: nothing is reloaded before a file is saved, and what is being written is left alone") {

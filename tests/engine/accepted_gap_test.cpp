@@ -20,7 +20,7 @@ PointId nailed_particle(World& world, Vec3 at) {
 
 void check_settled(const World& world, double gap) {
   REQUIRE(world.failure == "");
-  CHECK(world.stats.safe_steps == 1);
+  CHECK(world.stats.fallback_steps == 1);
   CHECK(world.error.hinge_gap == Approx(gap).epsilon(1e-6));
   CHECK(accuracy(world).hinge_gap == Approx(world.error.hinge_gap).epsilon(1e-6));
   CHECK(accuracy(world).constraint == Approx(world.error.constraint).epsilon(1e-6));

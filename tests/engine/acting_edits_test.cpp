@@ -32,7 +32,7 @@ std::shared_ptr<const Law> soft_cores() {
 
 /// A site, told without its number.
 struct Told {
-  std::tuple<std::uint32_t, std::uint32_t, bool, std::int32_t, bool> seat;  // point, body or tied point, articulate
+  std::tuple<std::uint32_t, std::uint32_t, bool, std::int32_t, bool> binding;  // point, body or tied point, articulate
   std::uint32_t family;
   std::multiset<std::uint32_t> bodies;
   Vec3 arm, x, v, force;
@@ -42,7 +42,7 @@ struct Told {
 
 /// Without laws of velocity, whose forces are those of the last kick [N].
 Vec3 still_force(const Forces& f, std::uint32_t i) {
-  return f.sites.force[i] + (f.moving && !f.still.empty() ? f.still[i] : f.sites.open_force[i]);
+  return f.sites.force[i] + (f.velocity_dependent && !f.still.empty() ? f.still[i] : f.sites.nonconservative_force[i]);
 }
 
 std::map<std::uint64_t, Told> told_by_serial(const World& world, const Forces& f) {
@@ -63,10 +63,10 @@ std::map<std::uint64_t, Told> told_by_serial(const World& world, const Forces& f
     for (const auto& column : s.attributes) t.attributes.push_back(column[i]);
     for (const Attached& a : f.attached) {
       if (a.site != i) continue;
-      const Mover& m = f.movers[a.mover];
+      const Receiver& m = f.receivers[a.receiver];
       const std::int32_t articulate =
           m.is_body ? world.motion[m.slot].articulate : world.points.at_slot(m.slot).articulate;
-      t.seat = {Forces::none, m.slot, m.is_body, articulate, a.pulled};
+      t.binding = {Forces::none, m.slot, m.is_body, articulate, a.pulled};
       t.arm = a.arm;
     }
     REQUIRE(list.emplace(s.serial[i], t).second);
@@ -86,11 +86,11 @@ std::map<std::uint64_t, std::vector<std::uint64_t>> ties_of(const Forces& f) {
   return list;
 }
 
-void check_movers(const World& world, const Forces& f) {
+void check_receivers(const World& world, const Forces& f) {
   std::set<std::uint32_t> used;
-  for (const Attached& a : f.attached) used.insert(a.mover);
-  CHECK(used.size() == f.movers.size());
-  for (const Mover& m : f.movers) {
+  for (const Attached& a : f.attached) used.insert(a.receiver);
+  CHECK(used.size() == f.receivers.size());
+  for (const Receiver& m : f.receivers) {
     const std::int32_t articulate =
         m.is_body ? world.motion[m.slot].articulate : world.points.at_slot(m.slot).articulate;
     CHECK(m.articulate == articulate);
@@ -109,7 +109,7 @@ void check_against_anew(const World& world) {
   made->sites.clear_forces();
   const double energy = run_laws(world, *made, instant_of(world, world.time, world.instant), true);
   keep_in_plane(world.plane, made->sites);
-  check_movers(world, f);
+  check_receivers(world, f);
   CHECK(ties_of(f) == ties_of(*made));
   const auto now = told_by_serial(world, f), anew = told_by_serial(world, *made);
   REQUIRE(now.size() == anew.size());
@@ -117,7 +117,7 @@ void check_against_anew(const World& world) {
   for (const auto& [serial, b] : anew) {
     REQUIRE(now.contains(serial));
     const Told& a = now.at(serial);
-    CHECK(a.seat == b.seat);
+    CHECK(a.binding == b.binding);
     CHECK(a.family == b.family);
     CHECK(a.bodies == b.bodies);
     CHECK(same(a.arm, b.arm));

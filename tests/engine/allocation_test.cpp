@@ -49,14 +49,14 @@ TEST_CASE("allocation: a warm step of a ring, a heavy chain, rods and a hand all
   CHECK(allocations_in(world, 100) == 0);
 }
 
-TEST_CASE("allocation: not even the safe step allocates when it is warm") {
+TEST_CASE("allocation: not even the fallback step allocates when it is warm") {
   World world;
   const cases::Chain chain = cases::add_chain(world);
   FollowDef follow;
   follow.target = [](double time) { return vec(10 + 5 * time, 0, 0); };
   add_follow(world, chain.tails.back(), follow);
   for (int i = 0; i < 50; i++) step(world);
-  REQUIRE(world.stats.safe_steps > 0);
+  REQUIRE(world.stats.fallback_steps > 0);
   CHECK(allocations_in(world, 100) == 0);
 }
 

@@ -35,7 +35,7 @@ void check_approach(World& world, const std::function<double()>& deviation, bool
     else
       REQUIRE(deviation() <= wanted + 1e-9);
   }
-  CHECK(world.stats.safe_steps == 0);
+  CHECK(world.stats.fallback_steps == 0);
 }
 
 }  // namespace

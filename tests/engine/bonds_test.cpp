@@ -182,7 +182,7 @@ TEST_CASE("bonds: a damper feels the velocities of its ends") {
   bonds.add_forces(sites, {}, {}, {}, workers);
   const Vec3 d = sites.x[1] - sites.x[0];
   const double rate = dot(d, sites.v[1] - sites.v[0]) / norm(d);
-  CHECK(norm(sites.open_force[0] - d * (rate / norm(d))) < 1e-14);
+  CHECK(norm(sites.nonconservative_force[0] - d * (rate / norm(d))) < 1e-14);
   CHECK(bonds.tension(0, sites, {}) == Approx(rate).epsilon(1e-13));
 }
 

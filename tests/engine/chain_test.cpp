@@ -38,7 +38,7 @@ void keeps_hinges_and_energy(int links, double step) {
   CHECK(world.worst.hinge_gap == Approx(course.gap).margin(1e-14));
   CHECK(world.worst.energy == Approx(course.energy_error()).epsilon(1e-3).margin(1e-12));
   CHECK(world.largest_kinetic == Approx(course.kinetic).epsilon(1e-12));
-  CHECK(world.stats.safe_steps == 0);
+  CHECK(world.stats.fallback_steps == 0);
 }
 
 }  // namespace

@@ -82,10 +82,10 @@ TEST_CASE("a machine of all kinds of constraints holds while a hand throws it ab
         INFO(ratio << " " << step_length << " step " << i << ": " << world.failure);
         REQUIRE(world.failure.empty());
       }
-      INFO(ratio << " " << 1 / step_length << " safe " << world.stats.safe_steps << " halved "
+      INFO(ratio << " " << 1 / step_length << " safe " << world.stats.fallback_steps << " halved "
                  << world.stats.halved_steps << " gap " << world.error.constraint << " worst "
                  << world.worst.constraint);
-      if (world.stats.safe_steps == 0) CHECK(world.worst.constraint < 1e-8);
+      if (world.stats.fallback_steps == 0) CHECK(world.worst.constraint < 1e-8);
       CHECK(std::isfinite(world.error.constraint));
     }
 }

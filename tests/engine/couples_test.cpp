@@ -146,7 +146,7 @@ TEST_CASE("pairs of a hinge keep the axis they were given while others join and 
   const auto expect = [&](std::vector<double> wanted) {
     advance(world, world.time + 0.5);
     CHECK(world.failure == "");
-    CHECK(world.stats.safe_steps == 0);
+    CHECK(world.stats.fallback_steps == 0);
     const std::vector<double> found = {off_axis(world, bodies[0], bodies[1], y_axis),
                                        off_axis(world, bodies[1], bodies[2], x_axis),
                                        off_axis(world, bodies[4], bodies[2], z_axis)};
@@ -208,7 +208,7 @@ TEST_CASE("loops of hinges with axes keep their energy, and their velocities nee
   CHECK(world.stats.projections <= 3);
   CHECK(world.worst.energy <= 1e-9);
   CHECK(world.error.constraint <= 1e-9);
-  CHECK(world.stats.safe_steps == 0);
+  CHECK(world.stats.fallback_steps == 0);
 }
 
 TEST_CASE("a welded arm bears its weight, and breaks where it is told to") {

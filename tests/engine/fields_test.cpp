@@ -65,7 +65,7 @@ TEST_CASE("fields: a force of velocity and time has no energy") {
   fields.arrange(every(1, sites.n));
   CHECK(fields.add_forces_and_energy(sites, {}, {2.5, 0, 0}, {}, workers) == 0.0);
   for (std::size_t i = 0; i < sites.n; i++) {
-    REQUIRE(norm(sites.open_force[i] - sites.v[i] * 2.5) < 1e-14);
+    REQUIRE(norm(sites.nonconservative_force[i] - sites.v[i] * 2.5) < 1e-14);
     REQUIRE(largest(sites.force[i]) == 0.0);
   }
 }

@@ -80,7 +80,7 @@ TEST_CASE("a bead on a circle swings as a pendulum, its energy kept") {
   CHECK(world.failure.empty());
   CHECK(world.worst.constraint < 1e-10);
   CHECK(world.worst.energy < 1e-9);
-  CHECK(world.stats.safe_steps == 0);
+  CHECK(world.stats.fallback_steps == 0);
   CHECK(std::fabs(norm(position(world, bead)) - 1.0) < 1e-6);  // of the spline
   CHECK(world.constraints[path].enabled);
 }
@@ -132,7 +132,7 @@ TEST_CASE(
   }
   CHECK(world.failure.empty());
   CHECK(longest <= world.constraints[string].length * (1 + 1e-10));
-  CHECK(world.stats.safe_steps == 0);
+  CHECK(world.stats.fallback_steps == 0);
   INFO(world.worst.energy << " halved " << world.stats.halved_steps);
   CHECK(world.worst.energy < 1e-9);
 }

@@ -31,7 +31,7 @@ TEST_CASE("hand: at 50 m it pulls with its limit and no more") {
   CHECK(course.gap <= 1e-10);
   CHECK(force <= limit * (1 + 1e-9));
   CHECK(first >= 0.5 * limit);
-  CHECK(world.stats.safe_steps == 0);
+  CHECK(world.stats.fallback_steps == 0);
 }
 
 TEST_CASE("hand: one that whips about never pulls harder than its limit") {

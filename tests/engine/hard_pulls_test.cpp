@@ -49,7 +49,7 @@ TEST_CASE("hard F: a chain of ten pulled to 15 m and back shares the misfit and 
     };
   };
   endure_at(step_lengths, "F pulled to 15 m", 3.5, 1.0, scene, [](const World& world, const Endured& run) {
-    CHECK(run.safe > 0);
+    CHECK(run.fallbacks > 0);
     CHECK(run.last_gap <= 1e-10);
     CHECK(world.worst.hinge_gap >= 0.4);
   });
@@ -65,7 +65,7 @@ TEST_CASE("hard J: a hand at 50 m never pulls harder than its limit, at any step
   };
   endure_at(step_lengths, text("J hand with ", limit, " N"), 5.0, 1.0, scene, [](const World&, const Endured& run) {
     CHECK(run.gap <= 1e-10);
-    CHECK(run.safe == 0);
+    CHECK(run.fallbacks == 0);
   });
 }
 

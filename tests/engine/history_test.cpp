@@ -114,5 +114,5 @@ TEST_CASE("history: a body removed, a mass changed, a nail drawn: the rest moves
   CHECK(course.failure == "");
   CHECK(course.gap <= 1e-10);
   CHECK(world.articulates.size() == 2);
-  CHECK(world.stats.safe_steps == 0);
+  CHECK(world.stats.fallback_steps == 0);
 }

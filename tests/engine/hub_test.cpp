@@ -26,7 +26,7 @@ void check_exact(World& world, double time, double gap = 1e-10) {
   CHECK(course.failure == "");
   CHECK(course.finite);
   CHECK(course.gap <= gap);
-  CHECK(world.stats.safe_steps == 0);
+  CHECK(world.stats.fallback_steps == 0);
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ TEST_CASE("hub: a body of 500 hinges keeps its gaps closed and its energy") {
   CHECK(course.gap <= 1e-8);
   CHECK(course.energy_error() <= 1e-9);
   CHECK(hubs(world) == 1);
-  CHECK(world.stats.safe_steps == 0);
+  CHECK(world.stats.fallback_steps == 0);
 }
 
 TEST_CASE("hub: it is one from nine rows on") {

@@ -39,7 +39,7 @@ TEST_CASE("a potential of distance gives tension, stiffness and energy") {
   CHECK(value_of(law, state, law.stiffness) == Approx(12.0 * 1.3 * 1.3));
   CHECK(energy_of(law, state) == Approx(std::pow(1.3, 4) + 3.9));
   CHECK(law.has_energy());
-  CHECK_FALSE(law.moving);
+  CHECK_FALSE(law.velocity_dependent);
   CHECK_FALSE(law.timed);
 }
 
@@ -61,7 +61,7 @@ TEST_CASE("a tension has a stiffness at the same rate, and no energy") {
   const double rate = dot(state.x[1] - state.x[0], state.v[1]) / 1.2;
   CHECK(tension_of(law, state) == Approx(std::pow(1.2, 3) + 2.0 * rate * 1.2));
   CHECK(value_of(law, state, law.stiffness) == Approx(3.0 * 1.2 * 1.2 + 2.0 * rate));
-  CHECK(law.moving);
+  CHECK(law.velocity_dependent);
   CHECK_FALSE(law.has_energy());
 }
 

@@ -210,16 +210,16 @@ TEST_CASE("ledger: a mass that changes is no error of the energy, of a free part
   }
 }
 
-TEST_CASE("ledger: safe steps post what they take") {
+TEST_CASE("ledger: fallback steps post what they take") {
   World world;
   const cases::Chain chain = cases::add_chain(world);
   keep_ledger(world);
   add_follow(world, chain.tails.back(), {.target = [](double t) { return vec(10 + 5 * t, 0, 0); }});
   advance(world, 1.0);
   CHECK(world.failure == "");
-  CHECK(world.stats.safe_steps > 0);
+  CHECK(world.stats.fallback_steps > 0);
   CHECK(closure(world) <= 1e-8);
-  CHECK(line(world, Source::safe_step) != 0.0);
+  CHECK(line(world, Source::fallback_step) != 0.0);
 }
 
 TEST_CASE("ledger: nothing but what comes from outside is posted while nobody asks, and asking changes no bit") {
@@ -286,7 +286,7 @@ TEST_CASE("ledger: what a damped oscillator loses is the line of dampers") {
       CHECK(world.failure == "");
       CHECK(position(world, mass)[0] - 1.0 == Approx(x).margin(1e-4));
       CHECK(line(world, Source::damper) == Approx(lost).epsilon(1e-4));
-      CHECK(world.open_work == 0.0);
+      CHECK(world.nonconservative_work == 0.0);
       CHECK(closure(world) <= 1e-10);
     }
   }
@@ -338,14 +338,14 @@ TEST_CASE("ledger: what a motor gives is the motor's, with halves of projections
   CHECK(closure(world) <= 1e-10);
 }
 
-TEST_CASE("ledger: in safe steps too a motor's work is not a hand's") {
+TEST_CASE("ledger: in fallback steps too a motor's work is not a hand's") {
   World world;
   turn_chain(world, 1);
   add_nail(world, cases::point_of(world, world.bodies.ids()[0], 1));
   keep_ledger(world);
   advance(world, 0.5);
   CHECK(world.failure == "");
-  CHECK(world.stats.safe_steps > 0);
+  CHECK(world.stats.fallback_steps > 0);
   CHECK(line(world, Source::hand) == Approx(0.0).margin(1e-9));
   CHECK(closure(world) <= 1e-10);
 }

@@ -44,7 +44,7 @@ TEST_CASE("overstretch: gaps are shared at the worst, and close when the end com
   CHECK(largest >= 0.4);
   CHECK(largest - least <= 0.1 * largest);
   CHECK(world.error.hinge_gap >= largest * (1 - 1e-12));
-  CHECK(world.stats.safe_steps > 0);
+  CHECK(world.stats.fallback_steps > 0);
 
   const Watched back = watch(world, 3.0);
   CHECK(back.failure == "");

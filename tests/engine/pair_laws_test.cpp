@@ -26,7 +26,7 @@ TEST_CASE("library: spring and damper") {
 
   const auto damper = make("damper", {{"damping", 2.0}});
   CHECK(tension_at(damper[0], 0.7) == Approx(0.8));
-  CHECK(damper[0].moving);
+  CHECK(damper[0].velocity_dependent);
 }
 
 TEST_CASE("library: gravitation and coulomb") {

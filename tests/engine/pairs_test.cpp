@@ -55,7 +55,7 @@ LawPtr odd_force(bool one_sided, double cutoff) {
 }
 
 struct Run {
-  std::vector<Vec3> force, open_force;
+  std::vector<Vec3> force, nonconservative_force;
   double energy = 0.0;
 };
 
@@ -75,7 +75,7 @@ Run run(const Law& law, Sites sites, const Box& box, const Families& a, const Fa
   for (std::size_t i = 0; i < sites.n; i++)
     REQUIRE(norm(with_energy.force[i] - sites.force[i]) < 1e-12 * (1.0 + norm(sites.force[i])));
   run.force.assign(sites.force.begin(), sites.force.begin() + sites.n);
-  run.open_force.assign(sites.open_force.begin(), sites.open_force.begin() + sites.n);
+  run.nonconservative_force.assign(sites.nonconservative_force.begin(), sites.nonconservative_force.begin() + sites.n);
   return run;
 }
 
@@ -183,7 +183,7 @@ TEST_CASE("pairs: a force of velocities, which has no energy, between two famili
   const bool one_sided = GENERATE(false, true);
   const Run made = run(*odd_force(one_sided, 2.0), sites, box, {0}, {1});
   const auto force = [&](std::size_t i, std::size_t j, Vec3 d) { return odd(sites, i, j, d); };
-  CHECK(difference(made.open_force, direct(sites, box, {0}, {1}, 2.0, one_sided, force)) < 1e-13);
+  CHECK(difference(made.nonconservative_force, direct(sites, box, {0}, {1}, 2.0, one_sided, force)) < 1e-13);
   CHECK(largest(made.force[0]) == 0.0);
   CHECK(made.energy == 0.0);
 }
@@ -192,7 +192,7 @@ TEST_CASE("pairs: a one-sided force within one family acts both ways, each by it
   const Sites sites = cases::random_sites({.count = 600, .speed = 2.0});
   const Run made = run(*odd_force(true, 2.0), sites, {}, {0}, {0});
   const auto force = [&](std::size_t i, std::size_t j, Vec3 d) { return odd(sites, i, j, d); };
-  CHECK(difference(made.open_force, direct(sites, {}, {0}, {0}, 2.0, true, force)) < 1e-13);
+  CHECK(difference(made.nonconservative_force, direct(sites, {}, {0}, {0}, 2.0, true, force)) < 1e-13);
 }
 
 TEST_CASE("pairs: a one-sided central law within one family pulls each by its own attribute") {
@@ -206,7 +206,7 @@ TEST_CASE("pairs: a one-sided central law within one family pulls each by its ow
   const Sites sites = cases::random_sites();
   const Run made = run(law, sites, {}, {0}, {0});
   const auto force = [&](std::size_t i, std::size_t, Vec3 d) { return d * sites.attributes[0][i]; };
-  CHECK(difference(made.open_force, direct(sites, {}, {0}, {0}, 2.0, true, force)) < 1e-13);
+  CHECK(difference(made.nonconservative_force, direct(sites, {}, {0}, {0}, 2.0, true, force)) < 1e-13);
 }
 
 TEST_CASE("pairs: a damper works against approach") {
@@ -221,7 +221,7 @@ TEST_CASE("pairs: a damper works against approach") {
   const auto force = [&](std::size_t i, std::size_t j, Vec3 d) {
     return d * (dot(d, sites.v[j] - sites.v[i]) / norm2(d));
   };
-  CHECK(difference(made.open_force, direct(sites, cube(10.0), {0}, {0}, 2.0, false, force)) < 1e-12);
+  CHECK(difference(made.nonconservative_force, direct(sites, cube(10.0), {0}, {0}, 2.0, false, force)) < 1e-12);
 }
 
 TEST_CASE("pairs: a touching law acts where the radii overlap") {
@@ -243,8 +243,8 @@ TEST_CASE("pairs: forces of a law that is not one-sided sum to zero") {
     Vec3 sum = zero3();
     double scale = 0.0;
     for (std::size_t i = 0; i < sites.n; i++) {
-      sum += made.force[i] + made.open_force[i];
-      scale += norm(made.force[i] + made.open_force[i]);
+      sum += made.force[i] + made.nonconservative_force[i];
+      scale += norm(made.force[i] + made.nonconservative_force[i]);
     }
     CHECK(norm(sum) < 1e-13 * scale);
   }
@@ -292,10 +292,10 @@ TEST_CASE("pairs: noise is the same for both of a pair") {
   const Sites sites = cases::random_sites();
   const Run made = run(law, sites, {}, {0}, {0}), again = run(law, sites, {}, {0}, {0}, 2.5);
   Vec3 sum = zero3();
-  for (const Vec3 f : made.open_force) sum += f;
+  for (const Vec3 f : made.nonconservative_force) sum += f;
   CHECK(norm(sum) < 1e-11);
-  CHECK(norm(made.open_force[3]) > 0.1);
-  CHECK(made.open_force.size() == again.open_force.size());
+  CHECK(norm(made.nonconservative_force[3]) > 0.1);
+  CHECK(made.nonconservative_force.size() == again.nonconservative_force.size());
 }
 
 TEST_CASE("pairs: what is called sees each pair that is near enough, and acts as a program does") {

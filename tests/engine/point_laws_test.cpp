@@ -19,7 +19,7 @@ TEST_CASE("library: drag, wind and vortex") {
 
   const auto wind = make("wind", {{"quadratic", 0.2}}, {{"velocity", vec(3.0, 0.0, 4.0)}});
   CHECK(largest(forces_of(wind, state)[0] - vec(3.0, 0.0, 4.0)) < 1e-15);
-  CHECK(wind[0].moving);
+  CHECK(wind[0].velocity_dependent);
 
   state.x[0] = vec(1.0, 7.0, 2.0);
   const auto vortex = make("vortex", {{"circulation", 5.0}, {"core", 0.5}, {"linear", 0.3}},
@@ -60,7 +60,7 @@ TEST_CASE("library: thermostat") {
   const Vec3 kick = state.noise * std::sqrt(2.0 * 2.0 * 1.5 * 0.01 * 300.0 / 0.005);
   CHECK(largest(forces_of(law, state)[0] - (kick - state.v[0] * 3.0)) < 1e-12);
   CHECK(law[0].timed);
-  CHECK(law[0].moving);
+  CHECK(law[0].velocity_dependent);
   CHECK_THROWS_WITH(make("thermostat", {{"rate", 2.0}, {"temperature", 300.0}, {"step", 0.1}}),
                     Contains("has no parameter \"step\""));
 }

@@ -21,7 +21,7 @@ TEST_CASE("ring: keeps its hinges and its energy for 5 s") {
   CHECK(course.gap <= 1e-10);
   CHECK(course.energy_error() <= 1e-9);
   CHECK(world.worst.energy == Approx(course.energy_error()).epsilon(1e-3).margin(1e-12));
-  CHECK(world.stats.safe_steps == 0);
+  CHECK(world.stats.fallback_steps == 0);
   CHECK(course.kinetic > 10.0);
 }
 

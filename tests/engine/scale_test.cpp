@@ -34,7 +34,7 @@ Relative relative_figures(double length, double mass) {
   const Watched course = watch(world, 5.0);
   CHECK(course.failure == "");
   CHECK(course.finite);
-  CHECK(world.stats.safe_steps == 0);
+  CHECK(world.stats.fallback_steps == 0);
   figures.gap = course.gap / length;
   figures.energy = course.energy_error();
   figures.kinetic = course.kinetic / (mass * 9.81 * length * length);

@@ -300,7 +300,7 @@ TEST_CASE("sleep: springs that become solved by themselves wake what fell asleep
   Asleep scene([&](Asleep& s) { spring = add_stiffening_spring(s.world); });
   World& world = scene.world;
   Articulate& articulate = *world.articulates[static_cast<std::size_t>(world.motion_of(scene.rod).articulate)];
-  articulate.rest.movers++;  // as if a law had pulled at it then
+  articulate.rest.receivers++;  // as if a law had pulled at it then
   steps(world, 100);
   REQUIRE(world.connections[spring].solve == Solve::explicitly);
   REQUIRE(asleep(world, scene.rod));

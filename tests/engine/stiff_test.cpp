@@ -88,7 +88,7 @@ TEST_CASE("stiff: springs from 1e2 to 1e12 N/m in every second hinge keep their 
       worst = std::fmax(worst, world.error.energy);
     }
     CHECK(world.failure.empty());
-    CHECK(world.stats.safe_steps == 0);
+    CHECK(world.stats.fallback_steps == 0);
     CHECK(worst <= 3e-9);
   }
 }
@@ -106,7 +106,7 @@ TEST_CASE("stiff: they do at every step length") {
         },
         [](const World&, const Endured& run) {
           CHECK(run.energy <= 3e-9);
-          CHECK(run.safe == 0);
+          CHECK(run.fallbacks == 0);
         });
 }
 

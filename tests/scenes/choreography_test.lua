@@ -8,7 +8,7 @@ test("combine: the bodies meet at P, hang together, and are pulled apart, again 
   scene:advance(24)
   expect(scene:read "meetings"):above(2)
   expect(scene:read "partings"):above(1)
-  expect(scene.stats.safe_steps):equal(0)
+  expect(scene.stats.fallback_steps):equal(0)
 end)
 
 test("combine: a body that a person removes ends the play, and nothing else", function()

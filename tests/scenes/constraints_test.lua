@@ -84,7 +84,7 @@ test("a lift rests at the end of its path, and its string has the counterweight 
       expect(scene:find("rope").force):near(250 * 9.81, 1e-5)
       expect(scene:find("rail").force.y):near(50 * 9.81, 1e-5)
     end
-    expect(scene.stats.safe_steps + scene.stats.halved_steps):equal(0)
+    expect(scene.stats.fallback_steps + scene.stats.halved_steps):equal(0)
     expect(scene.error.worst_energy):below(1e-6)
   end
 end)
@@ -222,7 +222,7 @@ test("a thin rod that meets the limit of its angle swings back from it, wherever
       scene:limit(rod, { axis = vec(0, 0, 1), min = ]] .. -1.6 - 0.1 * i .. [[, max = 2 })
     ]])
     scene:advance(3)
-    expect(scene.stats.safe_steps):equal(0)
+    expect(scene.stats.fallback_steps):equal(0)
     expect(scene.error.worst_energy):below(1e-3)
   end
 end)
@@ -238,7 +238,7 @@ test("a limit of the turn about an axis holds while that tilts over, and takes e
       local _ = scene.ledger
     ]])
     scene:advance(1)
-    expect(scene.stats.safe_steps):equal(0)
+    expect(scene.stats.fallback_steps):equal(0)
     expect(scene.error.worst_energy):below(1e-10)
     expect(math.abs(scene:find("limit").value)):below(0.5 + 1e-9)
   end

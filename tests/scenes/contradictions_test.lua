@@ -28,7 +28,7 @@ local function is_told(code, what)
   expect(#told):equal(1)
   expect(told[1]:find(what) ~= nil):is_true()
   expect(told[1]:find "cannot be kept" ~= nil):is_true()
-  expect(scene.stats.safe_steps):above(0)
+  expect(scene.stats.fallback_steps):above(0)
 end
 
 test("nails further apart than the body between them are told, once, by name", function()
@@ -79,7 +79,7 @@ test("a motor that meets a limit stands there, whatever its torque, and books wh
     scene:advance(1)
     expect(scene:find("limit").value):near(1, 1e-9)
     expect(scene:find("body").spin:length()):below(1e-9)
-    expect(scene.stats.safe_steps + scene.stats.halved_steps):equal(0)
+    expect(scene.stats.fallback_steps + scene.stats.halved_steps):equal(0)
     local setting_out = most == "nil" and 0 or 0.5 * 0.1 * 2 ^ 2  -- one without a limit turns from the start
     expect(scene.ledger.motor):near(setting_out, 0.01)
     expect(scene.ledger.limit):near(-0.5 * 0.1 * 2 ^ 2, 0.01)  -- the meeting takes all motion
@@ -114,7 +114,7 @@ test("of two motors the one that can exert less yields", function()
   ]]
   scene:advance(1)
   expect(scene:find("body").spin.z):near(2, 1e-6)
-  expect(scene.stats.safe_steps):equal(0)
+  expect(scene.stats.fallback_steps):equal(0)
   expect(scene.ledger.closure):below(1e-10)
 end)
 
@@ -142,7 +142,7 @@ test("a crank stands while a limit holds the rocker that it moves, and turns bac
     expect(scene:find("limit").value):near(-0.3, 1e-9)
     expect(scene:find("crank").spin:length()):below(1e-9)
     expect(scene.error.constraint):below(1e-10)
-    expect(scene.stats.safe_steps):equal(0)
+    expect(scene.stats.fallback_steps):equal(0)
     expect(scene.ledger.closure):below(1e-12)
     expect(scene.error.worst_energy):below(1e-6)
     told = told + #warnings(scene)
@@ -172,7 +172,7 @@ test("what contradicts itself books no more work than the motion can have, and c
     scene:advance(3)
     expect(math.abs(scene.ledger.hand)):below(100)
     expect(math.abs(scene.ledger.motor)):below(1)
-    expect(math.abs(scene.ledger.safe_step)):below(100)
+    expect(math.abs(scene.ledger.fallback_step)):below(100)
     expect(scene.ledger.closure):below(1e-10)
     expect(scene.error.worst_energy):below(1.1)
   end
@@ -191,7 +191,7 @@ test("a scene at rest has no error of its energy", function()
   expect(scene.error.worst_energy):below(1e-6)
 end)
 
-test("a chain that is taut between two nails takes one safe step a step", function()
+test("a chain that is taut between two nails takes one fallback step a step", function()
   local scene = open_text [[
     local last
     for n = 1, 10 do
@@ -204,7 +204,7 @@ test("a chain that is taut between two nails takes one safe step a step", functi
   ]]
   scene:advance(2)
   expect(scene.stats.steps):equal(480)
-  expect(scene.stats.safe_steps):below(1.1 * 480)
+  expect(scene.stats.fallback_steps):below(1.1 * 480)
   expect(scene.stats.newton_iterations):below(100 * 480)
   expect(scene.error.constraint):below(1e-8)
 end)
@@ -222,8 +222,8 @@ test("what swings on a string goes on swinging while something else in its artic
     return scene
   end
   local sound, torn = swing "", swing "scene:orient(bar, quat(vec(0, 0, 1), 1))"
-  expect(sound.stats.safe_steps):equal(0)
-  expect(torn.stats.safe_steps):above(400)
+  expect(sound.stats.fallback_steps):equal(0)
+  expect(torn.stats.fallback_steps):above(400)
   local function energy(scene)
     local ball = scene:find "ball"
     return 0.5 * ball.velocity:dot(ball.velocity) + 9.81 * ball.position.y
@@ -232,7 +232,7 @@ test("what swings on a string goes on swinging while something else in its artic
   expect((torn:find("ball").position - sound:find("ball").position):length()):below(0.03)
 end)
 
-test("safe steps of a taut chain whose end trembles only lose energy", function()
+test("fallback steps of a taut chain whose end trembles only lose energy", function()
   for _, step in ipairs { 1 / 60, 1 / 240 } do
     local scene = open_text("scene.step = " .. step .. [[
 
@@ -249,11 +249,11 @@ test("safe steps of a taut chain whose end trembles only lose energy", function(
     local before = 0
     for _ = 1, math.floor(2 / step) do
       scene:step()
-      local now = scene.ledger.safe_step
+      local now = scene.ledger.fallback_step
       expect(now):below(before + 1e-12)
       before = now
     end
-    expect(scene.stats.safe_steps):above(0)
+    expect(scene.stats.fallback_steps):above(0)
     expect(scene.ledger.closure):below(1e-10)
   end
 end)
@@ -275,7 +275,7 @@ test("a free loop that contradicts itself flies on as it flew", function()
     expect((scene.momentum - p):length()):below(1e-12 * p:length())
     expect((scene.angular_momentum - L):length()):below(1e-11)
   end
-  expect(scene.stats.safe_steps):above(100)
+  expect(scene.stats.fallback_steps):above(100)
 end)
 
 test("what contradicts itself moves on with noise elsewhere, which has each step in two halves", function()
@@ -289,7 +289,7 @@ test("what contradicts itself moves on with noise elsewhere, which has each step
     scene:field(scene, force.thermostat { temperature = 1e-12, rate = 1e-12 })
   ]]
   scene:advance(1)
-  expect(scene.stats.safe_steps):above(scene.stats.steps)
+  expect(scene.stats.fallback_steps):above(scene.stats.steps)
   local middle = (scene:find("a").position + scene:find("b").position) / 2
   expect(middle):near(vec(1.5, 0, 0), 1e-9)
 end)
@@ -300,7 +300,7 @@ test("a spring too stiff to be solved is named, once", function()
     scene:connect(particle(0), particle(1), force.spring { stiffness = 1e13, length = 1.01, name = "girder" })
   ]]
   scene:advance(1)
-  expect(scene.stats.safe_steps):above(0)
+  expect(scene.stats.fallback_steps):above(0)
   expect(#warnings(scene)):equal(1)
   expect(warnings(scene)[1]:find("is too stiff for the step", 1, true) ~= nil):equal(true)
 end)

@@ -4,7 +4,7 @@ test("chain: hinges hold and energy stays, however heavy its end", function()
     chain:advance(3)
     expect(chain.error.worst_hinge_gap):below(1e-9)
     expect(chain.error.worst_energy):below(1e-8)
-    expect(chain.stats.safe_steps):equal(0)
+    expect(chain.stats.fallback_steps):equal(0)
   end
 end)
 

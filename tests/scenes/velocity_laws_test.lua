@@ -314,7 +314,7 @@ test("a spring beside a damper of any strength relaxes at the rate of the two", 
     scene:advance(0.5)
     local length = (scene:find("q").position - scene:find("p").position):length()
     expect(length):near(1 + 0.5 * math.exp(-0.5 * 1e4 / damping), 5e-3)
-    expect(scene.stats.safe_steps):equal(0)
+    expect(scene.stats.fallback_steps):equal(0)
   end
 end)
 

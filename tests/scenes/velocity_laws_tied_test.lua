@@ -149,17 +149,17 @@ test("a dissipative spring in thick oil relaxes at the rate of the two", functio
   expect(scene:find("p").position.x - 1):near(math.exp(-2), 5e-3)
 end)
 
-test("panels that redundant hinges tie meet a floor with friction and damping, and none takes a safe step", function()
+test("panels that redundant hinges tie meet a floor with friction and damping, and none takes a fallback step", function()
   local scene = open "scenes/buckyball.lua"
   scene:advance(0.9)
-  expect(scene.stats.safe_steps):equal(0)
+  expect(scene.stats.fallback_steps):equal(0)
   expect(scene.error.worst_energy):below(5e-3)
 end)
 
-test("a puppet on strings in drag takes no safe step", function()
+test("a puppet on strings in drag takes no fallback step", function()
   local scene = open "scenes/puppet.lua"
   scene:advance(12)
-  expect(scene.stats.safe_steps):equal(0)
+  expect(scene.stats.fallback_steps):equal(0)
 end)
 
 test("in a ring of bodies a magnetic force keeps the energy where it turns them hundreds of times in a step", function()

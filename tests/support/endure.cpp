@@ -19,7 +19,7 @@ Endured endure(World& world, double time, const Action& action) {
   keep_ledger(world);
   while (world.failure.empty() && world.time < time - 0.5 * world.settings.step) {
     if (action) action();
-    const std::uint64_t safe = world.stats.safe_steps;
+    const std::uint64_t safe = world.stats.fallback_steps;
     const double before =
         energy(world).total() - (world.steps > 0 ? world.work : 0.0);  // counted from the first step on
     step(world);
@@ -28,7 +28,7 @@ Endured endure(World& world, double time, const Action& action) {
     run.finite = run.finite && all_finite(world);
     run.kinetic = std::max(run.kinetic, now.kinetic);
     run.last_gap = std::max(world.error.constraint, largest_gap(world));
-    if (world.stats.safe_steps == safe)
+    if (world.stats.fallback_steps == safe)
       run.gap = std::max(run.gap, run.last_gap);
     else
       run.gained = std::max(run.gained, now.total() - world.work - before);
@@ -37,7 +37,7 @@ Endured endure(World& world, double time, const Action& action) {
   const Ledger& ledger = world.ledger;  // what is at rest, or spins alone, posts less than its sums round
   run.closure = ledger.posted > 0.0 ? std::max(0.0, ledger.unexplained - ledger.round_off) / ledger.posted : 0.0;
   run.energy = world.worst.energy;
-  run.safe = world.stats.safe_steps - start.safe_steps;
+  run.fallbacks = world.stats.fallback_steps - start.fallback_steps;
   run.halved = world.stats.halved_steps - start.halved_steps;
   run.iterations =
       static_cast<double>(world.stats.newton_iterations - start.newton_iterations) / static_cast<double>(run.steps);
@@ -63,9 +63,9 @@ void endure_at(std::span<const double> steps, const std::string& name, double ti
     const Endured run = endure(world, time, action);
     check_sound(run, length);
     if (check) check(world, run);
-    counts += text(" ", run.safe, "+", run.halved);
+    counts += text(" ", run.fallbacks, "+", run.halved);
   }
-  std::cout << name << ", safe + halved steps:" << counts << "\n";
+  std::cout << name << ", fallback + halved steps:" << counts << "\n";
 }
 
 }  // namespace pantin

@@ -44,7 +44,7 @@ class SolverPane : public Pane {
       line("factorisations", world.stats.factorisations);
       line("most iterations", world.stats.worst_iterations);
       line("halved steps", world.stats.halved_steps, true);
-      line("safe steps", world.stats.safe_steps, true);
+      line("fallback steps", world.stats.fallback_steps, true);
       line("accuracy not reached", world.stats.unreached, true);
       ImGui::EndTable();
     }
@@ -74,7 +74,7 @@ class SolverPane : public Pane {
     for (std::size_t i = 0; i < shown; i++) {
       const Articulate& a = *biggest_[i];
       ImGui::Text("%zu things, %zu rows, gap %.1g m%s%s", a.nodes.size(), a.rows.size(), a.gaps.all(),
-                  a.tree ? ", no loops" : "", a.safe ? ", safe step" : "");
+                  a.tree ? ", no loops" : "", a.fell_back ? ", fallback step" : "");
     }
     ImGui::TreePop();
   }

@@ -29,7 +29,7 @@ void weigh(Node& n, const Model& model) {
   n.inverse_mass = 1.0 / n.mass;
 }
 
-/// Least radius of gyration of the bodies of a couple, [m].
+/// Least radius of gyration of the bodies of an angular row, [m].
 double lever(const Articulate& a, const Row& row) {
   const auto gyration = [&](std::int32_t node) {
     const Node& n = a.nodes[static_cast<std::size_t>(node)];
@@ -45,7 +45,7 @@ Edges edges_of_strings(const std::vector<Tie>& ties, const RowLists& on) {
   Edges edges;
   std::vector<std::uint32_t> segments;
   for (std::uint32_t k = 0; k < ties.size(); k++)
-    if (ties[k].kind == RowKind::strand) segments.push_back(k);
+    if (ties[k].kind == RowKind::segment) segments.push_back(k);
   for (std::uint32_t i : segments)
     for (std::uint32_t j : segments) {
       if (ties[i].constraint != ties[j].constraint) continue;
@@ -70,7 +70,7 @@ std::vector<std::uint32_t> find_hubs(const std::vector<Tie>& ties, const RowList
       const std::int32_t other = ties[k].a == static_cast<std::int32_t>(n) ? ties[k].b : ties[k].a;
       return other >= 0 && rows(static_cast<std::size_t>(other)) <= few;
     };
-    const auto on_string = [&](std::uint32_t k) { return ties[k].kind == RowKind::strand; };
+    const auto on_string = [&](std::uint32_t k) { return ties[k].kind == RowKind::segment; };
     const auto list = on[n];
     if (std::count_if(list.begin(), list.end(), leads_to_few) > few &&
         std::none_of(list.begin(), list.end(), on_string))
@@ -165,7 +165,7 @@ Condition make_condition(const Model& model, const Tie& tie, Row& row) {
   condition.length = c.length;
   condition.held = condition.held_before =
       c.kind != ConstraintKind::limit && c.kind != ConstraintKind::string && !c.path && std::isinf(c.max_torque);
-  row.f = tie.couple ? c.torque / row.lever : c.force;
+  row.f = tie.angular ? c.torque / row.lever : c.force;
   return condition;
 }
 
@@ -189,7 +189,7 @@ bool add_row(Articulate& a, const Model& model, const Tie& tie, const std::vecto
   row.lb = tie.lb;
   row.member = tie.member;
   row.centre = tie.centre;
-  if (tie.couple) row.lever = lever(a, row);
+  if (tie.angular) row.lever = lever(a, row);
   if (tie.member) {
     row.f = model.points[tie.member].row_force;
   } else {
@@ -198,8 +198,8 @@ bool add_row(Articulate& a, const Model& model, const Tie& tie, const std::vecto
     a.conditions.back().row = static_cast<std::uint32_t>(a.rows.size());
   }
   const History::Before before = history.row(tie);
-  a.forecast.forces.push_back(before.row != nullptr ? before.articulate->forecast.forces[before.index()]
-                                                    : Forecast::OfRow{});
+  a.predictor.forces.push_back(before.row != nullptr ? before.articulate->predictor.forces[before.index()]
+                                                     : Predictor::OfRow{});
   if (before.row != nullptr) hand_on(before, row, tie.member ? nullptr : &a.conditions.back());
   a.rows.push_back(row);
   return before.row != nullptr;
@@ -242,11 +242,11 @@ std::unique_ptr<Articulate> build_articulate(Model& model, std::span<const Thing
   a.right_side.resize(a.factor.rows);
   a.f_saved.resize(a.rows.size());
   a.impulses.resize(a.rows.size());
-  a.carried.resize(a.rows.size());
-  find_meetings(a);
+  a.symmetric.resize(a.rows.size());
+  find_row_blocks(a);
   find_dimensions(a, model);
   lay_out_batches(a);
-  find_waves(a);
+  find_tiles(a);
   history.hand_on(a, order.things);
   return articulate;
 }

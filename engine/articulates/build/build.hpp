@@ -42,8 +42,8 @@ RowLists rows_of_nodes(std::size_t nodes, const std::vector<Ends>& rows) {
 }
 
 /// Finds which blocks of the matrix rows meet in, and what a sweep may do when.
-void find_meetings(Articulate& articulate);
-void find_waves(Articulate& articulate);
+void find_row_blocks(Articulate& articulate);
+void find_tiles(Articulate& articulate);
 
 /// Finds the lengths of an articulate and its nodes, what it has of rows, whether it has loops, and about which axes
 /// nodes turn freely.

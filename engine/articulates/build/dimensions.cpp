@@ -9,7 +9,7 @@ namespace pantin {
 
 namespace {
 
-/// Calls visit(node, arm) for both ends of all rows; the arm of a couple is infinite about all axes.
+/// Calls visit(node, arm) for both ends of all rows; the arm of an angular row is infinite about all axes.
 template <class Visit>
 void each_end(Articulate& a, Visit visit) {
   const Vec3 all = vec(infinity, infinity, infinity);
@@ -37,19 +37,20 @@ void find_free_axes(Articulate& a) {
   }
 }
 
-/// Whether the rows make no loop; the world counts as one node, and a couple beside a row between points makes none.
+/// Whether the rows make no loop; the world counts as one node, and an angular row beside one between points makes none.
 bool is_tree(const Articulate& a) {
-  if (!a.strands.empty()) return false;
+  if (!a.strings.empty()) return false;
   const bool anchored = std::any_of(a.rows.begin(), a.rows.end(), [](const Row& row) { return row.b < 0; });
-  const auto couple_rows = std::count_if(a.rows.begin(), a.rows.end(), [](const Row& r) { return r.lever > 0.0; });
+  const auto angular_rows_count =
+      std::count_if(a.rows.begin(), a.rows.end(), [](const Row& r) { return r.lever > 0.0; });
   const std::size_t edges = a.nodes.size() - (anchored ? 0 : 1);
-  if (couple_rows == 0) return a.rows.size() == edges;
-  std::vector<std::pair<std::int32_t, std::int32_t>> points, couples;
-  for (const Row& row : a.rows) (row.lever > 0.0 ? couples : points).push_back(std::minmax(row.a, row.b));
-  std::sort(couples.begin(), couples.end());
-  if (std::adjacent_find(couples.begin(), couples.end()) != couples.end()) return false;
+  if (angular_rows_count == 0) return a.rows.size() == edges;
+  std::vector<std::pair<std::int32_t, std::int32_t>> points, turns;
+  for (const Row& row : a.rows) (row.lever > 0.0 ? turns : points).push_back(std::minmax(row.a, row.b));
+  std::sort(turns.begin(), turns.end());
+  if (std::adjacent_find(turns.begin(), turns.end()) != turns.end()) return false;
   std::sort(points.begin(), points.end());
-  const auto alone = std::count_if(couples.begin(), couples.end(), [&](const auto& pair) {
+  const auto alone = std::count_if(turns.begin(), turns.end(), [&](const auto& pair) {
     return !std::binary_search(points.begin(), points.end(), pair);
   });
   return points.size() + static_cast<std::size_t>(alone) == edges;
@@ -63,7 +64,7 @@ std::vector<double> lengths_of(const Articulate& a, const Model& model) {
       const auto& places = model.constraints[condition(a, row).constraint].path->places();
       lengths.push_back(norm(places[1] - places[0]));
     }
-    if (row.kind == RowKind::strand) lengths.push_back(model.constraints[condition(a, row).constraint].length);
+    if (row.kind == RowKind::segment) lengths.push_back(model.constraints[condition(a, row).constraint].length);
     if (row.kind == RowKind::rod && condition(a, row).length > 0.0) lengths.push_back(condition(a, row).length);
     if (row.kind == RowKind::stiff) lengths.push_back(1e12 * std::sqrt(condition(a, row).stiff->least2));
     if (row.lever > 0.0) {
@@ -106,12 +107,13 @@ void find_reaches(Articulate& a) {
 void find_dimensions(Articulate& a, const Model& model) {
   for (const Row& row : a.rows) {
     a.all_rigid = a.all_rigid && row.kind == RowKind::rigid;
-    a.couples = a.couples || row.lever > 0.0;
-    a.limited = a.limited || row.kind == RowKind::limited;
-    if (row.kind == RowKind::stiff) a.open = a.open || condition(a, row).stiff->is_open();
+    a.turns = a.turns || row.lever > 0.0;
+    a.soft = a.soft || row.kind == RowKind::soft;
+    if (row.kind == RowKind::stiff)
+      a.nonconservative = a.nonconservative || condition(a, row).stiff->is_nonconservative();
   }
-  const auto draws = [](const Row& row) { return row.kind == RowKind::drawn || row.kind == RowKind::limited; };
-  a.draws = std::any_of(a.rows.begin(), a.rows.end(), draws) && is_free(a);
+  const auto draws = [](const Row& row) { return row.kind == RowKind::attract || row.kind == RowKind::soft; };
+  a.attracts = std::any_of(a.rows.begin(), a.rows.end(), draws) && is_free(a);
   a.yields = std::all_of(a.rows.begin(), a.rows.end(), is_soft);
   a.length = length_of(a, model);
   for (const Node& node : a.nodes) a.total_mass += node.mass;

@@ -13,13 +13,13 @@ void copy_lane(Vec3x4& to, std::size_t lane, const Vec3x4& from, std::size_t of)
 }
 
 /// Of articulates that differ only what is true of both.
-void hand_on_course(const Forecast& from, Forecast& to, bool first) {
+void hand_on_course(const Predictor& from, Predictor& to, bool first) {
   const bool same = first || (from.since == to.since && from.scale == to.scale);
-  to.known = std::min({first ? Forecast::levels : to.known, from.known, same ? Forecast::levels : std::size_t{1}});
+  to.known = std::min({first ? Predictor::levels : to.known, from.known, same ? Predictor::levels : std::size_t{1}});
   to.rough = to.rough || from.rough;
   to.since = from.since;
   to.scale = from.scale;
-  for (std::size_t k = 0; k < Forecast::levels; k++) to.missed[k] += from.missed[k];
+  for (std::size_t k = 0; k < Predictor::levels; k++) to.missed[k] += from.missed[k];
 }
 
 }  // namespace
@@ -59,11 +59,11 @@ void History::hand_on(Articulate& to) const {
     if (origin.articulate == last || origin.articulate == nullptr) continue;
     const Articulate& from = *origin.articulate;
     to.last_h = last == nullptr || from.last_h == to.last_h ? from.last_h : 0.0;
-    hand_on_course(from.forecast, to.forecast, last == nullptr);
+    hand_on_course(from.predictor, to.predictor, last == nullptr);
     to.wait = last == nullptr ? from.wait : std::max(to.wait, from.wait);
     to.sub_steps.count = std::max(to.sub_steps.count, from.sub_steps.count);
     to.weak = to.weak || from.weak;
-    to.safe = to.safe || from.safe;
+    to.fell_back = to.fell_back || from.fell_back;
     to.edited = to.edited || from.edited || from.offsets;
     to.torn = to.torn || from.torn;
     to.effort.usual = last == nullptr ? from.effort.usual : std::max(to.effort.usual, from.effort.usual);
@@ -88,9 +88,9 @@ void History::hand_on(Articulate& to, std::span<const std::uint32_t> things) con
     NodeBatch& batch = to.batches[n / batch_size];
     const std::size_t from = origin.index % batch_size, lane = n % batch_size;
     copy_lane(batch.a, lane, old.a, from);
-    for (std::size_t k = 0; k < Forecast::levels; k++)
-      copy_lane(to.forecast.rates[n / batch_size][k], lane,
-                origin.articulate->forecast.rates[origin.index / batch_size][k], from);
+    for (std::size_t k = 0; k < Predictor::levels; k++)
+      copy_lane(to.predictor.rates[n / batch_size][k], lane,
+                origin.articulate->predictor.rates[origin.index / batch_size][k], from);
     for (int k = 0; k < 3; k++) copy_lane(batch.J_inverse[k], lane, old.J_inverse[k], from);
   }
 }

@@ -90,14 +90,14 @@ class Finder {
     for (const RowPlan& plan : plan_rows(model_, c)) {
       Tie row;
       row.kind = plan.kind;
-      row.couple = plan.couple;
+      row.angular = plan.angular;
       row.may_break = c.breaks_at.possible();
       row.part = plan.part;
       row.constraint = id;
       if (plan.point_a) tie_a(row, plan.point_a);
       if (plan.point_b) tie_b(row, plan.point_b);
-      if (plan.body_a) row.a = tie(plan.body_a, plan.arm_a, plan.couple, row.la);
-      if (plan.body_b) row.b = tie(plan.body_b, plan.arm_b, plan.couple, row.lb);
+      if (plan.body_a) row.a = tie(plan.body_a, plan.arm_a, plan.angular, row.la);
+      if (plan.body_b) row.b = tie(plan.body_b, plan.arm_b, plan.angular, row.lb);
       ties_.push_back(row);
     }
   }

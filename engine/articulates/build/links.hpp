@@ -10,7 +10,7 @@ namespace pantin {
 /// A row that a hinge, a constraint or a solved connection wants; its nodes as the model tells them at present.
 struct Tie {
   RowKind kind = RowKind::rigid;
-  bool couple = false;
+  bool angular = false;
   bool may_break = false;
   std::uint32_t part = 0;       // which row of its constraint
   std::int32_t a = -1, b = -1;  // nodes; b = -1: the world

@@ -6,7 +6,7 @@
 
 namespace pantin {
 
-void find_meetings(Articulate& a) {
+void find_row_blocks(Articulate& a) {
   a.on = rows_of_nodes(a.nodes.size(), a.rows);
   std::vector<char> reached(a.factor.below.size(), 0), meets_at_variables(a.nodes.size(), 0);
   for (const Hub& hub : a.hubs) meets_at_variables[hub.node] = 1;
@@ -18,27 +18,27 @@ void find_meetings(Articulate& a) {
       reached[hub.blocks.back()] = reached[hub.blocks.back() + 1] = 1;
     }
   }
-  a.first_meeting.assign(1, 0);
+  a.first_row_block.assign(1, 0);
   for (std::uint32_t n = 0; n < a.nodes.size(); n++) {
     for (std::uint32_t i : meets_at_variables[n] ? std::span<const std::uint32_t>() : a.on[n])
       for (std::uint32_t j : a.on[n]) {
         if (i < j) continue;
         const std::uint32_t block = i == j ? i : a.factor.block(i, j);
-        a.meetings.push_back({block, false, false});
+        a.row_blocks.push_back({block, false, false});
         if (i != j) reached[block] = 1;
       }
-    a.first_meeting.push_back(static_cast<std::uint32_t>(a.meetings.size()));
+    a.first_row_block.push_back(static_cast<std::uint32_t>(a.row_blocks.size()));
   }
-  find_strands(a);
-  for (Strand& strand : a.strands) {
+  find_strings(a);
+  for (SlidingString& string : a.strings) {
     const auto clear = [&](std::uint32_t block) {
       if (reached[block]) return;
       reached[block] = 1;
-      strand.cleared.push_back(block);
+      string.cleared.push_back(block);
     };
-    for (const StrandMeeting& m : strand.meetings)
-      if (m.column != strand.head) clear(m.block);
-    for (const StrandLink& link : strand.links) clear(link.block);
+    for (const StringBlock& m : string.blocks)
+      if (m.column != string.head) clear(m.block);
+    for (const HeadBlock& link : string.links) clear(link.block);
   }
   for (std::uint32_t& t : a.factor.target) {
     if (t & Factor::on_diagonal || reached[t]) continue;
@@ -47,7 +47,7 @@ void find_meetings(Articulate& a) {
   }
 }
 
-void find_waves(Articulate& a) {
+void find_tiles(Articulate& a) {
   constexpr std::uint32_t stretch = 8;
   const auto rows = static_cast<std::uint32_t>(a.rows.size()), batches = static_cast<std::uint32_t>(a.batches.size());
   std::vector<std::uint32_t> last_row(batches, 0), last_batch(rows, 0);
@@ -58,22 +58,22 @@ void find_waves(Articulate& a) {
       last_row[batch] = k;
       last_batch[k] = std::max(last_batch[k], batch);
     }
-  for (const Strand& strand : a.strands)
-    for (std::uint32_t k : strand.segments) last_batch[strand.head] = std::max(last_batch[strand.head], last_batch[k]);
+  for (const SlidingString& string : a.strings)
+    for (std::uint32_t k : string.segments) last_batch[string.head] = std::max(last_batch[string.head], last_batch[k]);
   // Of rows; the variables of hubs come after them and wait for nothing.
   const auto last_below = [&](std::uint32_t column) {
     std::uint32_t i = a.factor.first[column + 1];
     while (i > a.factor.first[column] && a.factor.below[i - 1] >= rows) i--;
     return i > a.factor.first[column] ? a.factor.below[i - 1] : 0;
   };
-  Wave w;
+  Tile w;
   while (w.forces < rows) {
     w.forces = std::min(rows, w.forces + stretch);
     while (w.batches < batches && last_row[w.batches] < w.forces) w.batches++;
     while (w.rows < rows && last_batch[w.rows] < w.batches) w.rows++;
     while (w.columns < w.rows && last_below(w.columns) < w.rows) w.columns++;
     if (w.columns == rows) w.columns = a.factor.rows;
-    a.waves.push_back(w);
+    a.tiles.push_back(w);
   }
 }
 

@@ -1,4 +1,4 @@
-// Couples: torques between two nodes, or on one from the world. With equal axes at both ends of the step the relative
+// Angular rows: torques between two nodes, or on one from the world. With equal axes at both ends of the step the relative
 // rotation ā_a - ā_b is along the mean axis, so that a torque across it does no work.
 #include "articulates/solve/angular_rows.hpp"
 
@@ -28,7 +28,7 @@ double twist(const Quat& deviation, Vec3 axis, double near) {
 
 }  // namespace
 
-void place_couple_at_start(Articulate& a, Row& row) {
+void place_angular_row_at_start(Articulate& a, Row& row) {
   const Node& first = a.nodes[static_cast<std::size_t>(row.a)];
   const Node* second = row.b >= 0 ? &a.nodes[static_cast<std::size_t>(row.b)] : nullptr;
   const Condition& c = condition(a, row);
@@ -38,7 +38,7 @@ void place_couple_at_start(Articulate& a, Row& row) {
     row.d0 = chord(deviation(first.q0, second ? second->q0 : Quat{}, c.turn0), first.R0) * row.lever;
 }
 
-void place_couple_at_end(Articulate& a, Row& row) {
+void place_angular_row_at_end(Articulate& a, Row& row) {
   const Node& first = a.nodes[static_cast<std::size_t>(row.a)];
   const Node* second = row.b >= 0 ? &a.nodes[static_cast<std::size_t>(row.b)] : nullptr;
   Condition& c = condition(a, row);
@@ -50,7 +50,7 @@ void place_couple_at_end(Articulate& a, Row& row) {
   if (row.kind == RowKind::turn) c.angle1 = twist(deviation(first.q1, q, c.turn1), row.la, c.angle0);
 }
 
-double work_of_couple(const Articulate& a, const Row& row) {
+double work_of_angular_row(const Articulate& a, const Row& row) {
   const auto turned = [&](std::int32_t node) { return a.nodes[static_cast<std::size_t>(node)].a; };
   const Vec3 torque = row.f * row.lever;
   return dot(torque, turned(row.a)) - (row.b >= 0 ? dot(torque, turned(row.b)) : 0.0);

@@ -4,13 +4,13 @@
 
 namespace pantin {
 
-/// Sets axes, angle and d of a couple at the start of the step, from the nodes' starts.
-void place_couple_at_start(Articulate& articulate, Row& row);
+/// Sets axes, angle and d of an angular row at the start of the step, from the nodes' starts.
+void place_angular_row_at_start(Articulate& articulate, Row& row);
 /// The same at the end.
-void place_couple_at_end(Articulate& articulate, Row& row);
+void place_angular_row_at_end(Articulate& articulate, Row& row);
 
-/// Work of a couple in the step just solved on both nodes [J].
-double work_of_couple(const Articulate& articulate, const Row& row);
+/// Work of an angular row in the step just solved on both nodes [J].
+double work_of_angular_row(const Articulate& articulate, const Row& row);
 
 /// Adds a row's force at an arm, in the world [m], to `row_force` and `row_torque` [N m] of a node about its centre.
 inline void pull(Node& n, const Row& row, Vec3 arm, Vec3 f) {

@@ -29,13 +29,13 @@ Vec3x4 pack_nodes(const Articulate& a, std::size_t b, What what) {
 
 void set_end(const Articulate& a, RowEnds& end, std::size_t lane, std::uint32_t k, std::size_t node) {
   const Row& row = a.rows[k];
-  const bool at_a = row.a == static_cast<std::int32_t>(node), couple = row.lever > 0.0;
+  const bool at_a = row.a == static_cast<std::int32_t>(node), angular = row.lever > 0.0;
   const double sign = at_a ? 1.0 : -1.0;
   end.row[lane] = k;
   end.to[lane] = 2 * k + (at_a ? 0 : 1);
-  end.sign[lane] = couple ? 0.0 : sign;
+  end.sign[lane] = angular ? 0.0 : sign;
   end.lever[lane] = row.lever * sign;
-  if (!couple && a.nodes[node].turns) set_lane(end.l, lane, at_a ? row.la : row.lb);
+  if (!angular && a.nodes[node].turns) set_lane(end.l, lane, at_a ? row.la : row.lb);
 }
 
 void set_constants(const Articulate& a, NodeBatch& n, std::size_t b) {
@@ -72,7 +72,7 @@ Turned turned(const Articulate& a, std::size_t b) {
 Quat lane_of(const Quatx4& q, std::size_t lane) { return {q.w[lane], q.x[lane], q.y[lane], q.z[lane]}; }
 
 /// In the order in which the matrix is filled.
-void find_first_meetings(Articulate& a) {
+void find_first_impacts(Articulate& a) {
   std::vector<char> diagonal(a.rows.size(), 0), lower(a.factor.below.size(), 0), upper(lower);
   const auto visit = [](char& reached) {
     const bool first = reached == 0;
@@ -80,11 +80,11 @@ void find_first_meetings(Articulate& a) {
     return first;
   };
   for (std::size_t b = 0; b < a.batches.size(); b++) {
-    const std::size_t ends = meeting_ends(a, b);
+    const std::size_t ends = ends_with_blocks(a, b);
     for (std::size_t j = 0; j < ends; j++)
       for (std::size_t i = 0; i < ends; i++)
         for (std::size_t lane = 0; lane < batch_size; lane++)
-          if (Meeting* m = meeting(a, b, lane, i, j))
+          if (RowBlock* m = row_block(a, b, lane, i, j))
             (i < j ? m->first_upper : m->first_lower) = visit((i == j ? diagonal : i < j ? upper : lower)[m->block]);
   }
 }
@@ -112,14 +112,14 @@ void lay_out_batches(Articulate& a) {
     a.batches[b].last_end = static_cast<std::uint32_t>(a.ends.size());
     set_constants(a, a.batches[b], b);
   }
-  a.forecast.rates.resize(a.batches.size());
-  find_first_meetings(a);
+  a.predictor.rates.resize(a.batches.size());
+  find_first_impacts(a);
 }
 
-std::size_t meeting_ends(const Articulate& a, std::size_t batch) {
+std::size_t ends_with_blocks(const Articulate& a, std::size_t batch) {
   std::size_t most = 0;
   for (std::size_t n = batch_size * batch; n < std::min(batch_size * (batch + 1), a.nodes.size()); n++)
-    if (a.first_meeting[n] < a.first_meeting[n + 1]) most = std::max(most, a.on[n].size());
+    if (a.first_row_block[n] < a.first_row_block[n + 1]) most = std::max(most, a.on[n].size());
   return most;
 }
 

@@ -14,13 +14,13 @@ inline std::span<RowEnds> ends_of(Articulate& a, const NodeBatch& batch) {
   return {a.ends.data() + batch.first_end, batch.last_end - batch.first_end};
 }
 /// How many ends of a batch meet others there: those of hubs do not.
-std::size_t meeting_ends(const Articulate& articulate, std::size_t batch);
+std::size_t ends_with_blocks(const Articulate& articulate, std::size_t batch);
 /// Where ends i and j of a node in a lane meet; null where it has not as many.
-inline Meeting* meeting(Articulate& a, std::size_t batch, std::size_t lane, std::size_t i, std::size_t j) {
+inline RowBlock* row_block(Articulate& a, std::size_t batch, std::size_t lane, std::size_t i, std::size_t j) {
   const std::size_t later = i < j ? j : i, earlier = i < j ? i : j, node = batch_size * batch + lane;
   if (node >= a.nodes.size()) return nullptr;
-  const std::size_t place = a.first_meeting[node] + later * (later + 1) / 2 + earlier;
-  return place < a.first_meeting[node + 1] ? &a.meetings[place] : nullptr;
+  const std::size_t place = a.first_row_block[node] + later * (later + 1) / 2 + earlier;
+  return place < a.first_row_block[node + 1] ? &a.row_blocks[place] : nullptr;
 }
 
 /// What ends tell their rows.

@@ -15,7 +15,7 @@ bool by_points(const Constraint& c) { return static_cast<bool>(c.a); }
 RowPlan between_points(const Constraint& c, RowKind kind) {
   return {kind, false, c.a, c.b, {}, {}, zero3(), zero3(), 0};
 }
-RowPlan couple(const Constraint& c, RowKind kind) {
+RowPlan angular_row(const Constraint& c, RowKind kind) {
   return {kind, true, {}, {}, c.body_a, c.body_b, c.axis_a, c.axis_b, 0};
 }
 
@@ -33,7 +33,7 @@ Quat between_nodes(const Model& model, const Constraint& c, const Quat& turn) {
   return c.body_b ? conjugate(model.bodies[c.body_b].axes) * of_a : of_a;
 }
 
-void load_couple(Condition& condition, const Row& row, const Model& model, const Constraint& c) {
+void load_angular_row(Condition& condition, const Row& row, const Model& model, const Constraint& c) {
   const Quat to_b = c.body_b ? conjugate(model.bodies[c.body_b].axes) : Quat{};
   condition.whole_turn0 = model.plane.about(between_nodes(model, c, c.previous_turn));
   condition.whole_turn1 = model.plane.about(between_nodes(model, c, c.turn));
@@ -83,7 +83,7 @@ std::vector<RowPlan> segments(const Model& model, const Constraint& c) {
     PointId from = c.passages[i].point, to = c.passages[i + 1].point;
     if (is_fixed(model, c.passages[i], c.passages[i + 1])) continue;
     if (!from) std::swap(from, to);
-    plans.push_back({RowKind::strand, false, from, to, {}, {}, zero3(), zero3(), i});
+    plans.push_back({RowKind::segment, false, from, to, {}, {}, zero3(), zero3(), i});
   }
   return plans;
 }
@@ -96,7 +96,7 @@ double fixed_length(const Model& model, const Constraint& c) {
   return sum;
 }
 
-void load_strand(Condition& condition, const Model& model, const Constraint& c) {
+void load_segment(Condition& condition, const Model& model, const Constraint& c) {
   const Passage &from = c.passages[condition.part], &to = c.passages[condition.part + 1];
   condition.whole0 = condition.whole1 = model.plane.along(from.point ? to.place : from.place);
   condition.velocity = zero3();
@@ -111,21 +111,21 @@ std::vector<RowPlan> plan_rows(const Model& model, const Constraint& c) {
   switch (c.kind) {
     case ConstraintKind::nail: break;
     case ConstraintKind::follow:
-      if (std::isfinite(c.max_force)) return {between_points(c, RowKind::limited)};
+      if (std::isfinite(c.max_force)) return {between_points(c, RowKind::soft)};
       break;
     case ConstraintKind::rod: return {between_points(c, RowKind::rod)};
     case ConstraintKind::join:
-      return {between_points(c, std::isfinite(c.max_force) ? RowKind::limited : RowKind::drawn)};
+      return {between_points(c, std::isfinite(c.max_force) ? RowKind::soft : RowKind::attract)};
     case ConstraintKind::on_plane: return {between_points(c, RowKind::plane)};
     case ConstraintKind::on_path: return {between_points(c, RowKind::path)};
     case ConstraintKind::string: return segments(model, c);
-    case ConstraintKind::limit: return {by_points(c) ? between_points(c, RowKind::rod) : couple(c, RowKind::turn)};
-    case ConstraintKind::motor: return {couple(c, RowKind::turn)};
-    case ConstraintKind::axis: return {couple(c, RowKind::axis)};
-    case ConstraintKind::align: return {couple(c, c.length == 0.0 ? RowKind::axis : RowKind::align)};
-    case ConstraintKind::orient: return {couple(c, RowKind::rigid)};
+    case ConstraintKind::limit: return {by_points(c) ? between_points(c, RowKind::rod) : angular_row(c, RowKind::turn)};
+    case ConstraintKind::motor: return {angular_row(c, RowKind::turn)};
+    case ConstraintKind::axis: return {angular_row(c, RowKind::axis)};
+    case ConstraintKind::align: return {angular_row(c, c.length == 0.0 ? RowKind::axis : RowKind::align)};
+    case ConstraintKind::orient: return {angular_row(c, RowKind::rigid)};
     case ConstraintKind::weld:
-      return {{RowKind::rigid, false, {}, {}, c.body_a, c.body_b, c.arm_a, c.arm_b, 0}, couple(c, RowKind::rigid)};
+      return {{RowKind::rigid, false, {}, {}, c.body_a, c.body_b, c.arm_a, c.arm_b, 0}, angular_row(c, RowKind::rigid)};
   }
   return {between_points(c, RowKind::rigid)};
 }
@@ -135,7 +135,7 @@ void load(Condition& condition, const Row& row, const Model& model, double total
   condition.ranged =
       c.kind == ConstraintKind::limit || c.kind == ConstraintKind::string || (c.path && !c.path->closed());
   condition.held_before = condition.held;
-  if (row.lever > 0.0) return load_couple(condition, row, model, c);
+  if (row.lever > 0.0) return load_angular_row(condition, row, model, c);
   condition.whole0 = model.plane.along(c.previous + c.previous_away);
   condition.whole1 = model.plane.along(c.place + c.away);
   condition.velocity = model.plane.along(c.velocity + c.away_rate);
@@ -154,9 +154,8 @@ void load(Condition& condition, const Row& row, const Model& model, double total
     condition.whole0 -= height;
     condition.whole1 -= height;
   }
-  if (c.kind == ConstraintKind::string) load_strand(condition, model, c);
-  condition.works =
-      row.kind == RowKind::limited || condition.ranged || condition.whole_length1 != condition.whole_length0;
+  if (c.kind == ConstraintKind::string) load_segment(condition, model, c);
+  condition.works = row.kind == RowKind::soft || condition.ranged || condition.whole_length1 != condition.whole_length0;
   condition.max_force = c.max_force;
   condition.stiffness = total_mass / (c.time_constant * c.time_constant);  // critically damped for all that hangs at it
   condition.damping = 2.0 * total_mass / c.time_constant;

@@ -9,7 +9,7 @@ namespace pantin {
 /// A row that a constraint wants, and which of its things and places it ties; null b: the world.
 struct RowPlan {
   RowKind kind = RowKind::rigid;
-  bool couple = false;
+  bool angular = false;
   PointId point_a, point_b;
   BodyId body_a, body_b;                  // where no points are given
   Vec3 arm_a = zero3(), arm_b = zero3();  // [m] or axis, in the frame of a body

@@ -25,7 +25,7 @@ constexpr int most_halvings = 5;
 /// The unknowns have no history but the forces of the last step.
 void forget_course(Articulate& a) {
   a.last_h = 0.0;
-  for (std::size_t k = 0; k < a.rows.size(); k++) a.rows[k].f = a.forecast.forces[k][0];
+  for (std::size_t k = 0; k < a.rows.size(); k++) a.rows[k].f = a.predictor.forces[k][0];
 }
 
 /// From here on the full sub-step is cut into parts.
@@ -33,7 +33,7 @@ void cut(Articulate& a) {
   const double sign = a.sub_steps.count == 1 ? -1.0 : 1.0;
   a.cut = true;
   begin_exerted(a);
-  for (std::size_t k = 0; k < a.rows.size(); k++) a.exerted[k] = a.carried[k] * sign;
+  for (std::size_t k = 0; k < a.rows.size(); k++) a.exerted[k] = a.symmetric[k] * sign;
 }
 
 /// From … to (0 … 1) of a step, by so many halvings from a part that ends at `end`.
@@ -42,15 +42,15 @@ struct Part {
   int depth;
 };
 
-/// A safe step over all that is left of what was halved; backwards it makes no sense, so where a full sub-step has parts
+/// A fallback step over all that is left of what was halved; backwards it makes no sense, so where a full sub-step has parts
 /// that go backwards, to its end. Where nothing may be spent on attempts any more, to the end of the drift.
-void arrive_safely(Articulate& a, const DriftSettings& settings, const Part& part, DriftReport& report) {
+void arrive_by_fallback(Articulate& a, const DriftSettings& settings, const Part& part, DriftReport& report) {
   a.smooth = false;
   a.arrived = settings.backwards ? 1.0 : a.effort.spare == 0 ? settings.to : part.end;
   if (!a.cut) cut(a);
   set_conditions(a, settings.h, part.from, a.arrived);
   const double h = settings.h * (a.arrived - part.from);
-  safe_step(a, settings, h, report);
+  fallback_step(a, settings, h, report);
   add_forces_exerted(a, h);
 }
 
@@ -125,7 +125,7 @@ void begin_cut(Articulate& a, const DriftSettings& settings, double at, DriftRep
   cut(a);
   const double given = make_consistent_at(a, settings, at, report);
   report.projected += given;
-  a.carried_energy += given;
+  a.symmetric_energy += given;
 }
 
 /// Some times what a step costs that is solved at once.
@@ -167,7 +167,7 @@ bool solve_part(Articulate& a, const DriftSettings& settings, double h, DriftRep
   for (Condition& c : a.conditions) c.angle0 = c.angle1;
   find_solved_gaps(a);
   a.last_h = h;
-  a.safe = false;
+  a.fell_back = false;
   if (a.epsilon < a.most_epsilon && !a.lowered && ++a.good_steps > a.wait) {
     a.epsilon = std::min(a.most_epsilon, 10.0 * a.epsilon);
     a.good_steps = 0;
@@ -179,7 +179,7 @@ void drift_part(Articulate& a, const DriftSettings& settings, const Part& part, 
   if (part.from < a.arrived) return;
   const double h = settings.h * (part.to - part.from);
   set_conditions(a, settings.h, part.from, part.to);
-  if (a.gaps.open > 1e-8 * a.length) return arrive_safely(a, settings, part, report);
+  if (a.gaps.open > 1e-8 * a.length) return arrive_by_fallback(a, settings, part, report);
   if (solve_part(a, settings, h, report)) {
     if (!a.cut) return;
     add_forces_exerted(a, h);
@@ -187,8 +187,8 @@ void drift_part(Articulate& a, const DriftSettings& settings, const Part& part, 
     for (Condition& c : a.conditions) c.held_before = c.held;
     return;
   }
-  const bool stuck = part.depth == 0 && a.safe;  // since the last step: shorter ones would not help
-  if (part.depth == most_halvings || stuck || a.effort.spare == 0) return arrive_safely(a, settings, part, report);
+  const bool stuck = part.depth == 0 && a.fell_back;  // since the last step: shorter ones would not help
+  if (part.depth == most_halvings || stuck || a.effort.spare == 0) return arrive_by_fallback(a, settings, part, report);
   report.halved++;
   a.smooth = false;
   if (!a.cut) begin_cut(a, settings, part.from, report);
@@ -199,7 +199,7 @@ void drift_part(Articulate& a, const DriftSettings& settings, const Part& part, 
 
 }  // namespace
 
-FirstMeeting meet(Articulate& a, double h, double at) {
+FirstImpact meet(Articulate& a, double h, double at) {
   a.edited = a.cut = false;
   stand_still(a, h, at);
   measure_gaps(a);
@@ -234,9 +234,9 @@ void begin_effort(Articulate& a) {
 void end_effort(Articulate& a, std::uint32_t spare, bool open, const DriftReport& report) {
   constexpr std::uint16_t longest_pause = 8;
   Effort& effort = a.effort;
-  if (report.safe == 0 && report.halved == 0)
+  if (report.fallbacks == 0 && report.halved == 0)
     effort.usual += (1.0 * cost(report) / a.sub_steps.count - effort.usual) / 8.0;
-  if (report.safe == 0) {
+  if (report.fallbacks == 0) {
     effort.failed = 0;
   } else if (spare > 0 && !open) {
     effort.failed = static_cast<std::uint16_t>(std::min(effort.failed + 1, int{most_failed}));
@@ -250,19 +250,19 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   a.exact = false;
   begin_effort(a);
   if (a.edited) {
-    const FirstMeeting met = meet(a, settings.h, settings.from);
+    const FirstImpact met = meet(a, settings.h, settings.from);
     report.met += met.tied;
     report.limit += met.stopped;
   }
   if (settings.first) {
     strengthen_stalled(a, settings.h);
-    const bool carried = take_carried_half(a, settings.full, report);
+    const bool symmetric = project_symmetrically(a, settings.full, report);
     a.smooth = true;
     a.arrived = 0.0;
     a.cut = false;
     a.exerted_time = 0.0;
     const bool open = a.gaps.open > 1e-8 * a.length;
-    if (a.sub_steps.count > 1 && !open) carried ? cut(a) : begin_cut(a, settings, settings.from, report);
+    if (a.sub_steps.count > 1 && !open) symmetric ? cut(a) : begin_cut(a, settings, settings.from, report);
   }
   const std::uint32_t count = a.sub_steps.count, spare = a.effort.spare;
   const bool open = a.gaps.open > 1e-8 * a.length;

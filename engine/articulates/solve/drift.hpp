@@ -4,16 +4,16 @@
 namespace pantin {
 
 /// What making velocities consistent gave [J].
-struct FirstMeeting {
+struct FirstImpact {
   double tied = 0.0;     ///< by what ties
   double stopped = 0.0;  ///< by what stops: strings that are taut, limits that are met
 };
 /// Makes the velocities of a loaded articulate consistent at a moment `at` (0 … 1) of a step of h [s] after an edit, unless
 /// that tore it apart. Before the first forces of the step, which are no edit.
-FirstMeeting meet(Articulate& articulate, double h, double at);
+FirstImpact meet(Articulate& articulate, double h, double at);
 
 /// Moves a loaded articulate by one step: Newton's iteration; where it fails, two half steps, five levels deep; where
-/// these fail or the step begins with a gap, the safe step. Velocities are not yet projected.
+/// these fail or the step begins with a gap, the fallback step. Velocities are not yet projected.
 void drift(Articulate& articulate, const DriftSettings& settings, DriftReport& report);
 
 /// Semi-implicit Euler, 1st order: velocity first, then position, with the row forces found by Newton's iteration

@@ -49,7 +49,7 @@ double attempt_euler(Articulate& a, double h) {
     if (!std::isfinite(r)) return infinity;
     worst = std::max(worst, r);
   }
-  return std::max(worst, evaluate_strands(a, h));
+  return std::max(worst, evaluate_strings(a, h));
 }
 
 /// Newton with line backtracking on the places at the end; false where it finds no better ones.
@@ -85,14 +85,14 @@ void drift_euler(Articulate& a, const DriftSettings& settings, DriftReport& repo
   a.last_h = 0.0;
   a.has_factor = a.cut = false;
   a.exerted_time = 0.0;
-  if (!solve_euler(a, settings.h, settings.gravity, report)) return safe_step(a, settings, settings.h, report);
+  if (!solve_euler(a, settings.h, settings.gravity, report)) return fallback_step(a, settings, settings.h, report);
   add_work_of_rows(a, report);
   for (Node& n : a.nodes) {
     report.work += dot(n.force - settings.gravity * n.mass, n.x1 - n.x0);
     commit(n);
   }
   measure_gaps(a);
-  a.safe = false;
+  a.fell_back = false;
 }
 
 void drift_euler_alone(Node& n, double h) {

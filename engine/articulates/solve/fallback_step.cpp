@@ -26,7 +26,7 @@ double mechanical_energy(const Articulate& a, Vec3 gravity) {
   return energy;
 }
 
-/// What pulls by a law keeps its length in a safe step, and with it its energy.
+/// What pulls by a law keeps its length in a fallback step, and with it its energy.
 void hold_stiff(Articulate& a) {
   for (Row& row : a.rows) {
     if (row.kind != RowKind::stiff) continue;
@@ -45,13 +45,13 @@ void release_stiff(Articulate& a) {
   measure_gaps(a);
 }
 
-/// Forces of limited rows at the start of the step, softened as a backward step would, pushes and twists; tells what they
+/// Forces of soft rows at the start of the step, softened as a backward step would, pushes and twists; tells what they
 /// give. Then gravity.
 void kick(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   const double before = kinetic_energy(a);
   for (Row& row : a.rows) {
     row.f = zero3();
-    if (row.kind != RowKind::limited) continue;
+    if (row.kind != RowKind::soft) continue;
     const Condition& c = condition(a, row);
     const double give = 1.0 + h * (h * c.stiffness + c.damping) * mobility(a, row);
     const Vec3 z = row.d0 * (-c.stiffness / give);
@@ -99,7 +99,7 @@ double find_gaps(Articulate& a) {
     }
     sum += norm2(row.residual);
   }
-  project_strands(a);
+  project_strings(a);
   set_kept_matrices(a);
   return std::isfinite(sum) ? sum : infinity;
 }
@@ -180,7 +180,7 @@ void drift_and_close(Articulate& a, double h, double tolerance) {
   find_gaps(a);
   double allowed = 1e-8 * a.length;
   for (const Row& row : a.rows) allowed = std::max(allowed, 1.01 * norm(row.residual));
-  const int most = a.torn ? 60 : a.safe ? 36 : 12;  // the next step goes on
+  const int most = a.torn ? 60 : a.fell_back ? 36 : 12;  // the next step goes on
   for (double part = 1.0;; part = part > 0.2 ? 0.25 * part : 0.0) {
     move_freely(a, h, part);
     int left = part == 1.0 ? most : 4;
@@ -243,12 +243,12 @@ class OnlyDissipates {
   double change() const { return mechanical_energy(a_, gravity_) - report_.outside() - before_; }
   /// Whether the motion had enough of it.
   bool take_out() {
-    const double too_much = change() + std::max(a_.carried_energy, 0.0);
+    const double too_much = change() + std::max(a_.symmetric_energy, 0.0);
     if (too_much > 0.0) change_kinetic_energy(a_, -too_much, 1.0, gravity_);
     return change() <= 1e-12 * kinetic_energy(a_);
   }
   void tell() {
-    a_.carried_energy = 0.0;
+    a_.symmetric_energy = 0.0;
     report_.dissipated += change();
   }
 
@@ -264,7 +264,7 @@ class OnlyDissipates {
 void accept_gaps(Articulate& a, double tolerance, DriftReport& report) {
   if (a.tree || !is_still(a) || a.gaps.open <= 1e-8 * a.length || a.gaps.open > tolerance * a.length) return;
   for (Row& row : a.rows)
-    if (row.kind != RowKind::limited) accept_gap(a, row);
+    if (row.kind != RowKind::soft) accept_gap(a, row);
   a.offsets = true;
   report.offsets++;
   measure_gaps(a);
@@ -272,7 +272,7 @@ void accept_gaps(Articulate& a, double tolerance, DriftReport& report) {
 
 }  // namespace
 
-void safe_step(Articulate& a, const DriftSettings& settings, double h, DriftReport& report) {
+void fallback_step(Articulate& a, const DriftSettings& settings, double h, DriftReport& report) {
   if (!std::isfinite(kinetic_energy(a))) return;  // the end of the step tells what is beyond all numbers
   OnlyDissipates energy(a, settings.gravity, report);
   place_rows_at_start(a);
@@ -302,12 +302,12 @@ void safe_step(Articulate& a, const DriftSettings& settings, double h, DriftRepo
   }
   energy.tell();
   for (Row& row : a.rows)
-    if (row.kind != RowKind::limited) row.f = zero3();
+    if (row.kind != RowKind::soft) row.f = zero3();
   for (Condition& c : a.conditions) c.angle0 = c.angle1;
   release_stiff(a);
   a.last_h = 0.0;
-  a.safe = true;
-  report.safe++;
+  a.fell_back = true;
+  report.fallbacks++;
 }
 
 }  // namespace pantin

@@ -6,6 +6,6 @@ namespace pantin {
 /// The step that always answers, for start states with gaps, contradictory anchors and steps that Newton cannot solve:
 /// forces, projection of velocities, free drift, then Levenberg and Marquardt on the sum of squared gaps in the mass
 /// metric, on positions only, and projection again. It ends at least squares, and only dissipates.
-void safe_step(Articulate& articulate, const DriftSettings& settings, double h, DriftReport& report);
+void fallback_step(Articulate& articulate, const DriftSettings& settings, double h, DriftReport& report);
 
 }  // namespace pantin

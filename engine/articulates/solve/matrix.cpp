@@ -14,7 +14,7 @@ Vec3x4 right_arm(const RowEnds& end, Arms right) {
   return right == Arms::mean ? (end.r0 + end.r1) * 0.5 : right == Arms::start ? end.r0 : end.r1;
 }
 
-/// Rotation that a force of the row makes: W (s r̄^), of a couple W lever.
+/// Rotation that a force of the row makes: W (s r̄^), of an angular row W lever.
 Mat3x4 turn_by(const Mat3x4& W, const RowEnds& end, Arms right) {
   Mat3x4 G = times_hat(W, right_arm(end, right) * end.sign);
   for (int k = 0; k < 3; k++) G[k] += W[k] * end.lever;
@@ -27,7 +27,7 @@ Vec3x4 ease(const Articulate& a, const NodeBatch& n) {
   return {n.inverse_mass * d[0], n.inverse_mass * d[1], n.inverse_mass * d[2]};
 }
 
-/// What the force of a row does to another, by the rotation G that it makes: s_i s_j/m - s_i r_i^ G; of a couple lever G.
+/// What the force of a row does to another, by the rotation G that it makes: s_i s_j/m - s_i r_i^ G; of an angular row lever G.
 Mat3x4 coupling(const RowEnds& of, const RowEnds& by, const Mat3x4& G, const Vec3x4& inverse_mass) {
   const Vec3x4 left = of.r1 * of.sign, straight = inverse_mass * (of.sign * by.sign);
   Mat3x4 K;
@@ -44,16 +44,16 @@ void add(Mat3& block, bool first, const Row& row, const Articulate& a, const Mat
 }
 
 /// The blocks of the rows that meet at the nodes of a batch.
-void add_meetings(Articulate& a, std::size_t b, const Mat3x4& W, Arms right) {
+void add_row_blocks(Articulate& a, std::size_t b, const Mat3x4& W, Arms right) {
   const NodeBatch& n = a.batches[b];
-  const auto ends = ends_of(a, n).first(meeting_ends(a, b));
+  const auto ends = ends_of(a, n).first(ends_with_blocks(a, b));
   const Vec3x4 inverse_mass = ease(a, n);
   for (std::size_t j = 0; j < ends.size(); j++) {
     const Mat3x4 G = turn_by(W, ends[j], right);
     for (std::size_t i = 0; i < ends.size(); i++) {
       const auto blocks = unpack(coupling(ends[i], ends[j], G, inverse_mass));
       for (std::size_t lane = 0; lane < n.count; lane++) {
-        const Meeting* m = meeting(a, b, lane, i, j);
+        const RowBlock* m = row_block(a, b, lane, i, j);
         if (m == nullptr) continue;
         const Row& row = a.rows[ends[i].row[lane]];
         if (i < j)
@@ -65,7 +65,7 @@ void add_meetings(Articulate& a, std::size_t b, const Mat3x4& W, Arms right) {
   }
 }
 
-/// The blocks of the rows of a hub with its variables: s u + w x s r1 (of a couple lever w) in the equations of the rows,
+/// The blocks of the rows of a hub with its variables: s u + w x s r1 (of an angular row lever w) in the equations of the rows,
 /// u - Σ s/m f = 0 and w - Σ W (s r̄ x f) = 0 in those of the variables.
 void add_hub(Articulate& a, const Hub& hub, const Mat3x4& W, Arms right) {
   const std::size_t lane = hub.node % batch_size;
@@ -119,9 +119,9 @@ void move_ends(Articulate& a, const NodeBatch& n) {
   const Vec3x4 turn = rotation(n, n.da);
   for (const RowEnds& end : ends_of(a, n)) hand_over(a, end, cross(turn, end.r1) * end.sign + turn * end.lever);
 }
-const Strand* strand_of_head(const Articulate& a, std::uint32_t k) {
-  for (const Strand& strand : a.strands)
-    if (strand.head == k) return &strand;
+const SlidingString* string_of_head(const Articulate& a, std::uint32_t k) {
+  for (const SlidingString& string : a.strings)
+    if (string.head == k) return &string;
   return nullptr;
 }
 
@@ -130,9 +130,9 @@ void set_right_side(Articulate& a, std::uint32_t k, const System& system) {
   Vec3 side = row.residual;
   if (system.right == Arms::mean) {
     side += row.kind == RowKind::rigid ? handed_over(a, k) : condition(a, row).M * handed_over(a, k);
-    if (row.kind == RowKind::strand)
-      if (const Strand* strand = strand_of_head(a, k))
-        side += into_head(a, *strand, [&](const Row& segment) { return handed_over(a, condition(a, segment).row); });
+    if (row.kind == RowKind::segment)
+      if (const SlidingString* string = string_of_head(a, k))
+        side += into_head(a, *string, [&](const Row& segment) { return handed_over(a, condition(a, segment).row); });
   }
   a.right_side[k] = side * system.right_scale;
 }
@@ -153,20 +153,20 @@ const RowEnds& end_of(const Articulate& a, std::size_t node, std::uint32_t row) 
 
 /// The parts of a string's head that its other segments make, once all their
 /// nodes are known.
-void add_strand(Articulate& a, const Strand& strand, const System& system) {
-  for (std::uint32_t block : strand.cleared) a.factor.lower[block] = a.factor.upper[block] = zero33();
-  for (const StrandMeeting& m : strand.meetings) {
+void add_string_blocks(Articulate& a, const SlidingString& string, const System& system) {
+  for (std::uint32_t block : string.cleared) a.factor.lower[block] = a.factor.upper[block] = zero33();
+  for (const StringBlock& m : string.blocks) {
     const std::size_t batch = m.node / batch_size;
     const RowEnds &of = end_of(a, m.node, m.segment), &by = end_of(a, m.node, m.column);
     const Mat3x4 G = turn_by(weight(a, batch, system), by, system.right);
     const Mat3 k = unpack(coupling(of, by, G, ease(a, a.batches[batch])))[m.node % batch_size];
-    Mat3& block = m.column == strand.head ? a.factor.diagonal[m.block]
+    Mat3& block = m.column == string.head ? a.factor.diagonal[m.block]
                   : m.upper               ? a.factor.upper[m.block]
                                           : a.factor.lower[m.block];
     block += condition(a, a.rows[m.segment]).into_head * k;
   }
-  for (const StrandLink& link : strand.links) {
-    Mat3& block = link.segment > strand.head ? a.factor.lower[link.block] : a.factor.upper[link.block];
+  for (const HeadBlock& link : string.links) {
+    Mat3& block = link.segment > string.head ? a.factor.lower[link.block] : a.factor.upper[link.block];
     block += condition(a, a.rows[link.segment]).from_head * system.scale;
   }
 }
@@ -195,12 +195,12 @@ bool factorise(Articulate& a, const System& system) {
   bool weak = false;
   a.exact = false;
   const double least = redundant(a, system);
-  Wave done;
+  Tile done;
   clear_hubs(a);
   auto hub = a.hubs.begin();
   const std::uint32_t* to = a.factor.target.data();
-  for (const Wave& wave : a.waves) {
-    for (; done.batches < wave.batches; done.batches++) {
+  for (const Tile& tile : a.tiles) {
+    for (; done.batches < tile.batches; done.batches++) {
       NodeBatch& n = a.batches[done.batches];
       if (system.right == Arms::mean) {
         a.plane.flat() ? invert_flat_jacobian(n, moments(a, n), system.h, a.plane.normal)
@@ -208,16 +208,16 @@ bool factorise(Articulate& a, const System& system) {
         move_ends(a, n);
       }
       const Mat3x4 W = weight(a, done.batches, system);
-      add_meetings(a, done.batches, W, system.right);
+      add_row_blocks(a, done.batches, W, system.right);
       for (; hub != a.hubs.end() && hub->node / batch_size == done.batches; ++hub) add_hub(a, *hub, W, system.right);
     }
-    for (; done.rows < wave.rows; done.rows++) {
-      if (a.rows[done.rows].kind == RowKind::strand)
-        if (const Strand* strand = strand_of_head(a, done.rows)) add_strand(a, *strand, system);
+    for (; done.rows < tile.rows; done.rows++) {
+      if (a.rows[done.rows].kind == RowKind::segment)
+        if (const SlidingString* string = string_of_head(a, done.rows)) add_string_blocks(a, *string, system);
       finish_diagonal(a, done.rows, system);
       set_right_side(a, done.rows, system);
     }
-    for (; done.columns < wave.columns; done.columns++) {
+    for (; done.columns < tile.columns; done.columns++) {
       weak = a.factor.eliminate(done.columns, to, least) || weak;
       a.factor.substitute_forward(done.columns, a.right_side.data());
     }
@@ -234,12 +234,12 @@ void solve_hubs(Articulate& a) {
 }
 
 void reuse_factor(Articulate& a, const System& system) {
-  Wave done;
+  Tile done;
   clear_hubs(a);
-  for (const Wave& wave : a.waves) {
-    for (; done.batches < wave.batches; done.batches++) move_ends(a, a.batches[done.batches]);
-    for (; done.rows < wave.rows; done.rows++) set_right_side(a, done.rows, system);
-    for (; done.columns < wave.columns; done.columns++) a.factor.substitute_forward(done.columns, a.right_side.data());
+  for (const Tile& tile : a.tiles) {
+    for (; done.batches < tile.batches; done.batches++) move_ends(a, a.batches[done.batches]);
+    for (; done.rows < tile.rows; done.rows++) set_right_side(a, done.rows, system);
+    for (; done.columns < tile.columns; done.columns++) a.factor.substitute_forward(done.columns, a.right_side.data());
   }
 }
 

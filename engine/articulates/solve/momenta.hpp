@@ -14,7 +14,7 @@ struct Momenta {
 /// Whether no row ties it to the world.
 bool is_free(const Articulate& articulate);
 /// Whether it is free and has rows whose forces act over a gap in each step.
-inline bool acts_over_gaps(const Articulate& a) { return a.draws || (a.offsets && is_free(a)); }
+inline bool acts_over_gaps(const Articulate& a) { return a.attracts || (a.offsets && is_free(a)); }
 Vec3 centre_of_mass(const Articulate& articulate);
 Momenta momenta_of(const Articulate& articulate);
 /// What the rows' forces of a step of h [s], acting over gaps, did to the angular momentum [kg m²/s].

@@ -28,7 +28,7 @@ const Node& second(const Articulate& a, const Row& row) { return a.nodes[static_
 /// Where the rows' ends are, at the end of the step.
 void place_row_at_end(Articulate& a, std::size_t k) {
   Row& row = a.rows[k];
-  if (row.lever > 0.0) return place_couple_at_end(a, row);
+  if (row.lever > 0.0) return place_angular_row_at_end(a, row);
   row.d1 = a.at_ends[2 * k] - (row.b >= 0 ? a.at_ends[2 * k + 1] : condition(a, row).place1);
 }
 
@@ -44,7 +44,7 @@ Lanes place_batch(Articulate& a, std::size_t b, double h) {
     add_load(load, end, fetch(end, [&](std::uint32_t k) { return a.rows[k].f; }), mean_arm(end));
   const Lanes size2 = evaluate(n, load, h);
   for (const RowEnds& end : ends) hand_over(a, end, n.x1 + end.r1);
-  if (a.couples) tell_places(a, b);
+  if (a.turns) tell_places(a, b);
   return size2;
 }
 
@@ -69,7 +69,7 @@ class Evaluation {
   }
   /// Once all are; returns the largest residual [m].
   double end() {
-    if (!a_.strands.empty()) count(worst_, evaluate_strands(a_, h_));
+    if (!a_.strings.empty()) count(worst_, evaluate_strings(a_, h_));
     a_.residual = std::sqrt(worst2_);
     if (!(largest_lane(unsound_) == 0.0)) return infinity;
     return std::max(worst_, std::sqrt(std::max(worst2_, largest_lane(largest2_))));
@@ -88,14 +88,14 @@ class Evaluation {
 template <class SetRow, class SetBatch>
 double evaluate(Articulate& a, double h, SetRow set_row, SetBatch set_batch) {
   Evaluation evaluation(a, h);
-  Wave done;
-  for (const Wave& wave : a.waves) {
-    for (; done.forces < wave.forces; done.forces++) set_row(done.forces);
-    for (; done.batches < wave.batches; done.batches++) {
+  Tile done;
+  for (const Tile& tile : a.tiles) {
+    for (; done.forces < tile.forces; done.forces++) set_row(done.forces);
+    for (; done.batches < tile.batches; done.batches++) {
       set_batch(done.batches);
       evaluation.batch(done.batches);
     }
-    for (; done.rows < wave.rows; done.rows++) evaluation.row(done.rows);
+    for (; done.rows < tile.rows; done.rows++) evaluation.row(done.rows);
   }
   return evaluation.end();
 }
@@ -211,7 +211,7 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   Goal goal{};
   double e = start_iteration(a, h, gravity, goal), gain = 1.0;
   const auto [tolerance, round_off] = goal;
-  a.forecast.rough = e > 0.03 * a.length;
+  a.predictor.rough = e > 0.03 * a.length;
   bool have_factor = false, fresh = false;
   int old_uses = 0, lost = 0, slow = 0;
   // A prediction must be better than what an iteration leaves: what rests is to stay at rest.
@@ -272,17 +272,17 @@ Vec3 start_velocity(const Node& n, Vec3 l) {
 }  // namespace
 
 void find_solved_gaps(Articulate& a) {
-  if (!a.all_rigid || a.couples || a.offsets) return measure_gaps(a);
+  if (!a.all_rigid || a.turns || a.offsets) return measure_gaps(a);
   a.gaps = {a.residual, 0.0, a.residual};
 }
 
 void place_rows_at_start(Articulate& a) {
   for (std::size_t b = 0; b < a.batches.size(); b++) place_at_start(a, b);
-  if (a.all_rigid && !a.couples) return;
+  if (a.all_rigid && !a.turns) return;
   for (std::size_t k = 0; k < a.rows.size(); k++) {
     Row& row = a.rows[k];
     if (row.lever > 0.0) {
-      place_couple_at_start(a, row);
+      place_angular_row_at_start(a, row);
       continue;
     }
     row.d0 = a.at_ends[2 * k] - (row.b >= 0 ? a.at_ends[2 * k + 1] : condition(a, row).place0);
@@ -313,10 +313,11 @@ void add_unsolved_work(const Articulate& a, double h, DriftReport& report) {
     const bool told = r.condition >= 0 && condition(a, r).works;
     if (r.kind == RowKind::stiff || (told && r.lever > 0.0)) continue;
     if (r.lever > 0.0) {
-      report.unsolved += work_of_couple(a, r);
+      report.unsolved += work_of_angular_row(a, r);
       continue;
     }
-    const Vec3 place = r.b < 0 || r.kind == RowKind::drawn ? condition(a, r).place1 - condition(a, r).place0 : zero3();
+    const Vec3 place =
+        r.b < 0 || r.kind == RowKind::attract ? condition(a, r).place1 - condition(a, r).place0 : zero3();
     const Vec3 by = moved(r.a, r.la) - (r.b >= 0 ? moved(r.b, r.lb) : zero3()) - place;
     report.unsolved += dot(r.f, told ? by - (r.d1 - r.d0) : by);
   }
@@ -333,20 +334,20 @@ void add_work_of_rows(Articulate& a, DriftReport& report) {
     const Row& r = row(a, c);
     if (c.stiff) {
       const double open = c.stiff->settle(r, c.given);
-      (c.stiff->is_damped() ? report.damped : report.open_work) += open;
+      (c.stiff->is_damped() ? report.damped : report.nonconservative_work) += open;
       c.settling = c.stiff->settling;
       c.mean_rate = c.stiff->mean_rate;
       continue;
     }
-    if ((r.b < 0 || r.kind == RowKind::drawn) && r.lever == 0.0) report.work += dot(r.f, c.place1 - c.place0);
+    if ((r.b < 0 || r.kind == RowKind::attract) && r.lever == 0.0) report.work += dot(r.f, c.place1 - c.place0);
     if (!c.works) continue;
     double& line = c.ranged ? report.limit : r.lever > 0.0 ? report.motor : report.work;
-    line += r.lever > 0.0 ? work_of_couple(a, r) : dot(r.f, r.d1 - r.d0);
+    line += r.lever > 0.0 ? work_of_angular_row(a, r) : dot(r.f, r.d1 - r.d0);
   }
 }
 
 bool solve_step(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
-  if (!a.all_rigid || a.couples) place_rows_at_start(a);
+  if (!a.all_rigid || a.turns) place_rows_at_start(a);
   if (!iterate(a, h, gravity, report)) return false;
   Lanes pushed = lanes(0.0);
   for (std::size_t b = 0; b < a.batches.size(); b++) pushed += commit(a, b, h, gravity);

@@ -16,10 +16,10 @@ class Prediction {
  private:
   Articulate& a_;
   double h_;
-  std::array<double, Forecast::levels> old_scale_;
+  std::array<double, Predictor::levels> old_scale_;
   std::size_t order_ = 0;
   double rate_ = 0.0;
-  std::array<Lanes, Forecast::levels> rotations_missed_{}, forces_missed_{};
+  std::array<Lanes, Predictor::levels> rotations_missed_{}, forces_missed_{};
 };
 
 }  // namespace pantin

@@ -29,11 +29,11 @@ void find_forbidden_velocity(Articulate& a, std::size_t k) {
 
 /// Of a string's head that of the whole string; of its other segments 0, which
 /// have the head's impulse.
-Vec3 forbidden_of_strand(const Articulate& a, std::uint32_t k) {
-  for (const Strand& strand : a.strands) {
-    if (strand.head != k) continue;
+Vec3 forbidden_of_string(const Articulate& a, std::uint32_t k) {
+  for (const SlidingString& string : a.strings) {
+    if (string.head != k) continue;
     return a.rows[k].residual +
-           into_head(a, strand, [&](const Row& row) { return handed_over(a, condition(a, row).row); });
+           into_head(a, string, [&](const Row& row) { return handed_over(a, condition(a, row).row); });
   }
   return zero3();
 }
@@ -43,7 +43,7 @@ void find_kept(Articulate& a) {
   if (a.all_rigid) return;
   for (Row& row : a.rows)
     if (row.kind != RowKind::rigid) rule(row).project(row, condition(a, row));
-  project_strands(a);
+  project_strings(a);
 }
 
 struct Velocities {
@@ -60,10 +60,10 @@ enum class From : std::uint8_t { batches, nodes };
 Velocities find_velocities(Articulate& a, From from, bool serves = false) {
   Velocities v;
   Lanes kinetic = lanes(0.0), fastest2 = lanes(0.0);
-  Wave done;
+  Tile done;
   clear_hubs(a);
-  for (const Wave& wave : a.waves) {
-    for (; done.batches < wave.batches; done.batches++) {
+  for (const Tile& tile : a.tiles) {
+    for (; done.batches < tile.batches; done.batches++) {
       if (from == From::nodes) read_momenta(a, done.batches);
       const NodeBatch& n = a.batches[done.batches];
       const Vec3x4 velocity = n.p * n.inverse_mass, spin = n.mobility * n.L;
@@ -72,14 +72,14 @@ Velocities find_velocities(Articulate& a, From from, bool serves = false) {
       for (const RowEnds& end : ends_of(a, n))
         hand_over(a, end, (velocity + cross(spin, end.r1)) * end.sign + spin * end.lever);
     }
-    for (; done.rows < wave.rows; done.rows++) {
+    for (; done.rows < tile.rows; done.rows++) {
       Row& row = a.rows[done.rows];
       find_forbidden_velocity(a, done.rows);
-      if (row.kind == RowKind::strand) row.residual = forbidden_of_strand(a, done.rows);
+      if (row.kind == RowKind::segment) row.residual = forbidden_of_string(a, done.rows);
       v.forbidden = std::max(v.forbidden, norm2(row.residual));
       a.right_side[done.rows] = row.residual * -1.0;
     }
-    for (; serves && done.columns < wave.columns; done.columns++)
+    for (; serves && done.columns < tile.columns; done.columns++)
       a.factor.substitute_forward(done.columns, a.right_side.data());
   }
   v.kinetic = sum(kinetic);
@@ -93,7 +93,7 @@ Velocities find_velocities(Articulate& a, From from, bool serves = false) {
 /// Adds the work of the impulse of a row on what moves by itself.
 void add_work(ImpulseWork& work, const Articulate& a, const Condition& c, Vec3 impulse) {
   if (c.stiff) return;
-  (row(a, c).lever > 0.0 ? work.couples : work.ends) += dot(impulse, c.wanted);
+  (row(a, c).lever > 0.0 ? work.turns : work.ends) += dot(impulse, c.wanted);
 }
 
 /// Energy that what moves by itself may give, if all moves as fast, or for a turn ten times as much, since a crank may turn
@@ -111,7 +111,7 @@ double driven_energy(const Articulate& a) {
 }
 
 /// Work of the impulses on what moves by itself. Where rows contradict each other their impulses may have no bound, but what
-/// all of them do at the velocities that they got has: it is then that of anchors, or where none moves of couples.
+/// all of them do at the velocities that they got has: it is then that of anchors, or where none moves of angular rows.
 ImpulseWork work_of_impulses(const Articulate& a, const Velocities& v) {
   constexpr double bound = 10.0;  // of what moves and drives
   ImpulseWork work;
@@ -125,7 +125,7 @@ ImpulseWork work_of_impulses(const Articulate& a, const Velocities& v) {
     all += dot(a.impulses[c.row], c.wanted);
     anchors = anchors || (row(a, c).lever == 0.0 && norm2(c.wanted) > 0.0);
   }
-  (anchors ? work.ends : work.couples) = all;
+  (anchors ? work.ends : work.turns) = all;
   return work;
 }
 
@@ -198,13 +198,13 @@ bool project_with_newton_factor(Articulate& a, const Velocities& before, DriftRe
 }
 
 void carry_half(Articulate& a, double h) {
-  a.carried_h = h;
-  for (std::size_t k = 0; k < a.rows.size(); k++) a.carried[k] = (a.carried[k] + a.impulses[k]) * 0.5;
-  a.carried_work = {};
+  a.symmetric_h = h;
+  for (std::size_t k = 0; k < a.rows.size(); k++) a.symmetric[k] = (a.symmetric[k] + a.impulses[k]) * 0.5;
+  a.symmetric_work = {};
   for (const Condition& c : a.conditions) {
     if (row(a, c).kind != RowKind::rigid)
-      a.carried[c.row] = c.kept * a.carried[c.row];  // earlier ones were along others
-    add_work(a.carried_work, a, c, a.carried[c.row]);
+      a.symmetric[c.row] = c.kept * a.symmetric[c.row];  // earlier ones were along others
+    add_work(a.symmetric_work, a, c, a.symmetric[c.row]);
   }
 }
 
@@ -229,42 +229,42 @@ void set_kept_matrices(Articulate& a) {
     c.M = c.kept;
     c.C = identity33() - c.kept;
   }
-  for (const Strand& strand : a.strands)
-    for (std::uint32_t k : strand.segments) {
-      if (k == strand.head) continue;
+  for (const SlidingString& string : a.strings)
+    for (std::uint32_t k : string.segments) {
+      if (k == string.head) continue;
       condition(a, a.rows[k]).M = zero33();
       condition(a, a.rows[k]).C = identity33();
     }
 }
 
-bool take_carried_half(Articulate& a, double full, DriftReport& report) {
-  a.carried_energy = 0.0;
-  if (a.carried_h != full / a.sub_steps.count) {
-    std::fill(a.carried.begin(), a.carried.end(), zero3());
+bool project_symmetrically(Articulate& a, double full, DriftReport& report) {
+  a.symmetric_energy = 0.0;
+  if (a.symmetric_h != full / a.sub_steps.count) {
+    std::fill(a.symmetric.begin(), a.symmetric.end(), zero3());
     return false;
   }
   const double sign = a.sub_steps.count == 1 ? -1.0 : 1.0;
-  report.tell(a.carried_work, sign);
+  report.tell(a.symmetric_work, sign);
   Lanes gained = lanes(0.0);
   for (std::size_t b = 0; b < a.batches.size(); b++) {
     NodeBatch& n = a.batches[b];
     read_momenta(a, b);
     const Lanes before = kinetic_energy(n);
-    add_impulses(a, n, [&](std::uint32_t k) { return a.carried[k] * sign; });
+    add_impulses(a, n, [&](std::uint32_t k) { return a.symmetric[k] * sign; });
     tell_momenta(a, b);
     gained += kinetic_energy(n) - before;
   }
-  a.carried_energy = sum(gained);
-  report.projected += a.carried_energy - a.carried_work.all() * sign;
+  a.symmetric_energy = sum(gained);
+  report.projected += a.symmetric_energy - a.symmetric_work.all() * sign;
   return true;
 }
 
 void project_velocities(Articulate& a, const DriftSettings& settings, DriftReport& report) {
-  a.carried_h = 0.0;
+  a.symmetric_h = 0.0;
   const bool over_gaps = acts_over_gaps(a);
   Momenta kept = over_gaps ? momenta_of(a) : Momenta{};
   kept.angular -= std::exchange(a.turned, zero3());
-  if (a.safe || a.yields) {
+  if (a.fell_back || a.yields) {
     if (over_gaps) report.work += restore_momenta(a, kept);
     return;
   }
@@ -291,7 +291,7 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   tell_momenta(a);
   if (over_gaps) {
     const double given = restore_momenta(a, kept);
-    report.work += a.draws ? kinetic_energy(a) - before.kinetic - (report.outside() - outside) : given;
+    report.work += a.attracts ? kinetic_energy(a) - before.kinetic - (report.outside() - outside) : given;
   }
   if (struck(a) && !a.cut) {
     begin_exerted(a);
@@ -302,7 +302,8 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   const double speed = std::max(before.fastest, std::sqrt(norm(settings.gravity) * a.length));
   const bool noise = before.forbidden <= 1e-9 * speed;  // as large as what the solver leaves
   if (a.smooth && !a.weak && !noise && !over_gaps && !is_one_sided(a)) carry_half(a, settings.full / a.sub_steps.count);
-  if (settings.energy_return) report.returned += return_energy(a, before.kinetic - a.carried_energy, settings.gravity);
+  if (settings.energy_return)
+    report.returned += return_energy(a, before.kinetic - a.symmetric_energy, settings.gravity);
 }
 
 namespace {
@@ -332,7 +333,7 @@ ImpulseWork take_out_forbidden(Articulate& a) {
 }
 
 /// How much of its impulse a row that holds cannot give [N s]; `time` [s] it has for it. A stop that was struck for `struck`
-/// [s] gave an impulse there, of which this may take back a part: the meeting turned what it should end.
+/// [s] gave an impulse there, of which this may take back a part: the impact turned what it should end.
 double beyond_reach(const Articulate& a, const Condition& c, double time, double struck) {
   const Row& r = row(a, c);
   const Vec3 impulse = a.impulses[c.row];

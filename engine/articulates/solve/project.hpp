@@ -10,9 +10,9 @@ void project_velocities(Articulate& articulate, const DriftSettings& settings, D
 /// Before a full sub-step of `full` [s]: takes out of the momenta half of what projections gave of late, p -= G0'μ̂ with
 /// μ̂ = ½ (μ̂ + μ) of the last. A solved step turns the sign of a velocity that the rows forbid, so with this it and its
 /// projection are nearly reversible together (symmetric projection: Hairer 2000), and energy drifts less; where their
-/// number is even, p += G0'μ̂. Nothing, and false, where the last one was another: edited, halved, safe, of another length,
+/// number is even, p += G0'μ̂. Nothing, and false, where the last one was another: edited, halved, a fallback, of another length,
 /// or with multipliers that are not all determined.
-bool take_carried_half(Articulate& articulate, double full, DriftReport& report);
+bool project_symmetrically(Articulate& articulate, double full, DriftReport& report);
 
 /// Makes the kinetic energy `kinetic` again [J], as far as speeds 1.2 times as large do; nothing is given back where an
 /// anchor moves or a pull is limited. Returns what it gave [J].
@@ -25,7 +25,7 @@ double change_kinetic_energy(Articulate& articulate, double change, double most,
 /// Sets M and C of the rows for projections, from what velocities are forbidden: M = kept, C = 1 - M.
 void set_kept_matrices(Articulate& articulate);
 
-/// Makes momenta consistent (an inelastic meeting), with the least compliance that gives a sane energy: anchors may be
+/// Makes momenta consistent (an inelastic impact), with the least compliance that gives a sane energy: anchors may be
 /// near-singular or contradict each other. Rows that hold let go where they would have to do what they cannot: a stop to
 /// pull, beyond what it gave if it was struck for the last `struck` [s], a motor to exert more than it can in `time` [s]. Arms at the nodes' ends; ends must equal starts. Returns the work
 /// of what moves by itself.

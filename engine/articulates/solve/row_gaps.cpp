@@ -15,18 +15,18 @@ double residual(Articulate& a, Row& row, double h) {
 
 Vec3 gap(const Articulate& a, const Row& row) {
   if (row.kind == RowKind::rigid) return row.d1 - row.offset;
-  if (row.kind == RowKind::strand) return strand_gap(a, row);
+  if (row.kind == RowKind::segment) return string_gap(a, row);
   return rule(row).gap(row, condition(a, row));
 }
 
 Stop stop(const Articulate& a, const Row& row) {
-  return row.kind == RowKind::strand ? strand_stop(a, row) : rule(row).stop(row, condition(a, row));
+  return row.kind == RowKind::segment ? string_stop(a, row) : rule(row).stop(row, condition(a, row));
 }
 
 void accept_gap(Articulate& a, Row& row) {
   const Vec3 open = gap(a, row);
   if (row.kind == RowKind::rigid || row.kind == RowKind::axis || row.kind == RowKind::path ||
-      row.kind == RowKind::drawn) {
+      row.kind == RowKind::attract) {
     row.offset += open;
     return;
   }

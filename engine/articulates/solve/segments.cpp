@@ -28,9 +28,9 @@ Segment segment(const Row& row) {
   return {direction(e), direction(row.d1), stretch, 1.0 / (sum * stretch), norm(row.d1 - row.d0)};
 }
 
-double total_length(const Articulate& a, const Strand& strand) {
+double total_length(const Articulate& a, const SlidingString& string) {
   double sum = 0.0;
-  for (std::uint32_t k : strand.segments) sum += norm(a.rows[k].d1);
+  for (std::uint32_t k : string.segments) sum += norm(a.rows[k].d1);
   return sum;
 }
 
@@ -70,106 +70,107 @@ double evaluate_other(Articulate& a, Row& row, const Segment& s, const Row& head
   return weighted(wrong, row, s, kappa);
 }
 
-double evaluate_strand(Articulate& a, const Strand& strand, double h) {
-  Row& head = a.rows[strand.head];
+double evaluate_string(Articulate& a, const SlidingString& string, double h) {
+  Row& head = a.rows[string.head];
   const Segment of_head = segment(head);
   const double kappa = 0.5 * h * h * mobility(a, head);
   const Condition& c = condition(a, head);
-  const double over = total_length(a, strand) - c.length - c.accepted;
+  const double over = total_length(a, string) - c.length - c.accepted;
   const bool held = dot(head.f, of_head.n) / of_head.stretch * kappa < over;
   double worst = 0.0;
-  for (std::uint32_t k : strand.segments) {
+  for (std::uint32_t k : string.segments) {
     Row& row = a.rows[k];
     if (!held) {
       worst = std::fmax(worst, let_go(a, row, kappa));
       continue;
     }
     condition(a, row).held = true;
-    worst = std::fmax(worst, k == strand.head ? evaluate_head(a, row, of_head, over, kappa)
+    worst = std::fmax(worst, k == string.head ? evaluate_head(a, row, of_head, over, kappa)
                                               : evaluate_other(a, row, segment(row), head, of_head, kappa));
   }
   return worst;
 }
 
 /// Adds what concerns the rows on one node of a segment.
-void find_strand_meetings(const Articulate& a, Strand& strand, std::uint32_t segment, std::int32_t node) {
+void find_string_blocks(const Articulate& a, SlidingString& string, std::uint32_t segment, std::int32_t node) {
   for (std::uint32_t c = 0; c < a.rows.size(); c++) {
     const Row& row = a.rows[c];
     if (row.a != node && row.b != node) continue;
-    const bool upper = strand.head < c;
+    const bool upper = string.head < c;
     const std::uint32_t block =
-        c == strand.head ? c : a.factor.block(std::max(c, strand.head), std::min(c, strand.head));
-    strand.meetings.push_back({segment, c, static_cast<std::uint32_t>(node), block, upper});
+        c == string.head ? c : a.factor.block(std::max(c, string.head), std::min(c, string.head));
+    string.blocks.push_back({segment, c, static_cast<std::uint32_t>(node), block, upper});
   }
 }
 
 }  // namespace
 
-void find_strands(Articulate& a) {
+void find_strings(Articulate& a) {
   for (std::uint32_t k = 0; k < a.rows.size(); k++) {
     const Row& row = a.rows[k];
-    if (row.kind != RowKind::strand) continue;
+    if (row.kind != RowKind::segment) continue;
     const ConstraintId id = condition(a, row).constraint;
-    const auto same = std::find_if(a.strands.begin(), a.strands.end(),
-                                   [&](const Strand& s) { return condition(a, a.rows[s.head]).constraint == id; });
-    if (same == a.strands.end()) {
-      a.strands.push_back({k, {k}, {}, {}, {}});
+    const auto same = std::find_if(a.strings.begin(), a.strings.end(), [&](const SlidingString& s) {
+      return condition(a, a.rows[s.head]).constraint == id;
+    });
+    if (same == a.strings.end()) {
+      a.strings.push_back({k, {k}, {}, {}, {}});
       continue;
     }
     same->segments.push_back(k);
     same->head =
         k;  // the last: what another row holds still leaves the head no pivot before the other segments have one
   }
-  for (Strand& strand : a.strands)
-    for (std::uint32_t k : strand.segments) {
-      if (k == strand.head) continue;
+  for (SlidingString& string : a.strings)
+    for (std::uint32_t k : string.segments) {
+      if (k == string.head) continue;
       for (std::int32_t node : {a.rows[k].a, a.rows[k].b})
-        if (node >= 0) find_strand_meetings(a, strand, k, node);
-      strand.links.push_back({k, a.factor.block(std::max(k, strand.head), std::min(k, strand.head))});
+        if (node >= 0) find_string_blocks(a, string, k, node);
+      string.links.push_back({k, a.factor.block(std::max(k, string.head), std::min(k, string.head))});
     }
 }
 
-double evaluate_strands(Articulate& a, double h) {
+double evaluate_strings(Articulate& a, double h) {
   double worst = 0.0;
-  for (const Strand& strand : a.strands) {
-    const double size = evaluate_strand(a, strand, h);
+  for (const SlidingString& string : a.strings) {
+    const double size = evaluate_string(a, string, h);
     worst = std::isfinite(size) ? std::fmax(worst, size) : infinity;
   }
   return worst;
 }
 
 void hold_with_heads(Articulate& a) {
-  for (const Strand& strand : a.strands)
-    for (std::uint32_t k : strand.segments) condition(a, a.rows[k]).held = condition(a, a.rows[strand.head]).held;
+  for (const SlidingString& string : a.strings)
+    for (std::uint32_t k : string.segments) condition(a, a.rows[k]).held = condition(a, a.rows[string.head]).held;
 }
 
-void project_strands(Articulate& a) {
-  for (const Strand& strand : a.strands) {
-    const bool held = condition(a, a.rows[strand.head]).held;
-    const Vec3 along_head = direction(a.rows[strand.head].d1);
-    for (std::uint32_t k : strand.segments) {
+void project_strings(Articulate& a) {
+  for (const SlidingString& string : a.strings) {
+    const bool held = condition(a, a.rows[string.head]).held;
+    const Vec3 along_head = direction(a.rows[string.head].d1);
+    for (std::uint32_t k : string.segments) {
       const Vec3 n = direction(a.rows[k].d1);
       Condition& c = condition(a, a.rows[k]);
       c.wanted = zero3();
       c.kept = held ? outer(n, n) : zero33();
       c.into_head = held ? outer(along_head, n) : zero33();
       c.from_head = held ? outer(n, along_head) * -1.0 : zero33();
-      if (held && k == strand.head) c.wanted = n * c.length_rate;
+      if (held && k == string.head) c.wanted = n * c.length_rate;
     }
   }
 }
 
-Stop strand_stop(const Articulate& a, const Row& row) {
-  for (const Strand& strand : a.strands) {
-    if (&a.rows[strand.head] != &row) continue;
+Stop string_stop(const Articulate& a, const Row& row) {
+  for (const SlidingString& string : a.strings) {
+    if (&a.rows[string.head] != &row) continue;
     const Condition& c = condition(a, row);
-    return {direction(row.d1) * -1.0, c.length + c.accepted - total_length(a, strand)};
+    return {direction(row.d1) * -1.0, c.length + c.accepted - total_length(a, string)};
   }
   return {zero3()};
 }
 
-Vec3 strand_gap(const Articulate& a, const Row& row) {
-  const Stop end = strand_stop(a, row);
+Vec3 string_gap(const Articulate& a, const Row& row) {
+  const Stop end = string_stop(a, row);
   return end.inward * std::fmin(0.0, end.room);
 }
 

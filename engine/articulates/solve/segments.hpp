@@ -8,25 +8,25 @@
 namespace pantin {
 
 /// Finds the segments of each string, and what of the matrix its head adds up. Call once rows are in order.
-void find_strands(Articulate& articulate);
+void find_strings(Articulate& articulate);
 
 /// Sets residual, M and C of all segments at the end of a step of h [s]; returns the largest residual [m].
-double evaluate_strands(Articulate& articulate, double h);
+double evaluate_strings(Articulate& articulate, double h);
 /// Sets `kept` and `wanted` of the segments, and what couples them in the projection.
-void project_strands(Articulate& articulate);
+void project_strings(Articulate& articulate);
 /// Has all segments hold that have heads which do.
 void hold_with_heads(Articulate& articulate);
 /// What keeps a head from making its string longer than it may be.
-Stop strand_stop(const Articulate& articulate, const Row& row);
+Stop string_stop(const Articulate& articulate, const Row& row);
 /// How much longer the strings are than they may be: of a head, along itself; else 0, [m].
-Vec3 strand_gap(const Articulate& articulate, const Row& row);
+Vec3 string_gap(const Articulate& articulate, const Row& row);
 
 /// What the other segments add to the head's equation by their velocities `v(row)`, or other changes of d1.
 template <class Change>
-Vec3 into_head(const Articulate& a, const Strand& strand, Change change) {
+Vec3 into_head(const Articulate& a, const SlidingString& string, Change change) {
   Vec3 sum = zero3();
-  for (std::uint32_t k : strand.segments)
-    if (k != strand.head) sum += condition(a, a.rows[k]).into_head * change(a.rows[k]);
+  for (std::uint32_t k : string.segments)
+    if (k != string.head) sum += condition(a, a.rows[k]).into_head * change(a.rows[k]);
   return sum;
 }
 

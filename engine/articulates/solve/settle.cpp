@@ -30,7 +30,7 @@ void project_stiff(const Row& row, Condition& c) {
 }
 
 bool is_to_settle(const Articulate& a) {
-  return a.open && !a.safe &&
+  return a.nonconservative && !a.fell_back &&
          std::any_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) { return c.settling > 0.0; });
 }
 

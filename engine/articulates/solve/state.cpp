@@ -57,7 +57,7 @@ void begin_report(Articulate& a) {
 void disturb(Articulate& a) {
   wake(a);
   a.edited = true;
-  a.last_h = a.carried_h = 0.0;
+  a.last_h = a.symmetric_h = 0.0;
 }
 
 void store(const Articulate& a, Model& model) {

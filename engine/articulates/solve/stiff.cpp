@@ -113,7 +113,7 @@ void choose_damping(StiffTie& tie, double s0, const RowContext& context) {
   for (PairCurve& curve : tie.curves) {
     curve.run(1, &s0, tie.rate0);
     const PairCurve::Value v = curve.at(0);
-    if (curve.is_moving()) c += s0 * v.by_approach;
+    if (curve.depends_on_velocity()) c += s0 * v.by_approach;
     k += v.pull + 2.0 * s0 * v.by_distance2;
   }
   c = std::fmax(c, 0.0);
@@ -185,14 +185,14 @@ StiffPull pull_at(StiffTie& tie, Vec3 d) {
   return p;
 }
 
-bool StiffTie::is_open() const {
+bool StiffTie::is_nonconservative() const {
   return solve == Solve::at_end ||
          std::any_of(curves.begin(), curves.end(), [](const PairCurve& curve) { return !curve.has_energy(); });
 }
 
 bool StiffTie::is_damped() const {
   return solve == Solve::at_end ||
-         std::any_of(curves.begin(), curves.end(), [](const PairCurve& curve) { return curve.is_moving(); });
+         std::any_of(curves.begin(), curves.end(), [](const PairCurve& curve) { return curve.depends_on_velocity(); });
 }
 
 double StiffTie::settle(const Row& row, std::vector<double>& given) {
@@ -204,7 +204,7 @@ double StiffTie::settle(const Row& row, std::vector<double>& given) {
     const double work = -pulls[i] * dot(e, way);
     rest -= work;
     (curves[i].has_energy() ? given[i] : open) += work;
-    if (!curves[i].is_moving()) continue;
+    if (!curves[i].depends_on_velocity()) continue;
     taken -= work + of_tension(curves[i], r0, r1, 0.0, infinity).Q * dot(e, way);
   }
   given[0] += rest;

@@ -23,7 +23,7 @@ struct StiffTie {
   double mean_rate = 0.0;         // [m/s] of the distance over the step
 
   /// Whether it takes energy or gives it.
-  bool is_open() const;
+  bool is_nonconservative() const;
   /// Whether it takes energy by its nature: it depends on velocities, or swallows at the end of the step.
   bool is_damped() const;
   /// Once a step is solved: adds what the curves' energies gave to the motion to `given` (curves) [J], bounds `settling`

@@ -49,7 +49,7 @@ double distance(const Node& a, const Node& b) {
 }
 
 /// Whether it was halved into what may be the parts of others.
-bool is_halved(const DriftReport& report) { return report.halved > 0 && report.safe == 0; }
+bool is_halved(const DriftReport& report) { return report.halved > 0 && report.fallbacks == 0; }
 
 double difference(const Articulate& a, const Articulate& b) {
   if (is_halved(a.report) || is_halved(b.report)) return infinity;
@@ -152,8 +152,8 @@ void drift_accurately(Articulate& a, const DriftSettings& settings, const SubSte
   };
   const double h = settings.h * (settings.to - settings.from);
   if (a.edited) a.sub_steps = {a.sub_steps.count};
-  if (a.edited || a.safe) a.means_known = 0;
-  if (a.safe) return move(a, 1);  // what it cannot do it cannot do better by parts
+  if (a.edited || a.fell_back) a.means_known = 0;
+  if (a.fell_back) return move(a, 1);  // what it cannot do it cannot do better by parts
   SubSteps n = a.sub_steps;
   bool due = is_due(n, wanted) || (wanted.span != 0.0 && a.means_known < 2);
   trial.start = a;

@@ -187,7 +187,7 @@ void Bonds::Kernel::gather(BondBlock& block, Stretch at, const Sites& sites, con
     gather_places(block.law, bonds, at, sites, box, count());
     return;
   }
-  const AlignedVector<Vec3>& forces = law->has_energy() ? sites.force : sites.open_force;
+  const AlignedVector<Vec3>& forces = law->has_energy() ? sites.force : sites.nonconservative_force;
   if (box.periodic())
     gather_distances<true>(block, bonds, at, sites, box, least2, forces);
   else
@@ -197,7 +197,7 @@ void Bonds::Kernel::gather(BondBlock& block, Stretch at, const Sites& sites, con
 }
 
 void Bonds::Kernel::scatter(const BondBlock& block, Stretch at, Sites& sites) const {
-  Vec3* force = law->has_energy() ? sites.force.data() : sites.open_force.data();
+  Vec3* force = law->has_energy() ? sites.force.data() : sites.nonconservative_force.data();
   switch (law->kind) {
     case LawKind::central: return scatter_central(block, bonds, at, law->one_sided, force);
     case LawKind::pair: return scatter_pair(block.law, bonds, at, law->one_sided, force);

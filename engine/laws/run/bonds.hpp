@@ -39,7 +39,7 @@ class Bonds {
   /// The number in Ties of the kth connection in the order in which they are gone through.
   std::size_t number(std::size_t k) const;
 
-  /// Adds the forces to Sites::force, or to Sites::open_force for a law without energy; in a box along the shortest
+  /// Adds the forces to Sites::force, or to Sites::nonconservative_force for a law without energy; in a box along the shortest
   /// vectors. `parameters` count where connections have none of their own.
   void add_forces(Sites& sites, const Box& box, const Instant& instant, std::span<const double> parameters,
                   Workers& workers);

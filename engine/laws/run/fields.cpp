@@ -65,7 +65,7 @@ struct Fields::Kernel {
 
 void Fields::Kernel::add_task(LawBlock& block, std::size_t task, Sites& sites, const Box& box,
                               CompensatedSum* energy) const {
-  Vec3* force = law->has_energy() ? sites.force.data() : sites.open_force.data();
+  Vec3* force = law->has_energy() ? sites.force.data() : sites.nonconservative_force.data();
   if (energy != nullptr) *energy = {};
   run(block, task, sites, box, [&](const LawBlock& made, std::span<const std::uint32_t> some) {
     const double *x = made.output(0), *y = made.output(1), *z = made.output(2);

@@ -27,7 +27,7 @@ class Fields {
   /// Takes the sites to act on: after every edit and whenever sites were put in another order.
   void arrange(std::span<const std::uint32_t> members);
 
-  /// Adds the forces to Sites::force, or to Sites::open_force for a law without energy.
+  /// Adds the forces to Sites::force, or to Sites::nonconservative_force for a law without energy.
   void add_forces(Sites& sites, const Box& box, const Instant& instant, std::span<const double> parameters,
                   Workers& workers);
   double add_forces_and_energy(Sites& sites, const Box& box, const Instant& instant, std::span<const double> parameters,

@@ -121,7 +121,7 @@ void Pairs::Kernel::run(PairBlock& block, const Sites& sites, const Rows& rows, 
 
 void Pairs::Kernel::add_slab(PairBlock& block, Sites& sites, const Rows& rows, const Slab& slab,
                              CompensatedSum* energy) const {
-  Vec3* force = law->has_energy() ? sites.force.data() : sites.open_force.data();
+  Vec3* force = law->has_energy() ? sites.force.data() : sites.nonconservative_force.data();
   const Vec3* x = sites.x.data();
   const std::size_t energy_output = central() ? 1 : 3;
   CompensatedLanes sum;

@@ -31,7 +31,7 @@ class Pairs {
   Pairs(Pairs&&) noexcept;
   Pairs& operator=(Pairs&&) noexcept;
 
-  /// Adds the forces to Sites::force, or to Sites::open_force for a law without energy. A one-sided law within one set
+  /// Adds the forces to Sites::force, or to Sites::nonconservative_force for a law without energy. A one-sided law within one set
   /// acts both ways, with the roles exchanged.
   void add_forces(Sites& sites, const Rows& rows, const Instant& instant, std::span<const double> parameters,
                   Workers& workers);

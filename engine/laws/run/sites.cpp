@@ -4,7 +4,7 @@ namespace pantin {
 
 void Sites::resize(std::size_t count) {
   n = count;
-  for (AlignedVector<Vec3>* array : {&x, &v, &force, &open_force}) {
+  for (AlignedVector<Vec3>* array : {&x, &v, &force, &nonconservative_force}) {
     array->resize(n + padding);
     std::fill(array->begin() + n, array->end(), zero3());
   }
@@ -22,7 +22,7 @@ void Sites::resize(std::size_t count) {
 
 void Sites::clear_forces() {
   std::fill(force.begin(), force.end(), zero3());
-  std::fill(open_force.begin(), open_force.end(), zero3());
+  std::fill(nonconservative_force.begin(), nonconservative_force.end(), zero3());
 }
 
 }  // namespace pantin

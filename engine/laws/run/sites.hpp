@@ -46,10 +46,10 @@ struct Sites {
   static constexpr std::size_t padding = 16;
 
   std::size_t n = 0;
-  AlignedVector<Vec3> x;           ///< [m]; in a box wrapped when rows are built, and let out of it until the next time
-  AlignedVector<Vec3> v;           ///< [m/s]
-  AlignedVector<Vec3> force;       ///< [N] of laws with energy
-  AlignedVector<Vec3> open_force;  ///< [N] of laws without
+  AlignedVector<Vec3> x;      ///< [m]; in a box wrapped when rows are built, and let out of it until the next time
+  AlignedVector<Vec3> v;      ///< [m/s]
+  AlignedVector<Vec3> force;  ///< [N] of laws with energy
+  AlignedVector<Vec3> nonconservative_force;      ///< [N] of laws without
   std::vector<std::uint32_t> particle;            ///< slot in Model::particles
   std::vector<std::uint64_t> serial;              ///< of the particle
   std::vector<std::uint32_t> family;              ///< index

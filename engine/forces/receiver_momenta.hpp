@@ -6,8 +6,8 @@ namespace pantin {
 
 struct Node;
 
-/// The momenta of a mover: after a drift those of its articulate's working copy, else of the model.
-struct MoverMomenta {
+/// The momenta of a receiver: after a drift those of its articulate's working copy, else of the model.
+struct ReceiverMomenta {
   Vec3* p = nullptr;  // [kg m/s], or of a free point
   Vec3* v = nullptr;  // [m/s]
   Vec3* P = nullptr;  // [kg m²/s] in principal axes; null where it cannot turn
@@ -22,8 +22,8 @@ struct MoverMomenta {
   void add(Vec3 impulse, Vec3 twist);
 };
 
-MoverMomenta momenta_of(World& world, const Mover& mover, bool drifted);
+ReceiverMomenta momenta_of(World& world, const Receiver& receiver, bool drifted);
 /// Whether it is of an articulate that sleeps.
-bool sleeps(const World& world, const Mover& mover);
+bool sleeps(const World& world, const Receiver& receiver);
 
 }  // namespace pantin

@@ -1,4 +1,4 @@
-// What the sites of laws sit on: loose points, or the bodies and tied points that move them.
+// What the sites of laws are bound to: loose points, or the bodies and tied points that move them.
 #include <algorithm>
 
 #include "articulates/articulate.hpp"
@@ -11,17 +11,17 @@ namespace {
 
 constexpr std::uint32_t none = Forces::none;
 
-std::uint32_t mover_of(const World& world, Forces& f, PointId centre) {
+std::uint32_t receiver_of(const World& world, Forces& f, PointId centre) {
   const BodyId body = world.points[centre].body;
-  std::vector<std::uint32_t>& known = body ? f.mover_of_body : f.mover_of_point;
+  std::vector<std::uint32_t>& known = body ? f.receiver_of_body : f.receiver_of_point;
   const std::uint32_t slot = (body ? body.slot : centre.slot) - 1;
   if (known.size() <= slot) known.resize(slot + 1, none);
   if (known[slot] == none) {
-    known[slot] = static_cast<std::uint32_t>(f.movers.size());
-    Mover m;
+    known[slot] = static_cast<std::uint32_t>(f.receivers.size());
+    Receiver m;
     m.slot = slot;
     m.is_body = static_cast<bool>(body);
-    f.movers.push_back(m);
+    f.receivers.push_back(m);
   }
   return known[slot];
 }
@@ -58,14 +58,14 @@ Wanted wanted(const World& world, const Forces& f, ParticleId id) {
   return how;
 }
 
-void seat(const World& world, Forces& f, std::uint32_t site, ParticleId id, Wanted how) {
+void bind_site(const World& world, Forces& f, std::uint32_t site, ParticleId id, Wanted how) {
   const Particle& particle = world.particles[id];
   Sites& s = f.sites;
   s.particle[site] = id.slot - 1;
   s.serial[site] = particle.serial;
   s.family[site] = particle.family ? particle.family.slot - 1 : none;
   s.kin[site] = kin_of(world, f, particle);
-  s.force[site] = s.open_force[site] = zero3();
+  s.force[site] = s.nonconservative_force[site] = zero3();
   f.site_of[id.slot - 1] = site;
   f.image[site] = zero3();
   f.point[site] = f.attached_of[site] = none;
@@ -80,13 +80,13 @@ void seat(const World& world, Forces& f, std::uint32_t site, ParticleId id, Want
   Attached a;
   a.site = site;
   a.arm = arm(world, centre);
-  a.mover = mover_of(world, f, centre);
+  a.receiver = receiver_of(world, f, centre);
   a.pulled = how == Wanted::by_others;
   f.attached_of[site] = static_cast<std::uint32_t>(f.attached.size());
   f.attached.push_back(a);
 }
 
-void unseat(Forces& f, std::uint32_t site) {
+void unbind_site(Forces& f, std::uint32_t site) {
   const std::uint32_t at = f.attached_of[site];
   f.point[site] = f.attached_of[site] = none;
   if (at == none) return;
@@ -103,31 +103,31 @@ void number_attached(Forces& f) {
 
 namespace {
 
-/// Takes out movers on which nothing sits any more; the last take their places.
-void drop_movers(Forces& f) {
-  std::vector<std::uint32_t> now(f.movers.size(), none), unused;
-  for (const Attached& a : f.attached) now[a.mover] = a.mover;
-  const auto known = [&](const Mover& m) -> std::uint32_t& {
-    return (m.is_body ? f.mover_of_body : f.mover_of_point)[m.slot];
+/// Takes out receivers to which nothing is bound any more; the last take their places.
+void drop_receivers(Forces& f) {
+  std::vector<std::uint32_t> now(f.receivers.size(), none), unused;
+  for (const Attached& a : f.attached) now[a.receiver] = a.receiver;
+  const auto known = [&](const Receiver& m) -> std::uint32_t& {
+    return (m.is_body ? f.receiver_of_body : f.receiver_of_point)[m.slot];
   };
   for (std::uint32_t k = 0; k < now.size(); k++) {
     if (now[k] != none) continue;
     unused.push_back(k);
-    known(f.movers[k]) = none;
+    known(f.receivers[k]) = none;
   }
   if (unused.empty()) return;
-  std::size_t size = f.movers.size();
+  std::size_t size = f.receivers.size();
   for (std::size_t hole = 0, holes = unused.size(); hole < holes;) {
     if (unused[holes - 1] == --size) {
       holes--;
       continue;
     }
     const std::uint32_t to = unused[hole++];
-    f.movers[to] = f.movers[size];
-    now[size] = known(f.movers[to]) = to;
+    f.receivers[to] = f.receivers[size];
+    now[size] = known(f.receivers[to]) = to;
   }
-  f.movers.resize(size);
-  for (Attached& a : f.attached) a.mover = now[a.mover];
+  f.receivers.resize(size);
+  for (Attached& a : f.attached) a.receiver = now[a.receiver];
 }
 
 /// Leaves out the bodies of hinges that were, once they are most.
@@ -148,7 +148,7 @@ void compact_kin(Sites& s) {
 
 /// Whether some law acts on momenta in a way that rows may have to turn back: those of velocity do not.
 bool pushes(const World& world, const Forces& f) {
-  const auto does = [&](const auto& a) { return !a.law->moving || !rule_of(world).conserves; };
+  const auto does = [&](const auto& a) { return !a.law->velocity_dependent || !rule_of(world).conserves; };
   return std::any_of(f.interactions.begin(), f.interactions.end(), does) ||
          std::any_of(f.fields.begin(), f.fields.end(), does) ||
          std::any_of(f.connections.begin(), f.connections.end(),
@@ -157,19 +157,19 @@ bool pushes(const World& world, const Forces& f) {
 
 }  // namespace
 
-void find_movers(World& world, Forces& f) {
-  drop_movers(f);
+void find_receivers(World& world, Forces& f) {
+  drop_receivers(f);
   compact_kin(f.sites);
-  for (Mover& m : f.movers) {
+  for (Receiver& m : f.receivers) {
     m.articulate = m.is_body ? world.motion[m.slot].articulate : world.points.at_slot(m.slot).articulate;
     if (m.articulate >= 0)
       m.node = static_cast<std::uint32_t>(m.is_body ? world.motion[m.slot].node : world.points.at_slot(m.slot).node);
     m.pulled = false;
   }
-  for (const Attached& a : f.attached) f.movers[a.mover].pulled = f.movers[a.mover].pulled || a.pulled;
+  for (const Attached& a : f.attached) f.receivers[a.receiver].pulled = f.receivers[a.receiver].pulled || a.pulled;
   for (const auto& articulate : world.articulates) articulate->pulled = false;
   const bool pushed = pushes(world, f);
-  for (const Mover& m : f.movers)
+  for (const Receiver& m : f.receivers)
     if (pushed && m.articulate >= 0 && m.pulled)
       world.articulates[static_cast<std::size_t>(m.articulate)]->pulled = true;
 }

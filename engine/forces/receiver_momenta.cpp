@@ -1,10 +1,10 @@
-#include "forces/mover_momenta.hpp"
+#include "forces/receiver_momenta.hpp"
 
 #include "articulates/articulate.hpp"
 
 namespace pantin {
 
-void MoverMomenta::add(Vec3 impulse, Vec3 twist) {
+void ReceiverMomenta::add(Vec3 impulse, Vec3 twist) {
   if (v)
     *v += impulse * inverse_mass;
   else
@@ -16,12 +16,12 @@ void MoverMomenta::add(Vec3 impulse, Vec3 twist) {
   if (node) node->O0 = inverse_inertia * *P;
 }
 
-bool sleeps(const World& world, const Mover& m) {
+bool sleeps(const World& world, const Receiver& m) {
   return m.articulate >= 0 && world.articulates[static_cast<std::size_t>(m.articulate)]->rest.asleep;
 }
 
-MoverMomenta momenta_of(World& world, const Mover& m, bool drifted) {
-  MoverMomenta s;
+ReceiverMomenta momenta_of(World& world, const Receiver& m, bool drifted) {
+  ReceiverMomenta s;
   if (m.is_body) {
     Motion& motion = world.motion[m.slot];
     s.p = &motion.p;
