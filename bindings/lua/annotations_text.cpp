@@ -42,7 +42,7 @@ function quat_methods:inverse() end
 
 ---@alias color string|number[] "#rgb", "#rrggbb", "#rrggbbaa" or { r, g, b, a } of 0 to 1
 ---@alias Look "ball"|"glow"|"streak"
----@alias Course<T> T|fun(age: number, life: number): T
+---@alias Curve<T> T|fun(age: number, life: number): T
 ---@alias Thing Point|Particle|Body|Nail|Follow|Rod|Group|Family|Connection|Interaction|Field|Emitter
 
 ---@class Energy
@@ -186,18 +186,18 @@ function quat_methods:inverse() end
 ---@field at? vec [m]
 ---@field velocity? vec [m/s]
 ---@field mass? number [kg]
----@field radius? Course<number> [m]
----@field color? Course<color>
+---@field radius? Curve<number> [m]
+---@field color? Curve<color>
 ---@field look? Look
 ---@field family? Family
 ---@field lifetime? number [s]
 ---@field name? string
----@field [string] Course<number> attributes of its family
+---@field [string] Curve<number> attributes of its family
 
 ---@class FamilyOptions
----@field attributes? table<string, Course<number>>|string[] values of a particle that gives none
----@field color? Course<color>
----@field radius? Course<number> [m]
+---@field attributes? table<string, Curve<number>>|string[] values of a particle that gives none
+---@field color? Curve<color>
+---@field radius? Curve<number> [m]
 ---@field mass? number [kg]
 ---@field look? Look
 
@@ -210,12 +210,12 @@ function quat_methods:inverse() end
 ---@field max? integer
 ---@field family? Family
 ---@field mass? number [kg]
----@field radius? Course<number> [m]
----@field color? Course<color>
+---@field radius? Curve<number> [m]
+---@field color? Curve<color>
 ---@field look? Look
 ---@field enabled? boolean
 ---@field name? string
----@field [string] Course<number> attributes of its family
+---@field [string] Curve<number> attributes of its family
 
 ---@class PointOptions
 ---@field at? vec [m]

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lua/course_options.hpp"
+#include "lua/curve_options.hpp"
 #include "lua/fields.hpp"
 #include "lua/look_options.hpp"
 #include "lua/script.hpp"
@@ -21,7 +21,7 @@ void read_attributes(lua_State* state, int table, const std::string& what, Looks
     if (lua_type(state, key) == LUA_TSTRING) {
       const std::string name = lua_tostring(state, key);
       const bool follows = lua_isfunction(state, value);
-      if (follows) looks.courses = with(looks.courses.get(), course_of(state, value, what, name));
+      if (follows) looks.curves = with(looks.curves.get(), curve_of(state, value, what, name));
       looks.attributes.push_back(
           {name, follows ? 0.0 : check_number(state, value, what, text("attribute '", name, "'"), "")});
     } else {
@@ -74,7 +74,7 @@ int scene_family(lua_State* state) {
   def.color = looks.color;
   def.radius = looks.radius;
   def.look = looks.look;
-  def.courses = looks.courses;
+  def.curves = looks.curves;
   def.mass = o.number("mass", "kg");
   push_thing(state, self.script, add_family(self.world, def));
   return 1;

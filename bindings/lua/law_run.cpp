@@ -181,7 +181,7 @@ void LawCall::call() {
   run_.noises = 0;
   lua_pushvalue(state_, base_);
   const LawForm form = run_.law.form;
-  if (is_course(form)) {
+  if (is_curve(form)) {
     run_.push_attribute(state_, 0, "age");
     run_.push_attribute(state_, 0, "lifetime");
     return lua_call(state_, 2, 1);

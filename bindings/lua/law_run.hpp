@@ -21,15 +21,15 @@ enum class LawForm : std::uint8_t {
   point_potential,  ///< (p, own, t) → J
   point_force,      ///< (p, own, t) → vec, N
   many_potential,   ///< ({ p1, p2, … }, own, t) → J
-  number_course,    ///< (age, life) → number: no law, but traced as one
-  color_course,     ///< (age, life) → color
+  number_curve,     ///< (age, life) → number: no law, but traced as one
+  color_curve,      ///< (age, life) → color
 };
 
 inline bool is_pair(LawForm form) { return form <= LawForm::pair_force; }
 inline bool is_potential(LawForm form) {
   return form == LawForm::pair_potential || form == LawForm::point_potential || form == LawForm::many_potential;
 }
-inline bool is_course(LawForm form) { return form == LawForm::number_course || form == LawForm::color_course; }
+inline bool is_curve(LawForm form) { return form == LawForm::number_curve || form == LawForm::color_curve; }
 inline bool gives_vec(LawForm form) { return form == LawForm::pair_force || form == LawForm::point_force; }
 
 /// The names that a law may read of one of its particles.

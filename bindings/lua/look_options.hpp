@@ -19,7 +19,7 @@ struct Looks {
   std::optional<double> radius;  ///< [m]
   std::optional<Look> look;
   std::vector<AttributeDef> attributes;
-  std::shared_ptr<const Courses> courses;  ///< null: none
+  std::shared_ptr<const Curves> curves;  ///< null: none
 };
 Looks look_options(const Options& options, const std::vector<std::string>& attributes);
 
@@ -31,7 +31,7 @@ void take_looks(Def& def, const Options& options, const std::vector<std::string>
   def.color = looks.color;
   def.look = looks.look;
   def.attributes = std::move(looks.attributes);
-  def.courses = std::move(looks.courses);
+  def.curves = std::move(looks.curves);
 }
 
 /// "ball", "glow" or "streak".

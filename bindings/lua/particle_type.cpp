@@ -2,7 +2,7 @@
 #include "forces/curves.hpp"
 #include "lua/arguments.hpp"
 #include "lua/constraint_fields.hpp"
-#include "lua/course_options.hpp"
+#include "lua/curve_options.hpp"
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
 #include "lua/look_options.hpp"
@@ -51,9 +51,9 @@ void read_bodies(const Self& self) {
 }
 
 /// Makes a field follow the function of (age, life) at `index`, or returns false where there is none.
-bool write_course(const Self& self, const char* name, int index) {
+bool write_curve(const Self& self, const char* name, int index) {
   if (!lua_isfunction(self.state, index)) return false;
-  set_course(self.world, id_of(self), course_of(self.state, index, "particle", name));
+  set_curve(self.world, id_of(self), curve_of(self.state, index, "particle", name));
   return true;
 }
 
@@ -63,7 +63,7 @@ bool read_attribute(const Self& self, const char* name) {
   if (!particle.family) return false;
   const std::ptrdiff_t found = self.world.families[particle.family].find(name);
   if (found < 0) return false;
-  const auto followed = course_value(self.world, awake(self.world, id_of(self)), name, self.world.time);
+  const auto followed = curve_value(self.world, awake(self.world, id_of(self)), name, self.world.time);
   lua_pushnumber(self.state, followed.value_or(particle.values[static_cast<std::size_t>(found)]));
   return true;
 }
@@ -71,7 +71,7 @@ bool read_attribute(const Self& self, const char* name) {
 bool write_attribute(const Self& self, const char* name, int index) {
   const Particle& particle = ring(self);
   if (!particle.family || self.world.families[particle.family].find(name) < 0) return false;
-  if (write_course(self, name, index)) return true;
+  if (write_curve(self, name, index)) return true;
   set_attribute(self.world, id_of(self), name, check_number(self.state, index, "particle", name, ""));
   return true;
 }
@@ -98,14 +98,14 @@ std::vector<Field> look_and_life() {
        "color, or a function of age and lifetime [s]; overrides its points'",
        [](const Self& s) { push(s.state, present_color(s.world, awake(s.world, id_of(s)))); },
        [](const Self& s, int i) {
-         if (write_course(s, "color", i)) return;
+         if (write_curve(s, "color", i)) return;
          set_color(s.world, awake(s.world, id_of(s)), check_color(s.state, i, "particle", "color"));
        }},
       {"radius", "number|fun(age: number, life: number): number", "m",
        "size, or a function of age and lifetime [s]; overrides its points'",
        [](const Self& s) { lua_pushnumber(s.state, present_radius(s.world, awake(s.world, id_of(s)))); },
        [](const Self& s, int i) {
-         if (write_course(s, "radius", i)) return;
+         if (write_curve(s, "radius", i)) return;
          const double radius = check_number(s.state, i, "particle", "radius", "m");
          set_radius(s.world, awake(s.world, id_of(s)), radius);
        }},

@@ -24,8 +24,8 @@ Law traced_law(const LawFunction& f, const Traced& traced) {
     case LawForm::point_potential: return point_potential(f.def, traced.graph, first);
     case LawForm::point_force: return point_force(f.def, traced.graph, traced.outputs);
     case LawForm::many_potential:
-    case LawForm::number_course:
-    case LawForm::color_course: break;
+    case LawForm::number_curve:
+    case LawForm::color_curve: break;
   }
   return many_potential(f.def, f.count, traced.graph, first);
 }

@@ -95,7 +95,7 @@ std::vector<Expr> channels_of(lua_State* state, Expressions& graph) {
 std::vector<Expr> outputs_of(lua_State* state, Trace& trace) {
   const SymbolAlgebra algebra(state);
   const LawFunction& law = trace.law;
-  if (law.form == LawForm::color_course) {
+  if (law.form == LawForm::color_curve) {
     if (auto channels = channels_of(state, trace.graph); !channels.empty()) return channels;
   } else if (gives_vec(law.form)) {
     if (const auto v = algebra.read_vec(state, -1)) return {v->begin(), v->end()};

@@ -10,7 +10,7 @@ void Appearance::update(const World& world) {
   slots_.clear();
   place_.assign(world.particles.slots(), 0);
   for (std::uint32_t s = 0; s < world.particles.slots(); s++)
-    if (world.particles.alive_at(s) && world.particles.at_slot(s).courses) {
+    if (world.particles.alive_at(s) && world.particles.at_slot(s).curves) {
       slots_.push_back(s);
       place_[s] = static_cast<std::uint32_t>(slots_.size());
     }
@@ -18,9 +18,9 @@ void Appearance::update(const World& world) {
   for (std::vector<double>& channel : channels_) channel.assign(slots_.size(), std::nan(""));
   if (slots_.empty()) return;
   double* const radius = radii_.data();
-  follow_courses(world, "radius", world.time, slots_, {&radius, 1});
+  follow_curves(world, "radius", world.time, slots_, {&radius, 1});
   double* const color[] = {channels_[0].data(), channels_[1].data(), channels_[2].data(), channels_[3].data()};
-  follow_courses(world, "color", world.time, slots_, color);
+  follow_curves(world, "color", world.time, slots_, color);
 }
 
 std::optional<double> Appearance::radius(std::uint32_t slot) const {

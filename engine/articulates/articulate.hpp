@@ -141,7 +141,7 @@ struct Effort {
   std::uint16_t pause = 0;   // and for how many more none is to be tried
 };
 
-/// How two points of a node moved on average over the last part of a step [m/s], and how that changed [m/s²].
+/// How two points of a node moved on average over the last stage of a step [m/s], and how that changed [m/s²].
 struct MeanMotion {
   std::array<Vec3, 2> velocity{}, acceleration{};
 };
@@ -180,9 +180,9 @@ struct ArticulateState {
   bool smooth = true;             // no part of the full sub-step was halved or a fallback step
   bool cut = false;               // the full sub-step has more than one part
   bool weak = false;              // the last factor had weak pivots: its multipliers are not all determined
-  SubSteps sub_steps;             // in each part of a step
+  SubSteps sub_steps;             // in each stage of a step
   std::vector<MeanMotion> means;  // (nodes) where `accuracy` asks
-  double means_span = 0.0;        // [s] from part to part
+  double means_span = 0.0;        // [s] from stage to stage
   std::uint8_t means_known = 0;   // 1: velocities are known, 2: accelerations too
   Effort effort;
   DriftReport report;  // of the last phase
@@ -249,10 +249,10 @@ struct DriftSettings {
   double tolerance;  ///< of a gap that cannot be closed, relative to the articulate's length
   bool energy_return;
   bool ledger;                  ///< tell also what only the ledger asks for
-  double from = 0.0, to = 1.0;  ///< the part of the step to move over
-  double full = 0.0;       ///< [s] length of the full sub-step that the part belongs to: from projection to projection
-  bool first = true;       ///< the part is the first of its full sub-step
-  bool backwards = false;  ///< some parts of it go backwards in time
+  double from = 0.0, to = 1.0;  ///< the stage of the step to move over
+  double full = 0.0;       ///< [s] length of the full sub-step that the stage belongs to: from projection to projection
+  bool first = true;       ///< the stage is the first of its full sub-step
+  bool backwards = false;  ///< some stages of it go backwards in time
 };
 
 }  // namespace pantin

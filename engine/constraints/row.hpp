@@ -69,7 +69,7 @@ struct Condition {
          angle1 = 0.0;         // [rad] of a turn at the start and end, turns counted
   Vec3 normal = zero3();       // of a plane
   const Path* path = nullptr;  // of a point on one; its parameter is `angle`
-  std::uint32_t part = 0;      // which row of its constraint it is
+  std::uint32_t index = 0;     // which row of its constraint it is
   // Of rows of one dimension: the range that its value is kept in, [m], and the range of its force, [N].
   double low = 0.0, high = 0.0;
   double lower = -infinity, upper = infinity;
@@ -82,14 +82,14 @@ struct Condition {
   // Of a segment of a string: by d1 in the equation of the head, and by the head's force in its own.
   Mat3 into_head = zero33(), from_head = zero33();
   bool held = true;         // the range, or the limit of the force, lets it act as a constraint
-  bool held_before = true;  // at the end of the last part of a step
+  bool held_before = true;  // at the end of the last stage of a step
   bool works = false;       // its force may do work
   std::uint32_t row = 0;
   ConstraintId constraint;  // null of a stiff row
   std::shared_ptr<StiffTie>
       stiff;                  // of a stiff row; copies of an articulate share it, so it keeps nothing between steps
-  std::vector<double> given;  // (its curves) [J] what their energies gave to the motion in this part of the step
-  double settling = 0.0, mean_rate = 0.0;  // [kg], [m/s] those of `stiff`, in the last part of the step
+  std::vector<double> given;  // (its curves) [J] what their energies gave to the motion in this stage of the step
+  double settling = 0.0, mean_rate = 0.0;  // [kg], [m/s] those of `stiff`, in the last stage of the step
   bool settles = false;                    // now
 };
 

@@ -90,9 +90,9 @@ Particle shared_data(const World& world, PointId first, const HingeDef& def) {
   ring.family = def.family ? def.family : last.family;
   ring.values = ring.family == last.family ? last.values : attribute_values("hinge", world.families[ring.family], {});
   ring.look = last.look;
-  ring.courses = ring.family == last.family ? last.courses : world.families[ring.family].courses;
-  if (def.color) ring.courses = without(ring.courses, "color");
-  if (def.radius) ring.courses = without(ring.courses, "radius");
+  ring.curves = ring.family == last.family ? last.curves : world.families[ring.family].curves;
+  if (def.color) ring.curves = without(ring.curves, "color");
+  if (def.radius) ring.curves = without(ring.curves, "radius");
   ring.name = def.name;
   return ring;
 }

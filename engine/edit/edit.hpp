@@ -14,7 +14,7 @@
 
 namespace pantin {
 
-struct Course;
+struct Curve;
 
 /// A named value of a family's attribute.
 struct AttributeDef {
@@ -28,8 +28,8 @@ struct FamilyDef {
   std::optional<double> radius;  ///< [m] >= 0
   std::optional<double> mass;    ///< [kg] > 0
   std::optional<Look> look;
-  std::shared_ptr<const Courses> courses;  ///< of "color", "radius" and its attributes; null: none
-  std::string name;                        ///< not empty, and of no other family
+  std::shared_ptr<const Curves> curves;  ///< of "color", "radius" and its attributes; null: none
+  std::string name;                      ///< not empty, and of no other family
 };
 
 struct ParticleDef {
@@ -44,7 +44,7 @@ struct ParticleDef {
   FamilyId family;                                            ///< null: of none
   std::vector<AttributeDef> attributes;                       ///< of its family's
   std::optional<Look> look;                                   ///< not given: its family's, else a ball
-  std::shared_ptr<const Courses> courses;                     ///< besides its family's; null: none
+  std::shared_ptr<const Curves> curves;                       ///< besides its family's; null: none
   std::string name;
 };
 
@@ -167,7 +167,7 @@ void set_color(World& world, ParticleId particle, const Color& color);
 void set_look(World& world, ParticleId particle, Look look);
 void set_attribute(World& world, ParticleId particle, std::string_view name, double value);
 /// Makes "color", "radius" or an attribute follow the particle's age, until it is written as a value again.
-void set_course(World& world, ParticleId particle, std::shared_ptr<const Course> course);
+void set_curve(World& world, ParticleId particle, std::shared_ptr<const Curve> curve);
 void set_own_mass(World& world, BodyId body, double mass);
 void set_own_inertia(World& world, BodyId body, const Mat3& inertia);
 

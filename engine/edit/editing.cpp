@@ -42,7 +42,7 @@ void wake(World& world, PointId id, const Particle& shared) {
   own.color = shared.color;
   own.radius = shared.radius;
   own.look = shared.look;
-  own.courses = shared.courses;
+  own.curves = shared.curves;
   own.family = shared.family;
   own.values = shared.values;
   own.lifetime = std::numeric_limits<double>::infinity();

@@ -23,11 +23,11 @@ double energy_round(const World& world, PointId point);
 /// Values of a family's attributes: those given, else the family's. Throws Error for a name that it does not have.
 std::vector<double> attribute_values(std::string_view call, const Family& family, std::span<const AttributeDef> given);
 
-/// The courses of a new particle: its family's, less what is given as a value, with its own. Throws Error for a name that
+/// The curves of a new particle: its family's, less what is given as a value, with its own. Throws Error for a name that
 /// neither a particle nor its family has.
-std::shared_ptr<const Courses> courses_of(std::string_view call, const Family& family,
-                                          const std::shared_ptr<const Courses>& own, bool radius_given,
-                                          bool color_given, std::span<const AttributeDef> given);
+std::shared_ptr<const Curves> curves_of(std::string_view call, const Family& family,
+                                        const std::shared_ptr<const Curves>& own, bool radius_given, bool color_given,
+                                        std::span<const AttributeDef> given);
 
 /// A constraint starts anew, see constraints/violation.hpp.
 inline void start_constraint(const World& world, Constraint& constraint) {

@@ -118,7 +118,7 @@ void make(World& world, EmitterId id, const Base& base, double time, double end)
   particle.family = e.family;
   particle.values = e.values;
   particle.look = e.look;
-  particle.courses = e.courses;
+  particle.curves = e.curves;
   particle.emitter = id;
   note_site(world, world.points[point].own);
   e.count++;
@@ -188,7 +188,7 @@ EmitterId add_emitter(World& world, const EmitterDef& def) {
   require_positive(call, "mass", row.mass, "kg");
   require_not_negative(call, "radius", row.radius, "m");
   row.values = attribute_values(call, family, def.attributes);
-  row.courses = courses_of(call, family, def.courses, def.radius.has_value(), def.color.has_value(), def.attributes);
+  row.curves = curves_of(call, family, def.curves, def.radius.has_value(), def.color.has_value(), def.attributes);
   row.color = def.color.value_or(family.color.value_or(ParticleDef::usual_color));
   row.look = def.look;
   row.rate = def.rate;

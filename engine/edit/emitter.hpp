@@ -33,7 +33,7 @@ struct EmitterDef {
   std::optional<double> radius;                                   ///< [m]
   std::optional<Color> color;
   std::optional<Look> look;
-  std::shared_ptr<const Courses> courses;  ///< besides its family's
+  std::shared_ptr<const Curves> curves;  ///< besides its family's
   bool enabled = true;
   std::string name;
 };

@@ -59,7 +59,7 @@ FamilyId add_family(World& world, const FamilyDef& def) {
   row.radius = def.radius;
   row.mass = def.mass;
   row.look = def.look;
-  row.courses = courses_of(call, row, def.courses, false, false, {});
+  row.curves = curves_of(call, row, def.curves, false, false, {});
   row.name = def.name;
   row.serial = world.next_serial++;
   return world.families.add(std::move(row));
@@ -78,7 +78,7 @@ void set_family(World& world, ParticleId id, FamilyId family) {
   disturb_site(world, awake(world, id));
   particle.values = attribute_values("family", next, kept);
   particle.family = family;
-  particle.courses = next.courses;
+  particle.curves = next.curves;
 }
 
 void set_radius(World& world, ParticleId particle, double radius) {
@@ -87,14 +87,14 @@ void set_radius(World& world, ParticleId particle, double radius) {
   disturb_site(world, awake(world, particle));
   Particle& row = world.particles[particle];
   row.radius = radius;
-  row.courses = without(row.courses, "radius");
+  row.curves = without(row.curves, "radius");
 }
 
 void set_color(World& world, ParticleId particle, const Color& color) {
   require_unlocked(world, "color");
   Particle& row = world.particles[particle];
   row.color = color;
-  row.courses = without(row.courses, "color");
+  row.curves = without(row.curves, "color");
 }
 
 void set_look(World& world, ParticleId particle, Look look) {
@@ -113,7 +113,7 @@ void set_attribute(World& world, ParticleId id, std::string_view name, double va
   require_finite(who, name, value, "");
   disturb_site(world, awake(world, id));
   particle.values[static_cast<std::size_t>(found)] = value;
-  particle.courses = without(particle.courses, name);
+  particle.curves = without(particle.curves, name);
 }
 
 void remove(World& world, FamilyId id) {

@@ -34,7 +34,7 @@ PointId make_body_point(World& world, const PointDef& def, Color usual, BodyId b
   Particle& particle = world.particles[world.points[point].own];
   particle.family = def.family;
   particle.values = attribute_values("point", family, def.attributes);
-  particle.courses = courses_of("point", family, nullptr, def.radius > 0.0, def.color.has_value(), def.attributes);
+  particle.curves = curves_of("point", family, nullptr, def.radius > 0.0, def.color.has_value(), def.attributes);
   return point;
 }
 
@@ -86,7 +86,7 @@ ParticleId add_particle(World& world, const ParticleDef& def) {
   require_positive(call, "mass", mass, "kg");
   require_not_negative(call, "radius", radius, "m");
   std::vector<double> values = attribute_values(call, family, def.attributes);
-  auto courses = courses_of(call, family, def.courses, def.radius.has_value(), def.color.has_value(), def.attributes);
+  auto curves = curves_of(call, family, def.curves, def.radius.has_value(), def.color.has_value(), def.attributes);
   require_positive_or_infinite(call, "lifetime", def.lifetime, "s");
   Point row;
   row.mass = mass;
@@ -102,7 +102,7 @@ ParticleId add_particle(World& world, const ParticleDef& def) {
   particle.family = def.family;
   particle.values = std::move(values);
   particle.look = def.look;
-  particle.courses = std::move(courses);
+  particle.curves = std::move(curves);
   note_site(world, id);
   touch(world, point);
   post(world, Source::edit, energy_of(world, point));

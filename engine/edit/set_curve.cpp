@@ -15,25 +15,25 @@ void require_name(std::string_view call, const Family& family, std::string_view 
 
 }  // namespace
 
-void set_course(World& world, ParticleId id, std::shared_ptr<const Course> course) {
-  require_unlocked(world, course->name);
+void set_curve(World& world, ParticleId id, std::shared_ptr<const Curve> curve) {
+  require_unlocked(world, curve->name);
   Particle& particle = world.particles[awake(world, id)];
-  require_name(describe(world, id), particle.family ? world.families[particle.family] : Family{}, course->name);
-  if (course->name != "color") disturb_forces(world);
-  particle.courses = with(particle.courses.get(), std::move(course));
+  require_name(describe(world, id), particle.family ? world.families[particle.family] : Family{}, curve->name);
+  if (curve->name != "color") disturb_forces(world);
+  particle.curves = with(particle.curves.get(), std::move(curve));
 }
 
-std::shared_ptr<const Courses> internal::courses_of(std::string_view call, const Family& family,
-                                                    const std::shared_ptr<const Courses>& own, bool radius_given,
-                                                    bool color_given, std::span<const AttributeDef> given) {
-  std::shared_ptr<const Courses> result = family.courses;
+std::shared_ptr<const Curves> internal::curves_of(std::string_view call, const Family& family,
+                                                  const std::shared_ptr<const Curves>& own, bool radius_given,
+                                                  bool color_given, std::span<const AttributeDef> given) {
+  std::shared_ptr<const Curves> result = family.curves;
   if (radius_given) result = without(result, "radius");
   if (color_given) result = without(result, "color");
   for (const AttributeDef& attribute : given) result = without(result, attribute.name);
   if (!own) return result;
-  for (const auto& course : own->list) {
-    require_name(call, family, course->name);
-    result = with(result.get(), course);
+  for (const auto& curve : own->list) {
+    require_name(call, family, curve->name);
+    result = with(result.get(), curve);
   }
   return result;
 }

@@ -8,14 +8,14 @@ namespace pantin {
 
 namespace {
 
-/// Runs a course for particles.
+/// Runs a curve for particles.
 class Runner {
  public:
-  explicit Runner(const Course& course)
-      : machine_(course.program),
-        age_(machine_.input(course_age)),
-        lifetime_(machine_.input(course_lifetime)),
-        outputs_(course.program.outputs.size()) {
+  explicit Runner(const Curve& curve)
+      : machine_(curve.program),
+        age_(machine_.input(curve_age)),
+        lifetime_(machine_.input(curve_lifetime)),
+        outputs_(curve.program.outputs.size()) {
     machine_.run_uniform();
   }
 
@@ -43,38 +43,38 @@ class Runner {
   std::size_t outputs_;
 };
 
-const Course* find_course(const World& world, ParticleId id, std::string_view name) {
+const Curve* find_curve(const World& world, ParticleId id, std::string_view name) {
   const Particle& particle = world.particles[id];
-  return particle.courses ? particle.courses->find(name) : nullptr;
+  return particle.curves ? particle.curves->find(name) : nullptr;
 }
 
 float channel(double x) { return static_cast<float>(x > 0.0 ? std::fmin(x, 1.0) : 0.0); }
 
 }  // namespace
 
-std::optional<double> course_value(const World& world, ParticleId particle, std::string_view name, double time) {
-  const Course* course = find_course(world, particle, name);
-  if (!course) return {};
+std::optional<double> curve_value(const World& world, ParticleId particle, std::string_view name, double time) {
+  const Curve* curve = find_curve(world, particle, name);
+  if (!curve) return {};
   const std::uint32_t place = 0, slot = particle.slot - 1;
   double value = 0.0;
   double* const column = &value;
-  Runner(*course).run(world, time, {&place, 1}, {&slot, 1}, {&column, 1});
+  Runner(*curve).run(world, time, {&place, 1}, {&slot, 1}, {&column, 1});
   return value;
 }
 
 Color present_color(const World& world, ParticleId id) {
   const Particle& particle = world.particles[id];
-  if (!find_course(world, id, "color")) return particle.color.value_or(world.points[particle.points[0]].color);
+  if (!find_curve(world, id, "color")) return particle.color.value_or(world.points[particle.points[0]].color);
   double c[4];
   double* const columns[] = {&c[0], &c[1], &c[2], &c[3]};
   const std::uint32_t slot = id.slot - 1;
-  follow_courses(world, "color", world.time, {&slot, 1}, columns);
+  follow_curves(world, "color", world.time, {&slot, 1}, columns);
   return {channel(c[0]), channel(c[1]), channel(c[2]), channel(c[3])};
 }
 
 double present_radius(const World& world, ParticleId id) {
   const Particle& particle = world.particles[id];
-  return course_value(world, id, "radius", world.time)
+  return curve_value(world, id, "radius", world.time)
       .value_or(particle.radius.value_or(world.points[particle.points[0]].radius));
 }
 
@@ -83,30 +83,30 @@ Look look_of(const World& world, const Particle& particle) {
   return particle.family ? world.families[particle.family].look.value_or(Look::ball) : Look::ball;
 }
 
-void follow_courses(const World& world, std::string_view name, double time, std::span<const std::uint32_t> slots,
-                    std::span<double* const> columns) {
+void follow_curves(const World& world, std::string_view name, double time, std::span<const std::uint32_t> slots,
+                   std::span<double* const> columns) {
   struct Followers {
-    const Course* course;
+    const Curve* curve;
     std::vector<std::uint32_t> places;
   };
   std::vector<Followers> groups;
-  std::unordered_map<const Courses*, std::size_t> known;  // only looked up: its order reaches nothing
-  const Courses* last = nullptr;
+  std::unordered_map<const Curves*, std::size_t> known;  // only looked up: its order reaches nothing
+  const Curves* last = nullptr;
   std::size_t group = 0;
   for (std::uint32_t i = 0; i < slots.size(); i++) {
     if (slots[i] >= world.particles.slots() || !world.particles.alive_at(slots[i])) continue;
-    const Courses* courses = world.particles.at_slot(slots[i]).courses.get();
-    if (!courses) continue;
-    if (courses != last) {
-      const auto [found, is_new] = known.try_emplace(courses, groups.size());
-      if (is_new) groups.push_back({courses->find(name), {}});
+    const Curves* curves = world.particles.at_slot(slots[i]).curves.get();
+    if (!curves) continue;
+    if (curves != last) {
+      const auto [found, is_new] = known.try_emplace(curves, groups.size());
+      if (is_new) groups.push_back({curves->find(name), {}});
       group = found->second;
-      last = courses;
+      last = curves;
     }
-    if (groups[group].course) groups[group].places.push_back(i);
+    if (groups[group].curve) groups[group].places.push_back(i);
   }
   for (const Followers& g : groups)
-    if (g.course) Runner(*g.course).run(world, time, g.places, slots, columns);
+    if (g.curve) Runner(*g.curve).run(world, time, g.places, slots, columns);
 }
 
 }  // namespace pantin

@@ -11,9 +11,9 @@
 
 namespace pantin {
 
-/// What a course gives at a time [s]; none where the particle has no course of that name.
-std::optional<double> course_value(const World& world, ParticleId particle, std::string_view name, double time);
-/// The color of a particle now: its course's, its own, or its first point's.
+/// What a curve gives at a time [s]; none where the particle has no curve of that name.
+std::optional<double> curve_value(const World& world, ParticleId particle, std::string_view name, double time);
+/// The color of a particle now: its curve's, its own, or its first point's.
 Color present_color(const World& world, ParticleId particle);
 /// Its radius now [m], in the same order.
 double present_radius(const World& world, ParticleId particle);
@@ -21,9 +21,9 @@ double present_radius(const World& world, ParticleId particle);
 /// The particle's own, else its family's, else a ball.
 Look look_of(const World& world, const Particle& particle);
 
-/// Evaluates the courses of one name in blocks: writes output k of particle `slots[i]` (slot of Model::particles) to
-/// columns[k][i], where that particle has such a course; leaves the others.
-void follow_courses(const World& world, std::string_view name, double time, std::span<const std::uint32_t> slots,
-                    std::span<double* const> columns);
+/// Evaluates the curves of one name in blocks: writes output k of particle `slots[i]` (slot of Model::particles) to
+/// columns[k][i], where that particle has such a curve; leaves the others.
+void follow_curves(const World& world, std::string_view name, double time, std::span<const std::uint32_t> slots,
+                   std::span<double* const> columns);
 
 }  // namespace pantin

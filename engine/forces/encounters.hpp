@@ -1,5 +1,5 @@
 #pragma once
-// Pairs that passed each other within a part of a step, faster than their forces could tell at its ends.
+// Pairs that passed each other within a stage of a step, faster than their forces could tell at its ends.
 #include <vector>
 
 #include "forces/forces.hpp"

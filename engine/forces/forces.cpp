@@ -25,7 +25,7 @@ std::vector<double> present_parameters(const World& world, const Law& law, const
   std::vector<double> values = given;
   for (std::size_t i = 0; i < values.size(); i++) {
     if (!given_by_world(law.parameters[i].name)) continue;
-    values[i] = law.parameters[i].name == "step" ? world.part.full : world.settings.boltzmann;
+    values[i] = law.parameters[i].name == "step" ? world.stage.full : world.settings.boltzmann;
   }
   return values;
 }
@@ -112,7 +112,7 @@ void refresh_ages(const World& world, Forces& f, double time) {
         if (s.particle[i] != none)
           s.attributes[c][i] = std::fmax(0.0, time - world.particles.at_slot(s.particle[i]).born);
     double* const column = s.attributes[c].data();
-    if (f.followed[c]) follow_courses(world, s.names[c], time, s.particle, {&column, 1});
+    if (f.followed[c]) follow_curves(world, s.names[c], time, s.particle, {&column, 1});
   }
 }
 
@@ -313,11 +313,12 @@ void apply_forces(World& world) {
   Forces& f = *world.forces;
   if (f.velocity_dependent) read_velocities(world, f, true);
   world.instant++;
-  const bool end_of_kick = rule_of(world).kicks || world.part.last, end_of_step = world.part.index + 1 == parts(world);
+  const bool end_of_kick = rule_of(world).kicks || world.stage.last,
+             end_of_step = world.stage.index + 1 == stage_count(world);
   const bool ages = follows(f) && end_of_kick;
   f.told = ages || (end_of_step && tells_energy(world, f));
   const double before = ages ? energy_at_ages(world, f, kick_start(world)) : 0.0;
-  f.energy = evaluate(world, f, instant_of(world, time_within(world, world.part.to), world.instant), f.told);
+  f.energy = evaluate(world, f, instant_of(world, time_within(world, world.stage.to), world.instant), f.told);
   if (ages) post(world, Source::law, 0.5 * (f.energy - before));
 }
 

@@ -36,7 +36,7 @@ struct Receiver {
        solved_torque = zero3();               ///< of nonconservative ones, what is solved with the rows in a kick
   bool solved = false;                        ///< whether there is such a part: all of laws of velocity
   Vec3 start_p = zero3(), start_P = zero3();  ///< momenta at the start of the step
-  Vec3 noted_torque = zero3();                ///< [N m] before the part of the step that is being done
+  Vec3 noted_torque = zero3();                ///< [N m] before the stage of the step that is being done
 };
 
 /// A site on a receiver.
@@ -79,7 +79,7 @@ struct ActingConnections {
 
 /// What the local errors of kicks come of, see step_error.hpp.
 struct KickNotes {
-  std::vector<Vec3> acceleration;  ///< (slots of particles) [m/s²] in the kick that began a part of the step
+  std::vector<Vec3> acceleration;  ///< (slots of particles) [m/s²] in the kick that began a stage of the step
   std::vector<Vec3> place;         ///< (slots of particles) [m] then
   std::vector<Vec3> seen;          ///< (slots of particles) [m] somewhere within the step
   /// (slots of particles) [m/s³] in the last parts, the latest first; infinite: unknown. Now, and at the start of the step.
@@ -133,7 +133,7 @@ struct Forces {
   std::vector<Vec3> undamped;
   VelocityForces velocity;      ///< of laws that depend on velocities, but for thermostats
   VelocityForces thermostats;   ///< of these
-  std::vector<Vec3> open_from;  ///< (slots of particles) [m] where a part of the step begins, see work_check
+  std::vector<Vec3> open_from;  ///< (slots of particles) [m] where a stage of the step begins, see work_check
   double done = 0.0;            ///< [J] work of laws without energy until then
   std::vector<Vec3> noise;  ///< (sites) [N] of the nonconservative forces what is noise, where `accuracy` leaves it out
   KickNotes notes;          ///< of errors, where `accuracy` asks
@@ -167,7 +167,7 @@ void tell_massless(World& world);
 void find_pairs(World& world);
 /// Forces of the present state, after a drift.
 void apply_forces(World& world);
-/// Before the kicks of a part of the step: posts half the work of what only follows ages.
+/// Before the kicks of a stage of the step: posts half the work of what only follows ages.
 void begin_kick(World& world);
 /// Changes velocities and momenta by the forces over `half` [s], those of laws of velocity as velocity_kick.hpp says. Work
 /// of laws without energy goes to World::work.
@@ -185,7 +185,7 @@ void kick_to_end(World& world, double half);
 /// all of this is on that line.
 void end_kick(World& world, double half);
 
-/// Gives the receivers of articulates that wake in a part of a step what its first half kick over `half` [s] and its drift
+/// Gives the receivers of articulates that wake in a stage of a step what its first half kick over `half` [s] and its drift
 /// make of what rests in the pulls that they slept in: (articulates) whether it wakes.
 void kick_from_rest(World& world, const std::vector<char>& woken, double half);
 

@@ -26,7 +26,7 @@ std::optional<double> stored_attribute(const World& world, ParticleId id, std::s
 }  // namespace
 
 std::optional<double> attribute(const World& world, ParticleId id, std::string_view name) {
-  if (const auto value = course_value(world, awake(world, id), name, world.time)) return value;
+  if (const auto value = curve_value(world, awake(world, id), name, world.time)) return value;
   return stored_attribute(world, id, name);
 }
 
@@ -94,8 +94,8 @@ void fill_attributes(const World& world, Forces& forces, std::span<const std::ui
       if (sites.particle[i] == none) continue;
       const auto value = stored_attribute(world, world.particles.id_at(sites.particle[i]), sites.names[c]);
       if (value) sites.attributes[c][i] = *value;
-      const Courses* courses = world.particles.at_slot(sites.particle[i]).courses.get();
-      if (courses && courses->find(sites.names[c])) forces.followed[c] = 1;
+      const Curves* curves = world.particles.at_slot(sites.particle[i]).curves.get();
+      if (curves && curves->find(sites.names[c])) forces.followed[c] = 1;
     }
 }
 

@@ -150,7 +150,7 @@ void build_rows(const World& world, Forces& f, bool drifted) {
   double skin = 0.0;
   if (reach > 0.0) {
     read_velocities(world, f, drifted);
-    skin = best_skin(f.sites, world.part.full, reach);
+    skin = best_skin(f.sites, world.stage.full, reach);
     put_in_order(world, f, cell_order({f.sites.x.data(), f.sites.n}, box_of(world), 0.5 * (reach + skin)));
   }
   list_pairs(world, f, skin);

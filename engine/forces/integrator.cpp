@@ -146,15 +146,15 @@ double worst_missed(const World& world) {
          (world.settings.accuracy_per_step ? world.settings.step : 1.0);
 }
 
-std::uint32_t parts(const World& world) {
+std::uint32_t stage_count(const World& world) {
   return world.sub_steps.count * static_cast<std::uint32_t>(rule_of(world).stages.size());
 }
 
-void begin_part(World& world, std::uint32_t index) {
+void begin_stage(World& world, std::uint32_t index) {
   const auto stages = rule_of(world).stages;
   const std::size_t stage = index % stages.size();
   const double before = static_cast<double>(index / stages.size()), width = 1.0 / world.sub_steps.count;
-  StepPart& p = world.part;
+  StepStage& p = world.stage;
   p.index = index;
   p.full = world.settings.step * width;
   p.h = p.full * stages[stage].length;
@@ -170,8 +170,8 @@ double time_within(const World& world, double fraction) {
 }
 
 double kick_start(const World& world) {
-  return rule_of(world).kicks ? time_within(world, world.part.from) : world.time;
+  return rule_of(world).kicks ? time_within(world, world.stage.from) : world.time;
 }
-double kick_end(const World& world) { return time_within(world, rule_of(world).kicks ? world.part.to : 1.0); }
+double kick_end(const World& world) { return time_within(world, rule_of(world).kicks ? world.stage.to : 1.0); }
 
 }  // namespace pantin

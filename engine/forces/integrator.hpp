@@ -7,7 +7,7 @@
 
 namespace pantin {
 
-/// A part of a full sub-step.
+/// A stage of a full sub-step.
 struct IntegratorStage {
   double length;  ///< relative to the sub-step; may be negative
   double end;     ///< its end, 0 … 1, where the forces are evaluated
@@ -43,13 +43,13 @@ double worst_missed(const World& world);
 /// "; scene.accuracy = 1e-4 would …": what to try where steps are too long. Empty where it is set already.
 std::string try_accuracy(const World& world);
 
-/// Parts of the coming step.
-std::uint32_t parts(const World& world);
+/// Stages of the coming step.
+std::uint32_t stage_count(const World& world);
 /// Sets World::part to one of them.
-void begin_part(World& world, std::uint32_t part);
+void begin_stage(World& world, std::uint32_t stage);
 /// Time at a fraction of the step that is being done [s].
 double time_within(const World& world, double fraction);
-/// The time that the kicks of the present part are for, [s].
+/// The time that the kicks of the present stage are for, [s].
 double kick_start(const World& world);
 double kick_end(const World& world);
 

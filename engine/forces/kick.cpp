@@ -44,8 +44,8 @@ struct KickWork {
 
 /// Whether the velocities of what rows tie are without what these forbid: at the start of the kick that begins a part of
 /// the step; after the projection that follows the kick at its end.
-bool allowed_before(const World& world) { return rule_of(world).conserves && world.part.first; }
-bool allowed_after(const World& world) { return rule_of(world).conserves && world.part.last; }
+bool allowed_before(const World& world) { return rule_of(world).conserves && world.stage.first; }
+bool allowed_after(const World& world) { return rule_of(world).conserves && world.stage.last; }
 
 NonconservativeWork kick_points(World& world, Forces& f, double half) {
   NonconservativeWork work;
@@ -174,7 +174,7 @@ void post_tied(World& world, const TiedWork& work) {
 void kick(World& world, double half) {
   if (!world.forces) return;
   Forces& f = *world.forces;
-  const bool drifted = world.part.index > 0, allowed = allowed_before(world);
+  const bool drifted = world.stage.index > 0, allowed = allowed_before(world);
   for (Receiver& m : f.receivers) {
     if (drifted) break;
     const ReceiverMomenta s = momenta_of(world, m, false);
@@ -183,7 +183,7 @@ void kick(World& world, double half) {
   }
   if (!drifted) f.velocity.starts.clear();
   if (f.velocity_dependent) {
-    solve_velocity_kick(world, f, half, time_within(world, world.part.from), {drifted, true});
+    solve_velocity_kick(world, f, half, time_within(world, world.stage.from), {drifted, true});
     post_tied(world, kick_tied(world, f));
   }
   const AlignedVector<Vec3> before = site_velocities(world, f, drifted);
@@ -247,7 +247,7 @@ void put_back(World& world) {
 void kick_to_end(World& world, double half) {
   if (!world.forces) return;
   Forces& f = *world.forces;
-  if (f.velocity_dependent) solve_velocity_kick(world, f, half, time_within(world, world.part.to), {true, false});
+  if (f.velocity_dependent) solve_velocity_kick(world, f, half, time_within(world, world.stage.to), {true, false});
   f.kicked_from = site_velocities(world, f, true);
   NonconservativeWork told = kick_points(world, f, half);
   const KickWork given = kick_receivers(world, f, half, true);

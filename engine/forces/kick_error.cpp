@@ -81,7 +81,7 @@ void begin_notes(World& world, Forces& f) {
   n.jerk.resize(slots, unknown);
   n.untold.resize(slots, 0.0);
   n.swing.resize(slots);
-  if (world.part.index != 0) return;
+  if (world.stage.index != 0) return;
   bool young = false;
   for (std::size_t i = 0; i < f.sites.n; i++) {
     const std::uint32_t slot = f.sites.particle[i];
@@ -146,11 +146,11 @@ void note_swings(World& world) {
 
 namespace {
 
-/// The error of a part of a step.
+/// The error of a stage of a step.
 class Judge {
  public:
   Judge(World& world, Forces& f)
-      : world_(world), f_(f), n_(f.notes), box_(box_of(world)), h_(std::fabs(world.part.h)) {}
+      : world_(world), f_(f), n_(f.notes), box_(box_of(world)), h_(std::fabs(world.stage.h)) {}
 
   void judge_all() {
     find_changes();
@@ -192,8 +192,8 @@ class Judge {
       fastest2_ = std::max(fastest2_, norm2(n_.moved[i]));
       Swing& swing = n_.swing[slot];
       if (!n_.kept_swing.empty() && is_young(n_.kept_swing[slot])) {
-        if (!swing.seen) swing.add(n_.place[slot], time_within(world_, world_.part.from), 1e-9);
-        swing.add(now, time_within(world_, world_.part.to), 1.0 / world_.sub_steps.count);
+        if (!swing.seen) swing.add(n_.place[slot], time_within(world_, world_.stage.from), 1e-9);
+        swing.add(now, time_within(world_, world_.stage.to), 1.0 / world_.sub_steps.count);
       }
       if (seen) n_.seen[slot] = now - n_.moved[i] * (1.0 - within_);
     }
@@ -205,11 +205,11 @@ class Judge {
     }
   }
 
-  /// Whether this is the part of the step in which places are noted and forces of time are asked between its ends.
+  /// Whether this is the stage of the step in which places are noted and forces of time are asked between its ends.
   bool is_seen() {
     const double at = fraction_of(world_.steps) * world_.sub_steps.count;
     within_ = at - std::floor(at);
-    return static_cast<std::uint32_t>(at) == world_.part.index;
+    return static_cast<std::uint32_t>(at) == world_.stage.index;
   }
 
   /// Forces of time alone at the places of the end, without noise, over the masses [m/s²] (sites).
@@ -231,7 +231,7 @@ class Judge {
   void add_changes_of_time() {
     if (!is_seen()) return;
     const auto force = f_.sites.force, open = f_.sites.nonconservative_force;
-    const StepPart& p = world_.part;
+    const StepStage& p = world_.stage;
     const auto from = accelerations_at(p.from), to = accelerations_at(p.to),
                between = accelerations_at(p.from + within_ * (p.to - p.from));
     f_.sites.force = force;
@@ -331,7 +331,7 @@ class Judge {
     if (!swing.seen) return 0.0;
     const double a = std::max(swing.acceleration, norm(acceleration(world_, f_, i))), j = std::max(swing.jerk, jerk);
     const double by_way = std::isfinite(stiffness) ? std::sqrt(stiffness) : 0.0;
-    return (time_within(world_, world_.part.to) - swing.since) * std::max(by_way, a > 0.0 ? j / a : 0.0);
+    return (time_within(world_, world_.stage.to) - swing.since) * std::max(by_way, a > 0.0 ? j / a : 0.0);
   }
 
   /// How far it swings if its force changes on as in this part; where laws of velocity act no farther than until they have
@@ -379,7 +379,7 @@ double kick_error(World& world) {
   without_noise(world, f, [&] { judge.judge_all(); });
   for (const Encounter& met : find_encounters(world, f, judge.fastest(), judge.nearest())) judge.judge(met);
   f.notes.jumps_in_step += f.notes.jump * f.notes.jump;
-  f.notes.told_in_step += f.notes.told * std::fabs(world.part.h) / world.settings.step;
+  f.notes.told_in_step += f.notes.told * std::fabs(world.stage.h) / world.settings.step;
   return judge.worst();
 }
 

@@ -6,7 +6,7 @@
 
 namespace pantin {
 
-/// After the kick that begins a part of a step: notes the accelerations in it, and where all is.
+/// After the kick that begins a stage of a step: notes the accelerations in it, and where all is.
 void note_kicks(World& world);
 /// After the kick at its end: the error [1/s], largest over all that laws move. Kicks of h leave places that are wrong by h/12
 /// times the change of acceleration in each second (Hairer, Lubich and Wanner 2003). For two that interact, of what changes

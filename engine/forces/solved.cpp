@@ -178,7 +178,7 @@ bool find_too_stiff(World& world, Forces& f) {
   const std::vector<Candidate> list = candidates(world, f);
   const std::vector<Give> give = gives(world, f);
   std::vector<double> sums(f.sites.n, 0.0);
-  const double h = world.part.full;
+  const double h = world.stage.full;
   for (const Candidate& c : list)
     for (std::uint32_t site : {c.a, c.b}) sums[site] += h * h * c.slope * give[site].mobility;
   std::vector<const Law*> told;

@@ -38,7 +38,7 @@ TiedKick::TiedKick(World& world, VelocityForces& laws, std::size_t articulate, d
     copy_ = std::make_unique<Articulate>(*a_);
     a_ = copy_.get();
     load(*a_, world, world.settings.gravity);
-    meet(*a_, world.settings.step, world.part.from);
+    meet(*a_, world.settings.step, world.stage.from);
   } else if (!side.drifted) {
     for (Node& n : a_->nodes) load(n, world, world.settings.gravity);
   }
@@ -219,7 +219,7 @@ void TiedKick::find_known() {
   if (!side_.before) pantin::add(first, other, -1.0);  // the drift had it
   for (const Soft& s : soft_) add(other, s, s.force * dt_);
   for (std::size_t s = 0; s < sites.size(); s++) add(other, sites[s], forces_on_sites_[s] * dt_);
-  const bool is_allowed = side_.before && !copy_ && (world_.part.first || !ties_);
+  const bool is_allowed = side_.before && !copy_ && (world_.stage.first || !ties_);
   v0_ = is_allowed ? std::move(first) : allowed(allowed(first));
   driven_.assign(other.size(), {});
   if (ties_ && std::any_of(a_->conditions.begin(), a_->conditions.end(), wants_motion)) driven_ = allowed(driven_);

@@ -232,7 +232,7 @@ TiedWork apply_tied(World& world, Forces& f, VelocityForces& k) {
     spared.clear();
     for (const TiedKick::NodeSite& s : tied->sites)
       spared.push_back(&k == &f.velocity ? f.undamped[s.site] - f.still[s.site] : zero3());
-    const TiedWork done = tied->apply(spared, world.part.full);
+    const TiedWork done = tied->apply(spared, world.stage.full);
     work.damper += done.damper;
     work.rest += done.rest;
     work.rows += done.rows;

@@ -48,7 +48,7 @@ struct Unkept {
 
 Unkept unkept(const World& world, const Forces& f) {
   Unkept sum;
-  const double share = world.part.h * world.part.h / 8.0;
+  const double share = world.stage.h * world.stage.h / 8.0;
   for (std::size_t i = 0; i < f.sites.n; i++) {
     double mobility = f.inverse_mass[i];
     const std::uint32_t at = f.attached_of[i];
@@ -75,7 +75,7 @@ AlignedVector<Vec3> forces_on_way(World& world, Forces& f, const AlignedVector<V
     f.sites.v[i] = zero3();
   }
   std::fill(f.sites.nonconservative_force.begin(), f.sites.nonconservative_force.end(), zero3());
-  const double time = world.part.from + at * (world.part.to - world.part.from);
+  const double time = world.stage.from + at * (world.stage.to - world.stage.from);
   const Instant instant = instant_of(world, time_within(world, time), world.instant);
   each_law(world, f, [&](const std::string&, const Law& law, auto& acting) {
     if (!law.has_energy()) run_law(world, f, acting, instant);

@@ -4,7 +4,7 @@
 
 namespace pantin {
 
-/// After the kick that begins a part of a step: notes where all is.
+/// After the kick that begins a stage of a step: notes where all is.
 void note_nonconservative_forces(World& world);
 /// After the kick at its end: where the part is one of those that are looked at, asks these laws along the way, with the mean
 /// velocity on it. Kicks give the forces at both ends, halves each, Δx·(F0 + F1)/2, the way Δx·(F0 + 4 Fm + F1)/6 (Simpson):

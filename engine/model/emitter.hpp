@@ -13,7 +13,7 @@
 
 namespace pantin {
 
-struct Courses;
+struct Curves;
 
 /// Makes particles at a rate. The k-th since `origin` is due at origin + (k - phase) / rate, however long ago that was.
 struct Emitter {
@@ -34,7 +34,7 @@ struct Emitter {
   double radius = 0.05;        ///< [m]
   Color color;
   std::optional<Look> look;
-  std::shared_ptr<const Courses> courses;  ///< of its particles, or null
+  std::shared_ptr<const Curves> curves;  ///< of its particles, or null
 
   double origin = 0.0;      ///< [s] last change of the rate
   double phase = 0.0;       ///< part of a particle that was due then

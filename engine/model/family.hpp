@@ -16,7 +16,7 @@ namespace pantin {
 /// How a particle is drawn: a lit ball, a soft disc of light, or a line of light along its velocity.
 enum class Look : std::uint8_t { ball, glow, streak };
 
-struct Courses;
+struct Curves;
 
 /// Particles of a kind, with named numeric attributes that laws may read.
 struct Family {
@@ -29,7 +29,7 @@ struct Family {
   std::optional<double> radius;       ///< [m]
   std::optional<double> mass;         ///< [kg]
   std::optional<Look> look;
-  std::shared_ptr<const Courses> courses;  ///< of a particle that gives none; null: none
+  std::shared_ptr<const Curves> curves;  ///< of a particle that gives none; null: none
   std::string name;
   std::uint64_t serial = 0;
 

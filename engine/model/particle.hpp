@@ -29,7 +29,7 @@ struct Particle {
   std::optional<Color> color;                                 ///< overrides its points'
   std::optional<double> radius;                               ///< [m] overrides its points'
   std::optional<Look> look;                                   ///< overrides its family's
-  std::shared_ptr<const Courses> courses;                     ///< what of it follows its age; null: nothing
+  std::shared_ptr<const Curves> curves;                       ///< what of it follows its age; null: nothing
   Handle<Emitter> emitter;                                    ///< that made it, or null
   bool enabled = true;                                        ///< of a hinge: whether its points stay together
   Breaking breaks_at;                                         ///< of a hinge

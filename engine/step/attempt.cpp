@@ -72,7 +72,7 @@ void keep_start(World& world) {
 
 void note_error(World& world) {
   if (!world.trouble.empty() || !world.forces) return;
-  world.kick_error += kick_error(world) * std::fabs(world.part.h) / world.settings.step;
+  world.kick_error += kick_error(world) * std::fabs(world.stage.h) / world.settings.step;
   world.kick_error = std::max(world.kick_error, world.forces->notes.jump);
 }
 
@@ -106,7 +106,7 @@ void begin_again(World& world) {
   world.trouble.clear();
   world.kick_error = 0.0;
   forget_attempt(world);
-  begin_part(world, 0);
+  begin_stage(world, 0);
   find_forces_again(world);
 }
 

@@ -27,7 +27,7 @@ double wanted_accuracy(const World& world);
 
 /// Keeps what a step changes before its end, where it may have to be done again.
 void keep_start(World& world);
-/// After a part of a step: notes its error.
+/// After a stage of a step: notes its error.
 void note_error(World& world);
 /// Whether the error is above what is wanted, and more sub-steps may be had.
 bool misses_accuracy(const World& world);

@@ -26,15 +26,15 @@ namespace {
 
 DriftSettings drift_settings(const World& world) {
   const Settings& s = world.settings;
-  const StepPart& p = world.part;
+  const StepStage& p = world.stage;
   return {s.step, s.gravity, s.tolerance, s.energy_return, world.ledger.kept,
           p.from, p.to,      p.full,      p.first,         rule_of(world).backwards};
 }
 
 SubStepSettings sub_step_settings(const World& world) {
-  const bool alike = rule_of(world).stages.size() == 1, first = world.part.index == 0;
+  const bool alike = rule_of(world).stages.size() == 1, first = world.stage.index == 0;
   return {world.settings.accuracy ? wanted_accuracy(world) : 0.0, first,
-          alike   ? world.part.h
+          alike   ? world.stage.h
           : first ? world.settings.step
                   : 0.0};
 }
@@ -44,7 +44,7 @@ void drift_points(World& world) {
   share_blocks(world, world.loose_points.size(), enough, [&](std::size_t first, std::size_t last, int) {
     for (std::size_t i = first; i < last; i++) {
       FreeMotion& m = world.free_motion[world.loose_points[i]];
-      m.x += m.v * world.part.h;
+      m.x += m.v * world.stage.h;
     }
   });
 }
@@ -201,13 +201,13 @@ template <class Move>
 void drift_articulates(World& world, Move move) {
   share_articulates(world, [&](Articulate& articulate, int worker) {
     if (articulate.rest.asleep) return;
-    if (world.part.from == 0.0) load(articulate, world, world.settings.gravity);
+    if (world.stage.from == 0.0) load(articulate, world, world.settings.gravity);
     begin_report(articulate);
     move(articulate, worker);
   });
   for (const auto& articulate : world.articulates) {
     if (articulate->rest.asleep) continue;
-    if (world.part.to == 1.0) {
+    if (world.stage.to == 1.0) {
       tell_nonconservative(world, *articulate);
       tell_stalled(world, *articulate);
       tell_too_stiff(world, *articulate);
@@ -227,7 +227,7 @@ void drift_by_midpoint(World& world) {
   drift_points(world);
   std::vector<double> missed(wanted.accuracy > 0.0 ? world.bodies.slots() : 0, 0.0);  // [1/s]
   drift_bodies(world, [&](Node& n, Motion& m) {
-    const double rate = drift_alone_accurately(n, world.part.h, wanted, m.sub_steps);
+    const double rate = drift_alone_accurately(n, world.stage.h, wanted, m.sub_steps);
     if (rate > 0.0) missed[n.slot] = rate;
   });
   for (std::size_t slot = 0; slot < missed.size(); slot++)
@@ -243,7 +243,7 @@ void drift_by_midpoint(World& world) {
 void drift_by_euler(World& world) {
   const DriftSettings settings = drift_settings(world);
   drift_points(world);
-  drift_bodies(world, [&](Node& n, Motion&) { drift_euler_alone(n, world.part.h); });
+  drift_bodies(world, [&](Node& n, Motion&) { drift_euler_alone(n, world.stage.h); });
   drift_articulates(world, [&](Articulate& articulate, int) { drift_euler(articulate, settings, articulate.report); });
 }
 
@@ -279,7 +279,7 @@ void settle_articulates(World& world) {
 
 void leave_velocities(World&) {}
 
-/// How an integrator moves things over a part of the step, and what it does with the velocities after a full sub-step.
+/// How an integrator moves things over a stage of the step, and what it does with the velocities after a full sub-step.
 struct Moves {
   Integrator integrator;
   void (*drift)(World&);
@@ -304,8 +304,8 @@ const Moves& moves_of(const World& world) {
 
 /// In two halves, with thermostats between.
 void drift_halved(World& world) {
-  const StepPart whole = world.part;
-  StepPart& p = world.part;
+  const StepStage whole = world.stage;
+  StepStage& p = world.stage;
   p.h = 0.5 * whole.h;
   p.to = 0.5 * (whole.from + whole.to);
   p.last = false;
@@ -323,7 +323,7 @@ void drift_halved(World& world) {
 
 void drift(World& world) {
   const Timed timed(world.profile, Phase::drift);
-  const LedgerMark before = ledger_mark(world, world.part.index > 0);
+  const LedgerMark before = ledger_mark(world, world.stage.index > 0);
   if (world.forces && world.forces->thermal)
     drift_halved(world);
   else
@@ -332,10 +332,10 @@ void drift(World& world) {
 }
 
 void project_velocities(World& world) {
-  if (!world.part.last) return;
+  if (!world.stage.last) return;
   const Timed timed(world.profile, Phase::project_velocities);
   moves_of(world).project(world);
-  end_kick(world, 0.5 * world.part.h);
+  end_kick(world, 0.5 * world.stage.h);
   moves_of(world).settle(world);
 }
 

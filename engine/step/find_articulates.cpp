@@ -101,7 +101,7 @@ void meet_edited(World& world) {
 }  // namespace
 
 void find_articulates(World& world) {
-  begin_part(world, 0);
+  begin_stage(world, 0);
   find_changed(world);
   meet_edited(world);
 }

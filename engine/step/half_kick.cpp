@@ -34,13 +34,13 @@ void kick_loose_points(World& world, double half) {
 }  // namespace
 
 void half_kick(World& world) {
-  if (world.part.index == 0)
+  if (world.stage.index == 0)
     for (const auto& articulate : world.articulates) articulate->reaction.clear();
-  if (rule_of(world).kicks || world.part.index == 0) begin_kick(world);
+  if (rule_of(world).kicks || world.stage.index == 0) begin_kick(world);
   if (!rule_of(world).kicks || (world.loose_points.empty() && !world.forces)) return;
   const Timed timed(world.profile, Phase::half_kick);
-  const double half = 0.5 * world.part.h;
-  const bool drifted = world.part.index > 0;
+  const double half = 0.5 * world.stage.h;
+  const bool drifted = world.stage.index > 0;
   const LedgerMark before = ledger_mark(world, drifted);
   kick_loose_points(world, half);
   post_kick(world, before, drifted);
@@ -52,7 +52,7 @@ void half_kick(World& world) {
 void half_kick_to_end(World& world) {
   if (!rule_of(world).kicks || (world.loose_points.empty() && !world.forces)) return;
   const Timed timed(world.profile, Phase::half_kick_to_end);
-  const double half = 0.5 * world.part.h;
+  const double half = 0.5 * world.stage.h;
   wake_pulled(world, half);
   const LedgerMark before = ledger_mark(world, true);
   kick_loose_points(world, half);

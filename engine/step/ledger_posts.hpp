@@ -5,7 +5,7 @@
 
 namespace pantin {
 
-/// State before a part of a step, for what it posts. Nothing is measured where the ledger is not kept.
+/// State before a stage of a step, for what it posts. Nothing is measured where the ledger is not kept.
 struct LedgerMark {
   double kinetic = 0.0;  ///< [J]
   double falling = 0.0;  ///< [J] potential energy in gravity of what no kick gives it

@@ -142,9 +142,9 @@ void require_slow_change(World& world) {
 }  // namespace
 
 void take_rk4_stage(World& world) {
-  const std::size_t stage = world.part.index;
+  const std::size_t stage = world.stage.index;
   if (stage == 0) require_slow_change(world);
-  const double h = world.settings.step, dt = stage == 3 ? h / 6.0 : world.part.h;
+  const double h = world.settings.step, dt = stage == 3 ? h / 6.0 : world.stage.h;
   Slopes& s = world.slopes;
   s.acceleration.resize(world.points.slots());
   s.points.resize(world.points.slots());

@@ -24,9 +24,9 @@ void step(World& world) {
     if (!world.failure.empty()) return;
     keep_start(world);
     do {
-      const std::uint32_t count = all_asleep(world) ? 0 : parts(world);
-      for (std::uint32_t part = 0; part < count && !misses_accuracy(world); part++) {
-        begin_part(world, part);
+      const std::uint32_t count = all_asleep(world) ? 0 : stage_count(world);
+      for (std::uint32_t stage = 0; stage < count && !misses_accuracy(world); stage++) {
+        begin_stage(world, stage);
         phases::half_kick(world);
         phases::drift(world);
         phases::find_pairs(world);

@@ -55,7 +55,7 @@ bool follows_bends(const World& world) {
   return world.settings.accuracy || world.settings.integrator == Integrator::suzuki4;
 }
 
-/// The way of what moves as it wants, by what that is `off` the straight one at parts of the step. None of one that does not
+/// The way of what moves as it wants, by what that is `off` the straight one at stages of the step. None of one that does not
 /// begin where the last step ended.
 template <class Off>
 Bend bend_of(const World& world, const Constraint& c, Off off) {

@@ -99,7 +99,7 @@ struct Stats {
   double worst_unreached = 0.0;  ///< [1/s] largest error rate told then
 };
 
-/// Parts of steps in which the work of laws without energy was held against a second estimate, each with the weight of those
+/// Stages of steps in which the work of laws without energy was held against a second estimate, each with the weight of those
 /// that it stands for [J].
 struct WorkCheck {
   double missed = 0.0;                         ///< that less what was given
@@ -119,8 +119,8 @@ struct Accuracy {
                         ///< a second estimate does not find
 };
 
-/// What a step is doing: a part of it, from one evaluation of the forces to the next.
-struct StepPart {
+/// What a step is doing: a stage of it, from one evaluation of the forces to the next.
+struct StepStage {
   std::uint32_t index = 0;
   double full = 0.0;               ///< [s] length of the full sub-step that it belongs to
   double h = 0.0;                  ///< [s] its own length; may be negative
@@ -135,8 +135,8 @@ struct WorldData : Model {
   std::uint64_t steps = 0;       ///< done
   double step_origin = 0.0;      ///< [s] time at the last change of the step's length
   std::uint64_t step_count = 0;  ///< steps since then
-  StepPart part;                 ///< of the step
-  std::uint64_t instant = 0;     ///< number of the instant that the forces are of: parts done since the start
+  StepStage stage;               ///< of the step
+  std::uint64_t instant = 0;     ///< number of the instant that the forces are of: stages done since the start
   double kick_error = 0.0;       ///< [1/s] of the step, where `accuracy` wants to know it
   double mean_error = 0.0;       ///< [1/s] over the last second, or
   double error_span = 0.0;       ///< [s] less at first

@@ -44,10 +44,10 @@ std::shared_ptr<const Law> bowl(double factor) {
 }
 
 /// `age` times a factor, as the course of a name.
-std::shared_ptr<const Courses> growing(const std::string& name, double factor) {
+std::shared_ptr<const Curves> growing(const std::string& name, double factor) {
   Expressions graph;
-  const Expr output = graph.scale(graph.input(course_age), factor);
-  return with(nullptr, make_course(name, graph, {&output, 1}));
+  const Expr output = graph.scale(graph.input(curve_age), factor);
+  return with(nullptr, make_curve(name, graph, {&output, 1}));
 }
 
 }  // namespace
@@ -324,10 +324,10 @@ TEST_CASE("courses: radius, color and attributes follow the age; a value given e
   CHECK(world.particles[p].courses == nullptr);
 
   Expressions graph;
-  const Expr part = graph.divide(graph.input(course_age), graph.input(course_lifetime));
+  const Expr part = graph.divide(graph.input(curve_age), graph.input(curve_lifetime));
   const Expr rgba[] = {part, graph.constant(0.25), graph.constant(7.0), graph.subtract(graph.constant(1.0), part)};
   set_lifetime(world, p, 2.0);
-  set_course(world, p, make_course("color", graph, rgba));
+  set_curve(world, p, make_curve("color", graph, rgba));
   CHECK(present_color(world, p) == Color{0.5f, 0.25f, 1.0f, 0.5f});
   set_color(world, p, {0, 1, 0, 1});
   CHECK(present_color(world, p) == Color{0, 1, 0, 1});
@@ -343,7 +343,7 @@ TEST_CASE("courses: two particles with courses of their own are told apart in on
   }
   std::vector<double> radius(slots.size(), -1.0);
   double* const column = radius.data();
-  follow_courses(world, "radius", 4.0, slots, {&column, 1});
+  follow_curves(world, "radius", 4.0, slots, {&column, 1});
   for (std::size_t i = 0; i < slots.size(); i++)
     CHECK(radius[i] == (i % 3 > 0 ? 4.0 * static_cast<double>(i % 3) : -1.0));
 }

@@ -84,13 +84,12 @@ TEST_CASE("a particle that glows is a disc of light, a streak a line against its
 TEST_CASE("radius and color that follow the age are those of now; a radius of 0 is not drawn", "[view]") {
   World world;
   Expressions graph;
-  const Expr age = graph.input(course_age);
+  const Expr age = graph.input(curve_age);
   const Expr shrunk = graph.subtract(graph.constant(0.5), age);
   const Expr rgba[] = {age, graph.constant(0.5), graph.constant(0.0), graph.constant(1.0)};
   ParticleDef def;
   def.look = Look::glow;
-  def.courses =
-      with(with(nullptr, make_course("radius", graph, {&shrunk, 1})).get(), make_course("color", graph, rgba));
+  def.courses = with(with(nullptr, make_curve("radius", graph, {&shrunk, 1})).get(), make_curve("color", graph, rgba));
   add_particle(world, def);
   const Stage stage = find_stage(world);
   const Camera camera = first_camera(stage, 1.6);

@@ -156,7 +156,7 @@ void add_nodes(Articulate& a, Model& model, std::span<const Thing> things, const
 Condition make_condition(const Model& model, const Tie& tie, Row& row) {
   Condition condition;
   condition.constraint = tie.constraint;
-  condition.part = tie.part;
+  condition.index = tie.index;
   if (tie.connection) {
     make_stiff(model, tie.connection, row, condition);
     return condition;
@@ -271,7 +271,7 @@ bool is_row_of(const Articulate& a, const Row& row, const Tie& tie) {
   if (tie.member) return true;
   const Condition& c = condition(a, row);
   if (tie.connection) return c.stiff && c.stiff->connection == tie.connection && c.stiff->solve == tie.solve;
-  return c.constraint == tie.constraint && c.part == tie.part;
+  return c.constraint == tie.constraint && c.index == tie.index;
 }
 
 bool is_as_built(const Model& model, const Articulate& a, Thing t) {

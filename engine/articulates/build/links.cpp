@@ -92,7 +92,7 @@ class Finder {
       row.kind = plan.kind;
       row.angular = plan.angular;
       row.may_break = c.breaks_at.possible();
-      row.part = plan.part;
+      row.index = plan.index;
       row.constraint = id;
       if (plan.point_a) tie_a(row, plan.point_a);
       if (plan.point_b) tie_b(row, plan.point_b);

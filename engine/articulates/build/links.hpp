@@ -12,7 +12,7 @@ struct Tie {
   RowKind kind = RowKind::rigid;
   bool angular = false;
   bool may_break = false;
-  std::uint32_t part = 0;       // which row of its constraint
+  std::uint32_t index = 0;      // which row of its constraint
   std::int32_t a = -1, b = -1;  // nodes; b = -1: the world
   PointId member, centre;       // of a hinge
   ConstraintId constraint;

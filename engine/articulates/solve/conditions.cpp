@@ -97,7 +97,7 @@ double fixed_length(const Model& model, const Constraint& c) {
 }
 
 void load_segment(Condition& condition, const Model& model, const Constraint& c) {
-  const Passage &from = c.passages[condition.part], &to = c.passages[condition.part + 1];
+  const Passage &from = c.passages[condition.index], &to = c.passages[condition.index + 1];
   condition.whole0 = condition.whole1 = model.plane.along(from.point ? to.place : from.place);
   condition.velocity = zero3();
   const double fixed = fixed_length(model, c);
@@ -169,7 +169,7 @@ void store(const Condition& condition, const Row& row, Vec3 force, Constraint& c
   }
   if (c.path) c.along = condition.angle1;
   c.tension = -dot(force, direction(row.d1));
-  if (condition.part == 0) c.force = force;
+  if (condition.index == 0) c.force = force;
 }
 
 double inertia_about(const Articulate& a, Vec3 place) {

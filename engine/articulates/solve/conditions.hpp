@@ -13,7 +13,7 @@ struct RowPlan {
   PointId point_a, point_b;
   BodyId body_a, body_b;                  // where no points are given
   Vec3 arm_a = zero3(), arm_b = zero3();  // [m] or axis, in the frame of a body
-  std::uint32_t part = 0;
+  std::uint32_t index = 0;
 };
 std::vector<RowPlan> plan_rows(const Model& model, const Constraint& constraint);
 

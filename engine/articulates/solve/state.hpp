@@ -26,7 +26,7 @@ NodeTotals totals_of(const Articulate& articulate);
 /// Finds `gaps` anew from the rows at the end of the step.
 void measure_gaps(Articulate& articulate);
 
-/// Whether a one-dimensional row began to hold in this part of the step, by an inelastic impact.
+/// Whether a one-dimensional row began to hold in this stage of the step, by an inelastic impact.
 bool struck(const Articulate& articulate);
 /// Begins the sum of what the rows exert in a step that is cut into parts.
 void begin_exerted(Articulate& articulate);

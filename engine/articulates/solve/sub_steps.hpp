@@ -11,8 +11,8 @@ inline constexpr std::uint16_t sub_step_limit = 256;
 
 struct SubStepSettings {
   double accuracy = 0.0;  ///< [1/s] largest error of a point per second, relative to the thing's length; 0: fixed steps
-  bool trials = true;     ///< this is the first part of a step
-  double span = 0.0;      ///< [s] from the part before that is like this one; 0: there is none in each step
+  bool trials = true;     ///< this is the first stage of a step
+  double span = 0.0;      ///< [s] from the stage before that is like this one; 0: there is none in each step
 };
 
 /// Where trials happen.
@@ -21,7 +21,7 @@ struct Trial {
   std::vector<MeanMotion> means;
 };
 
-/// Moves a loaded articulate over the settings' part of the step by as many sub-steps as the accuracy wants. What it did is
+/// Moves a loaded articulate over the settings' stage of the step by as many sub-steps as the accuracy wants. What it did is
 /// in its report; `unreached` tells that not even the most were enough.
 void drift_accurately(Articulate& articulate, const DriftSettings& settings, const SubStepSettings& wanted,
                       Trial& trial);

@@ -10,6 +10,6 @@ namespace pantin::lua {
 
 /// Traces the function at `index`, of age and life [s], which gives a number, or for "color" a color: "#rrggbb" or
 /// { r, g, b, a }. It runs now, on symbols, and never again. Throws Error where it cannot be traced.
-std::shared_ptr<const Course> course_of(lua_State* state, int index, const std::string& what, const std::string& name);
+std::shared_ptr<const Curve> curve_of(lua_State* state, int index, const std::string& what, const std::string& name);
 
 }  // namespace pantin::lua
