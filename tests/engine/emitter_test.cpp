@@ -43,7 +43,7 @@ std::shared_ptr<const Law> bowl(double factor) {
   return std::make_shared<Law>(point_potential(def, g, energy));
 }
 
-/// `age` times a factor, as the course of a name.
+/// `age` times a factor, as the curve of a name.
 std::shared_ptr<const Curves> growing(const std::string& name, double factor) {
   Expressions graph;
   const Expr output = graph.scale(graph.input(curve_age), factor);
@@ -124,13 +124,13 @@ TEST_CASE("emitter: the energy that a law has of what comes and goes is counted 
   CHECK(world.worst.energy < 1e-4);
 }
 
-TEST_CASE("courses: energy that changes because a particle ages is work from outside") {
+TEST_CASE("curves: energy that changes because a particle ages is work from outside") {
   World world;
   world.settings.gravity = zero3();
   world.settings.step = 1e-3;
   ParticleDef def;
   def.at = vec(1, 0, 0);
-  def.courses = growing("radius", 3.0);
+  def.curves = growing("radius", 3.0);
   const ParticleId p = add_particle(world, def);
   add_field(world, bowl(1.0), AnyId());
   advance(world, 3.0);
@@ -293,7 +293,7 @@ TEST_CASE("emitter: wrong definitions say what is wrong") {
   fails([](EmitterDef& d) { d.shortest = d.longest = 0.0; }, "lifetime must be > 0 s");
   fails([](EmitterDef& d) { d.max = 0; }, "max must be > 0");
   fails([](EmitterDef& d) { d.mass = 0.0; }, "mass must be > 0 kg");
-  fails([](EmitterDef& d) { d.courses = growing("charge", 1.0); }, "it has no 'charge' that could follow its age");
+  fails([](EmitterDef& d) { d.curves = growing("charge", 1.0); }, "it has no 'charge' that could follow its age");
   world.settings.step = 0.01;
   const EmitterId emitter = add_emitter(world, fountain(1e9, 1.0));
   CHECK_THROWS_WITH(step(world), Contains("rate must be at most 1e+08 1/s") && Contains("got 1e+09 1/s"));
@@ -303,15 +303,15 @@ TEST_CASE("emitter: wrong definitions say what is wrong") {
   step(world);
 }
 
-TEST_CASE("courses: radius, color and attributes follow the age; a value given ends that") {
+TEST_CASE("curves: radius, color and attributes follow the age; a value given ends that") {
   World world;
   FamilyDef sparks;
   sparks.name = "sparks";
   sparks.attributes = {{"heat", 7.0}};
-  sparks.courses = growing("heat", 2.0);
+  sparks.curves = growing("heat", 2.0);
   ParticleDef def;
   def.family = add_family(world, sparks);
-  def.courses = growing("radius", 0.5);
+  def.curves = growing("radius", 0.5);
   const ParticleId p = add_particle(world, def);
   advance(world, 1.0);
   CHECK(attribute(world, p, "heat") == 2.0);
@@ -321,7 +321,7 @@ TEST_CASE("courses: radius, color and attributes follow the age; a value given e
   set_radius(world, p, 0.1);
   CHECK(attribute(world, p, "heat") == 3.0);
   CHECK(present_radius(world, p) == 0.1);
-  CHECK(world.particles[p].courses == nullptr);
+  CHECK(world.particles[p].curves == nullptr);
 
   Expressions graph;
   const Expr part = graph.divide(graph.input(curve_age), graph.input(curve_lifetime));
@@ -333,12 +333,12 @@ TEST_CASE("courses: radius, color and attributes follow the age; a value given e
   CHECK(present_color(world, p) == Color{0, 1, 0, 1});
 }
 
-TEST_CASE("courses: two particles with courses of their own are told apart in one run of many") {
+TEST_CASE("curves: two particles with curves of their own are told apart in one run of many") {
   World world;
   std::vector<std::uint32_t> slots;
   for (int i = 0; i < 2000; i++) {
     ParticleDef def;
-    if (i % 3 > 0) def.courses = growing("radius", i % 3);
+    if (i % 3 > 0) def.curves = growing("radius", i % 3);
     slots.push_back(add_particle(world, def).slot - 1);
   }
   std::vector<double> radius(slots.size(), -1.0);

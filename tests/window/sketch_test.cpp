@@ -89,7 +89,7 @@ TEST_CASE("radius and color that follow the age are those of now; a radius of 0 
   const Expr rgba[] = {age, graph.constant(0.5), graph.constant(0.0), graph.constant(1.0)};
   ParticleDef def;
   def.look = Look::glow;
-  def.courses = with(with(nullptr, make_curve("radius", graph, {&shrunk, 1})).get(), make_curve("color", graph, rgba));
+  def.curves = with(with(nullptr, make_curve("radius", graph, {&shrunk, 1})).get(), make_curve("color", graph, rgba));
   add_particle(world, def);
   const Stage stage = find_stage(world);
   const Camera camera = first_camera(stage, 1.6);
