@@ -23,8 +23,8 @@ double mass_of_points(const Self& self) {
 Mat3 inertia_of_points(const Self& self) {
   Mat3 sum = zero33();
   const auto add = [&](Vec3 at, double mass) { sum += (identity33() * norm2(at) - outer(at, at)) * mass; };
-  for (PointId p : row(self).points) add(self.world.points[p].place, self.world.points[p].mass);
-  add(row(self).own_place, row(self).own_mass);
+  for (PointId p : row(self).points) add(self.world.points[p].position, self.world.points[p].mass);
+  add(row(self).own_position, row(self).own_mass);
   return sum;
 }
 

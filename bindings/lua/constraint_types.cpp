@@ -18,13 +18,14 @@ const Field point = {"point", "Point", "", "the point that it holds", [](const S
 
 Type make_nail() {
   Type type{"Nail", "nail", "Keeps a point at a place of the world.", {}, {}};
-  type.fields = {point,
-                 {"at", "vec", "m", "the place; the point is drawn to a new one",
-                  [](const Self& s) { push(s.state, row(s).place); },
-                  [](const Self& s, int i) { set_place(s.world, id_of(s), check_vec(s.state, i, "nail", "at", "m")); }},
-                 force_field(),
-                 breaks_at_field(),
-                 enabled_field()};
+  type.fields = {
+      point,
+      {"at", "vec", "m", "the place; the point is drawn to a new one",
+       [](const Self& s) { push(s.state, row(s).position); },
+       [](const Self& s, int i) { set_position(s.world, id_of(s), check_vec(s.state, i, "nail", "at", "m")); }},
+      force_field(),
+      breaks_at_field(),
+      enabled_field()};
   add_common_fields(type);
   add_common_remove(type);
   return type;
@@ -34,12 +35,12 @@ Type make_follow() {
   Type type{"Follow", "follow", "Keeps a point to a moving target; with max_force it never pulls harder.", {}, {}};
   type.fields = {point,
                  {"target", "vec", "m", "where the target is; written as a vec or a function of time [s]",
-                  [](const Self& s) { push(s.state, row(s).place); },
+                  [](const Self& s) { push(s.state, row(s).position); },
                   [](const Self& s, int i) {
                     if (lua_isfunction(s.state, i))
                       set_target(s.world, id_of(s), place_of_time(Callback(s.state, i), "follow: target"));
                     else
-                      set_place(s.world, id_of(s), check_vec(s.state, i, "follow", "target", "m"));
+                      set_position(s.world, id_of(s), check_vec(s.state, i, "follow", "target", "m"));
                   }},
                  {"max_force", "number", "N", "never pulls harder; math.huge: no limit",
                   [](const Self& s) { lua_pushnumber(s.state, row(s).max_force); },
@@ -60,11 +61,11 @@ Type make_rod() {
                  {"b", "Point?", "", "its second point, or nil where that end is a place",
                   [](const Self& s) { push_if(s, row(s).b); }, nullptr},
                  {"at", "vec", "m", "place of its second end; written where no point is there",
-                  [](const Self& s) { push(s.state, row(s).b ? position(s.world, row(s).b) : row(s).place); },
+                  [](const Self& s) { push(s.state, row(s).b ? position(s.world, row(s).b) : row(s).position); },
                   [](const Self& s, int i) {
                     require(!row(s).b,
                             "rod: at can be written only of a rod whose end is a place; this one ends at a point");
-                    set_place(s.world, id_of(s), check_vec(s.state, i, "rod", "at", "m"));
+                    set_position(s.world, id_of(s), check_vec(s.state, i, "rod", "at", "m"));
                   }},
                  {"length", "number", "m", "the distance that it keeps; written as a number or a function of time [s]",
                   [](const Self& s) { lua_pushnumber(s.state, row(s).length); },

@@ -11,8 +11,8 @@
 
 namespace pantin::lua {
 
-EmitterPlace check_emitter_place(lua_State* state, int index, const std::string& what) {
-  EmitterPlace place;
+EmitterPosition check_emitter_position(lua_State* state, int index, const std::string& what) {
+  EmitterPosition place;
   if (to_ref(state, index)) {
     place.point = check_point(state, index, what, "at");
   } else if (lua_istable(state, index)) {
@@ -73,7 +73,7 @@ int scene_emitter(lua_State* state) {
   EmitterDef def;
   require(o.has("rate"), "emitter: rate must be given, a number [1/s] or a function of time");
   if (o.has("at")) {
-    def.place = check_emitter_place(state, o.push("at"), "emitter");
+    def.position = check_emitter_position(state, o.push("at"), "emitter");
     lua_pop(state, 1);
   }
   if (const int rate = o.push("rate"); lua_isfunction(state, rate))

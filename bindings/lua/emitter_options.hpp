@@ -10,7 +10,7 @@
 namespace pantin::lua {
 
 /// A vec, a box { vec, vec }, a point or a particle.
-EmitterPlace check_emitter_place(lua_State* state, int index, const std::string& what);
+EmitterPosition check_emitter_position(lua_State* state, int index, const std::string& what);
 /// A number or { min, max } [s].
 std::pair<double, double> check_lifetimes(lua_State* state, int index, const std::string& what);
 /// A function of time [s] that gives the rate [1/s].

@@ -41,7 +41,7 @@ std::vector<Field> settings() {
   return {
       {"at", "vec|vec[]|Point", "m", "where particles begin: a place, a box { vec, vec }, or a point that carries it",
        read_place,
-       [](const Self& s, int i) { set_place(s.world, id_of(s), check_emitter_place(s.state, i, "emitter")); }},
+       [](const Self& s, int i) { set_position(s.world, id_of(s), check_emitter_position(s.state, i, "emitter")); }},
       {"rate", "number|fun(t: number): number", "1/s", "particles per second; read: of the last step",
        [](const Self& s) { lua_pushnumber(s.state, row(s).rate); }, write_rate},
       {"velocity", "vec", "m/s", "relative to the point that carries it",

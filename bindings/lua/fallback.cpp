@@ -72,7 +72,7 @@ class CalledLaw::Calls : public LawRun {
 void CalledLaw::Calls::push_place(lua_State* state, int who) const {
   std::array<Dual, 3> place;
   for (int i = 0; i < 3; i++)
-    place[static_cast<std::size_t>(i)] = Dual::variable(value(Role::place, who, i), 3 * who + i, 3 * law.count);
+    place[static_cast<std::size_t>(i)] = Dual::variable(value(Role::position, who, i), 3 * who + i, 3 * law.count);
   DualAlgebra(state).push_vec(state, place);
 }
 
@@ -85,7 +85,7 @@ void CalledLaw::Calls::push(lua_State* state, Seen what, int who) {
     case Seen::rate: return lua_pushnumber(state, value(Role::approach) / distance());
     case Seen::displacement: return push_vec(state, Role::displacement, 0);
     case Seen::relative_velocity: return push_vec(state, Role::relative_velocity, 0);
-    case Seen::place: return is_potential(law.form) ? push_place(state, who) : push_vec(state, Role::place, who);
+    case Seen::place: return is_potential(law.form) ? push_place(state, who) : push_vec(state, Role::position, who);
     case Seen::velocity: return push_vec(state, Role::velocity, who);
     case Seen::time: return lua_pushnumber(state, block_.time);
   }
@@ -115,8 +115,8 @@ std::string CalledLaw::Calls::seen() const {
     return text("at distance ", std::sqrt(square), " m");
   }
   if (is_pair(law.form)) return text("at distance ", distance(), " m");
-  return text("at vec(", value(Role::place, 0, 0), ", ", value(Role::place, 0, 1), ", ", value(Role::place, 0, 2),
-              ") m");
+  return text("at vec(", value(Role::position, 0, 0), ", ", value(Role::position, 0, 1), ", ",
+              value(Role::position, 0, 2), ") m");
 }
 
 Dual CalledLaw::Calls::energy(lua_State* state) const {
@@ -167,7 +167,7 @@ std::vector<Input> CalledLaw::inputs_wanted() const {
     want_three(wanted, Role::relative_velocity, 0);
   }
   for (int who = 0; who < law_.count; who++) {
-    if (!is_pair(law_.form)) want_three(wanted, Role::place, who);
+    if (!is_pair(law_.form)) want_three(wanted, Role::position, who);
     if (law_.form == LawForm::point_force) want_three(wanted, Role::velocity, who);
     for (const std::string& name : law_.known[static_cast<std::size_t>(who)].all())
       wanted.push_back({Role::attribute, static_cast<std::uint8_t>(who), 0, name});

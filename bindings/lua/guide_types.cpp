@@ -17,9 +17,9 @@ Type make_on_plane() {
                          {{"point", "Point", "", "the point that it holds",
                            [](const Self& s) { push_if(s, constraint_row(s).a); }, nullptr},
                           {"through", "vec", "m", "a place on the plane; the point is drawn to a new one",
-                           [](const Self& s) { push(s.state, constraint_row(s).place); },
+                           [](const Self& s) { push(s.state, constraint_row(s).position); },
                            [](const Self& s, int i) {
-                             set_place(s.world, constraint_of(s), check_vec(s.state, i, "on_plane", "through", "m"));
+                             set_position(s.world, constraint_of(s), check_vec(s.state, i, "on_plane", "through", "m"));
                            }},
                           {"normal", "vec", "", "across the plane, of unit length",
                            [](const Self& s) { push(s.state, constraint_row(s).axis_a); },
@@ -36,7 +36,7 @@ void read_points(const Self& s) {
     if (passage.point)
       push_thing(s.state, s.script, passage.point);
     else
-      push(s.state, passage.place);
+      push(s.state, passage.position);
     lua_rawseti(s.state, -2, ++i);
   }
 }
@@ -62,7 +62,7 @@ Type make_string() {
 void read_path(const Self& s) {
   lua_newtable(s.state);
   lua_Integer i = 0;
-  for (const Vec3& place : constraint_row(s).path->places()) {
+  for (const Vec3& place : constraint_row(s).path->positions()) {
     push(s.state, place);
     lua_rawseti(s.state, -2, ++i);
   }

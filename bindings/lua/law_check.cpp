@@ -45,7 +45,7 @@ std::string name_of(const Input& input, const LawFunction& law) {
     case Role::approach: return "r * rate";
     case Role::displacement: return "d" + axis;
     case Role::relative_velocity: return "u" + axis;
-    case Role::place: return who + ".position" + axis;
+    case Role::position: return who + ".position" + axis;
     case Role::velocity: return who + ".velocity" + axis;
     case Role::attribute: return text(who, ".", input.name);
     case Role::parameter: return text("own.", input.name);
@@ -131,7 +131,7 @@ void Samples::fill(const LawFunction& law) {
     set_vec(Role::displacement, 0, k, d);
     set_vec(Role::relative_velocity, 0, k, u);
     for (int who = 0; who < law.count; who++) {
-      set_vec(Role::place, who, k, somewhere(random) * 3.0);
+      set_vec(Role::position, who, k, somewhere(random) * 3.0);
       set_vec(Role::velocity, who, k, somewhere(random));
     }
     for (const Input& input : wanted_) {

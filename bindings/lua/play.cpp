@@ -37,7 +37,7 @@ int wait(lua_State* state) {
 class Coroutine {
  public:
   Coroutine(lua_State* state, int index, Script& script, AnyId target)
-      : script_(script), place_(Callback(state, index).place()), thread_(lua_newthread(state)) {
+      : script_(script), position_(Callback(state, index).place()), thread_(lua_newthread(state)) {
     lua_pushvalue(state, index);
     lua_xmove(state, thread_, 1);
     lua_pushvalue(state, -1);
@@ -70,7 +70,7 @@ class Coroutine {
     }
     if (status == LUA_OK) return {};
     if (status != LUA_YIELD) return fail(state), std::nullopt;
-    require(results == 2 && lua_touserdata(thread_, -1) == &by_wait, place_,
+    require(results == 2 && lua_touserdata(thread_, -1) == &by_wait, position_,
             ": play: it waits by wait(…), not by coroutine.yield");
     Wait wanted;
     if (lua_isfunction(thread_, -2)) {
@@ -91,14 +91,14 @@ class Coroutine {
   void fail(lua_State* state) {
     const std::string place = where(thread_);
     lua_xmove(thread_, state, 1);
-    std::string message = error_message(state, lua_gettop(state), place.empty() ? place_ : place);
+    std::string message = error_message(state, lua_gettop(state), place.empty() ? position_ : place);
     if (script_.runtime.watch().over && !scripts_interrupted()) message += "; does this play ever wait?";
     lua_pushlstring(state, message.data(), message.size());
     lua_error(state);
   }
 
   Script& script_;
-  std::string place_;
+  std::string position_;
   lua_State* thread_;
   int arguments_ = 0;  // waiting on the coroutine's stack for its first start
   int reference_ = LUA_NOREF;

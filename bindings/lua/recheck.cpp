@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t samples = 4;
 using Together = std::vector<End>;  // what one evaluation of a law sees
 
-Vec3 place(const World& world, const End& end) { return end.particle ? position(world, end.particle) : end.place; }
+Vec3 place(const World& world, const End& end) { return end.particle ? position(world, end.particle) : end.position; }
 Vec3 speed(const World& world, const End& end) { return end.particle ? velocity(world, end.particle) : zero3(); }
 Vec3 apart(const World& world, const End& a, const End& b) {
   return Box{world.settings.box.value_or(zero3())}.nearest(place(world, b) - place(world, a));
@@ -66,7 +66,7 @@ std::vector<Together> met_by(const World& world, const AnyId& id) {
     const Connection& row = world.connections[*connection];
     Together ends;
     for (std::uint32_t i = 0; i < row.count; i++)
-      ends.push_back({row.particles[i], row.places.empty() ? zero3() : row.places[i]});
+      ends.push_back({row.particles[i], row.positions.empty() ? zero3() : row.positions[i]});
     return {ends};
   }
   const pantin::Field& field = world.fields[std::get<FieldId>(id)];
@@ -82,7 +82,7 @@ double value(const World& world, const Together& ends, const Input& input) {
     case Role::approach: return dot(apart(world, ends[0], ends[1]), speed(world, ends[1]) - speed(world, ends[0]));
     case Role::displacement: return apart(world, ends[0], ends[1])[input.component];
     case Role::relative_velocity: return (speed(world, ends[1]) - speed(world, ends[0]))[input.component];
-    case Role::place: return place(world, ends[input.who])[input.component];
+    case Role::position: return place(world, ends[input.who])[input.component];
     case Role::velocity: return speed(world, ends[input.who])[input.component];
     case Role::attribute:
       return ends[input.who].particle ? attribute(world, ends[input.who].particle, input.name).value_or(0.0) : 0.0;

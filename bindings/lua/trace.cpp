@@ -144,7 +144,7 @@ void Trace::push(lua_State* state, Seen what, int who) {
     case Seen::rate: return algebra.push(state, graph.divide(graph.input(component(Role::approach, 0, 0)), distance()));
     case Seen::displacement: return push_three(Role::displacement);
     case Seen::relative_velocity: return push_three(Role::relative_velocity);
-    case Seen::place: return push_three(Role::place);
+    case Seen::place: return push_three(Role::position);
     case Seen::velocity: return push_three(Role::velocity);
     case Seen::time: return algebra.push(state, graph.input(component(Role::time, 0, 0)));
   }

@@ -68,7 +68,7 @@ Animation::Node* Animation::node_of(const Key& key) {
   const auto found = present_.find(key);
   if (found == present_.end()) return nullptr;
   Node& last = nodes_[found->second];
-  return last.first + last.places.size() == clock_.frames - 1 ? &last : nullptr;
+  return last.first + last.positions.size() == clock_.frames - 1 ? &last : nullptr;
 }
 
 void Animation::add(const Key& key, const std::string& name, std::size_t mesh, Vec3 at, Quat turn, Vec3 size) {
@@ -86,7 +86,7 @@ void Animation::add(const Key& key, const std::string& name, std::size_t mesh, V
     if (same < 0.0f)
       for (float& x : q) x = -x;
   }
-  node.places.push_back(floats(at));
+  node.positions.push_back(floats(at));
   node.turns.push_back(q);
   node.sizes.push_back(floats(size));
 }
@@ -145,15 +145,15 @@ void Animation::add_constraints(const World& world) {
     if (c.kind == ConstraintKind::nail && world.points.alive(c.a)) {
       const double joint = joints_[world.points[c.a].particle.slot - 1],
                    radius = 1.6 * std::max(joint, 0.04 * stage_.unit);
-      add({nail, number(id), 0}, name_or(c.name, "nail", id.slot), ball(iron), c.place, {},
+      add({nail, number(id), 0}, name_or(c.name, "nail", id.slot), ball(iron), c.position, {},
           vec(radius, radius, radius));
     } else if (c.kind == ConstraintKind::rod && world.points.alive(c.a)) {
       const Vec3 a = position(world, c.a), shift = shown_place(world, c.a) - a;
       add_stick({rod, number(id), 0}, name_or(c.name, "rod", id.slot), a + shift,
-                (c.b ? position(world, c.b) : c.place) + shift, 0.025 * std::min(c.length, stage_.unit), iron);
+                (c.b ? position(world, c.b) : c.position) + shift, 0.025 * std::min(c.length, stage_.unit), iron);
     }
     for (std::size_t i = 1; i < c.passages.size(); i++) {
-      const auto place = [&](const Passage& p) { return p.point ? position(world, p.point) : p.place; };
+      const auto place = [&](const Passage& p) { return p.point ? position(world, p.point) : p.position; };
       add_stick({string, number(id), i}, text(name_or(c.name, "string", id.slot), ".", i), place(c.passages[i - 1]),
                 place(c.passages[i]), 0.01 * stage_.unit, thread);
     }

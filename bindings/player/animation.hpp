@@ -30,7 +30,7 @@ class Animation {
     std::string name;
     std::size_t mesh = 0;
     std::uint64_t first = 0;  // frame
-    std::vector<std::array<float, 3>> places, sizes;
+    std::vector<std::array<float, 3>> positions, sizes;
     std::vector<std::array<float, 4>> turns;  // x, y, z, w
   };
   /// Where in the kinds of things, which of them, and which look of it.

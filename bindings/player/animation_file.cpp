@@ -134,15 +134,15 @@ class Animation::File {
     tinygltf::Node made;
     made.name = node.name;
     made.mesh = static_cast<int>(node.mesh);
-    made.translation = doubles(node.places.front());
+    made.translation = doubles(node.positions.front());
     made.rotation = doubles(node.turns.front());
     made.scale = doubles(node.sizes.front());
     model_.nodes.push_back(made);
     const int index = static_cast<int>(model_.nodes.size()) - 1;
     model_.scenes[0].nodes.push_back(index);
-    if (!still(node.places)) add_channel("translation", index, node.first, node.places);
+    if (!still(node.positions)) add_channel("translation", index, node.first, node.positions);
     if (!still(node.turns)) add_channel("rotation", index, node.first, node.turns);
-    const bool late = node.first > 0, gone = node.first + node.places.size() < frames_;
+    const bool late = node.first > 0, gone = node.first + node.positions.size() < frames_;
     if (!late && !gone && still(node.sizes)) return;
     std::vector<std::array<float, 3>> sizes = node.sizes;
     if (late) sizes.insert(sizes.begin(), {0.0f, 0.0f, 0.0f});

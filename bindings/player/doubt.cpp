@@ -86,7 +86,7 @@ std::vector<double> own_doubt(const Study& study, std::size_t i, double Gap::*of
 
 /// One of each series, but of the paper's integrator only where it is alone.
 std::vector<std::size_t> finest_runs(const Study& study) {
-  const auto complete = [&](const StudyRun& run) { return run.places.size() == study.times.size(); };
+  const auto complete = [&](const StudyRun& run) { return run.positions.size() == study.times.size(); };
   std::vector<std::size_t> list, papers;
   for (std::size_t i = 0; i < study.runs.size(); i++) {
     const StudyRun& run = study.runs[i];

@@ -30,8 +30,8 @@ Gap gap(const Places& a, const Places& b) {
 
 std::vector<double> gaps(const StudyRun& a, const StudyRun& b, double Gap::*of) {
   std::vector<double> list;
-  for (std::size_t k = 0; k < std::min(a.places.size(), b.places.size()); k++)
-    list.push_back(gap(a.places[k], b.places[k]).*of);
+  for (std::size_t k = 0; k < std::min(a.positions.size(), b.positions.size()); k++)
+    list.push_back(gap(a.positions[k], b.positions[k]).*of);
   return list;
 }
 

@@ -14,7 +14,7 @@ namespace pantin::player {
 using FileContents = std::shared_ptr<const std::map<std::string, std::string>>;
 
 /// A state of a replay that can be gone to.
-struct KeptPlace {
+struct KeptPosition {
   std::uint64_t tick = 0;  ///< steps done before
   std::size_t act = 0;     ///< the next of the recording
   std::map<std::string, std::string> set;
@@ -23,17 +23,17 @@ struct KeptPlace {
 };
 
 /// Some places of one scene, close together near where one is and farther apart elsewhere.
-class KeptPlaces {
+class KeptPositions {
  public:
   /// Keeps a place; where there are more than `most`, at least 3, that is dropped which is missed least at its tick.
-  void keep(KeptPlace place, std::size_t most);
+  void keep(KeptPosition place, std::size_t most);
   /// The last at or before a tick, or null.
-  const KeptPlace* before(std::uint64_t tick) const;
-  void clear() { places_.clear(); }
-  std::size_t size() const { return places_.size(); }
+  const KeptPosition* before(std::uint64_t tick) const;
+  void clear() { positions_.clear(); }
+  std::size_t size() const { return positions_.size(); }
 
  private:
-  std::vector<KeptPlace> places_;  ///< rising
+  std::vector<KeptPosition> positions_;  ///< rising
 };
 
 }  // namespace pantin::player

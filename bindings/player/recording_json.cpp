@@ -74,7 +74,7 @@ Json json_of(const Command& c) {
   if (c.point) json["point"] = json_of(c.point);
   if (c.other) json["other"] = json_of(c.other);
   if (!std::holds_alternative<std::monostate>(c.thing)) json["thing"] = json_of(c.thing);
-  if (norm2(c.place) != 0.0) json["place"] = json_of(c.place);
+  if (norm2(c.position) != 0.0) json["place"] = json_of(c.position);
   if (norm2(c.amount) != 0.0) json["amount"] = json_of(c.amount);
   for (Vec3 point : c.points) json["points"].push_back(json_of(point));
   if (c.max_force != 0.0) json["max_force"] = json_of(c.max_force);
@@ -103,7 +103,7 @@ Command command_of(const Json& json) {
     else if (name == "thing")
       c.thing = thing_of(value);
     else if (name == "place")
-      c.place = vec_of(value);
+      c.position = vec_of(value);
     else if (name == "amount")
       c.amount = vec_of(value);
     else if (name == "points")

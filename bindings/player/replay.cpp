@@ -70,7 +70,7 @@ void Replay::open() {
   adopt(lua::Scene::open(recording_.head.scene, options_));
   options_.forgiving = true;
   straight_ = true;
-  since_place_ = shortest_interval;
+  since_position_ = shortest_interval;
 }
 
 void Replay::go_on() {
@@ -80,7 +80,7 @@ void Replay::go_on() {
 }
 
 void Replay::adopt(std::unique_ptr<lua::Scene> fresh) {
-  places_.clear();  // snapshots must not outlive their scene
+  positions_.clear();  // snapshots must not outlive their scene
   kept_.clear();
   scene_ = std::move(fresh);
   openings_++;
@@ -176,7 +176,7 @@ bool Replay::step() {
     scene_->step();
     failure_ = scene_->world().failure;
   } catch (const Error& error) { failure_ = error.what(); }
-  since_place_ += seconds_since(begin);
+  since_position_ += seconds_since(begin);
   if (fails && failure_.empty() && mismatch_.empty())
     mismatch_ = text("the replay parts from the recording at ", time(), " s: the recorded step failed there");
   if (fails) return true;
@@ -204,19 +204,19 @@ void Replay::compare() {
 }
 
 void Replay::keep_place() {
-  if (!seen_ || !exact_ || since_place_ < std::max(shortest_interval, interval_to_cost * place_cost_)) return;
+  if (!seen_ || !exact_ || since_position_ < std::max(shortest_interval, interval_to_cost * place_cost_)) return;
   if (!scene_->why_not_restore().empty()) return;
   const auto begin = Clock::now();
   const std::size_t points = scene_->world().points.size();
-  places_.keep({tick_, next_, options_.set, contents_, scene_->take_snapshot()},
-               std::clamp(most_points / (points + 1), fewest_places, most_places));
+  positions_.keep({tick_, next_, options_.set, contents_, scene_->take_snapshot()},
+                  std::clamp(most_points / (points + 1), fewest_places, most_places));
   place_cost_ = seconds_since(begin);
-  since_place_ = 0.0;
+  since_position_ = 0.0;
 }
 
 /// To the best place for a tick, if there is a better one than the present.
 void Replay::jump(std::uint64_t tick) {
-  const KeptPlace* place = exact_ && scene_->why_not_restore().empty() ? places_.before(tick) : nullptr;
+  const KeptPosition* place = exact_ && scene_->why_not_restore().empty() ? positions_.before(tick) : nullptr;
   if (place && tick >= tick_ && place->tick <= tick_) return;
   if (!place) {
     if (tick < tick_) start();
@@ -233,7 +233,7 @@ void Replay::jump(std::uint64_t tick) {
   options_.set = place->set;
   contents_ = place->contents;
   straight_ = false;
-  since_place_ = 0.0;
+  since_position_ = 0.0;
 }
 
 bool Replay::go_to(std::uint64_t tick, std::uint64_t most) {

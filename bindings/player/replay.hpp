@@ -69,9 +69,9 @@ class Replay {
   std::unique_ptr<lua::Scene> scene_;
   std::set<std::uint64_t> needed_;  ///< states that will be put back
   std::map<std::uint64_t, std::shared_ptr<const lua::SceneSnapshot>> kept_;
-  KeptPlaces places_;                  ///< of the present scene
+  KeptPositions positions_;            ///< of the present scene
   std::vector<std::uint64_t> hashes_;  ///< (ticks) of states, as they were
-  double since_place_ = 0.0;           ///< [s] of computing, since a place was kept or gone to
+  double since_position_ = 0.0;        ///< [s] of computing, since a place was kept or gone to
   double place_cost_ = 0.0;            ///< [s] of keeping the last
   std::size_t next_ = 0;               ///< act
   std::size_t judged_ = 0;             ///< acts whose hashes were compared

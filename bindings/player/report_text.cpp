@@ -153,7 +153,7 @@ std::string losing(const Study& study) {
 
 /// No error is told by fewer than three runs of one integrator that come to the end.
 bool too_few(const Study& study) {
-  const auto complete = [&](const StudyRun* run) { return run && run->places.size() == study.times.size(); };
+  const auto complete = [&](const StudyRun* run) { return run && run->positions.size() == study.times.size(); };
   for (std::size_t i = 2; i < study.runs.size(); i++)
     if (complete(&study.runs[i]) && complete(coarser(study, i)) && complete(coarser(study, i - 1))) return false;
   return true;

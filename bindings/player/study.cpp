@@ -295,21 +295,21 @@ class Studying {
   void end_where_it_ended() {
     std::size_t count = study_.times.size();
     for (const StudyRun& run : study_.runs)
-      if (run.finished) count = std::min(count, run.places.size());
+      if (run.finished) count = std::min(count, run.positions.size());
     for (StudyRun& run : study_.runs)
       if (run.portions.size() > count) shorten(run, count);
     study_.times.resize(count);
     const StudyRun* const own = last_of(study_.integrator);
     require(own != nullptr, "report: stopped before there was anything to tell");
     const bool any = std::any_of(study_.runs.begin(), study_.runs.end(),
-                                 [](const StudyRun& run) { return run.trouble.empty() && !run.places.empty(); });
+                                 [](const StudyRun& run) { return run.trouble.empty() && !run.positions.empty(); });
     if (!any && !own->trouble.empty()) throw Error(own->trouble);
     require(any, "report: the script ends the scene after ", own->reached, " s, which is too soon to compare");
     study_.until = study_.times.back();
   }
 
   void shorten(StudyRun& run, std::size_t count) const {
-    run.places.resize(count);
+    run.positions.resize(count);
     run.portions.resize(count);
     run.seconds = std::accumulate(run.portions.begin(), run.portions.end(), 0.0);
     run.reached = count > 0 ? study_.times[count - 1] : 0.0;
@@ -353,8 +353,8 @@ class Studying {
   void find_movement() {
     std::map<std::uint64_t, Vec3> first(start_.begin(), start_.end());
     const StudyRun& run = *last_of(study_.integrator);
-    for (std::size_t k = 0; k < run.places.size() && study_.times[k] <= run.right_until * (1 + 1e-9); k++)
-      for (const auto& [serial, place] : run.places[k]) {
+    for (std::size_t k = 0; k < run.positions.size() && study_.times[k] <= run.right_until * (1 + 1e-9); k++)
+      for (const auto& [serial, place] : run.positions[k]) {
         const Vec3 from = first.emplace(serial, place).first->second;
         study_.moved = std::max(study_.moved, norm(place - from));
       }

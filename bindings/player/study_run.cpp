@@ -61,7 +61,7 @@ bool acts_in_steps(const World& world) {
 
 bool same_way(const StudyRun& a, const StudyRun& b) {
   return a.trouble.empty() && b.trouble.empty() &&
-         std::equal(a.places.begin(), a.places.end(), b.places.begin(), b.places.end(), same_places);
+         std::equal(a.positions.begin(), a.positions.end(), b.positions.begin(), b.positions.end(), same_places);
 }
 
 double processor_time() { return 1e-9 * thread_time(); }
@@ -131,9 +131,9 @@ bool perform(StudyRun& run, const Opener& opener, const std::vector<double>& tim
       if (Interrupt::asked() || run.seconds > limit) return false;
       run.finished = scene->finished();
       if (run.finished && run.reached < time - 0.5 * run.step) break;
-      run.places.push_back(places_of(scene->world(), stride));
+      run.positions.push_back(places_of(scene->world(), stride));
       if (energy.right(scene->world())) run.right_until = time;
-      told(static_cast<double>(run.places.size()) / static_cast<double>(times.size()));
+      told(static_cast<double>(run.positions.size()) / static_cast<double>(times.size()));
     }
   } catch (const lua::Interrupted&) { return false; } catch (const Error& error) {
     run.trouble = error.what();

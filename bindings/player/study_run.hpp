@@ -30,7 +30,7 @@ struct StudyRun {
   double right_until = 0.0;          ///< [s] until then no energy was lost or made that counts beside what moves
   bool acted_in_steps = false;       ///< events, scripts, breaks or emitters did something to it at the end of a step
   std::uint64_t random_numbers = 0;  ///< drawn by the script while it ran
-  std::vector<Places> places;        ///< (times that it reached)
+  std::vector<Places> positions;     ///< (times that it reached)
 
   /// [m] from the reference: root mean square over the things, the largest until `comparable`; of the reference itself
   /// what it is surely within.

@@ -8,11 +8,11 @@ namespace pantin {
 
 void Appearance::update(const World& world) {
   slots_.clear();
-  place_.assign(world.particles.slots(), 0);
+  position_.assign(world.particles.slots(), 0);
   for (std::uint32_t s = 0; s < world.particles.slots(); s++)
     if (world.particles.alive_at(s) && world.particles.at_slot(s).curves) {
       slots_.push_back(s);
-      place_[s] = static_cast<std::uint32_t>(slots_.size());
+      position_[s] = static_cast<std::uint32_t>(slots_.size());
     }
   radii_.assign(slots_.size(), std::nan(""));
   for (std::vector<double>& channel : channels_) channel.assign(slots_.size(), std::nan(""));
@@ -24,14 +24,14 @@ void Appearance::update(const World& world) {
 }
 
 std::optional<double> Appearance::radius(std::uint32_t slot) const {
-  if (place_[slot] == 0 || std::isnan(radii_[place_[slot] - 1])) return {};
-  return radii_[place_[slot] - 1];
+  if (position_[slot] == 0 || std::isnan(radii_[position_[slot] - 1])) return {};
+  return radii_[position_[slot] - 1];
 }
 
 std::optional<Color> Appearance::color(std::uint32_t slot) const {
-  if (place_[slot] == 0 || std::isnan(channels_[0][place_[slot] - 1])) return {};
+  if (position_[slot] == 0 || std::isnan(channels_[0][position_[slot] - 1])) return {};
   const auto channel = [&](std::size_t k) {
-    const double x = channels_[k][place_[slot] - 1];
+    const double x = channels_[k][position_[slot] - 1];
     return static_cast<float>(x > 0.0 ? std::fmin(x, 1.0) : 0.0);
   };
   return Color{channel(0), channel(1), channel(2), channel(3)};

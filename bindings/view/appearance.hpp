@@ -17,8 +17,8 @@ class Appearance {
   std::optional<Color> color(std::uint32_t slot) const;
 
  private:
-  std::vector<std::uint32_t> slots_;  // of particles that have curves
-  std::vector<std::uint32_t> place_;  // (slots of particles) where in the columns, + 1; 0: nowhere
+  std::vector<std::uint32_t> slots_;     // of particles that have curves
+  std::vector<std::uint32_t> position_;  // (slots of particles) where in the columns, + 1; 0: nowhere
   std::vector<double> radii_;
   std::array<std::vector<double>, 4> channels_;
 };

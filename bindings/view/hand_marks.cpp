@@ -184,8 +184,8 @@ class Pen {
   void made() {
     const Command c = hand_.use->making(sight_);
     if (c.points.size() == 1) {
-      const auto seen = sight_.project(c.place);
-      if (seen) ring(c.place, std::max(6.0, 2.0 * c.radius / seen->pixel), color_);
+      const auto seen = sight_.project(c.position);
+      if (seen) ring(c.position, std::max(6.0, 2.0 * c.radius / seen->pixel), color_);
       return;
     }
     double edge = std::numeric_limits<double>::infinity();
@@ -194,7 +194,7 @@ class Pen {
     for (std::size_t i = 1; i < c.points.size(); i++)
       for (std::size_t k = 0; k < i; k++)
         if (norm(c.points[i] - c.points[k]) < 1.01 * edge)
-          line(c.place + c.points[i], c.place + c.points[k], color_, 2.0);
+          line(c.position + c.points[i], c.position + c.points[k], color_, 2.0);
     for (const PointId end : {c.point, c.other})
       if (sight_.world.points.alive(end) && hand_.use->choice().variant == 0)
         ring(shown_place(sight_.world, end), 26.0, color_);

@@ -27,8 +27,8 @@ struct Places {
 
 Places measure(const World& world, const Body& body) {
   Places p;
-  for (const PointId id : body.points) p.at.push_back(world.points[id].place);
-  if (body.own_mass > 0.0 || p.at.empty()) p.at.push_back(body.own_place);
+  for (const PointId id : body.points) p.at.push_back(world.points[id].position);
+  if (body.own_mass > 0.0 || p.at.empty()) p.at.push_back(body.own_position);
   for (const Vec3 v : p.at) p.centre += v / static_cast<double>(p.at.size());
   Mat3 spread = zero33();
   double size = 0.0;
@@ -111,10 +111,10 @@ void make_line(Shape& shape, const World& world, const Body& body, const Places&
   for (std::size_t i = 0; i < body.points.size(); i++) {
     const Point& p = world.points[body.points[i]];
     const std::size_t before = shape.balls.size();
-    ball(p.place, p.mass, p.radius, p.color);
+    ball(p.position, p.mass, p.radius, p.color);
     shape.joints[i] = shape.balls.size() > before ? 0.78 * shape.balls.back().radius : radius;
   }
-  ball(body.own_place, body.own_mass, 0.0, shape.color);
+  ball(body.own_position, body.own_mass, 0.0, shape.color);
 }
 
 }  // namespace
@@ -130,7 +130,7 @@ Shape make_shape(const World& world, BodyId id, const Stage& stage) {
     make_hull(shape, places);
     for (const PointId p : body.points)
       if (world.points[p].radius > 0.0)
-        shape.balls.push_back({world.points[p].place, world.points[p].radius, world.points[p].color});
+        shape.balls.push_back({world.points[p].position, world.points[p].radius, world.points[p].color});
   } else if (places.dimension == 1) {
     make_line(shape, world, body, places, stage, egg);
   } else if (norm(egg.axes[0]) > 0.0) {
@@ -149,11 +149,11 @@ const Shape& Shapes::of(const World& world, BodyId id, const Stage& stage) {
   Hash hash;
   hash.add((std::uint64_t{id.generation} << 32) | body.points.size());
   hash.add(body.own_mass);
-  hash.add(body.own_place);
+  hash.add(body.own_position);
   for (int i = 0; i < 3; i++) hash.add(body.own_inertia[i]);
   for (const PointId p : body.points) {
     const Point& point = world.points[p];
-    hash.add(point.place);
+    hash.add(point.position);
     hash.add(point.mass);
     hash.add(point.radius);
     for (const float c : {point.color.r, point.color.g, point.color.b})

@@ -258,7 +258,7 @@ void Sketcher::draw_path(const Path& path, const Eye& eye, const Stage& stage, S
   const int parts = (path.smooth() ? 12 : 1) * static_cast<int>(path.pieces());
   for (int i = 0; i < parts; i++) {
     const double scale = path.pieces() / parts;
-    eye.bar(sketch, path.place(i * scale), path.place((i + 1) * scale), 0.012 * stage.unit, 0.8, linear(iron));
+    eye.bar(sketch, path.position(i * scale), path.position((i + 1) * scale), 0.012 * stage.unit, 0.8, linear(iron));
   }
 }
 
@@ -277,18 +277,18 @@ bool Sketcher::draw_guide(const World& world, const Constraint& c, const Eye& ey
   const Rgb tie = by_load(linear(thread), c.tension);
   switch (c.kind) {
     case ConstraintKind::string: {
-      const auto place = [&](const Passage& p) { return p.point ? position(world, p.point) : p.place; };
+      const auto place = [&](const Passage& p) { return p.point ? position(world, p.point) : p.position; };
       for (std::size_t i = 1; i < c.passages.size(); i++)
         eye.bar(sketch, place(c.passages[i - 1]), place(c.passages[i]), 0.01 * stage.unit, 0.7, tie);
       for (const Passage& p : c.passages)
-        if (!p.point) eye.ball(sketch, p.place, 0.05 * stage.unit, 2.5, linear(iron), Sketch::hinge, linear(iron));
+        if (!p.point) eye.ball(sketch, p.position, 0.05 * stage.unit, 2.5, linear(iron), Sketch::hinge, linear(iron));
       return true;
     }
     case ConstraintKind::on_path: draw_path(*c.path, eye, stage, sketch); return true;
     case ConstraintKind::on_plane: draw_plane(position(world, c.a), c.axis_a, eye, stage, sketch); return true;
     case ConstraintKind::join:
     case ConstraintKind::limit:
-      eye.bar(sketch, position(world, c.a), c.b ? position(world, c.b) : c.place, 0.0, 0.6, tie);
+      eye.bar(sketch, position(world, c.a), c.b ? position(world, c.b) : c.position, 0.0, 0.6, tie);
       return true;
     default: return false;
   }
@@ -299,7 +299,7 @@ void Sketcher::draw_constraints(const World& world, const Eye& eye, const Stage&
   for (std::uint32_t s = 0; s < world.constraints.slots(); s++) {
     const Constraint& c = world.constraints.at_slot(s);
     if (!world.constraints.alive_at(s) || !c.enabled || !world.points.alive(c.a)) continue;
-    const Vec3 a = shown_place(world, c.a), shift = a - position(world, c.a), place = c.place + shift;
+    const Vec3 a = shown_place(world, c.a), shift = a - position(world, c.a), place = c.position + shift;
     if (!finite(a)) continue;
     const double joint = std::max(static_cast<double>(joints_[world.points[c.a].particle.slot - 1]), 0.04) * stage.unit;
     const double least = std::min(4.5, 3.2 * joint / eye.pixel_at(a));  // [px]

@@ -27,7 +27,7 @@ std::vector<double> lengths(const World& world) {
     Vec3 lower = zero3(), upper = zero3();
     bool first = body.own_mass <= 0.0;
     for (const PointId id : body.points) {
-      const Vec3 p = world.points[id].place;
+      const Vec3 p = world.points[id].position;
       for (int i = 0; i < 3; i++) {
         lower[i] = first ? p[i] : std::fmin(lower[i], p[i]);
         upper[i] = first ? p[i] : std::fmax(upper[i], p[i]);
@@ -76,7 +76,7 @@ class Reach {
       const double length = c.kind == ConstraintKind::rod ? c.length : c.kind == ConstraintKind::limit ? c.high : 0.0;
       if (c.b) ties_[c.a.slot].push_back({c.b, length});
       if (c.b) ties_[c.b.slot].push_back({c.a, length});
-      if (c.hand < 0 && !c.b) offer(c.a, length, c.place);
+      if (c.hand < 0 && !c.b) offer(c.a, length, c.position);
     }
     tie_connections();
     expanded_.assign(world.bodies.slots(), 0);
@@ -121,7 +121,7 @@ class Reach {
       for (const auto& [other, length] : found->second) offer(other, r.length + length, r.anchor);
     if (!point.body || (world_.bodies[point.body].points.size() > 64 && expanded_[point.body.slot - 1]++)) return;
     for (const PointId other : world_.bodies[point.body].points)
-      offer(other, r.length + norm(world_.points[other].place - point.place), r.anchor);
+      offer(other, r.length + norm(world_.points[other].position - point.position), r.anchor);
   }
 
   const World& world_;

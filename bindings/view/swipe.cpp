@@ -60,7 +60,7 @@ double distance_to(const Sight& sight, const AnyId& thing, const Stroke& stroke)
   const auto* id = std::get_if<ConstraintId>(&thing);
   if (id && sight.world.constraints[*id].kind == ConstraintKind::string) {
     const auto& passages = sight.world.constraints[*id].passages;
-    const auto place = [&](const Passage& p) { return p.point ? position(sight.world, p.point) : p.place; };
+    const auto place = [&](const Passage& p) { return p.point ? position(sight.world, p.point) : p.position; };
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i < passages.size(); i++)
       least = std::min(least, to_line(place(passages[i - 1]), place(passages[i])));
@@ -114,12 +114,12 @@ Seen seen_place(const World& world, const AnyId& thing) {
   if (!id) return {};
   const Constraint& c = world.constraints[*id];
   if (c.kind == ConstraintKind::string && c.passages.size() > 1) {
-    const auto place = [&](const Passage& p) { return p.point ? position(world, p.point) : p.place; };
+    const auto place = [&](const Passage& p) { return p.point ? position(world, p.point) : p.position; };
     return {place(c.passages.front()), place(c.passages.back()), true};
   }
   const Vec3 a = shown_place(world, c.a), shift = a - position(world, c.a);
   if (c.kind == ConstraintKind::nail || c.kind == ConstraintKind::follow) return {a, a, false};
-  return {a, c.b ? position(world, c.b) + shift : c.place + shift, true};
+  return {a, c.b ? position(world, c.b) + shift : c.position + shift, true};
 }
 
 std::vector<AnyId> cuttable(const Sight& sight, const Stroke& stroke) {

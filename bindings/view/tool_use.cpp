@@ -136,9 +136,9 @@ void ToolUse::hold(const Sight& sight, double time, ToolOutput& output) {
   Command c = command(Command::Kind::heat);
   const PointId under = pick_held(sight, x_, y_);
   if (const auto seen = under ? sight.project(shown_place(sight.world, under)) : std::nullopt) depth_ = seen->depth;
-  c.place = sight.place(x_, y_, depth_);
+  c.position = sight.place(x_, y_, depth_);
   c.radius = heat_radius(sight, depth_);
-  const Things things = heated_by(sight.world, c.place, c.radius);
+  const Things things = heated_by(sight.world, c.position, c.radius);
   if (things.bodies.empty() && things.free_points.empty()) return;
   const double there = heat_in(sight.world, things), cold = 0.05 * sight.stage.unit / step_times(sight.world, 240.0);
   const double part = std::min(0.5, heat_rate * time);
@@ -234,19 +234,19 @@ Command ToolUse::making(const Sight& sight) const {
   const double unit = sight.stage.unit, length = norm(way(sight));
   const bool click = is_click();
   double part = 1.0;  // of its usual size
-  c.place = start(sight);
+  c.position = start(sight);
   if (choice_.variant == 0) {
     const PointId end = click ? PointId{} : pick_held(sight, x_, y_);
-    c.points = {zero3(), click ? sight.camera.right() * unit : way(sight) + sight.place(x0_, y0_, depth_) - c.place};
+    c.points = {zero3(), click ? sight.camera.right() * unit : way(sight) + sight.place(x0_, y0_, depth_) - c.position};
     c.point = sight.world.points.alive(point_) ? point_ : PointId{};
     if (end && end != point_) {
       c.other = end;
-      c.points[1] = position(sight.world, end) - c.place;
+      c.points[1] = position(sight.world, end) - c.position;
     }
     part = norm(c.points[1]) / unit;
   } else {
     const double usual = choice_.variant == 1 ? 0.25 * unit : 0.5 * unit, radius = click ? usual : length;
-    c.place = sight.place(x0_, y0_, depth_);
+    c.position = sight.place(x0_, y0_, depth_);
     part = std::pow(radius / usual, 3.0);
     if (choice_.variant == 1) {
       c.points = {zero3()};
@@ -259,7 +259,7 @@ Command ToolUse::making(const Sight& sight) const {
   }
   const Plane& plane = sight.world.plane;
   if (const auto height = usual_height(sight.world); height && !sight.world.points.alive(c.point))
-    c.place = plane.beside(c.place, *height);
+    c.position = plane.beside(c.position, *height);
   if (choice_.variant == 0) c.points[1] = plane.along(c.points[1]);
   c.mass = usual_mass(sight.world) * part;
   return c;

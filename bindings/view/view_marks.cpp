@@ -120,19 +120,19 @@ void ViewMarks::add_cells(const World& world, std::vector<Mark>& marks) {
   if (cut == forces.interactions.end() || !world.interactions.alive(cut->id)) return;
   const Interaction& interaction = world.interactions[cut->id];
   const Box box{world.settings.box.value_or(zero3())};
-  places_.clear();
+  positions_.clear();
   members_.clear();
   cells_.clear();
   for (std::uint32_t i = 0; i < forces.sites.n; i++) {
     const Vec3 at = forces.sites.x[i];
     const FamilyId family = world.particles.at_slot(forces.sites.particle[i]).family;
     if (!finite(at) || (family != interaction.a && family != interaction.b)) continue;
-    members_.push_back(static_cast<std::uint32_t>(places_.size()));
-    places_.push_back(box.wrapped(at));
+    members_.push_back(static_cast<std::uint32_t>(positions_.size()));
+    positions_.push_back(box.wrapped(at));
   }
-  if (places_.empty()) return;
-  const Grid grid = make_grid(places_, members_, members_, box, cut->rows.cutoff() + forces.skin.width());
-  for (const Vec3 at : places_) cells_.push_back({grid.cell(0, at), grid.cell(1, at), grid.cell(2, at)});
+  if (positions_.empty()) return;
+  const Grid grid = make_grid(positions_, members_, members_, box, cut->rows.cutoff() + forces.skin.width());
+  for (const Vec3 at : positions_) cells_.push_back({grid.cell(0, at), grid.cell(1, at), grid.cell(2, at)});
   std::ranges::sort(cells_);
   cells_.erase(std::unique(cells_.begin(), cells_.end()), cells_.end());
   if (cells_.size() > most_cells) cells_.resize(most_cells);

@@ -46,7 +46,7 @@ class ViewMarks {
   void add_cells(const World& world, std::vector<Mark>& marks);
 
   std::string legend_;
-  std::vector<Vec3> places_;  // of the members of the family whose cells are shown
+  std::vector<Vec3> positions_;  // of the members of the family whose cells are shown
   std::vector<std::uint32_t> members_;
   std::vector<std::array<std::int32_t, 3>> cells_;
 };

@@ -2,7 +2,7 @@
 // Bodies and particles tied by constraints, solved together. Nodes and rows hold working copies, laid out in the order in
 // which the factor eliminates the rows; `load` and `store` move the state between them and the model.
 //
-// Letters follow the equations: x place [m], q orientation, R its matrix, p momentum [kg m/s], P angular momentum in
+// Letters follow the equations: x position [m], q orientation, R its matrix, p momentum [kg m/s], P angular momentum in
 // principal axes [kg m²/s], O = I⁻¹P [rad/s], a the step's Cayley vector [rad], f the force of a row on its first point
 // [N] (the second gets -f), l arms in principal axes [m], r arms in the world [m]; 0 start and 1 end of a step of h [s].
 #include <cstdint>
@@ -118,9 +118,9 @@ inline std::uint32_t cost(const DriftReport& report) { return report.iterations 
 
 /// Sums over nodes, for the balance of energy.
 struct NodeTotals {
-  double kinetic = 0.0;       ///< [J]
-  Vec3 mass_place = zero3();  ///< [kg m] sum of mass times place
-  bool finite = true;         ///< these sums and all orientations are; then all states are
+  double kinetic = 0.0;          ///< [J]
+  Vec3 mass_position = zero3();  ///< [kg m] sum of mass times position
+  bool finite = true;            ///< these sums and all orientations are; then all states are
 };
 
 /// A node of so many rows that each does not meet each: they meet two variables of its own, as good as rows, by which the

@@ -44,8 +44,8 @@ struct RowLists {
 
 /// An order of elimination.
 struct Elimination {
-  std::vector<std::uint32_t> order;  // (rows) the row eliminated at each place
-  RowLists columns;                  // (places) places of the blocks below the diagonal, rising
+  std::vector<std::uint32_t> order;  // (rows) the row eliminated at each position
+  RowLists columns;                  // (positions) positions of the blocks below the diagonal, rising
 };
 /// Greedy minimum-degree order of a graph, first in first out among equals, so that a chain is eliminated from both ends.
 /// `neighbours` (rows): rising, without the row itself. The `late` last rows come after all others, as they are.

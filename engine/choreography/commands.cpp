@@ -68,25 +68,25 @@ void hinge_end(World& world, PointId end, PointId to) {
 
 void make_by_hand(World& world, const Command& c) {
   require(!c.points.empty(), "make: no points were given");
-  require_finite("make", "place", c.place, "m");
+  require_finite("make", "position", c.position, "m");
   if (c.points.size() == 1) {
     ParticleDef def;
-    def.at = c.place + c.points[0];
+    def.at = c.position + c.points[0];
     def.mass = c.mass;
     def.radius = c.radius;
     add_particle(world, def);
     return;
   }
   BodyDef def;
-  def.at = c.place;
+  def.at = c.position;
   for (Vec3 at : c.points) {
     def.points.emplace_back();
     def.points.back().at = at;
     def.points.back().mass = c.mass / static_cast<double>(c.points.size());
     def.points.back().radius = c.radius;
   }
-  if (world.points.alive(c.point)) def.points.front().at = position(world, c.point) - c.place;
-  if (world.points.alive(c.other)) def.points.back().at = position(world, c.other) - c.place;
+  if (world.points.alive(c.point)) def.points.front().at = position(world, c.point) - c.position;
+  if (world.points.alive(c.other)) def.points.back().at = position(world, c.other) - c.position;
   const BodyId body = add_body(world, def);
   try {
     hinge_end(world, world.bodies[body].points.front(), c.point);
@@ -99,10 +99,10 @@ void make_by_hand(World& world, const Command& c) {
 
 /// A single thing at rest has no motion relative to itself, and stays as it is.
 void heat_by_hand(World& world, const Command& c) {
-  require_finite("heat", "place", c.place, "m");
+  require_finite("heat", "position", c.position, "m");
   require_positive("heat", "radius", c.radius, "m");
   require_finite("heat", "the energy", c.energy, "J");
-  const Things things = heated_by(world, c.place, c.radius);
+  const Things things = heated_by(world, c.position, c.radius);
   const double own = heat_in(world, things);
   const bool alone = things.bodies.size() + things.free_points.size() == 1 && count_freedoms(world, things).common > 0;
   if (alone && !(own > 1e-12 * std::fmax(energy(world, things).kinetic, c.energy))) return;
@@ -134,8 +134,8 @@ std::string_view name_of(Command::Kind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-Things heated_by(const World& world, Vec3 place, double radius) {
-  Things things = things_of(world, near(world, place, radius));
+Things heated_by(const World& world, Vec3 position, double radius) {
+  Things things = things_of(world, near(world, position, radius));
   std::sort(things.free_points.begin(), things.free_points.end());
   if (things.bodies.size() + things.free_points.size() != 1) return things;
   const PointId one = things.bodies.empty() ? things.free_points[0] : world.bodies[things.bodies[0]].points[0];

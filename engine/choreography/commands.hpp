@@ -14,6 +14,6 @@ void carry_out(World& world, std::span<const Command> commands);
 
 /// What the command "heat" reaches: the bodies and free points with a particle in the ball [m]; of one alone, which has no
 /// heat, all that hinges and rods tie to it.
-Things heated_by(const World& world, Vec3 place, double radius);
+Things heated_by(const World& world, Vec3 position, double radius);
 
 }  // namespace pantin

@@ -49,10 +49,10 @@ Vec3 whereabouts(const World& world, const Whereabouts& w) {
   if (const auto* point = std::get_if<PointId>(&w.thing)) return position(world, *point);
   if (const auto* particle = std::get_if<ParticleId>(&w.thing)) return position(world, *particle);
   if (const auto* body = std::get_if<BodyId>(&w.thing)) return world.motion_of(*body).x;
-  return w.place;
+  return w.position;
 }
 
-bool has_place(const Whereabouts& w) {
+bool has_position(const Whereabouts& w) {
   return std::holds_alternative<std::monostate>(w.thing) || std::holds_alternative<PointId>(w.thing) ||
          std::holds_alternative<ParticleId>(w.thing) || std::holds_alternative<BodyId>(w.thing);
 }
@@ -94,8 +94,8 @@ double mean_of(std::deque<std::pair<double, double>>& samples, double now, doubl
 Measured measured(const World& world, Quantity quantity, const std::vector<Whereabouts>& of) {
   const bool of_all = of.empty() || (of.size() == 1 && std::holds_alternative<std::monostate>(of[0].thing));
   if (quantity == Quantity::distance)
-    require(of.size() == 2 && has_place(of[0]) && has_place(of[1]),
-            "when: a distance is of two points, particles, bodies or places");
+    require(of.size() == 2 && has_position(of[0]) && has_position(of[1]),
+            "when: a distance is of two points, particles, bodies or positions");
   else
     require(of.size() <= 1, "when: it is of one thing, got ", of.size());
   if (quantity == Quantity::force)

@@ -8,14 +8,14 @@
 namespace pantin {
 
 /// temperature [K] and energy [J] of things or of the whole scene; force [N] of a hinge (the largest on a member), a
-/// constraint or a connection (its tension), in the last step; distance [m] of two things or places; count of the
+/// constraint or a connection (its tension), in the last step; distance [m] of two things or positions; count of the
 /// living members of a group, or of the particles of a family.
 enum class Quantity : std::uint8_t { temperature, energy, force, distance, count };
 
-/// A thing, or a place of the world [m] where that is monostate.
+/// A thing, or a position of the world [m] where that is monostate.
 struct Whereabouts {
   AnyId thing;
-  Vec3 place = zero3();
+  Vec3 position = zero3();
 };
 
 /// What measures a quantity of `of`: none for the whole scene, two for a distance, else one. Throws Error where that

@@ -2,7 +2,7 @@
 // c(u1) - c(u0), the very displacement, so that it does no work: n the direction of the chord,
 //   y1 - c(u1) + κ n (n·f) = 0.
 // At the end of an open path the point is held there, as long as it would go on: where it is, and where its force would
-// move it to (Alart and Curnier 1991), tell, so that round-off of the place does not.
+// move it to (Alart and Curnier 1991), tell, so that round-off of the position does not.
 #include "model/path.hpp"
 
 #include "constraints/row_rule.hpp"
@@ -12,8 +12,8 @@ namespace pantin {
 namespace {
 
 struct PathEnd {
-  Vec3 place = zero3(), out = zero3();  // [m]; unit vector
-  double room = infinity;               // [m] to it; below 0 where it is passed
+  Vec3 position = zero3(), out = zero3();  // [m]; unit vector
+  double room = infinity;                  // [m] to it; below 0 where it is passed
 };
 
 /// The end of the piece of an open path that a point d is on, at parameter u; no direction where the piece has none.
@@ -21,9 +21,9 @@ PathEnd end_near(const Path& path, double u, Vec3 d) {
   const bool first = u < 1.0 && u <= 0.5 * path.pieces(), last = u > path.pieces() - 1.0;
   if (path.closed() || !(first || last)) return {};
   const double at = first ? 0.0 : path.pieces();
-  const Vec3 place = path.place(at), out = path.tangent(at) * (first ? -1.0 : 1.0);
+  const Vec3 position = path.position(at), out = path.tangent(at) * (first ? -1.0 : 1.0);
   const bool passed = first ? u <= at : u >= at;
-  return {place, out, passed ? -dot(d - place, out) : norm(path.place(u) - place)};
+  return {position, out, passed ? -dot(d - position, out) : norm(path.position(u) - position)};
 }
 
 }  // namespace
@@ -32,22 +32,22 @@ double evaluate_path(Row& row, Condition& c, const RowContext& context) {
   const Path& path = *c.path;
   const double kappa = 0.5 * context.h * context.h * context.mobility;
   c.angle1 = path.nearest(row.d1, c.angle0);
-  const Vec3 place = path.place(c.angle1), open = row.d1 - place;
+  const Vec3 position = path.position(c.angle1), open = row.d1 - position;
   const PathEnd end = end_near(path, c.angle1, row.d1);
   if (-dot(row.f, end.out) * kappa > end.room) {
     c.held = true;
-    row.residual = row.d1 - end.place - row.offset;
+    row.residual = row.d1 - end.position - row.offset;
     c.M = identity33();
     c.C = zero33();
     return norm(row.residual);
   }
   c.held = false;
-  const Vec3 chord = place - path.place(c.angle0), T = path.tangent(c.angle1);
+  const Vec3 chord = position - path.position(c.angle0), T = path.tangent(c.angle1);
   const double way = norm(chord);
-  const Vec3 n = way > 1e-12 * norm(place) ? chord / way : T;
+  const Vec3 n = way > 1e-12 * norm(position) ? chord / way : T;
   const double along = dot(row.f, n);
   row.residual = open - row.offset + n * (along * kappa);
-  const double bend = way > 1e-12 * norm(place) ? dot(row.f, T - n * dot(n, T)) / way : 0.0;
+  const double bend = way > 1e-12 * norm(position) ? dot(row.f, T - n * dot(n, T)) / way : 0.0;
   c.M = identity33() - outer(T, T) + outer(n, T) * (kappa * bend);
   c.C = outer(n, n) * kappa;
   const double weight = std::fmax(kappa, way / std::fmax(norm(row.f), 1e-3 * way / kappa));
@@ -65,7 +65,7 @@ Stop stop_of_path(const Row& row, const Condition& c) {
 }
 
 Vec3 path_gap(const Row& row, const Condition& c) {
-  return row.d1 - c.path->place(c.path->nearest(row.d1, c.angle1)) - row.offset;
+  return row.d1 - c.path->position(c.path->nearest(row.d1, c.angle1)) - row.offset;
 }
 
 }  // namespace pantin

@@ -15,7 +15,7 @@
 
 namespace pantin {
 
-/// What a row wants: rigid keeps two points together; soft draws one to a place with a force up to a limit; rod
+/// What a row wants: rigid keeps two points together; soft draws one to a position with a force up to a limit; rod
 /// keeps a distance or keeps it in a range; plane keeps a point on a plane; segment is one of a string; path keeps
 /// a point on a path; stiff pulls by a law; attract has two points approach each other. Of angular rows, rigid keeps an
 /// orientation, axis keeps two axes together, align keeps the angle between them, turn drives the angle about an axis
@@ -24,7 +24,7 @@ enum class RowKind : std::uint8_t { rigid, soft, rod, plane, axis, align, turn, 
 
 struct StiffTie;
 
-/// Ties a point of node a to a point of node b, or to a place of the world (b = -1), by one force.
+/// Ties a point of node a to a point of node b, or to a position of the world (b = -1), by one force.
 struct alignas(64) Row {
   std::int32_t a = 0, b = -1;
   std::int32_t condition = -1;  // of a row that a constraint made; a hinge has none
@@ -43,15 +43,15 @@ struct alignas(64) Row {
 };
 
 /// What of a condition leaves the straight way between the ends of a step.
-enum class Bent : std::uint8_t { nothing, place, length, turn };
+enum class Bent : std::uint8_t { nothing, position, length, turn };
 
 /// What the row of a constraint has beyond a hinge's: a world end, a matrix of its own, limits.
 struct Condition {
-  Vec3 place0 = zero3(), place1 = zero3();  // [m] world end, at the start and end of the step being solved
-  Vec3 whole0 = zero3(), whole1 = zero3();  // [m] the same of the whole step, where that is halved
-  Vec3 velocity = zero3();                  // [m/s] of the world end at the end of the step
-  Mat3 kept = zero33();                     // projects on the directions in which velocities are forbidden,
-  Vec3 wanted = zero3();                    // [m/s] but for this one of d1
+  Vec3 position0 = zero3(), position1 = zero3();  // [m] world end, at the start and end of the step being solved
+  Vec3 whole0 = zero3(), whole1 = zero3();        // [m] the same of the whole step, where that is halved
+  Vec3 velocity = zero3();                        // [m/s] of the world end at the end of the step
+  Mat3 kept = zero33();                           // projects on the directions in which velocities are forbidden,
+  Vec3 wanted = zero3();                          // [m/s] but for this one of d1
   Mat3 M = zero33(),
        C = zero33();    // the row of Newton's matrix: M (change of d1) + C df = -residual; rigid: M = 1, C = 0
   double length = 0.0;  // [m] of a rod, at the end of the step being solved

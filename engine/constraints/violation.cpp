@@ -10,7 +10,7 @@ namespace pantin {
 
 namespace {
 
-Vec3 second_end(const Model& model, const Constraint& c) { return c.b ? position(model, c.b) : c.place; }
+Vec3 second_end(const Model& model, const Constraint& c) { return c.b ? position(model, c.b) : c.position; }
 
 Vec3 direction_of(const Model& model, BodyId body, Vec3 axis) {
   return body ? rotate(orientation(model, body), axis) : axis;
@@ -26,11 +26,11 @@ Quat wanted_orientation(const Model& model, const Constraint& c) {
   return c.body_b ? orientation(model, c.body_b) * c.turn : c.turn;
 }
 
-Vec3 place_of(const Model& model, const Passage& p) { return p.point ? position(model, p.point) : p.place; }
+Vec3 place_of(const Model& model, const Passage& p) { return p.point ? position(model, p.point) : p.position; }
 
 double angle_between(Vec3 u, Vec3 v) { return functions::atan2(norm(cross(u, v)), dot(u, v)); }
 
-Vec3 point_gap(const Model& model, const Constraint& c) { return position(model, c.a) - c.place; }
+Vec3 point_gap(const Model& model, const Constraint& c) { return position(model, c.a) - c.position; }
 
 /// How far a value is outside the range of a limit.
 double outside(const Constraint& limit, double value) {
@@ -73,7 +73,7 @@ double present_gap(const Model& model, const Constraint& c) {
     case ConstraintKind::string: return std::fmax(0.0, present_length(model, c) - c.length - c.excess);
     case ConstraintKind::on_path: {
       const Vec3 at = position(model, c.a) - c.away;
-      return norm(at - c.path->place(c.path->nearest(at, c.along)));
+      return norm(at - c.path->position(c.path->nearest(at, c.along)));
     }
     case ConstraintKind::on_plane: return std::fabs(dot(c.axis_a, point_gap(model, c) - c.away));
     case ConstraintKind::axis:
@@ -84,8 +84,8 @@ double present_gap(const Model& model, const Constraint& c) {
       return lever(model, c) * std::fabs(present_length(model, c) - c.length - c.excess);
     case ConstraintKind::orient: return lever(model, c) * norm(present_turn(model, c) - c.away);
     case ConstraintKind::weld: {
-      const auto place = [&](BodyId body, Vec3 arm) { return origin(model, body) + direction_of(model, body, arm); };
-      return std::fmax(norm(place(c.body_a, c.arm_a) - place(c.body_b, c.arm_b)),
+      const auto at = [&](BodyId body, Vec3 arm) { return origin(model, body) + direction_of(model, body, arm); };
+      return std::fmax(norm(at(c.body_a, c.arm_a) - at(c.body_b, c.arm_b)),
                        lever(model, c) * norm(present_turn(model, c)));
     }
     case ConstraintKind::motor: break;
@@ -106,7 +106,7 @@ void start_vector(const Model& model, Constraint& c, double tolerance) {
     rate = c.axis_a * dot(c.axis_a, rate);
   }
   const double size = size_of(model, c.a);
-  if (norm(away) <= tolerance * (size > 0.0 || c.pins() ? size : largest(c.place))) return;
+  if (norm(away) <= tolerance * (size > 0.0 || c.pins() ? size : largest(c.position))) return;
   c.away = away;
   c.away_rate = rate;
 }
@@ -164,7 +164,7 @@ void start_scalar(const Model& model, Constraint& c, double tolerance) {
 }  // namespace
 
 void start_constraint(const Model& model, Constraint& c, double tolerance) {
-  c.previous = c.before = c.place;
+  c.previous = c.before = c.position;
   c.previous_length = c.before_length = c.length;
   c.previous_turn = c.turn;
   c.velocity = c.away = c.away_rate = c.previous_away = c.spin = c.previous_spin = zero3();
@@ -201,7 +201,7 @@ void start_constraint(const Model& model, Constraint& c, double tolerance) {
     case ConstraintKind::on_path: {
       const Vec3 at = position(model, c.a);
       c.along = c.path->nearest(at);
-      const Vec3 T = c.path->tangent(c.along), off = at - c.path->place(c.along), v = velocity(model, c.a);
+      const Vec3 T = c.path->tangent(c.along), off = at - c.path->position(c.along), v = velocity(model, c.a);
       if (norm(off) <= tolerance * std::fmax(size_of(model, c.a), largest(at))) return;
       c.away = off;
       c.away_rate = v - T * dot(T, v);

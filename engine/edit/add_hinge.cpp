@@ -48,7 +48,7 @@ void require_different_bodies(const World& world, const std::vector<Member>& mem
                    describe(world, twice->first), "; a hinge joins different bodies"));
 }
 
-/// Those that a call names: the points' own, and for a free particle all that share its place already.
+/// Those that a call names: the points' own, and for a free particle all that share its position already.
 std::vector<BodyId> named_bodies(const World& world, std::span<const PointId> points) {
   std::vector<BodyId> bodies;
   for (PointId point : points) {
@@ -103,10 +103,10 @@ void internal::require_together(const World& world, std::span<const PointId> poi
   const Vec3 first = position(world, points[0]);
   const double size = size_of(world, points[0]);
   for (std::size_t i = 1; i < points.size(); i++) {
-    const Vec3 place = position(world, points[i]);
+    const Vec3 at = position(world, points[i]);
     double length = std::fmax(size, size_of(world, points[i]));
     if (!(length > 0.0)) length = std::fmax(largest(first), std::numeric_limits<double>::min());
-    const double gap = norm(place - first), allowed = world.settings.tolerance * length;
+    const double gap = norm(at - first), allowed = world.settings.tolerance * length;
     require(gap <= allowed, "hinge: points 1 and ", i + 1, " are ", gap, " m apart, and at most ", allowed,
             " m (scene.tolerance times the size of their bodies) is allowed; move them together first");
   }

@@ -30,7 +30,7 @@ void counted(World& world, Id id, Change change) {
   post(world, Source::edit, energy_of(world, id) - before);
 }
 
-/// The same of its place.
+/// The same of its position.
 template <class Id, class Change>
 void moved(World& world, Id id, Change change) {
   disturb_sites(world);

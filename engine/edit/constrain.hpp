@@ -11,7 +11,7 @@ namespace pantin {
 
 constexpr double usual_time_constant = 0.1;  // [s]
 
-/// Keeps two bodies in their present relative place and orientation; it tells its load, and may break.
+/// Keeps two bodies in their present relative position and orientation; it tells its load, and may break.
 ConstraintId add_weld(World& world, BodyId a, BodyId b);
 
 struct OrientDef {
@@ -49,12 +49,12 @@ struct LimitDef {
 };
 /// Keeps the angle of a against b about an axis, 0 where it is now, in a range; null b: against the world.
 ConstraintId add_limit(World& world, BodyId a, BodyId b, Vec3 axis, const LimitDef& def);
-/// Keeps the distance of two points, or of a point and a place [m], in a range.
+/// Keeps the distance of two points, or of a point and a position [m], in a range.
 ConstraintId add_limit(World& world, PointId a, PointId b, const LimitDef& def);
-ConstraintId add_limit(World& world, PointId a, Vec3 place, const LimitDef& def);
+ConstraintId add_limit(World& world, PointId a, Vec3 position, const LimitDef& def);
 
 struct PlaneDef {
-  std::optional<Vec3> through;                 ///< [m] a place on the plane; not given: the point's
+  std::optional<Vec3> through;                 ///< [m] a position on the plane; not given: the point's
   Vec3 normal = vec(0, 1, 0);                  ///< of any length but 0
   double time_constant = usual_time_constant;  ///< [s] > 0
 };
@@ -65,7 +65,7 @@ struct StringDef {
   std::optional<double> length;                ///< [m] > 0; not given: the present one
   double time_constant = usual_time_constant;  ///< [s] > 0
 };
-/// At most `length` along its points and places, two or more, through whose inner ones it slides; it may go slack.
+/// At most `length` along its points and positions, two or more, through whose inner ones it slides; it may go slack.
 ConstraintId add_string(World& world, std::vector<Passage> passages, const StringDef& def = {});
 /// Keeps a point on a path; at the end of an open one it stops.
 ConstraintId add_on_path(World& world, PointId point, std::shared_ptr<const Path> path,

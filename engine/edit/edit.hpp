@@ -60,7 +60,7 @@ struct PointDef {
 
 struct BodyDef {
   std::vector<PointDef> points;
-  Vec3 at = zero3();        ///< [m] place of the frame's origin
+  Vec3 at = zero3();        ///< [m] position of the frame's origin
   Quat orientation;         ///< frame to world; normalised when made
   Vec3 velocity = zero3();  ///< [m/s] of the centre of mass
   Vec3 spin = zero3();      ///< [rad/s] world axes
@@ -80,17 +80,17 @@ struct HingeDef {
 };
 
 struct FollowDef {
-  Vec3 at = zero3();                   ///< [m] a place, unless `target` or `hand` is given
-  std::function<Vec3(double)> target;  ///< place at time t [s]
+  Vec3 at = zero3();                   ///< [m] a position, unless `target` or `hand` is given
+  std::function<Vec3(double)> target;  ///< position at time t [s]
   std::int32_t hand = -1;
   double max_force = std::numeric_limits<double>::infinity();  ///< [N] > 0
   double time_constant = 0.05;                                 ///< [s] > 0
 };
 
-/// One end of a connection: a particle, or a place of the world [m] where that is null.
+/// One end of a connection: a particle, or a position of the world [m] where that is null.
 struct End {
   ParticleId particle;
-  Vec3 place = zero3();
+  Vec3 position = zero3();
 };
 
 struct ConnectionDef {
@@ -122,9 +122,9 @@ ParticleId add_hinge(World& world, std::span<const PointId> points, const HingeD
 /// Keeps a point at `at` [m], or where it is. One far from `at` is drawn there with `time_constant` [s].
 ConstraintId add_nail(World& world, PointId point, std::optional<Vec3> at = {}, double time_constant = 0.1);
 ConstraintId add_follow(World& world, PointId point, const FollowDef& def);
-/// Keeps two points, or a point and a place [m], at a distance [m], or at their present one.
+/// Keeps two points, or a point and a position [m], at a distance [m], or at their present one.
 ConstraintId add_rod(World& world, PointId a, PointId b, std::optional<double> length = {});
-ConstraintId add_rod(World& world, PointId a, Vec3 place, std::optional<double> length = {});
+ConstraintId add_rod(World& world, PointId a, Vec3 position, std::optional<double> length = {});
 GroupId add_group(World& world, std::string name);
 void add_to_group(World& world, GroupId group, AnyId thing);
 void remove_from_group(World& world, GroupId group, AnyId thing);
@@ -191,7 +191,8 @@ void set_parameter(World& world, FieldId field, std::size_t index, double value)
 void replace_law(World& world, const std::shared_ptr<const Law>& law, const std::shared_ptr<const Law>& by);
 void set_breaks_at(World& world, ConnectionId connection, double max_force, double max_length);  ///< [N], [m] > 0
 void set_target(World& world, ConstraintId follow, std::function<Vec3(double)> target);
-void set_place(World& world, ConstraintId constraint, Vec3 place);    ///< [m] nail's, follow's target, rod's world end
+void set_position(World& world, ConstraintId constraint,
+                  Vec3 position);                                     ///< [m] nail's, follow's target, rod's world end
 void set_max_force(World& world, ConstraintId follow, double force);  ///< [N]
 
 /// Changes gravity [m/s²] from now on; the energy that things gain by it is work from outside. In a plane, what it has

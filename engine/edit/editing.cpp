@@ -111,9 +111,9 @@ void require_free_of_holders(const World& world, std::string_view call, PointId 
                    "); remove that first"));
 }
 
-Vec3 present(World& world, const std::function<Vec3(double)>& place) {
+Vec3 present(World& world, const std::function<Vec3(double)>& position) {
   const Lock lock(world);
-  return place(world.time);
+  return position(world.time);
 }
 
 }  // namespace pantin::internal

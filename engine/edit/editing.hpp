@@ -65,6 +65,6 @@ ConstraintId holder(const Model& model, ParticleId ring);
 void require_free_of_holders(const World& world, std::string_view call, PointId point, ConstraintId but = {});
 
 /// Where a target or path is now, [m]. It looks and answers: the world is locked meanwhile.
-Vec3 present(World& world, const std::function<Vec3(double)>& place);
+Vec3 present(World& world, const std::function<Vec3(double)>& position);
 
 }  // namespace pantin::internal

@@ -44,15 +44,15 @@ void require_lifetimes(std::string_view call, double shortest, double longest) {
 
 void require_max(std::string_view call, std::uint64_t max) { require(max > 0, call, ": max must be > 0, got 0"); }
 
-void place_at(const World& world, std::string_view call, const EmitterPlace& place, Emitter& row) {
-  require_finite(call, "at", place.at, "m");
-  const Vec3 to = place.to.value_or(place.at);
+void place_at(const World& world, std::string_view call, const EmitterPosition& position, Emitter& row) {
+  require_finite(call, "at", position.at, "m");
+  const Vec3 to = position.to.value_or(position.at);
   require_finite(call, "at", to, "m");
-  if (place.point) (void)world.points[place.point];
-  row.point = place.point;
+  if (position.point) (void)world.points[position.point];
+  row.point = position.point;
   for (int i = 0; i < 3; i++) {
-    row.lower[i] = std::fmin(place.at[i], to[i]);
-    row.upper[i] = std::fmax(place.at[i], to[i]);
+    row.lower[i] = std::fmin(position.at[i], to[i]);
+    row.upper[i] = std::fmax(position.at[i], to[i]);
   }
 }
 
@@ -176,7 +176,7 @@ EmitterId add_emitter(World& world, const EmitterDef& def) {
   require_unlocked(world, call);
   const Family family = def.family ? world.families[def.family] : Family{};
   Emitter row;
-  place_at(world, call, def.place, row);
+  place_at(world, call, def.position, row);
   require_rate(call, def.rate);
   require_finite(call, "velocity", def.velocity, "m/s");
   require_in_plane(world, call, "velocity", def.velocity, "m/s");
@@ -213,9 +213,9 @@ void remove(World& world, EmitterId id) {
   notice(world, Notice::Kind::removed, id, world.emitters.story(id));
 }
 
-void set_place(World& world, EmitterId id, const EmitterPlace& place) {
+void set_position(World& world, EmitterId id, const EmitterPosition& position) {
   require_unlocked(world, "at");
-  place_at(world, describe(world, id), place, world.emitters[id]);
+  place_at(world, describe(world, id), position, world.emitters[id]);
 }
 
 void set_rate(World& world, EmitterId id, double rate) {

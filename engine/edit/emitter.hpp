@@ -11,15 +11,15 @@
 
 namespace pantin {
 
-/// Where particles begin: at a place, in a box, or on a point.
-struct EmitterPlace {
-  PointId point;           ///< null: the rest is a place of the world
-  Vec3 at = zero3();       ///< [m] a place, or one corner of a box; relative to the point, if there is one
+/// Where particles begin: at a position, in a box, or on a point.
+struct EmitterPosition {
+  PointId point;           ///< null: the rest is a position of the world
+  Vec3 at = zero3();       ///< [m] a position, or one corner of a box; relative to the point, if there is one
   std::optional<Vec3> to;  ///< [m] the opposite corner
 };
 
 struct EmitterDef {
-  EmitterPlace place;
+  EmitterPosition position;
   double rate = 0.0;                                              ///< [1/s] >= 0
   std::function<double(double)> rate_at;                          ///< rate at time t [s], instead
   Vec3 velocity = zero3();                                        ///< [m/s] relative to the point
@@ -39,7 +39,7 @@ struct EmitterDef {
 };
 
 EmitterId add_emitter(World& world, const EmitterDef& def);
-void set_place(World& world, EmitterId emitter, const EmitterPlace& place);
+void set_position(World& world, EmitterId emitter, const EmitterPosition& position);
 void set_rate(World& world, EmitterId emitter, double rate);                           ///< [1/s] >= 0
 void set_rate(World& world, EmitterId emitter, std::function<double(double)> rate);    ///< of time [s]
 void set_velocity(World& world, EmitterId emitter, Vec3 velocity);                     ///< [m/s]
@@ -48,7 +48,7 @@ void set_lifetimes(World& world, EmitterId emitter, double shortest, double long
 void set_max(World& world, EmitterId emitter, std::uint64_t max);
 void set_enabled(World& world, EmitterId emitter, bool enabled);
 
-/// Makes what is due in the coming step. Each particle gets the place and velocity at the start of the step from which
+/// Makes what is due in the coming step. Each particle gets the position and velocity at the start of the step from which
 /// free fall takes it to its emitter at the moment of its birth. Only for the phase age_particles.
 void emit(World& world);
 

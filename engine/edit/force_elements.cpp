@@ -40,7 +40,7 @@ void check_ends(const World& world, const Law& law, std::span<const End> ends) {
   bool any = false;
   for (std::size_t i = 0; i < ends.size(); i++) {
     if (!ends[i].particle) {
-      require_finite("connect", "a place", ends[i].place, "m");
+      require_finite("connect", "a position", ends[i].position, "m");
       continue;
     }
     any = true;
@@ -49,7 +49,7 @@ void check_ends(const World& world, const Law& law, std::span<const End> ends) {
       require(!ends[j].particle || awake(world, ends[j].particle) != awake(world, ends[i].particle),
               "connect: ", describe(world, ends[i].particle), " is given twice");
   }
-  require(any, "connect: one of its ends must be a particle; all are places");
+  require(any, "connect: one of its ends must be a particle; all are positions");
 }
 
 void write_parameter(const Law& law, std::vector<double>& values, std::size_t index, double value) {
@@ -63,12 +63,12 @@ void write_parameter(const Law& law, std::vector<double>& values, std::size_t in
 
 double present_value(const World& world, std::span<const End> ends) {
   const Box box{world.settings.box.value_or(zero3())};
-  std::vector<Vec3> places;
+  std::vector<Vec3> positions;
   for (const End& end : ends) {
-    const Vec3 place = end.particle ? position(world, end.particle) : end.place;
-    places.push_back(places.empty() ? place : places.back() + box.nearest(place - places.back()));
+    const Vec3 at = end.particle ? position(world, end.particle) : end.position;
+    positions.push_back(positions.empty() ? at : positions.back() + box.nearest(at - positions.back()));
   }
-  return present_value(places);
+  return present_value(positions);
 }
 
 ConnectionId add_connection(World& world, std::shared_ptr<const Law> law, const ConnectionDef& def) {
@@ -83,13 +83,13 @@ ConnectionId add_connection(World& world, std::shared_ptr<const Law> law, const 
   row.max_force = def.max_force;
   row.max_length = def.max_length;
   row.name = def.name;
-  row.place_of_making = world.who ? world.who() : "";
+  row.made_at = world.who ? world.who() : "";
   row.serial = world.next_serial++;
   for (std::size_t i = 0; i < def.ends.size(); i++) {
     row.particles[i] = def.ends[i].particle;
-    if (!row.particles[i]) row.places.resize(def.ends.size(), zero3());
+    if (!row.particles[i]) row.positions.resize(def.ends.size(), zero3());
   }
-  for (std::size_t i = 0; i < row.places.size(); i++) row.places[i] = def.ends[i].place;
+  for (std::size_t i = 0; i < row.positions.size(); i++) row.positions[i] = def.ends[i].position;
   row.asked = def.solve;
   require(
       row.asked == Solve::explicitly || can_be_solved(world, row), "connect: ",
@@ -117,7 +117,7 @@ InteractionId add_interaction(World& world, std::shared_ptr<const Law> law, Fami
   row.law = std::move(law);
   row.a = a;
   row.b = b;
-  row.place_of_making = world.who ? world.who() : "";
+  row.made_at = world.who ? world.who() : "";
   row.serial = world.next_serial++;
   disturb_forces(world);
   return world.interactions.add(std::move(row));
@@ -139,7 +139,7 @@ FieldId add_field(World& world, std::shared_ptr<const Law> law, const AnyId& tar
   }
   row.parameters = checked_parameters("field", *law, std::move(parameters));
   row.law = std::move(law);
-  row.place_of_making = world.who ? world.who() : "";
+  row.made_at = world.who ? world.who() : "";
   row.serial = world.next_serial++;
   disturb_forces(world);
   return world.fields.add(std::move(row));

@@ -32,7 +32,7 @@ Things things_to_freeze(const World& world, GroupId group) {
   return things;
 }
 
-/// A mass at a place, and with a velocity, relative to the common centre.
+/// A mass at a position, and with a velocity, relative to the common centre.
 struct Fragment {
   PointId point;  ///< null: the own mass
   double mass;
@@ -47,7 +47,7 @@ std::vector<Fragment> fragments_of(const World& world, BodyId id) {
   for (PointId p : body.points)
     if (world.points[p].mass > 0.0) list.push_back({p, world.points[p].mass, rotate(m.q, arm(world, p))});
   if (body.own_mass > 0.0)
-    list.push_back({{}, body.own_mass, rotate(orientation(world, id), body.own_place - body.centre)});
+    list.push_back({{}, body.own_mass, rotate(orientation(world, id), body.own_position - body.centre)});
   return list;
 }
 
@@ -92,14 +92,14 @@ void set_turning(const World& world, BodyId body, std::vector<Fragment>& fragmen
   for (const Fragment& f : fragments)
     least += round_off * (norm(world.motion_of(body).x) + norm(f.arm)) * f.mass * norm(f.velocity);
   require(norm(left) <= least, "shatter: ", describe(world, body), " spins, and ", fragments.size(),
-          fragments.size() == 1 ? " particle" : " particles", " in these places cannot carry its angular momentum");
+          fragments.size() == 1 ? " particle" : " particles", " in these positions cannot carry its angular momentum");
 }
 
 /// Frees a point with a velocity, [m/s].
 void set_free(World& world, PointId id, Vec3 at, Vec3 velocity) {
   Point& point = world.points[id];
   point.body = {};
-  point.place = zero3();
+  point.position = zero3();
   point.articulate = -1;
   point.name.clear();
   world.motion_of(id) = {at, velocity};
@@ -128,7 +128,7 @@ BodyId body_of_points(World& world, const std::vector<PointId>& points, std::str
   }
   part_ties_within(world, points, text(culprit(world), ", freezing it"));
   for (PointId p : points) {
-    world.points[p].place = world.motion_of(p).x - kept.centre;
+    world.points[p].position = world.motion_of(p).x - kept.centre;
     world.points[p].articulate = -1;
   }
   const BodyId body = make_body(world, std::move(name), kept.centre, Quat{}, points);

@@ -90,10 +90,10 @@ std::vector<std::array<ParticleId, 2>> pairs_within(const World& world, GroupId 
 std::vector<std::array<ParticleId, 2>> pairs_within(const World& world, const std::vector<ParticleId>& list,
                                                     double distance) {
   require_positive("connect_within", "distance", distance, "m");
-  std::vector<Vec3> places;
-  for (ParticleId id : list) places.push_back(position(world, id));
+  std::vector<Vec3> positions;
+  for (ParticleId id : list) positions.push_back(position(world, id));
   std::vector<std::array<ParticleId, 2>> pairs;
-  each_near_pair(places, {world.settings.box.value_or(zero3())}, distance, [&](std::uint32_t a, std::uint32_t b) {
+  each_near_pair(positions, {world.settings.box.value_or(zero3())}, distance, [&](std::uint32_t a, std::uint32_t b) {
     if (!are_of_one_body(world, list[a], list[b]) && !are_connected(world, list[a], list[b]))
       pairs.push_back({list[a], list[b]});
   });

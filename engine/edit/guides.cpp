@@ -38,9 +38,9 @@ ConstraintId add_length_limit(World& world, Constraint c, const LimitDef& def) {
 
 /// A path at the height of a point, which it had but for round-off.
 std::shared_ptr<const Path> level(const World& world, const Path& path, Vec3 point) {
-  std::vector<Vec3> places = path.places();
-  for (Vec3& place : places) place = world.plane.beside(place, point);
-  return std::make_shared<const Path>(std::move(places), path.smooth(), path.closed());
+  std::vector<Vec3> positions = path.positions();
+  for (Vec3& position : positions) position = world.plane.beside(position, point);
+  return std::make_shared<const Path>(std::move(positions), path.smooth(), path.closed());
 }
 
 }  // namespace
@@ -59,13 +59,13 @@ ConstraintId add_limit(World& world, PointId a, PointId b, const LimitDef& def) 
   return add_length_limit(world, std::move(c), def);
 }
 
-ConstraintId add_limit(World& world, PointId a, Vec3 place, const LimitDef& def) {
+ConstraintId add_limit(World& world, PointId a, Vec3 position, const LimitDef& def) {
   require_unlocked(world, "limit");
   require_point(world, "limit", a);
-  require_finite("limit", "place", place, "m");
+  require_finite("limit", "position", position, "m");
   Constraint c;
   c.a = a;
-  c.place = place;
+  c.position = position;
   return add_length_limit(world, std::move(c), def);
 }
 
@@ -78,7 +78,7 @@ ConstraintId add_on_plane(World& world, PointId point, const PlaneDef& def) {
   c.kind = ConstraintKind::on_plane;
   c.a = point;
   c.time_constant = def.time_constant;
-  c.place = def.through.value_or(position(world, point));
+  c.position = def.through.value_or(position(world, point));
   c.axis_a = unit_normal(def.normal);
   start_constraint(world, c);
   return insert_constraint(world, std::move(c));
@@ -93,20 +93,20 @@ ConstraintId add_string(World& world, std::vector<Passage> passages, const Strin
   for (std::size_t i = 0; i < passages.size(); i++) {
     const Passage& p = passages[i];
     if (p.point) require_point(world, "string", p.point);
-    if (!p.point) require_finite("string", "a place", p.place, "m");
+    if (!p.point) require_finite("string", "a position", p.position, "m");
     if (p.point && !c.a) c.a = p.point;
     for (std::size_t j = 0; j < i && p.point; j++)
       require(!passages[j].point || world.points[passages[j].point].particle != world.points[p.point].particle,
               "string: points ", j + 1, " and ", i + 1, " are one particle");
-    if (i > 0 && !p.point && !passages[i - 1].point) fixed += norm(p.place - passages[i - 1].place);
+    if (i > 0 && !p.point && !passages[i - 1].point) fixed += norm(p.position - passages[i - 1].position);
   }
-  require(static_cast<bool>(c.a), "string: it goes through places only; one must be a point or a particle");
+  require(static_cast<bool>(c.a), "string: it goes through positions only; one must be a point or a particle");
   c.kind = ConstraintKind::string;
   c.time_constant = def.time_constant;
   c.passages = std::move(passages);
   c.length = def.length.value_or(present_length(world, c));
   require_positive("string", "length", c.length, "m");
-  require(c.length > fixed, "string: its places are ", fixed, " m apart, so it cannot be ", c.length, " m long");
+  require(c.length > fixed, "string: its positions are ", fixed, " m apart, so it cannot be ", c.length, " m long");
   start_constraint(world, c);
   return insert_constraint(world, std::move(c));
 }

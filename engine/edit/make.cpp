@@ -12,14 +12,14 @@ namespace {
 
 void check(const World& world, const std::string& call, const PointDef& def) {
   attribute_values(call, def.family ? world.families[def.family] : Family{}, def.attributes);
-  require_finite(call, "place", def.at, "m");
+  require_finite(call, "position", def.at, "m");
   require_not_negative(call, "mass", def.mass, "kg");
   require_not_negative(call, "radius", def.radius, "m");
 }
 
 Point row_of(const PointDef& def, Color usual, BodyId body) {
   Point row;
-  row.place = def.at;
+  row.position = def.at;
   row.mass = def.mass;
   row.radius = def.radius;
   row.color = def.color.value_or(usual);
@@ -139,10 +139,10 @@ PointId add_point(World& world, BodyId body, const PointDef& def) {
   for (PointId p : world.bodies[body].points)
     require(def.name.empty() || world.points[p].name != def.name, call, ": the name '", def.name, "' is taken");
   std::vector<MassPoint> masses;
-  for (PointId p : world.bodies[body].points) masses.push_back({world.points[p].place, world.points[p].mass});
+  for (PointId p : world.bodies[body].points) masses.push_back({world.points[p].position, world.points[p].mass});
   masses.push_back({def.at, def.mass});
   const Body& row = world.bodies[body];
-  weigh(describe(world, body), masses, {row.own_mass, row.own_inertia, row.own_place}, row.axes,
+  weigh(describe(world, body), masses, {row.own_mass, row.own_inertia, row.own_position}, row.axes,
         normal_in(world, orientation(world, body)));
 
   const Color usual = row.points.empty() ? BodyDef{}.color : world.points[row.points[0]].color;

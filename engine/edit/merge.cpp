@@ -18,18 +18,18 @@ struct Frame {
   Vec3 place(Vec3 v) const { return shift + rotate(turn, v); }
 };
 
-Mat3 about_other_place(const OwnMass& own, Vec3 place) {
-  const Vec3 r = own.place - place;
+Mat3 about_other_position(const OwnMass& own, Vec3 position) {
+  const Vec3 r = own.position - position;
   return own.inertia + (identity33() * norm2(r) - outer(r, r)) * own.mass;
 }
 
-OwnMass own_of(const Body& body) { return {body.own_mass, body.own_inertia, body.own_place}; }
+OwnMass own_of(const Body& body) { return {body.own_mass, body.own_inertia, body.own_position}; }
 
 OwnMass together(const OwnMass& a, const OwnMass& b) {
   OwnMass both;
   both.mass = a.mass + b.mass;
-  both.place = both.mass > 0.0 ? a.place + (b.place - a.place) * (b.mass / both.mass) : a.place;
-  both.inertia = about_other_place(a, both.place) + about_other_place(b, both.place);
+  both.position = both.mass > 0.0 ? a.position + (b.position - a.position) * (b.mass / both.mass) : a.position;
+  both.inertia = about_other_position(a, both.position) + about_other_position(b, both.position);
   return both;
 }
 
@@ -89,7 +89,7 @@ void take_points(World& world, BodyId a, BodyId b, const Frame& frame) {
   };
   for (PointId id : world.bodies[b].points) {
     Point& point = world.points[id];
-    point.place = frame.place(point.place);
+    point.position = frame.place(point.position);
     point.body = a;
     if (is_taken(point.name)) point.name.clear();
     points.push_back(id);
@@ -133,13 +133,13 @@ void merge(World& world, BodyId a, BodyId b) {
   take_points(world, a, b, frame);
   OwnMass own_b = own_of(world.bodies[b]);
   const Mat3 R = matrix(frame.turn);
-  own_b.place = frame.place(own_b.place);
+  own_b.position = frame.place(own_b.position);
   own_b.inertia = times_transposed(R * own_b.inertia, R);
   Body& body = world.bodies[a];
   const OwnMass own = together(own_of(body), own_b);
   body.own_mass = own.mass;
   body.own_inertia = own.inertia;
-  body.own_place = own.place;
+  body.own_position = own.position;
   erase_body(world, b, who);
   update_mass(world, a);
   set_momenta(world, a, kept.p, kept.angular);

@@ -7,7 +7,7 @@
 
 namespace pantin::internal {
 
-constexpr double round_off = 8.0 * std::numeric_limits<double>::epsilon();  ///< of a place, relative
+constexpr double round_off = 8.0 * std::numeric_limits<double>::epsilon();  ///< of a position, relative
 
 /// What is kept when things become others.
 struct Totals {
@@ -21,7 +21,7 @@ Totals totals_of(const World& world, std::span<const BodyId> bodies, std::span<c
 void set_momenta(World& world, BodyId body, Vec3 p, Vec3 angular);
 /// Ends what ties points of one body to each other: constraints between two of them; hinges lose all but one.
 void part_ties_within(World& world, std::span<const PointId> points, const std::string& who);
-/// A body at a place and orientation of its frame, of points that have no other; not weighed yet.
+/// A body at a position and orientation of its frame, of points that have no other; not weighed yet.
 BodyId make_body(World& world, std::string name, Vec3 origin, const Quat& frame, std::vector<PointId> points);
 /// Ends what ties the rotation of a body; the others of its hinges keep their axes.
 void drop_rotations(World& world, BodyId body);

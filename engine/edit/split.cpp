@@ -14,7 +14,7 @@ namespace {
 
 std::vector<MassPoint> masses_of(const World& world, const std::vector<PointId>& points) {
   std::vector<MassPoint> masses;
-  for (PointId p : points) masses.push_back({world.points[p].place, world.points[p].mass});
+  for (PointId p : points) masses.push_back({world.points[p].position, world.points[p].mass});
   return masses;
 }
 
@@ -104,7 +104,7 @@ BodyId split(World& world, BodyId body, std::span<const PointId> points, std::st
   const Body& row = world.bodies[body];
   const Vec3 normal = normal_in(world, orientation(world, body));
   const Weighed left = weigh("split: what is left of it", masses_of(world, rest),
-                             {row.own_mass, row.own_inertia, row.own_place}, row.axes, normal);
+                             {row.own_mass, row.own_inertia, row.own_position}, row.axes, normal);
   const Weighed gone = weigh("split: what is split off", masses_of(world, off), {}, row.axes, normal);
   const Vec3 spin = angular_velocity(world.motion_of(body));
   Motion first = part_of(left, world, body, spin), second = part_of(gone, world, body, spin);

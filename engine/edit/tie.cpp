@@ -18,7 +18,8 @@ ConstraintId add_rod_row(World& world, Constraint c, Vec3 far_end, std::optional
   c.kind = ConstraintKind::rod;
   c.time_constant = 0.1;
   c.length = length.value_or(distance);
-  if (!length) require(distance > 0.0, "rod: its ends are in one place, so it has no length; a length must be > 0 m");
+  if (!length)
+    require(distance > 0.0, "rod: its ends are in one position, so it has no length; a length must be > 0 m");
   require_positive("rod", "length", c.length, "m");
   c.previous_length = c.before_length = c.length;
   require(std::fabs(distance - c.length) <= world.settings.tolerance * c.length, "rod: its ends are ", distance,
@@ -46,7 +47,7 @@ ConstraintId add_nail(World& world, PointId point, std::optional<Vec3> at, doubl
   c.kind = ConstraintKind::nail;
   c.a = point;
   c.time_constant = time_constant;
-  c.place = at ? *at : position(world, point);
+  c.position = at ? *at : position(world, point);
   start_constraint(world, c);
   return insert_constraint(world, std::move(c));
 }
@@ -57,17 +58,17 @@ ConstraintId add_follow(World& world, PointId point, const FollowDef& def) {
   require_positive_or_infinite("follow", "max_force", def.max_force, "N");
   require_positive("follow", "time_constant", def.time_constant, "s");
   if (!std::isfinite(def.max_force)) require_free_of_holders(world, "follow", point);
-  Vec3 place = def.at;
+  Vec3 at = def.at;
   if (def.hand >= 0) {
     const auto hand = static_cast<std::size_t>(def.hand);
     require(hand < world.hands.size(), "follow: there is no hand ", hand + 1);
     require(world.hands[hand].placed, "follow: hand ", hand + 1, " has no position yet");
-    place = world.hands[hand].position;
+    at = world.hands[hand].position;
   } else if (def.target) {
-    place = present(world, def.target);
+    at = present(world, def.target);
   }
-  require_finite("follow", "target", place, "m");
-  if (def.hand >= 0 || def.target) place = world.plane.beside(place, position(world, point));
+  require_finite("follow", "target", at, "m");
+  if (def.hand >= 0 || def.target) at = world.plane.beside(at, position(world, point));
   Constraint c;
   c.kind = ConstraintKind::follow;
   c.a = point;
@@ -75,7 +76,7 @@ ConstraintId add_follow(World& world, PointId point, const FollowDef& def) {
   c.time_constant = def.time_constant;
   c.hand = def.hand;
   if (def.hand < 0) c.target = def.target;
-  c.place = place;
+  c.position = at;
   start_constraint(world, c);
   return insert_constraint(world, std::move(c));
 }
@@ -95,14 +96,14 @@ ConstraintId add_rod(World& world, PointId a, PointId b, std::optional<double> l
   return add_rod_row(world, std::move(c), position(world, b), length);
 }
 
-ConstraintId add_rod(World& world, PointId a, Vec3 place, std::optional<double> length) {
+ConstraintId add_rod(World& world, PointId a, Vec3 position, std::optional<double> length) {
   require_unlocked(world, "rod");
   require_point(world, "rod", a);
-  require_finite("rod", "place", place, "m");
+  require_finite("rod", "position", position, "m");
   Constraint c;
   c.a = a;
-  c.place = c.previous = c.before = place;
-  return add_rod_row(world, std::move(c), place, length);
+  c.position = c.previous = c.before = position;
+  return add_rod_row(world, std::move(c), position, length);
 }
 
 void set_enabled(World& world, ConstraintId id, bool enabled) {
@@ -120,29 +121,29 @@ void set_enabled(World& world, ConstraintId id, bool enabled) {
 void set_target(World& world, ConstraintId follow, std::function<Vec3(double)> target) {
   Constraint& c = of_kind(world, follow, ConstraintKind::follow, "target");
   require(c.hand < 0, "target: ", describe(world, follow), " belongs to hand ", c.hand + 1, " and goes where it goes");
-  Vec3 place = target ? present(world, target) : c.place;
-  require_finite("follow", "target", place, "m");
-  place = world.plane.beside(place, c.place);
-  c.place = place;
+  Vec3 position = target ? present(world, target) : c.position;
+  require_finite("follow", "target", position, "m");
+  position = world.plane.beside(position, c.position);
+  c.position = position;
   start_constraint(world, c);
   c.target = std::move(target);
   touch(world, c);
 }
 
-void set_place(World& world, ConstraintId id, Vec3 place) {
-  require_unlocked(world, "place");
+void set_position(World& world, ConstraintId id, Vec3 position) {
+  require_unlocked(world, "position");
   Constraint& c = world.constraints[id];
   const std::string who = describe(world, id);
-  require_finite(who, "place", place, "m");
+  require_finite(who, "position", position, "m");
   require(c.hand < 0, who, ": it belongs to hand ", c.hand + 1, " and goes where it goes");
   if (c.kind == ConstraintKind::rod) {
     require(!c.b, who, ": both its ends are points; move those");
     touch(world, c);
   }
-  if (c.kind != ConstraintKind::on_plane) require_height(world, who, "place", place, c.place);
+  if (c.kind != ConstraintKind::on_plane) require_height(world, who, "position", position, c.position);
   wake(world, c);
   c.target = nullptr;
-  c.place = place;
+  c.position = position;
   start_constraint(world, c);
 }
 

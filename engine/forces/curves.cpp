@@ -19,11 +19,11 @@ class Runner {
     machine_.run_uniform();
   }
 
-  /// `places`: which of `slots` to run for, and where the results go.
-  void run(const World& world, double time, std::span<const std::uint32_t> places, std::span<const std::uint32_t> slots,
-           std::span<double* const> columns) {
-    for (std::size_t first = 0; first < places.size(); first += Machine::block) {
-      const auto block = places.subspan(first, std::min<std::size_t>(Machine::block, places.size() - first));
+  /// `positions`: which of `slots` to run for, and where the results go.
+  void run(const World& world, double time, std::span<const std::uint32_t> positions,
+           std::span<const std::uint32_t> slots, std::span<double* const> columns) {
+    for (std::size_t first = 0; first < positions.size(); first += Machine::block) {
+      const auto block = positions.subspan(first, std::min<std::size_t>(Machine::block, positions.size() - first));
       for (std::size_t k = 0; k < block.size(); k++) {
         const Particle& particle = world.particles.at_slot(slots[block[k]]);
         if (age_ >= 0) machine_.column(age_)[k] = std::clamp(time - particle.born, 0.0, particle.lifetime);
@@ -55,10 +55,10 @@ float channel(double x) { return static_cast<float>(x > 0.0 ? std::fmin(x, 1.0) 
 std::optional<double> curve_value(const World& world, ParticleId particle, std::string_view name, double time) {
   const Curve* curve = find_curve(world, particle, name);
   if (!curve) return {};
-  const std::uint32_t place = 0, slot = particle.slot - 1;
+  const std::uint32_t position = 0, slot = particle.slot - 1;
   double value = 0.0;
   double* const column = &value;
-  Runner(*curve).run(world, time, {&place, 1}, {&slot, 1}, {&column, 1});
+  Runner(*curve).run(world, time, {&position, 1}, {&slot, 1}, {&column, 1});
   return value;
 }
 
@@ -87,7 +87,7 @@ void follow_curves(const World& world, std::string_view name, double time, std::
                    std::span<double* const> columns) {
   struct Followers {
     const Curve* curve;
-    std::vector<std::uint32_t> places;
+    std::vector<std::uint32_t> positions;
   };
   std::vector<Followers> groups;
   std::unordered_map<const Curves*, std::size_t> known;  // only looked up: its order reaches nothing
@@ -103,10 +103,10 @@ void follow_curves(const World& world, std::string_view name, double time, std::
       group = found->second;
       last = curves;
     }
-    if (groups[group].curve) groups[group].places.push_back(i);
+    if (groups[group].curve) groups[group].positions.push_back(i);
   }
   for (const Followers& g : groups)
-    if (g.curve) Runner(*g.curve).run(world, time, g.places, slots, columns);
+    if (g.curve) Runner(*g.curve).run(world, time, g.positions, slots, columns);
 }
 
 }  // namespace pantin

@@ -36,7 +36,7 @@ class Finder {
  private:
   Vec3 start(std::uint32_t site) const {
     const std::uint32_t slot = f_.sites.particle[site];
-    return slot == none ? f_.sites.x[site] : f_.notes.place[slot] - f_.image[site];
+    return slot == none ? f_.sites.x[site] : f_.notes.position[slot] - f_.image[site];
   }
   void consider(std::uint32_t a, std::uint32_t b, std::size_t tie) {
     const Vec3 d0 = box_.nearest(start(b) - start(a)), d1 = box_.nearest(f_.sites.x[b] - f_.sites.x[a]);

@@ -149,7 +149,7 @@ void find_noise(const World& world, Forces& f, const Instant& instant) {
   f.sites.nonconservative_force = open;
 }
 
-/// Forces at the places and velocities that the sites now have; the energy where it is asked for.
+/// Forces at the positions and velocities that the sites now have; the energy where it is asked for.
 double evaluate(const World& world, Forces& f, const Instant& instant, bool with_energy) {
   refresh_ages(world, f, instant.time);
   const double energy = run_still_laws(world, f, instant, with_energy);
@@ -169,7 +169,7 @@ Instant instant_of(const World& world, double time, std::uint64_t number) {
 }
 
 void start(const World& world, Forces& f) {
-  read_places(world, f, false);
+  read_positions(world, f, false);
   build_rows(world, f, false);
   if (!f.rows) {
     for (ActingConnections& c : f.connections) c.bonds.arrange(c.ties, f.sites);
@@ -196,7 +196,7 @@ bool acting_now(const World& world) {
 
 namespace {
 
-/// Energy of the laws at the present places, with ages of another time [s]; forces stay, ages do not.
+/// Energy of the laws at the present positions, with ages of another time [s]; forces stay, ages do not.
 double energy_at_ages(const World& world, Forces& f, double time) {
   const auto force = f.sites.force, open = f.sites.nonconservative_force;
   refresh_ages(world, f, time);
@@ -220,7 +220,7 @@ void bring_in_energy(World& world) {
 
 /// Reads the present state after an edit that left most sites as they were.
 void start_again(const World& world, Forces& f) {
-  read_places(world, f, false);
+  read_positions(world, f, false);
   build_rows_in_order(world, f);
   for (ActingConnections& c : f.connections) c.bonds.arrange(c.ties, f.sites);
   arrange_fields(world, f);
@@ -287,7 +287,7 @@ void refresh_forces(World& world) {
 
 void begin_kick(World& world) {
   if (!world.forces || !follows(*world.forces)) return;
-  // What changes with age alone is work from outside: half of it at the places before the drift, half at those after.
+  // What changes with age alone is work from outside: half of it at the positions before the drift, half at those after.
   Forces& f = *world.forces;
   const double energy = f.energy;
   post(world, Source::law, 0.5 * (energy_at_ages(world, f, kick_end(world)) - energy));
@@ -296,13 +296,13 @@ void begin_kick(World& world) {
 void find_pairs(World& world) {
   if (!world.forces) return;
   Forces& f = *world.forces;
-  read_places(world, f, true);
+  read_positions(world, f, true);
   if (f.rows && f.skin.spent(f.sites)) build_rows(world, f, true);
 }
 
 void find_forces_again(World& world) {
   Forces& f = *world.forces;
-  read_places(world, f, false);
+  read_positions(world, f, false);
   if (f.rows && f.skin.spent(f.sites)) build_rows(world, f, false);
   read_velocities(world, f, false);
   f.energy = evaluate(world, f, instant_of(world, world.time, world.instant), true);

@@ -80,7 +80,7 @@ struct ActingConnections {
 /// What the local errors of kicks come of, see step_error.hpp.
 struct KickNotes {
   std::vector<Vec3> acceleration;  ///< (slots of particles) [m/s²] in the kick that began a stage of the step
-  std::vector<Vec3> place;         ///< (slots of particles) [m] then
+  std::vector<Vec3> position;      ///< (slots of particles) [m] then
   std::vector<Vec3> seen;          ///< (slots of particles) [m] somewhere within the step
   /// (slots of particles) [m/s³] in the last parts, the latest first; infinite: unknown. Now, and at the start of the step.
   std::vector<std::array<double, 3>> jerk, kept_jerk;
@@ -103,9 +103,9 @@ struct Forces {
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
   Sites sites;
-  std::vector<std::uint32_t> point;    ///< (sites) slot of a free point that nothing ties, or `none`
-  std::vector<double> inverse_mass;    ///< (sites) [1/kg] of such a point, else 0
-  std::vector<Vec3> image;             ///< (sites) [m] in a periodic box: place of the particle less that of the site
+  std::vector<std::uint32_t> point;  ///< (sites) slot of a free point that nothing ties, or `none`
+  std::vector<double> inverse_mass;  ///< (sites) [1/kg] of such a point, else 0
+  std::vector<Vec3> image;           ///< (sites) [m] in a periodic box: position of the particle less that of the site
   std::vector<std::uint32_t> site_of;  ///< (slots of particles), or `none`
   std::vector<Receiver> receivers;
   std::vector<std::uint32_t> receiver_of_body, receiver_of_point;  ///< (slots), or `none`

@@ -40,7 +40,7 @@ void require_attributes(const World& world, const Sites& sites, const Law& law, 
   for (const Input& input : inputs_of(law)) {
     if (input.role != Role::attribute || input.who != who) continue;
     for (std::uint32_t site : where) {
-      require(sites.particle[site] != none, law.name, ": it reads '", input.name, "', which the place ",
+      require(sites.particle[site] != none, law.name, ": it reads '", input.name, "', which the position ",
               internal::to_text(sites.x[site]),
               " m of the world has not; tie a particle, or make it a parameter of the law");
       if (law.called) continue;  // it tells by itself what it reads

@@ -17,8 +17,8 @@ constexpr std::uint32_t none = Forces::none;
 struct Builder {
   const World& world;
   Forces& forces;
-  std::vector<Wanted> how = {};   // (slots of particles)
-  std::vector<Vec3> places = {};  // of sites that are places of the world
+  std::vector<Wanted> how = {};      // (slots of particles)
+  std::vector<Vec3> positions = {};  // of sites that are positions of the world
 
   void find_wanted() {
     std::vector<char>& family = forces.families;
@@ -56,7 +56,7 @@ struct Builder {
   void add_sites() {
     const std::vector<std::uint32_t> slots = slots_by_serial();
     Sites& sites = forces.sites;
-    sites.resize(slots.size() + places.size());
+    sites.resize(slots.size() + positions.size());
     sites.clear_forces();
     forces.point.assign(sites.n, none);
     forces.attached_of.assign(sites.n, none);
@@ -65,9 +65,9 @@ struct Builder {
     forces.site_of.assign(world.particles.slots(), none);
     for (std::uint32_t i = 0; i < slots.size(); i++)
       bind_site(world, forces, i, world.particles.id_at(slots[i]), how[slots[i]]);
-    for (std::size_t k = 0; k < places.size(); k++) {
+    for (std::size_t k = 0; k < positions.size(); k++) {
       const std::size_t i = slots.size() + k;
-      sites.x[i] = places[k];
+      sites.x[i] = positions[k];
       sites.v[i] = zero3();
       sites.particle[i] = sites.family[i] = none;
       sites.kin[i] = {};
@@ -92,13 +92,13 @@ struct Active {
       if (world.interactions[id].enabled) interactions.push_back(id);
     for (FieldId id : world.fields.ids())
       if (world.fields[id].enabled) fields.push_back(id);
-    std::unordered_map<const Law*, std::size_t> places[2];  // only looked up: their order reaches nothing
+    std::unordered_map<const Law*, std::size_t> positions[2];  // only looked up: their order reaches nothing
     for (ConnectionId id : world.connections.ids()) {
       const Connection& row = world.connections[id];
       if (!row.enabled) continue;
       const bool solved = row.solve != Solve::explicitly;
       for (auto law = row.law; law; law = law->also) {
-        const auto [found, is_new] = places[solved].try_emplace(law.get(), connections.size());
+        const auto [found, is_new] = positions[solved].try_emplace(law.get(), connections.size());
         if (is_new) connections.push_back({law, solved, {}});
         connections[found->second].ids.push_back(id);
       }
@@ -126,7 +126,7 @@ std::shared_ptr<const Law> energy_alone(const Law& law) {
 }
 
 void add_connections(const World& world, Forces& forces, const Active::Batch& batch,
-                     std::span<const std::uint32_t> place_sites, std::size_t& next_place) {
+                     std::span<const std::uint32_t> place_sites, std::size_t& next_position) {
   const auto law = batch.solved ? energy_alone(*batch.law) : batch.law;
   ActingConnections acting{batch.law, batch.solved, {}, {}, {}, Bonds(law, forces.sites.names, *world.workers)};
   acting.ties.count = static_cast<int>(world.connections[batch.ids[0]].count);
@@ -135,7 +135,8 @@ void add_connections(const World& world, Forces& forces, const Active::Batch& ba
     const Connection& row = world.connections[id];
     TieEnds ends{};
     for (std::uint32_t i = 0; i < row.count; i++)
-      ends[i] = row.particles[i] ? forces.site_of[awake(world, row.particles[i]).slot - 1] : place_sites[next_place++];
+      ends[i] =
+          row.particles[i] ? forces.site_of[awake(world, row.particles[i]).slot - 1] : place_sites[next_position++];
     add_tie(world, acting, id, ends);
   }
   forces.connections.push_back(std::move(acting));
@@ -167,8 +168,8 @@ std::unique_ptr<Forces> build_forces(const World& world) {
   for (const Active::Batch& batch : acting.connections)
     for (ConnectionId id : batch.ids) {
       const Connection& row = world.connections[id];
-      for (std::size_t i = 0; i < row.places.size(); i++)
-        if (!row.particles[i]) builder.places.push_back(row.places[i]);
+      for (std::size_t i = 0; i < row.positions.size(); i++)
+        if (!row.particles[i]) builder.positions.push_back(row.positions[i]);
     }
   acting.each_law(world, [&](const Law& law) {
     for (const Input& input : inputs_of(law))
@@ -190,11 +191,12 @@ std::unique_ptr<Forces> build_forces(const World& world) {
   std::iota(all.begin(), all.end(), 0u);
   fill_attributes(world, *forces, all);
 
-  std::vector<std::uint32_t> place_sites(builder.places.size());
+  std::vector<std::uint32_t> place_sites(builder.positions.size());
   std::iota(place_sites.begin(), place_sites.end(),
-            static_cast<std::uint32_t>(forces->sites.n - builder.places.size()));
-  std::size_t next_place = 0;
-  for (const Active::Batch& batch : acting.connections) add_connections(world, *forces, batch, place_sites, next_place);
+            static_cast<std::uint32_t>(forces->sites.n - builder.positions.size()));
+  std::size_t next_position = 0;
+  for (const Active::Batch& batch : acting.connections)
+    add_connections(world, *forces, batch, place_sites, next_position);
   for (InteractionId id : acting.interactions)
     for (auto law = world.interactions[id].law; law; law = law->also)
       forces->interactions.push_back(

@@ -50,7 +50,7 @@ std::vector<std::uint32_t> change_members(const World& world, Forces& forces);
 /// Whether only free particles were born or have gone, and what laws do to one of them has to do with no other, and comes of
 /// its state alone.
 bool are_apart(const Forces& forces);
-/// The same where they are apart, and the forces on them at the present places; others stay. Gives the change of energy
+/// The same where they are apart, and the forces on them at the present positions; others stay. Gives the change of energy
 /// [J], told before of the present state.
 double change_members_apart(const World& world, Forces& forces);
 /// Those of some sites, in rising order, that are of a family, or that a field acts on.
@@ -68,7 +68,7 @@ Exclusions exclusions(std::size_t n, std::vector<std::pair<std::uint32_t, std::u
 template <class Row>
 std::string law_in_place(const Row& row) {
   const bool own = row.law->name.find(':') != std::string::npos;
-  return own || row.place_of_making.empty() ? row.law->name : row.place_of_making + ": " + row.law->name;
+  return own || row.made_at.empty() ? row.law->name : row.made_at + ": " + row.law->name;
 }
 /// The same of laws at work.
 inline std::string law_at_work(const World& world, const ActingInteraction& a) {
@@ -81,7 +81,7 @@ inline std::string law_at_work(const World& world, const ActingConnections& a) {
 /// The periodic box, or open space.
 Box box_of(const World& world);
 /// State of the sites: of what articulates hold after a drift as they have it, before as the model has it.
-void read_places(const World& world, Forces& forces, bool drifted);
+void read_positions(const World& world, Forces& forces, bool drifted);
 void read_velocities(const World& world, Forces& forces, bool drifted);
 /// Sorts the sites by cells and builds the rows anew.
 void build_rows(const World& world, Forces& forces, bool drifted);
@@ -98,7 +98,7 @@ std::vector<double> present_parameters(const World& world, const Law& law, const
 
 /// Takes what forces have across a plane away.
 void keep_in_plane(const Plane& plane, Sites& sites);
-/// Adds the forces of one law at the present places and velocities, at an instant.
+/// Adds the forces of one law at the present positions and velocities, at an instant.
 void run_law(const World& world, Forces& forces, ActingInteraction& acting, const Instant& instant);
 void run_law(const World& world, Forces& forces, ActingConnections& acting, const Instant& instant);
 void run_law(const World& world, Forces& forces, ActingField& acting, const Instant& instant);
@@ -106,7 +106,7 @@ void run_law(const World& world, Forces& forces, ActingField& acting, const Inst
 /// asked for.
 double run_laws(const World& world, Forces& forces, const Instant& instant, bool with_energy);
 
-/// The forces of those that do not depend on velocities, at the present places.
+/// The forces of those that do not depend on velocities, at the present positions.
 double run_still_laws(const World& world, Forces& forces, const Instant& instant, bool with_energy);
 /// Sums what sites feel over the receivers that they are bound to.
 void collect(const World& world, Forces& forces);

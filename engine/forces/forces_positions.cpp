@@ -40,7 +40,7 @@ void read_velocities(const World& world, Forces& f, bool drifted) {
   }
 }
 
-void read_places(const World& world, Forces& f, bool drifted) {
+void read_positions(const World& world, Forces& f, bool drifted) {
   for (std::size_t i = 0; i < f.sites.n; i++)
     if (f.point[i] != none) f.sites.x[i] = world.free_motion[f.point[i]].x - f.image[i];
   for (Attached& a : f.attached) {

@@ -104,7 +104,7 @@ void post_nonconservative(World& world, const NonconservativeWork& work) {
   post(world, Source::damper, work.damper);
 }
 
-/// Velocities of the sites' places, [m/s] (sites); none where the ledger is not kept.
+/// Velocities of the sites' positions, [m/s] (sites); none where the ledger is not kept.
 AlignedVector<Vec3> site_velocities(World& world, Forces& f, bool drifted) {
   AlignedVector<Vec3> list;
   if (!world.ledger.kept) return list;

@@ -53,7 +53,7 @@ Vec3 acceleration(const World& world, const Forces& f, std::size_t site) {
   return force * f.inverse_mass[site];
 }
 
-Vec3 place(const Forces& f, std::size_t site) { return f.sites.x[site] + f.image[site]; }
+Vec3 position(const Forces& f, std::size_t site) { return f.sites.x[site] + f.image[site]; }
 
 /// Whether what a site is on is tied by rows: it has a length of its own.
 const Articulate* articulate_of(const World& world, const Forces& f, std::size_t site) {
@@ -76,7 +76,7 @@ void begin_notes(World& world, Forces& f) {
   const std::size_t slots = world.particles.slots();
   const bool grown = n.swing.size() < slots;
   n.acceleration.resize(slots, zero3());
-  n.place.resize(slots, zero3());
+  n.position.resize(slots, zero3());
   n.seen.resize(slots, zero3());
   n.jerk.resize(slots, unknown);
   n.untold.resize(slots, 0.0);
@@ -114,7 +114,7 @@ void note_kicks(World& world) {
       const std::uint32_t slot = f.sites.particle[i];
       if (slot == none) continue;
       f.notes.acceleration[slot] = acceleration(world, f, i);
-      f.notes.place[slot] = place(f, i);
+      f.notes.position[slot] = position(f, i);
     }
     for (Receiver& m : f.receivers) m.noted_torque = m.torque + m.nonconservative_torque;
   });
@@ -186,13 +186,13 @@ class Judge {
     for (std::size_t i = 0; i < f_.sites.n; i++) {
       const std::uint32_t slot = f_.sites.particle[i];
       if (slot == none) continue;
-      const Vec3 now = place(f_, i);
-      n_.moved[i] = now - n_.place[slot];
+      const Vec3 now = position(f_, i);
+      n_.moved[i] = now - n_.position[slot];
       n_.change[i] = acceleration(world_, f_, i) - n_.acceleration[slot];
       fastest2_ = std::max(fastest2_, norm2(n_.moved[i]));
       Swing& swing = n_.swing[slot];
       if (!n_.kept_swing.empty() && is_young(n_.kept_swing[slot])) {
-        if (!swing.seen) swing.add(n_.place[slot], time_within(world_, world_.stage.from), 1e-9);
+        if (!swing.seen) swing.add(n_.position[slot], time_within(world_, world_.stage.from), 1e-9);
         swing.add(now, time_within(world_, world_.stage.to), 1.0 / world_.sub_steps.count);
       }
       if (seen) n_.seen[slot] = now - n_.moved[i] * (1.0 - within_);
@@ -205,14 +205,14 @@ class Judge {
     }
   }
 
-  /// Whether this is the stage of the step in which places are noted and forces of time are asked between its ends.
+  /// Whether this is the stage of the step in which positions are noted and forces of time are asked between its ends.
   bool is_seen() {
     const double at = fraction_of(world_.steps) * world_.sub_steps.count;
     within_ = at - std::floor(at);
     return static_cast<std::uint32_t>(at) == world_.stage.index;
   }
 
-  /// Forces of time alone at the places of the end, without noise, over the masses [m/s²] (sites).
+  /// Forces of time alone at the positions of the end, without noise, over the masses [m/s²] (sites).
   std::vector<Vec3> accelerations_at(double fraction) {
     std::fill(f_.sites.force.begin(), f_.sites.force.end(), zero3());
     std::fill(f_.sites.nonconservative_force.begin(), f_.sites.nonconservative_force.end(), zero3());
@@ -314,7 +314,7 @@ class Judge {
     if (turned < once_around) size = std::max(size, 2.0 * first_swing(i, stiffness));
     see(i, change, size, turned > half_around);
     tell_later(n_.untold[slot], change, size, turned > half_around);
-    // Kicks are wrong by h/4 times a jump on average, and places by that in each second from then on.
+    // Kicks are wrong by h/4 times a jump on average, and positions by that in each second from then on.
     if (jump * h_ > 4.0 * n_.jump * size) see_jump(i, jump * h_ / (4.0 * size));
   }
 

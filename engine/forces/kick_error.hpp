@@ -8,7 +8,7 @@ namespace pantin {
 
 /// After the kick that begins a stage of a step: notes the accelerations in it, and where all is.
 void note_kicks(World& world);
-/// After the kick at its end: the error [1/s], largest over all that laws move. Kicks of h leave places that are wrong by h/12
+/// After the kick at its end: the error [1/s], largest over all that laws move. Kicks of h leave positions that are wrong by h/12
 /// times the change of acceleration in each second (Hairer, Lubich and Wanner 2003). For two that interact, of what changes
 /// between them, relative to their distance; else relative to how far a thing swings beside a uniform motion. Never to
 /// where it is or how far it has come. Laws that act only where two have met within the part are seen too: what passed

@@ -148,7 +148,7 @@ std::string where_at_rest(const Sites& sites, const BadForce& bad) {
 std::string find_bad_force(const World& world, Forces& f, double time, const std::string& advice, bool with_energies) {
   const Instant instant = instant_of(world, time, world.instant);
   const auto name = [&](std::uint32_t site) {
-    return f.sites.particle[site] == Forces::none ? std::string("a place")
+    return f.sites.particle[site] == Forces::none ? std::string("a position")
                                                   : describe(world, world.particles.id_at(f.sites.particle[site]));
   };
   const auto message = [&](const auto& row, const BadForce& bad) {
@@ -193,7 +193,7 @@ std::string bad_force(const World& world) {
   const auto x = f.sites.x, v = f.sites.v;
   const bool sound =
       std::all_of(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(f.sites.n), [](Vec3 at) { return finite(at); });
-  read_places(world, f, false);
+  read_positions(world, f, false);
   read_velocities(world, f, false);
   // What is not finite before anything moves no step makes so.
   if (std::string bad = find_bad_force(world, f, world.time, "", false); !bad.empty()) return bad;

@@ -134,11 +134,11 @@ std::vector<ConnectionId> connections_at(const World& world, const std::vector<P
 
 bool can_change_members(const World& world, const Forces& f) {
   if (f.elsewhere && f.grouped) return false;
-  const auto ends_at_place = [&](ConnectionId id) { return !world.connections[id].places.empty(); };
+  const auto ends_at_position = [&](ConnectionId id) { return !world.connections[id].positions.empty(); };
   for (ParticleId id : f.changed) {
     if (!world.particles.alive(id)) continue;
     const std::vector<ConnectionId>& list = world.particles[id].connections;
-    if (std::any_of(list.begin(), list.end(), ends_at_place)) return false;
+    if (std::any_of(list.begin(), list.end(), ends_at_position)) return false;
   }
   return true;
 }

@@ -12,7 +12,7 @@ namespace pantin {
 namespace {
 
 constexpr double stillness = 1e-8;   // of its length; the square, an energy, is lost in the round-off of its weight's
-constexpr double round_off = 4e-11;  // of its distance from the origin, which places are rounded to
+constexpr double round_off = 4e-11;  // of its distance from the origin, which positions are rounded to
 constexpr double least_steps = 256, swing = 4.0;  // times sqrt(length / gravity)
 constexpr double most_growth = 2.0;               // round-off grows slowly, a fall by thousands in such a time,
 constexpr double unseen = 1e-20;                  // but what is so much smaller may grow

@@ -5,13 +5,13 @@
 
 namespace pantin {
 
-void Swing::add(Vec3 place, double time, double weight) {
+void Swing::add(Vec3 position, double time, double weight) {
   if (!seen) {
     seen = true;
-    first = place;
+    first = position;
     since = time;
   }
-  const Vec3 d = place - first;
+  const Vec3 d = position - first;
   const double at = time - since;
   n += weight;
   t += at * weight;

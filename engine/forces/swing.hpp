@@ -6,7 +6,7 @@
 
 namespace pantin {
 
-/// Sums over the places where a thing was seen, from the first of them.
+/// Sums over the positions where a thing was seen, from the first of them.
 struct Swing {
   std::uint64_t serial = 0;  ///< of the particle; 0: none yet
   Vec3 first = zero3();      ///< [m]
@@ -17,7 +17,7 @@ struct Swing {
   Vec3 x = zero3(), xt = zero3();
   Vec3 squares = zero3(), products = zero3();  ///< x², y², z² and xy, yz, zx
 
-  void add(Vec3 place, double time, double weight);
+  void add(Vec3 position, double time, double weight);
   /// From end to end, along a direction, as a sine swings that strays as much from a uniform motion [m].
   double along(Vec3 direction) const;
 };

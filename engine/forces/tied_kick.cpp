@@ -117,14 +117,14 @@ void TiedKick::find_soft_rows() {
       const Node& n = a_->nodes[static_cast<std::size_t>(node)];
       return NodeSite{0, static_cast<std::size_t>(node), n.turns ? n.R0 * arm : zero3()};
     };
-    const auto place = [&](const NodeSite& s) { return a_->nodes[s.node].x0 + s.r; };
+    const auto at = [&](const NodeSite& s) { return a_->nodes[s.node].x0 + s.r; };
     Soft soft{end(row.a, row.la), {}, row.b >= 0, k, row.f, zero33(), 0.0};
     if (soft.two) soft.b = end(row.b, row.lb);
     if (c.stiff) {
-      const StiffPull pull = pull_at(*c.stiff, place(soft.a) - (soft.two ? place(soft.b) : c.place1));
+      const StiffPull pull = pull_at(*c.stiff, at(soft.a) - (soft.two ? at(soft.b) : c.position1));
       soft.force = pull.f;
-      soft.slope = pull.by_place * (c.stiff->solve == Solve::at_end ? 2.0 * dt_ : dt_) + pull.by_rate;
-      soft.stiffness = size_of(pull.by_place);
+      soft.slope = pull.by_position * (c.stiff->solve == Solve::at_end ? 2.0 * dt_ : dt_) + pull.by_rate;
+      soft.stiffness = size_of(pull.by_position);
     } else if (norm(row.f) < c.max_force) {
       soft.slope = identity33() * -(2.0 * c.stiffness * dt_ + c.damping);
       soft.stiffness = c.stiffness;

@@ -1,7 +1,7 @@
 #pragma once
 // A kick by laws of velocity on what rows tie. Not for use outside world/.
 //
-// It changes velocities only as the rows allow at the present places: v = v0 + o + dt P M⁻¹ f(w), w = v0 + θ (v - v0), with
+// It changes velocities only as the rows allow at the present positions: v = v0 + o + dt P M⁻¹ f(w), w = v0 + θ (v - v0), with
 // P M⁻¹ what impulses make of velocities through all rows, and o the same of other forces, which the drift applies. So no
 // law of velocity moves what the rows would have to turn back, and its work is f·w dt: v × B keeps the energy, drag takes.
 //
@@ -78,7 +78,7 @@ class TiedKick {
   /// A row that pulls without forbidding: its force on a is force + slope (v_a - v_b).
   struct Soft {
     NodeSite a, b;
-    bool two;  // else b is a place
+    bool two;  // else b is a position
     std::size_t row;
     Vec3 force;        // [N]
     Mat3 slope;        // [N s/m]

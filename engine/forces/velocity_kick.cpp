@@ -140,7 +140,7 @@ void VelocityKick::tell_fast_turns() {
     if (moves(i)) most = std::max(most, 2.0 * std::fabs(dt_) * mobility_of(i) * turning_rate(k_.workless.slope[i]));
   if (most <= much) return;
   tell_once(
-      "a force turns velocities farther in a step than it can follow, so that speeds are right and places are not: ",
+      "a force turns velocities farther in a step than it can follow, so that speeds are right and positions are not: ",
       text(", by some ", std::round(most), " rad; scene.accuracy chooses shorter steps"));
 }
 
@@ -247,7 +247,7 @@ TiedWork kick_tied(World& world, Forces& f) { return apply_tied(world, f, f.velo
 
 void kick_by_thermostats(World& world, double dt) {
   Forces& f = *world.forces;
-  read_places(world, f, true);
+  read_positions(world, f, true);
   read_velocities(world, f, true);
   const Instant instant = instant_of(world, world.time, world.instant);
   ask_velocity_laws(world, f, instant, true);

@@ -1,7 +1,7 @@
 #pragma once
 // Half kicks by laws of velocity. Not for use outside world/.
 //
-// A kick over dt takes the velocities v0 to v = v0 + dt a(w), w = v0 + θ (v - v0), with the places as they are. θ = ½ is the
+// A kick over dt takes the velocities v0 to v = v0 + dt a(w), w = v0 + θ (v - v0), with the positions as they are. θ = ½ is the
 // implicit midpoint: of second order, it never lets a law that dissipates gain, and v × B turns v without changing |v|. Where
 // dt |∂a/∂v| of what dissipates is above ½, θ = 1, backward Euler, which damps what is too fast for the step (Hairer and
 // Wanner, Solving Ordinary Differential Equations II, 1996, IV.3). With one θ ≥ ½ for each thing that moves,
@@ -36,7 +36,7 @@ struct VelocityForces {
   AlignedVector<Vec3> at;           ///< (sites) [m/s]
   AlignedVector<Vec3> at_rest;      ///< (sites) [N] what fields give without velocities, but for workless ones
   bool linear = false;              ///< all are, in velocities
-  bool known = false;               ///< of the present places and time
+  bool known = false;               ///< of the present positions and time
   std::vector<std::shared_ptr<TiedKick>> tied;  ///< of what rows tie, solved and not yet applied
 
   /// Momenta at the start of the step of a thing that a kick through rows changed.

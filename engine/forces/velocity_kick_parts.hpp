@@ -29,7 +29,7 @@ inline std::uint32_t receiver_at(const Forces& f, std::size_t site) {
 /// Fills in what laws of velocity give at Sites::v: thermostats, or the others. Where they are asked `again` in a kick, pairs
 /// of laws that are linear stay as they are.
 void ask_velocity_laws(const World& world, Forces& forces, const Instant& instant, bool thermal, bool again = false);
-/// The same of all but thermostats at new places or another time: also fills in what they give at rest.
+/// The same of all but thermostats at new positions or another time: also fills in what they give at rest.
 void ask_velocity_laws_first(const World& world, Forces& forces, const Instant& instant);
 
 /// Of what laws of velocity give a site that moves with v [m/s], or a pair of all that they give it: what they also give at

@@ -63,14 +63,14 @@ Expr Expressions::intern(Node node) {
 }
 
 Expr Expressions::constant(double value) {
-  const auto [place, fresh] = constants_.try_emplace(std::bit_cast<std::uint64_t>(value), static_cast<Expr>(size()));
+  const auto [position, fresh] = constants_.try_emplace(std::bit_cast<std::uint64_t>(value), static_cast<Expr>(size()));
   if (fresh) {
     Node node;
     node.value = value;
     node.positive = value > 0.0;
     nodes_.push_back(std::move(node));
   }
-  return place->second;
+  return position->second;
 }
 
 Expr Expressions::input(const Input& input) {

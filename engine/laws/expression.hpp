@@ -19,9 +19,9 @@ namespace pantin {
 enum class Role : std::uint8_t {
   distance2,          ///< |d|² of a pair [m²], > 0
   approach,           ///< d·u of a pair [m²/s]: its distance times the rate of its distance
-  displacement,       ///< component of d, the place of b less that of a [m]
+  displacement,       ///< component of d, the position of b less that of a [m]
   relative_velocity,  ///< component of u, the velocity of b less that of a [m/s]
-  place,              ///< component of the place of particle `who` [m]
+  position,           ///< component of the position of particle `who` [m]
   velocity,           ///< component of the velocity of particle `who` [m/s]
   attribute,          ///< `name` of particle `who`
   parameter,          ///< `name` of the law's own

@@ -20,9 +20,9 @@ std::string name_of(const Input& input) {
   switch (input.role) {
     case Role::distance2: return "the distance of a pair";
     case Role::approach: return "the rate of the distance of a pair";
-    case Role::displacement: return text("the place of b relative to a (", component, ")");
+    case Role::displacement: return text("the position of b relative to a (", component, ")");
     case Role::relative_velocity: return text("the velocity of b relative to a (", component, ")");
-    case Role::place: return text("the place of ", particle, " (", component, ")");
+    case Role::position: return text("the position of ", particle, " (", component, ")");
     case Role::velocity: return text("the velocity of ", particle, " (", component, ")");
     case Role::attribute: return text("the ", input.name, " of ", particle);
     case Role::parameter: return text("the parameter ", input.name);
@@ -83,16 +83,16 @@ Law in_order(Law law) {
   return law;
 }
 
-std::vector<Input> places(int who) {
+std::vector<Input> positions(int who) {
   std::vector<Input> found;
-  for (std::uint8_t k = 0; k < 3; k++) found.push_back({Role::place, static_cast<std::uint8_t>(who), k, {}});
+  for (std::uint8_t k = 0; k < 3; k++) found.push_back({Role::position, static_cast<std::uint8_t>(who), k, {}});
   return found;
 }
 
 void set_force_from_potential(Law& law, Expr potential) {
   std::vector<Input> xs;
   for (int who = 0; who < law.count; who++) {
-    for (const Input& x : places(who)) xs.push_back(x);
+    for (const Input& x : positions(who)) xs.push_back(x);
   }
   law.force = gradient(law.graph, law.graph.scale(potential, -1.0), xs);
   if (!law.timed) law.energy = potential;
@@ -146,14 +146,14 @@ Law pair_force(const LawDef& def, const Expressions& graph, std::span<const Expr
 }
 
 Law point_potential(const LawDef& def, const Expressions& graph, Expr potential) {
-  Law law = start(def, {"a potential of a particle", LawKind::point, 1, {Role::place}}, graph, {&potential, 1});
+  Law law = start(def, {"a potential of a particle", LawKind::point, 1, {Role::position}}, graph, {&potential, 1});
   set_force_from_potential(law, potential);
   return in_order(std::move(law));
 }
 
 Law point_force(const LawDef& def, const Expressions& graph, std::span<const Expr> force) {
   assume(force.size() == 3);
-  const Sort sort{"the force on a particle", LawKind::point, 1, {Role::place, Role::velocity, Role::noise}};
+  const Sort sort{"the force on a particle", LawKind::point, 1, {Role::position, Role::velocity, Role::noise}};
   Law law = start(def, sort, graph, force);
   law.force.assign(force.begin(), force.end());
   law.workless = law.velocity_dependent && is_workless(law);
@@ -161,7 +161,7 @@ Law point_force(const LawDef& def, const Expressions& graph, std::span<const Exp
 }
 
 Law many_potential(const LawDef& def, int count, const Expressions& graph, Expr potential) {
-  const Sort sort{"a potential of several particles", LawKind::many, count, {Role::place}};
+  const Sort sort{"a potential of several particles", LawKind::many, count, {Role::position}};
   Law law = start(def, sort, graph, {&potential, 1});
   set_force_from_potential(law, potential);
   return in_order(std::move(law));

@@ -18,7 +18,7 @@ class Called {
  public:
   virtual ~Called() = default;
   /// What one block gives: `column(i)` of each of `inputs`, in the order of Law::inputs_wanted, and the particles (slots of
-  /// Model::particles) of each place: `particles[who][k]`.
+  /// Model::particles) of each position: `particles[who][k]`.
   struct Block {
     int n = 0;
     std::span<const double* const> inputs;             ///< (inputs) columns of n values
@@ -104,11 +104,11 @@ Law central_potential(const LawDef& def, const Expressions& graph, Expr potentia
 Law central_tension(const LawDef& def, const Expressions& graph, Expr tension);
 /// (3) [N] of distance2, approach, displacement, relative velocity, attributes, parameters, time and noise.
 Law pair_force(const LawDef& def, const Expressions& graph, std::span<const Expr> force_on_a);
-/// `potential` [J] of place and attributes of a, parameters and time.
+/// `potential` [J] of position and attributes of a, parameters and time.
 Law point_potential(const LawDef& def, const Expressions& graph, Expr potential);
 /// (3) [N] of velocity and noise too.
 Law point_force(const LawDef& def, const Expressions& graph, std::span<const Expr> force);
-/// `potential` [J] of the places and attributes of `count` particles, parameters and time.
+/// `potential` [J] of the positions and attributes of `count` particles, parameters and time.
 Law many_potential(const LawDef& def, int count, const Expressions& graph, Expr potential);
 
 }  // namespace pantin

@@ -37,7 +37,7 @@ class LawMaker {
   Symbol product_of(const char* name) { return attribute(0, name) * attribute(1, name); }
   Symbols3 displacement() { return inputs(Role::displacement, 0); }
   Symbols3 relative_velocity() { return inputs(Role::relative_velocity, 0); }
-  Symbols3 place(int who) { return inputs(Role::place, who); }
+  Symbols3 position(int who) { return inputs(Role::position, who); }
   Symbols3 velocity() { return inputs(Role::velocity, 0); }
   Symbols3 noise() { return inputs(Role::noise, 0); }
   Symbol spline(std::shared_ptr<const Spline> spline, Symbol x, int order) {

@@ -191,14 +191,14 @@ std::vector<Law> make_library_law(std::string_view name, const LawArguments& arg
   return made;
 }
 
-double present_value(std::span<const Vec3> places) {
-  assume(places.size() >= 2 && places.size() <= 4);
-  const Vec3 first = places[1] - places[0];
-  if (places.size() == 2) return norm(first);
-  const Vec3 second = places[2] - places[1];
+double present_value(std::span<const Vec3> positions) {
+  assume(positions.size() >= 2 && positions.size() <= 4);
+  const Vec3 first = positions[1] - positions[0];
+  if (positions.size() == 2) return norm(first);
+  const Vec3 second = positions[2] - positions[1];
   const Vec3 normal = cross(first, second);
-  if (places.size() == 3) return functions::atan2(norm(normal), -dot(first, second));
-  const Vec3 third = places[3] - places[2];
+  if (positions.size() == 3) return functions::atan2(norm(normal), -dot(first, second));
+  const Vec3 third = positions[3] - positions[2];
   const Vec3 other_normal = cross(second, third);
   return functions::atan2(norm(second) * dot(first, other_normal), dot(normal, other_normal));
 }

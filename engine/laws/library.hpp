@@ -65,8 +65,8 @@ void check_law_arguments(const LibraryLaw& law, const LawArguments& arguments);
 /// Error for what is missing, unknown or out of range, with its name and unit.
 std::vector<Law> make_library_law(std::string_view name, const LawArguments& arguments);
 
-/// The value of a parameter that is the present one: distance [m] of two places, angle [rad] at the second of three,
+/// The value of a parameter that is the present one: distance [m] of two positions, angle [rad] at the second of three,
 /// torsion [rad] of four.
-double present_value(std::span<const Vec3> places);
+double present_value(std::span<const Vec3> positions);
 
 }  // namespace pantin

@@ -13,14 +13,15 @@ namespace {
 constexpr double least_sine2 = 1e-20;  // of an angle; below, particles are in line
 
 std::vector<Law> angle(LawMaker& m) {
-  const Symbols3 u = m.place(0) - m.place(1), v = m.place(2) - m.place(1), normal = cross(u, v);
+  const Symbols3 u = m.position(0) - m.position(1), v = m.position(2) - m.position(1), normal = cross(u, v);
   const Symbol sine = sqrt(dot(normal, normal) + least_sine2 * dot(u, u) * dot(v, v)), cosine = dot(u, v);
   const Symbol bent = apply(Function::atan2, sine, cosine) - m.parameter("angle");
   return {m.many_potential(3, 0.5 * m.parameter("stiffness") * bent * bent)};
 }
 
 std::vector<Law> torsion(LawMaker& m) {
-  const Symbols3 b1 = m.place(1) - m.place(0), b2 = m.place(2) - m.place(1), b3 = m.place(3) - m.place(2);
+  const Symbols3 b1 = m.position(1) - m.position(0), b2 = m.position(2) - m.position(1),
+                 b3 = m.position(3) - m.position(2);
   const Symbols3 n1 = cross(b1, b2), n2 = cross(b2, b3);
   const Symbol length2 = dot(b2, b2), zero = m.constant(0.0), one = m.constant(1.0);
   const Symbol least = least_sine2 * length2 * length2 * dot(b1, b1) * dot(b3, b3), size = dot(n1, n1) * dot(n2, n2);

@@ -43,11 +43,11 @@ void Expressions::put_in_order(std::span<Expr> outputs) {
   const auto before = [&](const auto& a, const auto& b) {
     return of[static_cast<std::size_t>(a.first)] < of[static_cast<std::size_t>(b.first)];
   };
-  std::vector<Expr> place(nodes_.size(), no_expression);
+  std::vector<Expr> position(nodes_.size(), no_expression);
   Expressions ordered;
   ordered.splines_ = splines_;
   const auto take = [&](const auto& self, Expr e) -> Expr {
-    Expr& to = place[static_cast<std::size_t>(e)];
+    Expr& to = position[static_cast<std::size_t>(e)];
     if (to != no_expression) return to;
     Node node = (*this)[e];
     if (node.kind == Kind::constant) return to = ordered.constant(node.value);

@@ -35,10 +35,10 @@ PairCurve::PairCurve(const Law& law)
   std::vector<Expr> outputs = law.force;
   if (has_energy_) outputs.push_back(law.energy);
   for (const Input& input : law.graph.inputs_of(outputs)) {
-    const int place = machine_.input(input);
-    if (place < 0 || input == of_distance2 || input == of_approach) continue;
+    const int position = machine_.input(input);
+    if (position < 0 || input == of_distance2 || input == of_approach) continue;
     inputs_.push_back(input);
-    places_.push_back(place);
+    positions_.push_back(position);
     values_.push_back(std::numeric_limits<double>::quiet_NaN());
   }
   distance2_ = machine_.input(of_distance2);
@@ -47,7 +47,7 @@ PairCurve::PairCurve(const Law& law)
 
 bool PairCurve::set(std::size_t input, double value) {
   if (std::exchange(values_[input], value) == value) return false;
-  machine_.fill(places_[input], value);
+  machine_.fill(positions_[input], value);
   changed_ = true;
   return true;
 }

@@ -38,7 +38,7 @@ class PairCurve {
   bool has_energy_;
   Machine machine_;
   std::vector<Input> inputs_;
-  std::vector<int> places_;     // (inputs) in the machine
+  std::vector<int> positions_;  // (inputs) in the machine
   std::vector<double> values_;  // (inputs) last set; NaN: never
   int distance2_, approach_;
   bool changed_ = true;

@@ -42,7 +42,7 @@ Symbols3 unit(const Symbols3& v) { return v * pow(dot(v, v), -0.5); }
 
 std::vector<Law> vortex(LawMaker& m) {
   check_drag(m);
-  const Symbols3 axis = unit(m.vector("axis")), from_centre = m.place(0) - m.vector("centre");
+  const Symbols3 axis = unit(m.vector("axis")), from_centre = m.position(0) - m.vector("centre");
   const Symbols3 around = cross(axis, from_centre);
   const Symbol swirl = m.parameter("circulation") / (2.0 * pi * (pow(m.parameter("core"), 2) + dot(around, around)));
   return {m.point_force(drag_towards(m, around * swirl))};
@@ -50,7 +50,7 @@ std::vector<Law> vortex(LawMaker& m) {
 
 // Energy of displaced liquid: the integral of the volume of the ball under the surface, over its depth.
 std::vector<Law> buoyancy(LawMaker& m) {
-  const Symbol radius = m.attribute(0, "radius"), depth = m.parameter("surface") - m.place(0)[1] + radius;
+  const Symbol radius = m.attribute(0, "radius"), depth = m.parameter("surface") - m.position(0)[1] + radius;
   const Symbol diameter = 2.0 * radius, wet = min(max(depth, 0.0), diameter), deeper = max(depth - diameter, 0.0);
   const Symbol cap = pi / 3.0 * (radius * pow(wet, 3) - 0.25 * pow(wet, 4));
   const Symbol ball = 4.0 / 3.0 * pi * pow(radius, 3) * deeper;
@@ -70,7 +70,7 @@ std::vector<Law> wall(LawMaker& m) {
   if (!damped) m.drop({"damping"});
   if (!rough) m.drop({"friction", "slip"});
   const Symbols3 normal = unit(m.vector("normal"));
-  const Symbol overlap = max(m.attribute(0, "radius") - dot(normal, m.place(0) - m.vector("through")), 0.0);
+  const Symbol overlap = max(m.attribute(0, "radius") - dot(normal, m.position(0) - m.vector("through")), 0.0);
   const Symbol elastic = m.parameter("stiffness") * overlap;
   std::vector<Law> made = {m.point_potential(0.5 * elastic * overlap)};
   if (!damped && !rough) return made;

@@ -41,21 +41,21 @@ void reuse_slots(const Lowering& lowering, Program& program) {
     for (const Slot* slot : operands(program.code[i])) last[static_cast<std::size_t>(*slot)] = i;
   }
   for (Slot slot : lowering.outputs()) last[static_cast<std::size_t>(slot)] = program.code.size();
-  std::vector<Slot> place(lowering.slots(), -1), free;
+  std::vector<Slot> position(lowering.slots(), -1), free;
   auto next = static_cast<Slot>(inputs);
-  for (std::size_t i = 0; i < inputs; i++) place[i] = static_cast<Slot>(i);
+  for (std::size_t i = 0; i < inputs; i++) position[i] = static_cast<Slot>(i);
   const auto put = [&](Instruction& instruction, Slot to) {
-    place[static_cast<std::size_t>(instruction.to)] = to;
+    position[static_cast<std::size_t>(instruction.to)] = to;
     instruction.to = to;
   };
   for (Instruction& instruction : program.uniform) {
-    for (Slot* slot : operands(instruction)) *slot = place[static_cast<std::size_t>(*slot)];
+    for (Slot* slot : operands(instruction)) *slot = position[static_cast<std::size_t>(*slot)];
     put(instruction, next++);
   }
   for (std::size_t i = 0; i < program.code.size(); i++) {
     for (Slot* slot : operands(program.code[i])) {
       const auto old = static_cast<std::size_t>(*slot);
-      *slot = place[old];
+      *slot = position[old];
       if (last[old] != i || old < inputs || lowering.is_uniform(static_cast<Slot>(old))) continue;
       if (std::find(free.begin(), free.end(), *slot) == free.end()) free.push_back(*slot);
     }
@@ -63,7 +63,7 @@ void reuse_slots(const Lowering& lowering, Program& program) {
     if (!free.empty()) free.pop_back();
     put(program.code[i], to);
   }
-  for (Slot slot : lowering.outputs()) program.outputs.push_back(place[static_cast<std::size_t>(slot)]);
+  for (Slot slot : lowering.outputs()) program.outputs.push_back(position[static_cast<std::size_t>(slot)]);
   program.slots = next;
 }
 

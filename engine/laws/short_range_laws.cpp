@@ -101,7 +101,8 @@ std::vector<LibraryLaw> short_range_laws() {
        {{"stiffness", "N/m^1.5", "k", Given::required, 0.0, Range::not_negative}},
        repel},
       {"flock",
-       "each follows its neighbours: w (c d + a u - s d / r²), d and u the place and velocity of the other relative to "
+       "each follows its neighbours: w (c d + a u - s d / r²), d and u the position and velocity of the other relative "
+       "to "
        "it, "
        "w = (1 - r²/sight²)²",
        "C. W. Reynolds, Computer Graphics 21 (4), 1987, p. 25",

@@ -26,11 +26,11 @@ std::vector<double> second_derivatives(std::span<const double> x, std::span<cons
 
 Spline::Spline(std::span<const double> x, std::span<const double> y) : x_(x.begin(), x.end()) {
   require(x.size() == y.size() && x.size() >= 2,
-          "table: it needs at least two points, each with a place and a value; got ", x.size(), " and ", y.size());
+          "table: it needs at least two points, each with a position and a value; got ", x.size(), " and ", y.size());
   for (std::size_t i = 0; i < x.size(); i++) {
     require(std::isfinite(x[i]) && std::isfinite(y[i]), "table: point ", i + 1, " is (", x[i], ", ", y[i],
             "): not finite");
-    require(i == 0 || x[i] > x[i - 1], "table: its places must rise; point ", i + 1, " is at ", x[i], " after ",
+    require(i == 0 || x[i] > x[i - 1], "table: its positions must rise; point ", i + 1, " is at ", x[i], " after ",
             x[i - 1]);
   }
   const auto m = second_derivatives(x, y);

@@ -20,7 +20,7 @@ bool is_velocity(Role role) {
   return role == Role::approach || role == Role::relative_velocity || role == Role::velocity;
 }
 
-/// What a law may see, with places and velocities that agree with each other.
+/// What a law may see, with positions and velocities that agree with each other.
 struct Sample {
   std::vector<double> values;  // (inputs)
   Vec3 u;                      // [m/s]
@@ -38,7 +38,7 @@ Sample sample(const Law& law, Random& random, double speed) {
       case Role::distance2: s.values.push_back(norm2(d)); break;
       case Role::approach: s.values.push_back(dot(d, s.u)); break;
       case Role::displacement: s.values.push_back(d[input.component]); break;
-      case Role::place: s.values.push_back(x[input.component]); break;
+      case Role::position: s.values.push_back(x[input.component]); break;
       case Role::relative_velocity:
       case Role::velocity: s.values.push_back(s.u[input.component]); break;
       case Role::parameter: {

@@ -29,13 +29,13 @@ std::vector<std::vector<AnyId>> clusters(const World& world, GroupId group, doub
   internal::require_not_negative("clusters", "distance", distance, "m");
   const Things things = things_of(world, group);
   std::vector<AnyId> ids;
-  std::vector<Vec3> places;
-  for (BodyId b : things.bodies) ids.emplace_back(b), places.push_back(world.motion_of(b).x);
-  for (PointId p : things.free_points) ids.emplace_back(p), places.push_back(world.motion_of(p).x);
+  std::vector<Vec3> positions;
+  for (BodyId b : things.bodies) ids.emplace_back(b), positions.push_back(world.motion_of(b).x);
+  for (PointId p : things.free_points) ids.emplace_back(p), positions.push_back(world.motion_of(p).x);
   Sets sets{std::vector<std::size_t>(ids.size())};
   std::iota(sets.parent.begin(), sets.parent.end(), std::size_t{0});
   const Box box{world.settings.box.value_or(zero3())};
-  each_near_pair(places, box, distance, [&](std::uint32_t a, std::uint32_t b) { sets.unite(a, b); });
+  each_near_pair(positions, box, distance, [&](std::uint32_t a, std::uint32_t b) { sets.unite(a, b); });
 
   std::vector<std::vector<AnyId>> found(ids.size());
   for (std::size_t i = 0; i < ids.size(); i++) found[sets.root(i)].push_back(ids[i]);

@@ -43,7 +43,7 @@ struct MostSubSteps {
   std::string thing;
 };
 MostSubSteps most_sub_steps(const World& world);
-/// Hash of all places and velocities in the order of making: equal states have equal hashes.
+/// Hash of all positions and velocities in the order of making: equal states have equal hashes.
 std::uint64_t state_hash(const World& world);
 
 struct Bounds {
@@ -52,7 +52,7 @@ struct Bounds {
 };
 /// Box round all points of the things.
 Bounds bounds(const World& world, const Things& things);
-/// Free points and bodies of a group, sorted into clusters in which each is within `distance` [m] of another (places of
+/// Free points and bodies of a group, sorted into clusters in which each is within `distance` [m] of another (positions of
 /// free points, centres of bodies; in a periodic box their nearest images), biggest first.
 std::vector<std::vector<AnyId>> clusters(const World& world, GroupId group, double distance);
 

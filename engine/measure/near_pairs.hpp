@@ -1,5 +1,5 @@
 #pragma once
-// Which of some places are near to each other, in open space and in a box.
+// Which of some positions are near to each other, in open space and in a box.
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -8,9 +8,9 @@
 
 namespace pantin {
 
-/// Calls `visit(a, b)` with the numbers of each two places that are at most `distance` [m] >= 0 apart, a < b, in rising
+/// Calls `visit(a, b)` with the numbers of each two positions that are at most `distance` [m] >= 0 apart, a < b, in rising
 /// order.
-void each_near_pair(std::span<const Vec3> places, const Box& box, double distance,
+void each_near_pair(std::span<const Vec3> positions, const Box& box, double distance,
                     const std::function<void(std::uint32_t, std::uint32_t)>& visit);
 
 }  // namespace pantin

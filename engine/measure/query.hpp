@@ -8,7 +8,7 @@ namespace pantin {
 
 /// The oldest living thing of that name, or monostate.
 AnyId find(const World& world, std::string_view name);
-/// Awake particles within `radius` [m] of a place, nearest first; in a periodic box their nearest images count.
+/// Awake particles within `radius` [m] of a position, nearest first; in a periodic box their nearest images count.
 std::vector<ParticleId> near(const World& world, Vec3 at, double radius);
 /// Awake particles in the order of making; of one family; hinges only.
 std::vector<ParticleId> particles(const World& world);

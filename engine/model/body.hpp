@@ -9,17 +9,17 @@
 namespace pantin {
 
 /// What a body's points leave free: all six; five, where every point lies on one line and nothing has inertia about it
-/// (its spin about the line is 0); three, where all lie in one place.
+/// (its spin about the line is 0); three, where all lie in one position.
 enum class Freedom : std::uint8_t { rigid, line, point };
 
-/// Points at fixed relative places. Mass, centre and inertia are the points', plus `own_mass` and `own_inertia` at
-/// `own_place`; `update_mass` works them out whenever one changes.
+/// Points at fixed relative positions. Mass, centre and inertia are the points', plus `own_mass` and `own_inertia` at
+/// `own_position`; `update_mass` works them out whenever one changes.
 struct Body {
   std::vector<PointId> points;
   std::vector<Handle<Constraint>> constraints;  ///< that tie its rotation, in the order of making
   double own_mass = 0.0;                        ///< [kg] given beside the points'
-  Mat3 own_inertia = zero33();                  ///< [kg m²] about `own_place`, in the frame's axes
-  Vec3 own_place = zero3();                     ///< [m] in the frame: its origin, until bodies are merged
+  Mat3 own_inertia = zero33();                  ///< [kg m²] about `own_position`, in the frame's axes
+  Vec3 own_position = zero3();                  ///< [m] in the frame: its origin, until bodies are merged
   Vec3 centre = zero3();                        ///< [m] centre of mass in the body's frame
   Quat axes;                                    ///< principal axes to the body's frame
   Vec3 moments = zero3();                       ///< [kg m²] principal, that it moves with while nothing ties it

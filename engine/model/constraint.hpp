@@ -16,9 +16,9 @@
 
 namespace pantin {
 
-/// nail: a point stays at a place of the world. follow: a point keeps to a moving target; with a finite `max_force` it
-/// is a spring that never pulls harder. rod: two points, or a point and a place, keep their distance. axis: a hinge's,
-/// two bodies turn about one axis only. weld: two bodies keep their relative place and orientation. orient: a body
+/// nail: a point stays at a position of the world. follow: a point keeps to a moving target; with a finite `max_force` it
+/// is a spring that never pulls harder. rod: two points, or a point and a position, keep their distance. axis: a hinge's,
+/// two bodies turn about one axis only. weld: two bodies keep their relative position and orientation. orient: a body
 /// keeps an orientation. align: an axis of a body keeps its angle to one of another, or of the world. motor: turns a
 /// body about an axis, relative to another or to the world. limit: an angle about an axis stays between two, or a
 /// distance. on_plane: a point stays on a plane. string: at most so long along its points, slides through the inner
@@ -40,10 +40,10 @@ enum class ConstraintKind : std::uint8_t {
   join
 };
 
-/// A point, or a place of the world, that a string goes through.
+/// A point, or a position of the world, that a string goes through.
 struct Passage {
-  PointId point;         ///< null: a place
-  Vec3 place = zero3();  ///< [m]
+  PointId point;            ///< null: a position
+  Vec3 position = zero3();  ///< [m]
 };
 
 class Path;
@@ -51,17 +51,17 @@ struct Joining;
 
 struct Constraint {
   ConstraintKind kind = ConstraintKind::nail;
-  PointId a;                     ///< the point that it ties; null where it ties rotations
-  PointId b;                     ///< of a rod or limit; null where its other end is a place of the world
-  BodyId body_a;                 ///< whose rotation it ties
-  BodyId body_b;                 ///< to this one's; null: to the world
-  ParticleId ring;               ///< of an axis: the hinge it belongs to
-  std::uint64_t given = 0;       ///< of an axis: what all axes that were given at once have in common, a serial
-  Vec3 place = zero3();          ///< [m] nail's place, target of a follow at the end of this step, world end of a rod
-  Vec3 previous = zero3();       ///< [m] `place` one step ago
-  Vec3 before = zero3();         ///< [m] `place` two steps ago, once `moves` is 2 or more
-  Vec3 velocity = zero3();       ///< [m/s] of `place` at the end of this step
-  double length = 0.0;           ///< what it keeps at the end of this step: [m] of a rod; [rad] of a motor or an align
+  PointId a;                ///< the point that it ties; null where it ties rotations
+  PointId b;                ///< of a rod or limit; null where its other end is a position of the world
+  BodyId body_a;            ///< whose rotation it ties
+  BodyId body_b;            ///< to this one's; null: to the world
+  ParticleId ring;          ///< of an axis: the hinge it belongs to
+  std::uint64_t given = 0;  ///< of an axis: what all axes that were given at once have in common, a serial
+  Vec3 position = zero3();  ///< [m] nail's position, target of a follow at the end of this step, world end of a rod
+  Vec3 previous = zero3();  ///< [m] `position` one step ago
+  Vec3 before = zero3();    ///< [m] `position` two steps ago, once `moves` is 2 or more
+  Vec3 velocity = zero3();  ///< [m/s] of `position` at the end of this step
+  double length = 0.0;      ///< what it keeps at the end of this step: [m] of a rod; [rad] of a motor or an align
   double previous_length = 0.0;  ///< one step ago
   double before_length = 0.0;    ///< two steps ago, once `moves` is 2 or more
   double length_rate = 0.0;      ///< [1/s] of it at the end of this step
@@ -78,7 +78,7 @@ struct Constraint {
   Vec3 previous_away = zero3();           ///< `away` one step ago
   Vec3 axis_a = zero3();                  ///< unit vector in the frame of body_a; of an on_plane its normal
   Vec3 axis_b = zero3();                  ///< the same in body_b's frame, or the world's
-  Vec3 arm_a = zero3(), arm_b = zero3();  ///< [m] of a weld: its place in the frames of its bodies
+  Vec3 arm_a = zero3(), arm_b = zero3();  ///< [m] of a weld: its position in the frames of its bodies
   Quat turn;                              ///< orientation of body_a in body_b's frame, or the world's, that counts as 0
   Quat previous_turn;                     ///< the same one step ago
   Vec3 spin = zero3(),
@@ -91,12 +91,12 @@ struct Constraint {
   bool by_speed = false;                 ///< a motor that is told its speed, `length_rate`
   double angle = 0.0;                    ///< [rad] of a motor or limit at the end of the last
                                          ///< step, turns counted
-  std::function<Vec3(double)> target;    ///< of a follow: place at time t [s];
-                                         ///< empty where `place` is set by hand
+  std::function<Vec3(double)> target;    ///< of a follow: position at time t [s];
+                                         ///< empty where `position` is set by hand
   std::function<double(double)> number;  ///< `length` at time t [s], or a motor's speed; empty where that
                                          ///< is set by hand
   std::function<Quat(double)> attitude;  ///< of an orient: `turn` at time t [s]
-  Bend bend;                ///< of `place` [m], `length` in its first component, or `turn` [rad], in this step
+  Bend bend;                ///< of `position` [m], `length` in its first component, or `turn` [rad], in this step
   std::int32_t hand = -1;   ///< of a hand's grab: index of the hand
   std::uint32_t moves = 0;  ///< samples of the target since it last jumped
   bool enabled = true;
@@ -126,7 +126,7 @@ using ConstraintId = Handle<Constraint>;
 
 /// What a join does besides drawing its points together.
 struct Joining {
-  ConstraintId holder;                     ///< that draws its first point to a place, and goes with it; or null
+  ConstraintId holder;                     ///< that draws its first point to a position, and goes with it; or null
   std::function<void(ParticleId)> on_met;  ///< called with the hinge, in the step after that in which they met
   std::string hinge_name;
   std::string label;                                         ///< "scene.lua:12"

@@ -22,7 +22,7 @@ struct Connection {
   std::shared_ptr<const Law> law;
   std::array<ParticleId, 4> particles;  ///< the first `count`
   std::uint32_t count = 2;              ///< 2, 3 or 4
-  std::vector<Vec3> places;             ///< [m] (count) where some end is a place of the world: its particle is null
+  std::vector<Vec3> positions;          ///< [m] (count) where some end is a position of the world: its particle is null
   std::vector<double> parameters;       ///< (parameters of the law)
   double max_force = std::numeric_limits<double>::infinity();   ///< [N] tension at which it breaks
   double max_length = std::numeric_limits<double>::infinity();  ///< [m] at which it breaks
@@ -32,7 +32,7 @@ struct Connection {
   bool too_stiff = false;           ///< for explicit steps
   double tension = 0.0;             ///< [N] in the last step, where it is solved
   std::string name;
-  std::string place_of_making;  ///< "scene.lua:12", or empty
+  std::string made_at;  ///< "scene.lua:12", or empty
   std::uint64_t serial = 0;
 };
 
@@ -43,7 +43,7 @@ struct Interaction {
   bool enabled = true;
   bool told_massless = false;  ///< that it goes by mass and acts on points without
   std::string name;
-  std::string place_of_making;  ///< "scene.lua:12", or empty
+  std::string made_at;  ///< "scene.lua:12", or empty
   std::uint64_t serial = 0;
 };
 
@@ -58,7 +58,7 @@ struct Field {
   bool enabled = true;
   bool told_massless = false;  ///< that it goes by mass and acts on points without
   std::string name;
-  std::string place_of_making;  ///< "scene.lua:12", or empty
+  std::string made_at;  ///< "scene.lua:12", or empty
   std::uint64_t serial = 0;
 };
 

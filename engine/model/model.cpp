@@ -16,7 +16,7 @@ Vec3 arm(const Model& m, PointId point) {
   const Point& p = m.points[point];
   if (!p.body) return zero3();
   const Body& body = m.bodies[p.body];
-  return rotate(conjugate(body.axes), p.place - body.centre);
+  return rotate(conjugate(body.axes), p.position - body.centre);
 }
 
 Vec3 position(const Model& m, PointId point) {
@@ -43,7 +43,7 @@ namespace {
 template <class Read>
 Vec3 mean(const Model& m, ParticleId particle, Read read) {
   const Particle& ring = m.particles[awake(m, particle)];
-  // Sums differences to the first, so that points which coincide give their very place.
+  // Sums differences to the first, so that points which coincide give their very position.
   const Vec3 first = read(ring.points[0]);
   Vec3 sum = zero3();
   for (PointId p : ring.points) sum += read(p) - first;
@@ -66,7 +66,7 @@ Vec3 velocity(const Model& m, ParticleId particle) {
 }
 
 Vec3 end_of(const Model& m, const Connection& connection, std::size_t end) {
-  return connection.particles[end] ? position(m, connection.particles[end]) : connection.places[end];
+  return connection.particles[end] ? position(m, connection.particles[end]) : connection.positions[end];
 }
 
 double mass(const Model& m, ParticleId particle) {
@@ -159,11 +159,11 @@ void update_mass(Model& m, BodyId id) {
   Motion& motion = m.motion_of(id);
   std::vector<MassPoint> points;
   points.reserve(body.points.size());
-  for (PointId p : body.points) points.push_back({m.points[p].place, m.points[p].mass});
+  for (PointId p : body.points) points.push_back({m.points[p].position, m.points[p].mass});
   const std::string who = body.name.empty() ? "body" : describe(m, id);
   const Quat frame = orientation(m, id);
   const Quat near = m.plane.flat() ? conjugate(frame) * m.plane.about(motion.q) : body.axes;
-  const Weighed w = weigh(who, points, {body.own_mass, body.own_inertia, body.own_place}, near, normal_in(m, frame));
+  const Weighed w = weigh(who, points, {body.own_mass, body.own_inertia, body.own_position}, near, normal_in(m, frame));
 
   const Vec3 from = origin(m, id), spin = angular_velocity(motion);
   const Vec3 x = from + rotate(frame, w.centre);
@@ -230,8 +230,8 @@ std::string describe(const Model& m, PointId id) {
   if (!p.body) return called("particle", m.particles[p.own]);
   if (!p.name.empty()) return text("point '", p.name, "' of ", describe(m, p.body));
   const auto& all = m.bodies[p.body].points;
-  const auto place = std::find(all.begin(), all.end(), id) - all.begin();
-  return text("point ", place + 1, " of ", describe(m, p.body));
+  const auto position = std::find(all.begin(), all.end(), id) - all.begin();
+  return text("point ", position + 1, " of ", describe(m, p.body));
 }
 
 std::string describe(const Model& m, ParticleId id) {
@@ -296,11 +296,11 @@ double size_of(const Model& model, PointId point) {
   const BodyId id = model.points[point].body;
   if (!id) return 0.0;
   const Body& body = model.bodies[id];
-  const Vec3 first = model.points[body.points[0]].place;
+  const Vec3 first = model.points[body.points[0]].position;
   double size = 0.0;
   for (PointId p : body.points) {
-    const Vec3 place = model.points[p].place;
-    size = std::fmax(size, std::fmax(norm(place - body.centre), norm(place - first)));
+    const Vec3 position = model.points[p].position;
+    size = std::fmax(size, std::fmax(norm(position - body.centre), norm(position - first)));
   }
   return size;
 }

@@ -43,7 +43,7 @@ struct Model {
   bool topology_changed = true;         ///< an edit waits for `find_articulates`
   bool force_elements_changed = false;  ///< an edit concerns which laws act on what
   std::vector<Touched> touched;         ///< whose ties are to be looked at anew
-  std::vector<std::int32_t> disturbed;  ///< articulates whose places or velocities an edit changed
+  std::vector<std::int32_t> disturbed;  ///< articulates whose positions or velocities an edit changed
 
   FreeMotion& motion_of(PointId id) { return (void)points[id], free_motion[id.slot - 1]; }
   const FreeMotion& motion_of(PointId id) const { return (void)points[id], free_motion[id.slot - 1]; }
@@ -59,7 +59,7 @@ Vec3 arm(const Model& m, PointId point);
 /// Mean of a ring's points (they coincide up to the gap), [m]; of a sleeping particle its hinge's.
 Vec3 position(const Model& m, ParticleId particle);
 Vec3 velocity(const Model& m, ParticleId particle);
-/// Where a connection ends, [m]: its particle, or its place.
+/// Where a connection ends, [m]: its particle, or its position.
 Vec3 end_of(const Model& m, const Connection& connection, std::size_t end);
 /// Sum of the points' masses, [kg].
 double mass(const Model& m, ParticleId particle);
@@ -68,7 +68,7 @@ ParticleId awake(const Model& m, ParticleId particle);
 /// The point at which a ring is pulled: of its heaviest body (ties: the oldest point).
 PointId star(const Model& m, ParticleId particle);
 
-/// The body's frame: place of its origin [m], orientation (frame to world).
+/// The body's frame: position of its origin [m], orientation (frame to world).
 Vec3 origin(const Model& m, BodyId body);
 Quat orientation(const Model& m, BodyId body);
 /// In a plane, its normal in a frame [frame to world]; in space 0.
@@ -78,8 +78,8 @@ Vec3 angular_momentum(const Model& m, BodyId body);
 /// Inertia about the centre of mass in the world's axes, [kg m²].
 Mat3 inertia(const Model& m, BodyId body);
 
-/// Works out mass, centre, principal axes and freedom of a body from its points and own mass, keeping its frame's place
-/// and the velocity of every point. Throws Error where the body has no mass, or mass in one place only and points
+/// Works out mass, centre, principal axes and freedom of a body from its points and own mass, keeping its frame's position
+/// and the velocity of every point. Throws Error where the body has no mass, or mass in one position only and points
 /// elsewhere; the body is then as it was.
 void update_mass(Model& m, BodyId body);
 /// Sets the principal moments that a body moves with: its own, or where it is tied none below `least_inertia` of the
@@ -93,14 +93,14 @@ Vec3 turning_part(const Motion& motion, Vec3 v);
 /// By how much the smallest is larger than its own [kg m²].
 double lift(const Model& m, BodyId body);
 
-/// Has the ties of a thing looked at anew before the next step: call where an edit changes mass, places of points in
+/// Has the ties of a thing looked at anew before the next step: call where an edit changes mass, positions of points in
 /// their body, or what a thing is tied to.
 void touch(Model& m, BodyId body);
 void touch(Model& m, PointId point);
 void touch(Model& m, ParticleId particle);
 /// The same, and the state of what it ties is no longer what the last step left.
 void touch(Model& m, const Constraint& constraint);
-/// Says that an edit changed the place or velocity of a thing: velocities of its articulate are to be made consistent.
+/// Says that an edit changed the position or velocity of a thing: velocities of its articulate are to be made consistent.
 void disturb(Model& m, BodyId body);
 void disturb(Model& m, PointId point);
 

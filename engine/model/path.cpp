@@ -9,7 +9,7 @@ namespace pantin {
 
 namespace {
 
-/// Slopes at the places of a cubic spline with continuous second derivative over unit pieces: natural at open ends.
+/// Slopes at the positions of a cubic spline with continuous second derivative over unit pieces: natural at open ends.
 /// Tridiagonal (cyclic where closed) equations m[i-1] + 4 m[i] + m[i+1] = 3 (p[i+1] - p[i-1]), by sweeps of Gauss and
 /// Seidel, which gain a factor of four or more each.
 std::vector<Vec3> slopes(const std::vector<Vec3>& p, bool closed) {
@@ -30,18 +30,18 @@ std::vector<Vec3> slopes(const std::vector<Vec3>& p, bool closed) {
 
 }  // namespace
 
-Path::Path(std::vector<Vec3> places, bool smooth, bool closed)
-    : places_(std::move(places)), smooth_(smooth && places_.size() > 2), closed_(closed) {
-  require(places_.size() >= 2, "on_path: a path needs two places or more, got ", places_.size());
-  require(!closed || places_.size() >= 3, "on_path: a closed path needs three places or more");
-  const std::size_t n = places_.size(), count = closed ? n : n - 1;
-  for (std::size_t i = 0; i < n; i++) require(finite(places_[i]), "on_path: place ", i + 1, " is not finite");
+Path::Path(std::vector<Vec3> positions, bool smooth, bool closed)
+    : positions_(std::move(positions)), smooth_(smooth && positions_.size() > 2), closed_(closed) {
+  require(positions_.size() >= 2, "on_path: a path needs two positions or more, got ", positions_.size());
+  require(!closed || positions_.size() >= 3, "on_path: a closed path needs three positions or more");
+  const std::size_t n = positions_.size(), count = closed ? n : n - 1;
+  for (std::size_t i = 0; i < n; i++) require(finite(positions_[i]), "on_path: position ", i + 1, " is not finite");
   for (std::size_t i = 0; i < count; i++)
-    require(norm(places_[(i + 1) % n] - places_[i]) > 0.0, "on_path: places ", i + 1, " and ", (i + 1) % n + 1,
+    require(norm(positions_[(i + 1) % n] - positions_[i]) > 0.0, "on_path: positions ", i + 1, " and ", (i + 1) % n + 1,
             " of the path are the same");
-  const std::vector<Vec3> m = smooth_ ? slopes(places_, closed) : std::vector<Vec3>(n, zero3());
+  const std::vector<Vec3> m = smooth_ ? slopes(positions_, closed) : std::vector<Vec3>(n, zero3());
   for (std::size_t i = 0; i < count; i++) {
-    const Vec3 from = places_[i], way = places_[(i + 1) % n] - from;
+    const Vec3 from = positions_[i], way = positions_[(i + 1) % n] - from;
     if (!smooth_) {
       pieces_.push_back({from, way, zero3(), zero3()});
       continue;
@@ -59,7 +59,7 @@ const Path::Piece& Path::piece(double u, double& t) const {
   return pieces_[static_cast<std::size_t>(index)];
 }
 
-Vec3 Path::place(double u) const {
+Vec3 Path::position(double u) const {
   double t = 0.0;
   const Piece& p = piece(u, t);
   return p.a + (p.b + (p.c + p.d * t) * t) * t;
@@ -74,8 +74,8 @@ Vec3 Path::tangent(double u) const {
 double Path::step_towards(Vec3 to, double u) const {
   double t = 0.0;
   const Piece& p = piece(u, t);
-  const Vec3 place = p.a + (p.b + (p.c + p.d * t) * t) * t, slope = p.b + (2.0 * p.c + 3.0 * p.d * t) * t;
-  const Vec3 bend = 2.0 * p.c + 6.0 * p.d * t, off = to - place;
+  const Vec3 position = p.a + (p.b + (p.c + p.d * t) * t) * t, slope = p.b + (2.0 * p.c + 3.0 * p.d * t) * t;
+  const Vec3 bend = 2.0 * p.c + 6.0 * p.d * t, off = to - position;
   const double first = dot(off, slope), second = norm2(slope) - dot(off, bend);
   return first / std::fmax(second, 0.3 * norm2(slope));
 }
@@ -102,7 +102,7 @@ double Path::nearest(Vec3 to) const {
   double best = 0.0, least = infinity;
   const int samples = 8 * static_cast<int>(pieces_.size());
   for (int i = 0; i <= samples; i++) {
-    const double u = i / 8.0, distance = norm2(place(u) - to);
+    const double u = i / 8.0, distance = norm2(position(u) - to);
     if (distance >= least) continue;
     least = distance;
     best = u;

@@ -12,7 +12,7 @@ struct Plane {
   int normal = -1;  ///< axis across the plane: 0, 1, 2; -1: none
 
   bool flat() const { return normal >= 0; }
-  double height(Vec3 place) const { return flat() ? place[normal] : 0.0; }
+  double height(Vec3 position) const { return flat() ? position[normal] : 0.0; }
   /// 1 for each direction that things can move in, else 0.
   Vec3 directions() const { return along(vec(1, 1, 1)); }
   /// Without the part across the plane: of velocities, forces, arms.
@@ -22,10 +22,10 @@ struct Plane {
   }
   /// The part about the normal: of spins, torques, angular momenta.
   Vec3 about(Vec3 v) const { return flat() ? v - along(v) : v; }
-  /// A place at the height of another.
-  Vec3 beside(Vec3 place, Vec3 other) const {
-    if (flat()) place[normal] = other[normal];
-    return place;
+  /// A position at the height of another.
+  Vec3 beside(Vec3 position, Vec3 other) const {
+    if (flat()) position[normal] = other[normal];
+    return position;
   }
   /// What a rotation turns about the normal.
   Quat about(const Quat& q) const {

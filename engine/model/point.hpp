@@ -15,7 +15,7 @@ struct Particle;
 
 /// A point mass with local data. It belongs to at most one body, and always to one particle.
 struct Point {
-  Vec3 place = zero3();                         ///< [m] in the body's frame; unused when free
+  Vec3 position = zero3();                      ///< [m] in the body's frame; unused when free
   Vec3 force = zero3();                         ///< [N] pushes on a free point in this step
   double mass = 0.0;                            ///< [kg] 0: an anchor (of a body only)
   Handle<Body> body;                            ///< null when free

@@ -5,31 +5,31 @@
 namespace pantin {
 namespace {
 
-constexpr double same_place = 1e-13;  // relative to the largest coordinate: round-off of one place
-constexpr double same_line = 1e-9;    // relative to the extent
-constexpr double no_inertia = 1e-12;  // about a line, relative to that across it
-constexpr double no_moment = 1e-24;   // relative to mass x extent²
+constexpr double same_position = 1e-13;  // relative to the largest coordinate: round-off of one position
+constexpr double same_line = 1e-9;       // relative to the extent
+constexpr double no_inertia = 1e-12;     // about a line, relative to that across it
+constexpr double no_moment = 1e-24;      // relative to mass x extent²
 
-/// Places that count for the shape: all points, and the place of its own mass.
+/// Places that count for the shape: all points, and the position of its own mass.
 struct Shape {
-  double extent = 0.0;    // [m] farthest place from the first
+  double extent = 0.0;    // [m] farthest position from the first
   double coordinate = 0;  // [m] largest
   Vec3 along = zero3();   // direction of the farthest
   bool line = true;       // all on one line
-  bool spot = true;       // all in one place
+  bool spot = true;       // all in one position
 };
 
 template <class Each>
 Shape shape_of(Vec3 first, const Each& each) {
   Shape s;
-  each([&](Vec3 place, double) {
-    s.coordinate = std::fmax(s.coordinate, largest(place));
-    const double far = norm(place - first);
-    if (far > s.extent) s.extent = far, s.along = (place - first) / far;
+  each([&](Vec3 position, double) {
+    s.coordinate = std::fmax(s.coordinate, largest(position));
+    const double far = norm(position - first);
+    if (far > s.extent) s.extent = far, s.along = (position - first) / far;
   });
-  s.spot = s.extent <= same_place * s.coordinate;
-  each([&](Vec3 place, double) {
-    const Vec3 d = place - first;
+  s.spot = s.extent <= same_position * s.coordinate;
+  each([&](Vec3 position, double) {
+    const Vec3 d = position - first;
     if (norm(d - s.along * dot(d, s.along)) > same_line * s.extent) s.line = false;
   });
   return s;
@@ -71,35 +71,35 @@ Vec3 lifted(Vec3 moments) {
 Weighed weigh(const std::string& who, std::span<const MassPoint> points, const OwnMass& own, const Quat& near,
               Vec3 normal) {
   const auto each = [&](const auto& visit) {
-    if (own.mass > 0.0) visit(own.place, own.mass);
-    for (const MassPoint& p : points) visit(p.place, p.mass);
+    if (own.mass > 0.0) visit(own.position, own.mass);
+    for (const MassPoint& p : points) visit(p.position, p.mass);
   };
-  const Vec3 first = own.mass > 0.0 || points.empty() ? own.place : points[0].place;
+  const Vec3 first = own.mass > 0.0 || points.empty() ? own.position : points[0].position;
   Weighed w;
   Vec3 moment = zero3();
-  each([&](Vec3 place, double mass) {
+  each([&](Vec3 position, double mass) {
     w.mass += mass;
-    moment += (place - first) * mass;
+    moment += (position - first) * mass;
   });
   require(w.mass > 0.0, who, ": mass must be > 0 kg, got ", w.mass);
   require(std::isfinite(w.mass), who, ": the masses add up to infinity; each must be smaller");
   const Vec3 from_first = moment / w.mass;
   w.centre = first + from_first;
   Mat3 inertia = own.inertia;
-  each([&](Vec3 place, double mass) { inertia += about_distance(mass, place - first - from_first); });
+  each([&](Vec3 position, double mass) { inertia += about_distance(mass, position - first - from_first); });
   bool good = finite(w.centre);
   for (int i = 0; i < 3; i++) good = good && finite(inertia[i]);
-  require(good, who, ": its inertia is too large for a number; masses [kg] or places [m] must be smaller");
+  require(good, who, ": its inertia is too large for a number; masses [kg] or positions [m] must be smaller");
 
   const bool flat = norm2(normal) > 0.0;
-  const auto seen = [&](Vec3 place) { return flat ? place - normal * dot(normal, place) : place; };
+  const auto seen = [&](Vec3 position) { return flat ? position - normal * dot(normal, position) : position; };
   const auto about = [&](const Mat3& m) { return flat ? outer(normal, normal) * dot(normal, m * normal) : m; };
   const Shape shape = shape_of(
-      seen(first), [&](const auto& visit) { each([&](Vec3 place, double mass) { visit(seen(place), mass); }); });
+      seen(first), [&](const auto& visit) { each([&](Vec3 position, double mass) { visit(seen(position), mass); }); });
   const double tiny = shape.spot ? 0.0 : no_moment * w.mass * shape.extent * shape.extent;
   inertia = shape.spot && !(largest_of(about(own.inertia)) > 0.0) ? zero33() : about(inertia);
   require(shape.spot || largest_of(inertia) > tiny, who,
-          ": all its mass is in one place but it has points elsewhere, so it has no inertia to turn with; give "
+          ": all its mass is in one position but it has points elsewhere, so it has no inertia to turn with; give "
           "`inertia` [kg m²], or give those points mass, or use a `rod` instead");
   if (flat) {
     settle_in_plane(w, inertia, near, normal);

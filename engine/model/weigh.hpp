@@ -7,10 +7,10 @@
 
 namespace pantin {
 
-/// A mass at a place of the body's frame; mass 0: an anchor.
+/// A mass at a position of the body's frame; mass 0: an anchor.
 struct MassPoint {
-  Vec3 place;   ///< [m]
-  double mass;  ///< [kg] >= 0
+  Vec3 position;  ///< [m]
+  double mass;    ///< [kg] >= 0
 };
 
 struct Weighed {
@@ -30,12 +30,12 @@ Vec3 lifted(Vec3 moments);
 /// What a body weighs beside its points.
 struct OwnMass {
   double mass = 0.0;        ///< [kg]
-  Mat3 inertia = zero33();  ///< [kg m²] about `place`
-  Vec3 place = zero3();     ///< [m] in the body's frame
+  Mat3 inertia = zero33();  ///< [kg m²] about `position`
+  Vec3 position = zero3();  ///< [m] in the body's frame
 };
 
 /// Weighs points together with a body's own mass. Axes come near to `near`. Throws Error, beginning with `who`, where
-/// there is no mass, or mass in one place only and points elsewhere. With a unit vector `normal` in the frame, an axis of
+/// there is no mass, or mass in one position only and points elsewhere. With a unit vector `normal` in the frame, an axis of
 /// `near`, it is what moves across that alone: the axes are `near`, and there is no moment but that about the normal.
 Weighed weigh(const std::string& who, std::span<const MassPoint> points, const OwnMass& own, const Quat& near,
               Vec3 normal = zero3());

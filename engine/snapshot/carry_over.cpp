@@ -86,8 +86,8 @@ class Carrier {
         std::tie(before.excess, before.excess_rate, before.previous_excess);
     std::tie(now.angle, now.along, now.moves) = std::tie(before.angle, before.along, before.moves);
     if (now.target && before.target)
-      std::tie(now.place, now.previous, now.before, now.velocity) =
-          std::tie(before.place, before.previous, before.before, before.velocity);
+      std::tie(now.position, now.previous, now.before, now.velocity) =
+          std::tie(before.position, before.previous, before.before, before.velocity);
     if (now.number && before.number)
       std::tie(now.length, now.previous_length, now.before_length, now.length_rate) =
           std::tie(before.length, before.previous_length, before.before_length, before.length_rate);

@@ -44,7 +44,7 @@ struct CarriedOver {
 };
 
 /// Makes a world that has not moved yet go on where an older one is. Things are matched by name, else by sort and order of
-/// making: they take over place, motion and age; what of them was removed or cut is removed or cut. Time goes on: events
+/// making: they take over position, motion and age; what of them was removed or cut is removed or cut. Time goes on: events
 /// that are past count as fired, plays begin now. Hands that no script moves come along and hold what they held. All else,
 /// masses, shapes, laws, settings, is the new world's own.
 CarriedOver carry_over(const World& old, const Made& before, World& fresh, const Made& now);

@@ -15,9 +15,9 @@ namespace pantin::phases {
 
 namespace {
 
-/// A place that is a number, and a kinetic energy that is one.
-bool sound(Vec3 place, const Quat& q, double kinetic) {
-  return finite(place) && std::isfinite(q.w + q.x + q.y + q.z) && std::isfinite(kinetic);
+/// A position that is a number, and a kinetic energy that is one.
+bool sound(Vec3 position, const Quat& q, double kinetic) {
+  return finite(position) && std::isfinite(q.w + q.x + q.y + q.z) && std::isfinite(kinetic);
 }
 
 double kinetic_energy(const Motion& m) {
@@ -25,21 +25,21 @@ double kinetic_energy(const Motion& m) {
 }
 
 struct OfLoosePoints {
-  double kinetic = 0.0;       ///< [J]
-  Vec3 mass_place = zero3();  ///< [kg m] sum of mass times place
-  bool finite = true;         ///< these sums are; then all states are
+  double kinetic = 0.0;          ///< [J]
+  Vec3 mass_position = zero3();  ///< [kg m] sum of mass times position
+  bool finite = true;            ///< these sums are; then all states are
 };
 
 OfLoosePoints measure_loose_points(const World& world) {
-  Vec3 kinetic = zero3(), mass_place = zero3(), unsound = zero3();
+  Vec3 kinetic = zero3(), mass_position = zero3(), unsound = zero3();
   for (std::size_t i = 0; i < world.loose_points.size(); i++) {
     const FreeMotion& m = world.free_motion[world.loose_points[i]];
     kinetic += m.v * m.v * world.loose_masses[i];
-    mass_place += m.x * world.loose_masses[i];
+    mass_position += m.x * world.loose_masses[i];
     unsound += m.x * 0.0;
   }
   const double sum = 0.5 * (kinetic[0] + kinetic[1] + kinetic[2]);
-  return {sum, mass_place, std::isfinite(sum) && finite(unsound)};
+  return {sum, mass_position, std::isfinite(sum) && finite(unsound)};
 }
 
 /// Names the first thing whose new state is not finite; empty if all is well.
@@ -92,11 +92,11 @@ void end_pushes(World& world) {
 /// Energies and gaps from the working copies, which are at hand; `accuracy()` finds the same from the model's rows.
 void measure_errors(World& world, const OfLoosePoints& points) {
   const Vec3 gravity = world.settings.gravity;
-  double kinetic = points.kinetic, potential = -dot(gravity, points.mass_place);
+  double kinetic = points.kinetic, potential = -dot(gravity, points.mass_position);
   Accuracy now;
   for (const auto& articulate : world.articulates) {
     kinetic += articulate->totals.kinetic;
-    potential -= dot(gravity, articulate->totals.mass_place);
+    potential -= dot(gravity, articulate->totals.mass_position);
     now.hinge_gap = std::max(now.hinge_gap, articulate->gaps.points);
     now.constraint = std::max(now.constraint, articulate->gaps.all());
   }

@@ -48,10 +48,10 @@ LedgerMark ledger_mark(const World& world, bool drifted) {
     m.kinetic += 0.5 * world.loose_masses[i] * norm2(free.v);
     if (!kicks) m.falling -= world.loose_masses[i] * dot(gravity, free.x);
   }
-  const auto add = [&](double kinetic, double mass, Vec3 place) {
+  const auto add = [&](double kinetic, double mass, Vec3 position) {
     m.kinetic += kinetic;
-    m.falling -= mass * dot(gravity, place);
-    m.size += kinetic + mass * std::fabs(dot(gravity, place));
+    m.falling -= mass * dot(gravity, position);
+    m.size += kinetic + mass * std::fabs(dot(gravity, position));
   };
   for (const std::uint32_t slot : world.loose_bodies)
     add(kinetic_of(world.motion[slot]), world.motion[slot].mass, world.motion[slot].x);

@@ -22,7 +22,7 @@ void half_kick(World& world);
 void half_kick_to_end(World& world);
 /// Neighbours, only when something has moved too far.
 void find_pairs(World& world);
-/// Forces of the laws at the places after the drift.
+/// Forces of the laws at the positions after the drift.
 void apply_forces(World& world);
 /// Ends connections that were pulled harder or further than they bear.
 void break_connections(World& world);

@@ -28,7 +28,7 @@ void approach(Deviation& away, Deviation& rate, double h, double tau, double lea
 /// What is left of a deviation when it counts as none, [m]. Points that are to be joined need not come nearer for ever.
 double least_deviation(const World& world, const Constraint& c) {
   if (!c.a) return 1e-14;
-  if (c.kind != ConstraintKind::join) return 1e-14 * std::fmax(size_of(world, c.a), largest(c.place));
+  if (c.kind != ConstraintKind::join) return 1e-14 * std::fmax(size_of(world, c.a), largest(c.position));
   const double size = std::fmax(size_of(world, c.a), size_of(world, c.b));
   return 0.1 * world.settings.tolerance * (size > 0.0 ? size : largest(position(world, c.a)));
 }
@@ -68,23 +68,24 @@ Bend bend_of(const World& world, const Constraint& c, Off off) {
   return bend;
 }
 
-void move_place(const World& world, ConstraintId id, Constraint& c, double time, double h) {
+void move_position(const World& world, ConstraintId id, Constraint& c, double time, double h) {
   const auto target = [&](double t) {
-    Vec3 place = c.hand >= 0 ? world.hands[static_cast<std::size_t>(c.hand)].position : c.place;
-    if (c.target) place = c.target(t);
-    if (!finite(place)) require_finite(describe(world, id), "target", place, "m");
-    return world.plane.beside(place, c.place);
+    Vec3 position = c.hand >= 0 ? world.hands[static_cast<std::size_t>(c.hand)].position : c.position;
+    if (c.target) position = c.target(t);
+    if (!finite(position)) require_finite(describe(world, id), "target", position, "m");
+    return world.plane.beside(position, c.position);
   };
   const Vec3 next = target(time);
   c.bend = {};
   if (c.target)
-    c.bend = bend_of(world, c, [&](double s) { return target(time + (s - 1.0) * h) - c.place - (next - c.place) * s; });
+    c.bend = bend_of(world, c,
+                     [&](double s) { return target(time + (s - 1.0) * h) - c.position - (next - c.position) * s; });
   c.before = c.previous;
-  c.previous = c.place;
-  c.place = next;
+  c.previous = c.position;
+  c.position = next;
   c.moves++;
-  c.velocity = c.bend.straight() ? rate_at_end(c.place, c.previous, c.before, h, c.moves)
-                                 : (c.place - c.previous + c.bend.rate(1.0)) / h;
+  c.velocity = c.bend.straight() ? rate_at_end(c.position, c.previous, c.before, h, c.moves)
+                                 : (c.position - c.previous + c.bend.rate(1.0)) / h;
 }
 
 void move_length(const World& world, ConstraintId id, Constraint& c, double time, double h) {
@@ -147,7 +148,7 @@ void move_attitude(const World& world, ConstraintId id, Constraint& c, double ti
 bool moves(const Constraint& c) {
   const auto differ = [](Vec3 a, Vec3 b) { return norm2(a - b) > 0.0; };
   const Quat p = c.turn, q = c.previous_turn;
-  return (c.kind == ConstraintKind::follow && (differ(c.place, c.previous) || norm2(c.velocity) > 0.0)) ||
+  return (c.kind == ConstraintKind::follow && (differ(c.position, c.previous) || norm2(c.velocity) > 0.0)) ||
          ((c.number || c.by_speed) && (c.length != c.previous_length || c.length_rate != 0.0)) ||
          (c.attitude && (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z || norm2(c.spin) > 0.0)) ||
          norm2(c.away) + norm2(c.previous_away) + norm2(c.away_rate) > 0.0 || c.excess != 0.0 ||
@@ -164,7 +165,7 @@ void sample_targets(World& world) {
     if (!world.constraints.alive_at(s)) continue;
     const ConstraintId id = world.constraints.id_at(s);
     Constraint& c = world.constraints.at_slot(s);
-    if (c.kind == ConstraintKind::follow) move_place(world, id, c, time, h);
+    if (c.kind == ConstraintKind::follow) move_position(world, id, c, time, h);
     if (c.number || c.by_speed) move_length(world, id, c, time, h);
     if (c.attitude) move_attitude(world, id, c, time, h);
     draw_in(world, c, h);

@@ -30,7 +30,7 @@ struct BuildDef {
   double mass = 1.0;              ///< [kg] > 0 of all
   std::optional<MassIn> mass_in;  ///< not given: edges if articulated, faces of panels, else points
   BuildLaw edge, angle, torsion;  ///< on edges, pairs of edges that meet, and three in a row
-  Vec3 at = zero3();              ///< [m] place of the structure's origin
+  Vec3 at = zero3();              ///< [m] position of the structure's origin
   Vec3 velocity = zero3();        ///< [m/s]
   FamilyId family;                ///< of the particles; null: of none
   std::optional<Color> color;     ///< of particles and points

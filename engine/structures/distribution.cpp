@@ -15,7 +15,7 @@ Vec3 vector_area(const Structure& s, const StructureFace& face) {
   return sum * 0.5;
 }
 
-/// SimplexMoments of uniform simplices about a reference place.
+/// SimplexMoments of uniform simplices about a reference position.
 struct SimplexMoments {
   Vec3 reference = zero3();
   double measure = 0.0;
@@ -46,10 +46,10 @@ struct SimplexMoments {
   }
 };
 
-Vec3 mean_of(const std::vector<Vec3>& places) {
+Vec3 mean_of(const std::vector<Vec3>& positions) {
   Vec3 sum = zero3();
-  for (Vec3 p : places) sum += p;
-  return places.empty() ? sum : sum / static_cast<double>(places.size());
+  for (Vec3 p : positions) sum += p;
+  return positions.empty() ? sum : sum / static_cast<double>(positions.size());
 }
 
 void add_face(SimplexMoments& moments, const Structure& s, const StructureFace& face) {

@@ -18,7 +18,7 @@ struct LatticeKind {
   int least;  // neighbours: what has fewer is left out
   Vec3 unit;
   Steps cell;                     // grid steps
-  std::vector<Steps> places;      // in a cell
+  std::vector<Steps> positions;   // in a cell
   std::vector<Steps> neighbours;  // of each pair of opposite ones that which comes later in the order of making
 };
 
@@ -69,14 +69,14 @@ const LatticeKind& kind_of(std::string_view name) {
 
 constexpr std::uint32_t nobody = 0xffffffff;
 
-/// The grid steps of a block, and which of them are places of the lattice.
+/// The grid steps of a block, and which of them are positions of the lattice.
 class LatticeGrid {
  public:
   LatticeGrid(const LatticeKind& kind, const Steps& cells) : kind_(kind) {
     for (std::size_t i = 0; i < 3; i++) size_[i] = cells[i] * kind.cell[i] + 1;
     if (kind.flat) size_[2] = 1;
     in_cell_.assign(static_cast<std::size_t>(kind.cell[0] * kind.cell[1] * kind.cell[2]), 0);
-    for (const Steps& place : kind.places) in_cell_[index(place, kind.cell)] = 1;
+    for (const Steps& position : kind.positions) in_cell_[index(position, kind.cell)] = 1;
   }
 
   bool has(const Steps& at) const {
@@ -87,7 +87,7 @@ class LatticeGrid {
   std::size_t site(const Steps& at) const { return index(at, size_); }
   const Steps& size() const { return size_; }
   /// [edges] from the middle of the block.
-  Vec3 place(const Steps& at) const {
+  Vec3 position(const Steps& at) const {
     return vec(at[0] - (size_[0] - 1) / 2.0, at[1] - (size_[1] - 1) / 2.0, at[2] - (size_[2] - 1) / 2.0) * kind_.unit;
   }
 
@@ -104,7 +104,7 @@ class LatticeGrid {
 
 Steps checked_cells(const LatticeKind& kind, const LatticeCells& cells) {
   const Steps counts = {cells.x, cells.y, kind.flat ? 1 : cells.z};
-  auto estimate = static_cast<double>(kind.places.size());
+  auto estimate = static_cast<double>(kind.positions.size());
   for (std::size_t i = 0; i < 3; i++) {
     require(counts[i] >= 1, "lattice: cells must be 1 or more each way, got ", counts[i], " along ", "xyz"[i]);
     estimate *= counts[i] + (kind.flat && i == 2 ? 0 : 1);
@@ -136,7 +136,7 @@ Structure lattice(std::string_view name, const LatticeCells& cells, double edge)
         if (!grid.has({x, y, z})) continue;
         number[grid.site({x, y, z})] = static_cast<std::uint32_t>(s.vertices.size());
         steps.push_back({x, y, z});
-        s.vertices.push_back(grid.place({x, y, z}) * edge);
+        s.vertices.push_back(grid.position({x, y, z}) * edge);
       }
   for (std::uint32_t v = 0; v < steps.size(); v++)
     for (const Steps& step : kind.neighbours) {

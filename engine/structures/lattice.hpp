@@ -14,7 +14,7 @@ struct LatticeCells {
 
 /// "cubic", "fcc", "bcc", "diamond" in space; "square", "triangular", "honeycomb", "kagome" in the plane z = 0.
 std::vector<std::string> lattice_kinds();
-/// All places of a block of right-angled cells, its bounds included, centred on the origin; neighbours are tied by edges
+/// All positions of a block of right-angled cells, its bounds included, centred on the origin; neighbours are tied by edges
 /// of length `edge` [m] > 0. What has fewer than two neighbours (in bcc: none) is left out. Flat ones have faces.
 Structure lattice(std::string_view kind, const LatticeCells& cells, double edge);
 

@@ -7,24 +7,24 @@
 #include <optional>
 
 #include "base/check.hpp"
-#include "base/near_places.hpp"
+#include "base/near_positions.hpp"
 #include "structures/molecule_gemmi.hpp"
 #include "structures/rings.hpp"
 
 namespace pantin {
 namespace {
 
-/// What a file says: places [Å], elements, and bonds where it has them.
+/// What a file says: positions [Å], elements, and bonds where it has them.
 struct MoleculeFile {
-  std::vector<Vec3> places;
+  std::vector<Vec3> positions;
   std::vector<ChemicalElement> elements;
   std::vector<StructureEdge> bonds;
   bool complete = false;  ///< there are no other bonds than these
 
-  void add(const ChemicalElement& element, Vec3 place) {
-    require(places.size() < most_vertices, "has more than ", most_vertices, " atoms");
+  void add(const ChemicalElement& element, Vec3 position) {
+    require(positions.size() < most_vertices, "has more than ", most_vertices, " atoms");
     elements.push_back(element);
-    places.push_back(place);
+    positions.push_back(position);
   }
 };
 
@@ -140,9 +140,9 @@ MoleculeFile read_sdf(std::string_view text, const std::string& name) {
   MoleculeFile file;
   for (long i = 1; i <= *atoms; i++) {
     const std::string_view line = lines.need(pantin::text("atom ", i, " of ", *atoms).c_str());
-    const Vec3 place = vec(coordinate(lines, field(line, 0, 10)), coordinate(lines, field(line, 10, 10)),
-                           coordinate(lines, field(line, 20, 10)));
-    file.add(need_element(lines, field(line, 31, 3)), place);
+    const Vec3 position = vec(coordinate(lines, field(line, 0, 10)), coordinate(lines, field(line, 10, 10)),
+                              coordinate(lines, field(line, 20, 10)));
+    file.add(need_element(lines, field(line, 31, 3)), position);
   }
   for (long i = 1; i <= *bonds; i++) {
     const std::string_view line = lines.need(pantin::text("bond ", i, " of ", *bonds).c_str());
@@ -179,8 +179,8 @@ MoleculeFile read_pdb(std::string_view text, const std::string& name) {
   MoleculeFile file;
   std::map<int, std::uint32_t> by_serial;
   for (const MoleculeAtom& atom : read_pdb_atoms(text, name).atoms) {
-    by_serial[atom.serial] = static_cast<std::uint32_t>(file.places.size());
-    file.add(atom.element, atom.place);
+    by_serial[atom.serial] = static_cast<std::uint32_t>(file.positions.size());
+    file.add(atom.element, atom.position);
   }
   for (const auto& [from, to] : conect) {
     const auto a = by_serial.find(from), b = by_serial.find(to);
@@ -194,8 +194,8 @@ MoleculeFile read_cif(std::string_view text, const std::string& name) {
   MoleculeFile file;
   std::map<std::string, std::uint32_t> by_name;
   for (const MoleculeAtom& atom : read.atoms) {
-    by_name.emplace(atom.name, static_cast<std::uint32_t>(file.places.size()));
-    file.add(atom.element, atom.place);
+    by_name.emplace(atom.name, static_cast<std::uint32_t>(file.positions.size()));
+    file.add(atom.element, atom.position);
   }
   for (const auto& names : read.named_bonds) {
     const auto a = by_name.find(names[0]), b = by_name.find(names[1]);
@@ -207,30 +207,30 @@ MoleculeFile read_cif(std::string_view text, const std::string& name) {
 
 /// Bonds by distance, where at least one of the two has none in the file (O'Boyle et al. 2011).
 void add_near_bonds(MoleculeFile& file) {
-  constexpr double slack = 0.45, same_place = 0.1;  // Å
-  std::vector<char> bonded(file.places.size(), 0);
+  constexpr double slack = 0.45, same_position = 0.1;  // Å
+  std::vector<char> bonded(file.positions.size(), 0);
   for (const StructureEdge& bond : file.bonds) bonded[bond[0]] = bonded[bond[1]] = 1;
   double widest = 0.0;
   for (const ChemicalElement& element : file.elements) widest = std::fmax(widest, element.radius);
-  const NearPlaces near(file.places, 2.0 * widest + slack);
-  for (std::uint32_t a = 0; a < file.places.size(); a++)
-    near.each(file.places[a], [&](std::uint32_t b) {
+  const NearPositions near(file.positions, 2.0 * widest + slack);
+  for (std::uint32_t a = 0; a < file.positions.size(); a++)
+    near.each(file.positions[a], [&](std::uint32_t b) {
       if (b <= a) return;
-      const double distance = norm(file.places[a] - file.places[b]);
-      require(distance > same_place, "atoms ", a + 1, " and ", b + 1, " are only ", distance, " Å apart");
+      const double distance = norm(file.positions[a] - file.positions[b]);
+      require(distance > same_position, "atoms ", a + 1, " and ", b + 1, " are only ", distance, " Å apart");
       const double reach = file.elements[a].radius + file.elements[b].radius + slack;
       if (!(bonded[a] && bonded[b]) && distance <= reach) file.bonds.push_back({a, b});
     });
 }
 
 Structure structure_of(MoleculeFile file) {
-  require(!file.places.empty(), "has no atoms");
+  require(!file.positions.empty(), "has no atoms");
   if (!file.complete) add_near_bonds(file);
   for (StructureEdge& bond : file.bonds) std::sort(bond.begin(), bond.end());
   std::sort(file.bonds.begin(), file.bonds.end());
   file.bonds.erase(std::unique(file.bonds.begin(), file.bonds.end()), file.bonds.end());
   Structure s;
-  s.vertices = std::move(file.places);
+  s.vertices = std::move(file.positions);
   s.edges = std::move(file.bonds);
   for (const ChemicalElement& element : file.elements) s.elements.push_back(element.name);
   s.faces = flat_rings(s, 8, 0.1);

@@ -26,12 +26,12 @@ MoleculeAtoms atoms_of(const gemmi::Structure& structure) {
       for (const gemmi::Atom& atom : residue.atoms) {
         const bool first = known.insert(atom.name).second;
         if (!first && atom.altloc != '\0') continue;
-        const Vec3 place = vec(atom.pos.x, atom.pos.y, atom.pos.z);
-        require(finite(place), "atom ", out.atoms.size() + 1, ", '", atom.name,
+        const Vec3 position = vec(atom.pos.x, atom.pos.y, atom.pos.z);
+        require(finite(position), "atom ", out.atoms.size() + 1, ", '", atom.name,
                 "', has a coordinate that is no finite number");
         require(atom.element != gemmi::El::X, "atom ", out.atoms.size() + 1, ", '", atom.name,
                 "', is of no known element");
-        out.atoms.push_back({data_of(atom.element), place, atom.name, atom.serial});
+        out.atoms.push_back({data_of(atom.element), position, atom.name, atom.serial});
       }
     }
   return out;

@@ -21,9 +21,9 @@ std::optional<ChemicalElement> find_element(int number);
 
 struct MoleculeAtom {
   ChemicalElement element;
-  Vec3 place = zero3();  ///< [Å]
-  std::string name;      ///< in its residue
-  int serial = 0;        ///< in the file
+  Vec3 position = zero3();  ///< [Å]
+  std::string name;         ///< in its residue
+  int serial = 0;           ///< in the file
 };
 struct MoleculeAtoms {
   std::vector<MoleculeAtom> atoms;                      ///< of the first model, of alternative places the first

@@ -41,22 +41,22 @@ Structure convex(const char* shape, std::vector<Vec3> vertices, double shortest,
 
 /// All changes of signs of (0, a, b), (b, 0, a) and (a, b, 0).
 std::vector<Vec3> in_turn(double a, double b) {
-  std::vector<Vec3> places;
+  std::vector<Vec3> positions;
   for (const double y : {-a, a})
     for (const double z : {-b, b}) {
-      places.push_back(vec(0, y, z));
-      places.push_back(vec(z, 0, y));
-      places.push_back(vec(y, z, 0));
+      positions.push_back(vec(0, y, z));
+      positions.push_back(vec(z, 0, y));
+      positions.push_back(vec(y, z, 0));
     }
-  return places;
+  return positions;
 }
 
 std::vector<Vec3> cube_corners() {
-  std::vector<Vec3> places;
+  std::vector<Vec3> positions;
   for (const double z : {-1.0, 1.0})
     for (const double y : {-1.0, 1.0})
-      for (const double x : {-1.0, 1.0}) places.push_back(vec(x, y, z));
-  return places;
+      for (const double x : {-1.0, 1.0}) positions.push_back(vec(x, y, z));
+  return positions;
 }
 
 /// Corner i of n on a circle.

@@ -6,7 +6,7 @@
 
 #include "base/check.hpp"
 #include "base/functions.hpp"
-#include "base/near_places.hpp"
+#include "base/near_positions.hpp"
 
 namespace pantin {
 namespace {
@@ -22,9 +22,9 @@ void check_face(const StructureFace& face, std::size_t number, std::size_t verti
           " twice");
 }
 
-/// The same structure with vertices in other places.
+/// The same structure with vertices in other positions.
 template <class Map>
-Structure with_places(Structure s, const Map& map) {
+Structure with_positions(Structure s, const Map& map) {
   for (Vec3& v : s.vertices) v = map(v);
   return s;
 }
@@ -120,36 +120,36 @@ Structure scaled(Structure s, Vec3 factors) {
   require(finite(factors) && factors[0] != 0.0 && factors[1] != 0.0 && factors[2] != 0.0,
           "scale: the factors must be finite and not 0, got (", factors[0], ", ", factors[1], ", ", factors[2], ")");
   if (factors[0] * factors[1] * factors[2] < 0.0) turn_inside_out(s);
-  return with_places(std::move(s), [&](Vec3 v) { return v * factors; });
+  return with_positions(std::move(s), [&](Vec3 v) { return v * factors; });
 }
 
 Structure rotated(Structure s, const Quat& turn) {
-  return with_places(std::move(s), [&](Vec3 v) { return rotate(turn, v); });
+  return with_positions(std::move(s), [&](Vec3 v) { return rotate(turn, v); });
 }
 
 Structure moved(Structure s, Vec3 by) {
   require(finite(by), "move: the way must be finite [m]");
-  return with_places(std::move(s), [&](Vec3 v) { return v + by; });
+  return with_positions(std::move(s), [&](Vec3 v) { return v + by; });
 }
 
 Structure mirrored(const Structure& s, Vec3 normal, Vec3 through) {
   require(finite(normal) && norm(normal) > 0.0 && finite(through), "mirror: the normal must be finite and not 0");
   const Vec3 n = normal / norm(normal);
-  Structure image = with_places(s, [&](Vec3 v) { return v - n * (2.0 * dot(v - through, n)); });
+  Structure image = with_positions(s, [&](Vec3 v) { return v - n * (2.0 * dot(v - through, n)); });
   turn_inside_out(image);
   return image;
 }
 
 Structure joined(const Structure& a, const Structure& b, double tolerance) {
   require(tolerance >= 0.0 && std::isfinite(tolerance), "join: tolerance must be >= 0 m, got ", tolerance);
-  const NearPlaces places(a.vertices, tolerance);
+  const NearPositions positions(a.vertices, tolerance);
   Structure s = a;
   std::vector<std::uint32_t> now(b.vertices.size());
   const bool molecule = !a.elements.empty() && !b.elements.empty();
   if (!molecule) s.elements.clear();
   for (std::uint32_t i = 0; i < b.vertices.size(); i++) {
     now[i] = static_cast<std::uint32_t>(s.vertices.size());
-    places.each(b.vertices[i], [&](std::uint32_t known) { now[i] = std::min(now[i], known); });
+    positions.each(b.vertices[i], [&](std::uint32_t known) { now[i] = std::min(now[i], known); });
     if (now[i] < s.vertices.size()) continue;
     s.vertices.push_back(b.vertices[i]);
     if (molecule) s.elements.push_back(b.elements[i]);
@@ -280,7 +280,7 @@ Vec3 middle(const Structure& s, const StructureFace& face) {
 
 std::vector<StructureFace> traced_faces(const Structure& s, const std::function<Vec3(std::uint32_t)>& normal) {
   std::vector<std::vector<std::pair<double, std::uint32_t>>> around(s.vertices.size());  // (angle, to)
-  std::map<StructureEdge, std::size_t> place;                                            // of an end in it
+  std::map<StructureEdge, std::size_t> position;                                         // of an end in it
   for (const StructureEdge& e : s.edges)
     for (std::size_t side : {0u, 1u}) around[e[side]].push_back({0.0, e[1 - side]});
   for (std::uint32_t v = 0; v < around.size(); v++) {
@@ -292,7 +292,7 @@ std::vector<StructureFace> traced_faces(const Structure& s, const std::function<
       angle = functions::atan2(dot(d, y), dot(d, x));
     }
     std::sort(around[v].begin(), around[v].end());
-    for (std::size_t i = 0; i < around[v].size(); i++) place[{v, around[v][i].second}] = i;
+    for (std::size_t i = 0; i < around[v].size(); i++) position[{v, around[v][i].second}] = i;
   }
   std::set<StructureEdge> done;
   std::vector<StructureFace> faces;
@@ -301,7 +301,7 @@ std::vector<StructureFace> traced_faces(const Structure& s, const std::function<
     while (done.insert({from, to}).second) {
       face.push_back(from);
       const auto& spokes = around[to];
-      const std::uint32_t next = spokes[(place.at({to, from}) + spokes.size() - 1) % spokes.size()].second;
+      const std::uint32_t next = spokes[(position.at({to, from}) + spokes.size() - 1) % spokes.size()].second;
       from = to;
       to = next;
     }

@@ -33,7 +33,7 @@ Structure make_structure(std::vector<Vec3> vertices, const std::vector<Structure
 Structure scaled(Structure s, Vec3 factors);  ///< factors finite, none 0
 Structure rotated(Structure s, const Quat& turn);
 Structure moved(Structure s, Vec3 by);  ///< [m]
-/// The mirror image in the plane through a place [m]; `normal` of any length but 0.
+/// The mirror image in the plane through a position [m]; `normal` of any length but 0.
 Structure mirrored(const Structure& s, Vec3 normal, Vec3 through);
 /// Both as one: vertices of b within `tolerance` [m] >= 0 of one of a become that one; what is then there twice is kept
 /// once.

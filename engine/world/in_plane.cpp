@@ -33,9 +33,9 @@ void require_about_normal(const World& world, std::string_view call, std::string
                    to_text(v), " ", unit));
 }
 
-void require_height(const World& world, std::string_view call, std::string_view name, Vec3 place, Vec3 of) {
-  const double height = world.plane.height(place), wanted = world.plane.height(of);
-  const double size = std::fmax(largest(place), largest(of));
+void require_height(const World& world, std::string_view call, std::string_view name, Vec3 position, Vec3 of) {
+  const double height = world.plane.height(position), wanted = world.plane.height(of);
+  const double size = std::fmax(largest(position), largest(of));
   if (std::fabs(height - wanted) <= world.settings.tolerance * size) return;
   throw Error(text(call, ": ", of_plane(world), ", so ", name, " must stay at ", normal_letter(world), " = ", wanted,
                    " m, got ", height, " m"));
@@ -57,17 +57,17 @@ Quat turned_in_plane(const World& world, BodyId body, const Quat& orientation) {
 
 namespace {
 
-/// The points and places that a constraint keeps at distances: they must have one height.
+/// The points and positions that a constraint keeps at distances: they must have one height.
 void require_heights(const World& world, std::string_view call, const Constraint& c) {
   if (!c.a) return;
   const Vec3 first = position(world, c.a);
-  const auto see = [&](Vec3 place) { require_height(world, call, "what it ties", place, first); };
-  for (const Passage& p : c.passages) see(p.point ? position(world, p.point) : p.place);
+  const auto see = [&](Vec3 position) { require_height(world, call, "what it ties", position, first); };
+  for (const Passage& p : c.passages) see(p.point ? position(world, p.point) : p.position);
   if (c.path)
-    for (Vec3 place : c.path->places()) see(place);
+    for (Vec3 position : c.path->positions()) see(position);
   if (c.b) see(position(world, c.b));
-  const bool to_place = !c.b && !c.path && c.passages.empty() && c.kind != ConstraintKind::on_plane;
-  if (to_place && !c.target && c.hand < 0) see(c.place);
+  const bool to_position = !c.b && !c.path && c.passages.empty() && c.kind != ConstraintKind::on_plane;
+  if (to_position && !c.target && c.hand < 0) see(c.position);
 }
 
 Vec3 in_world(const World& world, BodyId body, Vec3 axis) {

@@ -20,12 +20,12 @@ struct Command {
   enum class Kind : std::uint8_t { grab, release, cut, key, button, join, nail, push, spin, remove, make, heat };
   Kind kind = Kind::key;
   std::int32_t hand = 0;
-  PointId point;          ///< grab, nail, push, spin (its body); join: the first; make: what the first end is hinged to
-  PointId other;          ///< join: the second; make: what the last end is hinged to
-  AnyId thing;            ///< cut: a hinge, connection or constraint; remove: anything
-  Vec3 place = zero3();   ///< [m] make: of what is made; heat: the middle of the ball that is heated
-  Vec3 amount = zero3();  ///< [N s] push: an impulse; [rad/s] spin: what is added to the body's, world axes
-  std::vector<Vec3> points;  ///< [m] make: from `place`; one makes a free particle, more a rigid body
+  PointId point;  ///< grab, nail, push, spin (its body); join: the first; make: what the first end is hinged to
+  PointId other;  ///< join: the second; make: what the last end is hinged to
+  AnyId thing;    ///< cut: a hinge, connection or constraint; remove: anything
+  Vec3 position = zero3();   ///< [m] make: of what is made; heat: the middle of the ball that is heated
+  Vec3 amount = zero3();     ///< [N s] push: an impulse; [rad/s] spin: what is added to the body's, world axes
+  std::vector<Vec3> points;  ///< [m] make: from `position`; one makes a free particle, more a rigid body
   double max_force = 0.0;    ///< [N] grab, join; 0 takes `usual_grab_force`
   double mass = 0.0;         ///< [kg] make: of all points
   double radius = 0.0;       ///< [m] make: of the points; heat: of the ball

@@ -35,7 +35,7 @@ struct Hand {
   bool pressed = false;
   bool placed = false;               ///< has been given a position
   ConstraintId grab;                 ///< the follow that holds what it grabbed, or null
-  std::function<Vec3(double)> path;  ///< scripted: place at time t [s]
+  std::function<Vec3(double)> path;  ///< scripted: position at time t [s]
 };
 
 /// Something that happened; told to scripts in the next step.

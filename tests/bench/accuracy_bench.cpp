@@ -19,7 +19,7 @@ namespace {
 struct HardCase {
   std::string name;
   std::function<BodyId(World&)> make;       ///< returns the last body
-  std::function<Eigen::Vector2d()> at_one;  ///< place of its centre at 1 s from the reference [m], or empty
+  std::function<Eigen::Vector2d()> at_one;  ///< position of its centre at 1 s from the reference [m], or empty
 };
 
 Eigen::Vector2d last_centre(const reference::PlaneChain& chain) {
@@ -65,18 +65,18 @@ Outcome outcome(const HardCase& hard, Integrator integrator, double rate, Balanc
   const Watched course = watch(world, 5.0, [&] {
     if (reference && world.steps == one) error = norm(world.motion_of(last).x - vec(reference->x(), reference->y(), 0));
     if (balance != Balance::plain) return;
-    for (const auto& articulate : world.articulates) articulate->carried_h = 0.0;
+    for (const auto& articulate : world.articulates) articulate->symmetric_h = 0.0;
   });
   return {course.gap, course.energy_error(), error, world.stats.halved_steps, world.stats.fallback_steps};
 }
 
 void run_case(const HardCase& hard) {
-  Eigen::Vector2d place;
-  if (hard.at_one) place = hard.at_one();
+  Eigen::Vector2d position;
+  if (hard.at_one) position = hard.at_one();
   for (const Integrator integrator : {Integrator::verlet, Integrator::suzuki4})
     for (const double rate : {60.0, 240.0, 1000.0}) {
       const auto with = [&](Balance balance) {
-        return outcome(hard, integrator, rate, balance, hard.at_one ? &place : nullptr);
+        return outcome(hard, integrator, rate, balance, hard.at_one ? &position : nullptr);
       };
       const Outcome carried = with(Balance::carried);
       std::printf("%-16s %-8s 1/%-5g %9.1e %9.1e %9.1e %9.1e ", hard.name.c_str(),

@@ -72,23 +72,23 @@ std::vector<Contender> own_contenders() {
     list[setting.name.ends_with("return") ? 1 : 0].settings.push_back(setting.name);
   for (Contender& contender : list)
     contender.run = [](const std::string& name, const peers::Mechanism& mechanism, double rate,
-                       const Eigen::Vector2d& place) {
+                       const Eigen::Vector2d& position) {
       const std::vector<peers::Setting> all = pantin_settings();
       const auto found = std::find_if(all.begin(), all.end(), [&](const auto& s) { return s.name == name; });
-      return peers::run_trial(*found, mechanism, rate, place);
+      return peers::run_trial(*found, mechanism, rate, position);
     };
   return list;
 }
 
 peers::Trial run_peer(const std::string& program, const std::string& setting, const peers::Mechanism& mechanism,
-                      double rate, const Eigen::Vector2d& place) {
+                      double rate, const Eigen::Vector2d& position) {
   const auto exact = [](double x) {
     char digits[32];
     std::snprintf(digits, sizeof digits, "%.17g", x);
     return std::string(digits);
   };
   const support::Finished ended = support::finish(
-      {{program, "run", setting, mechanism.name, exact(rate), exact(place.x()), exact(place.y())}, {}, "", -1});
+      {{program, "run", setting, mechanism.name, exact(rate), exact(position.x()), exact(position.y())}, {}, "", -1});
   peers::Trial trial;
   if (std::sscanf(ended.out.c_str(), "%lf %lf %lf %lf", &trial.error, &trial.energy, &trial.gap, &trial.cost) != 4)
     trial.trouble = ended.code == 0 ? ended.out : text("ended with ", ended.code);
@@ -111,8 +111,8 @@ std::vector<Contender> peer_contenders() {
     std::istringstream lines(support::finish({{program, "list"}, {}, "", -1}).out);
     for (std::string line; std::getline(lines, line);) contender.settings.push_back(line);
     contender.run = [program](const std::string& setting, const peers::Mechanism& mechanism, double rate,
-                              const Eigen::Vector2d& place) {
-      return run_peer(program, setting, mechanism, rate, place);
+                              const Eigen::Vector2d& position) {
+      return run_peer(program, setting, mechanism, rate, position);
     };
     list.push_back(contender);
   }
@@ -126,7 +126,7 @@ void show_progress(const std::string& what) {
 }
 
 /// From the longest step to where it is exact, or takes more than 0.3 s of the processor for one.
-std::vector<Tried> try_all(const Contender& contender, const peers::Mechanism& mechanism, const Place& place) {
+std::vector<Tried> try_all(const Contender& contender, const peers::Mechanism& mechanism, const Place& position) {
   std::vector<Tried> tried;
   for (const std::string& listed : contender.settings) {
     const bool chooses_steps = listed.front() == '*';
@@ -134,7 +134,7 @@ std::vector<Tried> try_all(const Contender& contender, const peers::Mechanism& m
     for (const double rate : rates) {
       if (chooses_steps && rate != 60.0) continue;
       show_progress(text(mechanism.name, ": ", contender.name, ", ", setting, ", 1/", rate, " s"));
-      tried.push_back({setting, rate, contender.run(setting, mechanism, rate, place.at)});
+      tried.push_back({setting, rate, contender.run(setting, mechanism, rate, position.at)});
       const peers::Trial& trial = tried.back().trial;
       if (trial.trouble.empty() && (trial.error <= 1e-8 || trial.cost > 0.3)) break;
     }
@@ -213,13 +213,13 @@ void print_case(const Case& of, const std::vector<Contender>& contenders) {
 }
 
 Case run_case(const peers::Mechanism& mechanism, const std::vector<Contender>& contenders) {
-  const Place place = reference_place(mechanism);
+  const Place position = reference_place(mechanism);
   std::printf("\n%s: error of body %d at %g s (the reference is exact to %.0e m)\n", mechanism.name.c_str(),
-              mechanism.measured + 1, mechanism.compare_at, place.uncertain);
+              mechanism.measured + 1, mechanism.compare_at, position.uncertain);
   std::printf("%-16s %-24s %-8s %10s %12s %10s %10s\n", "", "", "step, s", "ms/s", "error, m", "energy", "gap, m");
   Case result{mechanism, {}};
   for (const Contender& contender : contenders) {
-    const std::vector<Tried> tried = try_all(contender, mechanism, place);
+    const std::vector<Tried> tried = try_all(contender, mechanism, position);
     result.fronts.push_back(front(tried));
     print_tried(contender.name, result.fronts.back());
     print_troubles(contender.name, tried);

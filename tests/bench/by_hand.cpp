@@ -118,13 +118,13 @@ double run(const cases::Melt& melt, int steps) {
   Workers alone(1);
   Sites s;
   s.names = {"size", "depth"};
-  s.resize(melt.places.size());
+  s.resize(melt.positions.size());
   s.clear_forces();
   std::fill(s.family.begin(), s.family.end(), 0u);
   std::fill(s.kin.begin(), s.kin.end(), Kin{});
   s.attributes[0].assign(s.attributes[0].size(), 0.5);
   s.attributes[1].assign(s.attributes[1].size(), 1.0);
-  std::copy(melt.places.begin(), melt.places.end(), s.x.begin());
+  std::copy(melt.positions.begin(), melt.positions.end(), s.x.begin());
   std::copy(melt.velocities.begin(), melt.velocities.end(), s.v.begin());
   const Box box{vec(melt.edge, melt.edge, melt.edge)};
   Rows rows;

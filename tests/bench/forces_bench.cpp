@@ -55,8 +55,8 @@ scene:interact(atoms, atoms, force.pair { cutoff = 2.5, shift = false, potential
   set_box(world, vec(melt.edge, melt.edge, melt.edge));  // to the last digit
   ParticleDef atom;
   atom.family = world.families.ids().front();
-  for (std::size_t i = 0; i < melt.places.size(); i++) {
-    atom.at = melt.places[i];
+  for (std::size_t i = 0; i < melt.positions.size(); i++) {
+    atom.at = melt.positions[i];
     atom.velocity = melt.velocities[i];
     add_particle(world, atom);
   }
@@ -114,7 +114,7 @@ void print_phases(const Profile& profile, double atoms) {
 void print_memory(const cases::Melt& melt, const MeltCase& of) {
   const auto scene = open_melt(melt, of.potential, 1);
   const ActingInteraction& acting = scene->world().forces->interactions.front();
-  const auto n = static_cast<double>(melt.places.size()), pairs = static_cast<double>(acting.rows.pairs()),
+  const auto n = static_cast<double>(melt.positions.size()), pairs = static_cast<double>(acting.rows.pairs()),
              bytes = static_cast<double>(acting.rows.memory());
   std::printf("%s: %zu operations for the force, %.1f pairs a particle; rows take %.2f bytes a pair, %.0f a particle\n",
               of.name, lower(acting.law->graph, acting.law->force).operations(), pairs / n, bytes / pairs, bytes / n);
@@ -122,7 +122,7 @@ void print_memory(const cases::Melt& melt, const MeltCase& of) {
 
 void bench_melts(bool peers) {
   const cases::Melt melt;
-  const auto atoms = static_cast<double>(melt.places.size());
+  const auto atoms = static_cast<double>(melt.positions.size());
   std::vector<MeltCase> list = {{"Lennard-Jones", lennard_jones, by_hand::Law::lennard_jones, infinity, {}, {}},
                                 {"four attributes", four_attributes, by_hand::Law::four_attributes, infinity, {}, {}},
                                 {"smooth switch", smooth_switch, by_hand::Law::smooth_switch, infinity, {}, {}}};
@@ -170,7 +170,7 @@ void bench_called() {
     best = std::min(best, (now() - start) / 10.0);
     pairs = scene->world().forces->interactions.front().rows.pairs();
   }
-  const auto atoms = static_cast<double>(melt.places.size());
+  const auto atoms = static_cast<double>(melt.positions.size());
   std::printf(
       "Lennard-Jones that cannot be traced, called in Lua for each pair: %.0f atoms, %.2f M atom-steps/s, "
       "%.0f ns a pair of the rows\n",
@@ -179,7 +179,7 @@ void bench_called() {
 
 constexpr std::uint32_t lattice = 70;
 
-/// A cubic lattice of springs with places, stiffnesses and lengths a little off.
+/// A cubic lattice of springs with positions, stiffnesses and lengths a little off.
 Ties make_lattice(Sites& sites) {
   Random random{7};
   const auto off = [&] { return 0.4 * random.uniform() - 0.2; };

@@ -24,7 +24,7 @@ struct HeavyRun {
   double seconds = std::numeric_limits<double>::infinity();  ///< [s] that the steps take
 };
 
-HeavyRun run_heavy(double rate, Eigen::Vector2d place) {
+HeavyRun run_heavy(double rate, Eigen::Vector2d position) {
   HeavyRun run;
   for (int repetition = 0; repetition < 9; repetition++) {
     World world;
@@ -33,7 +33,7 @@ HeavyRun run_heavy(double rate, Eigen::Vector2d place) {
     const double start = now();
     advance(world, end);
     run.seconds = std::min(run.seconds, now() - start);
-    run.error = norm(world.motion_of(ball).x - vec(place.x(), place.y(), 0));
+    run.error = norm(world.motion_of(ball).x - vec(position.x(), position.y(), 0));
     run.gap = world.worst.hinge_gap;
   }
   return run;
@@ -41,12 +41,12 @@ HeavyRun run_heavy(double rate, Eigen::Vector2d place) {
 
 void bench_heavy(const player::BenchOptions&) {
   const reference::PlaneChain plane = reference::heavy_plane_chain(links, ratio);
-  const Eigen::Vector2d place = reference::centre(plane, reference::advance(plane, end, 2000), links);
+  const Eigen::Vector2d position = reference::centre(plane, reference::advance(plane, end, 2000), links);
   std::printf("%d links and a ball of %g times a link's mass, %g s from horizontal, one thread's processor time\n",
               links, ratio, end);
   std::printf("%8s %12s %12s %14s %14s\n", "step, s", "error, m", "gap, m", "us per 1/60 s", "3x3 products");
   for (const double rate : {60.0, 120.0, 240.0, 480.0}) {
-    const HeavyRun run = run_heavy(rate, place);
+    const HeavyRun run = run_heavy(rate, position);
     const double frame = 1e9 * run.seconds / (60.0 * end);  // [ns]
     std::printf("   1/%-3g %12.2e %12.1e %14.2f %14.0f\n", rate, run.error, run.gap, frame / 1e3,
                 frame / player::product_time());

@@ -129,9 +129,9 @@ TEST_CASE("laws of single particles and of several see places") {
       "law = force.point { strict = true, potential = function(p) return p.mass * math.sin(p.position.x) * "
       "p.position.y end }");
   Seen seen = {{input(Role::attribute, 0, 0, "mass"), 2.0},
-               {input(Role::place, 0, 0), 0.5},
-               {input(Role::place, 0, 1), 3.0},
-               {input(Role::place, 0, 2), 1.0}};
+               {input(Role::position, 0, 0), 0.5},
+               {input(Role::position, 0, 1), 3.0},
+               {input(Role::position, 0, 2), 1.0}};
   for (const Law* law : {&wave.law(), &wave.called()}) {
     const auto got = outputs_of(*law, seen);
     CHECK(got[0] == Approx(-6 * std::cos(0.5)).epsilon(1e-14));
@@ -146,7 +146,7 @@ TEST_CASE("laws of single particles and of several see places") {
   seen.clear();
   const double places[3][3] = {{1, 0, 0}, {0, 0, 0}, {0, 2, 0}};
   for (int who = 0; who < 3; who++)
-    for (int i = 0; i < 3; i++) seen[input(Role::place, who, i)] = places[who][i];
+    for (int i = 0; i < 3; i++) seen[input(Role::position, who, i)] = places[who][i];
   for (const Law* law : {&angle.law(), &angle.called()}) {
     const auto got = outputs_of(*law, seen);
     CHECK(got[1] == Approx(M_PI));  // of the first: towards the third, π / 1

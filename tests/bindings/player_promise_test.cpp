@@ -51,13 +51,13 @@ std::string name_of(const StudyRun& run) {
 /// No error of a run is larger than the one promised, over the times that it is promised for; `round_off` [m] is what the
 /// truth is known to.
 void check_promises(const Study& study, const Truth& truth, double round_off = 1e-10) {
-  const auto places = in_order(truth(study.times), study.finest().places.front());
+  const auto places = in_order(truth(study.times), study.finest().positions.front());
   std::size_t told = 0;
   for (const StudyRun& run : study.runs) {
     INFO(name_of(run) + text(" until ", study.comparable));
     Wrong worst;
-    for (std::size_t k = 0; k < run.places.size(); k++) {
-      const Wrong now = wrong(run.places[k], places[k]);
+    for (std::size_t k = 0; k < run.positions.size(); k++) {
+      const Wrong now = wrong(run.positions[k], places[k]);
       if (study.times[k] <= run.true_until * (1 + 1e-9)) CHECK(now.mean <= 0.01 * study.size);
       if (study.times[k] > study.comparable * (1 + 1e-9)) continue;
       worst = {std::max(worst.mean, now.mean), std::max(worst.most, now.most)};

@@ -293,7 +293,7 @@ TEST_CASE("recording: every command comes back as it was written") {
   c.point = {4, 7};
   c.other = {9, 1};
   c.thing = ConnectionId{5, 6};
-  c.place = vec(0.1, 0.2, 0.3);
+  c.position = vec(0.1, 0.2, 0.3);
   c.amount = vec(1e-17, 0, -2);
   c.points = {vec(1, 2, 3), vec(1.0 / 7.0, 0, 0)};
   c.max_force = infinity;
@@ -308,7 +308,7 @@ TEST_CASE("recording: every command comes back as it was written") {
   CHECK(same(read.moves.at(0).position, input.moves[0].position));
   const Command& r = read.commands.at(0);
   CHECK((r.kind == c.kind && r.hand == 3 && r.point == c.point && r.other == c.other && r.thing == c.thing));
-  CHECK((same(r.place, c.place) && same(r.amount, c.amount) && same(r.points.at(1), c.points[1])));
+  CHECK((same(r.position, c.position) && same(r.amount, c.amount) && same(r.points.at(1), c.points[1])));
   CHECK((r.max_force == c.max_force && r.mass == c.mass && r.radius == c.radius && r.energy == c.energy));
   CHECK(r.name == c.name);
 }

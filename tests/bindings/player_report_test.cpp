@@ -21,7 +21,7 @@ StudyRun seen(const Study& study, const std::string& integrator, double step, Wr
   run.reached = run.right_until = study.until;
   run.seconds = 1e-3 / step;
   run.steps = static_cast<std::uint64_t>(study.until / step);
-  for (const double t : study.times) run.places.push_back({{1, vec(t + wrong(step, t), 0, 0)}});
+  for (const double t : study.times) run.positions.push_back({{1, vec(t + wrong(step, t), 0, 0)}});
   return run;
 }
 
@@ -224,7 +224,7 @@ TEST_CASE("report: beside the mean over all things the error of the worst is tol
   Study study = empty_study();
   for (const double step : steps) {
     study.runs.push_back(seen(study, "verlet", step, [](double, double) { return 0.0; }));
-    for (Places& places : study.runs.back().places)
+    for (Places& places : study.runs.back().positions)
       for (std::uint64_t other = 2; other <= 4; other++) places.emplace_back(other, vec(0, step * step, 0));
   }
   compare(study);
@@ -318,7 +318,7 @@ TEST_CASE("report: every run is one thread's, and its cost the least of what eac
     double sum = 0.0;
     for (const double seconds : run.portions) sum += seconds;
     CHECK(run.seconds == Approx(sum));
-    CHECK(run.portions.size() == run.places.size());
+    CHECK(run.portions.size() == run.positions.size());
   }
   CHECK_THAT(report_text(study, 1.0),
              Catch::Contains("milliseconds of processor time per simulated second, on one thread"));

@@ -164,7 +164,7 @@ class RecordedPerson {
     c.point = points[below(points.size())];
     c.other = points[below(points.size())];
     c.thing = any_thing();
-    c.place = middle_ + reach_ * vec(number() - 0.5, number() - 0.5, 0);
+    c.position = middle_ + reach_ * vec(number() - 0.5, number() - 0.5, 0);
     c.amount = 0.3 * vec(number() - 0.5, number() - 0.5, number() - 0.5);
     if (c.kind == Command::Kind::make) {
       c.points = {zero3(), vec(0.5, 0, 0)};

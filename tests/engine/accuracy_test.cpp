@@ -27,8 +27,8 @@ double error_with(std::optional<double> accuracy, double step_length) {
   CHECK(world.failure == "");
   CHECK(world.worst.hinge_gap <= 1e-10);
   const reference::PlaneChain plane = reference::plane_chain(10);
-  const Eigen::Vector2d place = reference::centre(plane, reference::advance(plane, 1.0, 100), 9);
-  return norm(world.motion_of(chain.bodies.back()).x - vec(place.x(), place.y(), 0));
+  const Eigen::Vector2d position = reference::centre(plane, reference::advance(plane, 1.0, 100), 9);
+  return norm(world.motion_of(chain.bodies.back()).x - vec(position.x(), position.y(), 0));
 }
 
 BodyId add_wheel(World& world) {

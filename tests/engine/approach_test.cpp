@@ -40,7 +40,7 @@ void check_approach(World& world, const std::function<double()>& deviation, bool
 
 }  // namespace
 
-TEST_CASE("approach: points to a nail, a place on a rod, a plane and a path") {
+TEST_CASE("approach: points to a nail, a position on a rod, a plane and a path") {
   const double step_length = GENERATE(1.0 / 60, 1.0 / 240);
   const int kind = GENERATE(0, 1, 2, 3);
   CAPTURE(step_length, kind);

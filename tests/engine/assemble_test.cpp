@@ -89,13 +89,13 @@ TEST_CASE("a body splits into two that move as its parts did, and merges again t
     const BodyId body = add_body(world, def);
     const std::vector<PointId> all = world.bodies[body].points;
     const std::vector<PointId> some(all.begin(), all.begin() + 1 + i % 4);
-    std::vector<Vec3> places, velocities;
-    for (PointId p : all) places.push_back(position(world, p)), velocities.push_back(velocity(world, p));
+    std::vector<Vec3> positions, velocities;
+    for (PointId p : all) positions.push_back(position(world, p)), velocities.push_back(velocity(world, p));
     const double before = energy(world).kinetic;
     BodyId fresh;
     expect_kept(world, [&] { fresh = split(world, body, some); });
     for (std::size_t k = 0; k < all.size(); k++) {
-      CHECK(norm(position(world, all[k]) - places[k]) < 1e-12);
+      CHECK(norm(position(world, all[k]) - positions[k]) < 1e-12);
       CHECK(norm(velocity(world, all[k]) - velocities[k]) < 1e-10);
     }
     expect_kept(world, [&] { merge(world, body, fresh); });
@@ -223,7 +223,8 @@ TEST_CASE("a body with a mass of its own shatters into that too, where its spin 
   ball.inertia = diagonal(vec(1, 1, 1));
   ball.spin = vec(0, 1, 0);
   const BodyId spinning = add_body(world, ball);
-  CHECK_THROWS_WITH(shatter(world, spinning), Contains("1 particle in these places cannot carry its angular momentum"));
+  CHECK_THROWS_WITH(shatter(world, spinning),
+                    Contains("1 particle in these positions cannot carry its angular momentum"));
   CHECK(world.bodies.alive(spinning));
   set_spin(world, spinning, zero3());
   CHECK(shatter(world, spinning).size() == 1);

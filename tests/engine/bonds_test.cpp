@@ -33,8 +33,8 @@ std::shared_ptr<const Law> bending() {
   Expressions g;
   Expr sum = g.constant(0.0);
   for (std::uint8_t k = 0; k < 3; k++) {
-    const auto place = [&](std::uint8_t who) { return g.input({Role::place, who, k, {}}); };
-    const Expr bend = g.add(g.subtract(place(1), g.scale(place(0), 2.0)), place(2));
+    const auto at = [&](std::uint8_t who) { return g.input({Role::position, who, k, {}}); };
+    const Expr bend = g.add(g.subtract(at(1), g.scale(at(0), 2.0)), at(2));
     sum = g.add(sum, g.multiply(bend, bend));
   }
   LawDef def;
@@ -186,7 +186,7 @@ TEST_CASE("bonds: a damper feels the velocities of its ends") {
   CHECK(bonds.tension(0, sites, {}) == Approx(rate).epsilon(1e-13));
 }
 
-TEST_CASE("bonds: a spring whose ends are at one place pulls nowhere") {
+TEST_CASE("bonds: a spring whose ends are at one position pulls nowhere") {
   Sites sites = cases::random_sites({.count = 2, .edge = 0.0});
   Ties ties;
   ties.sites = {1, 0};

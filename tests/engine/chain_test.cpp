@@ -21,8 +21,8 @@ double error_at_one_second(int links, double step, bool energy_return) {
   const cases::Chain chain = cases::add_chain(world, {.links = links});
   advance(world, 1.0);
   const reference::PlaneChain plane = reference::plane_chain(links);
-  const Eigen::Vector2d place = reference::centre(plane, reference::advance(plane, 1.0, 100), links - 1);
-  return norm(world.motion_of(chain.bodies.back()).x - vec(place.x(), place.y(), 0));
+  const Eigen::Vector2d position = reference::centre(plane, reference::advance(plane, 1.0, 100), links - 1);
+  return norm(world.motion_of(chain.bodies.back()).x - vec(position.x(), position.y(), 0));
 }
 
 void keeps_hinges_and_energy(int links, double step) {

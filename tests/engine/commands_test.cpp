@@ -111,13 +111,13 @@ TEST_CASE("a hand removes things") {
 TEST_CASE("a hand makes a ball of one point and a body of more, with its mass and its ends hinged") {
   Two t;
   Command c = command(Kind::make);
-  c.place = vec(0, 3, 0);
+  c.position = vec(0, 3, 0);
   c.points = {zero3()};
   c.mass = 2;
   c.radius = 0.3;
   act(t.world, c);
   CHECK(mass(t.world, everything(t.world)) == Approx(6));
-  CHECK(near(t.world, c.place, 1e-9).size() == 1);
+  CHECK(near(t.world, c.position, 1e-9).size() == 1);
 
   c.points = {vec(-1, 0, 0), vec(1, 0, 0)};
   c.other = right_of(t.world, t.b);
@@ -127,7 +127,7 @@ TEST_CASE("a hand makes a ball of one point and a body of more, with its mass an
   CHECK(norm(position(t.world, hinges(t.world)[1]) - vec(2, 0, 0)) < 1e-12);
   CHECK(t.world.log.empty());
 
-  SECTION("not at a place that is no number") { c.place = vec(0, std::nan(""), 0); }
+  SECTION("not at a position that is no number") { c.position = vec(0, std::nan(""), 0); }
   SECTION("not without mass") { c.mass = 0; }
   SECTION("not between a point and itself") { c.point = c.other; }
   const auto bodies = t.world.bodies.ids().size();
@@ -144,7 +144,7 @@ TEST_CASE("a hand heats and cools what is in a ball, and cools at most to rest")
     add_particle(world, def);
   }
   Command c = command(Kind::heat);
-  c.place = vec(1, 0, 0);
+  c.position = vec(1, 0, 0);
   c.radius = 2.5;
   c.energy = 3;
   act(world, c);
@@ -155,7 +155,7 @@ TEST_CASE("a hand heats and cools what is in a ball, and cools at most to rest")
   act(world, c);
   CHECK(energy(world).kinetic < 1e-20);
   CHECK(world.log.empty());
-  c.place = vec(0, 50, 0);
+  c.position = vec(0, 50, 0);
   act(world, c);
   CHECK_THAT(dropped(world), Contains("there is nothing to heat"));
 }
@@ -166,7 +166,7 @@ TEST_CASE("a hand that would heat a single ball at rest leaves it, and says noth
   def.at = vec(0, 0, 0);
   add_particle(world, def);
   Command c = command(Kind::heat);
-  c.place = vec(0, 0, 0);
+  c.position = vec(0, 0, 0);
   c.radius = 1;
   c.energy = 3;
   act(world, c);

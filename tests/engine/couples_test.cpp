@@ -220,7 +220,7 @@ TEST_CASE("a welded arm bears its weight, and breaks where it is told to") {
   run(world, 0.5);
   CHECK(world.worst.constraint < 1e-11);
   CHECK(norm(world.constraints[weld].force - vec(0, 3 * 9.81, 0)) < 1e-8);
-  CHECK(norm(world.constraints[weld].torque - vec(0, 0, 3 * 9.81 * 0.25)) < 1e-8);  // about its place, x = 0.25
+  CHECK(norm(world.constraints[weld].torque - vec(0, 0, 3 * 9.81 * 0.25)) < 1e-8);  // about its position, x = 0.25
   CHECK(std::fabs(world.motion_of(arm).x[1]) < 1e-11);
   set_breaks_at(world, weld, {infinity, 7.0, infinity});
   step(world);

@@ -36,7 +36,7 @@ double born(const World& world, ParticleId p) { return world.particles[p].born; 
 std::shared_ptr<const Law> bowl(double factor) {
   Expressions g;
   Expr sum = g.constant(0.0);
-  for (std::uint8_t i = 0; i < 3; i++) sum = g.add(sum, g.power(g.input({Role::place, 0, i, ""}), 2.0));
+  for (std::uint8_t i = 0; i < 3; i++) sum = g.add(sum, g.power(g.input({Role::position, 0, i, ""}), 2.0));
   const Expr energy = g.scale(g.multiply(g.input({Role::attribute, 0, 0, "radius"}), sum), 0.5 * factor);
   LawDef def;
   def.name = "bowl";
@@ -82,7 +82,7 @@ TEST_CASE("emitter: a particle is where free fall takes it from the moment of it
   World world;
   world.settings.step = 0.04;
   EmitterDef def = fountain(9.0, endless);
-  def.place.at = vec(1, 2, 3);
+  def.position.at = vec(1, 2, 3);
   add_emitter(world, def);
   advance(world, 1.2);
   const std::vector<ParticleId> made = particles(world);
@@ -115,7 +115,7 @@ TEST_CASE("emitter: the energy that a law has of what comes and goes is counted 
   drops.name = "drops";
   drops.radius = 2.0;
   EmitterDef def = fountain(200.0, 0.5);
-  def.place.at = vec(1, 0, 0);
+  def.position.at = vec(1, 0, 0);
   def.family = add_family(world, drops);
   add_emitter(world, def);
   add_field(world, bowl(40.0), def.family);
@@ -176,7 +176,7 @@ TEST_CASE("emitter: two runs are the same to the last bit, and another emitter c
     def.shortest = 0.2;
     def.longest = 0.9;
     def.spread = 1.0;
-    def.place.to = vec(1, 1, 1);
+    def.position.to = vec(1, 1, 1);
     const EmitterId first = add_emitter(*world, def);
     if (with_another) add_emitter(*world, fountain(1300.0, 0.3));
     advance(*world, 1.5);
@@ -194,14 +194,14 @@ TEST_CASE("emitter: two runs are the same to the last bit, and another emitter c
   CHECK(state == run(true));
 }
 
-TEST_CASE("emitter: directions fill the cone evenly, places the box, lifetimes their range") {
+TEST_CASE("emitter: directions fill the cone evenly, positions the box, lifetimes their range") {
   World world;
   world.settings.gravity = zero3();
   EmitterDef def = fountain(20000.0, 0.0);
   def.velocity = vec(0, 0, 2);
   def.spread = 1.0;
-  def.place.at = vec(1, 0, 0);
-  def.place.to = vec(-1, 4, 0);
+  def.position.at = vec(1, 0, 0);
+  def.position.to = vec(-1, 4, 0);
   def.shortest = 2.0;
   def.longest = 4.0;
   add_emitter(world, def);
@@ -230,7 +230,7 @@ TEST_CASE("emitter: on a point it moves with it, and goes with it") {
   carrier.velocity = vec(3, 0, 0);
   const ParticleId ship = add_particle(world, carrier);
   EmitterDef def = fountain(10.0, endless);
-  def.place.point = world.particles[ship].points[0];
+  def.position.point = world.particles[ship].points[0];
   def.name = "jet";
   const EmitterId emitter = add_emitter(world, def);
   advance(world, 1.0);

@@ -13,7 +13,7 @@ using namespace pantin;
 
 namespace {
 
-Expr place(Expressions& g, std::uint8_t k) { return g.input({Role::place, 0, k, {}}); }
+Expr place(Expressions& g, std::uint8_t k) { return g.input({Role::position, 0, k, {}}); }
 
 /// charge x y
 std::shared_ptr<const Law> saddle() {
@@ -70,7 +70,7 @@ TEST_CASE("fields: a force of velocity and time has no energy") {
   }
 }
 
-TEST_CASE("fields: in a box places are seen within it") {
+TEST_CASE("fields: in a box positions are seen within it") {
   Sites sites = cases::random_sites({.count = 1});
   sites.x[0] = vec(11, -3, 25);
   Workers workers;

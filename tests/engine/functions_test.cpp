@@ -10,7 +10,7 @@ using namespace pantin;
 namespace {
 const std::vector<double> numbers = {-700.5, -20.25, -3.0, -1.0, -0.3, -1e-9, 0.0, 1e-9, 0.4, 1.0, 2.5, 30.0, 699.0};
 
-/// Within a few units in the last place of the C library, which is another implementation.
+/// Within a few units in the last position of the C library, which is another implementation.
 void same_as(double mine, double libm) {
   if (std::isnan(libm))
     CHECK(std::isnan(mine));

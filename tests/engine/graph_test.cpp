@@ -75,7 +75,7 @@ TEST_CASE("graph: each row of the order has the least degree of those left, and 
     Sets left = graph;
     for (std::uint32_t k = 0; k < 40; k++) {
       std::set<std::uint32_t> column;
-      for (const std::uint32_t place : e.columns[k]) column.insert(e.order[place]);
+      for (const std::uint32_t position : e.columns[k]) column.insert(e.order[position]);
       CHECK(column == columns[k]);
       CHECK(std::is_sorted(e.columns[k].begin(), e.columns[k].end()));
       const std::uint32_t row = e.order[k];

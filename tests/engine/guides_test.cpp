@@ -26,10 +26,10 @@ PointId mass_at(World& world, Vec3 at, double mass = 1.0) {
   return cases::point_of(world, add_particle(world, def));
 }
 
-std::shared_ptr<const Path> circle(double radius, int places) {
+std::shared_ptr<const Path> circle(double radius, int positions) {
   std::vector<Vec3> list;
-  for (int i = 0; i < places; i++)
-    list.push_back(radius * vec(std::sin(2 * pi * i / places), -std::cos(2 * pi * i / places), 0));
+  for (int i = 0; i < positions; i++)
+    list.push_back(radius * vec(std::sin(2 * pi * i / positions), -std::cos(2 * pi * i / positions), 0));
   return std::make_shared<const Path>(std::move(list), true, true);
 }
 
@@ -69,7 +69,7 @@ TEST_CASE("a bead on a circle swings as a pendulum, its energy kept") {
   world.settings.step = 1.0 / 480;
   const double start = 1.0;  // [rad]
   const auto wire = circle(1.0, 128);
-  const PointId bead = mass_at(world, wire->place(128 * start / (2 * pi)));
+  const PointId bead = mass_at(world, wire->position(128 * start / (2 * pi)));
   const ConstraintId path = add_on_path(world, bead, wire);
   const double k = std::sin(0.5 * start);
   const double period =
@@ -102,7 +102,7 @@ TEST_CASE("a bead on a wire with ends slides along and stops at the end") {
   CHECK(world.worst.constraint < 1e-10);
 }
 
-TEST_CASE("two masses on a string over two places move as Atwood found") {
+TEST_CASE("two masses on a string over two positions move as Atwood found") {
   World world;
   const double m1 = 3.0, m2 = 2.0;
   const PointId left = mass_at(world, vec(-1, -2, 0), m1), right = mass_at(world, vec(1, -2, 0), m2);
@@ -202,14 +202,14 @@ TEST_CASE(
 TEST_CASE("guides say what is wrong with what they are given") {
   World world;
   const PointId a = mass_at(world, zero3()), b = mass_at(world, vec(1, 0, 0));
-  CHECK_THROWS_WITH(Path({zero3()}, false, false), Contains("a path needs two places or more, got 1"));
-  CHECK_THROWS_WITH(Path({zero3(), zero3()}, false, false), Contains("places 1 and 2 of the path are the same"));
+  CHECK_THROWS_WITH(Path({zero3()}, false, false), Contains("a path needs two positions or more, got 1"));
+  CHECK_THROWS_WITH(Path({zero3(), zero3()}, false, false), Contains("positions 1 and 2 of the path are the same"));
   CHECK_THROWS_WITH(add_string(world, {through(a)}), Contains("needs two points or more, got 1"));
   StringDef def;
   def.length = 1.0;
   CHECK_THROWS_WITH(add_string(world, {through(a), place(vec(0, 1, 0)), place(vec(0, 3, 0))}, def),
-                    Contains("its places are 2 m apart, so it cannot be 1 m long"));
-  CHECK_THROWS_WITH(add_string(world, {place(zero3()), place(vec(0, 1, 0))}), Contains("places only"));
+                    Contains("its positions are 2 m apart, so it cannot be 1 m long"));
+  CHECK_THROWS_WITH(add_string(world, {place(zero3()), place(vec(0, 1, 0))}), Contains("positions only"));
   CHECK_THROWS_WITH(add_limit(world, a, b, {2.0, 1.0, 0.1}), Contains("min must be below max, got 2 and 1 m"));
   PlaneDef plane;
   plane.normal = zero3();

@@ -98,7 +98,7 @@ TEST_CASE("a grab is a follow with a limit; a new one lets go of the last") {
   grab(t.world, 0, left_of(t.world, t.a), 30);
   const ConstraintId first = t.world.hands[0].grab;
   CHECK(t.world.constraints[first].max_force == 30.0);
-  CHECK(same(t.world.constraints[first].place, vec(5, 0, 0)));
+  CHECK(same(t.world.constraints[first].position, vec(5, 0, 0)));
   grab(t.world, 0, right_of(t.world, t.b));
   CHECK_FALSE(t.world.constraints.alive(first));
   CHECK(t.world.constraints[t.world.hands[0].grab].a == right_of(t.world, t.b));
@@ -202,7 +202,7 @@ TEST_CASE("the velocity of a followed target is exact for a parabola once there 
   feed(world, {});
   const Constraint& c = world.constraints[id];
   CHECK(same(c.previous, vec(1, 0, 0)));
-  CHECK(c.place[0] == Approx(1.23));
+  CHECK(c.position[0] == Approx(1.23));
   CHECK(c.velocity[0] == Approx(2.3));
   feed(world, {});
   CHECK(c.previous[0] == Approx(1.23));
@@ -249,6 +249,6 @@ TEST_CASE("a follow that an event makes is at its target at the end of that step
   };
   add_event(world, event);
   while (!follow) step(world);
-  CHECK(world.constraints[follow].place[0] == world.time);
+  CHECK(world.constraints[follow].position[0] == world.time);
   CHECK(norm(world.constraints[follow].velocity - vec(1, 0, 0)) <= 1e-12);
 }

@@ -14,7 +14,7 @@ using namespace pantin;
 
 namespace {
 
-/// A hand that jumps to a random place within `reach` [m] every 20 steps, and takes hold of something else every 50.
+/// A hand that jumps to a random position within `reach` [m] every 20 steps, and takes hold of something else every 50.
 Action thrower(World& world, std::shared_ptr<Random> random, std::vector<PointId> points, double reach) {
   const auto at = std::make_shared<Vec3>(zero3());
   const std::int32_t hand = add_hand(world, [at](double) { return *at; });

@@ -47,13 +47,13 @@ TEST_CASE("hard A: long chains do", "[slow]") {
 
 TEST_CASE("hard A: the end of a chain of ten is where the equations of motion say, at second order") {
   const reference::PlaneChain plane = reference::plane_chain(10);
-  const Eigen::Vector2d place = reference::centre(plane, reference::advance(plane, 1.0, 100), 9);
+  const Eigen::Vector2d position = reference::centre(plane, reference::advance(plane, 1.0, 100), 9);
   const auto error = [&](double step) {
     World world;
     world.settings.step = step;
     const cases::Chain chain = cases::add_chain(world);
     advance(world, 1.0);
-    return norm(world.motion_of(chain.bodies.back()).x - vec(place.x(), place.y(), 0));
+    return norm(world.motion_of(chain.bodies.back()).x - vec(position.x(), position.y(), 0));
   };
   CHECK(error(1.0 / 60) <= 9.2e-3);
   CHECK(error(1.0 / 240) <= 5.8e-4);
@@ -82,13 +82,13 @@ TEST_CASE("hard B: heavy chains never fail at any step length") {
 TEST_CASE(
     "hard B: a ball 50,000 times heavier than its 19 links is where the equations of motion say after two seconds") {
   const reference::PlaneChain plane = reference::heavy_plane_chain(19, 5e4);
-  const Eigen::Vector2d place = reference::centre(plane, reference::advance(plane, 2.0, 2000), 19);
+  const Eigen::Vector2d position = reference::centre(plane, reference::advance(plane, 2.0, 2000), 19);
   const auto error = [&](double step) {
     World world;
     world.settings.step = step;
     const cases::Chain chain = cases::add_heavy_chain(world, 19, 5e4);
     advance(world, 2.0);
-    return norm(world.motion_of(chain.bodies.back()).x - vec(place.x(), place.y(), 0));
+    return norm(world.motion_of(chain.bodies.back()).x - vec(position.x(), position.y(), 0));
   };
   CHECK(error(1.0 / 60) <= 4e-4);
   CHECK(error(1.0 / 120) <= 1e-4);

@@ -27,10 +27,10 @@ TEST_CASE("heavy: no mass ratio needs the fallback step") {
 
 TEST_CASE("heavy: the sphere is where the equations of motion say") {
   const reference::PlaneChain plane = reference::heavy_plane_chain(10, 1e3);
-  const Eigen::Vector2d place = reference::centre(plane, reference::advance(plane, 1.0, 500), 10);
+  const Eigen::Vector2d position = reference::centre(plane, reference::advance(plane, 1.0, 500), 10);
   World world;
   world.settings.step = 1.0 / 60;
   const cases::Chain chain = cases::add_heavy_chain(world, 10, 1e3);
   advance(world, 1.0);
-  CHECK(norm(world.motion_of(chain.bodies.back()).x - vec(place.x(), place.y(), 0)) <= 1e-3);
+  CHECK(norm(world.motion_of(chain.bodies.back()).x - vec(position.x(), position.y(), 0)) <= 1e-3);
 }

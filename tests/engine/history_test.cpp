@@ -51,7 +51,7 @@ TEST_CASE("history: a hinge cut and made again between two steps changes no bit 
   }
 }
 
-TEST_CASE("history: kicks, velocities and places set leave the graph as it is") {
+TEST_CASE("history: kicks, velocities and positions set leave the graph as it is") {
   World world;
   const cases::Chain chain = cases::add_chain(world);
   steps(world, 5);

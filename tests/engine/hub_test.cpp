@@ -139,7 +139,7 @@ TEST_CASE("hub: rows of all kinds on it hold") {
     rod.at = head + vec(0.5, 0, 0);
     return cases::add_rod_body(world, 1, 1, rod);
   };
-  const auto place = [&](BodyId body) { return world.motion_of(body).x; };
+  const auto centre = [&](BodyId body) { return world.motion_of(body).x; };
   const BodyId welded = rod_at(vec(0, 1, 0)), driven = rod_at(vec(0, -1, 0)), held = rod_at(vec(0, 2, 3));
   const ConstraintId rod = add_rod(world, wheel.edge[0], vec(1, 4, 0));
   add_rod(world, wheel.edge[5], cases::point_of(world, held, 0));
@@ -157,19 +157,19 @@ TEST_CASE("hub: rows of all kinds on it hold") {
   follow.max_force = 500;
   add_follow(world, wheel.centre, follow);
   const double length = norm(position(world, wheel.edge[5]) - position(world, cases::point_of(world, held, 0)));
-  const Vec3 apart = place(welded) - position(world, wheel.centre);
+  const Vec3 apart = centre(welded) - position(world, wheel.centre);
   check_exact(world, 0.5);
   CHECK(hubs(world) == 1);
   CHECK(norm(position(world, wheel.edge[0]) - vec(1, 4, 0)) == Approx(world.constraints[rod].length).epsilon(1e-9));
   CHECK(norm(position(world, wheel.edge[5]) - position(world, cases::point_of(world, held, 0))) ==
         Approx(length).epsilon(1e-9));
-  CHECK(norm(place(welded) - position(world, wheel.centre)) == Approx(norm(apart)).epsilon(1e-9));
+  CHECK(norm(centre(welded) - position(world, wheel.centre)) == Approx(norm(apart)).epsilon(1e-9));
   CHECK(world.constraints[motor].angle == Approx(1.0).epsilon(1e-4));
   CHECK(std::fabs(position(world, wheel.centre)[0]) <= 1e-9);
   CHECK(norm(world.constraints[plane].force) > 0.0);
 }
 
-TEST_CASE("hub: a body nailed at twenty places is none, and rests") {
+TEST_CASE("hub: a body nailed at twenty positions is none, and rests") {
   World world;
   BodyDef plate;
   plate.mass = 100;

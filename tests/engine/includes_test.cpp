@@ -51,8 +51,8 @@ bool is_engine(std::string_view folder) { return folder == "engine" || folder.st
 
 bool may_include(std::string_view from, std::string_view to) {
   if (is_engine(from)) {
-    const auto place = std::find(engine_order.begin(), engine_order.end(), from);
-    return place != engine_order.end() && std::find(engine_order.begin(), place + 1, to) != place + 1;
+    const auto position = std::find(engine_order.begin(), engine_order.end(), from);
+    return position != engine_order.end() && std::find(engine_order.begin(), position + 1, to) != position + 1;
   }
   if (from == to || is_engine(to)) return true;
   return (from == "bindings/player" || from == "bindings/player/panels") && to.starts_with("bindings/");
@@ -104,7 +104,7 @@ std::vector<std::string> wrong_arrows(const Files& files) {
   for (const auto& [path, text] : files) {
     const std::string folder = folder_of(path);
     if (is_engine(folder) && std::find(engine_order.begin(), engine_order.end(), folder) == engine_order.end()) {
-      wrong.push_back(path + " lies in a folder without a place in the order");
+      wrong.push_back(path + " lies in a folder without a position in the order");
     }
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
@@ -152,7 +152,7 @@ TEST_CASE("an include the wrong way is found") {
       {"engine/base/check.hpp", "#include <gemmi/cif.hpp>", "must not include gemmi/cif.hpp"},
       {"engine/base/check.hpp", "  std::printf(\"x\");", "must not print"},
       {"engine/base/check.hpp", "  std::cerr << 1;", "must not print"},
-      {"engine/extra/thing.hpp", "", "without a place in the order"},
+      {"engine/extra/thing.hpp", "", "without a position in the order"},
       {"bindings/lua/state.hpp", "#include \"view/camera.hpp\"", "must not include bindings/view/camera.hpp"},
       {"bindings/lua/state.hpp", "#include <SDL.h>", "must not include SDL.h"},
       {"bindings/view/camera.hpp", "#include \"lua/state.hpp\"", "must not include bindings/lua/state.hpp"},

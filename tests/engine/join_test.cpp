@@ -62,7 +62,7 @@ TEST_CASE("hinges that share a new hinge unite in it") {
                     "hinge: these points are joined already, in hinge 'hub'");
 }
 
-TEST_CASE("a hinge joins different bodies at one place") {
+TEST_CASE("a hinge joins different bodies at one position") {
   Two t;
   const PointId al = left_of(t.world, t.a), br = right_of(t.world, t.b);
   CHECK_THROWS_WITH(join(t.world, {al}), "hinge: needs two points or more, got 1");
@@ -88,7 +88,7 @@ TEST_CASE("points of a hinge may be apart by the tolerance times the size of the
   CHECK_THROWS_WITH(join(world, {p, q}), Contains("1e-09 m apart"));
 }
 
-TEST_CASE("cutting frees all members and keeps momentum, place and velocity") {
+TEST_CASE("cutting frees all members and keeps momentum, position and velocity") {
   Two t;
   kick(t.world, t.a, vec(1, 2, 0), vec(0.3, 0, 0));
   const Things all = everything(t.world);
@@ -121,7 +121,7 @@ TEST_CASE("one body is cut out of a hinge of three; of two the hinge ends") {
   CHECK(hinges(t.world).empty());
 }
 
-TEST_CASE("a removed body takes its points, constraints and places in hinges along") {
+TEST_CASE("a removed body takes its points, constraints and positions in hinges along") {
   Two t;
   const PointId bl = left_of(t.world, t.b), al = left_of(t.world, t.a);
   const ConstraintId nail = add_nail(t.world, al), rod = add_rod(t.world, al, right_of(t.world, t.b));

@@ -61,7 +61,7 @@ TEST_CASE("two points are drawn together critically damped, and become a hinge")
   CHECK(norm(momentum(s.world, everything(s.world)) - momentum_before) < 1e-12);
 }
 
-TEST_CASE("bodies are joined at a place, and let go of it when they have met") {
+TEST_CASE("bodies are joined at a position, and let go of it when they have met") {
   TwoTips s;
   const Vec3 P = vec(0.2, 1.0, 0.3);
   JoinDef def;

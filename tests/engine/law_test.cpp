@@ -16,7 +16,7 @@ struct Pair : Expressions {
   Symbol r2{this, input({Role::distance2, 0, 0, {}})}, r = sqrt(r2), rate{this, rate_of_distance(*this)};
   Symbol charge{this, input({Role::attribute, 0, 0, "charge"})};
   Symbol t{this, input({Role::time, 0, 0, {}})}, noise{this, input({Role::noise, 0, 0, {}})};
-  Symbol x{this, input({Role::place, 0, 0, {}})}, u{this, input({Role::velocity, 0, 0, {}})};
+  Symbol x{this, input({Role::position, 0, 0, {}})}, u{this, input({Role::velocity, 0, 0, {}})};
   Symbol k{this, input({Role::parameter, 0, 0, "k"})};
 };
 
@@ -107,7 +107,7 @@ TEST_CASE("a law may depend only on what its kind has") {
   CHECK_THROWS_WITH(central_potential(def, p, p.rate.e),
                     Contains("scene.lua:12: a potential of a pair cannot depend on"));
   CHECK_THROWS_WITH(central_potential(def, p, p.noise.e), Contains("noise"));
-  CHECK_THROWS_WITH(central_tension(def, p, p.x.e), Contains("the place of particle 1 (x)"));
+  CHECK_THROWS_WITH(central_tension(def, p, p.x.e), Contains("the position of particle 1 (x)"));
   CHECK_THROWS_WITH(point_potential(def, p, p.r2.e), Contains("the distance of a pair"));
   CHECK_THROWS_WITH(point_potential(def, p, p.u.e), Contains("the velocity of particle 1"));
   CHECK_THROWS_WITH(central_potential(def, p, p.k.e), Contains("there is no parameter \"k\""));

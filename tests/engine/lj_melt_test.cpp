@@ -40,8 +40,8 @@ void fill(World& world, const cases::Melt& melt, Expressions g, Expr potential) 
   family.name = "atoms";
   ParticleDef atom;
   atom.family = add_family(world, family);
-  for (std::size_t i = 0; i < melt.places.size(); i++) {
-    atom.at = melt.places[i];
+  for (std::size_t i = 0; i < melt.positions.size(); i++) {
+    atom.at = melt.positions[i];
     atom.velocity = melt.velocities[i];
     add_particle(world, atom);
   }
@@ -59,7 +59,7 @@ double whole_energy(const World& world) { return energy(world).total() / static_
 
 TEST_CASE("melt: it starts with LAMMPS' velocities") {
   const cases::Melt melt;
-  REQUIRE(melt.places.size() == 32000);
+  REQUIRE(melt.positions.size() == 32000);
   CHECK(melt.edge == 33.591923827650149);
   CHECK(norm(melt.velocities[0] - vec(-0.14582831540066438, -0.66994617068169771, -2.0172221659688598)) < 1e-14);
   CHECK(norm(melt.velocities[19999] - vec(0.23006065308682336, -0.32591644861422808, -0.29253489702950852)) < 1e-14);

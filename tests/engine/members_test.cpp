@@ -31,7 +31,7 @@ std::shared_ptr<const Law> soft_cores(double cutoff, double strength) {
 std::shared_ptr<const Law> well(double k) {
   Expressions g;
   Expr sum = g.constant(0.0);
-  for (std::uint8_t i = 0; i < 3; i++) sum = g.add(sum, g.power(g.input({Role::place, 0, i, ""}), 2.0));
+  for (std::uint8_t i = 0; i < 3; i++) sum = g.add(sum, g.power(g.input({Role::position, 0, i, ""}), 2.0));
   LawDef def;
   def.name = "well";
   const Expr energy = g.scale(g.multiply(g.input({Role::attribute, 0, 0, "mass"}), sum), 0.5 * k);
@@ -61,8 +61,8 @@ FamilyId make_family(World& world, const char* name) {
 EmitterId pour(World& world, FamilyId family, double rate, double shortest, double longest) {
   EmitterDef def;
   def.rate = rate;
-  def.place.at = vec(-1, -1, -1);
-  def.place.to = vec(1, 1, 1);
+  def.position.at = vec(-1, -1, -1);
+  def.position.to = vec(1, 1, 1);
   def.velocity = vec(0, 1, 0);
   def.spread = 3.0;
   def.shortest = shortest;
@@ -219,7 +219,7 @@ TEST_CASE("members: whatever order they are removed and made in") {
 }
 
 TEST_CASE("members: the same bits for one, two and four threads") {
-  std::vector<std::vector<Vec3>> places;
+  std::vector<std::vector<Vec3>> positions;
   for (int threads : {1, 2, 4}) {
     World world;
     prepare(world, 1e-3);
@@ -229,13 +229,13 @@ TEST_CASE("members: the same bits for one, two and four threads") {
     add_field(world, well(9.0), drops);
     pour(world, drops, 1e5, 0.01, 0.02);
     for (int k = 0; k < 25; k++) step(world);
-    places.emplace_back();
-    for (ParticleId id : world.particles.ids()) places.back().push_back(position(world, id));
+    positions.emplace_back();
+    for (ParticleId id : world.particles.ids()) positions.back().push_back(position(world, id));
   }
-  REQUIRE(places[0].size() > 1000);
-  for (std::size_t run = 1; run < places.size(); run++) {
-    REQUIRE(places[run].size() == places[0].size());
-    for (std::size_t i = 0; i < places[0].size(); i++) REQUIRE(same(places[run][i], places[0][i]));
+  REQUIRE(positions[0].size() > 1000);
+  for (std::size_t run = 1; run < positions.size(); run++) {
+    REQUIRE(positions[run].size() == positions[0].size());
+    for (std::size_t i = 0; i < positions[0].size(); i++) REQUIRE(same(positions[run][i], positions[0][i]));
   }
 }
 
@@ -244,7 +244,7 @@ TEST_CASE("members: a newborn that lacks what a law reads stops the world, and s
   prepare(world, 1e-3);
   Expressions g;
   const Expr charge = g.input({Role::attribute, 0, 0, "charge"});
-  const Expr energy = g.multiply(charge, g.input({Role::place, 0, 0, ""}));
+  const Expr energy = g.multiply(charge, g.input({Role::position, 0, 0, ""}));
   LawDef def;
   def.name = "field of charges";
   FamilyDef ions;

@@ -77,7 +77,7 @@ TEST_CASE("points in a plane are an ordinary body: the largest moment is the sum
   CHECK(lift(world, id) == 0.0);
 }
 
-TEST_CASE("all points in one place are a point mass, wherever that is") {
+TEST_CASE("all points in one position are a point mass, wherever that is") {
   for (double far : {0.0, 0.1, 1e6}) {
     World world;
     const Vec3 at = vec(far, 3 * far, -far);
@@ -112,7 +112,7 @@ TEST_CASE("given inertia and a point mass add by the parallel axis theorem") {
   CHECK(norm(origin(world, id) - vec(10, 0, 0)) < 1e-14);
 }
 
-TEST_CASE("the frame's place and orientation are what was given") {
+TEST_CASE("the frame's position and orientation are what was given") {
   World world;
   BodyDef def = of_points({mass_at(vec(1, 0, 0), 1), mass_at(vec(0, 2, 0), 2), mass_at(vec(0, 0, 3), 3)});
   def.at = vec(1, 2, 3);
@@ -123,7 +123,7 @@ TEST_CASE("the frame's place and orientation are what was given") {
   CHECK(norm(origin(world, id) - vec(1, 2, 3)) < 1e-14);
   const Body& body = world.bodies[id];
   for (PointId p : body.points) {
-    const Vec3 expected = vec(1, 2, 3) + rotate(oblique, world.points[p].place);
+    const Vec3 expected = vec(1, 2, 3) + rotate(oblique, world.points[p].position);
     CHECK(norm(position(world, p) - expected) < 1e-14);
     CHECK(norm(velocity(world, p) - (def.velocity + cross(def.spin, expected - world.motion_of(id).x))) < 1e-14);
   }
@@ -131,7 +131,7 @@ TEST_CASE("the frame's place and orientation are what was given") {
   CHECK(norm(angular_momentum(world, id) - inertia(world, id) * def.spin) < 1e-13);
 }
 
-TEST_CASE("a body of no mass is an error, and so is mass in one place with points elsewhere") {
+TEST_CASE("a body of no mass is an error, and so is mass in one position with points elsewhere") {
   World world;
   CHECK_THROWS_WITH(add_body(world, of_points({mass_at(zero3(), 0)})), "body: mass must be > 0 kg, got 0");
   CHECK_THROWS_WITH(add_body(world, BodyDef{}), "body: mass must be > 0 kg, got 0");
@@ -150,15 +150,15 @@ TEST_CASE("update_mass keeps the velocity of every point, and leaves a body that
   def.spin = vec(0.3, 0.2, -0.9);
   const BodyId id = add_body(world, def);
   const std::vector<PointId> points = world.bodies[id].points;
-  std::vector<Vec3> before, places;
-  for (PointId p : points) before.push_back(velocity(world, p)), places.push_back(position(world, p));
+  std::vector<Vec3> before, positions;
+  for (PointId p : points) before.push_back(velocity(world, p)), positions.push_back(position(world, p));
 
   world.points[points[0]].mass = 50;
   update_mass(world, id);
   CHECK(world.motion_of(id).mass == 55.0);
   for (std::size_t i = 0; i < points.size(); i++) {
     CHECK(norm(velocity(world, points[i]) - before[i]) < 1e-13);
-    CHECK(norm(position(world, points[i]) - places[i]) < 1e-13);
+    CHECK(norm(position(world, points[i]) - positions[i]) < 1e-13);
   }
   for (PointId p : points) world.points[p].mass = 0;
   CHECK_THROWS_AS(update_mass(world, id), Error);

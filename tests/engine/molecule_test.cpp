@@ -140,10 +140,10 @@ TEST_CASE("bad molecule files are told with their line") {
 
 TEST_CASE("of alternatives the first counts, where few or all atoms have them") {
   std::string text;
-  for (const char* place : {"A", "B"})
+  for (const char* position : {"A", "B"})
     for (int i = 0; i < 9; i++)
-      text += "HETATM   1" + std::to_string(i) + "  C" + std::to_string(i) + " " + place + "LIG A   1      " +
-              (place[0] == 'A' ? " " : "1") + std::to_string(i) + ".000   0.000   0.000  0.50  0.00           C\n";
+      text += "HETATM   1" + std::to_string(i) + "  C" + std::to_string(i) + " " + position + "LIG A   1      " +
+              (position[0] == 'A' ? " " : "1") + std::to_string(i) + ".000   0.000   0.000  0.50  0.00           C\n";
   const Structure s = read_molecule(text + "END\n", "alternatives.pdb");
   REQUIRE(s.vertices.size() == 9);
   for (std::size_t i = 0; i < 9; i++) CHECK(norm(s.vertices[i] - vec(static_cast<double>(i), 0, 0)) < 1e-12);

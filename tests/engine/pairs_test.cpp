@@ -262,7 +262,7 @@ TEST_CASE("pairs: the same bits for any number of threads") {
   }
 }
 
-TEST_CASE("pairs: at one place and beyond the cutoff a singular law stays finite") {
+TEST_CASE("pairs: at one position and beyond the cutoff a singular law stays finite") {
   Expressions g;
   const Expr r2 = distance2(g);
   const Expr r6 = g.power(r2, -3.0), potential = g.scale(g.subtract(g.multiply(r6, r6), r6), 4.0);

@@ -49,7 +49,7 @@ TEST_CASE("ring: three rods are stiff, and swing as one body") {
 
 TEST_CASE("ring: is where the equations of motion say, to second order") {
   const reference::PlaneChain plane = reference::plane_ring(24);
-  const Eigen::Vector2d place = reference::centre(plane, reference::advance(plane, 1.0, 100), 11);
+  const Eigen::Vector2d exact = reference::centre(plane, reference::advance(plane, 1.0, 100), 11);
   double errors[2];
   for (const int k : {0, 1}) {
     World world;
@@ -57,7 +57,7 @@ TEST_CASE("ring: is where the equations of motion say, to second order") {
     const cases::Chain ring = cases::add_ring(world, 24);
     const Vec3 top = position(world, ring.heads[6]);
     advance(world, 1.0);
-    errors[k] = norm(world.motion_of(ring.bodies[17]).x - top - vec(place.x(), place.y(), 0));
+    errors[k] = norm(world.motion_of(ring.bodies[17]).x - top - vec(exact.x(), exact.y(), 0));
   }
   CHECK(errors[0] <= 1e-3);
   CHECK(errors[0] / errors[1] == Approx(4.0).margin(1.0));

@@ -44,7 +44,7 @@ TEST_CASE("rod length: a world end that is set far away draws its point after it
   set_gravity(world, zero3());
   const PointId a = particle(world, vec(1, 0, 0), 1);
   const ConstraintId rod = add_rod(world, a, zero3());
-  set_place(world, rod, vec(-3, 0, 0));
+  set_position(world, rod, vec(-3, 0, 0));
   advance(world, 0.5);
   CHECK(position(world, a)[0] == Approx(-2 + 3 * deviation(0.5)).margin(1e-9));
   CHECK(world.stats.fallback_steps == 0);

@@ -53,13 +53,13 @@ std::vector<Vec3> motion_of_end(int links, double along, double time, bool sidew
       add_hinge(world, std::vector{cases::point_of(world, rods[k - 1], 1), cases::point_of(world, rods[k], 0)});
   }
   const PointId end = cases::point_of(world, rods.back(), 1);
-  std::vector<Vec3> places;
-  const Watched course = watch(world, time, [&] { places.push_back(position(world, end)); });
+  std::vector<Vec3> positions;
+  const Watched course = watch(world, time, [&] { positions.push_back(position(world, end)); });
   CHECK(course.failure == "");
   CHECK(course.finite);
   CHECK(course.gap <= 1e-10);
   CHECK(course.energy_error() <= 1e-9);
-  return places;
+  return positions;
 }
 
 double largest_difference(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
@@ -162,8 +162,8 @@ TEST_CASE("rods: a free particle in a hinge moves as a body of one point does") 
       bob = cases::point_of(*world, add_body(*world, def), 0);
     }
     add_hinge(*world, std::vector{chain.tails[0], bob});
-    std::vector<Vec3>& places = world == &with_particle ? first : second;
-    const Watched course = watch(*world, 2.0, [&] { places.push_back(position(*world, chain.tails.back())); });
+    std::vector<Vec3>& positions = world == &with_particle ? first : second;
+    const Watched course = watch(*world, 2.0, [&] { positions.push_back(position(*world, chain.tails.back())); });
     CHECK(course.failure == "");
     CHECK(course.gap <= 1e-10);
     CHECK(course.energy_error() <= 1e-9);

@@ -225,7 +225,7 @@ TEST_CASE("rows: what cannot be meant is refused") {
   CHECK_THROWS_WITH(build({}, 1.0), Catch::Contains("not finite"));
 }
 
-TEST_CASE("rows: a million particles at one place are refused at once") {
+TEST_CASE("rows: a million particles at one position are refused at once") {
   Sites sites;
   sites.resize(1'000'000);
   std::fill_n(sites.x.begin(), sites.n, vec(1, 2, 3));

@@ -43,8 +43,8 @@ Relative relative_figures(double length, double mass) {
   make(short_run, chain, length, mass, true);
   advance(short_run, 1.0);
   const reference::PlaneChain plane = reference::plane_chain(10);
-  const Eigen::Vector2d place = reference::centre(plane, reference::advance(plane, 1.0, 100), 9);
-  figures.end = norm(short_run.motion_of(chain.bodies.back()).x / length - vec(place.x(), place.y(), 0));
+  const Eigen::Vector2d position = reference::centre(plane, reference::advance(plane, 1.0, 100), 9);
+  figures.end = norm(short_run.motion_of(chain.bodies.back()).x / length - vec(position.x(), position.y(), 0));
   return figures;
 }
 

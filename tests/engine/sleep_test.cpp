@@ -226,7 +226,7 @@ TEST_CASE("sleep: targets that move and constraints that change wake, those that
   moved.check_woken();
 
   Asleep placed(held);
-  set_place(placed.world, follow, vec(0.1, -1, 0));
+  set_position(placed.world, follow, vec(0.1, -1, 0));
   placed.check_woken();
 
   Asleep motored([&](Asleep& s) {

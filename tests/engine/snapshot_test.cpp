@@ -77,9 +77,9 @@ void make_melt(World& world) {
   FamilyDef def;
   def.name = "argon";
   const FamilyId family = add_family(world, def);
-  for (std::size_t i = 0; i < melt.places.size(); i++) {
+  for (std::size_t i = 0; i < melt.positions.size(); i++) {
     ParticleDef atom;
-    atom.at = melt.places[i];
+    atom.at = melt.positions[i];
     atom.velocity = melt.velocities[i];
     atom.family = family;
     add_particle(world, atom);

@@ -41,9 +41,9 @@ TEST_CASE("step: free particles and bodies fall on a parabola, to round-off") {
   rod.spin = vec(0, 0, 7);
   const BodyId body = cases::add_rod_body(world, 2, 1, rod);
   const Watched course = watch(world, 2.0);
-  const Vec3 place = vec(6, 8 - 0.5 * 9.81 * 4, 10);
-  CHECK(norm(position(world, ball) - place) <= 1e-12);
-  CHECK(norm(world.motion_of(body).x - place) <= 1e-12);
+  const Vec3 fallen = vec(6, 8 - 0.5 * 9.81 * 4, 10);
+  CHECK(norm(position(world, ball) - fallen) <= 1e-12);
+  CHECK(norm(world.motion_of(body).x - fallen) <= 1e-12);
   CHECK(norm(angular_velocity(world.motion_of(body)) - vec(0, 0, 7)) <= 1e-12);
   CHECK(course.energy_error() <= 1e-13);
 }
@@ -127,7 +127,7 @@ TEST_CASE("step: a rod spun at 10,000 rad/s on its pin keeps its energy") {
   CHECK(course.energy_error() <= 1e-8);
 }
 
-TEST_CASE("step: a point nailed far from its place is drawn there without a jump") {
+TEST_CASE("step: a point nailed far from its position is drawn there without a jump") {
   World world;
   const cases::Chain chain = cases::add_chain(world, {.links = 3, .pinned = false});
   add_nail(world, chain.heads[0], vec(0, 1, 0), 0.1);

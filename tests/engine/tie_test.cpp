@@ -53,7 +53,7 @@ TEST_CASE("two nailed rings do not join") {
   CHECK_THROWS_WITH(join(world, {left_of(world, a), left_of(world, b)}), Contains("held twice"));
 }
 
-TEST_CASE("a rod keeps the present distance; ends in one body or place are errors") {
+TEST_CASE("a rod keeps the present distance; ends in one body or position are errors") {
   Two t;
   const PointId al = left_of(t.world, t.a), ar = right_of(t.world, t.a), br = right_of(t.world, t.b);
   const ConstraintId rod = add_rod(t.world, al, br);

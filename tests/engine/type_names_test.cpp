@@ -124,11 +124,11 @@ std::set<std::string> types_in(const std::string& text) {
 }
 
 std::vector<std::string> clashes(const Files& files) {
-  std::map<std::string, std::vector<std::string>> places;
+  std::map<std::string, std::vector<std::string>> positions;
   for (const auto& [path, text] : files)
-    for (const std::string& type : types_in(text)) places[type].push_back(path);
+    for (const std::string& type : types_in(text)) positions[type].push_back(path);
   std::vector<std::string> wrong;
-  for (const auto& [type, paths] : places) {
+  for (const auto& [type, paths] : positions) {
     if (paths.size() < 2) continue;
     wrong.push_back(type + " in");
     for (const std::string& path : paths) wrong.back() += " " + path;

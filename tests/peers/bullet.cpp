@@ -111,8 +111,8 @@ class MultiRig : public Rig {
     world_.addMultiBody(&bodies_, 0, 0);
     for (const BallJoint& joint : mechanism.joints)
       if (joint.closes_loop) close_loop(joint);
-    bodies_.forwardKinematics(rotations_, places_);
-    bodies_.updateCollisionObjectWorldTransforms(rotations_, places_);
+    bodies_.forwardKinematics(rotations_, positions_);
+    bodies_.updateCollisionObjectWorldTransforms(rotations_, positions_);
   }
   ~MultiRig() override {
     if (loop_) world_.removeMultiBodyConstraint(loop_.get());
@@ -124,7 +124,7 @@ class MultiRig : public Rig {
 
   void read(std::vector<SolidState>& state) override {
     const int n = bodies_.getNumLinks();
-    bodies_.forwardKinematics(rotations_, places_);
+    bodies_.forwardKinematics(rotations_, positions_);
     spins_.resize(n + 1);
     velocities_.resize(n + 1);
     bodies_.compTreeLinkVelocities(&spins_[0], &velocities_[0]);
@@ -184,7 +184,7 @@ class MultiRig : public Rig {
   std::vector<std::unique_ptr<btMultiBodyLinkCollider>> colliders_;
   std::unique_ptr<btMultiBodyConstraint> loop_;
   btAlignedObjectArray<btQuaternion> rotations_;
-  btAlignedObjectArray<btVector3> places_, spins_, velocities_;
+  btAlignedObjectArray<btVector3> positions_, spins_, velocities_;
 };
 
 Setting rigid(const char* name, int iterations) {

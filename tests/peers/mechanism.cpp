@@ -77,7 +77,7 @@ double kinetic_energy(const Mechanism& mechanism, const std::vector<SolidState>&
 
 double potential_energy(const Mechanism& mechanism, const std::vector<SolidState>& state) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < state.size(); i++) sum += mechanism.solids[i].mass * gravity * state[i].place.y();
+  for (std::size_t i = 0; i < state.size(); i++) sum += mechanism.solids[i].mass * gravity * state[i].position.y();
   return sum;
 }
 
@@ -85,7 +85,7 @@ double largest_separation(const Mechanism& mechanism, const std::vector<SolidSta
   const auto end = [&](int solid, const Eigen::Vector3d& at) -> Eigen::Vector3d {
     if (solid < 0) return at;
     const SolidState& s = state[static_cast<std::size_t>(solid)];
-    return s.place + s.turn * at;
+    return s.position + s.turn * at;
   };
   double largest = 0.0;
   for (const BallJoint& joint : mechanism.joints)

@@ -38,7 +38,7 @@ struct Mechanism {
 };
 
 struct SolidState {
-  Eigen::Vector3d place;     ///< [m] of the centre of mass
+  Eigen::Vector3d position;  ///< [m] of the centre of mass
   Eigen::Quaterniond turn;   ///< body to world
   Eigen::Vector3d velocity;  ///< [m/s]
   Eigen::Vector3d spin;      ///< [rad/s] in world axes

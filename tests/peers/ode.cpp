@@ -33,7 +33,7 @@ class OdeRig : public Rig {
     state.resize(bodies_.size());
     for (std::size_t i = 0; i < bodies_.size(); i++) {
       const dReal* q = dBodyGetQuaternion(bodies_[i]);
-      state[i].place = vector(dBodyGetPosition(bodies_[i]));
+      state[i].position = vector(dBodyGetPosition(bodies_[i]));
       state[i].turn = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized();
       state[i].velocity = vector(dBodyGetLinearVel(bodies_[i]));
       state[i].spin = vector(dBodyGetAngularVel(bodies_[i]));

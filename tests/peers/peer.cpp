@@ -16,7 +16,7 @@ auto* find(List& list, const char* name) {
   std::exit(2);
 }
 
-void run(const char* setting_name, const char* mechanism_name, double rate, const Eigen::Vector2d& place) {
+void run(const char* setting_name, const char* mechanism_name, double rate, const Eigen::Vector2d& position) {
   const std::vector<Setting> all = settings();
   const std::vector<Mechanism> cases = mechanisms();
   const Setting& setting = *find(all, setting_name);
@@ -25,7 +25,7 @@ void run(const char* setting_name, const char* mechanism_name, double rate, cons
     std::printf("trouble: cannot do this\n");
     return;
   }
-  const Trial trial = run_trial(setting, mechanism, rate, place);
+  const Trial trial = run_trial(setting, mechanism, rate, position);
   if (trial.trouble.empty())
     std::printf("%.17g %.17g %.17g %.17g\n", trial.error, trial.energy, trial.gap, trial.cost);
   else

@@ -65,7 +65,7 @@ class Observer {
   void check_start() const {
     for (std::size_t i = 0; i < now_.size(); i++) {
       const SolidDef& def = mechanism_.solids[i];
-      if ((now_[i].place - def.at).norm() > 1e-6 * (1 + def.at.norm()) || now_[i].velocity.norm() > 1e-6 ||
+      if ((now_[i].position - def.at).norm() > 1e-6 * (1 + def.at.norm()) || now_[i].velocity.norm() > 1e-6 ||
           now_[i].turn.angularDistance(def.orientation()) > 1e-6)
         throw std::runtime_error("does not start where it should");
     }
@@ -97,7 +97,7 @@ class Observer {
   bool looked_ = false;
 };
 
-void observe(const Setting& setting, const Mechanism& mechanism, double rate, const Eigen::Vector2d& place,
+void observe(const Setting& setting, const Mechanism& mechanism, double rate, const Eigen::Vector2d& position,
              Trial& trial) {
   const bool to_the_end = trial.cost * duration <= most_seconds;
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -108,7 +108,8 @@ void observe(const Setting& setting, const Mechanism& mechanism, double rate, co
   for (long i = 1; i <= steps; i++) {
     rig->step();
     observer.look(*rig);
-    if (i == compare) trial.error = (observer.measured().place - Eigen::Vector3d(place.x(), place.y(), 0)).norm();
+    if (i == compare)
+      trial.error = (observer.measured().position - Eigen::Vector3d(position.x(), position.y(), 0)).norm();
   }
   trial.energy = to_the_end ? observer.energy() : nan;
   trial.gap = to_the_end ? observer.gap() : nan;
@@ -116,11 +117,11 @@ void observe(const Setting& setting, const Mechanism& mechanism, double rate, co
 
 }  // namespace
 
-Trial run_trial(const Setting& setting, const Mechanism& mechanism, double rate, const Eigen::Vector2d& place) {
+Trial run_trial(const Setting& setting, const Mechanism& mechanism, double rate, const Eigen::Vector2d& position) {
   Trial trial;
   try {
     trial.cost = measure_cost(setting, mechanism, rate);
-    observe(setting, mechanism, rate, place, trial);
+    observe(setting, mechanism, rate, position, trial);
   } catch (const std::exception& error) { trial.trouble = error.what(); }
   return trial;
 }

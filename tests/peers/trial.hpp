@@ -37,8 +37,8 @@ struct Trial {
   std::string trouble;  ///< not empty: it failed, and the rest says nothing
 };
 
-/// Measures a setting. `place` [m] of the measured body at compare_at is from the reference. Energy and gap are NaN where
+/// Measures a setting. `position` [m] of the measured body at compare_at is from the reference. Energy and gap are NaN where
 /// 5 s would take more than 1 s of the processor.
-Trial run_trial(const Setting& setting, const Mechanism& mechanism, double rate, const Eigen::Vector2d& place);
+Trial run_trial(const Setting& setting, const Mechanism& mechanism, double rate, const Eigen::Vector2d& position);
 
 }  // namespace pantin::peers

@@ -14,7 +14,7 @@ inline constexpr std::array step_lengths = {1.0 / 60, 1.0 / 120, 1.0 / 240, 1.0 
 struct Endured {
   double step = 0.0;      ///< [s]
   std::string failure;    ///< World::failure at the end
-  bool finite = true;     ///< every place and velocity was a number after every step
+  bool finite = true;     ///< every position and velocity was a number after every step
   double gap = 0.0;       ///< [m] largest of a constraint after a step that was not a fallback step
   double last_gap = 0.0;  ///< [m] at the end
   double gained = 0.0;    ///< [J] largest gain of energy in a fallback step beyond work from outside

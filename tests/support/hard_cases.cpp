@@ -83,12 +83,12 @@ Squares add_squares(World& world, int side, double turn) {
 }
 
 PointId add_cantilever(World& world, int links) {
-  const std::array<Vec3, 3> places = {zero3(), vec(0, 0.05, 0), vec(0, 0, 0.05)};
+  const std::array<Vec3, 3> positions = {zero3(), vec(0, 0.05, 0), vec(0, 0, 0.05)};
   BodyId last;
   for (int i = 0; i < links; i++) {
     BodyDef def;
-    for (Vec3 place : places) def.points.push_back(anchor(vec(-0.5, 0, 0) + place));
-    for (Vec3 place : places) def.points.push_back(anchor(vec(0.5, 0, 0) + place));
+    for (Vec3 position : positions) def.points.push_back(anchor(vec(-0.5, 0, 0) + position));
+    for (Vec3 position : positions) def.points.push_back(anchor(vec(0.5, 0, 0) + position));
     def.at = vec(i + 0.5, 0, 0);
     def.mass = 1.0;
     def.inertia = rod_inertia(1.0, 1.0);

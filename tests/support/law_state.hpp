@@ -33,7 +33,7 @@ inline double value_of(const Law& law, const LawState& state, const Input& input
     case Role::approach: return dot(state.x.at(1) - state.x.at(0), state.v.at(1) - state.v.at(0));
     case Role::displacement: return at(state.x, 1) - at(state.x, 0);
     case Role::relative_velocity: return at(state.v, 1) - at(state.v, 0);
-    case Role::place: return at(state.x, input.who);
+    case Role::position: return at(state.x, input.who);
     case Role::velocity: return at(state.v, input.who);
     case Role::attribute: return state.attributes.at(input.who).at(input.name);
     case Role::parameter: return parameter();

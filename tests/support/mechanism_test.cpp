@@ -37,9 +37,9 @@ TEST_CASE("mechanisms: start where the references do, with their energy") {
   const auto check = [&](const std::string& name, const reference::PlaneChain& plane) {
     CAPTURE(name);
     const peers::Mechanism& mechanism = named(all, name);
-    const Eigen::Vector2d place = reference::centre(plane, plane.start, mechanism.measured);
+    const Eigen::Vector2d position = reference::centre(plane, plane.start, mechanism.measured);
     const Eigen::Vector3d& at = mechanism.solids[static_cast<std::size_t>(mechanism.measured)].at;
-    CHECK((at - Eigen::Vector3d(place.x(), place.y(), 0)).norm() <= 1e-13);
+    CHECK((at - Eigen::Vector3d(position.x(), position.y(), 0)).norm() <= 1e-13);
     CHECK(peers::potential_energy(mechanism, at_rest(mechanism)) ==
           Approx(reference::energy(plane, plane.start)).epsilon(1e-13).margin(1e-10));
   };
@@ -52,7 +52,7 @@ TEST_CASE("mechanisms: separations and kinetic energies are those of the poses")
   const std::vector<peers::Mechanism> all = peers::mechanisms();
   const peers::Mechanism& chain = named(all, "chain(10)");
   std::vector<peers::SolidState> state = at_rest(chain);
-  state[4].place.y() += 0.3;
+  state[4].position.y() += 0.3;
   CHECK(peers::largest_separation(chain, state) == Approx(0.3));
   state[4].velocity = {0, 2, 0};
   state[4].spin = {0, 0, 3};

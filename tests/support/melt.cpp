@@ -18,9 +18,9 @@ struct ParkMiller {
 };
 
 /// Jenkins' one-at-a-time hash of the bytes, which count as signed.
-std::int64_t seed_of(Vec3 place) {
+std::int64_t seed_of(Vec3 position) {
   constexpr std::int32_t seed = 87287;
-  const double coordinates[3] = {place[0], place[1], place[2]};
+  const double coordinates[3] = {position[0], position[1], position[2]};
   signed char bytes[sizeof seed + sizeof coordinates];
   std::memcpy(bytes, &seed, sizeof seed);
   std::memcpy(bytes + sizeof seed, coordinates, sizeof coordinates);
@@ -37,8 +37,8 @@ std::int64_t seed_of(Vec3 place) {
   return result == 0 ? 1 : result;
 }
 
-Vec3 velocity_at(Vec3 place) {
-  ParkMiller random{seed_of(place)};
+Vec3 velocity_at(Vec3 position) {
+  ParkMiller random{seed_of(position)};
   for (int i = 0; i < 5; i++) random.next();
   Vec3 v = zero3();
   for (int k = 0; k < 3; k++) v[k] = random.next() - 0.5;
@@ -52,11 +52,11 @@ Melt::Melt(int cells) : edge(cells * cell) {
     for (int y = 0; y < cells; y++)
       for (int x = 0; x < cells; x++)
         for (const Vec3 corner : {vec(0, 0, 0), vec(0.5, 0.5, 0), vec(0.5, 0, 0.5), vec(0, 0.5, 0.5)})
-          places.push_back((vec(x, y, z) + corner) * cell);
-  const auto n = static_cast<double>(places.size());
+          positions.push_back((vec(x, y, z) + corner) * cell);
+  const auto n = static_cast<double>(positions.size());
   Vec3 mean = zero3();
-  for (const Vec3 place : places) {
-    velocities.push_back(velocity_at(place));
+  for (const Vec3 position : positions) {
+    velocities.push_back(velocity_at(position));
     mean += velocities.back();
   }
   mean /= zero3() + n;

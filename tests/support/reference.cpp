@@ -123,12 +123,12 @@ State advance(const PlaneChain& chain, double time, int pieces) {
 }
 
 Eigen::Vector2d centre(const PlaneChain& chain, const State& y, int link) {
-  Eigen::Vector2d place = Eigen::Vector2d::Zero();
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();
   for (int j = 0; j <= link; j++) {
     const Link& l = chain.links[static_cast<std::size_t>(j)];
-    place += (j < link ? l.length : l.centre) * Eigen::Vector2d(std::cos(y(j)), std::sin(y(j)));
+    position += (j < link ? l.length : l.centre) * Eigen::Vector2d(std::cos(y(j)), std::sin(y(j)));
   }
-  return place;
+  return position;
 }
 
 double energy(const PlaneChain& chain, const State& y) {

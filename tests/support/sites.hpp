@@ -1,5 +1,5 @@
 #pragma once
-// Sites at random places, for tests of laws.
+// Sites at random positions, for tests of laws.
 #include <cstdint>
 
 #include "base/random.hpp"

@@ -13,7 +13,7 @@ struct Watched {
   double energy_change = 0.0;  ///< [J] largest |energy - start|
   double kinetic = 0.0;        ///< [J] largest kinetic energy
   double worst_error = 0.0;    ///< largest |energy - start| / largest kinetic energy until then
-  bool finite = true;          ///< every place and velocity was a number after every step
+  bool finite = true;          ///< every position and velocity was a number after every step
   std::string failure;         ///< World::failure at the end
   double energy_error() const { return energy_change / kinetic; }
 };
@@ -21,7 +21,7 @@ struct Watched {
 /// Steps until `time` [s], calling `each` after every step; stops at a failure.
 Watched watch(World& world, double time, const std::function<void()>& each = {});
 
-/// Largest distance between points of one hinge, and of nailed points to their places, [m].
+/// Largest distance between points of one hinge, and of nailed points to their positions, [m].
 double largest_gap(const World& world);
 bool all_finite(const World& world);
 /// The power of x that y grows with: slope of log y over log x by least squares.

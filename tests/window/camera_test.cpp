@@ -5,28 +5,28 @@
 
 using namespace pantin;
 
-TEST_CASE("a place seen at a pixel projects back to that pixel, at any size of scene", "[view]") {
+TEST_CASE("a position seen at a pixel projects back to that pixel, at any size of scene", "[view]") {
   const double size = GENERATE(1e-9, 1.0, 1e6);
   Camera camera;
   camera.look(vec(3, 2, 5) * size, vec(0.5, 1, 0) * size);
-  const Vec3 place = camera.place(310, 95, 4.0 * size, 1280, 720);
-  const auto seen = camera.project(place, 1280, 720);
+  const Vec3 position = camera.place(310, 95, 4.0 * size, 1280, 720);
+  const auto seen = camera.project(position, 1280, 720);
   REQUIRE(seen);
   CHECK(seen->x == Approx(310).margin(1e-6));
   CHECK(seen->y == Approx(95).margin(1e-6));
   CHECK(seen->depth == Approx(4.0 * size));
   const Ray ray = camera.ray(310, 95, 1280, 720);
-  CHECK(norm(cross(ray.direction, direction(place - ray.from))) < 1e-12);
+  CHECK(norm(cross(ray.direction, direction(position - ray.from))) < 1e-12);
 }
 
 TEST_CASE("the matrices of the camera agree with its projection", "[view]") {
   Camera camera;
   camera.look(vec(3, 2, 5), vec(0.5, 1, 0));
-  const Vec3 place = vec(0.9, 0.3, -0.4), relative = (place - camera.eye()) / camera.distance;
+  const Vec3 position = vec(0.9, 0.3, -0.4), relative = (position - camera.eye()) / camera.distance;
   const Eigen::Vector4f clip = camera.projection(1280.0 / 720.0) * camera.view() *
                                Eigen::Vector4f(static_cast<float>(relative[0]), static_cast<float>(relative[1]),
                                                static_cast<float>(relative[2]), 1.0f);
-  const auto seen = camera.project(place, 1280, 720);
+  const auto seen = camera.project(position, 1280, 720);
   REQUIRE(seen);
   CHECK(640.0 * (1.0 + static_cast<double>(clip.x() / clip.w())) == Approx(seen->x).margin(1e-3));
   CHECK(360.0 * (1.0 - static_cast<double>(clip.y() / clip.w())) == Approx(seen->y).margin(1e-3));
@@ -74,15 +74,15 @@ TEST_CASE("a framed box of no extent keeps a finite camera", "[view]") {
 
 TEST_CASE("zooming at a pixel keeps what is under it, panning moves it with the pointer", "[view]") {
   Camera camera;
-  const Vec3 place = camera.place(900, 200, camera.distance, 1280, 720);
+  const Vec3 position = camera.place(900, 200, camera.distance, 1280, 720);
   camera.zoom_at(0.5, 900, 200, 1280, 720);
   CHECK(camera.distance == Approx(3.0));
-  auto seen = camera.project(place, 1280, 720);
+  auto seen = camera.project(position, 1280, 720);
   REQUIRE(seen);
   CHECK(seen->x == Approx(900));
   CHECK(seen->y == Approx(200));
   camera.pan(36.0 / 720.0, -18.0 / 720.0);
-  seen = camera.project(place, 1280, 720);
+  seen = camera.project(position, 1280, 720);
   REQUIRE(seen);
   CHECK(seen->x == Approx(936));
   CHECK(seen->y == Approx(182));

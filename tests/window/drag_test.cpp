@@ -113,10 +113,10 @@ class Play {
   std::string window_;
 };
 
-/// Where the window shows a place of the scene at its start.
-Projected pixel(const lua::Scene& scene, Vec3 place) {
+/// Where the window shows a position of the scene at its start.
+Projected pixel(const lua::Scene& scene, Vec3 position) {
   Camera camera = player::aim(scene, find_stage(scene.world()), static_cast<double>(width) / height);
-  std::optional<Projected> result = camera.project(place, width, height);
+  std::optional<Projected> result = camera.project(position, width, height);
   REQUIRE(result);
   REQUIRE((result->x > 0 && result->x < width && result->y > 0 && result->y < height));
   return *result;
@@ -157,11 +157,11 @@ std::unique_ptr<lua::Scene> open_chain() {
   return lua::Scene::open(chain, options);
 }
 
-/// The place of the chain's free end: the furthest from the nail.
+/// The position of the chain's free end: the furthest from the nail.
 Vec3 tip_place(const World& world) {
   Vec3 tip = zero3();
   for (ParticleId particle : particles(world))
-    if (Vec3 place = position(world, particle); place[0] > tip[0]) tip = place;
+    if (Vec3 at = position(world, particle); at[0] > tip[0]) tip = at;
   return tip;
 }
 

@@ -16,11 +16,11 @@
 using namespace pantin;
 
 TEST_CASE("keys: each is for one thing, and each tool, view and panel has one", "[window]") {
-  for (const KeyPlace place : {KeyPlace::play, KeyPlace::replay}) {
+  for (const KeyPlace position : {KeyPlace::play, KeyPlace::replay}) {
     std::set<std::string> keys;
     for (const WindowKeys& row : window_keys())
       for (const char* key : row.keys)
-        if (!row.only || row.only == place) CHECK(keys.insert(key).second);
+        if (!row.only || row.only == position) CHECK(keys.insert(key).second);
   }
   std::set<std::string> given;
   for (std::size_t i = 0; i < tools().size(); i++) given.insert(key_for(KeyUse::tool, i));

@@ -19,7 +19,7 @@ std::vector<unsigned char> picture() {
   return pixels;
 }
 
-/// Pixels within `reach` of a place [pixels from the left and top] that changed.
+/// Pixels within `reach` of a position [pixels from the left and top] that changed.
 int changed(const std::vector<unsigned char>& a, const std::vector<unsigned char>& b, int x, int y, int reach) {
   int count = 0;
   for (int row = y - reach; row <= y + reach; row++)
@@ -51,10 +51,10 @@ TEST_CASE("window: what the pointer takes hold of, and where it drags it, is in 
   REQUIRE(played.world().hands.size() == 1);
   CHECK(played.world().hands[0].grab);
   const std::vector<unsigned char> before = picture();
-  const Vec3 place = played.world().hands[0].position;
+  const Vec3 position = played.world().hands[0].position;
   pushed::move(width / 2 + 100, height / 2 - 80);
   played.frames(1);
   const std::vector<unsigned char> after = picture();
-  CHECK(norm(played.world().hands[0].position - place) > 0.1);
+  CHECK(norm(played.world().hands[0].position - position) > 0.1);
   CHECK(changed(before, after, width / 2 + 100, height / 2 - 80, 40) > 50);
 }

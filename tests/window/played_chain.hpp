@@ -26,10 +26,10 @@ struct PlayedChain : Played {
       end
     )";
   }
-  Projected seen(Vec3 place) const {
+  Projected seen(Vec3 position) const {
     Camera camera;
     camera.look(vec(3, 2, 14), vec(3, 2, 0));
-    return camera.project(place, width, height).value();
+    return camera.project(position, width, height).value();
   }
 };
 

@@ -22,7 +22,7 @@ struct Play {
   Gestures gestures;
 
   PointId tail() const { return world.bodies[rods[3]].points[1]; }
-  Projected seen(Vec3 place) const { return camera.project(place, width, height).value(); }
+  Projected seen(Vec3 position) const { return camera.project(position, width, height).value(); }
 
   void event(PointerEvent::Kind kind, PointerEvent::Button button, double x, double y, PointerId id = 0) {
     Pointer& pointer = gestures.pointers[id];

@@ -39,7 +39,7 @@ struct Recorded : PlayedChain {
     pushed::key(SDLK_LCTRL, false);
     frames(1);
   }
-  /// Uses a tool from one place to another.
+  /// Uses a tool from one position to another.
   void use(SDL_Keycode tool, Vec3 from, Vec3 to) {
     tap(tool);
     const Projected a = seen(from), b = seen(to);
@@ -54,9 +54,9 @@ struct Recorded : PlayedChain {
     pushed::button(false, b.x, b.y);
     frames(3);
   }
-  void finger(Uint32 type, SDL_FingerID id, Vec3 place) {
+  void finger(Uint32 type, SDL_FingerID id, Vec3 position) {
     SDL_Event event = {};
-    const Projected at = seen(place);
+    const Projected at = seen(position);
     event.type = type;
     event.tfinger.touchId = 1;
     event.tfinger.fingerId = id;

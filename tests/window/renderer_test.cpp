@@ -55,9 +55,9 @@ Still draw(const World& world, const Camera& camera, int samples = 0, const Over
 
 Camera camera_of(const World& world) { return first_camera(find_stage(world), 640.0 / 360.0); }
 
-// Where a place is drawn, whole pixels.
-std::pair<int, int> pixel(const Camera& camera, Vec3 place) {
-  const auto seen = camera.project(place, width, height);
+// Where a position is drawn, whole pixels.
+std::pair<int, int> pixel(const Camera& camera, Vec3 position) {
+  const auto seen = camera.project(position, width, height);
   REQUIRE(seen);
   return {static_cast<int>(seen->x), static_cast<int>(seen->y)};
 }

@@ -41,7 +41,7 @@ TEST_CASE("nothing is allocated for a picture once the first is drawn", "[view]"
   CHECK(allocations() - before == 0);
 }
 
-TEST_CASE("a place that is not a number is left out", "[view]") {
+TEST_CASE("a position that is not a number is left out", "[view]") {
   World world;
   const ParticleId particle = small_worlds::particle(world, vec(0, 1, 0));
   const Stage stage = find_stage(world);

@@ -55,7 +55,7 @@ TEST_CASE("the first camera sees the whole stage", "[view]") {
 TEST_CASE("the stage of an emitter holds what it will make", "[view]") {
   World world;
   EmitterDef def;
-  def.place.at = vec(0, 2, 0);
+  def.position.at = vec(0, 2, 0);
   def.rate = 10;
   def.velocity = vec(3, 0, 0);
   def.shortest = def.longest = 0.5;

@@ -34,7 +34,7 @@ struct Bench {
   }
   PointId head(int rod) const { return world.bodies[rods[static_cast<std::size_t>(rod)]].points[0]; }
   PointId tail(int rod) const { return world.bodies[rods[static_cast<std::size_t>(rod)]].points[1]; }
-  Projected seen(Vec3 place) const { return camera.project(place, width, height).value(); }
+  Projected seen(Vec3 position) const { return camera.project(position, width, height).value(); }
   Projected seen(PointId point) const { return seen(position(world, point)); }
 
   void event(PointerEvent::Kind kind, Projected at, PointerId id) {

@@ -120,15 +120,15 @@ struct NodeOrder {
 };
 
 NodeOrder order_nodes(const std::vector<Tie>& ties, const std::vector<std::uint32_t>& order, std::size_t count,
-                      std::vector<std::int32_t>& place) {
+                      std::vector<std::int32_t>& position) {
   NodeOrder nodes;
   nodes.things.reserve(count);
   nodes.first_rows.reserve(count);
-  place.assign(count, -1);
+  position.assign(count, -1);
   for (std::uint32_t k = 0; k < order.size(); k++)
     for (std::int32_t node : {ties[order[k]].a, ties[order[k]].b}) {
-      if (node < 0 || place[static_cast<std::size_t>(node)] >= 0) continue;
-      place[static_cast<std::size_t>(node)] = static_cast<std::int32_t>(nodes.things.size());
+      if (node < 0 || position[static_cast<std::size_t>(node)] >= 0) continue;
+      position[static_cast<std::size_t>(node)] = static_cast<std::int32_t>(nodes.things.size());
       nodes.things.push_back(static_cast<std::uint32_t>(node));
       nodes.first_rows.push_back(k);
     }
@@ -179,12 +179,12 @@ void hand_on(const History::Before& before, Row& row, Condition* condition) {
 }
 
 /// Returns whether the row was there before.
-bool add_row(Articulate& a, const Model& model, const Tie& tie, const std::vector<std::int32_t>& place,
+bool add_row(Articulate& a, const Model& model, const Tie& tie, const std::vector<std::int32_t>& position,
              const History& history) {
   Row row;
   row.kind = tie.kind;
-  row.a = place[static_cast<std::size_t>(tie.a)];
-  if (tie.b >= 0) row.b = place[static_cast<std::size_t>(tie.b)];
+  row.a = position[static_cast<std::size_t>(tie.a)];
+  if (tie.b >= 0) row.b = position[static_cast<std::size_t>(tie.b)];
   row.la = tie.la;
   row.lb = tie.lb;
   row.member = tie.member;
@@ -222,8 +222,8 @@ std::unique_ptr<Articulate> build_articulate(Model& model, std::span<const Thing
   const auto variables = static_cast<std::uint32_t>(2 * hubs.size());
   Elimination elimination = minimum_degree(neighbours_of(ties, on, hubs), variables);
   elimination.order.resize(ties.size());
-  std::vector<std::int32_t> place;
-  const NodeOrder order = order_nodes(ties, elimination.order, things.size(), place);
+  std::vector<std::int32_t> position;
+  const NodeOrder order = order_nodes(ties, elimination.order, things.size(), position);
 
   auto articulate = std::make_unique<Articulate>();
   Articulate& a = *articulate;
@@ -235,9 +235,9 @@ std::unique_ptr<Articulate> build_articulate(Model& model, std::span<const Thing
   add_nodes(a, model, things, order);
   a.rows.reserve(ties.size());
   for (std::uint32_t k : elimination.order)
-    if (!add_row(a, model, ties[k], place, history)) disturb(a);
+    if (!add_row(a, model, ties[k], position, history)) disturb(a);
   for (std::uint32_t i = 0; i < hubs.size(); i++)
-    a.hubs.push_back({static_cast<std::uint32_t>(place[hubs[i]]), a.factor.rows - variables + 2 * i, {}, {}});
+    a.hubs.push_back({static_cast<std::uint32_t>(position[hubs[i]]), a.factor.rows - variables + 2 * i, {}, {}});
   std::sort(a.hubs.begin(), a.hubs.end(), [](const Hub& x, const Hub& y) { return x.node < y.node; });
   a.right_side.resize(a.factor.rows);
   a.f_saved.resize(a.rows.size());

@@ -61,8 +61,8 @@ std::vector<double> lengths_of(const Articulate& a, const Model& model) {
   lengths.reserve(2 * a.rows.size());
   for (const Row& row : a.rows) {
     if (row.kind == RowKind::path) {
-      const auto& places = model.constraints[condition(a, row).constraint].path->places();
-      lengths.push_back(norm(places[1] - places[0]));
+      const auto& positions = model.constraints[condition(a, row).constraint].path->positions();
+      lengths.push_back(norm(positions[1] - positions[0]));
     }
     if (row.kind == RowKind::segment) lengths.push_back(model.constraints[condition(a, row).constraint].length);
     if (row.kind == RowKind::rod && condition(a, row).length > 0.0) lengths.push_back(condition(a, row).length);

@@ -18,10 +18,10 @@ class Queues {
 
   void put(std::uint32_t row, std::uint32_t d) {
     degree_[row] = d;
-    const auto place = static_cast<std::uint32_t>(waiting_.size());
+    const auto position = static_cast<std::uint32_t>(waiting_.size());
     waiting_.push_back({row, none});
-    (head_[d] == none ? head_[d] : waiting_[tail_[d]].next) = place;
-    tail_[d] = place;
+    (head_[d] == none ? head_[d] : waiting_[tail_[d]].next) = position;
+    tail_[d] = position;
     lowest_ = std::min(lowest_, d);
   }
   std::uint32_t take() {
@@ -51,14 +51,14 @@ class ChangingLists {
   explicit ChangingLists(const RowLists& lists) : rows_(lists.rows) {
     for (std::size_t i = 0; i + 1 < lists.first.size(); i++) {
       const std::uint32_t size = lists.first[i + 1] - lists.first[i];
-      places_.push_back({lists.first[i], size, size});
+      positions_.push_back({lists.first[i], size, size});
     }
   }
   std::span<const std::uint32_t> operator[](std::uint32_t k) const {
-    return {rows_.data() + places_[k].first, places_[k].size};
+    return {rows_.data() + positions_[k].first, positions_[k].size};
   }
   void set(std::uint32_t k, const std::vector<std::uint32_t>& list) {
-    Place& p = places_[k];
+    Place& p = positions_[k];
     p.size = static_cast<std::uint32_t>(list.size());
     if (p.size > p.room) {
       p.first = static_cast<std::uint32_t>(rows_.size());
@@ -73,7 +73,7 @@ class ChangingLists {
     std::uint32_t first, size, room;
   };
   std::vector<std::uint32_t> rows_;
-  std::vector<Place> places_;
+  std::vector<Place> positions_;
 };
 
 }  // namespace
@@ -86,13 +86,13 @@ Elimination minimum_degree(const RowLists& given, std::uint32_t late) {
   e.columns.first.reserve(n + 1u);
   e.columns.rows.reserve(given.rows.size());
   e.columns.first.push_back(0);
-  std::vector<std::uint32_t> place(n), clique, merged;
+  std::vector<std::uint32_t> position(n), clique, merged;
   Queues queues(n);
   for (std::uint32_t i = 0; i < early; i++) queues.put(i, given.first[i + 1] - given.first[i]);
   for (std::uint32_t k = 0; k < n; k++) {
     const std::uint32_t row = k < early ? queues.take() : k;
     e.order[k] = row;
-    place[row] = k;
+    position[row] = k;
     clique.assign(neighbours[row].begin(), neighbours[row].end());
     for (std::uint32_t w : clique) {
       merged.clear();
@@ -105,7 +105,7 @@ Elimination minimum_degree(const RowLists& given, std::uint32_t late) {
     e.columns.rows.insert(e.columns.rows.end(), clique.begin(), clique.end());
     e.columns.first.push_back(static_cast<std::uint32_t>(e.columns.rows.size()));
   }
-  for (std::uint32_t& row : e.columns.rows) row = place[row];
+  for (std::uint32_t& row : e.columns.rows) row = position[row];
   for (std::uint32_t k = 0; k < n; k++)
     std::sort(e.columns.rows.begin() + e.columns.first[k], e.columns.rows.begin() + e.columns.first[k + 1]);
   return e;

@@ -132,8 +132,8 @@ void replace(Model& model, Articulates& articulates, const std::vector<char>& ch
     if (changed[i]) first = i;
   for (const auto& articulate : made) {
     const auto later = [](std::uint64_t serial, const auto& a) { return serial < a->serial; };
-    const auto place = std::upper_bound(articulates.begin(), articulates.end(), articulate->serial, later);
-    first = std::min(first, static_cast<std::size_t>(place - articulates.begin()));
+    const auto position = std::upper_bound(articulates.begin(), articulates.end(), articulate->serial, later);
+    first = std::min(first, static_cast<std::size_t>(position - articulates.begin()));
   }
   for (std::size_t i = 0; i < changed.size(); i++)
     if (changed[i]) articulates[i].reset();

@@ -57,7 +57,7 @@ class Finder {
     tie.b = node_of(model_, holder(model_, point));
     tie.lb = model_.plane.along(arm(model_, point));
   }
-  /// A place or an axis in the frame of a body, in principal axes of its node.
+  /// A position or an axis in the frame of a body, in principal axes of its node.
   std::int32_t tie(BodyId id, Vec3 v, bool is_axis, Vec3& arm) const {
     const Body& body = model_.bodies[id];
     const Vec3 turned = rotate(conjugate(body.axes), is_axis ? v : v - body.centre);
@@ -105,7 +105,7 @@ class Finder {
   /// Between the points at which its rings are pulled.
   void add(ConnectionId id, const Connection& c) {
     if (found([&](const Tie& tie) { return tie.connection == id; })) return;
-    const bool swapped = !c.particles[0];  // a place of the world is always the second end
+    const bool swapped = !c.particles[0];  // a position of the world is always the second end
     const ParticleId a = c.particles[swapped ? 1 : 0], b = c.particles[swapped ? 0 : 1];
     if (b && holder(model_, star(model_, a)) == holder(model_, star(model_, b))) return;  // nothing can move
     Tie tie;

@@ -1,5 +1,5 @@
 #pragma once
-// Rows that tie rotations: places, forces and work.
+// Rows that tie rotations: positions, forces and work.
 #include "articulates/articulate.hpp"
 
 namespace pantin {

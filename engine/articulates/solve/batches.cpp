@@ -143,7 +143,7 @@ void begin(Articulate& a, std::size_t b, double h, Extent& extent) {
   if (a.last_h != h) n.J_inverse = congruent(R0, n.inverse_inertia * (0.5 * h));
   for (RowEnds& end : ends_of(a, n)) end.r0 = R0 * end.l;
   extent.speed2 = larger(norm2(p0) * n.inverse_mass * n.inverse_mass, extent.speed2);
-  for (const Lanes& x : {x0.x, x0.y, x0.z}) extent.place = larger(larger(x, -x), extent.place);
+  for (const Lanes& x : {x0.x, x0.y, x0.z}) extent.position = larger(larger(x, -x), extent.position);
 }
 
 Vec3x4 start_spins(const Articulate& a, std::size_t b) {
@@ -168,7 +168,7 @@ void place_at_end(Articulate& a, std::size_t b) {
   }
 }
 
-void tell_places(Articulate& a, std::size_t b) {
+void tell_positions(Articulate& a, std::size_t b) {
   const NodeBatch& n = a.batches[b];
   const Turned end = turned(a, b);
   const auto x1 = unpack(n.x1), rotation = unpack(n.a);

@@ -19,8 +19,8 @@ std::size_t ends_with_blocks(const Articulate& articulate, std::size_t batch);
 inline RowBlock* row_block(Articulate& a, std::size_t batch, std::size_t lane, std::size_t i, std::size_t j) {
   const std::size_t later = i < j ? j : i, earlier = i < j ? i : j, node = batch_size * batch + lane;
   if (node >= a.nodes.size()) return nullptr;
-  const std::size_t place = a.first_row_block[node] + later * (later + 1) / 2 + earlier;
-  return place < a.first_row_block[node + 1] ? &a.row_blocks[place] : nullptr;
+  const std::size_t position = a.first_row_block[node] + later * (later + 1) / 2 + earlier;
+  return position < a.first_row_block[node + 1] ? &a.row_blocks[position] : nullptr;
 }
 
 /// What ends tell their rows.
@@ -42,17 +42,17 @@ Vec3x4 fetch(const RowEnds& end, What what) {
 Mat3x4 rotations(const Articulate& articulate, std::size_t batch, Mat3 Node::*R);
 /// Squares of speeds [m²/s²], and largest coordinates [m].
 struct Extent {
-  Lanes speed2 = lanes(0.0), place = lanes(0.0);
+  Lanes speed2 = lanes(0.0), position = lanes(0.0);
 };
 /// Prepares a step of `h` [s] from the nodes' starts, but for `a`.
 void begin(Articulate& articulate, std::size_t batch, double h, Extent& extent);
 /// Spins at the start, world axes [rad/s].
 Vec3x4 start_spins(const Articulate& articulate, std::size_t batch);
-/// Sets arms at the start or end from the nodes, and hands their rows the places.
+/// Sets arms at the start or end from the nodes, and hands their rows the positions.
 void place_at_start(Articulate& articulate, std::size_t batch);
 void place_at_end(Articulate& articulate, std::size_t batch);
 /// Tells the nodes x1, q1, R1 and a.
-void tell_places(Articulate& articulate, std::size_t batch);
+void tell_positions(Articulate& articulate, std::size_t batch);
 /// Makes the end of a solved step of `h` [s] the nodes' start, and leaves their ends behind; returns the work of pushes and
 /// twists [J].
 Lanes commit(Articulate& articulate, std::size_t batch, double h, Vec3 gravity);

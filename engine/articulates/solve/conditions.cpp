@@ -89,16 +89,16 @@ std::vector<RowPlan> segments(const Model& model, const Constraint& c) {
 }
 
 double fixed_length(const Model& model, const Constraint& c) {
-  const auto place = [&](const Passage& p) { return p.point ? position(model, p.point) : p.place; };
+  const auto at = [&](const Passage& p) { return p.point ? position(model, p.point) : p.position; };
   double sum = 0.0;
   for (std::size_t i = 1; i < c.passages.size(); i++)
-    if (is_fixed(model, c.passages[i - 1], c.passages[i])) sum += norm(place(c.passages[i]) - place(c.passages[i - 1]));
+    if (is_fixed(model, c.passages[i - 1], c.passages[i])) sum += norm(at(c.passages[i]) - at(c.passages[i - 1]));
   return sum;
 }
 
 void load_segment(Condition& condition, const Model& model, const Constraint& c) {
   const Passage &from = c.passages[condition.index], &to = c.passages[condition.index + 1];
-  condition.whole0 = condition.whole1 = model.plane.along(from.point ? to.place : from.place);
+  condition.whole0 = condition.whole1 = model.plane.along(from.point ? to.position : from.position);
   condition.velocity = zero3();
   const double fixed = fixed_length(model, c);
   condition.whole_length0 -= fixed;
@@ -137,12 +137,12 @@ void load(Condition& condition, const Row& row, const Model& model, double total
   condition.held_before = condition.held;
   if (row.lever > 0.0) return load_angular_row(condition, row, model, c);
   condition.whole0 = model.plane.along(c.previous + c.previous_away);
-  condition.whole1 = model.plane.along(c.place + c.away);
+  condition.whole1 = model.plane.along(c.position + c.away);
   condition.velocity = model.plane.along(c.velocity + c.away_rate);
   condition.whole_length0 = c.previous_length + c.previous_excess;
   condition.whole_length1 = c.length + c.excess;
   condition.length_rate = c.length_rate + c.excess_rate;
-  condition.bent = c.bend.straight() ? Bent::nothing : c.target ? Bent::place : Bent::length;
+  condition.bent = c.bend.straight() ? Bent::nothing : c.target ? Bent::position : Bent::length;
   condition.bend = c.bend.mapped(1.0, [&](Vec3 v) { return c.target ? model.plane.along(v) : v; });
   condition.low = c.low;
   condition.high = c.high;
@@ -150,7 +150,7 @@ void load(Condition& condition, const Row& row, const Model& model, double total
   condition.path = c.path.get();
   if (c.path) {
     condition.angle0 = condition.angle1 = c.along;
-    const Vec3 at = c.path->places()[0], height = at - model.plane.along(at);
+    const Vec3 at = c.path->positions()[0], height = at - model.plane.along(at);
     condition.whole0 -= height;
     condition.whole1 -= height;
   }
@@ -172,9 +172,9 @@ void store(const Condition& condition, const Row& row, Vec3 force, Constraint& c
   if (condition.index == 0) c.force = force;
 }
 
-double inertia_about(const Articulate& a, Vec3 place) {
+double inertia_about(const Articulate& a, Vec3 position) {
   double sum = 0.0;
-  for (const Node& n : a.nodes) sum += n.mass * norm2(n.x0 - place) + largest(n.inertia);
+  for (const Node& n : a.nodes) sum += n.mass * norm2(n.x0 - position) + largest(n.inertia);
   return sum;
 }
 
@@ -222,12 +222,12 @@ double speed(const Condition& c, double at) {
 void set_conditions(Articulate& a, double h, double from, double to) {
   for (Condition& c : a.conditions) {
     const Vec3 way = c.whole1 - c.whole0;
-    c.place0 = c.whole0 + way * from;
-    c.place1 = to == 1.0 ? c.whole1 : c.whole0 + way * to;
+    c.position0 = c.whole0 + way * from;
+    c.position1 = to == 1.0 ? c.whole1 : c.whole0 + way * to;
     c.length = to == 1.0 ? c.whole_length1 : c.whole_length0 + (c.whole_length1 - c.whole_length0) * to;
-    if (c.bent == Bent::place) {
-      c.place0 += c.bend.at(from);
-      c.place1 += c.bend.at(to);
+    if (c.bent == Bent::position) {
+      c.position0 += c.bend.at(from);
+      c.position1 += c.bend.at(to);
     }
     if (c.bent == Bent::length && !c.by_speed) c.length += c.bend.at(to)[0];
     const Row& r = row(a, c);
@@ -242,8 +242,8 @@ void set_conditions(Articulate& a, double h, double from, double to) {
       c.turn1 = quaternion_of(c.bend.at(to)) * c.turn1;
     }
     if (r.kind != RowKind::axis) continue;
-    c.axis0 = rotate(quaternion_of(c.place0), c.axis);
-    c.axis1 = rotate(quaternion_of(c.place1), c.axis);
+    c.axis0 = rotate(quaternion_of(c.position0), c.axis);
+    c.axis1 = rotate(quaternion_of(c.position1), c.axis);
   }
 }
 

@@ -6,7 +6,7 @@
 
 namespace pantin {
 
-/// A row that a constraint wants, and which of its things and places it ties; null b: the world.
+/// A row that a constraint wants, and which of its things and positions it ties; null b: the world.
 struct RowPlan {
   RowKind kind = RowKind::rigid;
   bool angular = false;
@@ -21,8 +21,8 @@ std::vector<RowPlan> plan_rows(const Model& model, const Constraint& constraint)
 void load(Condition& condition, const Row& row, const Model& model, double total_mass);
 /// What the step found out; `force` of the row [N].
 void store(const Condition& condition, const Row& row, Vec3 force, Constraint& constraint);
-/// Inertia of all nodes about a place, as if they were one, [kg m²].
-double inertia_about(const Articulate& articulate, Vec3 place);
+/// Inertia of all nodes about a position, as if they were one, [kg m²].
+double inertia_about(const Articulate& articulate, Vec3 position);
 /// Limits are stronger than motors, and all else than motors of limited torque: where a step of h [s] cannot be solved,
 /// motors yield by the step's way to what would stop them; until they give less than half of it, or are driven back. False
 /// where that changes nothing.

@@ -17,7 +17,7 @@ FirstImpact meet(Articulate& articulate, double h, double at);
 void drift(Articulate& articulate, const DriftSettings& settings, DriftReport& report);
 
 /// Semi-implicit Euler, 1st order: velocity first, then position, with the row forces found by Newton's iteration
-/// with line backtracking on the places at the end. No projection.
+/// with line backtracking on the positions at the end. No projection.
 void drift_euler(Articulate& articulate, const DriftSettings& settings, DriftReport& report);
 /// The same for a node without rows.
 void drift_euler_alone(Node& node, double h);

@@ -8,7 +8,7 @@ namespace pantin {
 
 namespace {
 
-/// Of the nodes' starts about a place; of spin that nothing couples to only the energy.
+/// Of the nodes' starts about a position; of spin that nothing couples to only the energy.
 struct Moments {
   Mat3 inertia = zero33();             // [kg m²]
   Vec3 angular = zero3();              // [kg m²/s]
@@ -45,11 +45,11 @@ Vec3 locked_spin(const Moments& m, const Plane& plane) {
   return volume > 1e-12 * t * t * t ? inverse(J) * m.angular : zero3();
 }
 
-/// Anchors on the world: none; of orientation only; of one place; of places on a line; others.
-enum class Anchorage : std::uint8_t { none, attitude, place, line, fixed };
+/// Anchors on the world: none; of orientation only; of one position; of positions on a line; others.
+enum class Anchorage : std::uint8_t { none, attitude, position, line, fixed };
 struct Anchors {
   Anchorage kind = Anchorage::none;
-  Vec3 place = zero3(), axis = zero3();
+  Vec3 position = zero3(), axis = zero3();
 };
 
 Anchors anchors(const Articulate& a) {
@@ -66,20 +66,21 @@ Anchors anchors(const Articulate& a) {
       turned = true;
       continue;
     }
-    const Vec3 place = c.whole1;
-    if (found.kind == Anchorage::none) found = {Anchorage::place, place, zero3()};
-    const Vec3 d = place - found.place;
+    const Vec3 position = c.whole1;
+    if (found.kind == Anchorage::none) found = {Anchorage::position, position, zero3()};
+    const Vec3 d = position - found.position;
     if (norm(d) <= 1e-9 * a.length) continue;
     const Vec3 u = direction(d);
-    if (found.kind == Anchorage::line && norm(cross(u, found.axis)) > 1e-9) return {Anchorage::fixed, found.place, u};
+    if (found.kind == Anchorage::line && norm(cross(u, found.axis)) > 1e-9)
+      return {Anchorage::fixed, found.position, u};
     found.kind = Anchorage::line;
     found.axis = u;
   }
   if (!turned) return found;
   if (found.kind == Anchorage::none) return {Anchorage::attitude, zero3(), zero3()};
-  if (found.kind == Anchorage::place && norm2(axis) > 0.0) return {Anchorage::line, found.place, axis};
+  if (found.kind == Anchorage::position && norm2(axis) > 0.0) return {Anchorage::line, found.position, axis};
   if (found.kind == Anchorage::line && norm2(axis) > 0.0 && norm(cross(axis, found.axis)) <= 1e-9) return found;
-  return {Anchorage::fixed, found.place, zero3()};
+  return {Anchorage::fixed, found.position, zero3()};
 }
 
 /// The rigid motion whose momentum is kept by symmetry: velocity V at X, spin w; and the energies, [J].
@@ -93,7 +94,7 @@ RigidMotion rigid_motion(const Moments& m, Vec3 X, Vec3 w, Vec3 V = zero3(), dou
   return {X, V, w, m.kinetic, m.kinetic - m.single - 0.5 * (mass * norm2(V) + dot(w, m.angular))};
 }
 
-/// Anchors leave rigid motions free: none: all six; one place: the turn about it, of which gravity keeps only the part
+/// Anchors leave rigid motions free: none: all six; one position: the turn about it, of which gravity keeps only the part
 /// about its own direction; a line: the turn about that line, if gravity is along it; else none.
 RigidMotion kept_motion(const Articulate& a, Vec3 gravity) {
   const Anchors held = anchors(a);
@@ -108,13 +109,13 @@ RigidMotion kept_motion(const Articulate& a, Vec3 gravity) {
     const Vec3 spin = held.kind == Anchorage::none ? locked_spin(m, a.plane) : zero3();
     return rigid_motion(m, X, spin, V / a.total_mass, a.total_mass);
   }
-  const Moments m = moments_about(a, held.place);
+  const Moments m = moments_about(a, held.position);
   const double g = norm(gravity);
   const bool line = held.kind == Anchorage::line;
   const Vec3 down = g > 0.0 ? gravity / g : held.axis;
   if (held.kind == Anchorage::fixed || (line && norm(cross(down, held.axis)) > 1e-9))
-    return rigid_motion(m, held.place, zero3());
-  return rigid_motion(m, held.place,
+    return rigid_motion(m, held.position, zero3());
+  return rigid_motion(m, held.position,
                       line      ? locked_spin(m, held.axis)
                       : g > 0.0 ? locked_spin(m, down)
                                 : locked_spin(m, a.plane));

@@ -52,7 +52,7 @@ double attempt_euler(Articulate& a, double h) {
   return std::max(worst, evaluate_strings(a, h));
 }
 
-/// Newton with line backtracking on the places at the end; false where it finds no better ones.
+/// Newton with line backtracking on the positions at the end; false where it finds no better ones.
 bool solve_euler(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   const double tolerance = 1e-11 * a.length + 1e-10 * h * std::sqrt(norm(gravity) * a.length);
   double e = attempt_euler(a, h);

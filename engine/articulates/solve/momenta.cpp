@@ -8,7 +8,7 @@ namespace pantin {
 
 namespace {
 
-/// About a place; of spin that nothing couples to nothing [kg m²].
+/// About a position; of spin that nothing couples to nothing [kg m²].
 Mat3 inertia_of_all(const Articulate& a, Vec3 X) {
   Mat3 inertia = zero33();
   for (const Node& n : a.nodes) {

@@ -1,6 +1,6 @@
 #pragma once
 // Momentum and angular momentum of an articulate that nothing ties to the world. Forces of a row over a gap act at two
-// places and turn it, and closing a gap moves masses; what that changed is given back as a rigid motion, which every row
+// positions and turn it, and closing a gap moves masses; what that changed is given back as a rigid motion, which every row
 // leaves free.
 #include "articulates/articulate.hpp"
 
@@ -19,7 +19,7 @@ Vec3 centre_of_mass(const Articulate& articulate);
 Momenta momenta_of(const Articulate& articulate);
 /// What the rows' forces of a step of h [s], acting over gaps, did to the angular momentum [kg m²/s].
 Vec3 turned_over_gaps(const Articulate& articulate, double h);
-/// Gives it these momenta again. Points that all come to one place have nothing to turn; what would take more energy than
+/// Gives it these momenta again. Points that all come to one position have nothing to turn; what would take more energy than
 /// all the motion has stays lost. Returns the energy that this gave [J].
 double restore_momenta(Articulate& articulate, const Momenta& wanted);
 

@@ -29,12 +29,12 @@ const Node& second(const Articulate& a, const Row& row) { return a.nodes[static_
 void place_row_at_end(Articulate& a, std::size_t k) {
   Row& row = a.rows[k];
   if (row.lever > 0.0) return place_angular_row_at_end(a, row);
-  row.d1 = a.at_ends[2 * k] - (row.b >= 0 ? a.at_ends[2 * k + 1] : condition(a, row).place1);
+  row.d1 = a.at_ends[2 * k] - (row.b >= 0 ? a.at_ends[2 * k + 1] : condition(a, row).position1);
 }
 
 Vec3x4 mean_arm(const RowEnds& end) { return (end.r0 + end.r1) * 0.5; }
 
-/// What the unknowns, once set, make of a batch; hands the rows its places. Returns the squares of the residuals [m²].
+/// What the unknowns, once set, make of a batch; hands the rows its positions. Returns the squares of the residuals [m²].
 Lanes place_batch(Articulate& a, std::size_t b, double h) {
   NodeBatch& n = a.batches[b];
   const auto ends = ends_of(a, n);
@@ -44,7 +44,7 @@ Lanes place_batch(Articulate& a, std::size_t b, double h) {
     add_load(load, end, fetch(end, [&](std::uint32_t k) { return a.rows[k].f; }), mean_arm(end));
   const Lanes size2 = evaluate(n, load, h);
   for (const RowEnds& end : ends) hand_over(a, end, n.x1 + end.r1);
-  if (a.turns) tell_places(a, b);
+  if (a.turns) tell_positions(a, b);
   return size2;
 }
 
@@ -125,7 +125,7 @@ double start_iteration(Articulate& a, double h, Vec3 gravity, Goal& goal) {
       });
   prediction.end();
   const double speed2 = std::max(norm(gravity) * a.length, largest_lane(extent.speed2));
-  goal.round_off = 8e-16 * std::max(a.length, largest_lane(extent.place));
+  goal.round_off = 8e-16 * std::max(a.length, largest_lane(extent.position));
   const double wanted = std::min(3e-11 * std::fabs(h) * std::sqrt(speed2), 5e-11 * a.length);
   goal.tolerance = std::max(wanted, goal.round_off);
   return e;
@@ -285,7 +285,7 @@ void place_rows_at_start(Articulate& a) {
       place_angular_row_at_start(a, row);
       continue;
     }
-    row.d0 = a.at_ends[2 * k] - (row.b >= 0 ? a.at_ends[2 * k + 1] : condition(a, row).place0);
+    row.d0 = a.at_ends[2 * k] - (row.b >= 0 ? a.at_ends[2 * k + 1] : condition(a, row).position0);
     if (row.kind != RowKind::stiff) continue;
     Vec3 v = start_velocity(first(a, row), row.la);
     if (row.b >= 0) v -= start_velocity(second(a, row), row.lb);
@@ -300,7 +300,7 @@ void place_rows_at_end(Articulate& a) {
 
 void add_unsolved_work(const Articulate& a, double h, DriftReport& report) {
   const auto turn_of = [&](std::size_t k) { return lane_of(a.batches[k / batch_size].a, k % batch_size); };
-  // Not as a difference of places, which has no digits of what rests.
+  // Not as a difference of positions, which has no digits of what rests.
   const auto moved = [&](std::int32_t node, Vec3 l) {
     const auto k = static_cast<std::size_t>(node);
     const Node &n = a.nodes[k], &start = a.saved[k];
@@ -316,9 +316,9 @@ void add_unsolved_work(const Articulate& a, double h, DriftReport& report) {
       report.unsolved += work_of_angular_row(a, r);
       continue;
     }
-    const Vec3 place =
-        r.b < 0 || r.kind == RowKind::attract ? condition(a, r).place1 - condition(a, r).place0 : zero3();
-    const Vec3 by = moved(r.a, r.la) - (r.b >= 0 ? moved(r.b, r.lb) : zero3()) - place;
+    const Vec3 position =
+        r.b < 0 || r.kind == RowKind::attract ? condition(a, r).position1 - condition(a, r).position0 : zero3();
+    const Vec3 by = moved(r.a, r.la) - (r.b >= 0 ? moved(r.b, r.lb) : zero3()) - position;
     report.unsolved += dot(r.f, told ? by - (r.d1 - r.d0) : by);
   }
   for (std::size_t i = 0; i < a.nodes.size(); i++) {
@@ -339,7 +339,7 @@ void add_work_of_rows(Articulate& a, DriftReport& report) {
       c.mean_rate = c.stiff->mean_rate;
       continue;
     }
-    if ((r.b < 0 || r.kind == RowKind::attract) && r.lever == 0.0) report.work += dot(r.f, c.place1 - c.place0);
+    if ((r.b < 0 || r.kind == RowKind::attract) && r.lever == 0.0) report.work += dot(r.f, c.position1 - c.position0);
     if (!c.works) continue;
     double& line = c.ranged ? report.limit : r.lever > 0.0 ? report.motor : report.work;
     line += r.lever > 0.0 ? work_of_angular_row(a, r) : dot(r.f, r.d1 - r.d0);

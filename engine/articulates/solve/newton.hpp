@@ -13,12 +13,12 @@ void find_solved_gaps(Articulate& articulate);
 /// Tells the work of world ends that move, of limited pulls, of lengths that change, of motors and limits, in the step just solved.
 void add_work_of_rows(Articulate& articulate, DriftReport& report);
 /// Work in the step just solved, of h [s], that is none when it is solved exactly: of forces on gaps, and of moments on
-/// what rotations miss; and what round-off of the places makes of the work of all rows. Articulate::saved: the nodes before.
+/// what rotations miss; and what round-off of the positions makes of the work of all rows. Articulate::saved: the nodes before.
 void add_unsolved_work(const Articulate& articulate, double h, DriftReport& report);
 
-/// Sets r and d of all rows at the start, from the nodes' starts and `place0`.
+/// Sets r and d of all rows at the start, from the nodes' starts and `position0`.
 void place_rows_at_start(Articulate& articulate);
-/// The same at the end, from the nodes' ends and `place1`.
+/// The same at the end, from the nodes' ends and `position1`.
 void place_rows_at_end(Articulate& articulate);
 
 /// Where in the step the row forces act: at the arms of its start (Euler), the mean of both ends (the

@@ -107,10 +107,10 @@ NodeTotals totals_of(const Articulate& a) {
   double unsound = 0.0;
   for (const Node& n : a.nodes) {
     t.kinetic += kinetic_energy(n);
-    t.mass_place += n.x0 * n.mass;
+    t.mass_position += n.x0 * n.mass;
     unsound += 0.0 * (n.q0.w + n.q0.x + n.q0.y + n.q0.z);
   }
-  t.finite = std::isfinite(t.kinetic + unsound) && finite(t.mass_place);
+  t.finite = std::isfinite(t.kinetic + unsound) && finite(t.mass_position);
   return t;
 }
 

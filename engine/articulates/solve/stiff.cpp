@@ -18,8 +18,8 @@ namespace pantin {
 
 namespace {
 
-constexpr std::array<double, 4> places = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
-                                          0.93056815579702629};
+constexpr std::array<double, 4> positions = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
+                                             0.93056815579702629};
 constexpr std::array<double, 4> weights = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
                                            0.17392742256872693};
 
@@ -31,7 +31,7 @@ struct Pull {
 Pull of_energy(PairCurve& curve, double s0, double s1, double energy0) {
   const double change = s1 - s0;
   std::array<double, 5> s;
-  for (std::size_t i = 0; i < 4; i++) s[i] = s0 + change * places[i];
+  for (std::size_t i = 0; i < 4; i++) s[i] = s0 + change * positions[i];
   s[4] = s1;
   curve.run(5, s.data(), 0.0);
   const PairCurve::Value end = curve.at(4);
@@ -43,7 +43,7 @@ Pull of_energy(PairCurve& curve, double s0, double s1, double energy0) {
   for (std::size_t i = 0; i < 4; i++) {
     const PairCurve::Value v = curve.at(static_cast<int>(i));
     p.Q += 0.5 * weights[i] * v.pull;
-    p.slope += weights[i] * places[i] * v.by_distance2;
+    p.slope += weights[i] * positions[i] * v.by_distance2;
   }
   return p;
 }
@@ -52,7 +52,7 @@ Pull of_energy(PairCurve& curve, double s0, double s1, double energy0) {
 Pull of_tension(PairCurve& curve, double r0, double r1, double rate, double h) {
   std::array<double, 4> r, s;
   for (std::size_t i = 0; i < 4; i++) {
-    r[i] = r0 + (r1 - r0) * places[i];
+    r[i] = r0 + (r1 - r0) * positions[i];
     s[i] = r[i] * r[i];
   }
   curve.run(4, s.data(), rate);
@@ -61,7 +61,7 @@ Pull of_tension(PairCurve& curve, double r0, double r1, double rate, double h) {
     const PairCurve::Value v = curve.at(static_cast<int>(i));
     const double by_distance = v.pull + r[i] * (2.0 * r[i] * v.by_distance2 + rate * v.by_approach);
     tension += weights[i] * v.pull * r[i];
-    by_end += weights[i] * (by_distance * places[i] + s[i] * v.by_approach / h);
+    by_end += weights[i] * (by_distance * positions[i] + s[i] * v.by_approach / h);
   }
   const double both = r0 + r1, Q = tension / both;
   return {Q, (by_end - Q) / (both * r1)};
@@ -76,14 +76,14 @@ Pull of_damper(double damping, double r0, double r1, double h) {
 
 void make_stiff(const Model& model, ConnectionId id, Row& row, Condition& condition) {
   const Connection& c = model.connections[id];
-  const bool swapped = !c.particles[0];  // a place of the world is always the second end
+  const bool swapped = !c.particles[0];  // a position of the world is always the second end
   condition.stiff = std::make_shared<StiffTie>();
   StiffTie& tie = *condition.stiff;
   tie.connection = id;
   tie.a = c.particles[swapped ? 1 : 0];
   tie.b = c.particles[swapped ? 0 : 1];
   tie.solve = c.solve;
-  if (!tie.b) condition.whole0 = condition.whole1 = model.plane.along(c.places[swapped ? 0 : 1]);
+  if (!tie.b) condition.whole0 = condition.whole1 = model.plane.along(c.positions[swapped ? 0 : 1]);
   const Vec3 d = position(model, tie.a) - (tie.b ? position(model, tie.b) : condition.whole1);
   tie.least2 = 1e-24 * (norm2(d) > 0.0 ? norm2(d) : 1.0);
   for (auto law = c.law; law; law = law->also) tie.curves.emplace_back(*law);
@@ -179,7 +179,7 @@ StiffPull pull_at(StiffTie& tie, Vec3 d) {
     curve.run(1, &s, 0.0);
     const PairCurve::Value v = curve.at(0);
     p.f -= d * v.pull;
-    p.by_place -= identity33() * std::fmax(0.0, v.pull) + along * std::fmax(0.0, 2.0 * v.by_distance2);
+    p.by_position -= identity33() * std::fmax(0.0, v.pull) + along * std::fmax(0.0, 2.0 * v.by_distance2);
     p.by_rate -= along * std::fmax(0.0, v.by_approach);
   }
   return p;

@@ -10,7 +10,7 @@ namespace pantin {
 /// What the row of a connection has that is solved with its articulate.
 struct StiffTie {
   ConnectionId connection;
-  ParticleId a, b;  // b null: a place of the world
+  ParticleId a, b;  // b null: a position of the world
   Solve solve = Solve::at_middle;
   std::vector<PairCurve> curves;  // of the law, and of the laws that act with it
   std::vector<double> energy0;    // (curves) [J] at the start of the step being solved
@@ -40,7 +40,7 @@ void start_stiff(StiffTie& tie, const Row& row, double approach);
 /// draws back.
 struct StiffPull {
   Vec3 f = zero3();
-  Mat3 by_place = zero33(), by_rate = zero33();
+  Mat3 by_position = zero33(), by_rate = zero33();
 };
 StiffPull pull_at(StiffTie& tie, Vec3 d);
 

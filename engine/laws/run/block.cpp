@@ -66,7 +66,7 @@ void LawBlock::take_input(const Law& law, std::span<const std::string> names, co
     case Role::approach: approach = take_column(input); break;
     case Role::displacement: displacement[input.component] = take_column(input); break;
     case Role::relative_velocity: relative_velocity[input.component] = take_column(input); break;
-    case Role::place: place[input.who][input.component] = take_column(input); break;
+    case Role::position: position[input.who][input.component] = take_column(input); break;
     case Role::velocity: velocity[input.who][input.component] = take_column(input); break;
     case Role::attribute: {
       const auto found = std::find(names.begin(), names.end(), input.name);

@@ -33,7 +33,7 @@ class LawBlock {
   double* distance2 = nullptr;  ///< never null
   double* approach = nullptr;
   Vector displacement{}, relative_velocity{};
-  std::array<Vector, 4> place{}, velocity{};
+  std::array<Vector, 4> position{}, velocity{};
   std::vector<Attribute> attributes;
   std::array<std::uint32_t*, 4> sites{};  ///< never null; to be filled where the law wants to know who they are
   bool wants_sites = false;

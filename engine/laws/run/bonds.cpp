@@ -83,14 +83,14 @@ void gather_motion(BondBlock& block, const Arranged& bonds, Stretch at, const Si
 }
 
 /// Places of the others are those nearest to the first.
-void gather_places(LawBlock& law, const Arranged& bonds, Stretch at, const Sites& sites, const Box& box,
-                   std::size_t count) {
+void gather_positions(LawBlock& law, const Arranged& bonds, Stretch at, const Sites& sites, const Box& box,
+                      std::size_t count) {
   for (std::size_t who = 0; who < count; who++)
     for (std::size_t k = 0; k < at.n; k++) {
       const Vec3 first = sites.x[bonds.sites[0][at.begin + k]];
       const Vec3 x = first + box.nearest(sites.x[bonds.sites[who][at.begin + k]] - first);
       for (std::size_t c = 0; c < 3; c++)
-        if (law.place[who][c] != nullptr) law.place[who][c][k] = x[static_cast<int>(c)];
+        if (law.position[who][c] != nullptr) law.position[who][c][k] = x[static_cast<int>(c)];
     }
 }
 
@@ -184,7 +184,7 @@ void Bonds::Kernel::gather(BondBlock& block, Stretch at, const Sites& sites, con
     block.law.bind_parameter(p, bonds.parameters[p].data() + at.begin);
   gather_others(block.law, bonds, at, sites, count());
   if (law->kind == LawKind::many) {
-    gather_places(block.law, bonds, at, sites, box, count());
+    gather_positions(block.law, bonds, at, sites, box, count());
     return;
   }
   const AlignedVector<Vec3>& forces = law->has_energy() ? sites.force : sites.nonconservative_force;

@@ -18,17 +18,17 @@ struct Bounds {
   Vec3 low = vec(infinity, infinity, infinity), high = -low;
 };
 
-Bounds bounds_of(std::span<const Vec3> places, std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) {
+Bounds bounds_of(std::span<const Vec3> positions, std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) {
   Bounds bounds;
   double all = 0.0;  // not finite when one of them is not
   for (const auto& members : {a, b})
     for (const std::uint32_t i : members) {
-      const Vec3 x = places[i];
+      const Vec3 x = positions[i];
       bounds.low = x < bounds.low ? x : bounds.low;
       bounds.high = x > bounds.high ? x : bounds.high;
       all += (x[0] + x[1] + x[2]) * 0.0;
     }
-  require(all == 0.0, "a particle is at a place that is not finite: its neighbours cannot be found");
+  require(all == 0.0, "a particle is at a position that is not finite: its neighbours cannot be found");
   return bounds;
 }
 
@@ -46,11 +46,11 @@ std::int32_t Grid::cell(std::size_t k, Vec3 x) const {
   return std::clamp(static_cast<std::int32_t>(at), 0, cells[k] - 1);
 }
 
-Grid make_grid(std::span<const Vec3> places, std::span<const std::uint32_t> a, std::span<const std::uint32_t> b,
+Grid make_grid(std::span<const Vec3> positions, std::span<const std::uint32_t> a, std::span<const std::uint32_t> b,
                const Box& box, double reach) {
   Grid grid;
   if (a.empty() && b.empty()) return grid;
-  const Bounds bounds = bounds_of(places, a, b);
+  const Bounds bounds = bounds_of(positions, a, b);
   grid.periodic = box.periodic();
   if (grid.periodic) require_inside(bounds, box);
   const Vec3 extent = grid.periodic ? box.edge : bounds.high - bounds.low;
@@ -73,19 +73,19 @@ Grid make_grid(std::span<const Vec3> places, std::span<const std::uint32_t> a, s
   return grid;
 }
 
-void Cells::fill(const Grid& grid, std::span<const Vec3> places, std::span<const std::uint32_t> members) {
+void Cells::fill(const Grid& grid, std::span<const Vec3> positions, std::span<const std::uint32_t> members) {
   n = members.size();
-  sort(grid, places, members);
+  sort(grid, positions, members);
   find_cells(grid);
-  copy_places(places);
+  copy_positions(positions);
 }
 
-void Cells::sort(const Grid& grid, std::span<const Vec3> places, std::span<const std::uint32_t> members) {
+void Cells::sort(const Grid& grid, std::span<const Vec3> positions, std::span<const std::uint32_t> members) {
   keys_.resize(n);
   for (std::size_t k = 0; k < n; k++) {
-    const Vec3 place = places[members[k]];
-    keys_[k] = {grid.cell(Grid::of_layer, place), grid.cell(Grid::of_row, place), grid.cell(Grid::of_line, place),
-                members[k]};
+    const Vec3 position = positions[members[k]];
+    keys_[k] = {grid.cell(Grid::of_layer, position), grid.cell(Grid::of_row, position),
+                grid.cell(Grid::of_line, position), members[k]};
   }
   starts_.clear();
   const double numbers = static_cast<double>(grid.cells[0]) * grid.cells[1] * grid.cells[2];
@@ -126,7 +126,7 @@ void Cells::find_cells(const Grid& grid) {
   cells.push_back({static_cast<std::uint32_t>(n), 0});
 }
 
-void Cells::copy_places(std::span<const Vec3> places) {
+void Cells::copy_positions(std::span<const Vec3> positions) {
   site.resize(n + Sites::padding);
   for (AlignedVector<double>* column : {&x, &y, &z}) {
     column->resize(n + Sites::padding);
@@ -134,10 +134,10 @@ void Cells::copy_places(std::span<const Vec3> places) {
   }
   for (std::size_t k = 0; k < n; k++) {
     site[k] = keys_[k].site;
-    const Vec3 place = places[site[k]];
-    x[k] = place[0];
-    y[k] = place[1];
-    z[k] = place[2];
+    const Vec3 position = positions[site[k]];
+    x[k] = position[0];
+    y[k] = position[1];
+    z[k] = position[2];
   }
 }
 
@@ -149,12 +149,12 @@ std::ptrdiff_t Cells::find_line(std::int32_t layer, std::int32_t row) const {
   return found != end && found->layer == layer && found->row == row ? found - lines.begin() : -1;
 }
 
-std::vector<std::uint32_t> cell_order(std::span<const Vec3> places, const Box& box, double width) {
-  std::vector<std::uint32_t> members(places.size());
+std::vector<std::uint32_t> cell_order(std::span<const Vec3> positions, const Box& box, double width) {
+  std::vector<std::uint32_t> members(positions.size());
   std::iota(members.begin(), members.end(), 0u);
   Cells cells;
-  cells.fill(make_grid(places, members, {}, box, 2.0 * width), places, members);
-  cells.site.resize(places.size());
+  cells.fill(make_grid(positions, members, {}, box, 2.0 * width), positions, members);
+  cells.site.resize(positions.size());
   return std::move(cells.site);
 }
 

@@ -27,8 +27,8 @@ struct Grid {
   std::int32_t cell(std::size_t k, Vec3 x) const;
 };
 
-/// Throws Error where a place is not finite, or in a box not within it.
-Grid make_grid(std::span<const Vec3> places, std::span<const std::uint32_t> a, std::span<const std::uint32_t> b,
+/// Throws Error where a position is not finite, or in a box not within it.
+Grid make_grid(std::span<const Vec3> positions, std::span<const std::uint32_t> a, std::span<const std::uint32_t> b,
                const Box& box, double reach);
 
 /// Some sites in the order of their cells.
@@ -48,7 +48,7 @@ struct Cells {
   std::vector<Line> lines;          ///< likewise
   std::size_t n = 0;
 
-  void fill(const Grid& grid, std::span<const Vec3> places, std::span<const std::uint32_t> members);
+  void fill(const Grid& grid, std::span<const Vec3> positions, std::span<const std::uint32_t> members);
   /// Whether the grid has so few cells that each, occupied or not, has a number.
   bool is_dense() const { return !starts_.empty(); }
   /// First site of such a grid's cell, occupied or not, of a line; of the cell after the line's last, the end.
@@ -63,17 +63,17 @@ struct Cells {
     std::int32_t layer, row, at;
     std::uint32_t site;
   };
-  void sort(const Grid& grid, std::span<const Vec3> places, std::span<const std::uint32_t> members);
+  void sort(const Grid& grid, std::span<const Vec3> positions, std::span<const std::uint32_t> members);
   static std::size_t number_of(const Key& key, const Grid& grid);  // of a cell of a dense grid
   void find_cells(const Grid& grid);
-  void copy_places(std::span<const Vec3> places);
+  void copy_positions(std::span<const Vec3> positions);
 
   std::vector<Key> keys_, sorted_;
   std::vector<std::uint32_t> starts_;     // of all cells of a dense grid, with an end; else empty
   std::vector<std::size_t> line_starts_;  // (lines) in `starts_`
 };
 
-/// The order of places by cells of the given width [m]: element k is the site to be put at k.
-std::vector<std::uint32_t> cell_order(std::span<const Vec3> places, const Box& box, double width);
+/// The order of positions by cells of the given width [m]: element k is the site to be put at k.
+std::vector<std::uint32_t> cell_order(std::span<const Vec3> positions, const Box& box, double width);
 
 }  // namespace pantin

@@ -19,7 +19,7 @@ void gather(LawBlock& law, std::span<const std::uint32_t> members, const Sites& 
   for (std::size_t k = 0; k < members.size(); k++) {
     const Vec3 x = box.wrapped(sites.x[members[k]]), v = sites.v[members[k]];
     for (std::size_t c = 0; c < 3; c++) {
-      if (law.place[0][c] != nullptr) law.place[0][c][k] = x[static_cast<int>(c)];
+      if (law.position[0][c] != nullptr) law.position[0][c][k] = x[static_cast<int>(c)];
       if (law.velocity[0][c] != nullptr) law.velocity[0][c][k] = v[static_cast<int>(c)];
     }
   }

@@ -187,9 +187,9 @@ void Rows::build(const Sites& sites, const Box& box, std::span<const std::uint32
 void Rows::build_by_cells(const Omitted& omitted, Workers& workers) {
   const Sites& sites = omitted.sites;
   Work& work = *work_;
-  const std::span<const Vec3> places(sites.x.data(), sites.n);
-  work.cells_a.fill(work.grid, places, work.a);
-  if (!within_) work.cells_b.fill(work.grid, places, work.b);
+  const std::span<const Vec3> positions(sites.x.data(), sites.n);
+  work.cells_a.fill(work.grid, positions, work.a);
+  if (!within_) work.cells_b.fill(work.grid, positions, work.b);
   const Cells &a = work.cells_a, &b = within_ ? a : work.cells_b;
   std::uint64_t least = 0;  // pairs that share a cell
   for (std::size_t c = 0; within_ && work.grid.narrow && c + 1 < a.cells.size(); c++) {

@@ -44,7 +44,7 @@ class Rows {
   Rows& operator=(Rows&&) noexcept;
 
   /// Pairs within one set (a and b equal) or between two without a common family; with the sets in their order a row's
-  /// site is of a. In a box the places must be wrapped. Throws Error where a place is not finite, the cutoff is longer
+  /// site is of a. In a box the positions must be wrapped. Throws Error where a position is not finite, the cutoff is longer
   /// than half the box, or the pairs are too many. Pairs of `further` are left out as those of kin are.
   void build(const Sites& sites, const Box& box, std::span<const std::uint32_t> a, std::span<const std::uint32_t> b,
              double cutoff, double skin, Workers& workers, const Exclusions& further = {});
@@ -58,7 +58,7 @@ class Rows {
   /// Pairs nearer than this are taken to be so far from each other [m²]: 1e-24 times the cutoff's square, or without a
   /// cutoff that of the greatest extent when the rows were built.
   double least_distance2() const { return least_distance2_; }
-  const Vec3* shifts() const { return shifts_; }  ///< (27) [m] to be added to a neighbour's place
+  const Vec3* shifts() const { return shifts_; }  ///< (27) [m] to be added to a neighbour's position
   std::size_t memory() const;                     ///< [bytes]
 
  private:

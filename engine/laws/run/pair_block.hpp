@@ -27,7 +27,7 @@ struct PairBlock {
   struct Part {
     std::uint32_t site = 0;
     int count = 0;
-    Vec3 from = zero3();  ///< [m] place of the site as its neighbours see it
+    Vec3 from = zero3();  ///< [m] position of the site as its neighbours see it
   };
 
   LawBlock law;

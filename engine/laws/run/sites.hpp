@@ -16,9 +16,9 @@ namespace pantin {
 struct Box {
   Vec3 edge = zero3();  ///< [m], all > 0, or all 0 in open space
   bool periodic() const { return edge[0] > 0.0; }
-  /// The place in the box, 0 <= x < edge, that x stands for; x itself in open space.
+  /// The position in the box, 0 <= x < edge, that x stands for; x itself in open space.
   Vec3 wrapped(Vec3 x) const;
-  /// The shortest of the vectors that a difference of two places in the box stands for.
+  /// The shortest of the vectors that a difference of two positions in the box stands for.
   Vec3 nearest(Vec3 d) const;
 };
 

@@ -123,7 +123,7 @@ void read_particles(const Self& self) {
     if (row.particles[i])
       push_thing(self.state, self.script, row.particles[i]);
     else
-      push(self.state, row.places[i]);
+      push(self.state, row.positions[i]);
     lua_rawseti(self.state, -2, static_cast<lua_Integer>(i + 1));
   }
 }

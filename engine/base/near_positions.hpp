@@ -10,18 +10,18 @@
 
 namespace pantin {
 
-/// Finds which of many places are within a radius [m] of another, by cells of that size.
-class NearPlaces {
+/// Finds which of many positions are within a radius [m] of another, by cells of that size.
+class NearPositions {
  public:
-  NearPlaces(std::span<const Vec3> places, double radius) : places_(places), radius_(radius) {
+  NearPositions(std::span<const Vec3> positions, double radius) : positions_(positions), radius_(radius) {
     double extent = 0.0;
-    for (Vec3 p : places) extent = std::fmax(extent, largest(p));
+    for (Vec3 p : positions) extent = std::fmax(extent, largest(p));
     cell_ = std::fmax(radius, std::fmax(extent * 1e-9, 1e-300));
-    for (std::uint32_t i = 0; i < places.size(); i++) sorted_.push_back({cell_of(places[i]), i});
+    for (std::uint32_t i = 0; i < positions.size(); i++) sorted_.push_back({cell_of(positions[i]), i});
     std::sort(sorted_.begin(), sorted_.end());
   }
 
-  /// Calls `visit(number)` for each place within the radius.
+  /// Calls `visit(number)` for each position within the radius.
   template <class Visit>
   void each(Vec3 at, const Visit& visit) const {
     const Cell centre = cell_of(at);
@@ -31,7 +31,7 @@ class NearPlaces {
           const Cell cell{centre.x + dx, centre.y + dy, centre.z + dz};
           auto it = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair{cell, std::uint32_t{0}});
           for (; it != sorted_.end() && it->first == cell; ++it)
-            if (norm(places_[it->second] - at) <= radius_) visit(it->second);
+            if (norm(positions_[it->second] - at) <= radius_) visit(it->second);
         }
   }
 
@@ -47,7 +47,7 @@ class NearPlaces {
     return {index(p[0]), index(p[1]), index(p[2])};
   }
 
-  std::span<const Vec3> places_;
+  std::span<const Vec3> positions_;
   double radius_, cell_ = 0.0;
   std::vector<std::pair<Cell, std::uint32_t>> sorted_;
 };
