@@ -7,7 +7,7 @@
 
 #include "player/frame_clock.hpp"
 #include "player/mesh.hpp"
-#include "view/sketch.hpp"
+#include "view/draw_list.hpp"
 
 namespace pantin::player {
 

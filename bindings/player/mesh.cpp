@@ -54,11 +54,11 @@ void add_capsule(Mesh::Patch& patch, Vec3 from, Vec3 to, double radius) {
       patch, norm(half) > 0.0, [&](Vec3 d, double side) { return middle + half * side + turned(d) * radius; }, turned);
 }
 
-void add_egg(Mesh::Patch& patch, const Shape::Egg& egg) {
-  const Mat3& a = egg.axes;
+void add_ellipsoid(Mesh::Patch& patch, const Shape::Ellipsoid& ellipsoid) {
+  const Mat3& a = ellipsoid.axes;
   const double sign = dot(cross(a[0], a[1]), a[2]) < 0.0 ? -1.0 : 1.0;
   add_round(
-      patch, false, [&](Vec3 d, double) { return egg.at + a * vec(d[0], d[1], sign * d[2]); },
+      patch, false, [&](Vec3 d, double) { return ellipsoid.at + a * vec(d[0], d[1], sign * d[2]); },
       [&](Vec3 d) { return (cross(a[1], a[2]) * d[0] + cross(a[2], a[0]) * d[1]) * sign + cross(a[0], a[1]) * d[2]; });
 }
 
@@ -75,7 +75,7 @@ Mesh body_mesh(const Shape& shape) {
   Mesh mesh;
   for (const Shape::Bar& bar : shape.bars) add_capsule(mesh.patch(shape.color), bar.from, bar.to, bar.radius);
   for (const Shape::Ball& ball : shape.balls) add_capsule(mesh.patch(ball.color), ball.at, ball.at, ball.radius);
-  for (const Shape::Egg& egg : shape.eggs) add_egg(mesh.patch(shape.color), egg);
+  for (const Shape::Ellipsoid& ellipsoid : shape.ellipsoids) add_ellipsoid(mesh.patch(shape.color), ellipsoid);
   for (const Shape::Corner& corner : shape.corners) {
     Mesh::Patch& patch = mesh.patch(shape.color);
     patch.indices.push_back(vertices(patch));

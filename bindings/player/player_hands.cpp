@@ -104,7 +104,7 @@ const std::string& Player::hint() const {
   static const std::string none;
   static const std::string first =
       text("drag a point, and throw it; press ", key_for(KeyUse::tool, static_cast<std::size_t>(ToolKind::cut)),
-           " and swipe to cut; ", key_for(KeyUse::pause), " pauses, ", key_for(KeyUse::slower), " slows; ",
+           " and stroke to cut; ", key_for(KeyUse::pause), " pauses, ", key_for(KeyUse::slower), " slows; ",
            key_for(KeyUse::scenes), ": all scenes, ", key_for(KeyUse::help), ": all keys");
   static const std::string second = text("to show it to somebody: ", key_for(KeyUse::picture), " takes a picture, ",
                                          key_for(KeyUse::film), " films what is seen");
@@ -123,8 +123,8 @@ void Player::draw_tools() {
 }
 
 void Player::mark_hands(Overlay& overlay) const {
-  const Sight sight{scene_->world(), renderer_.stage(), camera_, renderer_.width(), renderer_.height()};
-  hands_.add_marks(gestures_, sight, renderer_.pointer_on_panel(), overlay.marks);
+  const Viewport viewport{scene_->world(), renderer_.stage(), camera_, renderer_.width(), renderer_.height()};
+  hands_.add_marks(gestures_, viewport, renderer_.pointer_on_panel(), overlay.marks);
 }
 
 }  // namespace pantin::player

@@ -1,6 +1,6 @@
 #pragma once
 #include "view/gestures.hpp"
-#include "view/sight.hpp"
+#include "view/viewport.hpp"
 
 namespace pantin {
 

@@ -36,7 +36,7 @@ class ShaderProgram {
   GLuint id_ = 0;
 };
 
-/// Rows of floats that are sent anew for each picture.
+/// NeighbourList of floats that are sent anew for each picture.
 class FloatRows {
  public:
   /// Numbers of floats of the attributes 0, 1, …; `each_instance` steps them by instance rather than by vertex.

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "view/sketch.hpp"
-#include "view/swipe.hpp"
+#include "view/draw_list.hpp"
+#include "view/stroke.hpp"
 
 namespace pantin {
 
@@ -24,8 +24,8 @@ Color mixed(const Color& a, const Color& b, float part) {
 /// Adds marks of one hand.
 class Pen {
  public:
-  Pen(const Sight& sight, const ShownHand& hand, std::vector<Mark>& marks)
-      : sight_(sight), hand_(hand), color_(hand_color(hand.hand)), marks_(marks) {}
+  Pen(const Viewport& viewport, const ShownHand& hand, std::vector<Mark>& marks)
+      : viewport_(viewport), hand_(hand), color_(hand_color(hand.hand)), marks_(marks) {}
 
   void cursor() {
     if (hand_.mouse) return;
@@ -39,10 +39,10 @@ class Pen {
   void hover() {
     switch (hand_.choice.kind) {
       case ToolKind::cut:
-        for (const AnyId& thing : cuttable(sight_, {hand_.x, hand_.y, hand_.x, hand_.y})) target(thing, danger);
+        for (const AnyId& thing : cuttable(viewport_, {hand_.x, hand_.y, hand_.x, hand_.y})) target(thing, danger);
         return;
-      case ToolKind::remove: return target(pick_thing(sight_, hand_.x, hand_.y), danger);
-      case ToolKind::heat: return brush(sight_.camera.distance);
+      case ToolKind::remove: return target(pick_thing(viewport_, hand_.x, hand_.y), danger);
+      case ToolKind::heat: return brush(viewport_.camera.distance);
       case ToolKind::make:
         if (hand_.choice.variant == 0) held(true);
         return;
@@ -54,19 +54,20 @@ class Pen {
     switch (hand_.use->choice().kind) {
       case ToolKind::drag: return force();
       case ToolKind::cut:
-      case ToolKind::remove: return swipe();
+      case ToolKind::remove: return stroke();
       case ToolKind::join: return join();
       case ToolKind::push:
         if (!hand_.use->point()) return;
-        arrow(hand_.use->start(sight_), hand_.use->start(sight_) + hand_.use->way(sight_), color_);
-        return text(short_number(norm(hand_.use->impulse(sight_))) + " N s", 14.0, 10.0, color_);
+        arrow(hand_.use->start(viewport_), hand_.use->start(viewport_) + hand_.use->way(viewport_), color_);
+        return text(short_number(norm(hand_.use->impulse(viewport_))) + " N s", 14.0, 10.0, color_);
       case ToolKind::spin:
         if (!hand_.use->point()) return;
-        arrow(hand_.use->start(sight_), hand_.use->start(sight_) + hand_.use->way(sight_), color_);
-        return text(short_number(norm(hand_.use->turn(sight_))) + " rad/s", 14.0, 10.0, color_);
+        arrow(hand_.use->start(viewport_), hand_.use->start(viewport_) + hand_.use->way(viewport_), color_);
+        return text(short_number(norm(hand_.use->turn(viewport_))) + " rad/s", 14.0, 10.0, color_);
       case ToolKind::make: return made();
       case ToolKind::heat:
-        return brush(dot(hand_.use->place(sight_, hand_.x, hand_.y) - sight_.camera.eye(), sight_.camera.forward()));
+        return brush(
+            dot(hand_.use->place(viewport_, hand_.x, hand_.y) - viewport_.camera.eye(), viewport_.camera.forward()));
       case ToolKind::nail: return;
     }
   }
@@ -112,27 +113,28 @@ class Pen {
 
   /// The point under the cursor, or how far the hand reaches.
   void held(bool only_hinged) {
-    if (const PointId point = pick_held(sight_, hand_.x, hand_.y))
-      ring(shown_place(sight_.world, point), 26.0, color_);
+    if (const PointId point = pick_held(viewport_, hand_.x, hand_.y))
+      ring(shown_place(viewport_.world, point), 26.0, color_);
     else if (!only_hinged)
       ring_on_screen(2.0 * reach, faded(color_, 0.22f));
   }
 
   /// A thing that would be cut or removed.
   void target(const AnyId& thing, Color color) {
-    if (!alive(sight_.world, thing)) return;
+    if (!alive(viewport_.world, thing)) return;
     if (const auto* body = std::get_if<BodyId>(&thing)) {
-      const Vec3 middle = seen_place(sight_.world, thing).from;
-      const auto& points = sight_.world.bodies[*body].points;
+      const Vec3 middle = seen_place(viewport_.world, thing).from;
+      const auto& points = viewport_.world.bodies[*body].points;
       for (std::size_t i = 0; i < std::min<std::size_t>(points.size(), 64); i++)
-        line(middle, shown_place(sight_.world, points[i]), color, 4.0);
+        line(middle, shown_place(viewport_.world, points[i]), color, 4.0);
       if (points.size() < 2) ring(middle, 26.0, color);
       return;
     }
     const auto* particle = std::get_if<ParticleId>(&thing);
-    const Seen seen = particle && !sight_.world.particles[*particle].is_hinge()
-                          ? Seen{shown_place(sight_.world, sight_.world.particles[*particle].points[0]), zero3(), false}
-                          : seen_place(sight_.world, thing);
+    const Seen seen =
+        particle && !viewport_.world.particles[*particle].is_hinge()
+            ? Seen{shown_place(viewport_.world, viewport_.world.particles[*particle].points[0]), zero3(), false}
+            : seen_place(viewport_.world, thing);
     if (seen.tie)
       line(seen.from, seen.to, color, 4.0);
     else
@@ -141,23 +143,23 @@ class Pen {
 
   /// The line to what it pulls grows and reddens with the force.
   void force() {
-    if (!hand_.use->holding() || !sight_.world.points.alive(hand_.use->point())) return;
+    if (!hand_.use->holding() || !viewport_.world.points.alive(hand_.use->point())) return;
     const auto index = static_cast<std::size_t>(hand_.hand);
-    if (index >= sight_.world.hands.size()) return;
-    const Hand& hand = sight_.world.hands[index];
-    if (!sight_.world.constraints.alive(hand.grab)) return;
-    const Constraint& grip = sight_.world.constraints[hand.grab];
+    if (index >= viewport_.world.hands.size()) return;
+    const Hand& hand = viewport_.world.hands[index];
+    if (!viewport_.world.constraints.alive(hand.grab)) return;
+    const Constraint& grip = viewport_.world.constraints[hand.grab];
     const double pull = norm(grip.force);
     const bool limited = std::isfinite(grip.max_force) && grip.max_force > 0.0;
     const auto part = static_cast<float>(limited ? std::clamp(pull / grip.max_force, 0.0, 1.0) : 0.5);
-    const Vec3 from = shown_place(sight_.world, grip.a), to = hand_.use->place(sight_, hand_.x, hand_.y);
+    const Vec3 from = shown_place(viewport_.world, grip.a), to = hand_.use->place(viewport_, hand_.x, hand_.y);
     const Color color = mixed(faded(color_, 0.8f), danger, std::sqrt(part));
     line(from, to, color, 1.5 + 4.5 * std::sqrt(static_cast<double>(part)));
     ring(from, 26.0, color);
     text(short_number(pull) + " N" + (limited ? " of " + short_number(grip.max_force) + " N" : ""), 14.0, 10.0, color);
   }
 
-  void swipe() {
+  void stroke() {
     const std::vector<Vec3>& trail = hand_.use->trail();
     for (std::size_t i = 1; i < trail.size(); i++) {
       line(trail[i - 1], trail[i], faded(danger, static_cast<float>(i) / static_cast<float>(trail.size())), 2.5);
@@ -167,24 +169,25 @@ class Pen {
 
   void join() {
     if (!hand_.use->point()) return;
-    const PointId other = pick_held(sight_, hand_.x, hand_.y);
+    const PointId other = pick_held(viewport_, hand_.x, hand_.y);
     const bool there = other && other != hand_.use->point();
-    const Vec3 from = shown_place(sight_.world, hand_.use->point());
+    const Vec3 from = shown_place(viewport_.world, hand_.use->point());
     ring(from, 26.0, color_);
-    line(from, there ? shown_place(sight_.world, other) : hand_.use->place(sight_, hand_.x, hand_.y), color_, 2.5);
-    if (there) ring(shown_place(sight_.world, other), 26.0, color_);
+    line(from, there ? shown_place(viewport_.world, other) : hand_.use->place(viewport_, hand_.x, hand_.y), color_,
+         2.5);
+    if (there) ring(shown_place(viewport_.world, other), 26.0, color_);
   }
 
   void brush(double depth) {
-    const double pixel = 2.0 * depth * std::tan(0.5 * sight_.camera.fov) / sight_.height;
-    ring_on_screen(2.0 * heat_radius(sight_, depth) / pixel, hand_.choice.variant == 1 ? cold : warm);
+    const double pixel = 2.0 * depth * std::tan(0.5 * viewport_.camera.fov) / viewport_.height;
+    ring_on_screen(2.0 * heat_radius(viewport_, depth) / pixel, hand_.choice.variant == 1 ? cold : warm);
   }
 
   /// What would be made: a line, or the shortest lines between corners, or a ball's outline.
   void made() {
-    const Command c = hand_.use->making(sight_);
+    const Command c = hand_.use->making(viewport_);
     if (c.points.size() == 1) {
-      const auto seen = sight_.project(c.position);
+      const auto seen = viewport_.project(c.position);
       if (seen) ring(c.position, std::max(6.0, 2.0 * c.radius / seen->pixel), color_);
       return;
     }
@@ -196,11 +199,11 @@ class Pen {
         if (norm(c.points[i] - c.points[k]) < 1.01 * edge)
           line(c.position + c.points[i], c.position + c.points[k], color_, 2.0);
     for (const PointId end : {c.point, c.other})
-      if (sight_.world.points.alive(end) && hand_.use->choice().variant == 0)
-        ring(shown_place(sight_.world, end), 26.0, color_);
+      if (viewport_.world.points.alive(end) && hand_.use->choice().variant == 0)
+        ring(shown_place(viewport_.world, end), 26.0, color_);
   }
 
-  const Sight& sight_;
+  const Viewport& viewport_;
   const ShownHand& hand_;
   Color color_;
   std::vector<Mark>& marks_;
@@ -218,8 +221,8 @@ Color hand_color(std::int32_t hand) {
   return colors[static_cast<std::size_t>(std::max(hand, 0)) % colors.size()];
 }
 
-void mark_hand(const Sight& sight, const ShownHand& hand, std::vector<Mark>& marks) {
-  Pen pen(sight, hand, marks);
+void mark_hand(const Viewport& viewport, const ShownHand& hand, std::vector<Mark>& marks) {
+  Pen pen(viewport, hand, marks);
   pen.cursor();
   if (hand.use->active())
     pen.act();

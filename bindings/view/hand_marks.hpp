@@ -20,6 +20,6 @@ Color hand_color(std::int32_t hand);
 
 /// Its cursor and reach, what its tool would take hold of, cut or remove, and what it does: of a drag the force [N] and its
 /// limit, of a push the impulse, of a thing that is made its edges.
-void mark_hand(const Sight& sight, const ShownHand& hand, std::vector<Mark>& marks);
+void mark_hand(const Viewport& viewport, const ShownHand& hand, std::vector<Mark>& marks);
 
 }  // namespace pantin

@@ -50,7 +50,7 @@ constexpr std::pair<const char*, ImGuiKey> editing_keys[] = {{"tab", ImGuiKey_Ta
                                                              {"y", ImGuiKey_Y},
                                                              {"z", ImGuiKey_Z}};
 
-/// Rows of a key and what it does, which is wrapped at that width [px]; one that does nothing is a heading.
+/// NeighbourList of a key and what it does, which is wrapped at that width [px]; one that does nothing is a heading.
 void help_column(const char* name, std::span<const std::pair<std::string, std::string>> rows, float wrap) {
   if (rows.empty() || !ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoHostExtendX))
     return;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "view/sketch.hpp"
+#include "view/draw_list.hpp"
 
 namespace pantin {
 

@@ -2,7 +2,7 @@
 
 #include "view/camera_moves.hpp"
 #include "view/hand_marks.hpp"
-#include "view/swipe.hpp"
+#include "view/stroke.hpp"
 
 namespace pantin {
 
@@ -12,7 +12,7 @@ using Button = PointerEvent::Button;
 struct PlayerInput::Work {
   const Gestures& gestures;
   const Frame& frame;
-  Sight sight;
+  Viewport viewport;
   Actions& actions;
 
   ToolOutput output() const { return {frame.input, actions.said, actions.acts}; }
@@ -84,19 +84,19 @@ void PlayerInput::pointer_event(const Work& work, const PointerEvent& event) {
     if (event.control) choice = {ToolKind::cut, 0};
     Hold& hold = hold_of(event.pointer);
     hold.use.cancel(output);
-    hold.use.press(work.sight, choice, hold.hand, event.x, event.y, output);
+    hold.use.press(work.viewport, choice, hold.hand, event.x, event.y, output);
   }
   const auto found = holds_.find(event.pointer);
   if (found == holds_.end()) return;
-  if (event.kind == Kind::move) found->second.use.move(work.sight, event.x, event.y, output);
-  if (event.kind == Kind::release && event.button == Button::left) found->second.use.release(work.sight, output);
+  if (event.kind == Kind::move) found->second.use.move(work.viewport, event.x, event.y, output);
+  if (event.kind == Kind::release && event.button == Button::left) found->second.use.release(work.viewport, output);
 }
 
 void PlayerInput::cut(const Work& work, double x, double y) {
   ToolOutput output = work.output();
   ToolUse use;
-  use.press(work.sight, {ToolKind::cut, 0}, hold_of(0).hand, x, y, output);
-  use.release(work.sight, output);
+  use.press(work.viewport, {ToolKind::cut, 0}, hold_of(0).hand, x, y, output);
+  use.release(work.viewport, output);
 }
 
 void PlayerInput::key(const Work& work, const std::string& name) {
@@ -143,8 +143,8 @@ void PlayerInput::move_hands(const Work& work) {
       hold.use.cancel(output);
       continue;
     }
-    hold.use.hold(work.sight, work.frame.time, output);
-    const Vec3 at = hold.use.place(work.sight, found->second.x, found->second.y);
+    hold.use.hold(work.viewport, work.frame.time, output);
+    const Vec3 at = hold.use.place(work.viewport, found->second.x, found->second.y);
     work.frame.input.moves.push_back({hold.hand, at, found->second.left});
   }
   highlight_ = {};
@@ -155,19 +155,19 @@ void PlayerInput::move_hands(const Work& work) {
   if (use.active())
     highlight_ = use.point();
   else if (takes_points && !work.frame.on_panel)
-    highlight_ = pick_held(work.sight, mouse->second.x, mouse->second.y);
+    highlight_ = pick_held(work.viewport, mouse->second.x, mouse->second.y);
 }
 
-void PlayerInput::add_marks(const Gestures& gestures, const Sight& sight, bool on_panel,
+void PlayerInput::add_marks(const Gestures& gestures, const Viewport& viewport, bool on_panel,
                             std::vector<Mark>& marks) const {
   for (const auto& [id, pointer] : gestures.pointers) {
     const auto found = holds_.find(id);
     if (found != holds_.end() && found->second.use.active()) {
-      mark_hand(sight, {found->second.hand, id == 0, pointer.x, pointer.y, tool, &found->second.use}, marks);
+      mark_hand(viewport, {found->second.hand, id == 0, pointer.x, pointer.y, tool, &found->second.use}, marks);
     } else if (!(id == 0 && on_panel)) {
       const ToolUse none;
       const std::int32_t hand = found != holds_.end() ? found->second.hand : static_cast<std::int32_t>(holds_.size());
-      mark_hand(sight, {hand, id == 0, pointer.x, pointer.y, tool, &none}, marks);
+      mark_hand(viewport, {hand, id == 0, pointer.x, pointer.y, tool, &none}, marks);
     }
   }
 }

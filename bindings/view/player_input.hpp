@@ -57,7 +57,7 @@ class PlayerInput {
   /// What the mouse holds or could take hold of, or null.
   PointId highlight() const { return highlight_; }
   /// Marks of all hands, for the overlay.
-  void add_marks(const Gestures& gestures, const Sight& sight, bool on_panel, std::vector<Mark>& marks) const;
+  void add_marks(const Gestures& gestures, const Viewport& viewport, bool on_panel, std::vector<Mark>& marks) const;
 
   ToolChoice tool;  ///< what all hands use
 

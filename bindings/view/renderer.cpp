@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "base/check.hpp"
+#include "view/draw_list.hpp"
 #include "view/gl.hpp"
 #include "view/panel.hpp"
-#include "view/sketch.hpp"
 #include "view/view_marks.hpp"
 
 namespace pantin {
@@ -52,17 +52,18 @@ struct Renderer::Parts {
   std::optional<Target> target;
   std::optional<Target> resolved;
   Target shadow{shadow_pixels * 3 / 2, shadow_pixels, 0, Target::Format::shade, false};
-  ShaderProgram ball, bar, egg, mesh, glow, streak, backdrop{"backdrop", {}, ""},
+  ShaderProgram ball, bar, ellipsoid, mesh, glow, streak, backdrop{"backdrop", {}, ""},
       grid{"grid", {"common.glsl", "fade.glsl"}, text("const float corners = ", ground_corners, ".0;\n")},
       shade{"shade", {"common.glsl", "fade.glsl", "shadow_maps.glsl"}, ""},
       shadow_ball{"shadow_ball", {"shadow_maps.glsl", "shadow.glsl", "triangle.glsl"}, ""},
       shadow_bar{"shadow_bar", {"shadow_maps.glsl", "shadow.glsl"}, ""},
       shadow_mesh{"shadow_mesh", {"shadow_maps.glsl", "shadow.glsl"}, ""};
-  FloatRows balls{{4, 4, 3}, true}, bars{{4, 4, 3}, true}, eggs{{3, 3, 3, 3, 3, 3}, true}, corners{{3, 3, 3}, false},
-      shades{{3, 3, 3}, false}, glows{{4, 4}, true}, streaks{{4, 3, 4}, true}, nothing{{1}, false};
+  FloatRows balls{{4, 4, 3}, true}, bars{{4, 4, 3}, true}, ellipsoids{{3, 3, 3, 3, 3, 3}, true},
+      corners{{3, 3, 3}, false}, shades{{3, 3, 3}, false}, glows{{4, 4}, true}, streaks{{4, 3, 4}, true},
+      nothing{{1}, false};
   Panel panel;
-  Sketcher sketcher;
-  Sketch sketch;
+  DrawListMaker draw_list_maker;
+  DrawList draw_list;
   Stage stage;
   Trails trails;
   ViewMarks view_marks;
@@ -79,7 +80,7 @@ struct Renderer::Parts {
         target(std::in_place, pixels_wide, pixels_high, samples_wanted, Target::Format::color, true),
         ball("ball", {"common.glsl", "edges.glsl", "triangle.glsl"}, edge_definitions(target->samples())),
         bar("bar", {"common.glsl", "edges.glsl"}, edge_definitions(target->samples())),
-        egg("egg", {"common.glsl", "edges.glsl"}, edge_definitions(target->samples())),
+        ellipsoid("ellipsoid", {"common.glsl", "edges.glsl"}, edge_definitions(target->samples())),
         mesh("mesh", {"common.glsl"}, ""),
         glow("glow", {"common.glsl"}, light_definitions),
         streak("streak", {"common.glsl"}, light_definitions),
@@ -142,7 +143,7 @@ void Renderer::listen(Gestures& gestures) { parts_->panel.take(gestures); }
 
 void Renderer::open(const World& world) {
   parts_->stage = find_stage(world);
-  parts_->sketcher.clear();
+  parts_->draw_list_maker.clear();
   parts_->trails.clear();
 }
 
@@ -157,14 +158,14 @@ void Renderer::draw(const World& world, const Camera& camera, const Overlay& ove
   Parts& p = *parts_;
   if (p.stage.empty) open(world);
   watch(world, overlay.views, overlay.pace);
-  p.sketcher.draw(world, camera, p.stage, overlay, p.height, p.sketch);
-  p.balls.send(p.sketch.balls);
-  p.bars.send(p.sketch.bars);
-  p.eggs.send(p.sketch.eggs);
-  p.corners.send(p.sketch.corners);
-  p.shades.send(p.sketch.shades);
-  p.glows.send(p.sketch.glows);
-  p.streaks.send(p.sketch.streaks);
+  p.draw_list_maker.draw(world, camera, p.stage, overlay, p.height, p.draw_list);
+  p.balls.send(p.draw_list.balls);
+  p.bars.send(p.draw_list.bars);
+  p.ellipsoids.send(p.draw_list.ellipsoids);
+  p.corners.send(p.draw_list.corners);
+  p.shades.send(p.draw_list.shades);
+  p.glows.send(p.draw_list.glows);
+  p.streaks.send(p.draw_list.streaks);
   p.draw_shadows(camera, overlay.views.on(View::shadows));
   p.target->bind();
   const Background& colors = p.background(overlay.views);
@@ -184,7 +185,8 @@ void Renderer::draw(const World& world, const Camera& camera, const Overlay& ove
     p.resolved->bind();
   }
   p.collect_marks(world, overlay);
-  p.panel.draw(overlay, {p.marks, p.sketcher.tints().legend(), p.view_marks.legend()}, camera, p.width, p.height);
+  p.panel.draw(overlay, {p.marks, p.draw_list_maker.tints().legend(), p.view_marks.legend()}, camera, p.width,
+               p.height);
 }
 
 void Renderer::Parts::collect_marks(const World& world, const Overlay& overlay) {
@@ -216,7 +218,7 @@ void Renderer::Parts::draw_backdrop(const Background& colors) {
 
 // Draws the scene from the light onto a map of the ground, soft where it is high above it.
 void Renderer::Parts::draw_shadows(const Camera& camera, bool wanted) {
-  shaded = wanted && sketch.lower.x <= sketch.upper.x;
+  shaded = wanted && draw_list.lower.x <= draw_list.upper.x;
   if (!shaded) return;
   shadow.bind();
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
@@ -224,9 +226,9 @@ void Renderer::Parts::draw_shadows(const Camera& camera, bool wanted) {
   const float level = static_cast<float>((stage.ground - camera.eye()[1]) / camera.distance);
   const Vec3 light = key_light();
   const float lx = static_cast<float>(light[0] / light[1]), lz = static_cast<float>(light[2] / light[1]);
-  const float h0 = std::max(sketch.lower.y - level, 0.0f), h1 = std::max(sketch.upper.y - level, 0.0f);
-  const float x0 = sketch.lower.x - std::max(lx * h0, lx * h1), x1 = sketch.upper.x - std::min(lx * h0, lx * h1);
-  const float z0 = sketch.lower.z - std::max(lz * h0, lz * h1), z1 = sketch.upper.z - std::min(lz * h0, lz * h1);
+  const float h0 = std::max(draw_list.lower.y - level, 0.0f), h1 = std::max(draw_list.upper.y - level, 0.0f);
+  const float x0 = draw_list.lower.x - std::max(lx * h0, lx * h1), x1 = draw_list.upper.x - std::min(lx * h0, lx * h1);
+  const float z0 = draw_list.lower.z - std::max(lz * h0, lz * h1), z1 = draw_list.upper.z - std::min(lz * h0, lz * h1);
   shadow_x = 0.5f * (x0 + x1);
   shadow_z = 0.5f * (z0 + z1);
   shadow_reach = 0.575f * std::max(x1 - x0, z1 - z0) + 0.10f * h1;  // with all that is soft
@@ -258,7 +260,7 @@ void Renderer::Parts::draw_ground(const Camera& camera, const Background& colors
   const float level = static_cast<float>((stage.ground - eye[1]) / unit), size = static_cast<float>(stage.size / unit);
   // Faded where the eye is below it, and where the scene has fallen through it.
   const float above = std::clamp(-level / (0.03f * size), 0.0f, 1.0f);
-  const float fallen = sketch.lower.x > sketch.upper.x ? 0.0f : (level - sketch.lower.y) / size;
+  const float fallen = draw_list.lower.x > draw_list.upper.x ? 0.0f : (level - draw_list.lower.y) / size;
   const float strength = above * std::clamp(1.0f - (fallen - 0.08f) / 0.25f, 0.0f, 1.0f);
   if (!(strength > 0.0f)) return;
   for (const ShaderProgram* program : {&shade, &grid}) {
@@ -298,9 +300,9 @@ void Renderer::Parts::draw_things(const Camera& camera) {
     glEnable(GL_MULTISAMPLE);
     glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
   }
-  for (const ShaderProgram* program : {&mesh, &egg, &ball, &bar}) set_camera(*program, camera);
+  for (const ShaderProgram* program : {&mesh, &ellipsoid, &ball, &bar}) set_camera(*program, camera);
   corners.draw(mesh, GL_TRIANGLES);
-  eggs.draw(egg, GL_TRIANGLE_STRIP, 4);
+  ellipsoids.draw(ellipsoid, GL_TRIANGLE_STRIP, 4);
   balls.draw(ball, GL_TRIANGLES, 3);
   glEnable(GL_CULL_FACE);
   glCullFace(GL_FRONT);

@@ -51,9 +51,9 @@ Places measure(const World& world, const Body& body) {
 }
 
 // Half axes of the even ellipsoid of the body's own mass and inertia: a_i² = 5/(2 m) (I_j + I_k - I_i).
-Shape::Egg own_egg(const Body& body) {
-  Shape::Egg egg;
-  if (!(body.own_mass > 0.0) || !(trace(body.own_inertia) > 0.0)) return egg;
+Shape::Ellipsoid own_ellipsoid(const Body& body) {
+  Shape::Ellipsoid ellipsoid;
+  if (!(body.own_mass > 0.0) || !(trace(body.own_inertia) > 0.0)) return ellipsoid;
   const double scale = trace(body.own_inertia);
   const Principal own = principal_axes(body.own_inertia * (1.0 / scale), identity33());
   double half[3], moment[3];
@@ -66,8 +66,8 @@ Shape::Egg own_egg(const Body& body) {
   // The axis of symmetry is the one whose moment lies farther from the middle one.
   const int axis = moment[2] - moment[1] >= moment[1] - moment[0] ? 2 : 0;
   const int order[3] = {(axis + 2) % 3, axis, (axis + 1) % 3};
-  for (int i = 0; i < 3; i++) egg.axes[i] = own.axes[order[i]] * std::max(half[order[i]], 0.02 * most);
-  return egg;
+  for (int i = 0; i < 3; i++) ellipsoid.axes[i] = own.axes[order[i]] * std::max(half[order[i]], 0.02 * most);
+  return ellipsoid;
 }
 
 void add_triangle(Shape& shape, Vec3 a, Vec3 b, Vec3 c) {
@@ -88,20 +88,20 @@ void make_hull(Shape& shape, const Places& places) {
 
 // A capsule along the points, with a ball for each mass on it.
 void make_line(Shape& shape, const World& world, const Body& body, const Places& places, const Stage& stage,
-               const Shape::Egg& egg) {
+               const Shape::Ellipsoid& ellipsoid) {
   const Vec3 from = places.centre + places.axes[0] * places.lower[0];
   const double length = places.extent[0];
   double radius = bar_part * std::min(length, 2.0 * stage.unit);
   double wide = 0.0;
   for (int i = 0; i < 3; i++)
-    wide = std::max(wide, norm(egg.axes[i] - places.axes[0] * dot(egg.axes[i], places.axes[0])));
+    wide = std::max(wide, norm(ellipsoid.axes[i] - places.axes[0] * dot(ellipsoid.axes[i], places.axes[0])));
   const bool round = wide > 0.18 * length;
   if (wide > 0.0 && !round) radius = std::clamp(wide * std::sqrt(0.8), 0.03 * length, 0.1 * length);
   double most = body.own_mass;
   for (const PointId id : body.points) most = std::max(most, world.points[id].mass);
   const bool weighted = !(trace(body.own_inertia) > 0.0);
   if (round || weighted) radius *= 0.6;
-  if (round) shape.eggs.push_back(egg);
+  if (round) shape.ellipsoids.push_back(ellipsoid);
   shape.bars.push_back({from, from + places.axes[0] * length, radius});
   const auto ball = [&](Vec3 at, double mass, double given, Color color) {
     if (given > 0.0) shape.balls.push_back({at, given, color});
@@ -125,17 +125,17 @@ Shape make_shape(const World& world, BodyId id, const Stage& stage) {
   shape.color = body.points.empty() ? Color{0.93f, 0.55f, 0.27f, 1.0f} : world.points[body.points[0]].color;
   shape.joints.assign(body.points.size(), 0.0);
   const Places places = measure(world, body);
-  const Shape::Egg egg = own_egg(body);
+  const Shape::Ellipsoid ellipsoid = own_ellipsoid(body);
   if (places.dimension >= 2) {
     make_hull(shape, places);
     for (const PointId p : body.points)
       if (world.points[p].radius > 0.0)
         shape.balls.push_back({world.points[p].position, world.points[p].radius, world.points[p].color});
   } else if (places.dimension == 1) {
-    make_line(shape, world, body, places, stage, egg);
-  } else if (norm(egg.axes[0]) > 0.0) {
-    shape.eggs.push_back(egg);
-    shape.joints.assign(shape.joints.size(), 0.1 * norm(egg.axes[0]));
+    make_line(shape, world, body, places, stage, ellipsoid);
+  } else if (norm(ellipsoid.axes[0]) > 0.0) {
+    shape.ellipsoids.push_back(ellipsoid);
+    shape.joints.assign(shape.joints.size(), 0.1 * norm(ellipsoid.axes[0]));
   } else {
     const double given = body.points.empty() ? 0.0 : world.points[body.points[0]].radius;
     shape.balls.push_back({places.centre, given > 0.0 ? given : 0.12 * stage.unit, shape.color});

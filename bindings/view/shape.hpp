@@ -18,7 +18,7 @@ struct Shape {
     double radius = 0.0;
     Color color;
   };
-  struct Egg {
+  struct Ellipsoid {
     Vec3 at = zero3();
     Mat3 axes = zero33();  ///< half axes; the second is the axis of symmetry
   };
@@ -27,7 +27,7 @@ struct Shape {
   };
   std::vector<Bar> bars;
   std::vector<Ball> balls;
-  std::vector<Egg> eggs;
+  std::vector<Ellipsoid> ellipsoids;
   std::vector<Corner> corners;  ///< three for each triangle
   Color color;
   std::vector<double> joints;  ///< [m] (points of the body): radius that a hinge or nail there should exceed

@@ -8,9 +8,9 @@
 #include "choreography/commands.hpp"
 #include "edit/assemble.hpp"
 #include "structures/polyhedra.hpp"
+#include "view/draw_list.hpp"
 #include "view/pick.hpp"
-#include "view/sketch.hpp"
-#include "view/swipe.hpp"
+#include "view/stroke.hpp"
 
 namespace pantin {
 
@@ -85,29 +85,32 @@ std::string short_number(double value) {
   return text;
 }
 
-double heat_radius(const Sight& sight, double depth) { return depth * std::tan(0.5 * sight.camera.fov) * 2.0 / 15.0; }
+double heat_radius(const Viewport& viewport, double depth) {
+  return depth * std::tan(0.5 * viewport.camera.fov) * 2.0 / 15.0;
+}
 
-void ToolUse::press(const Sight& sight, ToolChoice choice, std::int32_t hand, double x, double y, ToolOutput& output) {
+void ToolUse::press(const Viewport& viewport, ToolChoice choice, std::int32_t hand, double x, double y,
+                    ToolOutput& output) {
   *this = {};
   choice_ = choice;
   hand_ = hand;
   active_ = true;
   x0_ = x_ = x;
   y0_ = y_ = y;
-  point_ = pick_held(sight, x, y);
-  depth_ = dot(sight.camera.target - sight.camera.eye(), sight.camera.forward());
-  const auto seen = point_ ? sight.project(shown_place(sight.world, point_)) : std::nullopt;
+  point_ = pick_held(viewport, x, y);
+  depth_ = dot(viewport.camera.target - viewport.camera.eye(), viewport.camera.forward());
+  const auto seen = point_ ? viewport.project(shown_place(viewport.world, point_)) : std::nullopt;
   if (seen) {
     depth_ = seen->depth;
-    offset_ = position(sight.world, point_) - sight.place(x, y, depth_);
+    offset_ = position(viewport.world, point_) - viewport.place(x, y, depth_);
   } else {
     point_ = {};
   }
   switch (choice.kind) {
-    case ToolKind::drag: return grab(sight, output);
-    case ToolKind::cut: return cut(sight, x, y, output);
-    case ToolKind::nail: return nail(sight, output);
-    case ToolKind::remove: return remove(sight, output);
+    case ToolKind::drag: return grab(viewport, output);
+    case ToolKind::cut: return cut(viewport, x, y, output);
+    case ToolKind::nail: return nail(viewport, output);
+    case ToolKind::remove: return remove(viewport, output);
     case ToolKind::join:
       if (!point_) output.said.push_back("join: begin at a point, and let go at another");
       break;
@@ -119,37 +122,39 @@ void ToolUse::press(const Sight& sight, ToolChoice choice, std::int32_t hand, do
   }
 }
 
-void ToolUse::move(const Sight& sight, double x, double y, ToolOutput& output) {
+void ToolUse::move(const Viewport& viewport, double x, double y, ToolOutput& output) {
   if (!active_) return;
-  if (choice_.kind == ToolKind::cut) cut(sight, x, y, output);
+  if (choice_.kind == ToolKind::cut) cut(viewport, x, y, output);
   x_ = x;
   y_ = y;
   if (trail_.size() == longest_trail) trail_.erase(trail_.begin());
   trail_.push_back(vec(x, y, 0));
-  if (choice_.kind == ToolKind::remove) remove(sight, output);
+  if (choice_.kind == ToolKind::remove) remove(viewport, output);
 }
 
-void ToolUse::hold(const Sight& sight, double time, ToolOutput& output) {
+void ToolUse::hold(const Viewport& viewport, double time, ToolOutput& output) {
   if (!active_) return;
-  if (point_ && !sight.world.points.alive(point_)) point_ = {};
+  if (point_ && !viewport.world.points.alive(point_)) point_ = {};
   if (choice_.kind != ToolKind::heat) return;
   Command c = command(Command::Kind::heat);
-  const PointId under = pick_held(sight, x_, y_);
-  if (const auto seen = under ? sight.project(shown_place(sight.world, under)) : std::nullopt) depth_ = seen->depth;
-  c.position = sight.place(x_, y_, depth_);
-  c.radius = heat_radius(sight, depth_);
-  const Things things = heated_by(sight.world, c.position, c.radius);
+  const PointId under = pick_held(viewport, x_, y_);
+  if (const auto seen = under ? viewport.project(shown_place(viewport.world, under)) : std::nullopt)
+    depth_ = seen->depth;
+  c.position = viewport.place(x_, y_, depth_);
+  c.radius = heat_radius(viewport, depth_);
+  const Things things = heated_by(viewport.world, c.position, c.radius);
   if (things.bodies.empty() && things.free_points.empty()) return;
-  const double there = heat_in(sight.world, things), cold = 0.05 * sight.stage.unit / step_times(sight.world, 240.0);
+  const double there = heat_in(viewport.world, things),
+               cold = 0.05 * viewport.stage.unit / step_times(viewport.world, 240.0);
   const double part = std::min(0.5, heat_rate * time);
-  c.energy = choice_.variant == 1 ? -part * there : part * std::max(there, mass(sight.world, things) * cold * cold);
+  c.energy = choice_.variant == 1 ? -part * there : part * std::max(there, mass(viewport.world, things) * cold * cold);
   if (c.energy != 0.0) send(c, output);
 }
 
-void ToolUse::release(const Sight& sight, ToolOutput& output) {
+void ToolUse::release(const Viewport& viewport, ToolOutput& output) {
   if (!active_) return;
   active_ = false;
-  const bool alive = sight.world.points.alive(point_);
+  const bool alive = viewport.world.points.alive(point_);
   switch (choice_.kind) {
     case ToolKind::drag:
       if (point_) output.input.commands.push_back(command(Command::Kind::release));
@@ -158,14 +163,14 @@ void ToolUse::release(const Sight& sight, ToolOutput& output) {
       if (done_.empty()) output.said.push_back(std::string("nothing was cut: ") + choice_.tool().help);
       break;
     case ToolKind::join:
-      if (alive) join(sight, output);
+      if (alive) join(viewport, output);
       break;
     case ToolKind::push:
     case ToolKind::spin: {
       if (!alive) break;
       const bool push = choice_.kind == ToolKind::push;
       Command c = command(push ? Command::Kind::push : Command::Kind::spin);
-      c.amount = push ? impulse(sight) : turn(sight);
+      c.amount = push ? impulse(viewport) : turn(viewport);
       if (!push && is_click()) {
         output.said.push_back("spin: drag over a body");
         break;
@@ -176,7 +181,7 @@ void ToolUse::release(const Sight& sight, ToolOutput& output) {
       break;
     }
     case ToolKind::make:
-      send(making(sight), output);
+      send(making(viewport), output);
       output.said.push_back(std::string("made a ") + choice_.tool().variants[choice_.variant]);
       break;
     default: break;
@@ -197,56 +202,59 @@ void ToolUse::carry_over(std::int32_t hand, PointId point) {
   point_ = point;
 }
 
-Vec3 ToolUse::place(const Sight& sight, double x, double y) const {
-  const Vec3 at = sight.place(x, y, active_ ? depth_ : sight.camera.distance);
+Vec3 ToolUse::place(const Viewport& viewport, double x, double y) const {
+  const Vec3 at = viewport.place(x, y, active_ ? depth_ : viewport.camera.distance);
   return holding() ? at + offset_ : at;
 }
 
-Vec3 ToolUse::start(const Sight& sight) const {
-  return sight.world.points.alive(point_) ? position(sight.world, point_) : sight.place(x0_, y0_, depth_);
+Vec3 ToolUse::start(const Viewport& viewport) const {
+  return viewport.world.points.alive(point_) ? position(viewport.world, point_) : viewport.place(x0_, y0_, depth_);
 }
 
-Vec3 ToolUse::way(const Sight& sight) const { return sight.place(x_, y_, depth_) - sight.place(x0_, y0_, depth_); }
+Vec3 ToolUse::way(const Viewport& viewport) const {
+  return viewport.place(x_, y_, depth_) - viewport.place(x0_, y0_, depth_);
+}
 
 bool ToolUse::is_click() const { return std::hypot(x_ - x0_, y_ - y0_) < click_distance; }
 
-Vec3 ToolUse::impulse(const Sight& sight) const {
-  if (!sight.world.points.alive(point_)) return zero3();
-  const Point& point = sight.world.points[point_];
-  const double mass = point.body ? sight.world.motion_of(point.body).mass : point.mass;
+Vec3 ToolUse::impulse(const Viewport& viewport) const {
+  if (!viewport.world.points.alive(point_)) return zero3();
+  const Point& point = viewport.world.points[point_];
+  const double mass = point.body ? viewport.world.motion_of(point.body).mass : point.mass;
   // A click pushes away from the eye.
-  const Vec3 way_to = is_click() ? sight.camera.forward() * (0.5 * sight.stage.unit) : way(sight);
-  return sight.world.plane.along(way_to) * (mass / step_times(sight.world, push_time));
+  const Vec3 way_to = is_click() ? viewport.camera.forward() * (0.5 * viewport.stage.unit) : way(viewport);
+  return viewport.world.plane.along(way_to) * (mass / step_times(viewport.world, push_time));
 }
 
-Vec3 ToolUse::turn(const Sight& sight) const {
-  const double angle = 6.283 / sight.height / step_times(sight.world, push_time);
-  if (sight.world.plane.flat()) {
+Vec3 ToolUse::turn(const Viewport& viewport) const {
+  const double angle = 6.283 / viewport.height / step_times(viewport.world, push_time);
+  if (viewport.world.plane.flat()) {
     // To the right is clockwise.
-    const Vec3 normal = sight.world.plane.about(vec(1, 1, 1));
-    return normal * (dot(normal, sight.camera.forward()) > 0.0 ? (x_ - x0_) * angle : (x0_ - x_) * angle);
+    const Vec3 normal = viewport.world.plane.about(vec(1, 1, 1));
+    return normal * (dot(normal, viewport.camera.forward()) > 0.0 ? (x_ - x0_) * angle : (x0_ - x_) * angle);
   }
-  return sight.camera.up() * ((x_ - x0_) * angle) + sight.camera.right() * ((y_ - y0_) * angle);
+  return viewport.camera.up() * ((x_ - x0_) * angle) + viewport.camera.right() * ((y_ - y0_) * angle);
 }
 
-Command ToolUse::making(const Sight& sight) const {
+Command ToolUse::making(const Viewport& viewport) const {
   Command c = command(Command::Kind::make);
-  const double unit = sight.stage.unit, length = norm(way(sight));
+  const double unit = viewport.stage.unit, length = norm(way(viewport));
   const bool click = is_click();
   double part = 1.0;  // of its usual size
-  c.position = start(sight);
+  c.position = start(viewport);
   if (choice_.variant == 0) {
-    const PointId end = click ? PointId{} : pick_held(sight, x_, y_);
-    c.points = {zero3(), click ? sight.camera.right() * unit : way(sight) + sight.place(x0_, y0_, depth_) - c.position};
-    c.point = sight.world.points.alive(point_) ? point_ : PointId{};
+    const PointId end = click ? PointId{} : pick_held(viewport, x_, y_);
+    c.points = {zero3(),
+                click ? viewport.camera.right() * unit : way(viewport) + viewport.place(x0_, y0_, depth_) - c.position};
+    c.point = viewport.world.points.alive(point_) ? point_ : PointId{};
     if (end && end != point_) {
       c.other = end;
-      c.points[1] = position(sight.world, end) - c.position;
+      c.points[1] = position(viewport.world, end) - c.position;
     }
     part = norm(c.points[1]) / unit;
   } else {
     const double usual = choice_.variant == 1 ? 0.25 * unit : 0.5 * unit, radius = click ? usual : length;
-    c.position = sight.place(x0_, y0_, depth_);
+    c.position = viewport.place(x0_, y0_, depth_);
     part = std::pow(radius / usual, 3.0);
     if (choice_.variant == 1) {
       c.points = {zero3()};
@@ -257,11 +265,11 @@ Command ToolUse::making(const Sight& sight) const {
       for (Vec3& p : c.points) p *= scale;
     }
   }
-  const Plane& plane = sight.world.plane;
-  if (const auto height = usual_height(sight.world); height && !sight.world.points.alive(c.point))
+  const Plane& plane = viewport.world.plane;
+  if (const auto height = usual_height(viewport.world); height && !viewport.world.points.alive(c.point))
     c.position = plane.beside(c.position, *height);
   if (choice_.variant == 0) c.points[1] = plane.along(c.points[1]);
-  c.mass = usual_mass(sight.world) * part;
+  c.mass = usual_mass(viewport.world) * part;
   return c;
 }
 
@@ -279,18 +287,18 @@ void ToolUse::send(Command command, ToolOutput& output) {
   output.input.commands.push_back(std::move(command));
 }
 
-void ToolUse::grab(const Sight& sight, ToolOutput& output) {
+void ToolUse::grab(const Viewport& viewport, ToolOutput& output) {
   if (!point_) return;
-  output.input.moves.push_back({hand_, position(sight.world, point_), true});
+  output.input.moves.push_back({hand_, position(viewport.world, point_), true});
   send(command(Command::Kind::grab), output);
 }
 
-void ToolUse::nail(const Sight& sight, ToolOutput& output) {
+void ToolUse::nail(const Viewport& viewport, ToolOutput& output) {
   if (!point_) return output.said.push_back("nail: there is no point under the cursor");
-  const Particle& ring = sight.world.particles[sight.world.points[point_].particle];
+  const Particle& ring = viewport.world.particles[viewport.world.points[point_].particle];
   for (const PointId p : ring.points)
-    for (const ConstraintId id : sight.world.points[p].constraints)
-      if (sight.world.constraints[id].kind == ConstraintKind::nail) {
+    for (const ConstraintId id : viewport.world.points[p].constraints)
+      if (viewport.world.constraints[id].kind == ConstraintKind::nail) {
         Command c = command(Command::Kind::cut);
         c.thing = id;
         send(c, output);
@@ -300,9 +308,9 @@ void ToolUse::nail(const Sight& sight, ToolOutput& output) {
   output.said.push_back("nailed");
 }
 
-void ToolUse::cut(const Sight& sight, double x, double y, ToolOutput& output) {
+void ToolUse::cut(const Viewport& viewport, double x, double y, ToolOutput& output) {
   bool more = false;
-  for (const AnyId& thing : cuttable(sight, {x_, y_, x, y})) {
+  for (const AnyId& thing : cuttable(viewport, {x_, y_, x, y})) {
     if (std::ranges::count(done_, thing) > 0) continue;
     done_.push_back(thing);
     more = true;
@@ -312,14 +320,14 @@ void ToolUse::cut(const Sight& sight, double x, double y, ToolOutput& output) {
     send(c, output);
   }
   std::vector<AnyId> alive = done_;
-  std::erase_if(alive, [&](const AnyId& t) { return !pantin::alive(sight.world, t); });
+  std::erase_if(alive, [&](const AnyId& t) { return !pantin::alive(viewport.world, t); });
   if (more && !alive.empty())
-    output.said.push_back(alive.size() == done_.size() ? cut_story(sight.world, done_)
+    output.said.push_back(alive.size() == done_.size() ? cut_story(viewport.world, done_)
                                                        : "cut " + counted(done_.size(), "tie", "ties"));
 }
 
-void ToolUse::remove(const Sight& sight, ToolOutput& output) {
-  const AnyId thing = pick_thing(sight, x_, y_);
+void ToolUse::remove(const Viewport& viewport, ToolOutput& output) {
+  const AnyId thing = pick_thing(viewport, x_, y_);
   const bool none = std::holds_alternative<std::monostate>(thing);
   if (none && is_click() && done_.empty()) output.said.push_back("remove: there is nothing under the cursor");
   if (none || std::ranges::count(done_, thing) > 0) return;
@@ -328,13 +336,13 @@ void ToolUse::remove(const Sight& sight, ToolOutput& output) {
   c.point = {};
   c.thing = thing;
   send(c, output);
-  output.said.push_back(done_.size() == 1 ? "removed " + describe(sight.world, thing)
+  output.said.push_back(done_.size() == 1 ? "removed " + describe(viewport.world, thing)
                                           : "removed " + counted(done_.size(), "thing", "things"));
 }
 
-void ToolUse::join(const Sight& sight, ToolOutput& output) {
+void ToolUse::join(const Viewport& viewport, ToolOutput& output) {
   Command c = command(Command::Kind::join);
-  c.other = pick_held(sight, x_, y_);
+  c.other = pick_held(viewport, x_, y_);
   if (!c.other || c.other == point_) return output.said.push_back("join: let go at another point");
   send(c, output);
   output.said.push_back("joining");

@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "view/sight.hpp"
 #include "view/tools.hpp"
+#include "view/viewport.hpp"
 
 namespace pantin {
 
@@ -18,11 +18,11 @@ struct ToolOutput {
 /// What one hand does with a tool, from press to release.
 class ToolUse {
  public:
-  void press(const Sight& sight, ToolChoice choice, std::int32_t hand, double x, double y, ToolOutput& output);
-  void move(const Sight& sight, double x, double y, ToolOutput& output);
+  void press(const Viewport& viewport, ToolChoice choice, std::int32_t hand, double x, double y, ToolOutput& output);
+  void move(const Viewport& viewport, double x, double y, ToolOutput& output);
   /// Once for each picture in which it is down; `time` [s] since the last.
-  void hold(const Sight& sight, double time, ToolOutput& output);
-  void release(const Sight& sight, ToolOutput& output);
+  void hold(const Viewport& viewport, double time, ToolOutput& output);
+  void release(const Viewport& viewport, ToolOutput& output);
   /// The hand is gone: it lets go, and does no more.
   void cancel(ToolOutput& output);
 
@@ -36,28 +36,28 @@ class ToolUse {
   ToolChoice choice() const { return choice_; }
   PointId point() const { return point_; }  ///< at which it began, or null
   /// Where the hand is [m]: at the depth of what it began at.
-  Vec3 place(const Sight& sight, double x, double y) const;
+  Vec3 place(const Viewport& viewport, double x, double y) const;
   /// Where it began to drag [m]: the point as it is now, or the place of the press.
-  Vec3 start(const Sight& sight) const;
-  /// Where it went last, for a swipe [px].
+  Vec3 start(const Viewport& viewport) const;
+  /// Where it went last, for a stroke [px].
   const std::vector<Vec3>& trail() const { return trail_; }
   /// From the press to the cursor [m], along the picture.
-  Vec3 way(const Sight& sight) const;
+  Vec3 way(const Viewport& viewport) const;
 
   /// What is made by a drag as it is now; its `points` and `place`.
-  Command making(const Sight& sight) const;
+  Command making(const Viewport& viewport) const;
   /// The impulse [N s] and the change of spin [rad/s] of a drag as it is now.
-  Vec3 impulse(const Sight& sight) const;
-  Vec3 turn(const Sight& sight) const;
+  Vec3 impulse(const Viewport& viewport) const;
+  Vec3 turn(const Viewport& viewport) const;
 
  private:
   Command command(Command::Kind kind) const;
   void send(Command command, ToolOutput& output);
-  void grab(const Sight& sight, ToolOutput& output);
-  void nail(const Sight& sight, ToolOutput& output);
-  void cut(const Sight& sight, double x, double y, ToolOutput& output);
-  void remove(const Sight& sight, ToolOutput& output);
-  void join(const Sight& sight, ToolOutput& output);
+  void grab(const Viewport& viewport, ToolOutput& output);
+  void nail(const Viewport& viewport, ToolOutput& output);
+  void cut(const Viewport& viewport, double x, double y, ToolOutput& output);
+  void remove(const Viewport& viewport, ToolOutput& output);
+  void join(const Viewport& viewport, ToolOutput& output);
   bool is_click() const;
 
   ToolChoice choice_;
@@ -74,6 +74,6 @@ class ToolUse {
 /// A number with three digits or so, without an exponent where that is readable: "0.123", "45.6", "2040".
 std::string short_number(double value);
 /// Radius [m] of the ball that the tool "heat" reaches: a fifteenth of the picture's height, where the hand is.
-double heat_radius(const Sight& sight, double depth);
+double heat_radius(const Viewport& viewport, double depth);
 
 }  // namespace pantin

@@ -5,12 +5,12 @@ namespace pantin {
 const std::vector<Tool>& tools() {
   static const std::vector<Tool> table = {
       {ToolKind::drag, "drag", "\u261d", "pull a point; let go in full swing to throw it", {}},
-      {ToolKind::cut, "cut", "\u2702", "swipe over hinges, nails, rods, strings and connections", {}},
+      {ToolKind::cut, "cut", "\u2702", "stroke over hinges, nails, rods, strings and connections", {}},
       {ToolKind::join, "join", "\u26ad", "drag from a point to a point: they are drawn together and hinged", {}},
       {ToolKind::nail, "nail", "\u2299", "click a point to nail it where it is; again to pull the nail out", {}},
       {ToolKind::push, "push", "\u279c", "drag from a thing: the longer, the harder it is pushed that way", {}},
       {ToolKind::spin, "spin", "\u21bb", "drag over a body as you would turn a globe", {}},
-      {ToolKind::remove, "remove", "\u2715", "click or swipe over what is to go", {}},
+      {ToolKind::remove, "remove", "\u2715", "click or stroke over what is to go", {}},
       {ToolKind::make,
        "make",
        "\u271a",

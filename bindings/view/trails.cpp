@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "view/sketch.hpp"
+#include "view/draw_list.hpp"
 #include "view/view_marks.hpp"
 
 namespace pantin {

@@ -6,7 +6,7 @@
 
 #include "articulates/articulate.hpp"
 #include "forces/forces.hpp"
-#include "view/sketch.hpp"
+#include "view/draw_list.hpp"
 
 namespace pantin {
 
@@ -115,7 +115,7 @@ void ViewMarks::add_cells(const World& world, std::vector<Mark>& marks) {
   if (!world.forces || !world.forces->rows) return;
   const Forces& forces = *world.forces;
   const auto cut = std::ranges::find_if(forces.interactions, [](const ActingInteraction& i) {
-    return i.rows.cutoff() > 0.0 && std::isfinite(i.rows.cutoff());
+    return i.neighbours.cutoff() > 0.0 && std::isfinite(i.neighbours.cutoff());
   });
   if (cut == forces.interactions.end() || !world.interactions.alive(cut->id)) return;
   const Interaction& interaction = world.interactions[cut->id];

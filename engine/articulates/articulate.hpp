@@ -9,8 +9,8 @@
 #include <memory>
 #include <vector>
 
-#include "articulates/batch.hpp"
 #include "articulates/factor.hpp"
+#include "articulates/node_batch.hpp"
 #include "articulates/predictor.hpp"
 #include "articulates/rest.hpp"
 #include "constraints/row.hpp"

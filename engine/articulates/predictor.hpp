@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/batch.hpp"
+#include "base/vectors4.hpp"
 
 namespace pantin {
 

@@ -13,9 +13,9 @@ using namespace internal;
 
 namespace {
 
-constexpr double near = 0.01;      // of the size of their bodies: from here on a limited join holds as a hinge does
-constexpr double progress = 1e-3;  // relative, that counts as coming nearer
-constexpr double patience = 100;   // time constants without any, before it is told
+constexpr double near = 0.01;     // of the size of their bodies: from here on a limited join holds as a hinge does
+constexpr double nearer = 1e-3;   // relative, that counts as coming nearer
+constexpr double patience = 100;  // time constants without any, before it is told
 
 double size_of_pair(const World& world, const Constraint& c) {
   const double size = std::fmax(size_of(world, c.a), size_of(world, c.b));
@@ -25,18 +25,18 @@ double size_of_pair(const World& world, const Constraint& c) {
 /// A limited join may be too weak for what holds its points apart.
 void tell_when_stuck(World& world, ConstraintId id, double apart) {
   const Constraint& c = world.constraints[id];
-  Joining& joining = *c.joining;
-  if (apart < joining.nearest * (1.0 - progress)) {
-    joining.nearest = apart;
-    joining.nearest_at = world.time;
+  JoinProgress& progress = *c.progress;
+  if (apart < progress.nearest * (1.0 - nearer)) {
+    progress.nearest = apart;
+    progress.nearest_at = world.time;
   }
-  if (joining.told || world.time - joining.nearest_at < patience * c.time_constant) return;
-  joining.told = true;
+  if (progress.told || world.time - progress.nearest_at < patience * c.time_constant) return;
+  progress.told = true;
   log_line(
       world, "warning",
-      text(describe(world, id), joining.label.empty() ? "" : " of ", joining.label, ": its points have come no nearer ",
-           "than ", joining.nearest, " m for ", world.time - joining.nearest_at, " s; its max_force of ", c.max_force,
-           " N may be less than what pulls them apart"));
+      text(describe(world, id), progress.label.empty() ? "" : " of ", progress.label,
+           ": its points have come no nearer ", "than ", progress.nearest, " m for ", world.time - progress.nearest_at,
+           " s; its max_force of ", c.max_force, " N may be less than what pulls them apart"));
 }
 
 /// A limited join whose points are near, and not just passing, is one without a limit from now on.
@@ -56,13 +56,13 @@ bool has_met(const Constraint& c) {
 }
 
 /// In the next step, by the choreography: it may be gone by then.
-void tell_met(World& world, ParticleId hinge, const Joining& joining) {
-  if (!joining.on_met) return;
+void tell_met(World& world, ParticleId hinge, const JoinProgress& progress) {
+  if (!progress.on_met) return;
   Event event;
   event.time = world.time;
   event.target = hinge;
-  event.label = joining.label;
-  event.action = [hinge, on_met = joining.on_met] { on_met(hinge); };
+  event.label = progress.label;
+  event.action = [hinge, on_met = progress.on_met] { on_met(hinge); };
   add_event(world, std::move(event));
 }
 
@@ -70,15 +70,15 @@ void make_met_hinge(World& world, ConstraintId id) {
   const Constraint c = world.constraints[id];
   const Acting acting(world);
   world.locked = false;
-  world.who = [label = c.joining->label] { return label.empty() ? std::string("its join") : label; };
+  world.who = [label = c.progress->label] { return label.empty() ? std::string("its join") : label; };
   const PointId points[] = {c.a, c.b};
   try {
     HingeDef def;
-    def.name = c.joining->hinge_name;
+    def.name = c.progress->hinge_name;
     take_out_constraint(world, id, {describe(world, id), world.time, "its points meeting"});
     const ParticleId hinge = add_hinge(world, points, def);
     notice(world, Notice::Kind::joined, hinge, text(describe(world, hinge), " was made"));
-    tell_met(world, hinge, *c.joining);
+    tell_met(world, hinge, *c.progress);
   } catch (const Error& error) { log_line(world, "dropped", text("join: ", error.what())); }
 }
 

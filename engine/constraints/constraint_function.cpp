@@ -43,7 +43,7 @@ double evaluate_function(Row& row, Condition& c, const ConstraintFunction& r, co
   row.residual = r.n * h.gap + across * kappa;
   c.M = outer(r.n, r.gradient) - P * (kappa * along * r.bend);
   c.C = P * kappa;
-  const double weight = std::fmax(kappa, r.way / std::fmax(norm(row.f), 1e-3 * r.way / kappa));
+  const double weight = std::fmax(kappa, r.displacement / std::fmax(norm(row.f), 1e-3 * r.displacement / kappa));
   return std::fmax(std::fabs(h.gap), norm(across) * weight);
 }
 

@@ -43,14 +43,14 @@ double evaluate_path(Row& row, Condition& c, const RowContext& context) {
   }
   c.held = false;
   const Vec3 chord = position - path.position(c.angle0), T = path.tangent(c.angle1);
-  const double way = norm(chord);
-  const Vec3 n = way > 1e-12 * norm(position) ? chord / way : T;
+  const double displacement = norm(chord);
+  const Vec3 n = displacement > 1e-12 * norm(position) ? chord / displacement : T;
   const double along = dot(row.f, n);
   row.residual = open - row.offset + n * (along * kappa);
-  const double bend = way > 1e-12 * norm(position) ? dot(row.f, T - n * dot(n, T)) / way : 0.0;
+  const double bend = displacement > 1e-12 * norm(position) ? dot(row.f, T - n * dot(n, T)) / displacement : 0.0;
   c.M = identity33() - outer(T, T) + outer(n, T) * (kappa * bend);
   c.C = outer(n, n) * kappa;
-  const double weight = std::fmax(kappa, way / std::fmax(norm(row.f), 1e-3 * way / kappa));
+  const double weight = std::fmax(kappa, displacement / std::fmax(norm(row.f), 1e-3 * displacement / kappa));
   return std::fmax(norm(open - row.offset), std::fabs(along) * weight);
 }
 

@@ -22,7 +22,7 @@ namespace pantin {
 /// or keeps it in a range.
 enum class RowKind : std::uint8_t { rigid, soft, rod, plane, axis, align, turn, segment, path, stiff, attract };
 
-struct StiffTie;
+struct StiffBond;
 
 /// Ties a point of node a to a point of node b, or to a position of the world (b = -1), by one force.
 struct alignas(64) Row {
@@ -42,7 +42,7 @@ struct alignas(64) Row {
   PointId centre;                                                   // of a hinge: the star's point, that -f pulls
 };
 
-/// What of a condition leaves the straight way between the ends of a step.
+/// What of a condition leaves the straight displacement between the ends of a step.
 enum class Bent : std::uint8_t { nothing, position, length, turn };
 
 /// What the row of a constraint has beyond a hinge's: a world end, a matrix of its own, limits.
@@ -86,7 +86,7 @@ struct Condition {
   bool works = false;       // its force may do work
   std::uint32_t row = 0;
   ConstraintId constraint;  // null of a stiff row
-  std::shared_ptr<StiffTie>
+  std::shared_ptr<StiffBond>
       stiff;                  // of a stiff row; copies of an articulate share it, so it keeps nothing between steps
   std::vector<double> given;  // (its curves) [J] what their energies gave to the motion in this stage of the step
   double settling = 0.0, mean_rate = 0.0;  // [kg], [m/s] those of `stiff`, in the last stage of the step

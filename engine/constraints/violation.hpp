@@ -13,7 +13,7 @@ double lever(const Model& model, const Constraint& constraint);
 /// What a constraint misses now, but for what it still draws in, [m].
 double present_gap(const Model& model, const Constraint& constraint);
 
-/// A constraint starts anew: what is far from where it wants it is drawn in, a deviation within `tolerance`, relative to
+/// A constraint starts anew: what is far from where it wants it is drawn in, a violation within `tolerance`, relative to
 /// sizes, is not one. Targets have no history.
 void start_constraint(const Model& model, Constraint& constraint, double tolerance);
 

@@ -25,10 +25,10 @@ void take_out_constraint(World& world, ConstraintId id, Obituary obituary) {
   for (BodyId body : {c.body_a, c.body_b})
     if (body) std::erase(world.bodies[body].constraints, id);
   if (c.ring && world.particles.alive(c.ring)) std::erase(world.particles[c.ring].axes, id);
-  const std::shared_ptr<Joining> joining = c.joining;
+  const std::shared_ptr<JoinProgress> progress = c.progress;
   world.constraints.remove(id, obituary);
-  if (joining && world.constraints.alive(joining->holder))
-    take_out_constraint(world, joining->holder, {describe(world, joining->holder), obituary.time, obituary.who});
+  if (progress && world.constraints.alive(progress->holder))
+    take_out_constraint(world, progress->holder, {describe(world, progress->holder), obituary.time, obituary.who});
 }
 
 }  // namespace pantin::internal

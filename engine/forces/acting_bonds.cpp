@@ -22,8 +22,8 @@ void pick(std::vector<Value>& list, const std::vector<std::size_t>& keep, std::s
 void pick(ActingConnections& a, const std::vector<std::size_t>& keep) {
   pick(a.ids, keep);
   pick(a.serials, keep);
-  pick(a.ties.sites, keep, static_cast<std::size_t>(a.ties.count));
-  for (std::vector<double>& column : a.ties.parameters) pick(column, keep);
+  pick(a.bond_list.sites, keep, static_cast<std::size_t>(a.bond_list.count));
+  for (std::vector<double>& column : a.bond_list.parameters) pick(column, keep);
 }
 
 /// Takes connections out, by their sorted serials.
@@ -44,18 +44,19 @@ void sort_by_serial(ActingConnections& a) {
 
 }  // namespace
 
-void add_tie(const World& world, ActingConnections& acting, ConnectionId id, const TieEnds& ends) {
+void add_bond(const World& world, ActingConnections& acting, ConnectionId id, const BondEnds& ends) {
   const Connection& row = world.connections[id];
   for (std::uint32_t i = 0; i < row.count; i++)
     for (std::uint32_t j = 0; j < i; j++)
       if (ends[i] == ends[j]) return;
   acting.ids.push_back(id);
   acting.serials.push_back(row.serial);
-  acting.ties.sites.insert(acting.ties.sites.end(), ends.begin(), ends.begin() + row.count);
-  for (std::size_t k = 0; k < row.parameters.size(); k++) acting.ties.parameters[k].push_back(row.parameters[k]);
+  acting.bond_list.sites.insert(acting.bond_list.sites.end(), ends.begin(), ends.begin() + row.count);
+  for (std::size_t k = 0; k < row.parameters.size(); k++)
+    acting.bond_list.parameters[k].push_back(row.parameters[k]);
 }
 
-void change_ties(const World& world, Forces& f, const std::vector<ConnectionId>& changed) {
+void change_bonds(const World& world, Forces& f, const std::vector<ConnectionId>& changed) {
   std::vector<std::uint64_t> serials = std::move(f.untied);
   f.untied.clear();
   for (ConnectionId id : changed) serials.push_back(world.connections[id].serial);
@@ -64,14 +65,14 @@ void change_ties(const World& world, Forces& f, const std::vector<ConnectionId>&
   for (ActingConnections& acting : f.connections) take_out(acting, serials);
   for (ConnectionId id : changed) {
     const Connection& row = world.connections[id];
-    TieEnds ends{};
+    BondEnds ends{};
     for (std::uint32_t i = 0; i < row.count; i++) {
       ends[i] = f.site_of[awake(world, row.particles[i]).slot - 1];
       assume(!row.enabled || ends[i] != Forces::none);
     }
     for (auto law = row.law; law && row.enabled; law = law->also)
       for (ActingConnections& acting : f.connections)
-        if (acting.law == law && acting.solved == (row.solve != Solve::explicitly)) add_tie(world, acting, id, ends);
+        if (acting.law == law && acting.solved == (row.solve != Solve::explicitly)) add_bond(world, acting, id, ends);
   }
   for (ActingConnections& acting : f.connections) sort_by_serial(acting);
 }

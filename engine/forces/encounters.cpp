@@ -17,9 +17,9 @@ constexpr double nearer = 0.7;  // than at both ends: an encounter
 /// How a pair passed, if it did.
 struct Passing {
   std::uint32_t a = 0, b = 0;
-  Vec3 d = zero3();     // [m] from a to b where they were nearest
-  Vec3 way = zero3();   // [m] by which that changed over the part
-  std::size_t tie = 0;  // number of the connection
+  Vec3 d = zero3();             // [m] from a to b where they were nearest
+  Vec3 displacement = zero3();  // [m] by which that changed over the part
+  std::size_t tie = 0;          // number of the connection
 };
 
 class Finder {
@@ -40,22 +40,23 @@ class Finder {
   }
   void consider(std::uint32_t a, std::uint32_t b, std::size_t tie) {
     const Vec3 d0 = box_.nearest(start(b) - start(a)), d1 = box_.nearest(f_.sites.x[b] - f_.sites.x[a]);
-    const Vec3 way = d1 - d0;
-    const double way2 = norm2(way), at = way2 > 0.0 ? -dot(d0, way) / way2 : 0.0;
+    const Vec3 displacement = d1 - d0;
+    const double squared = norm2(displacement), at = squared > 0.0 ? -dot(d0, displacement) / squared : 0.0;
     if (!(at > 0.0 && at < 1.0)) return;
-    Vec3 d = d0 + way * at;
-    if (const double least = 1e-3 * std::sqrt(way2); norm(d) < least)
+    Vec3 d = d0 + displacement * at;
+    if (const double least = 1e-3 * std::sqrt(squared); norm(d) < least)
       d = direction(d1) * least;  // a law needs a direction
-    if (norm(d) < nearer * std::min(norm(d0), norm(d1))) passed_.push_back({a, b, d, way, tie});
+    if (norm(d) < nearer * std::min(norm(d0), norm(d1))) passed_.push_back({a, b, d, displacement, tie});
   }
 
   void of_connections(const ActingConnections& c) {
-    if (c.solved || c.ties.count != 2) return;
+    if (c.solved || c.bond_list.count != 2) return;
     passed_.clear();
-    for (std::size_t k = 0; k < c.ids.size(); k++) consider(c.ties.sites[2 * k], c.ties.sites[2 * k + 1], k);
+    for (std::size_t k = 0; k < c.ids.size(); k++)
+      consider(c.bond_list.sites[2 * k], c.bond_list.sites[2 * k + 1], k);
     if (passed_.empty()) return;
-    Ties ties;
-    for (const std::vector<double>& column : c.ties.parameters) {
+    BondList ties;
+    for (const std::vector<double>& column : c.bond_list.parameters) {
       ties.parameters.emplace_back();
       for (const Passing& p : passed_) ties.parameters.back().push_back(column[p.tie]);
     }
@@ -64,12 +65,12 @@ class Finder {
 
   void of_interaction(ActingInteraction& a) {
     const Interaction& row = world_.interactions[a.id];
-    const double cutoff = a.rows.cutoff();
+    const double cutoff = a.neighbours.cutoff();
     if (2.0 * fastest_ < slow * std::min(cutoff, nearest_)) return;
     passed_.clear();
     const std::uint32_t of_a[] = {row.a.slot - 1}, of_b[] = {row.b.slot - 1};
     const double farthest = 2.0 * fastest_ / std::sqrt(1.0 - nearer * nearer);  // at the end, of two that passed
-    Rows near;
+    NeighbourList near;
     near.build(f_.sites, box_, of_a, of_b, std::min(cutoff + 2.0 * fastest_, farthest), 0.0, *world_.workers, a.bonded);
     for (const auto& phase : near.phases())
       for (const Slab& slab : phase)
@@ -80,7 +81,7 @@ class Finder {
   }
 
   /// Asks the law of the pairs that passed each other, put on sites of their own where they were nearest.
-  void ask(const std::shared_ptr<const Law>& law, Ties ties, const std::vector<double>& parameters) {
+  void ask(const std::shared_ptr<const Law>& law, BondList ties, const std::vector<double>& parameters) {
     Sites sites;
     sites.names = f_.sites.names;
     sites.resize(2 * passed_.size());
@@ -104,7 +105,7 @@ class Finder {
       const std::uint32_t site = k % 2 == 0 ? p.a : p.b;
       const bool reached = norm(p.d) < (law->touching ? touching_distance(p) : law->cutoff);
       const double force = reached ? norm(sites.force[k] + sites.nonconservative_force[k]) : 0.0;
-      found_.push_back({site, force * mobility(site), norm(p.d), norm(p.way)});
+      found_.push_back({site, force * mobility(site), norm(p.d), norm(p.displacement)});
     }
   }
 

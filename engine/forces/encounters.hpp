@@ -10,11 +10,11 @@ struct Encounter {
   std::uint32_t site = 0;
   double acceleration = 0.0;  ///< [m/s²] by its law where the two were nearest, on straight lines
   double distance = 0.0;      ///< [m] then
-  double way = 0.0;           ///< [m] by which the two moved against each other
+  double displacement = 0.0;  ///< [m] by which the two moved against each other
 };
 
 /// Those whose distance was least within the part, and there well below what it was at the ends. Places at the start are
-/// KickNotes::position; `fastest` [m] is the longest way of a site in the part, `nearest` [m] the least distance of two now.
+/// KickNotes::position; `fastest` [m] is the longest displacement of a site in the part, `nearest` [m] the least distance of two now.
 std::vector<Encounter> find_encounters(const World& world, Forces& forces, double fastest, double nearest);
 
 }  // namespace pantin

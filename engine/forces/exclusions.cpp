@@ -25,11 +25,11 @@ Exclusions bonded(const Forces& forces, int steps) {
   if (steps <= 0) return {};
   std::vector<std::vector<std::uint32_t>> next(forces.sites.n);
   for (const ActingConnections& acting : forces.connections) {
-    const auto count = static_cast<std::size_t>(acting.ties.count);
-    for (std::size_t k = 0; k < acting.ties.sites.size(); k += count)
+    const auto count = static_cast<std::size_t>(acting.bond_list.count);
+    for (std::size_t k = 0; k < acting.bond_list.sites.size(); k += count)
       for (std::size_t i = 0; i < count; i++)
         for (std::size_t j = 0; j < count; j++)
-          if (i != j) next[acting.ties.sites[k + i]].push_back(acting.ties.sites[k + j]);
+          if (i != j) next[acting.bond_list.sites[k + i]].push_back(acting.bond_list.sites[k + j]);
   }
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   std::vector<std::uint32_t> reached, edge, further;

@@ -31,8 +31,8 @@ std::vector<double> present_parameters(const World& world, const Law& law, const
 }
 
 void run_law(const World& world, Forces& f, ActingInteraction& a, const Instant& instant) {
-  a.pairs.add_forces(f.sites, a.rows, instant, present_parameters(world, *a.law, world.interactions[a.id].parameters),
-                     *world.workers);
+  a.pairs.add_forces(f.sites, a.neighbours, instant,
+                     present_parameters(world, *a.law, world.interactions[a.id].parameters), *world.workers);
 }
 
 void run_law(const World& world, Forces& f, ActingConnections& a, const Instant& instant) {
@@ -51,9 +51,9 @@ double run_laws(const World& world, Forces& f, const Instant& instant, bool with
     if (a.law->velocity_dependent) continue;
     const auto parameters = present_parameters(world, *a.law, world.interactions[a.id].parameters);
     if (with_energy)
-      energy += a.energy = a.pairs.add_forces_and_energy(f.sites, a.rows, instant, parameters, *world.workers);
+      energy += a.energy = a.pairs.add_forces_and_energy(f.sites, a.neighbours, instant, parameters, *world.workers);
     else
-      a.pairs.add_forces(f.sites, a.rows, instant, parameters, *world.workers);
+      a.pairs.add_forces(f.sites, a.neighbours, instant, parameters, *world.workers);
   }
   for (ActingConnections& a : f.connections) {
     if (a.law->velocity_dependent || (a.solved && !(with_energy && a.law->has_energy()))) continue;
@@ -170,9 +170,9 @@ Instant instant_of(const World& world, double time, std::uint64_t number) {
 
 void start(const World& world, Forces& f) {
   read_positions(world, f, false);
-  build_rows(world, f, false);
+  build_neighbours(world, f, false);
   if (!f.rows) {
-    for (ActingConnections& c : f.connections) c.bonds.arrange(c.ties, f.sites);
+    for (ActingConnections& c : f.connections) c.bonds.arrange(c.bond_list, f.sites);
     arrange_fields(world, f);
   }
   read_velocities(world, f, false);
@@ -182,8 +182,8 @@ namespace {
 
 bool tells_energy(const World& world, const Forces& f) {
   std::size_t pairs = 0;
-  for (const ActingInteraction& a : f.interactions) pairs += a.rows.pairs();
-  for (const ActingConnections& a : f.connections) pairs += a.ties.size();
+  for (const ActingInteraction& a : f.interactions) pairs += a.neighbours.pairs();
+  for (const ActingConnections& a : f.connections) pairs += a.bond_list.size();
   // Where particles come and go it will be asked for before the next step.
   return pairs <= few_pairs || (world.steps + 1) % 16 == 0 || f.settled_in == world.steps + 1;
 }
@@ -221,8 +221,8 @@ void bring_in_energy(World& world) {
 /// Reads the present state after an edit that left most sites as they were.
 void start_again(const World& world, Forces& f) {
   read_positions(world, f, false);
-  build_rows_in_order(world, f);
-  for (ActingConnections& c : f.connections) c.bonds.arrange(c.ties, f.sites);
+  build_neighbours_in_order(world, f);
+  for (ActingConnections& c : f.connections) c.bonds.arrange(c.bond_list, f.sites);
   arrange_fields(world, f);
   if (f.velocity_dependent) read_velocities(world, f, false);
 }
@@ -297,13 +297,13 @@ void find_pairs(World& world) {
   if (!world.forces) return;
   Forces& f = *world.forces;
   read_positions(world, f, true);
-  if (f.rows && f.skin.spent(f.sites)) build_rows(world, f, true);
+  if (f.rows && f.skin.spent(f.sites)) build_neighbours(world, f, true);
 }
 
 void find_forces_again(World& world) {
   Forces& f = *world.forces;
   read_positions(world, f, false);
-  if (f.rows && f.skin.spent(f.sites)) build_rows(world, f, false);
+  if (f.rows && f.skin.spent(f.sites)) build_neighbours(world, f, false);
   read_velocities(world, f, false);
   f.energy = evaluate(world, f, instant_of(world, world.time, world.instant), true);
 }

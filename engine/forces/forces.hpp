@@ -52,7 +52,7 @@ struct ActingInteraction {
   InteractionId id;
   std::shared_ptr<const Law> law;
   Pairs pairs;
-  Rows rows;
+  NeighbourList neighbours;
   Exclusions bonded;      ///< pairs within so many connections as the law leaves out
   double energy = 0.0;    ///< [J] when it was last told
   double at_first = 0.0;  ///< [J] when it began to act
@@ -72,7 +72,7 @@ struct ActingConnections {
   bool solved = false;                 ///< articulates apply the forces; here they only tell their energy
   std::vector<ConnectionId> ids;       ///< in the order of making
   std::vector<std::uint64_t> serials;  ///< of them
-  Ties ties;
+  BondList bond_list;
   Bonds bonds;
   double energy = 0.0, at_first = 0.0;
 };

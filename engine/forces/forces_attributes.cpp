@@ -109,10 +109,12 @@ void check_attributes(const World& world, const Forces& forces, std::span<const 
   for (const ActingField& acting : forces.fields)
     require_attributes(world, sites, *acting.law, sites_of_field(world, forces, world.fields[acting.id], some), 0);
   for (const ActingConnections& acting : forces.connections)
-    for (std::size_t who = 0; who < static_cast<std::size_t>(acting.ties.count); who++) {
+    for (std::size_t who = 0; who < static_cast<std::size_t>(acting.bond_list.count); who++) {
       std::vector<std::uint32_t> ends;
-      for (std::size_t k = who; k < acting.ties.sites.size(); k += static_cast<std::size_t>(acting.ties.count))
-        if (std::binary_search(some.begin(), some.end(), acting.ties.sites[k])) ends.push_back(acting.ties.sites[k]);
+      for (std::size_t k = who; k < acting.bond_list.sites.size();
+           k += static_cast<std::size_t>(acting.bond_list.count))
+        if (std::binary_search(some.begin(), some.end(), acting.bond_list.sites[k]))
+          ends.push_back(acting.bond_list.sites[k]);
       require_attributes(world, sites, *acting.law, ends, static_cast<std::uint8_t>(who));
     }
 }

@@ -129,15 +129,15 @@ void add_connections(const World& world, Forces& forces, const Active::Batch& ba
                      std::span<const std::uint32_t> place_sites, std::size_t& next_position) {
   const auto law = batch.solved ? energy_alone(*batch.law) : batch.law;
   ActingConnections acting{batch.law, batch.solved, {}, {}, {}, Bonds(law, forces.sites.names, *world.workers)};
-  acting.ties.count = static_cast<int>(world.connections[batch.ids[0]].count);
-  acting.ties.parameters.resize(batch.law->parameters.size());
+  acting.bond_list.count = static_cast<int>(world.connections[batch.ids[0]].count);
+  acting.bond_list.parameters.resize(batch.law->parameters.size());
   for (ConnectionId id : batch.ids) {
     const Connection& row = world.connections[id];
-    TieEnds ends{};
+    BondEnds ends{};
     for (std::uint32_t i = 0; i < row.count; i++)
       ends[i] =
           row.particles[i] ? forces.site_of[awake(world, row.particles[i]).slot - 1] : place_sites[next_position++];
-    add_tie(world, acting, id, ends);
+    add_bond(world, acting, id, ends);
   }
   forces.connections.push_back(std::move(acting));
 }
@@ -200,7 +200,7 @@ std::unique_ptr<Forces> build_forces(const World& world) {
   for (InteractionId id : acting.interactions)
     for (auto law = world.interactions[id].law; law; law = law->also)
       forces->interactions.push_back(
-          {id, law, Pairs(law, names, *world.workers), Rows{}, bonded(*forces, law->exclude)});
+          {id, law, Pairs(law, names, *world.workers), NeighbourList{}, bonded(*forces, law->exclude)});
   for (FieldId id : acting.fields)
     for (auto law = world.fields[id].law; law; law = law->also)
       forces->fields.push_back({id, law, Fields(law, names, *world.workers)});

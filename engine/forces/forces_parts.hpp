@@ -36,11 +36,11 @@ void number_attached(Forces& forces);
 void find_receivers(World& world, Forces& forces);
 
 /// The sites of a connection's ends.
-using TieEnds = std::array<std::uint32_t, 4>;
+using BondEnds = std::array<std::uint32_t, 4>;
 /// Adds a connection to those of its law, unless a hinge has joined two of its ends.
-void add_tie(const World& world, ActingConnections& acting, ConnectionId connection, const TieEnds& ends);
+void add_bond(const World& world, ActingConnections& acting, ConnectionId connection, const BondEnds& ends);
 /// Takes out connections that are gone, and lists those anew whose ends may have changed.
-void change_ties(const World& world, Forces& forces, const std::vector<ConnectionId>& changed);
+void change_bonds(const World& world, Forces& forces, const std::vector<ConnectionId>& changed);
 
 /// Whether `change_members` can do what edits ask for; otherwise all is to be built anew.
 bool can_change_members(const World& world, const Forces& forces);
@@ -84,9 +84,9 @@ Box box_of(const World& world);
 void read_positions(const World& world, Forces& forces, bool drifted);
 void read_velocities(const World& world, Forces& forces, bool drifted);
 /// Sorts the sites by cells and builds the rows anew.
-void build_rows(const World& world, Forces& forces, bool drifted);
+void build_neighbours(const World& world, Forces& forces, bool drifted);
 /// The same after an edit, with the sites in the order that they are in.
-void build_rows_in_order(const World& world, Forces& forces);
+void build_neighbours_in_order(const World& world, Forces& forces);
 /// Reads the present state into laws that were just built.
 void start(const World& world, Forces& forces);
 /// Ages, and what follows them, at a time [s].

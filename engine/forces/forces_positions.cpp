@@ -87,8 +87,8 @@ void put_in_order(const World& world, Forces& f, std::span<const std::uint32_t> 
     if (site != none) site = now[site];
   for (ActingInteraction& a : f.interactions) a.bonded = put_in_order(a.bonded, now);
   for (ActingConnections& c : f.connections) {
-    for (std::uint32_t& site : c.ties.sites) site = now[site];
-    c.bonds.arrange(c.ties, s);
+    for (std::uint32_t& site : c.bond_list.sites) site = now[site];
+    c.bonds.arrange(c.bond_list, s);
   }
   arrange_fields(world, f);
 }
@@ -136,7 +136,7 @@ void list_pairs(const World& world, Forces& f, double skin) {
     const Interaction& row = world.interactions[a.id];
     const std::uint32_t of_a[] = {row.a.slot - 1}, of_b[] = {row.b.slot - 1};
     try {
-      a.rows.build(f.sites, box_of(world), of_a, of_b, reach_of(world, f, a), skin, *world.workers, a.bonded);
+      a.neighbours.build(f.sites, box_of(world), of_a, of_b, reach_of(world, f, a), skin, *world.workers, a.bonded);
     } catch (const Error& error) { throw Error(text(law_in_place(row), ": ", error.what())); }
   }
   f.skin.restart(f.sites, skin);
@@ -144,7 +144,7 @@ void list_pairs(const World& world, Forces& f, double skin) {
 
 }  // namespace
 
-void build_rows(const World& world, Forces& f, bool drifted) {
+void build_neighbours(const World& world, Forces& f, bool drifted) {
   const double reach = longest_reach(world, f);
   wrap(world, f);
   double skin = 0.0;
@@ -157,8 +157,8 @@ void build_rows(const World& world, Forces& f, bool drifted) {
   f.rows = reach > 0.0;
 }
 
-void build_rows_in_order(const World& world, Forces& f) {
-  if (!f.rows) return build_rows(world, f, false);
+void build_neighbours_in_order(const World& world, Forces& f) {
+  if (!f.rows) return build_neighbours(world, f, false);
   wrap(world, f);
   list_pairs(world, f, f.skin.width());
 }

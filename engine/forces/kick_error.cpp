@@ -157,14 +157,14 @@ class Judge {
     if (f_.timed) add_changes_of_time();
     n_.near.assign(f_.sites.n, infinity);
     for (const ActingConnections& c : f_.connections)
-      if (!c.solved) judge_ties(c.ties);
+      if (!c.solved) judge_ties(c.bond_list);
     if (!f_.interactions.empty()) judge_partners();
     for (std::size_t i = 0; i < f_.sites.n; i++)
       if (f_.sites.particle[i] != none) judge_site(i);
   }
 
   void judge(const Encounter& met) {
-    const Vec3 change = vec(met.acceleration, 0, 0), moved = vec(0.5 * met.way, 0, 0);
+    const Vec3 change = vec(met.acceleration, 0, 0), moved = vec(0.5 * met.displacement, 0, 0);
     const double swing = swing_by(stiffness_along(change, moved), change, moved, h_);
     see(met.site, met.acceleration, std::max(met.distance, swing), true);
   }
@@ -278,7 +278,7 @@ class Judge {
     see(a, all, std::max(distance, swing_by(stiffness_along(change, moved), change, moved, h_)), true);
   }
 
-  void judge_ties(const Ties& ties) {
+  void judge_ties(const BondList& ties) {
     const auto count = static_cast<std::size_t>(ties.count);
     for (std::size_t k = 0; k < ties.sites.size(); k++)
       if (k % count != 0) judge_pair(ties.sites[k - 1], ties.sites[k]);
@@ -330,8 +330,8 @@ class Judge {
   double turns(std::size_t i, const Swing& swing, double stiffness, double jerk) const {
     if (!swing.seen) return 0.0;
     const double a = std::max(swing.acceleration, norm(acceleration(world_, f_, i))), j = std::max(swing.jerk, jerk);
-    const double by_way = std::isfinite(stiffness) ? std::sqrt(stiffness) : 0.0;
-    return (time_within(world_, world_.stage.to) - swing.since) * std::max(by_way, a > 0.0 ? j / a : 0.0);
+    const double by_displacement = std::isfinite(stiffness) ? std::sqrt(stiffness) : 0.0;
+    return (time_within(world_, world_.stage.to) - swing.since) * std::max(by_displacement, a > 0.0 ? j / a : 0.0);
   }
 
   /// How far it swings if its force changes on as in this part; where laws of velocity act no farther than until they have

@@ -53,7 +53,7 @@ std::optional<double> law_energy(const World& world, InteractionId id) {
   return with_present_laws(world, [&](Forces& f) -> std::optional<double> {
     for (ActingInteraction& a : f.interactions)
       if (a.id == id && a.law == row.law)
-        return a.pairs.add_forces_and_energy(f.sites, a.rows, present(world),
+        return a.pairs.add_forces_and_energy(f.sites, a.neighbours, present(world),
                                              present_parameters(world, *a.law, row.parameters), *world.workers);
     return {};
   });
@@ -73,9 +73,12 @@ std::optional<double> law_energy(const World& world, FieldId id) {
 
 /// One connection by itself.
 double energy_of(const World& world, Forces& f, const ActingConnections& acting, std::size_t k) {
-  const auto count = static_cast<std::ptrdiff_t>(acting.ties.count), at = static_cast<std::ptrdiff_t>(k) * count;
-  Ties one{acting.ties.count, {acting.ties.sites.begin() + at, acting.ties.sites.begin() + at + count}, {}};
-  for (const auto& column : acting.ties.parameters) one.parameters.push_back({column[k]});
+  const auto count = static_cast<std::ptrdiff_t>(acting.bond_list.count),
+             at = static_cast<std::ptrdiff_t>(k) * count;
+  BondList one{acting.bond_list.count,
+               {acting.bond_list.sites.begin() + at, acting.bond_list.sites.begin() + at + count},
+               {}};
+  for (const auto& column : acting.bond_list.parameters) one.parameters.push_back({column[k]});
   Bonds bond(acting.law, f.sites.names, *world.workers);
   bond.arrange(one, f.sites);
   return bond.add_forces_and_energy(f.sites, box_of(world), present(world), {}, *world.workers);
@@ -166,7 +169,8 @@ std::string find_bad_force(const World& world, Forces& f, double time, const std
   };
   for (ActingInteraction& a : f.interactions) {
     const Interaction& row = world.interactions[a.id];
-    const auto bad = a.pairs.find_bad(f.sites, a.rows, instant, present_parameters(world, *a.law, row.parameters));
+    const auto bad =
+        a.pairs.find_bad(f.sites, a.neighbours, instant, present_parameters(world, *a.law, row.parameters));
     if (bad) return message(row, *bad);
     if (const std::string lost = energy(row, a); !lost.empty()) return lost;
   }

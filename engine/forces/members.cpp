@@ -49,7 +49,7 @@ Exclusions renumbered(const Exclusions& old, const std::vector<std::uint32_t>& n
 /// What names sites by their numbers is told the new ones: `now` of each old one, none of what is gone.
 void renumber(Forces& f, const std::vector<std::uint32_t>& now) {
   for (ActingConnections& c : f.connections)
-    for (std::uint32_t& site : c.ties.sites) site = now[site];
+    for (std::uint32_t& site : c.bond_list.sites) site = now[site];
   for (ActingInteraction& a : f.interactions)
     if (!f.elsewhere) a.bonded = renumbered(a.bonded, now, f.sites.n);
 }
@@ -158,7 +158,7 @@ std::vector<std::uint32_t> change_members(const World& world, Forces& f) {
     fresh.push_back(site);
   }
   std::sort(fresh.begin(), fresh.end());
-  change_ties(world, f, connections_at(world, changed));
+  change_bonds(world, f, connections_at(world, changed));
   for (ActingInteraction& a : f.interactions)
     if (f.elsewhere) a.bonded = bonded(f, a.law->exclude);
   f.changed.clear();
@@ -205,7 +205,7 @@ double change_members_apart(const World& world, Forces& f) {
   change += run_fields(world, f, fresh, 1.0);
   keep_in_plane(world.plane, f.sites);
   arrange_fields(world, f);
-  for (ActingConnections& c : f.connections) c.bonds.arrange(c.ties, f.sites);
+  for (ActingConnections& c : f.connections) c.bonds.arrange(c.bond_list, f.sites);
   return change;
 }
 

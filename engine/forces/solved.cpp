@@ -51,7 +51,7 @@ void set_solved_inputs(World& world, bool only_changing) {
     for (Condition& condition : articulate->conditions) {
       if (!condition.stiff) continue;
       bool changed = false;
-      StiffTie& tie = *condition.stiff;
+      StiffBond& tie = *condition.stiff;
       const Connection& c = world.connections[tie.connection];
       std::shared_ptr<const Law> law = c.law;
       for (PairCurve& curve : tie.curves) {
@@ -157,11 +157,11 @@ std::vector<Candidate> candidates(const World& world, Forces& f) {
   for (const ActingConnections& acting : f.connections) {
     if (acting.ids.empty() || acting.solved || !PairCurve::possible(*acting.law)) continue;
     Bonds slopes(slope_of(*acting.law), f.sites.names, *world.workers);
-    slopes.arrange(acting.ties, f.sites);
+    slopes.arrange(acting.bond_list, f.sites);
     slopes.add_forces(f.sites, box_of(world), instant_of(world, world.time, world.instant), {}, *world.workers);
     const std::vector<double> damping = dampings(world, f, acting);
     for (std::size_t k = 0; k < acting.ids.size(); k++) {
-      const std::uint32_t a = acting.ties.sites[2 * k], b = acting.ties.sites[2 * k + 1];
+      const std::uint32_t a = acting.bond_list.sites[2 * k], b = acting.bond_list.sites[2 * k + 1];
       const double slope = slopes.pull(k, f.sites, box_of(world));
       if (std::isfinite(slope)) list.push_back({acting.ids[k], a, b, slope, damping[k]});
     }

@@ -23,7 +23,7 @@ void find_partners(World& world, Forces& f) {
     f.notes.partner[f.sites.particle[i]] = f.sites.particle[j];
   };
   for (const ActingInteraction& a : f.interactions)
-    for (const auto& phase : a.rows.phases())
+    for (const auto& phase : a.neighbours.phases())
       for (const Slab& slab : phase)
         for (const NeighbourRow& r : slab.rows)
           for (std::uint32_t k = 0; k < r.count; k++) {
@@ -37,17 +37,17 @@ void find_partners(World& world, Forces& f) {
 
 namespace {
 
-double way_along(Vec3 change, Vec3 moved) { return std::fabs(dot(change, moved)) / norm(change); }
+double displacement_along(Vec3 change, Vec3 moved) { return std::fabs(dot(change, moved)) / norm(change); }
 
 }  // namespace
 
 double stiffness_along(Vec3 change, Vec3 moved) {
   const double size = norm(change);
-  return size > 0.0 ? size / way_along(change, moved) : 0.0;
+  return size > 0.0 ? size / displacement_along(change, moved) : 0.0;
 }
 
 double swing_by(double stiffness, Vec3 change, Vec3 moved, double h) {
-  return stiffness > 0.0 ? way_along(change, moved) / (h * std::sqrt(stiffness)) : 0.0;
+  return stiffness > 0.0 ? displacement_along(change, moved) / (h * std::sqrt(stiffness)) : 0.0;
 }
 
 }  // namespace pantin

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
-#include "articulates/solve/batches.hpp"
 #include "articulates/solve/drift.hpp"
 #include "articulates/solve/newton.hpp"
+#include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/row_gaps.hpp"
 #include "articulates/solve/segments.hpp"
@@ -77,7 +77,7 @@ Motions TiedKick::allowed(const Motions& impulses) {
     const NodeBatch& n = a_->batches[b];
     all[b] = {n.p * n.inverse_mass, n.mobility * n.L, n.p, n.L};
   }
-  // Rows that say what others do need more compliance: to forbid takes energy, where nothing is wanted.
+  // NeighbourList that say what others do need more compliance: to forbid takes energy, where nothing is wanted.
   const bool wants = std::any_of(a_->conditions.begin(), a_->conditions.end(), wants_motion);
   if (!ties_ || wants || size_of(all) <= (1.0 + 1e-9) * asked_ || epsilon_ > 1e-5) return all;
   epsilon_ = 100.0 * std::max(epsilon_, a_->least_epsilon);
@@ -106,7 +106,7 @@ Motions TiedKick::felt_with_soft_rows(const Motions& by) const {
   return to;
 }
 
-/// Rows that pull without forbidding, as the drift that follows will have them.
+/// NeighbourList that pull without forbidding, as the drift that follows will have them.
 void TiedKick::find_soft_rows() {
   soft_.clear();
   for (std::size_t k = 0; k < a_->rows.size(); k++) {

@@ -91,7 +91,7 @@ void ask_velocity_laws(const World& world, Forces& f, const Instant& instant, bo
   std::size_t number = 0;
   list_pairs(f.interactions, thermal, again, number, k, [&](ActingInteraction& a, std::vector<VelocityPair>& to) {
     const auto parameters = present_parameters(world, *a.law, world.interactions[a.id].parameters);
-    return a.pairs.list_slopes(f.sites, a.rows, instant, parameters, to);
+    return a.pairs.list_slopes(f.sites, a.neighbours, instant, parameters, to);
   });
   list_pairs(f.connections, thermal, again, number, k, [&](ActingConnections& a, std::vector<VelocityPair>& to) {
     return a.bonds.list_slopes(f.sites, box_of(world), instant, {}, to);

@@ -40,7 +40,7 @@ double undamped_part(const Forces& f, std::size_t site) {
   return 1.0 / (1.0 + theta * k.strength[at]);
 }
 
-/// What a kick over half a part gives at most beyond half the way's work, h² f²/8m over what is loose [J]: what steps of
+/// What a kick over half a part gives at most beyond half the displacement's work, h² f²/8m over what is loose [J]: what steps of
 /// second order do not keep of the energy of laws that have none to tell. Of forces that do not damp.
 struct Unkept {
   double spared = 0.0, kick = 0.0;  // [J] of forces that do not damp; of all, and on what is tied as if it were not
@@ -67,11 +67,11 @@ Unkept unkept(const World& world, const Forces& f) {
   return sum;
 }
 
-/// Forces of the laws without energy `at` a fraction of the way, of laws of velocity what they also give at rest [N] (sites).
-AlignedVector<Vec3> forces_on_way(World& world, Forces& f, const AlignedVector<Vec3>& end,
-                                  const std::vector<Vec3>& ways, double at) {
+/// Forces of the laws without energy `at` a fraction of the displacement, of laws of velocity what they also give at rest [N] (sites).
+AlignedVector<Vec3> forces_on_displacement(World& world, Forces& f, const AlignedVector<Vec3>& end,
+                                           const std::vector<Vec3>& displacements, double at) {
   for (std::size_t i = 0; i < f.sites.n; i++) {
-    f.sites.x[i] = end[i] - ways[i] * (1.0 - at);
+    f.sites.x[i] = end[i] - displacements[i] * (1.0 - at);
     f.sites.v[i] = zero3();
   }
   std::fill(f.sites.nonconservative_force.begin(), f.sites.nonconservative_force.end(), zero3());
@@ -107,17 +107,18 @@ void check_work(World& world) {
   const bool large = done > much * world.largest_kinetic;
   if (f.open_from.size() < world.particles.slots() || !(large || is_drawn(world))) return;
   const auto x = f.sites.x, v = f.sites.v, force = f.sites.force, open = f.sites.nonconservative_force;
-  std::vector<Vec3> ways(f.sites.n, zero3());
+  std::vector<Vec3> displacements(f.sites.n, zero3());
   for (std::size_t i = 0; i < f.sites.n; i++)
-    if (f.sites.particle[i] != none) ways[i] = x[i] + f.image[i] - f.open_from[f.sites.particle[i]];
-  const auto from = forces_on_way(world, f, x, ways, 0.0), middle = forces_on_way(world, f, x, ways, 0.5),
-             to = forces_on_way(world, f, x, ways, 1.0);
+    if (f.sites.particle[i] != none) displacements[i] = x[i] + f.image[i] - f.open_from[f.sites.particle[i]];
+  const auto from = forces_on_displacement(world, f, x, displacements, 0.0),
+             middle = forces_on_displacement(world, f, x, displacements, 0.5),
+             to = forces_on_displacement(world, f, x, displacements, 1.0);
   double missed = 0.0, all = 0.0;
   for (std::size_t i = 0; i < f.sites.n; i++) {
     if (f.sites.particle[i] == none) continue;
     const Vec3 ends = (from[i] + to[i]) * 0.5;
-    missed += 2.0 / 3.0 * dot(ways[i], middle[i] - ends);
-    all += std::fabs(dot(ways[i], ends));
+    missed += 2.0 / 3.0 * dot(displacements[i], middle[i] - ends);
+    all += std::fabs(dot(displacements[i], ends));
   }
   f.sites.x = x;
   f.sites.v = v;

@@ -47,7 +47,7 @@ struct Passage {
 };
 
 class Path;
-struct Joining;
+struct JoinProgress;
 
 struct Constraint {
   ConstraintKind kind = ConstraintKind::nail;
@@ -72,8 +72,8 @@ struct Constraint {
   double low = 0.0, high = 0.0;  ///< [m] or [rad] of a limit
   double max_force = std::numeric_limits<double>::infinity();   ///< [N] of a follow, > 0
   double max_torque = std::numeric_limits<double>::infinity();  ///< [N m] of a motor, > 0
-  double time_constant = 0.0;             ///< [s] how fast a deviation is drawn in, or a limited follow answers; > 0
-  Vec3 away = zero3();                    ///< [m], [rad] of an orient: deviation still to be drawn in
+  double time_constant = 0.0;             ///< [s] how fast a violation is drawn in, or a limited follow answers; > 0
+  Vec3 away = zero3();                    ///< [m], [rad] of an orient: violation still to be drawn in
   Vec3 away_rate = zero3();               ///< [1/s]
   Vec3 previous_away = zero3();           ///< `away` one step ago
   Vec3 axis_a = zero3();                  ///< unit vector in the frame of body_a; of an on_plane its normal
@@ -82,20 +82,20 @@ struct Constraint {
   Quat turn;                              ///< orientation of body_a in body_b's frame, or the world's, that counts as 0
   Quat previous_turn;                     ///< the same one step ago
   Vec3 spin = zero3(),
-       previous_spin = zero3();          ///< [rad/s] of an orient's target at the ends
-                                         ///< of this step and the last
-  std::vector<Passage> passages;         ///< of a string, from end to end
-  std::shared_ptr<const Path> path;      ///< of an on_path
-  double along = 0.0;                    ///< of an on_path: its parameter at the end of the last step
-  std::shared_ptr<Joining> joining;      ///< of a join
-  bool by_speed = false;                 ///< a motor that is told its speed, `length_rate`
-  double angle = 0.0;                    ///< [rad] of a motor or limit at the end of the last
-                                         ///< step, turns counted
-  std::function<Vec3(double)> target;    ///< of a follow: position at time t [s];
-                                         ///< empty where `position` is set by hand
-  std::function<double(double)> number;  ///< `length` at time t [s], or a motor's speed; empty where that
-                                         ///< is set by hand
-  std::function<Quat(double)> attitude;  ///< of an orient: `turn` at time t [s]
+       previous_spin = zero3();            ///< [rad/s] of an orient's target at the ends
+                                           ///< of this step and the last
+  std::vector<Passage> passages;           ///< of a string, from end to end
+  std::shared_ptr<const Path> path;        ///< of an on_path
+  double along = 0.0;                      ///< of an on_path: its parameter at the end of the last step
+  std::shared_ptr<JoinProgress> progress;  ///< of a join
+  bool by_speed = false;                   ///< a motor that is told its speed, `length_rate`
+  double angle = 0.0;                      ///< [rad] of a motor or limit at the end of the last
+                                           ///< step, turns counted
+  std::function<Vec3(double)> target;      ///< of a follow: position at time t [s];
+                                           ///< empty where `position` is set by hand
+  std::function<double(double)> number;    ///< `length` at time t [s], or a motor's speed; empty where that
+                                           ///< is set by hand
+  std::function<Quat(double)> attitude;    ///< of an orient: `turn` at time t [s]
   Bend bend;                ///< of `position` [m], `length` in its first component, or `turn` [rad], in this step
   std::int32_t hand = -1;   ///< of a hand's grab: index of the hand
   std::uint32_t moves = 0;  ///< samples of the target since it last jumped
@@ -125,7 +125,7 @@ struct Constraint {
 using ConstraintId = Handle<Constraint>;
 
 /// What a join does besides drawing its points together.
-struct Joining {
+struct JoinProgress {
   ConstraintId holder;                     ///< that draws its first point to a position, and goes with it; or null
   std::function<void(ParticleId)> on_met;  ///< called with the hinge, in the step after that in which they met
   std::string hinge_name;

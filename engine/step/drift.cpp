@@ -179,7 +179,7 @@ void tell_nonconservative(World& world, Articulate& a) {
 void tell_too_stiff(World& world, const Articulate& a) {
   constexpr std::string_view too_stiff = " is too stiff for the step: ";
   if (!a.fell_back || a.effort.failed < most_failed || a.gaps.open > world.settings.tolerance * a.length) return;
-  const StiffTie* stiffest = nullptr;
+  const StiffBond* stiffest = nullptr;
   double most = 0.0;
   for (const Condition& c : a.conditions) {
     if (!c.stiff) continue;

@@ -1,4 +1,4 @@
-// Targets and deviations of constraints at the end of the coming step.
+// Targets and violations of constraints at the end of the coming step.
 #include "base/functions.hpp"
 #include "choreography/hands.hpp"
 #include "edit/editing.hpp"
@@ -15,18 +15,18 @@ double size(double x) { return std::fabs(x); }
 
 /// Critically damped approach to 0 in a time of h (Barzel and Barr 1988): D(t) = (D0 + (D0' + D0/τ) t) exp(-t/τ), until
 /// `least` is left [m].
-template <class Deviation>
-void approach(Deviation& away, Deviation& rate, double h, double tau, double least) {
+template <class Violation>
+void approach(Violation& away, Violation& rate, double h, double tau, double least) {
   if (size(away) == 0.0 && size(rate) == 0.0) return;
-  const Deviation slope = rate + away / tau;
+  const Violation slope = rate + away / tau;
   const double decay = functions::exp(-h / tau);
   away = (away + slope * h) * decay;
   rate = (rate - slope * (h / tau)) * decay;
-  if (size(away) <= least && size(rate) * tau <= least) away = rate = Deviation{};
+  if (size(away) <= least && size(rate) * tau <= least) away = rate = Violation{};
 }
 
-/// What is left of a deviation when it counts as none, [m]. Points that are to be joined need not come nearer for ever.
-double least_deviation(const World& world, const Constraint& c) {
+/// What is left of a violation when it counts as none, [m]. Points that are to be joined need not come nearer for ever.
+double least_violation(const World& world, const Constraint& c) {
   if (!c.a) return 1e-14;
   if (c.kind != ConstraintKind::join) return 1e-14 * std::fmax(size_of(world, c.a), largest(c.position));
   const double size = std::fmax(size_of(world, c.a), size_of(world, c.b));
@@ -38,7 +38,7 @@ void draw_in(const World& world, Constraint& c, double h) {
   c.previous_excess = c.excess;
   const bool there = size(c.away) == 0.0 && size(c.away_rate) == 0.0 && c.excess == 0.0 && c.excess_rate == 0.0;
   if (there) return;
-  const double least = least_deviation(world, c);
+  const double least = least_violation(world, c);
   approach(c.away, c.away_rate, h, c.time_constant, least);
   approach(c.excess, c.excess_rate, h, c.time_constant, least);
 }

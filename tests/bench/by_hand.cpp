@@ -71,7 +71,7 @@ struct SmoothSwitch {
 };
 
 template <class Law>
-void add_forces(Sites& sites, const Rows& rows) {
+void add_forces(Sites& sites, const NeighbourList& rows) {
   const Law law(sites);
   const Vec3* x = sites.x.data();
   Vec3* f = sites.force.data();
@@ -127,7 +127,7 @@ double run(const cases::Melt& melt, int steps) {
   std::copy(melt.positions.begin(), melt.positions.end(), s.x.begin());
   std::copy(melt.velocities.begin(), melt.velocities.end(), s.v.begin());
   const Box box{vec(melt.edge, melt.edge, melt.edge)};
-  Rows rows;
+  NeighbourList rows;
   Skin skin;
   const auto evaluate = [&] {
     if (skin.spent(s)) {
@@ -158,7 +158,7 @@ double run_melt(const cases::Melt& melt, int steps, Law law) {
   return law == Law::smooth_switch ? run<SmoothSwitch>(melt, steps) : run<LennardJones>(melt, steps);
 }
 
-void add_springs(Sites& sites, const Ties& ties) {
+void add_springs(Sites& sites, const BondList& ties) {
   const double *stiffness = ties.parameters[0].data(), *length = ties.parameters[1].data();
   Vec3 sum = zero3();
   std::uint32_t present = ties.sites[0];

@@ -17,6 +17,6 @@ enum class Law {
 double run_melt(const cases::Melt& melt, int steps, Law law);
 
 /// Springs k (r - l), the parameters of ties.
-void add_springs(Sites& sites, const Ties& ties);
+void add_springs(Sites& sites, const BondList& ties);
 
 }  // namespace pantin::by_hand

@@ -114,8 +114,8 @@ void print_phases(const Profile& profile, double atoms) {
 void print_memory(const cases::Melt& melt, const MeltCase& of) {
   const auto scene = open_melt(melt, of.potential, 1);
   const ActingInteraction& acting = scene->world().forces->interactions.front();
-  const auto n = static_cast<double>(melt.positions.size()), pairs = static_cast<double>(acting.rows.pairs()),
-             bytes = static_cast<double>(acting.rows.memory());
+  const auto n = static_cast<double>(melt.positions.size()), pairs = static_cast<double>(acting.neighbours.pairs()),
+             bytes = static_cast<double>(acting.neighbours.memory());
   std::printf("%s: %zu operations for the force, %.1f pairs a particle; rows take %.2f bytes a pair, %.0f a particle\n",
               of.name, lower(acting.law->graph, acting.law->force).operations(), pairs / n, bytes / pairs, bytes / n);
 }
@@ -168,7 +168,7 @@ void bench_called() {
     const double start = now();
     run(*scene, 10);
     best = std::min(best, (now() - start) / 10.0);
-    pairs = scene->world().forces->interactions.front().rows.pairs();
+    pairs = scene->world().forces->interactions.front().neighbours.pairs();
   }
   const auto atoms = static_cast<double>(melt.positions.size());
   std::printf(
@@ -180,12 +180,12 @@ void bench_called() {
 constexpr std::uint32_t lattice = 70;
 
 /// A cubic lattice of springs with positions, stiffnesses and lengths a little off.
-Ties make_lattice(Sites& sites) {
+BondList make_lattice(Sites& sites) {
   Random random{7};
   const auto off = [&] { return 0.4 * random.uniform() - 0.2; };
   sites.resize(std::size_t{lattice} * lattice * lattice);
   sites.clear_forces();
-  Ties ties;
+  BondList ties;
   ties.parameters.resize(2);
   for (std::uint32_t i = 0; i < sites.n; i++) {
     const std::uint32_t x = i % lattice, y = i / lattice % lattice, z = i / (lattice * lattice);
@@ -234,11 +234,11 @@ std::vector<double> best_of(int times, Runs... runs) {
 
 void bench_springs() {
   Sites sites;
-  const Ties ties = make_lattice(sites);
+  const BondList ties = make_lattice(sites);
   const auto law = lua_spring();
   Workers one(1), two(2);
   Bonds alone(law, {}, one), shared(law, {}, two);
-  Ties of_law = ties;
+  BondList of_law = ties;
   if (law->parameters[0].name == "length") std::swap(of_law.parameters[0], of_law.parameters[1]);
   alone.arrange(of_law, sites);
   shared.arrange(of_law, sites);

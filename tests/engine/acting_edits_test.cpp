@@ -76,13 +76,13 @@ std::map<std::uint64_t, Told> told_by_serial(const World& world, const Forces& f
 }
 
 /// Serials at the ends of connections, by their serials.
-std::map<std::uint64_t, std::vector<std::uint64_t>> ties_of(const Forces& f) {
+std::map<std::uint64_t, std::vector<std::uint64_t>> bonds_of(const Forces& f) {
   std::map<std::uint64_t, std::vector<std::uint64_t>> list;
   for (const ActingConnections& a : f.connections)
     for (std::size_t k = 0; k < a.ids.size(); k++)
-      for (int i = 0; i < a.ties.count; i++)
+      for (int i = 0; i < a.bond_list.count; i++)
         list[a.serials[k]].push_back(
-            f.sites.serial[a.ties.sites[k * static_cast<std::size_t>(a.ties.count) + static_cast<std::size_t>(i)]]);
+            f.sites.serial[a.bond_list.sites[k * static_cast<std::size_t>(a.bond_list.count) + static_cast<std::size_t>(i)]]);
   return list;
 }
 
@@ -110,7 +110,7 @@ void check_against_anew(const World& world) {
   const double energy = run_laws(world, *made, instant_of(world, world.time, world.instant), true);
   keep_in_plane(world.plane, made->sites);
   check_receivers(world, f);
-  CHECK(ties_of(f) == ties_of(*made));
+  CHECK(bonds_of(f) == bonds_of(*made));
   const auto now = told_by_serial(world, f), anew = told_by_serial(world, *made);
   REQUIRE(now.size() == anew.size());
   double scale = 1e-9, wrong = 0.0;

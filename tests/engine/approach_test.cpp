@@ -1,4 +1,4 @@
-// What a new constraint finds far away it draws in critically damped (Barzel and Barr 1988): the deviation follows
+// What a new constraint finds far away it draws in critically damped (Barzel and Barr 1988): the violation follows
 // (1 + t/τ) exp(-t/τ).
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -22,18 +22,18 @@ PointId particle_at(World& world, Vec3 at) {
   return cases::point_of(world, add_particle(world, def));
 }
 
-/// Steps for two seconds; `deviation` of 1 at the start must follow the law to 1 %. What only pulls lets go at τ, where
+/// Steps for two seconds; `violation` of 1 at the start must follow the law to 1 %. What only pulls lets go at τ, where
 /// the law begins to slow down, and the rest is closed sooner.
-void check_approach(World& world, const std::function<double()>& deviation, bool both_ways = true) {
+void check_approach(World& world, const std::function<double()>& violation, bool both_ways = true) {
   world.settings.gravity = zero3();
-  CHECK(deviation() == Approx(1.0).epsilon(1e-9));
+  CHECK(violation() == Approx(1.0).epsilon(1e-9));
   while (world.time < 2.0) {
     step(world);
     const double s = world.time / tau, wanted = (1 + s) * std::exp(-s);
     if (both_ways || s <= 1.0)
-      REQUIRE(std::fabs(deviation() - wanted) <= 0.01 * wanted + 1e-9);
+      REQUIRE(std::fabs(violation() - wanted) <= 0.01 * wanted + 1e-9);
     else
-      REQUIRE(deviation() <= wanted + 1e-9);
+      REQUIRE(violation() <= wanted + 1e-9);
   }
   CHECK(world.stats.fallback_steps == 0);
 }

@@ -45,9 +45,9 @@ std::shared_ptr<const Law> bending() {
 }
 
 /// Random pairs, most of them near in the order of sites.
-Ties random_ties(std::size_t sites, std::size_t count, std::uint32_t reach, std::uint64_t seed = 5) {
+BondList random_bonds(std::size_t sites, std::size_t count, std::uint32_t reach, std::uint64_t seed = 5) {
   Random random{seed};
-  Ties ties;
+  BondList ties;
   ties.parameters.resize(2);
   while (ties.sites.size() < 2 * count) {
     const auto a = static_cast<std::uint32_t>(random.uniform() * static_cast<double>(sites));
@@ -68,7 +68,7 @@ struct Expected {
   double energy = 0.0;
 };
 
-Expected springs_by_hand(const Sites& sites, const Box& box, const Ties& ties) {
+Expected springs_by_hand(const Sites& sites, const Box& box, const BondList& ties) {
   Expected expected;
   expected.force.assign(sites.n, zero3());
   for (std::size_t i = 0; i < ties.size(); i++) {
@@ -102,7 +102,7 @@ TEST_CASE("bonds: springs, each with its own stiffness and length or all with th
   const std::size_t count = GENERATE(std::size_t{1}, std::size_t{127}, std::size_t{1000}, std::size_t{9000});
   const Box box = GENERATE(Box{}, Box{vec(10, 10, 10)});
   const bool own = GENERATE(true, false);
-  Ties ties = random_ties(sites.n, count, 30);
+  BondList ties = random_bonds(sites.n, count, 30);
   if (!own) ties.parameters.clear();
   Workers workers;
   Bonds bonds(spring(), sites.names, workers);
@@ -122,7 +122,7 @@ TEST_CASE("bonds: springs, each with its own stiffness and length or all with th
 
 TEST_CASE("bonds: the same bits for any number of threads") {
   const Sites start = cases::random_sites({.count = 50000, .edge = 40.0});
-  const Ties ties = random_ties(start.n, 100000, 1500);
+  const BondList ties = random_bonds(start.n, 100000, 1500);
   std::vector<Sites> made;
   std::vector<double> energies;
   for (const int threads : {1, 2, 4}) {
@@ -146,7 +146,7 @@ TEST_CASE("bonds: the same bits for any number of threads") {
 TEST_CASE("bonds: triples, also across the edge of a box") {
   Sites sites = cases::random_sites({.count = 300});
   const Box box = GENERATE(Box{}, Box{vec(10, 10, 10)});
-  Ties ties;
+  BondList ties;
   ties.count = 3;
   for (std::uint32_t i = 0; i + 2 < sites.n; i++)
     for (const std::uint32_t who : {i + 1, i, i + 2}) ties.sites.push_back(who);
@@ -174,7 +174,7 @@ TEST_CASE("bonds: a damper feels the velocities of its ends") {
   def.name = "damper";
   const auto law = std::make_shared<Law>(central_tension(def, g, tension));
   Sites sites = cases::random_sites({.count = 2, .speed = 1.0});
-  Ties ties;
+  BondList ties;
   ties.sites = {0, 1};
   Workers workers;
   Bonds bonds(law, sites.names, workers);
@@ -188,7 +188,7 @@ TEST_CASE("bonds: a damper feels the velocities of its ends") {
 
 TEST_CASE("bonds: a spring whose ends are at one position pulls nowhere") {
   Sites sites = cases::random_sites({.count = 2, .edge = 0.0});
-  Ties ties;
+  BondList ties;
   ties.sites = {1, 0};
   Workers workers;
   Bonds bonds(spring(), sites.names, workers);
@@ -200,7 +200,7 @@ TEST_CASE("bonds: a spring whose ends are at one position pulls nowhere") {
 
 TEST_CASE("bonds: the connection whose force is not finite is found") {
   Sites sites = cases::random_sites({.count = 100});
-  Ties ties = random_ties(sites.n, 500, 20);
+  BondList ties = random_bonds(sites.n, 500, 20);
   ties.parameters[0][321] = infinity;
   ties.parameters[0][432] = infinity;
   Workers workers;
@@ -218,11 +218,11 @@ TEST_CASE("bonds: none is also well, and a warm evaluation allocates nothing") {
   Sites sites = cases::random_sites({.count = 3000});
   Workers workers;
   Bonds bonds(spring(), sites.names, workers);
-  Ties none;
+  BondList none;
   none.parameters.resize(2);
   bonds.arrange(none, sites);
   CHECK(bonds.add_forces_and_energy(sites, {}, {}, {}, workers) == 0.0);
-  bonds.arrange(random_ties(sites.n, 9000, 50), sites);
+  bonds.arrange(random_bonds(sites.n, 9000, 50), sites);
   bonds.add_forces_and_energy(sites, {}, {}, {}, workers);
   const std::uint64_t before = allocations();
   bonds.add_forces(sites, {}, {}, {}, workers);

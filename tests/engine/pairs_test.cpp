@@ -62,7 +62,7 @@ struct Run {
 Run run(const Law& law, Sites sites, const Box& box, const Families& a, const Families& b, double rows_cutoff = 0.0,
         int threads = 1) {
   Workers workers(threads);
-  Rows rows;
+  NeighbourList rows;
   const double cutoff = rows_cutoff > 0.0 ? rows_cutoff : law.cutoff;
   rows.build(sites, box, a, b, cutoff, cutoff < infinity ? 0.3 : 0.0, workers);
   Pairs pairs(std::make_shared<Law>(law), sites.names, workers);
@@ -341,7 +341,7 @@ TEST_CASE("pairs: the pair whose force is not finite is found") {
   Sites sites = cases::random_sites({.count = 3, .edge = 0.0});
   for (std::size_t i = 0; i < 3; i++) sites.x[i] = vec(static_cast<double>(i), 0, 0);
   Workers workers;
-  Rows rows;
+  NeighbourList rows;
   Pairs pairs(law, sites.names, workers);
   rows.build(sites, {}, Families{0}, Families{0}, 2.0, 1.0, workers);
   CHECK(!pairs.find_bad(sites, rows, {}, {}));
@@ -361,7 +361,7 @@ TEST_CASE("pairs: an attribute that nobody has is refused") {
 TEST_CASE("pairs: a warm evaluation allocates nothing") {
   Sites sites = cases::random_sites({.count = 2000});
   Workers workers;
-  Rows rows;
+  NeighbourList rows;
   const LawPtr law = soft_charges(2.0);
   Pairs pairs(law, sites.names, workers);
   rows.build(sites, {}, Families{0}, Families{0}, 2.0, 0.3, workers);

@@ -1,4 +1,4 @@
-// A rod whose length is set anew is drawn in as nails are: its deviation is (1 + t/τ) exp(-t/τ) of the first, τ = 0.1 s.
+// A rod whose length is set anew is drawn in as nails are: its violation is (1 + t/τ) exp(-t/τ) of the first, τ = 0.1 s.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -17,7 +17,7 @@ PointId particle(World& world, Vec3 at, double mass) {
   return world.particles[add_particle(world, def)].points.front();
 }
 
-double deviation(double time) { return (1 + time / 0.1) * std::exp(-time / 0.1); }
+double violation(double time) { return (1 + time / 0.1) * std::exp(-time / 0.1); }
 
 }  // namespace
 
@@ -31,7 +31,7 @@ TEST_CASE("rod length: two free particles part along the critically damped appro
   const double start = world.time;
   for (int i = 0; i < 240; i++) {
     step(world);
-    CHECK(norm(position(world, b) - position(world, a)) == Approx(2 - deviation(world.time - start)).margin(1e-9));
+    CHECK(norm(position(world, b) - position(world, a)) == Approx(2 - violation(world.time - start)).margin(1e-9));
     CHECK(norm(velocity(world, a) + velocity(world, b) * 3.0) < 1e-12);
   }
   CHECK(world.stats.fallback_steps == 0);
@@ -46,7 +46,7 @@ TEST_CASE("rod length: a world end that is set far away draws its point after it
   const ConstraintId rod = add_rod(world, a, zero3());
   set_position(world, rod, vec(-3, 0, 0));
   advance(world, 0.5);
-  CHECK(position(world, a)[0] == Approx(-2 + 3 * deviation(0.5)).margin(1e-9));
+  CHECK(position(world, a)[0] == Approx(-2 + 3 * violation(0.5)).margin(1e-9));
   CHECK(world.stats.fallback_steps == 0);
 }
 

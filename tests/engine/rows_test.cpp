@@ -22,7 +22,7 @@ namespace {
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 using Families = std::vector<std::uint32_t>;
 
-std::vector<Pair> pairs_of(const Sites& sites, const Rows& rows) {
+std::vector<Pair> pairs_of(const Sites& sites, const NeighbourList& rows) {
   std::vector<Pair> pairs;
   for (const auto& phase : rows.phases())
     for (const Slab& slab : phase)
@@ -73,7 +73,7 @@ std::vector<Pair> all_pairs(const Sites& sites, const Box& box, const Families& 
 
 void check_rows(const Sites& sites, const Box& box, const Families& a, const Families& b, double cutoff, double skin) {
   Workers workers;
-  Rows rows;
+  NeighbourList rows;
   rows.build(sites, box, a, b, cutoff, skin, workers);
   const std::vector<Pair> expected = all_pairs(sites, box, a, b, cutoff + skin);
   CHECK(rows.pairs() == expected.size());
@@ -110,7 +110,7 @@ TEST_CASE("rows: one family in a periodic box") {
 TEST_CASE("rows: in a row a neighbour is within reach at the row's shift") {
   const Sites sites = cases::random_sites();
   Workers workers;
-  Rows rows;
+  NeighbourList rows;
   rows.build(sites, cube(10.0), Families{0}, Families{0}, 2.0, 0.2, workers);
   for (const auto& phase : rows.phases())
     for (const Slab& slab : phase)
@@ -157,7 +157,7 @@ TEST_CASE("rows: points of a body, hinges of it and given pairs are left out") {
   check_rows(sites, {}, {0}, {0}, infinity, 0.0);
   Workers workers;
   for (const double cutoff : {3.0, infinity}) {
-    Rows rows;
+    NeighbourList rows;
     rows.build(sites, {}, Families{0}, Families{0}, cutoff, 0.0, workers, further);
     std::vector<Pair> expected = all_pairs(sites, {}, {0}, {0}, cutoff);
     std::erase_if(expected, [](const Pair& pair) { return pair.second - pair.first == 5; });
@@ -170,7 +170,7 @@ TEST_CASE("rows: two clusters far apart, along every axis") {
   for (std::size_t i = 0; i < sites.n; i += 2) sites.x[i] += vec(1e6, -1e6, 1e6);
   check_rows(sites, {}, {0}, {0}, 1.0, 0.1);
   Workers workers;
-  Rows rows;
+  NeighbourList rows;
   rows.build(sites, {}, Families{0}, Families{0}, 1.0, 0.1, workers);
   CHECK(rows.memory() < 1'000'000);
   for (std::size_t i = 0; i < sites.n; i += 2) sites.x[i] += vec(0, 0, 1e13);
@@ -182,7 +182,7 @@ TEST_CASE("rows: the same for any number of threads, and slabs of a phase share 
   const Box box = GENERATE(Box{}, cube(30.0));
   const Families b = GENERATE(Families{0}, Families{1});
   Workers one(1), four(4);
-  Rows rows, others;
+  NeighbourList rows, others;
   rows.build(sites, box, Families{0}, b, 1.5, 0.3, one);
   others.build(sites, box, Families{0}, b, 1.5, 0.3, four);
   REQUIRE(rows.phases().size() == 2);
@@ -210,7 +210,7 @@ TEST_CASE("rows: the same for any number of threads, and slabs of a phase share 
 
 TEST_CASE("rows: what cannot be meant is refused") {
   Workers workers;
-  Rows rows;
+  NeighbourList rows;
   Sites sites = cases::random_sites();
   const auto build = [&](const Box& box, double cutoff) {
     rows.build(sites, box, Families{0}, Families{0}, cutoff, 0.0, workers);
@@ -232,7 +232,7 @@ TEST_CASE("rows: a million particles at one position are refused at once") {
   std::fill(sites.family.begin(), sites.family.end(), 0u);
   std::fill(sites.kin.begin(), sites.kin.end(), Kin{});
   Workers workers;
-  Rows rows;
+  NeighbourList rows;
   const Families all = {0};
   CHECK_THROWS_WITH(
       rows.build(sites, {}, all, all, 2.5, 0.3, workers),

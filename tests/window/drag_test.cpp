@@ -223,7 +223,7 @@ TEST_CASE("window: a hinge is cut under the pointer", "[window]") {
   CHECK(read_tip(folder).back().height < tip[1] - length - 5.0);
 }
 
-TEST_CASE("window: the cutting tool swipes through the chain", "[window]") {
+TEST_CASE("window: the cutting tool strokes through the chain", "[window]") {
   if (!can_play()) return;
   Screen screen;
   Folder folder;

@@ -13,9 +13,9 @@
 #include "base/check.hpp"
 #include "choreography/hands.hpp"
 #include "support/process.hpp"
+#include "view/draw_list.hpp"
 #include "view/gl.hpp"
 #include "view/panel_style.hpp"
-#include "view/sketch.hpp"
 #include "view/window.hpp"
 #include "window/small_worlds.hpp"
 

@@ -36,19 +36,19 @@ TEST_CASE("points on a line become a capsule from end to end, with its weights a
   CHECK(shape.corners.empty());
 }
 
-TEST_CASE("a slender inertia gives the capsule its radius, a wide one an egg about its axis", "[view]") {
+TEST_CASE("a slender inertia gives the capsule its radius, a wide one an ellipsoid about its axis", "[view]") {
   BodyDef def;
   def.mass = 1.0;
   def.points = {small_worlds::anchor(vec(0, -0.5, 0)), small_worlds::anchor(vec(0, 0.5, 0))};
   const double radius = 0.06;
   def.inertia = diagonal(vec(1.0 / 12.0, radius * radius / 2.0, 1.0 / 12.0));
   CHECK(shape_of(def).bars.at(0).radius == Approx(radius).epsilon(0.05));
-  CHECK(shape_of(def).eggs.empty());
+  CHECK(shape_of(def).ellipsoids.empty());
   def.inertia = diagonal(vec(0.05, 0.08, 0.05));
   const Shape top = shape_of(def);
-  REQUIRE(top.eggs.size() == 1);
-  CHECK(norm(cross(top.eggs[0].axes[1], vec(0, 1, 0))) < 1e-12);
-  CHECK(norm(top.eggs[0].axes[0]) == Approx(std::sqrt(2.5 * 0.08)));
+  REQUIRE(top.ellipsoids.size() == 1);
+  CHECK(norm(cross(top.ellipsoids[0].axes[1], vec(0, 1, 0))) < 1e-12);
+  CHECK(norm(top.ellipsoids[0].axes[0]) == Approx(std::sqrt(2.5 * 0.08)));
 }
 
 TEST_CASE("points in a plane become a plate, in space their hull", "[view]") {

@@ -93,7 +93,7 @@ TEST_CASE("a tool that is chosen again takes its next variant, and tools go roun
   CHECK(choice.variant == 0);
 }
 
-TEST_CASE("a swipe cuts the hinges, nails, rods and connections that it crosses, and tells how many", "[view]") {
+TEST_CASE("a stroke cuts the hinges, nails, rods and connections that it crosses, and tells how many", "[view]") {
   Bench bench(6);
   bench.choose(ToolKind::cut);
   const Projected a = bench.seen(bench.tail(1)), b = bench.seen(bench.tail(3));
@@ -109,7 +109,7 @@ TEST_CASE("a swipe cuts the hinges, nails, rods and connections that it crosses,
   CHECK_THAT(bench.said.back(), Contains("cut 1 nail"));
   CHECK(bench.world.constraints.empty());
   bench.click(bench.seen(loose));
-  CHECK_THAT(bench.said.back(), Contains("nothing was cut: swipe over"));
+  CHECK_THAT(bench.said.back(), Contains("nothing was cut: stroke over"));
   CHECK(bench.last_log().empty());
 }
 
@@ -305,14 +305,14 @@ TEST_CASE("two fingers pull at one chain, the same gestures give the same bits, 
 TEST_CASE("what a hand would do is marked, and changes nothing", "[view]") {
   Bench bench;
   const std::uint64_t hash = state_hash(bench.world);
-  const Sight sight{bench.world, bench.stage, bench.camera, width, height};
+  const Viewport viewport{bench.world, bench.stage, bench.camera, width, height};
   for (const Tool& tool : tools()) {
     bench.choose(tool.kind);
     bench.move(bench.seen(bench.tail(1)));
     bench.move({200, 200}, 3);
     bench.frame(0);
     std::vector<Mark> marks;
-    bench.person.add_marks(bench.gestures, sight, false, marks);
+    bench.person.add_marks(bench.gestures, viewport, false, marks);
     CHECK_FALSE(marks.empty());
   }
   CHECK(state_hash(bench.world) == hash);
@@ -323,7 +323,7 @@ TEST_CASE("what a hand would do is marked, and changes nothing", "[view]") {
   bench.frame();
   bool told = false;
   std::vector<Mark> marks;
-  bench.person.add_marks(bench.gestures, sight, false, marks);
+  bench.person.add_marks(bench.gestures, viewport, false, marks);
   for (const Mark& mark : marks) told |= mark.kind == Mark::Kind::text && mark.text.find(" N of ") != mark.text.npos;
   CHECK(told);
 }

@@ -52,7 +52,7 @@ std::uint64_t hash_without_window(const std::string& path, std::uint64_t steps) 
   return state_hash(scene->world());
 }
 
-void swipe(Played& played, SDL_Keycode tool, double x0, double y0, double x1, double y1) {
+void stroke(Played& played, SDL_Keycode tool, double x0, double y0, double x1, double y1) {
   pushed::move(x0, y0);
   frame(played, {tool});
   pushed::button(true, x0, y0);
@@ -66,9 +66,9 @@ void swipe(Played& played, SDL_Keycode tool, double x0, double y0, double x1, do
 /// Drags, cuts through the middle, makes a rod, and takes that back, with no panels in the way.
 void use_hands(Played& played) {
   frame(played, {SDLK_TAB});
-  swipe(played, SDLK_1, 150, 90, 190, 60);
-  swipe(played, SDLK_2, 100, 110, 220, 80);
-  swipe(played, SDLK_8, 140, 60, 160, 70);
+  stroke(played, SDLK_1, 150, 90, 190, 60);
+  stroke(played, SDLK_2, 100, 110, 220, 80);
+  stroke(played, SDLK_8, 140, 60, 160, 70);
   pushed::key(SDLK_LCTRL);
   frame(played, {SDLK_z});
   pushed::key(SDLK_LCTRL, false);

@@ -10,9 +10,9 @@
 #include "bindings/lua_support.hpp"
 #include "measure/measure.hpp"
 #include "support/allocations.hpp"
+#include "view/draw_list.hpp"
 #include "view/player_input.hpp"
 #include "view/renderer.hpp"
-#include "view/sketch.hpp"
 #include "view/view_keys.hpp"
 #include "view/window.hpp"
 
@@ -242,12 +242,12 @@ TEST_CASE("ties and hinges take the colour of their load", "[view]") {
     scene:hinge(first.points[2], second.points[1]))");
   for (int i = 0; i < 24; i++) scene->step();
   const Stage stage = find_stage(scene->world());
-  const auto sketch_of = [&](const Views& views) {
-    Sketch sketch;
-    Sketcher().draw(scene->world(), first_camera(stage, 1.6), stage, with(views), 720, sketch);
-    return sketch;
+  const auto draw_list_of = [&](const Views& views) {
+    DrawList draw_list;
+    DrawListMaker().draw(scene->world(), first_camera(stage, 1.6), stage, with(views), 720, draw_list);
+    return draw_list;
   };
-  const Sketch plain = sketch_of({View::bodies}), loaded = sketch_of({View::bodies, View::loads});
+  const DrawList plain = draw_list_of({View::bodies}), loaded = draw_list_of({View::bodies, View::loads});
   REQUIRE(loaded.bars.size() == plain.bars.size());
   int redder = 0, bluer = 0;
   for (std::size_t i = 0; i < loaded.bars.size(); i++) {
@@ -271,9 +271,9 @@ TEST_CASE("loads that are rounding alone are not shown", "[view]") {
   const Stage stage = find_stage(world);
   const auto color_at = [&](double tension) {
     world.constraints.at_slot(0).tension = tension;
-    Sketch sketch;
-    Sketcher().draw(world, first_camera(stage, 1.6), stage, with({View::bodies, View::loads}), 720, sketch);
-    return sketch.bars.at(0).color.r;
+    DrawList draw_list;
+    DrawListMaker().draw(world, first_camera(stage, 1.6), stage, with({View::bodies, View::loads}), 720, draw_list);
+    return draw_list.bars.at(0).color.r;
   };
   CHECK(color_at(1e-15) == color_at(0.0));
   CHECK(color_at(1.0) > color_at(0.0));

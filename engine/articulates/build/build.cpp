@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "articulates/build/history.hpp"
-#include "articulates/solve/batches.hpp"
 #include "articulates/solve/conditions.hpp"
+#include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/state.hpp"
 #include "articulates/solve/stiff.hpp"
 
@@ -38,39 +38,39 @@ double lever(const Articulate& a, const Row& row) {
   return row.b < 0 ? gyration(row.a) : std::min(gyration(row.a), gyration(row.b));
 }
 
-using Edges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+using RowPairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 /// Any segment of a string may become its head, which meets whatever its segments meet.
-Edges edges_of_strings(const std::vector<Tie>& ties, const RowLists& on) {
-  Edges edges;
+RowPairs pairs_on_strings(const std::vector<Edge>& edges, const RowLists& on) {
+  RowPairs pairs;
   std::vector<std::uint32_t> segments;
-  for (std::uint32_t k = 0; k < ties.size(); k++)
-    if (ties[k].kind == RowKind::segment) segments.push_back(k);
+  for (std::uint32_t k = 0; k < edges.size(); k++)
+    if (edges[k].kind == RowKind::segment) segments.push_back(k);
   for (std::uint32_t i : segments)
     for (std::uint32_t j : segments) {
-      if (ties[i].constraint != ties[j].constraint) continue;
-      if (j != i) edges.emplace_back(i, j);
-      for (std::int32_t node : {ties[j].a, ties[j].b})
+      if (edges[i].constraint != edges[j].constraint) continue;
+      if (j != i) pairs.emplace_back(i, j);
+      for (std::int32_t node : {edges[j].a, edges[j].b})
         if (node >= 0)
           for (std::uint32_t k : on[static_cast<std::size_t>(node)])
-            if (k != i) edges.insert(edges.end(), {{i, k}, {k, i}});
+            if (k != i) pairs.insert(pairs.end(), {{i, k}, {k, i}});
     }
-  std::sort(edges.begin(), edges.end());
-  return edges;
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
 }
 
 /// Nodes with many rows to nodes of few, which meet at variables of the node. Segments of a string meet each other.
-std::vector<std::uint32_t> find_hubs(const std::vector<Tie>& ties, const RowLists& on) {
+std::vector<std::uint32_t> find_hubs(const std::vector<Edge>& edges, const RowLists& on) {
   constexpr std::ptrdiff_t few = 8;
   const auto rows = [&](std::size_t node) { return std::ssize(on[node]); };
   std::vector<std::uint32_t> hubs;
   for (std::uint32_t n = 0; n + 1 < on.first.size(); n++) {
     if (rows(n) <= few) continue;
     const auto leads_to_few = [&](std::uint32_t k) {
-      const std::int32_t other = ties[k].a == static_cast<std::int32_t>(n) ? ties[k].b : ties[k].a;
+      const std::int32_t other = edges[k].a == static_cast<std::int32_t>(n) ? edges[k].b : edges[k].a;
       return other >= 0 && rows(static_cast<std::size_t>(other)) <= few;
     };
-    const auto on_string = [&](std::uint32_t k) { return ties[k].kind == RowKind::segment; };
+    const auto on_string = [&](std::uint32_t k) { return edges[k].kind == RowKind::segment; };
     const auto list = on[n];
     if (std::count_if(list.begin(), list.end(), leads_to_few) > few &&
         std::none_of(list.begin(), list.end(), on_string))
@@ -80,18 +80,18 @@ std::vector<std::uint32_t> find_hubs(const std::vector<Tie>& ties, const RowList
 }
 
 /// Which rows meet: at a node, at the two variables of a hub, which follow the rows, or as segments of a string.
-RowLists neighbours_of(const std::vector<Tie>& ties, const RowLists& on, const std::vector<std::uint32_t>& hubs) {
-  const auto rows = static_cast<std::uint32_t>(ties.size());
+RowLists neighbours_of(const std::vector<Edge>& edges, const RowLists& on, const std::vector<std::uint32_t>& hubs) {
+  const auto rows = static_cast<std::uint32_t>(edges.size());
   std::vector<std::uint32_t> variable(on.first.size() - 1, 0);  // of a hub, else 0
   for (std::uint32_t i = 0; i < hubs.size(); i++) variable[hubs[i]] = rows + 2 * i;
-  const Edges edges = edges_of_strings(ties, on);
+  const RowPairs pairs = pairs_on_strings(edges, on);
   RowLists graph;
   graph.first.reserve(rows + 2 * hubs.size() + 1);
   graph.rows.reserve(4 * std::size_t{rows});
   graph.first.push_back(0);
-  auto edge = edges.begin();
+  auto pair = pairs.begin();
   for (std::uint32_t i = 0; i < rows; i++) {
-    for (std::int32_t node : {ties[i].a, ties[i].b}) {
+    for (std::int32_t node : {edges[i].a, edges[i].b}) {
       if (node < 0) continue;
       const auto n = static_cast<std::size_t>(node);
       if (variable[n] > 0)
@@ -100,7 +100,7 @@ RowLists neighbours_of(const std::vector<Tie>& ties, const RowLists& on, const s
         std::copy_if(on[n].begin(), on[n].end(), std::back_inserter(graph.rows),
                      [&](std::uint32_t j) { return j != i; });
     }
-    for (; edge != edges.end() && edge->first == i; ++edge) graph.rows.push_back(edge->second);
+    for (; pair != pairs.end() && pair->first == i; ++pair) graph.rows.push_back(pair->second);
     const auto begin = graph.rows.begin() + graph.first.back();
     std::sort(begin, graph.rows.end());
     graph.rows.erase(std::unique(begin, graph.rows.end()), graph.rows.end());
@@ -119,14 +119,14 @@ struct NodeOrder {
   std::vector<std::uint32_t> things, first_rows;
 };
 
-NodeOrder order_nodes(const std::vector<Tie>& ties, const std::vector<std::uint32_t>& order, std::size_t count,
+NodeOrder order_nodes(const std::vector<Edge>& edges, const std::vector<std::uint32_t>& order, std::size_t count,
                       std::vector<std::int32_t>& position) {
   NodeOrder nodes;
   nodes.things.reserve(count);
   nodes.first_rows.reserve(count);
   position.assign(count, -1);
   for (std::uint32_t k = 0; k < order.size(); k++)
-    for (std::int32_t node : {ties[order[k]].a, ties[order[k]].b}) {
+    for (std::int32_t node : {edges[order[k]].a, edges[order[k]].b}) {
       if (node < 0 || position[static_cast<std::size_t>(node)] >= 0) continue;
       position[static_cast<std::size_t>(node)] = static_cast<std::int32_t>(nodes.things.size());
       nodes.things.push_back(static_cast<std::uint32_t>(node));
@@ -153,19 +153,19 @@ void add_nodes(Articulate& a, Model& model, std::span<const Thing> things, const
   }
 }
 
-Condition make_condition(const Model& model, const Tie& tie, Row& row) {
+Condition make_condition(const Model& model, const Edge& edge, Row& row) {
   Condition condition;
-  condition.constraint = tie.constraint;
-  condition.index = tie.index;
-  if (tie.connection) {
-    make_stiff(model, tie.connection, row, condition);
+  condition.constraint = edge.constraint;
+  condition.index = edge.index;
+  if (edge.connection) {
+    make_stiff(model, edge.connection, row, condition);
     return condition;
   }
-  const Constraint& c = model.constraints[tie.constraint];
+  const Constraint& c = model.constraints[edge.constraint];
   condition.length = c.length;
   condition.held = condition.held_before =
       c.kind != ConstraintKind::limit && c.kind != ConstraintKind::string && !c.path && std::isinf(c.max_torque);
-  row.f = tie.angular ? c.torque / row.lever : c.force;
+  row.f = edge.angular ? c.torque / row.lever : c.force;
   return condition;
 }
 
@@ -179,28 +179,28 @@ void hand_on(const History::Before& before, Row& row, Condition* condition) {
 }
 
 /// Returns whether the row was there before.
-bool add_row(Articulate& a, const Model& model, const Tie& tie, const std::vector<std::int32_t>& position,
+bool add_row(Articulate& a, const Model& model, const Edge& edge, const std::vector<std::int32_t>& position,
              const History& history) {
   Row row;
-  row.kind = tie.kind;
-  row.a = position[static_cast<std::size_t>(tie.a)];
-  if (tie.b >= 0) row.b = position[static_cast<std::size_t>(tie.b)];
-  row.la = tie.la;
-  row.lb = tie.lb;
-  row.member = tie.member;
-  row.centre = tie.centre;
-  if (tie.angular) row.lever = lever(a, row);
-  if (tie.member) {
-    row.f = model.points[tie.member].row_force;
+  row.kind = edge.kind;
+  row.a = position[static_cast<std::size_t>(edge.a)];
+  if (edge.b >= 0) row.b = position[static_cast<std::size_t>(edge.b)];
+  row.la = edge.la;
+  row.lb = edge.lb;
+  row.member = edge.member;
+  row.centre = edge.centre;
+  if (edge.angular) row.lever = lever(a, row);
+  if (edge.member) {
+    row.f = model.points[edge.member].row_force;
   } else {
     row.condition = static_cast<std::int32_t>(a.conditions.size());
-    a.conditions.push_back(make_condition(model, tie, row));
+    a.conditions.push_back(make_condition(model, edge, row));
     a.conditions.back().row = static_cast<std::uint32_t>(a.rows.size());
   }
-  const History::Before before = history.row(tie);
+  const History::Before before = history.row(edge);
   a.predictor.forces.push_back(before.row != nullptr ? before.articulate->predictor.forces[before.index()]
                                                      : Predictor::OfRow{});
-  if (before.row != nullptr) hand_on(before, row, tie.member ? nullptr : &a.conditions.back());
+  if (before.row != nullptr) hand_on(before, row, edge.member ? nullptr : &a.conditions.back());
   a.rows.push_back(row);
   return before.row != nullptr;
 }
@@ -214,28 +214,28 @@ std::uint64_t serial_of(const Model& model, Thing t) {
 std::unique_ptr<Articulate> build_articulate(Model& model, std::span<const Thing> things, const Articulates& before) {
   const History history(model, things, before);
   for (std::size_t i = 0; i < things.size(); i++) node_of(model, things[i]) = static_cast<std::int32_t>(i);
-  std::vector<Tie> ties;
-  ties.reserve(things.size());
-  for (Thing t : things) find_ties(model, t, TiesOf::listed, ties);
-  const RowLists on = rows_of_nodes(things.size(), ties);
-  const std::vector<std::uint32_t> hubs = find_hubs(ties, on);
+  std::vector<Edge> edges;
+  edges.reserve(things.size());
+  for (Thing t : things) find_edges(model, t, EdgesOf::listed, edges);
+  const RowLists on = rows_of_nodes(things.size(), edges);
+  const std::vector<std::uint32_t> hubs = find_hubs(edges, on);
   const auto variables = static_cast<std::uint32_t>(2 * hubs.size());
-  Elimination elimination = minimum_degree(neighbours_of(ties, on, hubs), variables);
-  elimination.order.resize(ties.size());
+  Elimination elimination = minimum_degree(neighbours_of(edges, on, hubs), variables);
+  elimination.order.resize(edges.size());
   std::vector<std::int32_t> position;
-  const NodeOrder order = order_nodes(ties, elimination.order, things.size(), position);
+  const NodeOrder order = order_nodes(edges, elimination.order, things.size(), position);
 
   auto articulate = std::make_unique<Articulate>();
   Articulate& a = *articulate;
   a.plane = model.plane;
   a.serial = serial_of(model, things.front());
   a.factor = lay_out(std::move(elimination.columns));
-  a.breakable = std::any_of(ties.begin(), ties.end(), [](const Tie& tie) { return tie.may_break; });
+  a.breakable = std::any_of(edges.begin(), edges.end(), [](const Edge& edge) { return edge.may_break; });
   history.hand_on(a);
   add_nodes(a, model, things, order);
-  a.rows.reserve(ties.size());
+  a.rows.reserve(edges.size());
   for (std::uint32_t k : elimination.order)
-    if (!add_row(a, model, ties[k], position, history)) disturb(a);
+    if (!add_row(a, model, edges[k], position, history)) disturb(a);
   for (std::uint32_t i = 0; i < hubs.size(); i++)
     a.hubs.push_back({static_cast<std::uint32_t>(position[hubs[i]]), a.factor.rows - variables + 2 * i, {}, {}});
   std::sort(a.hubs.begin(), a.hubs.end(), [](const Hub& x, const Hub& y) { return x.node < y.node; });
@@ -264,31 +264,31 @@ bool weighs_as_built(const Model& model, const Node& node) {
 
 }  // namespace
 
-bool is_row_of(const Articulate& a, const Row& row, const Tie& tie) {
-  if (row.kind != tie.kind || row.member != tie.member || row.centre != tie.centre || !same(row.la, tie.la) ||
-      !same(row.lb, tie.lb))
+bool is_row_of(const Articulate& a, const Row& row, const Edge& edge) {
+  if (row.kind != edge.kind || row.member != edge.member || row.centre != edge.centre || !same(row.la, edge.la) ||
+      !same(row.lb, edge.lb))
     return false;
-  if (tie.member) return true;
+  if (edge.member) return true;
   const Condition& c = condition(a, row);
-  if (tie.connection) return c.stiff && c.stiff->connection == tie.connection && c.stiff->solve == tie.solve;
-  return c.constraint == tie.constraint && c.index == tie.index;
+  if (edge.connection) return c.stiff && c.stiff->connection == edge.connection && c.stiff->solve == edge.solve;
+  return c.constraint == edge.constraint && c.index == edge.index;
 }
 
 bool is_as_built(const Model& model, const Articulate& a, Thing t) {
   const std::int32_t node = node_of(model, t);
   const auto index = static_cast<std::size_t>(node);
   if (!weighs_as_built(model, a.nodes[index])) return false;
-  std::vector<Tie> ties;
-  find_ties(model, t, TiesOf::all, ties);
-  std::erase_if(ties, [&](const Tie& tie) { return tie.a != node && tie.b != node; });
-  const auto there = [&](const Tie& tie) {
-    if (tie.may_break && !a.breakable) return false;
+  std::vector<Edge> edges;
+  find_edges(model, t, EdgesOf::all, edges);
+  std::erase_if(edges, [&](const Edge& edge) { return edge.a != node && edge.b != node; });
+  const auto there = [&](const Edge& edge) {
+    if (edge.may_break && !a.breakable) return false;
     const auto rows = a.on[index];
     return std::any_of(rows.begin(), rows.end(), [&](std::uint32_t k) {
-      return a.rows[k].a == tie.a && a.rows[k].b == tie.b && is_row_of(a, a.rows[k], tie);
+      return a.rows[k].a == edge.a && a.rows[k].b == edge.b && is_row_of(a, a.rows[k], edge);
     });
   };
-  return ties.size() == a.on[index].size() && std::all_of(ties.begin(), ties.end(), there);
+  return edges.size() == a.on[index].size() && std::all_of(edges.begin(), edges.end(), there);
 }
 
 }  // namespace pantin

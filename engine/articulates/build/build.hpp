@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "articulates/articulate.hpp"
+#include "articulates/build/edges.hpp"
 #include "articulates/build/islands.hpp"
-#include "articulates/build/links.hpp"
 
 namespace pantin {
 
@@ -19,8 +19,8 @@ std::unique_ptr<Articulate> build_articulate(Model& model, std::span<const Thing
 /// Whether nothing of what its articulate holds of a thing has changed: its mass, and the rows that it is in.
 bool is_as_built(const Model& model, const Articulate& articulate, Thing thing);
 
-/// Whether a row is that of a tie; the numbers of nodes do not count.
-bool is_row_of(const Articulate& articulate, const Row& row, const Tie& tie);
+/// Whether a row is that of a edge; the numbers of nodes do not count.
+bool is_row_of(const Articulate& articulate, const Row& row, const Edge& edge);
 
 /// The row lists of nodes; `Ends` has nodes a and b, b = -1: the world.
 template <class Ends>

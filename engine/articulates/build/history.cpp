@@ -38,16 +38,16 @@ History::History(const Model& model, std::span<const Thing> things, const Articu
   }
 }
 
-History::Before History::row(const Tie& tie) const {
-  const Origin& a = nodes_[static_cast<std::size_t>(tie.a)];
-  const Origin& b = tie.b >= 0 ? nodes_[static_cast<std::size_t>(tie.b)] : a;
+History::Before History::row(const Edge& edge) const {
+  const Origin& a = nodes_[static_cast<std::size_t>(edge.a)];
+  const Origin& b = edge.b >= 0 ? nodes_[static_cast<std::size_t>(edge.b)] : a;
   if (a.articulate == nullptr || a.articulate != b.articulate) return {};
   const auto on_a = a.articulate->on[a.index], on_b = b.articulate->on[b.index];
   for (std::uint32_t k : on_a.size() < on_b.size() ? on_a : on_b) {
     const Row& row = a.articulate->rows[k];
     const bool same_ends =
-        row.a == static_cast<std::int32_t>(a.index) && row.b == (tie.b >= 0 ? static_cast<std::int32_t>(b.index) : -1);
-    if (same_ends && is_row_of(*a.articulate, row, tie)) return {a.articulate, &row};
+        row.a == static_cast<std::int32_t>(a.index) && row.b == (edge.b >= 0 ? static_cast<std::int32_t>(b.index) : -1);
+    if (same_ends && is_row_of(*a.articulate, row, edge)) return {a.articulate, &row};
   }
   return {};
 }

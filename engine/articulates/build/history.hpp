@@ -14,8 +14,8 @@ class History {
     const Row* row = nullptr;
     std::size_t index() const { return static_cast<std::size_t>(row - articulate->rows.data()); }
   };
-  /// The row that a tie made between the same nodes, or null. The nodes of the tie are things.
-  Before row(const Tie& tie) const;
+  /// The row that a edge made between the same nodes, or null. The nodes of the edge are things.
+  Before row(const Edge& edge) const;
   /// Sets what an articulate, not its nodes and rows, knows.
   void hand_on(Articulate& articulate) const;
   /// Sets what its batches know, of `things` (nodes).

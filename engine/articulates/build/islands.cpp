@@ -10,7 +10,7 @@ namespace pantin {
 
 namespace {
 
-/// Walks over what constraints tie together.
+/// Walks over what constraints edge together.
 class Search {
  public:
   explicit Search(const Model& model)

@@ -182,7 +182,7 @@ namespace {
 
 bool is_motor(const Row& row, const Condition& c) { return row.kind == RowKind::turn && !c.ranged; }
 
-double way_of(const Condition& c) { return c.whole_length1 - c.whole_length0; }
+double displacement_of(const Condition& c) { return c.whole_length1 - c.whole_length0; }
 
 }  // namespace
 
@@ -192,12 +192,12 @@ bool stall_motors(Articulate& a, double h) {
   bool stalled = false;
   for (Condition& c : a.conditions) {
     const Row& r = row(a, c);
-    const double way = std::fabs(way_of(c));
+    const double displacement = std::fabs(displacement_of(c));
     const bool yields = limits || std::isfinite(c.upper);
-    if (!is_motor(r, c) || !yields || std::isfinite(c.stalled) || way == 0.0) continue;
+    if (!is_motor(r, c) || !yields || std::isfinite(c.stalled) || displacement == 0.0) continue;
     const double inertia = inertia_about(a, a.nodes[static_cast<std::size_t>(r.a)].x0) / (r.lever * r.lever);
-    c.stalled = std::fmin(c.upper, 2.0 * norm(r.f) + 0.01 * inertia * way / (h * h));
-    c.yielding = way / c.stalled;
+    c.stalled = std::fmin(c.upper, 2.0 * norm(r.f) + 0.01 * inertia * displacement / (h * h));
+    c.yielding = displacement / c.stalled;
     stalled = true;
   }
   return stalled;
@@ -207,11 +207,12 @@ void strengthen_stalled(Articulate& a, double h) {
   constexpr double most_needed = 1e4;  // more would leave few digits to what else there is
   for (Condition& c : a.conditions) {
     if (std::isinf(c.stalled) || std::isinf(c.upper)) continue;
-    const double way = std::fabs(way_of(c)), enough = most_needed * way / (h * h * mobility(a, row(a, c)));
+    const double displacement = std::fabs(displacement_of(c)),
+                 enough = most_needed * displacement / (h * h * mobility(a, row(a, c)));
     const double more = std::fmin(std::fmin(10.0 * c.stalled, c.upper), enough);
     if (!(more > c.stalled)) continue;
     c.stalled = more;
-    c.yielding = way / more;
+    c.yielding = displacement / more;
   }
 }
 
@@ -221,9 +222,9 @@ double speed(const Condition& c, double at) {
 
 void set_conditions(Articulate& a, double h, double from, double to) {
   for (Condition& c : a.conditions) {
-    const Vec3 way = c.whole1 - c.whole0;
-    c.position0 = c.whole0 + way * from;
-    c.position1 = to == 1.0 ? c.whole1 : c.whole0 + way * to;
+    const Vec3 displacement = c.whole1 - c.whole0;
+    c.position0 = c.whole0 + displacement * from;
+    c.position1 = to == 1.0 ? c.whole1 : c.whole0 + displacement * to;
     c.length = to == 1.0 ? c.whole_length1 : c.whole_length0 + (c.whole_length1 - c.whole_length0) * to;
     if (c.bent == Bent::position) {
       c.position0 += c.bend.at(from);

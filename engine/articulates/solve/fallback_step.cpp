@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "articulates/solve/angular_rows.hpp"
-#include "articulates/solve/batches.hpp"
 #include "articulates/solve/loose.hpp"
 #include "articulates/solve/midpoint.hpp"
 #include "articulates/solve/momenta.hpp"
 #include "articulates/solve/newton.hpp"
+#include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/row_gaps.hpp"
 #include "articulates/solve/segments.hpp"

@@ -1,9 +1,9 @@
 // The matrix S of the rows: blocks Σ over shared nodes of s_i s_j (1/m - r_i^ W r̄_j^).
 #include <algorithm>
 
-#include "articulates/solve/batches.hpp"
 #include "articulates/solve/midpoint.hpp"
 #include "articulates/solve/newton.hpp"
+#include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/segments.hpp"
 
 namespace pantin {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "base/batch.hpp"
+#include "base/vectors4.hpp"
 
 namespace pantin {
 

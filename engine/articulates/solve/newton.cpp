@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "articulates/solve/angular_rows.hpp"
-#include "articulates/solve/batches.hpp"
 #include "articulates/solve/midpoint.hpp"
+#include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/row_gaps.hpp"
 #include "articulates/solve/segments.hpp"
 #include "articulates/solve/state.hpp"

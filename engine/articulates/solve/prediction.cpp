@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "articulates/solve/batches.hpp"
+#include "articulates/solve/node_batches.hpp"
 
 namespace pantin {
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "articulates/solve/batches.hpp"
 #include "articulates/solve/conditions.hpp"
 #include "articulates/solve/midpoint.hpp"
 #include "articulates/solve/momenta.hpp"
 #include "articulates/solve/newton.hpp"
+#include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/row_gaps.hpp"
 #include "articulates/solve/segments.hpp"
 #include "articulates/solve/state.hpp"

@@ -14,11 +14,11 @@ namespace pantin {
 namespace {
 
 struct Segment {
-  Vec3 n;          // direction of the force
-  Vec3 gradient;   // of the length at the end of the step
-  double stretch;  // |e|
-  double bend;     // by how much n turns with a change of d1, [1/m]
-  double way;      // [m] of d in the step
+  Vec3 n;               // direction of the force
+  Vec3 gradient;        // of the length at the end of the step
+  double stretch;       // |e|
+  double bend;          // by how much n turns with a change of d1, [1/m]
+  double displacement;  // [m] of d in the step
 };
 
 Segment segment(const Row& row) {
@@ -35,7 +35,7 @@ double total_length(const Articulate& a, const SlidingString& string) {
 }
 
 double weighted(const Vec3& across, const Row& row, const Segment& s, double kappa) {
-  return norm(across) * std::fmax(kappa, s.way / std::fmax(norm(row.f), 1e-3 * s.way / kappa));
+  return norm(across) * std::fmax(kappa, s.displacement / std::fmax(norm(row.f), 1e-3 * s.displacement / kappa));
 }
 
 double let_go(Articulate& a, Row& row, double kappa) {

@@ -1,7 +1,7 @@
 // Damped rows that were solved settle, by impulses that are solved with those of all that forbids velocities.
 #include <algorithm>
 
-#include "articulates/solve/batches.hpp"
+#include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/state.hpp"
 #include "constraints/row_rule.hpp"

@@ -1,6 +1,6 @@
 // A connection solved with its articulate, so that no stiffness limits the step. The force is f = -Q e, e = d0 + d1.
 // Of a law with an energy V(s), s = d², Q = ΔV/Δs: f·Δd = -ΔV exactly (discrete gradient; Gonzalez 1996), for a small Δs
-// by Gauss' rule. Without an energy, Q = tension/(|d0| + |d1|) with its mean on the way, by the same rule, at the mean
+// by Gauss' rule. Without an energy, Q = tension/(|d0| + |d1|) with its mean on the displacement, by the same rule, at the mean
 // rate u = Δr/h: f·Δd = -tension Δr, of a damper -c h u², which never gives.
 //   With these alone what is damped would swing to and fro where the step is too long to follow it. So it has more
 // damping, by which its length settles about as fast as in truth, at most that of the backward rule, h k/2. And at the
@@ -48,7 +48,7 @@ Pull of_energy(PairCurve& curve, double s0, double s1, double energy0) {
   return p;
 }
 
-/// The mean tension on the way, at the mean rate.
+/// The mean tension on the displacement, at the mean rate.
 Pull of_tension(PairCurve& curve, double r0, double r1, double rate, double h) {
   std::array<double, 4> r, s;
   for (std::size_t i = 0; i < 4; i++) {
@@ -77,63 +77,63 @@ Pull of_damper(double damping, double r0, double r1, double h) {
 void make_stiff(const Model& model, ConnectionId id, Row& row, Condition& condition) {
   const Connection& c = model.connections[id];
   const bool swapped = !c.particles[0];  // a position of the world is always the second end
-  condition.stiff = std::make_shared<StiffTie>();
-  StiffTie& tie = *condition.stiff;
-  tie.connection = id;
-  tie.a = c.particles[swapped ? 1 : 0];
-  tie.b = c.particles[swapped ? 0 : 1];
-  tie.solve = c.solve;
-  if (!tie.b) condition.whole0 = condition.whole1 = model.plane.along(c.positions[swapped ? 0 : 1]);
-  const Vec3 d = position(model, tie.a) - (tie.b ? position(model, tie.b) : condition.whole1);
-  tie.least2 = 1e-24 * (norm2(d) > 0.0 ? norm2(d) : 1.0);
-  for (auto law = c.law; law; law = law->also) tie.curves.emplace_back(*law);
-  for (auto* column : {&tie.energy0, &tie.pulls, &condition.given}) column->resize(tie.curves.size());
+  condition.stiff = std::make_shared<StiffBond>();
+  StiffBond& bond = *condition.stiff;
+  bond.connection = id;
+  bond.a = c.particles[swapped ? 1 : 0];
+  bond.b = c.particles[swapped ? 0 : 1];
+  bond.solve = c.solve;
+  if (!bond.b) condition.whole0 = condition.whole1 = model.plane.along(c.positions[swapped ? 0 : 1]);
+  const Vec3 d = position(model, bond.a) - (bond.b ? position(model, bond.b) : condition.whole1);
+  bond.least2 = 1e-24 * (norm2(d) > 0.0 ? norm2(d) : 1.0);
+  for (auto law = c.law; law; law = law->also) bond.curves.emplace_back(*law);
+  for (auto* column : {&bond.energy0, &bond.pulls, &condition.given}) column->resize(bond.curves.size());
   row.f = direction(d) * -c.tension;
 }
 
-void start_stiff(StiffTie& tie, const Row& row, double approach) {
-  const double s0 = std::fmax(norm2(row.d0), tie.least2);
-  tie.rate0 = approach / std::sqrt(s0);
-  tie.chosen = false;
-  for (std::size_t i = 0; i < tie.curves.size(); i++) {
-    tie.energy0[i] = 0.0;
-    if (!tie.curves[i].has_energy()) continue;
-    tie.curves[i].run(1, &s0, 0.0);
-    tie.energy0[i] = tie.curves[i].at(0).energy;
+void start_stiff(StiffBond& bond, const Row& row, double approach) {
+  const double s0 = std::fmax(norm2(row.d0), bond.least2);
+  bond.rate0 = approach / std::sqrt(s0);
+  bond.chosen = false;
+  for (std::size_t i = 0; i < bond.curves.size(); i++) {
+    bond.energy0[i] = 0.0;
+    if (!bond.curves[i].has_energy()) continue;
+    bond.curves[i].run(1, &s0, 0.0);
+    bond.energy0[i] = bond.curves[i].at(0).energy;
   }
 }
 
 namespace {
 
 /// Finds how it is to settle in the step, by its stiffness and damping at the start.
-void choose_damping(StiffTie& tie, double s0, const RowContext& context) {
-  tie.chosen = true;
-  tie.damping = tie.settling = 0.0;
+void choose_damping(StiffBond& bond, double s0, const RowContext& context) {
+  bond.chosen = true;
+  bond.damping = bond.settling = 0.0;
   double c = 0.0, k = 0.0;  // [N s/m], [N/m]
-  for (PairCurve& curve : tie.curves) {
-    curve.run(1, &s0, tie.rate0);
+  for (PairCurve& curve : bond.curves) {
+    curve.run(1, &s0, bond.rate0);
     const PairCurve::Value v = curve.at(0);
     if (curve.depends_on_velocity()) c += s0 * v.by_approach;
     k += v.pull + 2.0 * s0 * v.by_distance2;
   }
   c = std::fmax(c, 0.0);
   k = std::fmax(k, 0.0);
-  const bool swallows = tie.solve == Solve::at_end;
+  const bool swallows = bond.solve == Solve::at_end;
   if (!swallows && c == 0.0) return;
   const double h = context.h, z2 = h * h * k * context.mobility, D = h * c * context.mobility;
   const double part = swallows ? 1.0 : z2 * D / (z2 * D + 4.0 * z2 + 6.0 * D * D);
-  tie.damping = 0.5 * h * k * part;
+  bond.damping = 0.5 * h * k * part;
   const double fast = D * D + 0.25 * z2;
-  tie.settling = swallows ? 0.5 * h * (c + tie.damping) : 0.5 * h * c * fast / (1.0 + fast);
+  bond.settling = swallows ? 0.5 * h * (c + bond.damping) : 0.5 * h * c * fast / (1.0 + fast);
 }
 
 }  // namespace
 
 double evaluate_stiff(Row& row, Condition& c, const RowContext& context) {
-  StiffTie& tie = *c.stiff;
-  const double s0 = std::fmax(norm2(row.d0), tie.least2), s1 = std::fmax(norm2(row.d1), tie.least2);
+  StiffBond& bond = *c.stiff;
+  const double s0 = std::fmax(norm2(row.d0), bond.least2), s1 = std::fmax(norm2(row.d1), bond.least2);
   const double r0 = std::sqrt(s0), r1 = std::sqrt(s1), h = context.h;
-  if (!tie.chosen) choose_damping(tie, s0, context);
+  if (!bond.chosen) choose_damping(bond, s0, context);
   const Vec3 e = row.d0 + row.d1;
   Vec3 missed = row.f;
   double Q = 0.0, slope = 0.0, sizes = 0.0, stiffness = 0.0;
@@ -144,25 +144,25 @@ double evaluate_stiff(Row& row, Condition& c, const RowContext& context) {
     sizes += std::fabs(p.Q) * norm(e);
     stiffness += std::fabs(p.slope) * norm(e) * r1;
   };
-  for (std::size_t i = 0; i < tie.curves.size(); i++) {
-    PairCurve& curve = tie.curves[i];
+  for (std::size_t i = 0; i < bond.curves.size(); i++) {
+    PairCurve& curve = bond.curves[i];
     const Pull p =
-        curve.has_energy() ? of_energy(curve, s0, s1, tie.energy0[i]) : of_tension(curve, r0, r1, (r1 - r0) / h, h);
+        curve.has_energy() ? of_energy(curve, s0, s1, bond.energy0[i]) : of_tension(curve, r0, r1, (r1 - r0) / h, h);
     add(p);
-    tie.pulls[i] = p.Q;
+    bond.pulls[i] = p.Q;
   }
-  if (tie.damping > 0.0) add(of_damper(tie.damping, r0, r1, h));
-  tie.mean_rate = (r1 - r0) / h;
+  if (bond.damping > 0.0) add(of_damper(bond.damping, r0, r1, h));
+  bond.mean_rate = (r1 - r0) / h;
   stiffness += std::fabs(Q);
-  const Vec3 way = row.d1 - row.d0;
+  const Vec3 displacement = row.d1 - row.d0;
   const double weight = 1.0 / (stiffness + 2.0 / (h * h * context.mobility));
   row.residual = missed * weight;
   c.M = (identity33() * Q + outer(e * slope, row.d1)) * weight;
   c.C = identity33() * weight;
   // What is missed does work that no energy knows of: it counts as the gap that would do as much.
-  const double least = 2e-3 * norm(way) / (h * h * context.mobility);
-  const double work = std::fabs(dot(missed, way));
-  const double force = tie.settling > 0.0 ? sizes : norm(row.f);  // what is in balance rounds as each part does
+  const double least = 2e-3 * norm(displacement) / (h * h * context.mobility);
+  const double work = std::fabs(dot(missed, displacement));
+  const double force = bond.settling > 0.0 ? sizes : norm(row.f);  // what is in balance rounds as each part does
   // What is missed across the connection, where it is not stiff, moves it much further; it counts for a part of that, since
   // its length hardly changes with it.
   const Vec3 u = direction(e);
@@ -171,11 +171,11 @@ double evaluate_stiff(Row& row, Condition& c, const RowContext& context) {
   return std::fmax(size, work > 0.0 ? work / std::fmax(force, least) : 0.0);
 }
 
-StiffPull pull_at(StiffTie& tie, Vec3 d) {
+StiffPull pull_at(StiffBond& bond, Vec3 d) {
   StiffPull p;
-  const double s = std::fmax(norm2(d), tie.least2);
+  const double s = std::fmax(norm2(d), bond.least2);
   const Mat3 along = outer(d, d);
-  for (PairCurve& curve : tie.curves) {
+  for (PairCurve& curve : bond.curves) {
     curve.run(1, &s, 0.0);
     const PairCurve::Value v = curve.at(0);
     p.f -= d * v.pull;
@@ -185,27 +185,27 @@ StiffPull pull_at(StiffTie& tie, Vec3 d) {
   return p;
 }
 
-bool StiffTie::is_nonconservative() const {
+bool StiffBond::is_nonconservative() const {
   return solve == Solve::at_end ||
          std::any_of(curves.begin(), curves.end(), [](const PairCurve& curve) { return !curve.has_energy(); });
 }
 
-bool StiffTie::is_damped() const {
+bool StiffBond::is_damped() const {
   return solve == Solve::at_end ||
          std::any_of(curves.begin(), curves.end(), [](const PairCurve& curve) { return curve.depends_on_velocity(); });
 }
 
-double StiffTie::settle(const Row& row, std::vector<double>& given) {
-  const Vec3 e = row.d0 + row.d1, way = row.d1 - row.d0;
+double StiffBond::settle(const Row& row, std::vector<double>& given) {
+  const Vec3 e = row.d0 + row.d1, displacement = row.d1 - row.d0;
   const double least = std::sqrt(least2), r0 = std::fmax(norm(row.d0), least), r1 = std::fmax(norm(row.d1), least);
   double taken = damping * mean_rate * (r1 - r0);
-  double open = -taken, rest = dot(row.f, way) + taken;
+  double open = -taken, rest = dot(row.f, displacement) + taken;
   for (std::size_t i = 0; i < curves.size(); i++) {
-    const double work = -pulls[i] * dot(e, way);
+    const double work = -pulls[i] * dot(e, displacement);
     rest -= work;
     (curves[i].has_energy() ? given[i] : open) += work;
     if (!curves[i].depends_on_velocity()) continue;
-    taken -= work + of_tension(curves[i], r0, r1, 0.0, infinity).Q * dot(e, way);
+    taken -= work + of_tension(curves[i], r0, r1, 0.0, infinity).Q * dot(e, displacement);
   }
   given[0] += rest;
   const double most = 4.0 * std::fmax(taken, 0.0), rate2 = mean_rate * mean_rate;

@@ -8,7 +8,7 @@
 namespace pantin {
 
 /// What the row of a connection has that is solved with its articulate.
-struct StiffTie {
+struct StiffBond {
   ConnectionId connection;
   ParticleId a, b;  // b null: a position of the world
   Solve solve = Solve::at_middle;
@@ -31,17 +31,17 @@ struct StiffTie {
   double settle(const Row& row, std::vector<double>& given);
 };
 
-/// Makes the tie of a connection, with the force that it had; `row` and `condition` are its.
+/// Makes the bond of a connection, with the force that it had; `row` and `condition` are its.
 void make_stiff(const Model& model, ConnectionId id, Row& row, Condition& condition);
 /// Reads the start of a step of h [s] from d0; `approach` is d0 · the velocity of d0 [m²/s].
-void start_stiff(StiffTie& tie, const Row& row, double approach);
+void start_stiff(StiffBond& bond, const Row& row, double approach);
 
-/// What a tie pulls its first point with at d [m], at rest [N], and how d [N/m] and its rate [N s/m] change that, where it
+/// What a bond pulls its first point with at d [m], at rest [N], and how d [N/m] and its rate [N s/m] change that, where it
 /// draws back.
 struct StiffPull {
   Vec3 f = zero3();
   Mat3 by_position = zero33(), by_rate = zero33();
 };
-StiffPull pull_at(StiffTie& tie, Vec3 d);
+StiffPull pull_at(StiffBond& bond, Vec3 d);
 
 }  // namespace pantin

@@ -14,7 +14,7 @@ struct Ends {
   std::uint32_t low, high;
 };
 
-Ends ends_of(const Ties& ties, std::size_t connection) {
+Ends ends_of(const BondList& ties, std::size_t connection) {
   const auto count = static_cast<std::size_t>(ties.count);
   const auto [low, high] =
       std::minmax_element(ties.sites.begin() + static_cast<std::ptrdiff_t>(connection * count),
@@ -35,7 +35,7 @@ void counting_sort(const std::vector<std::uint32_t>& from, std::vector<std::uint
 
 }  // namespace
 
-void Arranged::arrange(const Ties& ties, std::size_t site_count) {
+void Arranged::arrange(const BondList& ties, std::size_t site_count) {
   n = ties.size();
   number_groups(ties, site_count);
   sort_by_group_and_first(ties, site_count);
@@ -55,7 +55,7 @@ void Arranged::arrange(const Ties& ties, std::size_t site_count) {
 
 /// Ranges of sites so wide that from most connections the ends are in one or in neighbouring ones: of such ranges every
 /// other one may be gone through at once. A few connections reach further, and come last.
-void Arranged::number_groups(const Ties& ties, std::size_t site_count) {
+void Arranged::number_groups(const BondList& ties, std::size_t site_count) {
   group_.assign(n, 0);
   ranges_ = 0;
   if (n < serial_connections) return;
@@ -73,7 +73,7 @@ void Arranged::number_groups(const Ties& ties, std::size_t site_count) {
   }
 }
 
-void Arranged::sort_by_group_and_first(const Ties& ties, std::size_t site_count) {
+void Arranged::sort_by_group_and_first(const BondList& ties, std::size_t site_count) {
   const auto count = static_cast<std::size_t>(ties.count);
   connection.resize(n);
   for (std::size_t k = 0; k < n; k++) connection[k] = static_cast<std::uint32_t>(k);

@@ -17,16 +17,16 @@ struct Arranged {
 
   std::size_t n = 0;
   std::array<std::vector<std::uint32_t>, 4> sites;  ///< (n) of each
-  std::vector<std::uint32_t> position;              ///< of each connection, by its number in Ties
-  std::vector<std::uint32_t> connection;            ///< number in Ties of each position
+  std::vector<std::uint32_t> position;              ///< of each connection, by its number in BondList
+  std::vector<std::uint32_t> connection;            ///< number in BondList of each position
   std::vector<AlignedVector<double>> parameters;    ///< (n and some more) or none
   std::vector<std::vector<Range>> phases;           ///< ranges of one phase share no site
 
-  void arrange(const Ties& ties, std::size_t site_count);
+  void arrange(const BondList& ties, std::size_t site_count);
 
  private:
-  void number_groups(const Ties& ties, std::size_t site_count);
-  void sort_by_group_and_first(const Ties& ties, std::size_t site_count);
+  void number_groups(const BondList& ties, std::size_t site_count);
+  void sort_by_group_and_first(const BondList& ties, std::size_t site_count);
 
   std::size_t ranges_ = 0;  // those that are shared out; what is in none of them has the next number
   std::vector<std::uint32_t> group_, reach_, sorted_, count_;

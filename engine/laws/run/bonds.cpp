@@ -285,7 +285,7 @@ Bonds& Bonds::operator=(Bonds&&) noexcept = default;
 std::size_t Bonds::size() const { return kernel_->bonds.n; }
 std::size_t Bonds::number(std::size_t k) const { return kernel_->bonds.connection[k]; }
 
-void Bonds::arrange(const Ties& ties, const Sites& sites) {
+void Bonds::arrange(const BondList& ties, const Sites& sites) {
   Kernel& k = *kernel_;
   assume(ties.count == k.law->count);
   assume(ties.parameters.empty() || ties.parameters.size() == k.law->parameters.size());
@@ -352,7 +352,7 @@ std::optional<BadForce> Bonds::find_bad(const Sites& sites, const Box& box, cons
   Kernel& kernel = *kernel_;
   BondBlock& block = kernel.plain.front();
   block.law.set(instant, parameters);
-  std::optional<std::uint32_t> first;  // in the order of Ties
+  std::optional<std::uint32_t> first;  // in the order of BondList
   const std::size_t outputs = kernel.law->kind == LawKind::central ? 1
                               : kernel.law->kind == LawKind::pair  ? 3
                                                                    : 3 * kernel.count();

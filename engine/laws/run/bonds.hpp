@@ -15,7 +15,7 @@
 namespace pantin {
 
 /// Connections of one law, in the order they were made.
-struct Ties {
+struct BondList {
   int count = 2;                                ///< sites of each
   std::vector<std::uint32_t> sites;             ///< (count × connections) one connection after the other
   std::vector<std::vector<double>> parameters;  ///< (parameters of the law × connections), or empty: the same for all
@@ -34,9 +34,9 @@ class Bonds {
 
   /// Takes the connections over, sorted by their first sites: after every edit and whenever sites were put in another
   /// order.
-  void arrange(const Ties& ties, const Sites& sites);
+  void arrange(const BondList& ties, const Sites& sites);
   std::size_t size() const;
-  /// The number in Ties of the kth connection in the order in which they are gone through.
+  /// The number in BondList of the kth connection in the order in which they are gone through.
   std::size_t number(std::size_t k) const;
 
   /// Adds the forces to Sites::force, or to Sites::nonconservative_force for a law without energy; in a box along the shortest
@@ -48,7 +48,7 @@ class Bonds {
   /// Lists the forces of a law of velocity with their derivatives, at Sites::v; tells whether they are linear in it.
   bool list_slopes(const Sites& sites, const Box& box, const Instant& instant, std::span<const double> parameters,
                    std::vector<VelocityPair>& to) const;
-  /// Tension [N] of a connection (its number in Ties) of a central law at the last evaluation, for sites where they
+  /// Tension [N] of a connection (its number in BondList) of a central law at the last evaluation, for sites where they
   /// were then; positive: it pulls. The first call after an evaluation works them out for all.
   double tension(std::size_t connection, const Sites& sites, const Box& box) const;
   /// The same over the distance, which may be 0, [N/m].

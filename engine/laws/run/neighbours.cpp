@@ -16,14 +16,14 @@ namespace {
 constexpr std::size_t least_sites_of_a_slab = 256;
 
 [[noreturn, gnu::cold]] void refuse_pairs(std::size_t count, double cutoff) {
-  refuse(count, " particles have more than ", Rows::most_pairs, " pairs nearer than the cutoff of ", cutoff,
+  refuse(count, " particles have more than ", NeighbourList::most_pairs, " pairs nearer than the cutoff of ", cutoff,
          " m: a shorter cutoff or fewer particles near each other are needed");
 }
 
 }  // namespace
 
 /// What a build needs, kept for the next one.
-struct Rows::Work {
+struct NeighbourList::Work {
   std::vector<std::uint32_t> a, b;  ///< members
   Grid grid;
   Cells cells_a, cells_b;
@@ -121,9 +121,9 @@ class Tiles {
 
 }  // namespace
 
-Rows::Rows() : work_(std::make_unique<Work>()) {}
-Rows::~Rows() = default;
-Rows::Rows(const Rows& other)
+NeighbourList::NeighbourList() : work_(std::make_unique<Work>()) {}
+NeighbourList::~NeighbourList() = default;
+NeighbourList::NeighbourList(const NeighbourList& other)
     : phases_(other.phases_),
       work_(std::make_unique<Work>()),
       pairs_(other.pairs_),
@@ -142,11 +142,12 @@ Rows::Rows(const Rows& other)
       slab.list = of_all ? work_->tiled.data() : slab.own.data();
     }
 }
-Rows::Rows(Rows&&) noexcept = default;
-Rows& Rows::operator=(Rows&&) noexcept = default;
+NeighbourList::NeighbourList(NeighbourList&&) noexcept = default;
+NeighbourList& NeighbourList::operator=(NeighbourList&&) noexcept = default;
 
-void Rows::build(const Sites& sites, const Box& box, std::span<const std::uint32_t> a, std::span<const std::uint32_t> b,
-                 double cutoff, double skin, Workers& workers, const Exclusions& further) {
+void NeighbourList::build(const Sites& sites, const Box& box, std::span<const std::uint32_t> a,
+                          std::span<const std::uint32_t> b, double cutoff, double skin, Workers& workers,
+                          const Exclusions& further) {
   const double half = 0.5 * std::min({box.edge[0], box.edge[1], box.edge[2]});
   require(!box.periodic() || cutoff < infinity, "in a periodic box a law needs a cutoff, of at most half an edge, ",
           half, " m");
@@ -184,7 +185,7 @@ void Rows::build(const Sites& sites, const Box& box, std::span<const std::uint32
     }
 }
 
-void Rows::build_by_cells(const Omitted& omitted, Workers& workers) {
+void NeighbourList::build_by_cells(const Omitted& omitted, Workers& workers) {
   const Sites& sites = omitted.sites;
   Work& work = *work_;
   const std::span<const Vec3> positions(sites.x.data(), sites.n);
@@ -215,7 +216,7 @@ void Rows::build_by_cells(const Omitted& omitted, Workers& workers) {
   for (std::size_t k = 0; k < count; k++) phases_[k % 2].push_back(std::move(work.slabs[k]));
 }
 
-void Rows::build_all(const Omitted& omitted) {
+void NeighbourList::build_all(const Omitted& omitted) {
   Work& work = *work_;
   const std::vector<std::uint32_t>&a = work.a, &b = within_ ? work.a : work.b;
   const auto excludes = [&](std::uint32_t i) { return omitted.has(i); };
@@ -245,7 +246,7 @@ void Rows::build_all(const Omitted& omitted) {
   pairs_ = tiles.pairs();
 }
 
-std::size_t Rows::memory() const {
+std::size_t NeighbourList::memory() const {
   std::size_t bytes = work_->tiled.capacity() * sizeof(std::uint32_t);
   for (const std::vector<Slab>& phase : phases_)
     for (const Slab& slab : phase)

@@ -17,10 +17,10 @@ struct NeighbourRow {
   std::uint32_t site = 0;
   std::uint32_t begin = 0;  ///< in the list of its slab
   std::uint32_t count = 0;  ///< a multiple of 4; filled up with the dummy
-  std::uint32_t shift = 0;  ///< index into Rows::shifts
+  std::uint32_t shift = 0;  ///< index into NeighbourList::shifts
 };
 
-/// Rows that one task goes through, in their order.
+/// NeighbourList that one task goes through, in their order.
 struct Slab {
   std::vector<NeighbourRow> rows;
   AlignedVector<std::uint32_t> own;     ///< neighbours
@@ -30,18 +30,18 @@ struct Slab {
 struct Omitted;
 
 /// All pairs of two sets of families nearer than cutoff + skin, each once.
-class Rows {
+class NeighbourList {
  public:
   /// More pairs than this (2 GiB of memory) are refused.
   static constexpr std::uint64_t most_pairs = std::uint64_t{1} << 29;
   /// As many pairs may be evaluated without a cutoff, where they take no memory.
   static constexpr std::uint64_t most_pairs_uncut = std::uint64_t{1} << 34;
 
-  Rows();
-  ~Rows();
-  Rows(const Rows&);
-  Rows(Rows&&) noexcept;
-  Rows& operator=(Rows&&) noexcept;
+  NeighbourList();
+  ~NeighbourList();
+  NeighbourList(const NeighbourList&);
+  NeighbourList(NeighbourList&&) noexcept;
+  NeighbourList& operator=(NeighbourList&&) noexcept;
 
   /// Pairs within one set (a and b equal) or between two without a common family; with the sets in their order a row's
   /// site is of a. In a box the positions must be wrapped. Throws Error where a position is not finite, the cutoff is longer

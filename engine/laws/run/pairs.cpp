@@ -89,22 +89,24 @@ struct Pairs::Kernel {
   void make_blocks();
 
   bool central() const { return law->kind == LawKind::central; }
-  PairLimits limits(const Rows& rows) const;
+  PairLimits limits(const NeighbourList& rows) const;
   /// Calls each(block, exchanged) for every block of a slab, when the law has been run.
   template <class Each>
-  void run(PairBlock& block, const Sites& sites, const Rows& rows, const Slab& slab, Each each) const;
-  void add_slab(PairBlock& block, Sites& sites, const Rows& rows, const Slab& slab, CompensatedSum* energy) const;
-  double add(std::vector<PairBlock>& blocks, Sites& sites, const Rows& rows, const Instant& instant,
+  void run(PairBlock& block, const Sites& sites, const NeighbourList& rows, const Slab& slab, Each each) const;
+  void add_slab(PairBlock& block, Sites& sites, const NeighbourList& rows, const Slab& slab,
+                CompensatedSum* energy) const;
+  double add(std::vector<PairBlock>& blocks, Sites& sites, const NeighbourList& rows, const Instant& instant,
              std::span<const double> parameters, Workers& shared, bool with_energy);
 };
 
-PairLimits Pairs::Kernel::limits(const Rows& rows) const {
+PairLimits Pairs::Kernel::limits(const NeighbourList& rows) const {
   const double c = rows.cutoff();
   return {c < infinity ? c * c : 1e300, rows.least_distance2()};
 }
 
 template <class Each>
-void Pairs::Kernel::run(PairBlock& block, const Sites& sites, const Rows& rows, const Slab& slab, Each each) const {
+void Pairs::Kernel::run(PairBlock& block, const Sites& sites, const NeighbourList& rows, const Slab& slab,
+                        Each each) const {
   const PairLimits limit = limits(rows);
   const double* radii = law->touching ? sites.attributes[radius].data() : nullptr;
   RowCursor at;
@@ -119,7 +121,7 @@ void Pairs::Kernel::run(PairBlock& block, const Sites& sites, const Rows& rows, 
   }
 }
 
-void Pairs::Kernel::add_slab(PairBlock& block, Sites& sites, const Rows& rows, const Slab& slab,
+void Pairs::Kernel::add_slab(PairBlock& block, Sites& sites, const NeighbourList& rows, const Slab& slab,
                              CompensatedSum* energy) const {
   Vec3* force = law->has_energy() ? sites.force.data() : sites.nonconservative_force.data();
   const Vec3* x = sites.x.data();
@@ -137,8 +139,9 @@ void Pairs::Kernel::add_slab(PairBlock& block, Sites& sites, const Rows& rows, c
   if (energy != nullptr) *energy = sum.total();
 }
 
-double Pairs::Kernel::add(std::vector<PairBlock>& blocks, Sites& sites, const Rows& rows, const Instant& instant,
-                          std::span<const double> parameters, Workers& shared, bool with_energy) {
+double Pairs::Kernel::add(std::vector<PairBlock>& blocks, Sites& sites, const NeighbourList& rows,
+                          const Instant& instant, std::span<const double> parameters, Workers& shared,
+                          bool with_energy) {
   const bool serial = law->called || rows.slots() < serial_slots;
   for (std::size_t k = 0; k < (serial ? 1 : blocks.size()); k++) blocks[k].law.set(instant, parameters);
   CompensatedSum total;
@@ -187,20 +190,20 @@ Pairs::Pairs(const Pairs& other) : kernel_(std::make_unique<Kernel>()) {
 Pairs::Pairs(Pairs&&) noexcept = default;
 Pairs& Pairs::operator=(Pairs&&) noexcept = default;
 
-void Pairs::add_forces(Sites& sites, const Rows& rows, const Instant& instant, std::span<const double> parameters,
-                       Workers& workers) {
+void Pairs::add_forces(Sites& sites, const NeighbourList& rows, const Instant& instant,
+                       std::span<const double> parameters, Workers& workers) {
   if (kernel_->plain.empty()) kernel_->make_blocks();
   kernel_->add(kernel_->plain, sites, rows, instant, parameters, workers, false);
 }
 
-double Pairs::add_forces_and_energy(Sites& sites, const Rows& rows, const Instant& instant,
+double Pairs::add_forces_and_energy(Sites& sites, const NeighbourList& rows, const Instant& instant,
                                     std::span<const double> parameters, Workers& workers) {
   if (kernel_->plain.empty()) kernel_->make_blocks();
   const bool has = kernel_->law->has_energy();
   return kernel_->add(has ? kernel_->energetic : kernel_->plain, sites, rows, instant, parameters, workers, has);
 }
 
-bool Pairs::list_slopes(const Sites& sites, const Rows& rows, const Instant& instant,
+bool Pairs::list_slopes(const Sites& sites, const NeighbourList& rows, const Instant& instant,
                         std::span<const double> parameters, std::vector<VelocityPair>& to) {
   Kernel& kernel = *kernel_;
   if (kernel.sloped.empty()) {
@@ -227,7 +230,7 @@ bool Pairs::list_slopes(const Sites& sites, const Rows& rows, const Instant& ins
   return kernel.linear;
 }
 
-std::optional<BadForce> Pairs::find_bad(const Sites& sites, const Rows& rows, const Instant& instant,
+std::optional<BadForce> Pairs::find_bad(const Sites& sites, const NeighbourList& rows, const Instant& instant,
                                         std::span<const double> parameters) {
   if (kernel_->plain.empty()) kernel_->make_blocks();
   PairBlock& block = kernel_->plain.front();

@@ -33,16 +33,16 @@ class Pairs {
 
   /// Adds the forces to Sites::force, or to Sites::nonconservative_force for a law without energy. A one-sided law within one set
   /// acts both ways, with the roles exchanged.
-  void add_forces(Sites& sites, const Rows& rows, const Instant& instant, std::span<const double> parameters,
+  void add_forces(Sites& sites, const NeighbourList& rows, const Instant& instant, std::span<const double> parameters,
                   Workers& workers);
   /// The same, and gives the energy [J]; 0 for a law without.
-  double add_forces_and_energy(Sites& sites, const Rows& rows, const Instant& instant,
+  double add_forces_and_energy(Sites& sites, const NeighbourList& rows, const Instant& instant,
                                std::span<const double> parameters, Workers& workers);
   /// Lists the forces of a law of velocity with their derivatives, at Sites::v; tells whether they are linear in it.
-  bool list_slopes(const Sites& sites, const Rows& rows, const Instant& instant, std::span<const double> parameters,
-                   std::vector<VelocityPair>& to);
+  bool list_slopes(const Sites& sites, const NeighbourList& rows, const Instant& instant,
+                   std::span<const double> parameters, std::vector<VelocityPair>& to);
   /// The first pair whose force is not finite. Slow: for a message.
-  std::optional<BadForce> find_bad(const Sites& sites, const Rows& rows, const Instant& instant,
+  std::optional<BadForce> find_bad(const Sites& sites, const NeighbourList& rows, const Instant& instant,
                                    std::span<const double> parameters);
 
  private:

@@ -179,7 +179,7 @@ std::uint64_t Scanner::add_line(Slab& slab, std::size_t number) {
     move_on(a_.cells[c].at);
     for (std::uint32_t k = a_.cells[c].begin; k < a_.cells[c + 1].begin; k++) {
       pairs += add_site(slab, k);
-      if (slab.own.size() > Rows::most_pairs) return Rows::most_pairs + 1;
+      if (slab.own.size() > NeighbourList::most_pairs) return NeighbourList::most_pairs + 1;
     }
   }
   return pairs;

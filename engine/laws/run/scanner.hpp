@@ -31,7 +31,7 @@ class Scanner {
           const Vec3* shifts)
       : omitted_(omitted), grid_(grid), a_(a), b_(b), within_(within), reach2_(reach * reach), shifts_(shifts) {}
 
-  /// Adds the rows of a line of `a`; gives the number of pairs, or one more than Rows::most_pairs when they are more.
+  /// Adds the rows of a line of `a`; gives the number of pairs, or one more than NeighbourList::most_pairs when they are more.
   std::uint64_t add_line(Slab& slab, std::size_t line);
 
  private:

@@ -1,4 +1,4 @@
-#include "articulates/build/links.hpp"
+#include "articulates/build/edges.hpp"
 
 #include <algorithm>
 
@@ -10,8 +10,8 @@ namespace {
 
 class Finder {
  public:
-  Finder(const Model& model, TiesOf which, std::vector<Tie>& ties)
-      : model_(model), which_(which), ties_(ties), begin_(ties.size()) {}
+  Finder(const Model& model, EdgesOf which, std::vector<Edge>& edges)
+      : model_(model), which_(which), edges_(edges), begin_(edges.size()) {}
 
   void visit(Thing t) {
     if (!t.is_body) return visit(model_.points.id_at(t.slot));
@@ -22,11 +22,11 @@ class Finder {
 
  private:
   const Model& model_;
-  const TiesOf which_;
-  std::vector<Tie>& ties_;
+  const EdgesOf which_;
+  std::vector<Edge>& edges_;
   const std::size_t begin_;
 
-  bool wanted(bool listed_here) const { return listed_here || which_ == TiesOf::all; }
+  bool wanted(bool listed_here) const { return listed_here || which_ == EdgesOf::all; }
 
   void visit(PointId id) {
     const Point& point = model_.points[id];
@@ -34,7 +34,7 @@ class Finder {
     const bool is_first = ring.points.front() == id;
     if (ring.joins() && wanted(is_first)) add_hinge(ring, star(model_, point.particle));
     for (ConstraintId c : point.constraints) add(c, model_.constraints[c].a == id);
-    if (which_ == TiesOf::all)  // the star is pulled by what ties other members too
+    if (which_ == EdgesOf::all)  // the star is pulled by what edges other members too
       for (PointId member : ring.points) visit_connections(model_.points[member].own);
     else
       visit_connections(point.own);
@@ -49,16 +49,16 @@ class Finder {
     }
   }
 
-  void tie_a(Tie& tie, PointId point) const {
-    tie.a = node_of(model_, holder(model_, point));
-    tie.la = model_.plane.along(arm(model_, point));
+  void edge_a(Edge& edge, PointId point) const {
+    edge.a = node_of(model_, holder(model_, point));
+    edge.la = model_.plane.along(arm(model_, point));
   }
-  void tie_b(Tie& tie, PointId point) const {
-    tie.b = node_of(model_, holder(model_, point));
-    tie.lb = model_.plane.along(arm(model_, point));
+  void edge_b(Edge& edge, PointId point) const {
+    edge.b = node_of(model_, holder(model_, point));
+    edge.lb = model_.plane.along(arm(model_, point));
   }
   /// A position or an axis in the frame of a body, in principal axes of its node.
-  std::int32_t tie(BodyId id, Vec3 v, bool is_axis, Vec3& arm) const {
+  std::int32_t edge(BodyId id, Vec3 v, bool is_axis, Vec3& arm) const {
     const Body& body = model_.bodies[id];
     const Vec3 turned = rotate(conjugate(body.axes), is_axis ? v : v - body.centre);
     arm = is_axis ? model_.plane.axis(turned) : model_.plane.along(turned);
@@ -68,60 +68,61 @@ class Finder {
   void add_hinge(const Particle& ring, PointId centre) {
     for (PointId member : ring.points) {
       if (member == centre) continue;
-      Tie tie;
-      tie.may_break = ring.breaks_at.possible();
-      tie_a(tie, member);
-      tie_b(tie, centre);
-      tie.member = member;
-      tie.centre = centre;
-      ties_.push_back(tie);
+      Edge edge;
+      edge.may_break = ring.breaks_at.possible();
+      edge_a(edge, member);
+      edge_b(edge, centre);
+      edge.member = member;
+      edge.centre = centre;
+      edges_.push_back(edge);
     }
   }
 
   /// Whether something found from another of its ends is there already.
   template <class Is>
   bool found(Is is) const {
-    return which_ == TiesOf::all && std::any_of(ties_.begin() + static_cast<std::ptrdiff_t>(begin_), ties_.end(), is);
+    return which_ == EdgesOf::all &&
+           std::any_of(edges_.begin() + static_cast<std::ptrdiff_t>(begin_), edges_.end(), is);
   }
 
   void add(ConstraintId id, bool listed_here) {
     const Constraint& c = model_.constraints[id];
-    if (!c.enabled || !wanted(listed_here) || found([&](const Tie& tie) { return tie.constraint == id; })) return;
+    if (!c.enabled || !wanted(listed_here) || found([&](const Edge& edge) { return edge.constraint == id; })) return;
     for (const RowPlan& plan : plan_rows(model_, c)) {
-      Tie row;
+      Edge row;
       row.kind = plan.kind;
       row.angular = plan.angular;
       row.may_break = c.breaks_at.possible();
       row.index = plan.index;
       row.constraint = id;
-      if (plan.point_a) tie_a(row, plan.point_a);
-      if (plan.point_b) tie_b(row, plan.point_b);
-      if (plan.body_a) row.a = tie(plan.body_a, plan.arm_a, plan.angular, row.la);
-      if (plan.body_b) row.b = tie(plan.body_b, plan.arm_b, plan.angular, row.lb);
-      ties_.push_back(row);
+      if (plan.point_a) edge_a(row, plan.point_a);
+      if (plan.point_b) edge_b(row, plan.point_b);
+      if (plan.body_a) row.a = edge(plan.body_a, plan.arm_a, plan.angular, row.la);
+      if (plan.body_b) row.b = edge(plan.body_b, plan.arm_b, plan.angular, row.lb);
+      edges_.push_back(row);
     }
   }
 
   /// Between the points at which its rings are pulled.
   void add(ConnectionId id, const Connection& c) {
-    if (found([&](const Tie& tie) { return tie.connection == id; })) return;
+    if (found([&](const Edge& edge) { return edge.connection == id; })) return;
     const bool swapped = !c.particles[0];  // a position of the world is always the second end
     const ParticleId a = c.particles[swapped ? 1 : 0], b = c.particles[swapped ? 0 : 1];
     if (b && holder(model_, star(model_, a)) == holder(model_, star(model_, b))) return;  // nothing can move
-    Tie tie;
-    tie.kind = RowKind::stiff;
-    tie.connection = id;
-    tie.solve = c.solve;
-    tie_a(tie, star(model_, a));
-    if (b) tie_b(tie, star(model_, b));
-    ties_.push_back(tie);
+    Edge edge;
+    edge.kind = RowKind::stiff;
+    edge.connection = id;
+    edge.solve = c.solve;
+    edge_a(edge, star(model_, a));
+    if (b) edge_b(edge, star(model_, b));
+    edges_.push_back(edge);
   }
 };
 
 }  // namespace
 
-void find_ties(const Model& model, Thing thing, TiesOf which, std::vector<Tie>& ties) {
-  Finder(model, which, ties).visit(thing);
+void find_edges(const Model& model, Thing thing, EdgesOf which, std::vector<Edge>& edges) {
+  Finder(model, which, edges).visit(thing);
 }
 
 Thing holder(const Model& model, PointId point) {

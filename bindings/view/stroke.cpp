@@ -1,17 +1,17 @@
-#include "view/swipe.hpp"
+#include "view/stroke.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "view/draw_list.hpp"
 #include "view/pick.hpp"
-#include "view/sketch.hpp"
 
 namespace pantin {
 
 namespace {
 
-constexpr double click_reach = 24.0, tie_reach = 9.0, swipe_reach = 6.0;  // [px]
+constexpr double click_reach = 24.0, tie_reach = 9.0, stroke_reach = 6.0;  // [px]
 
 struct Spot {
   double x = 0.0, y = 0.0;  // [px]
@@ -51,22 +51,22 @@ void each_cuttable(const World& world, const Visit& visit) {
 }
 
 /// Pixels between a stroke and a line of the world; infinite where that is not seen. Of a string all parts count.
-double distance_to(const Sight& sight, const AnyId& thing, const Stroke& stroke) {
+double distance_to(const Viewport& viewport, const AnyId& thing, const Stroke& stroke) {
   const auto to_line = [&](Vec3 from, Vec3 to) {
-    const auto a = sight.project(from), b = sight.project(to);
+    const auto a = viewport.project(from), b = viewport.project(to);
     if (!a || !b) return std::numeric_limits<double>::infinity();
     return distance({stroke.x0, stroke.y0}, {stroke.x1, stroke.y1}, {a->x, a->y}, {b->x, b->y});
   };
   const auto* id = std::get_if<ConstraintId>(&thing);
-  if (id && sight.world.constraints[*id].kind == ConstraintKind::string) {
-    const auto& passages = sight.world.constraints[*id].passages;
-    const auto place = [&](const Passage& p) { return p.point ? position(sight.world, p.point) : p.position; };
+  if (id && viewport.world.constraints[*id].kind == ConstraintKind::string) {
+    const auto& passages = viewport.world.constraints[*id].passages;
+    const auto place = [&](const Passage& p) { return p.point ? position(viewport.world, p.point) : p.position; };
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i < passages.size(); i++)
       least = std::min(least, to_line(place(passages[i - 1]), place(passages[i])));
     return least;
   }
-  const Seen seen = seen_place(sight.world, thing);
+  const Seen seen = seen_place(viewport.world, thing);
   return to_line(seen.from, seen.to);
 }
 
@@ -122,15 +122,15 @@ Seen seen_place(const World& world, const AnyId& thing) {
   return {a, c.b ? position(world, c.b) + shift : c.position + shift, true};
 }
 
-std::vector<AnyId> cuttable(const Sight& sight, const Stroke& stroke) {
+std::vector<AnyId> cuttable(const Viewport& viewport, const Stroke& stroke) {
   const bool click = stroke.x0 == stroke.x1 && stroke.y0 == stroke.y1;
   std::vector<AnyId> found;
   double best = std::numeric_limits<double>::infinity();
-  each_cuttable(sight.world, [&](const AnyId& thing) {
-    const bool tie = seen_place(sight.world, thing).tie;
-    const double away = distance_to(sight, thing, stroke);
+  each_cuttable(viewport.world, [&](const AnyId& thing) {
+    const bool tie = seen_place(viewport.world, thing).tie;
+    const double away = distance_to(viewport, thing, stroke);
     if (!click) {
-      if (away <= (tie ? 0.0 : swipe_reach)) found.push_back(thing);
+      if (away <= (tie ? 0.0 : stroke_reach)) found.push_back(thing);
       return;
     }
     // What is small wins against the lines that end in it.
@@ -142,19 +142,19 @@ std::vector<AnyId> cuttable(const Sight& sight, const Stroke& stroke) {
   return found;
 }
 
-BodyId pick_body(const Sight& sight, double x, double y, double reach) {
+BodyId pick_body(const Viewport& viewport, double x, double y, double reach) {
   BodyId found;
   double best = reach, depth = std::numeric_limits<double>::infinity();
   std::vector<Spot> spots;
-  for (std::uint32_t s = 0; s < sight.world.bodies.slots(); s++) {
-    if (!sight.world.bodies.alive_at(s)) continue;
-    const BodyId id = sight.world.bodies.id_at(s);
-    const Vec3 centre = sight.world.motion[s].x;
-    const auto middle = sight.project(centre + image_shift(sight.world, centre));
+  for (std::uint32_t s = 0; s < viewport.world.bodies.slots(); s++) {
+    if (!viewport.world.bodies.alive_at(s)) continue;
+    const BodyId id = viewport.world.bodies.id_at(s);
+    const Vec3 centre = viewport.world.motion[s].x;
+    const auto middle = viewport.project(centre + image_shift(viewport.world, centre));
     if (!middle) continue;
     spots = {{middle->x, middle->y}};
-    for (PointId p : sight.world.bodies[id].points)
-      if (const auto seen = sight.project(shown_place(sight.world, p))) spots.push_back({seen->x, seen->y});
+    for (PointId p : viewport.world.bodies[id].points)
+      if (const auto seen = viewport.project(shown_place(viewport.world, p))) spots.push_back({seen->x, seen->y});
     const double away = distance_to_outline(spots, {x, y});
     if (away > best || (away == best && middle->depth >= depth)) continue;
     best = away;
@@ -164,29 +164,31 @@ BodyId pick_body(const Sight& sight, double x, double y, double reach) {
   return found;
 }
 
-PointId pick_held(const Sight& sight, double x, double y) {
-  if (const PointId point = pick_point(sight.world, sight.stage, sight.camera, x, y, sight.width, sight.height))
+PointId pick_held(const Viewport& viewport, double x, double y) {
+  if (const PointId point =
+          pick_point(viewport.world, viewport.stage, viewport.camera, x, y, viewport.width, viewport.height))
     return point;
-  const BodyId body = pick_body(sight, x, y);
+  const BodyId body = pick_body(viewport, x, y);
   PointId found;
   double best = std::numeric_limits<double>::infinity();
   if (!body) return found;
-  for (PointId p : sight.world.bodies[body].points) {
-    const auto seen = sight.project(shown_place(sight.world, p));
+  for (PointId p : viewport.world.bodies[body].points) {
+    const auto seen = viewport.project(shown_place(viewport.world, p));
     const double away = seen ? std::hypot(seen->x - x, seen->y - y) : best;
     if (away < best) best = away, found = p;
   }
   return found;
 }
 
-AnyId pick_thing(const Sight& sight, double x, double y) {
-  if (const BodyId body = pick_body(sight, x, y, 6.0)) return body;
-  const PointId point = pick_point(sight.world, sight.stage, sight.camera, x, y, sight.width, sight.height, 14.0);
-  if (point && !sight.world.points[point].body) return sight.world.points[point].own;
-  if (const std::vector<AnyId> ties = cuttable(sight, {x, y, x, y});
-      !ties.empty() && seen_place(sight.world, ties[0]).tie)
+AnyId pick_thing(const Viewport& viewport, double x, double y) {
+  if (const BodyId body = pick_body(viewport, x, y, 6.0)) return body;
+  const PointId point =
+      pick_point(viewport.world, viewport.stage, viewport.camera, x, y, viewport.width, viewport.height, 14.0);
+  if (point && !viewport.world.points[point].body) return viewport.world.points[point].own;
+  if (const std::vector<AnyId> ties = cuttable(viewport, {x, y, x, y});
+      !ties.empty() && seen_place(viewport.world, ties[0]).tie)
     return ties[0];
-  if (const BodyId body = pick_body(sight, x, y)) return body;
+  if (const BodyId body = pick_body(viewport, x, y)) return body;
   return {};
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What ties a body or a free point to others, as rows still to be made.
+// What edges a body or a free point to others, as rows still to be made.
 #include <vector>
 
 #include "articulates/articulate.hpp"
@@ -8,7 +8,7 @@
 namespace pantin {
 
 /// A row that a hinge, a constraint or a solved connection wants; its nodes as the model tells them at present.
-struct Tie {
+struct Edge {
   RowKind kind = RowKind::rigid;
   bool angular = false;
   bool may_break = false;
@@ -21,10 +21,10 @@ struct Tie {
   Vec3 la = zero3(), lb = zero3();  // arms, or axes, in principal axes
 };
 
-/// Each tie is `listed` by one of the things that it concerns, so that all things list all ties once.
-enum class TiesOf : std::uint8_t { listed, all };
-/// Adds the ties of a thing.
-void find_ties(const Model& model, Thing thing, TiesOf which, std::vector<Tie>& ties);
+/// Each edge is `listed` by one of the things that it concerns, so that all things list all edges once.
+enum class EdgesOf : std::uint8_t { listed, all };
+/// Adds the edges of a thing.
+void find_edges(const Model& model, Thing thing, EdgesOf which, std::vector<Edge>& edges);
 
 /// The body of a point, or the point itself.
 Thing holder(const Model& model, PointId point);

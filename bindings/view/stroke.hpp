@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "view/sight.hpp"
+#include "view/viewport.hpp"
 
 namespace pantin {
 
@@ -12,7 +12,7 @@ struct Stroke {
 
 /// Hinges, nails, rods, strings, joins and connections that a stroke crosses; of those at its click's place the nearest.
 /// What hands hold by is not among them.
-std::vector<AnyId> cuttable(const Sight& sight, const Stroke& stroke);
+std::vector<AnyId> cuttable(const Viewport& viewport, const Stroke& stroke);
 /// Where such a thing is seen: one place of a hinge or nail, the two ends of a tie [m].
 struct Seen {
   Vec3 from = zero3(), to = zero3();
@@ -21,10 +21,10 @@ struct Seen {
 Seen seen_place(const World& world, const AnyId& thing);
 
 /// The body whose outline a pixel is in or at most `reach` [px] from; the nearest to the eye of several. Null: none.
-BodyId pick_body(const Sight& sight, double x, double y, double reach = 12.0);
+BodyId pick_body(const Viewport& viewport, double x, double y, double reach = 12.0);
 /// What one can take hold of at a pixel: as `pick_point`, or else the seen point of the body there that is nearest.
-PointId pick_held(const Sight& sight, double x, double y);
+PointId pick_held(const Viewport& viewport, double x, double y);
 /// The body, free particle, connection or constraint at a pixel, or nothing.
-AnyId pick_thing(const Sight& sight, double x, double y);
+AnyId pick_thing(const Viewport& viewport, double x, double y);
 
 }  // namespace pantin

@@ -6,7 +6,7 @@
 namespace pantin {
 
 /// What a person sees: a world, through a camera, in a picture of that size [px].
-struct Sight {
+struct Viewport {
   const World& world;
   const Stage& stage;
   const Camera& camera;

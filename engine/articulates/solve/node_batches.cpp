@@ -1,4 +1,4 @@
-#include "articulates/solve/batches.hpp"
+#include "articulates/solve/node_batches.hpp"
 
 #include <algorithm>
 

@@ -47,11 +47,11 @@ ConstraintId add_join(World& world, PointId a, PointId b, const JoinDef& def) {
   require_in_plane(world, c);
   start_constraint(world, c);
   const ConstraintId holder = add_holder(world, a, def);
-  c.joining = std::make_shared<Joining>();
-  c.joining->holder = holder;
-  c.joining->on_met = def.on_met;
-  c.joining->hinge_name = def.name;
-  c.joining->label = world.who ? world.who() : "";
+  c.progress = std::make_shared<JoinProgress>();
+  c.progress->holder = holder;
+  c.progress->on_met = def.on_met;
+  c.progress->hinge_name = def.name;
+  c.progress->label = world.who ? world.who() : "";
   return insert_constraint(world, std::move(c));
 }
 

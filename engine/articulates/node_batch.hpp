@@ -3,7 +3,7 @@
 // are in world axes here: with α = R0 a, R1 = cay(α) R0, and R0 drops out of the equations.
 #include <cstdint>
 
-#include "base/batch.hpp"
+#include "base/vectors4.hpp"
 
 namespace pantin {
 

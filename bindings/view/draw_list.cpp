@@ -1,4 +1,4 @@
-#include "view/sketch.hpp"
+#include "view/draw_list.hpp"
 
 #include <algorithm>
 #include <array>
@@ -34,7 +34,7 @@ Rgb mix(Rgb a, Rgb b, float part) {
 }
 Float3 floats(Vec3 v) { return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])}; }
 
-void include(Sketch& s, Float3 p, float r) {
+void include(DrawList& s, Float3 p, float r) {
   s.lower = {std::min(s.lower.x, p.x - r), std::min(s.lower.y, p.y - r), std::min(s.lower.z, p.z - r)};
   s.upper = {std::max(s.upper.x, p.x + r), std::max(s.upper.y, p.y + r), std::max(s.upper.z, p.z + r)};
 }
@@ -63,7 +63,7 @@ double mass_of(const World& world) {
 
 }  // namespace
 
-struct Sketcher::Eye {
+struct DrawListMaker::Eye {
   Vec3 at, forward;
   double unit;   // [m]
   double pixel;  // size of a pixel at distance 1
@@ -74,12 +74,12 @@ struct Sketcher::Eye {
   float radius(double r, Vec3 p, double least) const {
     return static_cast<float>(std::max(r / unit, least * pixel * std::max(dot(p - at, forward) / unit, 0.0)));
   }
-  void ball(Sketch& s, Vec3 p, double r, double least, Rgb color, Sketch::Style style, Rgb second) const {
+  void ball(DrawList& s, Vec3 p, double r, double least, Rgb color, DrawList::Style style, Rgb second) const {
     const float radius_of = radius(r, p, least);
     s.balls.push_back({place(p), radius_of, color, static_cast<float>(style), second});
     include(s, place(p), radius_of);
   }
-  void bar(Sketch& s, Vec3 a, Vec3 b, double r, double least, Rgb color, bool unlit = false) const {
+  void bar(DrawList& s, Vec3 a, Vec3 b, double r, double least, Rgb color, bool unlit = false) const {
     const float radius_of = radius(r, dot(a - at, forward) < dot(b - at, forward) ? a : b, least);
     s.bars.push_back({place(a), radius_of, place(b), unlit ? 1.0f : 0.0f, color});
     if (unlit) return;
@@ -90,13 +90,13 @@ struct Sketcher::Eye {
 
 namespace {
 
-// The outline of an egg's shadow: the ellipse to which the light projects its half axes.
-void shade_egg(Sketch& s, const Sketch::Egg& egg, float level) {
+// The outline of an ellipsoid's shadow: the ellipse to which the light projects its half axes.
+void shade_ellipsoid(DrawList& s, const DrawList::Ellipsoid& ellipsoid, float level) {
   constexpr int corners = 28;
   const Vec3 light = key_light();
   const float lx = static_cast<float>(light[0] / light[1]), lz = static_cast<float>(light[2] / light[1]);
   float xx = 0.0f, xz = 0.0f, zz = 0.0f;
-  for (const Float3 a : {egg.x, egg.y, egg.z}) {
+  for (const Float3 a : {ellipsoid.x, ellipsoid.y, ellipsoid.z}) {
     const float px = a.x - lx * a.y, pz = a.z - lz * a.y;
     xx += px * px;
     xz += px * pz;
@@ -104,10 +104,12 @@ void shade_egg(Sketch& s, const Sketch::Egg& egg, float level) {
   }
   const float l = std::sqrt(std::max(xx, 1e-30f)), m = xz / l, n = std::sqrt(std::max(zz - m * m, 0.0f));
   // Dark within, fading across its rim.
-  const float high = std::max(egg.at.y - level, 0.0f), soft = std::min(0.9f, 0.08f + 0.10f * high / std::max(l, 1e-9f));
+  const float high = std::max(ellipsoid.at.y - level, 0.0f),
+              soft = std::min(0.9f, 0.08f + 0.10f * high / std::max(l, 1e-9f));
   const auto at = [&](float angle, float part, float dark) {
     const float c = std::cos(angle) * part, d = std::sin(angle) * part;
-    s.shades.push_back({{egg.at.x + l * c, egg.at.y, egg.at.z + m * c + n * d}, {}, {dark, dark, dark}});
+    s.shades.push_back(
+        {{ellipsoid.at.x + l * c, ellipsoid.at.y, ellipsoid.at.z + m * c + n * d}, {}, {dark, dark, dark}});
   };
   for (int i = 0; i < corners; i++) {
     const float a = 6.2831853f * static_cast<float>(i) / corners, b = 6.2831853f * static_cast<float>(i + 1) / corners;
@@ -143,32 +145,32 @@ double drawn_radius(const World& world, PointId id, const Stage& stage) {
   return given > 0.0 && given < stage.size ? given : 0.1 * stage.unit;
 }
 
-void Sketcher::draw(const World& world, const Camera& camera, const Stage& stage, const Overlay& overlay, int height,
-                    Sketch& sketch) {
-  sketch.balls.clear();
-  sketch.bars.clear();
-  sketch.eggs.clear();
-  sketch.corners.clear();
-  sketch.shades.clear();
-  sketch.glows.clear();
-  sketch.streaks.clear();
-  sketch.lower = {1e30f, 1e30f, 1e30f};
-  sketch.upper = {-1e30f, -1e30f, -1e30f};
+void DrawListMaker::draw(const World& world, const Camera& camera, const Stage& stage, const Overlay& overlay,
+                         int height, DrawList& draw_list) {
+  draw_list.balls.clear();
+  draw_list.bars.clear();
+  draw_list.ellipsoids.clear();
+  draw_list.corners.clear();
+  draw_list.shades.clear();
+  draw_list.glows.clear();
+  draw_list.streaks.clear();
+  draw_list.lower = {1e30f, 1e30f, 1e30f};
+  draw_list.upper = {-1e30f, -1e30f, -1e30f};
   const Eye eye{camera.eye(), camera.forward(), camera.distance, 2.0 * std::tan(0.5 * camera.fov) / height};
   joints_.assign(world.particles.slots(), 0.0f);
   tints_.update(world, overlay.views, stage.size);
   find_loads(world, overlay.views, stage);
   if (overlay.views.on(View::bodies)) {
     for (std::uint32_t s = 0; s < world.bodies.slots(); s++)
-      if (world.bodies.alive_at(s)) draw_body(world, world.bodies.id_at(s), eye, stage, sketch);
-    draw_particles(world, eye, stage, sketch);
+      if (world.bodies.alive_at(s)) draw_body(world, world.bodies.id_at(s), eye, stage, draw_list);
+    draw_particles(world, eye, stage, draw_list);
   }
-  draw_constraints(world, eye, stage, sketch);
-  draw_connections(world, eye, stage, sketch);
-  draw_breaks(world, eye, stage, overlay.pace, sketch);
+  draw_constraints(world, eye, stage, draw_list);
+  draw_connections(world, eye, stage, draw_list);
+  draw_breaks(world, eye, stage, overlay.pace, draw_list);
 }
 
-void Sketcher::draw_body(const World& world, BodyId id, const Eye& eye, const Stage& stage, Sketch& sketch) {
+void DrawListMaker::draw_body(const World& world, BodyId id, const Eye& eye, const Stage& stage, DrawList& draw_list) {
   const Shape& shape = shapes_.of(world, id, stage);
   const Vec3 at = origin(world, id) + image_shift(world, world.motion_of(id).x);
   const Mat3 turn = matrix(orientation(world, id));
@@ -177,21 +179,21 @@ void Sketcher::draw_body(const World& world, BodyId id, const Eye& eye, const St
   const Rgb color = linear(tint.value_or(shape.color)), light = mix(color, linear(paper), 0.75f);
   for (const Shape::Bar& b : shape.bars) {
     const Vec3 from = at + turn * b.from, to = at + turn * b.to;
-    eye.bar(sketch, from, to, b.radius, std::clamp(0.1 * norm(to - from) / eye.pixel_at(from), 0.8, 2.4), color);
+    eye.bar(draw_list, from, to, b.radius, std::clamp(0.1 * norm(to - from) / eye.pixel_at(from), 0.8, 2.4), color);
   }
   for (const Shape::Ball& b : shape.balls)
-    eye.ball(sketch, at + turn * b.at, b.radius, 1.0, linear(tint.value_or(b.color)), Sketch::plain, {});
-  for (const Shape::Egg& e : shape.eggs) {
+    eye.ball(draw_list, at + turn * b.at, b.radius, 1.0, linear(tint.value_or(b.color)), DrawList::plain, {});
+  for (const Shape::Ellipsoid& e : shape.ellipsoids) {
     const Mat3 axes = turn * e.axes;
-    sketch.eggs.push_back({eye.place(at + turn * e.at), floats(axes[0] / eye.unit), floats(axes[1] / eye.unit),
-                           floats(axes[2] / eye.unit), color, light});
+    draw_list.ellipsoids.push_back({eye.place(at + turn * e.at), floats(axes[0] / eye.unit), floats(axes[1] / eye.unit),
+                                    floats(axes[2] / eye.unit), color, light});
     const double most = std::max({norm(axes[0]), norm(axes[1]), norm(axes[2])});
-    include(sketch, eye.place(at + turn * e.at), static_cast<float>(most / eye.unit));
-    shade_egg(sketch, sketch.eggs.back(), static_cast<float>((stage.ground - eye.at[1]) / eye.unit));
+    include(draw_list, eye.place(at + turn * e.at), static_cast<float>(most / eye.unit));
+    shade_ellipsoid(draw_list, draw_list.ellipsoids.back(), static_cast<float>((stage.ground - eye.at[1]) / eye.unit));
   }
   for (const Shape::Corner& c : shape.corners) {
-    sketch.corners.push_back({eye.place(at + turn * c.at), floats(turn * c.normal), color});
-    include(sketch, sketch.corners.back().at, 0.0f);
+    draw_list.corners.push_back({eye.place(at + turn * c.at), floats(turn * c.normal), color});
+    include(draw_list, draw_list.corners.back().at, 0.0f);
   }
   const std::vector<PointId>& points = world.bodies[id].points;
   for (std::size_t i = 0; i < points.size(); i++) {
@@ -200,7 +202,7 @@ void Sketcher::draw_body(const World& world, BodyId id, const Eye& eye, const St
   }
 }
 
-void Sketcher::draw_particles(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch) {
+void DrawListMaker::draw_particles(const World& world, const Eye& eye, const Stage& stage, DrawList& draw_list) {
   const Rgb cream = linear(paper), dark = linear(deep);
   appearance_.update(world);
   for (std::uint32_t s = 0; s < world.particles.slots(); s++) {
@@ -211,7 +213,7 @@ void Sketcher::draw_particles(const World& world, const Eye& eye, const Stage& s
     const Vec3 place = position(world, world.particles.id_at(s)), at = place + image_shift(world, place);
     if (!finite(at)) continue;
     if (!particle.is_hinge()) {
-      draw_free(world, s, at, eye, stage, sketch);
+      draw_free(world, s, at, eye, stage, draw_list);
       continue;
     }
     const double joint = joints_[s] > 0.0f ? static_cast<double>(joints_[s]) * stage.unit : 0.05 * stage.unit;
@@ -221,17 +223,17 @@ void Sketcher::draw_particles(const World& world, const Eye& eye, const Stage& s
     // A colour that is not just its first point's was meant.
     const bool own = particle.color && !(*particle.color == first.color);
     const auto tint = tints_.of_particle(s);
-    eye.ball(sketch, at, radius, std::min(3.8, 2.2 * joint / pixel),
+    eye.ball(draw_list, at, radius, std::min(3.8, 2.2 * joint / pixel),
              tint  ? linear(*tint)
              : own ? linear(*particle.color)
                    : cream,
-             Sketch::hinge, by_load(dark, load_of(world, particle)));
+             DrawList::hinge, by_load(dark, load_of(world, particle)));
   }
 }
 
 /// A free particle, as its look says.
-void Sketcher::draw_free(const World& world, std::uint32_t slot, Vec3 at, const Eye& eye, const Stage& stage,
-                         Sketch& sketch) {
+void DrawListMaker::draw_free(const World& world, std::uint32_t slot, Vec3 at, const Eye& eye, const Stage& stage,
+                              DrawList& draw_list) {
   const Particle& particle = world.particles.at_slot(slot);
   const PointId point = particle.points[0];
   Color color = appearance_.color(slot).value_or(particle.color.value_or(world.points[point].color));
@@ -240,7 +242,7 @@ void Sketcher::draw_free(const World& world, std::uint32_t slot, Vec3 at, const 
   if (followed && !(*followed > 0.0)) return;
   const double radius = followed ? *followed : drawn_radius(world, point, stage);
   const Look look = look_of(world, particle);
-  if (look == Look::ball) return eye.ball(sketch, at, radius, 1.0, linear(color), Sketch::plain, {});
+  if (look == Look::ball) return eye.ball(draw_list, at, radius, 1.0, linear(color), DrawList::plain, {});
   // What is thinner than a pixel is drawn as wide as one, and fainter.
   const double pixel = eye.pixel_at(at), least = std::max(radius, (look == Look::glow ? 1.2 : 0.8) * pixel);
   const double fainter = look == Look::glow ? (radius / least) * (radius / least) : radius / least;
@@ -248,53 +250,54 @@ void Sketcher::draw_free(const World& world, std::uint32_t slot, Vec3 at, const 
   if (!(opacity > 0.002f)) return;
   const Rgb shown = {color.r, color.g, color.b};
   const auto width = static_cast<float>(least / eye.unit);
-  if (look == Look::glow) return sketch.glows.push_back({eye.place(at), width, shown, opacity});
+  if (look == Look::glow) return draw_list.glows.push_back({eye.place(at), width, shown, opacity});
   Vec3 trail = velocity(world, point) * streak_time;
   if (const double length = norm(trail); length > 0.25 * stage.size) trail *= 0.25 * stage.size / length;
-  sketch.streaks.push_back({eye.place(at), width, eye.place(at - trail), shown, opacity});
+  draw_list.streaks.push_back({eye.place(at), width, eye.place(at - trail), shown, opacity});
 }
 
-void Sketcher::draw_path(const Path& path, const Eye& eye, const Stage& stage, Sketch& sketch) {
+void DrawListMaker::draw_path(const Path& path, const Eye& eye, const Stage& stage, DrawList& draw_list) {
   const int parts = (path.smooth() ? 12 : 1) * static_cast<int>(path.pieces());
   for (int i = 0; i < parts; i++) {
     const double scale = path.pieces() / parts;
-    eye.bar(sketch, path.position(i * scale), path.position((i + 1) * scale), 0.012 * stage.unit, 0.8, linear(iron));
+    eye.bar(draw_list, path.position(i * scale), path.position((i + 1) * scale), 0.012 * stage.unit, 0.8, linear(iron));
   }
 }
 
 /// A square in the plane, round the point that is on it.
-void Sketcher::draw_plane(Vec3 at, Vec3 normal, const Eye& eye, const Stage& stage, Sketch& sketch) {
+void DrawListMaker::draw_plane(Vec3 at, Vec3 normal, const Eye& eye, const Stage& stage, DrawList& draw_list) {
   const Vec3 u =
       direction(cross(normal, std::fabs(normal[0]) < 0.7 ? vec(1, 0, 0) : vec(0, 1, 0))) * (0.4 * stage.unit);
   const Vec3 v = cross(normal, u);
   const Vec3 corners[] = {at + u + v, at - u + v, at - u - v, at + u - v};
-  for (int i = 0; i < 4; i++) eye.bar(sketch, corners[i], corners[(i + 1) % 4], 0.0, 0.6, linear(thread));
+  for (int i = 0; i < 4; i++) eye.bar(draw_list, corners[i], corners[(i + 1) % 4], 0.0, 0.6, linear(thread));
 }
 
 /// Strings, paths, planes, joins and limits of length; false for other constraints.
-bool Sketcher::draw_guide(const World& world, const Constraint& c, const Eye& eye, const Stage& stage,
-                          Sketch& sketch) const {
+bool DrawListMaker::draw_guide(const World& world, const Constraint& c, const Eye& eye, const Stage& stage,
+                               DrawList& draw_list) const {
   const Rgb tie = by_load(linear(thread), c.tension);
   switch (c.kind) {
     case ConstraintKind::string: {
       const auto place = [&](const Passage& p) { return p.point ? position(world, p.point) : p.position; };
       for (std::size_t i = 1; i < c.passages.size(); i++)
-        eye.bar(sketch, place(c.passages[i - 1]), place(c.passages[i]), 0.01 * stage.unit, 0.7, tie);
+        eye.bar(draw_list, place(c.passages[i - 1]), place(c.passages[i]), 0.01 * stage.unit, 0.7, tie);
       for (const Passage& p : c.passages)
-        if (!p.point) eye.ball(sketch, p.position, 0.05 * stage.unit, 2.5, linear(iron), Sketch::hinge, linear(iron));
+        if (!p.point)
+          eye.ball(draw_list, p.position, 0.05 * stage.unit, 2.5, linear(iron), DrawList::hinge, linear(iron));
       return true;
     }
-    case ConstraintKind::on_path: draw_path(*c.path, eye, stage, sketch); return true;
-    case ConstraintKind::on_plane: draw_plane(position(world, c.a), c.axis_a, eye, stage, sketch); return true;
+    case ConstraintKind::on_path: draw_path(*c.path, eye, stage, draw_list); return true;
+    case ConstraintKind::on_plane: draw_plane(position(world, c.a), c.axis_a, eye, stage, draw_list); return true;
     case ConstraintKind::join:
     case ConstraintKind::limit:
-      eye.bar(sketch, position(world, c.a), c.b ? position(world, c.b) : c.position, 0.0, 0.6, tie);
+      eye.bar(draw_list, position(world, c.a), c.b ? position(world, c.b) : c.position, 0.0, 0.6, tie);
       return true;
     default: return false;
   }
 }
 
-void Sketcher::draw_constraints(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch) {
+void DrawListMaker::draw_constraints(const World& world, const Eye& eye, const Stage& stage, DrawList& draw_list) {
   const Rgb metal = linear(iron), red = linear(grip);
   for (std::uint32_t s = 0; s < world.constraints.slots(); s++) {
     const Constraint& c = world.constraints.at_slot(s);
@@ -303,19 +306,19 @@ void Sketcher::draw_constraints(const World& world, const Eye& eye, const Stage&
     if (!finite(a)) continue;
     const double joint = std::max(static_cast<double>(joints_[world.points[c.a].particle.slot - 1]), 0.04) * stage.unit;
     const double least = std::min(4.5, 3.2 * joint / eye.pixel_at(a));  // [px]
-    if (draw_guide(world, c, eye, stage, sketch)) continue;
+    if (draw_guide(world, c, eye, stage, draw_list)) continue;
     if (c.kind == ConstraintKind::rod) {
       const Vec3 b = c.b ? position(world, c.b) + shift : place;
-      eye.bar(sketch, a, b, 0.025 * std::min(c.length, stage.unit), 0.8, by_load(metal, c.tension));
-      if (!c.b) eye.ball(sketch, b, 1.7 * joint, least, metal, Sketch::hinge, metal);
+      eye.bar(draw_list, a, b, 0.025 * std::min(c.length, stage.unit), 0.8, by_load(metal, c.tension));
+      if (!c.b) eye.ball(draw_list, b, 1.7 * joint, least, metal, DrawList::hinge, metal);
     } else if (c.hand < 0) {
-      eye.ball(sketch, place, 1.6 * joint, least, metal, Sketch::hinge,
+      eye.ball(draw_list, place, 1.6 * joint, least, metal, DrawList::hinge,
                mix(metal, red, c.kind == ConstraintKind::nail ? 0.0f : 0.6f));
     } else {
       const double pull = std::isfinite(c.max_force) && c.max_force > 0.0 ? norm(c.force) / c.max_force : 0.5;
       const double width = 1.2 + 2.3 * std::clamp(std::sqrt(pull), 0.0, 1.0);  // [px]
-      eye.bar(sketch, a, place, 0.0, width, red, true);
-      eye.ball(sketch, place, 0.0, 5.5, red, Sketch::plain, {});
+      eye.bar(draw_list, a, place, 0.0, width, red, true);
+      eye.ball(draw_list, place, 0.0, 5.5, red, DrawList::plain, {});
     }
   }
 }
@@ -332,7 +335,7 @@ std::array<Vec3, 2> shown_ends(const World& world, Vec3 a, Vec3 b) {
 }  // namespace
 
 /// Loads of connections, and the largest of all that ties things.
-void Sketcher::find_loads(const World& world, const Views& views, const Stage& stage) {
+void DrawListMaker::find_loads(const World& world, const Views& views, const Stage& stage) {
   most_load_ = 0.0;
   loads_.assign(world.connections.slots(), 0.0);
   if (!views.on(View::loads)) return;
@@ -353,25 +356,27 @@ void Sketcher::find_loads(const World& world, const Views& views, const Stage& s
 }
 
 /// Red where it pulls, blue where it pushes.
-Rgb Sketcher::by_load(Rgb slack, double load) const {
+Rgb DrawListMaker::by_load(Rgb slack, double load) const {
   if (!(most_load_ > 0.0) || !std::isfinite(load)) return slack;
   return mix(slack, linear(load > 0.0 ? grip : strut), static_cast<float>(std::sqrt(std::fabs(load) / most_load_)));
 }
 
 /// Pairs that a law ties.
-void Sketcher::draw_connections(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch) const {
+void DrawListMaker::draw_connections(const World& world, const Eye& eye, const Stage& stage,
+                                     DrawList& draw_list) const {
   const Rgb slack = linear(thread);
   for (std::uint32_t s = 0; s < world.connections.slots(); s++) {
     const Connection& c = world.connections.at_slot(s);
     if (!world.connections.alive_at(s) || !c.enabled || c.count != 2) continue;
     const auto [a, b] = shown_ends(world, end_of(world, c, 0), end_of(world, c, 1));
     if (!finite(a) || !finite(b)) continue;
-    eye.bar(sketch, a, b, 0.012 * std::min(norm(b - a), stage.unit), 0.6, by_load(slack, loads_[s]));
+    eye.bar(draw_list, a, b, 0.012 * std::min(norm(b - a), stage.unit), 0.6, by_load(slack, loads_[s]));
   }
 }
 
 /// What has just broken: its ends shrink back from a flash between them.
-void Sketcher::draw_breaks(const World& world, const Eye& eye, const Stage& stage, double pace, Sketch& sketch) {
+void DrawListMaker::draw_breaks(const World& world, const Eye& eye, const Stage& stage, double pace,
+                                DrawList& draw_list) {
   for (const Break& broken : world.breaks) {
     const double past = (world.time - broken.time) / (break_time * pace);
     const auto [a, b] = shown_ends(world, broken.from, broken.to);
@@ -381,11 +386,11 @@ void Sketcher::draw_breaks(const World& world, const Eye& eye, const Stage& stag
     const double width = std::max(0.02 * std::min(norm(b - a), stage.unit), 1.5 * eye.pixel_at(middle));
     for (const Vec3 end : {a, b}) {
       const Vec3 tip = middle + (end - middle) * past;
-      sketch.streaks.push_back(
+      draw_list.streaks.push_back(
           {eye.place(end), static_cast<float>(width / eye.unit), eye.place(tip), {grip.r, grip.g, grip.b}, left});
     }
     const double flash = std::max(0.6 * std::min(norm(b - a), stage.unit), 7.0 * eye.pixel_at(middle));
-    sketch.glows.push_back(
+    draw_list.glows.push_back(
         {eye.place(middle), static_cast<float>(flash / eye.unit), {spark.r, spark.g, spark.b}, left * left});
   }
 }

@@ -1,4 +1,4 @@
-#include "view/sketch.hpp"
+#include "view/draw_list.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -11,20 +11,20 @@
 
 using namespace pantin;
 
-TEST_CASE("a sketch of a chain has a bar for each rod, a ball for each hinge and the nail", "[view]") {
+TEST_CASE("a draw_list of a chain has a bar for each rod, a ball for each hinge and the nail", "[view]") {
   const double size = GENERATE(1e-9, 1.0, 1e6);
   World world;
   small_worlds::chain(world, 5, size);
   const Stage stage = find_stage(world);
-  Sketcher sketcher;
-  Sketch sketch;
-  sketcher.draw(world, first_camera(stage, 1.6), stage, {}, 720, sketch);
-  CHECK(sketch.bars.size() == 5);
-  CHECK(sketch.balls.size() == 5);
-  CHECK(sketch.balls[0].style == 1.0f);
-  CHECK(sketch.balls[0].radius > sketch.bars[0].radius);
-  CHECK(sketch.lower.x < sketch.upper.x);
-  CHECK(sketch.upper.x < 10.0f);  // in units of the camera's distance
+  DrawListMaker draw_list_maker;
+  DrawList draw_list;
+  draw_list_maker.draw(world, first_camera(stage, 1.6), stage, {}, 720, draw_list);
+  CHECK(draw_list.bars.size() == 5);
+  CHECK(draw_list.balls.size() == 5);
+  CHECK(draw_list.balls[0].style == 1.0f);
+  CHECK(draw_list.balls[0].radius > draw_list.bars[0].radius);
+  CHECK(draw_list.lower.x < draw_list.upper.x);
+  CHECK(draw_list.upper.x < 10.0f);  // in units of the camera's distance
 }
 
 TEST_CASE("nothing is allocated for a picture once the first is drawn", "[view]") {
@@ -33,11 +33,11 @@ TEST_CASE("nothing is allocated for a picture once the first is drawn", "[view]"
   const Stage stage = find_stage(world);
   const Camera camera = first_camera(stage, 1.6);
   const Overlay overlay;
-  Sketcher sketcher;
-  Sketch sketch;
-  sketcher.draw(world, camera, stage, overlay, 720, sketch);
+  DrawListMaker draw_list_maker;
+  DrawList draw_list;
+  draw_list_maker.draw(world, camera, stage, overlay, 720, draw_list);
   const auto before = allocations();
-  sketcher.draw(world, camera, stage, overlay, 720, sketch);
+  draw_list_maker.draw(world, camera, stage, overlay, 720, draw_list);
   CHECK(allocations() - before == 0);
 }
 
@@ -46,10 +46,10 @@ TEST_CASE("a position that is not a number is left out", "[view]") {
   const ParticleId particle = small_worlds::particle(world, vec(0, 1, 0));
   const Stage stage = find_stage(world);
   world.motion_of(world.particles[particle].points[0]).x = vec(std::nan(""), 0, 0);
-  Sketcher sketcher;
-  Sketch sketch;
-  sketcher.draw(world, Camera{}, stage, {}, 720, sketch);
-  CHECK(sketch.balls.empty());
+  DrawListMaker draw_list_maker;
+  DrawList draw_list;
+  draw_list_maker.draw(world, Camera{}, stage, {}, 720, draw_list);
+  CHECK(draw_list.balls.empty());
 }
 
 TEST_CASE("a particle that glows is a disc of light, a streak a line against its velocity", "[view]") {
@@ -69,16 +69,16 @@ TEST_CASE("a particle that glows is a disc of light, a streak a line against its
   def.velocity = vec(0, 3, 0);
   add_particle(world, def);
   const Stage stage = find_stage(world);
-  Sketcher sketcher;
-  Sketch sketch;
-  sketcher.draw(world, first_camera(stage, 1.6), stage, {}, 720, sketch);
-  CHECK(sketch.balls.size() == 1);
-  REQUIRE(sketch.glows.size() == 1);
-  CHECK(sketch.glows[0].opacity == 0.25f);
-  CHECK(sketch.glows[0].color.g == 0.5f);
-  REQUIRE(sketch.streaks.size() == 1);
-  CHECK(sketch.streaks[0].tail.y < sketch.streaks[0].head.y);
-  CHECK(sketch.streaks[0].tail.x == sketch.streaks[0].head.x);
+  DrawListMaker draw_list_maker;
+  DrawList draw_list;
+  draw_list_maker.draw(world, first_camera(stage, 1.6), stage, {}, 720, draw_list);
+  CHECK(draw_list.balls.size() == 1);
+  REQUIRE(draw_list.glows.size() == 1);
+  CHECK(draw_list.glows[0].opacity == 0.25f);
+  CHECK(draw_list.glows[0].color.g == 0.5f);
+  REQUIRE(draw_list.streaks.size() == 1);
+  CHECK(draw_list.streaks[0].tail.y < draw_list.streaks[0].head.y);
+  CHECK(draw_list.streaks[0].tail.x == draw_list.streaks[0].head.x);
 }
 
 TEST_CASE("radius and color that follow the age are those of now; a radius of 0 is not drawn", "[view]") {
@@ -93,16 +93,16 @@ TEST_CASE("radius and color that follow the age are those of now; a radius of 0 
   add_particle(world, def);
   const Stage stage = find_stage(world);
   const Camera camera = first_camera(stage, 1.6);
-  Sketcher sketcher;
-  Sketch sketch;
+  DrawListMaker draw_list_maker;
+  DrawList draw_list;
   world.time = 0.25;
-  sketcher.draw(world, camera, stage, {}, 720, sketch);
-  REQUIRE(sketch.glows.size() == 1);
-  CHECK(sketch.glows[0].color.r == 0.25f);
-  CHECK(static_cast<double>(sketch.glows[0].radius) * camera.distance == Approx(0.25));
+  draw_list_maker.draw(world, camera, stage, {}, 720, draw_list);
+  REQUIRE(draw_list.glows.size() == 1);
+  CHECK(draw_list.glows[0].color.r == 0.25f);
+  CHECK(static_cast<double>(draw_list.glows[0].radius) * camera.distance == Approx(0.25));
   world.time = 0.75;
-  sketcher.draw(world, camera, stage, {}, 720, sketch);
-  CHECK(sketch.glows.empty());
+  draw_list_maker.draw(world, camera, stage, {}, 720, draw_list);
+  CHECK(draw_list.glows.empty());
 }
 
 TEST_CASE("a break is shown where it was, fades, and is gone", "[view]") {
@@ -115,11 +115,11 @@ TEST_CASE("a break is shown where it was, fades, and is gone", "[view]") {
     world.time = time;
     Overlay overlay;
     overlay.pace = pace;
-    Sketch sketch;
-    Sketcher().draw(world, camera, stage, overlay, 720, sketch);
-    return sketch;
+    DrawList draw_list;
+    DrawListMaker().draw(world, camera, stage, overlay, 720, draw_list);
+    return draw_list;
   };
-  const Sketch fresh = draw(3.0, 1.0), old = draw(3.3, 1.0);
+  const DrawList fresh = draw(3.0, 1.0), old = draw(3.3, 1.0);
   REQUIRE(fresh.streaks.size() == 2);
   REQUIRE(fresh.glows.size() == 1);
   CHECK(fresh.glows[0].opacity == 1.0f);
@@ -144,10 +144,10 @@ TEST_CASE("in a periodic box things are shown where the box has them, and ties b
   const Stage stage = find_stage(world);
   Camera camera = first_camera(stage, 1.6);
   camera.frame(zero3(), vec(10, 10, 10), 1.6);
-  Sketch sketch;
-  Sketcher().draw(world, camera, stage, {}, 720, sketch);
-  REQUIRE(sketch.bars.size() == 1);
-  CHECK(static_cast<double>(sketch.bars[0].to.x - sketch.bars[0].from.x) * camera.distance ==
+  DrawList draw_list;
+  DrawListMaker().draw(world, camera, stage, {}, 720, draw_list);
+  REQUIRE(draw_list.bars.size() == 1);
+  CHECK(static_cast<double>(draw_list.bars[0].to.x - draw_list.bars[0].from.x) * camera.distance ==
         Approx(1.0).epsilon(1e-4));
   const auto seen = camera.project(vec(9.5, 1, 1), 1152, 720);
   CHECK(pick_point(world, stage, camera, seen->x, seen->y, 1152, 720) == point);

@@ -17,7 +17,7 @@ struct Float3 {
 
 /// What is to be drawn of a world, as rows of floats for the shaders: places relative to the eye in units of the camera's
 /// distance, linear colours.
-struct Sketch {
+struct DrawList {
   enum Style { plain = 0, hinge = 1 };  ///< of a ball; of a bar 1 is unlit
   struct Ball {
     Float3 at;
@@ -33,7 +33,7 @@ struct Sketch {
     float style;
     Rgb color;
   };
-  struct Egg {
+  struct Ellipsoid {
     Float3 at, x, y, z;
     Rgb color, second;
   };
@@ -58,36 +58,37 @@ struct Sketch {
   };
   std::vector<Ball> balls;
   std::vector<Bar> bars;
-  std::vector<Egg> eggs;
+  std::vector<Ellipsoid> ellipsoids;
   std::vector<Corner> corners;
-  std::vector<Corner> shades;  ///< shadows of the eggs, on the ground
+  std::vector<Corner> shades;  ///< shadows of the ellipsoids, on the ground
   std::vector<Glow> glows;
   std::vector<Streak> streaks;
-  Float3 lower, upper;  ///< box of all balls, bars, eggs and corners
+  Float3 lower, upper;  ///< box of all balls, bars, ellipsoids and corners
 };
 
-/// Fills a sketch, of which one is kept so that nothing is allocated once it has grown.
-class Sketcher {
+/// Fills a draw_list, of which one is kept so that nothing is allocated once it has grown.
+class DrawListMaker {
  public:
   void draw(const World& world, const Camera& camera, const Stage& stage, const Overlay& overlay, int height,
-            Sketch& sketch);
+            DrawList& draw_list);
   void clear() { shapes_.clear(); }
   const Tints& tints() const { return tints_; }
 
  private:
   struct Eye;
-  void draw_body(const World& world, BodyId body, const Eye& eye, const Stage& stage, Sketch& sketch);
-  void draw_particles(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch);
-  void draw_free(const World& world, std::uint32_t slot, Vec3 at, const Eye& eye, const Stage& stage, Sketch& sketch);
+  void draw_body(const World& world, BodyId body, const Eye& eye, const Stage& stage, DrawList& draw_list);
+  void draw_particles(const World& world, const Eye& eye, const Stage& stage, DrawList& draw_list);
+  void draw_free(const World& world, std::uint32_t slot, Vec3 at, const Eye& eye, const Stage& stage,
+                 DrawList& draw_list);
   bool draw_guide(const World& world, const Constraint& constraint, const Eye& eye, const Stage& stage,
-                  Sketch& sketch) const;
-  static void draw_path(const Path& path, const Eye& eye, const Stage& stage, Sketch& sketch);
-  static void draw_plane(Vec3 at, Vec3 normal, const Eye& eye, const Stage& stage, Sketch& sketch);
-  void draw_constraints(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch);
-  void draw_connections(const World& world, const Eye& eye, const Stage& stage, Sketch& sketch) const;
+                  DrawList& draw_list) const;
+  static void draw_path(const Path& path, const Eye& eye, const Stage& stage, DrawList& draw_list);
+  static void draw_plane(Vec3 at, Vec3 normal, const Eye& eye, const Stage& stage, DrawList& draw_list);
+  void draw_constraints(const World& world, const Eye& eye, const Stage& stage, DrawList& draw_list);
+  void draw_connections(const World& world, const Eye& eye, const Stage& stage, DrawList& draw_list) const;
   void find_loads(const World& world, const Views& views, const Stage& stage);
   Rgb by_load(Rgb slack, double load) const;
-  void draw_breaks(const World& world, const Eye& eye, const Stage& stage, double pace, Sketch& sketch);
+  void draw_breaks(const World& world, const Eye& eye, const Stage& stage, double pace, DrawList& draw_list);
 
   Shapes shapes_;
   Appearance appearance_;
