@@ -131,7 +131,7 @@ void ViewMarks::add_cells(const World& world, std::vector<Mark>& marks) {
     positions_.push_back(box.wrapped(at));
   }
   if (positions_.empty()) return;
-  const Grid grid = make_grid(positions_, members_, members_, box, cut->rows.cutoff() + forces.skin.width());
+  const Grid grid = make_grid(positions_, members_, members_, box, cut->neighbours.cutoff() + forces.skin.width());
   for (const Vec3 at : positions_) cells_.push_back({grid.cell(0, at), grid.cell(1, at), grid.cell(2, at)});
   std::ranges::sort(cells_);
   cells_.erase(std::unique(cells_.begin(), cells_.end()), cells_.end());
