@@ -108,7 +108,7 @@ class Store {
     if (id.slot > slots_.size() || id.generation > slots_[id.slot - 1].generation)
       return "this was made after the moment that was restored, and is gone with what came after it";
     const Obituary& o = slots_[id.slot - 1].obituary;
-    if (o.generation != id.generation) return "this was removed long ago, and its position has been used again since";
+    if (o.generation != id.generation) return "this was removed long ago, and its slot has been used again since";
     return text(o.what, " was removed at ", o.time, " s by ", o.who);
   }
 

@@ -40,7 +40,7 @@ void twist(World& world, BodyId body, Vec3 torque) {
   require_finite("twist", "torque", torque, "N m");
   Motion& m = world.motion_of(body);
   require(m.freedom != Freedom::point, "twist: ", describe(world, body),
-          " cannot turn: its points are in one position, and it has no inertia");
+          " cannot turn: its points are at one position, and it has no inertia");
   const double along = m.freedom == Freedom::line ? std::fabs(dot(rotate(m.q, vec(1, 0, 0)), torque)) : 0.0;
   require(along <= 1e-9 * norm(torque), "twist: ", describe(world, body),
           " cannot turn about the line of its points, but the torque has ", along, " N m about it; give it `inertia`");

@@ -133,7 +133,7 @@ ParticleId add_hinge(World& world, std::span<const PointId> points, const HingeD
     const ParticleId old = world.points[m.point].particle;
     if (!world.particles[old].is_hinge()) continue;
     take_over_axes(world, old, hinge);
-    end_ring(world, old, text("progress into ", describe(world, hinge)));
+    end_ring(world, old, text("joining into ", describe(world, hinge)));
     notice(world, Notice::Kind::removed, old, world.particles.story(old));
   }
   for (const Member& m : members) {

@@ -18,7 +18,7 @@ constexpr double pi = 3.14159265358979323846;
 void require_turning(const World& world, const char* call, BodyId body) {
   require(world.bodies.alive(body), call, ": ", world.bodies.story(body));
   require(world.motion_of(body).freedom != Freedom::point, call, ": ", describe(world, body),
-          " has all its mass in one position, so it has no orientation; give it an inertia");
+          " has all its mass at one position, so it has no orientation; give it an inertia");
 }
 
 void require_two(const World& world, const char* call, BodyId a, BodyId b) {

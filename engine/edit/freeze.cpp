@@ -92,7 +92,7 @@ void set_turning(const World& world, BodyId body, std::vector<Fragment>& fragmen
   for (const Fragment& f : fragments)
     least += round_off * (norm(world.motion_of(body).x) + norm(f.arm)) * f.mass * norm(f.velocity);
   require(norm(left) <= least, "shatter: ", describe(world, body), " spins, and ", fragments.size(),
-          fragments.size() == 1 ? " particle" : " particles", " in these positions cannot carry its angular momentum");
+          fragments.size() == 1 ? " particle" : " particles", " at these positions cannot carry its angular momentum");
 }
 
 /// Frees a point with a velocity, [m/s].

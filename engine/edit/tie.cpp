@@ -19,7 +19,7 @@ ConstraintId add_rod_row(World& world, Constraint c, Vec3 far_end, std::optional
   c.time_constant = 0.1;
   c.length = length.value_or(distance);
   if (!length)
-    require(distance > 0.0, "rod: its ends are in one position, so it has no length; a length must be > 0 m");
+    require(distance > 0.0, "rod: its ends are at one position, so it has no length; a length must be > 0 m");
   require_positive("rod", "length", c.length, "m");
   c.previous_length = c.before_length = c.length;
   require(std::fabs(distance - c.length) <= world.settings.tolerance * c.length, "rod: its ends are ", distance,

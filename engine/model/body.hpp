@@ -9,7 +9,7 @@
 namespace pantin {
 
 /// What a body's points leave free: all six; five, where every point lies on one line and nothing has inertia about it
-/// (its spin about the line is 0); three, where all lie in one position.
+/// (its spin about the line is 0); three, where all lie at one position.
 enum class Freedom : std::uint8_t { rigid, line, point };
 
 /// Points at fixed relative positions. Mass, centre and inertia are the points', plus `own_mass` and `own_inertia` at

@@ -79,7 +79,7 @@ Vec3 angular_momentum(const Model& m, BodyId body);
 Mat3 inertia(const Model& m, BodyId body);
 
 /// Works out mass, centre, principal axes and freedom of a body from its points and own mass, keeping its frame's position
-/// and the velocity of every point. Throws Error where the body has no mass, or mass in one position only and points
+/// and the velocity of every point. Throws Error where the body has no mass, or mass at one position only and points
 /// elsewhere; the body is then as it was.
 void update_mass(Model& m, BodyId body);
 /// Sets the principal moments that a body moves with: its own, or where it is tied none below `least_inertia` of the

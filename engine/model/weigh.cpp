@@ -16,7 +16,7 @@ struct Shape {
   double coordinate = 0;  // [m] largest
   Vec3 along = zero3();   // direction of the farthest
   bool line = true;       // all on one line
-  bool spot = true;       // all in one position
+  bool spot = true;       // all at one position
 };
 
 template <class Each>
@@ -99,7 +99,7 @@ Weighed weigh(const std::string& who, std::span<const MassPoint> points, const O
   const double tiny = shape.spot ? 0.0 : no_moment * w.mass * shape.extent * shape.extent;
   inertia = shape.spot && !(largest_of(about(own.inertia)) > 0.0) ? zero33() : about(inertia);
   require(shape.spot || largest_of(inertia) > tiny, who,
-          ": all its mass is in one position but it has points elsewhere, so it has no inertia to turn with; give "
+          ": all its mass is at one position but it has points elsewhere, so it has no inertia to turn with; give "
           "`inertia` [kg m²], or give those points mass, or use a `rod` instead");
   if (flat) {
     settle_in_plane(w, inertia, near, normal);

@@ -35,7 +35,7 @@ struct OwnMass {
 };
 
 /// Weighs points together with a body's own mass. Axes come near to `near`. Throws Error, beginning with `who`, where
-/// there is no mass, or mass in one position only and points elsewhere. With a unit vector `normal` in the frame, an axis of
+/// there is no mass, or mass at one position only and points elsewhere. With a unit vector `normal` in the frame, an axis of
 /// `near`, it is what moves across that alone: the axes are `near`, and there is no moment but that about the normal.
 Weighed weigh(const std::string& who, std::span<const MassPoint> points, const OwnMass& own, const Quat& near,
               Vec3 normal = zero3());

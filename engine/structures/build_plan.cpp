@@ -35,7 +35,7 @@ void check(const Structure& s, const BuildDef& def) {
           "build: \"panels\" makes plates of faces, and the structure has none");
   for (const StructureEdge& e : s.edges)
     require(norm(s.vertices[e[0]] - s.vertices[e[1]]) > 0.0, "build: vertices ", e[0] + 1, " and ", e[1] + 1,
-            " have an edge between them and are in one position");
+            " have an edge between them and are at one position");
   const MassIn where = mass_in(def);
   require(where == MassIn::points || is_whole(def, BuildAs::rigid) ||
               (where == MassIn::edges && is_whole(def, BuildAs::articulated)) ||

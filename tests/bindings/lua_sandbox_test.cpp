@@ -49,7 +49,7 @@ TEST_CASE("table.sort is stable, also where Lua's own would look at the clock") 
     for i = 1, 1000 do t[i] = { key = i * 7919 % 3, place = i } end
     table.sort(t, function(a, b) return a.key < b.key end)
     for i = 2, #t do
-      assert(t[i - 1].key < t[i].key or t[i - 1].key == t[i].key and t[i - 1].position < t[i].position)
+      assert(t[i - 1].key < t[i].key or t[i - 1].key == t[i].key and t[i - 1].place < t[i].place)
     end
     table.sort({})
     table.sort({ 1 })

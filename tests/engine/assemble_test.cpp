@@ -224,7 +224,7 @@ TEST_CASE("a body with a mass of its own shatters into that too, where its spin 
   ball.spin = vec(0, 1, 0);
   const BodyId spinning = add_body(world, ball);
   CHECK_THROWS_WITH(shatter(world, spinning),
-                    Contains("1 particle in these positions cannot carry its angular momentum"));
+                    Contains("1 particle at these positions cannot carry its angular momentum"));
   CHECK(world.bodies.alive(spinning));
   set_spin(world, spinning, zero3());
   CHECK(shatter(world, spinning).size() == 1);

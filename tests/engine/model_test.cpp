@@ -77,7 +77,7 @@ TEST_CASE("points in a plane are an ordinary body: the largest moment is the sum
   CHECK(lift(world, id) == 0.0);
 }
 
-TEST_CASE("all points in one position are a point mass, wherever that is") {
+TEST_CASE("all points at one position are a point mass, wherever that is") {
   for (double far : {0.0, 0.1, 1e6}) {
     World world;
     const Vec3 at = vec(far, 3 * far, -far);
@@ -131,7 +131,7 @@ TEST_CASE("the frame's position and orientation are what was given") {
   CHECK(norm(angular_momentum(world, id) - inertia(world, id) * def.spin) < 1e-13);
 }
 
-TEST_CASE("a body of no mass is an error, and so is mass in one position with points elsewhere") {
+TEST_CASE("a body of no mass is an error, and so is mass at one position with points elsewhere") {
   World world;
   CHECK_THROWS_WITH(add_body(world, of_points({mass_at(zero3(), 0)})), "body: mass must be > 0 kg, got 0");
   CHECK_THROWS_WITH(add_body(world, BodyDef{}), "body: mass must be > 0 kg, got 0");

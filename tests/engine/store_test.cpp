@@ -42,7 +42,7 @@ TEST_CASE("a handle never comes back to life when its slot is used again") {
   CHECK(store[b].value == 7);
   CHECK(store.story(a) == "thing 1 was removed at 0 s by test");
   store.remove(b, {"thing 2", 0.0, "test"});
-  CHECK(store.story(a) == "this was removed long ago, and its position has been used again since");
+  CHECK(store.story(a) == "this was removed long ago, and its slot has been used again since");
 }
 
 TEST_CASE("a null handle and one of another world are errors") {

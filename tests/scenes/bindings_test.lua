@@ -34,3 +34,15 @@ end)
 test("an error names the file, the line, the value and what is allowed", function()
   expect(function() open_text "\n\nscene:body { mass = -1 }" end):fails("text.lua:3: body: mass must be > 0 kg, got -1")
 end)
+
+test("what had another name once answers to it, and says so once", function()
+  local scene = open_text "scene:particle {}"
+  scene:advance(0.1)
+  expect(scene.stats.safe_steps):equal(scene.stats.fallback_steps)
+  expect(scene.stats.safe_steps):equal(0)
+  expect(scene.ledger.safe_step):equal(scene.ledger.fallback_step)
+  expect(scene.stats.no_such_name):equal(nil)
+  local told = {}
+  for _, line in ipairs(scene.log) do table.insert(told, line.text) end
+  expect(table.concat(told, "; ")):equal("'safe_steps' is called 'fallback_steps' now; 'safe_step' is called 'fallback_step' now")
+end)

@@ -94,7 +94,7 @@ test("what cannot be is an error at its line", function()
     expect(function() open_text("local p = scene:particle()\n" .. code) end):fails(text)
   end
   fails("scene:motor(p, { axis = vec(0, 0, 1), speed = 1 })", "text.lua:2: motor: argument 1 must be a body")
-  fails("scene:on_path(p, { vec(0, 0, 0) })", "text.lua:2: on_path: a path needs two places or more, got 1")
+  fails("scene:on_path(p, { vec(0, 0, 0) })", "text.lua:2: on_path: a path needs two positions or more, got 1")
   fails("scene:on_plane(p, { time_constant = -1 })", "text.lua:2: on_plane: time_constant must be > 0 s")
   local bar = "local b = scene:body { mass = 1, inertia = vec(1, 1, 1), points = { o = vec(0, 0, 0) } }\n"
   fails(bar .. "scene:motor(b, { axis = vec(0, 0, 1), speed = 1, angle = 1 })", "motor: give its speed or its angle, not both")

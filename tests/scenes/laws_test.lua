@@ -281,7 +281,7 @@ test("bad laws are told by their line", function()
   expect(law "force.pair { potential = function(r) return strength * r end }")
     :fails("arithmetic needs numbers, got nil (a name that nothing was given to?)")
   expect(law "function(r) return r end"):fails("write force.pair{ potential = function … }")
-  expect(law "force.table { distances = { 1, 1 }, potentials = { 0, 1 } }"):fails("force.table: its places must rise")
+  expect(law "force.table { distances = { 1, 1 }, potentials = { 0, 1 } }"):fails("force.table: its positions must rise")
 end)
 
 test("a message names a place once", function()

@@ -156,7 +156,7 @@ test("what leaves the plane is an error at its line", function()
     ['scene:string({ body.p, other.p })'] = 'string: scene.plane',
     ['scene:limit(body.p, other.p, { max = 2 })'] = 'limit: scene.plane',
     ['scene:nail(ball, vec(0, 0, 1))'] = 'nail: scene.plane',
-    ['scene:nail(ball).at = vec(0, 0, 1)'] = 'place must stay at z',
+    ['scene:nail(ball).at = vec(0, 0, 1)'] = 'position must stay at z',
     ['scene:follow(ball, vec(0, 0, 1))'] = 'follow: scene.plane',
     ['scene:on_path(ball, { vec(0, 0, 1), vec(1, 0, 1) })'] = 'on_path: scene.plane',
     ['scene:on_plane(ball, { normal = vec(0, 1, 1) })'] = 'normal must have no z',

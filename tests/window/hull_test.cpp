@@ -32,7 +32,7 @@ TEST_CASE("the hull of a cube has twelve triangles that face outward, at any siz
   CHECK(convex_hull(points).size() == 12);
 }
 
-TEST_CASE("points in a plane, on a line or in one position have no hull", "[view]") {
+TEST_CASE("points in a plane, on a line or at one position have no hull", "[view]") {
   CHECK(convex_hull(std::vector<Vec3>{vec(0, 0, 0), vec(1, 0, 0), vec(0, 1, 0), vec(1, 1, 0)}).empty());
   CHECK(convex_hull(std::vector<Vec3>{vec(0, 0, 0), vec(1, 1, 1), vec(2, 2, 2), vec(3, 3, 3)}).empty());
   CHECK(convex_hull(std::vector<Vec3>(5, vec(1, 2, 3))).empty());
