@@ -1,5 +1,5 @@
 // Weld, orient, align, motor and limit.
-#include "constraints/violation.hpp"
+#include "constraints/kind.hpp"
 #include "lua/arguments.hpp"
 #include "lua/constraint_fields.hpp"
 #include "lua/guard.hpp"
@@ -111,7 +111,7 @@ Type make_limit() {
       {range_field<true>("min", "least angle [rad] or distance [m]"),
        range_field<false>("max", "greatest angle [rad] or distance [m]"),
        {"value", "number", "", "the angle [rad] or distance [m] now",
-        [](const Self& s) { lua_pushnumber(s.state, present_length(s.world, constraint_row(s))); }, nullptr},
+        [](const Self& s) { lua_pushnumber(s.state, present_value(s.world, constraint_row(s))); }, nullptr},
        force_field(),
        torque_field()});
 }

@@ -1,5 +1,5 @@
 // OnPlane, String, OnPath and Join.
-#include "constraints/violation.hpp"
+#include "constraints/kind.hpp"
 #include "lua/arguments.hpp"
 #include "lua/constraint_fields.hpp"
 #include "lua/guard.hpp"
@@ -54,7 +54,7 @@ Type make_string() {
           set_length(s.world, constraint_of(s), given.value, std::move(given.function));
         }},
        {"taken", "number", "m", "how long its way is now: less than its length where it is slack",
-        [](const Self& s) { lua_pushnumber(s.state, present_length(s.world, constraint_row(s))); }, nullptr},
+        [](const Self& s) { lua_pushnumber(s.state, present_value(s.world, constraint_row(s))); }, nullptr},
        {"force", "number", "N", "tension in the last step, 0 where it is slack",
         [](const Self& s) { lua_pushnumber(s.state, constraint_row(s).tension); }, nullptr}});
 }

@@ -68,8 +68,7 @@ std::vector<ConstraintId> ties_of(const World& world, ParticleId id) {
 void end_joins(World& world, const BondingDef& def, ParticleId id) {
   for (ConstraintId tie : ties_of(world, id)) {
     const Constraint& c = world.constraints[tie];
-    if (c.kind == ConstraintKind::join && is_bond(world, def, world.points[c.a].particle, world.points[c.b].particle))
-      remove(world, tie);
+    if (c.progress && is_bond(world, def, world.points[c.a].particle, world.points[c.b].particle)) remove(world, tie);
   }
 }
 

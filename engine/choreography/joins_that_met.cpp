@@ -3,7 +3,7 @@
 
 #include "articulates/articulate.hpp"
 #include "choreography/choreography.hpp"
-#include "constraints/violation.hpp"
+#include "constraints/kind.hpp"
 #include "edit/assemble.hpp"
 #include "edit/editing.hpp"
 
@@ -91,7 +91,7 @@ void make_met_hinges(World& world) {
     for (const Condition& row : articulate->conditions) {
       if (!world.constraints.alive(row.constraint)) continue;
       const Constraint& c = world.constraints[row.constraint];
-      if (c.kind != ConstraintKind::join) continue;
+      if (!c.progress) continue;
       hold_when_near(world, row.constraint);
       if (has_met(c)) met.push_back(row.constraint);
     }

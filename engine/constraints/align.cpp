@@ -1,17 +1,21 @@
 // The angle between two axes, by torques across both: ū_b × ū_a of the means, which does work on cos θ exactly.
+#include "base/check.hpp"
 #include "base/functions.hpp"
+#include "constraints/geometry.hpp"
+#include "constraints/load.hpp"
+#include "constraints/plans.hpp"
 #include "constraints/row_rule.hpp"
 
 namespace pantin {
 
 namespace {
 
-double angle_between(const Row& row) { return functions::atan2(norm(cross(row.rb1, row.ra1)), dot(row.rb1, row.ra1)); }
+double row_angle(const Row& row) { return functions::atan2(norm(cross(row.rb1, row.ra1)), dot(row.rb1, row.ra1)); }
 
 }  // namespace
 
 double evaluate_align(Row& row, Condition& c, const RowContext& context) {
-  const double value = angle_between(row) * row.lever - c.length - c.accepted;
+  const double value = row_angle(row) * row.lever - c.length - c.accepted;
   return evaluate_function(
       row, c,
       {direction(cross(row.rb0 + row.rb1, row.ra0 + row.ra1)), direction(cross(row.rb1, row.ra1)), value, value},
@@ -21,7 +25,78 @@ double evaluate_align(Row& row, Condition& c, const RowContext& context) {
 void project_align(const Row& row, Condition& c) { project_function(c, cross(row.rb1, row.ra1)); }
 
 Vec3 align_gap(const Row& row, const Condition& c) {
-  return direction(cross(row.rb1, row.ra1)) * (angle_between(row) * row.lever - c.length - c.accepted);
+  return direction(cross(row.rb1, row.ra1)) * (row_angle(row) * row.lever - c.length - c.accepted);
 }
+
+namespace {
+
+double value(const Model& model, const Constraint& c) {
+  return angle_between(direction_of(model, c.body_a, c.axis_a), direction_of(model, c.body_b, c.axis_b));
+}
+
+double rate(const Model& model, const Constraint& c) {
+  const Vec3 axis = direction_of(model, c.body_a, c.axis_a);
+  return dot(direction(cross(direction_of(model, c.body_b, c.axis_b), axis)), relative_spin(model, c));
+}
+
+/// An angle that is 0 or π but for round-off leaves the axes no direction to turn in, and is kept in two.
+void set(Constraint& c, std::string_view call, double angle) {
+  constexpr double least = 1e-6, pi = 3.14159265358979323846;
+  require(std::isfinite(angle) && angle >= 0.0 && angle <= pi, call, ": angle must be 0 to π rad, got ", angle);
+  if (angle > pi - least) {
+    c.axis_b *= -1.0;
+    angle = 0.0;
+  }
+  c.length = angle < least ? 0.0 : angle;
+}
+
+/// An align to 0 turns its second axis, so that the two are one at once; this is in body_b's frame.
+void start_together(const Model& model, Constraint& c, double tolerance) {
+  const Quat frame = c.body_b ? orientation(model, c.body_b) : Quat{};
+  const Vec3 axis = rotate(conjugate(frame), direction_of(model, c.body_a, c.axis_a));
+  const double angle = angle_between(c.axis_b, axis);
+  if (angle <= tolerance) return;
+  const Vec3 across = cross(c.axis_b, axis);
+  const Vec3 any = cross(c.axis_b, std::fabs(c.axis_b[0]) < 0.7 ? vec(1, 0, 0) : vec(0, 1, 0));
+  c.away = direction(norm(across) > 1e-9 ? across : any) * angle;
+  c.away_rate = direction(c.away) * dot(direction(c.away), rotate(conjugate(frame), relative_spin(model, c)));
+}
+
+void start(const Model& model, Constraint& c, double tolerance) {
+  if (c.length == 0.0) return start_together(model, c, tolerance);
+  start_number(c, value(model, c) - c.length, rate(model, c), tolerance);
+}
+
+double gap(const Model& model, const Constraint& c) {
+  if (c.length == 0.0 && norm2(c.away) > 0.0) return 0.0;
+  return lever(model, c) * std::fabs(value(model, c) - c.length - c.excess);
+}
+
+std::vector<RowPlan> rows(const Model&, const Constraint& c) {
+  return {angular_row(c, c.length == 0.0 ? RowKind::axis : RowKind::align)};
+}
+
+std::vector<PlaneNeed> in_plane(const Model& model, const Constraint& c) {
+  return {{"the first axis", direction_of(model, c.body_a, c.axis_a), false},
+          {"the second axis", direction_of(model, c.body_b, c.axis_b), false}};
+}
+
+}  // namespace
+
+const ConstraintRule align_rule = {
+    .keeps = KeptNumber::angle,
+    .freedoms =
+        [](const Constraint& c) {
+          return c.length == 0.0 ? FreedomsTaken{2, 1} : FreedomsTaken{1, 1};
+        },
+    .directions = no_direction,
+    .start = start,
+    .gap = gap,
+    .value = value,
+    .set = set,
+    .rows = rows,
+    .load = load_axis,
+    .in_plane = in_plane,
+};
 
 }  // namespace pantin

@@ -1,4 +1,7 @@
 // Two axes stay together: d = lever n_b × n_a, and the force along their mean is 0.
+#include "constraints/geometry.hpp"
+#include "constraints/load.hpp"
+#include "constraints/plans.hpp"
 #include "constraints/row_rule.hpp"
 
 namespace pantin {
@@ -19,5 +22,42 @@ void project_axis(const Row& row, Condition& c) {
 }
 
 Vec3 axis_gap(const Row& row, const Condition&) { return row.d1 - row.offset; }
+
+namespace {
+
+double gap(const Model& model, const Constraint& c) {
+  return lever(model, c) *
+         norm(cross(direction_of(model, c.body_a, c.axis_a), direction_of(model, c.body_b, c.axis_b)));
+}
+
+std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {angular_row(c, RowKind::axis)}; }
+
+std::vector<PlaneNeed> in_plane(const Model& model, const Constraint& c) {
+  return {{"axis", direction_of(model, c.body_a, c.axis_a), true}};
+}
+
+}  // namespace
+
+void load_axis(Condition& condition, const Row& row, const Model& model, const Constraint& c) {
+  if (row.kind != RowKind::axis) return;
+  const Quat to_b = c.body_b ? conjugate(model.bodies[c.body_b].axes) : Quat{};
+  condition.velocity = c.away_rate * row.lever;
+  if (c.body_b) condition.velocity = rotate(orientation(model, c.body_b), condition.velocity);
+  condition.velocity = model.plane.about(condition.velocity);
+  condition.whole0 = model.plane.about(rotate(to_b, c.previous_away));
+  condition.whole1 = model.plane.about(rotate(to_b, c.away));
+}
+
+const ConstraintRule axis_rule = {
+    .freedoms =
+        [](const Constraint&) {
+          return FreedomsTaken{2, 0};
+        },
+    .directions = no_direction,
+    .gap = gap,
+    .rows = rows,
+    .load = load_axis,
+    .in_plane = in_plane,
+};
 
 }  // namespace pantin

@@ -1,5 +1,7 @@
 // A follow with a limit: a damped spring taken at the end of the step (backward, dissipative), whose pull saturates:
 //   z = (k + d/h) d1 - (d/h) d0,   f = -z min(1, F/|z|).
+#include "constraints/geometry.hpp"
+#include "constraints/plans.hpp"
 #include "constraints/row_rule.hpp"
 
 namespace pantin {
@@ -22,5 +24,32 @@ double evaluate_soft(Row& row, Condition& c, const RowContext& context) {
 }
 
 void project_soft(const Row&, Condition& c) { c.kept = zero33(); }
+
+namespace {
+
+void start(const Model& model, Constraint& c, double tolerance) {
+  if (c.pins()) start_point(model, c, from_position(model, c), velocity(model, c.a), tolerance);
+}
+
+double gap(const Model& model, const Constraint& c) { return c.pins() ? norm(from_position(model, c) - c.away) : 0.0; }
+
+std::vector<RowPlan> rows(const Model&, const Constraint& c) {
+  return {between_points(c, c.pins() ? RowKind::rigid : RowKind::soft)};
+}
+
+}  // namespace
+
+const ConstraintRule follow_rule = {
+    .joins_points = true,
+    .ends_at_place = true,
+    .freedoms =
+        [](const Constraint& c) {
+          return c.pins() ? FreedomsTaken{3, 2} : FreedomsTaken{};
+        },
+    .directions = all_directions,
+    .start = start,
+    .gap = gap,
+    .rows = rows,
+};
 
 }  // namespace pantin

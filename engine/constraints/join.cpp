@@ -1,4 +1,6 @@
 // A join: two points are `position1` apart at the end of the step, which goes to 0 as `conditions` say.
+#include "constraints/geometry.hpp"
+#include "constraints/plans.hpp"
 #include "constraints/row_rule.hpp"
 
 namespace pantin {
@@ -13,5 +15,34 @@ double evaluate_attract(Row& row, Condition& c, const RowContext&) {
 void project_attract(const Row&, Condition& c) { c.kept = identity33(); }
 
 Vec3 attract_gap(const Row& row, const Condition& c) { return row.d1 - c.position1 - row.offset; }
+
+namespace {
+
+void start(const Model& model, Constraint& c, double) {
+  if (std::isfinite(c.max_force)) return;
+  c.away = position(model, c.a) - position(model, c.b);
+  c.away_rate = velocity(model, c.a) - velocity(model, c.b);
+}
+
+double gap(const Model& model, const Constraint& c) {
+  return std::isfinite(c.max_force) ? 0.0 : norm(position(model, c.a) - position(model, c.b) - c.away);
+}
+
+std::vector<RowPlan> rows(const Model&, const Constraint& c) {
+  return {between_points(c, std::isfinite(c.max_force) ? RowKind::soft : RowKind::attract)};
+}
+
+}  // namespace
+
+const ConstraintRule join_rule = {
+    .freedoms =
+        [](const Constraint& c) {
+          return std::isfinite(c.max_force) ? FreedomsTaken{} : FreedomsTaken{3, 2};
+        },
+    .directions = all_directions,
+    .start = start,
+    .gap = gap,
+    .rows = rows,
+};
 
 }  // namespace pantin

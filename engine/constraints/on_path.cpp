@@ -3,6 +3,8 @@
 //   y1 - c(u1) + κ n (n·f) = 0.
 // At the end of an open path the point is held there, as long as it would go on: where it is, and where its force would
 // move it to (Alart and Curnier 1991), tell, so that round-off of the position does not.
+#include "constraints/geometry.hpp"
+#include "constraints/plans.hpp"
 #include "model/path.hpp"
 
 #include "constraints/row_rule.hpp"
@@ -67,5 +69,46 @@ Stop stop_of_path(const Row& row, const Condition& c) {
 Vec3 path_gap(const Row& row, const Condition& c) {
   return row.d1 - c.path->position(c.path->nearest(row.d1, c.angle1)) - row.offset;
 }
+
+namespace {
+
+void start(const Model& model, Constraint& c, double tolerance) {
+  const Vec3 at = position(model, c.a);
+  c.along = c.path->nearest(at);
+  const Vec3 T = c.path->tangent(c.along), off = at - c.path->position(c.along), v = velocity(model, c.a);
+  if (norm(off) <= tolerance * std::fmax(size_of(model, c.a), largest(at))) return;
+  c.away = off;
+  c.away_rate = v - T * dot(T, v);
+}
+
+double gap(const Model& model, const Constraint& c) {
+  const Vec3 at = position(model, c.a) - c.away;
+  return norm(at - c.path->position(c.path->nearest(at, c.along)));
+}
+
+std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {between_points(c, RowKind::path)}; }
+
+void load(Condition& condition, const Row&, const Model& model, const Constraint& c) {
+  condition.path = c.path.get();
+  condition.angle0 = condition.angle1 = c.along;
+  const Vec3 at = c.path->positions()[0], height = at - model.plane.along(at);
+  condition.whole0 -= height;
+  condition.whole1 -= height;
+}
+
+}  // namespace
+
+const ConstraintRule on_path_rule = {
+    .freedoms =
+        [](const Constraint&) {
+          return FreedomsTaken{2, 1};
+        },
+    .directions = [](const Constraint& c) { return all_across(c.path->tangent(c.along)); },
+    .start = start,
+    .gap = gap,
+    .rows = rows,
+    .load = load,
+    .has_range = [](const Constraint& c) { return !c.path->closed(); },
+};
 
 }  // namespace pantin

@@ -1,4 +1,6 @@
 // A point on a plane: n·(y - c) = 0 by a force along n. Linear, so that the force does no work.
+#include "constraints/geometry.hpp"
+#include "constraints/plans.hpp"
 #include "constraints/row_rule.hpp"
 
 namespace pantin {
@@ -11,5 +13,38 @@ double evaluate_plane(Row& row, Condition& c, const RowContext& context) {
 void project_plane(const Row&, Condition& c) { project_function(c, c.normal); }
 
 Vec3 plane_gap(const Row& row, const Condition& c) { return c.normal * (dot(c.normal, row.d1) - c.accepted); }
+
+namespace {
+
+void start(const Model& model, Constraint& c, double tolerance) {
+  const Vec3 n = c.axis_a;
+  start_point(model, c, n * dot(n, from_position(model, c)), n * dot(n, velocity(model, c.a)), tolerance);
+}
+
+double gap(const Model& model, const Constraint& c) {
+  return std::fabs(dot(c.axis_a, from_position(model, c) - c.away));
+}
+
+std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {between_points(c, RowKind::plane)}; }
+
+}  // namespace
+
+const ConstraintRule on_plane_rule = {
+    .freedoms =
+        [](const Constraint&) {
+          return FreedomsTaken{1, 1};
+        },
+    .directions =
+        [](const Constraint& c) {
+          return std::array<Vec3, 3>{c.axis_a, zero3(), zero3()};
+        },
+    .start = start,
+    .gap = gap,
+    .rows = rows,
+    .in_plane =
+        [](const Model&, const Constraint& c) {
+          return std::vector<PlaneNeed>{{"normal", c.axis_a, false}};
+        },
+};
 
 }  // namespace pantin

@@ -1,6 +1,8 @@
 // A rod: g = (|d1|² - L²)/2L = 0 by a force along the mean direction d̄ = (d0 + d1)/2, so that force times displacement is
 // λ Δg exactly (discrete gradient; Gonzalez 1996). The force is a 3-vector like any row's, held to n = d̄/|d̄|. A limit of
 // length is the same with two L.
+#include "constraints/geometry.hpp"
+#include "constraints/plans.hpp"
 #include "constraints/row_rule.hpp"
 
 namespace pantin {
@@ -42,5 +44,31 @@ Vec3 rod_gap(const Row& row, const Condition& c) {
   return direction(row.d1) * (c.ranged ? missing(c, c.low > 0.0 ? length - low_end(c) : infinity, length - high_end(c))
                                        : length - c.length);
 }
+
+namespace {
+
+void start(const Model& model, Constraint& c, double tolerance) {
+  start_number(c, end_distance(model, c) - c.length, end_distance_rate(model, c), tolerance * c.length);
+}
+
+double gap(const Model& model, const Constraint& c) { return std::fabs(end_distance(model, c) - c.length - c.excess); }
+
+std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {between_points(c, RowKind::rod)}; }
+
+}  // namespace
+
+const ConstraintRule rod_rule = {
+    .keeps = KeptNumber::length,
+    .ends_at_place = true,
+    .freedoms =
+        [](const Constraint&) {
+          return FreedomsTaken{1, 1};
+        },
+    .directions = all_directions,
+    .start = start,
+    .gap = gap,
+    .value = end_distance,
+    .rows = rows,
+};
 
 }  // namespace pantin

@@ -3,7 +3,7 @@
 
 #include "articulates/articulate.hpp"
 #include "articulates/solve/state.hpp"
-#include "constraints/violation.hpp"
+#include "constraints/kind.hpp"
 #include "edit/constrain.hpp"
 #include "edit/editing.hpp"
 

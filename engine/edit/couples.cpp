@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "constraints/violation.hpp"
+#include "constraints/kind.hpp"
 #include "edit/constrain.hpp"
 #include "edit/editing.hpp"
 #include "forces/sleep.hpp"
@@ -12,8 +12,6 @@ namespace pantin {
 using namespace internal;
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 void require_turning(const World& world, const char* call, BodyId body) {
   require(world.bodies.alive(body), call, ": ", world.bodies.story(body));
@@ -64,20 +62,6 @@ Constraint& of_kinds(World& world, ConstraintId id, std::initializer_list<Constr
   return c;
 }
 
-void require_align_angle(const char* call, double angle) {
-  require(std::isfinite(angle) && angle >= 0.0 && angle <= pi, call, ": angle must be 0 to π rad, got ", angle);
-}
-
-/// An angle that is 0 or π but for round-off leaves the axes no direction to turn in, and is kept in two.
-void set_align_angle(Constraint& c, double angle) {
-  constexpr double least = 1e-6;
-  if (angle > pi - least) {
-    c.axis_b *= -1.0;
-    angle = 0.0;
-  }
-  c.length = angle < least ? 0.0 : angle;
-}
-
 void require_range(const char* call, double min, double max, const char* unit) {
   require(!std::isnan(min) && !std::isnan(max), call, ": min and max must be numbers [", unit, "]");
   require(min < max, call, ": min must be below max, got ", min, " and ", max, " ", unit);
@@ -121,8 +105,7 @@ ConstraintId add_align(World& world, BodyId a, BodyId b, const AlignDef& def) {
   c.time_constant = def.time_constant;
   c.axis_a = unit_axis("align", "the first axis", def.axis_a);
   c.axis_b = unit_axis("align", "the second axis", def.axis_b);
-  if (def.angle) require_align_angle("align", *def.angle);
-  set_align_angle(c, def.angle.value_or(present_length(world, c)));
+  rule_of(c).set(c, "align", def.angle.value_or(present_value(world, c)));
   start_constraint(world, c);
   return insert_constraint(world, std::move(c));
 }
@@ -162,12 +145,12 @@ ConstraintId add_limit(World& world, BodyId a, BodyId b, Vec3 axis, const LimitD
 }
 
 void set_length(World& world, ConstraintId id, double value, std::function<double(double)> function) {
-  Constraint& c =
-      of_kinds(world, id, {ConstraintKind::rod, ConstraintKind::string, ConstraintKind::motor, ConstraintKind::align},
-               "a number to keep");
+  require_unlocked(world, "a number to keep");
+  Constraint& c = world.constraints[id];
+  require(rule_of(c).keeps != KeptNumber::none, "a number to keep: ", describe(world, id), " has none");
+  wake(world, c);
   const std::string who = describe(world, id);
-  if (c.kind == ConstraintKind::rod || c.kind == ConstraintKind::string) require_positive(who, "length", value, "m");
-  if (c.kind == ConstraintKind::align) require_align_angle(who.c_str(), value);
+  if (rule_of(c).keeps == KeptNumber::length) require_positive(who, "length", value, "m");
   require_finite(who, c.by_speed ? "speed" : "angle", value, c.by_speed ? "rad/s" : "rad");
   c.number = std::move(function);
   if (c.by_speed) {
@@ -175,8 +158,8 @@ void set_length(World& world, ConstraintId id, double value, std::function<doubl
     c.moves = 0;
     return;
   }
-  if (c.kind == ConstraintKind::align) {
-    set_align_angle(c, value);
+  if (rule_of(c).set != nullptr) {
+    rule_of(c).set(c, who, value);
     touch(world, c);
   } else {
     c.length = value;

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "constraints/violation.hpp"
+#include "constraints/kind.hpp"
 #include "edit/edit.hpp"
 #include "forces/disturb.hpp"
 #include "world/checks.hpp"

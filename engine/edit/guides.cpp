@@ -1,6 +1,6 @@
 // Constraints that guide points: on_plane, on_path, string, and limits of
 // length.
-#include "constraints/violation.hpp"
+#include "constraints/kind.hpp"
 #include "edit/constrain.hpp"
 #include "edit/editing.hpp"
 #include "forces/sleep.hpp"
@@ -104,7 +104,7 @@ ConstraintId add_string(World& world, std::vector<Passage> passages, const Strin
   c.kind = ConstraintKind::string;
   c.time_constant = def.time_constant;
   c.passages = std::move(passages);
-  c.length = def.length.value_or(present_length(world, c));
+  c.length = def.length.value_or(present_value(world, c));
   require_positive("string", "length", c.length, "m");
   require(c.length > fixed, "string: its positions are ", fixed, " m apart, so it cannot be ", c.length, " m long");
   start_constraint(world, c);

@@ -1,5 +1,5 @@
 // Joins: two points drawn together.
-#include "constraints/violation.hpp"
+#include "constraints/kind.hpp"
 #include "edit/assemble.hpp"
 #include "edit/parts.hpp"
 

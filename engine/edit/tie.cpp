@@ -1,4 +1,4 @@
-#include "constraints/violation.hpp"
+#include "constraints/kind.hpp"
 #include "edit/edit.hpp"
 #include "edit/editing.hpp"
 #include "forces/sleep.hpp"

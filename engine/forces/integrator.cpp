@@ -6,6 +6,7 @@
 
 #include "articulates/solve/sub_steps.hpp"
 
+#include "constraints/kind.hpp"
 #include "forces/forces_parts.hpp"
 #include "forces/solved.hpp"
 #include "laws/draws_noise.hpp"
@@ -61,8 +62,7 @@ std::string what_dissipates(const World& world) {
     if (!c.enabled) continue;
     if (std::isfinite(c.max_force)) return text(why, describe(world, id), " has a max_force");
     if (std::isfinite(c.max_torque)) return text(why, describe(world, id), " has a max_torque");
-    if (c.kind == ConstraintKind::limit || c.kind == ConstraintKind::string || (c.path && !c.path->closed()))
-      return text(why, describe(world, id), " stops what meets it");
+    if (has_range(c)) return text(why, describe(world, id), " stops what meets it");
   }
   for (ConnectionId id : world.connections.ids())
     if (is_asked(world, world.connections[id], Solve::at_end))

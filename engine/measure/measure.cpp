@@ -5,7 +5,7 @@
 
 #include "articulates/articulate.hpp"
 #include "base/hash.hpp"
-#include "constraints/violation.hpp"
+#include "constraints/kind.hpp"
 #include "forces/forces.hpp"
 #include "forces/work_check.hpp"
 #include "measure/energy_scale.hpp"
@@ -173,7 +173,7 @@ Accuracy accuracy(const World& world) {
   for (std::uint32_t s = 0; s < world.constraints.slots(); s++) {
     const Constraint& c = world.constraints.at_slot(s);
     if (!world.constraints.alive_at(s) || !c.enabled) continue;
-    double& worst = c.pins() || c.kind == ConstraintKind::weld ? a.hinge_gap : a.constraint;
+    double& worst = rule_of(c).joins_points ? a.hinge_gap : a.constraint;
     worst = std::fmax(worst, present_gap(world, c));
   }
   a.constraint = std::fmax(a.constraint, a.hinge_gap);

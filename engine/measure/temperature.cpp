@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "constraints/kind.hpp"
 #include "measure/freedoms.hpp"
-#include "model/path.hpp"
 
 namespace pantin {
 namespace {
@@ -27,13 +27,7 @@ struct Freedoms {
   }
 
   void hold_by(const Constraint& c) {
-    if (c.kind == ConstraintKind::on_plane) return hold(c.axis_a);
-    const Vec3 along = c.kind == ConstraintKind::on_path ? c.path->tangent(c.along) : zero3();
-    for (int i = 0; i < 3; i++) {
-      Vec3 axis = zero3();
-      axis[i] = 1.0;
-      hold(axis - along * dot(along, axis));
-    }
+    for (const Vec3 held : rule_of(c).directions(c)) hold(held);
   }
 
   bool among(PointId id) const {
@@ -56,44 +50,9 @@ struct Freedoms {
   }
 
   /// How many freedoms a constraint takes.
-  long taken(const Constraint& c) const { return world.plane.flat() ? taken_in_plane(c) : taken_in_space(c); }
-
-  static long taken_in_plane(const Constraint& c) {
-    switch (c.kind) {
-      case ConstraintKind::nail:
-      case ConstraintKind::follow: return c.pins() ? 2 : 0;
-      case ConstraintKind::join: return std::isfinite(c.max_force) ? 0 : 2;
-      case ConstraintKind::on_path:
-      case ConstraintKind::rod:
-      case ConstraintKind::on_plane:
-      case ConstraintKind::orient:
-      case ConstraintKind::align: return 1;
-      case ConstraintKind::weld: return 3;
-      case ConstraintKind::motor: return std::isfinite(c.max_torque) ? 0 : 1;
-      case ConstraintKind::axis:
-      case ConstraintKind::string:
-      case ConstraintKind::limit: break;
-    }
-    return 0;
-  }
-
-  static long taken_in_space(const Constraint& c) {
-    switch (c.kind) {
-      case ConstraintKind::nail:
-      case ConstraintKind::follow: return c.pins() ? 3 : 0;
-      case ConstraintKind::join: return std::isfinite(c.max_force) ? 0 : 3;
-      case ConstraintKind::on_path: return 2;
-      case ConstraintKind::rod:
-      case ConstraintKind::on_plane: return 1;
-      case ConstraintKind::axis: return 2;
-      case ConstraintKind::weld: return 6;
-      case ConstraintKind::orient: return 3;
-      case ConstraintKind::align: return c.length == 0.0 ? 2 : 1;
-      case ConstraintKind::motor: return std::isfinite(c.max_torque) ? 0 : 1;
-      case ConstraintKind::string:
-      case ConstraintKind::limit: break;
-    }
-    return 0;
+  long taken(const Constraint& c) const {
+    const FreedomsTaken freedoms = rule_of(c).freedoms(c);
+    return world.plane.flat() ? freedoms.in_plane : freedoms.in_space;
   }
 
   void tie(const Constraint& c) {

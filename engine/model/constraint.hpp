@@ -1,10 +1,12 @@
 #pragma once
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/lanes.hpp"
@@ -39,6 +41,10 @@ enum class ConstraintKind : std::uint8_t {
   on_path,
   join
 };
+/// (kinds) as messages and scripts call them
+inline constexpr std::array<std::string_view, 13> constraint_names = {
+    "nail",  "follow", "rod",      "axis of a hinge", "weld",    "orient", "align",
+    "motor", "limit",  "on_plane", "string",          "on_path", "join"};
 
 /// A point, or a position of the world, that a string goes through.
 struct Passage {

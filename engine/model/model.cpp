@@ -244,12 +244,7 @@ std::string describe(const Model& m, BodyId id) {
   return m.bodies.alive(id) ? called("body", m.bodies[id]) : m.bodies.story(id);
 }
 
-std::string_view kind_name(ConstraintKind kind) {
-  static constexpr std::string_view kinds[] = {"nail",   "follow",  "rod",   "axis of a hinge", "weld",
-                                               "orient", "align",   "motor", "limit",           "on_plane",
-                                               "string", "on_path", "join"};
-  return kinds[static_cast<std::size_t>(kind)];
-}
+std::string_view kind_name(ConstraintKind kind) { return constraint_names[static_cast<std::size_t>(kind)]; }
 
 std::string describe(const Model& m, ConstraintId id) {
   if (!m.constraints.alive(id)) return m.constraints.story(id);

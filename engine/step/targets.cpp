@@ -1,6 +1,7 @@
 // Targets and violations of constraints at the end of the coming step.
 #include "base/functions.hpp"
 #include "choreography/hands.hpp"
+#include "constraints/kind.hpp"
 #include "edit/editing.hpp"
 #include "forces/sleep.hpp"
 
@@ -28,7 +29,7 @@ void approach(Violation& away, Violation& rate, double h, double tau, double lea
 /// What is left of a violation when it counts as none, [m]. Points that are to be joined need not come nearer for ever.
 double least_violation(const World& world, const Constraint& c) {
   if (!c.a) return 1e-14;
-  if (c.kind != ConstraintKind::join) return 1e-14 * std::fmax(size_of(world, c.a), largest(c.position));
+  if (!c.progress) return 1e-14 * std::fmax(size_of(world, c.a), largest(c.position));
   const double size = std::fmax(size_of(world, c.a), size_of(world, c.b));
   return 0.1 * world.settings.tolerance * (size > 0.0 ? size : largest(position(world, c.a)));
 }
@@ -89,7 +90,7 @@ void move_position(const World& world, ConstraintId id, Constraint& c, double ti
 }
 
 void move_length(const World& world, ConstraintId id, Constraint& c, double time, double h) {
-  const bool of_length = c.kind == ConstraintKind::rod || c.kind == ConstraintKind::string;
+  const bool of_length = rule_of(c).keeps == KeptNumber::length;
   const char* what = of_length ? "length" : c.by_speed ? "speed" : "angle";
   const auto target = [&](double t) {
     const double value = c.number ? c.number(t) : c.by_speed ? c.length_rate : c.length;

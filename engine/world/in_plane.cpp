@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "constraints/kind.hpp"
 #include "model/path.hpp"
 #include "world/checks.hpp"
 
@@ -66,29 +67,15 @@ void require_heights(const World& world, std::string_view call, const Constraint
   if (c.path)
     for (Vec3 position : c.path->positions()) see(position);
   if (c.b) see(position(world, c.b));
-  const bool to_position = !c.b && !c.path && c.passages.empty() && c.kind != ConstraintKind::on_plane;
-  if (to_position && !c.target && c.hand < 0) see(c.position);
-}
-
-Vec3 in_world(const World& world, BodyId body, Vec3 axis) {
-  return body ? rotate(orientation(world, body), axis) : axis;
+  if (rule_of(c).ends_at_place && !c.b && !c.target && c.hand < 0) see(c.position);
 }
 
 void require_axes(const World& world, std::string_view call, const Constraint& c) {
-  switch (c.kind) {
-    case ConstraintKind::axis:
-    case ConstraintKind::motor:
-    case ConstraintKind::limit:
-      if (c.body_a) require_about_normal(world, call, "axis", in_world(world, c.body_a, c.axis_a), "");
-      return;
-    case ConstraintKind::align:
-      require_in_plane(world, call, "the first axis", in_world(world, c.body_a, c.axis_a), "");
-      return require_in_plane(world, call, "the second axis", in_world(world, c.body_b, c.axis_b), "");
-    case ConstraintKind::on_plane: return require_in_plane(world, call, "normal", c.axis_a, "");
-    case ConstraintKind::orient:
-      if (!c.attitude) require_turn(world, call, c.body_a, c.turn);
-      return;
-    default: return;
+  if (rule_of(c).orients && !c.attitude) require_turn(world, call, c.body_a, c.turn);
+  if (rule_of(c).in_plane == nullptr) return;
+  for (const PlaneNeed& need : rule_of(c).in_plane(world, c)) {
+    if (need.along_normal) require_about_normal(world, call, need.name, need.vector, "");
+    if (!need.along_normal) require_in_plane(world, call, need.name, need.vector, "");
   }
 }
 

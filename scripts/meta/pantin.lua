@@ -37,7 +37,7 @@ function quat_methods:inverse() end
 
 ---@alias color string|number[] "#rgb", "#rrggbb", "#rrggbbaa" or { r, g, b, a } of 0 to 1
 ---@alias Look "ball"|"glow"|"streak"
----@alias Course<T> T|fun(age: number, life: number): T
+---@alias Curve<T> T|fun(age: number, life: number): T
 ---@alias Thing Point|Particle|Body|Nail|Follow|Rod|Group|Family|Connection|Interaction|Field|Emitter
 
 ---@class Energy
@@ -70,7 +70,7 @@ function quat_methods:inverse() end
 ---@field sleep number [J] that articulates still had which fell asleep
 ---@field projection number [J] taken by the projection of velocities, since it is kept
 ---@field energy_return number [J] given back of that
----@field safe_step number [J] taken by safe steps, since it is kept
+---@field fallback_step number [J] taken by fallback steps, since it is kept
 ---@field integrator number [J] that the integrators euler and rk4 gave by being inexact, since it is kept
 ---@field unsolved number [J] of forces on what the iteration left open within its tolerance, since it is kept
 ---@field since number? [s] when all began to be kept; nil, and so the fields below: not yet
@@ -87,7 +87,7 @@ function quat_methods:inverse() end
 ---@field solves integer
 ---@field factorisations integer
 ---@field halved_steps integer
----@field safe_steps integer
+---@field fallback_steps integer
 ---@field rejected_steps integer steps that were done again with more sub-steps, as `scene.accuracy` wants
 ---@field missed_accuracy number largest error where not even the most sub-steps gave what `scene.accuracy` wants, in its unit; 0 where none was missed
 ---@field projections integer
@@ -181,18 +181,18 @@ function quat_methods:inverse() end
 ---@field at? vec [m]
 ---@field velocity? vec [m/s]
 ---@field mass? number [kg]
----@field radius? Course<number> [m]
----@field color? Course<color>
+---@field radius? Curve<number> [m]
+---@field color? Curve<color>
 ---@field look? Look
 ---@field family? Family
 ---@field lifetime? number [s]
 ---@field name? string
----@field [string] Course<number> attributes of its family
+---@field [string] Curve<number> attributes of its family
 
 ---@class FamilyOptions
----@field attributes? table<string, Course<number>>|string[] values of a particle that gives none
----@field color? Course<color>
----@field radius? Course<number> [m]
+---@field attributes? table<string, Curve<number>>|string[] values of a particle that gives none
+---@field color? Curve<color>
+---@field radius? Curve<number> [m]
 ---@field mass? number [kg]
 ---@field look? Look
 
@@ -205,12 +205,12 @@ function quat_methods:inverse() end
 ---@field max? integer
 ---@field family? Family
 ---@field mass? number [kg]
----@field radius? Course<number> [m]
----@field color? Course<color>
+---@field radius? Curve<number> [m]
+---@field color? Curve<color>
 ---@field look? Look
 ---@field enabled? boolean
 ---@field name? string
----@field [string] Course<number> attributes of its family
+---@field [string] Curve<number> attributes of its family
 
 ---@class PointOptions
 ---@field at? vec [m]
@@ -1305,7 +1305,7 @@ function force.repel(options) end
 ---@field cohesion? number [N/m] c; 0
 ---@field name? string in the ledger
 
----each follows its neighbours: w (c d + a u - s d / r²), d and u the place and velocity of the other relative to it, w = (1 - r²/sight²)² (C. W. Reynolds, Computer Graphics 21 (4), 1987, p. 25)
+---each follows its neighbours: w (c d + a u - s d / r²), d and u the position and velocity of the other relative to it, w = (1 - r²/sight²)² (C. W. Reynolds, Computer Graphics 21 (4), 1987, p. 25)
 ---@param options FlockOptions
 ---@return Law
 function force.flock(options) end

@@ -2,7 +2,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "constraints/violation.hpp"
+#include "constraints/geometry.hpp"
+#include "constraints/kind.hpp"
 #include "edit/assemble.hpp"
 #include "edit/constrain.hpp"
 #include "measure/measure.hpp"
@@ -319,7 +320,7 @@ TEST_CASE("what is far from its orientation, axis or angle approaches critically
     step(world);
     const double s = world.time / tau, wanted = far * (1 + s) * std::exp(-s);
     REQUIRE(std::fabs(norm(present_turn(world, world.constraints[first])) - wanted) < 0.01 * wanted + 1e-8);
-    REQUIRE(std::fabs(present_length(world, world.constraints[second]) - wanted) < 0.01 * wanted + 1e-7);
+    REQUIRE(std::fabs(present_value(world, world.constraints[second]) - wanted) < 0.01 * wanted + 1e-7);
     REQUIRE(std::fabs(far - world.constraints[third].angle - wanted) < 0.01 * wanted + 1e-8);
   }
   CHECK(world.worst.constraint < 1e-10);
@@ -339,7 +340,7 @@ TEST_CASE("an align keeps the angle between two axes while all else turns") {
   step(world);
   const Vec3 L = angular_momentum(world, everything(world));
   const Accuracy worst = run(world, 5.0);
-  CHECK(std::fabs(present_length(world, world.constraints[align]) - 0.25 * pi) < 1e-10);
+  CHECK(std::fabs(present_value(world, world.constraints[align]) - 0.25 * pi) < 1e-10);
   CHECK(worst.energy < 1e-9);
   CHECK(norm(angular_momentum(world, everything(world)) - L) < 1e-11);
 }

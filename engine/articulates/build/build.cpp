@@ -9,6 +9,7 @@
 #include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/state.hpp"
 #include "articulates/solve/stiff.hpp"
+#include "constraints/kind.hpp"
 
 namespace pantin {
 
@@ -163,8 +164,7 @@ Condition make_condition(const Model& model, const Edge& edge, Row& row) {
   }
   const Constraint& c = model.constraints[edge.constraint];
   condition.length = c.length;
-  condition.held = condition.held_before =
-      c.kind != ConstraintKind::limit && c.kind != ConstraintKind::string && !c.path && std::isinf(c.max_torque);
+  condition.held = condition.held_before = !has_range(c) && !c.path && std::isinf(c.max_torque);
   row.f = edge.angular ? c.torque / row.lever : c.force;
   return condition;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "articulates/solve/conditions.hpp"
+#include "constraints/kind.hpp"
 
 namespace pantin {
 
@@ -88,7 +89,7 @@ class Finder {
   void add(ConstraintId id, bool listed_here) {
     const Constraint& c = model_.constraints[id];
     if (!c.enabled || !wanted(listed_here) || found([&](const Edge& edge) { return edge.constraint == id; })) return;
-    for (const RowPlan& plan : plan_rows(model_, c)) {
+    for (const RowPlan& plan : rule_of(c).rows(model_, c)) {
       Edge row;
       row.kind = plan.kind;
       row.angular = plan.angular;

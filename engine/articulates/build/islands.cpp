@@ -5,6 +5,7 @@
 #include "articulates/build/build.hpp"
 #include "articulates/solve/conditions.hpp"
 #include "articulates/solve/state.hpp"
+#include "constraints/kind.hpp"
 
 namespace pantin {
 
@@ -70,7 +71,7 @@ class Search {
   }
   void visit(const Constraint& c) {
     if (!c.enabled) return;
-    constrained_ = constrained_ || c.kind != ConstraintKind::string || !plan_rows(model_, c).empty();
+    constrained_ = constrained_ || !rule_of(c).rows(model_, c).empty();
     c.each_point([&](PointId point) { add(point); });
     for (BodyId body : {c.body_a, c.body_b})
       if (body) add(Thing{body.slot - 1, true});

@@ -6,21 +6,6 @@
 
 namespace pantin {
 
-/// A row that a constraint wants, and which of its things and positions it ties; null b: the world.
-struct RowPlan {
-  RowKind kind = RowKind::rigid;
-  bool angular = false;
-  PointId point_a, point_b;
-  BodyId body_a, body_b;                  // where no points are given
-  Vec3 arm_a = zero3(), arm_b = zero3();  // [m] or axis, in the frame of a body
-  std::uint32_t index = 0;
-};
-std::vector<RowPlan> plan_rows(const Model& model, const Constraint& constraint);
-
-/// What the step needs to know of a constraint; `total_mass` of the articulate [kg].
-void load(Condition& condition, const Row& row, const Model& model, double total_mass);
-/// What the step found out; `force` of the row [N].
-void store(const Condition& condition, const Row& row, Vec3 force, Constraint& constraint);
 /// Inertia of all nodes about a position, as if they were one, [kg m²].
 double inertia_about(const Articulate& articulate, Vec3 position);
 /// Limits are stronger than motors, and all else than motors of limited torque: where a step of h [s] cannot be solved,

@@ -5,6 +5,7 @@
 #include "articulates/solve/conditions.hpp"
 #include "articulates/solve/row_gaps.hpp"
 #include "articulates/solve/stiff.hpp"
+#include "constraints/load.hpp"
 
 namespace pantin {
 

@@ -1,0 +1,49 @@
+#include "constraints/geometry.hpp"
+
+namespace pantin {
+
+namespace {
+
+double gyration(const Model& model, BodyId body) {
+  const Motion& m = model.motion_of(body);
+  return std::sqrt((m.inertia[0] + m.inertia[1] + m.inertia[2]) / (2.0 * m.mass));
+}
+
+/// Where body_b, or the world, wants body_a's frame.
+Quat wanted_orientation(const Model& model, const Constraint& c) {
+  return c.body_b ? orientation(model, c.body_b) * c.turn : c.turn;
+}
+
+}  // namespace
+
+double end_distance_rate(const Model& model, const Constraint& c) {
+  const Vec3 d = position(model, c.a) - (c.b ? position(model, c.b) : c.position);
+  const Vec3 v = velocity(model, c.a) - (c.b ? velocity(model, c.b) : zero3());
+  return dot(direction(d), v);
+}
+
+Vec3 present_turn(const Model& model, const Constraint& c) {
+  const Quat q = orientation(model, c.body_a) * conjugate(wanted_orientation(model, c));
+  const double sign = q.w < 0.0 ? -1.0 : 1.0, s = norm(vec(q.x, q.y, q.z));
+  return direction(vec(q.x, q.y, q.z)) * (2.0 * sign * functions::atan2(s, std::fabs(q.w)));
+}
+
+double lever(const Model& model, const Constraint& c) {
+  const double a = gyration(model, c.body_a);
+  return c.body_b ? std::fmin(a, gyration(model, c.body_b)) : a;
+}
+
+void start_number(Constraint& c, double excess, double rate, double allowed) {
+  if (std::fabs(excess) <= allowed) return;
+  c.excess = excess;
+  c.excess_rate = rate;
+}
+
+void start_point(const Model& model, Constraint& c, Vec3 away, Vec3 rate, double tolerance) {
+  const double size = size_of(model, c.a);
+  if (norm(away) <= tolerance * (size > 0.0 || c.pins() ? size : largest(c.position))) return;
+  c.away = away;
+  c.away_rate = rate;
+}
+
+}  // namespace pantin

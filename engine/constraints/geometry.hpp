@@ -1,0 +1,39 @@
+#pragma once
+// Where the ends of constraints are now.
+#include <cmath>
+
+#include "base/functions.hpp"
+#include "model/model.hpp"
+
+namespace pantin {
+
+inline Vec3 direction_of(const Model& model, BodyId body, Vec3 axis) {
+  return body ? rotate(orientation(model, body), axis) : axis;
+}
+inline double angle_between(Vec3 u, Vec3 v) { return functions::atan2(norm(cross(u, v)), dot(u, v)); }
+
+/// From the position that a constraint names to its point [m].
+inline Vec3 from_position(const Model& model, const Constraint& c) { return position(model, c.a) - c.position; }
+
+inline double end_distance(const Model& model, const Constraint& c) {
+  return norm(position(model, c.a) - (c.b ? position(model, c.b) : c.position));
+}
+/// Rate of that [m/s].
+double end_distance_rate(const Model& model, const Constraint& c);
+
+inline Vec3 relative_spin(const Model& model, const Constraint& c) {
+  const Vec3 of_a = angular_velocity(model.motion_of(c.body_a));
+  return c.body_b ? of_a - angular_velocity(model.motion_of(c.body_b)) : of_a;
+}
+
+/// Rotation vector, world axes, from where an orient or weld wants its body to where it is [rad].
+Vec3 present_turn(const Model& model, const Constraint& constraint);
+/// Least radius of gyration of the bodies whose rotation a constraint ties [m]: turns an angle into a distance.
+double lever(const Model& model, const Constraint& constraint);
+
+/// Notes what is far: `value` is `excess` beyond what it is to be, and grows by `rate`; `size` says what is far.
+void start_number(Constraint& c, double excess, double rate, double allowed);
+/// The same of a point that is `away` [m] from where it is to be, at a velocity of `rate` [m/s].
+void start_point(const Model& model, Constraint& c, Vec3 away, Vec3 rate, double tolerance);
+
+}  // namespace pantin

@@ -1,0 +1,84 @@
+#pragma once
+// What the engine knows of a kind of constraint: one file of this folder fills one entry of the table, and whoever deals
+// with constraints asks the table. Its name stands beside the enumerator in model/constraint.hpp. How to add one:
+// assets/pages/house.md.
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "constraints/row.hpp"
+#include "model/model.hpp"
+
+namespace pantin {
+
+/// How many freedoms a constraint takes from what it ties.
+struct FreedomsTaken {
+  long in_space = 0, in_plane = 0;
+};
+
+/// A row that a constraint wants, and which of its things and positions it ties; null b: the world.
+struct RowPlan {
+  RowKind kind = RowKind::rigid;
+  bool angular = false;
+  PointId point_a, point_b;
+  BodyId body_a, body_b;                  // where no points are given
+  Vec3 arm_a = zero3(), arm_b = zero3();  // [m] or axis, in the frame of a body
+  std::uint32_t index = 0;
+};
+
+/// What a scene in a plane asks of a vector of a constraint, world axes: to lie in the plane, or along its normal.
+struct PlaneNeed {
+  std::string_view name;
+  Vec3 vector = zero3();
+  bool along_normal = false;
+};
+
+/// The number that a constraint keeps, where it has one that may be set: a length [m] or an angle [rad].
+enum class KeptNumber : std::uint8_t { none, length, angle };
+
+struct ConstraintRule {
+  KeptNumber keeps = KeptNumber::none;
+  bool joins_points = false;   ///< its gap is one between points, as a hinge's
+  bool ends_at_place = false;  ///< its second end, where that is no point, is a position of the world
+  bool orients = false;        ///< keeps an orientation in the world
+
+  FreedomsTaken (*freedoms)(const Constraint& constraint) = nullptr;
+  /// Directions in which it holds its point in the world; zero: none.
+  std::array<Vec3, 3> (*directions)(const Constraint& constraint) = nullptr;
+  /// Starts anew what begins at rest: notes what is further away than `tolerance`, relative to sizes; null: never far.
+  void (*start)(const Model& model, Constraint& constraint, double tolerance) = nullptr;
+  /// What it misses now, but for what it still attracts [m]; null: nothing is told.
+  double (*gap)(const Model& model, const Constraint& constraint) = nullptr;
+  /// Distance or angle that it has now [m], [rad]; null: it has no such number.
+  double (*value)(const Model& model, const Constraint& constraint) = nullptr;
+  /// Sets the number that it keeps; throws Error, which begins with `call`, where it cannot be that. Null: just written.
+  void (*set)(Constraint& constraint, std::string_view call, double value) = nullptr;
+  std::vector<RowPlan> (*rows)(const Model& model, const Constraint& constraint) = nullptr;
+  /// What a row is to know in the coming step beyond what all do; null: nothing.
+  void (*load)(Condition& condition, const Row& row, const Model& model, const Constraint& constraint) = nullptr;
+  /// Whether it keeps its value in a range, and so may be struck; null: no.
+  bool (*has_range)(const Constraint& constraint) = nullptr;
+  std::vector<PlaneNeed> (*in_plane)(const Model& model, const Constraint& constraint) = nullptr;  ///< null: nothing
+};
+
+const ConstraintRule& rule_of(ConstraintKind kind);
+inline const ConstraintRule& rule_of(const Constraint& constraint) { return rule_of(constraint.kind); }
+
+/// Whether it keeps its value in a range: a limit, a string, a path with ends.
+inline bool has_range(const Constraint& c) { return rule_of(c).has_range != nullptr && rule_of(c).has_range(c); }
+/// What a constraint misses now, but for what it still attracts [m].
+inline double present_gap(const Model& model, const Constraint& c) {
+  return rule_of(c).gap == nullptr ? 0.0 : rule_of(c).gap(model, c);
+}
+/// Distance or angle that it has now [m], [rad].
+inline double present_value(const Model& model, const Constraint& c) { return rule_of(c).value(model, c); }
+/// A constraint starts anew: what is far from where it wants it is attracted, a violation within `tolerance`, relative to
+/// sizes, is not one. Targets have no history.
+void start_constraint(const Model& model, Constraint& constraint, double tolerance);
+
+// The kinds, each in the file of its name.
+extern const ConstraintRule nail_rule, follow_rule, rod_rule, axis_rule, weld_rule, orient_rule, align_rule, motor_rule,
+    limit_rule, on_plane_rule, string_rule, on_path_rule, join_rule;
+
+}  // namespace pantin

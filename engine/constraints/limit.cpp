@@ -1,0 +1,54 @@
+// A limit: a distance or an angle stays between two, by the row of a rod or of a motor with a range.
+#include "constraints/geometry.hpp"
+#include "constraints/plans.hpp"
+
+namespace pantin {
+
+namespace {
+
+/// How far a value is outside the range.
+double outside(const Constraint& c, double value) {
+  return std::fmax(0.0, value - c.high) + std::fmin(0.0, value - c.low);
+}
+
+double value(const Model& model, const Constraint& c) { return c.a ? end_distance(model, c) : c.angle; }
+
+double rate(const Model& model, const Constraint& c) {
+  if (c.a) return end_distance_rate(model, c);
+  return dot(direction_of(model, c.body_a, c.axis_a), relative_spin(model, c));
+}
+
+void start(const Model& model, Constraint& c, double tolerance) {
+  const double now = value(model, c);
+  start_number(c, outside(c, now), rate(model, c), tolerance * (c.a ? now : 1.0));
+}
+
+double gap(const Model& model, const Constraint& c) {
+  const double past = std::fabs(outside(c, value(model, c))) - std::fabs(c.excess);
+  return std::fmax(0.0, c.a ? past : past * lever(model, c));
+}
+
+std::vector<RowPlan> rows(const Model&, const Constraint& c) {
+  return {c.a ? between_points(c, RowKind::rod) : angular_row(c, RowKind::turn)};
+}
+
+std::vector<PlaneNeed> in_plane(const Model& model, const Constraint& c) {
+  if (c.a) return {};
+  return {{"axis", direction_of(model, c.body_a, c.axis_a), true}};
+}
+
+}  // namespace
+
+const ConstraintRule limit_rule = {
+    .ends_at_place = true,
+    .freedoms = [](const Constraint&) { return FreedomsTaken{}; },
+    .directions = no_direction,
+    .start = start,
+    .gap = gap,
+    .value = value,
+    .rows = rows,
+    .has_range = [](const Constraint&) { return true; },
+    .in_plane = in_plane,
+};
+
+}  // namespace pantin

@@ -1,0 +1,88 @@
+#include "constraints/load.hpp"
+
+#include "base/functions.hpp"
+#include "constraints/kind.hpp"
+#include "model/path.hpp"
+
+namespace pantin {
+
+Quat quaternion_of(Vec3 rotation) {
+  const double angle = norm(rotation);
+  const Vec3 u = direction(rotation) * functions::sin(0.5 * angle);
+  return {functions::cos(0.5 * angle), u[0], u[1], u[2]};
+}
+
+namespace {
+
+bool equal(const Quat& a, const Quat& b) { return a.w == b.w && a.x == b.x && a.y == b.y && a.z == b.z; }
+
+/// Frames of the bodies to principal axes: `turn` of a constraint as one between the nodes.
+Quat between_nodes(const Model& model, const Constraint& c, const Quat& turn) {
+  const Quat of_a = turn * model.bodies[c.body_a].axes;
+  return c.body_b ? conjugate(model.bodies[c.body_b].axes) * of_a : of_a;
+}
+
+void load_angular_row(Condition& condition, const Row& row, const Model& model, const Constraint& c) {
+  const Quat to_b = c.body_b ? conjugate(model.bodies[c.body_b].axes) : Quat{};
+  condition.whole_turn0 = model.plane.about(between_nodes(model, c, c.previous_turn));
+  condition.whole_turn1 = model.plane.about(between_nodes(model, c, c.turn));
+  condition.axis = condition.axis0 = condition.axis1 = model.plane.axis(rotate(to_b, c.axis_b));
+  condition.angle0 = condition.angle1 = c.angle;
+  condition.whole_length0 = row.lever * (c.previous_length + c.previous_excess);
+  condition.whole_length1 = row.lever * (c.length + c.excess);
+  condition.length_rate = row.lever * (c.length_rate + c.excess_rate);
+  condition.low = row.lever * c.low;
+  condition.high = row.lever * c.high;
+  condition.upper = c.max_torque / row.lever;
+  const double given = norm(row.f), driven_back = std::fmin(1.001 * condition.stalled, condition.upper);
+  if (given < 0.5 * condition.stalled || given > driven_back) condition.stalled = infinity;
+  condition.lower = -condition.upper;
+  condition.velocity = zero3();
+  condition.whole0 = condition.whole1 = zero3();
+  condition.by_speed = c.by_speed;
+  condition.start_rate = row.lever * c.previous_rate;
+  condition.bent = c.bend.straight() ? Bent::nothing : c.attitude ? Bent::turn : Bent::length;
+  condition.bend = c.bend.mapped(row.lever, [&](Vec3 v) { return c.attitude ? model.plane.about(v) : v * row.lever; });
+  condition.works = false;
+  if (rule_of(c).load != nullptr) rule_of(c).load(condition, row, model, c);
+  condition.works = condition.works || condition.ranged || condition.whole_length0 != condition.whole_length1 ||
+                    !equal(condition.whole_turn0, condition.whole_turn1) || !same(condition.whole0, condition.whole1);
+}
+
+}  // namespace
+
+void load(Condition& condition, const Row& row, const Model& model, double total_mass) {
+  const Constraint& c = model.constraints[condition.constraint];
+  condition.ranged = has_range(c);
+  condition.held_before = condition.held;
+  if (row.lever > 0.0) return load_angular_row(condition, row, model, c);
+  condition.whole0 = model.plane.along(c.previous + c.previous_away);
+  condition.whole1 = model.plane.along(c.position + c.away);
+  condition.velocity = model.plane.along(c.velocity + c.away_rate);
+  condition.whole_length0 = c.previous_length + c.previous_excess;
+  condition.whole_length1 = c.length + c.excess;
+  condition.length_rate = c.length_rate + c.excess_rate;
+  condition.bent = c.bend.straight() ? Bent::nothing : c.target ? Bent::position : Bent::length;
+  condition.bend = c.bend.mapped(1.0, [&](Vec3 v) { return c.target ? model.plane.along(v) : v; });
+  condition.low = c.low;
+  condition.high = c.high;
+  condition.normal = model.plane.axis(c.axis_a);
+  if (rule_of(c).load != nullptr) rule_of(c).load(condition, row, model, c);
+  condition.works = row.kind == RowKind::soft || condition.ranged || condition.whole_length1 != condition.whole_length0;
+  condition.max_force = c.max_force;
+  condition.stiffness = total_mass / (c.time_constant * c.time_constant);  // critically damped for all that hangs at it
+  condition.damping = 2.0 * total_mass / c.time_constant;
+}
+
+void store(const Condition& condition, const Row& row, Vec3 force, Constraint& c) {
+  if (row.lever > 0.0) {
+    c.torque = force * row.lever;
+    c.angle = condition.angle1;
+    return;
+  }
+  if (c.path) c.along = condition.angle1;
+  c.tension = -dot(force, direction(row.d1));
+  if (condition.index == 0) c.force = force;
+}
+
+}  // namespace pantin
