@@ -56,9 +56,33 @@ std::vector<Parameter> parameters_of(const Method& method) {
   return parameters;
 }
 
+bool has(const Type* base, const Field& field) {
+  for (; base; base = base->base)
+    for (const Field& of_base : base->fields)
+      if (of_base.read == field.read && std::string_view(of_base.name) == field.name) return true;
+  return false;
+}
+
+bool has(const Type* base, const Method& method) {
+  for (; base; base = base->base)
+    for (const Method& of_base : base->methods)
+      if (of_base.function == method.function) return true;
+  return false;
+}
+
+/// All kinds of things.
+std::string alias_of_things() {
+  std::string names;
+  for (const Type* type : all_types())
+    for (const Type* base = type->base; base; base = base->base)
+      if (base == &any_thing_type()) names += (names.empty() ? "" : "|") + std::string(type->name);
+  return "---@alias Thing " + names + "\n\n";
+}
+
 /// `owner` is what it is called on: "Body:" or "structure.".
 void write_method(std::ostringstream& out, const std::string& owner, const Method& method) {
   out << "---" << method.doc << "\n";
+  write_example(out, method.example);
   std::string names;
   for (const Parameter& p : parameters_of(method)) {
     out << "---@param " << p.name << " " << p.type << p.unit << "\n";
@@ -71,24 +95,37 @@ void write_method(std::ostringstream& out, const std::string& owner, const Metho
 }
 
 void write_type(std::ostringstream& out, const Type& type) {
-  out << "---" << type.doc << "\n---@class " << type.name << "\n";
+  out << "---" << type.doc << "\n---@class " << type.name;
+  if (type.base) out << ": " << type.base->name;
+  out << "\n";
   for (const Field& field : type.fields) {
+    if (has(type.base, field)) continue;
     out << "---@field " << field.name << " " << field.type << " ";
     if (*field.unit) out << "[" << field.unit << "] ";
     out << field.doc << (field.write ? "" : " (read only)") << "\n";
   }
   if (type.more) out << "---@field [string] " << type.more_doc << "\n";
   out << "local " << type.name << " = {}\n";
-  for (const Method& method : type.methods) write_method(out, text(type.name, ":"), method);
+  for (const Method& method : type.methods)
+    if (!has(type.base, method)) write_method(out, text(type.name, ":"), method);
   out << "\n";
 }
 
 }  // namespace
 
+void write_example(std::ostream& out, std::string_view example) {
+  if (example.empty()) return;
+  out << "---```lua\n---";
+  for (const char c : example) out << (c == '\n' ? "\n---" : std::string(1, c));
+  out << "\n---```\n";
+}
+
 std::string annotations() {
   std::ostringstream out;
-  out << annotations_head;
+  out << annotations_head << alias_of_things();
+  for (const Type* type : base_types()) write_type(out, *type);
   for (const Type* type : all_types()) write_type(out, *type);
+  out << annotations_options;
   out << force_annotations();
   out << "structure = {}\n";
   for (const Method& maker : structure_makers()) write_method(out, "structure.", maker);

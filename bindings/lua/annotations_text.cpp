@@ -1,4 +1,4 @@
-// Annotations that are not made from the tables of the bindings.
+// Annotations that are not made from the tables of the bindings: values, results and free functions.
 #include "lua/annotations.hpp"
 
 namespace pantin::lua {
@@ -6,57 +6,84 @@ namespace pantin::lua {
 const char* const annotations_head = R"(---@meta
 -- Written by `pantin meta` from the tables of the bindings; do not edit. In brackets: units.
 
+---A vector; it does not change. Of `a * s` and `s * a` either may be the number.
 ---@class vec
----@field x number
----@field y number
----@field z number
+---@field x number [its own]
+---@field y number [its own]
+---@field z number [its own]
 ---@operator add(vec): vec
 ---@operator sub(vec): vec
 ---@operator unm: vec
 ---@operator mul(number): vec
 ---@operator div(number): vec
 local vec_methods = {}
----@param other vec
+---Sum of products of components.
+---```lua
+---local along = p.velocity:dot(vec(1, 0, 0))
+---```
+---@param other vec [its own]
 ---@return number
 function vec_methods:dot(other) end
----@param other vec
+---Across both, by the right-hand rule.
+---```lua
+---local up = vec(0, 0, 1):cross(vec(1, 0, 0))
+---```
+---@param other vec [its own]
 ---@return vec
 function vec_methods:cross(other) end
+---Its length, in its own unit.
+---```lua
+---local distance = (p.position - q.position):length()
+---```
 ---@return number
 function vec_methods:length() end
+---Of the same direction and of length 1.
+---```lua
+---local direction = (p.position - q.position):normalized()
+---```
 ---@return vec
 function vec_methods:normalized() end
 
+---A rotation; it does not change. Of `a * b` b is done first.
 ---@class quat
----@field w number
----@field x number
----@field y number
----@field z number
+---@field w number [1] cosine of half the angle
+---@field x number [1]
+---@field y number [1]
+---@field z number [1]
 ---@operator mul(quat): quat
 local quat_methods = {}
----@param v vec
+---A vector, turned.
+---```lua
+---local nose = block.orientation:rotate(vec(1, 0, 0))
+---```
+---@param v vec [its own]
 ---@return vec
 function quat_methods:rotate(v) end
+---The rotation back.
+---```lua
+---local back = block.orientation:inverse()
+---```
 ---@return quat
 function quat_methods:inverse() end
 
 ---@alias color string|number[] "#rgb", "#rrggbb", "#rrggbbaa" or { r, g, b, a } of 0 to 1
----@alias Look "ball"|"glow"|"streak"
----@alias Curve<T> T|fun(age: number, life: number): T
----@alias Thing Point|Particle|Body|Nail|Follow|Rod|Group|Family|Connection|Interaction|Field|Emitter
+---@alias Look "ball"|"glow"|"streak" a ball, a soft disc of light, or a line of light along the velocity
+---@alias Curve<T> T|fun(age: number, life: number): T a value, or a function of age and lifetime [s]
+---@alias Moment "step"|"press"|"release"|"key"|"grab"|"drop"|"cut"|"broke"|"joined"|"removed" at which scene:on calls
+---@alias Waiting fun(what?: number|fun(): boolean) for a time [s], until something holds, or for the next step
 
 ---@class Energy
----@field kinetic number [J]
----@field potential number [J]
----@field total number [J]
+---@field kinetic number [J] of motion
+---@field potential number [J] of gravity and of laws with energy
+---@field total number [J] their sum
 
 ---@class Accuracy
----@field hinge_gap number [m]
----@field constraint number [m]
----@field energy number relative
+---@field hinge_gap number [m] largest distance between points of a hinge, and of nails and follows without max_force
+---@field constraint number [m] the same with rods
+---@field energy number [1] change that no work explains, relative to the largest kinetic energy so far
 ---@field worst_hinge_gap number [m]
 ---@field worst_constraint number [m]
----@field worst_energy number relative
+---@field worst_energy number [1]
 
 ---@class Ledger
 ---@field laws table<string, number> [J] given to the motion by each law with energy
@@ -80,73 +107,31 @@ function quat_methods:inverse() end
 ---@field unsolved number [J] of forces on what the iteration left open within its tolerance, since it is kept
 ---@field since number? [s] when all began to be kept; nil, and so the fields below: not yet
 ---@field gravity number? [J] given to the motion since then
----@field closure number? what no line explains of the kinetic energy, relative to all lines: a test of the program
+---@field closure number? [1] what no line explains of the kinetic energy, relative to all lines: a test of the program
 ---@field truncation table<string, number>? [J] error of the steps for each law and gravity: change of its energy, and what it gave; of laws without energy, together: what they gave beyond a second estimate along the way
 
 ---@class Stats
----@field steps integer
----@field articulates integer
+---@field steps integer done so far
+---@field articulates integer there are now
 ---@field asleep integer of them, which rest until something moves them
----@field newton_iterations integer
----@field worst_iterations integer
----@field solves integer
----@field factorisations integer
----@field halved_steps integer
----@field fallback_steps integer
+---@field newton_iterations integer of all articulates
+---@field worst_iterations integer that one step took
+---@field solves integer of systems of linear equations
+---@field factorisations integer of their matrices
+---@field halved_steps integer that could not be solved, and were done in two
+---@field fallback_steps integer that nothing solved
 ---@field rejected_steps integer steps that were done again with more sub-steps, as `scene.accuracy` wants
----@field missed_accuracy number largest error where not even the most sub-steps gave what `scene.accuracy` wants, in its unit; 0 where none was missed
----@field projections integer
+---@field missed_accuracy number [as scene.accuracy] largest error where not even the most sub-steps gave what `scene.accuracy` wants; 0 where none was missed
+---@field projections integer of velocities
 ---@field sub_steps integer of the whole scene in its last step, as `scene.accuracy` wants
 ---@field most_sub_steps integer the most of any body or articulate, those of the scene included
 ---@field most_sub_steps_of string that body, or the first of that articulate; "" where all take as many
 ---@field ns table<string, number> [ns] per phase
 
 ---@class LogLine
----@field time number [s]
----@field kind string
----@field text string
-
----@alias Waiting fun(what?: number|fun(): boolean) [s]
-
----@class Condition one limit, and what it is of: the whole scene unless given
----@field temperature_above? number [K]
----@field temperature_below? number [K]
----@field energy_above? number [J]
----@field energy_below? number [J]
----@field force_above? number [N] of a hinge, constraint or connection
----@field force_below? number [N]
----@field distance_above? number [m] of a list of two things or places
----@field distance_below? number [m]
----@field count_above? number of a group or family
----@field count_below? number
----@field of? Thing|Scene|(Thing|vec)[]
-
----@class JoinOptions
----@field at? vec [m] where they meet
----@field time_constant? number [s]
----@field max_force? number [N]
----@field on_met? fun(hinge: Particle)
----@field name? string of the hinge
-
----@class Behaviour { target, options } are fields of self
----@field start? fun(self: table)
----@field step? fun(self: table, dt: number)
----@field stop? fun(self: table)
-
----@class BondingOptions
----@field families Family|Family[] one, or two
----@field near number [m] at most so far apart
----@field below number [K] bonds are made
----@field above number [K] bonds break
----@field law? Law of the connections that are made; this or hinge
----@field implicit? boolean|string of those connections, as in connect
----@field hinge? boolean what is near is joined to a hinge
----@field time_constant? number [s] of that
-
----@class WhenOptions
----@field mean? number [s] over which the measure is averaged
----@field again? boolean at each crossing
----@field hysteresis? number how far back beyond the limit before it may cross again
+---@field time number [s] of the scene
+---@field kind string "notice", "warning", "dropped" …
+---@field text string what happened
 
 ---@class TimelineEntry
 ---@field kind "at"|"every"|"over"|"when"|"play"
@@ -157,201 +142,112 @@ function quat_methods:inverse() end
 ---@field period? number [s] of an every
 ---@field fired integer how often so far
 ---@field label string where it was set
----@field target? string
-
----@class LineOptions
----@field color? color
----@field width? number [px]
----@field space? "scene"|"screen"
-
----@class MarkOptions
----@field color? color
----@field size? number [px] diameter of a point, height of letters
----@field space? "scene"|"screen"
-
----@class Camera
----@field at? vec [m]
----@field look_at? vec [m]
----@field follow? Thing
-
----@class ParamOptions
----@field min? number
----@field max? number
----@field step? number
----@field help? string
----@field choices? any[]
----@field on_change? fun(value: any)
-
----@class ParticleOptions
----@field at? vec [m]
----@field velocity? vec [m/s]
----@field mass? number [kg]
----@field radius? Curve<number> [m]
----@field color? Curve<color>
----@field look? Look
----@field family? Family
----@field lifetime? number [s]
----@field name? string
----@field [string] Curve<number> attributes of its family
-
----@class FamilyOptions
----@field attributes? table<string, Curve<number>>|string[] values of a particle that gives none
----@field color? Curve<color>
----@field radius? Curve<number> [m]
----@field mass? number [kg]
----@field look? Look
-
----@class EmitterOptions
----@field rate number|fun(t: number): number [1/s]
----@field at? vec|vec[]|Point|Particle [m] a place, a box { vec, vec }, or what carries it
----@field velocity? vec [m/s]
----@field spread? number [rad]
----@field lifetime? number|{ min: number, max: number } [s]
----@field max? integer
----@field family? Family
----@field mass? number [kg]
----@field radius? Curve<number> [m]
----@field color? Curve<color>
----@field look? Look
----@field enabled? boolean
----@field name? string
----@field [string] Curve<number> attributes of its family
-
----@class PointOptions
----@field at? vec [m]
----@field mass? number [kg]
----@field radius? number [m]
----@field color? color
----@field family? Family
-
----@class BodyOptions
----@field points? table<integer|string, vec|PointOptions>
----@field at? vec [m]
----@field orientation? quat
----@field velocity? vec [m/s]
----@field spin? vec [rad/s]
----@field mass? number [kg]
----@field inertia? vec|table [kg m²]
----@field color? color
----@field name? string
-
----@class HingeOptions
----@field color? color
----@field radius? number [m]
----@field lifetime? number [s]
----@field family? Family
----@field axis? vec the bodies given here turn about it only, against each other; world axes
----@field breaks_at? table { force [N], torque [N m] }
----@field name? string
-
----@class TieOptions
----@field time_constant? number [s]
----@field name? string
-
----@class FollowOptions: TieOptions
----@field max_force? number [N]
-
----@class ConstraintOptions
----@field name? string
----@field breaks_at? table { force [N], torque [N m], length [m] }
-
----@class OrientOptions: ConstraintOptions
----@field time_constant? number [s]
-
----@class AlignOptions: OrientOptions
----@field angle? number|fun(t: number): number [rad]
-
----@class MotorOptions: OrientOptions
----@field axis? vec world axes; in a plane (scene.plane) its normal, unless given
----@field speed? number|fun(t: number): number [rad/s]
----@field angle? number|fun(t: number): number [rad]
----@field max_torque? number [N m]
-
----@class LimitOptions: OrientOptions
----@field axis? vec of an angle; world axes, in a plane its normal unless given
----@field min? number [rad] or [m]
----@field max? number [rad] or [m]
----@field length? number [m] of a distance, the same as max
-
----@class StringOptions: OrientOptions
----@field length? number|fun(t: number): number [m]
-
----@class PathOptions: OrientOptions
----@field smooth? boolean a spline with continuous curvature; else straight pieces
----@field closed? boolean
-
----@alias BuildForm "deformable"|"rigid"|"articulated"|"panels"
-
----@class BuildForms what each vertex, edge or face becomes
----@field vertices? fun(at: vec, number: integer): BuildForm? deformable or rigid
----@field edges? fun(a: vec, b: vec, number: integer): BuildForm? deformable, rigid or articulated
----@field faces? fun(middle: vec, number: integer): BuildForm? deformable, rigid or panels
-
----@class BuildOptions
----@field as BuildForm|BuildForms|fun(at: vec, number: integer): BuildForm? a function alone is of vertices
----@field law? Law on edges that are not within a body
----@field laws? { edge?: Law, angle?: Law, torsion?: Law }
----@field mass? number [kg] of all; 1 unless given
----@field mass_in? "points"|"edges"|"faces"|"solid" edges if articulated, faces of panels, else points
----@field at? vec [m] place of the structure's origin
----@field velocity? vec [m/s]
----@field family? Family
----@field color? color
----@field radius? number [m]
----@field axis? vec hinges turn about it only; world axes
----@field name? string
-
----@class PlaneOptions: OrientOptions
----@field through? vec [m]
----@field normal? vec
+---@field target? string what it is done to
 
 )";
 
 const char* const annotations_tail = R"(---@type Scene
 scene = nil
 
----@param x number
----@param y number
----@param z number
+---A vector.
+---```lua
+---local up = vec(0, 1, 0)
+---```
+---@param x number [its own]
+---@param y number [its own]
+---@param z number [its own]
 ---@return vec
 function vec(x, y, z) end
 
----@param axis vec
+---A rotation about an axis, by the right-hand rule.
+---```lua
+---block.orientation = quat(vec(0, 0, 1), math.pi / 2)
+---```
+---@param axis vec [1]
 ---@param angle number [rad]
 ---@return quat
 function quat(axis, angle) end
 
+---Reads numbers of a file in the scene's folder.
+---```lua
+---for _, row in ipairs(read_table "track.csv") do scene:particle { at = vec(row.x, row[2], 0) } end
+---```
 ---@param file string
 ---@return table[] rows by column number and by column name
 function read_table(file) end
 
+---What a test expects of a value; where it is not so, the test fails.
 ---@class Expectation
 local Expectation = {}
----@param value number|vec
----@param tolerance number
+---Of numbers their difference, of vecs their distance is at most the tolerance.
+---```lua
+---expect(opened.time):near(0, 1e-12)
+---```
+---@param value number|vec [its own]
+---@param tolerance number [its own]
 function Expectation:near(value, tolerance) end
----@param value number
+---Less than a number.
+---```lua
+---expect(opened.error.worst_energy):below(1e-6)
+---```
+---@param value number [its own]
 function Expectation:below(value) end
----@param value number
+---More than a number.
+---```lua
+---expect(opened.energy.kinetic):above(-1)
+---```
+---@param value number [its own]
 function Expectation:above(value) end
+---Equal by Lua's ==.
+---```lua
+---expect(#opened.bodies):equal(1)
+---```
 ---@param value any
 function Expectation:equal(value) end
+---True, and not only something that is not false.
+---```lua
+---expect(opened:find("block").alive):is_true()
+---```
 function Expectation:is_true() end
+---The function that was given raises an error with this text in it.
+---```lua
+---expect(function() opened:read("heihgt") end):fails("Did you mean 'height'?")
+---```
 ---@param text string
 function Expectation:fails(text) end
 
+---A test of a file that `pantin test` runs.
+---```lua
+---test("the scene begins at rest", function()
+---  expect(open_text "scene:particle {}".momentum):near(vec(0, 0, 0), 0)
+---end)
+---```
 ---@param name string
 ---@param body function
 function test(name, body) end
+---What is expected of a value.
+---```lua
+---expect(opened.time):equal(0)
+---```
 ---@param value any
 ---@return Expectation
 function expect(value) end
+---Opens a scene of a file: of `scripts` or of the test's folder.
+---```lua
+---local chain = open("scenes/chain.lua", { links = 3, ["scene.step"] = 1 / 120 })
+---```
 ---@param path string
----@param params? table<string, any>
+---@param params? table<string, any> of the scene, as `--set` (default `{}`)
 ---@return OpenedScene
 function open(path, params) end
+---Opens a scene of a text.
+---```lua
+---local falling = open_text [[ scene:particle { name = "stone" } ]]
+---falling:advance(1)
+---expect(falling:find("stone").velocity.y):near(-9.81, 1e-9)
+---```
 ---@param source string
----@param params? table<string, any>
+---@param params? table<string, any> of the scene, as `--set` (default `{}`)
 ---@return OpenedScene
 function open_text(source, params) end
 )";

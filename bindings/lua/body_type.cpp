@@ -89,7 +89,7 @@ bool named_point(const Self& self, const char* name) {
 
 std::vector<Field> motion_fields() {
   return {
-      {"position", "vec", "m", "place of the centre of mass",
+      {"position", "vec", "m", "position of the centre of mass",
        [](const Self& s) { push(s.state, s.world.motion_of(id_of(s)).x); },
        [](const Self& s, int i) { set_position(s.world, id_of(s), check_vec(s.state, i, "body", "position", "m")); }},
       {"velocity", "vec", "m/s", "velocity of the centre of mass",
@@ -98,7 +98,8 @@ std::vector<Field> motion_fields() {
          push(s.state, m.p / m.mass);
        },
        [](const Self& s, int i) { set_velocity(s.world, id_of(s), check_vec(s.state, i, "body", "velocity", "m/s")); }},
-      {"origin", "vec", "m", "place of its frame", [](const Self& s) { push(s.state, origin(s.world, id_of(s))); },
+      {"origin", "vec", "m", "position of its frame's origin",
+       [](const Self& s) { push(s.state, origin(s.world, id_of(s))); },
        [](const Self& s, int i) { set_origin(s.world, id_of(s), check_vec(s.state, i, "body", "origin", "m")); }},
       {"orientation", "quat", "", "turns its frame to the world",
        [](const Self& s) { push(s.state, orientation(s.world, id_of(s))); },
@@ -117,9 +118,9 @@ std::vector<Field> build_fields() {
   return {
       {"mass", "number", "kg", "its points' and its own",
        [](const Self& s) { lua_pushnumber(s.state, s.world.motion_of(id_of(s)).mass); }, write_mass},
-      {"inertia", "vec|table", "kg m²",
-       "its points' and its own about the frame's origin, in the frame's axes: vec of the diagonal, or { xx, yy, zz, "
-       "xy, xz, yz }. Tied, a body moves with no principal moment below 1e-4 of the largest, and a warning says so",
+      {"inertia", "vec|Inertia", "kg m²",
+       "its points' and its own about the frame's origin, in the frame's axes: vec of the diagonal, "
+       "or a table. Tied, a body moves with no principal moment below 1e-4 of the largest, and a warning says so",
        [](const Self& s) { push_inertia(s.state, row(s).own_inertia + inertia_of_points(s)); }, write_inertia},
       {"points", "Point[]", "", "its points, in the order of making",
        [](const Self& s) { push_list(s.state, s.script, row(s).points); }, nullptr},
@@ -140,19 +141,26 @@ std::vector<Field> build_fields() {
 }
 
 Type make() {
-  Type type{"Body", "body", "Points at fixed relative places: rigid. Its named points are fields: link.head.", {}, {}};
+  Type type{
+      "Body", "body", "Points at fixed relative positions: rigid. Its named points are fields: link.head.", {}, {}};
   type.fields = motion_fields();
   for (Field& field : build_fields()) type.fields.push_back(field);
   type.methods = {
       {"push", guard<push_force>, "force: vec [N], at?: vec [m]", "",
-       "Pulls for the coming step, at its centre or at a place of the world."},
-      {"kick", guard<kick_body>, "impulse: vec [N s], at?: vec [m]", "", "Changes the velocity at once."},
-      {"twist", guard<twist_body>, "torque: vec [N m]", "", "Turns for the coming step."},
-      {"add_point", guard<add_point_to>, "point: vec|table [m]", "Point",
-       "Adds a point: a vec in its frame, or { at, mass, color, radius, name }."},
-      {"remove_point", guard<remove_point_of>, "point: Point", "", "Takes a point off."},
+       "Pulls for the coming step, at its centre of mass or at a position of the world.",
+       "scene:on(\"step\", function() block:push(vec(0, 20, 0), block.points[1].position) end)"},
+      {"kick", guard<kick_body>, "impulse: vec [N s], at?: vec [m]", "",
+       "Changes the velocity at once, at its centre of mass or at a position of the world.",
+       "block:kick(vec(0, 2, 0))"},
+      {"twist", guard<twist_body>, "torque: vec [N m]", "", "Turns for the coming step.",
+       "scene:on(\"step\", function() block:twist(vec(0, 0, 0.5)) end)"},
+      {"add_point", guard<add_point_to>, "point: vec|AddPointOptions [m]", "Point",
+       "Adds a point at a position in its frame.",
+       "local handle = block:add_point { at = vec(0, 1, 0), mass = 0.2, name = \"handle\" }"},
+      {"remove_point", guard<remove_point_of>, "point: Point", "", "Takes a point off.",
+       "block:remove_point(block.points[8])"},
   };
-  add_common_fields(type);
+  add_base(type, any_thing_type());
   add_common_remove(type);
   type.more = named_point;
   type.more_doc = "Point its named points";

@@ -184,7 +184,9 @@ const Type& event_type() {
       "Something set to happen.",
       {{"state", "string", "", "\"waiting\", \"fired\", \"dropped\" or \"cancelled\"",
         [](const Self& s) { lua_pushstring(s.state, name_of(state_of_event(s.ref))); }, nullptr}},
-      {{"cancel", guard<cancel_event>, "", "", "Takes it out of the choreography; one that fired stays as it is."}}};
+      {{"cancel", guard<cancel_event>, "", "", "Takes it out of the choreography; one that fired stays as it is.",
+        "local alarm = scene:at(5, function() print(\"late\") end)\n"
+        "alarm:cancel()"}}};
   return type;
 }
 

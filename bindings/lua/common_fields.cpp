@@ -51,14 +51,25 @@ int remove_thing(lua_State* state) {
 
 }  // namespace
 
-void add_common_fields(Type& type) {
-  type.fields.push_back({"name", "string", "", "what messages and scene:find call it", read_name, write_name});
-  type.fields.push_back({"alive", "boolean", "", "whether it still exists", read_alive, nullptr, true});
-  type.fields.push_back({"data", "table", "", "a table of yours, which goes with the thing", read_data, nullptr});
+const Type& any_thing_type() {
+  static const Type type = {
+      "AnyThing",
+      "thing",
+      "What every thing has; it may be a target of events and behaviours, and a member of a group.",
+      {{"name", "string", "", "what messages and scene:find call it", read_name, write_name},
+       {"alive", "boolean", "", "whether it still exists", read_alive, nullptr, true},
+       {"data", "table", "", "a table of yours, which goes with the thing", read_data, nullptr}},
+      {{"remove", guard<remove_thing>, "", "", "Takes it out of the world.",
+        "scene:after(2, function() p:remove() end)"}}};
+  return type;
 }
 
-void add_common_remove(Type& type) {
-  type.methods.push_back({"remove", guard<remove_thing>, "", "", "Takes it out of the world."});
+void add_base(Type& type, const Type& base) {
+  type.base = &base;
+  for (const Type* more = &base; more; more = more->base)
+    type.fields.insert(type.fields.end(), more->fields.begin(), more->fields.end());
 }
+
+void add_common_remove(Type& type) { type.methods.push_back(any_thing_type().methods.front()); }
 
 }  // namespace pantin::lua

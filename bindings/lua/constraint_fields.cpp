@@ -12,22 +12,14 @@ Constraint& constraint_row(const Self& self) { return self.world.constraints[con
 
 Type constraint_type(Type type, std::vector<Field> fields) {
   type.fields = std::move(fields);
-  type.fields.push_back(breaks_at_field());
-  type.fields.push_back(enabled_field());
-  add_common_fields(type);
+  add_base(type, any_constraint_type());
   add_common_remove(type);
   return type;
 }
 
-Field enabled_field() {
-  return {"enabled",
-          "boolean",
-          "",
-          "whether it acts",
-          [](const Self& s) { lua_pushboolean(s.state, constraint_row(s).enabled); },
-          [](const Self& s, int i) {
-            set_enabled(s.world, constraint_of(s), check_boolean(s.state, i, type_of(s.ref.kind).word, "enabled"));
-          }};
+Field point_field() {
+  return {"point", "Point", "", "the point that it holds", [](const Self& s) { push_if(s, constraint_row(s).a); },
+          nullptr};
 }
 
 Field force_field() {
@@ -73,18 +65,41 @@ void push_breaking(lua_State* state, const Breaking& b) {
   set("length", b.length);
 }
 
+namespace {
+
+Field enabled_field() {
+  return {"enabled",
+          "boolean",
+          "",
+          "whether it acts",
+          [](const Self& s) { lua_pushboolean(s.state, constraint_row(s).enabled); },
+          [](const Self& s, int i) {
+            set_enabled(s.world, constraint_of(s), check_boolean(s.state, i, type_of(s.ref.kind).word, "enabled"));
+          }};
+}
+
 Field breaks_at_field() {
   return {"breaks_at",
-          "table",
+          "Breaking",
           "",
-          "{ force [N], torque [N m], length [m] } at which it breaks, within a step where its load passes that; a "
-          "weld's torque is about the middle between the two "
-          "centres of mass",
+          "load or length at which it breaks, within a step where it passes that; a weld's torque is about the middle "
+          "between the two centres of mass",
           [](const Self& s) { push_breaking(s.state, constraint_row(s).breaks_at); },
           [](const Self& s, int i) {
             const std::string what = std::string(type_of(s.ref.kind).word) + ": breaks_at";
             set_breaks_at(s.world, constraint_of(s), check_breaking(s.state, i, what));
           }};
+}
+
+}  // namespace
+
+const Type& any_constraint_type() {
+  static const Type type = [] {
+    Type made{"AnyConstraint", "constraint", "What every constraint has.", {breaks_at_field(), enabled_field()}, {}};
+    made.base = &any_thing_type();
+    return made;
+  }();
+  return type;
 }
 
 std::function<double(double)> number_of_time(Callback function, std::string what) {

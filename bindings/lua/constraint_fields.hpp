@@ -19,10 +19,9 @@ void push_if(const Self& self, Id id) {
 
 /// The type with these fields and those that every constraint has.
 Type constraint_type(Type type, std::vector<Field> fields);
-Field enabled_field();
+Field point_field();   ///< that it holds
 Field force_field();   ///< as a vec
 Field torque_field();  ///< as a vec
-Field breaks_at_field();
 /// { force, torque, length } at `index`, for `what`.
 Breaking check_breaking(lua_State* state, int index, const std::string& what, bool has_length = true);
 void push_breaking(lua_State* state, const Breaking& breaks_at);

@@ -159,7 +159,7 @@ int scene_on_plane(lua_State* state) {
 
 int scene_string(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "string");
-  require(lua_istable(state, 2), "string: argument 1 must be a list of points, particles or places, got ",
+  require(lua_istable(state, 2), "string: argument 1 must be a list of points, particles or positions, got ",
           kind_of_value(state, 2));
   std::vector<Passage> passages;
   for (lua_Integer i = 1; lua_rawgeti(state, 2, i) != LUA_TNIL; i++) {
@@ -192,7 +192,7 @@ int scene_on_path(lua_State* state) {
           kind_of_value(state, 3));
   std::vector<Vec3> places;
   for (lua_Integer i = 1; lua_rawgeti(state, 3, i) != LUA_TNIL; i++) {
-    places.push_back(check_vec(state, lua_gettop(state), "on_path", text("place ", i, " of the path"), "m"));
+    places.push_back(check_vec(state, lua_gettop(state), "on_path", text("position ", i, " of the path"), "m"));
     lua_pop(state, 1);
   }
   lua_pop(state, 1);

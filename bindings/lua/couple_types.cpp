@@ -42,7 +42,7 @@ template <bool low>
 Field range_field(const char* name, const char* doc) {
   return {name,
           "number",
-          "",
+          "rad or m",
           doc,
           [](const Self& s) { lua_pushnumber(s.state, low ? constraint_row(s).low : constraint_row(s).high); },
           [](const Self& s, int i) {
@@ -53,7 +53,7 @@ Field range_field(const char* name, const char* doc) {
 }
 
 Type make_weld() {
-  return constraint_type({"Weld", "weld", "Keeps two bodies in their relative place and orientation.", {}, {}},
+  return constraint_type({"Weld", "weld", "Keeps two bodies in their relative position and orientation.", {}, {}},
                          {body_a, body_b, force_field(), torque_field()});
 }
 
@@ -108,9 +108,9 @@ Type make_motor() {
 Type make_limit() {
   return constraint_type(
       {"Limit", "limit", "Keeps an angle about an axis, or a distance, in a range.", {}, {}},
-      {range_field<true>("min", "least angle [rad] or distance [m]"),
-       range_field<false>("max", "greatest angle [rad] or distance [m]"),
-       {"value", "number", "", "the angle [rad] or distance [m] now",
+      {range_field<true>("min", "least angle or distance; -math.huge: none"),
+       range_field<false>("max", "greatest angle or distance; math.huge: none"),
+       {"value", "number", "rad or m", "the angle or distance now",
         [](const Self& s) { lua_pushnumber(s.state, present_value(s.world, constraint_row(s))); }, nullptr},
        force_field(),
        torque_field()});

@@ -77,11 +77,16 @@ Type make() {
             {},
             {}};
   type.methods = {
-      {"line", guard<draw_line>, "from: vec [m], to: vec [m], options?: LineOptions", "", "A line."},
-      {"arrow", guard<draw_arrow>, "from: vec [m], to: vec [m], options?: LineOptions", "", "An arrow to a place."},
+      {"line", guard<draw_line>, "from: vec [m], to: vec [m], options?: LineOptions", "", "A line.",
+       "scene:on(\"step\", function() scene.draw:line(p.position, q.position, { color = \"#f00\", width = 3 }) end)"},
+      {"arrow", guard<draw_arrow>, "from: vec [m], to: vec [m], options?: LineOptions", "", "An arrow to a position.",
+       "scene:on(\"step\", function() scene.draw:arrow(p.position, p.position + p.velocity) end)"},
       {"text", guard<draw_text>, "at: vec [m], text: string, options?: MarkOptions", "",
-       "Text whose upper left corner is at a place; \\n begins a new line."},
-      {"point", guard<draw_point>, "at: vec [m], options?: MarkOptions", "", "A dot."},
+       "Text whose upper left corner is at a position; \\n begins a new line.",
+       "scene:on(\"step\", function() scene.draw:text(vec(10, 10, 0), \"t = \" .. scene.time, { space = \"screen\" }) "
+       "end)"},
+      {"point", guard<draw_point>, "at: vec [m], options?: MarkOptions", "", "A dot.",
+       "scene:on(\"step\", function() scene.draw:point(vec(0, 1, 0), { size = 12 }) end)"},
   };
   return type;
 }

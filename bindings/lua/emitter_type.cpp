@@ -39,8 +39,8 @@ void write_rate(const Self& self, int index) {
 
 std::vector<Field> settings() {
   return {
-      {"at", "vec|vec[]|Point", "m", "where particles begin: a place, a box { vec, vec }, or a point that carries it",
-       read_place,
+      {"at", "vec|vec[]|Point|Particle", "m",
+       "where particles begin: a position, a box { vec, vec }, or a point that carries it", read_place,
        [](const Self& s, int i) { set_position(s.world, id_of(s), check_emitter_position(s.state, i, "emitter")); }},
       {"rate", "number|fun(t: number): number", "1/s", "particles per second; read: of the last step",
        [](const Self& s) { lua_pushnumber(s.state, row(s).rate); }, write_rate},
@@ -54,12 +54,13 @@ std::vector<Field> settings() {
        [](const Self& s, int i) {
          set_spread(s.world, id_of(s), check_number(s.state, i, "emitter", "spread", "rad"));
        }},
-      {"lifetime", "number|table", "s", "of its particles, or { min, max } between which it is random", read_lifetime,
+      {"lifetime", "number|{ min: number, max: number }", "s", "of its particles, or between which it is random",
+       read_lifetime,
        [](const Self& s, int i) {
          const auto [shortest, longest] = check_lifetimes(s.state, i, "emitter");
          set_lifetimes(s.world, id_of(s), shortest, longest);
        }},
-      {"max", "number", "", "particles of it that may live at once",
+      {"max", "number", "1", "particles of it that may live at once",
        [](const Self& s) {
          const std::uint64_t max = row(s).max;
          lua_pushnumber(s.state,
@@ -87,7 +88,7 @@ Type make() {
   type.fields.push_back({"made", "integer", "", "how many it has made",
                          [](const Self& s) { lua_pushinteger(s.state, static_cast<lua_Integer>(row(s).made)); },
                          nullptr});
-  add_common_fields(type);
+  add_base(type, any_thing_type());
   add_common_remove(type);
   return type;
 }

@@ -194,7 +194,9 @@ const Type& subscription_type() {
       "subscription",
       "A function that scene:on calls, or a behaviour.",
       {},
-      {{"cancel", guard<cancel_subscription>, "", "", "The function is called no more; a behaviour is stopped."}}};
+      {{"cancel", guard<cancel_subscription>, "", "", "The function is called no more; a behaviour is stopped.",
+        "local listening = scene:on(\"step\", function(dt) print(dt) end)\n"
+        "listening:cancel()"}}};
   return type;
 }
 

@@ -1,7 +1,6 @@
 #include "edit/edit.hpp"
 #include "lua/arguments.hpp"
 #include "lua/fields.hpp"
-#include "lua/measures.hpp"
 #include "lua/script.hpp"
 #include "measure/query.hpp"
 
@@ -22,12 +21,12 @@ void read_attributes(const Self& self) {
 Type make() {
   Type type{"Family", "family", "Particles of a kind, with named numeric attributes that laws read.", {}, {}};
   type.fields = {
-      {"attributes", "table<string, number>", "", "values of a particle that gives none", read_attributes, nullptr},
+      {"attributes", "table<string, number>", "each its own", "values of a particle that gives none", read_attributes,
+       nullptr},
       {"particles", "Particle[]", "", "its living particles, in the order of making",
        [](const Self& s) { push_list(s.state, s.script, particles(s.world, id_of(s))); }, nullptr},
   };
-  for (Field& field : thing_measures()) type.fields.push_back(field);
-  add_common_fields(type);
+  add_base(type, any_set_type());
   add_common_remove(type);
   return type;
 }

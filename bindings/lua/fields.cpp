@@ -136,6 +136,10 @@ std::vector<const Type*> all_types() {
   return types;
 }
 
+std::vector<const Type*> base_types() {
+  return {&any_thing_type(), &any_constraint_type(), &any_force_element_type(), &any_set_type(), &any_scene_type()};
+}
+
 void push_metatable(lua_State* state, Kind kind) { push_metatable(state, type_of(kind)); }
 
 void push_metatable(lua_State* state, const Type& type) {

@@ -19,10 +19,10 @@ struct Self {
 
 struct Field {
   const char* name;
-  const char* type;  ///< as annotations write it: "number", "vec", "Point[]"
-  const char* unit;  ///< "" where there is none
-  const char* doc;
-  void (*read)(const Self&);              ///< pushes the value
+  const char* type;           ///< as annotations write it: "number", "vec", "Point[]"
+  const char* unit;           ///< "" where there is none, "1" of a number or vec without
+  const char* doc;            ///< of what may be written before it is read, with "(default `1/240`)" at its end
+  void (*read)(const Self&);  ///< pushes the value
   void (*write)(const Self&, int index);  ///< null: cannot be written
   bool of_dead = false;                   ///< may be read of a thing that is gone
 };
@@ -33,6 +33,7 @@ struct Method {
   const char* parameters;  ///< as annotations write them: "force: vec [N], at?: vec [m]"
   const char* returns;     ///< type, or ""
   const char* doc;
+  const char* example = "";  ///< one to three lines, which run after `example_scene` or `example_test`
 };
 
 struct Type {
@@ -45,12 +46,15 @@ struct Type {
   bool (*write_more)(const Self&, const char* name, int index) = nullptr;  ///< writes one, or returns false
   const char* more_doc = "";                                               ///< type and meaning of those values
   lua_CFunction length = nullptr;                                          ///< of `#`
+  const Type* base = nullptr;  ///< says once what it has in common with others; its fields and methods are here, too
 };
 
 const Type& type_of(Kind kind);
 const Type& type_of_opened_scene();
 /// All types that a script can meet, tests' included.
 std::vector<const Type*> all_types();
+/// What several of them have in common, each after its own base.
+std::vector<const Type*> base_types();
 
 /// Pushes the metatable of a kind of thing.
 void push_metatable(lua_State* state, Kind kind);
@@ -62,13 +66,19 @@ Self check_self(lua_State* state, Kind kind, const char* call);
 /// The same for a thing that may be gone.
 Self check_self_or_dead(lua_State* state, Kind kind, const char* call);
 
-/// `name`, `alive`, `data`, `remove`: what every thing has.
-void add_common_fields(Type& type);
+/// Gives a type what it has in common with others: the fields of a base and of the base's base.
+void add_base(Type& type, const Type& base);
+/// `remove`, which a group has its own of.
 void add_common_remove(Type& type);
 
 /// Whether a type has a field or method of this name.
 bool has_member(const Type& type, const std::string& name);
 
+const Type& any_thing_type();
+const Type& any_constraint_type();
+const Type& any_force_element_type();
+const Type& any_set_type();
+const Type& any_scene_type();
 const Type& point_type();
 const Type& particle_type();
 const Type& body_type();

@@ -210,7 +210,7 @@ LawSpec* to_law(lua_State* state, int index) {
   return static_cast<LawData*>(lua_touserdata(state, index))->spec.get();
 }
 
-void nonconservative_force(lua_State* state) {
+void open_force(lua_State* state) {
   lua_newtable(state);
   const luaL_Reg functions[] = {
       {"pair", guard<force_pair>}, {"point", guard<force_point>}, {"many", guard<force_many>}, {nullptr, nullptr}};

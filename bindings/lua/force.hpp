@@ -69,6 +69,6 @@ std::string recheck_law(const ResolvedLaw& law, const Called::Block& block);
 std::shared_ptr<const Law> called_law(const std::shared_ptr<CalledLaw>& function);
 
 /// Puts the table `force` into the globals.
-void nonconservative_force(lua_State* state);
+void open_force(lua_State* state);
 
 }  // namespace pantin::lua

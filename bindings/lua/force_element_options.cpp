@@ -18,7 +18,7 @@ namespace {
 KnownNames names_of(const World& world, const End& end) {
   if (!end.particle) {
     const auto number = [&](int i) { return to_text(end.position[i]); };
-    return {text("the place vec(", number(0), ", ", number(1), ", ", number(2), ") m of the world"), {}, true};
+    return {text("the position vec(", number(0), ", ", number(1), ", ", number(2), ") m of the world"), {}, true};
   }
   const FamilyId family = world.particles[awake(world, end.particle)].family;
   return family ? names_of_family(world, family) : KnownNames{describe(world, end.particle), {}, false};

@@ -72,8 +72,9 @@ void read_parameters(const Self& self) {
   lua_setmetatable(state, -2);
 }
 
-const Field parameters = {
-    "parameters", "table<string, number>", "", "of its law: read and written by name", read_parameters, nullptr};
+const Field parameters = {"parameters",    "table<string, number>",
+                          "each its own",  "of its law: read and written by name",
+                          read_parameters, nullptr};
 const Field energy = {"energy",
                       "number?",
                       "J",
@@ -131,37 +132,44 @@ void read_particles(const Self& self) {
 Type make_connection() {
   Type type{"Connection", "connection", "Ties two, three or four particles by a law.", {}, {}};
   type.fields = {
-      {"particles", "table", "", "what it ties: particles, or places [m]", read_particles, nullptr},
+      {"particles", "(Particle|vec)[]", "m", "what it ties: particles, or positions", read_particles, nullptr},
       {"force", "number", "N", "tension in the last step, positive where it pulls; 0 of a law of three or four",
        [](const Self& s) { lua_pushnumber(s.state, tension(s.world, connection_of(s))); }, nullptr},
-      {"breaks_at", "table", "", "{ force [N], length [m] } at which it breaks", read_breaks_at, write_breaks_at},
-      parameters,
-      energy,
-      enabled,
+      {"breaks_at", "Breaking", "", "tension or length at which it breaks", read_breaks_at, write_breaks_at},
   };
-  add_common_fields(type);
+  add_base(type, any_force_element_type());
   add_common_remove(type);
   return type;
 }
 
 Type make_interaction() {
   Type type{"Interaction", "interaction", "A law between all pairs of two families, or within one.", {}, {}};
-  type.fields = {parameters, energy, enabled};
-  add_common_fields(type);
+  add_base(type, any_force_element_type());
   add_common_remove(type);
   return type;
 }
 
 Type make_field() {
   Type type{"Field", "field", "A law on each particle of a family, of a group or of the scene.", {}, {}};
-  type.fields = {parameters, energy, enabled};
-  add_common_fields(type);
+  add_base(type, any_force_element_type());
   add_common_remove(type);
   return type;
 }
 
 }  // namespace
 
+const Type& any_force_element_type() {
+  static const Type type = [] {
+    Type made{"AnyForceElement",
+              "force element",
+              "What every connection, interaction and field has.",
+              {parameters, energy, enabled},
+              {}};
+    made.base = &any_thing_type();
+    return made;
+  }();
+  return type;
+}
 const Type& connection_type() {
   static const Type type = make_connection();
   return type;

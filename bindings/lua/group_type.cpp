@@ -6,7 +6,6 @@
 #include "lua/assemble.hpp"
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
-#include "lua/measures.hpp"
 #include "lua/script.hpp"
 #include "lua/targets.hpp"
 #include "measure/measure.hpp"
@@ -155,24 +154,30 @@ std::vector<Field> members_by_kind() {
 
 Type make() {
   Type type{"Group", "group", "A named set of things. It is gone when no member lives.", {}, {}};
-  type.fields = thing_measures();
-  for (Field& field : members_by_kind()) type.fields.push_back(field);
+  type.fields = members_by_kind();
   type.methods = {
-      {"add", guard<add_things>, "thing: Thing, ...: Thing", "Group", "Adds things; returns the group."},
+      {"add", guard<add_things>, "thing: Thing, ...: Thing", "Group", "Adds things; returns the group.",
+       "scene:group(\"a pair\"):add(p, q)"},
       {"remove", guard<remove_things>, "thing?: Thing, ...: Thing", "",
-       "Takes things out of the set; without any, ends the set."},
+       "Takes things out of the set; without any, ends the set.", "group:remove(p)"},
       {"each", guard<each_member>, "", "fun(): Thing?",
-       "For loops: for thing in g:each() do … end. Goes over a copy and leaves out what died."},
-      {"cut_hinges", guard<cut_hinges>, "", "", "Cuts the hinges in the group and those between its bodies."},
+       "For loops: for thing in g:each() do … end. Goes over a copy and leaves out what died.",
+       "for thing in group:each() do thing.data.found = true end"},
+      {"cut_hinges", guard<cut_hinges>, "", "", "Cuts the hinges in the group and those between its bodies.",
+       "scene:at(1, function() group:cut_hinges() end)"},
       {"break_connections", guard<group_break_connections>, "", "",
-       "Removes the connections in the group and those among its things."},
+       "Removes the connections in the group and those among its things.",
+       "scene:connect(p, q, spring)\n"
+       "group:break_connections()"},
       {"heat", guard<group_heat>, "energy: number [J]", "",
-       "Adds kinetic energy relative to the common motion; a negative one cools."},
-      {"bounds", guard<bounds_of>, "", "vec, vec", "Lower and upper corner [m] of the box round all its points."},
+       "Adds kinetic energy relative to the common motion; a negative one cools.", "group:heat(5)"},
+      {"bounds", guard<bounds_of>, "", "vec, vec", "Lower and upper corner [m] of the box round all its points.",
+       "local lower, upper = group:bounds()"},
       {"clusters", guard<clusters_of>, "distance: number [m]", "Thing[][]",
-       "Lists of what is within the distance of another member, biggest first."},
+       "Lists of what is within the distance of another member, biggest first.",
+       "local biggest = group:clusters(2)[1]"},
   };
-  add_common_fields(type);
+  add_base(type, any_set_type());
   type.length = guard<count_members>;
   return type;
 }

@@ -9,19 +9,15 @@
 namespace pantin::lua {
 namespace {
 
-const Field point = {
-    "point", "Point", "", "the point that it holds", [](const Self& s) { push_if(s, constraint_row(s).a); }, nullptr};
-
 Type make_on_plane() {
   return constraint_type({"OnPlane", "on_plane", "Keeps a point on a plane.", {}, {}},
-                         {{"point", "Point", "", "the point that it holds",
-                           [](const Self& s) { push_if(s, constraint_row(s).a); }, nullptr},
-                          {"through", "vec", "m", "a place on the plane; the point is drawn to a new one",
+                         {point_field(),
+                          {"through", "vec", "m", "a position on the plane; the point is drawn to a new one",
                            [](const Self& s) { push(s.state, constraint_row(s).position); },
                            [](const Self& s, int i) {
                              set_position(s.world, constraint_of(s), check_vec(s.state, i, "on_plane", "through", "m"));
                            }},
-                          {"normal", "vec", "", "across the plane, of unit length",
+                          {"normal", "vec", "1", "across the plane, of unit length",
                            [](const Self& s) { push(s.state, constraint_row(s).axis_a); },
                            [](const Self& s, int i) {
                              set_normal(s.world, constraint_of(s), check_vec(s.state, i, "on_plane", "normal", ""));
@@ -44,7 +40,7 @@ void read_points(const Self& s) {
 Type make_string() {
   return constraint_type(
       {"String", "string", "Is at most so long along its points; slides through the inner ones.", {}, {}},
-      {{"points", "table", "", "what it goes through: points, or places [m]", read_points, nullptr},
+      {{"points", "(Point|vec)[]", "m", "what it goes through: points, or positions", read_points, nullptr},
        {"length", "number", "m",
         "the most that it is long; written as a number or a function of time "
         "[s]",
@@ -70,10 +66,10 @@ void read_path(const Self& s) {
 
 Type make_on_path() {
   return constraint_type({"OnPath", "on_path", "Keeps a point on a path.", {}, {}},
-                         {point,
-                          {"path", "vec[]", "m", "the places that the path goes through", read_path, nullptr},
-                          {"along", "number", "",
-                           "where on the path the point is: 0 at the first place, 1 at the "
+                         {point_field(),
+                          {"path", "vec[]", "m", "the positions that the path goes through", read_path, nullptr},
+                          {"along", "number", "1",
+                           "where on the path the point is: 0 at the first position, 1 at the "
                            "second, and so on",
                            [](const Self& s) { lua_pushnumber(s.state, constraint_row(s).along); }, nullptr},
                           force_field()});

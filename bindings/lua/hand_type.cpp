@@ -29,16 +29,20 @@ int release_point(lua_State* state) {
 Type make() {
   Type type{"Hand", "hand", "What can grab: the mouse, a finger, a stick, a script's.", {}, {}};
   type.fields = {
-      {"position", "vec", "m", "place in the world", [](const Self& s) { push(s.state, row(s).position); }, nullptr},
+      {"position", "vec", "m", "position in the world", [](const Self& s) { push(s.state, row(s).position); }, nullptr},
       {"velocity", "vec", "m/s", "velocity over the last step", [](const Self& s) { push(s.state, row(s).velocity); },
        nullptr},
       {"pressed", "boolean", "", "whether its button is down",
        [](const Self& s) { lua_pushboolean(s.state, row(s).pressed); }, nullptr},
   };
   type.methods = {
-      {"grab", guard<grab_point>, "point: Point, options?: { max_force: number }", "",
-       "Takes hold of a point with at most max_force [N]; lets go of what it held."},
-      {"release", guard<release_point>, "", "", "Lets go."},
+      {"grab", guard<grab_point>, "point: Point|Particle, options?: GrabOptions", "",
+       "Takes hold of a point; lets go of what it held.",
+       "local hand = scene:hand { path = function(t) return vec(-2 + t, 1, 0) end }\n"
+       "hand:grab(p, { max_force = 20 })"},
+      {"release", guard<release_point>, "", "", "Lets go.",
+       "local hand = scene:hand()\n"
+       "scene:at(1, function() hand:release() end)"},
   };
   return type;
 }

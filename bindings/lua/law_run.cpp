@@ -34,7 +34,8 @@ bool push_motion(lua_State* state, LawRun& run, int who, const std::string& name
   if (name != "position" && name != "velocity") return false;
   const LawForm form = run.law.form;
   if (form == LawForm::pair_force)
-    run.mistake(state, text("a law of a pair sees no ", name, " but d and u, place and velocity of b relative to a"));
+    run.mistake(state,
+                text("a law of a pair sees no ", name, " but d and u, position and velocity of b relative to a"));
   if (is_pair(form))
     run.mistake(state, text("a law of the distance sees no ", name, "; give force = function(d, u, a, b, own, t)"));
   if (name == "velocity" && is_potential(form))
@@ -53,7 +54,7 @@ int particle_index(lua_State* state) {
   if (std::find(names.begin(), names.end(), name) == names.end()) {
     if (known.place)
       run.mistake(state,
-                  text(known.whose, " has no '", name, "'; a law between a particle and a place cannot read it"));
+                  text(known.whose, " has no '", name, "'; a law between a particle and a position cannot read it"));
     const LawForm form = run.law.form;
     if (!is_pair(form)) names.insert(names.begin(), "position");
     if (form == LawForm::point_force) names.insert(names.begin() + 1, "velocity");

@@ -1,5 +1,4 @@
-#include "lua/measures.hpp"
-
+// Numbers about the whole scene or a set of things, as Lua reads them.
 #include <algorithm>
 #include <cstring>
 
@@ -10,6 +9,7 @@
 #include "forces/sleep.hpp"
 #include "lua/arguments.hpp"
 #include "lua/choreography.hpp"
+#include "lua/fields.hpp"
 #include "lua/guard.hpp"
 #include "lua/script.hpp"
 #include "measure/ledger_closure.hpp"
@@ -144,11 +144,9 @@ void read_log(const Self& self) {
   }
 }
 
-}  // namespace
-
 std::vector<Field> thing_measures() {
   return {
-      {"energy", "Energy", "J", "{ kinetic, potential, total } of its things",
+      {"energy", "Energy", "J", "of its things",
        [](const Self& s) { push_energy(s.state, energy(s.world, members(s))); }, nullptr},
       {"momentum", "vec", "kg m/s", "sum over its things",
        [](const Self& s) { push(s.state, momentum(s.world, members(s))); }, nullptr},
@@ -164,21 +162,19 @@ std::vector<Field> thing_measures() {
 std::vector<Field> scene_measures() {
   return {
       {"time", "number", "s", "simulated time", [](const Self& s) { lua_pushnumber(s.state, s.world.time); }, nullptr},
-      {"energy", "Energy", "J", "{ kinetic, potential, total }",
-       [](const Self& s) { push_energy(s.state, energy(s.world)); }, nullptr},
+      {"energy", "Energy", "J", "of all things", [](const Self& s) { push_energy(s.state, energy(s.world)); }, nullptr},
       {"momentum", "vec", "kg m/s", "sum over all things",
        [](const Self& s) { push(s.state, momentum(s.world, everything(s.world))); }, nullptr},
       {"angular_momentum", "vec", "kg m²/s", "sum over all things about the world's origin",
        [](const Self& s) { push(s.state, angular_momentum(s.world, everything(s.world))); }, nullptr},
       {"temperature", "number", "K", "relative to the common motion; in J while scene.boltzmann is 1",
        [](const Self& s) { lua_pushnumber(s.state, temperature(s.world, everything(s.world))); }, nullptr},
-      {"error", "Accuracy", "", "{ hinge_gap [m], constraint [m], energy (relative) } now, and worst_… since the start",
-       read_error, nullptr},
+      {"error", "Accuracy", "", "what is left open now, and the worst since the start", read_error, nullptr},
       {"ledger", "Ledger", "J",
        "where energy came from and went since the start; the first reading has all of it kept from the next step on",
        read_ledger, nullptr},
       {"stats", "Stats", "", "counts since the start, and ns per phase", read_stats, nullptr},
-      {"log", "LogLine[]", "", "{ time [s], kind, text } of all that was logged", read_log, nullptr},
+      {"log", "LogLine[]", "", "all that was logged", read_log, nullptr},
       {"timeline", "TimelineEntry[]", "", "events that ended, then those that wait: the latest and the next 1000",
        [](const Self& s) { push_timeline(s.state, s.world); }, nullptr},
       {"bodies", "Body[]", "", "all bodies, in the order of making",
@@ -202,11 +198,35 @@ int scene_find(lua_State* state) {
 int scene_near(lua_State* state) {
   const Ref* ref = to_ref(state, 1);
   require(ref && ref->kind == Kind::scene, "scene: call near with a colon, scene:near(…)");
-  const Vec3 at = check_vec(state, 2, "near", "argument 1, the place,", "m");
+  const Vec3 at = check_vec(state, 2, "near", "argument 1, the position,", "m");
   const double radius = check_number_or_infinity(state, 3, "near", "argument 2, the radius,", "m");
   require(radius >= 0, "near: argument 2, the radius, must be >= 0 m, got ", radius);
   push_list(state, *ref->script, near(ref->script->world, at, radius));
   return 1;
+}
+
+}  // namespace
+
+const Type& any_set_type() {
+  static const Type type = [] {
+    Type made{"AnySet", "set of things", "What groups and families tell of their things.", thing_measures(), {}};
+    made.base = &any_thing_type();
+    return made;
+  }();
+  return type;
+}
+
+const Type& any_scene_type() {
+  static const Type type = {"AnyScene",
+                            "scene",
+                            "What a scene tells of itself: to its script, and to a test that opened it.",
+                            scene_measures(),
+                            {{"find", guard<scene_find>, "name: string", "Thing?",
+                              "The oldest living thing of that name.", "local found = scene:find(\"all\")"},
+                             {"near", guard<scene_near>, "at: vec [m], radius: number [m]", "Particle[]",
+                              "Particles within a radius, nearest first.",
+                              "for _, other in ipairs(scene:near(p.position, 0.5)) do other:remove() end"}}};
+  return type;
 }
 
 }  // namespace pantin::lua

@@ -5,7 +5,6 @@
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
 #include "lua/headway.hpp"
-#include "lua/measures.hpp"
 #include "lua/script.hpp"
 #include "lua/snapshot.hpp"
 
@@ -69,23 +68,26 @@ int restore_opened(lua_State* state) {
 
 Type make() {
   Type type{"OpenedScene", "opened scene", "A scene that a test opened.", {}, {}};
-  type.fields = scene_measures();
   type.fields.push_back({"finished", "boolean", "", "whether it called scene:finish()",
                          [](const Self& s) { lua_pushboolean(s.state, s.script.finished); }, nullptr});
   type.fields.push_back(
       {"drawn", "integer", "", "lines, arrows, texts and points that it drew in the last step",
        [](const Self& s) { lua_pushinteger(s.state, static_cast<lua_Integer>(s.script.drawings.size())); }, nullptr});
   type.methods = {
-      {"advance", guard<advance_opened>, "seconds: number [s]", "", "Steps on for a time."},
-      {"step", guard<step_opened>, "", "", "Does one step."},
-      {"read", guard<read_probe>, "name: string", "number", "The present number of a probe."},
-      {"result", guard<read_result>, "name: string", "number|boolean|string", "A result that the scene gave."},
-      {"snapshot", guard<scene_snapshot>, "", "Snapshot", "The present state."},
-      {"restore", guard<restore_opened>, "snapshot: Snapshot", "", "Puts a state back."},
-      {"find", guard<scene_find>, "name: string", "Thing?", "The oldest living thing of that name."},
-      {"near", guard<scene_near>, "at: vec [m], radius: number [m]", "Particle[]",
-       "Particles within a radius, nearest first."},
+      {"advance", guard<advance_opened>, "seconds: number [s]", "", "Steps on for a time.", "opened:advance(0.5)"},
+      {"step", guard<step_opened>, "", "", "Does one step.", "opened:step()"},
+      {"read", guard<read_probe>, "name: string", "number", "The present number of a probe.",
+       "expect(opened:read(\"height\")):near(1, 1e-9)"},
+      {"result", guard<read_result>, "name: string", "number|boolean|string", "A result that the scene gave.",
+       "expect(opened:result(\"answer\")):equal(42)"},
+      {"snapshot", guard<scene_snapshot>, "", "Snapshot", "The present state.", "local before = opened:snapshot()"},
+      {"restore", guard<restore_opened>, "snapshot: Snapshot", "", "Puts a state back.",
+       "local before = opened:snapshot()\n"
+       "opened:advance(0.1)\n"
+       "opened:restore(before)"},
   };
+  add_base(type, any_scene_type());
+  type.methods.insert(type.methods.end(), any_scene_type().methods.begin(), any_scene_type().methods.end());
   return type;
 }
 

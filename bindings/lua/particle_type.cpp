@@ -95,21 +95,21 @@ std::vector<Field> look_and_life() {
       {"age", "number", "s", "time since it was made",
        [](const Self& s) { lua_pushnumber(s.state, s.world.time - ring(s).born); }, nullptr},
       {"color", "color|fun(age: number, life: number): color", "",
-       "color, or a function of age and lifetime [s]; overrides its points'",
+       "or a function of age and lifetime [s]; overrides its points'",
        [](const Self& s) { push(s.state, present_color(s.world, awake(s.world, id_of(s)))); },
        [](const Self& s, int i) {
          if (write_curve(s, "color", i)) return;
          set_color(s.world, awake(s.world, id_of(s)), check_color(s.state, i, "particle", "color"));
        }},
       {"radius", "number|fun(age: number, life: number): number", "m",
-       "size, or a function of age and lifetime [s]; overrides its points'",
+       "or a function of age and lifetime [s]; overrides its points'",
        [](const Self& s) { lua_pushnumber(s.state, present_radius(s.world, awake(s.world, id_of(s)))); },
        [](const Self& s, int i) {
          if (write_curve(s, "radius", i)) return;
          const double radius = check_number(s.state, i, "particle", "radius", "m");
          set_radius(s.world, awake(s.world, id_of(s)), radius);
        }},
-      {"look", "string", "",
+      {"look", "Look", "",
        "\"ball\", \"glow\" (a soft disc of light) or \"streak\" (a line of light along its velocity)",
        [](const Self& s) { lua_pushstring(s.state, name_of(look_of(s.world, ring(s)))); },
        [](const Self& s, int i) { set_look(s.world, awake(s.world, id_of(s)), check_look(s.state, i, "particle")); }},
@@ -121,7 +121,7 @@ std::vector<Field> look_and_life() {
        [](const Self& s, int i) {
          set_enabled(s.world, awake(s.world, id_of(s)), check_boolean(s.state, i, "hinge", "enabled"));
        }},
-      {"breaks_at", "table", "", "of a hinge: { force [N], torque [N m] } at which it breaks",
+      {"breaks_at", "Breaking", "", "of a hinge: load at which it breaks",
        [](const Self& s) { push_breaking(s.state, ring(s).breaks_at); },
        [](const Self& s, int i) {
          set_breaks_at(s.world, awake(s.world, id_of(s)), check_breaking(s.state, i, "hinge: breaks_at", false));
@@ -138,7 +138,7 @@ Type make() {
             {},
             {}};
   type.fields = {
-      {"position", "vec", "m", "place in the world; written only of a free particle",
+      {"position", "vec", "m", "position in the world; written only of a free particle",
        [](const Self& s) { push(s.state, position(s.world, id_of(s))); },
        [](const Self& s, int i) {
          set_position(s.world, only_point(s, "position"), check_vec(s.state, i, "particle", "position", "m"));
@@ -156,15 +156,16 @@ Type make() {
   };
   for (Field& field : look_and_life()) type.fields.push_back(field);
   type.methods = pushes<Kind::particle>();
-  type.methods.push_back(
-      {"cut", guard<cut_hinge>, "body?: Body", "", "Frees all members of a hinge, or those of one body."});
+  type.methods.push_back({"cut", guard<cut_hinge>, "body?: Body", "",
+                          "Frees all members of a hinge, or those of one body.", "elbow:cut()"});
   type.methods.push_back({"force", guard<force_of_hinge>, "body: Body", "vec",
-                          "Force [N] of a hinge on one of its bodies in the last step."});
-  add_common_fields(type);
+                          "Force [N] of a hinge on one of its bodies in the last step.",
+                          "scene:probe(\"pull\", function() return elbow:force(arm):length() end)"});
+  add_base(type, any_thing_type());
   add_common_remove(type);
   type.more = read_attribute;
   type.write_more = write_attribute;
-  type.more_doc = "number attributes of its family";
+  type.more_doc = "number [each its own] attributes of its family";
   return type;
 }
 

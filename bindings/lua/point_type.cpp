@@ -14,7 +14,7 @@ Point& row(const Self& self) { return self.world.points[id_of(self)]; }
 Type make() {
   Type type{"Point", "point", "A point mass. It belongs to at most one body, and always to one particle.", {}, {}};
   type.fields = {
-      {"position", "vec", "m", "place in the world; written only where the point is free",
+      {"position", "vec", "m", "position in the world; written only where the point is free",
        [](const Self& s) { push(s.state, position(s.world, id_of(s))); },
        [](const Self& s, int i) { set_position(s.world, id_of(s), check_vec(s.state, i, "point", "position", "m")); }},
       {"velocity", "vec", "m/s", "velocity in the world; written only where the point is free",
@@ -25,7 +25,7 @@ Type make() {
       {"mass", "number", "kg", "mass; 0 only in a body, as an anchor",
        [](const Self& s) { lua_pushnumber(s.state, row(s).mass); },
        [](const Self& s, int i) { set_mass(s.world, id_of(s), check_number(s.state, i, "point", "mass", "kg")); }},
-      {"color", "color", "", "color", [](const Self& s) { push(s.state, row(s).color); },
+      {"color", "color", "", "of the point", [](const Self& s) { push(s.state, row(s).color); },
        [](const Self& s, int i) { row(s).color = check_color(s.state, i, "point", "color"); }},
       {"radius", "number", "m", "drawn size; 0: the window chooses",
        [](const Self& s) { lua_pushnumber(s.state, row(s).radius); },
@@ -46,7 +46,7 @@ Type make() {
        [](const Self& s) { push_thing(s.state, s.script, row(s).particle); }, nullptr},
   };
   type.methods = pushes<Kind::point>();
-  add_common_fields(type);
+  add_base(type, any_thing_type());
   add_common_remove(type);
   return type;
 }

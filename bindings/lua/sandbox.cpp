@@ -63,7 +63,7 @@ void open_sandbox(lua_State* state) {
   open_read_table(state);
   open_values(state);
   open_law_run(state);
-  nonconservative_force(state);
+  open_force(state);
 }
 
 }  // namespace pantin::lua

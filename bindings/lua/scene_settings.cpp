@@ -88,10 +88,10 @@ void write_seed(const Self& s, int index) {
 
 std::vector<Field> show_settings() {
   return {
-      {"title", "string", "", "what the window and the pictures are called",
+      {"title", "string", "", "what the window and the pictures are called (default the file's name)",
        [](const Self& s) { lua_pushstring(s.state, s.script.title.c_str()); },
        [](const Self& s, int i) { s.script.title = check_text(s.state, i, "scene", "title"); }},
-      {"duration", "number?", "s", "end of a headless run",
+      {"duration", "number?", "s", "end of a headless run (default none, which ends after 10 s)",
        [](const Self& s) {
          if (s.script.duration)
            lua_pushnumber(s.state, *s.script.duration);
@@ -99,10 +99,12 @@ std::vector<Field> show_settings() {
            lua_pushnil(s.state);
        },
        [](const Self& s, int i) { s.script.duration = check_positive(s, i, "duration", "s"); }},
-      {"pace", "number", "", "simulated s per real s", [](const Self& s) { lua_pushnumber(s.state, s.script.pace); },
+      {"pace", "number", "1", "simulated s per real s (default `1`)",
+       [](const Self& s) { lua_pushnumber(s.state, s.script.pace); },
        [](const Self& s, int i) { s.script.pace = check_positive(s, i, "pace", ""); }},
-      {"camera", "Camera", "", "{ at [m], look_at [m], follow = thing }", read_camera, write_camera},
-      {"store", "table", "", "plain values of yours, which snapshots keep",
+      {"camera", "Camera", "", "where the scene is seen from (default from where all is seen)", read_camera,
+       write_camera},
+      {"store", "table", "", "plain values of yours, which snapshots keep (default `{}`)",
        [](const Self& s) { push_store(s.state, s.script); },
        [](const Self& s, int i) {
          require(lua_istable(s.state, i), "scene: store must be a table, got ", kind_of_value(s.state, i));
@@ -114,15 +116,16 @@ std::vector<Field> show_settings() {
 
 std::vector<Field> engine_settings() {
   return {
-      {"gravity", "vec", "m/s²", "uniform acceleration", [](const Self& s) { push(s.state, s.world.settings.gravity); },
+      {"gravity", "vec", "m/s²", "uniform acceleration (default `vec(0, -9.81, 0)`)",
+       [](const Self& s) { push(s.state, s.world.settings.gravity); },
        [](const Self& s, int i) { set_gravity(s.world, check_vec(s.state, i, "scene", "gravity", "m/s²")); }},
-      {"step", "number", "s", "length of one step",
+      {"step", "number", "s", "length of one step (default `1 / 240`)",
        [](const Self& s) { lua_pushnumber(s.state, s.world.settings.step); },
        [](const Self& s, int i) { set_step(s.world, check_positive(s, i, "step", "s")); }},
       {"accuracy", "number?", "1/s",
        "wanted error per second, relative to the distance between what interacts, or to how far it swings beside a "
        "uniform motion where it interacts with nothing; sub-steps follow from it. Functions of time that ties follow "
-       "are then asked at each quarter of a step",
+       "are then asked at each quarter of a step (default none: fixed steps)",
        [](const Self& s) {
          if (s.world.settings.accuracy)
            lua_pushnumber(s.state, *s.world.settings.accuracy);
@@ -134,7 +137,8 @@ std::vector<Field> engine_settings() {
                       lua_isnil(s.state, i) ? std::optional<double>() : check_positive(s, i, "accuracy", "1/s"));
        }},
       {"accuracy_per", "string", "",
-       "whether `accuracy` is that of a \"second\" or of a \"step\", as where a scene lasts microseconds",
+       "whether `accuracy` is that of a \"second\" or of a \"step\", as where a scene lasts microseconds (default "
+       "`\"second\"`)",
        [](const Self& s) { lua_pushstring(s.state, s.world.settings.accuracy_per_step ? "step" : "second"); },
        [](const Self& s, int i) {
          const std::string per = check_text(s.state, i, "scene", "accuracy_per");
@@ -147,19 +151,19 @@ std::vector<Field> engine_settings() {
        "where "
        "nothing dissipates), \"rk4\" (4th order, no constraints), \"euler\" (1st order, semi-implicit; free particles "
        "as with "
-       "\"verlet\")",
+       "\"verlet\") (default `\"verlet\"`)",
        [](const Self& s) {
          const std::string_view name = name_of(s.world.settings.integrator);
          lua_pushlstring(s.state, name.data(), name.size());
        },
        write_integrator},
-      {"energy_return", "boolean", "", "give back what the velocity projection took",
+      {"energy_return", "boolean", "", "give back what the velocity projection took (default `true`)",
        [](const Self& s) { lua_pushboolean(s.state, s.world.settings.energy_return); },
        [](const Self& s, int i) {
          require_unlocked(s, "energy_return");
          s.world.settings.energy_return = check_boolean(s.state, i, "scene", "energy_return");
        }},
-      {"box", "vec?", "m", "edges of the periodic box; nil: open space",
+      {"box", "vec?", "m", "edges of the periodic box (default none: open space)",
        [](const Self& s) {
          if (s.world.settings.box)
            push(s.state, *s.world.settings.box);
@@ -174,14 +178,15 @@ std::vector<Field> engine_settings() {
       {"plane", "string?", "",
        "\"xy\", \"xz\" or \"yz\": everything stays in that plane, and forces across it do nothing; set it before "
        "things "
-       "are made",
+       "are made (default none: in space)",
        read_plane, write_plane},
-      {"tolerance", "number", "", "points of a new hinge may be this far apart, relative to the size of their bodies",
+      {"tolerance", "number", "1",
+       "points of a new hinge may be this far apart, relative to the size of their bodies (default `1e-6`)",
        [](const Self& s) { lua_pushnumber(s.state, s.world.settings.tolerance); },
        [](const Self& s, int i) { s.world.settings.tolerance = check_positive(s, i, "tolerance", ""); }},
-      {"seed", "integer", "", "of math.random",
+      {"seed", "integer", "", "of math.random (default `1`)",
        [](const Self& s) { lua_pushinteger(s.state, static_cast<lua_Integer>(s.world.settings.seed)); }, write_seed},
-      {"boltzmann", "number", "J/K", "k_B; temperature is in J while it is 1",
+      {"boltzmann", "number", "J/K", "k_B; temperature is in J while it is 1 (default `1`)",
        [](const Self& s) { lua_pushnumber(s.state, s.world.settings.boltzmann); },
        [](const Self& s, int i) { s.world.settings.boltzmann = check_positive(s, i, "boltzmann", "J/K"); }},
   };

@@ -160,7 +160,7 @@ int inertia(lua_State* state) {
 
 std::vector<Field> value_fields() {
   return {
-      {"vertices", "vec[]", "m", "places", read_vertices, nullptr},
+      {"vertices", "vec[]", "m", "positions", read_vertices, nullptr},
       {"edges", "integer[][]", "", "pairs of numbers of vertices",
        [](const Self& s) { push_parts(s.state, structure_of(s).edges); }, nullptr},
       {"faces", "integer[][]", "", "lists of numbers of vertices, counter-clockwise seen from outside",
@@ -179,23 +179,33 @@ Type make() {
   Type type{"Structure", "structure", "Vertices, edges and faces: a value, which does not change.", {}, {}};
   type.fields = value_fields();
   type.methods = {
-      {"scale", guard<scale>, "factor: number|vec", "Structure", "Times larger, alike or along each axis."},
-      {"rotate", guard<turn>, "turn: quat", "Structure", "Turned about the origin."},
-      {"move", guard<shift>, "by: vec [m]", "Structure", "Moved."},
-      {"mirror", guard<mirror>, "normal: vec, through?: vec [m]", "Structure", "Mirror image in a plane."},
+      {"scale", guard<scale>, "factor: number|vec [1]", "Structure", "Times larger, alike or along each axis.",
+       "local slab = structure.cube():scale(vec(4, 0.2, 1))"},
+      {"rotate", guard<turn>, "turn: quat", "Structure", "Turned about the origin.",
+       "local tip = structure.cube():rotate(quat(vec(1, 0, 0), math.pi / 4))"},
+      {"move", guard<shift>, "by: vec [m]", "Structure", "Moved.", "local above = structure.cube():move(vec(0, 2, 0))"},
+      {"mirror", guard<mirror>, "normal: vec [1], through?: vec [m]", "Structure",
+       "Mirror image in a plane, through the origin unless given.",
+       "local left = structure.prism { sides = 3 }:mirror(vec(1, 0, 0))"},
       {"join", guard<join>, "other: Structure, tolerance?: number [m]", "Structure",
-       "Both as one: vertices of the other within the tolerance (1e-6) of one of this become that one."},
+       "Both as one: vertices of the other within the tolerance (1e-6) of one of this become that one.",
+       "local tower = structure.cube():join(structure.cube():move(vec(0, 1, 0)))"},
       {"subdivide", guard<subdivide>, "", "Structure",
-       "Each edge halved: triangles become four, other faces quadrilaterals."},
-      {"dual", guard<make_dual>, "", "Structure", "A vertex for each face, a face for each inner vertex."},
-      {"truncate", guard<truncate>, "fraction: number", "Structure",
-       "Each vertex of a closed surface cut off at a fraction of its edges."},
+       "Each edge halved: triangles become four, other faces quadrilaterals.",
+       "local finer = structure.octahedron():subdivide()"},
+      {"dual", guard<make_dual>, "", "Structure", "A vertex for each face, a face for each inner vertex.",
+       "local cube = structure.octahedron():dual()"},
+      {"truncate", guard<truncate>, "fraction: number [1]", "Structure",
+       "Each vertex of a closed surface cut off at a fraction of its edges.",
+       "local football = structure.icosahedron():truncate(1 / 3)"},
       {"select", guard<select>, "part: \"vertices\"|\"edges\"|\"faces\", keep: function", "Structure, integer[]",
-       "What is made of the parts for which keep is true, and their numbers; keep is given the vertex' place, both "
+       "What is made of the parts for which keep is true, and their numbers; keep is given the vertex' position, both "
        "ends "
-       "of the edge or the middle of the face [m], then the number."},
-      {"inertia", guard<inertia>, "mass_in?: \"points\"|\"edges\"|\"faces\"|\"solid\"", "vec|table, vec",
-       "Inertia [kg m²] of 1 kg about its centre of mass, and that centre [m]."},
+       "of the edge or the middle of the face [m], then the number.",
+       "local upper, numbers = structure.geodesic():select(\"vertices\", function(at, number) return at.y > 0 end)"},
+      {"inertia", guard<inertia>, "mass_in?: \"points\"|\"edges\"|\"faces\"|\"solid\"", "vec|Inertia, vec",
+       "Inertia [kg m²] of 1 kg, in its points unless given, about its centre of mass, and that centre [m].",
+       "local inertia, centre = structure.cube():inertia(\"solid\")"},
   };
   return type;
 }

@@ -58,7 +58,7 @@ int scene_nail(lua_State* state) {
   int options = 3;
   if (!lua_istable(state, 3)) {
     options = 4;
-    if (!lua_isnoneornil(state, 3)) at = check_vec(state, 3, "nail", "argument 2, the place,", "m");
+    if (!lua_isnoneornil(state, 3)) at = check_vec(state, 3, "nail", "argument 2, the position,", "m");
   }
   const Options o(state, options, "nail", {"time_constant", "name"});
   const auto time_constant = o.number("time_constant", "s");

@@ -72,7 +72,7 @@ TEST_CASE("the reference has every class, field, function and parameter of the a
     if (word == "---@class" && name.ends_with(':')) name.pop_back();
     CAPTURE(line);
     if (word == "---@class") CHECK(pages.find("\n## " + name + "\n") != std::string::npos);
-    if (word == "---@field" && !name.starts_with('[')) CHECK(pages.find("| `" + name + "` |") != std::string::npos);
+    if (word == "---@field" && !name.starts_with('[')) CHECK(pages.find("\n| `" + name + "`") != std::string::npos);
     if (word == "---@param") CHECK(pages.find("- `" + name + "`: ") != std::string::npos);
     seen += word.starts_with("---@");
   }

@@ -184,7 +184,7 @@ test("a law that cannot be traced is called, says so once with its line, and str
   expect(function() open_text(source:format "strict = true,") end):fails("text.lua:4")
 end)
 
-test("a law that reads what a place of the world has not is refused where it is put to use", function()
+test("a law that reads what a position of the world has not is refused where it is put to use", function()
   local laws = {
     { "force.gravitation { constant = 1 }", "mass" },
     { "force.repel { stiffness = 10 }", "radius" },
@@ -194,7 +194,7 @@ test("a law that reads what a place of the world has not is refused where it is 
   }
   for _, law in ipairs(laws) do
     local source = "local p = scene:particle { at = vec(1, 2, 0) }\nscene:connect(p, vec(0, 3, 0), " .. law[1] .. ")"
-    for _, words in ipairs { "text.lua:2", "'" .. law[2] .. "'", "the place vec(0, 3, 0) m of the world" } do
+    for _, words in ipairs { "text.lua:2", "'" .. law[2] .. "'", "the position vec(0, 3, 0) m of the world" } do
       expect(function() open_text(source) end):fails(words)
     end
   end
