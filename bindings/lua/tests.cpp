@@ -125,7 +125,8 @@ void run_file(const std::string& path, const SceneOptions& options, std::FILE* o
     });
     require(!file.tests.empty(), path, ": has no test(name, function)");
   } catch (const std::exception& error) { fail(path, "", error.what()); }
-  for (const TestFile::Test& test : file.tests) {
+  for (std::size_t i = 0; i < file.tests.size(); i++) {
+    const TestFile::Test test = file.tests[i];  // one that is declared in another runs after it, and moves the list
     try {
       test.body.call();
       outcome.passed++;

@@ -152,3 +152,13 @@ TEST_CASE("a scene is the same in every run, to the last bit") {
   CHECK(word(source) == word(source));
   CHECK_THAT(word(source), Catch::StartsWith("five ") && Contains("four") && Contains("two"));
 }
+
+TEST_CASE("a test that another declares runs after it") {
+  const Folder folder;
+  folder.write("a_test.lua", R"lua(test("outer", function()
+  for i = 1, 100 do test("inner " .. i, function() expect(i):below(100) end) end
+end))lua");
+  const Ran ran = run({folder.path});
+  CHECK(ran.outcome.passed == 100);
+  CHECK_THAT(ran.printed, Contains("FAILED a_test.lua:2: inner 100"));
+}
