@@ -10,6 +10,7 @@
 #include <sstream>
 #include <utility>
 
+#include "base/hash.hpp"
 #include "lua/watchdog.hpp"
 #include "player/aim.hpp"
 #include "view/picture.hpp"
@@ -23,11 +24,10 @@ constexpr double shown_time = 2.0;    // [s] simulated, unless it takes too long
 constexpr double most_wall = 2.5;     // [s]
 constexpr double script_limit = 5.0;  // [s]
 
-/// FNV-1a, 64 bits.
 std::uint64_t hash_of(const std::string& bytes) {
-  std::uint64_t hash = 14695981039346656037u;
-  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
-  return hash;
+  Hash hash;
+  for (const char c : bytes) hash.add(std::uint64_t{static_cast<unsigned char>(c)});
+  return hash.value;
 }
 
 std::string contents(const std::string& path) {
