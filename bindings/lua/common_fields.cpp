@@ -56,9 +56,9 @@ const Type& any_thing_type() {
       "AnyThing",
       "thing",
       "What every thing has; it may be a target of events and behaviours, and a member of a group.",
-      {{"name", "string", "", "what messages and scene:find call it", read_name, write_name},
+      {{"name", "string", "", "what messages and scene:find call it (default `\"\"`)", read_name, write_name},
        {"alive", "boolean", "", "whether it still exists", read_alive, nullptr, true},
-       {"data", "table", "", "a table of yours, which goes with the thing", read_data, nullptr}},
+       {"data", "table", "", "a table of yours, which goes with the thing (default `{}`)", read_data, nullptr}},
       {{"remove", guard<remove_thing>, "", "", "Takes it out of the world.",
         "scene:after(2, function() p:remove() end)"}}};
   return type;

@@ -71,7 +71,7 @@ Field enabled_field() {
   return {"enabled",
           "boolean",
           "",
-          "whether it acts",
+          "whether it acts (default `true`)",
           [](const Self& s) { lua_pushboolean(s.state, constraint_row(s).enabled); },
           [](const Self& s, int i) {
             set_enabled(s.world, constraint_of(s), check_boolean(s.state, i, type_of(s.ref.kind).word, "enabled"));
@@ -83,7 +83,7 @@ Field breaks_at_field() {
           "Breaking",
           "",
           "load or length at which it breaks, within a step where it passes that; a weld's torque is about the middle "
-          "between the two centres of mass",
+          "between the two centres of mass (default `{}`)",
           [](const Self& s) { push_breaking(s.state, constraint_row(s).breaks_at); },
           [](const Self& s, int i) {
             const std::string what = std::string(type_of(s.ref.kind).word) + ": breaks_at";

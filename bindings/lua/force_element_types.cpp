@@ -90,7 +90,7 @@ const Field energy = {"energy",
 const Field enabled = {"enabled",
                        "boolean",
                        "",
-                       "whether it acts",
+                       "whether it acts (default `true`)",
                        [](const Self& s) {
                          lua_pushboolean(s.state, with_id(s.ref, [&](auto id) { return row_of(s.world, id).enabled; }));
                        },
@@ -135,7 +135,8 @@ Type make_connection() {
       {"particles", "(Particle|vec)[]", "m", "what it ties: particles, or positions", read_particles, nullptr},
       {"force", "number", "N", "tension in the last step, positive where it pulls; 0 of a law of three or four",
        [](const Self& s) { lua_pushnumber(s.state, tension(s.world, connection_of(s))); }, nullptr},
-      {"breaks_at", "Breaking", "", "tension or length at which it breaks", read_breaks_at, write_breaks_at},
+      {"breaks_at", "Breaking", "", "tension or length at which it breaks (default `{}`)", read_breaks_at,
+       write_breaks_at},
   };
   add_base(type, any_force_element_type());
   add_common_remove(type);

@@ -116,12 +116,12 @@ std::vector<Field> look_and_life() {
       {"points", "Point[]", "", "its points, in the order of joining",
        [](const Self& s) { push_list(s.state, s.script, ring(s).points); }, nullptr},
       {"bodies", "Body[]", "", "the bodies of its points", read_bodies, nullptr},
-      {"enabled", "boolean", "", "of a hinge: whether its points stay together",
+      {"enabled", "boolean", "", "of a hinge: whether its points stay together (default `true`)",
        [](const Self& s) { lua_pushboolean(s.state, ring(s).enabled); },
        [](const Self& s, int i) {
          set_enabled(s.world, awake(s.world, id_of(s)), check_boolean(s.state, i, "hinge", "enabled"));
        }},
-      {"breaks_at", "Breaking", "", "of a hinge: load at which it breaks",
+      {"breaks_at", "Breaking", "", "of a hinge: load at which it breaks (default `{}`)",
        [](const Self& s) { push_breaking(s.state, ring(s).breaks_at); },
        [](const Self& s, int i) {
          set_breaks_at(s.world, awake(s.world, id_of(s)), check_breaking(s.state, i, "hinge: breaks_at", false));

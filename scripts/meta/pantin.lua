@@ -143,9 +143,9 @@ function quat_methods:inverse() end
 
 ---What every thing has; it may be a target of events and behaviours, and a member of a group.
 ---@class AnyThing
----@field name string what messages and scene:find call it
+---@field name string what messages and scene:find call it (default `""`)
 ---@field alive boolean whether it still exists (read only)
----@field data table a table of yours, which goes with the thing (read only)
+---@field data table a table of yours, which goes with the thing (default `{}`) (read only)
 local AnyThing = {}
 ---Takes it out of the world.
 ---```lua
@@ -155,15 +155,15 @@ function AnyThing:remove() end
 
 ---What every constraint has.
 ---@class AnyConstraint: AnyThing
----@field breaks_at Breaking load or length at which it breaks, within a step where it passes that; a weld's torque is about the middle between the two centres of mass
----@field enabled boolean whether it acts
+---@field breaks_at Breaking load or length at which it breaks, within a step where it passes that; a weld's torque is about the middle between the two centres of mass (default `{}`)
+---@field enabled boolean whether it acts (default `true`)
 local AnyConstraint = {}
 
 ---What every connection, interaction and field has.
 ---@class AnyForceElement: AnyThing
 ---@field parameters table<string, number> [each its own] of its law: read and written by name (read only)
 ---@field energy number? [J] of its law now; nil where the law has none (read only)
----@field enabled boolean whether it acts
+---@field enabled boolean whether it acts (default `true`)
 local AnyForceElement = {}
 
 ---What groups and families tell of their things.
@@ -244,8 +244,8 @@ function Point:kick(impulse) end
 ---@field look Look "ball", "glow" (a soft disc of light) or "streak" (a line of light along its velocity)
 ---@field points Point[] its points, in the order of joining (read only)
 ---@field bodies Body[] the bodies of its points (read only)
----@field enabled boolean of a hinge: whether its points stay together
----@field breaks_at Breaking of a hinge: load at which it breaks
+---@field enabled boolean of a hinge: whether its points stay together (default `true`)
+---@field breaks_at Breaking of a hinge: load at which it breaks (default `{}`)
 ---@field is_hinge boolean whether it joins two points or more (read only)
 ---@field [string] number [each its own] attributes of its family
 local Particle = {}
@@ -494,7 +494,7 @@ local Family = {}
 ---@class Connection: AnyForceElement
 ---@field particles (Particle|vec)[] [m] what it ties: particles, or positions (read only)
 ---@field force number [N] tension in the last step, positive where it pulls; 0 of a law of three or four (read only)
----@field breaks_at Breaking tension or length at which it breaks
+---@field breaks_at Breaking tension or length at which it breaks (default `{}`)
 local Connection = {}
 
 ---A law between all pairs of two families, or within one.
