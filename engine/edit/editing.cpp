@@ -6,8 +6,7 @@ namespace pantin::internal {
 
 double energy_of(const World& world, BodyId body) {
   const Motion& m = world.motion_of(body);
-  return 0.5 * norm2(m.p) / m.mass + 0.5 * dot(m.angular, m.angular * inverse_inertia(m)) -
-         m.mass * dot(world.settings.gravity, m.x);
+  return kinetic_energy(m) - m.mass * dot(world.settings.gravity, m.x);
 }
 
 double energy_of(const World& world, PointId free_point) {

@@ -69,7 +69,7 @@ struct Collect {
 };
 
 void add(Energy& e, const Motion& m, Vec3 gravity) {
-  e.kinetic += 0.5 * norm2(m.p) / m.mass + 0.5 * dot(m.angular, m.angular * inverse_inertia(m));
+  e.kinetic += kinetic_energy(m);
   e.potential -= m.mass * dot(gravity, m.x);
 }
 

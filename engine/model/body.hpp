@@ -63,5 +63,7 @@ struct Motion {
 Vec3 inverse_inertia(const Motion& m);
 /// World axes, rad/s.
 Vec3 angular_velocity(const Motion& m);
+/// [J]
+double kinetic_energy(const Motion& m);
 
 }  // namespace pantin

@@ -12,6 +12,10 @@ Vec3 inverse_inertia(const Motion& m) {
 
 Vec3 angular_velocity(const Motion& m) { return rotate(m.q, m.angular * inverse_inertia(m)); }
 
+double kinetic_energy(const Motion& m) {
+  return 0.5 * norm2(m.p) / m.mass + 0.5 * dot(m.angular, m.angular * inverse_inertia(m));
+}
+
 Vec3 arm(const Model& m, PointId point) {
   const Point& p = m.points[point];
   if (!p.body) return zero3();

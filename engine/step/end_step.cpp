@@ -20,10 +20,6 @@ bool sound(Vec3 position, const Quat& q, double kinetic) {
   return finite(position) && std::isfinite(q.w + q.x + q.y + q.z) && std::isfinite(kinetic);
 }
 
-double kinetic_energy(const Motion& m) {
-  return 0.5 * (norm2(m.p) / m.mass + dot(m.angular, m.angular * inverse_inertia(m)));
-}
-
 struct OfLoosePoints {
   double kinetic = 0.0;          ///< [J]
   Vec3 mass_position = zero3();  ///< [kg m] sum of mass times position

@@ -14,10 +14,6 @@ namespace {
 
 constexpr std::size_t number(Source source) { return static_cast<std::size_t>(source); }
 
-double kinetic_of(const Motion& m) {
-  return 0.5 * (norm2(m.p) / m.mass + dot(m.angular, m.angular * inverse_inertia(m)));
-}
-
 double outside(const World& world) { return world.work - world.ledger.given[number(Source::law)]; }
 
 /// All that the ledger has explained so far, [J].
@@ -54,13 +50,13 @@ LedgerMark ledger_mark(const World& world, bool drifted) {
     m.size += kinetic + mass * std::fabs(dot(gravity, position));
   };
   for (const std::uint32_t slot : world.loose_bodies)
-    add(kinetic_of(world.motion[slot]), world.motion[slot].mass, world.motion[slot].x);
+    add(kinetic_energy(world.motion[slot]), world.motion[slot].mass, world.motion[slot].x);
   for (const auto& articulate : world.articulates)
     for (const Node& n : articulate->nodes) {
       if (drifted) {
         add(kinetic_energy(n), n.mass, n.x0);
       } else if (n.is_body) {
-        add(kinetic_of(world.motion[n.slot]), n.mass, world.motion[n.slot].x);
+        add(kinetic_energy(world.motion[n.slot]), n.mass, world.motion[n.slot].x);
       } else {
         const FreeMotion& free = world.free_motion[n.slot];
         add(0.5 * n.mass * norm2(free.v), n.mass, free.x);

@@ -205,10 +205,6 @@ bool add_row(Articulate& a, const Model& model, const Edge& edge, const std::vec
   return before.row != nullptr;
 }
 
-std::uint64_t serial_of(const Model& model, Thing t) {
-  return t.is_body ? model.bodies.at_slot(t.slot).serial : model.points.at_slot(t.slot).serial;
-}
-
 }  // namespace
 
 std::unique_ptr<Articulate> build_articulate(Model& model, std::span<const Thing> things, const Articulates& before) {

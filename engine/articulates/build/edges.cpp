@@ -134,6 +134,10 @@ Thing holder(const Model& model, PointId point) {
 std::int32_t& node_of(Model& model, Thing t) {
   return t.is_body ? model.motion[t.slot].node : model.points.at_slot(t.slot).node;
 }
+std::uint64_t serial_of(const Model& model, Thing t) {
+  return t.is_body ? model.bodies.at_slot(t.slot).serial : model.points.at_slot(t.slot).serial;
+}
+
 std::int32_t node_of(const Model& model, Thing t) {
   return t.is_body ? model.motion[t.slot].node : model.points.at_slot(t.slot).node;
 }

@@ -28,6 +28,8 @@ void find_edges(const Model& model, Thing thing, EdgesOf which, std::vector<Edge
 
 /// The body of a point, or the point itself.
 Thing holder(const Model& model, PointId point);
+/// Order of making.
+std::uint64_t serial_of(const Model& model, Thing thing);
 /// Index of a thing in its articulate.
 std::int32_t& node_of(Model& model, Thing thing);
 std::int32_t node_of(const Model& model, Thing thing);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "articulates/build/build.hpp"
+#include "articulates/build/edges.hpp"
 #include "articulates/solve/conditions.hpp"
 #include "articulates/solve/state.hpp"
 #include "constraints/kind.hpp"
@@ -82,10 +83,6 @@ class Search {
   std::vector<Thing> found_;
   bool constrained_ = false;
 };
-
-std::uint64_t serial_of(const Model& model, Thing t) {
-  return t.is_body ? model.bodies.at_slot(t.slot).serial : model.points.at_slot(t.slot).serial;
-}
 
 std::int32_t& articulate_of(Model& model, Thing t) {
   return t.is_body ? model.motion[t.slot].articulate : model.points.at_slot(t.slot).articulate;
