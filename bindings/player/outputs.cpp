@@ -38,9 +38,7 @@ void Outputs::write_tables(const Times& times, const World& world) const {
 }
 
 void Outputs::write_summary(const lua::Scene& scene, const std::string& failure) const {
-  // A name that is not UTF-8 must not lose the rest.
-  for (const Output& file : summary_)
-    file.write(summary(scene, failure).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  for (const Output& file : summary_) file.write(summary(scene, failure));
 }
 
 void Outputs::keep() {

@@ -5,32 +5,10 @@
 #include <utility>
 
 #include "measure/measure.hpp"
-#include "player/recording_json.hpp"
 
 namespace fs = std::filesystem;
 
 namespace pantin::player {
-namespace {
-
-constexpr int format = 2;
-
-std::string line_of(const RecordingHead& head) {
-  Json line{{"pantin", format}, {"version", head.version}, {"scene", letters_of(head.scene)}, {"set", head.set}};
-  line["files"] = Json::object();
-  for (const auto& [path, content] : head.files) line["files"][letters_of(path)] = letters_of(content);
-  return line.dump();
-}
-
-RecordingHead head_of(const std::string& text) {
-  const Json line = Json::parse(text);
-  const int found = line.at("pantin");
-  require(found == format, "it has the format ", found, ", and this program reads the format ", format);
-  RecordingHead head{line.at("version"), bytes_of(line.at("scene")), line.at("set"), {}};
-  for (const auto& [path, content] : line.at("files").items()) head.files.emplace(bytes_of(path), bytes_of(content));
-  return head;
-}
-
-}  // namespace
 
 std::string program_version() { return PANTIN_VERSION; }
 

@@ -124,6 +124,9 @@ class Recorder {
   bool finished_ = false;
 };
 
+/// The first line of the file, and back; throws Error where the line is none.
+std::string line_of(const RecordingHead& head);
+RecordingHead head_of(const std::string& line);
 /// One act as a line of the file, and back; throws Error where the line is none.
 std::string line_of(const RecordedAct& act);
 RecordedAct act_of(const std::string& line);

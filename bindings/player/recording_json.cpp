@@ -1,11 +1,11 @@
-// Acts as lines of a recording.
-#include "player/recording_json.hpp"
-
+// Lines of a recording.
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -14,6 +14,51 @@
 
 namespace pantin::player {
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int format = 2;
+
+std::string hexadecimal(std::uint64_t value) {
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(value));
+  return digits;
+}
+
+/// Throws Error where the text is no such number.
+std::uint64_t from_hexadecimal(const std::string& digits) {
+  std::uint64_t value = 0;
+  const char* end = digits.data() + digits.size();
+  const auto [rest, bad] = std::from_chars(digits.data(), end, value, 16);
+  require(bad == std::errc{} && rest == end, "'", digits, "' is no hash");
+  return value;
+}
+
+/// JSON is UTF-8, and files need not be: each byte becomes a character.
+std::string letters_of(const std::string& bytes) {
+  std::string letters;
+  for (const char byte : bytes) {
+    const auto code = static_cast<unsigned char>(byte);
+    if (code >= 0x80) letters += static_cast<char>(0xc0 | code >> 6);
+    letters += static_cast<char>(code >= 0x80 ? 0x80 | (code & 0x3f) : code);
+  }
+  return letters;
+}
+
+/// Throws Error where the text is none of these.
+std::string bytes_of(const std::string& letters) {
+  std::string bytes;
+  for (std::size_t i = 0; i < letters.size(); i++) {
+    const auto code = static_cast<unsigned char>(letters[i]);
+    if (code < 0x80) {
+      bytes += letters[i];
+      continue;
+    }
+    require((code == 0xc2 || code == 0xc3) && i + 1 < letters.size(), "a file's content has a letter that is no byte");
+    bytes += static_cast<char>((code & 3) << 6 | (static_cast<unsigned char>(letters[++i]) & 0x3f));
+  }
+  return bytes;
+}
 
 /// JSON has no infinity.
 Json json_of(double x) {
@@ -191,43 +236,20 @@ FieldEdit edit_of(const Json& line) {
 
 }  // namespace
 
-std::string hexadecimal(std::uint64_t value) {
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(value));
-  return digits;
+std::string line_of(const RecordingHead& head) {
+  Json line{{"pantin", format}, {"version", head.version}, {"scene", letters_of(head.scene)}, {"set", head.set}};
+  line["files"] = Json::object();
+  for (const auto& [path, content] : head.files) line["files"][letters_of(path)] = letters_of(content);
+  return line.dump();
 }
 
-std::uint64_t from_hexadecimal(const std::string& digits) {
-  std::uint64_t value = 0;
-  const char* end = digits.data() + digits.size();
-  const auto [rest, bad] = std::from_chars(digits.data(), end, value, 16);
-  require(bad == std::errc{} && rest == end, "'", digits, "' is no hash");
-  return value;
-}
-
-/// JSON is UTF-8, and files need not be: each byte becomes a character.
-std::string letters_of(const std::string& bytes) {
-  std::string letters;
-  for (const char byte : bytes) {
-    const auto code = static_cast<unsigned char>(byte);
-    if (code >= 0x80) letters += static_cast<char>(0xc0 | code >> 6);
-    letters += static_cast<char>(code >= 0x80 ? 0x80 | (code & 0x3f) : code);
-  }
-  return letters;
-}
-
-std::string bytes_of(const std::string& letters) {
-  std::string bytes;
-  for (std::size_t i = 0; i < letters.size(); i++) {
-    const auto code = static_cast<unsigned char>(letters[i]);
-    if (code < 0x80) {
-      bytes += letters[i];
-      continue;
-    }
-    require((code == 0xc2 || code == 0xc3) && i + 1 < letters.size(), "a file's content has a letter that is no byte");
-    bytes += static_cast<char>((code & 3) << 6 | (static_cast<unsigned char>(letters[++i]) & 0x3f));
-  }
-  return bytes;
+RecordingHead head_of(const std::string& text) {
+  const Json line = Json::parse(text);
+  const int found = line.at("pantin");
+  require(found == format, "it has the format ", found, ", and this program reads the format ", format);
+  RecordingHead head{line.at("version"), bytes_of(line.at("scene")), line.at("set"), {}};
+  for (const auto& [path, content] : line.at("files").items()) head.files.emplace(bytes_of(path), bytes_of(content));
+  return head;
 }
 
 std::string line_of(const RecordedAct& act) {

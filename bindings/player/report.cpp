@@ -42,7 +42,7 @@ int report(const RunOptions& options, const std::string& prefix, const std::stri
   }
   if (Interrupt::asked()) say("stopped; this is what the runs until then tell");
   const double ns = product_time();
-  json.write(report_json(studied, ns).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  json.write(report_json(studied, ns));
   picture.write(report_picture(studied));
   json.keep();
   picture.keep();

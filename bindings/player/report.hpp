@@ -1,5 +1,4 @@
 #pragma once
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "player/options.hpp"
@@ -16,7 +15,7 @@ int report(const RunOptions& options, const std::string& prefix, const std::stri
 std::string report_text(const Study& study, double product_ns);
 /// The last sentence of it.
 std::string advice(const Study& study);
-nlohmann::ordered_json report_json(const Study& study, double product_ns);
+std::string report_json(const Study& study, double product_ns);
 /// SVG: error against cost, and against the step.
 std::string report_picture(const Study& study);
 

@@ -11,8 +11,6 @@
 namespace pantin::player {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr double wanted = 1e-3;  // error, relative to the size
 
 template <class... Values>
@@ -72,21 +70,20 @@ std::string table(const Study& study) {
 }
 
 /// The lines that are not 0, and what the ledger says of itself.
-std::string ledger_lines(const Study& study) {
-  const Json& ledger = study.ledger;
-  if (!ledger.is_object() || !ledger.contains("closure")) return "";
-  std::string line = format("ledger, J, %g s with step %s and %s:", ledger["until"].get<double>(),
-                            show_step(study.step).c_str(), study.integrator.c_str());
-  const auto add = [&](const std::string& name, const Json& joules) {
-    if (joules.get<double>() != 0.0) line += " " + name + format(" %.4g", joules.get<double>());
+std::string ledger_line(const Study& study) {
+  if (!study.ledger || !study.ledger->posts.kept) return "";
+  const LedgerLines& ledger = *study.ledger;
+  std::string line = format("ledger, J, %g s with step %s and %s:", ledger.time, show_step(study.step).c_str(),
+                            study.integrator.c_str());
+  const auto add = [&](const std::string& name, double joules) {
+    if (joules != 0.0) line += " " + name + format(" %.4g", joules);
   };
-  add("gravity", ledger["gravity"]);
-  for (const auto& [name, joules] : ledger["laws"].items()) add(name, joules);
-  add("laws without energy", ledger["open"]);
-  for (const std::string_view name : source_names) add(std::string(name), ledger[std::string(name)]);
-  line += format("; closure %.1e; truncation", ledger["closure"].get<double>());
-  for (const auto& [name, joules] : ledger["truncation"].items())
-    line += " " + name + format(" %.1e", joules.get<double>());
+  add("gravity", ledger.posts.gravity);
+  for (const auto& [name, joules] : ledger.laws.given) add(name, joules);
+  add("laws without energy", ledger.laws.open);
+  for (std::size_t i = 0; i < source_names.size(); i++) add(std::string(source_names[i]), ledger.posts.given[i]);
+  line += format("; closure %.1e; truncation", ledger.closure);
+  for (const auto& [name, joules] : ledger.truncation) line += " " + name + format(" %.1e", joules);
   return line + "\n";
 }
 
@@ -117,7 +114,7 @@ bool is_last(const Study& study, const StudyRun& run) {
 
 /// Whether dampers took energy in the run for the ledger.
 bool is_damped(const Study& study) {
-  return study.ledger.is_object() && study.ledger.contains("damper") && study.ledger["damper"].get<double>() != 0.0;
+  return study.ledger && study.ledger->posts.given[static_cast<std::size_t>(Source::damper)] != 0.0;
 }
 
 /// Integrators of higher order are at an order of 1 where the steps themselves are what is seen, or laws are solved at
@@ -250,63 +247,8 @@ std::string report_text(const Study& study, double product_ns) {
       product_ns);
   if (std::any_of(study.runs.begin(), study.runs.end(), [](const StudyRun& run) { return run.accuracy > 0.0; }))
     result += format("accuracy: that scene.accuracy with verlet and step %s\n", show_step(study.step).c_str());
-  result += table(study) + ledger_lines(study) + course(study);
+  result += table(study) + ledger_line(study) + course(study);
   return result + advice(study) + "\n";
-}
-
-namespace {
-
-Json of_run(const Study& study, const StudyRun& run) {
-  Json json;
-  json["integrator"] = run.integrator;
-  json["step"] = run.step;
-  if (run.accuracy > 0.0) json["accuracy"] = run.accuracy;
-  if (!run.trouble.empty()) json["trouble"] = run.trouble;
-  json["reference"] = &run == &study.finest();
-  json["from_reference"] = &run == &study.finest() ? 0.0 : run.error;
-  json["error_at_most"] = study.error_of(run);
-  json["worst_error_at_most"] = study.farthest_of(run);
-  json["order"] = run.order;
-  json["true_until"] = run.true_until;
-  json["ms_per_second"] = 1e3 * run.cost();
-  json["ns_per_step"] = 1e9 * run.seconds / static_cast<double>(run.steps);
-  json["steps"] = run.steps;
-  json["newton_iterations"] = run.stats.newton_iterations;
-  json["solves"] = run.stats.solves;
-  json["halved_steps"] = run.stats.halved_steps;
-  json["fallback_steps"] = run.stats.fallback_steps;
-  json["worst_hinge_gap"] = run.worst.hinge_gap;
-  json["worst_constraint"] = run.worst.constraint;
-  json["worst_energy"] = run.worst.energy;
-  return json;
-}
-
-}  // namespace
-
-nlohmann::ordered_json report_json(const Study& study, double product_ns) {
-  Json json;
-  json["scene"] = study.path;
-  json["title"] = study.title;
-  json["until"] = study.until;
-  json["asked_until"] = study.wanted_until;
-  json["size"] = study.size;
-  json["things"] = study.things;
-  json["moved"] = study.moved;
-  json["energy_return"] = study.energy_return;
-  json["together_until"] = study.together;
-  json["comparable_until"] = study.comparable;
-  json["growth"] = study.growth;
-  json["chaotic"] = study.chaotic;
-  json["unresolved"] = study.unresolved();
-  json["product_ns"] = product_ns;
-  json["ledger"] = study.ledger;
-  json["runs"] = Json::array();
-  for (const StudyRun& run : study.runs) json["runs"].push_back(of_run(study, run));
-  json["left_out"] = Json::object();
-  for (const Refused& refused : study.refused) json["left_out"][refused.integrator] = refused.why;
-  json["advice"] = advice(study);
-  json["warnings"] = study.warnings;
-  return json;
 }
 
 std::string report_picture(const Study& study) {

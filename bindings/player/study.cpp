@@ -13,7 +13,6 @@
 #include "player/interrupt.hpp"
 #include "player/message.hpp"
 #include "player/run.hpp"
-#include "player/summary.hpp"
 
 namespace pantin::player {
 namespace {
@@ -324,8 +323,7 @@ class Studying {
       keep_ledger(scene->world());
       for (const double time : study_.times) {
         step_to(*scene, time);
-        study_.ledger = ledger(scene->world());
-        study_.ledger["until"] = scene->world().time;
+        study_.ledger = ledger_lines(scene->world());
         if (Interrupt::asked() || scene->finished() || spent() > for_ledger * budget_) break;
       }
     } catch (const lua::Interrupted&) {

@@ -1,11 +1,11 @@
 #pragma once
 // A scene run over steps and integrators, and compared with the finest of its own runs.
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "player/ledger.hpp"
 #include "player/study_run.hpp"
 
 namespace pantin::player {
@@ -37,7 +37,7 @@ struct Study {
   double growth = 0.0;                ///< [1/s] of the logarithm of the finest runs' distance, where they part
   std::optional<std::size_t> loser;   ///< the finest runs part where this one of them loses or makes energy
   bool chaotic = false;               ///< they part because small errors grow
-  nlohmann::ordered_json ledger;      ///< [J] of the scene with its own step and integrator
+  std::optional<LedgerLines> ledger;  ///< of the scene with its own step and integrator
   bool random = false;                ///< scripts draw random numbers while they run
   bool noisy = false;                 ///< a law draws noise
   bool emits = false;                 ///< emitters make particles

@@ -6,14 +6,12 @@
 #include "forces/forces.hpp"
 #include "forces/integrator.hpp"
 #include "forces/sleep.hpp"
-#include "measure/ledger_closure.hpp"
 #include "measure/measure.hpp"
 #include "player/closing.hpp"
+#include "player/json.hpp"
 
 namespace pantin::player {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json ns_per_phase(const World& world) {
   Json result = Json::object();
@@ -50,22 +48,25 @@ Json results(const lua::Scene& scene) {
 
 }  // namespace
 
-nlohmann::ordered_json ledger(const World& world) {
-  const LawLedger laws = law_ledger(world);
-  const Ledger& kept = world.ledger;
+Json json_of(const LedgerLines& ledger) {
+  const Ledger& posts = ledger.posts;
   Json result;
-  result["laws"] = laws.given;
-  result["open"] = laws.open;
-  for (std::size_t i = 0; i < source_names.size(); i++) result[std::string(source_names[i])] = kept.given[i];
-  if (!kept.kept) return result;
-  result["since"] = kept.since;
-  result["gravity"] = kept.gravity;
-  result["closure"] = closure(world);
-  result["truncation"] = truncation(world);
+  result["laws"] = ledger.laws.given;
+  result["open"] = ledger.laws.open;
+  for (std::size_t i = 0; i < source_names.size(); i++) result[std::string(source_names[i])] = posts.given[i];
+  if (!posts.kept) return result;
+  result["since"] = posts.since;
+  result["gravity"] = posts.gravity;
+  result["closure"] = ledger.closure;
+  result["truncation"] = ledger.truncation;
   return result;
 }
 
-nlohmann::ordered_json summary(const lua::Scene& scene, const std::string& failure) {
+std::string text_of(const Json& json) {
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+std::string summary(const lua::Scene& scene, const std::string& failure) {
   const World& world = scene.world();
   Energy now = energy(world);
   char hash[17];
@@ -86,7 +87,7 @@ nlohmann::ordered_json summary(const lua::Scene& scene, const std::string& failu
                           {"per", world.settings.accuracy_per_step ? "step" : "second"},
                           {"missed", world.stats.unreached},
                           {"worst_missed", worst_missed(world)}};
-  result["ledger"] = ledger(world);
+  result["ledger"] = json_of(ledger_lines(world));
   result["stats"] = stats(world);
   result["ns_per_phase"] = ns_per_phase(world);
   result["results"] = results(scene);
@@ -95,7 +96,7 @@ nlohmann::ordered_json summary(const lua::Scene& scene, const std::string& failu
   result["warnings"] = warnings;
   result["notices"] = scene.notices();
   if (const std::string& why = failure.empty() ? world.failure : failure; !why.empty()) result["failure"] = why;
-  return result;
+  return text_of(result);
 }
 
 }  // namespace pantin::player

@@ -1,15 +1,12 @@
 #pragma once
-#include <nlohmann/json.hpp>
+#include <string>
 
 #include "lua/scene.hpp"
 
 namespace pantin::player {
 
-/// Where energy came from and went, [J].
-nlohmann::ordered_json ledger(const World& world);
-
-/// What a run came to: time, energies, errors, counts, times per phase, results, warnings, hash of the state; and the error
-/// that stopped it, if one did.
-nlohmann::ordered_json summary(const lua::Scene& scene, const std::string& failure = "");
+/// What a run came to, as JSON: time, energies, errors, counts, times per phase, results, warnings, hash of the state; and
+/// the error that stopped it, if one did.
+std::string summary(const lua::Scene& scene, const std::string& failure = "");
 
 }  // namespace pantin::player

@@ -1,0 +1,16 @@
+#pragma once
+// For what writes or reads JSON alone: the library's header takes longer to compile than most of the sources.
+#include <nlohmann/json.hpp>
+
+#include "player/ledger.hpp"
+
+namespace pantin::player {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const LedgerLines& ledger);
+
+/// With line breaks. A name that is not UTF-8 does not lose the rest.
+std::string text_of(const Json& json);
+
+}  // namespace pantin::player
