@@ -3,9 +3,12 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <csignal>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "bindings/study_support.hpp"
+#include "player/interrupt.hpp"
 #include "player/plot.hpp"
 
 using namespace pantin;
@@ -297,6 +300,28 @@ TEST_CASE("report: a pendulum's errors fall as the integrators' orders say") {
   CHECK(run_of(study, "verlet", 1.0 / 60).error < run_of(study, "euler", 1.0 / 60).error);
   CHECK_THAT(report_text(study, 1.0), Catch::EndsWith(" m.\n"));
   CHECK(nlohmann::json::parse(report_json(study, 1.0))["advice"] == advice(study));
+}
+
+TEST_CASE("report: Ctrl-C ends it with what its runs tell, as early as after the first") {
+  const support::Folder folder;
+  support::write_file(folder / "scene.lua", pendulum);
+  RunOptions options;
+  options.scene = folder / "scene.lua";
+  options.until = 1.0;
+  const auto stopped_at = [&](std::size_t run) {
+    const Interrupt interrupt;
+    std::set<std::string> told;
+    return study(options, folder.path, 5.0, [&](const std::string& what, double) {
+      if (told.insert(what).second && told.size() == run) std::raise(SIGINT);
+    });
+  };
+  CHECK_THROWS_WITH(stopped_at(1), "report: stopped before there was anything to tell");
+  for (const std::size_t run : {2, 3, 6}) {
+    const Study study = stopped_at(run);
+    CHECK(study.runs.size() >= 1);
+    CHECK(study.runs.size() < run);
+    CHECK_THAT(report_text(study, 1.0), Catch::Contains(advice(study)));
+  }
 }
 
 TEST_CASE("report: integrators of fourth order and accuracies are tried too, in a scene that asks for one as well") {

@@ -97,7 +97,7 @@ void Process::signal(int number) {
 
 Finished finish(const Process::Options& options) {
   Process process(options);
-  int code = process.wait(60.0).value_or(-1);
+  int code = process.wait(600.0).value_or(-1);
   return {code, process.out(), process.err()};
 }
 

@@ -52,7 +52,7 @@ struct Finished {
   int code = -1;  ///< -1: did not end in time
   std::string out, err;
 };
-/// Runs a program to its end, at most a minute.
+/// Runs a program to its end, at most ten minutes: the machine may be busy.
 Finished finish(const Process::Options& options);
 
 /// Whether the shell would find a program.
