@@ -98,14 +98,14 @@ void join_pairs(World& world, const BondingDef& def, std::vector<std::array<Part
   const auto distance = [&](const auto& pair) { return norm(position(world, pair[0]) - position(world, pair[1])); };
   std::stable_sort(pairs.begin(), pairs.end(),
                    [&](const auto& one, const auto& other) { return distance(one) < distance(other); });
-  std::unordered_set<ParticleId> progress;
-  const auto is_free = [&](ParticleId id) { return !progress.contains(id) && ties_of(world, id).empty(); };
+  std::unordered_set<ParticleId> joining;
+  const auto is_free = [&](ParticleId id) { return !joining.contains(id) && ties_of(world, id).empty(); };
   for (const auto& [a, b] : pairs) {
     if (!is_free(a) || !is_free(b) || (holder(world, a) && holder(world, b))) continue;
     JoinDef def_of_join;
     def_of_join.time_constant = def.time_constant;
     add_join(world, world.particles[a].points[0], world.particles[b].points[0], def_of_join);
-    progress.insert({a, b});
+    joining.insert({a, b});
   }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Making, progress, cutting, changing and removing things, between two steps. Every function checks its input and throws
+// Making, joining, cutting, changing and removing things, between two steps. Every function checks its input and throws
 // Error, leaving the world as it was. Changes of energy are added to World::work.
 #include <limits>
 #include <memory>

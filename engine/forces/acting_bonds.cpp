@@ -52,8 +52,7 @@ void add_bond(const World& world, ActingConnections& acting, ConnectionId id, co
   acting.ids.push_back(id);
   acting.serials.push_back(row.serial);
   acting.bond_list.sites.insert(acting.bond_list.sites.end(), ends.begin(), ends.begin() + row.count);
-  for (std::size_t k = 0; k < row.parameters.size(); k++)
-    acting.bond_list.parameters[k].push_back(row.parameters[k]);
+  for (std::size_t k = 0; k < row.parameters.size(); k++) acting.bond_list.parameters[k].push_back(row.parameters[k]);
 }
 
 void change_bonds(const World& world, Forces& f, const std::vector<ConnectionId>& changed) {

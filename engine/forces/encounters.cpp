@@ -52,8 +52,7 @@ class Finder {
   void of_connections(const ActingConnections& c) {
     if (c.solved || c.bond_list.count != 2) return;
     passed_.clear();
-    for (std::size_t k = 0; k < c.ids.size(); k++)
-      consider(c.bond_list.sites[2 * k], c.bond_list.sites[2 * k + 1], k);
+    for (std::size_t k = 0; k < c.ids.size(); k++) consider(c.bond_list.sites[2 * k], c.bond_list.sites[2 * k + 1], k);
     if (passed_.empty()) return;
     BondList ties;
     for (const std::vector<double>& column : c.bond_list.parameters) {

@@ -73,11 +73,9 @@ std::optional<double> law_energy(const World& world, FieldId id) {
 
 /// One connection by itself.
 double energy_of(const World& world, Forces& f, const ActingConnections& acting, std::size_t k) {
-  const auto count = static_cast<std::ptrdiff_t>(acting.bond_list.count),
-             at = static_cast<std::ptrdiff_t>(k) * count;
-  BondList one{acting.bond_list.count,
-               {acting.bond_list.sites.begin() + at, acting.bond_list.sites.begin() + at + count},
-               {}};
+  const auto count = static_cast<std::ptrdiff_t>(acting.bond_list.count), at = static_cast<std::ptrdiff_t>(k) * count;
+  BondList one{
+      acting.bond_list.count, {acting.bond_list.sites.begin() + at, acting.bond_list.sites.begin() + at + count}, {}};
   for (const auto& column : acting.bond_list.parameters) one.parameters.push_back({column[k]});
   Bonds bond(acting.law, f.sites.names, *world.workers);
   bond.arrange(one, f.sites);

@@ -81,8 +81,8 @@ std::map<std::uint64_t, std::vector<std::uint64_t>> bonds_of(const Forces& f) {
   for (const ActingConnections& a : f.connections)
     for (std::size_t k = 0; k < a.ids.size(); k++)
       for (int i = 0; i < a.bond_list.count; i++)
-        list[a.serials[k]].push_back(
-            f.sites.serial[a.bond_list.sites[k * static_cast<std::size_t>(a.bond_list.count) + static_cast<std::size_t>(i)]]);
+        list[a.serials[k]].push_back(f.sites.serial[a.bond_list.sites[k * static_cast<std::size_t>(a.bond_list.count) +
+                                                                      static_cast<std::size_t>(i)]]);
   return list;
 }
 
