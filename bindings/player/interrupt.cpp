@@ -35,6 +35,7 @@ Interrupt::Interrupt() {
 Interrupt::~Interrupt() {
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
+  interrupted = 0;
   lua::allow_scripts();
 }
 

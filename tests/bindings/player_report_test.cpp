@@ -318,6 +318,7 @@ TEST_CASE("report: Ctrl-C ends it with what its runs tell, as early as after the
   CHECK_THROWS_WITH(stopped_at(1), "report: stopped before there was anything to tell");
   for (const std::size_t run : {2u, 3u, 6u}) {
     const Study study = stopped_at(run);
+    CHECK_FALSE(Interrupt::asked());  // what is done next in the same process
     CHECK(study.runs.size() >= 1);
     CHECK(study.runs.size() < run);
     CHECK_THAT(report_text(study, 1.0), Catch::Contains(advice(study)));
