@@ -102,7 +102,6 @@ TEST_CASE("a ball's edge is smooth with samples, and its middle has its colour",
   ParticleDef def;
   def.at = vec(0, 1, 0);
   def.radius = 0.5;
-  def.color = {0.1f, 0.2f, 0.9f, 1.0f};
   add_particle(world, def);
   Camera camera;
   camera.look(vec(0, 1, 6), vec(0, 1, 0));
@@ -360,6 +359,29 @@ TEST_CASE("on a dense display all is as large as on another, with more pixels", 
       apart += std::fabs(mean(one, 1) - mean(two, 2)) > 6.0;
     }
   CHECK(apart == 0);
+}
+
+TEST_CASE("the renderer has every shader that it asks for", "[window]") {
+  const Window window("test", width, height, true);
+  std::ostringstream told;
+  std::streambuf* const before = std::cerr.rdbuf(told.rdbuf());
+  draw(World{}, camera_of(World{}));
+  std::cerr.rdbuf(before);
+  CHECK(told.str() == "");
+}
+
+TEST_CASE("a body that has nothing but inertia is visible", "[window]") {
+  const Window window("test", width, height, true);
+  World world;
+  BodyDef def;
+  def.mass = 1.0;
+  def.inertia = diagonal(vec(0.1, 0.1, 0.1));
+  const BodyId body = add_body(world, def);
+  const Camera camera = camera_of(world);
+  const Still still = draw(world, camera), bare = draw(World{}, camera);
+  const auto [x, y] = pixel(camera, world.motion_of(body).x);
+  CHECK(still.apart(bare, x, y) > 24);
+  CHECK(still.covered(bare) > 200);
 }
 
 TEST_CASE("a shader that OpenGL refuses is told, and the rest is drawn", "[window]") {

@@ -6,7 +6,7 @@ layout(location = 4) in vec3 paint;
 layout(location = 5) in vec3 second;
 out vec3 spot;
 flat out vec3 centre_of;
-flat out mat3 inward;  // to the space in which the egg is a ball of radius 1
+flat out mat3 inward;  // to the space in which the ellipsoid is a ball of radius 1
 flat out vec3 paint_of;
 flat out vec3 second_of;
 void main() {
