@@ -4,8 +4,8 @@
 #include "lua/constraint_fields.hpp"
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
+#include "lua/point_constraint_options.hpp"
 #include "lua/script.hpp"
-#include "lua/tie_options.hpp"
 
 namespace pantin::lua {
 namespace {

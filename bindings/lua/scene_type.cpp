@@ -5,7 +5,6 @@
 #include "lua/body_options.hpp"
 #include "lua/build_options.hpp"
 #include "lua/choreography.hpp"
-#include "lua/couple_options.hpp"
 #include "lua/emitter_options.hpp"
 #include "lua/events.hpp"
 #include "lua/family_options.hpp"
@@ -14,12 +13,13 @@
 #include "lua/guard.hpp"
 #include "lua/look_options.hpp"
 #include "lua/parameters.hpp"
+#include "lua/point_constraint_options.hpp"
 #include "lua/scene_settings.hpp"
 #include "lua/script.hpp"
 #include "lua/snapshot.hpp"
 #include "lua/structure_type.hpp"
 #include "lua/targets.hpp"
-#include "lua/tie_options.hpp"
+#include "lua/turn_options.hpp"
 
 namespace pantin::lua {
 namespace {
@@ -87,6 +87,41 @@ std::vector<Method> making() {
       {"body", guard<scene_body>, "options: BodyOptions", "Body", "Makes a rigid body.",
        "local rod = scene:body { at = vec(0, 3, 0),\n"
        "  points = { left = { at = vec(-1, 0, 0), mass = 1 }, right = { at = vec(1, 0, 0), mass = 1 } } }"},
+      {"merge", guard<scene_merge>, "a: Body, b: Body", "Body",
+       "a lives on with b's points, which stay valid; b is gone.", "local both = scene:merge(arm, block)"},
+      {"split", guard<scene_split>, "body: Body, points: Point|Point[], ...: Point", "Body",
+       "Makes a body of its own of some of a body's points.",
+       "local corner = scene:split(block, block.points[1], block.points[2], block.points[3])"},
+      {"freeze", guard<scene_freeze>, "group: Group", "Body",
+       "Makes one body of the free particles and the bodies of a group.",
+       "local lump = scene:freeze(scene:group(\"to be one\"):add(p, q, block))"},
+      {"shatter", guard<scene_shatter>, "body: Body", "Particle[]",
+       "Makes free particles of a body's points; those without mass are gone.",
+       "for _, piece in ipairs(scene:shatter(block)) do piece.color = \"#f40\" end"},
+      {"connect_within", guard<scene_connect_within>,
+       "group: Group, distance: number [m], law: Law, options?: ConnectOptions", "Connection[]",
+       "Ties the particles of a group that are nearer than a distance and not tied yet.",
+       "scene:connect_within(group, 5, spring, { breaks_at = { length = 8 } })"},
+      {"group", guard<scene_group>, "name: string", "Group", "Makes a named set of things.",
+       "local pair = scene:group(\"a pair\"):add(p, q)"},
+      {"family", guard<scene_family>, "name: string, options?: FamilyOptions", "Family",
+       "Makes a family of particles, with named numeric attributes.",
+       "local electrons = scene:family(\"electrons\", { attributes = { charge = -1.6e-19 }, mass = 9.1e-31 })"},
+      {"emitter", guard<scene_emitter>, "options: EmitterOptions", "Emitter", "Makes particles at a rate.",
+       "local fountain = scene:emitter { at = vec(0, 0, 0), rate = 50, velocity = vec(0, 5, 0), spread = 0.2, lifetime "
+       "= 2 }"},
+      {"build", guard<scene_build>, "structure: Structure, options: BuildOptions", "Group",
+       "Makes a structure real; the group has its parts in the structure's order.",
+       "local cloth = scene:build(structure.sheet { columns = 4, rows = 4, edge = 0.2 },\n"
+       "  { as = \"deformable\", law = spring, mass = 0.5, at = vec(0, 5, 0) })"},
+      {"hand", guard<scene_hand>, "options?: HandOptions", "Hand", "Makes a hand; with a path it moves by itself.",
+       "local hand = scene:hand { path = function(t) return vec(-2 + t, 1, 0) end }\n"
+       "scene:at(0.5, function() hand:grab(p, { max_force = 20 }) end)"},
+  };
+}
+
+std::vector<Method> constraining() {
+  return {
       {"hinge", guard<scene_hinge>, "a: Point|Particle, b: Point|Particle, ...: Point|Particle|HingeOptions",
        "Particle", "Joins points of two or more bodies, or free particles, into one particle.",
        "local foot = scene:body { at = leg.tail.position, mass = 1, inertia = vec(1, 1, 1), points = { heel = vec(0, "
@@ -142,26 +177,11 @@ std::vector<Method> making() {
        "way, and so is angular momentum: they come together on a straight line, and what that takes goes into the "
        "turning of all that hangs on them. Two free particles alone have nothing to turn, and lose theirs.",
        "scene:join(p, q, { max_force = 50, on_met = function(hinge) print(hinge) end })"},
-      {"merge", guard<scene_merge>, "a: Body, b: Body", "Body",
-       "a lives on with b's points, which stay valid; b is gone.", "local both = scene:merge(arm, block)"},
-      {"split", guard<scene_split>, "body: Body, points: Point|Point[], ...: Point", "Body",
-       "Makes a body of its own of some of a body's points.",
-       "local corner = scene:split(block, block.points[1], block.points[2], block.points[3])"},
-      {"freeze", guard<scene_freeze>, "group: Group", "Body",
-       "Makes one body of the free particles and the bodies of a group.",
-       "local lump = scene:freeze(scene:group(\"to be one\"):add(p, q, block))"},
-      {"shatter", guard<scene_shatter>, "body: Body", "Particle[]",
-       "Makes free particles of a body's points; those without mass are gone.",
-       "for _, piece in ipairs(scene:shatter(block)) do piece.color = \"#f40\" end"},
-      {"connect_within", guard<scene_connect_within>,
-       "group: Group, distance: number [m], law: Law, options?: ConnectOptions", "Connection[]",
-       "Ties the particles of a group that are nearer than a distance and not tied yet.",
-       "scene:connect_within(group, 5, spring, { breaks_at = { length = 8 } })"},
-      {"group", guard<scene_group>, "name: string", "Group", "Makes a named set of things.",
-       "local pair = scene:group(\"a pair\"):add(p, q)"},
-      {"family", guard<scene_family>, "name: string, options?: FamilyOptions", "Family",
-       "Makes a family of particles, with named numeric attributes.",
-       "local electrons = scene:family(\"electrons\", { attributes = { charge = -1.6e-19 }, mass = 9.1e-31 })"},
+  };
+}
+
+std::vector<Method> forcing() {
+  return {
       {"connect", guard<scene_connect>,
        "a: Point|Particle|vec|(Point|Particle|vec)[] [m], b: Point|Particle|vec|Law [m], law?: Law|ConnectOptions, "
        "options?: "
@@ -180,16 +200,6 @@ std::vector<Method> making() {
        "A law on each particle of a family, of a group or of the scene.",
        "scene:field(scene, force.drag { linear = 0.1 })\n"
        "scene:field(ions, force.point { force = function(p) return vec(p.charge, 0, 0) end })"},
-      {"emitter", guard<scene_emitter>, "options: EmitterOptions", "Emitter", "Makes particles at a rate.",
-       "local fountain = scene:emitter { at = vec(0, 0, 0), rate = 50, velocity = vec(0, 5, 0), spread = 0.2, lifetime "
-       "= 2 }"},
-      {"build", guard<scene_build>, "structure: Structure, options: BuildOptions", "Group",
-       "Makes a structure real; the group has its parts in the structure's order.",
-       "local cloth = scene:build(structure.sheet { columns = 4, rows = 4, edge = 0.2 },\n"
-       "  { as = \"deformable\", law = spring, mass = 0.5, at = vec(0, 5, 0) })"},
-      {"hand", guard<scene_hand>, "options?: HandOptions", "Hand", "Makes a hand; with a path it moves by itself.",
-       "local hand = scene:hand { path = function(t) return vec(-2 + t, 1, 0) end }\n"
-       "scene:at(0.5, function() hand:grab(p, { max_force = 20 }) end)"},
   };
 }
 
@@ -271,9 +281,8 @@ Type make() {
                            push_ref(s.state, {Tag::ref, Kind::draw, 1, 1, 1, &s.script});
                          },
                          nullptr});
-  type.methods = making();
-  const std::vector<Method> more = telling();
-  type.methods.insert(type.methods.end(), more.begin(), more.end());
+  for (const auto& methods : {making(), constraining(), forcing(), telling()})
+    type.methods.insert(type.methods.end(), methods.begin(), methods.end());
   add_base(type, any_scene_type());
   type.methods.insert(type.methods.end(), any_scene_type().methods.begin(), any_scene_type().methods.end());
   return type;

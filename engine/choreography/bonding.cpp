@@ -5,7 +5,7 @@
 
 #include "choreography/choreography.hpp"
 #include "edit/assemble.hpp"
-#include "edit/editing.hpp"
+#include "edit/common.hpp"
 #include "measure/measure.hpp"
 #include "measure/query.hpp"
 

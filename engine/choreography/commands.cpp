@@ -4,7 +4,7 @@
 
 #include "choreography/hands.hpp"
 #include "edit/assemble.hpp"
-#include "edit/editing.hpp"
+#include "edit/common.hpp"
 #include "measure/freedoms.hpp"
 #include "measure/query.hpp"
 #include "measure/reach.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "edit/editing.hpp"
+#include "edit/common.hpp"
 #include "forces/forces.hpp"
 #include "measure/measure.hpp"
 #include "measure/query.hpp"

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "choreography/commands.hpp"
+#include "edit/common.hpp"
 #include "edit/edit.hpp"
-#include "edit/editing.hpp"
 #include "forces/integrator.hpp"
 #include "measure/reach.hpp"
 

@@ -5,7 +5,7 @@
 #include "choreography/choreography.hpp"
 #include "constraints/kind.hpp"
 #include "edit/assemble.hpp"
-#include "edit/editing.hpp"
+#include "edit/common.hpp"
 
 namespace pantin {
 

@@ -12,8 +12,6 @@ namespace {
 
 double row_angle(const Row& row) { return functions::atan2(norm(cross(row.rb1, row.ra1)), dot(row.rb1, row.ra1)); }
 
-}  // namespace
-
 double evaluate_align(Row& row, Condition& c, const RowContext& context) {
   const double value = row_angle(row) * row.lever - c.length - c.accepted;
   return evaluate_function(
@@ -27,6 +25,10 @@ void project_align(const Row& row, Condition& c) { project_function(c, cross(row
 Vec3 align_gap(const Row& row, const Condition& c) {
   return direction(cross(row.rb1, row.ra1)) * (row_angle(row) * row.lever - c.length - c.accepted);
 }
+
+}  // namespace
+
+const RowRule align_row = {.evaluate = evaluate_align, .project = project_align, .gap = align_gap};
 
 namespace {
 

@@ -6,6 +6,8 @@
 
 namespace pantin {
 
+namespace {
+
 double evaluate_axis(Row& row, Condition& c, const RowContext& context) {
   const double kappa = 0.5 * context.h * context.h * context.mobility;
   const Vec3 n = mean_axis(row), open = row.d1 - row.offset;
@@ -22,6 +24,10 @@ void project_axis(const Row& row, Condition& c) {
 }
 
 Vec3 axis_gap(const Row& row, const Condition&) { return row.d1 - row.offset; }
+
+}  // namespace
+
+const RowRule axis_row = {.offsets_gap = true, .evaluate = evaluate_axis, .project = project_axis, .gap = axis_gap};
 
 namespace {
 

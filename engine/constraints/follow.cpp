@@ -6,6 +6,8 @@
 
 namespace pantin {
 
+namespace {
+
 double evaluate_soft(Row& row, Condition& c, const RowContext& context) {
   const double k = c.stiffness + c.damping / context.h;
   const Vec3 z = row.d1 * k - row.d0 * (c.damping / context.h);
@@ -25,6 +27,10 @@ double evaluate_soft(Row& row, Condition& c, const RowContext& context) {
 
 void project_soft(const Row&, Condition& c) { c.kept = zero33(); }
 
+}  // namespace
+
+const RowRule soft_row = {.evaluate = evaluate_soft, .project = project_soft};
+
 namespace {
 
 void start(const Model& model, Constraint& c, double tolerance) {
@@ -41,7 +47,7 @@ std::vector<RowPlan> rows(const Model&, const Constraint& c) {
 
 const ConstraintRule follow_rule = {
     .joins_points = true,
-    .ends_at_place = true,
+    .ends_at_position = true,
     .freedoms =
         [](const Constraint& c) {
           return c.pins() ? FreedomsTaken{3, 2} : FreedomsTaken{};

@@ -6,30 +6,15 @@ namespace pantin {
 
 namespace {
 
-double evaluate_rigid(Row& row) {
+double evaluate_rigid(Row& row, Condition&, const RowContext&) {
   row.residual = row.d1 - row.offset;
   return norm(row.residual);
 }
 
-Vec3 no_gap(const Row&, const Condition&) { return zero3(); }
-Stop no_stop(const Row&, const Condition&) { return {zero3()}; }
+Vec3 rigid_gap(const Row& row, const Condition&) { return row.d1 - row.offset; }
 
 }  // namespace
 
-const RowRule row_rules[11] = {
-    {[](Row& row, Condition&, const RowContext&) { return evaluate_rigid(row); }, [](const Row&, Condition&) {},
-     [](const Row& row, const Condition&) { return row.d1 - row.offset; }, no_stop},
-    {evaluate_soft, project_soft, no_gap, no_stop},
-    {evaluate_rod, project_rod, rod_gap, stop_of_rod},
-    {evaluate_plane, project_plane, plane_gap, no_stop},
-    {evaluate_axis, project_axis, axis_gap, no_stop},
-    {evaluate_align, project_align, align_gap, no_stop},
-    {evaluate_turn, project_turn, turn_gap, stop_of_turn},
-    // strings are done together, once all rows are placed
-    {[](Row&, Condition&, const RowContext&) { return 0.0; }, [](const Row&, Condition&) {}, no_gap, no_stop},
-    {evaluate_path, project_path, path_gap, stop_of_path},
-    {evaluate_stiff, project_stiff, no_gap, no_stop},
-    {evaluate_attract, project_attract, attract_gap, no_stop},
-};
+const RowRule rigid_row = {.offsets_gap = true, .evaluate = evaluate_rigid, .gap = rigid_gap};
 
 }  // namespace pantin

@@ -5,6 +5,8 @@
 
 namespace pantin {
 
+namespace {
+
 double evaluate_attract(Row& row, Condition& c, const RowContext&) {
   row.residual = row.d1 - c.position1 - row.offset;
   c.M = identity33();
@@ -15,6 +17,11 @@ double evaluate_attract(Row& row, Condition& c, const RowContext&) {
 void project_attract(const Row&, Condition& c) { c.kept = identity33(); }
 
 Vec3 attract_gap(const Row& row, const Condition& c) { return row.d1 - c.position1 - row.offset; }
+
+}  // namespace
+
+const RowRule attract_row = {
+    .offsets_gap = true, .evaluate = evaluate_attract, .project = project_attract, .gap = attract_gap};
 
 namespace {
 

@@ -39,9 +39,9 @@ enum class KeptNumber : std::uint8_t { none, length, angle };
 
 struct ConstraintRule {
   KeptNumber keeps = KeptNumber::none;
-  bool joins_points = false;   ///< its gap is one between points, as a hinge's
-  bool ends_at_place = false;  ///< its second end, where that is no point, is a position of the world
-  bool orients = false;        ///< keeps an orientation in the world
+  bool joins_points = false;      ///< its gap is one between points, as a hinge's
+  bool ends_at_position = false;  ///< its second end, where that is no point, is a position of the world
+  bool orients = false;           ///< keeps an orientation in the world
 
   FreedomsTaken (*freedoms)(const Constraint& constraint) = nullptr;
   /// Directions in which it holds its point in the world; zero: none.
@@ -50,6 +50,8 @@ struct ConstraintRule {
   void (*start)(const Model& model, Constraint& constraint, double tolerance) = nullptr;
   /// What it misses now, but for what it still attracts [m]; null: nothing is told.
   double (*gap)(const Model& model, const Constraint& constraint) = nullptr;
+  /// A length that goes with it, for what counts as small [m]; null: it has none.
+  double (*size)(const Constraint& constraint) = nullptr;
   /// Distance or angle that it has now [m], [rad]; null: it has no such number.
   double (*value)(const Model& model, const Constraint& constraint) = nullptr;
   /// Sets the number that it keeps; throws Error, which begins with `call`, where it cannot be that. Null: just written.

@@ -40,7 +40,7 @@ std::vector<PlaneNeed> in_plane(const Model& model, const Constraint& c) {
 }  // namespace
 
 const ConstraintRule limit_rule = {
-    .ends_at_place = true,
+    .ends_at_position = true,
     .freedoms = [](const Constraint&) { return FreedomsTaken{}; },
     .directions = no_direction,
     .start = start,

@@ -18,7 +18,7 @@ std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {between_p
 
 const ConstraintRule nail_rule = {
     .joins_points = true,
-    .ends_at_place = true,
+    .ends_at_position = true,
     .freedoms =
         [](const Constraint&) {
           return FreedomsTaken{3, 2};

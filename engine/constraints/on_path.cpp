@@ -28,8 +28,6 @@ PathEnd end_near(const Path& path, double u, Vec3 d) {
   return {position, out, passed ? -dot(d - position, out) : norm(path.position(u) - position)};
 }
 
-}  // namespace
-
 double evaluate_path(Row& row, Condition& c, const RowContext& context) {
   const Path& path = *c.path;
   const double kappa = 0.5 * context.h * context.h * context.mobility;
@@ -70,6 +68,11 @@ Vec3 path_gap(const Row& row, const Condition& c) {
   return row.d1 - c.path->position(c.path->nearest(row.d1, c.angle1)) - row.offset;
 }
 
+}  // namespace
+
+const RowRule path_row = {
+    .offsets_gap = true, .evaluate = evaluate_path, .project = project_path, .gap = path_gap, .stop = stop_of_path};
+
 namespace {
 
 void start(const Model& model, Constraint& c, double tolerance) {
@@ -106,6 +109,7 @@ const ConstraintRule on_path_rule = {
     .directions = [](const Constraint& c) { return all_across(c.path->tangent(c.along)); },
     .start = start,
     .gap = gap,
+    .size = [](const Constraint& c) { return norm(c.path->positions()[1] - c.path->positions()[0]); },
     .rows = rows,
     .load = load,
     .has_range = [](const Constraint& c) { return !c.path->closed(); },

@@ -5,6 +5,8 @@
 
 namespace pantin {
 
+namespace {
+
 double evaluate_plane(Row& row, Condition& c, const RowContext& context) {
   const double height = dot(c.normal, row.d1) - c.accepted;
   return evaluate_function(row, c, {c.normal, c.normal, height, height, 0.0, norm(row.d1 - row.d0)}, context);
@@ -13,6 +15,10 @@ double evaluate_plane(Row& row, Condition& c, const RowContext& context) {
 void project_plane(const Row&, Condition& c) { project_function(c, c.normal); }
 
 Vec3 plane_gap(const Row& row, const Condition& c) { return c.normal * (dot(c.normal, row.d1) - c.accepted); }
+
+}  // namespace
+
+const RowRule plane_row = {.evaluate = evaluate_plane, .project = project_plane, .gap = plane_gap};
 
 namespace {
 

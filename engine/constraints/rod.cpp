@@ -13,8 +13,6 @@ double above(const Row& row, double length) {
   return std::isinf(length) ? -infinity : (dot(row.d1, row.d1) - length * length) / (2.0 * length);
 }
 
-}  // namespace
-
 double evaluate_rod(Row& row, Condition& c, const RowContext& context) {
   const Vec3 middle = (row.d0 + row.d1) * 0.5;
   const double reach = norm(middle);
@@ -45,6 +43,10 @@ Vec3 rod_gap(const Row& row, const Condition& c) {
                                        : length - c.length);
 }
 
+}  // namespace
+
+const RowRule rod_row = {.evaluate = evaluate_rod, .project = project_rod, .gap = rod_gap, .stop = stop_of_rod};
+
 namespace {
 
 void start(const Model& model, Constraint& c, double tolerance) {
@@ -59,7 +61,7 @@ std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {between_p
 
 const ConstraintRule rod_rule = {
     .keeps = KeptNumber::length,
-    .ends_at_place = true,
+    .ends_at_position = true,
     .freedoms =
         [](const Constraint&) {
           return FreedomsTaken{1, 1};
@@ -67,6 +69,7 @@ const ConstraintRule rod_rule = {
     .directions = all_directions,
     .start = start,
     .gap = gap,
+    .size = [](const Constraint& c) { return c.length; },
     .value = end_distance,
     .rows = rows,
 };

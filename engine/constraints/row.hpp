@@ -42,7 +42,7 @@ struct alignas(64) Row {
   PointId centre;                                                   // of a hinge: the star's point, that -f pulls
 };
 
-/// What of a condition leaves the straight displacement between the ends of a step.
+/// What of a condition leaves the straight line between the ends of a step.
 enum class Bent : std::uint8_t { nothing, position, length, turn };
 
 /// What the row of a constraint has beyond a hinge's: a world end, a matrix of its own, limits.

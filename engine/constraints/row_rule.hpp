@@ -1,6 +1,8 @@
 #pragma once
 // What each kind of row asks for. A kind is one file that fills one entry of the table: the residual of the row at the
 // end of a step with its derivative, its part in the velocity projection, and the gap that the fallback step closes.
+#include <array>
+
 #include "constraints/row.hpp"
 
 namespace pantin {
@@ -16,51 +18,26 @@ struct Stop {
   double room = infinity;  ///< [m] to the end; below 0 it is passed
 };
 
+/// What is left out is nothing.
 struct RowRule {
+  bool offsets_gap = false;  ///< a gap that cannot be closed is its offset; else it changes what it keeps
   /// Sets residual, M and C from d0, d1 and f; returns the size of the residual in metres.
-  double (*evaluate)(Row& row, Condition& condition, const RowContext& context);
+  double (*evaluate)(Row& row, Condition& condition, const RowContext& context) = nullptr;
   /// Sets `kept`, and adds to `wanted` what changes by prescription.
-  void (*project)(const Row& row, Condition& condition);
+  void (*project)(const Row& row, Condition& condition) = [](const Row&, Condition&) {};
   /// What is still to be closed at the end of the step, [m], as a change of d1.
-  Vec3 (*gap)(const Row& row, const Condition& condition);
+  Vec3 (*gap)(const Row& row, const Condition& condition) = [](const Row&, const Condition&) { return zero3(); };
   /// Of a row that stops something, at the end of the step.
-  Stop (*stop)(const Row& row, const Condition& condition);
+  Stop (*stop)(const Row& row, const Condition& condition) = [](const Row&, const Condition&) { return Stop{zero3()}; };
 };
 
-/// (kinds)
-extern const RowRule row_rules[11];
+// Each in the file of a kind that makes such rows; a hinge's and a stiff connection's in their own.
+extern const RowRule rigid_row, soft_row, rod_row, plane_row, axis_row, align_row, turn_row, segment_row, path_row,
+    stiff_row, attract_row;
 
-double evaluate_soft(Row& row, Condition& condition, const RowContext& context);
-void project_soft(const Row& row, Condition& condition);
-double evaluate_stiff(Row& row, Condition& condition, const RowContext& context);
-void project_stiff(const Row& row, Condition& condition);
-double evaluate_rod(Row& row, Condition& condition, const RowContext& context);
-void project_rod(const Row& row, Condition& condition);
-Vec3 rod_gap(const Row& row, const Condition& condition);
-Stop stop_of_rod(const Row& row, const Condition& condition);
-double evaluate_plane(Row& row, Condition& condition, const RowContext& context);
-void project_plane(const Row& row, Condition& condition);
-Vec3 plane_gap(const Row& row, const Condition& condition);
-double evaluate_axis(Row& row, Condition& condition, const RowContext& context);
-void project_axis(const Row& row, Condition& condition);
-Vec3 axis_gap(const Row& row, const Condition& condition);
-double evaluate_align(Row& row, Condition& condition, const RowContext& context);
-void project_align(const Row& row, Condition& condition);
-Vec3 align_gap(const Row& row, const Condition& condition);
-double evaluate_turn(Row& row, Condition& condition, const RowContext& context);
-void project_turn(const Row& row, Condition& condition);
-Vec3 turn_gap(const Row& row, const Condition& condition);
-Stop stop_of_turn(const Row& row, const Condition& condition);
-
-double evaluate_attract(Row& row, Condition& condition, const RowContext& context);
-void project_attract(const Row& row, Condition& condition);
-Vec3 attract_gap(const Row& row, const Condition& condition);
-double evaluate_path(Row& row, Condition& condition, const RowContext& context);
-void project_path(const Row& row, Condition& condition);
-Vec3 path_gap(const Row& row, const Condition& condition);
-Stop stop_of_path(const Row& row, const Condition& condition);
-
-inline const RowRule& rule(const Row& row) { return row_rules[static_cast<std::size_t>(row.kind)]; }
+/// (kinds) in the order of RowKind
+extern const std::array<const RowRule*, 11> row_rules;
+inline const RowRule& rule(const Row& row) { return *row_rules[static_cast<std::size_t>(row.kind)]; }
 
 /// A row of one dimension reads a value, held in a range by a force along n.
 struct ConstraintFunction {

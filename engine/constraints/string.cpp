@@ -2,6 +2,7 @@
 // equations the solver does together.
 #include "constraints/geometry.hpp"
 #include "constraints/plans.hpp"
+#include "constraints/row_rule.hpp"
 
 namespace pantin {
 
@@ -70,12 +71,16 @@ void load(Condition& condition, const Row&, const Model& model, const Constraint
 
 }  // namespace
 
+// The segments of a string are done together, once all rows are placed.
+const RowRule segment_row = {.evaluate = [](Row&, Condition&, const RowContext&) { return 0.0; }};
+
 const ConstraintRule string_rule = {
     .keeps = KeptNumber::length,
     .freedoms = [](const Constraint&) { return FreedomsTaken{}; },
     .directions = no_direction,
     .start = start,
     .gap = gap,
+    .size = [](const Constraint& c) { return c.length; },
     .value = value,
     .rows = rows,
     .load = load,

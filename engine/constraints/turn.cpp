@@ -19,8 +19,6 @@ double evaluate_yielding(Row& row, Condition& c, const ConstraintFunction& r, co
   return norm(row.residual);
 }
 
-}  // namespace
-
 double evaluate_turn(Row& row, Condition& c, const RowContext& context) {
   const double value = c.angle1 * row.lever - c.accepted;
   const double low = c.ranged ? low_end(c) : c.length, high = c.ranged ? high_end(c) : c.length;
@@ -45,5 +43,9 @@ Vec3 turn_gap(const Row& row, const Condition& c) {
   return direction(twist_gradient(row)) *
          missing(c, value - (c.ranged ? low_end(c) : c.length), value - (c.ranged ? high_end(c) : c.length));
 }
+
+}  // namespace
+
+const RowRule turn_row = {.evaluate = evaluate_turn, .project = project_turn, .gap = turn_gap, .stop = stop_of_turn};
 
 }  // namespace pantin

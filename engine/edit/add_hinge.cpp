@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "edit/common.hpp"
 #include "edit/edit.hpp"
-#include "edit/editing.hpp"
 #include "laws/curve.hpp"
 
 namespace pantin {

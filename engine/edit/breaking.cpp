@@ -4,8 +4,8 @@
 #include "articulates/articulate.hpp"
 #include "articulates/solve/state.hpp"
 #include "constraints/kind.hpp"
+#include "edit/common.hpp"
 #include "edit/constrain.hpp"
-#include "edit/editing.hpp"
 
 namespace pantin {
 

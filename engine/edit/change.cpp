@@ -2,8 +2,8 @@
 
 #include "articulates/articulate.hpp"
 #include "articulates/solve/state.hpp"
+#include "edit/common.hpp"
 #include "edit/edit.hpp"
-#include "edit/editing.hpp"
 #include "edit/life.hpp"
 #include "forces/integrator.hpp"
 #include "forces/sleep.hpp"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/functions.hpp"
-#include "edit/editing.hpp"
+#include "edit/common.hpp"
 #include "edit/life.hpp"
 #include "forces/curves.hpp"
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "edit/editing.hpp"
+#include "edit/common.hpp"
 #include "forces/curves.hpp"
 
 namespace pantin {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "edit/common.hpp"
 #include "edit/edit.hpp"
-#include "edit/editing.hpp"
 #include "forces/solved.hpp"
 #include "laws/library.hpp"
 #include "laws/run/sites.hpp"

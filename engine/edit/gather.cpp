@@ -3,7 +3,7 @@
 #include <unordered_set>
 
 #include "edit/assemble.hpp"
-#include "edit/editing.hpp"
+#include "edit/common.hpp"
 #include "measure/freedoms.hpp"
 #include "measure/near_pairs.hpp"
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "edit/common.hpp"
 #include "edit/edit.hpp"
-#include "edit/editing.hpp"
 #include "forces/forces.hpp"
 
 namespace pantin {

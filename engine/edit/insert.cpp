@@ -1,5 +1,5 @@
 // How constraints come into a world, and leave it.
-#include "edit/editing.hpp"
+#include "edit/common.hpp"
 
 namespace pantin::internal {
 

@@ -3,7 +3,7 @@
 #include <limits>
 #include <span>
 
-#include "edit/editing.hpp"
+#include "edit/common.hpp"
 
 namespace pantin::internal {
 

@@ -1,7 +1,7 @@
 // A scene in a plane: what must lie in it, and how things that are there already are put into it.
 #include <algorithm>
 
-#include "edit/editing.hpp"
+#include "edit/common.hpp"
 #include "model/path.hpp"
 
 namespace pantin {

@@ -1,5 +1,5 @@
+#include "edit/common.hpp"
 #include "edit/edit.hpp"
-#include "edit/editing.hpp"
 
 namespace pantin {
 

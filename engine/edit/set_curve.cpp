@@ -1,5 +1,5 @@
 // What follows the age of particles: giving it to them.
-#include "edit/editing.hpp"
+#include "edit/common.hpp"
 #include "forces/curves.hpp"
 
 namespace pantin {

@@ -130,7 +130,7 @@ bool changes(const Forces& f) {
   });
 }
 
-/// Finds what of the nonconservative forces is noise, where errors are to be told without it.
+/// Finds what of the non-conservative forces is noise, where errors are to be told without it.
 void find_noise(const World& world, Forces& f, const Instant& instant) {
   f.noise.clear();
   if (!world.settings.accuracy || !f.noisy) return;

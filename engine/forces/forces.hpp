@@ -33,7 +33,7 @@ struct Receiver {
   Vec3 nonconservative_force = zero3(), nonconservative_torque = zero3();  ///< of those without
   Vec3 damper_force = zero3(), damper_torque = zero3();  ///< of these, of those that depend on velocities
   Vec3 solved_force = zero3(),
-       solved_torque = zero3();               ///< of nonconservative ones, what is solved with the rows in a kick
+       solved_torque = zero3();               ///< of non-conservative ones, what is solved with the rows in a kick
   bool solved = false;                        ///< whether there is such a part: all of laws of velocity
   Vec3 start_p = zero3(), start_P = zero3();  ///< momenta at the start of the step
   Vec3 noted_torque = zero3();                ///< [N m] before the stage of the step that is being done
@@ -128,15 +128,16 @@ struct Forces {
   std::vector<char> families;          ///< (slots of families) whether some law acts on all of it
   std::vector<char> followed;          ///< (names of attributes) whether it follows the age of some site
 
-  std::vector<Vec3> still;  ///< (sites) [N] nonconservative forces of laws that do not depend on velocities
+  std::vector<Vec3> still;  ///< (sites) [N] non-conservative forces of laws that do not depend on velocities
   /// (sites) [N] the same with what laws of velocity also give at rest, and what does no work by the velocity
   std::vector<Vec3> undamped;
   VelocityForces velocity;      ///< of laws that depend on velocities, but for thermostats
   VelocityForces thermostats;   ///< of these
   std::vector<Vec3> open_from;  ///< (slots of particles) [m] where a stage of the step begins, see work_check
   double done = 0.0;            ///< [J] work of laws without energy until then
-  std::vector<Vec3> noise;  ///< (sites) [N] of the nonconservative forces what is noise, where `accuracy` leaves it out
-  KickNotes notes;          ///< of errors, where `accuracy` asks
+  std::vector<Vec3>
+      noise;        ///< (sites) [N] of the non-conservative forces what is noise, where `accuracy` leaves it out
+  KickNotes notes;  ///< of errors, where `accuracy` asks
   AlignedVector<Vec3> kicked_from;  ///< (sites) [m/s] before the kick at the end of a part, where the ledger is kept
   double energy = 0.0;              ///< [J] of all laws, when it was last told
   bool told = false;                ///< in the last step
@@ -149,7 +150,7 @@ struct Forces {
   std::uint64_t settled_in = 0;       ///< the last step, counted from 1, that began with such changes
 };
 
-/// Of the nonconservative force on a site that of laws of velocity, but for those that do no work by it [N].
+/// Of the non-conservative force on a site that of laws of velocity, but for those that do no work by it [N].
 inline Vec3 damping_of(const Forces& f, std::size_t site) {
   return f.velocity_dependent ? f.sites.nonconservative_force[site] - f.undamped[site] : zero3();
 }

@@ -8,10 +8,10 @@ namespace pantin {
 
 /// After the kick that begins a stage of a step: notes the accelerations in it, and where all is.
 void note_kicks(World& world);
-/// After the kick at its end: the error [1/s], largest over all that laws move. Kicks of h leave positions that are wrong by h/12
+/// After the kick at its end: the error [1/s], largest over all that laws move. Kicks of h leave positions that are wrong by h/6
 /// times the change of acceleration in each second (Hairer, Lubich and Wanner 2003). For two that interact, of what changes
 /// between them, relative to their distance; else relative to how far a thing swings beside a uniform motion. Never to
-/// where it is or how far it has come. Laws that act only where two have met within the part are seen too: what passed
+/// where it is or how far it has come. Laws that act only where two have met within the stage are seen too: what passed
 /// each other is asked where it was nearest; and forces of time once between the ends. Noise is left out. Infinite where it
 /// is not a number.
 double kick_error(World& world);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "articulates/articulate.hpp"
-#include "articulates/solve/stiff.hpp"
+#include "constraints/stiff.hpp"
 #include "forces/forces_parts.hpp"
 #include "forces/integrator.hpp"
 

@@ -80,7 +80,7 @@ struct SideOfDrift {
 
 /// Asks the laws of velocity for their forces and derivatives at Sites::v, and adds the forces to Sites::nonconservative_force.
 void find_velocity_slopes(const World& world, Forces& forces, const Instant& instant);
-/// Sets the nonconservative forces to those that a kick over dt [s] from the present velocities ends with, with the laws at `time` [s];
+/// Sets the non-conservative forces to those that a kick over dt [s] from the present velocities ends with, with the laws at `time` [s];
 /// loose points have had gravity's and pushes' part of it.
 void solve_velocity_kick(World& world, Forces& forces, double dt, double time, SideOfDrift side);
 /// Changes the momenta of what rows tie as that kick found; forgets it.

@@ -52,7 +52,7 @@ class VelocityKick {
   }
 
   void solve();
-  /// Sets the nonconservative forces to those of the solution.
+  /// Sets the non-conservative forces to those of the solution.
   void put_forces();
   /// Changes velocities and momenta as the solution does; returns the work [J].
   double apply();

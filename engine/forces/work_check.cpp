@@ -40,7 +40,7 @@ double undamped_part(const Forces& f, std::size_t site) {
   return 1.0 / (1.0 + theta * k.strength[at]);
 }
 
-/// What a kick over half a part gives at most beyond half the displacement's work, h² f²/8m over what is loose [J]: what steps of
+/// What a kick over half a stage gives at most beyond half the displacement's work, h² f²/8m over what is loose [J]: what steps of
 /// second order do not keep of the energy of laws that have none to tell. Of forces that do not damp.
 struct Unkept {
   double spared = 0.0, kick = 0.0;  // [J] of forces that do not damp; of all, and on what is tied as if it were not

@@ -7,8 +7,8 @@
 
 #include "choreography/hands.hpp"
 #include "choreography/resume.hpp"
+#include "edit/common.hpp"
 #include "edit/edit.hpp"
-#include "edit/editing.hpp"
 
 namespace pantin {
 

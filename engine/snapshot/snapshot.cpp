@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "articulates/articulate.hpp"
-#include "edit/editing.hpp"
+#include "edit/common.hpp"
 #include "forces/forces.hpp"
 #include "forces/solved.hpp"
 

@@ -4,8 +4,8 @@
 #include "articulates/solve/state.hpp"
 #include "choreography/joins_that_met.hpp"
 #include "edit/assemble.hpp"
+#include "edit/common.hpp"
 #include "edit/constrain.hpp"
-#include "edit/editing.hpp"
 #include "forces/forces.hpp"
 #include "step/phases.hpp"
 

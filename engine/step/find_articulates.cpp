@@ -4,7 +4,7 @@
 #include "articulates/build/islands.hpp"
 #include "articulates/solve/drift.hpp"
 #include "articulates/solve/state.hpp"
-#include "edit/editing.hpp"
+#include "edit/common.hpp"
 #include "forces/integrator.hpp"
 #include "forces/solved.hpp"
 #include "step/ledger_posts.hpp"

@@ -2,7 +2,7 @@
 #include "base/functions.hpp"
 #include "choreography/hands.hpp"
 #include "constraints/kind.hpp"
-#include "edit/editing.hpp"
+#include "edit/common.hpp"
 #include "forces/sleep.hpp"
 
 namespace pantin {

@@ -67,7 +67,7 @@ void require_heights(const World& world, std::string_view call, const Constraint
   if (c.path)
     for (Vec3 position : c.path->positions()) see(position);
   if (c.b) see(position(world, c.b));
-  if (rule_of(c).ends_at_place && !c.b && !c.target && c.hand < 0) see(c.position);
+  if (rule_of(c).ends_at_position && !c.b && !c.target && c.hand < 0) see(c.position);
 }
 
 void require_axes(const World& world, std::string_view call, const Constraint& c) {

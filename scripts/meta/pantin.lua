@@ -721,6 +721,86 @@ function Scene:particle(options) end
 ---@param options BodyOptions
 ---@return Body
 function Scene:body(options) end
+---a lives on with b's points, which stay valid; b is gone.
+---```lua
+---local both = scene:merge(arm, block)
+---```
+---@param a Body
+---@param b Body
+---@return Body
+function Scene:merge(a, b) end
+---Makes a body of its own of some of a body's points.
+---```lua
+---local corner = scene:split(block, block.points[1], block.points[2], block.points[3])
+---```
+---@param body Body
+---@param points Point|Point[]
+---@param ... Point
+---@return Body
+function Scene:split(body, points, ...) end
+---Makes one body of the free particles and the bodies of a group.
+---```lua
+---local lump = scene:freeze(scene:group("to be one"):add(p, q, block))
+---```
+---@param group Group
+---@return Body
+function Scene:freeze(group) end
+---Makes free particles of a body's points; those without mass are gone.
+---```lua
+---for _, piece in ipairs(scene:shatter(block)) do piece.color = "#f40" end
+---```
+---@param body Body
+---@return Particle[]
+function Scene:shatter(body) end
+---Ties the particles of a group that are nearer than a distance and not tied yet.
+---```lua
+---scene:connect_within(group, 5, spring, { breaks_at = { length = 8 } })
+---```
+---@param group Group
+---@param distance number [m]
+---@param law Law
+---@param options? ConnectOptions
+---@return Connection[]
+function Scene:connect_within(group, distance, law, options) end
+---Makes a named set of things.
+---```lua
+---local pair = scene:group("a pair"):add(p, q)
+---```
+---@param name string
+---@return Group
+function Scene:group(name) end
+---Makes a family of particles, with named numeric attributes.
+---```lua
+---local electrons = scene:family("electrons", { attributes = { charge = -1.6e-19 }, mass = 9.1e-31 })
+---```
+---@param name string
+---@param options? FamilyOptions
+---@return Family
+function Scene:family(name, options) end
+---Makes particles at a rate.
+---```lua
+---local fountain = scene:emitter { at = vec(0, 0, 0), rate = 50, velocity = vec(0, 5, 0), spread = 0.2, lifetime = 2 }
+---```
+---@param options EmitterOptions
+---@return Emitter
+function Scene:emitter(options) end
+---Makes a structure real; the group has its parts in the structure's order.
+---```lua
+---local cloth = scene:build(structure.sheet { columns = 4, rows = 4, edge = 0.2 },
+---  { as = "deformable", law = spring, mass = 0.5, at = vec(0, 5, 0) })
+---```
+---@param structure Structure
+---@param options BuildOptions
+---@return Group
+function Scene:build(structure, options) end
+---Makes a hand; with a path it moves by itself.
+---```lua
+---local hand = scene:hand { path = function(t) return vec(-2 + t, 1, 0) end }
+---scene:at(0.5, function() hand:grab(p, { max_force = 20 }) end)
+---```
+---@param options? HandOptions
+---@return Hand
+function Scene:hand(options) end
 ---Joins points of two or more bodies, or free particles, into one particle.
 ---```lua
 ---local foot = scene:body { at = leg.tail.position, mass = 1, inertia = vec(1, 1, 1), points = { heel = vec(0, 0, 0) } }
@@ -845,62 +925,6 @@ function Scene:on_path(point, path, options) end
 ---@param options? JoinOptions
 ---@return Join
 function Scene:join(a, b, options) end
----a lives on with b's points, which stay valid; b is gone.
----```lua
----local both = scene:merge(arm, block)
----```
----@param a Body
----@param b Body
----@return Body
-function Scene:merge(a, b) end
----Makes a body of its own of some of a body's points.
----```lua
----local corner = scene:split(block, block.points[1], block.points[2], block.points[3])
----```
----@param body Body
----@param points Point|Point[]
----@param ... Point
----@return Body
-function Scene:split(body, points, ...) end
----Makes one body of the free particles and the bodies of a group.
----```lua
----local lump = scene:freeze(scene:group("to be one"):add(p, q, block))
----```
----@param group Group
----@return Body
-function Scene:freeze(group) end
----Makes free particles of a body's points; those without mass are gone.
----```lua
----for _, piece in ipairs(scene:shatter(block)) do piece.color = "#f40" end
----```
----@param body Body
----@return Particle[]
-function Scene:shatter(body) end
----Ties the particles of a group that are nearer than a distance and not tied yet.
----```lua
----scene:connect_within(group, 5, spring, { breaks_at = { length = 8 } })
----```
----@param group Group
----@param distance number [m]
----@param law Law
----@param options? ConnectOptions
----@return Connection[]
-function Scene:connect_within(group, distance, law, options) end
----Makes a named set of things.
----```lua
----local pair = scene:group("a pair"):add(p, q)
----```
----@param name string
----@return Group
-function Scene:group(name) end
----Makes a family of particles, with named numeric attributes.
----```lua
----local electrons = scene:family("electrons", { attributes = { charge = -1.6e-19 }, mass = 9.1e-31 })
----```
----@param name string
----@param options? FamilyOptions
----@return Family
-function Scene:family(name, options) end
 ---Ties two particles by a law; or a list of two, three or four.
 ---```lua
 ---local tie = scene:connect(p, q, spring, { name = "tie", length = 1 })
@@ -937,30 +961,6 @@ function Scene:interact(a, b, law) end
 ---@param law Law
 ---@return Field
 function Scene:field(target, law) end
----Makes particles at a rate.
----```lua
----local fountain = scene:emitter { at = vec(0, 0, 0), rate = 50, velocity = vec(0, 5, 0), spread = 0.2, lifetime = 2 }
----```
----@param options EmitterOptions
----@return Emitter
-function Scene:emitter(options) end
----Makes a structure real; the group has its parts in the structure's order.
----```lua
----local cloth = scene:build(structure.sheet { columns = 4, rows = 4, edge = 0.2 },
----  { as = "deformable", law = spring, mass = 0.5, at = vec(0, 5, 0) })
----```
----@param structure Structure
----@param options BuildOptions
----@return Group
-function Scene:build(structure, options) end
----Makes a hand; with a path it moves by itself.
----```lua
----local hand = scene:hand { path = function(t) return vec(-2 + t, 1, 0) end }
----scene:at(0.5, function() hand:grab(p, { max_force = 20 }) end)
----```
----@param options? HandOptions
----@return Hand
-function Scene:hand(options) end
 ---Declares a parameter and returns its value.
 ---```lua
 ---local links = scene:param("links", 8, { min = 1, max = 100, step = 1, help = "how many links" })

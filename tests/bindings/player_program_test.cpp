@@ -1,37 +1,16 @@
 // The built program as a person uses it: exit codes, messages, outputs.
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <csignal>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "support/process.hpp"
-#include "support/sources.hpp"
+#include "bindings/program_support.hpp"
 
 namespace sources = pantin::sources;
 using namespace pantin::support;
 using Catch::Contains;
 
 namespace {
-
-Process::Options options(std::vector<std::string> arguments, const std::string& folder) {
-  arguments.insert(arguments.begin(), sources::program());
-  return {arguments, {"PANTIN_HOME=" + sources::folder(), "DISPLAY", "WAYLAND_DISPLAY"}, folder, -1};
-}
-
-Finished use(const Folder& folder, std::vector<std::string> arguments) {
-  return finish(options(std::move(arguments), folder.path));
-}
-
-const char* const swing = R"(
-scene.title = "Swing"
-local mass = scene:param("mass", 1, { min = 0.1, max = 10 })
-local bob = scene:particle { at = vec(1, 0, 0), mass = mass }
-scene:rod(bob, vec(0, 0, 0))
-scene:probe("height", function() return bob.position.y end)
-scene:result("mass", mass)
-)";
 
 const char* const gas = R"(
 scene.gravity = vec(0, 0, 0)
@@ -67,22 +46,6 @@ scene:interact(atoms, atoms, force.repel { stiffness = 10 })
 scene:interact(atoms, atoms, force.coulomb { constant = 0.1 })
 scene:field(atoms, force.thermostat { temperature = 1, rate = 1 })
 )";
-
-constexpr double patience = 120.0;  // [s] however busy the machine is
-
-/// Waits until a program has printed this; false where it ends without.
-bool says(Process& process, const std::string& words) {
-  bool ended = false;
-  while (process.out().find(words) == std::string::npos) {
-    if (ended) return false;
-    ended = process.wait(0.01).has_value();
-  }
-  return true;
-}
-
-std::size_t lines(const std::string& text) {
-  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-}
 
 }  // namespace
 
@@ -289,58 +252,6 @@ TEST_CASE("program: tests in Lua") {
   CHECK(use(folder, {"test", "missing.lua"}).code == 2);
 }
 
-TEST_CASE("program: Ctrl-C ends with what there is") {
-  Folder folder;
-  write_file(folder / "swing.lua", swing + std::string("scene:at(0.1, function() print('swings') end)"));
-  Process process(
-      options({"run", "swing.lua", "--until", "1e6", "--out", "a.csv", "--summary", "s.json"}, folder.path));
-  REQUIRE(says(process, "swings"));
-  process.signal(SIGINT);
-  REQUIRE(process.wait(patience) == 0);
-  auto summary = nlohmann::json::parse(read_file(folder / "s.json"));
-  CHECK(summary["steps"].get<std::size_t>() >= 24);
-  CHECK(lines(read_file(folder / "a.csv")) == summary["steps"].get<std::size_t>() + 1);
-  CHECK_THAT(process.err(), Contains("stopped at"));
-}
-
-TEST_CASE("program: one Ctrl-C ends a script that loops, whatever its limit, and a second one kills without a trace") {
-  Folder folder;
-  write_file(folder / "opens.lua", "local s = ('a'):rep(1e6) print('loops')\ns:find('.-.-.-b')");
-  write_file(folder / "steps.lua", "scene:at(0.1, function() print('loops')\nwhile true do end end)");
-  const auto start = [&](const char* scene) {
-    return std::make_unique<Process>(
-        options({"run", scene, "--script-limit", "0", "--out", "a.csv", "--summary", "s.json"}, folder.path));
-  };
-  SECTION("while the scene is built") {
-    auto process = start("opens.lua");
-    REQUIRE(says(*process, "loops"));
-    process->signal(SIGINT);
-    CHECK(process->wait(patience) == 1);
-    CHECK(process->err() == "opens.lua:2: the script was interrupted\n");
-    CHECK(folder.files().size() == 2);
-  }
-  SECTION("in a step: what there is is kept") {
-    auto process = start("steps.lua");
-    REQUIRE(says(*process, "loops"));
-    process->signal(SIGINT);
-    CHECK(process->wait(patience) == 0);
-    CHECK_THAT(process->err(), Contains("steps.lua:2: the script was interrupted") && Contains("stopped at 0.1 s"));
-    CHECK(nlohmann::json::parse(read_file(folder / "s.json"))["steps"] == 24);
-    CHECK(folder.files().size() == 4);
-  }
-  SECTION("twice") {
-    auto process = start("steps.lua");
-    REQUIRE(says(*process, "loops"));
-    process->signal(SIGSTOP);  // it gets both at once, however busy the machine is
-    process->signal(SIGINT);
-    process->signal(SIGTERM);
-    process->signal(SIGCONT);
-    const int code = process->wait(patience).value_or(-1);
-    CHECK((code == 128 + SIGINT || code == 128 + SIGTERM));
-    CHECK(folder.files().size() == 2);
-  }
-}
-
 TEST_CASE("program: a picture and films", "[slow]") {
   Folder folder;
   write_file(folder / "swing.lua", swing);
@@ -383,30 +294,6 @@ TEST_CASE("program: a report ends in what to choose, and leaves two files") {
   CHECK(use(folder, {"report"}).code == 2);
   CHECK(use(folder, {"report", "nothing"}).code == 2);
   CHECK(use(folder, {"report", "swing.lua", "--until", "0.001"}).code == 1);
-}
-
-TEST_CASE("program: Ctrl-C ends a report with what its runs tell") {
-  Folder folder;
-  write_file(folder / "swing.lua", std::string("print('run')\n") + swing);
-  Process process(options({"report", "swing.lua", "--until", "20"}, folder.path));
-  std::string twelve;
-  for (int i = 0; i < 12; i++) twelve += "run\n";
-  REQUIRE(says(process, twelve));  // by then the first ones, which only look what a run would cost, are over
-  process.signal(SIGINT);
-  CHECK(process.wait(patience) == 0);
-  CHECK_THAT(process.out(), Contains("verlet"));
-  CHECK(folder.files() == std::vector<std::string>{"swing-report.json", "swing-report.svg", "swing.lua"});
-}
-
-TEST_CASE("program: Ctrl-C ends a report that has nothing to tell yet, and leaves nothing") {
-  Folder folder;
-  write_file(folder / "swing.lua", swing + std::string("print('is built')\nwhile true do end"));
-  Process process(options({"report", "swing.lua", "--script-limit", "0"}, folder.path));
-  REQUIRE(says(process, "is built"));
-  process.signal(SIGINT);
-  CHECK(process.wait(patience) == 1);
-  CHECK_THAT(process.err(), Contains("was interrupted"));
-  CHECK(folder.files() == std::vector<std::string>{"swing.lua"});
 }
 
 TEST_CASE("program: pictures and films are the same to the bit each time, with views too", "[slow]") {

@@ -8,8 +8,8 @@
 #include "articulates/solve/conditions.hpp"
 #include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/state.hpp"
-#include "articulates/solve/stiff.hpp"
 #include "constraints/kind.hpp"
+#include "constraints/stiff.hpp"
 
 namespace pantin {
 

@@ -19,7 +19,7 @@ std::unique_ptr<Articulate> build_articulate(Model& model, std::span<const Thing
 /// Whether nothing of what its articulate holds of a thing has changed: its mass, and the rows that it is in.
 bool is_as_built(const Model& model, const Articulate& articulate, Thing thing);
 
-/// Whether a row is that of a edge; the numbers of nodes do not count.
+/// Whether a row is that of an edge; the numbers of nodes do not count.
 bool is_row_of(const Articulate& articulate, const Row& row, const Edge& edge);
 
 /// The row lists of nodes; `Ends` has nodes a and b, b = -1: the world.

@@ -2,8 +2,8 @@
 
 #include "articulates/build/build.hpp"
 #include "articulates/solve/momenta.hpp"
-#include "articulates/solve/stiff.hpp"
-#include "model/path.hpp"
+#include "constraints/kind.hpp"
+#include "constraints/stiff.hpp"
 
 namespace pantin {
 
@@ -60,12 +60,10 @@ std::vector<double> lengths_of(const Articulate& a, const Model& model) {
   std::vector<double> lengths;
   lengths.reserve(2 * a.rows.size());
   for (const Row& row : a.rows) {
-    if (row.kind == RowKind::path) {
-      const auto& positions = model.constraints[condition(a, row).constraint].path->positions();
-      lengths.push_back(norm(positions[1] - positions[0]));
+    if (row.condition >= 0 && row.kind != RowKind::stiff) {
+      const Constraint& c = model.constraints[condition(a, row).constraint];
+      if (rule_of(c).size != nullptr) lengths.push_back(rule_of(c).size(c));
     }
-    if (row.kind == RowKind::segment) lengths.push_back(model.constraints[condition(a, row).constraint].length);
-    if (row.kind == RowKind::rod && condition(a, row).length > 0.0) lengths.push_back(condition(a, row).length);
     if (row.kind == RowKind::stiff) lengths.push_back(1e12 * std::sqrt(condition(a, row).stiff->least2));
     if (row.lever > 0.0) {
       lengths.push_back(row.lever);

@@ -35,7 +35,7 @@ class Finder {
     const bool is_first = ring.points.front() == id;
     if (ring.joins() && wanted(is_first)) add_hinge(ring, star(model_, point.particle));
     for (ConstraintId c : point.constraints) add(c, model_.constraints[c].a == id);
-    if (which_ == EdgesOf::all)  // the star is pulled by what edges other members too
+    if (which_ == EdgesOf::all)  // the star is pulled by what ties other members too
       for (PointId member : ring.points) visit_connections(model_.points[member].own);
     else
       visit_connections(point.own);

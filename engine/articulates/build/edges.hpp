@@ -1,5 +1,5 @@
 #pragma once
-// What edges a body or a free point to others, as rows still to be made.
+// What ties a body or a free point to others, as rows still to be made.
 #include <vector>
 
 #include "articulates/articulate.hpp"

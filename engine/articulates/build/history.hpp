@@ -14,7 +14,7 @@ class History {
     const Row* row = nullptr;
     std::size_t index() const { return static_cast<std::size_t>(row - articulate->rows.data()); }
   };
-  /// The row that a edge made between the same nodes, or null. The nodes of the edge are things.
+  /// The row that an edge made between the same nodes, or null. The nodes of the edge are things.
   Before row(const Edge& edge) const;
   /// Sets what an articulate, not its nodes and rows, knows.
   void hand_on(Articulate& articulate) const;

@@ -12,7 +12,7 @@ namespace pantin {
 
 namespace {
 
-/// Walks over what constraints edge together.
+/// Walks over what constraints tie together.
 class Search {
  public:
   explicit Search(const Model& model)

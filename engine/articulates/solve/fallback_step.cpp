@@ -12,8 +12,8 @@
 #include "articulates/solve/row_gaps.hpp"
 #include "articulates/solve/segments.hpp"
 #include "articulates/solve/state.hpp"
-#include "articulates/solve/stiff.hpp"
 #include "constraints/row_rule.hpp"
+#include "constraints/stiff.hpp"
 
 namespace pantin {
 

@@ -1,7 +1,7 @@
 #pragma once
 // The energy-momentum midpoint step of nodes, and its derivative. With R1 = R0 cay(a), a = h (O0 + O1)/2, and forces
 // at the mean of the arms at both ends, energy changes only by the work of outer forces, and momentum and angular
-// momentum are exact (rotation: Simo and Wong 1991; constraint forces: after Simo, Tarnow and Doblaré 1992).
+// momentum are exact (rotation: Simo and Wong 1991; constraint forces: after Simo, Tarnow and Doblaré 1995).
 //
 // Of a batch all is in world axes, r̄ = (r0 + r1)/2 is the mean arm:
 //   L1 = R0 P0 + h (torque + Σ r̄ x ±f + Σ ±lever f),   Π = R0 (2/h) I R0' a - R0 P0,

@@ -25,8 +25,7 @@ Stop stop(const Articulate& a, const Row& row) {
 
 void accept_gap(Articulate& a, Row& row) {
   const Vec3 open = gap(a, row);
-  if (row.kind == RowKind::rigid || row.kind == RowKind::axis || row.kind == RowKind::path ||
-      row.kind == RowKind::attract) {
+  if (rule(row).offsets_gap) {
     row.offset += open;
     return;
   }

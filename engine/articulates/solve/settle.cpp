@@ -4,7 +4,6 @@
 #include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/state.hpp"
-#include "constraints/row_rule.hpp"
 
 namespace pantin {
 
@@ -22,12 +21,6 @@ double work_of_settling(const Articulate& a) {
 }
 
 }  // namespace
-
-void project_stiff(const Row& row, Condition& c) {
-  const Vec3 n = c.settles ? direction(row.d1) : zero3();
-  c.kept = outer(n, n);
-  c.wanted += n * c.mean_rate;
-}
 
 bool is_to_settle(const Articulate& a) {
   return a.nonconservative && !a.fell_back &&

@@ -4,8 +4,8 @@
 
 #include "articulates/solve/conditions.hpp"
 #include "articulates/solve/row_gaps.hpp"
-#include "articulates/solve/stiff.hpp"
 #include "constraints/load.hpp"
+#include "constraints/stiff.hpp"
 
 namespace pantin {
 

@@ -1,9 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "articulates/articulate.hpp"
 #include "constraints/row_rule.hpp"
 #include "laws/pair_curve.hpp"
+#include "model/model.hpp"
 
 namespace pantin {
 

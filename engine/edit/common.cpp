@@ -1,4 +1,4 @@
-#include "edit/editing.hpp"
+#include "edit/common.hpp"
 
 #include "edit/edit.hpp"
 

@@ -1,4 +1,4 @@
-#include "lua/couple_options.hpp"
+#include "lua/turn_options.hpp"
 
 #include "lua/arguments.hpp"
 #include "lua/constraint_fields.hpp"

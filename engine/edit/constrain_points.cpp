@@ -1,6 +1,6 @@
 #include "constraints/kind.hpp"
+#include "edit/common.hpp"
 #include "edit/edit.hpp"
-#include "edit/editing.hpp"
 #include "forces/sleep.hpp"
 
 namespace pantin {

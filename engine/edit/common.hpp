@@ -29,7 +29,7 @@ std::shared_ptr<const Curves> curves_of(std::string_view call, const Family& fam
                                         const std::shared_ptr<const Curves>& own, bool radius_given, bool color_given,
                                         std::span<const AttributeDef> given);
 
-/// A constraint starts anew, see constraints/violation.hpp.
+/// A constraint starts anew, see constraints/kind.hpp.
 inline void start_constraint(const World& world, Constraint& constraint) {
   pantin::start_constraint(world, constraint, world.settings.tolerance);
 }

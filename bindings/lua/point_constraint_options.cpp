@@ -1,4 +1,4 @@
-#include "lua/tie_options.hpp"
+#include "lua/point_constraint_options.hpp"
 
 #include "edit/constrain.hpp"
 #include "lua/arguments.hpp"

@@ -1,8 +1,8 @@
 // Constraints that guide points: on_plane, on_path, string, and limits of
 // length.
 #include "constraints/kind.hpp"
+#include "edit/common.hpp"
 #include "edit/constrain.hpp"
-#include "edit/editing.hpp"
 #include "forces/sleep.hpp"
 #include "model/path.hpp"
 

@@ -1,6 +1,6 @@
 // A connection solved with its articulate, so that no stiffness limits the step. The force is f = -Q e, e = d0 + d1.
 // Of a law with an energy V(s), s = d², Q = ΔV/Δs: f·Δd = -ΔV exactly (discrete gradient; Gonzalez 1996), for a small Δs
-// by Gauss' rule. Without an energy, Q = tension/(|d0| + |d1|) with its mean on the displacement, by the same rule, at the mean
+// by Gauss' rule. Without an energy, Q = tension/(|d0| + |d1|) with its mean on the way, by the same rule, at the mean
 // rate u = Δr/h: f·Δd = -tension Δr, of a damper -c h u², which never gives.
 //   With these alone what is damped would swing to and fro where the step is too long to follow it. So it has more
 // damping, by which its length settles about as fast as in truth, at most that of the backward rule, h k/2. And at the
@@ -8,7 +8,7 @@
 // and κ <= 4 c h: spring, damper and impulse together only take energy. Both are small, of third order in h, where
 // D = h c/m and z² = h² k/m are.
 // Newton's row is M (change of d1) + C df = -residual with M = Σ Q 1 + e ∇Q', C = 1, all divided by what makes it metres.
-#include "articulates/solve/stiff.hpp"
+#include "constraints/stiff.hpp"
 
 #include <algorithm>
 #include <array>
@@ -48,7 +48,7 @@ Pull of_energy(PairCurve& curve, double s0, double s1, double energy0) {
   return p;
 }
 
-/// The mean tension on the displacement, at the mean rate.
+/// The mean tension on the way, at the mean rate.
 Pull of_tension(PairCurve& curve, double r0, double r1, double rate, double h) {
   std::array<double, 4> r, s;
   for (std::size_t i = 0; i < 4; i++) {
@@ -129,6 +129,50 @@ void choose_damping(StiffBond& bond, double s0, const RowContext& context) {
 
 }  // namespace
 
+StiffPull pull_at(StiffBond& bond, Vec3 d) {
+  StiffPull p;
+  const double s = std::fmax(norm2(d), bond.least2);
+  const Mat3 along = outer(d, d);
+  for (PairCurve& curve : bond.curves) {
+    curve.run(1, &s, 0.0);
+    const PairCurve::Value v = curve.at(0);
+    p.f -= d * v.pull;
+    p.by_position -= identity33() * std::fmax(0.0, v.pull) + along * std::fmax(0.0, 2.0 * v.by_distance2);
+    p.by_rate -= along * std::fmax(0.0, v.by_approach);
+  }
+  return p;
+}
+
+bool StiffBond::is_nonconservative() const {
+  return solve == Solve::at_end ||
+         std::any_of(curves.begin(), curves.end(), [](const PairCurve& curve) { return !curve.has_energy(); });
+}
+
+bool StiffBond::is_damped() const {
+  return solve == Solve::at_end ||
+         std::any_of(curves.begin(), curves.end(), [](const PairCurve& curve) { return curve.depends_on_velocity(); });
+}
+
+double StiffBond::settle(const Row& row, std::vector<double>& given) {
+  const Vec3 e = row.d0 + row.d1, displacement = row.d1 - row.d0;
+  const double least = std::sqrt(least2), r0 = std::fmax(norm(row.d0), least), r1 = std::fmax(norm(row.d1), least);
+  double taken = damping * mean_rate * (r1 - r0);
+  double open = -taken, rest = dot(row.f, displacement) + taken;
+  for (std::size_t i = 0; i < curves.size(); i++) {
+    const double work = -pulls[i] * dot(e, displacement);
+    rest -= work;
+    (curves[i].has_energy() ? given[i] : open) += work;
+    if (!curves[i].depends_on_velocity()) continue;
+    taken -= work + of_tension(curves[i], r0, r1, 0.0, infinity).Q * dot(e, displacement);
+  }
+  given[0] += rest;
+  const double most = 4.0 * std::fmax(taken, 0.0), rate2 = mean_rate * mean_rate;
+  if (settling * rate2 > most) settling = most / rate2;
+  return open;
+}
+
+namespace {
+
 double evaluate_stiff(Row& row, Condition& c, const RowContext& context) {
   StiffBond& bond = *c.stiff;
   const double s0 = std::fmax(norm2(row.d0), bond.least2), s1 = std::fmax(norm2(row.d1), bond.least2);
@@ -171,46 +215,14 @@ double evaluate_stiff(Row& row, Condition& c, const RowContext& context) {
   return std::fmax(size, work > 0.0 ? work / std::fmax(force, least) : 0.0);
 }
 
-StiffPull pull_at(StiffBond& bond, Vec3 d) {
-  StiffPull p;
-  const double s = std::fmax(norm2(d), bond.least2);
-  const Mat3 along = outer(d, d);
-  for (PairCurve& curve : bond.curves) {
-    curve.run(1, &s, 0.0);
-    const PairCurve::Value v = curve.at(0);
-    p.f -= d * v.pull;
-    p.by_position -= identity33() * std::fmax(0.0, v.pull) + along * std::fmax(0.0, 2.0 * v.by_distance2);
-    p.by_rate -= along * std::fmax(0.0, v.by_approach);
-  }
-  return p;
+void project_stiff(const Row& row, Condition& c) {
+  const Vec3 n = c.settles ? direction(row.d1) : zero3();
+  c.kept = outer(n, n);
+  c.wanted += n * c.mean_rate;
 }
 
-bool StiffBond::is_nonconservative() const {
-  return solve == Solve::at_end ||
-         std::any_of(curves.begin(), curves.end(), [](const PairCurve& curve) { return !curve.has_energy(); });
-}
+}  // namespace
 
-bool StiffBond::is_damped() const {
-  return solve == Solve::at_end ||
-         std::any_of(curves.begin(), curves.end(), [](const PairCurve& curve) { return curve.depends_on_velocity(); });
-}
-
-double StiffBond::settle(const Row& row, std::vector<double>& given) {
-  const Vec3 e = row.d0 + row.d1, displacement = row.d1 - row.d0;
-  const double least = std::sqrt(least2), r0 = std::fmax(norm(row.d0), least), r1 = std::fmax(norm(row.d1), least);
-  double taken = damping * mean_rate * (r1 - r0);
-  double open = -taken, rest = dot(row.f, displacement) + taken;
-  for (std::size_t i = 0; i < curves.size(); i++) {
-    const double work = -pulls[i] * dot(e, displacement);
-    rest -= work;
-    (curves[i].has_energy() ? given[i] : open) += work;
-    if (!curves[i].depends_on_velocity()) continue;
-    taken -= work + of_tension(curves[i], r0, r1, 0.0, infinity).Q * dot(e, displacement);
-  }
-  given[0] += rest;
-  const double most = 4.0 * std::fmax(taken, 0.0), rate2 = mean_rate * mean_rate;
-  if (settling * rate2 > most) settling = most / rate2;
-  return open;
-}
+const RowRule stiff_row = {.evaluate = evaluate_stiff, .project = project_stiff};
 
 }  // namespace pantin

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "constraints/kind.hpp"
+#include "edit/common.hpp"
 #include "edit/constrain.hpp"
-#include "edit/editing.hpp"
 #include "forces/sleep.hpp"
 
 namespace pantin {
