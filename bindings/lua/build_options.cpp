@@ -76,7 +76,7 @@ ResolvedLaw read_law(const Self& self, const std::string& name, int count, Famil
           spec->word, spec->kind == LawKind::point ? " acts on one" : text(" ties ", spec->count));
   const KnownNames particle = family ? names_of_family(self.world, family) : KnownNames{"the structure", {}};
   const std::vector<KnownNames> known(static_cast<std::size_t>(count), particle);
-  return resolve_law(self.state, lua_gettop(self.state), self.script, known, false);
+  return resolve_law(self.state, lua_gettop(self.state), self.world, known, false);
 }
 
 /// Laws by what they tie, and how to compare them with their functions.
@@ -149,7 +149,7 @@ int scene_build(lua_State* state) {
   tell_of_laws(self.world, structure, def, !laws.read.empty());
   for (ConnectionId id : built.connections)
     for (const auto& [law, resolved] : laws.read)
-      if (self.world.connections[id].law == law->law) watch_law(self.script, id, resolved);
+      if (self.world.connections[id].law == law->law) watch_law(self.script.laws, id, resolved);
   push_thing(state, self.script, built.group);
   return 1;
 }

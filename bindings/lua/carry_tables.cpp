@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "lua/handles.hpp"
+#include "lua/scene_type.hpp"
 #include "lua/script.hpp"
 
 namespace pantin::lua {

@@ -1,10 +1,10 @@
 // `scene.draw`: lines, arrows, text and points for one frame.
 #include "lua/arguments.hpp"
-#include "lua/drawing.hpp"
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
 #include "lua/script.hpp"
 #include "lua/targets.hpp"
+#include "scene/drawing.hpp"
 
 namespace pantin::lua {
 namespace {

@@ -25,9 +25,6 @@ struct Dual {
   double slope(int i) const { return i < count ? rate[static_cast<std::size_t>(i)] : 0.0; }
 };
 
-/// What Lua's messages call it.
-constexpr const char* number_with_derivative = "number with a derivative";
-
 /// Arithmetic of a law that is called: see algebra.cpp for what an algebra has.
 struct DualAlgebra {
   using Number = Dual;

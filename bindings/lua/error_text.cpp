@@ -2,7 +2,6 @@
 
 #include <map>
 
-#include "lua/dual.hpp"
 #include "lua/runtime.hpp"
 #include "lua/tostring.hpp"
 #include "lua/values.hpp"
@@ -85,12 +84,5 @@ std::string error_message(lua_State* state, int index, const std::string& place)
 }
 
 int describe_error(lua_State* state) { return guard<describe>(state); }
-
-bool names_place(const std::string& message) {
-  const auto colon = message.find(':');
-  if (colon == std::string::npos || colon == 0) return false;
-  const auto after = message.find_first_not_of("0123456789", colon + 1);
-  return after != std::string::npos && after > colon + 1 && message.compare(after, 2, ": ") == 0;
-}
 
 }  // namespace pantin::lua

@@ -10,7 +10,4 @@ int describe_error(lua_State* state);
 /// The text of the error value at `index`; `place` is where it was raised, for one that does not say.
 std::string error_message(lua_State* state, int index, const std::string& place);
 
-/// Whether a message begins with a file and line, "scene.lua:12: ".
-bool names_place(const std::string& message);
-
 }  // namespace pantin::lua

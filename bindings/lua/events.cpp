@@ -118,8 +118,8 @@ int subscribe(lua_State* state, Script& script, Subscription subscription) {
   const std::uint64_t serial = ++script.subscribed;
   subscription.serial = serial;
   script.subscriptions.push_back(std::move(subscription));
-  push_ref(state, {Tag::ref, Kind::subscription, static_cast<std::uint32_t>(serial),
-                   static_cast<std::uint32_t>(serial >> 32), serial, &script});
+  push_ref(state, make_ref(script, Kind::subscription, static_cast<std::uint32_t>(serial),
+                           static_cast<std::uint32_t>(serial >> 32), serial));
   return 1;
 }
 
@@ -185,7 +185,7 @@ void run_behaviours(Script& script) {
     lua_pushnumber(state, script.world.settings.step);
     return 1;
   });
-  recheck_laws(script);
+  recheck_laws(script.world, script.laws, script.runtime.runs());
 }
 
 const Type& subscription_type() {

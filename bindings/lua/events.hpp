@@ -2,7 +2,14 @@
 // Callbacks and play of a scene.
 #include <lua.hpp>
 
+#include "lua/script.hpp"
+
 namespace pantin::lua {
+
+/// Tells the callbacks of the script what happened in the last step, and that a step begins.
+void run_behaviours(Script& script);
+/// Puts a function or a behaviour among those that wait, and pushes its Subscription; returns 1.
+int subscribe(lua_State* state, Script& script, Subscription subscription);
 
 int scene_on(lua_State* state);
 int scene_behave(lua_State* state);

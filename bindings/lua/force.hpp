@@ -10,10 +10,9 @@
 
 #include "lua/fallback.hpp"
 #include "lua/law_run.hpp"
+#include "world/world.hpp"
 
 namespace pantin::lua {
-
-struct Script;
 
 /// A law made ready for particles of known families.
 struct ResolvedLaw {
@@ -53,9 +52,9 @@ struct LawSpec {
 LawSpec* to_law(lua_State* state, int index);
 
 /// Makes the law at `index` ready: traces a scene's own, checks it on samples, and falls back to calling it with a warning
-/// in the log of the scene. `known`: what it may read of each of its particles; `exchangeable`: a and b are of one
+/// in the log of the world. `known`: what it may read of each of its particles; `exchangeable`: a and b are of one
 /// family, so the law must be the same with them exchanged. Throws Error where it is no law, or is wrong.
-ResolvedLaw resolve_law(lua_State* state, int index, Script& script, std::span<const KnownNames> known,
+ResolvedLaw resolve_law(lua_State* state, int index, World& world, std::span<const KnownNames> known,
                         bool exchangeable);
 
 /// Whether a traced law reads what the script has changed since.

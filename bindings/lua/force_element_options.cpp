@@ -103,12 +103,12 @@ std::vector<FamilyId> families_of(const Options& o) {
 void set_law(const Self& self, const Options& o, BondingDef& def) {
   const KnownNames known[] = {names_of_family(self.world, def.families.front()),
                               names_of_family(self.world, def.families.back())};
-  const ResolvedLaw resolved = resolve_law(self.state, o.push("law"), self.script, known, def.families.size() == 1);
+  const ResolvedLaw resolved = resolve_law(self.state, o.push("law"), self.world, known, def.families.size() == 1);
   lua_pop(self.state, 1);
   def.law = resolved.laws.front();
   def.parameters = resolved.values;
   def.solve = o.has("implicit") ? read_implicit(o) : resolved.solve;
-  def.on_connection = [&script = self.script, resolved](ConnectionId id) { watch_law(script, id, resolved); };
+  def.on_connection = [&laws = self.script.laws, resolved](ConnectionId id) { watch_law(laws, id, resolved); };
 }
 
 }  // namespace
@@ -128,7 +128,7 @@ ConnectionId connect(const Self& self, std::vector<End> ends, int at) {
   if (const LawSpec* spec = to_law(state, at); spec && spec->kind != LawKind::point)
     require(static_cast<std::size_t>(spec->count) == def.ends.size(), "connect: ", spec->word, " ties ", spec->count,
             " particles, got ", def.ends.size());
-  const ResolvedLaw resolved = resolve_law(state, at, self.script, known, false);
+  const ResolvedLaw resolved = resolve_law(state, at, self.world, known, false);
   const std::shared_ptr<const Law>& law = resolved.laws.front();
   std::vector<std::string> names = parameter_names(*law);
   const std::vector<std::string> parameters = names;
@@ -151,7 +151,7 @@ ConnectionId connect(const Self& self, std::vector<End> ends, int at) {
   def.solve = o.has("implicit") ? read_implicit(o) : resolved.solve;
   def.name = o.string("name").value_or("");
   const ConnectionId id = add_connection(self.world, law, def);
-  watch_law(self.script, id, resolved);
+  watch_law(self.script.laws, id, resolved);
   return id;
 }
 
@@ -196,11 +196,11 @@ int scene_interact(lua_State* state) {
   const auto a = check_kind(state, 2, Kind::family, "interact", argument(1)).id<FamilyId>();
   const auto b = check_kind(state, 3, Kind::family, "interact", argument(2)).id<FamilyId>();
   const KnownNames known[] = {names_of_family(self.world, a), names_of_family(self.world, b)};
-  const ResolvedLaw resolved = resolve_law(state, 4, self.script, known, a == b);
+  const ResolvedLaw resolved = resolve_law(state, 4, self.world, known, a == b);
   require_values("interact", *resolved.laws.front());
   require(resolved.solve == Solve::explicitly, "interact: implicit is for connections");
   const InteractionId id = add_interaction(self.world, resolved.laws.front(), a, b, resolved.values);
-  watch_law(self.script, id, resolved);
+  watch_law(self.script.laws, id, resolved);
   push_thing(state, self.script, id);
   return 1;
 }
@@ -213,9 +213,9 @@ int scene_field(lua_State* state) {
   require_alive(*ref);
   const KnownNames known[] = {ref->kind == Kind::family ? names_of_family(self.world, ref->id<FamilyId>())
                                                         : names_of_all(self.world)};
-  const ResolvedLaw resolved = resolve_law(state, 3, self.script, known, false);
+  const ResolvedLaw resolved = resolve_law(state, 3, self.world, known, false);
   const FieldId id = add_field(self.world, resolved.laws.front(), any_of(*ref), resolved.values);
-  watch_law(self.script, id, resolved);
+  watch_law(self.script.laws, id, resolved);
   push_thing(state, self.script, id);
   return 1;
 }

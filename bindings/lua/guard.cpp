@@ -3,9 +3,7 @@
 #include <new>
 #include <string_view>
 
-#include "lua/error_text.hpp"
 #include "lua/runtime.hpp"
-#include "lua/scene.hpp"
 
 namespace pantin::lua {
 

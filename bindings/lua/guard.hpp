@@ -5,24 +5,9 @@
 #include <string>
 
 #include "base/check.hpp"
-#include "choreography/choreography.hpp"
+#include "scene/errors.hpp"
 
 namespace pantin::lua {
-
-/// A script's error; its text starts with "file.lua:line: ".
-struct ScriptError : Error {
-  using Error::Error;
-};
-
-/// A script was stopped because the program is to end.
-struct Interrupted : ScriptError {
-  using ScriptError::ScriptError;
-};
-
-/// A removed thing was used; the text is its story.
-struct StaleHandle : Gone {
-  using Gone::Gone;
-};
 
 /// Source of chunks that are part of the program; no place of a script is in them.
 inline constexpr const char* own_chunk = "@pantin";

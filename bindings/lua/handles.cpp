@@ -47,7 +47,7 @@ void push_registry_table(lua_State* state, const void* key, bool weak) {
 
 template <class Row>
 Ref ref_of(Script& script, Kind kind, Handle<Row> id, const Store<Row>& rows) {
-  return {Tag::ref, kind, id.slot, id.generation, rows.alive(id) ? rows[id].serial : 0, &script};
+  return make_ref(script, kind, id.slot, id.generation, rows.alive(id) ? rows[id].serial : 0);
 }
 
 /// An event is told how it ended after its row is gone.
@@ -81,32 +81,10 @@ void remember(lua_State* state, const Ref& ref) {
   lua_pop(state, 1);
 }
 
-const char* const words[] = {"a point",        "a particle", "a body",     "a nail",   "a follow", "a rod",
-                             "a weld",         "an orient",  "an align",   "a motor",  "a limit",  "an on_plane",
-                             "a string",       "an on_path", "a join",     "a group",  "a family", "a connection",
-                             "an interaction", "a field",    "an emitter", "an event", "a hand",   "a subscription",
-                             "a structure",    "scene.draw", "a snapshot", "a scene"};
-
 }  // namespace
 
-const Ref* to_ref(lua_State* state, int index) {
-  return tag_of(state, index) == Tag::ref ? static_cast<const Ref*>(lua_touserdata(state, index)) : nullptr;
-}
-
-AnyId any_of(const Ref& ref) {
-  if (is_constraint(ref.kind)) return ref.id<ConstraintId>();
-  switch (ref.kind) {
-    case Kind::point: return ref.id<PointId>();
-    case Kind::particle: return ref.id<ParticleId>();
-    case Kind::body: return ref.id<BodyId>();
-    case Kind::group: return ref.id<GroupId>();
-    case Kind::family: return ref.id<FamilyId>();
-    case Kind::connection: return ref.id<ConnectionId>();
-    case Kind::interaction: return ref.id<InteractionId>();
-    case Kind::field: return ref.id<FieldId>();
-    case Kind::emitter: return ref.id<EmitterId>();
-    default: return {};
-  }
+Ref make_ref(Script& script, Kind kind, std::uint32_t slot, std::uint32_t generation, std::uint64_t serial) {
+  return {Tag::ref, kind, slot, generation, serial, &script, &script.world};
 }
 
 void push_ref(lua_State* state, const Ref& ref) {
@@ -144,7 +122,7 @@ void push_thing(lua_State* state, Script& script, const AnyId& thing) {
 
 void push_hand(lua_State* state, Script& script, std::int32_t hand) {
   const auto slot = static_cast<std::uint32_t>(hand + 1);
-  push_ref(state, {Tag::ref, Kind::hand, slot, 1, slot, &script});
+  push_ref(state, make_ref(script, Kind::hand, slot, 1, slot));
 }
 
 void push_event(lua_State* state, Script& script, EventId event) {
@@ -167,51 +145,6 @@ bool in_store(const Ref& ref) {
   return ref.kind == Kind::group ? ref.script->world.groups.alive(ref.id<GroupId>()) : alive(ref);
 }
 }  // namespace
-
-bool alive(const Ref& ref) {
-  const AnyId id = any_of(ref);
-  return std::holds_alternative<std::monostate>(id) || alive(ref.script->world, id);
-}
-
-void require_alive(const Ref& ref) {
-  const World& w = ref.script->world;
-  const auto check = [](const auto& rows, auto id) {
-    if (!rows.alive(id)) throw StaleHandle(rows.story(id));
-  };
-  if (is_constraint(ref.kind)) return check(w.constraints, ref.id<ConstraintId>());
-  switch (ref.kind) {
-    case Kind::point: return check(w.points, ref.id<PointId>());
-    case Kind::particle: return check(w.particles, ref.id<ParticleId>());
-    case Kind::body: return check(w.bodies, ref.id<BodyId>());
-    case Kind::group: return check(w.groups, ref.id<GroupId>());
-    case Kind::family: return check(w.families, ref.id<FamilyId>());
-    case Kind::connection: return check(w.connections, ref.id<ConnectionId>());
-    case Kind::interaction: return check(w.interactions, ref.id<InteractionId>());
-    case Kind::field: return check(w.fields, ref.id<FieldId>());
-    case Kind::emitter: return check(w.emitters, ref.id<EmitterId>());
-    default: return;
-  }
-}
-
-const char* kind_of_thing(lua_State* state, int index) {
-  const Ref* ref = to_ref(state, index);
-  if (ref->kind == Kind::particle && alive(*ref) && ref->script->world.particles[ref->id<ParticleId>()].is_hinge())
-    return "a hinge";
-  return words[static_cast<std::size_t>(ref->kind)];
-}
-
-std::string describe(const Ref& ref) {
-  switch (ref.kind) {
-    case Kind::hand: return text("hand ", ref.slot);
-    case Kind::event: return "event";
-    case Kind::subscription: return "subscription";
-    case Kind::structure: return "structure";
-    case Kind::draw: return "scene.draw";
-    case Kind::snapshot: return "snapshot";
-    case Kind::scene: return "scene";
-    default: return describe(ref.script->world, any_of(ref));
-  }
-}
 
 void push_data(lua_State* state, const Ref& ref) {
   Script& script = *ref.script;

@@ -2,6 +2,7 @@
 
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
+#include "lua/scene.hpp"
 #include "lua/script.hpp"
 
 namespace pantin::lua {

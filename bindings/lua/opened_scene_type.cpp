@@ -4,9 +4,11 @@
 #include "lua/arguments.hpp"
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
-#include "lua/headway.hpp"
+#include "lua/parameters.hpp"
+#include "lua/scene.hpp"
 #include "lua/script.hpp"
 #include "lua/snapshot.hpp"
+#include "scene/headway.hpp"
 
 namespace pantin::lua {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lua/guard.hpp"
-#include "lua/handles.hpp"
+#include "lua/ref.hpp"
 #include "lua/sandbox.hpp"
 
 namespace pantin::lua {

@@ -13,18 +13,18 @@
 namespace pantin::lua {
 namespace {
 
-std::string text_of(const Value& value) {
+std::string text_of(const SceneValue& value) {
   if (const auto* number = std::get_if<double>(&value)) return to_text(*number);
   if (const auto* boolean = std::get_if<bool>(&value)) return *boolean ? "true" : "false";
   return std::get<std::string>(value);
 }
 
-const char* type_name(const Value& value) {
+const char* type_name(const SceneValue& value) {
   if (std::holds_alternative<double>(value)) return "a number";
   return std::holds_alternative<bool>(value) ? "true or false" : "a string";
 }
 
-Value check_value(lua_State* state, int index, const std::string& what, const std::string& name) {
+SceneValue check_value(lua_State* state, int index, const std::string& what, const std::string& name) {
   switch (lua_type(state, index)) {
     case LUA_TNUMBER: return check_number(state, index, what, name, "");
     case LUA_TBOOLEAN: return lua_toboolean(state, index) != 0;
@@ -36,7 +36,7 @@ Value check_value(lua_State* state, int index, const std::string& what, const st
 }
 
 /// Throws Error where a number is none of base, base ± step, base ± 2 step, …, up to round-off.
-void check_step(const Parameter& p, double value) {
+void check_step(const SceneParameter& p, double value) {
   if (!p.step) return;
   const double base = p.min.value_or(std::get<double>(p.initial)), step = *p.step;
   const double count = (value - base) / step, below = std::floor(count);
@@ -47,7 +47,7 @@ void check_step(const Parameter& p, double value) {
 }
 
 /// Throws Error where the value is not allowed.
-void check_allowed(const Parameter& p, const Value& value) {
+void check_allowed(const SceneParameter& p, const SceneValue& value) {
   require(value.index() == p.initial.index(), p.name, " must be ", type_name(p.initial), ", got ", type_name(value));
   if (const auto* number = std::get_if<double>(&value)) {
     require(std::isfinite(*number), p.name, " must be a finite number, got ", *number);
@@ -57,7 +57,7 @@ void check_allowed(const Parameter& p, const Value& value) {
   }
   if (p.choices.empty() || std::find(p.choices.begin(), p.choices.end(), value) != p.choices.end()) return;
   std::vector<std::string> names;
-  for (const Value& choice : p.choices) names.push_back(text_of(choice));
+  for (const SceneValue& choice : p.choices) names.push_back(text_of(choice));
   throw Error(text(p.name, " must be one of ", joined(names), ", got ", text_of(value)));
 }
 
@@ -68,8 +68,24 @@ std::string unquoted(const std::string& given) {
   return quoted ? given.substr(1, given.size() - 2) : given;
 }
 
+/// Reads a number as `--set` gives it: "0.5", "1/60".
+std::optional<double> number_of_text(const std::string& given) {
+  const auto read = [](std::string_view s) -> std::optional<double> {
+    double value = 0.0;
+    const auto result = std::from_chars(s.data(), s.data() + s.size(), value);
+    if (s.empty() || result.ec != std::errc{} || result.ptr != s.data() + s.size()) return {};
+    return value;
+  };
+  const std::string_view s = given;
+  const auto slash = s.find('/');
+  if (slash == s.npos) return read(s);
+  const auto above = read(s.substr(0, slash)), below = read(s.substr(slash + 1));
+  if (!above || !below) return {};
+  return *above / *below;
+}
+
 /// The value that a text of the command line means for a parameter.
-Value value_of_text(const Parameter& p, const std::string& given) {
+SceneValue value_of_text(const SceneParameter& p, const std::string& given) {
   if (std::holds_alternative<std::string>(p.initial)) return unquoted(given);
   if (std::holds_alternative<bool>(p.initial)) {
     require(given == "true" || given == "false", p.name, " must be true or false, got '", given, "'");
@@ -80,7 +96,7 @@ Value value_of_text(const Parameter& p, const std::string& given) {
   return *number;
 }
 
-void read_choices(lua_State* state, const Options& o, Parameter& p) {
+void read_choices(lua_State* state, const Options& o, SceneParameter& p) {
   const int list = o.push("choices");
   if (!lua_isnil(state, list)) {
     require(lua_istable(state, list), "param: choices must be a list, got ", kind_of_value(state, list));
@@ -94,7 +110,7 @@ void read_choices(lua_State* state, const Options& o, Parameter& p) {
   lua_pop(state, 1);
 }
 
-void push_parameter(lua_State* state, const Parameter& p) {
+void push_parameter(lua_State* state, const SceneParameter& p) {
   const auto* number = std::get_if<double>(&p.value);
   if (number && p.integer && std::fabs(*number) < 0x1p53 && std::trunc(*number) == *number)
     lua_pushinteger(state, static_cast<lua_Integer>(*number));
@@ -102,11 +118,11 @@ void push_parameter(lua_State* state, const Parameter& p) {
     push_value(state, p.value);
 }
 
-void take_command_line(const Script& script, Parameter& p) {
+void take_command_line(const Script& script, SceneParameter& p) {
   const auto given = script.options.set.find(p.name);
   if (given == script.options.set.end()) return;
   try {
-    const Value value = value_of_text(p, given->second);
+    const SceneValue value = value_of_text(p, given->second);
     check_allowed(p, value);
     p.value = value;
   } catch (const Error& error) {
@@ -136,22 +152,7 @@ void push_setting(lua_State* state, const Field& field, const std::string& given
 
 }  // namespace
 
-std::optional<double> number_of_text(const std::string& given) {
-  const auto read = [](std::string_view s) -> std::optional<double> {
-    double value = 0.0;
-    const auto result = std::from_chars(s.data(), s.data() + s.size(), value);
-    if (s.empty() || result.ec != std::errc{} || result.ptr != s.data() + s.size()) return {};
-    return value;
-  };
-  const std::string_view s = given;
-  const auto slash = s.find('/');
-  if (slash == s.npos) return read(s);
-  const auto above = read(s.substr(0, slash)), below = read(s.substr(slash + 1));
-  if (!above || !below) return {};
-  return *above / *below;
-}
-
-void push_value(lua_State* state, const Value& value) {
+void push_value(lua_State* state, const SceneValue& value) {
   if (const auto* number = std::get_if<double>(&value))
     lua_pushnumber(state, *number);
   else if (const auto* boolean = std::get_if<bool>(&value))
@@ -163,11 +164,11 @@ void push_value(lua_State* state, const Value& value) {
 int scene_param(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "param");
   Script& script = self.script;
-  Parameter p;
+  SceneParameter p;
   p.name = check_text(state, 2, "param", "argument 1, the name,");
   require(!p.name.empty() && p.name.find_first_of("=.") == std::string::npos,
           "param: argument 1, the name, must not be empty nor have '=' or '.' in it, got '", p.name, "'");
-  for (const Parameter& other : script.parameters)
+  for (const SceneParameter& other : script.parameters)
     require(other.name != p.name, "param: '", p.name, "' is declared twice");
   p.initial = p.value = check_value(state, 3, "param", "argument 2, the default,");
   p.integer = lua_isinteger(state, 3);
@@ -220,7 +221,7 @@ void apply_settings(Script& script) {
 
 void check_parameters_known(const Script& script) {
   std::vector<std::string> names;
-  for (const Parameter& p : script.parameters) names.push_back(p.name);
+  for (const SceneParameter& p : script.parameters) names.push_back(p.name);
   for (const auto& [name, given] : script.options.set) {
     if (name.starts_with("scene.") || std::find(names.begin(), names.end(), name) != names.end()) continue;
     throw UsageError(text("--set ", name, "=", given, ": the scene has no parameter '", name, "'.",
@@ -228,14 +229,14 @@ void check_parameters_known(const Script& script) {
   }
 }
 
-bool change_parameter(Script& script, const std::string& name, const Value& value) {
-  for (Parameter& p : script.parameters) {
+bool change_parameter(Script& script, const std::string& name, const SceneValue& value) {
+  for (SceneParameter& p : script.parameters) {
     if (p.name != name) continue;
     check_allowed(p, value);
     if (!p.live) return false;
-    const Value before = p.value;
+    const SceneValue before = p.value;
     p.value = value;
-    const Parameter copy = p;
+    const SceneParameter copy = p;
     try {
       script.on_change.at(name).call([&](lua_State* state) {
         push_parameter(state, copy);

@@ -7,6 +7,7 @@
 #include "lua/error_text.hpp"
 #include "lua/runtime.hpp"
 #include "lua/script.hpp"
+#include "scene/interrupt.hpp"
 
 namespace pantin::lua {
 namespace {

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "lua/arguments.hpp"
-#include "lua/files.hpp"
 #include "lua/runtime.hpp"
 #include "lua/sandbox.hpp"
+#include "scene/files.hpp"
 
 namespace pantin::lua {
 namespace {

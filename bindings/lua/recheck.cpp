@@ -8,7 +8,6 @@
 #include "edit/edit.hpp"
 #include "forces/forces.hpp"
 #include "laws/run/sites.hpp"
-#include "lua/script.hpp"
 #include "measure/query.hpp"
 
 namespace pantin::lua {
@@ -126,50 +125,49 @@ std::string disagreement(const World& world, const TracedAtWork& at_work) {
 
 }  // namespace
 
-void watch_law(Script& script, const AnyId& id, const ResolvedLaw& law) {
+void watch_law(LawsAtWork& laws, const AnyId& id, const ResolvedLaw& law) {
   if (!law.function || law.laws.front()->called) return;
-  for (const TracedAtWork& known : script.traced)
+  for (const TracedAtWork& known : laws.traced)
     if (known.law.function == law.function) return;
-  script.traced.push_back({id, law});
+  laws.traced.push_back({id, law});
 }
 
 namespace {
 
 /// Whether the law is traced no more.
-bool follow_changes(Script& script, TracedAtWork& at_work) {
+bool follow_changes(World& world, TracedAtWork& at_work) {
   constexpr int often = 16;
   const std::shared_ptr<const Law> old = at_work.law.laws.front();
   const bool traced = trace_again(at_work.law);
   if (traced && at_work.law.laws.front() == old) return false;  // it sees what has changed, and does not read it
   if (traced && ++at_work.traced_again <= often) {
-    replace_law(script.world, old, at_work.law.laws.front());
+    replace_law(world, old, at_work.law.laws.front());
     return false;
   }
   log_line(
-      script.world, "warning",
+      world, "warning",
       text(at_work.law.function->law().function.place(),
            ": the scene changes what this law reads again and again: it is called in Lua from now on, some 50 to 300 "
            "times slower; as one of its parameters it may change at no cost"));
-  replace_law(script.world, old, called_law(at_work.law.function));
+  replace_law(world, old, called_law(at_work.law.function));
   return true;
 }
 
 }  // namespace
 
-void recheck_laws(Script& script) {
-  World& world = script.world;
-  if (script.traced.empty()) return;
-  std::erase_if(script.traced, [&](const TracedAtWork& t) { return !alive(world, t.id); });
-  if (std::exchange(script.runs_seen, script.runtime.runs()) != script.runtime.runs())
-    std::erase_if(script.traced, [&](TracedAtWork& t) { return has_changed(t.law) && follow_changes(script, t); });
+void recheck_laws(World& world, LawsAtWork& laws, std::uint64_t runs) {
+  if (laws.traced.empty()) return;
+  std::erase_if(laws.traced, [&](const TracedAtWork& t) { return !alive(world, t.id); });
+  if (std::exchange(laws.runs_seen, runs) != runs)
+    std::erase_if(laws.traced, [&](TracedAtWork& t) { return has_changed(t.law) && follow_changes(world, t); });
   if (!std::has_single_bit(world.steps)) return;
-  for (std::size_t i = 0; i < script.traced.size(); i++) {
-    const TracedAtWork at_work = script.traced[i];
+  for (std::size_t i = 0; i < laws.traced.size(); i++) {
+    const TracedAtWork at_work = laws.traced[i];
     const std::string found = disagreement(world, at_work);
     if (found.empty()) continue;
     log_line(world, "warning", found);
     replace_law(world, at_work.law.laws.front(), called_law(at_work.law.function));
-    script.traced.erase(script.traced.begin() + static_cast<std::ptrdiff_t>(i--));
+    laws.traced.erase(laws.traced.begin() + static_cast<std::ptrdiff_t>(i--));
   }
 }
 

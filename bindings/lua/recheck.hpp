@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "lua/force.hpp"
-#include "model/group.hpp"
+#include "world/world.hpp"
 
 namespace pantin::lua {
 
@@ -14,11 +14,17 @@ struct TracedAtWork {
   int traced_again = 0;
 };
 
+/// Those of a scene.
+struct LawsAtWork {
+  std::vector<TracedAtWork> traced;
+  std::uint64_t runs_seen = 0;  ///< Runtime::runs when these were looked at
+};
+
 /// Remembers a law that was put to work, if it was traced from a function.
-void watch_law(Script& script, const AnyId& id, const ResolvedLaw& law);
+void watch_law(LawsAtWork& laws, const AnyId& id, const ResolvedLaw& law);
 /// After scripts may have run: a law that reads what they changed is traced again, from now on; one for which they do so all
 /// the time is called from then on, with a warning. The same for a law that disagrees with its function, in a step whose time
-/// for it has come.
-void recheck_laws(Script& script);
+/// for it has come. `runs`: of the scripts so far.
+void recheck_laws(World& world, LawsAtWork& laws, std::uint64_t runs);
 
 }  // namespace pantin::lua

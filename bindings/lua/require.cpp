@@ -3,9 +3,9 @@
 #include <filesystem>
 
 #include "lua/arguments.hpp"
-#include "lua/files.hpp"
 #include "lua/runtime.hpp"
 #include "lua/sandbox.hpp"
+#include "scene/files.hpp"
 
 namespace pantin::lua {
 namespace {

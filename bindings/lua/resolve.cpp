@@ -7,7 +7,7 @@
 #include "lua/force.hpp"
 #include "lua/guard.hpp"
 #include "lua/law_check.hpp"
-#include "lua/script.hpp"
+#include "lua/runtime.hpp"
 #include "lua/trace.hpp"
 
 namespace pantin::lua {
@@ -54,14 +54,14 @@ std::shared_ptr<const Law> try_trace(CalledLaw& called, std::string& reason) {
   return law;
 }
 
-void warn(Script& script, LawSpec& spec, const LawFunction& f, const std::string& reason) {
+void warn(World& world, LawSpec& spec, const LawFunction& f, const std::string& reason) {
   if (spec.warned) return;
   spec.warned = true;
   const char* each = is_pair(f.form) ? "pair" : f.form == LawForm::many_potential ? "connection" : "particle";
   // Measured with Lennard-Jones as a tension and as a potential, whose function works with derivatives too.
   const char* cost = is_potential(f.form) ? "some 300 times slower than traced (a force or tension: 50)"
                                           : "some 50 times slower than traced";
-  log_line(script.world, "warning",
+  log_line(world, "warning",
            text(f.function.place(), ": this law is called in Lua for every ", each, ", ", cost,
                 " and on one core; it cannot be traced: ", reason));
 }
@@ -109,7 +109,7 @@ LawKind kind_of(LawForm form) {
   return form == LawForm::many_potential ? LawKind::many : LawKind::point;
 }
 
-ResolvedLaw make_ready(LawSpec& spec, const LawFunction& f, Script& script, bool exchangeable) {
+ResolvedLaw make_ready(LawSpec& spec, const LawFunction& f, World& world, bool exchangeable) {
   const auto called = std::make_shared<CalledLaw>(f);
   check_runs(*called);
   std::string reason;
@@ -124,7 +124,7 @@ ResolvedLaw make_ready(LawSpec& spec, const LawFunction& f, Script& script, bool
   require(!spec.strict, spec.word, ": strict = true, and the law cannot be traced: ", reason);
   require(spec.solve == Solve::explicitly, spec.word,
           ": implicit needs a law that can be traced, and this one cannot: ", reason);
-  warn(script, spec, f, reason);
+  warn(world, spec, f, reason);
   return {{called_law(called)}, values, nullptr, Solve::explicitly};
 }
 
@@ -148,7 +148,7 @@ std::shared_ptr<const Law> called_law(const std::shared_ptr<CalledLaw>& function
   return std::make_shared<const Law>(std::move(law));
 }
 
-ResolvedLaw resolve_law(lua_State* state, int index, Script& script, std::span<const KnownNames> known,
+ResolvedLaw resolve_law(lua_State* state, int index, World& world, std::span<const KnownNames> known,
                         bool exchangeable) {
   LawSpec* spec = to_law(state, index);
   require(spec, "a law is needed, as force.spring{ … } makes one, got ", kind_of_value(state, index),
@@ -163,7 +163,7 @@ ResolvedLaw resolve_law(lua_State* state, int index, Script& script, std::span<c
     if (ready.exchangeable == exchangeable && std::equal(known.begin(), known.end(), ready.known.begin()))
       return ready.law;
   const LawFunction f = function_of(state, lua_absindex(state, index), *spec, known);
-  spec->ready.push_back({{known.begin(), known.end()}, exchangeable, make_ready(*spec, f, script, exchangeable)});
+  spec->ready.push_back({{known.begin(), known.end()}, exchangeable, make_ready(*spec, f, world, exchangeable)});
   return spec->ready.back().law;
 }
 

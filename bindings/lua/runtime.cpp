@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "lua/error_text.hpp"
-#include "lua/files.hpp"
-#include "lua/sandbox.hpp"
-#include "lua/scene.hpp"
+#include "scene/interrupt.hpp"
 
 namespace pantin::lua {
 namespace {
@@ -38,7 +35,7 @@ int panic(lua_State* state) {
 
 }  // namespace
 
-Runtime::Runtime(Limits limits) : limits_(limits) {
+Runtime::Runtime(Limits limits, const Opener& opener) : limits_(limits), describe_error_(opener.describe_error) {
   main_ = lua_newstate(allocate, this);
   if (!main_)
     throw UsageError(text("--memory-limit: ", limits.bytes, " bytes are not enough to start Lua; give at least 1 MB"));
@@ -46,7 +43,7 @@ Runtime::Runtime(Limits limits) : limits_(limits) {
   *static_cast<Runtime**>(lua_getextraspace(main_)) = this;
   watch_.running = main_;
   try {
-    run([](lua_State* state) { open_sandbox(state); });
+    run([&](lua_State* state) { opener.open(state); });
   } catch (...) {
     lua_close(main_);
     throw;
@@ -88,7 +85,7 @@ void Runtime::run_job(Job& job) {
   const Inside inside(*this, state, limits_.seconds);
   runs_++;
   require(lua_checkstack(state, 8) != 0, "the script called itself too deeply");
-  lua_pushcfunction(state, describe_error);
+  lua_pushcfunction(state, describe_error_);
   lua_pushcfunction(state, start);
   lua_pushlightuserdata(state, &job);
   const int status = lua_pcall(state, 1, 0, -3);

@@ -11,14 +11,20 @@
 #include <type_traits>
 
 #include "base/random.hpp"
-#include "lua/files.hpp"
 #include "lua/guard.hpp"
 #include "lua/watchdog.hpp"
+#include "scene/files.hpp"
+#include "scene/options.hpp"
 
 namespace pantin::lua {
 
 class LawRun;
-struct FileRead;
+
+/// What a state begins with.
+struct Opener {
+  void (*open)(lua_State* state);  ///< gives it what a script finds
+  lua_CFunction describe_error;    ///< message handler: makes a text of any error
+};
 
 struct Limits {
   double seconds = 0.0;   ///< [s] of one call into the script; 0: none
@@ -27,7 +33,7 @@ struct Limits {
 
 class Runtime {
  public:
-  explicit Runtime(Limits limits);
+  Runtime(Limits limits, const Opener& opener);
   ~Runtime();
   Runtime(const Runtime&) = delete;
   Runtime& operator=(const Runtime&) = delete;
@@ -54,7 +60,7 @@ class Runtime {
   lua_State* active() const { return watch_.running.load(std::memory_order_relaxed); }
   Watch& watch() { return watch_; }
 
-  std::function<std::optional<std::string>(const std::string& path)> reader = read_file;  ///< of contents of files
+  std::function<std::optional<std::string>(const std::string& path)> reader = file_content;  ///< of contents of files
   std::function<void(const FileRead&)> on_read;  ///< told each file that is read; may be empty
   std::string folder;                            ///< of the scene: where `require` looks first, and `read_table`
   std::string home;                              ///< holds scripts/lib and scripts/behaviours
@@ -77,6 +83,7 @@ class Runtime {
   [[noreturn]] void fail(lua_State* state, int status);
 
   Limits limits_;
+  lua_CFunction describe_error_;
   std::uint64_t runs_ = 0;
   std::size_t bytes_ = 0;
   std::string refused_at_;  ///< place at which memory was refused last

@@ -1,8 +1,10 @@
 #include "lua/sandbox.hpp"
 
+#include "lua/error_text.hpp"
 #include "lua/force.hpp"
 #include "lua/law_run.hpp"
 #include "lua/runtime.hpp"
+#include "lua/tostring.hpp"
 
 namespace pantin::lua {
 namespace {
@@ -33,9 +35,7 @@ void forget(lua_State* state, const char* name) {
   lua_setfield(state, -2, name);
 }
 
-}  // namespace
-
-void open_sandbox(lua_State* state) {
+void open(lua_State* state) {
   const luaL_Reg libraries[] = {{LUA_GNAME, luaopen_base},        {LUA_TABLIBNAME, luaopen_table},
                                 {LUA_STRLIBNAME, luaopen_string}, {LUA_MATHLIBNAME, luaopen_math},
                                 {LUA_UTF8LIBNAME, luaopen_utf8},  {LUA_COLIBNAME, luaopen_coroutine}};
@@ -61,9 +61,13 @@ void open_sandbox(lua_State* state) {
   open_coroutines(state);
   open_require(state);
   open_read_table(state);
-  open_values(state);
+  open_vectors(state);
   open_law_run(state);
   open_force(state);
 }
+
+}  // namespace
+
+const Opener sandbox = {open, describe_error};
 
 }  // namespace pantin::lua

@@ -1,12 +1,14 @@
 #pragma once
 #include <lua.hpp>
 
+#include "lua/runtime.hpp"
+
 namespace pantin::lua {
 
 /// Gives a state what a scene may use: `math string table utf8 coroutine` and the basic functions, made safe and the
 /// same in every run: seeded `math.random`, sorted `pairs` and `next`, a stable `table.sort`, elementary functions with
 /// the same bits everywhere, no addresses as text, no code but text, no finalizers, no loop that the clock cannot end.
-void open_sandbox(lua_State* state);
+extern const Opener sandbox;
 
 // Its parts.
 void open_math(lua_State* state);
@@ -15,10 +17,9 @@ void open_pairs(lua_State* state);
 void open_sort(lua_State* state);
 void open_strings(lua_State* state);
 void open_tables(lua_State* state);
-void open_tostring(lua_State* state);
 void open_coroutines(lua_State* state);
 void open_require(lua_State* state);
 void open_read_table(lua_State* state);
-void open_values(lua_State* state);
+void open_vectors(lua_State* state);
 
 }  // namespace pantin::lua

@@ -6,14 +6,19 @@
 #include <filesystem>
 
 #include "lua/carry_tables.hpp"
-#include "lua/files.hpp"
+#include "lua/events.hpp"
+#include "lua/parameters.hpp"
+#include "lua/sandbox.hpp"
+#include "lua/scene_type.hpp"
 #include "lua/script.hpp"
 #include "lua/snapshot.hpp"
+#include "scene/files.hpp"
 #include "step/step.hpp"
 
 namespace pantin::lua {
 
-Script::Script(const SceneOptions& given) : ScriptHost{given, Runtime({given.script_limit, given.memory_limit})} {
+Script::Script(const SceneOptions& given)
+    : ScriptHost{given, Runtime({given.script_limit, given.memory_limit}, sandbox)} {
   world.workers = std::make_unique<Workers>(options.threads);
   runtime.random = &world.random;
   runtime.home = given.home;
@@ -43,7 +48,7 @@ Scene::Scene(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Scene::~Scene() = default;
 
 std::unique_ptr<Scene> Scene::open(const std::string& path, const SceneOptions& options) {
-  const auto source = options.read ? options.read(path) : read_file(path);
+  const auto source = options.read ? options.read(path) : file_content(path);
   if (!source) {
     std::error_code error;
     const bool there = std::filesystem::exists(path, error);
@@ -60,7 +65,7 @@ std::unique_ptr<Scene> Scene::open_text(const std::string& source, const std::st
   std::unique_ptr<Scene> scene(new Scene(std::unique_ptr<State>(new State{Script(options)})));
   Script& script = scene->state_->script;
   script.runtime.folder = folder;
-  script.runtime.run([&](lua_State* state) { open_scene(state, script); });
+  script.runtime.run([&](lua_State* state) { open_globals(state, script); });
   apply_settings(script);
   script.runtime.run([&](lua_State* state) {
     script.runtime.load(state, source, name);
@@ -87,8 +92,8 @@ CameraWish Scene::camera() const {
   return {script.camera_at, script.camera_look_at, script.camera_follow};
 }
 bool Scene::finished() const { return state_->script.finished; }
-const std::vector<Parameter>& Scene::parameters() const { return state_->script.parameters; }
-bool Scene::set_parameter(const std::string& name, const Value& value) {
+const std::vector<SceneParameter>& Scene::parameters() const { return state_->script.parameters; }
+bool Scene::set_parameter(const std::string& name, const SceneValue& value) {
   const Outside outside;
   return change_parameter(state_->script, name, value);
 }
@@ -100,7 +105,7 @@ std::vector<std::string> Scene::keys() const {
 }
 
 const std::vector<std::string>& Scene::buttons() const { return state_->script.buttons; }
-const std::map<std::string, Value>& Scene::results() const { return state_->script.results; }
+const std::map<std::string, SceneValue>& Scene::results() const { return state_->script.results; }
 
 namespace {
 

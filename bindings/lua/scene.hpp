@@ -1,16 +1,14 @@
 #pragma once
 // A scene: a Lua file that was run, and the world it built.
-#include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "lua/drawing.hpp"
+#include "scene/drawing.hpp"
+#include "scene/errors.hpp"
+#include "scene/options.hpp"
 #include "snapshot/carry_over.hpp"
 #include "world/world.hpp"
 
@@ -18,39 +16,6 @@ namespace pantin::lua {
 
 struct Script;
 struct SceneSnapshot;
-
-using Value = std::variant<double, bool, std::string>;
-
-/// A file that a scene read.
-struct FileRead {
-  std::string path;
-  std::string content;
-};
-
-struct SceneOptions {
-  std::map<std::string, std::string> set;           ///< `--set`: parameter or `scene.FIELD` to its text
-  double script_limit = 5.0;                        ///< [s] of one call into the script; 0: none
-  std::size_t memory_limit = std::size_t{2} << 30;  ///< [bytes] of Lua's memory
-  int threads = 1;                                  ///< for the laws; 0: as many as the machine has processors
-  std::string home;                                 ///< folder that holds `scripts/lib` and `scripts/behaviours`
-  /// The content of a file, or nothing where there is none; may be empty: from the disk.
-  std::function<std::optional<std::string>(const std::string& path)> read;
-  std::function<void(const FileRead&)> on_read;  ///< told each file that is read, even where the scene fails then
-  bool changing = false;                         ///< may be followed by the scene of a changed file, see `go_on_from`
-  bool forgiving = false;                        ///< what `set` says that does not fit the file is left out
-};
-
-/// What `scene:param` declared.
-struct Parameter {
-  std::string name;
-  Value value;
-  Value initial;
-  std::optional<double> min, max, step;
-  std::vector<Value> choices;
-  std::string help;
-  bool live = false;     ///< has `on_change`; else a change rebuilds the scene
-  bool integer = false;  ///< its default is a whole number without a point
-};
 
 struct CameraWish {
   std::optional<Vec3> at, look_at;  ///< [m]
@@ -78,12 +43,12 @@ class Scene {
   CameraWish camera() const;
   bool finished() const;
 
-  const std::vector<Parameter>& parameters() const;
+  const std::vector<SceneParameter>& parameters() const;
   /// Applies a value live and returns true, or returns false: the scene must be opened again with it.
-  bool set_parameter(const std::string& name, const Value& value);
+  bool set_parameter(const std::string& name, const SceneValue& value);
   std::vector<std::string> keys() const;            ///< that the script asked for by their names
   const std::vector<std::string>& buttons() const;  ///< names; press one by a Command of the world's input
-  const std::map<std::string, Value>& results() const;
+  const std::map<std::string, SceneValue>& results() const;
   std::vector<std::string> warnings() const;
   std::vector<std::string> notices() const;
   const std::vector<Drawing>& drawings() const;  ///< what the script drew in the last step
@@ -110,9 +75,7 @@ class Scene {
   std::unique_ptr<State> state_;
 };
 
-/// The command line was wrong (exit code 2).
-struct UsageError : Error {
-  using Error::Error;
-};
+/// One step of the world, with what the script draws in it, and the restore that a callback asked for.
+void step_scene(Script& script);
 
 }  // namespace pantin::lua

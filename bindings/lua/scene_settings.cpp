@@ -6,6 +6,7 @@
 #include "edit/edit.hpp"
 #include "lua/arguments.hpp"
 #include "lua/guard.hpp"
+#include "lua/scene_type.hpp"
 #include "lua/script.hpp"
 #include "lua/targets.hpp"
 

@@ -1,4 +1,5 @@
 // `scene`: the table of all that it can do.
+#include "lua/scene_type.hpp"
 #include "edit/edit.hpp"
 #include "lua/arguments.hpp"
 #include "lua/assemble.hpp"
@@ -56,7 +57,7 @@ int scene_group(lua_State* state) {
 int scene_result(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "result");
   const std::string name = check_text(state, 2, "result", "argument 1, the name,");
-  Value value;
+  SceneValue value;
   switch (lua_type(state, 3)) {
     case LUA_TNUMBER: value = check_number(state, 3, "result", "argument 2, the value,", ""); break;
     case LUA_TBOOLEAN: value = lua_toboolean(state, 3) != 0; break;
@@ -277,10 +278,7 @@ Type make() {
   type.fields.insert(type.fields.end(), settings.begin(), settings.end());
   type.fields.push_back({"hands", "Hand[]", "", "the mouse, fingers, sticks, and scripted hands", read_hands, nullptr});
   type.fields.push_back({"draw", "Draw", "", "draws over the scene for one frame",
-                         [](const Self& s) {
-                           push_ref(s.state, {Tag::ref, Kind::draw, 1, 1, 1, &s.script});
-                         },
-                         nullptr});
+                         [](const Self& s) { push_ref(s.state, make_ref(s.script, Kind::draw, 1, 1, 1)); }, nullptr});
   for (const auto& methods : {making(), constraining(), forcing(), telling()})
     type.methods.insert(type.methods.end(), methods.begin(), methods.end());
   add_base(type, any_scene_type());
@@ -299,8 +297,8 @@ void push_store(lua_State* state, Script& script) {
   lua_rawsetp(state, LUA_REGISTRYINDEX, key);
 }
 
-void open_scene(lua_State* state, Script& script) {
-  push_ref(state, {Tag::ref, Kind::scene, 1, 1, 1, &script});
+void open_globals(lua_State* state, Script& script) {
+  push_ref(state, make_ref(script, Kind::scene, 1, 1, 1));
   lua_setglobal(state, "scene");
   open_structures(state, script);
 }

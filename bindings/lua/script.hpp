@@ -9,13 +9,17 @@
 #include <vector>
 
 #include "lua/callback.hpp"
-#include "lua/drawing.hpp"
 #include "lua/handles.hpp"
 #include "lua/recheck.hpp"
 #include "lua/runtime.hpp"
-#include "lua/scene.hpp"
+#include "scene/drawing.hpp"
+#include "scene/options.hpp"
+#include "snapshot/carry_over.hpp"
+#include "world/world.hpp"
 
 namespace pantin::lua {
+
+struct SceneSnapshot;
 
 /// A function that waits for something: `scene:on(name, function)`; or a behaviour, which waits for "step".
 struct Subscription {
@@ -36,16 +40,15 @@ struct ScriptData {
   AnyId camera_follow;
   bool finished = false;
 
-  std::vector<Parameter> parameters;
+  std::vector<SceneParameter> parameters;
   std::map<std::string, Callback> on_change;
   std::vector<std::string> buttons;
   std::map<std::string, Callback> button_functions;
-  std::map<std::string, Value> results;
+  std::map<std::string, SceneValue> results;
   std::vector<Drawing> drawings;            ///< of the last step, or from before the first
   std::vector<Subscription> subscriptions;  ///< in the order of asking
   std::size_t cancelled = 0;                ///< subscriptions that are only there to be dropped
-  std::vector<TracedAtWork> traced;
-  std::uint64_t runs_seen = 0;  ///< Runtime::runs when these were looked at
+  LawsAtWork laws;
 };
 
 /// Where a script runs. It outlives all that holds functions of it.
@@ -73,25 +76,5 @@ struct Script : ScriptHost, ScriptData {
   /// Addresses are keys of the Lua registry: per kind the handles given out, then their data, then scene.store.
   std::array<char, kind_count + 2> keys{};
 };
-
-/// One step of the world, with what the script draws in it, and the restore that a callback asked for.
-void step_scene(Script& script);
-/// Tells the callbacks of the script what happened in the last step, and that a step begins.
-void run_behaviours(Script& script);
-/// Puts a function or a behaviour among those that wait, and pushes its Subscription; returns 1.
-int subscribe(lua_State* state, Script& script, Subscription subscription);
-/// Applies `--set scene.FIELD=…`; throws UsageError.
-void apply_settings(Script& script);
-/// Throws UsageError where `--set` names a parameter that the script did not declare.
-void check_parameters_known(const Script& script);
-/// Calls the parameter's `on_change` with a new value; false where it has none.
-bool change_parameter(Script& script, const std::string& name, const Value& value);
-/// Reads a number as `--set` gives it: "0.5", "1/60".
-std::optional<double> number_of_text(const std::string& text);
-void push_value(lua_State* state, const Value& value);
-/// Puts `scene` and `structure` into the globals.
-void open_scene(lua_State* state, Script& script);
-/// Pushes `scene.store`.
-void push_store(lua_State* state, Script& script);
 
 }  // namespace pantin::lua

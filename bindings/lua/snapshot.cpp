@@ -4,6 +4,8 @@
 
 #include "lua/fields.hpp"
 #include "lua/guard.hpp"
+#include "lua/parameters.hpp"
+#include "lua/scene_type.hpp"
 #include "lua/targets.hpp"
 
 namespace pantin::lua {
@@ -13,9 +15,9 @@ const void* key_of_data(const Script& script) { return &script.keys[kind_count];
 const void* key_of_store(const Script& script) { return &script.keys[kind_count + 1]; }
 
 /// What the parameters of a live script were is told to the script first: an error then leaves all as it is.
-void tell_parameters(Script& script, const std::vector<Parameter>& before) {
-  for (const Parameter& old : before)
-    for (const Parameter& now : std::vector<Parameter>(script.parameters))
+void tell_parameters(Script& script, const std::vector<SceneParameter>& before) {
+  for (const SceneParameter& old : before)
+    for (const SceneParameter& now : std::vector<SceneParameter>(script.parameters))
       if (now.name == old.name && now.live && now.value != old.value) change_parameter(script, old.name, old.value);
 }
 
@@ -86,7 +88,7 @@ void keep_start(Script& script) {
 }
 
 void push_snapshot(lua_State* state, Script& script, std::shared_ptr<const SceneSnapshot> snapshot) {
-  const Ref ref{Tag::ref, Kind::snapshot, 1, 1, 0, &script};
+  const Ref ref = make_ref(script, Kind::snapshot, 1, 1, 0);
   new (lua_newuserdatauv(state, sizeof(SnapshotRef), 0)) SnapshotRef{ref, std::move(snapshot)};
   push_metatable(state, Kind::snapshot);
   lua_pushcfunction(state, drop_snapshot);

@@ -3,12 +3,12 @@
 #include <filesystem>
 
 #include "lua/arguments.hpp"
-#include "lua/files.hpp"
 #include "lua/guard.hpp"
 #include "lua/script.hpp"
 #include "lua/structure_type.hpp"
 #include "lua/targets.hpp"
 #include "lua/tostring.hpp"
+#include "scene/files.hpp"
 #include "structures/lattice.hpp"
 #include "structures/molecule.hpp"
 #include "structures/polyhedra.hpp"

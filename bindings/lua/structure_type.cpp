@@ -214,7 +214,7 @@ Type make() {
 
 void push_structure(lua_State* state, Script& script, Structure structure) {
   auto value = std::make_shared<const Structure>(std::move(structure));
-  const Ref ref{Tag::ref, Kind::structure, 1, 1, 0, &script};
+  const Ref ref = make_ref(script, Kind::structure, 1, 1, 0);
   new (lua_newuserdatauv(state, sizeof(StructureRef), 0)) StructureRef{ref, std::move(value)};
   push_metatable(state, Kind::structure);
   lua_pushcfunction(state, drop_structure);

@@ -6,8 +6,10 @@
 #include "lua/arguments.hpp"
 #include "lua/expect.hpp"
 #include "lua/fields.hpp"
-#include "lua/files.hpp"
+#include "lua/sandbox.hpp"
+#include "lua/scene.hpp"
 #include "lua/script.hpp"
+#include "scene/files.hpp"
 
 namespace pantin::lua {
 namespace {
@@ -15,7 +17,7 @@ namespace {
 /// One file of tests.
 struct TestFile {
   TestFile(std::string path_given, const SceneOptions& given)
-      : path(std::move(path_given)), options(given), runtime({given.script_limit, given.memory_limit}) {
+      : path(std::move(path_given)), options(given), runtime({given.script_limit, given.memory_limit}, sandbox) {
     runtime.random = &random;
     runtime.home = given.home;
     runtime.folder = std::filesystem::path(path).parent_path();
@@ -70,7 +72,7 @@ SceneOptions options_with(lua_State* state, int index, const SceneOptions& usual
 void push_opened(lua_State* state, TestFile& file, std::unique_ptr<Scene> scene) {
   file.scenes.push_back(std::move(scene));
   auto* ref = static_cast<Ref*>(lua_newuserdatauv(state, sizeof(Ref), 0));
-  *ref = {Tag::ref, Kind::scene, 1, 1, 1, &file.scenes.back()->script()};
+  *ref = make_ref(file.scenes.back()->script(), Kind::scene, 1, 1, 1);
   push_metatable(state, type_of_opened_scene());
   lua_setmetatable(state, -2);
 }
@@ -116,7 +118,7 @@ void run_file(const std::string& path, const SceneOptions& options, std::FILE* o
   };
   TestFile file(path, options);
   try {
-    const auto source = read_file(path);
+    const auto source = file_content(path);
     require(source.has_value(), path, ": cannot be read");
     file.runtime.run([&](lua_State* state) {
       open_testing(state, file);

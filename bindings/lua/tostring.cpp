@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "lua/runtime.hpp"
-#include "lua/sandbox.hpp"
 
 namespace pantin::lua {
 namespace {

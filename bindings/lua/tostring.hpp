@@ -8,4 +8,7 @@ namespace pantin::lua {
 /// first shown, "table: 1": Lua's own addresses differ from run to run.
 std::string_view push_text(lua_State* state, int index);
 
+/// Puts `tostring` and `print` into the globals.
+void open_tostring(lua_State* state);
+
 }  // namespace pantin::lua

@@ -23,9 +23,13 @@ std::optional<Quat> to_quat(lua_State* state, int index);
 /// "#rgb", "#rrggbb", "#rrggbbaa" or { r, g, b[, a] }, 0 … 1.
 std::optional<Color> to_color(lua_State* state, int index);
 
+/// Where the registry has the metatable of vecs or quats.
+const void* metatable_key(Tag tag);
 /// The method of vecs that argument 2 names; upvalue: the methods. Throws Error where there is none.
 int push_vec_method(lua_State* state);
 
+/// What Lua's messages call a number of a law that is called.
+constexpr const char* number_with_derivative = "number with a derivative";
 /// What messages call a value: "a number", "nil", "a vec", "a body".
 const char* kind_of_value(lua_State* state, int index);
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "lua/runtime.hpp"
+#include "scene/interrupt.hpp"
 
 namespace pantin::lua {
 
@@ -23,8 +24,6 @@ std::int64_t nanoseconds(clockid_t clock) {
   return t.tv_sec * 1'000'000'000 + t.tv_nsec;
 }
 
-std::int64_t now_ns() { return nanoseconds(CLOCK_MONOTONIC); }
-
 /// Of a thread that may be another.
 std::int64_t processor_ns(pthread_t thread) {
   clockid_t clock{};
@@ -34,15 +33,10 @@ std::int64_t processor_ns(pthread_t thread) {
 std::int64_t processor_ns() { return nanoseconds(CLOCK_THREAD_CPUTIME_ID); }
 
 constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max() / 2;  // [ns]
-constexpr std::int64_t moment = 200'000'000;                                  // [ns] to end in after an interrupt
-
-/// [ns] of the steady clock: when scripts are to have ended.
-std::atomic<std::int64_t> last_call{never};
-static_assert(std::atomic<std::int64_t>::is_always_lock_free, "a signal's handler writes it");
 
 bool time_is_over(const Watch& watch) {
   const std::int64_t deadline = watch.deadline;
-  return deadline != 0 && (processor_ns(watch.thread) >= deadline || now_ns() >= last_call);
+  return deadline != 0 && (processor_ns(watch.thread) >= deadline || scripts_must_end());
 }
 
 /// The watch whose script runs on this thread: the handler touches no other.
@@ -131,10 +125,6 @@ class Watchdog {
 };
 
 }  // namespace
-
-void interrupt_scripts() noexcept { last_call = now_ns() + moment; }
-bool scripts_interrupted() noexcept { return last_call != never; }
-void allow_scripts() noexcept { last_call = never; }
 
 Watch::Watch() { Watchdog::instance().add(this); }
 Watch::~Watch() { Watchdog::instance().remove(this); }

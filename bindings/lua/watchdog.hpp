@@ -47,13 +47,6 @@ struct Switched {
   lua_State* from;
 };
 
-/// From now on a script that does not come back within a moment is stopped, whatever its limit, and its error leaves as
-/// Interrupted. May be called by a signal's handler.
-void interrupt_scripts() noexcept;
-bool scripts_interrupted() noexcept;
-/// Scripts may take their time again.
-void allow_scripts() noexcept;
-
 /// Counts the steps of a loop in C++ that a script entered, where no hook reaches it.
 class Steps {
  public:

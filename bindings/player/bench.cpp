@@ -12,7 +12,7 @@ int bench(const BenchOptions& options) {
   std::vector<Benchmark> all = benchmarks();
   std::sort(all.begin(), all.end(), [](const Benchmark& a, const Benchmark& b) { return a.name < b.name; });
   if (arguments.empty()) {
-    if (all.empty()) throw lua::UsageError("no benchmark is part of this program: ./pantin bench builds one with them");
+    if (all.empty()) throw UsageError("no benchmark is part of this program: ./pantin bench builds one with them");
     for (const Benchmark& benchmark : all) {
       std::cout << benchmark.name << ": " << benchmark.help << "\n" << std::flush;
       benchmark.run({{}, options.peers});
@@ -23,7 +23,7 @@ int bench(const BenchOptions& options) {
   if (found == all.end()) {
     std::string known;
     for (const Benchmark& benchmark : all) known += (known.empty() ? "" : ", ") + benchmark.name;
-    throw lua::UsageError(text("there is no benchmark '", arguments[0], "'; there are: ",
+    throw UsageError(text("there is no benchmark '", arguments[0], "'; there are: ",
                                known.empty() ? "none, in this program: ./pantin bench builds one with them" : known));
   }
   found->run({{arguments.begin() + 1, arguments.end()}, options.peers});

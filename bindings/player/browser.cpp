@@ -65,7 +65,7 @@ void draw_lines(const std::string& text, ImVec2 at, float width, int lines, floa
 
 }  // namespace
 
-Browser::Browser(const std::string& shipped, std::string own, lua::SceneOptions options)
+Browser::Browser(const std::string& shipped, std::string own, SceneOptions options)
     : shipped_(std::filesystem::weakly_canonical(shipped)), own_(std::move(own)), options_(std::move(options)) {}
 
 void Browser::show() {

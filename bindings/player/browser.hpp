@@ -12,7 +12,7 @@ namespace pantin::player {
 class Browser {
  public:
   /// Scenes of `shipped`, then of `own`.
-  Browser(const std::string& shipped, std::string own, lua::SceneOptions options);
+  Browser(const std::string& shipped, std::string own, SceneOptions options);
 
   void show();
   void hide();
@@ -39,7 +39,7 @@ class Browser {
   void move_mark(int columns);
 
   std::string shipped_, own_;
-  lua::SceneOptions options_;
+  SceneOptions options_;
   std::vector<SceneEntry> scenes_;
   std::vector<std::size_t> shown_scenes_;  ///< those that the search finds
   bool listed_ = false;                    ///< anew, since the last search

@@ -13,7 +13,7 @@
 namespace pantin::player {
 namespace {
 
-std::string show(const lua::Value& value) {
+std::string show(const SceneValue& value) {
   if (const double* number = std::get_if<double>(&value)) return to_text(*number);
   if (const bool* truth = std::get_if<bool>(&value)) return *truth ? "true" : "false";
   return std::get<std::string>(value);

@@ -54,8 +54,8 @@ std::string find_scene(const std::string& scene, const std::string& home) {
   bool plain = !scene.empty() && scene.find('/') == std::string::npos;
   if (fs::path shipped = folder / (scene + ".lua"); plain && fs::is_regular_file(shipped, ignored)) return shipped;
   if (fs::path shipped = folder / scene; plain && fs::is_regular_file(shipped, ignored)) return shipped;
-  if (fs::is_directory(scene, ignored)) throw lua::UsageError(text("'", scene, "' is a folder, not a scene"));
-  throw lua::UsageError(
+  if (fs::is_directory(scene, ignored)) throw UsageError(text("'", scene, "' is a folder, not a scene"));
+  throw UsageError(
       text("there is no scene '", scene, "': give a file, or a shipped scene's name (", shipped_scenes(folder), ")"));
 }
 

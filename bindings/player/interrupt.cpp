@@ -2,7 +2,7 @@
 
 #include <csignal>
 
-#include "lua/watchdog.hpp"
+#include "scene/interrupt.hpp"
 #include "player/unfinished.hpp"
 
 namespace pantin::player {
@@ -13,7 +13,7 @@ volatile std::sig_atomic_t interrupted = 0;
 void note(int number) {
   if (interrupted == 0) {
     interrupted = 1;
-    return lua::interrupt_scripts();
+    return interrupt_scripts();
   }
   Unfinished::remove_all();
   std::signal(number, SIG_DFL);
@@ -24,7 +24,7 @@ void note(int number) {
 
 Interrupt::Interrupt() {
   interrupted = 0;
-  lua::allow_scripts();
+  allow_scripts();
   struct sigaction action {};
   action.sa_handler = note;
   action.sa_flags = SA_RESTART;
@@ -36,7 +36,7 @@ Interrupt::~Interrupt() {
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
   interrupted = 0;
-  lua::allow_scripts();
+  allow_scripts();
 }
 
 bool Interrupt::asked() { return interrupted != 0; }

@@ -3,12 +3,12 @@
 namespace pantin::player {
 namespace {
 
-Mark::Kind mark_kind(lua::Drawing::Kind kind) {
+Mark::Kind mark_kind(Drawing::Kind kind) {
   switch (kind) {
-    case lua::Drawing::Kind::arrow: return Mark::Kind::arrow;
-    case lua::Drawing::Kind::text: return Mark::Kind::text;
-    case lua::Drawing::Kind::point: return Mark::Kind::point;
-    case lua::Drawing::Kind::line: break;
+    case Drawing::Kind::arrow: return Mark::Kind::arrow;
+    case Drawing::Kind::text: return Mark::Kind::text;
+    case Drawing::Kind::point: return Mark::Kind::point;
+    case Drawing::Kind::line: break;
   }
   return Mark::Kind::line;
 }
@@ -18,7 +18,7 @@ Mark::Kind mark_kind(lua::Drawing::Kind kind) {
 void write_marks_of(const lua::Scene& scene, std::vector<Mark>& marks) {
   marks.resize(scene.drawings().size());
   for (std::size_t i = 0; i < marks.size(); i++) {
-    const lua::Drawing& d = scene.drawings()[i];
+    const Drawing& d = scene.drawings()[i];
     Mark& mark = marks[i];
     mark.kind = mark_kind(d.kind);
     mark.from = d.from;

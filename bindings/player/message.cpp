@@ -2,12 +2,12 @@
 
 #include <iostream>
 
-#include "lua/error_text.hpp"
+#include "scene/errors.hpp"
 
 namespace pantin::player {
 
 void say(const std::string& message) {
-  std::cerr << (lua::names_place(message) ? "" : "pantin: ") << message << std::endl;
+  std::cerr << (names_place(message) ? "" : "pantin: ") << message << std::endl;
 }
 
 }  // namespace pantin::player

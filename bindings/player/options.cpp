@@ -121,7 +121,7 @@ void add_scene_options(CLI::App& app, RunOptions& scene, Texts& texts) {
 }
 [[noreturn]] void refuse_command(const std::string& command) {
   std::string what = command.empty() ? "a command is missing" : "there is no command '" + command + "'";
-  throw lua::UsageError(what + ": give play, run, replay, report, test or bench (pantin --help tells more)");
+  throw UsageError(what + ": give play, run, replay, report, test or bench (pantin --help tells more)");
 }
 
 std::string first_line(const std::string& message) { return message.substr(0, message.find('\n')); }
@@ -138,7 +138,7 @@ Size read_size(const std::string& size) {
     good = bad_height == std::errc{} && rest == end;
   }
   good = good && std::min(result.width, result.height) >= 16 && std::max(result.width, result.height) <= 8192;
-  if (!good) throw lua::UsageError(text("'", size, "' must be WIDTHxHEIGHT, each 16 to 8192 pixels"));
+  if (!good) throw UsageError(text("'", size, "' must be WIDTHxHEIGHT, each 16 to 8192 pixels"));
   return result;
 }
 
@@ -152,11 +152,11 @@ std::size_t read_bytes(const std::string& bytes) {
   for (const auto& [name, unit] : units)
     if (bad == std::errc{} && std::string(rest, end) == name && number * unit >= 0x1p20 && number * unit < 0x1p60)
       return static_cast<std::size_t>(number * unit);
-  throw lua::UsageError(text("'", bytes, "' must be a size of 1MiB or more, with a unit: 512MiB, 1.5GB, 2GiB"));
+  throw UsageError(text("'", bytes, "' must be a size of 1MiB or more, with a unit: 512MiB, 1.5GB, 2GiB"));
 }
 
-lua::SceneOptions lua_options(const RunOptions& options, const std::string& home) {
-  lua::SceneOptions result;
+SceneOptions lua_options(const RunOptions& options, const std::string& home) {
+  SceneOptions result;
   result.set = options.set;
   result.script_limit = options.script_limit;
   result.memory_limit = options.memory_limit;
@@ -221,7 +221,7 @@ Options read_options(int argc, const char* const* argv) {
     if (app.get_subcommands().empty()) refuse_command(argv[1]);
     std::string command = "pantin";
     for (CLI::App* used : app.get_subcommands()) command += " " + used->get_name();
-    throw lua::UsageError(first_line(error.what()) + " (" + command + " --help tells more)");
+    throw UsageError(first_line(error.what()) + " (" + command + " --help tells more)");
   }
   if (app.get_subcommands().empty()) refuse_command(argc > 1 ? argv[1] : "");
   for (const std::string& setting : texts.settings) {

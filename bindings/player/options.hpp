@@ -47,7 +47,7 @@ struct Options {
 Options read_options(int argc, const char* const* argv);
 
 /// How the scene is to be opened.
-lua::SceneOptions lua_options(const RunOptions& options, const std::string& home);
+SceneOptions lua_options(const RunOptions& options, const std::string& home);
 
 /// Reads "1280x720"; throws UsageError.
 Size read_size(const std::string& text);

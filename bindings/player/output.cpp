@@ -18,7 +18,7 @@ namespace pantin::player {
 namespace {
 
 [[noreturn]] void refuse(const std::string& path, const std::string& why) {
-  throw lua::UsageError(text("cannot write ", path, ": ", why));
+  throw UsageError(text("cannot write ", path, ": ", why));
 }
 
 std::string temporary_name(const fs::path& target, int attempt) {

@@ -11,7 +11,7 @@ Outputs::Outputs(const RunOptions& options) {
   std::set<std::string> seen;
   auto add = [&](std::vector<Output>& list, const std::string& path) {
     if (!seen.insert(std::filesystem::absolute(path).lexically_normal()).second)
-      throw lua::UsageError(text(path, " is given as an output twice"));
+      throw UsageError(text(path, " is given as an output twice"));
     list.emplace_back(path);
   };
   for (const std::string& path : options.outputs) add(files_, path);

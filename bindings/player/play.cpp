@@ -17,7 +17,7 @@ int play_in_window(const RunOptions& options, const std::string& home) {
   Outputs outputs(options);
   for (const std::string& path : options.outputs)
     if (!path.ends_with(".csv") && !path.ends_with(".png"))
-      throw lua::UsageError("play writes .csv and .png; the rest is made by `pantin run SCENE --out FILE`");
+      throw UsageError("play writes .csv and .png; the rest is made by `pantin run SCENE --out FILE`");
   Player player(options.scene.empty() ? "" : find_scene(options.scene, home), options, home);
   while (player.frame()) {}
   if (player.display_lost()) say("the display went away: the play ends here, and what was asked for is written");

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "choreography/hands.hpp"
-#include "lua/guard.hpp"
+#include "scene/errors.hpp"
 #include "player/hand_path.hpp"
 #include "player/home.hpp"
 #include "player/interrupt.hpp"
@@ -146,7 +146,7 @@ void Player::step_once() {
     if (!scene_->world().failure.empty()) return fail_step(scene_->world().failure);
     if (recorder_) recorder_->stepped(scene_->world());
     times_.add(scene_->world());
-  } catch (const lua::Interrupted& error) { say(error.what()); } catch (const std::exception& error) {
+  } catch (const Interrupted& error) { say(error.what()); } catch (const std::exception& error) {
     fail_step(error.what());
   }
 }

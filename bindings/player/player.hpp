@@ -25,7 +25,7 @@
 namespace pantin::player {
 
 /// As `--set` gives it.
-std::string setting_text(const lua::Value& value);
+std::string setting_text(const SceneValue& value);
 
 /// A scene in a window, with hands in it.
 class Player {
@@ -49,7 +49,7 @@ class Player {
   /// Opens another scene; where that fails, tells why, and the present one goes on: false.
   bool open(const std::string& path);
   /// Applies a value of a parameter, live or by opening the scene anew. False where the scene refuses it, which is told.
-  bool set_parameter(const std::string& name, const lua::Value& value);
+  bool set_parameter(const std::string& name, const SceneValue& value);
   /// Takes back what hands did last, or does it again; what cannot be done is told.
   void undo();
   void redo();
@@ -66,7 +66,7 @@ class Player {
   /// A parameter that the scene was opened anew with.
   struct Rebuilt {
     std::string act, name;
-    lua::Value before, after;
+    SceneValue before, after;
   };
 
   std::string title() const;
@@ -76,7 +76,7 @@ class Player {
   std::int32_t new_hand();
   void begin_change(const std::string& name);
   void keep_for_undo(const std::string& act, const StepInput& before);
-  void open_with(const Rebuilt& rebuilt, const lua::Value& value, const char* does);
+  void open_with(const Rebuilt& rebuilt, const SceneValue& value, const char* does);
   UndoState undo_state() const;
   void go_back(bool (Undo::*way)(lua::Scene&, Times&, StepInput&, std::string&));
   void tell(const std::string& what);
@@ -103,7 +103,7 @@ class Player {
   void record(const Edit& edit);
   void stop_recording(const std::string& why);
   void reload();
-  std::unique_ptr<lua::Scene> load(const std::string& path, const lua::SceneOptions& options);
+  std::unique_ptr<lua::Scene> load(const std::string& path, const SceneOptions& options);
   void adopt(std::unique_ptr<lua::Scene> fresh);
   void open_neighbour(int places);
   void fulfil(const Wishes& wishes);
@@ -121,7 +121,7 @@ class Player {
 
   std::string path_;
   RunOptions options_;
-  lua::SceneOptions lua_options_;
+  SceneOptions lua_options_;
   Reload reload_;
   std::unique_ptr<lua::Scene> scene_;
   std::unique_ptr<Recorder> recorder_;

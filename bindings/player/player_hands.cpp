@@ -57,7 +57,7 @@ void Player::redo() {
 }
 
 /// What came of the scene that it was before is gone: it starts again.
-void Player::open_with(const Rebuilt& rebuilt, const lua::Value& value, const char* does) {
+void Player::open_with(const Rebuilt& rebuilt, const SceneValue& value, const char* does) {
   changed_at_ = {};  // an act of its own
   if (set_parameter(rebuilt.name, value)) tell(text(does, ": ", rebuilt.act, "; the scene starts again"));
 }
@@ -78,7 +78,7 @@ void Player::go_back(bool (Undo::*way)(lua::Scene&, Times&, StepInput&, std::str
     hands_.let_go(scene_->world(), waiting_);
     log_read_ = scene_->world().log.size();
     failure_ = scene_->world().failure;
-    for (const lua::Parameter& p : scene_->parameters())
+    for (const SceneParameter& p : scene_->parameters())
       if (p.value != p.initial || lua_options_.set.contains(p.name)) lua_options_.set[p.name] = setting_text(p.value);
   }
   tell(told);

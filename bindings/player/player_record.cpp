@@ -8,7 +8,7 @@ void Player::record(const std::string& path) {
   RecordingHead head{program_version(), named(path_), lua_options_.set, {}};
   for (const auto& [file, content] : reload_.files()) head.files[named(file)] = content;
   recorder_ = std::make_unique<Recorder>(path, std::move(head));
-  reload_.on_read = [this, named](const lua::FileRead& file) {
+  reload_.on_read = [this, named](const FileRead& file) {
     if (recorder_) recorder_->file(named(file.path), file.content);
   };
   undo_.on_state = [this](std::uint64_t number, bool put_back) {

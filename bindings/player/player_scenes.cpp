@@ -3,7 +3,7 @@
 #include <exception>
 #include <thread>
 
-#include "lua/watchdog.hpp"
+#include "scene/interrupt.hpp"
 #include "player/home.hpp"
 #include "player/message.hpp"
 #include "player/player.hpp"
@@ -19,14 +19,14 @@ constexpr std::chrono::milliseconds patience{300};  // before it is told that a 
 
 }  // namespace
 
-std::string setting_text(const lua::Value& value) {
+std::string setting_text(const SceneValue& value) {
   if (const auto* number = std::get_if<double>(&value)) return to_text(*number);
   if (const auto* boolean = std::get_if<bool>(&value)) return *boolean ? "true" : "false";
   return std::get<std::string>(value);
 }
 
 /// Opens a scene while the window stays alive, so that one that does not come to an end can be stopped.
-std::unique_ptr<lua::Scene> Player::load(const std::string& path, const lua::SceneOptions& options) {
+std::unique_ptr<lua::Scene> Player::load(const std::string& path, const SceneOptions& options) {
   const auto start = Clock::now();
   std::unique_ptr<lua::Scene> scene;
   std::exception_ptr error;
@@ -40,9 +40,9 @@ std::unique_ptr<lua::Scene> Player::load(const std::string& path, const lua::Sce
   try {
     wait_for(done, scene_name(path));
   } catch (...) {
-    lua::interrupt_scripts();
+    interrupt_scripts();
     loader.join();
-    lua::allow_scripts();
+    allow_scripts();
     throw;
   }
   loader.join();
@@ -60,7 +60,7 @@ void Player::wait_for(const std::atomic<bool>& done, const std::string& what) {
     if (Clock::now() < start + patience) continue;
     const bool goes_on = window_.poll(meanwhile);
     if (!stopped && (!goes_on || std::ranges::count(meanwhile.keys, "escape") > 0)) {
-      lua::interrupt_scripts();
+      interrupt_scripts();
       stopped = true;
     }
     fit_window();
@@ -69,7 +69,7 @@ void Player::wait_for(const std::atomic<bool>& done, const std::string& what) {
     renderer_.draw(scene_->world(), camera_, shown);
     window_.present(renderer_);
   }
-  if (stopped) lua::allow_scripts();
+  if (stopped) allow_scripts();
 }
 
 void Player::adopt(std::unique_ptr<lua::Scene> fresh) {
@@ -101,7 +101,7 @@ void Player::restart() {
 }
 
 bool Player::open(const std::string& path) {
-  lua::SceneOptions options = lua_options_;
+  SceneOptions options = lua_options_;
   std::erase_if(options.set, [](const auto& setting) { return !setting.first.starts_with("scene."); });
   std::unique_ptr<lua::Scene> fresh;
   try {
@@ -126,9 +126,9 @@ void Player::open_neighbour(int places) {
   if (const std::string path = browser_.neighbour(path_, places); !path.empty()) open(path);
 }
 
-bool Player::set_parameter(const std::string& name, const lua::Value& value) {
+bool Player::set_parameter(const std::string& name, const SceneValue& value) {
   const auto& parameters = scene_->parameters();
-  const auto parameter = std::ranges::find(parameters, name, &lua::Parameter::name);
+  const auto parameter = std::ranges::find(parameters, name, &SceneParameter::name);
   if (parameter == parameters.end()) return false;
   const bool live = parameter->live;
   Rebuilt rebuilt{"change of " + name, name, parameter->value, value};

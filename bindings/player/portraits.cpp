@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "base/hash.hpp"
-#include "lua/watchdog.hpp"
+#include "scene/interrupt.hpp"
 #include "player/aim.hpp"
 #include "view/picture.hpp"
 
@@ -37,7 +37,7 @@ std::string contents(const std::string& path) {
   return text.str();
 }
 
-lua::SceneOptions for_pictures(lua::SceneOptions options) {
+SceneOptions for_pictures(SceneOptions options) {
   options.set.clear();
   options.script_limit = script_limit;
   options.threads = 1;
@@ -52,7 +52,7 @@ std::string cache_folder() {
   return {};
 }
 
-Portraits::Portraits(lua::SceneOptions options, std::string folder)
+Portraits::Portraits(SceneOptions options, std::string folder)
     : options_(for_pictures(std::move(options))), folder_(std::move(folder)), thread_([this] { run(); }) {}
 
 Portraits::~Portraits() {
@@ -61,9 +61,9 @@ Portraits::~Portraits() {
     ending_ = true;
   }
   changed_.notify_all();
-  lua::interrupt_scripts();
+  interrupt_scripts();
   thread_.join();
-  lua::allow_scripts();
+  allow_scripts();
 }
 
 void* Portraits::picture(const std::string& path) {

@@ -23,7 +23,7 @@ class Portraits {
  public:
   static constexpr int width = 384, height = 216;  ///< [px]
 
-  Portraits(lua::SceneOptions options, std::string folder);
+  Portraits(SceneOptions options, std::string folder);
   ~Portraits();
   Portraits(const Portraits&) = delete;
   Portraits& operator=(const Portraits&) = delete;
@@ -54,7 +54,7 @@ class Portraits {
   void draw(const std::string& path, bool keep);
   std::string file_of(const std::string& path) const;
 
-  lua::SceneOptions options_;
+  SceneOptions options_;
   std::string folder_;
   std::map<std::string, Entry> entries_;
   std::deque<std::string> queue_;  ///< paths that were asked for and are not in hand

@@ -52,7 +52,7 @@ int run_program(int argc, const char* const* argv) {
     int code = do_command(read_options(argc, argv));
     std::cout.flush();
     return code;
-  } catch (const lua::UsageError& error) {
+  } catch (const UsageError& error) {
     say(error.what());
     return 2;
   } catch (const std::bad_alloc&) { say("there is not enough memory for this"); } catch (const std::exception& error) {

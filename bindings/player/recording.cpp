@@ -79,7 +79,7 @@ void Recorder::stepped(const World& world) {
 
 void Recorder::failed() { write({tick_, StepFailed{}}); }
 void Recorder::hand_came() { write({tick_, HandCame{}}); }
-void Recorder::parameter(const std::string& name, const lua::Value& value) {
+void Recorder::parameter(const std::string& name, const SceneValue& value) {
   write({tick_, ParameterChange{name, value}});
 }
 void Recorder::edited(const FieldEdit& edit) { write({tick_, edit}); }

@@ -36,7 +36,7 @@ struct RecordingHead {
 struct HandCame {};
 struct ParameterChange {
   std::string name;
-  lua::Value value;
+  SceneValue value;
 };
 /// A field of a thing was written.
 struct FieldEdit {
@@ -101,7 +101,7 @@ class Recorder {
   /// It ended in an error.
   void failed();
   void hand_came();
-  void parameter(const std::string& name, const lua::Value& value);
+  void parameter(const std::string& name, const SceneValue& value);
   void edited(const FieldEdit& edit);
   void kept(std::uint64_t number);
   void restored(std::uint64_t number);

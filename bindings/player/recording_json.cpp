@@ -218,7 +218,7 @@ StepInput input_of(const Json& line) {
   return input;
 }
 
-lua::Value value_of(const Json& json) {
+SceneValue value_of(const Json& json) {
   if (json.is_boolean()) return json.get<bool>();
   if (json.is_string()) return json.get<std::string>();
   return json.get<double>();

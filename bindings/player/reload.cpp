@@ -4,11 +4,11 @@
 
 namespace pantin::player {
 
-std::unique_ptr<lua::Scene> Reload::open(const std::string& path, lua::SceneOptions options) {
+std::unique_ptr<lua::Scene> Reload::open(const std::string& path, SceneOptions options) {
   const auto read = std::make_shared<Files>();
   options.changing = true;
   options.forgiving = !files_->empty();                        // the file may have changed since `set` was given
-  options.on_read = [this, read](const lua::FileRead& file) {  // also while the scene is played
+  options.on_read = [this, read](const FileRead& file) {  // also while the scene is played
     (*read)[file.path] = file.content;
     watch_.add(file.path);
     if (on_read) on_read(file);
@@ -19,7 +19,7 @@ std::unique_ptr<lua::Scene> Reload::open(const std::string& path, lua::SceneOpti
   return scene;
 }
 
-std::optional<Reloaded> Reload::look(lua::Scene& playing, const std::string& path, const lua::SceneOptions& options,
+std::optional<Reloaded> Reload::look(lua::Scene& playing, const std::string& path, const SceneOptions& options,
                                      FileWatch::Clock::time_point now) {
   if (!watch_.changed(now)) return {};
   Reloaded reloaded;

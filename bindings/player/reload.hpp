@@ -22,15 +22,15 @@ struct Reloaded {
 class Reload {
  public:
   /// Opens a scene; its files are watched from then on, even where this throws.
-  std::unique_ptr<lua::Scene> open(const std::string& path, lua::SceneOptions options);
+  std::unique_ptr<lua::Scene> open(const std::string& path, SceneOptions options);
   /// Whether a file was saved, and what came of that.
-  std::optional<Reloaded> look(lua::Scene& playing, const std::string& path, const lua::SceneOptions& options,
+  std::optional<Reloaded> look(lua::Scene& playing, const std::string& path, const SceneOptions& options,
                                FileWatch::Clock::time_point now = FileWatch::Clock::now());
   /// Files that the scene opened last read so far, with their contents.
   const std::map<std::string, std::string>& files() const { return *files_; }
 
   /// Told each file that is read from now on; may be empty.
-  std::function<void(const lua::FileRead&)> on_read;
+  std::function<void(const FileRead&)> on_read;
 
  private:
   using Files = std::map<std::string, std::string>;

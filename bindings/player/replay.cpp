@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "choreography/hands.hpp"
-#include "lua/files.hpp"
+#include "scene/files.hpp"
 #include "lua/inspect.hpp"
 #include "measure/measure.hpp"
 
@@ -25,7 +25,7 @@ constexpr const char* home_as_recorded = "pantin:";
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-std::string text_of(const lua::Value& value) {
+std::string text_of(const SceneValue& value) {
   if (const auto* number = std::get_if<double>(&value)) return to_text(*number);
   if (const auto* boolean = std::get_if<bool>(&value)) return *boolean ? "true" : "false";
   return std::get<std::string>(value);
@@ -90,7 +90,7 @@ void Replay::look_at_files(const std::string& home) {
   for (const auto& [path, content] : recording_.head.files) {
     const bool comes_along = path.starts_with(home_as_recorded);
     const std::string file = comes_along ? home + path.substr(std::string(home_as_recorded).size()) : path;
-    const auto now = lua::read_file(file);
+    const auto now = file_content(file);
     if (now && *now != content)
       remarks_.push_back(text(file, " has changed since the recording was made: what it was then is played"));
   }

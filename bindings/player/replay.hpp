@@ -64,7 +64,7 @@ class Replay {
   void jump(std::uint64_t tick);
 
   Recording recording_;
-  lua::SceneOptions options_;
+  SceneOptions options_;
   FileContents contents_;  ///< of the files, as they are at the present tick
   std::unique_ptr<lua::Scene> scene_;
   std::set<std::uint64_t> needed_;  ///< states that will be put back

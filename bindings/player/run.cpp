@@ -4,8 +4,8 @@
 #include <memory>
 #include <optional>
 
-#include "lua/guard.hpp"
-#include "lua/headway.hpp"
+#include "scene/errors.hpp"
+#include "scene/headway.hpp"
 #include "player/animation.hpp"
 #include "player/closing.hpp"
 #include "player/home.hpp"
@@ -28,11 +28,11 @@ void run_to(lua::Scene& scene, double until, After after) {
   World& world = scene.world();
   require(until <= world.time || until - world.time >= 0.5 * world.settings.step, "run: the end, ", until,
           " s, is less than half a step of ", world.settings.step, " s away, so that nothing would move");
-  lua::Headway headway(world, until);
+  Headway headway(world, until);
   while (world.time < until - 0.5 * world.settings.step && !scene.finished() && !Interrupt::asked()) {
     try {
       scene.step();
-    } catch (const lua::Interrupted& error) { return say(error.what()); }
+    } catch (const Interrupted& error) { return say(error.what()); }
     require(world.failure.empty(), world.failure);
     headway.check(world);
     after();

@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "laws/draws_noise.hpp"
-#include "lua/guard.hpp"
+#include "scene/errors.hpp"
 #include "player/interrupt.hpp"
 #include "player/message.hpp"
 #include "player/run.hpp"
@@ -107,7 +107,7 @@ class Studying {
     study_.noisy = is_noisy(world);
     try {
       glance(*scene);
-    } catch (const lua::Interrupted&) { throw; } catch (const Error&) {
+    } catch (const Interrupted&) { throw; } catch (const Error&) {
       const auto finer = opener_.open(study_.integrator, step_of(study_.step, *std::rbegin(levels)), 0.0);
       if (!glance(*finer, world.time)) throw;
     }
@@ -139,7 +139,7 @@ class Studying {
       try {
         const auto scene = opener_.open(name, study_.step, 0.0);
         tried_.push_back({name, cost_of(*scene), false, false});
-      } catch (const lua::Interrupted&) { throw; } catch (const Error& error) {
+      } catch (const Interrupted&) { throw; } catch (const Error& error) {
         if (name == study_.integrator) throw;
         study_.refused.push_back({name, error.what()});
       }
@@ -157,7 +157,7 @@ class Studying {
         scene.step();
       } while (world.failure.empty() && world.time < study_.wanted_until &&
                processor_time() - begin < for_trial * budget_);
-    } catch (const lua::Interrupted&) { throw; } catch (const Error&) {
+    } catch (const Interrupted&) { throw; } catch (const Error&) {
     }  // the runs will tell
     return (processor_time() - begin) / std::max(world.time - from, study_.step);
   }
@@ -326,7 +326,7 @@ class Studying {
         study_.ledger = ledger_lines(scene->world());
         if (Interrupt::asked() || scene->finished() || spent() > for_ledger * budget_) break;
       }
-    } catch (const lua::Interrupted&) {
+    } catch (const Interrupted&) {
     } catch (const Error& error) { study_.warnings.push_back(error.what()); }
   }
 

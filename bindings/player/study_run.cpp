@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <numeric>
 
-#include "lua/guard.hpp"
-#include "lua/headway.hpp"
+#include "scene/errors.hpp"
+#include "scene/headway.hpp"
 #include "measure/measure.hpp"
 #include "player/home.hpp"
 #include "player/interrupt.hpp"
@@ -74,7 +74,7 @@ Opener::Opener(const RunOptions& options, const std::string& home)
 std::unique_ptr<lua::Scene> Opener::open() const { return lua::Scene::open(path_, options_); }
 
 std::unique_ptr<lua::Scene> Opener::open(const std::string& integrator, double step, double accuracy) const {
-  lua::SceneOptions options = options_;
+  SceneOptions options = options_;
   options.set["scene.integrator"] = integrator;
   options.set["scene.step"] = exact(step);
   options.set["scene.accuracy"] = accuracy > 0.0 ? exact(accuracy) : "nil";
@@ -107,7 +107,7 @@ double diagonal_of(const Places& places) {
 double step_to(lua::Scene& scene, double time) {
   const World& world = scene.world();
   const double start = processor_time();
-  lua::Headway headway(world, time);
+  Headway headway(world, time);
   while (world.time < time - 0.5 * world.settings.step && !scene.finished() && !Interrupt::asked()) {
     scene.step();
     require(world.failure.empty(), world.failure);
@@ -135,7 +135,7 @@ bool perform(StudyRun& run, const Opener& opener, const std::vector<double>& tim
       if (energy.right(scene->world())) run.right_until = time;
       told(static_cast<double>(run.positions.size()) / static_cast<double>(times.size()));
     }
-  } catch (const lua::Interrupted&) { return false; } catch (const Error& error) {
+  } catch (const Interrupted&) { return false; } catch (const Error& error) {
     run.trouble = error.what();
   }
   if (!scene) return true;
@@ -156,7 +156,7 @@ void perform_again(StudyRun& run, const Opener& opener, const std::vector<double
       if (Interrupt::asked()) break;
       run.portions[k] = std::min(run.portions[k], seconds);
     }
-  } catch (const lua::Interrupted&) {}  // what it took before is good enough
+  } catch (const Interrupted&) {}  // what it took before is good enough
   run.seconds = std::accumulate(run.portions.begin(), run.portions.end(), 0.0);
 }
 

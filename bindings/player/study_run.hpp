@@ -64,7 +64,7 @@ class Opener {
   std::unique_ptr<lua::Scene> open(const std::string& integrator, double step, double accuracy) const;
 
  private:
-  lua::SceneOptions options_;
+  SceneOptions options_;
   std::string path_;
 };
 

@@ -11,10 +11,10 @@ int test(const std::vector<std::string>& given, const std::string& home) {
   std::vector<std::string> paths = given;
   if (paths.empty()) {
     std::string usual = std::filesystem::path(home) / "tests" / "scenes";
-    if (!std::filesystem::is_directory(usual)) throw lua::UsageError("give the files or folders to test");
+    if (!std::filesystem::is_directory(usual)) throw UsageError("give the files or folders to test");
     paths.push_back(usual);
   }
-  lua::SceneOptions options;
+  SceneOptions options;
   options.home = home;
   lua::TestOutcome outcome = lua::run_tests(paths, options, stdout);
   if (outcome.passed + outcome.failed == 0) throw Error("there are no tests in " + paths.front());

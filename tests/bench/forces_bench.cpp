@@ -43,7 +43,7 @@ end)";
 
 /// Atoms of LAMMPS' melt in a scene with a potential of its own.
 std::unique_ptr<lua::Scene> open_melt(const cases::Melt& melt, const std::string& potential, int threads) {
-  lua::SceneOptions options;
+  SceneOptions options;
   options.threads = threads;
   const std::string source = text("scene.gravity = vec(0, 0, 0) scene.step = 0.005 local edge = ", melt.edge,
                                   R"( scene.box = vec(edge, edge, edge)
@@ -266,7 +266,7 @@ void bench_springs() {
 
 /// Seconds of a step of a steady stream, the fastest of some runs of steps, one thread.
 double time_stream(int alive, const char* laws) {
-  lua::SceneOptions options;
+  SceneOptions options;
   options.threads = 1;
   const auto scene = lua::Scene::open_text(text("local alive, lifetime = ", alive, R"(, 3
 scene.step, scene.gravity = 0.01, vec(0, 0, 0)

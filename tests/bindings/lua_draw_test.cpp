@@ -20,8 +20,8 @@ TEST_CASE("what a script draws in a step is there until the next") {
     scene->step();
     CHECK(scene->drawings().size() == count);
   }
-  const lua::Drawing &line = scene->drawings()[0], &dot = scene->drawings()[2];
-  CHECK(line.kind == lua::Drawing::Kind::line);
+  const Drawing &line = scene->drawings()[0], &dot = scene->drawings()[2];
+  CHECK(line.kind == Drawing::Kind::line);
   CHECK(line.to[0] == 1.0);
   CHECK(line.size == 3.0);
   CHECK(*line.color == Color{1.0f, 0.0f, 0.0f, 1.0f});

@@ -66,12 +66,12 @@ TEST_CASE("a law is traced once for the same names") {
     CHECK(before > 0);
     lua_getglobal(state, "law");
     const std::vector<lua::KnownNames> known(2, {"family 'ion'", {"charge"}}), others(2, {"family 'salt'", {}});
-    const auto again = lua::resolve_law(state, -1, script, known, false);
+    const auto again = lua::resolve_law(state, -1, script.world, known, false);
     CHECK(again.laws == law.resolved.laws);
     lua_getglobal(state, "runs");
     CHECK(lua_tointeger(state, -1) == before);
     lua_pop(state, 1);
-    CHECK(lua::resolve_law(state, -1, script, others, false).laws != law.resolved.laws);
+    CHECK(lua::resolve_law(state, -1, script.world, others, false).laws != law.resolved.laws);
   });
 }
 
@@ -140,7 +140,7 @@ TEST_CASE("a law of the library says which attribute it lacks") {
   script.runtime.run([&](lua_State* state) {
     lua_getglobal(state, "law");
     const std::vector<lua::KnownNames> known(2, {"family 'salt'", {}});
-    CHECK_THROWS_WITH(lua::resolve_law(state, -1, script, known, true),
+    CHECK_THROWS_WITH(lua::resolve_law(state, -1, script.world, known, true),
                       "force.coulomb: reads the attribute 'charge', which family 'salt' has not; give it attributes = "
                       "{ charge = … }");
   });

@@ -29,7 +29,7 @@ inline LawScene resolve(const std::string& source, bool exchangeable = false) {
     const lua::LawSpec* spec = lua::to_law(state, -1);
     require(spec, "the scene has no law");
     const std::vector<lua::KnownNames> known(static_cast<std::size_t>(spec->count), {"family 'ion'", {"charge"}});
-    result.resolved = lua::resolve_law(state, -1, script, known, exchangeable);
+    result.resolved = lua::resolve_law(state, -1, script.world, known, exchangeable);
     if (result.resolved.function) result.by_calls = lua::called_law(result.resolved.function);
   });
   return result;

@@ -4,6 +4,7 @@
 
 #include "bindings/lua_support.hpp"
 #include "lua/watchdog.hpp"
+#include "scene/interrupt.hpp"
 
 using namespace pantin;
 using namespace pantin::lua_tests;
@@ -98,7 +99,7 @@ TEST_CASE("memory of a script is capped, with the line") {
   CHECK(failure("local ok = pcall(string.rep, 'x', 1e9) assert(not ok)") == "");
   auto tiny = options();
   tiny.memory_limit = 1000;
-  CHECK_THROWS_AS(lua::Scene::open_text("", "scene.lua", "", tiny), lua::UsageError);
+  CHECK_THROWS_AS(lua::Scene::open_text("", "scene.lua", "", tiny), UsageError);
   tiny.memory_limit = 20000;
   CHECK_THROWS_AS(lua::Scene::open_text("", "scene.lua", "", tiny), Error);
 }

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "bindings/lua_support.hpp"
-#include "lua/runtime.hpp"
+#include "lua/sandbox.hpp"
 
 using namespace pantin;
 using namespace pantin::lua_tests;
@@ -14,7 +14,7 @@ namespace {
 /// Runs a text that has the library's own functions as `original`; it must not raise.
 void run_beside_original(const std::string& source) {
   Random random{8, 0};
-  lua::Runtime runtime({60.0, std::size_t{1} << 28});
+  lua::Runtime runtime({60.0, std::size_t{1} << 28}, lua::sandbox);
   runtime.random = &random;
   runtime.run([&](lua_State* state) {
     luaopen_string(state);

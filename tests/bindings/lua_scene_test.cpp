@@ -68,11 +68,11 @@ TEST_CASE("--set scene.FIELD wins over the file") {
   CHECK_FALSE(open("scene.accuracy = 1e-2", {{"scene.accuracy", "nil"}})->world().settings.accuracy);
   CHECK_THROWS_WITH(open("", {{"scene.accuracy", "0"}}),
                     Contains("--set scene.accuracy=0: ") && Contains("must be > 0"));
-  CHECK_THROWS_AS(open("", {{"scene.stp", "1"}}), lua::UsageError);
+  CHECK_THROWS_AS(open("", {{"scene.stp", "1"}}), UsageError);
   CHECK_THROWS_WITH(open("", {{"scene.stp", "1"}}), Contains("no setting 'stp'. Did you mean 'step'?"));
   CHECK_THROWS_WITH(open("", {{"scene.step", "-1"}}), Contains("--set scene.step=-1: ") && Contains("must be > 0 s"));
-  CHECK_THROWS_AS(open("", {{"scene.step", "abc"}}), lua::UsageError);
-  CHECK_THROWS_AS(open("", {{"scene.time", "1"}}), lua::UsageError);
+  CHECK_THROWS_AS(open("", {{"scene.step", "abc"}}), UsageError);
+  CHECK_THROWS_AS(open("", {{"scene.time", "1"}}), UsageError);
 }
 
 TEST_CASE("parameters come from the command line, checked") {
@@ -90,7 +90,7 @@ TEST_CASE("parameters come from the command line, checked") {
   CHECK(scene->parameters()[1].choices.size() == 2);
   CHECK_FALSE(scene->set_parameter("links", 40.0));
   const auto usage = [&](std::map<std::string, std::string> set, const char* message) {
-    CHECK_THROWS_AS(open(source, set), lua::UsageError);
+    CHECK_THROWS_AS(open(source, set), UsageError);
     CHECK_THROWS_WITH(open(source, set), Contains(message));
   };
   usage({{"link", "3"}}, "the scene has no parameter 'link'. Did you mean 'links'? It has links, kind, on");
@@ -128,13 +128,13 @@ TEST_CASE("a parameter with on_change is applied live") {
   CHECK(scene->world().settings.gravity[1] == -3.0);
   CHECK(std::get<double>(scene->parameters()[0].value) == 3.0);
   CHECK_THROWS_WITH(scene->set_parameter("g", -3.0), Contains("at least 0"));
-  CHECK_THROWS_AS(scene->set_parameter("h", 1.0), lua::UsageError);
+  CHECK_THROWS_AS(scene->set_parameter("h", 1.0), UsageError);
 }
 
 TEST_CASE("files that are no scenes are told") {
-  CHECK_THROWS_AS(lua::Scene::open("/nowhere/scene.lua", options()), lua::UsageError);
+  CHECK_THROWS_AS(lua::Scene::open("/nowhere/scene.lua", options()), UsageError);
   CHECK_THROWS_WITH(lua::Scene::open("/nowhere/scene.lua", options()), "/nowhere/scene.lua: there is no such file");
-  CHECK_THROWS_AS(lua::Scene::open("/tmp", options()), lua::UsageError);
+  CHECK_THROWS_AS(lua::Scene::open("/tmp", options()), UsageError);
   CHECK_THAT(failure("local x =\nfor"), StartsWith("scene.lua:2: unexpected symbol near"));
 }
 

@@ -20,7 +20,7 @@ void steps(lua::Scene& scene, int count) {
 }
 
 std::unique_ptr<lua::Scene> shipped(const std::string& name, int threads = 1) {
-  lua::SceneOptions o = options();
+  SceneOptions o = options();
   o.script_limit = 0.0;
   o.memory_limit = std::size_t{1} << 30;
   o.threads = threads;

@@ -10,8 +10,8 @@
 
 namespace pantin::lua_tests {
 
-inline lua::SceneOptions options(std::map<std::string, std::string> set = {}) {
-  lua::SceneOptions o;
+inline SceneOptions options(std::map<std::string, std::string> set = {}) {
+  SceneOptions o;
   o.set = std::move(set);
   o.script_limit = 0.2;
   o.memory_limit = std::size_t{16} << 20;
@@ -33,7 +33,7 @@ inline std::string failure(const std::string& source, std::map<std::string, std:
 }
 
 /// What the scene's `scene:result("x", …)` says.
-inline lua::Value result(const std::string& source) { return open(source)->results().at("x"); }
+inline SceneValue result(const std::string& source) { return open(source)->results().at("x"); }
 inline double number(const std::string& source) { return std::get<double>(result(source)); }
 inline std::string word(const std::string& source) { return std::get<std::string>(result(source)); }
 

@@ -60,7 +60,7 @@ test("after", function() expect(vec(1, 2, 3)):near(vec(1, 2, 3.1), 0.2) expect(t
   CHECK_THAT(ran.printed, Contains("a_test.lua:6: the script did not come back"));
   CHECK_THAT(ran.printed, Contains("b_test.lua:1: attempt to perform arithmetic on a nil value"));
   CHECK_THAT(ran.printed, Contains("empty_test.lua: has no test"));
-  CHECK_THROWS_AS(run({folder / "nothing"}), lua::UsageError);
+  CHECK_THROWS_AS(run({folder / "nothing"}), UsageError);
 }
 
 TEST_CASE("tests open scenes, step them and read them") {

@@ -9,7 +9,7 @@ using namespace pantin::player;
 namespace {
 
 std::unique_ptr<lua::Scene> open(const std::string& script) {
-  lua::SceneOptions options;
+  SceneOptions options;
   options.home = sources::folder();
   return lua::Scene::open_text(script, "aim.lua", ".", options);
 }

@@ -9,7 +9,7 @@
 using namespace pantin::player;
 using namespace pantin::support;
 using Catch::Contains;
-using pantin::lua::UsageError;
+using pantin::UsageError;
 
 namespace {
 

@@ -2,14 +2,14 @@
 #include <string>
 #include <vector>
 
-#include "lua/error_text.hpp"
+#include "scene/errors.hpp"
 #include "lua/scene.hpp"
 #include "player/options.hpp"
 
 using namespace pantin::player;
 using Catch::Contains;
 using pantin::text;
-using pantin::lua::UsageError;
+using pantin::UsageError;
 
 namespace {
 
@@ -110,9 +110,9 @@ TEST_CASE("options: wrong use names what is wrong and what is allowed") {
 }
 
 TEST_CASE("message: a script's line is known") {
-  CHECK(pantin::lua::names_place("chain.lua:12: body: mass must be > 0 kg, got -1"));
-  CHECK(pantin::lua::names_place("a folder/my chain.lua:3: x"));
-  CHECK_FALSE(pantin::lua::names_place("there is no scene 'x': give a file"));
-  CHECK_FALSE(pantin::lua::names_place("cannot write a.csv: 12: no"));
-  CHECK_FALSE(pantin::lua::names_place(""));
+  CHECK(pantin::names_place("chain.lua:12: body: mass must be > 0 kg, got -1"));
+  CHECK(pantin::names_place("a folder/my chain.lua:3: x"));
+  CHECK_FALSE(pantin::names_place("there is no scene 'x': give a file"));
+  CHECK_FALSE(pantin::names_place("cannot write a.csv: 12: no"));
+  CHECK_FALSE(pantin::names_place(""));
 }

@@ -9,7 +9,7 @@
 #include "player/output.hpp"
 
 namespace fs = std::filesystem;
-using pantin::lua::UsageError;
+using pantin::UsageError;
 using pantin::player::Output;
 
 namespace {

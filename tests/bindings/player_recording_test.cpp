@@ -129,7 +129,7 @@ TEST_CASE("recording: scene.store is what it was, where it was undone and wherev
       scene:result("places", #store.made.places)
     end))");
   RecordedPerson person(folder / "scene.lua", folder / "play.rec", 5);
-  std::map<std::uint64_t, std::map<std::string, lua::Value>> known;
+  std::map<std::uint64_t, std::map<std::string, SceneValue>> known;
   for (std::uint64_t tick = 1; tick <= 1920; tick++) {
     person.step();
     if (tick % 240 == 0) known[tick] = person.scene().results();

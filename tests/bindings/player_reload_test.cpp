@@ -65,7 +65,7 @@ struct Played {
   static constexpr std::chrono::seconds second{1};
   Folder folder;
   std::string file = folder / "scene.lua";
-  lua::SceneOptions options;
+  SceneOptions options;
   Reload reload;
   std::unique_ptr<lua::Scene> scene;
   FileWatch::Clock::time_point now{};

@@ -59,7 +59,7 @@ TEST_CASE("report: every run is one thread's, and its cost the least of what eac
   CHECK_THAT(report_text(study, 1.0),
              Catch::Contains("milliseconds of processor time per simulated second, on one thread"));
   const char* const words[] = {"pantin", "report", "chain", "--threads", "2"};
-  CHECK_THROWS_AS(read_options(5, words), lua::UsageError);
+  CHECK_THROWS_AS(read_options(5, words), UsageError);
 }
 
 TEST_CASE("report: a step that is too long for the scene is a line of the table, and shorter ones are compared") {

@@ -34,7 +34,7 @@ class RecordedPerson {
     player::RecordingHead head{player::program_version(), named(path_), set, {}};
     for (const auto& [file, content] : reload_.files()) head.files[named(file)] = content;
     recorder_ = std::make_unique<player::Recorder>(record, head);
-    reload_.on_read = [this, named](const lua::FileRead& file) { recorder_->file(named(file.path), file.content); };
+    reload_.on_read = [this, named](const FileRead& file) { recorder_->file(named(file.path), file.content); };
     undo_.on_state = [this](std::uint64_t number, bool put_back) {
       put_back ? recorder_->restored(number) : recorder_->kept(number);
     };
@@ -181,7 +181,7 @@ class RecordedPerson {
   }
 
   std::string path_;
-  lua::SceneOptions options_;
+  SceneOptions options_;
   player::Reload reload_;
   std::unique_ptr<lua::Scene> scene_;
   std::unique_ptr<player::Recorder> recorder_;

@@ -152,7 +152,7 @@ bool can_play() {
 }
 
 std::unique_ptr<lua::Scene> open_chain() {
-  lua::SceneOptions options;
+  SceneOptions options;
   options.home = sources::folder();
   return lua::Scene::open(chain, options);
 }

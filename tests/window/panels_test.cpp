@@ -26,7 +26,7 @@ TEST_CASE("panels: a slider of a live parameter calls on_change, and the scene g
   CHECK(played.world().hands.size() <= 1);
   played.player->undo();  // the whole drag
   CHECK_FALSE(played.player->scene().results().contains("push"));
-  CHECK(played.player->scene().parameters()[0].value == lua::Value(1.0));
+  CHECK(played.player->scene().parameters()[0].value == SceneValue(1.0));
   played.player->redo();
   CHECK(played.result("push") == 10.0);
 }

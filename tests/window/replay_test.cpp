@@ -33,7 +33,7 @@ player::RunOptions run_options() {
 std::string recorded(const Folder& folder) {
   const std::string text = PlayedChain::text();
   support::write_file(folder / "scene.lua", text);
-  lua::SceneOptions options;
+  SceneOptions options;
   options.home = sources::folder();
   const auto scene = lua::Scene::open(folder / "scene.lua", options);
   player::Recorder recorder(folder / "play.rec",

@@ -45,7 +45,7 @@ void expect_no_complaint(const Played& played) {
 }
 
 std::uint64_t hash_without_window(const std::string& path, std::uint64_t steps) {
-  lua::SceneOptions options;
+  SceneOptions options;
   options.home = sources::folder();
   const auto scene = lua::Scene::open(path, options);
   while (scene->world().steps < steps) scene->step();

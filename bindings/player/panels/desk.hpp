@@ -27,7 +27,7 @@ struct Wishes {
   bool picture = false, film = false;                   ///< take one; begin or end one
   std::optional<Edit> edit;
   std::optional<double> speed;  ///< times the scene's pace
-  std::optional<std::pair<std::string, lua::Value>> parameter;
+  std::optional<std::pair<std::string, SceneValue>> parameter;
 };
 
 /// Range of the speed, times the scene's pace.

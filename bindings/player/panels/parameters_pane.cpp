@@ -14,7 +14,7 @@ class ParametersPane : public Pane {
  public:
   bool useful(const Desk& desk) const override { return !desk.scene.parameters().empty(); }
   void draw(Desk& desk) override {
-    for (const lua::Parameter& p : desk.scene.parameters()) {
+    for (const SceneParameter& p : desk.scene.parameters()) {
       ImGui::PushID(p.name.c_str());
       draw_one(desk, p);
       ImGui::PopID();
@@ -23,7 +23,7 @@ class ParametersPane : public Pane {
   void reset() override { edited_.clear(); }
 
  private:
-  void draw_one(Desk& desk, const lua::Parameter& p) {
+  void draw_one(Desk& desk, const SceneParameter& p) {
     if (std::holds_alternative<bool>(p.value)) {
       bool value = std::get<bool>(p.value);
       if (ImGui::Checkbox(p.name.c_str(), &value)) wish(desk, p, value);
@@ -36,31 +36,31 @@ class ParametersPane : public Pane {
     std::holds_alternative<double>(p.value) ? number(desk, p) : words(desk, p);
   }
 
-  static void tell(const lua::Parameter& p) {
+  static void tell(const SceneParameter& p) {
     if (!p.help.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", p.help.c_str());
   }
 
-  static void wish(Desk& desk, const lua::Parameter& p, const lua::Value& value) {
+  static void wish(Desk& desk, const SceneParameter& p, const SceneValue& value) {
     desk.wishes.parameter = {p.name, value};
   }
 
-  static std::string text_of(const lua::Value& value) {
+  static std::string text_of(const SceneValue& value) {
     if (const auto* number = std::get_if<double>(&value)) return to_text(*number);
     if (const auto* boolean = std::get_if<bool>(&value)) return *boolean ? "true" : "false";
     return std::get<std::string>(value);
   }
 
-  static void choose(Desk& desk, const lua::Parameter& p) {
+  static void choose(Desk& desk, const SceneParameter& p) {
     const auto* word = std::get_if<std::string>(&p.value);
     if (ImGui::BeginCombo("##choice", word ? word->c_str() : text_of(p.value).c_str())) {
-      for (const lua::Value& choice : p.choices)
+      for (const SceneValue& choice : p.choices)
         if (ImGui::Selectable(text_of(choice).c_str(), choice == p.value)) wish(desk, p, choice);
       ImGui::EndCombo();
     }
     tell(p);
   }
 
-  void words(Desk& desk, const lua::Parameter& p) {
+  void words(Desk& desk, const SceneParameter& p) {
     if (edited_ != p.name) written_ = std::get<std::string>(p.value);
     if (ImGui::InputText("##words", &written_)) edited_ = p.name;
     tell(p);
@@ -69,7 +69,7 @@ class ParametersPane : public Pane {
   }
 
   // A scene that opens slowly is opened with the new value when the slider is let go.
-  void number(Desk& desk, const lua::Parameter& p) {
+  void number(Desk& desk, const SceneParameter& p) {
     double value = edited_ == p.name ? number_ : std::get<double>(p.value);
     const char* format = p.integer && !(p.step && *p.step != std::trunc(*p.step)) ? "%.0f" : "%.6g";
     bool changed = false;
@@ -94,7 +94,7 @@ class ParametersPane : public Pane {
   }
 
   /// The nearest value that the parameter may have.
-  static double allowed(const lua::Parameter& p, double value) {
+  static double allowed(const SceneParameter& p, double value) {
     if (p.step) {
       const double base = p.min.value_or(std::get<double>(p.initial));
       double count = std::round((value - base) / *p.step);

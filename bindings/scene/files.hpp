@@ -2,13 +2,13 @@
 #include <optional>
 #include <string>
 
-namespace pantin::lua {
+namespace pantin {
 
 /// All of a file, or nothing where it cannot be read.
-std::optional<std::string> read_file(const std::string& path);
+std::optional<std::string> file_content(const std::string& path);
 /// "a" and "b" joined by a slash, or "b" where "a" is empty.
 std::string path_in(const std::string& folder, const std::string& name);
 /// Whether a relative path stays below the folder it begins in.
 bool stays_inside(const std::string& path);
 
-}  // namespace pantin::lua
+}  // namespace pantin

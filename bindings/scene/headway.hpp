@@ -1,7 +1,7 @@
 #pragma once
 #include "world/world.hpp"
 
-namespace pantin::lua {
+namespace pantin {
 
 /// Notices a scene that goes back in time again and again, so that it never comes to its end.
 class Headway {
@@ -17,4 +17,4 @@ class Headway {
   double wasted_ = 0.0;  ///< [s] simulated since it was farthest
 };
 
-}  // namespace pantin::lua
+}  // namespace pantin

@@ -8,7 +8,7 @@
 #include "base/color.hpp"
 #include "base/lanes.hpp"
 
-namespace pantin::lua {
+namespace pantin {
 
 struct Drawing {
   enum class Kind : std::uint8_t { line, arrow, text, point };
@@ -25,4 +25,4 @@ struct Drawing {
 constexpr std::size_t most_drawings = 10000;
 constexpr std::size_t longest_text = 1000;  ///< [bytes] of one
 
-}  // namespace pantin::lua
+}  // namespace pantin

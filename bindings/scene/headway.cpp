@@ -1,8 +1,8 @@
-#include "lua/headway.hpp"
+#include "scene/headway.hpp"
 
 #include <algorithm>
 
-namespace pantin::lua {
+namespace pantin {
 namespace {
 
 constexpr double patience = 100.0;  // times the whole
@@ -19,4 +19,4 @@ void Headway::check(const World& world) {
           " s of ", until_, " s: scene:finish() ends it, and --until says how far it is to come");
 }
 
-}  // namespace pantin::lua
+}  // namespace pantin

@@ -1,12 +1,12 @@
-#include "lua/files.hpp"
+#include "scene/files.hpp"
 
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
-namespace pantin::lua {
+namespace pantin {
 
-std::optional<std::string> read_file(const std::string& path) {
+std::optional<std::string> file_content(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return {};
   std::ifstream file(path, std::ios::binary);
@@ -27,4 +27,4 @@ bool stays_inside(const std::string& path) {
   return true;
 }
 
-}  // namespace pantin::lua
+}  // namespace pantin

@@ -1,0 +1,14 @@
+#pragma once
+
+namespace pantin {
+
+/// From now on a script that does not come back within a moment is stopped, whatever its limit, and its error leaves as
+/// Interrupted. May be called by a signal's handler.
+void interrupt_scripts() noexcept;
+bool scripts_interrupted() noexcept;
+/// Whether that moment has passed.
+bool scripts_must_end() noexcept;
+/// Scripts may take their time again.
+void allow_scripts() noexcept;
+
+}  // namespace pantin

@@ -1,0 +1,47 @@
+#pragma once
+// What a scene is opened with, and the parameters that it declares.
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace pantin {
+
+/// Of a parameter or a result.
+using SceneValue = std::variant<double, bool, std::string>;
+
+/// A file that a scene read.
+struct FileRead {
+  std::string path;
+  std::string content;
+};
+
+struct SceneOptions {
+  std::map<std::string, std::string> set;           ///< `--set`: parameter or `scene.FIELD` to its text
+  double script_limit = 5.0;                        ///< [s] of one call into the script; 0: none
+  std::size_t memory_limit = std::size_t{2} << 30;  ///< [bytes] of the script's memory
+  int threads = 1;                                  ///< for the laws; 0: as many as the machine has processors
+  std::string home;                                 ///< folder that holds `scripts/lib` and `scripts/behaviours`
+  /// The content of a file, or nothing where there is none; may be empty: from the disk.
+  std::function<std::optional<std::string>(const std::string& path)> read;
+  std::function<void(const FileRead&)> on_read;  ///< told each file that is read, even where the scene fails then
+  bool changing = false;                         ///< may be followed by the scene of a changed file, see `go_on_from`
+  bool forgiving = false;                        ///< what `set` says that does not fit the file is left out
+};
+
+/// What `scene:param` declared.
+struct SceneParameter {
+  std::string name;
+  SceneValue value;
+  SceneValue initial;
+  std::optional<double> min, max, step;
+  std::vector<SceneValue> choices;
+  std::string help;
+  bool live = false;     ///< has `on_change`; else a change rebuilds the scene
+  bool integer = false;  ///< its default is a whole number without a point
+};
+
+}  // namespace pantin
