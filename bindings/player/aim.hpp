@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "lua/scene.hpp"
+#include "lua/scene/scene.hpp"
 #include "view/camera.hpp"
 #include "view/stage.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "lua/scene.hpp"
+#include "lua/scene/scene.hpp"
 
 namespace pantin::player {
 
@@ -24,7 +24,7 @@ int bench(const BenchOptions& options) {
     std::string known;
     for (const Benchmark& benchmark : all) known += (known.empty() ? "" : ", ") + benchmark.name;
     throw UsageError(text("there is no benchmark '", arguments[0], "'; there are: ",
-                               known.empty() ? "none, in this program: ./pantin bench builds one with them" : known));
+                          known.empty() ? "none, in this program: ./pantin bench builds one with them" : known));
   }
   found->run({{arguments.begin() + 1, arguments.end()}, options.peers});
   return 0;

@@ -2,7 +2,7 @@
 #include <optional>
 #include <string>
 
-#include "lua/scene.hpp"
+#include "lua/scene/scene.hpp"
 
 namespace pantin::player {
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "lua/scene.hpp"
+#include "lua/scene/scene.hpp"
 
 namespace fs = std::filesystem;
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "lua/scene.hpp"
+#include "lua/scene/scene.hpp"
 #include "view/overlay.hpp"
 
 namespace pantin::player {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lua/scene.hpp"
+#include "lua/scene/scene.hpp"
 #include "view/views.hpp"
 
 namespace pantin::player {

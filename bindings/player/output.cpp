@@ -10,7 +10,7 @@
 #include <fstream>
 #include <utility>
 
-#include "lua/scene.hpp"
+#include "lua/scene/scene.hpp"
 
 namespace fs = std::filesystem;
 

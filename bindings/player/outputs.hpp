@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "lua/scene.hpp"
+#include "lua/scene/scene.hpp"
 #include "player/options.hpp"
 #include "player/output.hpp"
 #include "player/pictures.hpp"

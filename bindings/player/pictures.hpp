@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lua/scene.hpp"
+#include "lua/scene/scene.hpp"
 #include "player/aim.hpp"
 #include "player/frame_clock.hpp"
 #include "player/options.hpp"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "lua/scene.hpp"
+#include "lua/scene/scene.hpp"
 #include "player/aim.hpp"
 #include "player/browser.hpp"
 #include "player/live_film.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 #include <thread>
 
-#include "lua/scene.hpp"
+#include "lua/scene/scene.hpp"
 #include "view/renderer.hpp"
 #include "view/texture.hpp"
 

@@ -7,9 +7,9 @@
 #include <new>
 #include <string>
 
-#include "lua/annotations.hpp"
-#include "lua/reference.hpp"
-#include "lua/scene.hpp"
+#include "lua/meta/annotations.hpp"
+#include "lua/meta/reference.hpp"
+#include "lua/scene/scene.hpp"
 #include "player/bench.hpp"
 #include "player/home.hpp"
 #include "player/message.hpp"

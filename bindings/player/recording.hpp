@@ -22,7 +22,7 @@
 #include <variant>
 #include <vector>
 
-#include "lua/scene.hpp"
+#include "lua/scene/scene.hpp"
 
 namespace pantin::player {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "lua/scene.hpp"
+#include "lua/scene/scene.hpp"
 #include "player/file_watch.hpp"
 #include "world/input.hpp"
 

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "choreography/hands.hpp"
-#include "scene/files.hpp"
-#include "lua/inspect.hpp"
+#include "lua/scene/inspect.hpp"
 #include "measure/measure.hpp"
+#include "scene/files.hpp"
 
 namespace pantin::player {
 namespace {

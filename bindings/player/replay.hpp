@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lua/scene.hpp"
+#include "lua/scene/scene.hpp"
 #include "player/kept_places.hpp"
 #include "player/options.hpp"
 #include "player/recording.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "lua/scene.hpp"
+#include "lua/scene/scene.hpp"
 
 namespace pantin::player {
 

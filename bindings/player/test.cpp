@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "lua/tests.hpp"
+#include "lua/test/tests.hpp"
 
 namespace pantin::player {
 

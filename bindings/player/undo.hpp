@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "lua/scene.hpp"
+#include "lua/scene/scene.hpp"
 #include "player/table.hpp"
 #include "view/palette.hpp"
 

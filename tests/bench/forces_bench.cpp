@@ -17,7 +17,7 @@
 #include "forces/forces.hpp"
 #include "laws/program.hpp"
 #include "laws/run/bonds.hpp"
-#include "lua/scene.hpp"
+#include "lua/scene/scene.hpp"
 #include "player/bench.hpp"
 #include "support/process.hpp"
 

@@ -6,9 +6,9 @@
 #include <sstream>
 
 #include "bindings/lua_support.hpp"
-#include "lua/annotations.hpp"
-#include "lua/fields.hpp"
-#include "lua/reference.hpp"
+#include "lua/meta/annotations.hpp"
+#include "lua/meta/reference.hpp"
+#include "lua/thing/fields.hpp"
 #include "support/sources.hpp"
 #include "view/keys.hpp"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "lua/equality.hpp"
+#include "lua/law/equality.hpp"
 
 using namespace pantin;
 

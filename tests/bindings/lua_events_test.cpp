@@ -1,6 +1,6 @@
 #include "bindings/lua_support.hpp"
 #include "choreography/hands.hpp"
-#include "lua/script.hpp"
+#include "lua/thing/script.hpp"
 
 using namespace pantin;
 using namespace pantin::lua_tests;

@@ -5,8 +5,8 @@
 
 #include "bindings/lua_support.hpp"
 #include "laws/program.hpp"
-#include "lua/force.hpp"
-#include "lua/script.hpp"
+#include "lua/law/force.hpp"
+#include "lua/thing/script.hpp"
 
 namespace pantin::lua_tests {
 

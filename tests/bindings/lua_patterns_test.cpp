@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "bindings/lua_support.hpp"
-#include "lua/sandbox.hpp"
+#include "lua/library/sandbox.hpp"
 
 using namespace pantin;
 using namespace pantin::lua_tests;

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "laws/law.hpp"
-#include "lua/scene.hpp"
+#include "lua/scene/scene.hpp"
 #include "step/step.hpp"
 #include "world/world.hpp"
 

@@ -6,10 +6,10 @@
 #include <sstream>
 
 #include "bindings/lua_support.hpp"
-#include "lua/annotations.hpp"
-#include "lua/fields.hpp"
-#include "lua/reference.hpp"
-#include "lua/tests.hpp"
+#include "lua/meta/annotations.hpp"
+#include "lua/meta/reference.hpp"
+#include "lua/test/tests.hpp"
+#include "lua/thing/fields.hpp"
 #include "support/process.hpp"
 #include "view/keys.hpp"
 

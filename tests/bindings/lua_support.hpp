@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "lua/scene.hpp"
+#include "lua/scene/scene.hpp"
 #include "support/sources.hpp"
 
 namespace pantin::lua_tests {

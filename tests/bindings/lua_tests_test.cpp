@@ -1,5 +1,5 @@
 // The runner of tests written in Lua, and what reads files: on a folder of its own.
-#include "lua/tests.hpp"
+#include "lua/test/tests.hpp"
 
 #include <cstdio>
 #include <cstdlib>

@@ -3,7 +3,7 @@
 #include <regex>
 #include <sstream>
 
-#include "lua/scene.hpp"
+#include "lua/scene/scene.hpp"
 #include "player/animation.hpp"
 #include "player/trajectory.hpp"
 #include "support/process.hpp"

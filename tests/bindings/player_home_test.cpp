@@ -2,7 +2,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "lua/scene.hpp"
+#include "lua/scene/scene.hpp"
 #include "player/home.hpp"
 #include "support/process.hpp"
 

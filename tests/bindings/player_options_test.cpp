@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
-#include "scene/errors.hpp"
-#include "lua/scene.hpp"
+#include "lua/scene/scene.hpp"
 #include "player/options.hpp"
+#include "scene/errors.hpp"
 
 using namespace pantin::player;
 using Catch::Contains;

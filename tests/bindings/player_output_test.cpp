@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "lua/scene.hpp"
+#include "lua/scene/scene.hpp"
 #include "player/output.hpp"
 
 namespace fs = std::filesystem;

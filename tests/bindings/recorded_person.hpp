@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "choreography/hands.hpp"
-#include "lua/inspect.hpp"
+#include "lua/scene/inspect.hpp"
 #include "measure/measure.hpp"
 #include "measure/query.hpp"
 #include "player/recording.hpp"

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <thread>
 
-#include "lua/scene.hpp"
+#include "lua/scene/scene.hpp"
 #include "measure/query.hpp"
 #include "player/aim.hpp"
 #include "support/process.hpp"

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "lua/inspect.hpp"
-#include "lua/scene.hpp"
+#include "lua/scene/inspect.hpp"
+#include "lua/scene/scene.hpp"
 #include "player/pacing.hpp"
 #include "player/table.hpp"
 #include "view/views.hpp"

@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "lua/inspect.hpp"
+#include "lua/scene/inspect.hpp"
 #include "player/panels/pane.hpp"
 
 namespace pantin::player {

@@ -1,0 +1,30 @@
+#pragma once
+#include <limits>
+#include <lua.hpp>
+#include <optional>
+
+#include "lua/law/force.hpp"
+
+namespace pantin::lua {
+
+class Options;
+
+/// What laws of pairs have in common.
+struct PairOptions {
+  double cutoff = std::numeric_limits<double>::infinity();  ///< [m]
+  std::optional<bool> shift;
+  bool one_sided = false;
+  int exclude = 0;  ///< connections
+  Solve solve = Solve::explicitly;
+};
+PairOptions read_pair_options(const Options& options);
+/// `implicit`: true, "dissipative" or false.
+Solve read_implicit(const Options& options);
+
+/// Pushes a law as a value. Its function, where it has one, is to be set as user value 1.
+void push_law(lua_State* state, LawSpec spec);
+
+/// Adds `spring`, `lennard_jones` and the others of the engine's library to the table at the top.
+void add_library_laws(lua_State* state);
+
+}  // namespace pantin::lua

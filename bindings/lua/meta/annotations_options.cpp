@@ -1,0 +1,261 @@
+// Annotations of the tables that calls are given: each field with its unit, and what holds where it is left out.
+#include "lua/meta/annotations.hpp"
+
+namespace pantin::lua {
+
+const char* const annotations_options = R"(---@class NameOptions
+---@field name? string what messages and scene:find call it (default `""`)
+
+---How particles look, and how heavy they are.
+---@class LookOptions
+---@field mass? number [kg] (default `1`, or its family's)
+---@field radius? Curve<number> [m] drawn size, and that of balls in laws (default `0.05`, or its family's)
+---@field color? Curve<color> (default blue, or its family's)
+---@field look? Look (default `"ball"`, or its family's)
+
+---@class ParticleOptions: NameOptions, LookOptions
+---@field at? vec [m] position (default `vec(0, 0, 0)`)
+---@field velocity? vec [m/s] (default `vec(0, 0, 0)`)
+---@field family? Family (default none)
+---@field lifetime? number [s] after which it goes (default `math.huge`)
+---@field [string] Curve<number> [each its own] attributes of its family
+
+---@class FamilyOptions: LookOptions
+---@field attributes? table<string, Curve<number>>|string[] [each its own] values of a particle that gives none; of names alone 0 (default `{}`)
+
+---@class EmitterOptions: NameOptions, LookOptions
+---@field rate number|fun(t: number): number [1/s] particles per second
+---@field at? vec|vec[]|Point|Particle [m] a position, a box { vec, vec }, or what carries it (default `vec(0, 0, 0)`)
+---@field velocity? vec [m/s] relative to what carries it (default `vec(0, 0, 0)`)
+---@field spread? number [rad] half angle of the cone of velocities (default `0`)
+---@field lifetime? number|{ min: number, max: number } [s] of its particles, or between which it is random (default `math.huge`)
+---@field max? integer particles of it that may live at once (default `math.huge`)
+---@field family? Family of its particles (default none)
+---@field enabled? boolean whether it makes particles (default `true`)
+---@field [string] Curve<number> [each its own] attributes of its family
+
+---@class PointOptions
+---@field at? vec [m] position in the body's frame (default `vec(0, 0, 0)`)
+---@field mass? number [kg] (default `0`, an anchor)
+---@field radius? number [m] drawn size (default `0`: the window chooses)
+---@field color? color (default the body's)
+---@field family? Family (default none)
+---@field [string] number [each its own] attributes of its family
+
+---@class AddPointOptions: PointOptions
+---@field name? string by which the body has it as a field (default none)
+
+---Moments and products of inertia; a list of the six in this order is understood, too.
+---@class Inertia
+---@field xx? number [kg m²] (default `0`)
+---@field yy? number [kg m²] (default `0`)
+---@field zz? number [kg m²] (default `0`)
+---@field xy? number [kg m²] (default `0`)
+---@field xz? number [kg m²] (default `0`)
+---@field yz? number [kg m²] (default `0`)
+
+---It needs masses enough to turn: of its points, or its own mass and inertia.
+---@class BodyOptions: NameOptions
+---@field points? table<integer|string, vec|PointOptions> [m] in its frame, a list or by name; a vec is a position without mass (default `{}`)
+---@field at? vec [m] position of its frame's origin (default `vec(0, 0, 0)`)
+---@field orientation? quat turns its frame to the world (default `quat(vec(0, 0, 1), 0)`)
+---@field velocity? vec [m/s] of its centre of mass (default `vec(0, 0, 0)`)
+---@field spin? vec [rad/s] angular velocity, world axes (default `vec(0, 0, 0)`)
+---@field mass? number [kg] beside its points', at its frame's origin (default `0`)
+---@field inertia? vec|Inertia|number[] [kg m²] beside its points', about its frame's origin in the frame's axes; a vec is the diagonal (default `vec(0, 0, 0)`)
+---@field color? color of its points (default orange)
+
+---Loads, and of a constraint or connection the length, at which it breaks.
+---@class Breaking
+---@field force? number [N] (default `math.huge`)
+---@field torque? number [N m] of a constraint or hinge (default `math.huge`)
+---@field length? number [m] of a constraint or connection (default `math.huge`)
+
+---@class HingeOptions: NameOptions
+---@field color? color (default its points')
+---@field radius? number [m] (default its points')
+---@field lifetime? number [s] after which it is cut (default `math.huge`)
+---@field family? Family (default the first point's)
+---@field axis? vec [1] the bodies given here turn about it only, against each other; world axes (default none: about any)
+---@field breaks_at? Breaking (default `{}`)
+
+---@class TieOptions: NameOptions
+---@field time_constant? number [s] with which what is far is drawn there, critically damped (default `0.1`)
+
+---@class FollowOptions: NameOptions
+---@field time_constant? number [s] with which what is far is drawn there, critically damped (default `0.05`)
+---@field max_force? number [N] it never pulls harder (default `math.huge`)
+
+---@class ConstraintOptions: NameOptions
+---@field breaks_at? Breaking (default `{}`)
+
+---@class OrientOptions: ConstraintOptions
+---@field time_constant? number [s] with which what is far is drawn there, critically damped (default `0.1`)
+
+---@class AlignOptions: OrientOptions
+---@field angle? number|fun(t: number): number [rad] of 0 to π (default the present one)
+
+---One of speed and angle must be given.
+---@class MotorOptions: OrientOptions
+---@field axis? vec [1] world axes; it stays fixed in a (default the normal of scene.plane; without one it must be given)
+---@field speed? number|fun(t: number): number [rad/s] of a against b (default none)
+---@field angle? number|fun(t: number): number [rad] of a against b, 0 where it is now (default none)
+---@field max_torque? number [N m] it never pushes harder (default `math.huge`)
+
+---@class LimitOptions: OrientOptions
+---@field axis? vec [1] of an angle; world axes (default the normal of scene.plane; without one it must be given)
+---@field min? number [rad or m] (default `-math.huge`; of a distance 0)
+---@field max? number [rad or m] (default `math.huge`)
+---@field length? number [m] of a distance, the same as max (default none)
+
+---@class StringOptions: OrientOptions
+---@field length? number|fun(t: number): number [m] the most that it is long (default the present one)
+
+---@class PathOptions: OrientOptions
+---@field smooth? boolean a spline with continuous curvature; else straight pieces (default `false`)
+---@field closed? boolean its end is its beginning (default `false`)
+
+---@class PlaneOptions: OrientOptions
+---@field through? vec [m] a position on the plane (default where the point is)
+---@field normal? vec [1] across the plane, world axes (default `vec(0, 1, 0)`)
+
+---@class JoinOptions
+---@field at? vec [m] where they meet (default on their way to each other)
+---@field time_constant? number [s] with which they are drawn together (default `0.05`)
+---@field max_force? number [N] it never pulls harder, until they are near (default `math.huge`)
+---@field on_met? fun(hinge: Particle) called in the step after (default none)
+---@field name? string of the hinge (default `""`)
+
+---@class HandOptions
+---@field path? fun(t: number): vec [m] its position at a time [s] (default none)
+
+---@class GrabOptions
+---@field max_force? number [N] it never pulls harder (default 20 times the weight of what hangs on the point)
+
+---@class BondingOptions
+---@field families Family|Family[] one, or two
+---@field near number [m] at most so far apart
+---@field below number [K] bonds are made
+---@field above number [K] bonds break
+---@field law? Law of the connections that are made; this or hinge (default none)
+---@field implicit? boolean|"dissipative" of those connections, as in connect (default as of the law)
+---@field hinge? boolean what is near is joined to a hinge (default `false`)
+---@field time_constant? number [s] of that (default `0.05`)
+
+---One limit, and what it is of.
+---@class Condition
+---@field temperature_above? number [K] (default none)
+---@field temperature_below? number [K] (default none)
+---@field energy_above? number [J] (default none)
+---@field energy_below? number [J] (default none)
+---@field force_above? number [N] of a hinge, constraint or connection (default none)
+---@field force_below? number [N] (default none)
+---@field distance_above? number [m] of a list of two things or positions (default none)
+---@field distance_below? number [m] (default none)
+---@field count_above? number [1] of a group or family (default none)
+---@field count_below? number [1] (default none)
+---@field of? Thing|Scene|(Thing|vec)[] [m] (default the scene)
+
+---@class WhenOptions
+---@field mean? number [s] over which the measure is averaged (default `0`)
+---@field again? boolean at each crossing (default `false`)
+---@field hysteresis? number [as the limit] how far back beyond the limit before it may cross again (default `0`)
+
+---Functions of what is at work, which looks up in the behaviour what it does not have; its fields target and options are what scene:behave was given.
+---@class Behaviour
+---@field start? fun(self: table) at once (default none)
+---@field step? fun(self: table, dt: number) at the beginning of each step, of dt [s] (default none)
+---@field stop? fun(self: table) when it ends (default none)
+
+---@class LineOptions
+---@field color? color (default what shows on the background)
+---@field width? number [px] (default `2`)
+---@field space? "scene"|"screen" where positions are: in m or in px (default `"scene"`)
+
+---@class MarkOptions
+---@field color? color (default what shows on the background)
+---@field size? number [px] diameter of a point, height of letters (default `8` of a point, `14` of text)
+---@field space? "scene"|"screen" where positions are: in m or in px (default `"scene"`)
+
+---@class Camera
+---@field at? vec [m] where it is (default from where all is seen)
+---@field look_at? vec [m] what is in the middle (default the middle of all)
+---@field follow? Thing what it goes along with (default none)
+
+---@class ParamOptions
+---@field min? number [its own] (default none)
+---@field max? number [its own] (default none)
+---@field step? number [its own] (default none)
+---@field help? string what it does (default `""`)
+---@field choices? any[] the values that it may have (default all)
+---@field on_change? fun(value: any) changes it while the scene runs; without it the scene starts anew (default none)
+
+---@alias BuildForm "deformable"|"rigid"|"articulated"|"panels" particles tied by laws, one body, or rods or plates with hinges
+
+---What each vertex, edge or face becomes; nothing where the function returns nil.
+---@class BuildForms
+---@field vertices? fun(at: vec, number: integer): BuildForm? [m] deformable or rigid (default none)
+---@field edges? fun(a: vec, b: vec, number: integer): BuildForm? [m] deformable, rigid or articulated (default none)
+---@field faces? fun(middle: vec, number: integer): BuildForm? [m] deformable, rigid or panels (default none)
+
+---@class BuildOptions
+---@field as BuildForm|BuildForms|fun(at: vec, number: integer): BuildForm? a function alone is of vertices
+---@field law? Law on edges that are not within a body (default none)
+---@field laws? { edge?: Law, angle?: Law, torsion?: Law } instead: on edges, pairs of edges that meet, and three in a row (default none)
+---@field mass? number [kg] of all (default `1`)
+---@field mass_in? "points"|"edges"|"faces"|"solid" where it is (default edges if articulated, faces of panels, else points)
+---@field at? vec [m] position of the structure's origin (default `vec(0, 0, 0)`)
+---@field velocity? vec [m/s] (default `vec(0, 0, 0)`)
+---@field family? Family of the particles (default none)
+---@field color? color of particles and points (default as of those made alone)
+---@field radius? number [m] of particles and points (default as of those made alone)
+---@field axis? vec [1] hinges turn about it only; world axes (default none: about any)
+---@field name? string of the group (default `""`)
+
+---@class EdgeOptions
+---@field edge? number [m] length of an edge (default `1`)
+
+---@class PolygonOptions: EdgeOptions
+---@field sides? integer (default `6`)
+
+---@class PrismOptions: PolygonOptions
+---@field height? number [m] (default `1`)
+
+---@class PiecesOptions
+---@field length? number [m] (default `1`)
+---@field pieces? integer (default `1`)
+
+---@class SheetOptions: EdgeOptions
+---@field columns? integer (default `1`)
+---@field rows? integer (default `1`)
+
+---@class RotatingSquaresOptions: SheetOptions
+---@field angle? number [rad] of 0 to π/4 (default `0`)
+
+---@class ReentrantOptions: SheetOptions
+---@field rib? number [m] length of the upright ribs (default twice the edge)
+---@field angle? number [rad] by which edges rise inwards (default `0.5`)
+
+---@class RingOptions
+---@field sides? integer (default `12`)
+---@field radius? number [m] (default `1`)
+
+---@class GeodesicOptions
+---@field divisions? integer how often each triangle becomes four (default `2`)
+---@field radius? number [m] (default `1`)
+
+---@class LatticeOptions: EdgeOptions
+---@field kind? "cubic"|"fcc"|"bcc"|"diamond"|"square"|"triangular"|"honeycomb"|"kagome" the last four are flat (default `"cubic"`)
+---@field cells? integer|vec [1] in each direction (default `1`)
+
+---@class MoleculeOptions
+---@field scale? number [m/Å] (default `1`)
+
+---@class StructureParts
+---@field vertices vec[] [m] positions
+---@field edges? integer[][] pairs of numbers of vertices; those of faces need not be given (default `{}`)
+---@field faces? integer[][] lists of numbers of vertices, counter-clockwise seen from outside (default `{}`)
+
+)";
+
+}  // namespace pantin::lua

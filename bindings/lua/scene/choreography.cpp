@@ -1,0 +1,193 @@
+#include "lua/scene/choreography.hpp"
+
+#include <cmath>
+
+#include "choreography/choreography.hpp"
+#include "lua/thing/fields.hpp"
+#include "lua/thing/script.hpp"
+#include "lua/thing/targets.hpp"
+#include "lua/value/arguments.hpp"
+#include "lua/vm/guard.hpp"
+
+namespace pantin::lua {
+namespace {
+
+int push_target(lua_State* state, Script& script, const AnyId& target) {
+  if (std::holds_alternative<std::monostate>(target)) return 0;
+  push_thing(state, script, target);
+  return 1;
+}
+
+/// A removed thing that is used ends this action only.
+template <class Call>
+void in_event(Script& script, Call call) {
+  try {
+    call();
+  } catch (const StaleHandle& error) { log_line(script.world, "dropped", error.what()); }
+}
+
+/// `[target,] action`, from `index` on; returns the index after them.
+int take_action(lua_State* state, int index, const char* call, Script& script, Event& event) {
+  const bool with_target = !lua_isfunction(state, index);
+  if (with_target)
+    event.target = any_of(check_thing(state, index, call, argument(index - 1) + ", the target or action,"));
+  if (with_target) index++;
+  const Callback function = check_function(state, index, call, argument(index - 1) + ", the action,");
+  event.label = where(state);
+  event.action = [&script, function, target = event.target] {
+    in_event(script, [&] { function.call([&](lua_State* s) { return push_target(s, script, target); }); });
+  };
+  event.progress = [&script, function, target = event.target](double u) {
+    in_event(script, [&] {
+      function.call([&](lua_State* s) {
+        lua_pushnumber(s, u);
+        return 1 + push_target(s, script, target);
+      });
+    });
+  };
+  return index + 1;
+}
+
+int put(lua_State* state, const Self& self, Event event) {
+  push_event(state, self.script, add_event(self.world, std::move(event)));
+  return 1;
+}
+
+double check_time(lua_State* state, int index, const char* call, const char* name) {
+  const double time = check_number(state, index, call, argument(index - 1) + ", the " + name + ",", "s");
+  require(time >= 0, call, ": ", argument(index - 1), ", the ", name, ", must be >= 0 s, got ", time);
+  return time;
+}
+
+void require_coming(const World& world, const char* call, double time) {
+  require(with_round_off(time) >= world.time, call, ": argument 1, the time, must not be past: got ", time,
+          " s, and it is ", world.time, " s now");
+}
+
+int cancel_event(lua_State* state) {
+  const Self self = check_self(state, Kind::event, "cancel");
+  cancel(self.world, self.ref.id<EventId>());
+  return 0;
+}
+
+const char* name_of(EventState state) {
+  static constexpr const char* names[] = {"waiting", "fired", "dropped", "cancelled"};
+  return names[static_cast<std::size_t>(state)];
+}
+
+const char* name_of(EventKind kind) {
+  static constexpr const char* names[] = {"at", "every", "over", "when", "play"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+void push_entry(lua_State* state, const TimelineEntry& entry) {
+  lua_createtable(state, 0, 9);
+  const auto set_number = [&](const char* name, double value) {
+    lua_pushnumber(state, value);
+    lua_setfield(state, -2, name);
+  };
+  const auto set_text = [&](const char* name, const std::string& value) {
+    if (value.empty()) return;
+    lua_pushlstring(state, value.data(), value.size());
+    lua_setfield(state, -2, name);
+  };
+  set_text("kind", name_of(entry.kind));
+  set_text("state", name_of(entry.state));
+  if (!std::isnan(entry.time)) set_number("time", entry.time);
+  if (entry.kind == EventKind::over) {
+    set_number("from", entry.from);
+    set_number("to", entry.until);
+  }
+  if (entry.kind == EventKind::every) set_number("period", entry.period);
+  lua_pushinteger(state, static_cast<lua_Integer>(entry.fired));
+  lua_setfield(state, -2, "fired");
+  set_text("label", entry.label);
+  set_text("target", entry.target);
+}
+
+}  // namespace
+
+int scene_at(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "at");
+  Event event;
+  event.time = check_time(state, 2, "at", "time");
+  require_coming(self.world, "at", event.time);
+  take_action(state, 3, "at", self.script, event);
+  return put(state, self, std::move(event));
+}
+
+int scene_after(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "after");
+  Event event;
+  event.time = self.world.time + check_time(state, 2, "after", "delay");
+  take_action(state, 3, "after", self.script, event);
+  return put(state, self, std::move(event));
+}
+
+int scene_every(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "every");
+  Event event;
+  event.kind = EventKind::every;
+  event.time = self.world.time;
+  event.period = check_number(state, 2, "every", "argument 1, the period,", "s");
+  require(event.period > 0, "every: argument 1, the period, must be > 0 s, got ", event.period);
+  take_action(state, 3, "every", self.script, event);
+  return put(state, self, std::move(event));
+}
+
+int scene_over(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "over");
+  Event event;
+  event.kind = EventKind::over;
+  event.time = check_time(state, 2, "over", "beginning");
+  event.until = check_time(state, 3, "over", "end");
+  require_coming(self.world, "over", event.time);
+  require(event.until > event.time, "over: argument 2, the end, must be after the beginning at ", event.time,
+          " s, got ", event.until, " s");
+  take_action(state, 4, "over", self.script, event);
+  return put(state, self, std::move(event));
+}
+
+int scene_when(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "when");
+  Event event;
+  event.kind = EventKind::when;
+  const int options = take_action(state, 3, "when", self.script, event);
+  event.condition = check_condition(state, 2, options, self.script);
+  return put(state, self, std::move(event));
+}
+
+int scene_play(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "play");
+  Event event;
+  event.kind = EventKind::play;
+  event.time = self.world.time;
+  const int after = take_action(state, 2, "play", self.script, event);
+  event.goes = play_of(state, after - 1, self.script, event.target);
+  return put(state, self, std::move(event));
+}
+
+void push_timeline(lua_State* state, const World& world) {
+  const std::vector<TimelineEntry> entries = timeline(world);
+  lua_createtable(state, static_cast<int>(entries.size()), 0);
+  lua_Integer i = 0;
+  for (const TimelineEntry& entry : entries) {
+    push_entry(state, entry);
+    lua_rawseti(state, -2, ++i);
+  }
+}
+
+const Type& event_type() {
+  static const Type type = {
+      "Event",
+      "event",
+      "Something set to happen.",
+      {{"state", "string", "", "\"waiting\", \"fired\", \"dropped\" or \"cancelled\"",
+        [](const Self& s) { lua_pushstring(s.state, name_of(state_of_event(s.ref))); }, nullptr}},
+      {{"cancel", guard<cancel_event>, "", "", "Takes it out of the choreography; one that fired stays as it is.",
+        "local alarm = scene:at(5, function() print(\"late\") end)\n"
+        "alarm:cancel()"}}};
+  return type;
+}
+
+}  // namespace pantin::lua

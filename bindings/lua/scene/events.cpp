@@ -1,0 +1,203 @@
+#include "lua/scene/events.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "choreography/hands.hpp"
+#include "lua/thing/fields.hpp"
+#include "lua/thing/point_constraint_options.hpp"
+#include "lua/thing/script.hpp"
+#include "lua/value/arguments.hpp"
+#include "lua/vm/guard.hpp"
+
+namespace pantin::lua {
+namespace {
+
+/// Drops what was cancelled once it is most of the list.
+void tidy(Script& script) {
+  if (script.telling > 0 || 2 * script.cancelled <= script.subscriptions.size() + 64) return;
+  std::erase_if(script.subscriptions, [](const Subscription& s) { return !s.function; });
+  script.cancelled = 0;
+}
+
+void end_subscription(Script& script, std::size_t index) {
+  Subscription& subscription = script.subscriptions[index];
+  const std::optional<Callback> stop = std::exchange(subscription.stop, {});
+  subscription.function.reset();
+  script.cancelled++;
+  if (stop) stop->call();
+}
+
+int cancel_subscription(lua_State* state) {
+  const Self self = check_self(state, Kind::subscription, "cancel");
+  auto& list = self.script.subscriptions;
+  const auto found = std::lower_bound(list.begin(), list.end(), self.ref.serial,
+                                      [](const Subscription& s, std::uint64_t serial) { return s.serial < serial; });
+  if (found == list.end() || found->serial != self.ref.serial || !found->function) return 0;
+  end_subscription(self.script, static_cast<std::size_t>(found - list.begin()));
+  tidy(self.script);
+  return 0;
+}
+
+const char* const moments[] = {"step", "press", "release", "key", "grab", "drop", "cut", "broke", "joined", "removed"};
+
+const char* name_of(Notice::Kind kind) {
+  switch (kind) {
+    case Notice::Kind::removed: return "removed";
+    case Notice::Kind::cut: return "cut";
+    case Notice::Kind::broke: return "broke";
+    case Notice::Kind::joined: return "joined";
+    case Notice::Kind::grab: return "grab";
+    case Notice::Kind::drop: return "drop";
+    case Notice::Kind::press: return "press";
+    case Notice::Kind::release: return "release";
+    case Notice::Kind::key: return "key";
+    case Notice::Kind::button: break;
+  }
+  return "button";
+}
+
+/// The arguments of a callback for a notice; returns how many.
+int push_notice(lua_State* state, Script& script, const Notice& notice) {
+  switch (notice.kind) {
+    case Notice::Kind::press:
+    case Notice::Kind::release: push_hand(state, script, notice.hand); return 1;
+    case Notice::Kind::key: lua_pushlstring(state, notice.text.data(), notice.text.size()); return 1;
+    case Notice::Kind::grab:
+    case Notice::Kind::drop:
+      push_thing(state, script, notice.thing);
+      push_hand(state, script, notice.hand);
+      return 2;
+    case Notice::Kind::cut:
+    case Notice::Kind::joined: push_thing(state, script, notice.thing); return 1;
+    case Notice::Kind::broke:
+      push_thing(state, script, notice.thing);
+      lua_pushnumber(state, notice.force);
+      lua_pushlstring(state, notice.text.data(), notice.text.size());
+      return 3;
+    case Notice::Kind::removed:
+      push_thing(state, script, notice.thing);
+      lua_pushlstring(state, notice.text.data(), notice.text.size());
+      return 2;
+    case Notice::Kind::button: break;
+  }
+  return 0;
+}
+
+/// Keeps the subscriptions in their places while it lives.
+struct Telling {
+  explicit Telling(Script& s) : script(s) { script.telling++; }
+  ~Telling() { script.telling--; }
+  Telling(const Telling&) = delete;
+  Telling& operator=(const Telling&) = delete;
+  Script& script;
+};
+
+/// Calls those who wait for a moment, or for that key, in the order of asking; those who ask meanwhile wait for the next.
+void tell(Script& script, std::string_view moment, const std::string& key, const std::function<int(lua_State*)>& push) {
+  {
+    const Telling telling(script);
+    for (std::size_t i = 0, count = script.subscriptions.size(); i < count; i++) {
+      if (script.subscriptions[i].name != moment) continue;
+      if (!script.subscriptions[i].key.empty() && script.subscriptions[i].key != key) continue;
+      const std::optional<Callback> function = script.subscriptions[i].function;
+      const AnyId target = script.subscriptions[i].target;
+      if (!function) continue;
+      if (std::holds_alternative<std::monostate>(target) || alive(script.world, target))
+        function->call(push);
+      else
+        end_subscription(script, i);
+    }
+  }
+  tidy(script);
+}
+
+}  // namespace
+
+int subscribe(lua_State* state, Script& script, Subscription subscription) {
+  const std::uint64_t serial = ++script.subscribed;
+  subscription.serial = serial;
+  script.subscriptions.push_back(std::move(subscription));
+  push_ref(state, make_ref(script, Kind::subscription, static_cast<std::uint32_t>(serial),
+                           static_cast<std::uint32_t>(serial >> 32), serial));
+  return 1;
+}
+
+int scene_on(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "on");
+  const std::vector<std::string> names(std::begin(moments), std::end(moments));
+  const std::string name = check_text(state, 2, "on", "argument 1, the moment,");
+  require(std::find(names.begin(), names.end(), name) != names.end(), "on: unknown moment '", name, "'.",
+          suggestion(name, names), " Known are ", joined(names));
+  if (name != "key" || lua_type(state, 3) != LUA_TSTRING)
+    return subscribe(state, self.script, {0, name, check_function(state, 3, "on", "argument 2")});
+  const std::string key = check_text(state, 3, "on", "argument 2, the key,");
+  return subscribe(state, self.script, {0, name, check_function(state, 4, "on", "argument 3"), {}, {}, key});
+}
+
+int scene_button(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "button");
+  const std::string name = check_text(state, 2, "button", "argument 1, the name,");
+  const Callback function = check_function(state, 3, "button", "argument 2");
+  Script& script = self.script;
+  if (!script.button_functions.contains(name)) script.buttons.push_back(name);
+  script.button_functions.insert_or_assign(name, function);
+  return 0;
+}
+
+int scene_probe(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "probe");
+  const std::string name = check_text(state, 2, "probe", "argument 1, the name,");
+  const Callback function = check_function(state, 3, "probe", "argument 2");
+  require(!self.world.locked,
+          "probe: probes cannot be added while the world steps; add them in an event or a step callback");
+  for (const Probe& probe : self.world.probes)
+    require(probe.name != name, "probe: there is a probe '", name, "' already");
+  self.world.probes.push_back(
+      {name, [function, name] { return function.number(text("probe '", name, "'")); }, {}, self.world.steps});
+  return 0;
+}
+
+int scene_hand(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "hand");
+  const Options o(state, 2, "hand", {"path"});
+  std::function<Vec3(double)> path;
+  if (const auto function = o.function("path")) path = place_of_time(*function, "hand: path");
+  push_hand(state, self.script, add_hand(self.world, std::move(path)));
+  return 1;
+}
+
+void run_behaviours(Script& script) {
+  const std::size_t known = script.world.notices.size();  // callbacks may add more, for the next step
+  for (std::size_t i = 0; i < known; i++) {
+    const Notice notice = script.world.notices[i];
+    if (notice.kind == Notice::Kind::button) {
+      const auto found = script.button_functions.find(notice.text);
+      if (found == script.button_functions.end()) continue;
+      const Callback function = found->second;
+      function.call();
+    } else {
+      tell(script, name_of(notice.kind), notice.text,
+           [&](lua_State* state) { return push_notice(state, script, notice); });
+    }
+  }
+  tell(script, "step", "", [&](lua_State* state) {
+    lua_pushnumber(state, script.world.settings.step);
+    return 1;
+  });
+  recheck_laws(script.world, script.laws, script.runtime.runs());
+}
+
+const Type& subscription_type() {
+  static const Type type = {
+      "Subscription",
+      "subscription",
+      "A function that scene:on calls, or a behaviour.",
+      {},
+      {{"cancel", guard<cancel_subscription>, "", "", "The function is called no more; a behaviour is stopped.",
+        "local listening = scene:on(\"step\", function(dt) print(dt) end)\n"
+        "listening:cancel()"}}};
+  return type;
+}
+
+}  // namespace pantin::lua

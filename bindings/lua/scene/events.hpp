@@ -1,0 +1,20 @@
+#pragma once
+// Callbacks and play of a scene.
+#include <lua.hpp>
+
+#include "lua/thing/script.hpp"
+
+namespace pantin::lua {
+
+/// Tells the callbacks of the script what happened in the last step, and that a step begins.
+void run_behaviours(Script& script);
+/// Puts a function or a behaviour among those that wait, and pushes its Subscription; returns 1.
+int subscribe(lua_State* state, Script& script, Subscription subscription);
+
+int scene_on(lua_State* state);
+int scene_behave(lua_State* state);
+int scene_button(lua_State* state);
+int scene_probe(lua_State* state);
+int scene_hand(lua_State* state);
+
+}  // namespace pantin::lua

@@ -1,0 +1,20 @@
+#pragma once
+#include <lua.hpp>
+#include <string>
+
+#include "lua/thing/script.hpp"
+
+namespace pantin::lua {
+
+/// Applies `--set scene.FIELD=…`; throws UsageError.
+void apply_settings(Script& script);
+/// Throws UsageError where `--set` names a parameter that the script did not declare.
+void check_parameters_known(const Script& script);
+/// Calls the parameter's `on_change` with a new value; false where it has none.
+bool change_parameter(Script& script, const std::string& name, const SceneValue& value);
+void push_value(lua_State* state, const SceneValue& value);
+
+/// scene:param(name, default, { min, max, step, help, choices, on_change })
+int scene_param(lua_State* state);
+
+}  // namespace pantin::lua

@@ -1,0 +1,311 @@
+// `scene`: the table of all that it can do.
+#include "lua/scene/scene_type.hpp"
+#include "edit/edit.hpp"
+#include "lua/scene/choreography.hpp"
+#include "lua/scene/events.hpp"
+#include "lua/scene/parameters.hpp"
+#include "lua/scene/scene_settings.hpp"
+#include "lua/scene/snapshot.hpp"
+#include "lua/thing/assemble.hpp"
+#include "lua/thing/body_options.hpp"
+#include "lua/thing/build_options.hpp"
+#include "lua/thing/emitter_options.hpp"
+#include "lua/thing/family_options.hpp"
+#include "lua/thing/fields.hpp"
+#include "lua/thing/force_element_options.hpp"
+#include "lua/thing/look_options.hpp"
+#include "lua/thing/point_constraint_options.hpp"
+#include "lua/thing/script.hpp"
+#include "lua/thing/structure_type.hpp"
+#include "lua/thing/targets.hpp"
+#include "lua/thing/turn_options.hpp"
+#include "lua/value/arguments.hpp"
+#include "lua/vm/guard.hpp"
+
+namespace pantin::lua {
+namespace {
+
+int scene_particle(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "particle");
+  ParticleDef def;
+  std::vector<std::string> known = {"at", "velocity", "mass", "radius", "color", "look", "lifetime", "name"};
+  const FamilyOption family = family_option(state, 2, "particle", known);
+  const Options o(state, 2, "particle", known);
+  def.at = o.vector("at", "m").value_or(def.at);
+  def.velocity = o.vector("velocity", "m/s").value_or(def.velocity);
+  def.mass = o.number("mass", "kg");
+  def.family = family.id;
+  take_looks(def, o, family.attributes);
+  def.lifetime = o.number_or_infinity("lifetime", "s").value_or(def.lifetime);
+  def.name = o.string("name").value_or("");
+  push_thing(state, self.script, add_particle(self.world, def));
+  return 1;
+}
+
+int scene_body(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "body");
+  push_thing(state, self.script, add_body(self.world, body_def(state, 2)));
+  return 1;
+}
+
+int scene_group(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "group");
+  push_thing(state, self.script, add_group(self.world, check_text(state, 2, "group", "argument 1, the name,")));
+  return 1;
+}
+
+int scene_result(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "result");
+  const std::string name = check_text(state, 2, "result", "argument 1, the name,");
+  SceneValue value;
+  switch (lua_type(state, 3)) {
+    case LUA_TNUMBER: value = check_number(state, 3, "result", "argument 2, the value,", ""); break;
+    case LUA_TBOOLEAN: value = lua_toboolean(state, 3) != 0; break;
+    default: value = check_text(state, 3, "result", "argument 2, the value,");
+  }
+  self.script.results.insert_or_assign(name, std::move(value));
+  return 0;
+}
+
+int scene_finish(lua_State* state) {
+  check_self(state, Kind::scene, "finish").script.finished = true;
+  return 0;
+}
+
+void read_hands(const Self& s) {
+  lua_newtable(s.state);
+  for (std::size_t i = 0; i < s.world.hands.size(); i++) {
+    push_hand(s.state, s.script, static_cast<std::int32_t>(i));
+    lua_rawseti(s.state, -2, static_cast<lua_Integer>(i + 1));
+  }
+}
+
+std::vector<Method> making() {
+  return {
+      {"particle", guard<scene_particle>, "options?: ParticleOptions", "Particle",
+       "Makes a free particle of one point.",
+       "local drop = scene:particle { at = vec(0, 2, 0), velocity = vec(1, 0, 0), mass = 0.1, color = \"#4af\" }"},
+      {"body", guard<scene_body>, "options: BodyOptions", "Body", "Makes a rigid body.",
+       "local rod = scene:body { at = vec(0, 3, 0),\n"
+       "  points = { left = { at = vec(-1, 0, 0), mass = 1 }, right = { at = vec(1, 0, 0), mass = 1 } } }"},
+      {"merge", guard<scene_merge>, "a: Body, b: Body", "Body",
+       "a lives on with b's points, which stay valid; b is gone.", "local both = scene:merge(arm, block)"},
+      {"split", guard<scene_split>, "body: Body, points: Point|Point[], ...: Point", "Body",
+       "Makes a body of its own of some of a body's points.",
+       "local corner = scene:split(block, block.points[1], block.points[2], block.points[3])"},
+      {"freeze", guard<scene_freeze>, "group: Group", "Body",
+       "Makes one body of the free particles and the bodies of a group.",
+       "local lump = scene:freeze(scene:group(\"to be one\"):add(p, q, block))"},
+      {"shatter", guard<scene_shatter>, "body: Body", "Particle[]",
+       "Makes free particles of a body's points; those without mass are gone.",
+       "for _, piece in ipairs(scene:shatter(block)) do piece.color = \"#f40\" end"},
+      {"connect_within", guard<scene_connect_within>,
+       "group: Group, distance: number [m], law: Law, options?: ConnectOptions", "Connection[]",
+       "Ties the particles of a group that are nearer than a distance and not tied yet.",
+       "scene:connect_within(group, 5, spring, { breaks_at = { length = 8 } })"},
+      {"group", guard<scene_group>, "name: string", "Group", "Makes a named set of things.",
+       "local pair = scene:group(\"a pair\"):add(p, q)"},
+      {"family", guard<scene_family>, "name: string, options?: FamilyOptions", "Family",
+       "Makes a family of particles, with named numeric attributes.",
+       "local electrons = scene:family(\"electrons\", { attributes = { charge = -1.6e-19 }, mass = 9.1e-31 })"},
+      {"emitter", guard<scene_emitter>, "options: EmitterOptions", "Emitter", "Makes particles at a rate.",
+       "local fountain = scene:emitter { at = vec(0, 0, 0), rate = 50, velocity = vec(0, 5, 0), spread = 0.2, lifetime "
+       "= 2 }"},
+      {"build", guard<scene_build>, "structure: Structure, options: BuildOptions", "Group",
+       "Makes a structure real; the group has its parts in the structure's order.",
+       "local cloth = scene:build(structure.sheet { columns = 4, rows = 4, edge = 0.2 },\n"
+       "  { as = \"deformable\", law = spring, mass = 0.5, at = vec(0, 5, 0) })"},
+      {"hand", guard<scene_hand>, "options?: HandOptions", "Hand", "Makes a hand; with a path it moves by itself.",
+       "local hand = scene:hand { path = function(t) return vec(-2 + t, 1, 0) end }\n"
+       "scene:at(0.5, function() hand:grab(p, { max_force = 20 }) end)"},
+  };
+}
+
+std::vector<Method> constraining() {
+  return {
+      {"hinge", guard<scene_hinge>, "a: Point|Particle, b: Point|Particle, ...: Point|Particle|HingeOptions",
+       "Particle", "Joins points of two or more bodies, or free particles, into one particle.",
+       "local foot = scene:body { at = leg.tail.position, mass = 1, inertia = vec(1, 1, 1), points = { heel = vec(0, "
+       "0, 0) } }\n"
+       "scene:hinge(leg.tail, foot.heel, { name = \"ankle\", breaks_at = { force = 1000 } })"},
+      {"nail", guard<scene_nail>, "point: Point|Particle, at?: vec|TieOptions [m], options?: TieOptions", "Nail",
+       "Keeps a point at a position, or where it is.",
+       "scene:nail(arm.head)\n"
+       "scene:nail(p, vec(0, 2, 0), { time_constant = 0.2 })"},
+      {"follow", guard<scene_follow>,
+       "point: Point|Particle, target: vec|Hand|fun(t: number): vec [m], options?: FollowOptions", "Follow",
+       "Keeps a point to a target: a position [m], a function of time [s] or a hand.",
+       "scene:follow(p, function(t) return vec(math.cos(t), math.sin(t), 0) end, { max_force = 100 })"},
+      {"rod", guard<scene_rod>,
+       "a: Point|Particle|vec [m], b: Point|Particle|vec [m], length?: number|fun(t: number): number [m]", "Rod",
+       "Keeps two points, or a point and a position, at a distance, or at their present one.",
+       "scene:rod(p, q)\n"
+       "scene:rod(p, vec(-2, 4, 0), function(t) return 3 + 0.1 * math.sin(t) end)"},
+      {"weld", guard<scene_weld>, "a: Body, b: Body, options?: ConstraintOptions", "Weld",
+       "Keeps two bodies in their present relative position and orientation; it tells its load, and may break.",
+       "local weld = scene:weld(arm, block, { breaks_at = { force = 500, torque = 100 } })"},
+      {"orient", guard<scene_orient>,
+       "body: Body, to?: quat|OrientOptions|fun(t: number): quat, options?: OrientOptions", "Orient",
+       "Keeps the orientation of a body, or its present one.",
+       "scene:orient(block, quat(vec(0, 0, 1), math.pi / 4), { time_constant = 0.5 })"},
+      {"align", guard<scene_align>,
+       "a: Body, axis_a: vec [1], b?: Body|vec [1], axis_b?: vec|AlignOptions [1], options?: AlignOptions", "Align",
+       "Keeps the angle between an axis of a and one of b, each in its body's frame; without b, one of the world.",
+       "scene:align(arm, vec(1, 0, 0), block, vec(0, 1, 0))\n"
+       "scene:align(block, vec(0, 1, 0), vec(0, 1, 0), { angle = 0 })"},
+      {"motor", guard<scene_motor>, "a: Body, b?: Body|MotorOptions, options?: MotorOptions", "Motor",
+       "Turns a about an axis (world axes) against b, or without b against the world.",
+       "scene:motor(arm, leg, { axis = vec(0, 0, 1), speed = 2, max_torque = 5 })\n"
+       "scene:motor(block, { axis = vec(0, 1, 0), angle = function(t) return 0.5 * t end })"},
+      {"limit", guard<scene_limit>,
+       "a: Body|Point|Particle, b?: Body|Point|Particle|vec|LimitOptions [m], options?: LimitOptions", "Limit",
+       "Keeps the angle of a against b about an axis, 0 where it is now, or the distance of two points, in a range.",
+       "scene:limit(arm, leg, { axis = vec(0, 0, 1), min = -0.5, max = 0.5 })\n"
+       "scene:limit(p, q, { length = 3 })"},
+      {"on_plane", guard<scene_on_plane>, "point: Point|Particle, options?: PlaneOptions", "OnPlane",
+       "Keeps a point on a plane.", "scene:on_plane(p, { through = vec(0, 1, 0), normal = vec(0, 1, 0) })"},
+      {"string", guard<scene_string>, "points: (Point|Particle|vec)[] [m], options?: StringOptions", "String",
+       "Is at most so long along its points and positions, slides through the inner ones, and may go slack.",
+       "local string = scene:string({ p, vec(0, 4, 0), q })\n"
+       "string.length = 0.9 * string.length"},
+      {"on_path", guard<scene_on_path>, "point: Point|Particle, path: vec[] [m], options?: PathOptions", "OnPath",
+       "Keeps a point on a path through positions; at the end of an open one it stops.",
+       "scene:on_path(p, { p.position, vec(0, 3, 0), vec(2, 3, 0) }, { smooth = true })"},
+      {"join", guard<scene_join>, "a: Point|Particle, b: Point|Particle, options?: JoinOptions", "Join",
+       "Draws two points together, at a position or on their way to each other, and makes the hinge when they are "
+       "within "
+       "a tenth of scene.tolerance of their size, some 20 time constants later. Without at, momentum is kept on the "
+       "way, and so is angular momentum: they come together on a straight line, and what that takes goes into the "
+       "turning of all that hangs on them. Two free particles alone have nothing to turn, and lose theirs.",
+       "scene:join(p, q, { max_force = 50, on_met = function(hinge) print(hinge) end })"},
+  };
+}
+
+std::vector<Method> forcing() {
+  return {
+      {"connect", guard<scene_connect>,
+       "a: Point|Particle|vec|(Point|Particle|vec)[] [m], b: Point|Particle|vec|Law [m], law?: Law|ConnectOptions, "
+       "options?: "
+       "ConnectOptions",
+       "Connection", "Ties two particles by a law; or a list of two, three or four.",
+       "local tie = scene:connect(p, q, spring, { name = \"tie\", length = 1 })\n"
+       "scene:connect({ p, q, ion }, force.angle { stiffness = 2 })"},
+      {"bonding", guard<scene_bonding>, "options: BondingOptions", "Event",
+       "Breaks what ties the particles of families above a temperature; below one ties what is near, or joins it to "
+       "hinges.",
+       "scene:bonding { families = ions, near = 0.2, below = 5, above = 10, law = spring }"},
+      {"interact", guard<scene_interact>, "a: Family, b: Family, law: Law", "Interaction",
+       "A law between all pairs of two families, or within one.",
+       "scene:interact(ions, ions, force.coulomb { constant = 1, cutoff = 5 })"},
+      {"field", guard<scene_field>, "target: Family|Group|Scene, law: Law", "Field",
+       "A law on each particle of a family, of a group or of the scene.",
+       "scene:field(scene, force.drag { linear = 0.1 })\n"
+       "scene:field(ions, force.point { force = function(p) return vec(p.charge, 0, 0) end })"},
+  };
+}
+
+std::vector<Method> telling() {
+  return {
+      {"param", guard<scene_param>, "name: string, default: number|boolean|string [its own], options?: ParamOptions",
+       "any", "Declares a parameter and returns its value.",
+       "local links = scene:param(\"links\", 8, { min = 1, max = 100, step = 1, help = \"how many links\" })"},
+      {"at", guard<scene_at>, "time: number [s], target_or_action: Thing|function, action?: function", "Event",
+       "Does it once, at the beginning of the first step whose time is not before it: never early. A run that ends at "
+       "that time does not do it.",
+       "scene:at(1, function() scene.gravity = vec(0, 0, 0) end)"},
+      {"after", guard<scene_after>, "delay: number [s], target_or_action: Thing|function, action?: function", "Event",
+       "Does it once, a while from now, by the rule of at.", "scene:after(2, elbow, function(hinge) hinge:cut() end)"},
+      {"every", guard<scene_every>, "period: number [s], target_or_action: Thing|function, action?: function", "Event",
+       "Does it again and again, at period, 2 period, … from now on, by the rule of at.",
+       "local ticks = scene:every(0.5, function() print(scene.time) end)"},
+      {"over", guard<scene_over>,
+       "from: number [s], to: number [s], target_or_action: Thing|fun(u: number), action?: fun(u: number, target: "
+       "Thing)",
+       "Event",
+       "Does it at the beginning of each step from one time to another, with u from 0 to 1; with 1 for sure, and "
+       "last.",
+       "scene:over(1, 3, function(u) scene.gravity = vec(0, -9.81 * (1 - u), 0) end)"},
+      {"when", guard<scene_when>,
+       "condition: Condition|fun(): boolean, target_or_action: Thing|function, action?: function|WhenOptions, "
+       "options?: WhenOptions",
+       "Event", "Does it at the beginning of the first step at which something holds.",
+       "scene:when({ distance_below = 1, of = { p, q } }, function() print(\"near\") end)\n"
+       "scene:when(function() return p.position.y < 0 end, p, function(it) it:remove() end)"},
+      {"play", guard<scene_play>,
+       "target_or_script: Thing|fun(wait: Waiting), script?: fun(wait: Waiting, target: Thing)", "Event",
+       "A script that waits: wait(2) [s] by the rule of at, wait(function() … end), wait() for the next step.",
+       "scene:play(function(wait)\n"
+       "  p:kick(vec(0, 1, 0)) wait(0.5) q:kick(vec(0, 1, 0))\n"
+       "end)"},
+      {"on", guard<scene_on>, "moment: Moment, key_or_action: string|function, action?: function", "Subscription",
+       "Calls a function at each \"step\" (dt), \"press\" \"release\" (hand), \"key\" (name), \"grab\" \"drop\" "
+       "(point, hand), "
+       "\"cut\" \"joined\" (hinge), \"broke\" (connection, constraint or hinge, force [N] or torque [N m], story), "
+       "\"removed\" (thing, "
+       "story). on(\"key\", \"x\", action) takes that key from the window, whatever that does with it; without a name, "
+       "keys are heard that the window has no use for.",
+       "scene:on(\"broke\", function(thing, load, story) print(story) end)\n"
+       "scene:on(\"key\", \"x\", function() p:kick(vec(0, 1, 0)) end)"},
+      {"behave", guard<scene_behave>, "target: Thing|Scene, behaviour: Behaviour, options?: table", "Subscription",
+       "Puts a behaviour to work on a target, with which it ends.",
+       "scene:behave(p, { step = function(self) self.target:push(vec(self.options.pull, 0, 0)) end }, { pull = 3 })"},
+      {"button", guard<scene_button>, "name: string, action: function", "", "Puts a button in the window.",
+       "scene:button(\"kick\", function() p:kick(vec(0, 2, 0)) end)"},
+      {"probe", guard<scene_probe>, "name: string, read: fun(): number", "", "Records a number each step.",
+       "scene:probe(\"height\", function() return p.position.y end)"},
+      {"result", guard<scene_result>, "name: string, value: number|boolean|string [its own]", "",
+       "Puts a value into the summary.",
+       "scene:at(0, function() scene:result(\"gap\", (p.position - q.position):length()) end)"},
+      {"finish", guard<scene_finish>, "", "", "Ends the run.",
+       "scene:when({ energy_below = 1 }, function() scene:finish() end)"},
+      {"snapshot", guard<scene_snapshot>, "", "Snapshot",
+       "The present state, kept in memory. Taking it changes nothing of the run.", "local before = scene:snapshot()"},
+      {"restore", guard<scene_restore>, "snapshot: Snapshot", "",
+       "Goes back to a snapshot once the step is done. Things, events and handlers are those of then, and handles of "
+       "them "
+       "are theirs again; what was made since is gone. An error while a play goes on.",
+       "local before = scene:snapshot()\n"
+       "scene:button(\"again\", function() scene:restore(before) end)"},
+      {"reset", guard<scene_reset>, "", "", "Goes back to the start of the first step, as restore does.",
+       "scene:button(\"from the start\", function() scene:reset() end)"},
+  };
+}
+
+Type make() {
+  Type type{"Scene", "scene", "The scene that is being run.", {}, {}};
+  type.fields = show_settings();
+  const std::vector<Field> settings = engine_settings();
+  type.fields.insert(type.fields.end(), settings.begin(), settings.end());
+  type.fields.push_back({"hands", "Hand[]", "", "the mouse, fingers, sticks, and scripted hands", read_hands, nullptr});
+  type.fields.push_back({"draw", "Draw", "", "draws over the scene for one frame",
+                         [](const Self& s) { push_ref(s.state, make_ref(s.script, Kind::draw, 1, 1, 1)); }, nullptr});
+  for (const auto& methods : {making(), constraining(), forcing(), telling()})
+    type.methods.insert(type.methods.end(), methods.begin(), methods.end());
+  add_base(type, any_scene_type());
+  type.methods.insert(type.methods.end(), any_scene_type().methods.begin(), any_scene_type().methods.end());
+  return type;
+}
+
+}  // namespace
+
+void push_store(lua_State* state, Script& script) {
+  const void* key = &script.keys[kind_count + 1];
+  if (lua_rawgetp(state, LUA_REGISTRYINDEX, key) != LUA_TNIL) return;
+  lua_pop(state, 1);
+  lua_newtable(state);
+  lua_pushvalue(state, -1);
+  lua_rawsetp(state, LUA_REGISTRYINDEX, key);
+}
+
+void open_globals(lua_State* state, Script& script) {
+  push_ref(state, make_ref(script, Kind::scene, 1, 1, 1));
+  lua_setglobal(state, "scene");
+  open_structures(state, script);
+}
+
+const Type& scene_type() {
+  static const Type type = make();
+  return type;
+}
+
+}  // namespace pantin::lua

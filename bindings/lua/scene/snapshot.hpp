@@ -1,0 +1,47 @@
+#pragma once
+// Snapshots of a scene: of its world, of what the script declared, of `scene.store` and of the `data` of things. What the
+// script keeps in its own variables is not part of them.
+#include <lua.hpp>
+#include <memory>
+
+#include "lua/thing/kept_tables.hpp"
+#include "lua/thing/script.hpp"
+#include "snapshot/snapshot.hpp"
+
+namespace pantin::lua {
+
+struct SceneSnapshot {
+  /// All but the world's.
+  SceneSnapshot(lua_State* state, Script& of);
+  ~SceneSnapshot();
+  SceneSnapshot(const SceneSnapshot&) = delete;
+  SceneSnapshot& operator=(const SceneSnapshot&) = delete;
+  /// The tables of the scene.
+  void put_back(lua_State* state, Script& into) const;
+
+  Snapshot world;
+  ScriptData script;
+  KeptTables tables;
+
+ private:
+  Runtime& runtime_;
+  int store_;  ///< registry reference of the table that `scene.store` was
+};
+
+std::shared_ptr<const SceneSnapshot> take_snapshot(Script& script);
+/// Between two steps. Parameters that have another value are told their old one by `on_change` first.
+void restore(Script& script, const SceneSnapshot& snapshot);
+/// Restores what a callback asked for, if one did.
+void restore_wanted(Script& script);
+/// Before the first step of a scene that speaks of `reset`, keeps its start, or why it cannot be kept.
+void keep_start(Script& script);
+
+void push_snapshot(lua_State* state, Script& script, std::shared_ptr<const SceneSnapshot> snapshot);
+/// Argument `index` of `restore`: a snapshot of this scene.
+std::shared_ptr<const SceneSnapshot> check_snapshot(lua_State* state, int index, const Script& script);
+
+int scene_snapshot(lua_State* state);
+int scene_restore(lua_State* state);
+int scene_reset(lua_State* state);
+
+}  // namespace pantin::lua

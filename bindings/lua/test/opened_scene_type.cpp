@@ -1,0 +1,103 @@
+// A scene that a test opened.
+#include <algorithm>
+
+#include "lua/scene/parameters.hpp"
+#include "lua/scene/scene.hpp"
+#include "lua/scene/snapshot.hpp"
+#include "lua/thing/fields.hpp"
+#include "lua/thing/script.hpp"
+#include "lua/value/arguments.hpp"
+#include "lua/vm/guard.hpp"
+#include "scene/headway.hpp"
+
+namespace pantin::lua {
+namespace {
+
+void step_once(Script& script) {
+  const Outside outside;
+  step_scene(script);
+  require(script.world.failure.empty(), script.world.failure);
+}
+
+int step_opened(lua_State* state) {
+  step_once(check_self(state, Kind::scene, "step").script);
+  return 0;
+}
+
+int advance_opened(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "advance");
+  const double seconds = check_number(state, 2, "advance", "argument 1, the time,", "s");
+  require(seconds >= 0, "advance: argument 1, the time, must be >= 0 s, got ", seconds);
+  const double until = self.world.time + seconds;
+  Headway headway(self.world, until);
+  while (self.world.time < until - 0.5 * self.world.settings.step) {
+    step_once(self.script);
+    headway.check(self.world);
+  }
+  return 0;
+}
+
+int read_probe(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "read");
+  const std::string name = check_text(state, 2, "read", "argument 1, the probe,");
+  std::vector<std::string> names;
+  for (const Probe& probe : self.world.probes) {
+    names.push_back(probe.name);
+    if (probe.name != name) continue;
+    const Outside outside;
+    lua_pushnumber(state, probe.read());
+    return 1;
+  }
+  throw Error(text("read: there is no probe '", name, "'.", suggestion(name, names), " There are: ", joined(names)));
+}
+
+int read_result(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "result");
+  const std::string name = check_text(state, 2, "result", "argument 1, the name,");
+  const auto found = self.script.results.find(name);
+  require(found != self.script.results.end(), "result: there is no result '", name, "'");
+  push_value(state, found->second);
+  return 1;
+}
+
+int restore_opened(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "restore");
+  const std::shared_ptr<const SceneSnapshot> snapshot = check_snapshot(state, 2, self.script);
+  const Outside outside;
+  restore(self.script, *snapshot);
+  return 0;
+}
+
+Type make() {
+  Type type{"OpenedScene", "opened scene", "A scene that a test opened.", {}, {}};
+  type.fields.push_back({"finished", "boolean", "", "whether it called scene:finish()",
+                         [](const Self& s) { lua_pushboolean(s.state, s.script.finished); }, nullptr});
+  type.fields.push_back(
+      {"drawn", "integer", "", "lines, arrows, texts and points that it drew in the last step",
+       [](const Self& s) { lua_pushinteger(s.state, static_cast<lua_Integer>(s.script.drawings.size())); }, nullptr});
+  type.methods = {
+      {"advance", guard<advance_opened>, "seconds: number [s]", "", "Steps on for a time.", "opened:advance(0.5)"},
+      {"step", guard<step_opened>, "", "", "Does one step.", "opened:step()"},
+      {"read", guard<read_probe>, "name: string", "number", "The present number of a probe.",
+       "expect(opened:read(\"height\")):near(1, 1e-9)"},
+      {"result", guard<read_result>, "name: string", "number|boolean|string", "A result that the scene gave.",
+       "expect(opened:result(\"answer\")):equal(42)"},
+      {"snapshot", guard<scene_snapshot>, "", "Snapshot", "The present state.", "local before = opened:snapshot()"},
+      {"restore", guard<restore_opened>, "snapshot: Snapshot", "", "Puts a state back.",
+       "local before = opened:snapshot()\n"
+       "opened:advance(0.1)\n"
+       "opened:restore(before)"},
+  };
+  add_base(type, any_scene_type());
+  type.methods.insert(type.methods.end(), any_scene_type().methods.begin(), any_scene_type().methods.end());
+  return type;
+}
+
+}  // namespace
+
+const Type& type_of_opened_scene() {
+  static const Type type = make();
+  return type;
+}
+
+}  // namespace pantin::lua

@@ -1,0 +1,141 @@
+#include "lua/thing/body_options.hpp"
+
+#include <algorithm>
+
+#include "lua/thing/family_options.hpp"
+#include "lua/thing/fields.hpp"
+#include "lua/value/arguments.hpp"
+#include "lua/value/values.hpp"
+
+namespace pantin::lua {
+namespace {
+
+const char* const parts[] = {"xx", "yy", "zz", "xy", "xz", "yz"};
+
+void check_point_name(const std::string& call, const std::string& name) {
+  require(!name.empty(), call, ": a point's name must not be empty");
+  require(!has_member(body_type(), name), call, ": a point cannot have the name '", name,
+          "', which a body has already as a field or method");
+}
+
+/// List first, then names in sorted order.
+std::vector<PointDef> point_defs(lua_State* state, int table) {
+  require(lua_istable(state, table), "body: points must be a table of vecs or tables, got ",
+          kind_of_value(state, table));
+  std::vector<PointDef> points;
+  const auto count = lua_rawlen(state, table);
+  for (lua_Unsigned i = 1; i <= count; i++) {
+    lua_rawgeti(state, table, static_cast<lua_Integer>(i));
+    points.push_back(point_def(state, lua_gettop(state), "body", text("point ", i), false));
+    lua_pop(state, 1);
+  }
+  std::vector<std::string> names;
+  lua_pushnil(state);
+  while (lua_next(state, table)) {
+    lua_pop(state, 1);
+    if (lua_type(state, -1) == LUA_TSTRING) {
+      names.push_back(lua_tostring(state, -1));
+      continue;
+    }
+    require(lua_isinteger(state, -1) && lua_tointeger(state, -1) >= 1 &&
+                static_cast<lua_Unsigned>(lua_tointeger(state, -1)) <= count,
+            "body: points must be a list without gaps, or have names, got a key that is ", kind_of_value(state, -1));
+  }
+  std::sort(names.begin(), names.end());
+  for (const std::string& name : names) {
+    check_point_name("body", name);
+    lua_pushlstring(state, name.data(), name.size());
+    lua_rawget(state, table);
+    points.push_back(point_def(state, lua_gettop(state), "body", text("point '", name, "'"), false));
+    points.back().name = name;
+    lua_pop(state, 1);
+  }
+  return points;
+}
+
+}  // namespace
+
+PointDef point_def(lua_State* state, int index, const std::string& call, const std::string& name, bool may_name) {
+  PointDef def;
+  if (to_vec(state, index)) {
+    def.at = check_vec(state, index, call, name, "m");
+    return def;
+  }
+  require(lua_istable(state, index), call, ": ", name,
+          " must be a vec [m] or a table { at, mass, color, radius, family }, got ", kind_of_value(state, index));
+  const std::string what = text(call, ": ", name);
+  std::vector<std::string> known = {"at", "mass", "color", "radius"};
+  if (may_name) known.push_back("name");
+  const FamilyOption family = family_option(state, index, what, known);
+  const Options o(state, index, what, known);
+  def.at = o.vector("at", "m").value_or(def.at);
+  def.mass = o.number("mass", "kg").value_or(def.mass);
+  def.radius = o.number("radius", "m").value_or(def.radius);
+  def.color = o.color("color");
+  def.family = family.id;
+  def.attributes = attribute_options(o, family.attributes);
+  if (may_name && o.has("name")) {
+    def.name = *o.string("name");
+    check_point_name(what, def.name);
+  }
+  return def;
+}
+
+BodyDef body_def(lua_State* state, int index) {
+  const Options o(state, index, "body",
+                  {"points", "at", "orientation", "velocity", "spin", "mass", "inertia", "color", "name"});
+  require(lua_istable(state, index), "body: needs a table, scene:body{ points = { … }, mass = 1 }");
+  BodyDef def;
+  def.name = o.string("name").value_or("");
+  def.mass = o.number("mass", "kg").value_or(0.0);
+  require(!o.has("mass") || def.mass > 0, "body: mass must be > 0 kg, got ", def.mass);
+  if (o.has("inertia")) {
+    def.inertia = check_inertia(state, o.push("inertia"), "body");
+    lua_pop(state, 1);
+  }
+  def.at = o.vector("at", "m").value_or(def.at);
+  def.orientation = o.quat("orientation").value_or(def.orientation);
+  def.velocity = o.vector("velocity", "m/s").value_or(def.velocity);
+  def.spin = o.vector("spin", "rad/s").value_or(def.spin);
+  def.color = o.color("color").value_or(def.color);
+  if (o.has("points")) {
+    def.points = point_defs(state, o.push("points"));
+    lua_pop(state, 1);
+  }
+  return def;
+}
+
+Mat3 check_inertia(lua_State* state, int index, const std::string& what) {
+  if (to_vec(state, index)) return diagonal(check_vec(state, index, what, "inertia", "kg m²"));
+  require(lua_istable(state, index), what,
+          ": inertia must be a vec of the diagonal or a table { xx, yy, zz, xy, xz, yz } [kg m²], got ",
+          kind_of_value(state, index));
+  double v[6] = {};
+  if (lua_rawlen(state, index) > 0) {
+    require(lua_rawlen(state, index) == 6, what,
+            ": inertia must have six numbers, xx, yy, zz, xy, xz, yz [kg m²], got ", lua_rawlen(state, index));
+    for (int i = 0; i < 6; i++) {
+      lua_rawgeti(state, index, i + 1);
+      v[i] = check_number(state, -1, what, text("inertia's ", parts[i]), "kg m²");
+      lua_pop(state, 1);
+    }
+  } else {
+    const Options o(state, index, what + ": inertia", {"xx", "yy", "zz", "xy", "xz", "yz"});
+    for (int i = 0; i < 6; i++) v[i] = o.number(parts[i], "kg m²").value_or(0.0);
+  }
+  return {{vec(v[0], v[3], v[4]), vec(v[3], v[1], v[5]), vec(v[4], v[5], v[2])}};
+}
+
+void push_inertia(lua_State* state, const Mat3& m) {
+  const double v[] = {m[0][0], m[1][1], m[2][2], m[1][0], m[2][0], m[2][1]};
+  const double round_off = 1e-12 * (v[0] + v[1] + v[2]);
+  if (std::fabs(v[3]) <= round_off && std::fabs(v[4]) <= round_off && std::fabs(v[5]) <= round_off)
+    return pantin::lua::push(state, vec(v[0], v[1], v[2]));
+  lua_createtable(state, 0, 6);
+  for (int i = 0; i < 6; i++) {
+    lua_pushnumber(state, v[i]);
+    lua_setfield(state, -2, parts[i]);
+  }
+}
+
+}  // namespace pantin::lua

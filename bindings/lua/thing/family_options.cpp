@@ -1,0 +1,83 @@
+#include "lua/thing/family_options.hpp"
+
+#include <algorithm>
+
+#include "lua/law/curve_options.hpp"
+#include "lua/thing/fields.hpp"
+#include "lua/thing/look_options.hpp"
+#include "lua/thing/script.hpp"
+#include "lua/thing/targets.hpp"
+
+namespace pantin::lua {
+namespace {
+
+/// Attributes are a list of names, which start at 0, or a table of names and values.
+void read_attributes(lua_State* state, int table, const std::string& what, Looks& looks) {
+  require(lua_istable(state, table), what, ": attributes must be a table { charge = 1 } or { \"charge\" }, got ",
+          kind_of_value(state, table));
+  lua_pushnil(state);
+  while (lua_next(state, table)) {
+    const int value = lua_gettop(state), key = value - 1;
+    if (lua_type(state, key) == LUA_TSTRING) {
+      const std::string name = lua_tostring(state, key);
+      const bool follows = lua_isfunction(state, value);
+      if (follows) looks.curves = with(looks.curves.get(), curve_of(state, value, what, name));
+      looks.attributes.push_back(
+          {name, follows ? 0.0 : check_number(state, value, what, text("attribute '", name, "'"), "")});
+    } else {
+      looks.attributes.push_back({check_text(state, value, what, "an attribute's name"), 0.0});
+    }
+    lua_pop(state, 1);
+  }
+  for (const AttributeDef& def : looks.attributes)
+    require(!has_member(particle_type(), def.name), what, ": an attribute cannot be called '", def.name,
+            "', which a particle has already");
+}
+
+}  // namespace
+
+FamilyOption family_option(lua_State* state, int index, const std::string& what, std::vector<std::string>& known) {
+  FamilyOption option;
+  known.push_back("family");
+  if (!lua_istable(state, index)) return option;
+  lua_getfield(state, index, "family");
+  if (!lua_isnil(state, -1)) {
+    const Ref& ref = check_kind(state, lua_gettop(state), Kind::family, what, "family");
+    option.id = ref.id<FamilyId>();
+    for (const Family::Attribute& a : ref.script->world.families[option.id].attributes)
+      option.attributes.push_back(a.name);
+    known.insert(known.end(), option.attributes.begin(), option.attributes.end());
+  }
+  lua_pop(state, 1);
+  return option;
+}
+
+std::vector<AttributeDef> attribute_options(const Options& options, const std::vector<std::string>& attributes) {
+  std::vector<AttributeDef> given;
+  for (const std::string& name : attributes)
+    if (const auto value = options.number(name.c_str(), "")) given.push_back({name, *value});
+  return given;
+}
+
+int scene_family(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "family");
+  FamilyDef def;
+  def.name = check_text(state, 2, "family", "argument 1, the name,");
+  const std::string what = text("family '", def.name, "'");
+  const Options o(state, 3, what, {"attributes", "color", "radius", "mass", "look"});
+  Looks looks = look_options(o, {});
+  if (o.has("attributes")) {
+    read_attributes(state, o.push("attributes"), what, looks);
+    lua_pop(state, 1);
+  }
+  def.attributes = looks.attributes;
+  def.color = looks.color;
+  def.radius = looks.radius;
+  def.look = looks.look;
+  def.curves = looks.curves;
+  def.mass = o.number("mass", "kg");
+  push_thing(state, self.script, add_family(self.world, def));
+  return 1;
+}
+
+}  // namespace pantin::lua

@@ -1,0 +1,200 @@
+#include "lua/thing/fields.hpp"
+
+#include <cstring>
+
+#include "edit/edit.hpp"
+#include "lua/law/law_run.hpp"
+#include "lua/thing/script.hpp"
+#include "lua/value/arguments.hpp"
+#include "lua/value/tostring.hpp"
+#include "lua/vm/guard.hpp"
+#include "lua/vm/runtime.hpp"
+
+namespace pantin::lua {
+namespace {
+
+const Type& type_at_upvalue(lua_State* state) {
+  return *static_cast<const Type*>(lua_touserdata(state, lua_upvalueindex(2)));
+}
+
+std::vector<std::string> names_of(const Type& type, bool methods) {
+  std::vector<std::string> names;
+  for (const Field& f : type.fields) names.push_back(f.name);
+  if (methods)
+    for (const Method& m : type.methods) names.push_back(m.name);
+  return names;
+}
+
+[[noreturn]] void unknown(lua_State* state, const Type& type, const char* what) {
+  const std::string name(push_text(state, 2));
+  std::vector<std::string> methods;
+  for (const Method& m : type.methods) methods.push_back(m.name);
+  throw Error(text(type.word, ": ", what, " '", name, "'.", suggestion(name, names_of(type, true)),
+                   " Fields: ", joined(names_of(type, false)), methods.empty() ? "" : ". Methods: ", joined(methods)));
+}
+
+Self self_at(lua_State* state, int index) {
+  const Ref& ref = *to_ref(state, index);
+  return {state, ref, *ref.script, ref.script->world};
+}
+
+int index(lua_State* state) {
+  lua_pushvalue(state, 2);
+  lua_rawget(state, lua_upvalueindex(1));
+  const int found = lua_type(state, -1);
+  const Type& type = type_at_upvalue(state);
+  if (found == LUA_TFUNCTION) {
+    if (LawRun* law = Runtime::of(state).law)
+      law->mistake(state,
+                   text("a law reads numbers and returns; it cannot call ", type.word, ":", lua_tostring(state, 2)));
+    return 1;
+  }
+  const Self self = self_at(state, 1);
+  if (found == LUA_TLIGHTUSERDATA) {
+    const Field& field = *static_cast<const Field*>(lua_touserdata(state, -1));
+    if (!field.of_dead) require_alive(self.ref);
+    if (LawRun* law = Runtime::of(state).law) law->on_thing(state, field.name);
+    field.read(self);
+    return 1;
+  }
+  if (type.more && lua_type(state, 2) == LUA_TSTRING) {
+    require_alive(self.ref);
+    if (type.more(self, lua_tostring(state, 2))) return 1;
+  }
+  unknown(state, type, "unknown field");
+}
+
+int new_index(lua_State* state) {
+  const Type& type = type_at_upvalue(state);
+  if (LawRun* law = Runtime::of(state).law)
+    law->mistake(state, text("a law reads numbers and returns; it cannot write to a ", type.word));
+  const Self self = self_at(state, 1);
+  lua_pushvalue(state, 2);
+  lua_rawget(state, lua_upvalueindex(1));
+  if (lua_islightuserdata(state, -1)) {
+    const Field& field = *static_cast<const Field*>(lua_touserdata(state, -1));
+    require(field.write, type.word, ": ", field.name, " can be read, not written");
+    require_alive(self.ref);
+    if (self.ref.kind == Kind::scene && self.script.fixed.contains(field.name)) return 0;
+    field.write(self, 3);
+    return 0;
+  }
+  require(!lua_isfunction(state, -1), type.word, ": ", lua_tostring(state, 2), " is a method and cannot be written");
+  if (type.write_more && lua_type(state, 2) == LUA_TSTRING) {
+    require_alive(self.ref);
+    if (type.write_more(self, lua_tostring(state, 2), 3)) return 0;
+  }
+  unknown(state, type, "cannot write unknown field");
+}
+
+int thing_text(lua_State* state) {
+  const std::string name = describe(*to_ref(state, 1));
+  lua_pushlstring(state, name.data(), name.size());
+  return 1;
+}
+
+}  // namespace
+
+const Type& type_of(Kind kind) {
+  switch (kind) {
+    case Kind::point: return point_type();
+    case Kind::particle: return particle_type();
+    case Kind::body: return body_type();
+    case Kind::nail: return nail_type();
+    case Kind::follow: return follow_type();
+    case Kind::rod: return rod_type();
+    case Kind::weld: return weld_type();
+    case Kind::orient: return orient_type();
+    case Kind::align: return align_type();
+    case Kind::motor: return motor_type();
+    case Kind::limit: return limit_type();
+    case Kind::on_plane: return on_plane_type();
+    case Kind::string: return string_type();
+    case Kind::on_path: return on_path_type();
+    case Kind::join: return join_type();
+    case Kind::group: return group_type();
+    case Kind::family: return family_type();
+    case Kind::connection: return connection_type();
+    case Kind::interaction: return interaction_type();
+    case Kind::field: return field_type();
+    case Kind::emitter: return emitter_type();
+    case Kind::event: return event_type();
+    case Kind::hand: return hand_type();
+    case Kind::subscription: return subscription_type();
+    case Kind::structure: return structure_type();
+    case Kind::draw: return draw_type();
+    case Kind::snapshot: return snapshot_type();
+    case Kind::scene: break;
+  }
+  return scene_type();
+}
+
+std::vector<const Type*> all_types() {
+  std::vector<const Type*> types;
+  for (std::uint32_t k = 0; k < kind_count; k++) types.push_back(&type_of(static_cast<Kind>(k)));
+  types.push_back(&type_of_opened_scene());
+  return types;
+}
+
+std::vector<const Type*> base_types() {
+  return {&any_thing_type(), &any_constraint_type(), &any_force_element_type(), &any_set_type(), &any_scene_type()};
+}
+
+void push_metatable(lua_State* state, Kind kind) { push_metatable(state, type_of(kind)); }
+
+void push_metatable(lua_State* state, const Type& type) {
+  if (lua_rawgetp(state, LUA_REGISTRYINDEX, &type) != LUA_TNIL) return;
+  lua_pop(state, 1);
+  lua_newtable(state);
+  lua_newtable(state);
+  for (const Field& field : type.fields) {
+    lua_pushlightuserdata(state, const_cast<Field*>(&field));
+    lua_setfield(state, -2, field.name);
+  }
+  for (const Method& method : type.methods) {
+    lua_pushcfunction(state, method.function);
+    lua_setfield(state, -2, method.name);
+  }
+  const auto add = [&](const char* name, lua_CFunction function) {
+    lua_pushvalue(state, -1);
+    lua_pushlightuserdata(state, const_cast<Type*>(&type));
+    lua_pushcclosure(state, function, 2);
+    lua_setfield(state, -3, name);
+  };
+  add("__index", guard<index>);
+  add("__newindex", guard<new_index>);
+  lua_pop(state, 1);
+  lua_pushcfunction(state, guard<thing_text>);
+  lua_setfield(state, -2, "__tostring");
+  for (const char* key : {"__name", "__metatable"}) {
+    lua_pushstring(state, type.word);
+    lua_setfield(state, -2, key);
+  }
+  if (type.length) {
+    lua_pushcfunction(state, type.length);
+    lua_setfield(state, -2, "__len");
+  }
+  lua_pushvalue(state, -1);
+  lua_rawsetp(state, LUA_REGISTRYINDEX, &type);
+}
+
+Self check_self_or_dead(lua_State* state, Kind kind, const char* call) {
+  const Ref* ref = to_ref(state, 1);
+  const char* word = type_of(kind).word;
+  require(ref && ref->kind == kind, word, ": call ", call, " with a colon, ", word, ":", call, "(…)");
+  return {state, *ref, *ref->script, ref->script->world};
+}
+
+Self check_self(lua_State* state, Kind kind, const char* call) {
+  const Self self = check_self_or_dead(state, kind, call);
+  require_alive(self.ref);
+  return self;
+}
+
+bool has_member(const Type& type, const std::string& name) {
+  for (const std::string& known : names_of(type, true))
+    if (known == name) return true;
+  return false;
+}
+
+}  // namespace pantin::lua

@@ -1,0 +1,111 @@
+#pragma once
+// What each type of thing has, in one table per type: the bindings, the annotations for editors and the messages about
+// unknown names all come from it.
+#include <lua.hpp>
+#include <string>
+#include <vector>
+
+#include "lua/thing/handles.hpp"
+
+namespace pantin::lua {
+
+/// A call on a thing.
+struct Self {
+  lua_State* state;
+  const Ref& ref;
+  Script& script;
+  World& world;
+};
+
+struct Field {
+  const char* name;
+  const char* type;           ///< as annotations write it: "number", "vec", "Point[]"
+  const char* unit;           ///< "" where there is none, "1" of a number or vec without
+  const char* doc;            ///< of what may be written before it is read, with "(default `1/240`)" at its end
+  void (*read)(const Self&);  ///< pushes the value
+  void (*write)(const Self&, int index);  ///< null: cannot be written
+  bool of_dead = false;                   ///< may be read of a thing that is gone
+};
+
+struct Method {
+  const char* name;
+  lua_CFunction function;  ///< guarded
+  const char* parameters;  ///< as annotations write them: "force: vec [N], at?: vec [m]"
+  const char* returns;     ///< type, or ""
+  const char* doc;
+  const char* example = "";  ///< one to three lines, which run after `example_scene` or `example_test`
+};
+
+struct Type {
+  const char* name;  ///< "Body"
+  const char* word;  ///< "body": begins messages
+  const char* doc;
+  std::vector<Field> fields;
+  std::vector<Method> methods;
+  bool (*more)(const Self&, const char* name) = nullptr;  ///< pushes a value that only this one has, or returns false
+  bool (*write_more)(const Self&, const char* name, int index) = nullptr;  ///< writes one, or returns false
+  const char* more_doc = "";                                               ///< type and meaning of those values
+  lua_CFunction length = nullptr;                                          ///< of `#`
+  const Type* base = nullptr;  ///< says once what it has in common with others; its fields and methods are here, too
+};
+
+const Type& type_of(Kind kind);
+const Type& type_of_opened_scene();
+/// All types that a script can meet, tests' included.
+std::vector<const Type*> all_types();
+/// What several of them have in common, each after its own base.
+std::vector<const Type*> base_types();
+
+/// Pushes the metatable of a kind of thing.
+void push_metatable(lua_State* state, Kind kind);
+/// Pushes the metatable of a type.
+void push_metatable(lua_State* state, const Type& type);
+
+/// The thing on which a method was called: argument 1, alive. `call` is the method's name.
+Self check_self(lua_State* state, Kind kind, const char* call);
+/// The same for a thing that may be gone.
+Self check_self_or_dead(lua_State* state, Kind kind, const char* call);
+
+/// Gives a type what it has in common with others: the fields of a base and of the base's base.
+void add_base(Type& type, const Type& base);
+/// `remove`, which a group has its own of.
+void add_common_remove(Type& type);
+
+/// Whether a type has a field or method of this name.
+bool has_member(const Type& type, const std::string& name);
+
+const Type& any_thing_type();
+const Type& any_constraint_type();
+const Type& any_force_element_type();
+const Type& any_set_type();
+const Type& any_scene_type();
+const Type& point_type();
+const Type& particle_type();
+const Type& body_type();
+const Type& nail_type();
+const Type& follow_type();
+const Type& rod_type();
+const Type& weld_type();
+const Type& orient_type();
+const Type& align_type();
+const Type& motor_type();
+const Type& limit_type();
+const Type& on_plane_type();
+const Type& string_type();
+const Type& on_path_type();
+const Type& join_type();
+const Type& group_type();
+const Type& family_type();
+const Type& connection_type();
+const Type& interaction_type();
+const Type& field_type();
+const Type& emitter_type();
+const Type& event_type();
+const Type& hand_type();
+const Type& subscription_type();
+const Type& structure_type();
+const Type& draw_type();
+const Type& snapshot_type();
+const Type& scene_type();
+
+}  // namespace pantin::lua

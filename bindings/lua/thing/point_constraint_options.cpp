@@ -1,0 +1,121 @@
+#include "lua/thing/point_constraint_options.hpp"
+
+#include "edit/constrain.hpp"
+#include "lua/thing/constraint_fields.hpp"
+#include "lua/thing/fields.hpp"
+#include "lua/thing/script.hpp"
+#include "lua/thing/targets.hpp"
+#include "lua/value/arguments.hpp"
+#include "lua/vm/guard.hpp"
+
+namespace pantin::lua {
+namespace {
+
+/// A member of a hinge: a point, or a particle for its point.
+PointId hinge_member(lua_State* state, int index) {
+  const std::string name = argument(index - 1);
+  const Ref* ref = to_ref(state, index);
+  require(ref && (ref->kind == Kind::point || ref->kind == Kind::particle), "hinge: ", name,
+          " must be a point or a free particle, got ", kind_of_value(state, index));
+  return check_point(state, index, "hinge", name);
+}
+
+}  // namespace
+
+std::function<Vec3(double)> place_of_time(Callback function, std::string what) {
+  return [function = std::move(function), what = std::move(what)](double time) { return function.vector(time, what); };
+}
+
+int scene_hinge(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "hinge");
+  const int count = lua_gettop(state);
+  const bool with_options = count > 1 && lua_istable(state, count);
+  std::vector<PointId> points;
+  for (int i = 2; i <= count - (with_options ? 1 : 0); i++) points.push_back(hinge_member(state, i));
+  HingeDef def;
+  const Options o(state, with_options ? count : count + 1, "hinge",
+                  {"color", "radius", "lifetime", "name", "family", "axis", "breaks_at"});
+  if (o.has("family")) {
+    def.family = check_kind(state, o.push("family"), Kind::family, "hinge", "family").id<FamilyId>();
+    lua_pop(state, 1);
+  }
+  def.color = o.color("color");
+  def.radius = o.number("radius", "m");
+  def.lifetime = o.number_or_infinity("lifetime", "s").value_or(def.lifetime);
+  def.name = o.string("name").value_or("");
+  def.axis = o.vector("axis", "");
+  const ParticleId hinge = add_hinge(self.world, points, def);
+  if (o.has("breaks_at"))
+    set_breaks_at(self.world, hinge, check_breaking(state, o.push("breaks_at"), "hinge: breaks_at", false));
+  push_thing(state, self.script, hinge);
+  return 1;
+}
+
+int scene_nail(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "nail");
+  const PointId point = check_point(state, 2, "nail", argument(1));
+  std::optional<Vec3> at;
+  int options = 3;
+  if (!lua_istable(state, 3)) {
+    options = 4;
+    if (!lua_isnoneornil(state, 3)) at = check_vec(state, 3, "nail", "argument 2, the position,", "m");
+  }
+  const Options o(state, options, "nail", {"time_constant", "name"});
+  const auto time_constant = o.number("time_constant", "s");
+  const std::string name = o.string("name").value_or("");
+  const ConstraintId nail =
+      time_constant ? add_nail(self.world, point, at, *time_constant) : add_nail(self.world, point, at);
+  self.world.constraints[nail].name = name;
+  push_thing(state, self.script, nail);
+  return 1;
+}
+
+int scene_follow(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "follow");
+  const PointId point = check_point(state, 2, "follow", argument(1));
+  FollowDef def;
+  const Ref* ref = to_ref(state, 3);
+  if (lua_isfunction(state, 3)) {
+    def.target = place_of_time(Callback(state, 3), "follow: target");
+  } else if (ref && ref->kind == Kind::hand) {
+    def.hand = static_cast<std::int32_t>(ref->slot) - 1;
+  } else {
+    require(to_vec(state, 3).has_value(),
+            "follow: argument 2, the target, must be a vec [m], a function of time or a hand, got ",
+            kind_of_value(state, 3));
+    def.at = check_vec(state, 3, "follow", "argument 2, the target,", "m");
+  }
+  const Options o(state, 4, "follow", {"max_force", "time_constant", "name"});
+  def.max_force = o.number_or_infinity("max_force", "N").value_or(def.max_force);
+  def.time_constant = o.number("time_constant", "s").value_or(def.time_constant);
+  const std::string name = o.string("name").value_or("");
+  const ConstraintId follow = add_follow(self.world, point, def);
+  self.world.constraints[follow].name = name;
+  push_thing(state, self.script, follow);
+  return 1;
+}
+
+int scene_rod(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "rod");
+  const bool place_first = to_vec(state, 2).has_value(), place_second = to_vec(state, 3).has_value();
+  require(!(place_first && place_second), "rod: one end must be a point or a particle, got two vecs");
+  const PointId a = check_point(state, place_first ? 3 : 2, "rod", argument(place_first ? 2 : 1));
+  std::optional<double> length;
+  NumberOrFunction given;
+  if (!lua_isnoneornil(state, 4)) {
+    given = check_number_of_time(self, 4, "rod", "argument 3, the length,", "m");
+    length = given.value;
+  }
+  ConstraintId rod;
+  if (place_first || place_second) {
+    const int at = place_first ? 2 : 3;
+    rod = add_rod(self.world, a, check_vec(state, at, "rod", argument(at - 1), "m"), length);
+  } else {
+    rod = add_rod(self.world, a, check_point(state, 3, "rod", argument(2)), length);
+  }
+  if (given.function) set_length(self.world, rod, given.value, std::move(given.function));
+  push_thing(state, self.script, rod);
+  return 1;
+}
+
+}  // namespace pantin::lua

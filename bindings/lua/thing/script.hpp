@@ -1,0 +1,80 @@
+#pragma once
+// What a scene is, inside: its Lua state, its world, and what the script declared.
+#include <lua.hpp>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "lua/law/recheck.hpp"
+#include "lua/thing/handles.hpp"
+#include "lua/value/callback.hpp"
+#include "lua/vm/runtime.hpp"
+#include "scene/drawing.hpp"
+#include "scene/options.hpp"
+#include "snapshot/carry_over.hpp"
+#include "world/world.hpp"
+
+namespace pantin::lua {
+
+struct SceneSnapshot;
+
+/// A function that waits for something: `scene:on(name, function)`; or a behaviour, which waits for "step".
+struct Subscription {
+  std::uint64_t serial;
+  std::string name;
+  std::optional<Callback> function;  ///< empty: cancelled
+  AnyId target = {};                 ///< of a behaviour: it ends with this
+  std::optional<Callback> stop = {};
+  std::string key = {};  ///< of the moment "key": the only one it waits for, or empty
+};
+
+/// What a snapshot copies of a script.
+struct ScriptData {
+  std::string title;
+  std::optional<double> duration;                 ///< [s]
+  double pace = 1.0;                              ///< simulated s per real s
+  std::optional<Vec3> camera_at, camera_look_at;  ///< [m]
+  AnyId camera_follow;
+  bool finished = false;
+
+  std::vector<SceneParameter> parameters;
+  std::map<std::string, Callback> on_change;
+  std::vector<std::string> buttons;
+  std::map<std::string, Callback> button_functions;
+  std::map<std::string, SceneValue> results;
+  std::vector<Drawing> drawings;            ///< of the last step, or from before the first
+  std::vector<Subscription> subscriptions;  ///< in the order of asking
+  std::size_t cancelled = 0;                ///< subscriptions that are only there to be dropped
+  LawsAtWork laws;
+};
+
+/// Where a script runs. It outlives all that holds functions of it.
+struct ScriptHost {
+  SceneOptions options;
+  Runtime runtime;
+};
+
+struct Script : ScriptHost, ScriptData {
+  explicit Script(const SceneOptions& options);
+
+  World world;
+
+  Made made;                                    ///< by the file, where it may change
+  std::set<std::string> fixed;                  ///< settings that `--set` gave: what the file assigns is ignored
+  std::uint64_t subscribed = 0;                 ///< serial of the last subscription
+  int telling = 0;                              ///< calls that go through the subscriptions now
+  std::shared_ptr<const SceneSnapshot> start;   ///< before the first step, where a file speaks of `reset`
+  std::string no_start;                         ///< why it could not be kept
+  std::shared_ptr<const SceneSnapshot> wanted;  ///< to be restored when the step is done
+  std::uint64_t snapshots = 0;                  ///< that the script took
+  std::size_t data_count = 0;                   ///< tables of things' data
+  std::size_t data_sweep = 64;                  ///< count at which the dead ones are dropped
+
+  /// Addresses are keys of the Lua registry: per kind the handles given out, then their data, then scene.store.
+  std::array<char, kind_count + 2> keys{};
+};
+
+}  // namespace pantin::lua

@@ -1,0 +1,42 @@
+#include "lua/thing/targets.hpp"
+
+#include "lua/thing/fields.hpp"
+#include "lua/thing/script.hpp"
+#include "lua/vm/guard.hpp"
+
+namespace pantin::lua {
+
+std::string argument(int number) { return text("argument ", number); }
+
+const Ref& check_thing(lua_State* state, int index, const std::string& call, const std::string& name) {
+  const Ref* ref = to_ref(state, index);
+  require(ref && !std::holds_alternative<std::monostate>(any_of(*ref)), call, ": ", name,
+          " must be a thing of the scene, got ", kind_of_value(state, index));
+  require_alive(*ref);
+  return *ref;
+}
+
+const Ref& check_kind(lua_State* state, int index, Kind kind, const std::string& call, const std::string& name) {
+  const Ref* ref = to_ref(state, index);
+  require(ref && ref->kind == kind, call, ": ", name, " must be a ", type_of(kind).word, ", got ",
+          kind_of_value(state, index));
+  require_alive(*ref);
+  return *ref;
+}
+
+PointId check_point(lua_State* state, int index, const std::string& call, const std::string& name) {
+  const Ref* ref = to_ref(state, index);
+  require(!ref || ref->kind != Kind::body, call, ": ", name,
+          " must be a point or a particle, got a body; name one of its points");
+  require(ref && (ref->kind == Kind::point || ref->kind == Kind::particle), call, ": ", name,
+          " must be a point or a particle, got ", kind_of_value(state, index));
+  require_alive(*ref);
+  if (ref->kind == Kind::point) return ref->id<PointId>();
+  return star(ref->script->world, ref->id<ParticleId>());
+}
+
+BodyId check_body(lua_State* state, int index, const std::string& call, const std::string& name) {
+  return check_kind(state, index, Kind::body, call, name).id<BodyId>();
+}
+
+}  // namespace pantin::lua

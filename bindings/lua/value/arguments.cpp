@@ -1,0 +1,181 @@
+#include "lua/value/arguments.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lua/value/values.hpp"
+
+namespace pantin::lua {
+namespace {
+
+std::string with_unit(const char* unit) { return *unit ? text(" [", unit, "]") : ""; }
+
+/// Number of letters to insert, delete or change (Levenshtein 1966).
+std::size_t distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); j++) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); i++) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); j++) {
+      const std::size_t change = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({change, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+double check_number_or_infinity(lua_State* state, int index, const std::string& what, const std::string& name,
+                                const char* unit) {
+  require(lua_type(state, index) == LUA_TNUMBER, what, ": ", name, " must be a number", with_unit(unit), ", got ",
+          kind_of_value(state, index));
+  const double value = lua_tonumber(state, index);
+  require(!std::isnan(value), what, ": ", name, " must be a number", with_unit(unit), ", got NaN");
+  return value;
+}
+
+double check_number(lua_State* state, int index, const std::string& what, const std::string& name, const char* unit) {
+  require(lua_type(state, index) == LUA_TNUMBER, what, ": ", name, " must be a number", with_unit(unit), ", got ",
+          kind_of_value(state, index));
+  const double value = lua_tonumber(state, index);
+  require(std::isfinite(value), what, ": ", name, " must be a finite number", with_unit(unit), ", got ", value);
+  return value;
+}
+
+Vec3 check_vec(lua_State* state, int index, const std::string& what, const std::string& name, const char* unit) {
+  const auto v = to_vec(state, index);
+  require(v.has_value(), what, ": ", name, " must be a vec", with_unit(unit), ", got ", kind_of_value(state, index));
+  if (!finite(*v))
+    throw Error(text(what, ": ", name, " must be a finite vec", with_unit(unit), ", got vec(", to_text((*v)[0]), ", ",
+                     to_text((*v)[1]), ", ", to_text((*v)[2]), ")"));
+  return *v;
+}
+
+Quat check_quat(lua_State* state, int index, const std::string& what, const std::string& name) {
+  const auto q = to_quat(state, index);
+  require(q.has_value(), what, ": ", name, " must be a quat, got ", kind_of_value(state, index));
+  return *q;
+}
+
+Color check_color(lua_State* state, int index, const std::string& what, const std::string& name) {
+  const auto color = to_color(state, index);
+  if (color) return *color;
+  const std::string got = lua_type(state, index) == LUA_TSTRING ? text("\"", lua_tostring(state, index), "\"")
+                                                                : kind_of_value(state, index);
+  throw Error(text(what, ": ", name,
+                   " must be a color, \"#rgb\", \"#rrggbb\", \"#rrggbbaa\" or { r, g, b, a } of 0 to 1, got ", got));
+}
+
+bool check_boolean(lua_State* state, int index, const std::string& what, const std::string& name) {
+  require(lua_isboolean(state, index), what, ": ", name, " must be true or false, got ", kind_of_value(state, index));
+  return lua_toboolean(state, index) != 0;
+}
+
+std::string check_text(lua_State* state, int index, const std::string& what, const std::string& name) {
+  require(lua_type(state, index) == LUA_TSTRING, what, ": ", name, " must be a string, got ",
+          kind_of_value(state, index));
+  std::size_t size = 0;
+  const char* s = lua_tolstring(state, index, &size);
+  return {s, size};
+}
+
+Callback check_function(lua_State* state, int index, const std::string& what, const std::string& name) {
+  require(lua_isfunction(state, index), what, ": ", name, " must be a function, got ", kind_of_value(state, index));
+  return Callback(state, index);
+}
+
+Options::Options(lua_State* state, int index, std::string what, std::vector<std::string> names)
+    : state_(state), what_(std::move(what)) {
+  if (lua_isnoneornil(state, index)) return;
+  require(lua_istable(state, index), what_, ": the options must be a table { name = value }, got ",
+          kind_of_value(state, index));
+  index_ = lua_absindex(state, index);
+  std::vector<std::string> wrong;  // the order of lua_next differs from run to run
+  lua_pushnil(state);
+  while (lua_next(state, index_)) {
+    lua_pop(state, 1);
+    const std::string key = lua_type(state, -1) == LUA_TSTRING ? lua_tostring(state, -1)
+                            : lua_isinteger(state, -1)         ? text(lua_tointeger(state, -1))
+                                                               : kind_of_value(state, -1);
+    if (std::find(names.begin(), names.end(), key) == names.end()) wrong.push_back(key);
+  }
+  if (wrong.empty()) return;
+  const std::string& key = *std::min_element(wrong.begin(), wrong.end());
+  throw Error(text(what_, ": unknown field '", key, "'.", suggestion(key, names), " Known are ", joined(names)));
+}
+
+bool Options::has(const char* key) const {
+  if (!index_) return false;
+  push(key);
+  const bool given = !lua_isnil(state_, -1);
+  lua_pop(state_, 1);
+  return given;
+}
+
+int Options::push(const char* key) const {
+  if (!index_) {
+    lua_pushnil(state_);
+  } else {
+    lua_pushstring(state_, key);
+    lua_rawget(state_, index_);
+  }
+  return lua_gettop(state_);
+}
+
+template <class Read>
+auto Options::read(const char* key, Read&& read) const {
+  std::optional<decltype(read(0))> value;
+  const int at = push(key);
+  if (!lua_isnil(state_, at)) value.emplace(read(at));
+  lua_pop(state_, 1);
+  return value;
+}
+
+std::optional<double> Options::number(const char* key, const char* unit) const {
+  return read(key, [&](int at) { return check_number(state_, at, what_, key, unit); });
+}
+std::optional<double> Options::number_or_infinity(const char* key, const char* unit) const {
+  return read(key, [&](int at) { return check_number_or_infinity(state_, at, what_, key, unit); });
+}
+std::optional<Vec3> Options::vector(const char* key, const char* unit) const {
+  return read(key, [&](int at) { return check_vec(state_, at, what_, key, unit); });
+}
+std::optional<Quat> Options::quat(const char* key) const {
+  return read(key, [&](int at) { return check_quat(state_, at, what_, key); });
+}
+std::optional<Color> Options::color(const char* key) const {
+  return read(key, [&](int at) { return check_color(state_, at, what_, key); });
+}
+std::optional<bool> Options::boolean(const char* key) const {
+  return read(key, [&](int at) { return check_boolean(state_, at, what_, key); });
+}
+std::optional<std::string> Options::string(const char* key) const {
+  return read(key, [&](int at) { return check_text(state_, at, what_, key); });
+}
+std::optional<Callback> Options::function(const char* key) const {
+  return read(key, [&](int at) { return check_function(state_, at, what_, key); });
+}
+
+std::string suggestion(const std::string& name, const std::vector<std::string>& names) {
+  std::size_t nearest = 3;
+  std::string best;
+  for (const std::string& candidate : names) {
+    const std::size_t d = distance(name, candidate);
+    if (d < nearest && d < candidate.size()) {
+      nearest = d;
+      best = candidate;
+    }
+  }
+  return best.empty() ? "" : text(" Did you mean '", best, "'?");
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  return all;
+}
+
+}  // namespace pantin::lua

@@ -1,0 +1,61 @@
+#pragma once
+// Checking what scripts give. Every check throws Error that names the value, what it must be, and what came.
+#include <lua.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/check.hpp"
+#include "base/color.hpp"
+#include "base/lanes.hpp"
+#include "lua/value/callback.hpp"
+
+namespace pantin::lua {
+
+/// A finite number; `what` and `name` begin the message: "body: mass must be a finite number [kg], got NaN".
+double check_number(lua_State* state, int index, const std::string& what, const std::string& name, const char* unit);
+/// The same, but infinity is allowed.
+double check_number_or_infinity(lua_State* state, int index, const std::string& what, const std::string& name,
+                                const char* unit);
+Vec3 check_vec(lua_State* state, int index, const std::string& what, const std::string& name, const char* unit);
+Quat check_quat(lua_State* state, int index, const std::string& what, const std::string& name);
+Color check_color(lua_State* state, int index, const std::string& what, const std::string& name);
+bool check_boolean(lua_State* state, int index, const std::string& what, const std::string& name);
+std::string check_text(lua_State* state, int index, const std::string& what, const std::string& name);
+Callback check_function(lua_State* state, int index, const std::string& what, const std::string& name);
+
+/// A table of named values: `{ mass = 1, at = vec(0, 1, 0) }`. A name that is not known is an error.
+class Options {
+ public:
+  /// Nothing at `index` is an empty table.
+  Options(lua_State* state, int index, std::string what, std::vector<std::string> known);
+
+  bool has(const char* key) const;
+  /// Pushes the value and returns its index.
+  int push(const char* key) const;
+  std::optional<double> number(const char* key, const char* unit) const;
+  std::optional<double> number_or_infinity(const char* key, const char* unit) const;
+  std::optional<Vec3> vector(const char* key, const char* unit) const;
+  std::optional<Quat> quat(const char* key) const;
+  std::optional<Color> color(const char* key) const;
+  std::optional<bool> boolean(const char* key) const;
+  std::optional<std::string> string(const char* key) const;
+  std::optional<Callback> function(const char* key) const;
+  const std::string& what() const { return what_; }
+  lua_State* state() const { return state_; }
+
+ private:
+  template <class Read>
+  auto read(const char* key, Read&& read) const;
+
+  lua_State* state_;
+  int index_ = 0;  ///< 0: no table was given
+  std::string what_;
+};
+
+/// " Did you mean 'mass'?" where one of the names is near, else "".
+std::string suggestion(const std::string& name, const std::vector<std::string>& names);
+/// "a, b, c"
+std::string joined(const std::vector<std::string>& names);
+
+}  // namespace pantin::lua

@@ -1,0 +1,80 @@
+#pragma once
+// The userdata of a thing: a handle, which names it while it lives and its story afterwards.
+#include <cstdint>
+#include <lua.hpp>
+#include <string>
+
+#include "lua/value/values.hpp"
+#include "world/world.hpp"
+
+namespace pantin::lua {
+
+struct Script;
+
+enum class Kind : std::uint32_t {
+  point,
+  particle,
+  body,
+  nail,
+  follow,
+  rod,
+  weld,
+  orient,
+  align,
+  motor,
+  limit,
+  on_plane,
+  string,
+  on_path,
+  join,
+  group,
+  family,
+  connection,
+  interaction,
+  field,
+  emitter,
+  event,
+  hand,
+  subscription,
+  structure,
+  draw,
+  snapshot,
+  scene
+};
+inline constexpr std::size_t kind_count = 28;
+
+/// Whether things of this kind are constraints.
+inline bool is_constraint(Kind kind) { return kind >= Kind::nail && kind <= Kind::join; }
+
+/// The userdata.
+struct Ref {
+  Tag tag = Tag::ref;
+  Kind kind = Kind::point;
+  std::uint32_t slot = 0;
+  std::uint32_t generation = 0;
+  std::uint64_t serial = 0;  ///< order of making
+  Script* script = nullptr;
+  const World* world = nullptr;  ///< the script's
+
+  template <class Id>
+  Id id() const {
+    return {slot, generation};
+  }
+};
+
+/// The thing at `index`, alive or not, or null.
+const Ref* to_ref(lua_State* state, int index);
+/// The ref as the engine knows it; monostate for hands, events, subscriptions, structures and scenes.
+AnyId any_of(const Ref& ref);
+
+/// Whether what it names still lives.
+bool alive(const Ref& ref);
+/// Throws StaleHandle with its story where it is gone.
+void require_alive(const Ref& ref);
+
+/// "a body", "a hinge": for messages.
+const char* kind_of_thing(const Ref& ref);
+/// "body 'arm'": the thing itself.
+std::string describe(const Ref& ref);
+
+}  // namespace pantin::lua

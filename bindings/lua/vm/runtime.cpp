@@ -1,0 +1,136 @@
+#include "lua/vm/runtime.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "scene/interrupt.hpp"
+
+namespace pantin::lua {
+namespace {
+
+thread_local Runtime* current_runtime = nullptr;
+
+/// Marks the runtime as the one whose script runs, with its clock going.
+struct Inside {
+  Inside(Runtime& runtime, lua_State* state, double seconds)
+      : watch(runtime.watch()), previous(current_runtime), previous_watch(watch.enter(state, seconds)) {
+    current_runtime = &runtime;
+  }
+  ~Inside() {
+    current_runtime = previous;
+    watch.leave(previous_watch);
+  }
+  Inside(const Inside&) = delete;
+  Inside& operator=(const Inside&) = delete;
+
+  Watch& watch;
+  Runtime* previous;
+  Watch* previous_watch;
+};
+
+int panic(lua_State* state) {
+  const char* message = lua_tostring(state, -1);
+  throw std::logic_error(text("a fault of Pantin itself: unprotected error of Lua: ", message ? message : "?"));
+}
+
+}  // namespace
+
+Runtime::Runtime(Limits limits, const Opener& opener) : limits_(limits), describe_error_(opener.describe_error) {
+  main_ = lua_newstate(allocate, this);
+  if (!main_)
+    throw UsageError(text("--memory-limit: ", limits.bytes, " bytes are not enough to start Lua; give at least 1 MB"));
+  lua_atpanic(main_, panic);
+  *static_cast<Runtime**>(lua_getextraspace(main_)) = this;
+  watch_.running = main_;
+  try {
+    run([&](lua_State* state) { opener.open(state); });
+  } catch (...) {
+    lua_close(main_);
+    throw;
+  }
+}
+
+Runtime::~Runtime() { lua_close(main_); }
+
+Runtime* Runtime::current() { return current_runtime; }
+
+void* Runtime::allocate(void* self, void* block, std::size_t old_size, std::size_t new_size) {
+  Runtime& runtime = *static_cast<Runtime*>(self);
+  if (!block) old_size = 0;
+  if (new_size == 0) {
+    std::free(block);
+    runtime.bytes_ -= old_size;
+    return nullptr;
+  }
+  if (new_size > old_size && runtime.bytes_ - old_size + new_size > runtime.limits_.bytes) {
+    if (runtime.main_) runtime.refused_at_ = where(runtime.active());
+    return nullptr;
+  }
+  void* fresh = std::realloc(block, new_size);
+  if (fresh) runtime.bytes_ += new_size - old_size;
+  return fresh;
+}
+
+int Runtime::start(lua_State* state) {
+  Job& job = *static_cast<Job*>(lua_touserdata(state, 1));
+  lua_settop(state, 0);
+  try {
+    job.call(job.body, state);
+  } catch (const std::exception&) { job.thrown = std::current_exception(); }
+  return 0;
+}
+
+void Runtime::run_job(Job& job) {
+  lua_State* state = active();
+  const Inside inside(*this, state, limits_.seconds);
+  runs_++;
+  require(lua_checkstack(state, 8) != 0, "the script called itself too deeply");
+  lua_pushcfunction(state, describe_error_);
+  lua_pushcfunction(state, start);
+  lua_pushlightuserdata(state, &job);
+  const int status = lua_pcall(state, 1, 0, -3);
+  lua_remove(state, status == LUA_OK ? -1 : -2);
+  if (status != LUA_OK) fail(state, status);
+  if (job.thrown) std::rethrow_exception(job.thrown);
+}
+
+void Runtime::fail(lua_State* state, int status) {
+  std::string message;
+  if (status == LUA_ERRMEM)
+    message = text(refused_at_.empty() ? "" : refused_at_ + ": ", "Lua's memory is full: the limit is ",
+                   limits_.bytes >> 20, " MiB (--memory-limit)");
+  else
+    message = lua_tostring(state, -1);
+  lua_pop(state, 1);
+  if (message == stale_message) throw StaleHandle(message);
+  if (message == usage_message) throw UsageError(message);
+  if (watch_.over && scripts_interrupted()) throw Interrupted(message);
+  throw ScriptError(message);
+}
+
+void Runtime::load(lua_State* state, const std::string& source, const std::string& name) {
+  require(!source.starts_with('\x1b'), name, ":1: this is compiled code, and a scene is a text");
+  const std::string chunk = "@" + name;
+  // A first line that begins with # is for the shell.
+  const std::size_t skipped = source.starts_with('#') ? std::min(source.find('\n'), source.size()) : 0;
+  if (luaL_loadbufferx(state, source.data() + skipped, source.size() - skipped, chunk.c_str(), "t") != LUA_OK)
+    lua_error(state);
+}
+
+std::optional<std::string> Runtime::read(const std::string& path) const {
+  std::optional<std::string> content = reader(path);
+  if (content && on_read) on_read({path, *content});
+  return content;
+}
+
+Outside::Outside() : paused_(current_runtime) {
+  if (paused_) left_ = paused_->watch().pause();
+  current_runtime = nullptr;
+}
+
+Outside::~Outside() {
+  current_runtime = paused_;
+  if (paused_) paused_->watch().resume(left_);
+}
+
+}  // namespace pantin::lua

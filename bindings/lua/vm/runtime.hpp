@@ -1,0 +1,107 @@
+#pragma once
+// A Lua state with its limits of time and memory.
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+
+#include "base/random.hpp"
+#include "lua/vm/guard.hpp"
+#include "lua/vm/watchdog.hpp"
+#include "scene/files.hpp"
+#include "scene/options.hpp"
+
+namespace pantin::lua {
+
+class LawRun;
+
+/// What a state begins with.
+struct Opener {
+  void (*open)(lua_State* state);  ///< gives it what a script finds
+  lua_CFunction describe_error;    ///< message handler: makes a text of any error
+};
+
+struct Limits {
+  double seconds = 0.0;   ///< [s] of one call into the script; 0: none
+  std::size_t bytes = 0;  ///< of Lua's memory
+};
+
+class Runtime {
+ public:
+  Runtime(Limits limits, const Opener& opener);
+  ~Runtime();
+  Runtime(const Runtime&) = delete;
+  Runtime& operator=(const Runtime&) = delete;
+
+  static Runtime& of(lua_State* state) { return **static_cast<Runtime**>(lua_getextraspace(state)); }
+  /// The innermost runtime whose script runs on this thread, or null.
+  static Runtime* current();
+
+  /// Runs `body(state)` protected and within the limits. Errors of Lua leave as ScriptError, Interrupted, StaleHandle or UsageError;
+  /// exceptions of C++ leave as they are.
+  template <class Body>
+  void run(Body&& body) {
+    Job job{&body, [](void* b, lua_State* state) { (*static_cast<std::remove_reference_t<Body>*>(b))(state); }, {}};
+    run_job(job);
+  }
+  /// Pushes the chunk of a text; `name` is what messages call it.
+  void load(lua_State* state, const std::string& source, const std::string& name);
+  /// All of a file, which `on_read` is told, or nothing where it cannot be read.
+  std::optional<std::string> read(const std::string& path) const;
+
+  /// How often scripts ran.
+  std::uint64_t runs() const { return runs_; }
+  /// The state that runs: the main one, or a coroutine.
+  lua_State* active() const { return watch_.running.load(std::memory_order_relaxed); }
+  Watch& watch() { return watch_; }
+
+  std::function<std::optional<std::string>(const std::string& path)> reader = file_content;  ///< of contents of files
+  std::function<void(const FileRead&)> on_read;  ///< told each file that is read; may be empty
+  std::string folder;                            ///< of the scene: where `require` looks first, and `read_table`
+  std::string home;                              ///< holds scripts/lib and scripts/behaviours
+  Random* random = nullptr;                      ///< source of math.random
+  lua_Integer shown = 0;                         ///< values that were given a number to be shown by
+  LawRun* law = nullptr;                         ///< the law whose function runs, or null
+  std::uint64_t traces = 0;                      ///< that were begun so far
+  std::string stale_message;                     ///< text of the last error that a StaleHandle became
+  std::string usage_message;                     ///< text of the last error that a UsageError became
+
+ private:
+  struct Job {
+    void* body;
+    void (*call)(void*, lua_State*);
+    std::exception_ptr thrown;
+  };
+  static int start(lua_State* state);
+  static void* allocate(void* self, void* block, std::size_t old_size, std::size_t new_size);
+  void run_job(Job& job);
+  [[noreturn]] void fail(lua_State* state, int status);
+
+  Limits limits_;
+  lua_CFunction describe_error_;
+  std::uint64_t runs_ = 0;
+  std::size_t bytes_ = 0;
+  std::string refused_at_;  ///< place at which memory was refused last
+  lua_State* main_ = nullptr;
+  Watch watch_;
+};
+
+/// While it lives, the time of the script that is running does not count: the engine is at work.
+class Outside {
+ public:
+  Outside();
+  ~Outside();
+  Outside(const Outside&) = delete;
+  Outside& operator=(const Outside&) = delete;
+
+ private:
+  Runtime* paused_;
+  std::int64_t left_ = 0;  ///< [ns]
+};
+
+}  // namespace pantin::lua

@@ -1,0 +1,171 @@
+#include "lua/vm/watchdog.hpp"
+
+#include <signal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <limits>
+#include <mutex>
+#include <stop_token>
+#include <thread>
+#include <vector>
+
+#include "lua/vm/runtime.hpp"
+#include "scene/interrupt.hpp"
+
+namespace pantin::lua {
+
+namespace {
+
+std::int64_t nanoseconds(clockid_t clock) {
+  timespec t{};
+  clock_gettime(clock, &t);
+  return t.tv_sec * 1'000'000'000 + t.tv_nsec;
+}
+
+/// Of a thread that may be another.
+std::int64_t processor_ns(pthread_t thread) {
+  clockid_t clock{};
+  return pthread_getcpuclockid(thread, &clock) == 0 ? nanoseconds(clock) : 0;
+}
+
+std::int64_t processor_ns() { return nanoseconds(CLOCK_THREAD_CPUTIME_ID); }
+
+constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max() / 2;  // [ns]
+
+bool time_is_over(const Watch& watch) {
+  const std::int64_t deadline = watch.deadline;
+  return deadline != 0 && (processor_ns(watch.thread) >= deadline || scripts_must_end());
+}
+
+/// The watch whose script runs on this thread: the handler touches no other.
+thread_local std::atomic<Watch*> watched{nullptr};
+
+std::string why_stopped(lua_State* state) {
+  const std::string place = where(state), begin = place.empty() ? "" : place + ": ";
+  if (scripts_interrupted()) return begin + "the script was interrupted";
+  return text(begin, "the script did not come back within ", Runtime::of(state).watch().limit,
+              " s and was stopped (--script-limit)");
+}
+
+void stop_script(lua_State* state, lua_Debug*) {
+  if (!Runtime::of(state).watch().over) {  // left over on a coroutine that slept when the time was up
+    lua_sethook(state, nullptr, 0, 0);
+    return;
+  }
+  const std::string message = why_stopped(state);
+  lua_pushlstring(state, message.data(), message.size());
+  lua_error(state);
+}
+
+void time_is_up(Watch& watch) {
+  if (!time_is_over(watch)) return;
+  watch.over = true;
+  if (lua_State* state = watch.running) lua_sethook(state, stop_script, LUA_MASKCOUNT, 1);
+}
+
+void on_signal(int, siginfo_t* info, void*) {
+  if (info->si_code != SI_QUEUE) return;
+  Watch* watch = watched;
+  if (watch && watch == info->si_value.sival_ptr) time_is_up(*watch);
+}
+
+void send(Watch& watch) {
+#if defined(__SANITIZE_THREAD__)
+  time_is_up(watch);  // the sanitizer holds signals back while a loop calls nothing
+#else
+  sigval value{};
+  value.sival_ptr = &watch;
+  pthread_sigqueue(watch.thread, SIGURG, value);
+#endif
+}
+
+/// The thread that looks at all watches.
+class Watchdog {
+ public:
+  static Watchdog& instance() {
+    static Watchdog watchdog;
+    return watchdog;
+  }
+  void add(Watch* watch) {
+    const std::lock_guard lock(mutex_);
+    watches_.push_back(watch);
+  }
+  void remove(Watch* watch) {
+    const std::lock_guard lock(mutex_);
+    std::erase(watches_, watch);
+  }
+
+ private:
+  Watchdog() {
+    struct sigaction action {};
+    action.sa_sigaction = on_signal;
+    action.sa_flags = SA_SIGINFO | SA_RESTART;
+    sigaction(SIGURG, &action, nullptr);
+    thread_ = std::jthread([this](std::stop_token stop) { look(stop); });
+  }
+  void look(const std::stop_token& stop) {
+    using namespace std::chrono_literals;
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, nullptr);
+    std::unique_lock lock(mutex_);
+    while (!stop.stop_requested()) {
+      wake_.wait_for(lock, stop, 20ms, [] { return false; });
+      for (Watch* watch : watches_)
+        if (!watch->over && time_is_over(*watch)) send(*watch);
+    }
+  }
+
+  std::mutex mutex_;
+  std::condition_variable_any wake_;
+  std::vector<Watch*> watches_;
+  std::jthread thread_;  // last: it stops before the others go
+};
+
+}  // namespace
+
+Watch::Watch() { Watchdog::instance().add(this); }
+Watch::~Watch() { Watchdog::instance().remove(this); }
+
+Watch* Watch::enter(lua_State* state, double seconds) {
+  Watch* previous = watched.exchange(this);
+  if (depth++ > 0) return previous;
+  limit = seconds;
+  running = state;
+  thread = pthread_self();
+  over = false;
+  deadline = seconds > 0 ? processor_ns() + static_cast<std::int64_t>(std::min(seconds, 1e9) * 1e9) : never;
+  return previous;
+}
+
+void Watch::leave(Watch* previous) {
+  if (--depth == 0) {
+    deadline = 0;
+    if (over) lua_sethook(running, nullptr, 0, 0);
+    over = false;
+  }
+  watched = previous;
+}
+
+void Watch::switch_to(lua_State* state) {
+  running = state;
+  if (over) lua_sethook(state, stop_script, LUA_MASKCOUNT, 1);
+}
+
+std::int64_t Watch::pause() {
+  const std::int64_t end = deadline.exchange(0);
+  return end == 0 ? 0 : std::max<std::int64_t>(end - processor_ns(), 1);
+}
+
+void Watch::resume(std::int64_t left) {
+  if (left > 0) deadline = processor_ns() + left;
+}
+
+void Steps::ask() {
+  count_ = 0;
+  if (Runtime::of(state_).watch().over) throw ScriptError(why_stopped(state_));
+}
+
+}  // namespace pantin::lua
