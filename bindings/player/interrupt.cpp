@@ -2,8 +2,8 @@
 
 #include <csignal>
 
-#include "scene/interrupt.hpp"
 #include "player/unfinished.hpp"
+#include "scene/interrupt.hpp"
 
 namespace pantin::player {
 namespace {

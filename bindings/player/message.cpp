@@ -6,8 +6,6 @@
 
 namespace pantin::player {
 
-void say(const std::string& message) {
-  std::cerr << (names_place(message) ? "" : "pantin: ") << message << std::endl;
-}
+void say(const std::string& message) { std::cerr << (names_place(message) ? "" : "pantin: ") << message << std::endl; }
 
 }  // namespace pantin::player

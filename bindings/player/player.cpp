@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "choreography/hands.hpp"
-#include "scene/errors.hpp"
 #include "player/hand_path.hpp"
 #include "player/home.hpp"
 #include "player/interrupt.hpp"
 #include "player/marks.hpp"
 #include "player/message.hpp"
+#include "scene/errors.hpp"
 #include "view/pick.hpp"
 #include "view/view_keys.hpp"
 

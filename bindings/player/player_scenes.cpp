@@ -3,10 +3,10 @@
 #include <exception>
 #include <thread>
 
-#include "scene/interrupt.hpp"
 #include "player/home.hpp"
 #include "player/message.hpp"
 #include "player/player.hpp"
+#include "scene/interrupt.hpp"
 #include "view/keys.hpp"
 
 namespace pantin::player {

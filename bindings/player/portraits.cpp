@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "base/hash.hpp"
-#include "scene/interrupt.hpp"
 #include "player/aim.hpp"
+#include "scene/interrupt.hpp"
 #include "view/picture.hpp"
 
 namespace fs = std::filesystem;

@@ -4,8 +4,6 @@
 #include <memory>
 #include <optional>
 
-#include "scene/errors.hpp"
-#include "scene/headway.hpp"
 #include "player/animation.hpp"
 #include "player/closing.hpp"
 #include "player/home.hpp"
@@ -15,6 +13,8 @@
 #include "player/pictures.hpp"
 #include "player/progress.hpp"
 #include "player/trajectory.hpp"
+#include "scene/errors.hpp"
+#include "scene/headway.hpp"
 
 namespace pantin::player {
 namespace {

@@ -9,10 +9,10 @@
 #include <tuple>
 
 #include "laws/draws_noise.hpp"
-#include "scene/errors.hpp"
 #include "player/interrupt.hpp"
 #include "player/message.hpp"
 #include "player/run.hpp"
+#include "scene/errors.hpp"
 
 namespace pantin::player {
 namespace {

@@ -5,12 +5,12 @@
 #include <cstdio>
 #include <numeric>
 
-#include "scene/errors.hpp"
-#include "scene/headway.hpp"
 #include "measure/measure.hpp"
 #include "player/home.hpp"
 #include "player/interrupt.hpp"
 #include "player/machine.hpp"
+#include "scene/errors.hpp"
+#include "scene/headway.hpp"
 
 namespace pantin::player {
 namespace {

@@ -3,7 +3,7 @@
 #include <thread>
 
 #include "bindings/lua_support.hpp"
-#include "lua/watchdog.hpp"
+#include "lua/vm/watchdog.hpp"
 #include "scene/interrupt.hpp"
 
 using namespace pantin;

@@ -35,9 +35,13 @@ const Names engine_order = {"engine/base",
                             "engine/structures",
                             "engine/step"};
 
+const Names lua_order = {"bindings/lua/vm",    "bindings/lua/value", "bindings/lua/law",  "bindings/lua/library",
+                         "bindings/lua/thing", "bindings/lua/scene", "bindings/lua/meta", "bindings/lua/test"};
+
 // Beginnings of headers from elsewhere that a folder must do without.
 const std::map<std::string_view, Names> forbidden_headers = {
     {"engine", {"lua", "lauxlib", "SDL", "epoxy", "GL/", "imgui", "backends/", "stb_", "CLI/", "nlohmann", "iostream"}},
+    {"bindings/scene", {"lua", "lauxlib", "SDL", "epoxy", "GL/", "imgui", "backends/", "stb_", "CLI/"}},
     {"bindings/lua", {"SDL", "epoxy", "GL/", "imgui", "backends/", "stb_", "CLI/"}},
     {"bindings/view", {"lua", "lauxlib", "CLI/"}},
 };
@@ -47,15 +51,38 @@ const Names printing = {"printf(", "fprintf(", "puts(", "fputs(", "putchar(", "c
 // "engine/edit/edit.cpp" lies in "engine/edit".
 std::string folder_of(const std::string& path) { return fs::path(path).parent_path().generic_string(); }
 
-bool is_engine(std::string_view folder) { return folder == "engine" || folder.starts_with("engine/"); }
+bool lies_in(std::string_view folder, std::string_view whole) {
+  return folder == whole || (folder.starts_with(whole) && folder[whole.size()] == '/');
+}
+
+bool is_engine(std::string_view folder) { return lies_in(folder, "engine"); }
+
+// The order of the rooms that a folder is one of, or null.
+const Names* order_of(std::string_view folder) {
+  if (is_engine(folder)) return &engine_order;
+  return lies_in(folder, "bindings/lua") ? &lua_order : nullptr;
+}
+
+bool has_position(const Names& order, std::string_view folder) {
+  return std::find(order.begin(), order.end(), folder) != order.end();
+}
 
 bool may_include(std::string_view from, std::string_view to) {
-  if (is_engine(from)) {
-    const auto position = std::find(engine_order.begin(), engine_order.end(), from);
-    return position != engine_order.end() && std::find(engine_order.begin(), position + 1, to) != position + 1;
+  const Names* order = order_of(from);
+  if (order && order == order_of(to)) {
+    const auto position = std::find(order->begin(), order->end(), from);
+    return position != order->end() && std::find(order->begin(), position + 1, to) != position + 1;
   }
-  if (from == to || is_engine(to)) return true;
-  return (from == "bindings/player" || from == "bindings/player/panels") && to.starts_with("bindings/");
+  if (is_engine(from)) return false;
+  if (from == to || is_engine(to) || to == "bindings/scene") return true;
+  return lies_in(from, "bindings/player") && lies_in(to, "bindings");
+}
+
+// Of headers that files in a folder must do without; may be empty.
+Names forbidden_in(std::string_view folder) {
+  for (const auto& [whole, headers] : forbidden_headers)
+    if (lies_in(folder, whole)) return headers;
+  return {};
 }
 
 // The file that `#include "name"` in `path` means, or nothing.
@@ -92,9 +119,8 @@ void check_include(const Files& files, const std::string& path, const std::strin
   if (!target.empty() && !may_include(from, folder_of(target))) wrong.push_back(path + " must not include " + target);
   if (name.starts_with("gemmi/") && path != "engine/structures/molecule_gemmi.cpp")
     wrong.push_back(path + " must not include " + name);
-  const auto forbidden = forbidden_headers.find(is_engine(from) ? "engine" : std::string_view(from));
-  if (!target.empty() || forbidden == forbidden_headers.end()) return;
-  for (const auto start : forbidden->second) {
+  if (!target.empty()) return;
+  for (const auto start : forbidden_in(from)) {
     if (name.starts_with(start)) wrong.push_back(path + " must not include " + name);
   }
 }
@@ -103,9 +129,9 @@ std::vector<std::string> wrong_arrows(const Files& files) {
   std::vector<std::string> wrong;
   for (const auto& [path, text] : files) {
     const std::string folder = folder_of(path);
-    if (is_engine(folder) && std::find(engine_order.begin(), engine_order.end(), folder) == engine_order.end()) {
+    const Names* order = order_of(folder);
+    if (order && !has_position(*order, folder))
       wrong.push_back(path + " lies in a folder without a position in the order");
-    }
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
       line = line.substr(0, line.find("//"));
@@ -135,9 +161,11 @@ TEST_CASE("an include the wrong way is found") {
       {"engine/laws/library.hpp", "std::snprintf(text, size, form);  // not printf(form)\n"},
       {"engine/step/step.hpp", ""},
       {"engine/step/step.cpp", "#include \"step/step.hpp\"\n#include \"world/world.hpp\"\n"},
-      {"bindings/lua/state.hpp", "#include <lua.hpp>\n#include \"step/step.hpp\"\n"},
-      {"bindings/view/camera.hpp", "#include <SDL.h>\n#include \"world/world.hpp\"\n"},
-      {"bindings/player/main.cpp", "#include \"lua/state.hpp\"\n#include \"view/camera.hpp\"\n"},
+      {"bindings/scene/options.hpp", "#include \"world/world.hpp\"\n"},
+      {"bindings/lua/vm/state.hpp", "#include <lua.hpp>\n#include \"step/step.hpp\"\n"},
+      {"bindings/lua/thing/body.hpp", "#include \"lua/vm/state.hpp\"\n#include \"scene/options.hpp\"\n"},
+      {"bindings/view/camera.hpp", "#include <SDL.h>\n#include \"scene/options.hpp\"\n"},
+      {"bindings/player/main.cpp", "#include \"lua/vm/state.hpp\"\n#include \"view/camera.hpp\"\n"},
   };
   CHECK(wrong_arrows(files) == std::vector<std::string>());
 
@@ -145,7 +173,7 @@ TEST_CASE("an include the wrong way is found") {
       {"engine/laws/library.hpp", "#include \"world/world.hpp\"", "must not include engine/world/world.hpp"},
       {"engine/laws/library.hpp", "#  include \"../world/world.hpp\"", "must not include engine/world/world.hpp"},
       {"engine/forces/kick.cpp", "#include \"step/step.hpp\"", "must not include engine/step/step.hpp"},
-      {"engine/base/check.hpp", "#include \"lua/state.hpp\"", "must not include bindings/lua/state.hpp"},
+      {"engine/base/check.hpp", "#include \"lua/vm/state.hpp\"", "must not include bindings/lua/vm/state.hpp"},
       {"engine/base/check.hpp", "#include <lua.hpp>", "must not include lua.hpp"},
       {"engine/base/check.hpp", "#include <SDL.h>", "must not include SDL.h"},
       {"engine/base/check.hpp", "#include <iostream>", "must not include iostream"},
@@ -153,9 +181,14 @@ TEST_CASE("an include the wrong way is found") {
       {"engine/base/check.hpp", "  std::printf(\"x\");", "must not print"},
       {"engine/base/check.hpp", "  std::cerr << 1;", "must not print"},
       {"engine/extra/thing.hpp", "", "without a position in the order"},
-      {"bindings/lua/state.hpp", "#include \"view/camera.hpp\"", "must not include bindings/view/camera.hpp"},
-      {"bindings/lua/state.hpp", "#include <SDL.h>", "must not include SDL.h"},
-      {"bindings/view/camera.hpp", "#include \"lua/state.hpp\"", "must not include bindings/lua/state.hpp"},
+      {"engine/base/check.hpp", "#include \"scene/options.hpp\"", "must not include bindings/scene/options.hpp"},
+      {"bindings/scene/options.hpp", "#include \"lua/vm/state.hpp\"", "must not include bindings/lua/vm/state.hpp"},
+      {"bindings/scene/options.hpp", "#include <lua.hpp>", "must not include lua.hpp"},
+      {"bindings/lua/vm/state.hpp", "#include \"lua/thing/body.hpp\"", "must not include bindings/lua/thing/body.hpp"},
+      {"bindings/lua/body.hpp", "", "without a position in the order"},
+      {"bindings/lua/vm/state.hpp", "#include \"view/camera.hpp\"", "must not include bindings/view/camera.hpp"},
+      {"bindings/lua/vm/state.hpp", "#include <SDL.h>", "must not include SDL.h"},
+      {"bindings/view/camera.hpp", "#include \"lua/vm/state.hpp\"", "must not include bindings/lua/vm/state.hpp"},
       {"bindings/view/camera.hpp", "#include <lua.hpp>", "must not include lua.hpp"},
       {"bindings/view/camera.hpp", "#include \"player/main.cpp\"", "must not include bindings/player/main.cpp"},
   }));
