@@ -4,9 +4,9 @@
 
 namespace pantin::player {
 
-Camera aim(const lua::Scene& scene, const Stage& stage, double aspect) {
+Camera aim(const Scene& scene, const Stage& stage, double aspect) {
   Camera camera = first_camera(stage, aspect);
-  lua::CameraWish wish = scene.camera();
+  CameraWish wish = scene.camera();
   Vec3 target = wish.look_at.value_or(camera.target);
   if (wish.at && norm(*wish.at - target) > 0.0)
     camera.look(*wish.at, target);
@@ -20,7 +20,7 @@ void Follower::choose(AnyId thing) {
   last_.reset();
 }
 
-void Follower::move(const lua::Scene& scene, Camera& camera) {
+void Follower::move(const Scene& scene, Camera& camera) {
   AnyId thing = chosen_.value_or(scene.camera().follow);
   if (std::holds_alternative<std::monostate>(thing) || !alive(scene.world(), thing)) return last_.reset();
   Bounds box = bounds(scene.world(), things_of(scene.world(), thing));

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "lua/scene/scene.hpp"
+#include "scene/errors.hpp"
 
 namespace pantin::player {
 

@@ -33,7 +33,7 @@ std::optional<std::string> energy_gone_wrong(const World& world) {
   return "the energy went wrong by more than a tenth of what the scene exchanges";
 }
 
-void print_closing(const lua::Scene& scene, const std::string& path, double seconds) {
+void print_closing(const Scene& scene, const std::string& path, double seconds) {
   const World& world = scene.world();
   char line[200];
   std::snprintf(line, sizeof line, ": %.6g s in %llu steps, %.2g s of wall time\n", world.time,

@@ -2,7 +2,7 @@
 #include <optional>
 #include <string>
 
-#include "lua/scene/scene.hpp"
+#include "scene/scene.hpp"
 
 namespace pantin::player {
 
@@ -10,6 +10,6 @@ namespace pantin::player {
 std::optional<std::string> energy_gone_wrong(const World& world);
 
 /// A few lines on standard output at the end of a run, and the scene's warnings on standard error. `seconds` of wall time.
-void print_closing(const lua::Scene& scene, const std::string& path, double seconds);
+void print_closing(const Scene& scene, const std::string& path, double seconds);
 
 }  // namespace pantin::player

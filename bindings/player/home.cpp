@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "lua/scene/scene.hpp"
+#include "scene/errors.hpp"
 
 namespace fs = std::filesystem;
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lua/scene/scene.hpp"
+#include "scene/scene.hpp"
 
 namespace pantin::player {
 
@@ -19,7 +19,7 @@ struct KeptPosition {
   std::size_t act = 0;     ///< the next of the recording
   std::map<std::string, std::string> set;
   FileContents contents;
-  std::shared_ptr<const lua::SceneSnapshot> state;
+  std::shared_ptr<const SceneSnapshot> state;
 };
 
 /// Some places of one scene, close together near where one is and farther apart elsewhere.

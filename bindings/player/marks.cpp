@@ -15,7 +15,7 @@ Mark::Kind mark_kind(Drawing::Kind kind) {
 
 }  // namespace
 
-void write_marks_of(const lua::Scene& scene, std::vector<Mark>& marks) {
+void write_marks_of(const Scene& scene, std::vector<Mark>& marks) {
   marks.resize(scene.drawings().size());
   for (std::size_t i = 0; i < marks.size(); i++) {
     const Drawing& d = scene.drawings()[i];

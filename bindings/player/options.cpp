@@ -9,6 +9,8 @@
 #include <iostream>
 #include <utility>
 
+#include "scene/errors.hpp"
+
 namespace pantin::player {
 namespace {
 
@@ -155,7 +157,7 @@ std::size_t read_bytes(const std::string& bytes) {
   throw UsageError(text("'", bytes, "' must be a size of 1MiB or more, with a unit: 512MiB, 1.5GB, 2GiB"));
 }
 
-SceneOptions lua_options(const RunOptions& options, const std::string& home) {
+SceneOptions scene_options(const RunOptions& options, const std::string& home) {
   SceneOptions result;
   result.set = options.set;
   result.script_limit = options.script_limit;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lua/scene/scene.hpp"
+#include "scene/options.hpp"
 #include "view/views.hpp"
 
 namespace pantin::player {
@@ -47,7 +47,7 @@ struct Options {
 Options read_options(int argc, const char* const* argv);
 
 /// How the scene is to be opened.
-SceneOptions lua_options(const RunOptions& options, const std::string& home);
+SceneOptions scene_options(const RunOptions& options, const std::string& home);
 
 /// Reads "1280x720"; throws UsageError.
 Size read_size(const std::string& text);

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <utility>
 
-#include "lua/scene/scene.hpp"
+#include "scene/errors.hpp"
 
 namespace fs = std::filesystem;
 

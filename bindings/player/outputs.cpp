@@ -4,6 +4,7 @@
 #include <set>
 
 #include "player/summary.hpp"
+#include "scene/errors.hpp"
 
 namespace pantin::player {
 
@@ -37,7 +38,7 @@ void Outputs::write_tables(const Times& times, const World& world) const {
     if (file.path().ends_with(".csv")) file.write(probe_table(times, world.probes));
 }
 
-void Outputs::write_summary(const lua::Scene& scene, const std::string& failure) const {
+void Outputs::write_summary(const Scene& scene, const std::string& failure) const {
   for (const Output& file : summary_) file.write(summary(scene, failure));
 }
 

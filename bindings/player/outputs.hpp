@@ -2,11 +2,11 @@
 #include <string>
 #include <vector>
 
-#include "lua/scene/scene.hpp"
 #include "player/options.hpp"
 #include "player/output.hpp"
 #include "player/pictures.hpp"
 #include "player/table.hpp"
+#include "scene/scene.hpp"
 
 namespace pantin::player {
 
@@ -24,7 +24,7 @@ class Outputs {
   std::vector<std::string> films() const;
 
   void write_tables(const Times& times, const World& world) const;
-  void write_summary(const lua::Scene& scene, const std::string& failure = "") const;
+  void write_summary(const Scene& scene, const std::string& failure = "") const;
   /// All are complete: they take their own names.
   void keep();
 

@@ -15,7 +15,7 @@ bool is_mp4(const std::string& path) { return path.ends_with(".mp4"); }
 
 }  // namespace
 
-Pictures::Pictures(const lua::Scene& scene, Size size, const Views& views, const std::vector<std::string>& film_paths)
+Pictures::Pictures(const Scene& scene, Size size, const Views& views, const std::vector<std::string>& film_paths)
     : scene_(scene),
       views_(views),
       window_(scene.title(), size.width, size.height, true),

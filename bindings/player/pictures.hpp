@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "lua/scene/scene.hpp"
 #include "player/aim.hpp"
 #include "player/frame_clock.hpp"
 #include "player/options.hpp"
+#include "scene/scene.hpp"
 #include "view/film.hpp"
 #include "view/renderer.hpp"
 #include "view/window.hpp"
@@ -18,7 +18,7 @@ namespace pantin::player {
 class Pictures {
  public:
   /// `film_paths` are files to write films to, by their endings.
-  Pictures(const lua::Scene& scene, Size size, const Views& views, const std::vector<std::string>& film_paths);
+  Pictures(const Scene& scene, Size size, const Views& views, const std::vector<std::string>& film_paths);
 
   /// Adds the frames that are due at the scene's present time; call it at the start and after each step.
   void add_frames();
@@ -29,7 +29,7 @@ class Pictures {
   void draw();
   Overlay overlay() const;
 
-  const lua::Scene& scene_;
+  const Scene& scene_;
   Views views_;
   Window window_;
   Renderer renderer_;

@@ -8,6 +8,7 @@
 #include "player/outputs.hpp"
 #include "player/player.hpp"
 #include "player/run.hpp"
+#include "scene/errors.hpp"
 
 namespace pantin::player {
 namespace {

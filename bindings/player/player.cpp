@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "choreography/hands.hpp"
+#include "lua/scene/open.hpp"
 #include "player/hand_path.hpp"
 #include "player/home.hpp"
 #include "player/interrupt.hpp"
@@ -35,12 +36,12 @@ double aspect(const Renderer& renderer) { return static_cast<double>(renderer.wi
 Player::Player(std::string path, const RunOptions& options, const std::string& home)
     : path_(std::move(path)),
       options_(options),
-      lua_options_(lua_options(options, home)),
-      scene_(lua::Scene::open_text("", "scenes", ".", {})),
+      scene_options_(scene_options(options, home)),
+      scene_(lua::open_scene_text("", "scenes", ".", {})),
       window_(open_window(title() + " - Pantin", options.size)),
       renderer_(window_.width(), window_.height(), window_.software() ? 0 : smooth_samples, window_.scale()),
       hands_([this] { return new_hand(); }),
-      browser_(home + "/scripts/scenes", options.scenes, lua_options_),
+      browser_(home + "/scripts/scenes", options.scenes, scene_options_),
       paused_(options.paused),
       views_(options.views) {
   renderer_.open(scene_->world());
@@ -48,7 +49,7 @@ Player::Player(std::string path, const RunOptions& options, const std::string& h
     browser_.show();
     return;
   }
-  adopt(load(path_, lua_options_));
+  adopt(load(path_, scene_options_));
   camera_ = aim(*scene_, renderer_.stage(), aspect(renderer_));
   if (!options_.record.empty()) record(options_.record);
 }

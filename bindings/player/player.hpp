@@ -5,7 +5,6 @@
 #include <memory>
 #include <string>
 
-#include "lua/scene/scene.hpp"
 #include "player/aim.hpp"
 #include "player/browser.hpp"
 #include "player/live_film.hpp"
@@ -18,6 +17,7 @@
 #include "player/status.hpp"
 #include "player/table.hpp"
 #include "player/undo.hpp"
+#include "scene/scene.hpp"
 #include "view/player_input.hpp"
 #include "view/renderer.hpp"
 #include "view/steering.hpp"
@@ -37,7 +37,7 @@ class Player {
   /// One frame: input, the steps that are due, a picture. False once it is over.
   bool frame();
 
-  const lua::Scene& scene() const { return *scene_; }
+  const Scene& scene() const { return *scene_; }
   const std::deque<Said>& said() const { return said_; }
   /// What went wrong last, while the window shows it; else null.
   const Said* complaint() const;
@@ -78,7 +78,7 @@ class Player {
   void keep_for_undo(const std::string& act, const StepInput& before);
   void open_with(const Rebuilt& rebuilt, const SceneValue& value, const char* does);
   UndoState undo_state() const;
-  void go_back(bool (Undo::*way)(lua::Scene&, Times&, StepInput&, std::string&));
+  void go_back(bool (Undo::*way)(Scene&, Times&, StepInput&, std::string&));
   void tell(const std::string& what);
   void tell_dropped();
   void tell_tool();
@@ -103,8 +103,8 @@ class Player {
   void record(const Edit& edit);
   void stop_recording(const std::string& why);
   void reload();
-  std::unique_ptr<lua::Scene> load(const std::string& path, const SceneOptions& options);
-  void adopt(std::unique_ptr<lua::Scene> fresh);
+  std::unique_ptr<Scene> load(const std::string& path, const SceneOptions& options);
+  void adopt(std::unique_ptr<Scene> fresh);
   void open_neighbour(int places);
   void fulfil(const Wishes& wishes);
   void complain(const std::string& why);
@@ -121,9 +121,9 @@ class Player {
 
   std::string path_;
   RunOptions options_;
-  SceneOptions lua_options_;
+  SceneOptions scene_options_;
   Reload reload_;
-  std::unique_ptr<lua::Scene> scene_;
+  std::unique_ptr<Scene> scene_;
   std::unique_ptr<Recorder> recorder_;
   std::unique_ptr<LiveFilm> film_;  ///< while it is taken
   Window window_;

@@ -71,7 +71,7 @@ UndoState Player::undo_state() const {
   return state;
 }
 
-void Player::go_back(bool (Undo::*way)(lua::Scene&, Times&, StepInput&, std::string&)) {
+void Player::go_back(bool (Undo::*way)(Scene&, Times&, StepInput&, std::string&)) {
   std::string told;
   if ((undo_.*way)(*scene_, times_, waiting_, told)) {
     changes_++;
@@ -79,7 +79,8 @@ void Player::go_back(bool (Undo::*way)(lua::Scene&, Times&, StepInput&, std::str
     log_read_ = scene_->world().log.size();
     failure_ = scene_->world().failure;
     for (const SceneParameter& p : scene_->parameters())
-      if (p.value != p.initial || lua_options_.set.contains(p.name)) lua_options_.set[p.name] = setting_text(p.value);
+      if (p.value != p.initial || scene_options_.set.contains(p.name))
+        scene_options_.set[p.name] = setting_text(p.value);
   }
   tell(told);
 }

@@ -4,8 +4,8 @@
 
 namespace pantin::player {
 void Player::record(const std::string& path) {
-  const auto named = [home = lua_options_.home](const std::string& file) { return path_as_recorded(file, home); };
-  RecordingHead head{program_version(), named(path_), lua_options_.set, {}};
+  const auto named = [home = scene_options_.home](const std::string& file) { return path_as_recorded(file, home); };
+  RecordingHead head{program_version(), named(path_), scene_options_.set, {}};
   for (const auto& [file, content] : reload_.files()) head.files[named(file)] = content;
   recorder_ = std::make_unique<Recorder>(path, std::move(head));
   reload_.on_read = [this, named](const FileRead& file) {
@@ -40,7 +40,7 @@ void Player::end_recording() {
 }
 
 void Player::reload() {
-  std::optional<Reloaded> reloaded = reload_.look(*scene_, path_, lua_options_);
+  std::optional<Reloaded> reloaded = reload_.look(*scene_, path_, scene_options_);
   if (!reloaded) return;
   if (!reloaded->scene) return complain(reloaded->error);
   if (recorder_) recorder_->gone_on();

@@ -26,9 +26,9 @@ std::string setting_text(const SceneValue& value) {
 }
 
 /// Opens a scene while the window stays alive, so that one that does not come to an end can be stopped.
-std::unique_ptr<lua::Scene> Player::load(const std::string& path, const SceneOptions& options) {
+std::unique_ptr<Scene> Player::load(const std::string& path, const SceneOptions& options) {
   const auto start = Clock::now();
-  std::unique_ptr<lua::Scene> scene;
+  std::unique_ptr<Scene> scene;
   std::exception_ptr error;
   std::atomic<bool> done = false;
   std::thread loader([&] {
@@ -72,7 +72,7 @@ void Player::wait_for(const std::atomic<bool>& done, const std::string& what) {
   if (stopped) allow_scripts();
 }
 
-void Player::adopt(std::unique_ptr<lua::Scene> fresh) {
+void Player::adopt(std::unique_ptr<Scene> fresh) {
   changes_++;
   undo_.clear();
   rebuilt_.reset();
@@ -94,23 +94,23 @@ void Player::adopt(std::unique_ptr<lua::Scene> fresh) {
 
 void Player::restart() {
   try {
-    adopt(load(path_, lua_options_));
+    adopt(load(path_, scene_options_));
     if (recorder_) recorder_->restarted();
     paused_ = false;
   } catch (const std::exception& error) { fail(error.what()); }
 }
 
 bool Player::open(const std::string& path) {
-  SceneOptions options = lua_options_;
+  SceneOptions options = scene_options_;
   std::erase_if(options.set, [](const auto& setting) { return !setting.first.starts_with("scene."); });
-  std::unique_ptr<lua::Scene> fresh;
+  std::unique_ptr<Scene> fresh;
   try {
     fresh = load(path, options);
   } catch (const std::exception& error) { return complain(error.what()), false; }
   stop_recording("another scene was opened");
   const bool first = path_.empty();
   path_ = path;
-  lua_options_ = options;
+  scene_options_ = options;
   adopt(std::move(fresh));
   if (first && !options_.record.empty()) record(options_.record);
   panels_.reset();
@@ -134,19 +134,19 @@ bool Player::set_parameter(const std::string& name, const SceneValue& value) {
   Rebuilt rebuilt{"change of " + name, name, parameter->value, value};
   if (rebuilt_ && rebuilt_->name == name && undo_.last().empty() && Clock::now() < changed_at_ + one_change)
     rebuilt.before = rebuilt_->before;
-  const auto before = lua_options_.set;
-  lua_options_.set[name] = setting_text(value);
+  const auto before = scene_options_.set;
+  scene_options_.set[name] = setting_text(value);
   if (live) begin_change(name);
   changes_++;
   bool taken = true;
   try {
     if (!scene_->set_parameter(name, value)) {
-      adopt(load(path_, lua_options_));
+      adopt(load(path_, scene_options_));
       rebuilt_ = std::move(rebuilt);
     }
   } catch (const std::exception& error) {
     taken = false;
-    lua_options_.set = before;
+    scene_options_.set = before;
     complain(error.what());
     if (!live) return false;
   }

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/hash.hpp"
+#include "lua/scene/open.hpp"
 #include "player/aim.hpp"
 #include "scene/interrupt.hpp"
 #include "view/picture.hpp"
@@ -164,11 +165,11 @@ void Portraits::run() {
     if (ending_) return;
     const State asked = state_;
     const std::string path = path_;
-    std::unique_ptr<lua::Scene> scene = std::move(scene_);
+    std::unique_ptr<Scene> scene = std::move(scene_);
     std::string error;
     lock.unlock();
     try {
-      if (asked == State::opening) scene = lua::Scene::open(path, options_);
+      if (asked == State::opening) scene = lua::open_scene(path, options_);
       if (asked == State::stepping) step(*scene);
       if (asked == State::dropping) scene.reset();
     } catch (const std::exception& thrown) { error = thrown.what(); }
@@ -182,7 +183,7 @@ void Portraits::run() {
   }
 }
 
-void Portraits::step(lua::Scene& scene) {
+void Portraits::step(Scene& scene) {
   const auto start = std::chrono::steady_clock::now();
   while (scene.world().time < shown_time && scene.world().failure.empty() && !scene.finished()) {
     scene.step();

@@ -8,7 +8,7 @@
 #include <string>
 #include <thread>
 
-#include "lua/scene/scene.hpp"
+#include "scene/scene.hpp"
 #include "view/renderer.hpp"
 #include "view/texture.hpp"
 
@@ -50,7 +50,7 @@ class Portraits {
   };
 
   void run();
-  void step(lua::Scene& scene);
+  void step(Scene& scene);
   void draw(const std::string& path, bool keep);
   std::string file_of(const std::string& path) const;
 
@@ -66,7 +66,7 @@ class Portraits {
   std::condition_variable changed_;
   State state_ = State::none;
   std::string path_;                        ///< in hand
-  std::unique_ptr<lua::Scene> scene_;       ///< the same
+  std::unique_ptr<Scene> scene_;            ///< the same
   std::string error_;                       ///< the same
   bool ending_ = false, given_up_ = false;  ///< given up: the scene in hand
   std::thread thread_;

@@ -9,7 +9,6 @@
 
 #include "lua/meta/annotations.hpp"
 #include "lua/meta/reference.hpp"
-#include "lua/scene/scene.hpp"
 #include "player/bench.hpp"
 #include "player/home.hpp"
 #include "player/message.hpp"
@@ -19,6 +18,7 @@
 #include "player/report.hpp"
 #include "player/run.hpp"
 #include "player/test.hpp"
+#include "scene/errors.hpp"
 #include "view/keys.hpp"
 
 namespace pantin::player {

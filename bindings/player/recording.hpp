@@ -22,7 +22,7 @@
 #include <variant>
 #include <vector>
 
-#include "lua/scene/scene.hpp"
+#include "scene/options.hpp"
 
 namespace pantin::player {
 

@@ -2,9 +2,11 @@
 
 #include <utility>
 
+#include "lua/scene/open.hpp"
+
 namespace pantin::player {
 
-std::unique_ptr<lua::Scene> Reload::open(const std::string& path, SceneOptions options) {
+std::unique_ptr<Scene> Reload::open(const std::string& path, SceneOptions options) {
   const auto read = std::make_shared<Files>();
   options.changing = true;
   options.forgiving = !files_->empty();                   // the file may have changed since `set` was given
@@ -13,18 +15,18 @@ std::unique_ptr<lua::Scene> Reload::open(const std::string& path, SceneOptions o
     watch_.add(file.path);
     if (on_read) on_read(file);
   };
-  std::unique_ptr<lua::Scene> scene = lua::Scene::open(path, options);
+  std::unique_ptr<Scene> scene = lua::open_scene(path, options);
   watch_.keep_only(*read);
   files_ = read;
   return scene;
 }
 
-std::optional<Reloaded> Reload::look(lua::Scene& playing, const std::string& path, const SceneOptions& options,
+std::optional<Reloaded> Reload::look(Scene& playing, const std::string& path, const SceneOptions& options,
                                      FileWatch::Clock::time_point now) {
   if (!watch_.changed(now)) return {};
   Reloaded reloaded;
   try {
-    std::unique_ptr<lua::Scene> fresh = open(path, options);
+    std::unique_ptr<Scene> fresh = open(path, options);
     reloaded.carried = fresh->go_on_from(playing);
     reloaded.scene = std::move(fresh);
   } catch (const std::exception& error) { reloaded.error = error.what(); }

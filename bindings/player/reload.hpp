@@ -5,15 +5,15 @@
 #include <optional>
 #include <string>
 
-#include "lua/scene/scene.hpp"
 #include "player/file_watch.hpp"
+#include "scene/scene.hpp"
 #include "world/input.hpp"
 
 namespace pantin::player {
 
 /// What came of saving a file: a scene that goes on where the old one is, or why there is none.
 struct Reloaded {
-  std::unique_ptr<lua::Scene> scene;
+  std::unique_ptr<Scene> scene;
   CarriedOver carried;
   std::string error;
 };
@@ -22,9 +22,9 @@ struct Reloaded {
 class Reload {
  public:
   /// Opens a scene; its files are watched from then on, even where this throws.
-  std::unique_ptr<lua::Scene> open(const std::string& path, SceneOptions options);
+  std::unique_ptr<Scene> open(const std::string& path, SceneOptions options);
   /// Whether a file was saved, and what came of that.
-  std::optional<Reloaded> look(lua::Scene& playing, const std::string& path, const SceneOptions& options,
+  std::optional<Reloaded> look(Scene& playing, const std::string& path, const SceneOptions& options,
                                FileWatch::Clock::time_point now = FileWatch::Clock::now());
   /// Files that the scene opened last read so far, with their contents.
   const std::map<std::string, std::string>& files() const { return *files_; }

@@ -7,6 +7,7 @@
 
 #include "choreography/hands.hpp"
 #include "lua/scene/inspect.hpp"
+#include "lua/scene/open.hpp"
 #include "measure/measure.hpp"
 #include "scene/files.hpp"
 
@@ -34,7 +35,7 @@ std::string text_of(const SceneValue& value) {
 }  // namespace
 
 Replay::Replay(Recording recording, const RunOptions& options, const std::string& home)
-    : recording_(std::move(recording)), options_(lua_options(options, home_as_recorded)), seen_(!options.headless) {
+    : recording_(std::move(recording)), options_(scene_options(options, home_as_recorded)), seen_(!options.headless) {
   for (const RecordedAct& act : recording_.acts)
     if (const auto* restored = std::get_if<StateRestored>(&act.what)) needed_.insert(restored->number);
   options_.changing = true;
@@ -67,19 +68,19 @@ void Replay::start() {
 }
 
 void Replay::open() {
-  adopt(lua::Scene::open(recording_.head.scene, options_));
+  adopt(lua::open_scene(recording_.head.scene, options_));
   options_.forgiving = true;
   straight_ = true;
   since_position_ = shortest_interval;
 }
 
 void Replay::go_on() {
-  std::unique_ptr<lua::Scene> fresh = lua::Scene::open(recording_.head.scene, options_);
+  std::unique_ptr<Scene> fresh = lua::open_scene(recording_.head.scene, options_);
   fresh->go_on_from(*scene_);
   adopt(std::move(fresh));
 }
 
-void Replay::adopt(std::unique_ptr<lua::Scene> fresh) {
+void Replay::adopt(std::unique_ptr<Scene> fresh) {
   positions_.clear();  // snapshots must not outlive their scene
   kept_.clear();
   scene_ = std::move(fresh);

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "lua/scene/scene.hpp"
 #include "player/kept_places.hpp"
 #include "player/options.hpp"
 #include "player/recording.hpp"
+#include "scene/scene.hpp"
 
 namespace pantin::player {
 
@@ -28,7 +28,7 @@ class Replay {
   /// until it says true.
   bool go_to(std::uint64_t tick, std::uint64_t most);
 
-  lua::Scene& scene() { return *scene_; }
+  Scene& scene() { return *scene_; }
   std::uint64_t tick() const { return tick_; }  ///< steps done
   std::uint64_t ticks() const { return recording_.ticks; }
   double step_length() const { return scene_->world().settings.step; }                       ///< [s]
@@ -50,7 +50,7 @@ class Replay {
   void start();
   void open();
   void go_on();
-  void adopt(std::unique_ptr<lua::Scene> fresh);
+  void adopt(std::unique_ptr<Scene> fresh);
   void look_at_files(const std::string& home);
   bool act();
   void do_act(const RecordedAct& act);
@@ -66,9 +66,9 @@ class Replay {
   Recording recording_;
   SceneOptions options_;
   FileContents contents_;  ///< of the files, as they are at the present tick
-  std::unique_ptr<lua::Scene> scene_;
+  std::unique_ptr<Scene> scene_;
   std::set<std::uint64_t> needed_;  ///< states that will be put back
-  std::map<std::uint64_t, std::shared_ptr<const lua::SceneSnapshot>> kept_;
+  std::map<std::uint64_t, std::shared_ptr<const SceneSnapshot>> kept_;
   KeptPositions positions_;            ///< of the present scene
   std::vector<std::uint64_t> hashes_;  ///< (ticks) of states, as they were
   double since_position_ = 0.0;        ///< [s] of computing, since a place was kept or gone to

@@ -211,7 +211,7 @@ std::string ReplayWindow::message() const {
 }
 
 Overlay ReplayWindow::overlay() {
-  lua::Scene& scene = replay_.scene();
+  Scene& scene = replay_.scene();
   Overlay shown;
   shown.pace = scene.pace() * speed_;
   shown.views = views_;

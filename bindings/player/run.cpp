@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "lua/scene/open.hpp"
 #include "player/animation.hpp"
 #include "player/closing.hpp"
 #include "player/home.hpp"
@@ -23,7 +24,7 @@ constexpr double animation_frame_rate = 30.0;  ///< [1/s] of .glb, between whose
 
 /// Steps to the end, or to Ctrl-C, which may come in the middle of a script, or to the script's own end. `after` is called after each step.
 template <class After>
-void run_to(lua::Scene& scene, double until, After after) {
+void run_to(Scene& scene, double until, After after) {
   Progress progress(until);
   World& world = scene.world();
   require(until <= world.time || until - world.time >= 0.5 * world.settings.step, "run: the end, ", until,
@@ -43,7 +44,7 @@ void run_to(lua::Scene& scene, double until, After after) {
 /// All that is written frame by frame.
 class Frames {
  public:
-  Frames(const lua::Scene& scene, const RunOptions& options, const Outputs& outputs)
+  Frames(const Scene& scene, const RunOptions& options, const Outputs& outputs)
       : scene_(scene), pictures_of_(outputs.temporaries(".png")), animations_(outputs.temporaries(".glb")) {
     for (const std::string& path : outputs.temporaries(".xyz"))
       trajectories_.emplace_back(path, usual_frame_rate, scene.pace());
@@ -68,7 +69,7 @@ class Frames {
   }
 
  private:
-  const lua::Scene& scene_;
+  const Scene& scene_;
   std::vector<std::string> pictures_of_, animations_;  // paths
   std::unique_ptr<Pictures> pictures_;
   std::optional<Animation> animation_;
@@ -82,7 +83,7 @@ int run(const RunOptions& options, const std::string& home) {
   Interrupt interrupt;
   Outputs outputs(options);
   auto start = std::chrono::steady_clock::now();
-  std::unique_ptr<lua::Scene> scene = lua::Scene::open(path, lua_options(options, home));
+  std::unique_ptr<Scene> scene = lua::open_scene(path, scene_options(options, home));
   World& world = scene->world();
   Frames frames(*scene, options, outputs);
   Times times;

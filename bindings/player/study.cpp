@@ -115,7 +115,7 @@ class Studying {
   }
 
   /// Steps for a little while; false where that does not come to `until` [s].
-  bool glance(lua::Scene& scene, double until = std::numeric_limits<double>::infinity()) {
+  bool glance(Scene& scene, double until = std::numeric_limits<double>::infinity()) {
     World& world = scene.world();
     const double begin = processor_time();
     const double end = std::min(until, study_.wanted_until) - 0.5 * world.settings.step;
@@ -147,7 +147,7 @@ class Studying {
   }
 
   /// [s] per simulated second, by the first steps after the very first one, which must succeed.
-  double cost_of(lua::Scene& scene) const {
+  double cost_of(Scene& scene) const {
     World& world = scene.world();
     scene.step();
     require(world.failure.empty(), world.failure);

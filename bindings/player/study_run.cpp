@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <numeric>
 
+#include "lua/scene/open.hpp"
 #include "measure/measure.hpp"
 #include "player/home.hpp"
 #include "player/interrupt.hpp"
@@ -67,18 +68,18 @@ bool same_way(const StudyRun& a, const StudyRun& b) {
 double processor_time() { return 1e-9 * thread_time(); }
 
 Opener::Opener(const RunOptions& options, const std::string& home)
-    : options_(lua_options(options, home)), path_(find_scene(options.scene, home)) {
+    : options_(scene_options(options, home)), path_(find_scene(options.scene, home)) {
   options_.threads = 1;
 }
 
-std::unique_ptr<lua::Scene> Opener::open() const { return lua::Scene::open(path_, options_); }
+std::unique_ptr<Scene> Opener::open() const { return lua::open_scene(path_, options_); }
 
-std::unique_ptr<lua::Scene> Opener::open(const std::string& integrator, double step, double accuracy) const {
+std::unique_ptr<Scene> Opener::open(const std::string& integrator, double step, double accuracy) const {
   SceneOptions options = options_;
   options.set["scene.integrator"] = integrator;
   options.set["scene.step"] = exact(step);
   options.set["scene.accuracy"] = accuracy > 0.0 ? exact(accuracy) : "nil";
-  return lua::Scene::open(path_, options);
+  return lua::open_scene(path_, options);
 }
 
 Places places_of(const World& world, Stride stride) {
@@ -104,7 +105,7 @@ double diagonal_of(const Places& places) {
   return norm(upper - lower);
 }
 
-double step_to(lua::Scene& scene, double time) {
+double step_to(Scene& scene, double time) {
   const World& world = scene.world();
   const double start = processor_time();
   Headway headway(world, time);
@@ -118,7 +119,7 @@ double step_to(lua::Scene& scene, double time) {
 
 bool perform(StudyRun& run, const Opener& opener, const std::vector<double>& times, Stride stride, double limit,
              const std::function<void(double part)>& told) {
-  std::unique_ptr<lua::Scene> scene;
+  std::unique_ptr<Scene> scene;
   std::uint64_t drawn = 0;
   try {
     scene = opener.open(run.integrator, run.step, run.accuracy);

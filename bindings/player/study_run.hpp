@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "player/options.hpp"
+#include "scene/scene.hpp"
 
 namespace pantin::player {
 
@@ -59,9 +60,9 @@ class Opener {
   Opener(const RunOptions& options, const std::string& home);
   const std::string& path() const { return path_; }
   /// As it stands.
-  std::unique_ptr<lua::Scene> open() const;
+  std::unique_ptr<Scene> open() const;
   /// With an integrator, a step [s] and an accuracy [1/s], 0: none.
-  std::unique_ptr<lua::Scene> open(const std::string& integrator, double step, double accuracy) const;
+  std::unique_ptr<Scene> open(const std::string& integrator, double step, double accuracy) const;
 
  private:
   SceneOptions options_;
@@ -74,7 +75,7 @@ Places places_of(const World& world, Stride stride);
 double diagonal_of(const Places& places);  ///< [m] of the box round them
 
 /// Steps to a time [s], the script's end or Ctrl-C; returns the processor time that it took, [s]. Throws what went wrong.
-double step_to(lua::Scene& scene, double time);
+double step_to(Scene& scene, double time);
 
 /// Does a run whose integrator, step and accuracy are given, and notes its places at the times. False where it was left:
 /// it took more processor time than `limit` [s], or Ctrl-C came. `told` is called after each time, with the part done.

@@ -40,7 +40,7 @@ Json stats(const World& world) {
           {"most_sub_steps_of", most_sub_steps(world).thing}};
 }
 
-Json results(const lua::Scene& scene) {
+Json results(const Scene& scene) {
   Json list = Json::object();
   for (const auto& result : scene.results()) std::visit([&](const auto& v) { list[result.first] = v; }, result.second);
   return list;
@@ -66,7 +66,7 @@ std::string text_of(const Json& json) {
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-std::string summary(const lua::Scene& scene, const std::string& failure) {
+std::string summary(const Scene& scene, const std::string& failure) {
   const World& world = scene.world();
   Energy now = energy(world);
   char hash[17];

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "lua/test/tests.hpp"
+#include "scene/errors.hpp"
 
 namespace pantin::player {
 

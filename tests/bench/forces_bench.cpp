@@ -17,8 +17,9 @@
 #include "forces/forces.hpp"
 #include "laws/program.hpp"
 #include "laws/run/bonds.hpp"
-#include "lua/scene/scene.hpp"
+#include "lua/scene/open.hpp"
 #include "player/bench.hpp"
+#include "scene/scene.hpp"
 #include "support/process.hpp"
 
 namespace pantin {
@@ -42,7 +43,7 @@ constexpr const char* called = R"(function(r)
 end)";
 
 /// Atoms of LAMMPS' melt in a scene with a potential of its own.
-std::unique_ptr<lua::Scene> open_melt(const cases::Melt& melt, const std::string& potential, int threads) {
+std::unique_ptr<Scene> open_melt(const cases::Melt& melt, const std::string& potential, int threads) {
   SceneOptions options;
   options.threads = threads;
   const std::string source = text("scene.gravity = vec(0, 0, 0) scene.step = 0.005 local edge = ", melt.edge,
@@ -50,7 +51,7 @@ std::unique_ptr<lua::Scene> open_melt(const cases::Melt& melt, const std::string
 local atoms = scene:family("atoms", { attributes = { size = 0.5, depth = 1 } })
 scene:interact(atoms, atoms, force.pair { cutoff = 2.5, shift = false, potential = )",
                                   potential, " })");
-  auto scene = lua::Scene::open_text(source, "melt.lua", "", options);
+  auto scene = lua::open_scene_text(source, "melt.lua", "", options);
   World& world = scene->world();
   set_box(world, vec(melt.edge, melt.edge, melt.edge));  // to the last digit
   ParticleDef atom;
@@ -64,7 +65,7 @@ scene:interact(atoms, atoms, force.pair { cutoff = 2.5, shift = false, potential
   return scene;
 }
 
-void run(lua::Scene& scene, int steps) {
+void run(Scene& scene, int steps) {
   for (int i = 0; i < steps; i++) scene.step();
   require(scene.world().failure.empty(), scene.world().failure);
 }
@@ -203,7 +204,7 @@ BondList make_lattice(Sites& sites) {
 
 /// The law that a scene makes of a Lua function.
 std::shared_ptr<const Law> lua_spring() {
-  const auto scene = lua::Scene::open_text(
+  const auto scene = lua::open_scene_text(
       R"(local function at(x) return scene:particle { at = vec(x, 0, 0) } end
 scene:connect(at(0), at(1), force.pair { parameters = { stiffness = 10, length = 1 },
   potential = function(r, a, b, own) return 0.5 * own.stiffness * (r - own.length)^2 end }))",
@@ -268,14 +269,14 @@ void bench_springs() {
 double time_stream(int alive, const char* laws) {
   SceneOptions options;
   options.threads = 1;
-  const auto scene = lua::Scene::open_text(text("local alive, lifetime = ", alive, R"(, 3
+  const auto scene = lua::open_scene_text(text("local alive, lifetime = ", alive, R"(, 3
 scene.step, scene.gravity = 0.01, vec(0, 0, 0)
 local drops = scene:family("drops", { mass = 1 })
 scene:emitter { family = drops, at = { vec(-10, -10, -10), vec(10, 10, 10) }, rate = alive / lifetime,
   velocity = vec(0, 1, 0), lifetime = lifetime }
 )",
-                                                laws),
-                                           "stream.lua", "", options);
+                                               laws),
+                                          "stream.lua", "", options);
   run(*scene, 301);
   double best = infinity;
   for (int round = 0; round < 3 * rounds; round++) {

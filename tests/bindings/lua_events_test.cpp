@@ -1,5 +1,6 @@
 #include "bindings/lua_support.hpp"
 #include "choreography/hands.hpp"
+#include "lua/scene/script_scene.hpp"
 #include "lua/thing/script.hpp"
 
 using namespace pantin;
@@ -9,7 +10,7 @@ using Catch::StartsWith;
 
 namespace {
 
-std::string text_of(const lua::Scene& scene) { return std::get<std::string>(scene.results().at("x")); }
+std::string text_of(const Scene& scene) { return std::get<std::string>(scene.results().at("x")); }
 
 }  // namespace
 
@@ -185,7 +186,7 @@ TEST_CASE("subscriptions that were cancelled leave nothing behind, and the other
   std::string order;
   for (int i = 0; i < 100; i++) order += "ab";
   CHECK(text_of(*scene) == order);
-  CHECK(scene->script().subscriptions.size() < 100);
+  CHECK(lua::script_of(*scene).subscriptions.size() < 100);
 }
 
 TEST_CASE("what callbacks do is told in the next step") {

@@ -1,4 +1,5 @@
 #include "bindings/lua_law_support.hpp"
+#include "lua/scene/script_scene.hpp"
 
 using namespace pantin;
 using namespace pantin::lua_tests;
@@ -112,7 +113,7 @@ TEST_CASE("a law whose function changes its mind is found out on real pairs") {
   block.n = 1;
   block.inputs = inputs;
   CHECK(lua::recheck_law(law.resolved, block) == "");
-  law.scene->script().runtime.run([](lua_State* state) {
+  lua::script_of(*law.scene).runtime.run([](lua_State* state) {
     lua_pushnumber(state, 2);
     lua_setglobal(state, "mood");
   });

@@ -1,4 +1,5 @@
 #include "bindings/lua_law_support.hpp"
+#include "lua/scene/script_scene.hpp"
 
 using namespace pantin;
 using namespace pantin::lua_tests;
@@ -59,7 +60,7 @@ TEST_CASE("what a law is like is kept with it") {
 
 TEST_CASE("a law is traced once for the same names") {
   const auto law = resolve("runs = 0 law = force.pair { tension = function(r) runs = runs + 1 return r end }");
-  lua::Script& script = law.scene->script();
+  lua::Script& script = lua::script_of(*law.scene);
   script.runtime.run([&](lua_State* state) {
     lua_getglobal(state, "runs");
     const lua_Integer before = lua_tointeger(state, -1);
@@ -108,7 +109,7 @@ TEST_CASE("laws that differ in numbers alone are one") {
   const auto same = [](const std::string& first, const std::string& second) {
     const auto scene = resolve("law = " + first + " other = " + second);
     bool equal = false;
-    scene.scene->script().runtime.run([&](lua_State* state) {
+    lua::script_of(*scene.scene).runtime.run([&](lua_State* state) {
       lua_getglobal(state, "other");
       equal = lua::to_law(state, -1)->library->laws == scene.resolved.laws;
     });
@@ -136,7 +137,7 @@ TEST_CASE("laws that differ in numbers alone are one") {
 TEST_CASE("a law of the library says which attribute it lacks") {
   const std::string source = "law = force.coulomb { constant = 1 }";
   const auto scene = resolve(source);
-  lua::Script& script = scene.scene->script();
+  lua::Script& script = lua::script_of(*scene.scene);
   script.runtime.run([&](lua_State* state) {
     lua_getglobal(state, "law");
     const std::vector<lua::KnownNames> known(2, {"family 'salt'", {}});

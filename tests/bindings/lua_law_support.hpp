@@ -6,13 +6,14 @@
 #include "bindings/lua_support.hpp"
 #include "laws/program.hpp"
 #include "lua/law/force.hpp"
+#include "lua/scene/script_scene.hpp"
 #include "lua/thing/script.hpp"
 
 namespace pantin::lua_tests {
 
 /// The law that a scene's global `law` holds, between particles of families with a charge.
 struct LawScene {
-  std::unique_ptr<lua::Scene> scene;
+  std::unique_ptr<Scene> scene;
   lua::ResolvedLaw resolved;
   std::shared_ptr<const Law> by_calls;
   const Law& law() const { return *resolved.laws[0]; }
@@ -23,7 +24,7 @@ struct LawScene {
 inline LawScene resolve(const std::string& source, bool exchangeable = false) {
   LawScene result;
   result.scene = open(source);
-  lua::Script& script = result.scene->script();
+  lua::Script& script = lua::script_of(*result.scene);
   script.runtime.run([&](lua_State* state) {
     lua_getglobal(state, "law");
     const lua::LawSpec* spec = lua::to_law(state, -1);

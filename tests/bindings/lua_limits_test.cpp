@@ -3,7 +3,9 @@
 #include <thread>
 
 #include "bindings/lua_support.hpp"
+#include "lua/scene/open.hpp"
 #include "lua/vm/watchdog.hpp"
+#include "scene/errors.hpp"
 #include "scene/interrupt.hpp"
 
 using namespace pantin;
@@ -49,7 +51,7 @@ TEST_CASE("a script that does not come back is stopped with its line") {
     auto hasty = options();
     hasty.script_limit = 0.03;
     for (const char* call : calls)
-      CHECK_THROWS_WITH(lua::Scene::open_text(text("local s = ('a'):rep(1e6);\n", call), "scene.lua", "", hasty),
+      CHECK_THROWS_WITH(lua::open_scene_text(text("local s = ('a'):rep(1e6);\n", call), "scene.lua", "", hasty),
                         "scene.lua:2: the script did not come back within 0.03 s and was stopped (--script-limit)");
     CHECK(failure("assert(string.rep('', 1e15) == '')") == "");
     CHECK_THAT(failure("string.format('%99999d', 1)"), StartsWith("scene.lua:1: invalid conversion"));
@@ -57,7 +59,7 @@ TEST_CASE("a script that does not come back is stopped with its line") {
   SECTION("0 is no limit, and time in many short calls does not add up") {
     auto o = options();
     o.script_limit = 0;
-    const auto scene = lua::Scene::open_text("local x = 0 for i = 1, 3e7 do x = x + 1 end", "scene.lua", "", o);
+    const auto scene = lua::open_scene_text("local x = 0 for i = 1, 3e7 do x = x + 1 end", "scene.lua", "", o);
     CHECK(failure("scene:on('step', function() for i = 1, 2e6 do end end)") == "");
   }
 }
@@ -99,16 +101,16 @@ TEST_CASE("memory of a script is capped, with the line") {
   CHECK(failure("local ok = pcall(string.rep, 'x', 1e9) assert(not ok)") == "");
   auto tiny = options();
   tiny.memory_limit = 1000;
-  CHECK_THROWS_AS(lua::Scene::open_text("", "scene.lua", "", tiny), UsageError);
+  CHECK_THROWS_AS(lua::open_scene_text("", "scene.lua", "", tiny), UsageError);
   tiny.memory_limit = 20000;
-  CHECK_THROWS_AS(lua::Scene::open_text("", "scene.lua", "", tiny), Error);
+  CHECK_THROWS_AS(lua::open_scene_text("", "scene.lua", "", tiny), Error);
 }
 
 TEST_CASE("a script that calls itself for ever is stopped") {
   auto roomy = options();
   roomy.memory_limit = std::size_t{1} << 30;
   roomy.script_limit = 60;
-  CHECK_THROWS_WITH(lua::Scene::open_text("local function f() return 1 + f() end\nf()", "scene.lua", "", roomy),
+  CHECK_THROWS_WITH(lua::open_scene_text("local function f() return 1 + f() end\nf()", "scene.lua", "", roomy),
                     StartsWith("scene.lua:1: stack overflow"));
   CHECK(failure(
             "local t = setmetatable({}, {}) getmetatable(t).__index = function(t, k) return t[k] end\nlocal x = t.x") !=

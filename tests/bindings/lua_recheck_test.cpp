@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "laws/law.hpp"
-#include "lua/scene/scene.hpp"
+#include "lua/scene/open.hpp"
 #include "step/step.hpp"
 #include "world/world.hpp"
 
@@ -10,7 +10,7 @@ using namespace pantin;
 
 TEST_CASE(
     "a traced law that disagrees with its function, which reads too much to be watched, is called, with one warning") {
-  const auto scene = lua::Scene::open_text(R"(
+  const auto scene = lua::open_scene_text(R"(
     scene.gravity = vec(0, 0, 0)
     local ions, k = scene:family "ions", {}
     for i = 1, 5000 do k[i] = 1 end
@@ -18,7 +18,7 @@ TEST_CASE(
     scene:interact(ions, ions, force.pair { potential = function(r) return k[5000] / r end })
     scene:at(0.01, function() k[5000] = 2 end)
   )",
-                                           "scene.lua", ".", {});
+                                          "scene.lua", ".", {});
   advance(scene->world(), 0.5);
   int warnings = 0;
   for (const LogLine& line : scene->world().log)
@@ -28,7 +28,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a traced law that agrees with its function stays traced") {
-  const auto scene = lua::Scene::open_text(R"(
+  const auto scene = lua::open_scene_text(R"(
     scene.gravity = vec(0, 0, 0)
     local ions = scene:family("ions", { attributes = { charge = 2 } })
     for i = 1, 5 do scene:particle { family = ions, at = vec(2 * i, 0, 0) } end
@@ -36,7 +36,7 @@ TEST_CASE("a traced law that agrees with its function stays traced") {
       tension = function(r, rate, a, b, own, t) return own.k * a.charge * b.charge * (r - 2) + 0.1 * rate + t end })
     scene:field(ions, force.point { force = function(p) return -0.1 * p.velocity end })
   )",
-                                           "scene.lua", ".", {});
+                                          "scene.lua", ".", {});
   advance(scene->world(), 0.5);
   CHECK(scene->world().failure == "");
   CHECK(scene->world().log.empty());

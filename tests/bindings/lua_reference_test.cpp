@@ -8,6 +8,7 @@
 #include "bindings/lua_support.hpp"
 #include "lua/meta/annotations.hpp"
 #include "lua/meta/reference.hpp"
+#include "lua/scene/open.hpp"
 #include "lua/test/tests.hpp"
 #include "lua/thing/fields.hpp"
 #include "support/process.hpp"
@@ -49,7 +50,7 @@ std::string default_of(const std::string& text) {
 std::string failure_of_scene(const std::string& lines, const support::Folder& folder) {
   support::write_file(folder.path / "track.csv", "x,y\n1,2\n3,4\n");
   try {
-    const auto scene = lua::Scene::open_text(lua::example_scene + lines, "scene.lua", folder.path, options());
+    const auto scene = lua::open_scene_text(lua::example_scene + lines, "scene.lua", folder.path, options());
     for (int i = 0; i < 10; i++) scene->step();
   } catch (const Error& error) { return error.what(); }
   return "";

@@ -1,5 +1,7 @@
 #include "bindings/lua_support.hpp"
+#include "lua/scene/open.hpp"
 #include "measure/measure.hpp"
+#include "scene/errors.hpp"
 
 using namespace pantin;
 using namespace pantin::lua_tests;
@@ -132,9 +134,9 @@ TEST_CASE("a parameter with on_change is applied live") {
 }
 
 TEST_CASE("files that are no scenes are told") {
-  CHECK_THROWS_AS(lua::Scene::open("/nowhere/scene.lua", options()), UsageError);
-  CHECK_THROWS_WITH(lua::Scene::open("/nowhere/scene.lua", options()), "/nowhere/scene.lua: there is no such file");
-  CHECK_THROWS_AS(lua::Scene::open("/tmp", options()), UsageError);
+  CHECK_THROWS_AS(lua::open_scene("/nowhere/scene.lua", options()), UsageError);
+  CHECK_THROWS_WITH(lua::open_scene("/nowhere/scene.lua", options()), "/nowhere/scene.lua: there is no such file");
+  CHECK_THROWS_AS(lua::open_scene("/tmp", options()), UsageError);
   CHECK_THAT(failure("local x =\nfor"), StartsWith("scene.lua:2: unexpected symbol near"));
 }
 

@@ -4,6 +4,7 @@
 
 #include "bindings/lua_support.hpp"
 #include "choreography/hands.hpp"
+#include "lua/scene/open.hpp"
 #include "measure/measure.hpp"
 #include "support/allocations.hpp"
 
@@ -14,17 +15,17 @@ using Catch::StartsWith;
 
 namespace {
 
-void steps(lua::Scene& scene, int count) {
+void steps(Scene& scene, int count) {
   for (int i = 0; i < count; i++) scene.step();
   REQUIRE(scene.world().failure == "");
 }
 
-std::unique_ptr<lua::Scene> shipped(const std::string& name, int threads = 1) {
+std::unique_ptr<Scene> shipped(const std::string& name, int threads = 1) {
   SceneOptions o = options();
   o.script_limit = 0.0;
   o.memory_limit = std::size_t{1} << 30;
   o.threads = threads;
-  return lua::Scene::open(sources::folder() + "/scripts/scenes/" + name, o);
+  return lua::open_scene(sources::folder() + "/scripts/scenes/" + name, o);
 }
 
 std::vector<std::string> shipped_scenes() {
@@ -36,7 +37,7 @@ std::vector<std::string> shipped_scenes() {
 }
 
 /// Runs a scene for `count` steps, keeps it, runs on for as many, goes back, and runs on again.
-void check_goes_on(lua::Scene& scene, int count) {
+void check_goes_on(Scene& scene, int count) {
   steps(scene, count);
   const auto snapshot = scene.take_snapshot();
   steps(scene, count);
@@ -246,7 +247,7 @@ TEST_CASE(
   };
   steps(*scene, 1);
   recorded(200000);  // 14 min of steps, 6.4 MB
-  std::vector<std::shared_ptr<const lua::SceneSnapshot>> snapshots;
+  std::vector<std::shared_ptr<const SceneSnapshot>> snapshots;
   const std::int64_t before = live_bytes();
   for (int i = 0; i < 50; i++) {
     snapshots.push_back(scene->take_snapshot());

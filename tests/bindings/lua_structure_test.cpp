@@ -1,4 +1,5 @@
 #include "bindings/lua_support.hpp"
+#include "lua/scene/open.hpp"
 
 #include <unistd.h>
 
@@ -126,8 +127,8 @@ TEST_CASE("molecule files of the scene's folder come first; bad ones are told wi
   const auto read = [&](const std::string& name) {
     try {
       const auto scene =
-          lua::Scene::open_text("local m = structure.molecule '" + name + "'\nscene:result('x', #m.vertices)",
-                                "scene.lua", folder, options());
+          lua::open_scene_text("local m = structure.molecule '" + name + "'\nscene:result('x', #m.vertices)",
+                               "scene.lua", folder, options());
       return to_text(std::get<double>(scene->results().at("x")));
     } catch (const Error& error) { return std::string(error.what()); }
   };

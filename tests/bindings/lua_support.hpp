@@ -5,7 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "lua/scene/scene.hpp"
+#include "lua/scene/open.hpp"
+#include "scene/scene.hpp"
 #include "support/sources.hpp"
 
 namespace pantin::lua_tests {
@@ -19,8 +20,8 @@ inline SceneOptions options(std::map<std::string, std::string> set = {}) {
   return o;
 }
 
-inline std::unique_ptr<lua::Scene> open(const std::string& source, std::map<std::string, std::string> set = {}) {
-  return lua::Scene::open_text(source, "scene.lua", "", options(std::move(set)));
+inline std::unique_ptr<Scene> open(const std::string& source, std::map<std::string, std::string> set = {}) {
+  return lua::open_scene_text(source, "scene.lua", "", options(std::move(set)));
 }
 
 /// The message of a scene that must fail, while it is built or in one of its first steps; empty where it does not.

@@ -7,6 +7,8 @@
 #include <fstream>
 
 #include "bindings/lua_support.hpp"
+#include "lua/scene/open.hpp"
+#include "scene/errors.hpp"
 #include "support/process.hpp"
 
 using namespace pantin;
@@ -111,7 +113,7 @@ TEST_CASE("require finds the scene's own files once, and tells of errors in them
   folder.write("bad.lua", "\nlocal x = nil + 1");
   folder.write("round.lua", "require 'round'");
   const auto run_scene = [&](const std::string& source) {
-    return lua::Scene::open(folder.write("scene.lua", source), options());
+    return lua::open_scene(folder.write("scene.lua", source), options());
   };
   CHECK_NOTHROW(run_scene(
       "local a, b = require 'parts.wheel', require 'parts/wheel' assert(a == b and a.radius == 2 and count == 1)"));
@@ -126,7 +128,7 @@ TEST_CASE("tables of numbers are read from the scene's folder") {
   folder.write("bad.csv", "a,b\n1,2\n3,x\n");
   folder.write("ragged.csv", "1,2\n3\n");
   const auto run_scene = [&](const std::string& source) {
-    return lua::Scene::open(folder.write("scene.lua", source), options());
+    return lua::open_scene(folder.write("scene.lua", source), options());
   };
   CHECK_NOTHROW(run_scene(
       "local t = read_table 'plain.csv' assert(#t == 2 and t[1][2] == 2 and t[2][1] == -300 and t[2][2] == 4.5)"));

@@ -1,4 +1,5 @@
 #include "bindings/lua_law_support.hpp"
+#include "lua/scene/script_scene.hpp"
 
 using namespace pantin;
 using namespace pantin::lua_tests;
@@ -281,7 +282,7 @@ TEST_CASE("mistakes in a law are errors, however it is run") {
 
 TEST_CASE("what was kept from inside of a law is of no use outside") {
   const auto scene = resolve("law = force.pair { tension = function(r, rate, a) kept_r, kept_a = r, a return r end }");
-  lua::Script& script = scene.scene->script();
+  lua::Script& script = lua::script_of(*scene.scene);
   const auto run = [&](const std::string& source) {
     try {
       script.runtime.run([&](lua_State* state) {

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "lua/scene/open.hpp"
 #include "player/aim.hpp"
 #include "support/sources.hpp"
 
@@ -8,13 +9,13 @@ using namespace pantin::player;
 
 namespace {
 
-std::unique_ptr<lua::Scene> open(const std::string& script) {
+std::unique_ptr<Scene> open(const std::string& script) {
   SceneOptions options;
   options.home = sources::folder();
-  return lua::Scene::open_text(script, "aim.lua", ".", options);
+  return lua::open_scene_text(script, "aim.lua", ".", options);
 }
 
-Camera aim_at(const lua::Scene& scene) { return aim(scene, find_stage(scene.world()), 16.0 / 9.0); }
+Camera aim_at(const Scene& scene) { return aim(scene, find_stage(scene.world()), 16.0 / 9.0); }
 
 double distance(Vec3 a, Vec3 b) { return norm(a - b); }
 

@@ -3,9 +3,10 @@
 #include <regex>
 #include <sstream>
 
-#include "lua/scene/scene.hpp"
+#include "lua/scene/open.hpp"
 #include "player/animation.hpp"
 #include "player/trajectory.hpp"
+#include "scene/scene.hpp"
 #include "support/process.hpp"
 
 using namespace pantin;
@@ -14,12 +15,10 @@ using support::Folder;
 
 namespace {
 
-std::unique_ptr<lua::Scene> opened(const std::string& source) {
-  return lua::Scene::open_text(source, "test.lua", ".", {});
-}
+std::unique_ptr<Scene> opened(const std::string& source) { return lua::open_scene_text(source, "test.lua", ".", {}); }
 
 // A rod that flies and turns by 90 degrees in a second, and a mote that lives for half of it.
-std::unique_ptr<lua::Scene> thrown_rod() {
+std::unique_ptr<Scene> thrown_rod() {
   return opened(R"(
     scene.gravity = vec(0, 0, 0)
     local fireflies = scene:family("fire flies", { color = "#f00", radius = 0.25 })
@@ -30,7 +29,7 @@ std::unique_ptr<lua::Scene> thrown_rod() {
 }
 
 template <class Frames>
-void run(lua::Scene& scene, double until, Frames& frames) {
+void run(Scene& scene, double until, Frames& frames) {
   frames.add_frames(scene.world());
   while (scene.world().time < until - 0.5 * scene.world().settings.step) {
     scene.step();

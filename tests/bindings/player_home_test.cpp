@@ -2,8 +2,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "lua/scene/scene.hpp"
 #include "player/home.hpp"
+#include "scene/errors.hpp"
 #include "support/process.hpp"
 
 using namespace pantin::player;

@@ -2,7 +2,6 @@
 #include <string>
 #include <vector>
 
-#include "lua/scene/scene.hpp"
 #include "player/options.hpp"
 #include "scene/errors.hpp"
 

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "lua/scene/scene.hpp"
 #include "player/output.hpp"
+#include "scene/errors.hpp"
 
 namespace fs = std::filesystem;
 using pantin::UsageError;

@@ -67,7 +67,7 @@ struct Played {
   std::string file = folder / "scene.lua";
   SceneOptions options;
   Reload reload;
-  std::unique_ptr<lua::Scene> scene;
+  std::unique_ptr<Scene> scene;
   FileWatch::Clock::time_point now{};
   int saved = 0;
 };

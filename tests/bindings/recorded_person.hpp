@@ -44,7 +44,7 @@ class RecordedPerson {
   }
 
   World& world() { return scene_->world(); }
-  lua::Scene& scene() { return *scene_; }
+  Scene& scene() { return *scene_; }
   std::uint64_t hash() { return state_hash(world()); }
 
   void play(double seconds) {
@@ -175,7 +175,7 @@ class RecordedPerson {
     c.energy = 0.1;
     return c;
   }
-  void adopt(std::unique_ptr<lua::Scene> scene) {
+  void adopt(std::unique_ptr<Scene> scene) {
     undo_.clear();
     scene_ = std::move(scene);
   }
@@ -183,7 +183,7 @@ class RecordedPerson {
   std::string path_;
   SceneOptions options_;
   player::Reload reload_;
-  std::unique_ptr<lua::Scene> scene_;
+  std::unique_ptr<Scene> scene_;
   std::unique_ptr<player::Recorder> recorder_;
   player::Undo undo_;
   player::Times times_;

@@ -8,9 +8,10 @@
 #include <sstream>
 #include <thread>
 
-#include "lua/scene/scene.hpp"
+#include "lua/scene/open.hpp"
 #include "measure/query.hpp"
 #include "player/aim.hpp"
+#include "scene/scene.hpp"
 #include "support/process.hpp"
 #include "support/sources.hpp"
 #include "view/stage.hpp"
@@ -114,7 +115,7 @@ class Play {
 };
 
 /// Where the window shows a position of the scene at its start.
-Projected pixel(const lua::Scene& scene, Vec3 position) {
+Projected pixel(const Scene& scene, Vec3 position) {
   Camera camera = player::aim(scene, find_stage(scene.world()), static_cast<double>(width) / height);
   std::optional<Projected> result = camera.project(position, width, height);
   REQUIRE(result);
@@ -151,10 +152,10 @@ bool can_play() {
   return can;
 }
 
-std::unique_ptr<lua::Scene> open_chain() {
+std::unique_ptr<Scene> open_chain() {
   SceneOptions options;
   options.home = sources::folder();
-  return lua::Scene::open(chain, options);
+  return lua::open_scene(chain, options);
 }
 
 /// The position of the chain's free end: the furthest from the nail.
@@ -171,7 +172,7 @@ TEST_CASE("window: the chain's end is held by the mouse", "[window]") {
   if (!can_play()) return;
   Screen screen;
   Folder folder;
-  std::unique_ptr<lua::Scene> scene = open_chain();
+  std::unique_ptr<Scene> scene = open_chain();
   Vec3 tip = tip_place(scene->world());
   Projected start = pixel(*scene, tip);
   Projected end = pixel(*scene, tip + vec(-4, 0, 0));
@@ -205,7 +206,7 @@ TEST_CASE("window: a hinge is cut under the pointer", "[window]") {
   if (!can_play()) return;
   Screen screen;
   Folder folder;
-  std::unique_ptr<lua::Scene> scene = open_chain();
+  std::unique_ptr<Scene> scene = open_chain();
   std::vector<ParticleId> joints = hinges(scene->world());
   REQUIRE_FALSE(joints.empty());
   Projected middle = pixel(*scene, position(scene->world(), joints[joints.size() / 2]));
@@ -227,7 +228,7 @@ TEST_CASE("window: the cutting tool strokes through the chain", "[window]") {
   if (!can_play()) return;
   Screen screen;
   Folder folder;
-  std::unique_ptr<lua::Scene> scene = open_chain();
+  std::unique_ptr<Scene> scene = open_chain();
   std::vector<ParticleId> joints = hinges(scene->world());
   Projected middle = pixel(*scene, position(scene->world(), joints[joints.size() / 2]));
   Vec3 tip = tip_place(scene->world());
@@ -263,7 +264,7 @@ TEST_CASE("window: a button answers to a quick click", "[window]") {
   if (!can_play()) return;
   Screen screen;
   Folder folder;
-  std::unique_ptr<lua::Scene> scene = open_chain();
+  std::unique_ptr<Scene> scene = open_chain();
   Vec3 tip = tip_place(scene->world());
 
   Play play(screen, folder, "3.5");

@@ -6,6 +6,7 @@
 
 #include <map>
 
+#include "lua/scene/open.hpp"
 #include "measure/measure.hpp"
 #include "player/replay_window.hpp"
 #include "view/keys.hpp"
@@ -35,7 +36,7 @@ std::string recorded(const Folder& folder) {
   support::write_file(folder / "scene.lua", text);
   SceneOptions options;
   options.home = sources::folder();
-  const auto scene = lua::Scene::open(folder / "scene.lua", options);
+  const auto scene = lua::open_scene(folder / "scene.lua", options);
   player::Recorder recorder(folder / "play.rec",
                             {player::program_version(), folder / "scene.lua", {}, {{folder / "scene.lua", text}}});
   for (int i = 0; i < 480; i++) {

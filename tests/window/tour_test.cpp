@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "lua/scene/open.hpp"
 #include "measure/measure.hpp"
 #include "window/played.hpp"
 
@@ -47,7 +48,7 @@ void expect_no_complaint(const Played& played) {
 std::uint64_t hash_without_window(const std::string& path, std::uint64_t steps) {
   SceneOptions options;
   options.home = sources::folder();
-  const auto scene = lua::Scene::open(path, options);
+  const auto scene = lua::open_scene(path, options);
   while (scene->world().steps < steps) scene->step();
   return state_hash(scene->world());
 }

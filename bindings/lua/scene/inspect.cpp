@@ -1,6 +1,6 @@
 #include "lua/scene/inspect.hpp"
 
-#include "lua/scene/scene.hpp"
+#include "lua/scene/script_scene.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/script.hpp"
 #include "lua/vm/guard.hpp"
@@ -39,7 +39,7 @@ void push_reading(lua_State* state, const FieldReading& reading) {
 
 std::vector<FieldReading> read_fields(Scene& scene, const AnyId& thing) {
   std::vector<FieldReading> readings;
-  Script& script = scene.script();
+  Script& script = script_of(scene);
   if (!alive(script.world, thing)) return readings;
   script.runtime.run([&](lua_State* state) {
     push_thing(state, script, thing);
@@ -62,7 +62,7 @@ std::vector<FieldReading> read_fields(Scene& scene, const AnyId& thing) {
 }
 
 void write_field(Scene& scene, const AnyId& thing, const std::string& name, const FieldReading& value) {
-  Script& script = scene.script();
+  Script& script = script_of(scene);
   script.runtime.run([&](lua_State* state) {
     push_thing(state, script, thing);
     push_reading(state, value);

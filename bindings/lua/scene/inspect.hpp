@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "lua/scene/scene.hpp"
+#include "scene/scene.hpp"
 
 namespace pantin::lua {
 

@@ -22,7 +22,7 @@ void tell_parameters(Script& script, const std::vector<SceneParameter>& before) 
 }
 
 struct SnapshotRef : Ref {
-  std::shared_ptr<const SceneSnapshot> value;
+  std::shared_ptr<const ScriptSnapshot> value;
 };
 
 int drop_snapshot(lua_State* state) {
@@ -37,7 +37,7 @@ void require_unlocked(const World& world, const char* call) {
 
 }  // namespace
 
-SceneSnapshot::SceneSnapshot(lua_State* state, Script& of) : script(of), tables(state), runtime_(of.runtime) {
+ScriptSnapshot::ScriptSnapshot(lua_State* state, Script& of) : script(of), tables(state), runtime_(of.runtime) {
   push_store(state, of);
   tables.keep_plain(state, -1, "scene.store");
   if (lua_rawgetp(state, LUA_REGISTRYINDEX, key_of_data(of)) == LUA_TTABLE) tables.keep(state, -1);
@@ -45,26 +45,26 @@ SceneSnapshot::SceneSnapshot(lua_State* state, Script& of) : script(of), tables(
   store_ = luaL_ref(state, LUA_REGISTRYINDEX);
 }
 
-SceneSnapshot::~SceneSnapshot() { luaL_unref(runtime_.active(), LUA_REGISTRYINDEX, store_); }
+ScriptSnapshot::~ScriptSnapshot() { luaL_unref(runtime_.active(), LUA_REGISTRYINDEX, store_); }
 
-void SceneSnapshot::put_back(lua_State* state, Script& into) const {
+void ScriptSnapshot::put_back(lua_State* state, Script& into) const {
   tables.put_back(state);
   lua_rawgeti(state, LUA_REGISTRYINDEX, store_);
   lua_rawsetp(state, LUA_REGISTRYINDEX, key_of_store(into));
 }
 
-std::shared_ptr<const SceneSnapshot> take_snapshot(Script& script) {
-  std::shared_ptr<SceneSnapshot> snapshot;
+std::shared_ptr<const ScriptSnapshot> take_snapshot(Script& script) {
+  std::shared_ptr<ScriptSnapshot> snapshot;
   script.runtime.run([&](lua_State* state) {
     sweep_data(state, script);
-    snapshot = std::make_shared<SceneSnapshot>(state, script);
+    snapshot = std::make_shared<ScriptSnapshot>(state, script);
   });
   const Outside outside;
   snapshot->world = pantin::take_snapshot(script.world);
   return snapshot;
 }
 
-void restore(Script& script, const SceneSnapshot& snapshot) {
+void restore(Script& script, const ScriptSnapshot& snapshot) {
   const std::string why = why_not_restore(script.world, snapshot.world);
   require(why.empty(), "restore: ", why);
   tell_parameters(script, snapshot.script.parameters);
@@ -87,7 +87,7 @@ void keep_start(Script& script) {
   } catch (const Error& error) { script.no_start = error.what(); }
 }
 
-void push_snapshot(lua_State* state, Script& script, std::shared_ptr<const SceneSnapshot> snapshot) {
+void push_snapshot(lua_State* state, Script& script, std::shared_ptr<const ScriptSnapshot> snapshot) {
   const Ref ref = make_ref(script, Kind::snapshot, 1, 1, 0);
   new (lua_newuserdatauv(state, sizeof(SnapshotRef), 0)) SnapshotRef{ref, std::move(snapshot)};
   push_metatable(state, Kind::snapshot);
@@ -96,7 +96,7 @@ void push_snapshot(lua_State* state, Script& script, std::shared_ptr<const Scene
   lua_setmetatable(state, -2);
 }
 
-std::shared_ptr<const SceneSnapshot> check_snapshot(lua_State* state, int index, const Script& script) {
+std::shared_ptr<const ScriptSnapshot> check_snapshot(lua_State* state, int index, const Script& script) {
   const Ref* ref = to_ref(state, index);
   require(ref && ref->kind == Kind::snapshot, "restore: argument 1 must be a snapshot, got ",
           kind_of_value(state, index));
@@ -114,7 +114,7 @@ int scene_snapshot(lua_State* state) {
 }
 
 namespace {
-int want(const Self& self, const char* call, const std::shared_ptr<const SceneSnapshot>& snapshot) {
+int want(const Self& self, const char* call, const std::shared_ptr<const ScriptSnapshot>& snapshot) {
   require_unlocked(self.world, call);
   const std::string why = why_not_restore(self.world, snapshot->world);
   require(why.empty(), call, ": ", why);

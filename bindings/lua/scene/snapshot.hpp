@@ -6,16 +6,15 @@
 
 #include "lua/thing/kept_tables.hpp"
 #include "lua/thing/script.hpp"
+#include "scene/scene.hpp"
 #include "snapshot/snapshot.hpp"
 
 namespace pantin::lua {
 
-struct SceneSnapshot {
+struct ScriptSnapshot final : SceneSnapshot {
   /// All but the world's.
-  SceneSnapshot(lua_State* state, Script& of);
-  ~SceneSnapshot();
-  SceneSnapshot(const SceneSnapshot&) = delete;
-  SceneSnapshot& operator=(const SceneSnapshot&) = delete;
+  ScriptSnapshot(lua_State* state, Script& of);
+  ~ScriptSnapshot() override;
   /// The tables of the scene.
   void put_back(lua_State* state, Script& into) const;
 
@@ -28,17 +27,17 @@ struct SceneSnapshot {
   int store_;  ///< registry reference of the table that `scene.store` was
 };
 
-std::shared_ptr<const SceneSnapshot> take_snapshot(Script& script);
+std::shared_ptr<const ScriptSnapshot> take_snapshot(Script& script);
 /// Between two steps. Parameters that have another value are told their old one by `on_change` first.
-void restore(Script& script, const SceneSnapshot& snapshot);
+void restore(Script& script, const ScriptSnapshot& snapshot);
 /// Restores what a callback asked for, if one did.
 void restore_wanted(Script& script);
 /// Before the first step of a scene that speaks of `reset`, keeps its start, or why it cannot be kept.
 void keep_start(Script& script);
 
-void push_snapshot(lua_State* state, Script& script, std::shared_ptr<const SceneSnapshot> snapshot);
+void push_snapshot(lua_State* state, Script& script, std::shared_ptr<const ScriptSnapshot> snapshot);
 /// Argument `index` of `restore`: a snapshot of this scene.
-std::shared_ptr<const SceneSnapshot> check_snapshot(lua_State* state, int index, const Script& script);
+std::shared_ptr<const ScriptSnapshot> check_snapshot(lua_State* state, int index, const Script& script);
 
 int scene_snapshot(lua_State* state);
 int scene_restore(lua_State* state);

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "lua/scene/parameters.hpp"
-#include "lua/scene/scene.hpp"
+#include "lua/scene/script_scene.hpp"
 #include "lua/scene/snapshot.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/script.hpp"
@@ -62,7 +62,7 @@ int read_result(lua_State* state) {
 
 int restore_opened(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "restore");
-  const std::shared_ptr<const SceneSnapshot> snapshot = check_snapshot(state, 2, self.script);
+  const std::shared_ptr<const ScriptSnapshot> snapshot = check_snapshot(state, 2, self.script);
   const Outside outside;
   restore(self.script, *snapshot);
   return 0;

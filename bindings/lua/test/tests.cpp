@@ -4,7 +4,8 @@
 #include <filesystem>
 
 #include "lua/library/sandbox.hpp"
-#include "lua/scene/scene.hpp"
+#include "lua/scene/open.hpp"
+#include "lua/scene/script_scene.hpp"
 #include "lua/test/expect.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/script.hpp"
@@ -72,7 +73,7 @@ SceneOptions options_with(lua_State* state, int index, const SceneOptions& usual
 void push_opened(lua_State* state, TestFile& file, std::unique_ptr<Scene> scene) {
   file.scenes.push_back(std::move(scene));
   auto* ref = static_cast<Ref*>(lua_newuserdatauv(state, sizeof(Ref), 0));
-  *ref = make_ref(file.scenes.back()->script(), Kind::scene, 1, 1, 1);
+  *ref = make_ref(script_of(*file.scenes.back()), Kind::scene, 1, 1, 1);
   push_metatable(state, type_of_opened_scene());
   lua_setmetatable(state, -2);
 }
@@ -87,7 +88,7 @@ int open_file(lua_State* state) {
     path = name;
   else if (!std::filesystem::exists(path, error))
     path = path_in(file.runtime.folder, name);
-  push_opened(state, file, Scene::open(path, options));
+  push_opened(state, file, open_scene(path, options));
   return 1;
 }
 
@@ -95,7 +96,7 @@ int open_source(lua_State* state) {
   TestFile& file = file_of(state);
   const std::string source = check_text(state, 1, "open_text", "argument 1");
   const SceneOptions options = options_with(state, 2, file.options);
-  push_opened(state, file, Scene::open_text(source, "text.lua", file.runtime.folder, options));
+  push_opened(state, file, open_scene_text(source, "text.lua", file.runtime.folder, options));
   return 1;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lua/scene/scene.hpp"
+#include "scene/options.hpp"
 
 namespace pantin::lua {
 

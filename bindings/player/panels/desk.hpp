@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "lua/scene/inspect.hpp"
-#include "lua/scene/scene.hpp"
 #include "player/pacing.hpp"
 #include "player/table.hpp"
+#include "scene/scene.hpp"
 #include "view/views.hpp"
 
 namespace pantin::player {
@@ -47,7 +47,7 @@ struct SeenState {
 };
 
 struct Desk {
-  lua::Scene& scene;
+  Scene& scene;
   const Times& times;
   const Pacing& pacing;
   const std::deque<Said>& said;  ///< oldest first

@@ -1,0 +1,42 @@
+#include "lua/scene/open.hpp"
+
+#include <filesystem>
+
+#include "lua/scene/parameters.hpp"
+#include "lua/scene/scene_type.hpp"
+#include "lua/scene/script_scene.hpp"
+#include "scene/errors.hpp"
+#include "scene/files.hpp"
+
+namespace pantin::lua {
+
+std::unique_ptr<Scene> open_scene(const std::string& path, const SceneOptions& options) {
+  const auto source = options.read ? options.read(path) : file_content(path);
+  if (!source) {
+    std::error_code error;
+    const bool there = std::filesystem::exists(path, error);
+    throw UsageError(text(path, ": ", there ? "cannot be read as a file" : "there is no such file"));
+  }
+  if (options.on_read) options.on_read({path, *source});
+  const std::filesystem::path file(path);
+  return open_scene_text(*source, file.filename(), file.parent_path(), options);
+}
+
+std::unique_ptr<Scene> open_scene_text(const std::string& source, const std::string& name, const std::string& folder,
+                                       const SceneOptions& options) {
+  const Outside outside;
+  auto scene = std::make_unique<ScriptScene>(options);
+  Script& script = scene->script();
+  script.runtime.folder = folder;
+  script.runtime.run([&](lua_State* state) { open_globals(state, script); });
+  apply_settings(script);
+  script.runtime.run([&](lua_State* state) {
+    script.runtime.load(state, source, name);
+    lua_call(state, 0, 0);
+  });
+  if (options.changing) script.made = made(script.world);
+  if (!options.forgiving) check_parameters_known(script);
+  return scene;
+}
+
+}  // namespace pantin::lua

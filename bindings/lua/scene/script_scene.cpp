@@ -1,0 +1,62 @@
+#include "lua/scene/script_scene.hpp"
+
+#include "lua/scene/carry_tables.hpp"
+#include "lua/scene/events.hpp"
+#include "lua/scene/parameters.hpp"
+#include "lua/scene/snapshot.hpp"
+#include "step/step.hpp"
+
+namespace pantin::lua {
+
+void step_scene(Script& script) {
+  restore_wanted(script);
+  keep_start(script);
+  script.drawings.clear();
+  step(script.world);
+  restore_wanted(script);
+}
+
+Script& script_of(Scene& scene) {
+  auto* of_lua = dynamic_cast<ScriptScene*>(&scene);
+  require(of_lua, "this scene is not a Lua script");
+  return of_lua->script();
+}
+
+ScriptScene::ScriptScene(const SceneOptions& options) : script_(options) {
+  script_.world.behaviours = [this] { run_behaviours(script_); };
+}
+
+void ScriptScene::step() {
+  const Outside outside;
+  step_scene(script_);
+}
+
+bool ScriptScene::set_parameter(const std::string& name, const SceneValue& value) {
+  const Outside outside;
+  return change_parameter(script_, name, value);
+}
+
+std::vector<std::string> ScriptScene::keys() const {
+  std::vector<std::string> keys;
+  for (const Subscription& s : script_.subscriptions)
+    if (s.function && !s.key.empty()) keys.push_back(s.key);
+  return keys;
+}
+
+std::shared_ptr<const SceneSnapshot> ScriptScene::take_snapshot() { return lua::take_snapshot(script_); }
+
+void ScriptScene::restore(const SceneSnapshot& snapshot) {
+  const Outside outside;
+  lua::restore(script_, dynamic_cast<const ScriptSnapshot&>(snapshot));
+}
+
+CarriedOver ScriptScene::go_on_from(Scene& old) {
+  const Outside outside;
+  Script& from = script_of(old);
+  keep_start(script_);
+  CarriedOver carried = carry_over(from.world, from.made, script_.world, script_.made);
+  carry_tables(from, script_, carried.things);
+  return carried;
+}
+
+}  // namespace pantin::lua

@@ -1,0 +1,22 @@
+#include "lua/thing/script.hpp"
+
+#include "base/parallel.hpp"
+#include "lua/library/sandbox.hpp"
+
+namespace pantin::lua {
+
+Script::Script(const SceneOptions& given)
+    : ScriptHost{given, Runtime({given.script_limit, given.memory_limit}, sandbox)} {
+  world.workers = std::make_unique<Workers>(options.threads);
+  runtime.random = &world.random;
+  runtime.home = given.home;
+  if (given.read) runtime.reader = given.read;
+  runtime.on_read = given.on_read;
+  world.random = Random{world.settings.seed, 0};
+  world.who = [] {
+    const Runtime* running = Runtime::current();
+    return running ? where(running->active()) : std::string{};
+  };
+}
+
+}  // namespace pantin::lua

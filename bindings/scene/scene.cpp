@@ -1,0 +1,35 @@
+#include "scene/scene.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "snapshot/snapshot.hpp"
+
+namespace pantin {
+namespace {
+
+std::vector<std::string> texts(const std::vector<LogLine>& log, std::string_view kind) {
+  std::vector<std::string> texts;
+  for (const LogLine& line : log)
+    if (line.kind == kind) texts.push_back(line.text);
+  return texts;
+}
+
+}  // namespace
+
+std::vector<std::string> Scene::notices() const { return texts(world().log, "notice"); }
+
+std::vector<std::string> Scene::warnings() const {
+  std::vector<std::string> warnings = texts(world().log, "warning");
+  const auto& log = world().log;
+  const auto is_dropped = [](const LogLine& line) { return line.kind == "dropped"; };
+  const auto first = std::find_if(log.begin(), log.end(), is_dropped);
+  const auto count = std::count_if(log.begin(), log.end(), is_dropped);
+  if (count == 1) warnings.push_back("1 event was dropped: " + first->text);
+  if (count > 1) warnings.push_back(text(count, " events were dropped, the first: ", first->text));
+  return warnings;
+}
+
+std::string Scene::why_not_restore() const { return pantin::why_not_restore(world()); }
+
+}  // namespace pantin
