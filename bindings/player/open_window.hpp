@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include "base/check.hpp"
 #include "player/options.hpp"
 #include "view/window.hpp"
 

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "scene/options.hpp"
+#include "world/world.hpp"
 
 namespace pantin::player {
 

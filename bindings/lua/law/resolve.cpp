@@ -7,6 +7,7 @@
 #include "lua/law/law_check.hpp"
 #include "lua/law/trace.hpp"
 #include "lua/value/arguments.hpp"
+#include "lua/value/values.hpp"
 #include "lua/vm/guard.hpp"
 #include "lua/vm/runtime.hpp"
 
