@@ -179,14 +179,10 @@ void push(World& world, PointId point, Vec3 force);                             
 void kick(World& world, PointId point, Vec3 impulse);                             ///< [N s]
 
 void set_enabled(World& world, ConstraintId constraint, bool enabled);
-void set_enabled(World& world, ConnectionId connection, bool enabled);
-void set_enabled(World& world, InteractionId interaction, bool enabled);
-void set_enabled(World& world, FieldId field, bool enabled);
-/// Writes a parameter of a law in use, by its index; the energy that this makes is work from outside.
-void set_parameter(World& world, ConnectionId connection, std::size_t index, double value);
-/// A cutoff that comes of parameters follows them.
-void set_parameter(World& world, InteractionId interaction, std::size_t index, double value);
-void set_parameter(World& world, FieldId field, std::size_t index, double value);
+void set_enabled(World& world, const ForceElementId& element, bool enabled);
+/// Writes a parameter of a law in use, by its index; the energy that this makes is work from outside. A cutoff of an
+/// interaction that comes of parameters follows them.
+void set_parameter(World& world, const ForceElementId& element, std::size_t index, double value);
 /// Puts another law with the same parameters in the place of one, wherever that acts.
 void replace_law(World& world, const std::shared_ptr<const Law>& law, const std::shared_ptr<const Law>& by);
 void set_breaks_at(World& world, ConnectionId connection, double max_force, double max_length);  ///< [N], [m] > 0

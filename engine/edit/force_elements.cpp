@@ -197,47 +197,29 @@ void remove(World& world, FieldId id) {
   world.fields.remove(id, obituary(world, what));
 }
 
-void set_enabled(World& world, ConnectionId id, bool enabled) {
+void set_enabled(World& world, const ForceElementId& id, bool enabled) {
   require_unlocked(world, "enabled");
   disturb_forces(world);
-  world.stiffness_unknown = true;
-  touch_solved(world, world.connections[id]);
-  world.connections[id].enabled = enabled;
-}
-void set_enabled(World& world, InteractionId id, bool enabled) {
-  require_unlocked(world, "enabled");
-  disturb_forces(world);
-  world.interactions[id].enabled = enabled;
-}
-void set_enabled(World& world, FieldId id, bool enabled) {
-  require_unlocked(world, "enabled");
-  disturb_forces(world);
-  world.fields[id].enabled = enabled;
+  if (const auto* connection = std::get_if<ConnectionId>(&id)) {
+    world.stiffness_unknown = true;
+    touch_solved(world, world.connections[*connection]);
+  }
+  force_element(world, id).enabled = enabled;
 }
 
-void set_parameter(World& world, ConnectionId id, std::size_t index, double value) {
+void set_parameter(World& world, const ForceElementId& id, std::size_t index, double value) {
   require_unlocked(world, "parameters");
   disturb_forces(world);
-  world.stiffness_unknown = true;
-  write_parameter(*world.connections[id].law, world.connections[id].parameters, index, value);
-}
-void set_parameter(World& world, InteractionId id, std::size_t index, double value) {
-  require_unlocked(world, "parameters");
-  disturb_forces(world);
-  Interaction& row = world.interactions[id];
+  if (std::holds_alternative<ConnectionId>(id)) world.stiffness_unknown = true;
+  ForceElement& row = force_element(world, id);
   std::vector<double> values = row.parameters;
   write_parameter(*row.law, values, index, value);
-  if (row.law->remade) {
+  if (std::holds_alternative<InteractionId>(id) && row.law->remade) {
     const std::shared_ptr<Law> law = row.law->remade(values);
     law->name = row.law->name;
     row.law = law;
   }
   row.parameters = values;
-}
-void set_parameter(World& world, FieldId id, std::size_t index, double value) {
-  require_unlocked(world, "parameters");
-  disturb_forces(world);
-  write_parameter(*world.fields[id].law, world.fields[id].parameters, index, value);
 }
 
 void replace_law(World& world, const std::shared_ptr<const Law>& law, const std::shared_ptr<const Law>& by) {

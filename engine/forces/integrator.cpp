@@ -38,12 +38,9 @@ constexpr IntegratorStage four[] = {{0.5, 0.5}, {0.5, 0.5}, {1.0, 1.0}, {1.0, 1.
 template <class Is>
 std::string law_that(const World& world, Is is) {
   std::string found;
-  const auto look = [&](const auto& row) {
+  each_force_element(world, [&](const ForceElement& row) {
     if (found.empty() && row.enabled && row.law && is(*row.law)) found = law_in_place(row);
-  };
-  for (ConnectionId id : world.connections.ids()) look(world.connections[id]);
-  for (InteractionId id : world.interactions.ids()) look(world.interactions[id]);
-  for (FieldId id : world.fields.ids()) look(world.fields[id]);
+  });
   return found;
 }
 

@@ -315,6 +315,22 @@ Vec3 turning_part(const Motion& motion, Vec3 v) {
 
 namespace {
 
+struct RowOf {
+  const Model& m;
+  const ForceElement& operator()(ConnectionId id) const { return m.connections[id]; }
+  const ForceElement& operator()(InteractionId id) const { return m.interactions[id]; }
+  const ForceElement& operator()(FieldId id) const { return m.fields[id]; }
+};
+
+}  // namespace
+
+const ForceElement& force_element(const Model& m, const ForceElementId& id) { return std::visit(RowOf{m}, id); }
+ForceElement& force_element(Model& m, const ForceElementId& id) {
+  return const_cast<ForceElement&>(force_element(std::as_const(m), id));
+}
+
+namespace {
+
 struct Alive {
   const Model& m;
   bool operator()(std::monostate) const { return false; }

@@ -51,6 +51,17 @@ struct Model {
   const Motion& motion_of(BodyId id) const { return (void)bodies[id], motion[id.slot - 1]; }
 };
 
+/// The row of a connection, interaction or field.
+const ForceElement& force_element(const Model& m, const ForceElementId& id);
+ForceElement& force_element(Model& m, const ForceElementId& id);
+/// Calls use(row) for all of them, in this order.
+template <class Use>
+void each_force_element(const Model& m, Use use) {
+  for (ConnectionId id : m.connections.ids()) use(m.connections[id]);
+  for (InteractionId id : m.interactions.ids()) use(m.interactions[id]);
+  for (FieldId id : m.fields.ids()) use(m.fields[id]);
+}
+
 /// Place and velocity of a point in the world, [m], [m/s].
 Vec3 position(const Model& m, PointId point);
 Vec3 velocity(const Model& m, PointId point);
