@@ -115,7 +115,7 @@ void ViewMarks::add_cells(const World& world, std::vector<Mark>& marks) {
   if (!world.forces || !world.forces->rows) return;
   const Forces& forces = *world.forces;
   const auto cut = std::ranges::find_if(forces.interactions, [](const ActingInteraction& i) {
-    return i.neighbours.cutoff() > 0.0 && std::isfinite(i.neighbours.cutoff());
+    return i.pairs.neighbours.cutoff() > 0.0 && std::isfinite(i.pairs.neighbours.cutoff());
   });
   if (cut == forces.interactions.end() || !world.interactions.alive(cut->id)) return;
   const Interaction& interaction = world.interactions[cut->id];
@@ -131,7 +131,8 @@ void ViewMarks::add_cells(const World& world, std::vector<Mark>& marks) {
     positions_.push_back(box.wrapped(at));
   }
   if (positions_.empty()) return;
-  const Grid grid = make_grid(positions_, members_, members_, box, cut->neighbours.cutoff() + forces.skin.width());
+  const Grid grid =
+      make_grid(positions_, members_, members_, box, cut->pairs.neighbours.cutoff() + forces.skin.width());
   for (const Vec3 at : positions_) cells_.push_back({grid.cell(0, at), grid.cell(1, at), grid.cell(2, at)});
   std::ranges::sort(cells_);
   cells_.erase(std::unique(cells_.begin(), cells_.end()), cells_.end());

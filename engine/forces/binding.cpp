@@ -148,11 +148,9 @@ void compact_kin(Sites& s) {
 
 /// Whether some law acts on momenta in a way that rows may have to turn back: those of velocity do not.
 bool pushes(const World& world, const Forces& f) {
-  const auto does = [&](const auto& a) { return !a.law->velocity_dependent || !rule_of(world).conserves; };
-  return std::any_of(f.interactions.begin(), f.interactions.end(), does) ||
-         std::any_of(f.fields.begin(), f.fields.end(), does) ||
-         std::any_of(f.connections.begin(), f.connections.end(),
-                     [&](const ActingConnections& a) { return !a.solved && does(a); });
+  return any_element(f, [&](const ActingElement& a) {
+    return !a.solved && (!a.law->velocity_dependent || !rule_of(world).conserves);
+  });
 }
 
 }  // namespace

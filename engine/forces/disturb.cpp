@@ -10,8 +10,8 @@ namespace {
 void withdraw_energy(World& world) {
   Forces& f = *world.forces;
   post(world, Source::law, -(f.told ? f.energy : law_energy(world)));
-  each_law(world, f, [&](const std::string& name, const Law& law, auto& acting) {
-    if (law.has_energy()) world.given_by_laws[name] += acting.at_first - acting.energy;
+  each_element(f, [&](const ActingElement& a) {
+    if (a.law->has_energy()) world.given_by_laws[a.name(world)] += a.at_first - a.energy;
   });
 }
 

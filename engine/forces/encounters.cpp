@@ -64,19 +64,15 @@ class Finder {
 
   void of_interaction(ActingInteraction& a) {
     const Interaction& row = world_.interactions[a.id];
-    const double cutoff = a.neighbours.cutoff();
+    const double cutoff = a.pairs.neighbours.cutoff();
     if (2.0 * fastest_ < slow * std::min(cutoff, nearest_)) return;
     passed_.clear();
     const std::uint32_t of_a[] = {row.a.slot - 1}, of_b[] = {row.b.slot - 1};
     const double farthest = 2.0 * fastest_ / std::sqrt(1.0 - nearer * nearer);  // at the end, of two that passed
     NeighbourList near;
     near.build(f_.sites, box_, of_a, of_b, std::min(cutoff + 2.0 * fastest_, farthest), 0.0, *world_.workers, a.bonded);
-    for (const auto& phase : near.phases())
-      for (const Slab& slab : phase)
-        for (const NeighbourRow& r : slab.rows)
-          for (std::uint32_t k = 0; k < r.count; k++)
-            if (const std::uint32_t j = slab.list[r.begin + k]; j < f_.sites.n) consider(r.site, j, 0);
-    if (!passed_.empty()) ask(a.law, {}, present_parameters(world_, *a.law, row.parameters));
+    each_pair(near, f_.sites, [&](std::uint32_t i, std::uint32_t j) { consider(i, j, 0); });
+    if (!passed_.empty()) ask(a.law, {}, a.parameters(world_));
   }
 
   /// Asks the law of the pairs that passed each other, put on sites of their own where they were nearest.

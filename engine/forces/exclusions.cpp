@@ -20,6 +20,14 @@ Exclusions exclusions(std::size_t n, std::vector<std::pair<std::uint32_t, std::u
   return result;
 }
 
+Exclusions renumbered(const Exclusions& old, std::span<const std::uint32_t> now, std::size_t n) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (std::uint32_t i = 0; i + 1 < old.begin.size(); i++)
+    for (std::uint32_t j : old.of(i))
+      if (now[i] != Forces::none && now[j] != Forces::none) pairs.push_back({now[i], now[j]});
+  return exclusions(n, std::move(pairs));
+}
+
 /// Pairs of sites with no more than `steps` connections between them.
 Exclusions bonded(const Forces& forces, int steps) {
   if (steps <= 0) return {};

@@ -21,55 +21,13 @@ constexpr std::size_t few_pairs = 4096;
 
 }  // namespace
 
-std::vector<double> present_parameters(const World& world, const Law& law, const std::vector<double>& given) {
-  std::vector<double> values = given;
-  for (std::size_t i = 0; i < values.size(); i++) {
-    if (!given_by_world(law.parameters[i].name)) continue;
-    values[i] = law.parameters[i].name == "step" ? world.stage.full : world.settings.boltzmann;
-  }
-  return values;
-}
-
-void run_law(const World& world, Forces& f, ActingInteraction& a, const Instant& instant) {
-  a.pairs.add_forces(f.sites, a.neighbours, instant,
-                     present_parameters(world, *a.law, world.interactions[a.id].parameters), *world.workers);
-}
-
-void run_law(const World& world, Forces& f, ActingConnections& a, const Instant& instant) {
-  a.bonds.add_forces(f.sites, box_of(world), instant, {}, *world.workers);
-}
-
-void run_law(const World& world, Forces& f, ActingField& a, const Instant& instant) {
-  a.fields.add_forces(f.sites, box_of(world), instant, present_parameters(world, *a.law, world.fields[a.id].parameters),
-                      *world.workers);
-}
-
 double run_laws(const World& world, Forces& f, const Instant& instant, bool with_energy) {
-  const Box box = box_of(world);
   double energy = 0.0;
-  for (ActingInteraction& a : f.interactions) {
-    if (a.law->velocity_dependent) continue;
-    const auto parameters = present_parameters(world, *a.law, world.interactions[a.id].parameters);
-    if (with_energy)
-      energy += a.energy = a.pairs.add_forces_and_energy(f.sites, a.neighbours, instant, parameters, *world.workers);
-    else
-      a.pairs.add_forces(f.sites, a.neighbours, instant, parameters, *world.workers);
-  }
-  for (ActingConnections& a : f.connections) {
-    if (a.law->velocity_dependent || (a.solved && !(with_energy && a.law->has_energy()))) continue;
-    if (with_energy)
-      energy += a.energy = a.bonds.add_forces_and_energy(f.sites, box, instant, {}, *world.workers);
-    else
-      a.bonds.add_forces(f.sites, box, instant, {}, *world.workers);
-  }
-  for (ActingField& a : f.fields) {
-    if (a.law->velocity_dependent) continue;
-    const auto parameters = present_parameters(world, *a.law, world.fields[a.id].parameters);
-    if (with_energy)
-      energy += a.energy = a.fields.add_forces_and_energy(f.sites, box, instant, parameters, *world.workers);
-    else
-      a.fields.add_forces(f.sites, box, instant, parameters, *world.workers);
-  }
+  each_element(f, [&](ActingElement& a) {
+    if (a.law->velocity_dependent || (a.solved && !(with_energy && a.law->has_energy()))) return;
+    const double told = run_law(world, f, a, instant, with_energy);
+    if (with_energy) energy += a.energy = told;
+  });
   return energy;
 }
 
@@ -136,17 +94,15 @@ void find_noise(const World& world, Forces& f, const Instant& instant) {
   if (!world.settings.accuracy || !f.noisy) return;
   Instant silent = instant;
   silent.silent = true;
-  const auto force = f.sites.force, open = f.sites.nonconservative_force;
+  const KeptForces kept(f.sites);
   f.noise.assign(f.sites.n, zero3());
   for (const bool loud : {true, false}) {
     std::fill(f.sites.nonconservative_force.begin(), f.sites.nonconservative_force.end(), zero3());
-    each_law(world, f, [&](const std::string&, const Law& law, auto& acting) {
-      if (draws_noise(law) && !law.thermal) run_law(world, f, acting, loud ? instant : silent);
+    each_element(f, [&](ActingElement& a) {
+      if (draws_noise(*a.law) && !a.law->thermal) run_law(world, f, a, loud ? instant : silent);
     });
     for (std::size_t i = 0; i < f.sites.n; i++) f.noise[i] += f.sites.nonconservative_force[i] * (loud ? 1.0 : -1.0);
   }
-  f.sites.force = force;
-  f.sites.nonconservative_force = open;
 }
 
 /// Forces at the positions and velocities that the sites now have; the energy where it is asked for.
@@ -171,10 +127,7 @@ Instant instant_of(const World& world, double time, std::uint64_t number) {
 void start(const World& world, Forces& f) {
   read_positions(world, f, false);
   build_neighbours(world, f, false);
-  if (!f.rows) {
-    for (ActingConnections& c : f.connections) c.bonds.arrange(c.bond_list, f.sites);
-    arrange_fields(world, f);
-  }
+  if (!f.rows) arrange(world, f);
   read_velocities(world, f, false);
 }
 
@@ -182,7 +135,7 @@ namespace {
 
 bool tells_energy(const World& world, const Forces& f) {
   std::size_t pairs = 0;
-  for (const ActingInteraction& a : f.interactions) pairs += a.neighbours.pairs();
+  for (const ActingInteraction& a : f.interactions) pairs += a.pairs.neighbours.pairs();
   for (const ActingConnections& a : f.connections) pairs += a.bond_list.size();
   // Where particles come and go it will be asked for before the next step.
   return pairs <= few_pairs || (world.steps + 1) % 16 == 0 || f.settled_in == world.steps + 1;
@@ -198,12 +151,9 @@ namespace {
 
 /// Energy of the laws at the present positions, with ages of another time [s]; forces stay, ages do not.
 double energy_at_ages(const World& world, Forces& f, double time) {
-  const auto force = f.sites.force, open = f.sites.nonconservative_force;
+  const KeptForces kept(f.sites);
   refresh_ages(world, f, time);
-  const double energy = run_laws(world, f, instant_of(world, time, world.instant), true);
-  f.sites.force = force;
-  f.sites.nonconservative_force = open;
-  return energy;
+  return run_laws(world, f, instant_of(world, time, world.instant), true);
 }
 
 bool stiffness_is_due(World& world) { return std::exchange(world.stiffness_unknown, false) || world.steps % 64 == 0; }
@@ -211,7 +161,7 @@ bool stiffness_is_due(World& world) { return std::exchange(world.stiffness_unkno
 /// The energy of the laws comes into the balance.
 void bring_in_energy(World& world) {
   Forces& f = *world.forces;
-  each_law(world, f, [](const std::string&, const Law&, auto& acting) { acting.at_first = acting.energy; });
+  each_element(f, [](ActingElement& a) { a.at_first = a.energy; });
   if (world.steps == 0)
     world.start_energy += f.energy;
   else
@@ -222,8 +172,7 @@ void bring_in_energy(World& world) {
 void start_again(const World& world, Forces& f) {
   read_positions(world, f, false);
   build_neighbours_in_order(world, f);
-  for (ActingConnections& c : f.connections) c.bonds.arrange(c.bond_list, f.sites);
-  arrange_fields(world, f);
+  arrange(world, f);
   if (f.velocity_dependent) read_velocities(world, f, false);
 }
 

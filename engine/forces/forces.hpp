@@ -9,13 +9,10 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "forces/acting_elements.hpp"
 #include "forces/swing.hpp"
 #include "forces/velocity_kick.hpp"
-#include "laws/run/bonds.hpp"
 #include "laws/run/cells.hpp"
-#include "laws/run/fields.hpp"
-#include "laws/run/neighbours.hpp"
-#include "laws/run/pairs.hpp"
 #include "laws/run/sites.hpp"
 #include "laws/run/skin.hpp"
 #include "world/world.hpp"
@@ -45,36 +42,6 @@ struct Attached {
   bool pulled = true;  ///< by laws that are not solved with the articulate
   Vec3 arm = zero3();  ///< [m] in principal axes
   Vec3 r = zero3();    ///< [m] the same in the world
-};
-
-/// A law of an interaction at work.
-struct ActingInteraction {
-  InteractionId id;
-  std::shared_ptr<const Law> law;
-  Pairs pairs;
-  NeighbourList neighbours;
-  Exclusions bonded;      ///< pairs within so many connections as the law leaves out
-  double energy = 0.0;    ///< [J] when it was last told
-  double at_first = 0.0;  ///< [J] when it began to act
-};
-
-/// A law of a field at work.
-struct ActingField {
-  FieldId id;
-  std::shared_ptr<const Law> law;
-  Fields fields;
-  double energy = 0.0, at_first = 0.0;
-};
-
-/// Connections of one law at work.
-struct ActingConnections {
-  std::shared_ptr<const Law> law;
-  bool solved = false;                 ///< articulates apply the forces; here they only tell their energy
-  std::vector<ConnectionId> ids;       ///< in the order of making
-  std::vector<std::uint64_t> serials;  ///< of them
-  BondList bond_list;
-  Bonds bonds;
-  double energy = 0.0, at_first = 0.0;
 };
 
 /// What the local errors of kicks come of, see step_error.hpp.
@@ -150,6 +117,20 @@ struct Forces {
   std::uint64_t settled_in = 0;       ///< the last step, counted from 1, that began with such changes
 };
 
+/// Calls use(acting element) in the order in which forces are added.
+template <class F, class Use>
+void each_element(F& forces, Use use) {
+  for (auto& a : forces.interactions) use(a);
+  for (auto& a : forces.connections) use(a);
+  for (auto& a : forces.fields) use(a);
+}
+template <class Is>
+bool any_element(const Forces& forces, Is is) {
+  bool any = false;
+  each_element(forces, [&](const ActingElement& a) { any = any || is(a); });
+  return any;
+}
+
 /// Of the non-conservative force on a site that of laws of velocity, but for those that do no work by it [N].
 inline Vec3 damping_of(const Forces& f, std::size_t site) {
   return f.velocity_dependent ? f.sites.nonconservative_force[site] - f.undamped[site] : zero3();
@@ -204,9 +185,7 @@ std::string bad_force(const World& world);
 /// Energy of all laws in the present state, [J].
 double law_energy(const World& world);
 /// Of one; none where its law has no energy, or does not act.
-std::optional<double> law_energy(const World& world, ConnectionId id);
-std::optional<double> law_energy(const World& world, InteractionId id);
-std::optional<double> law_energy(const World& world, FieldId id);
+std::optional<double> law_energy(const World& world, const ForceElementId& id);
 /// Tension of a connection in the last step [N], positive where it pulls; 0 of three or four particles.
 double tension(const World& world, ConnectionId id);
 std::vector<double> tensions(const World& world);  ///< (slots of connections)

@@ -36,7 +36,7 @@ constexpr std::uint32_t none = Forces::none;
 
 /// Throws where a law would read what one of its particles, in the role `who`, has not.
 void require_attributes(const World& world, const Sites& sites, const Law& law, std::span<const std::uint32_t> where,
-                        std::uint8_t who) {
+                        std::size_t who) {
   for (const Input& input : inputs_of(law)) {
     if (input.role != Role::attribute || input.who != who) continue;
     for (std::uint32_t site : where) {
@@ -52,31 +52,6 @@ void require_attributes(const World& world, const Sites& sites, const Law& law, 
 }
 
 }  // namespace
-
-std::vector<std::uint32_t> sites_of_family(const Forces& forces, FamilyId family, std::span<const std::uint32_t> some) {
-  std::vector<std::uint32_t> list;
-  for (std::uint32_t i : some)
-    if (forces.sites.family[i] == family.slot - 1) list.push_back(i);
-  return list;
-}
-
-std::vector<std::uint32_t> sites_of_field(const World& world, const Forces& forces, const pantin::Field& field,
-                                          std::span<const std::uint32_t> some) {
-  if (field.family) return sites_of_family(forces, field.family, some);
-  std::vector<std::uint32_t> list;
-  if (!field.group) {
-    for (std::uint32_t i : some)
-      if (forces.sites.particle[i] != none) list.push_back(i);
-    return list;
-  }
-  for (ParticleId p : particles_of(world, AnyId(field.group))) {
-    const std::uint32_t site = forces.site_of[awake(world, p).slot - 1];
-    if (std::binary_search(some.begin(), some.end(), site)) list.push_back(site);
-  }
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-  return list;
-}
 
 std::vector<Input> inputs_of(const Law& law) {
   if (law.called) return law.inputs_wanted;
@@ -100,30 +75,10 @@ void fill_attributes(const World& world, Forces& forces, std::span<const std::ui
 }
 
 void check_attributes(const World& world, const Forces& forces, std::span<const std::uint32_t> some) {
-  const Sites& sites = forces.sites;
-  for (const ActingInteraction& acting : forces.interactions) {
-    const Interaction& row = world.interactions[acting.id];
-    require_attributes(world, sites, *acting.law, sites_of_family(forces, row.a, some), 0);
-    require_attributes(world, sites, *acting.law, sites_of_family(forces, row.b, some), 1);
-  }
-  for (const ActingField& acting : forces.fields)
-    require_attributes(world, sites, *acting.law, sites_of_field(world, forces, world.fields[acting.id], some), 0);
-  for (const ActingConnections& acting : forces.connections)
-    for (std::size_t who = 0; who < static_cast<std::size_t>(acting.bond_list.count); who++) {
-      std::vector<std::uint32_t> ends;
-      for (std::size_t k = who; k < acting.bond_list.sites.size();
-           k += static_cast<std::size_t>(acting.bond_list.count))
-        if (std::binary_search(some.begin(), some.end(), acting.bond_list.sites[k]))
-          ends.push_back(acting.bond_list.sites[k]);
-      require_attributes(world, sites, *acting.law, ends, static_cast<std::uint8_t>(who));
-    }
-}
-
-void arrange_fields(const World& world, Forces& forces) {
-  std::vector<std::uint32_t> all(forces.sites.n);
-  std::iota(all.begin(), all.end(), 0u);
-  for (ActingField& acting : forces.fields)
-    acting.fields.arrange(sites_of_field(world, forces, world.fields[acting.id], all));
+  each_element(forces, [&](const ActingElement& a) {
+    for (std::size_t who = 0; who < static_cast<std::size_t>(a.law->count); who++)
+      require_attributes(world, forces.sites, *a.law, a.sites_of(world, forces, who, some), who);
+  });
 }
 
 }  // namespace pantin

@@ -13,6 +13,19 @@ namespace {
 
 constexpr std::uint32_t none = Forces::none;
 
+template <class Row>
+std::vector<Handle<Row>> enabled(const Store<Row>& rows) {
+  std::vector<Handle<Row>> list = rows.ids();
+  std::erase_if(list, [&](Handle<Row> id) { return !rows[id].enabled; });
+  return list;
+}
+
+/// The law of a force element, and what acts with it.
+template <class Use>
+void each_part(const ForceElement& row, Use use) {
+  for (auto law = row.law; law; law = law->also) use(law);
+}
+
 /// Finds what becomes a site.
 struct Builder {
   const World& world;
@@ -23,15 +36,13 @@ struct Builder {
   void find_wanted() {
     std::vector<char>& family = forces.families;
     family.assign(world.families.slots(), 0);
-    for (InteractionId id : world.interactions.ids()) {
+    for (InteractionId id : enabled(world.interactions)) {
       const Interaction& row = world.interactions[id];
-      if (!row.enabled) continue;
       family[row.a.slot - 1] = family[row.b.slot - 1] = 1;
     }
     how.assign(world.particles.slots(), Wanted::not_at_all);
-    for (FieldId id : world.fields.ids()) {
+    for (FieldId id : enabled(world.fields)) {
       const Field& row = world.fields[id];
-      if (!row.enabled) continue;
       if (row.family) family[row.family.slot - 1] = 1;
       forces.grouped = forces.grouped || row.group;
       forces.everybody = forces.everybody || (!row.family && !row.group);
@@ -76,61 +87,44 @@ struct Builder {
   }
 };
 
-/// Laws at work with what they act on, before there are sites.
+/// Force elements that act, before there are sites.
 struct Active {
-  std::vector<InteractionId> interactions;
-  std::vector<FieldId> fields;
+  /// Connections of one law.
   struct Batch {
     std::shared_ptr<const Law> law;
     bool solved;
     std::vector<ConnectionId> ids;
   };
+  std::vector<InteractionId> interactions;
+  std::vector<FieldId> fields;
   std::vector<Batch> connections;  // in the order of their first connection
 
-  explicit Active(const World& world) {
-    for (InteractionId id : world.interactions.ids())
-      if (world.interactions[id].enabled) interactions.push_back(id);
-    for (FieldId id : world.fields.ids())
-      if (world.fields[id].enabled) fields.push_back(id);
+  explicit Active(const World& world) : interactions(enabled(world.interactions)), fields(enabled(world.fields)) {
     std::unordered_map<const Law*, std::size_t> positions[2];  // only looked up: their order reaches nothing
-    for (ConnectionId id : world.connections.ids()) {
-      const Connection& row = world.connections[id];
-      if (!row.enabled) continue;
-      const bool solved = row.solve != Solve::explicitly;
-      for (auto law = row.law; law; law = law->also) {
+    for (ConnectionId id : enabled(world.connections)) {
+      const bool solved = world.connections[id].solve != Solve::explicitly;
+      each_part(world.connections[id], [&](const std::shared_ptr<const Law>& law) {
         const auto [found, is_new] = positions[solved].try_emplace(law.get(), connections.size());
         if (is_new) connections.push_back({law, solved, {}});
         connections[found->second].ids.push_back(id);
-      }
+      });
     }
   }
 
   bool none_at_all() const { return interactions.empty() && fields.empty() && connections.empty(); }
 
   template <class Use>
-  void each_law(const World& world, Use&& use) const {
-    for (InteractionId id : interactions)
-      for (auto law = world.interactions[id].law; law; law = law->also) use(*law);
-    for (FieldId id : fields)
-      for (auto law = world.fields[id].law; law; law = law->also) use(*law);
+  void each_law(const World& world, Use use) const {
+    const auto part = [&](const std::shared_ptr<const Law>& law) { use(*law); };
+    for (InteractionId id : interactions) each_part(world.interactions[id], part);
+    for (FieldId id : fields) each_part(world.fields[id], part);
     for (const Batch& batch : connections) use(*batch.law);
   }
 };
 
-/// The law with its energy alone.
-std::shared_ptr<const Law> energy_alone(const Law& law) {
-  auto told = std::make_shared<Law>(law);
-  told->force = {told->graph.constant(0.0)};
-  told->also = nullptr;
-  return told;
-}
-
 void add_connections(const World& world, Forces& forces, const Active::Batch& batch,
                      std::span<const std::uint32_t> place_sites, std::size_t& next_position) {
-  const auto law = batch.solved ? energy_alone(*batch.law) : batch.law;
-  ActingConnections acting{batch.law, batch.solved, {}, {}, {}, Bonds(law, forces.sites.names, *world.workers)};
-  acting.bond_list.count = static_cast<int>(world.connections[batch.ids[0]].count);
-  acting.bond_list.parameters.resize(batch.law->parameters.size());
+  ActingConnections acting(batch.law, batch.solved, forces, *world.workers);
   for (ConnectionId id : batch.ids) {
     const Connection& row = world.connections[id];
     BondEnds ends{};
@@ -198,12 +192,11 @@ std::unique_ptr<Forces> build_forces(const World& world) {
   for (const Active::Batch& batch : acting.connections)
     add_connections(world, *forces, batch, place_sites, next_position);
   for (InteractionId id : acting.interactions)
-    for (auto law = world.interactions[id].law; law; law = law->also)
-      forces->interactions.push_back(
-          {id, law, Pairs(law, names, *world.workers), NeighbourList{}, bonded(*forces, law->exclude)});
+    each_part(world.interactions[id],
+              [&](const auto& law) { forces->interactions.emplace_back(id, law, *forces, *world.workers); });
   for (FieldId id : acting.fields)
-    for (auto law = world.fields[id].law; law; law = law->also)
-      forces->fields.push_back({id, law, Fields(law, names, *world.workers)});
+    each_part(world.fields[id],
+              [&](const auto& law) { forces->fields.emplace_back(id, law, *forces, *world.workers); });
   check_attributes(world, *forces, all);
   return forces;
 }

@@ -12,8 +12,8 @@ namespace pantin {
 
 /// Makes the laws of the model ready to act; null where there are none. Places are not yet read.
 std::unique_ptr<Forces> build_forces(const World& world);
-/// Gives the fields their sites; after every change of their order.
-void arrange_fields(const World& world, Forces& forces);
+/// Gives connections and fields their sites; after every change of their order.
+void arrange(const World& world, Forces& forces);
 /// Reads what the laws at work read by name of some sites, in rising order, but for what follows the age of particles.
 void fill_attributes(const World& world, Forces& forces, std::span<const std::uint32_t> some);
 /// Throws Error where laws act on one of these sites, in rising order, that has not what they read.
@@ -53,31 +53,19 @@ bool are_apart(const Forces& forces);
 /// The same where they are apart, and the forces on them at the present positions; others stay. Gives the change of energy
 /// [J], told before of the present state.
 double change_members_apart(const World& world, Forces& forces);
-/// Those of some sites, in rising order, that are of a family, or that a field acts on.
-std::vector<std::uint32_t> sites_of_family(const Forces& forces, FamilyId family, std::span<const std::uint32_t> some);
-std::vector<std::uint32_t> sites_of_field(const World& world, const Forces& forces, const Field& field,
-                                          std::span<const std::uint32_t> some);
 /// The particles of a point, body, particle or group, as they were made: some may sleep in hinges.
 std::vector<ParticleId> particles_of(const World& world, const AnyId& thing);
 /// Pairs of sites with no more than `steps` connections between them.
 Exclusions bonded(const Forces& forces, int steps);
+/// The same pairs of n sites, by the number that each has `now`; without those that have none.
+Exclusions renumbered(const Exclusions& old, std::span<const std::uint32_t> now, std::size_t n);
 /// From pairs of n sites, each in both orders.
 Exclusions exclusions(std::size_t n, std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs);
 
 /// A law as messages name it: "scene.lua:12", or where one of the library was put to use, "scene.lua:3: lennard_jones".
-template <class Row>
-std::string law_in_place(const Row& row) {
-  const bool own = row.law->name.find(':') != std::string::npos;
-  return own || row.made_at.empty() ? row.law->name : row.made_at + ": " + row.law->name;
-}
-/// The same of laws at work.
-inline std::string law_at_work(const World& world, const ActingInteraction& a) {
-  return law_in_place(world.interactions[a.id]);
-}
-inline std::string law_at_work(const World& world, const ActingField& a) { return law_in_place(world.fields[a.id]); }
-inline std::string law_at_work(const World& world, const ActingConnections& a) {
-  return a.ids.empty() ? a.law->name : law_in_place(world.connections[a.ids[0]]);
-}
+std::string law_in_place(const ForceElement& row);
+/// The same of one at work.
+std::string law_at_work(const World& world, const ActingElement& acting);
 /// The periodic box, or open space.
 Box box_of(const World& world);
 /// State of the sites: of what articulates hold after a drift as they have it, before as the model has it.
@@ -87,6 +75,15 @@ void read_velocities(const World& world, Forces& forces, bool drifted);
 void build_neighbours(const World& world, Forces& forces, bool drifted);
 /// The same after an edit, with the sites in the order that they are in.
 void build_neighbours_in_order(const World& world, Forces& forces);
+/// Calls use(i, j) for all pairs of sites that are listed.
+template <class Use>
+void each_pair(const NeighbourList& neighbours, const Sites& sites, Use use) {
+  for (const auto& phase : neighbours.phases())
+    for (const Slab& slab : phase)
+      for (const NeighbourRow& row : slab.rows)
+        for (std::uint32_t j : std::span(slab.list + row.begin, row.count))
+          if (j < sites.n) use(row.site, j);
+}
 /// Reads the present state into laws that were just built.
 void start(const World& world, Forces& forces);
 /// Ages, and what follows them, at a time [s].
@@ -96,12 +93,28 @@ Instant instant_of(const World& world, double time, std::uint64_t number);
 /// Values of a law's parameters; "step" is the length of the step [s], "boltzmann" k_B [J/K].
 std::vector<double> present_parameters(const World& world, const Law& law, const std::vector<double>& given);
 
+/// Keeps the forces on sites through what asks laws for others: they are put back at its end.
+class KeptForces {
+ public:
+  explicit KeptForces(Sites& sites) : sites_(sites), force_(sites.force), open_(sites.nonconservative_force) {}
+  ~KeptForces() {
+    sites_.force = std::move(force_);
+    sites_.nonconservative_force = std::move(open_);
+  }
+  KeptForces(const KeptForces&) = delete;
+  KeptForces& operator=(const KeptForces&) = delete;
+
+ private:
+  Sites& sites_;
+  AlignedVector<Vec3> force_, open_;
+};
+
 /// Takes what forces have across a plane away.
 void keep_in_plane(const Plane& plane, Sites& sites);
-/// Adds the forces of one law at the present positions and velocities, at an instant.
-void run_law(const World& world, Forces& forces, ActingInteraction& acting, const Instant& instant);
-void run_law(const World& world, Forces& forces, ActingConnections& acting, const Instant& instant);
-void run_law(const World& world, Forces& forces, ActingField& acting, const Instant& instant);
+/// Adds the forces of one law at the present positions and velocities, at an instant; gives its energy [J] where it has one
+/// and that is asked for, else 0.
+double run_law(const World& world, Forces& forces, ActingElement& acting, const Instant& instant,
+               bool with_energy = false);
 /// Adds the forces of the laws that do not depend on velocities; gives the energy [J] of those that have one where it is
 /// asked for.
 double run_laws(const World& world, Forces& forces, const Instant& instant, bool with_energy);
@@ -110,14 +123,4 @@ double run_laws(const World& world, Forces& forces, const Instant& instant, bool
 double run_still_laws(const World& world, Forces& forces, const Instant& instant, bool with_energy);
 /// Sums what sites feel over the receivers that they are bound to.
 void collect(const World& world, Forces& forces);
-
-/// Calls `use(name, law, what acts)` for all laws at work.
-template <class Use>
-void each_law(const World& world, Forces& f, Use use) {
-  const auto name = [](const auto& row, const Law& law) { return row.name.empty() ? law.name : row.name; };
-  for (ActingInteraction& a : f.interactions) use(name(world.interactions[a.id], *a.law), *a.law, a);
-  for (ActingConnections& a : f.connections) use(a.law->name, *a.law, a);
-  for (ActingField& a : f.fields) use(name(world.fields[a.id], *a.law), *a.law, a);
-}
-
 }  // namespace pantin

@@ -58,14 +58,6 @@ void permute(Array& array, std::span<const std::uint32_t> order) {
   for (std::size_t k = 0; k < order.size(); k++) array[k] = old[order[k]];
 }
 
-/// The same pairs, where site i is now the site now[i].
-Exclusions put_in_order(const Exclusions& old, std::span<const std::uint32_t> now) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  for (std::uint32_t i = 0; i + 1 < old.begin.size(); i++)
-    for (std::uint32_t j : old.of(i)) pairs.push_back({now[i], now[j]});
-  return exclusions(now.size(), std::move(pairs));
-}
-
 /// Puts the sites into a new order: element k of it is the site to be put at k.
 void put_in_order(const World& world, Forces& f, std::span<const std::uint32_t> order) {
   Sites& s = f.sites;
@@ -85,12 +77,10 @@ void put_in_order(const World& world, Forces& f, std::span<const std::uint32_t> 
   number_attached(f);
   for (std::uint32_t& site : f.site_of)
     if (site != none) site = now[site];
-  for (ActingInteraction& a : f.interactions) a.bonded = put_in_order(a.bonded, now);
-  for (ActingConnections& c : f.connections) {
+  for (ActingInteraction& a : f.interactions) a.bonded = renumbered(a.bonded, now, s.n);
+  for (ActingConnections& c : f.connections)
     for (std::uint32_t& site : c.bond_list.sites) site = now[site];
-    c.bonds.arrange(c.bond_list, s);
-  }
-  arrange_fields(world, f);
+  arrange(world, f);
 }
 
 double largest_radius(const Sites& sites, std::uint32_t family) {
@@ -136,7 +126,8 @@ void list_pairs(const World& world, Forces& f, double skin) {
     const Interaction& row = world.interactions[a.id];
     const std::uint32_t of_a[] = {row.a.slot - 1}, of_b[] = {row.b.slot - 1};
     try {
-      a.neighbours.build(f.sites, box_of(world), of_a, of_b, reach_of(world, f, a), skin, *world.workers, a.bonded);
+      a.pairs.neighbours.build(f.sites, box_of(world), of_a, of_b, reach_of(world, f, a), skin, *world.workers,
+                               a.bonded);
     } catch (const Error& error) { throw Error(text(law_in_place(row), ": ", error.what())); }
   }
   f.skin.restart(f.sites, skin);

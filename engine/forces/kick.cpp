@@ -146,15 +146,13 @@ void post_laws(World& world, Forces& f, const AlignedVector<Vec3>& before, const
   const double work = work_of(f, before, after, half);
   world.ledger.laws += work;
   world.ledger.posted += std::fabs(work);
-  const auto force = f.sites.force, open = f.sites.nonconservative_force;
-  each_law(world, f, [&](const std::string& name, const Law& law, auto& acting) {
-    if (!law.has_energy()) return;
+  const KeptForces kept(f.sites);
+  each_element(f, [&](ActingElement& a) {
+    if (!a.law->has_energy()) return;
     std::fill(f.sites.force.begin(), f.sites.force.end(), zero3());
-    run_law(world, f, acting, instant_of(world, world.time, world.instant));
-    world.ledger.kicks[name] += work_of(f, before, after, half);
+    run_law(world, f, a, instant_of(world, world.time, world.instant));
+    world.ledger.kicks[a.name(world)] += work_of(f, before, after, half);
   });
-  f.sites.force = force;
-  f.sites.nonconservative_force = open;
 }
 
 /// What kicks gave to motions that the rows forbid.

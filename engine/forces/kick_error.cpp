@@ -218,8 +218,8 @@ class Judge {
     std::fill(f_.sites.nonconservative_force.begin(), f_.sites.nonconservative_force.end(), zero3());
     Instant instant = instant_of(world_, time_within(world_, fraction), world_.instant);
     instant.silent = true;
-    each_law(world_, f_, [&](const std::string&, const Law& law, auto& acting) {
-      if (law.timed && !law.thermal) run_law(world_, f_, acting, instant);
+    each_element(f_, [&](ActingElement& a) {
+      if (a.law->timed && !a.law->thermal) run_law(world_, f_, a, instant);
     });
     collect(world_, f_);
     std::vector<Vec3> result(f_.sites.n);
@@ -385,21 +385,19 @@ double kick_error(World& world) {
 
 std::string law_of_worst_error(World& world) {
   Forces& f = *world.forces;
-  const auto force = f.sites.force, open = f.sites.nonconservative_force;
+  const KeptForces kept(f.sites);
   const std::size_t site = std::min(f.notes.worst_site, f.sites.n - 1);
   std::string name;
   double most = -1.0;
-  each_law(world, f, [&](const std::string&, const Law&, auto& acting) {
+  each_element(f, [&](ActingElement& a) {
     std::fill(f.sites.force.begin(), f.sites.force.end(), zero3());
     std::fill(f.sites.nonconservative_force.begin(), f.sites.nonconservative_force.end(), zero3());
-    run_law(world, f, acting, instant_of(world, world.time, world.instant));
+    run_law(world, f, a, instant_of(world, world.time, world.instant));
     const double pull = norm(f.sites.force[site] + f.sites.nonconservative_force[site]);
     if (!(pull > most)) return;
     most = pull;
-    name = law_at_work(world, acting);
+    name = law_at_work(world, a);
   });
-  f.sites.force = force;
-  f.sites.nonconservative_force = open;
   return name;
 }
 

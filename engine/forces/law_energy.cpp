@@ -20,11 +20,8 @@ auto with_present_laws(const World& world, Read read) -> decltype(read(*world.fo
   }
   if (!world.forces) return {};
   Forces& f = *world.forces;
-  const auto force = f.sites.force, open = f.sites.nonconservative_force;
-  auto result = read(f);
-  f.sites.force = force;
-  f.sites.nonconservative_force = open;
-  return result;
+  const KeptForces kept(f.sites);
+  return read(f);
 }
 
 Instant present(const World& world) { return instant_of(world, world.time, world.instant); }
@@ -47,29 +44,7 @@ double law_energy(const World& world) {
   return with_present_laws(world, [&](Forces& f) { return run_laws(world, f, present(world), true); });
 }
 
-std::optional<double> law_energy(const World& world, InteractionId id) {
-  const Interaction& row = world.interactions[id];
-  if (!row.law->has_energy()) return {};
-  return with_present_laws(world, [&](Forces& f) -> std::optional<double> {
-    for (ActingInteraction& a : f.interactions)
-      if (a.id == id && a.law == row.law)
-        return a.pairs.add_forces_and_energy(f.sites, a.neighbours, present(world),
-                                             present_parameters(world, *a.law, row.parameters), *world.workers);
-    return {};
-  });
-}
-
-std::optional<double> law_energy(const World& world, FieldId id) {
-  const pantin::Field& row = world.fields[id];
-  if (!row.law->has_energy()) return {};
-  return with_present_laws(world, [&](Forces& f) -> std::optional<double> {
-    for (ActingField& a : f.fields)
-      if (a.id == id && a.law == row.law)
-        return a.fields.add_forces_and_energy(f.sites, box_of(world), present(world),
-                                              present_parameters(world, *a.law, row.parameters), *world.workers);
-    return {};
-  });
-}
+namespace {
 
 /// One connection by itself.
 double energy_of(const World& world, Forces& f, const ActingConnections& acting, std::size_t k) {
@@ -82,15 +57,29 @@ double energy_of(const World& world, Forces& f, const ActingConnections& acting,
   return bond.add_forces_and_energy(f.sites, box_of(world), present(world), {}, *world.workers);
 }
 
-std::optional<double> law_energy(const World& world, ConnectionId id) {
-  const Connection& row = world.connections[id];
+std::optional<double> energy_of(const World& world, Forces& f, ActingConnections& acting, const ForceElementId& id) {
+  const auto* connection = std::get_if<ConnectionId>(&id);
+  const auto k = connection ? find(world, acting, *connection) : std::nullopt;
+  return k ? std::optional(energy_of(world, f, acting, *k)) : std::nullopt;
+}
+
+template <class Acting>
+std::optional<double> energy_of(const World& world, Forces& f, Acting& acting, const ForceElementId& id) {
+  if (id != ForceElementId(acting.id)) return {};
+  return run_law(world, f, acting, present(world), true);
+}
+
+}  // namespace
+
+std::optional<double> law_energy(const World& world, const ForceElementId& id) {
+  const ForceElement& row = force_element(world, id);
   if (!row.law->has_energy()) return {};
-  return with_present_laws(world, [&](Forces& f) -> std::optional<double> {
-    for (ActingConnections& a : f.connections) {
-      const auto k = a.law == row.law ? find(world, a, id) : std::nullopt;
-      if (k) return energy_of(world, f, a, *k);
-    }
-    return {};
+  return with_present_laws(world, [&](Forces& f) {
+    std::optional<double> energy;
+    each_element(f, [&](auto& acting) {
+      if (!energy && acting.law == row.law) energy = energy_of(world, f, acting, id);
+    });
+    return energy;
   });
 }
 
@@ -99,7 +88,7 @@ double tension(const World& world, ConnectionId id) {
   if (row.solve != Solve::explicitly) return row.tension;
   if (!world.forces || row.law->kind != LawKind::central) return 0.0;
   double sum = 0.0;
-  for (const ActingConnections& a : world.forces->connections)
+  for (ActingConnections& a : world.forces->connections)
     if (const auto k = find(world, a, id)) sum += a.bonds.tension(*k, world.forces->sites, box_of(world));
   return sum;
 }
@@ -109,7 +98,7 @@ std::vector<double> tensions(const World& world) {
   for (ConnectionId id : world.connections.ids())
     if (world.connections[id].solve != Solve::explicitly) list[id.slot - 1] = world.connections[id].tension;
   if (!world.forces) return list;
-  for (const ActingConnections& a : world.forces->connections)
+  for (ActingConnections& a : world.forces->connections)
     for (std::size_t k = 0; a.law->kind == LawKind::central && k < a.ids.size(); k++)
       list[a.ids[k].slot - 1] += a.solved ? 0.0 : a.bonds.tension(k, world.forces->sites, box_of(world));
   return list;
@@ -119,11 +108,11 @@ LawLedger law_ledger(const World& world) {
   LawLedger ledger{world.given_by_laws, {}, world.nonconservative_work};
   if (!acting_now(world)) return ledger;
   law_energy(world);
-  each_law(world, *world.forces, [&](const std::string& name, const Law& law, const auto& acting) {
-    if (law.has_energy())
-      ledger.given[name] += acting.at_first - acting.energy;
+  each_element(*world.forces, [&](const ActingElement& a) {
+    if (a.law->has_energy())
+      ledger.given[a.name(world)] += a.at_first - a.energy;
     else
-      ledger.without_energy.push_back(name);
+      ledger.without_energy.push_back(a.name(world));
   });
   std::sort(ledger.without_energy.begin(), ledger.without_energy.end());
   const auto end = std::unique(ledger.without_energy.begin(), ledger.without_energy.end());
@@ -152,7 +141,7 @@ std::string find_bad_force(const World& world, Forces& f, double time, const std
     return f.sites.particle[site] == Forces::none ? std::string("a position")
                                                   : describe(world, world.particles.id_at(f.sites.particle[site]));
   };
-  const auto message = [&](const auto& row, const BadForce& bad) {
+  const auto message = [&](const ForceElement& row, const BadForce& bad) {
     std::string between = name(bad.sites[0]);
     for (int i = 1; i < bad.count; i++) between += " and " + name(bad.sites[i]);
     const std::string distance = bad.count == 1 ? "" : text(", at a distance of ", bad.distance, " m");
@@ -161,30 +150,16 @@ std::string find_bad_force(const World& world, Forces& f, double time, const std
     return text(law_in_place(row), ": the force ", bad.count == 1 ? "on " : "between ", between,
                 " is not a finite number", distance, rests ? where_at_rest(f.sites, bad) : "", hopeless ? "" : advice);
   };
-  const auto energy = [&](const auto& row, const auto& acting) {
-    if (!with_energies || std::isfinite(acting.energy)) return std::string();
-    return text(law_in_place(row), ": its energy is not a finite number", advice);
-  };
-  for (ActingInteraction& a : f.interactions) {
-    const Interaction& row = world.interactions[a.id];
-    const auto bad =
-        a.pairs.find_bad(f.sites, a.neighbours, instant, present_parameters(world, *a.law, row.parameters));
-    if (bad) return message(row, *bad);
-    if (const std::string lost = energy(row, a); !lost.empty()) return lost;
-  }
-  for (ActingConnections& a : f.connections) {
-    if (a.ids.empty()) continue;
-    const Connection& row = world.connections[a.ids[0]];
-    if (const auto bad = a.bonds.find_bad(f.sites, box_of(world), instant, {})) return message(row, *bad);
-    if (const std::string lost = energy(row, a); !lost.empty()) return lost;
-  }
-  for (ActingField& a : f.fields) {
-    const pantin::Field& row = world.fields[a.id];
-    const auto parameters = present_parameters(world, *a.law, row.parameters);
-    if (const auto bad = a.fields.find_bad(f.sites, box_of(world), instant, parameters)) return message(row, *bad);
-    if (const std::string lost = energy(row, a); !lost.empty()) return lost;
-  }
-  return {};
+  std::string found;
+  each_element(f, [&](ActingElement& a) {
+    const ForceElement* row = found.empty() ? a.row(world) : nullptr;
+    if (row == nullptr) return;
+    if (const auto bad = a.on().find_bad(f.sites, box_of(world), instant, a.parameters(world)))
+      found = message(*row, *bad);
+    else if (with_energies && !std::isfinite(a.energy))
+      found = text(law_in_place(*row), ": its energy is not a finite number", advice);
+  });
+  return found;
 }
 
 }  // namespace

@@ -33,14 +33,22 @@ BodyId massless_body(const World& world, const Forces& f, std::span<const std::u
   return {};
 }
 
-template <class Row>
-void tell(World& world, Row& row, BodyId body) {
-  if (!body) return;
-  row.told_massless = true;
-  log_line(world, "warning",
-           text(law_in_place(row), ": it goes by the mass of points, and those of ", describe(world, body),
-                " that it acts on have none, so it does nothing to it; give the mass of the body to its points, as in "
-                "points = { { at = vec(0, 0, 0), mass = 1 } }"));
+template <class Acting, class Row>
+void look(World& world, const Acting& acting, Row& row, const AlignedVector<double>& mass) {
+  const Forces& f = *world.forces;
+  std::vector<std::uint32_t> all(f.sites.n);
+  std::iota(all.begin(), all.end(), 0u);
+  for (std::uint8_t who = 0; who < acting.law->count && !row.told_massless; who++) {
+    if (!goes_by_mass(*acting.law, who)) continue;
+    const BodyId body = massless_body(world, f, acting.sites_of(world, f, who, all), mass);
+    if (!body) continue;
+    row.told_massless = true;
+    log_line(
+        world, "warning",
+        text(law_in_place(row), ": it goes by the mass of points, and those of ", describe(world, body),
+             " that it acts on have none, so it does nothing to it; give the mass of the body to its points, as in "
+             "points = { { at = vec(0, 0, 0), mass = 1 } }"));
+  }
 }
 
 }  // namespace
@@ -54,19 +62,8 @@ void tell_massless(World& world) {
   const auto& mass = f.sites.attributes[column];
   if (std::none_of(f.attached.begin(), f.attached.end(), [&](const Attached& a) { return mass[a.site] == 0.0; }))
     return;
-  std::vector<std::uint32_t> all(f.sites.n);
-  std::iota(all.begin(), all.end(), 0u);
-  for (const ActingField& acting : f.fields) {
-    Field& row = world.fields[acting.id];
-    if (!row.told_massless && goes_by_mass(*acting.law, 0))
-      tell(world, row, massless_body(world, f, sites_of_field(world, f, row, all), mass));
-  }
-  for (const ActingInteraction& acting : f.interactions)
-    for (const std::uint8_t who : {std::uint8_t{0}, std::uint8_t{1}}) {
-      Interaction& row = world.interactions[acting.id];
-      if (!row.told_massless && goes_by_mass(*acting.law, who))
-        tell(world, row, massless_body(world, f, sites_of_family(f, who == 0 ? row.a : row.b, all), mass));
-    }
+  for (const ActingField& acting : f.fields) look(world, acting, world.fields[acting.id], mass);
+  for (const ActingInteraction& acting : f.interactions) look(world, acting, world.interactions[acting.id], mass);
 }
 
 }  // namespace pantin

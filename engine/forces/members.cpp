@@ -38,14 +38,6 @@ void move(Forces& f, std::uint32_t from, std::uint32_t to) {
   if (s.particle[to] != none) f.site_of[s.particle[to]] = to;
 }
 
-Exclusions renumbered(const Exclusions& old, const std::vector<std::uint32_t>& now, std::size_t n) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  for (std::uint32_t i = 0; i + 1 < old.begin.size(); i++)
-    for (std::uint32_t j : old.of(i))
-      if (now[i] != none && now[j] != none) pairs.push_back({now[i], now[j]});
-  return exclusions(n, std::move(pairs));
-}
-
 /// What names sites by their numbers is told the new ones: `now` of each old one, none of what is gone.
 void renumber(Forces& f, const std::vector<std::uint32_t>& now) {
   for (ActingConnections& c : f.connections)
@@ -182,11 +174,8 @@ namespace {
 double run_fields(const World& world, Forces& f, std::span<const std::uint32_t> some, double sign) {
   double energy = 0.0;
   for (ActingField& a : f.fields) {
-    const pantin::Field& row = world.fields[a.id];
-    a.fields.arrange(sites_of_field(world, f, row, some));
-    const double part =
-        a.fields.add_forces_and_energy(f.sites, box_of(world), instant_of(world, world.time, world.instant),
-                                       present_parameters(world, *a.law, row.parameters), *world.workers);
+    a.fields.arrange(a.sites_of(world, f, 0, some));
+    const double part = run_law(world, f, a, instant_of(world, world.time, world.instant), true);
     a.energy += sign * part;
     energy += sign * part;
   }
@@ -204,8 +193,7 @@ double change_members_apart(const World& world, Forces& f) {
   }
   change += run_fields(world, f, fresh, 1.0);
   keep_in_plane(world.plane, f.sites);
-  arrange_fields(world, f);
-  for (ActingConnections& c : f.connections) c.bonds.arrange(c.bond_list, f.sites);
+  arrange(world, f);
   return change;
 }
 

@@ -101,11 +101,8 @@ void wake(World& world, const std::vector<char>& woken) {
 }
 
 bool changes_by_itself(const Forces& f) {
-  const auto timed = [](const auto& acting) { return acting.law->timed; };
   const auto& names = f.sites.names;
-  return std::any_of(f.interactions.begin(), f.interactions.end(), timed) ||
-         std::any_of(f.connections.begin(), f.connections.end(), timed) ||
-         std::any_of(f.fields.begin(), f.fields.end(), timed) ||
+  return any_element(f, [](const ActingElement& a) { return a.law->timed; }) ||
          std::find(names.begin(), names.end(), "age") != names.end() ||
          std::find(f.followed.begin(), f.followed.end(), char{1}) != f.followed.end();
 }

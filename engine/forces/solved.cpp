@@ -142,19 +142,21 @@ struct Candidate {
 };
 
 /// (connections) how much the force changes with the rate of the distance [N s/m].
-std::vector<double> dampings(const World& world, const Forces& f, const ActingConnections& acting) {
+std::vector<double> dampings(const World& world, const Forces& f, ActingConnections& acting) {
   std::vector<double> list(acting.ids.size(), 0.0);
   if (!acting.law->velocity_dependent) return list;
   std::vector<VelocityPair> pairs;
-  acting.bonds.list_slopes(f.sites, box_of(world), instant_of(world, world.time, world.instant), {}, pairs);
+  SiteSlopes none;
+  acting.bonds.add_slopes(f.sites, box_of(world), instant_of(world, world.time, world.instant), {}, *world.workers,
+                          none, pairs);
   for (std::size_t k = 0; k < pairs.size(); k++) list[acting.bonds.number(k)] = std::fabs(trace(pairs[k].slope));
   return list;
 }
 
 std::vector<Candidate> candidates(const World& world, Forces& f) {
   std::vector<Candidate> list;
-  const auto force = f.sites.force, open = f.sites.nonconservative_force;
-  for (const ActingConnections& acting : f.connections) {
+  const KeptForces kept(f.sites);
+  for (ActingConnections& acting : f.connections) {
     if (acting.ids.empty() || acting.solved || !PairCurve::possible(*acting.law)) continue;
     Bonds slopes(slope_of(*acting.law), f.sites.names, *world.workers);
     slopes.arrange(acting.bond_list, f.sites);
@@ -166,8 +168,6 @@ std::vector<Candidate> candidates(const World& world, Forces& f) {
       if (std::isfinite(slope)) list.push_back({acting.ids[k], a, b, slope, damping[k]});
     }
   }
-  f.sites.force = force;
-  f.sites.nonconservative_force = open;
   return list;
 }
 

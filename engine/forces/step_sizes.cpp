@@ -23,16 +23,11 @@ void find_partners(World& world, Forces& f) {
     f.notes.partner[f.sites.particle[i]] = f.sites.particle[j];
   };
   for (const ActingInteraction& a : f.interactions)
-    for (const auto& phase : a.neighbours.phases())
-      for (const Slab& slab : phase)
-        for (const NeighbourRow& r : slab.rows)
-          for (std::uint32_t k = 0; k < r.count; k++) {
-            const std::uint32_t j = slab.list[r.begin + k];
-            if (j >= f.sites.n) continue;
-            const double square = norm2(box.nearest(f.sites.x[j] - f.sites.x[r.site]));
-            meet(r.site, j, square);
-            meet(j, r.site, square);
-          }
+    each_pair(a.pairs.neighbours, f.sites, [&](std::uint32_t i, std::uint32_t j) {
+      const double square = norm2(box.nearest(f.sites.x[j] - f.sites.x[i]));
+      meet(i, j, square);
+      meet(j, i, square);
+    });
 }
 
 namespace {

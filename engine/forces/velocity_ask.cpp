@@ -35,34 +35,26 @@ Mat3 turning_part(const Mat3& slope, Vec3 force, Vec3 v) {
 
 namespace {
 
-bool is_asked(const Law& law, bool thermal) { return law.velocity_dependent && law.thermal == thermal; }
-
-/// Lists the pairs of each law by `list(law's pairs, to)`, which tells whether it is linear; of laws that were listed before
-/// those that are not linear again, in their places.
-template <class Acting, class List>
-void list_pairs(Acting& acting, bool thermal, bool again, std::size_t& number, VelocityForces& k, List list) {
-  for (auto& a : acting) {
-    if (!is_asked(*a.law, thermal)) continue;
-    if constexpr (requires { a.solved; })
-      if (a.solved) continue;
-    if (!again) {
-      const std::size_t begin = k.pairs.size();
-      const bool linear = list(a, k.pairs);
-      k.listed.push_back({begin, k.pairs.size(), linear});
-      k.linear &= linear;
-      continue;
-    }
-    const VelocityForces::Listed& before = k.listed[number++];
-    if (before.linear) continue;
-    std::vector<VelocityPair> fresh;
-    list(a, fresh);
-    assume(fresh.size() == before.end - before.begin);
-    for (std::size_t i = 0; i < fresh.size(); i++) {
-      VelocityPair& p = k.pairs[before.begin + i];
-      fresh[i].impulse = p.impulse;
-      fresh[i].at_rest = p.at_rest;
-      p = fresh[i];
-    }
+/// Lists what a law of pairs answers, or if it was listed before and is not linear puts it in its place.
+template <class Ask>
+void list_pairs(VelocityForces& k, bool again, std::size_t& number, Ask ask) {
+  std::vector<VelocityPair> fresh;
+  if (!again) {
+    const std::size_t begin = k.pairs.size();
+    const bool linear = ask(k.fields, k.pairs);
+    k.listed.push_back({begin, k.pairs.size(), linear});
+    k.linear &= linear;
+    return;
+  }
+  const VelocityForces::Listed& before = k.listed[number++];
+  if (before.linear) return;
+  ask(k.fields, fresh);
+  assume(fresh.size() == before.end - before.begin);
+  for (std::size_t i = 0; i < fresh.size(); i++) {
+    VelocityPair& p = k.pairs[before.begin + i];
+    fresh[i].impulse = p.impulse;
+    fresh[i].at_rest = p.at_rest;
+    p = fresh[i];
   }
 }
 
@@ -79,22 +71,18 @@ void ask_velocity_laws(const World& world, Forces& f, const Instant& instant, bo
     k.linear = k.known = true;
   }
   bool bends = false;
-  for (ActingField& a : f.fields) {
-    if (!is_asked(*a.law, thermal)) continue;
-    const auto parameters = present_parameters(world, *a.law, world.fields[a.id].parameters);
-    const bool linear = a.fields.add_slopes(f.sites, box_of(world), instant, parameters, *world.workers, k.fields);
-    k.linear &= linear;
-    if (!a.law->workless) continue;
-    a.fields.add_slopes(f.sites, box_of(world), instant, parameters, *world.workers, k.workless);
-    bends |= !linear;
-  }
   std::size_t number = 0;
-  list_pairs(f.interactions, thermal, again, number, k, [&](ActingInteraction& a, std::vector<VelocityPair>& to) {
-    const auto parameters = present_parameters(world, *a.law, world.interactions[a.id].parameters);
-    return a.pairs.list_slopes(f.sites, a.neighbours, instant, parameters, to);
-  });
-  list_pairs(f.connections, thermal, again, number, k, [&](ActingConnections& a, std::vector<VelocityPair>& to) {
-    return a.bonds.list_slopes(f.sites, box_of(world), instant, {}, to);
+  each_element(f, [&](ActingElement& a) {
+    if (a.solved || !a.law->velocity_dependent || a.law->thermal != thermal) return;
+    const auto ask = [&, parameters = a.parameters(world)](SiteSlopes& on_sites, std::vector<VelocityPair>& pairs) {
+      return a.on().add_slopes(f.sites, box_of(world), instant, parameters, *world.workers, on_sites, pairs);
+    };
+    if (a.law->kind != LawKind::point) return list_pairs(k, again, number, ask);
+    const bool linear = ask(k.fields, k.pairs);
+    k.linear &= linear;
+    if (!a.law->workless) return;
+    ask(k.workless, k.pairs);
+    bends |= !linear;
   });
   k.at.assign(n, zero3());
   std::copy_n(f.sites.v.begin(), n, k.at.begin());

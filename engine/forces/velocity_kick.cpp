@@ -204,8 +204,8 @@ double VelocityKick::apply() {
 
 std::string velocity_laws(const World& world, Forces& f) {
   std::string names;
-  each_law(world, f, [&](const std::string&, const Law& law, auto& acting) {
-    if (law.velocity_dependent && !law.thermal) names += (names.empty() ? "" : " or ") + law_at_work(world, acting);
+  each_element(f, [&](const ActingElement& a) {
+    if (a.law->velocity_dependent && !a.law->thermal) names += (names.empty() ? "" : " or ") + law_at_work(world, a);
   });
   return names;
 }

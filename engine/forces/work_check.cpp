@@ -77,8 +77,8 @@ AlignedVector<Vec3> forces_on_displacement(World& world, Forces& f, const Aligne
   std::fill(f.sites.nonconservative_force.begin(), f.sites.nonconservative_force.end(), zero3());
   const double time = world.stage.from + at * (world.stage.to - world.stage.from);
   const Instant instant = instant_of(world, time_within(world, time), world.instant);
-  each_law(world, f, [&](const std::string&, const Law& law, auto& acting) {
-    if (!law.has_energy()) run_law(world, f, acting, instant);
+  each_element(f, [&](ActingElement& a) {
+    if (!a.law->has_energy()) run_law(world, f, a, instant);
   });
   return f.sites.nonconservative_force;
 }
@@ -106,7 +106,8 @@ void check_work(World& world) {
   const double done = std::fabs(done_by_nonconservative_laws(world) - f.done);
   const bool large = done > much * world.largest_kinetic;
   if (f.open_from.size() < world.particles.slots() || !(large || is_drawn(world))) return;
-  const auto x = f.sites.x, v = f.sites.v, force = f.sites.force, open = f.sites.nonconservative_force;
+  const auto x = f.sites.x, v = f.sites.v;
+  const KeptForces kept(f.sites);
   std::vector<Vec3> displacements(f.sites.n, zero3());
   for (std::size_t i = 0; i < f.sites.n; i++)
     if (f.sites.particle[i] != none) displacements[i] = x[i] + f.image[i] - f.open_from[f.sites.particle[i]];
@@ -122,8 +123,6 @@ void check_work(World& world) {
   }
   f.sites.x = x;
   f.sites.v = v;
-  f.sites.force = force;
-  f.sites.nonconservative_force = open;
   if (!std::isfinite(missed)) return;  // of a law that has no value at rest
   const double weight = large ? 1.0 : one_in;
   WorkCheck& c = world.work_check;

@@ -115,8 +115,9 @@ void print_phases(const Profile& profile, double atoms) {
 void print_memory(const cases::Melt& melt, const MeltCase& of) {
   const auto scene = open_melt(melt, of.potential, 1);
   const ActingInteraction& acting = scene->world().forces->interactions.front();
-  const auto n = static_cast<double>(melt.positions.size()), pairs = static_cast<double>(acting.neighbours.pairs()),
-             bytes = static_cast<double>(acting.neighbours.memory());
+  const auto n = static_cast<double>(melt.positions.size()),
+             pairs = static_cast<double>(acting.pairs.neighbours.pairs()),
+             bytes = static_cast<double>(acting.pairs.neighbours.memory());
   std::printf("%s: %zu operations for the force, %.1f pairs a particle; rows take %.2f bytes a pair, %.0f a particle\n",
               of.name, lower(acting.law->graph, acting.law->force).operations(), pairs / n, bytes / pairs, bytes / n);
 }
@@ -169,7 +170,7 @@ void bench_called() {
     const double start = now();
     run(*scene, 10);
     best = std::min(best, (now() - start) / 10.0);
-    pairs = scene->world().forces->interactions.front().neighbours.pairs();
+    pairs = scene->world().forces->interactions.front().pairs.neighbours.pairs();
   }
   const auto atoms = static_cast<double>(melt.positions.size());
   std::printf(

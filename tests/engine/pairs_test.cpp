@@ -62,16 +62,15 @@ struct Run {
 Run run(const Law& law, Sites sites, const Box& box, const Families& a, const Families& b, double rows_cutoff = 0.0,
         int threads = 1) {
   Workers workers(threads);
-  NeighbourList rows;
-  const double cutoff = rows_cutoff > 0.0 ? rows_cutoff : law.cutoff;
-  rows.build(sites, box, a, b, cutoff, cutoff < infinity ? 0.3 : 0.0, workers);
   Pairs pairs(std::make_shared<Law>(law), sites.names, workers);
+  const double cutoff = rows_cutoff > 0.0 ? rows_cutoff : law.cutoff;
+  pairs.neighbours.build(sites, box, a, b, cutoff, cutoff < infinity ? 0.3 : 0.0, workers);
   std::vector<double> parameters;
   for (const Parameter& p : law.parameters) parameters.push_back(p.value);
   Run run;
   Sites with_energy = sites;
-  pairs.add_forces(sites, rows, {0.5, 7, 3}, parameters, workers);
-  run.energy = pairs.add_forces_and_energy(with_energy, rows, {0.5, 7, 3}, parameters, workers);
+  pairs.add_forces(sites, box, {0.5, 7, 3}, parameters, workers);
+  run.energy = pairs.add_forces_and_energy(with_energy, box, {0.5, 7, 3}, parameters, workers);
   for (std::size_t i = 0; i < sites.n; i++)
     REQUIRE(norm(with_energy.force[i] - sites.force[i]) < 1e-12 * (1.0 + norm(sites.force[i])));
   run.force.assign(sites.force.begin(), sites.force.begin() + sites.n);
@@ -341,12 +340,11 @@ TEST_CASE("pairs: the pair whose force is not finite is found") {
   Sites sites = cases::random_sites({.count = 3, .edge = 0.0});
   for (std::size_t i = 0; i < 3; i++) sites.x[i] = vec(static_cast<double>(i), 0, 0);
   Workers workers;
-  NeighbourList rows;
   Pairs pairs(law, sites.names, workers);
-  rows.build(sites, {}, Families{0}, Families{0}, 2.0, 1.0, workers);
-  CHECK(!pairs.find_bad(sites, rows, {}, {}));
+  pairs.neighbours.build(sites, {}, Families{0}, Families{0}, 2.0, 1.0, workers);
+  CHECK(!pairs.find_bad(sites, {}, {}, {}));
   sites.x[2][0] = 1.375;
-  const auto bad = pairs.find_bad(sites, rows, {}, {});
+  const auto bad = pairs.find_bad(sites, {}, {}, {});
   REQUIRE(bad);
   CHECK(bad->count == 2);
   CHECK(bad->sites[0] + bad->sites[1] == 3);
@@ -361,14 +359,13 @@ TEST_CASE("pairs: an attribute that nobody has is refused") {
 TEST_CASE("pairs: a warm evaluation allocates nothing") {
   Sites sites = cases::random_sites({.count = 2000});
   Workers workers;
-  NeighbourList rows;
   const LawPtr law = soft_charges(2.0);
   Pairs pairs(law, sites.names, workers);
-  rows.build(sites, {}, Families{0}, Families{0}, 2.0, 0.3, workers);
+  pairs.neighbours.build(sites, {}, Families{0}, Families{0}, 2.0, 0.3, workers);
   const std::vector<double> parameters = {2.0};
-  pairs.add_forces(sites, rows, {}, parameters, workers);
+  pairs.add_forces(sites, {}, {}, parameters, workers);
   const std::uint64_t before = allocations();
-  pairs.add_forces(sites, rows, {}, parameters, workers);
-  pairs.add_forces_and_energy(sites, rows, {}, parameters, workers);
+  pairs.add_forces(sites, {}, {}, parameters, workers);
+  pairs.add_forces_and_energy(sites, {}, {}, parameters, workers);
   CHECK(allocations() == before);
 }

@@ -40,7 +40,7 @@ std::vector<Together> pairs_of(const World& world, InteractionId id) {
                                    [&](const ActingInteraction& a) { return a.id == id; });
   if (acting == forces.interactions.end()) return list;
   std::vector<const Slab*> slabs;
-  for (const std::vector<Slab>& phase : acting->neighbours.phases())
+  for (const std::vector<Slab>& phase : acting->pairs.neighbours.phases())
     for (const Slab& slab : phase)
       if (!slab.rows.empty()) slabs.push_back(&slab);
   const auto particle = [&](std::uint32_t site) { return world.particles.id_at(sites.particle[site]); };
@@ -51,7 +51,8 @@ std::vector<Together> pairs_of(const World& world, InteractionId id) {
     std::uint32_t nearest = sites.dummy();
     double least = infinity;
     for (std::uint32_t j : std::span(slab.list + row.begin, row.count))
-      if (const double d = norm2(sites.x[j] - sites.x[row.site] + acting->neighbours.shifts()[row.shift]); d < least)
+      if (const double d = norm2(sites.x[j] - sites.x[row.site] + acting->pairs.neighbours.shifts()[row.shift]);
+          d < least)
         least = d, nearest = j;
     if (nearest != sites.dummy()) list.push_back({{particle(row.site)}, {particle(nearest)}});
   }

@@ -6,9 +6,17 @@
 #include <vector>
 
 #include "base/aligned.hpp"
-#include "laws/run/bonds.hpp"
+#include "laws/run/sites.hpp"
 
 namespace pantin {
+
+/// Connections of one law, in the order they were made.
+struct BondList {
+  int count = 2;                                ///< sites of each
+  std::vector<std::uint32_t> sites;             ///< (count × connections) one connection after the other
+  std::vector<std::vector<double>> parameters;  ///< (parameters of the law × connections), or empty: the same for all
+  std::size_t size() const { return sites.size() / static_cast<std::size_t>(count); }
+};
 
 struct Arranged {
   struct Range {

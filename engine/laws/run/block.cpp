@@ -19,19 +19,25 @@ std::vector<Expr> outputs_of(const Law& law, bool with_energy) {
   return outputs;
 }
 
-std::size_t forces_of(const Law& law) {
-  if (law.kind == LawKind::central) return 1;
-  return law.kind == LawKind::many ? 3 * static_cast<std::size_t>(law.count) : 3;
+void gather_components(const AlignedVector<Vec3>& from, int n, const LawBlock::Vector& to, double sign) {
+  for (int c = 0; c < 3; c++)
+    if (double* column = to[static_cast<std::size_t>(c)])
+      for (int k = 0; k < n; k++) column[k] = sign * from[static_cast<std::size_t>(k)][c];
 }
 
 }  // namespace
+
+std::size_t force_outputs(const Law& law) {
+  if (law.kind == LawKind::central) return 1;
+  return law.kind == LawKind::many ? 3 * static_cast<std::size_t>(law.count) : 3;
+}
 
 LawBlock::LawBlock(const Law& law, bool with_energy, std::span<const std::string> names, Uniform uniform)
     : count_(static_cast<std::size_t>(law.count)), called_(law.called) {
   Program program;
   if (!called_) program = lower(law.graph, outputs_of(law, with_energy), uniform);
   const std::vector<Input>& inputs = called_ ? law.inputs_wanted : program.inputs;
-  const std::size_t outputs = called_ ? forces_of(law) + (law.called_energy ? 1 : 0) : 0;
+  const std::size_t outputs = called_ ? force_outputs(law) + (law.called_energy ? 1 : 0) : 0;
   memory_.assign((1 + inputs.size() + outputs) * length, unset);
   slots_.assign(8 * length, 0);
   for (std::size_t who = 0; who < 4; who++) sites[who] = slots_.data() + who * length;
@@ -108,6 +114,15 @@ void LawBlock::bind_parameter(std::size_t parameter, const double* values) {
     if (wanted == parameter) machine_->bind(input, values);
 }
 
+void LawBlock::gather_of(std::span<const std::uint32_t* const> roles, std::size_t n, const Sites& sites_of_all) {
+  for (const Attribute& attribute : attributes) {
+    const double* column = sites_of_all.attributes[attribute.column].data();
+    const std::uint32_t* site = roles[attribute.who];
+    for (std::size_t k = 0; k < n; k++) attribute.to[k] = column[site[k]];
+  }
+  for (std::size_t who = 0; wants_sites && who < roles.size(); who++) std::copy_n(roles[who], n, sites[who]);
+}
+
 void LawBlock::run(int n, const Sites& sites_of_all) {
   if (!noise_.empty()) make_noise(n, sites_of_all);
   if (machine_)
@@ -140,6 +155,48 @@ void LawBlock::call(int n, const Sites& sites_of_all) {
   else
     block.parameter_columns = called_parameters_;
   if (n > 0) called_->run(block);
+}
+
+void Block::gather_components() {
+  pantin::gather_components(d, count, law.displacement, sign);
+  pantin::gather_components(u, count, law.relative_velocity, sign);
+}
+
+Vec3 Block::force_of(LawKind kind, std::size_t k) const {
+  if (kind == LawKind::central) return d[k] * sign * law.output(0)[k];
+  return vec(law.output(0)[k], law.output(1)[k], law.output(2)[k]);
+}
+
+void Block::find_slopes(const Law& of, const Sites& sites, double difference) {
+  const auto n = static_cast<std::size_t>(count);
+  const bool central = of.kind == LawKind::central;
+  force.resize(n);
+  slope.assign(n, zero33());
+  for (std::size_t k = 0; k < n; k++) force[k] = force_of(of.kind, k);
+  for (std::size_t by = 0; by < (central ? 1 : 3) && !of.called; by++)
+    for (std::size_t k = 0; k < n; k++) {
+      if (central)
+        slope[k] = outer(d[k], d[k]) * law.output(1)[k];
+      else
+        slope[k][static_cast<int>(by)] =
+            vec(law.output(3 + 3 * by)[k], law.output(4 + 3 * by)[k], law.output(5 + 3 * by)[k]);
+    }
+  const LawBlock::Vector& columns = of.kind == LawKind::point ? law.velocity[0] : law.relative_velocity;
+  for (std::size_t by = 0; by < (central ? 1 : 3) && of.called; by++) {
+    double* const column = central ? law.approach : columns[by];
+    if (column == nullptr) continue;
+    const std::vector<double> before(column, column + n);
+    for (std::size_t k = 0; k < n; k++) column[k] += central ? difference * norm(d[k]) : difference;
+    law.run(count, sites);
+    for (std::size_t k = 0; k < n; k++) {
+      const Vec3 change = (force_of(of.kind, k) - force[k]) / difference;
+      if (central)
+        slope[k] = outer(change, direction(d[k] * sign));
+      else
+        slope[k][static_cast<int>(by)] = change;
+    }
+    std::copy(before.begin(), before.end(), column);
+  }
 }
 
 }  // namespace pantin

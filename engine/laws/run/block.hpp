@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/aligned.hpp"
@@ -41,11 +42,10 @@ class LawBlock {
 
   /// Once before the blocks of an evaluation.
   void set(const Instant& instant, std::span<const double> parameters);
-  /// What it was set to last.
-  const Instant& instant() const { return instant_; }
-  std::span<const double> parameters() const { return parameters_; }
   /// Reads a parameter in place: as many values as a block has, up to the next multiple of 16.
   void bind_parameter(std::size_t parameter, const double* values);
+  /// Fills in attributes, and who they are, of n whose sites are those of each role.
+  void gather_of(std::span<const std::uint32_t* const> roles, std::size_t n, const Sites& sites_of_all);
   /// n <= most.
   void run(int n, const Sites& sites_of_all);
   /// The forces as LawKind says, then the energy.
@@ -79,6 +79,45 @@ class LawBlock {
   std::vector<const double*> called_inputs_, called_parameters_;
   std::vector<const std::uint32_t*> called_particles_;
   std::vector<double*> called_outputs_;
+};
+
+struct Slab;
+
+/// A share of an evaluation, and how far it has been gone through.
+struct Task {
+  std::size_t at = 0, end = 0;  ///< rows of a slab, connections as arranged, or members
+  const Slab* slab = nullptr;   ///< of pairs
+  std::uint32_t offset = 0;     ///< within the row
+  bool exchange = false;        ///< the same pairs come once more, with the roles exchanged
+};
+
+/// Of the outputs of a law those before its energy.
+std::size_t force_outputs(const Law& law);
+
+/// Some of what a law acts on.
+struct Block {
+  LawBlock law;
+  int count = 0;
+  std::size_t first = 0;      ///< number of the first, of connections and members
+  bool in_lanes = false;      ///< energies are summed four at a time
+  AlignedVector<Vec3> d;      ///< [m] from a to b, of pairs where the law wants it
+  AlignedVector<Vec3> u;      ///< [m/s] velocity of b less that of a, where the law wants it
+  double sign = 1.0;          ///< -1: with the roles exchanged, these are from b to a
+  AlignedVector<Vec3> force;  ///< [N] on a, where slopes are asked for
+  AlignedVector<Mat3> slope;  ///< [N s/m] by velocity, of pairs by that of b relative to a
+
+  explicit Block(LawBlock made, std::size_t pairs = 0) : law(std::move(made)) {
+    d.assign(pairs, zero3());
+    u.assign(law.wants_motion ? pairs : 0, zero3());
+  }
+  virtual ~Block() = default;
+
+  void gather_components();
+  /// Finds `force` and `slope`, when it was run. A called law is run again for differences [m/s].
+  void find_slopes(const Law& of, const Sites& sites, double difference);
+
+ private:
+  Vec3 force_of(LawKind kind, std::size_t k) const;
 };
 
 }  // namespace pantin

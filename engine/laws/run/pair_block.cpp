@@ -45,35 +45,29 @@ void pick(double* to, int n, const double* from, const std::uint32_t* which) {
   for (; k < n; k++) to[k] = from[which[k]];
 }
 
-void gather_components(const AlignedVector<Vec3>& from, int n, const LawBlock::Vector& to, double sign) {
-  for (int c = 0; c < 3; c++)
-    if (double* column = to[static_cast<std::size_t>(c)])
-      for (int k = 0; k < n; k++) column[k] = sign * from[static_cast<std::size_t>(k)][c];
-}
-
 }  // namespace
 
-PairBlock::PairBlock(LawBlock made) : law(std::move(made)) {
+PairBlock::PairBlock(LawBlock made) : Block(std::move(made), LawBlock::most) {
   neighbours.assign(LawBlock::most, 0);
-  d.assign(LawBlock::most, zero3());
-  u.assign(law.wants_motion ? LawBlock::most : 0, zero3());
+  in_lanes = true;
 }
 
-void PairBlock::take_near(const Sites& sites, const Slab& slab, const Vec3* shifts, const PairLimits& limits,
-                          RowCursor& at) {
+void PairBlock::take_near(const Sites& sites, const Vec3* shifts, const PairLimits& limits, Task& task) {
   constexpr std::ptrdiff_t most = LawBlock::most - 4;
+  const Slab& slab = *task.slab;
   const Vec3* x = sites.x.data();
   const Vec3 least2 = zero3() + limits.least2;
   const double cutoff2 = limits.cutoff2;
   double* const r2_to = law.distance2;
   std::uint32_t* const to = neighbours.data();
   std::ptrdiff_t n = 0;
-  RowCursor next = at;
+  std::size_t next = task.at;
+  std::uint32_t offset = task.offset;
   part_count = 0;
-  while (next.row < slab.rows.size() && n <= most) {
-    const NeighbourRow row = slab.rows[next.row];
+  while (next < slab.rows.size() && n <= most) {
+    const NeighbourRow row = slab.rows[next];
     const Vec3 from = x[row.site] - shifts[row.shift];
-    const std::uint32_t *j = slab.list + row.begin + next.offset, *const end = slab.list + row.begin + row.count;
+    const std::uint32_t *j = slab.list + row.begin + offset, *const end = slab.list + row.begin + row.count;
     const std::ptrdiff_t begin = n;
     for (; j != end && n <= most; j += 4) {
       const Vec3 r2 = lengths2(from - x[j[0]], from - x[j[1]], from - x[j[2]], from - x[j[3]]);
@@ -81,12 +75,11 @@ void PairBlock::take_near(const Sites& sites, const Slab& slab, const Vec3* shif
       n += keep_near(r2 > least2 ? r2 : least2, j, cutoff2, r2_to + n, to + n);
     }
     if (n > begin) parts[static_cast<std::size_t>(part_count++)] = {row.site, static_cast<int>(n - begin), from};
-    if (j == end)
-      next = {next.row + 1, 0};
-    else
-      next.offset = row.count - static_cast<std::uint32_t>(end - j);
+    offset = j == end ? 0 : row.count - static_cast<std::uint32_t>(end - j);
+    next += j == end ? 1 : 0;
   }
-  at = next;
+  task.at = next;
+  task.offset = offset;
   count = static_cast<int>(n);
 }
 
@@ -117,8 +110,7 @@ void PairBlock::gather_vectors(const Sites& sites) {
       if (law.approach) law.approach[k] = dot(d[k], u[k]);
     }
   });
-  gather_components(d, count, law.displacement, 1.0);
-  gather_components(u, count, law.relative_velocity, 1.0);
+  gather_components();
 }
 
 /// With the roles exchanged the row's site is b.
@@ -139,9 +131,10 @@ void PairBlock::gather_sites(bool exchanged) {
   std::copy_n(neighbours.data(), count, of_list);
 }
 
-void PairBlock::gather(const Sites& sites, const Slab& slab, const Vec3* shifts, const PairLimits& limits,
-                       const double* radius, RowCursor& at) {
-  take_near(sites, slab, shifts, limits, at);
+void PairBlock::gather(const Sites& sites, const Vec3* shifts, const PairLimits& limits, const double* radius,
+                       Task& task) {
+  sign = 1.0;
+  take_near(sites, shifts, limits, task);
   if (radius != nullptr) keep_touching(radius);
   if (law.wants_displacement || law.wants_motion) gather_vectors(sites);
   gather_attributes(sites, false);
@@ -149,8 +142,8 @@ void PairBlock::gather(const Sites& sites, const Slab& slab, const Vec3* shifts,
 }
 
 void PairBlock::exchange_roles(const Sites& sites) {
-  gather_components(d, count, law.displacement, -1.0);
-  gather_components(u, count, law.relative_velocity, -1.0);
+  sign = -1.0;
+  gather_components();
   gather_attributes(sites, true);
   if (law.wants_sites) gather_sites(true);
 }

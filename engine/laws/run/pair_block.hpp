@@ -10,19 +10,13 @@
 
 namespace pantin {
 
-/// Where the next block of a slab begins.
-struct RowCursor {
-  std::size_t row = 0;
-  std::uint32_t offset = 0;
-};
-
 struct PairLimits {
   double cutoff2 = 0.0;  ///< [m²] pairs that are not nearer are left out
   double least2 = 0.0;   ///< [m²] those that are nearer are taken to be so far from each other
 };
 
 /// A block of pairs: each of a row's site and one neighbour.
-struct PairBlock {
+struct PairBlock : Block {
   /// What of a row is in the block.
   struct Part {
     std::uint32_t site = 0;
@@ -30,19 +24,15 @@ struct PairBlock {
     Vec3 from = zero3();  ///< [m] position of the site as its neighbours see it
   };
 
-  LawBlock law;
   AlignedVector<std::uint32_t> neighbours;
-  AlignedVector<Vec3> d;  ///< [m] from a to b, where the law wants it
-  AlignedVector<Vec3> u;  ///< [m/s] velocity of b less that of a, where the law wants it
   std::array<Part, LawBlock::most> parts;
-  int part_count = 0, count = 0;
+  int part_count = 0;
 
   explicit PairBlock(LawBlock made);
 
-  /// Takes pairs of the slab that are within the limits, of a touching law those that touch: `radius` is its column of
+  /// Takes pairs of the task's slab that are within the limits, of a touching law those that touch: `radius` is its column of
   /// radii, or null. Then fills in what the law wants to see.
-  void gather(const Sites& sites, const Slab& slab, const Vec3* shifts, const PairLimits& limits, const double* radius,
-              RowCursor& at);
+  void gather(const Sites& sites, const Vec3* shifts, const PairLimits& limits, const double* radius, Task& task);
   /// Fills in what changes when the row's site is b.
   void exchange_roles(const Sites& sites);
   /// Calls each(part, number of its first pair).
@@ -57,7 +47,7 @@ struct PairBlock {
   }
 
  private:
-  void take_near(const Sites& sites, const Slab& slab, const Vec3* shifts, const PairLimits& limits, RowCursor& at);
+  void take_near(const Sites& sites, const Vec3* shifts, const PairLimits& limits, Task& task);
   void keep_touching(const double* radius);
   void gather_vectors(const Sites& sites);
   void gather_attributes(const Sites& sites, bool exchanged);
