@@ -61,13 +61,12 @@ void PairBlock::take_near(const Sites& sites, const Vec3* shifts, const PairLimi
   double* const r2_to = law.distance2;
   std::uint32_t* const to = neighbours.data();
   std::ptrdiff_t n = 0;
-  std::size_t next = task.at;
-  std::uint32_t offset = task.offset;
+  Task next = task;
   part_count = 0;
-  while (next < slab.rows.size() && n <= most) {
-    const NeighbourRow row = slab.rows[next];
+  while (next.at < next.end && n <= most) {
+    const NeighbourRow row = slab.rows[next.at];
     const Vec3 from = x[row.site] - shifts[row.shift];
-    const std::uint32_t *j = slab.list + row.begin + offset, *const end = slab.list + row.begin + row.count;
+    const std::uint32_t *j = slab.list + row.begin + next.offset, *const end = slab.list + row.begin + row.count;
     const std::ptrdiff_t begin = n;
     for (; j != end && n <= most; j += 4) {
       const Vec3 r2 = lengths2(from - x[j[0]], from - x[j[1]], from - x[j[2]], from - x[j[3]]);
@@ -75,11 +74,14 @@ void PairBlock::take_near(const Sites& sites, const Vec3* shifts, const PairLimi
       n += keep_near(r2 > least2 ? r2 : least2, j, cutoff2, r2_to + n, to + n);
     }
     if (n > begin) parts[static_cast<std::size_t>(part_count++)] = {row.site, static_cast<int>(n - begin), from};
-    offset = j == end ? 0 : row.count - static_cast<std::uint32_t>(end - j);
-    next += j == end ? 1 : 0;
+    if (j == end) {
+      next.at++;
+      next.offset = 0;
+    } else {
+      next.offset = row.count - static_cast<std::uint32_t>(end - j);
+    }
   }
-  task.at = next;
-  task.offset = offset;
+  task = next;
   count = static_cast<int>(n);
 }
 
