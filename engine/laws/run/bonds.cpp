@@ -146,9 +146,11 @@ void Bonds::gather(Block& block, Task& task, const Sites& sites, const Box& box)
   block.count = static_cast<int>(at.n);
   for (std::size_t p = 0; p < bonds_.parameters.size(); p++)
     block.law.bind_parameter(p, bonds_.parameters[p].data() + at.begin);
-  std::array<const std::uint32_t*, 4> roles{};
-  for (std::size_t who = 0; who < count; who++) roles[who] = bonds_.sites[who].data() + at.begin;
-  block.law.gather_of({roles.data(), count}, at.n, sites);
+  if (block.law.wants_sites || !block.law.attributes.empty()) {
+    std::array<const std::uint32_t*, 4> roles{};
+    for (std::size_t who = 0; who < count; who++) roles[who] = bonds_.sites[who].data() + at.begin;
+    block.law.gather_of({roles.data(), count}, at.n, sites);
+  }
   if (law().kind == LawKind::many) return gather_positions(block.law, bonds_, at, sites, box, count);
   if (box.periodic())
     gather_distances<true>(block, bonds_, at, sites, box, least2_, force_of(sites));
