@@ -63,6 +63,21 @@ void reweigh(World& world, BodyId body, Change change, Undo undo) {
   touch(world, body);
 }
 
+/// Whether nothing can be said against a vec. What a thing is called takes longer than to move it, so it is asked last.
+bool harmless(const World& world, Vec3 v) { return finite(v) && !world.plane.flat(); }
+
+void check_position(const World& world, const auto& thing, const char* name, Vec3 at, Vec3 present) {
+  if (harmless(world, at)) return;
+  require_finite(describe(world, thing), name, at, "m");
+  require_height(world, describe(world, thing), name, at, present);
+}
+
+void check_velocity(const World& world, const auto& thing, Vec3 velocity) {
+  if (harmless(world, velocity)) return;
+  require_finite(describe(world, thing), "velocity", velocity, "m/s");
+  require_in_plane(world, describe(world, thing), "velocity", velocity, "m/s");
+}
+
 Vec3 angular_for(const Motion& m, Vec3 spin) { return m.inertia * turning_part(m, spin); }
 
 }  // namespace
@@ -70,17 +85,15 @@ Vec3 angular_for(const Motion& m, Vec3 spin) { return m.inertia * turning_part(m
 void set_position(World& world, PointId point, Vec3 at) {
   require_unlocked(world, "position");
   require_free(world, "position", point);
-  require_finite(describe(world, point), "position", at, "m");
   Vec3& x = world.motion_of(point).x;
-  require_height(world, describe(world, point), "position", at, x);
+  check_position(world, point, "position", at, x);
   moved(world, point, [&] { x = world.plane.beside(at, x); });
 }
 
 void set_velocity(World& world, PointId point, Vec3 velocity) {
   require_unlocked(world, "velocity");
   require_free(world, "velocity", point);
-  require_finite(describe(world, point), "velocity", velocity, "m/s");
-  require_in_plane(world, describe(world, point), "velocity", velocity, "m/s");
+  check_velocity(world, point, velocity);
   hurried(world, point, [&] { world.motion_of(point).v = world.plane.along(velocity); });
 }
 
@@ -102,17 +115,15 @@ void set_mass(World& world, PointId id, double mass) {
 
 void set_position(World& world, BodyId body, Vec3 centre) {
   require_unlocked(world, "position");
-  require_finite(describe(world, body), "position", centre, "m");
   Vec3& x = world.motion_of(body).x;
-  require_height(world, describe(world, body), "position", centre, x);
+  check_position(world, body, "position", centre, x);
   moved(world, body, [&] { x = world.plane.beside(centre, x); });
 }
 
 void set_origin(World& world, BodyId body, Vec3 origin) {
   require_unlocked(world, "origin");
-  require_finite(describe(world, body), "origin", origin, "m");
   Vec3& x = world.motion_of(body).x;
-  require_height(world, describe(world, body), "origin", origin, pantin::origin(world, body));
+  check_position(world, body, "origin", origin, pantin::origin(world, body));
   const Vec3 centre = origin + rotate(orientation(world, body), world.bodies[body].centre);
   moved(world, body, [&] { x = world.plane.beside(centre, x); });
 }
@@ -131,8 +142,7 @@ void set_orientation(World& world, BodyId body, Quat orientation) {
 
 void set_velocity(World& world, BodyId body, Vec3 velocity) {
   require_unlocked(world, "velocity");
-  require_finite(describe(world, body), "velocity", velocity, "m/s");
-  require_in_plane(world, describe(world, body), "velocity", velocity, "m/s");
+  check_velocity(world, body, velocity);
   hurried(world, body, [&] {
     Motion& m = world.motion_of(body);
     m.p = world.plane.along(velocity) * m.mass;
@@ -141,8 +151,10 @@ void set_velocity(World& world, BodyId body, Vec3 velocity) {
 
 void set_spin(World& world, BodyId body, Vec3 spin) {
   require_unlocked(world, "spin");
-  require_finite(describe(world, body), "spin", spin, "rad/s");
-  require_about_normal(world, describe(world, body), "spin", spin, "rad/s");
+  if (!harmless(world, spin)) {
+    require_finite(describe(world, body), "spin", spin, "rad/s");
+    require_about_normal(world, describe(world, body), "spin", spin, "rad/s");
+  }
   hurried(world, body, [&] {
     Motion& m = world.motion_of(body);
     m.angular = angular_for(m, spin);
