@@ -90,7 +90,7 @@ class Player {
   void choose();
   void swallow_keys();
   void wait_for(const std::atomic<bool>& done, const std::string& what);
-  void edit(const Edit& edit);
+  void edit(const FieldEdit& edit);
   void give_keys_to_scene();
   void write_table();
   void toggle_film();
@@ -100,7 +100,6 @@ class Player {
   void leave_browser();
   void restart();
   void record(const std::string& path);
-  void record(const Edit& edit);
   void stop_recording(const std::string& why);
   void reload();
   std::unique_ptr<Scene> load(const std::string& path, const SceneOptions& options);

@@ -16,16 +16,6 @@ void Player::record(const std::string& path) {
   };
 }
 
-void Player::record(const Edit& edit) {
-  FieldEdit recorded{edit.thing, edit.value.name, 0.0};
-  std::visit(
-      [&](const auto& value) {
-        if constexpr (!std::is_same_v<std::decay_t<decltype(value)>, std::monostate>) recorded.value = value;
-      },
-      edit.value.value);
-  recorder_->edited(recorded);
-}
-
 void Player::stop_recording(const std::string& why) {
   if (!recorder_) return;
   complain("the recording ends here: " + why);

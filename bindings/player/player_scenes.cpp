@@ -3,6 +3,7 @@
 #include <exception>
 #include <thread>
 
+#include "fields/property.hpp"
 #include "player/home.hpp"
 #include "player/message.hpp"
 #include "player/player.hpp"
@@ -226,13 +227,13 @@ void Player::choose() {
     }
 }
 
-void Player::edit(const Edit& edit) {
+void Player::edit(const FieldEdit& edit) {
   changes_++;
-  keep_for_undo(text("edit of ", edit.value.name), waiting_);
+  keep_for_undo(text("edit of ", edit.field), waiting_);
   try {
-    lua::write_field(*scene_, edit.thing, edit.value.name, edit.value);
+    fields::write(scene_->world(), edit.thing, edit.field, edit.value);
   } catch (const std::exception& error) { complain(error.what()); }
-  if (recorder_) record(edit);
+  if (recorder_) recorder_->edited(edit);
 }
 
 void Player::fulfil(const Wishes& wishes) {

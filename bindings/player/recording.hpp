@@ -22,6 +22,7 @@
 #include <variant>
 #include <vector>
 
+#include "fields/value.hpp"
 #include "scene/options.hpp"
 #include "world/world.hpp"
 
@@ -39,11 +40,11 @@ struct ParameterChange {
   std::string name;
   SceneValue value;
 };
-/// A field of a thing was written.
+/// A property of a thing was written, as a number, a truth, a text or a vec.
 struct FieldEdit {
   AnyId thing;
   std::string field;
-  std::variant<double, bool, std::string, Vec3> value;
+  fields::Value value;
 };
 struct StateKept {
   std::uint64_t number = 0;

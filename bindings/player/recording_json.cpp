@@ -183,14 +183,14 @@ void write(Json& line, const ParameterChange& change) {
 void write(Json& line, const FieldEdit& edit) {
   line["edit"] = json_of(edit.thing);
   line["field"] = edit.field;
-  std::visit(
-      [&](const auto& value) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Vec3>)
-          line["value"] = json_of(value);
-        else
-          line["value"] = value;
-      },
-      edit.value);
+  if (const auto* number = std::get_if<double>(&edit.value))
+    line["value"] = *number;
+  else if (const auto* truth = std::get_if<bool>(&edit.value))
+    line["value"] = *truth;
+  else if (const auto* vector = std::get_if<Vec3>(&edit.value))
+    line["value"] = json_of(*vector);
+  else
+    line["value"] = std::get<std::string>(edit.value);
 }
 void write(Json& line, const StateKept& kept) { line["keep"] = kept.number; }
 void write(Json& line, const StateRestored& restored) { line["restore"] = restored.number; }

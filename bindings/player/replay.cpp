@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "choreography/hands.hpp"
-#include "lua/scene/inspect.hpp"
+#include "fields/property.hpp"
 #include "lua/scene/open.hpp"
 #include "measure/measure.hpp"
 #include "scene/files.hpp"
@@ -122,10 +122,8 @@ void Replay::change(const ParameterChange& change) {
 }
 
 void Replay::edit(const FieldEdit& edit) {
-  lua::FieldReading value{edit.field.c_str(), "", "", true, {}, {}};
-  std::visit([&](const auto& plain) { value.value = plain; }, edit.value);
   try {
-    lua::write_field(*scene_, edit.thing, edit.field, value);
+    fields::write(scene_->world(), edit.thing, edit.field, edit.value);
   } catch (const Error&) {}  // as when it was recorded
 }
 

@@ -157,7 +157,7 @@ TEST_CASE("every field that is listed can be read, and every method is there") {
       CAPTURE(field.name);
       const std::string at = "things." + std::string(type->name) + "." + field.name;
       CHECK(failure(things + "local x = " + at) == "");
-      if (field.write)
+      if (lua::writable(field))
         CHECK_FALSE(failure(things + at + " = coroutine.create(print)").empty());
       else
         CHECK_THAT(failure(things + at + " = 1"), Catch::Contains("can be read, not written"));

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "choreography/hands.hpp"
-#include "lua/scene/inspect.hpp"
+#include "fields/property.hpp"
 #include "measure/measure.hpp"
 #include "measure/query.hpp"
 #include "player/recording.hpp"
@@ -114,9 +114,8 @@ class RecordedPerson {
   }
   void edit(const std::string& field, Vec3 value) {
     const player::FieldEdit edited{world().bodies.ids().front(), field, value};
-    lua::FieldReading reading{field.c_str(), "", "", true, value, {}};
     recorder_->edited(edited);
-    lua::write_field(*scene_, edited.thing, field, reading);
+    fields::write(world(), edited.thing, field, edited.value);
   }
   void hand_comes() {
     recorder_->hand_came();

@@ -59,7 +59,9 @@ std::vector<Parameter> parameters_of(const Method& method) {
 bool has(const Type* base, const Field& field) {
   for (; base; base = base->base)
     for (const Field& of_base : base->fields)
-      if (of_base.read == field.read && std::string_view(of_base.name) == field.name) return true;
+      if (of_base.read == field.read && of_base.property == field.property &&
+          std::string_view(of_base.name) == field.name)
+        return true;
   return false;
 }
 
@@ -102,7 +104,7 @@ void write_type(std::ostringstream& out, const Type& type) {
     if (has(type.base, field)) continue;
     out << "---@field " << field.name << " " << field.type << " ";
     if (*field.unit) out << "[" << field.unit << "] ";
-    out << field.doc << (field.write ? "" : " (read only)") << "\n";
+    out << field.doc << (writable(field) ? "" : " (read only)") << "\n";
   }
   if (type.more) out << "---@field [string] " << type.more_doc << "\n";
   out << "local " << type.name << " = {}\n";

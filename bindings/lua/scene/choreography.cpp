@@ -1,8 +1,7 @@
 #include "lua/scene/choreography.hpp"
 
-#include <cmath>
-
 #include "choreography/choreography.hpp"
+#include "fields/measures.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/script.hpp"
 #include "lua/thing/targets.hpp"
@@ -70,41 +69,6 @@ int cancel_event(lua_State* state) {
   return 0;
 }
 
-const char* name_of(EventState state) {
-  static constexpr const char* names[] = {"waiting", "fired", "dropped", "cancelled"};
-  return names[static_cast<std::size_t>(state)];
-}
-
-const char* name_of(EventKind kind) {
-  static constexpr const char* names[] = {"at", "every", "over", "when", "play"};
-  return names[static_cast<std::size_t>(kind)];
-}
-
-void push_entry(lua_State* state, const TimelineEntry& entry) {
-  lua_createtable(state, 0, 9);
-  const auto set_number = [&](const char* name, double value) {
-    lua_pushnumber(state, value);
-    lua_setfield(state, -2, name);
-  };
-  const auto set_text = [&](const char* name, const std::string& value) {
-    if (value.empty()) return;
-    lua_pushlstring(state, value.data(), value.size());
-    lua_setfield(state, -2, name);
-  };
-  set_text("kind", name_of(entry.kind));
-  set_text("state", name_of(entry.state));
-  if (!std::isnan(entry.time)) set_number("time", entry.time);
-  if (entry.kind == EventKind::over) {
-    set_number("from", entry.from);
-    set_number("to", entry.until);
-  }
-  if (entry.kind == EventKind::every) set_number("period", entry.period);
-  lua_pushinteger(state, static_cast<lua_Integer>(entry.fired));
-  lua_setfield(state, -2, "fired");
-  set_text("label", entry.label);
-  set_text("target", entry.target);
-}
-
 }  // namespace
 
 int scene_at(lua_State* state) {
@@ -167,23 +131,13 @@ int scene_play(lua_State* state) {
   return put(state, self, std::move(event));
 }
 
-void push_timeline(lua_State* state, const World& world) {
-  const std::vector<TimelineEntry> entries = timeline(world);
-  lua_createtable(state, static_cast<int>(entries.size()), 0);
-  lua_Integer i = 0;
-  for (const TimelineEntry& entry : entries) {
-    push_entry(state, entry);
-    lua_rawseti(state, -2, ++i);
-  }
-}
-
 const Type& event_type() {
   static const Type type = {
       "Event",
       "event",
       "Something set to happen.",
       {{"state", "string", "", "\"waiting\", \"fired\", \"dropped\" or \"cancelled\"",
-        [](const Self& s) { lua_pushstring(s.state, name_of(state_of_event(s.ref))); }, nullptr}},
+        [](const Self& s) { lua_pushstring(s.state, fields::name_of(state_of_event(s.ref))); }, nullptr}},
       {{"cancel", guard<cancel_event>, "", "", "Takes it out of the choreography; one that fired stays as it is.",
         "local alarm = scene:at(5, function() print(\"late\") end)\n"
         "alarm:cancel()"}}};

@@ -21,7 +21,5 @@ int scene_play(lua_State* state);
 Measured check_condition(lua_State* state, int index, int options, Script& script);
 /// A function that is a script with waits, as the engine runs it.
 std::function<std::optional<Wait>()> play_of(lua_State* state, int index, Script& script, AnyId target);
-/// Pushes the list of events for the window and the script.
-void push_timeline(lua_State* state, const World& world);
 
 }  // namespace pantin::lua

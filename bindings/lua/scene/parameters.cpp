@@ -202,12 +202,12 @@ void apply_settings(Script& script) {
     const std::string what = text("--set ", name, "=", given, ": ");
     const auto& fields = scene_type().fields;
     const auto field = std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == field_name; });
-    std::vector<std::string> writable;
+    std::vector<std::string> known;
     for (const Field& f : fields)
-      if (f.write) writable.push_back(f.name);
-    if (field == fields.end() || !field->write)
-      throw UsageError(text(what, "the scene has no setting '", field_name, "'.", suggestion(field_name, writable),
-                            " Known are ", joined(writable)));
+      if (writable(f)) known.push_back(f.name);
+    if (field == fields.end() || !writable(*field))
+      throw UsageError(text(what, "the scene has no setting '", field_name, "'.", suggestion(field_name, known),
+                            " Known are ", joined(known)));
     try {
       script.runtime.run([&](lua_State* state) {
         lua_getglobal(state, "scene");

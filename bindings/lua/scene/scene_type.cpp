@@ -272,10 +272,9 @@ std::vector<Method> telling() {
 }
 
 Type make() {
-  Type type{"Scene", "scene", "The scene that is being run.", {}, {}};
-  type.fields = show_settings();
-  const std::vector<Field> settings = engine_settings();
-  type.fields.insert(type.fields.end(), settings.begin(), settings.end());
+  Type type = type_with(fields::scene_type());
+  const std::vector<Field> of_script = show_settings();
+  type.fields.insert(type.fields.begin(), of_script.begin(), of_script.end());
   type.fields.push_back({"hands", "Hand[]", "", "the mouse, fingers, sticks, and scripted hands", read_hands, nullptr});
   type.fields.push_back({"draw", "Draw", "", "draws over the scene for one frame",
                          [](const Self& s) { push_ref(s.state, make_ref(s.script, Kind::draw, 1, 1, 1)); }, nullptr});

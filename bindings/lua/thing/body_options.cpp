@@ -127,10 +127,8 @@ Mat3 check_inertia(lua_State* state, int index, const std::string& what) {
 }
 
 void push_inertia(lua_State* state, const Mat3& m) {
+  if (const auto moments = fields::diagonal_of(m)) return pantin::lua::push(state, *moments);
   const double v[] = {m[0][0], m[1][1], m[2][2], m[1][0], m[2][0], m[2][1]};
-  const double round_off = 1e-12 * (v[0] + v[1] + v[2]);
-  if (std::fabs(v[3]) <= round_off && std::fabs(v[4]) <= round_off && std::fabs(v[5]) <= round_off)
-    return pantin::lua::push(state, vec(v[0], v[1], v[2]));
   lua_createtable(state, 0, 6);
   for (int i = 0; i < 6; i++) {
     lua_pushnumber(state, v[i]);

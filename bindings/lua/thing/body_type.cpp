@@ -5,41 +5,12 @@
 #include "lua/thing/targets.hpp"
 #include "lua/value/arguments.hpp"
 #include "lua/vm/guard.hpp"
-#include "measure/query.hpp"
 
 namespace pantin::lua {
 namespace {
 
 BodyId id_of(const Self& self) { return self.ref.id<BodyId>(); }
 Body& row(const Self& self) { return self.world.bodies[id_of(self)]; }
-
-double mass_of_points(const Self& self) {
-  double sum = 0.0;
-  for (PointId p : row(self).points) sum += self.world.points[p].mass;
-  return sum;
-}
-
-/// About the frame's origin, in the frame's axes, of its masses in their places, [kg m²].
-Mat3 inertia_of_points(const Self& self) {
-  Mat3 sum = zero33();
-  const auto add = [&](Vec3 at, double mass) { sum += (identity33() * norm2(at) - outer(at, at)) * mass; };
-  for (PointId p : row(self).points) add(self.world.points[p].position, self.world.points[p].mass);
-  add(row(self).own_position, row(self).own_mass);
-  return sum;
-}
-
-void write_mass(const Self& self, int index) {
-  const double mass = check_number(self.state, index, "body", "mass", "kg");
-  require(mass > 0, "body: mass must be > 0 kg, got ", mass);
-  const double points = mass_of_points(self);
-  require(mass >= points, "body: mass must be at least that of its points, ", points, " kg, got ", mass);
-  set_own_mass(self.world, id_of(self), mass - points);
-}
-
-void write_inertia(const Self& self, int index) {
-  const Mat3 wanted = check_inertia(self.state, index, "body");
-  set_own_inertia(self.world, id_of(self), wanted - inertia_of_points(self));
-}
 
 std::optional<Vec3> place(lua_State* state, const char* call) {
   if (lua_isnoneornil(state, 3)) return {};
@@ -87,64 +58,8 @@ bool named_point(const Self& self, const char* name) {
   return false;
 }
 
-std::vector<Field> motion_fields() {
-  return {
-      {"position", "vec", "m", "position of the centre of mass",
-       [](const Self& s) { push(s.state, s.world.motion_of(id_of(s)).x); },
-       [](const Self& s, int i) { set_position(s.world, id_of(s), check_vec(s.state, i, "body", "position", "m")); }},
-      {"velocity", "vec", "m/s", "velocity of the centre of mass",
-       [](const Self& s) {
-         const Motion& m = s.world.motion_of(id_of(s));
-         push(s.state, m.p / m.mass);
-       },
-       [](const Self& s, int i) { set_velocity(s.world, id_of(s), check_vec(s.state, i, "body", "velocity", "m/s")); }},
-      {"origin", "vec", "m", "position of its frame's origin",
-       [](const Self& s) { push(s.state, origin(s.world, id_of(s))); },
-       [](const Self& s, int i) { set_origin(s.world, id_of(s), check_vec(s.state, i, "body", "origin", "m")); }},
-      {"orientation", "quat", "", "turns its frame to the world",
-       [](const Self& s) { push(s.state, orientation(s.world, id_of(s))); },
-       [](const Self& s, int i) { set_orientation(s.world, id_of(s), check_quat(s.state, i, "body", "orientation")); }},
-      {"spin", "vec", "rad/s", "angular velocity, world axes",
-       [](const Self& s) { push(s.state, angular_velocity(s.world.motion_of(id_of(s)))); },
-       [](const Self& s, int i) { set_spin(s.world, id_of(s), check_vec(s.state, i, "body", "spin", "rad/s")); }},
-      {"momentum", "vec", "kg m/s", "mass times velocity",
-       [](const Self& s) { push(s.state, s.world.motion_of(id_of(s)).p); }, nullptr},
-      {"angular_momentum", "vec", "kg m²/s", "about its centre of mass, world axes",
-       [](const Self& s) { push(s.state, angular_momentum(s.world, id_of(s))); }, nullptr},
-  };
-}
-
-std::vector<Field> build_fields() {
-  return {
-      {"mass", "number", "kg", "its points' and its own",
-       [](const Self& s) { lua_pushnumber(s.state, s.world.motion_of(id_of(s)).mass); }, write_mass},
-      {"inertia", "vec|Inertia", "kg m²",
-       "its points' and its own about the frame's origin, in the frame's axes: vec of the diagonal, "
-       "or a table. Tied, a body moves with no principal moment below 1e-4 of the largest, and a warning says so",
-       [](const Self& s) { push_inertia(s.state, row(s).own_inertia + inertia_of_points(s)); }, write_inertia},
-      {"points", "Point[]", "", "its points, in the order of making",
-       [](const Self& s) { push_list(s.state, s.script, row(s).points); }, nullptr},
-      {"hinges", "Particle[]", "", "the hinges that its points are in",
-       [](const Self& s) { push_list(s.state, s.script, hinges_of(s.world, id_of(s))); }, nullptr},
-      {"color", "color", "", "color of its first point; writing gives it to all",
-       [](const Self& s) {
-         if (row(s).points.empty())
-           lua_pushnil(s.state);
-         else
-           push(s.state, s.world.points[row(s).points[0]].color);
-       },
-       [](const Self& s, int i) {
-         const Color color = check_color(s.state, i, "body", "color");
-         for (PointId p : row(s).points) s.world.points[p].color = color;
-       }},
-  };
-}
-
 Type make() {
-  Type type{
-      "Body", "body", "Points at fixed relative positions: rigid. Its named points are fields: link.head.", {}, {}};
-  type.fields = motion_fields();
-  for (Field& field : build_fields()) type.fields.push_back(field);
+  Type type = type_with(fields::body_type());
   type.methods = {
       {"push", guard<push_force>, "force: vec [N], at?: vec [m]", "",
        "Pulls for the coming step, at its centre of mass or at a position of the world.",

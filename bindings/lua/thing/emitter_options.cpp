@@ -1,8 +1,6 @@
 #include "lua/thing/emitter_options.hpp"
 
-#include <cmath>
-#include <limits>
-
+#include "fields/emitter.hpp"
 #include "lua/thing/family_options.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/look_options.hpp"
@@ -58,12 +56,6 @@ std::function<double(double)> rate_function(const Callback& function) {
   };
 }
 
-std::uint64_t check_max(lua_State* state, int index, const std::string& what) {
-  const double max = check_number_or_infinity(state, index, what, "max", "");
-  require(max > 0.0 && (max == std::trunc(max)), what, ": max must be a whole number > 0, got ", max);
-  return max < 0x1p63 ? static_cast<std::uint64_t>(max) : std::numeric_limits<std::uint64_t>::max();
-}
-
 int scene_emitter(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "emitter");
   std::vector<std::string> known = {"at",   "rate",   "velocity", "spread", "lifetime", "max",
@@ -85,10 +77,7 @@ int scene_emitter(lua_State* state) {
     std::tie(def.shortest, def.longest) = check_lifetimes(state, o.push("lifetime"), "emitter");
     lua_pop(state, 1);
   }
-  if (o.has("max")) {
-    def.max = check_max(state, o.push("max"), "emitter");
-    lua_pop(state, 1);
-  }
+  if (const auto max = o.number_or_infinity("max", "")) def.max = fields::most_of_number(*max);
   def.velocity = o.vector("velocity", "m/s").value_or(def.velocity);
   def.spread = o.number("spread", "rad").value_or(def.spread);
   def.family = family.id;

@@ -15,8 +15,6 @@ EmitterPosition check_emitter_position(lua_State* state, int index, const std::s
 std::pair<double, double> check_lifetimes(lua_State* state, int index, const std::string& what);
 /// A function of time [s] that gives the rate [1/s].
 std::function<double(double)> rate_function(const Callback& function);
-/// A whole number > 0, or infinity.
-std::uint64_t check_max(lua_State* state, int index, const std::string& what);
 
 /// `scene:emitter{ at, rate, … }`.
 int scene_emitter(lua_State* state);

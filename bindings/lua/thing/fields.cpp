@@ -1,9 +1,11 @@
 #include "lua/thing/fields.hpp"
 
-#include <cstring>
+#include <algorithm>
+#include <string_view>
 
 #include "edit/edit.hpp"
 #include "lua/law/law_run.hpp"
+#include "lua/thing/property_values.hpp"
 #include "lua/thing/script.hpp"
 #include "lua/value/arguments.hpp"
 #include "lua/value/tostring.hpp"
@@ -54,7 +56,10 @@ int index(lua_State* state) {
     const Field& field = *static_cast<const Field*>(lua_touserdata(state, -1));
     if (!field.of_dead) require_alive(self.ref);
     if (LawRun* law = Runtime::of(state).law) law->on_thing(state, field.name);
-    field.read(self);
+    if (field.read)
+      field.read(self);
+    else
+      push_value(state, self.script, field.property->read(self.world, any_of(self.ref)));
     return 1;
   }
   if (type.more && lua_type(state, 2) == LUA_TSTRING) {
@@ -73,10 +78,13 @@ int new_index(lua_State* state) {
   lua_rawget(state, lua_upvalueindex(1));
   if (lua_islightuserdata(state, -1)) {
     const Field& field = *static_cast<const Field*>(lua_touserdata(state, -1));
-    require(field.write, type.word, ": ", field.name, " can be read, not written");
+    require(writable(field), type.word, ": ", field.name, " can be read, not written");
     require_alive(self.ref);
     if (self.ref.kind == Kind::scene && self.script.fixed.contains(field.name)) return 0;
-    field.write(self, 3);
+    if (field.write)
+      field.write(self, 3);
+    else
+      field.property->write(self.world, any_of(self.ref), check_value(self, *field.property, 3));
     return 0;
   }
   require(!lua_isfunction(state, -1), type.word, ": ", lua_tostring(state, 2), " is a method and cannot be written");
@@ -95,23 +103,41 @@ int thing_text(lua_State* state) {
 
 }  // namespace
 
+bool writable(const Field& field) { return field.write || (field.property && field.property->write); }
+
+std::vector<Field> fields_of(const fields::Type& type) {
+  std::vector<Field> all;
+  for (const fields::Property& p : type.properties)
+    all.push_back({p.name, p.type, p.unit, p.doc, nullptr, nullptr, p.of_dead, &p});
+  return all;
+}
+
+Type type_with(const fields::Type& type) { return {type.name, type.word, type.doc, fields_of(type), {}}; }
+
+Field& field_named(Type& type, std::string_view name) {
+  const auto found =
+      std::find_if(type.fields.begin(), type.fields.end(), [&](const Field& f) { return f.name == name; });
+  assume(found != type.fields.end());
+  return *found;
+}
+
 const Type& type_of(Kind kind) {
   switch (kind) {
     case Kind::point: return point_type();
     case Kind::particle: return particle_type();
     case Kind::body: return body_type();
-    case Kind::nail: return nail_type();
-    case Kind::follow: return follow_type();
-    case Kind::rod: return rod_type();
-    case Kind::weld: return weld_type();
-    case Kind::orient: return orient_type();
-    case Kind::align: return align_type();
-    case Kind::motor: return motor_type();
-    case Kind::limit: return limit_type();
-    case Kind::on_plane: return on_plane_type();
-    case Kind::string: return string_type();
-    case Kind::on_path: return on_path_type();
-    case Kind::join: return join_type();
+    case Kind::nail:
+    case Kind::follow:
+    case Kind::rod:
+    case Kind::weld:
+    case Kind::orient:
+    case Kind::align:
+    case Kind::motor:
+    case Kind::limit:
+    case Kind::on_plane:
+    case Kind::string:
+    case Kind::on_path:
+    case Kind::join: return constraint_type(kind);
     case Kind::group: return group_type();
     case Kind::family: return family_type();
     case Kind::connection: return connection_type();

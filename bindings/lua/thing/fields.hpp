@@ -1,10 +1,11 @@
 #pragma once
-// What each type of thing has, in one table per type: the bindings, the annotations for editors and the messages about
-// unknown names all come from it.
+// What each type of thing has in Lua, in one table per type: the properties of bindings/fields, fields whose values are
+// Lua's own, and methods. The bindings, the annotations for editors and the messages about unknown names come from it.
 #include <lua.hpp>
 #include <string>
 #include <vector>
 
+#include "fields/property.hpp"
 #include "lua/thing/handles.hpp"
 
 namespace pantin::lua {
@@ -17,15 +18,18 @@ struct Self {
   World& world;
 };
 
+/// A property of bindings/fields, or a field that only Lua has.
 struct Field {
   const char* name;
-  const char* type;           ///< as annotations write it: "number", "vec", "Point[]"
-  const char* unit;           ///< "" where there is none, "1" of a number or vec without
-  const char* doc;            ///< of what may be written before it is read, with "(default `1/240`)" at its end
-  void (*read)(const Self&);  ///< pushes the value
-  void (*write)(const Self&, int index);  ///< null: cannot be written
+  const char* type;
+  const char* unit;
+  const char* doc;
+  void (*read)(const Self&);              ///< pushes the value; null: as the property has it
+  void (*write)(const Self&, int index);  ///< null: as the property has it, or it cannot be written
   bool of_dead = false;                   ///< may be read of a thing that is gone
+  const fields::Property* property = nullptr;
 };
+bool writable(const Field& field);
 
 struct Method {
   const char* name;
@@ -66,6 +70,12 @@ Self check_self(lua_State* state, Kind kind, const char* call);
 /// The same for a thing that may be gone.
 Self check_self_or_dead(lua_State* state, Kind kind, const char* call);
 
+/// Its properties, without its base's, as fields.
+std::vector<Field> fields_of(const fields::Type& type);
+/// The type with its properties, without its base's.
+Type type_with(const fields::Type& type);
+/// The field of this name, which there is: to give a property a way of being read that is Lua's own.
+Field& field_named(Type& type, std::string_view name);
 /// Gives a type what it has in common with others: the fields of a base and of the base's base.
 void add_base(Type& type, const Type& base);
 /// `remove`, which a group has its own of.
@@ -82,18 +92,7 @@ const Type& any_scene_type();
 const Type& point_type();
 const Type& particle_type();
 const Type& body_type();
-const Type& nail_type();
-const Type& follow_type();
-const Type& rod_type();
-const Type& weld_type();
-const Type& orient_type();
-const Type& align_type();
-const Type& motor_type();
-const Type& limit_type();
-const Type& on_plane_type();
-const Type& string_type();
-const Type& on_path_type();
-const Type& join_type();
+const Type& constraint_type(Kind kind);
 const Type& group_type();
 const Type& family_type();
 const Type& connection_type();

@@ -124,37 +124,8 @@ int clusters_of(lua_State* state) {
   return 1;
 }
 
-/// The members of one kind, in the order of adding; one that is gone keeps its place.
-template <class Id>
-std::vector<Id> members_of_kind(const Self& self) {
-  std::vector<Id> members;
-  for (const AnyId& id : self.world.groups[id_of(self)].members)
-    if (const Id* member = std::get_if<Id>(&id)) members.push_back(*member);
-  return members;
-}
-
-void read_hinges(const Self& self) {
-  std::vector<ParticleId> hinges = members_of_kind<ParticleId>(self);
-  std::erase_if(hinges,
-                [&](ParticleId id) { return !self.world.particles.alive(id) || !self.world.particles[id].is_hinge(); });
-  push_list(self.state, self.script, hinges);
-}
-
-std::vector<Field> members_by_kind() {
-  return {
-      {"particles", "Particle[]", "", "its particles, in the order of adding; of a built structure one for each vertex",
-       [](const Self& s) { push_list(s.state, s.script, members_of_kind<ParticleId>(s)); }, nullptr},
-      {"bodies", "Body[]", "", "its bodies, in the order of adding",
-       [](const Self& s) { push_list(s.state, s.script, members_of_kind<BodyId>(s)); }, nullptr},
-      {"hinges", "Particle[]", "", "those of its particles that are hinges", read_hinges, nullptr},
-      {"connections", "Connection[]", "", "its connections, in the order of adding",
-       [](const Self& s) { push_list(s.state, s.script, members_of_kind<ConnectionId>(s)); }, nullptr},
-  };
-}
-
 Type make() {
-  Type type{"Group", "group", "A named set of things. It is gone when no member lives.", {}, {}};
-  type.fields = members_by_kind();
+  Type type = type_with(fields::group_type());
   type.methods = {
       {"add", guard<add_things>, "thing: Thing, ...: Thing", "Group", "Adds things; returns the group.",
        "scene:group(\"a pair\"):add(p, q)"},

@@ -34,8 +34,4 @@ void take_looks(Def& def, const Options& options, const std::vector<std::string>
   def.curves = std::move(looks.curves);
 }
 
-/// "ball", "glow" or "streak".
-Look check_look(lua_State* state, int index, const std::string& what);
-const char* name_of(Look look);
-
 }  // namespace pantin::lua

@@ -1,7 +1,7 @@
 #include "lua/thing/point_constraint_options.hpp"
 
 #include "edit/constrain.hpp"
-#include "lua/thing/constraint_fields.hpp"
+#include "lua/thing/constraint_values.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/script.hpp"
 #include "lua/thing/targets.hpp"
@@ -46,7 +46,8 @@ int scene_hinge(lua_State* state) {
   def.axis = o.vector("axis", "");
   const ParticleId hinge = add_hinge(self.world, points, def);
   if (o.has("breaks_at"))
-    set_breaks_at(self.world, hinge, check_breaking(state, o.push("breaks_at"), "hinge: breaks_at", false));
+    set_breaks_at(self.world, hinge,
+                  check_breaking(state, o.push("breaks_at"), "hinge: breaks_at", {"force", "torque"}));
   push_thing(state, self.script, hinge);
   return 1;
 }

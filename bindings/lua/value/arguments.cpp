@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fields/check.hpp"
 #include "lua/value/values.hpp"
 
 namespace pantin::lua {
 namespace {
-
-std::string with_unit(const char* unit) { return *unit ? text(" [", unit, "]") : ""; }
 
 /// Number of letters to insert, delete or change (Levenshtein 1966).
 std::size_t distance(const std::string& a, const std::string& b) {
@@ -28,39 +27,38 @@ std::size_t distance(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-double check_number_or_infinity(lua_State* state, int index, const std::string& what, const std::string& name,
+double check_number_or_infinity(lua_State* state, int index, std::string_view what, std::string_view name,
                                 const char* unit) {
-  require(lua_type(state, index) == LUA_TNUMBER, what, ": ", name, " must be a number", with_unit(unit), ", got ",
-          kind_of_value(state, index));
+  require(lua_type(state, index) == LUA_TNUMBER, what, ": ", name, " must be a number", fields::in_brackets(unit),
+          ", got ", kind_of_value(state, index));
   const double value = lua_tonumber(state, index);
-  require(!std::isnan(value), what, ": ", name, " must be a number", with_unit(unit), ", got NaN");
+  require(!std::isnan(value), what, ": ", name, " must be a number", fields::in_brackets(unit), ", got NaN");
   return value;
 }
 
-double check_number(lua_State* state, int index, const std::string& what, const std::string& name, const char* unit) {
-  require(lua_type(state, index) == LUA_TNUMBER, what, ": ", name, " must be a number", with_unit(unit), ", got ",
-          kind_of_value(state, index));
+double check_number(lua_State* state, int index, std::string_view what, std::string_view name, const char* unit) {
+  require(lua_type(state, index) == LUA_TNUMBER, what, ": ", name, " must be a number", fields::in_brackets(unit),
+          ", got ", kind_of_value(state, index));
   const double value = lua_tonumber(state, index);
-  require(std::isfinite(value), what, ": ", name, " must be a finite number", with_unit(unit), ", got ", value);
+  fields::check_finite(value, what, name, unit);
   return value;
 }
 
-Vec3 check_vec(lua_State* state, int index, const std::string& what, const std::string& name, const char* unit) {
+Vec3 check_vec(lua_State* state, int index, std::string_view what, std::string_view name, const char* unit) {
   const auto v = to_vec(state, index);
-  require(v.has_value(), what, ": ", name, " must be a vec", with_unit(unit), ", got ", kind_of_value(state, index));
-  if (!finite(*v))
-    throw Error(text(what, ": ", name, " must be a finite vec", with_unit(unit), ", got vec(", to_text((*v)[0]), ", ",
-                     to_text((*v)[1]), ", ", to_text((*v)[2]), ")"));
+  require(v.has_value(), what, ": ", name, " must be a vec", fields::in_brackets(unit), ", got ",
+          kind_of_value(state, index));
+  fields::check_finite(*v, what, name, unit);
   return *v;
 }
 
-Quat check_quat(lua_State* state, int index, const std::string& what, const std::string& name) {
+Quat check_quat(lua_State* state, int index, std::string_view what, std::string_view name) {
   const auto q = to_quat(state, index);
   require(q.has_value(), what, ": ", name, " must be a quat, got ", kind_of_value(state, index));
   return *q;
 }
 
-Color check_color(lua_State* state, int index, const std::string& what, const std::string& name) {
+Color check_color(lua_State* state, int index, std::string_view what, std::string_view name) {
   const auto color = to_color(state, index);
   if (color) return *color;
   const std::string got = lua_type(state, index) == LUA_TSTRING ? text("\"", lua_tostring(state, index), "\"")
@@ -69,12 +67,12 @@ Color check_color(lua_State* state, int index, const std::string& what, const st
                    " must be a color, \"#rgb\", \"#rrggbb\", \"#rrggbbaa\" or { r, g, b, a } of 0 to 1, got ", got));
 }
 
-bool check_boolean(lua_State* state, int index, const std::string& what, const std::string& name) {
+bool check_boolean(lua_State* state, int index, std::string_view what, std::string_view name) {
   require(lua_isboolean(state, index), what, ": ", name, " must be true or false, got ", kind_of_value(state, index));
   return lua_toboolean(state, index) != 0;
 }
 
-std::string check_text(lua_State* state, int index, const std::string& what, const std::string& name) {
+std::string check_text(lua_State* state, int index, std::string_view what, std::string_view name) {
   require(lua_type(state, index) == LUA_TSTRING, what, ": ", name, " must be a string, got ",
           kind_of_value(state, index));
   std::size_t size = 0;
@@ -82,7 +80,7 @@ std::string check_text(lua_State* state, int index, const std::string& what, con
   return {s, size};
 }
 
-Callback check_function(lua_State* state, int index, const std::string& what, const std::string& name) {
+Callback check_function(lua_State* state, int index, std::string_view what, std::string_view name) {
   require(lua_isfunction(state, index), what, ": ", name, " must be a function, got ", kind_of_value(state, index));
   return Callback(state, index);
 }

@@ -3,6 +3,7 @@
 #include <lua.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/check.hpp"
@@ -13,16 +14,16 @@
 namespace pantin::lua {
 
 /// A finite number; `what` and `name` begin the message: "body: mass must be a finite number [kg], got NaN".
-double check_number(lua_State* state, int index, const std::string& what, const std::string& name, const char* unit);
+double check_number(lua_State* state, int index, std::string_view what, std::string_view name, const char* unit);
 /// The same, but infinity is allowed.
-double check_number_or_infinity(lua_State* state, int index, const std::string& what, const std::string& name,
+double check_number_or_infinity(lua_State* state, int index, std::string_view what, std::string_view name,
                                 const char* unit);
-Vec3 check_vec(lua_State* state, int index, const std::string& what, const std::string& name, const char* unit);
-Quat check_quat(lua_State* state, int index, const std::string& what, const std::string& name);
-Color check_color(lua_State* state, int index, const std::string& what, const std::string& name);
-bool check_boolean(lua_State* state, int index, const std::string& what, const std::string& name);
-std::string check_text(lua_State* state, int index, const std::string& what, const std::string& name);
-Callback check_function(lua_State* state, int index, const std::string& what, const std::string& name);
+Vec3 check_vec(lua_State* state, int index, std::string_view what, std::string_view name, const char* unit);
+Quat check_quat(lua_State* state, int index, std::string_view what, std::string_view name);
+Color check_color(lua_State* state, int index, std::string_view what, std::string_view name);
+bool check_boolean(lua_State* state, int index, std::string_view what, std::string_view name);
+std::string check_text(lua_State* state, int index, std::string_view what, std::string_view name);
+Callback check_function(lua_State* state, int index, std::string_view what, std::string_view name);
 
 /// A table of named values: `{ mass = 1, at = vec(0, 1, 0) }`. A name that is not known is an error.
 class Options {

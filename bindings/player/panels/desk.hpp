@@ -5,19 +5,13 @@
 #include <string>
 #include <utility>
 
-#include "lua/scene/inspect.hpp"
 #include "player/pacing.hpp"
+#include "player/recording.hpp"
 #include "player/table.hpp"
 #include "scene/scene.hpp"
 #include "view/views.hpp"
 
 namespace pantin::player {
-
-/// A field of a thing, written.
-struct Edit {
-  AnyId thing;
-  lua::FieldReading value;
-};
 
 /// What a person asked of the program in the panels, in one frame.
 struct Wishes {
@@ -25,7 +19,7 @@ struct Wishes {
   bool browse = false, next = false, previous = false;  ///< the browser, and the scenes beside this one
   bool save_table = false;                              ///< the probes, as .csv
   bool picture = false, film = false;                   ///< take one; begin or end one
-  std::optional<Edit> edit;
+  std::optional<FieldEdit> edit;
   std::optional<double> speed;  ///< times the scene's pace
   std::optional<std::pair<std::string, SceneValue>> parameter;
 };

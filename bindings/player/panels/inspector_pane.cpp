@@ -1,16 +1,32 @@
-// The fields of the thing that was clicked, or is under the pointer, as scripts see them; and to be edited.
+// The properties of the thing that was clicked, or is under the pointer; and to be edited.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <cstdio>
 
-#include "lua/scene/inspect.hpp"
+#include "fields/property.hpp"
 #include "player/panels/pane.hpp"
 
 namespace pantin::player {
 namespace {
 
-using lua::FieldReading;
+struct Reading {
+  const fields::Property* property;
+  fields::Value value;  ///< plain, see fields::plain
+};
+
+/// Those of a living thing that are shown: no lists and tables, and none that it has not at present.
+std::vector<Reading> read_properties(const World& world, const AnyId& thing) {
+  std::vector<Reading> readings;
+  for (const fields::Property* property : fields::properties(fields::type_of(world, thing))) {
+    if (property->of_dead || std::string_view(property->type).ends_with("[]")) continue;
+    try {
+      fields::Value value = fields::plain(property->read(world, thing));
+      if (fields::is_plain(value)) readings.push_back({property, std::move(value)});
+    } catch (const Error&) {}
+  }
+  return readings;
+}
 
 class InspectorPane : public Pane {
  public:
@@ -37,23 +53,24 @@ class InspectorPane : public Pane {
   struct ThingRead {
     AnyId thing;
     std::string label;
-    std::vector<FieldReading> fields;
-    std::vector<std::string> links;  ///< (fields) what the things among them are called
+    std::vector<Reading> properties;
+    std::vector<std::string> links;  ///< (properties) what the things among them are called
   };
 
   void read(Desk& desk) {
     things_.clear();
     for (const AnyId& thing : related(desk.world())) {
-      ThingRead read{thing, describe(desk.world(), thing), lua::read_fields(desk.scene, thing), {}};
-      for (const FieldReading& field : read.fields) read.links.push_back(link_label(desk.world(), field.thing));
+      ThingRead read{thing, describe(desk.world(), thing), read_properties(desk.world(), thing), {}};
+      for (const Reading& shown : read.properties) read.links.push_back(link_label(desk.world(), shown.value));
       things_.push_back(std::move(read));
     }
     seen_ = desk.seen();
     read_of_ = shown_;
   }
 
-  static std::string link_label(const World& world, const AnyId& thing) {
-    return std::holds_alternative<std::monostate>(thing) ? std::string() : describe(world, thing);
+  static std::string link_label(const World& world, const fields::Value& value) {
+    const auto* thing = std::get_if<AnyId>(&value);
+    return thing ? describe(world, *thing) : std::string();
   }
 
   /// The thing itself, but of a point its body first, then its particle or hinge.
@@ -72,22 +89,23 @@ class InspectorPane : public Pane {
     if (!ImGui::BeginTable("fields", 2, ImGuiTableFlags_SizingFixedFit)) return;
     ImGui::TableSetupColumn("name");
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
-    for (std::size_t i = 0; i < read.fields.size(); i++) {
-      FieldReading& field = read.fields[i];
+    for (std::size_t i = 0; i < read.properties.size(); i++) {
+      Reading& shown = read.properties[i];
+      const fields::Property& property = *shown.property;
       ImGui::TableNextRow();
       ImGui::TableNextColumn();
       ImGui::AlignTextToFramePadding();
-      ImGui::TextUnformatted(field.name);
-      if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s%s%s", field.doc, *field.unit ? ", " : "", field.unit);
+      ImGui::TextUnformatted(property.name);
+      if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s%s%s", property.doc, *property.unit ? ", " : "", property.unit);
       ImGui::TableNextColumn();
-      ImGui::PushID(field.name);
+      ImGui::PushID(property.name);
       ImGui::SetNextItemWidth(-1.0f);
-      if (!std::holds_alternative<std::monostate>(field.thing))
-        draw_link(desk, field.thing, read.links[i]);
-      else if (field.writable)
-        edit(desk, read.thing, field);
+      if (const auto* other = std::get_if<AnyId>(&shown.value))
+        draw_link(desk, *other, read.links[i]);
+      else if (property.write)
+        edit(desk, read.thing, shown);
       else
-        tell(field);
+        tell(shown);
       ImGui::PopID();
     }
     ImGui::EndTable();
@@ -97,44 +115,47 @@ class InspectorPane : public Pane {
     if (ImGui::SmallButton(label.c_str())) desk.chosen = thing;
   }
 
-  static void tell(const FieldReading& field) {
-    if (const auto* number = std::get_if<double>(&field.value))
-      ImGui::TextDisabled("%.6g %s", *number, field.unit);
-    else if (const auto* boolean = std::get_if<bool>(&field.value))
+  static void tell(const Reading& shown) {
+    const char* unit = shown.property->unit;
+    if (const auto* number = std::get_if<double>(&shown.value))
+      ImGui::TextDisabled("%.6g %s", *number, unit);
+    else if (const auto* boolean = std::get_if<bool>(&shown.value))
       ImGui::TextDisabled("%s", *boolean ? "true" : "false");
-    else if (const auto* words = std::get_if<std::string>(&field.value))
+    else if (const auto* words = std::get_if<std::string>(&shown.value))
       ImGui::TextDisabled("%s", words->c_str());
-    else if (const auto* vector = std::get_if<Vec3>(&field.value))
-      ImGui::TextDisabled("%.4g, %.4g, %.4g %s", (*vector)[0], (*vector)[1], (*vector)[2], field.unit);
+    else if (const auto* vector = std::get_if<Vec3>(&shown.value))
+      ImGui::TextDisabled("%.4g, %.4g, %.4g %s", (*vector)[0], (*vector)[1], (*vector)[2], unit);
     else
       ImGui::TextDisabled("–");
   }
 
-  // While a field is being written, its value is here; it is the thing's when that is done.
-  void edit(Desk& desk, const AnyId& thing, FieldReading& field) {
-    FieldReading& value = edited_ == field.name && edited_of_ == thing ? draft_ : field;
+  // While a property is being written, its value is here; it is the thing's when that is done.
+  void edit(Desk& desk, const AnyId& thing, Reading& shown) {
+    const char* name = shown.property->name;
+    const bool is_edited = edited_ == name && edited_of_ == thing;
+    fields::Value& value = is_edited ? draft_ : shown.value;
     bool changed = false;
-    if (auto* number = std::get_if<double>(&value.value)) {
+    if (auto* number = std::get_if<double>(&value)) {
       changed = ImGui::InputDouble("##number", number, 0.0, 0.0, "%.6g");
-    } else if (auto* boolean = std::get_if<bool>(&value.value)) {
-      if (ImGui::Checkbox("##box", boolean)) desk.wishes.edit = Edit{thing, value};
+    } else if (auto* boolean = std::get_if<bool>(&value)) {
+      if (ImGui::Checkbox("##box", boolean)) desk.wishes.edit = FieldEdit{thing, name, value};
       return;
-    } else if (auto* words = std::get_if<std::string>(&value.value)) {
+    } else if (auto* words = std::get_if<std::string>(&value)) {
       changed = ImGui::InputText("##words", words);
-    } else if (auto* vector = std::get_if<Vec3>(&value.value)) {
+    } else if (auto* vector = std::get_if<Vec3>(&value)) {
       double xyz[3] = {(*vector)[0], (*vector)[1], (*vector)[2]};
       changed = ImGui::InputScalarN("##vec", ImGuiDataType_Double, xyz, 3, nullptr, nullptr, "%.3g");
       *vector = vec(xyz[0], xyz[1], xyz[2]);
     } else {
-      return tell(field);
+      return tell(shown);
     }
     if (changed) {
-      edited_ = field.name;
+      edited_ = name;
       edited_of_ = thing;
-      if (&value != &draft_) draft_ = value;
+      if (!is_edited) draft_ = value;
     }
-    if (edited_ != field.name || !(edited_of_ == thing)) return;
-    if (ImGui::IsItemDeactivatedAfterEdit()) desk.wishes.edit = Edit{thing, value};
+    if (edited_ != name || !(edited_of_ == thing)) return;
+    if (ImGui::IsItemDeactivatedAfterEdit()) desk.wishes.edit = FieldEdit{thing, name, value};
     if (!ImGui::IsItemActive()) {
       edited_.clear();
       seen_ = {};
@@ -144,9 +165,9 @@ class InspectorPane : public Pane {
   AnyId shown_, read_of_;
   SeenState seen_;
   std::vector<ThingRead> things_;
-  std::string edited_;  ///< name of the field that is being written, of
+  std::string edited_;  ///< name of the property that is being written, of
   AnyId edited_of_;
-  FieldReading draft_{};
+  fields::Value draft_;
 };
 
 }  // namespace

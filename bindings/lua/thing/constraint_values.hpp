@@ -1,29 +1,14 @@
 #pragma once
-// Fields that constraints share.
+// What constraints are given: loads that they break at, functions of time.
 #include "edit/constrain.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/value/callback.hpp"
 
 namespace pantin::lua {
 
-ConstraintId constraint_of(const Self& self);
-Constraint& constraint_row(const Self& self);
-/// Pushes a thing, or nil where the id is null.
-template <class Id>
-void push_if(const Self& self, Id id) {
-  if (id)
-    push_thing(self.state, self.script, id);
-  else
-    lua_pushnil(self.state);
-}
-
-/// The type with these fields and those that every constraint has.
-Type constraint_type(Type type, std::vector<Field> fields);
-Field point_field();   ///< that it holds
-Field force_field();   ///< as a vec
-Field torque_field();  ///< as a vec
-/// { force, torque, length } at `index`, for `what`.
-Breaking check_breaking(lua_State* state, int index, const std::string& what, bool has_length = true);
+/// { force, torque, length } at `index`, or those of them that are in `parts`, for `what`.
+Breaking check_breaking(lua_State* state, int index, const std::string& what,
+                        const std::vector<std::string>& parts = {"force", "torque", "length"});
 void push_breaking(lua_State* state, const Breaking& breaks_at);
 
 /// A script's functions of time [s].

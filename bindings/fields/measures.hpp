@@ -1,0 +1,13 @@
+#pragma once
+#include "fields/value.hpp"
+#include "measure/measure.hpp"
+
+namespace pantin::fields {
+
+/// { kinetic, potential, total } [J].
+Table table_of(const Energy& energy);
+/// The events that ended, then those that wait.
+Table timeline_of(const World& world);
+const char* name_of(EventState state);
+
+}  // namespace pantin::fields
