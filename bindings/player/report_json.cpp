@@ -29,6 +29,20 @@ Json of_run(const Study& study, const StudyRun& run) {
   return json;
 }
 
+Json of_ledger(const LedgerLines& ledger) {
+  const Ledger& posts = ledger.posts;
+  Json result;
+  result["laws"] = ledger.laws.given;
+  result["open"] = ledger.laws.open;
+  for (std::size_t i = 0; i < source_names.size(); i++) result[std::string(source_names[i])] = posts.given[i];
+  if (!posts.kept) return result;
+  result["since"] = posts.since;
+  result["gravity"] = posts.gravity;
+  result["closure"] = ledger.closure;
+  result["truncation"] = ledger.truncation;
+  return result;
+}
+
 }  // namespace
 
 std::string report_json(const Study& study, double product_ns) {
@@ -48,7 +62,7 @@ std::string report_json(const Study& study, double product_ns) {
   json["unresolved"] = study.unresolved();
   json["product_ns"] = product_ns;
   if (study.ledger) {
-    json["ledger"] = json_of(*study.ledger);
+    json["ledger"] = of_ledger(*study.ledger);
     json["ledger"]["until"] = study.ledger->time;
   } else {
     json["ledger"] = nullptr;

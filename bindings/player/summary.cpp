@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "forces/forces.hpp"
+#include "fields/property.hpp"
 #include "forces/integrator.hpp"
-#include "forces/sleep.hpp"
 #include "measure/measure.hpp"
 #include "player/closing.hpp"
 #include "player/json.hpp"
@@ -13,31 +12,23 @@
 namespace pantin::player {
 namespace {
 
-Json ns_per_phase(const World& world) {
+/// A property of the whole world.
+Json property(const World& world, const char* name) { return json_of(fields::read(world, {}, name)); }
+
+Json ns_per_phase(const World& world, const Json& ns) {
   Json result = Json::object();
-  for (std::size_t i = 0; i < phase_names.size(); i++)
-    result[std::string(phase_names[i])] =
-        static_cast<double>(world.profile.ns[i]) / static_cast<double>(std::max<std::uint64_t>(1, world.steps));
+  for (const auto& [phase, sum] : ns.items())
+    result[phase] = sum.get<double>() / static_cast<double>(std::max<std::uint64_t>(1, world.steps));
   return result;
 }
 
-Json stats(const World& world) {
-  const Stats& s = world.stats;
-  return {{"articulates", world.articulates.size()},
-          {"asleep", sleepers(world)},
-          {"bodies", world.bodies.size()},
-          {"constraints", world.constraints.size()},
-          {"newton_iterations", s.newton_iterations},
-          {"worst_iterations", s.worst_iterations},
-          {"solves", s.solves},
-          {"factorisations", s.factorisations},
-          {"halved_steps", s.halved_steps},
-          {"fallback_steps", s.fallback_steps},
-          {"projections", s.projections},
-          {"rejected_steps", s.rejected},
-          {"sub_steps", world.sub_steps.count},
-          {"most_sub_steps", most_sub_steps(world).count},
-          {"most_sub_steps_of", most_sub_steps(world).thing}};
+/// But for what stands elsewhere in the summary.
+Json stats(const World& world, Json all) {
+  all.erase("ns");
+  all.erase("steps");
+  all["bodies"] = world.bodies.size();
+  all["constraints"] = world.constraints.size();
+  return all;
 }
 
 Json results(const Scene& scene) {
@@ -48,18 +39,22 @@ Json results(const Scene& scene) {
 
 }  // namespace
 
-Json json_of(const LedgerLines& ledger) {
-  const Ledger& posts = ledger.posts;
-  Json result;
-  result["laws"] = ledger.laws.given;
-  result["open"] = ledger.laws.open;
-  for (std::size_t i = 0; i < source_names.size(); i++) result[std::string(source_names[i])] = posts.given[i];
-  if (!posts.kept) return result;
-  result["since"] = posts.since;
-  result["gravity"] = posts.gravity;
-  result["closure"] = ledger.closure;
-  result["truncation"] = ledger.truncation;
-  return result;
+Json json_of(const fields::Value& value) {
+  if (const auto* number = std::get_if<double>(&value)) return *number;
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return *whole;
+  if (const auto* truth = std::get_if<bool>(&value)) return *truth;
+  if (const auto* words = std::get_if<std::string>(&value)) return *words;
+  if (const auto* v = std::get_if<Vec3>(&value)) return {(*v)[0], (*v)[1], (*v)[2]};
+  const auto* table = std::get_if<fields::Table>(&value);
+  if (!table) return nullptr;
+  const bool list = !table->empty() && table->front().name.empty();
+  Json json = list ? Json::array() : Json::object();
+  for (const fields::Entry& entry : *table)
+    if (list)
+      json.push_back(json_of(entry.value));
+    else
+      json[entry.name] = json_of(entry.value);
+  return json;
 }
 
 std::string text_of(const Json& json) {
@@ -68,28 +63,29 @@ std::string text_of(const Json& json) {
 
 std::string summary(const Scene& scene, const std::string& failure) {
   const World& world = scene.world();
-  Energy now = energy(world);
+  const Json all_stats = property(world, "stats");
   char hash[17];
   std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(state_hash(world)));
   Json result;
   result["title"] = scene.title();
-  result["time"] = world.time;
+  result["time"] = property(world, "time");
   result["steps"] = world.steps;
   result["hash"] = hash;
-  result["energy"] = {{"kinetic", now.kinetic}, {"potential", now.potential}, {"total", now.total()}};
+  result["energy"] = property(world, "energy");
   result["error"] = {{"hinge_gap", world.error.hinge_gap},
                      {"constraint", world.error.constraint},
                      {"energy", world.error.energy},
                      {"worst_hinge_gap", world.worst.hinge_gap},
                      {"worst_energy", world.worst.energy}};
   if (world.settings.accuracy)
-    result["accuracy"] = {{"wanted", *world.settings.accuracy},
-                          {"per", world.settings.accuracy_per_step ? "step" : "second"},
+    result["accuracy"] = {{"wanted", property(world, "accuracy")},
+                          {"per", property(world, "accuracy_per")},
                           {"missed", world.stats.unreached},
                           {"worst_missed", worst_missed(world)}};
-  result["ledger"] = json_of(ledger_lines(world));
-  result["stats"] = stats(world);
-  result["ns_per_phase"] = ns_per_phase(world);
+  result["ledger"] = property(world, "ledger");
+  result["ledger"].erase("without_energy");
+  result["stats"] = stats(world, all_stats);
+  result["ns_per_phase"] = ns_per_phase(world, all_stats.at("ns"));
   result["results"] = results(scene);
   std::vector<std::string> warnings = scene.warnings();
   if (const auto wrong = energy_gone_wrong(world)) warnings.push_back(*wrong);
