@@ -48,19 +48,20 @@ struct RowBlock {
   bool first_lower, first_upper;  // the first to reach its block
 };
 
-/// A row that meets a segment of a string at a node: a part of the block of that row and the string's head.
-struct StringBlock {
-  std::uint32_t segment, column, node, block;
+/// A row that meets one of a coupling's at a node: a part of the block of that row and the coupling's head.
+struct CoupledBlock {
+  std::uint32_t row, column, node, block;
   bool upper;
 };
-/// The block of a segment and its string's head.
+/// The block of a row and its coupling's head.
 struct HeadBlock {
-  std::uint32_t segment, block;
+  std::uint32_t row, block;
 };
-struct SlidingString {
+/// Rows whose values add up to one: segments of a string, turns of gears.
+struct Coupling {
   std::uint32_t head;
-  std::vector<std::uint32_t> segments;  // rows, the head among them
-  std::vector<StringBlock> blocks;
+  std::vector<std::uint32_t> rows;  // the head among them
+  std::vector<CoupledBlock> blocks;
   std::vector<HeadBlock> links;
   std::vector<std::uint32_t> cleared;  // blocks that nothing else sets
 };
@@ -199,7 +200,7 @@ struct Articulate : ArticulateState {
   std::vector<Vec3>
       at_ends;  // (2 rows + 1) what nodes a and b hand to row k is in 2k and 2k + 1; the last is of no row
   std::vector<RowBlock> row_blocks;
-  std::vector<SlidingString> strings;
+  std::vector<Coupling> couplings;
   std::vector<Hub> hubs;
   std::vector<Node> saved;                     // as they were: where a fallback step goes back to, and for the ledger
   std::vector<std::uint32_t> first_row_block;  // (nodes + 1); hubs have none

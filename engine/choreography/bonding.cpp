@@ -61,7 +61,8 @@ std::vector<ConstraintId> ties_of(const World& world, ParticleId id) {
   std::vector<ConstraintId> ties;
   for (PointId p : world.particles[id].points)
     for (ConstraintId c : world.points[p].constraints)
-      if (world.constraints[c].b || world.constraints[c].passages.size() > 1) ties.push_back(c);
+      if (world.constraints[c].b || world.constraints[c].passages.size() > 1 || !world.constraints[c].coupled.empty())
+        ties.push_back(c);
   return ties;
 }
 

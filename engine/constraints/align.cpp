@@ -86,7 +86,7 @@ std::vector<PlaneNeed> in_plane(const Model& model, const Constraint& c) {
 }  // namespace
 
 const ConstraintRule align_rule = {
-    .keeps = KeptNumber::angle,
+    .keeps = kept_angle,
     .freedoms =
         [](const Constraint& c) {
           return c.length == 0.0 ? FreedomsTaken{2, 1} : FreedomsTaken{1, 1};

@@ -34,11 +34,17 @@ struct PlaneNeed {
   bool along_normal = false;
 };
 
-/// The number that a constraint keeps, where it has one that may be set: a length [m] or an angle [rad].
-enum class KeptNumber : std::uint8_t { none, length, angle };
+/// The number that a constraint keeps, where it has one that may be set.
+struct KeptNumber {
+  enum class Range : std::uint8_t { all, positive, not_zero };
+  const char* name = nullptr;  ///< null: it has none
+  const char* unit = "";
+  Range range = Range::all;
+};
+inline constexpr KeptNumber kept_length{"length", "m", KeptNumber::Range::positive}, kept_angle{"angle", "rad"};
 
 struct ConstraintRule {
-  KeptNumber keeps = KeptNumber::none;
+  KeptNumber keeps = {};
   bool joins_points = false;      ///< its gap is one between points, as a hinge's
   bool ends_at_position = false;  ///< its second end, where that is no point, is a position of the world
   bool orients = false;           ///< keeps an orientation in the world
@@ -56,6 +62,8 @@ struct ConstraintRule {
   double (*value)(const Model& model, const Constraint& constraint) = nullptr;
   /// Sets the number that it keeps; throws Error, which begins with `call`, where it cannot be that. Null: just written.
   void (*set)(Constraint& constraint, std::string_view call, double value) = nullptr;
+  /// Once its number has moved on for the coming step, from `before` in the middle of the last one; null: nothing.
+  void (*follow)(const Model& model, Constraint& constraint, double before) = nullptr;
   std::vector<RowPlan> (*rows)(const Model& model, const Constraint& constraint) = nullptr;
   /// What a row is to know in the coming step beyond what all do; null: nothing.
   void (*load)(Condition& condition, const Row& row, const Model& model, const Constraint& constraint) = nullptr;
@@ -81,6 +89,6 @@ void start_constraint(const Model& model, Constraint& constraint, double toleran
 
 // The kinds, each in the file of its name.
 extern const ConstraintRule nail_rule, follow_rule, rod_rule, axis_rule, weld_rule, orient_rule, align_rule, motor_rule,
-    limit_rule, on_plane_rule, string_rule, on_path_rule, join_rule;
+    limit_rule, on_plane_rule, string_rule, on_path_rule, join_rule, gear_rule, rack_rule, pulley_rule, screw_rule;
 
 }  // namespace pantin

@@ -1,6 +1,7 @@
 #include "constraints/load.hpp"
 
 #include "base/functions.hpp"
+#include "constraints/coupling.hpp"
 #include "constraints/kind.hpp"
 #include "model/path.hpp"
 
@@ -55,6 +56,7 @@ void load(Condition& condition, const Row& row, const Model& model, double total
   const Constraint& c = model.constraints[condition.constraint];
   condition.ranged = has_range(c);
   condition.held_before = condition.held;
+  if (!c.coupled.empty()) return load_coupling(condition, row, model, c);
   if (row.lever > 0.0) return load_angular_row(condition, row, model, c);
   condition.whole0 = model.plane.along(c.previous + c.previous_away);
   condition.whole1 = model.plane.along(c.position + c.away);
@@ -75,6 +77,7 @@ void load(Condition& condition, const Row& row, const Model& model, double total
 }
 
 void store(const Condition& condition, const Row& row, Vec3 force, Constraint& c) {
+  if (!c.coupled.empty()) return store_coupling(condition, row, force, c);
   if (row.lever > 0.0) {
     c.torque = force * row.lever;
     c.angle = condition.angle1;

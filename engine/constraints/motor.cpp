@@ -25,7 +25,7 @@ std::vector<PlaneNeed> in_plane(const Model& model, const Constraint& c) {
 }  // namespace
 
 const ConstraintRule motor_rule = {
-    .keeps = KeptNumber::angle,
+    .keeps = kept_angle,
     .freedoms =
         [](const Constraint& c) {
           return std::isfinite(c.max_torque) ? FreedomsTaken{} : FreedomsTaken{1, 1};

@@ -60,7 +60,7 @@ std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {between_p
 }  // namespace
 
 const ConstraintRule rod_rule = {
-    .keeps = KeptNumber::length,
+    .keeps = kept_length,
     .ends_at_position = true,
     .freedoms =
         [](const Constraint&) {

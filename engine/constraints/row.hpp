@@ -5,6 +5,7 @@
 // An angular row ties rotations: lever f is a torque on its first node [N m], d is lever times a small rotation of the
 // first node against the second [m], l and r are axes (unit vectors). Its torque does the work lever f·(ā_a - ā_b) exactly,
 // ā = R0 a: a rigid one does none, since equal relative rotations at both ends have equal ā.
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -16,11 +17,12 @@
 namespace pantin {
 
 /// What a row wants: rigid keeps two points together; soft draws one to a position with a force up to a limit; rod
-/// keeps a distance or keeps it in a range; plane keeps a point on a plane; segment is one of a string; path keeps
+/// keeps a distance or keeps it in a range; plane keeps a point on a plane; coupled is one of several
+/// rows whose values add up: a segment of a string, a turn of a gear; path keeps
 /// a point on a path; stiff pulls by a law; attract has two points approach each other. Of angular rows, rigid keeps an
 /// orientation, axis keeps two axes together, align keeps the angle between them, turn drives the angle about an axis
 /// or keeps it in a range.
-enum class RowKind : std::uint8_t { rigid, soft, rod, plane, axis, align, turn, segment, path, stiff, attract };
+enum class RowKind : std::uint8_t { rigid, soft, rod, plane, axis, align, turn, coupled, path, stiff, attract };
 
 struct StiffBond;
 
@@ -79,7 +81,10 @@ struct Condition {
   Bent bent = Bent::nothing;
   bool by_speed = false;    // of a motor: its turn in a part is what a body of its speed turns by then
   double start_rate = 0.0;  // [m/s] of such a motor: `length_rate` at the start of the step
-  // Of a segment of a string: by d1 in the equation of the head, and by the head's force in its own.
+  // Of a coupled row: by how much its value counts in metres of its own [1], in the step and at its end; and in matrices,
+  // by d1 in the equation of the head, and by the head's force in its own.
+  double weight = 1.0, weight1 = 1.0;
+  Vec3 direction = zero3();  // in which its distance counts; zero: whichever it has
   Mat3 into_head = zero33(), from_head = zero33();
   bool held = true;         // the range, or the limit of the force, lets it act as a constraint
   bool held_before = true;  // at the end of the last stage of a step
@@ -98,5 +103,10 @@ inline bool is_soft(const Row& row) { return row.kind == RowKind::soft || row.ki
 
 /// Mean of the axes of an angular row over its nodes and the step, of unit length.
 inline Vec3 mean_axis(const Row& row) { return direction(row.ra0 + row.rb0 + row.ra1 + row.rb1); }
+
+/// Of the angle of an angular row about its axis, by the small rotation.
+inline Vec3 twist_gradient(const Row& row) {
+  return (row.ra1 + row.rb1) / std::fmax(1.0 + dot(row.ra1, row.rb1), 1e-9);
+}
 
 }  // namespace pantin

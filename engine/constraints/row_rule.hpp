@@ -32,7 +32,7 @@ struct RowRule {
 };
 
 // Each in the file of a kind that makes such rows; a hinge's and a stiff connection's in their own.
-extern const RowRule rigid_row, soft_row, rod_row, plane_row, axis_row, align_row, turn_row, segment_row, path_row,
+extern const RowRule rigid_row, soft_row, rod_row, plane_row, axis_row, align_row, turn_row, coupled_row, path_row,
     stiff_row, attract_row;
 
 /// (kinds) in the order of RowKind

@@ -2,7 +2,6 @@
 // equations the solver does together.
 #include "constraints/geometry.hpp"
 #include "constraints/plans.hpp"
-#include "constraints/row_rule.hpp"
 
 namespace pantin {
 
@@ -55,7 +54,7 @@ std::vector<RowPlan> rows(const Model& model, const Constraint& c) {
     PointId from = c.passages[i].point, to = c.passages[i + 1].point;
     if (is_fixed(model, c.passages[i], c.passages[i + 1])) continue;
     if (!from) std::swap(from, to);
-    plans.push_back({RowKind::segment, false, from, to, {}, {}, zero3(), zero3(), i});
+    plans.push_back({RowKind::coupled, false, from, to, {}, {}, zero3(), zero3(), i});
   }
   return plans;
 }
@@ -71,11 +70,8 @@ void load(Condition& condition, const Row&, const Model& model, const Constraint
 
 }  // namespace
 
-// The segments of a string are done together, once all rows are placed.
-const RowRule segment_row = {.evaluate = [](Row&, Condition&, const RowContext&) { return 0.0; }};
-
 const ConstraintRule string_rule = {
-    .keeps = KeptNumber::length,
+    .keeps = kept_length,
     .freedoms = [](const Constraint&) { return FreedomsTaken{}; },
     .directions = no_direction,
     .start = start,

@@ -5,9 +5,6 @@ namespace pantin {
 
 namespace {
 
-/// Of the angle about it, by the small rotation.
-Vec3 twist_gradient(const Row& row) { return (row.ra1 + row.rb1) / std::fmax(1.0 + dot(row.ra1, row.rb1), 1e-9); }
-
 /// A motor that stalls: its force grows with what it misses.
 double evaluate_yielding(Row& row, Condition& c, const ConstraintFunction& r, const RowContext& context) {
   const double kappa = 0.5 * context.h * context.h * context.mobility, weight = kappa / (1.0 + kappa / c.yielding);

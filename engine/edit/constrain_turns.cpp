@@ -147,11 +147,10 @@ ConstraintId add_limit(World& world, BodyId a, BodyId b, Vec3 axis, const LimitD
 void set_length(World& world, ConstraintId id, double value, std::function<double(double)> function) {
   require_unlocked(world, "a number to keep");
   Constraint& c = world.constraints[id];
-  require(rule_of(c).keeps != KeptNumber::none, "a number to keep: ", describe(world, id), " has none");
+  require(rule_of(c).keeps.name != nullptr, "a number to keep: ", describe(world, id), " has none");
   wake(world, c);
   const std::string who = describe(world, id);
-  if (rule_of(c).keeps == KeptNumber::length) require_positive(who, "length", value, "m");
-  require_finite(who, c.by_speed ? "speed" : "angle", value, c.by_speed ? "rad/s" : "rad");
+  require_kept(who, c, value);
   c.number = std::move(function);
   if (c.by_speed) {
     c.length_rate = value;

@@ -9,11 +9,10 @@ ConstraintId insert_constraint(World& world, Constraint c) {
   const ConstraintId id = world.constraints.add(std::move(c));
   const Constraint& row = world.constraints[id];
   row.each_point([&](PointId point) { world.points[point].constraints.push_back(id); });
-  for (BodyId body : {row.body_a, row.body_b})
-    if (body) {
-      world.bodies[body].constraints.push_back(id);
-      if (world.motion_of(body).freedom == Freedom::line) update_mass(world, body);
-    }
+  row.each_body([&](BodyId body) {
+    world.bodies[body].constraints.push_back(id);
+    if (world.motion_of(body).freedom == Freedom::line) update_mass(world, body);
+  });
   touch(world, row);
   return id;
 }
@@ -22,8 +21,7 @@ void take_out_constraint(World& world, ConstraintId id, Obituary obituary) {
   const Constraint& c = world.constraints[id];
   touch(world, c);
   c.each_point([&](PointId point) { std::erase(world.points[point].constraints, id); });
-  for (BodyId body : {c.body_a, c.body_b})
-    if (body) std::erase(world.bodies[body].constraints, id);
+  c.each_body([&](BodyId body) { std::erase(world.bodies[body].constraints, id); });
   if (c.ring && world.particles.alive(c.ring)) std::erase(world.particles[c.ring].axes, id);
   const std::shared_ptr<JoinProgress> progress = c.progress;
   world.constraints.remove(id, obituary);

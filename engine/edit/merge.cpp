@@ -33,9 +33,33 @@ OwnMass together(const OwnMass& a, const OwnMass& b) {
   return both;
 }
 
+/// The values of a coupling that b has a part in are a's.
+void hand_over(std::vector<CoupledValue>& coupled, BodyId a, BodyId b, const Frame& frame) {
+  for (CoupledValue& v : coupled) {
+    if (v.body_a == b) {
+      v.body_a = a;
+      v.axis_a = rotate(frame.turn, v.axis_a);
+      v.turn = normalised(v.turn * conjugate(frame.turn));
+    }
+    if (v.body_b == b) {
+      v.body_b = a;
+      v.axis_b = rotate(frame.turn, v.axis_b);
+      v.turn = normalised(frame.turn * v.turn);
+    }
+  }
+}
+
+/// Whether two bodies that become one turn against each other in it.
+bool turns_between(const Constraint& c, BodyId a, BodyId b) {
+  const auto is = [&](BodyId first, BodyId second) { return (first == a && second == b) || (first == b && second == a); };
+  return is(c.body_a, c.body_b) || std::any_of(c.coupled.begin(), c.coupled.end(),
+                                               [&](const CoupledValue& v) { return is(v.body_a, v.body_b); });
+}
+
 /// Rotations that are tied to b are tied to a from now on, as they are now.
 void hand_over(World& world, ConstraintId id, BodyId a, BodyId b, const Frame& frame) {
   Constraint& c = world.constraints[id];
+  hand_over(c.coupled, a, b, frame);
   if (c.body_a == b) {
     c.body_a = a;
     c.axis_a = rotate(frame.turn, c.axis_a);
@@ -44,7 +68,7 @@ void hand_over(World& world, ConstraintId id, BodyId a, BodyId b, const Frame& f
     c.previous_turn = normalised(c.previous_turn * conjugate(frame.turn));
     if (const auto wanted = c.attitude)
       c.attitude = [wanted, turn = frame.turn](double time) { return wanted(time) * conjugate(turn); };
-  } else {
+  } else if (c.body_b == b) {
     c.body_b = a;
     c.axis_b = rotate(frame.turn, c.axis_b);
     c.arm_b = frame.place(c.arm_b);
@@ -52,7 +76,8 @@ void hand_over(World& world, ConstraintId id, BodyId a, BodyId b, const Frame& f
     c.previous_turn = normalised(frame.turn * c.previous_turn);
   }
   std::erase(world.bodies[b].constraints, id);
-  world.bodies[a].constraints.push_back(id);
+  std::vector<ConstraintId>& list = world.bodies[a].constraints;
+  if (std::find(list.begin(), list.end(), id) == list.end()) list.push_back(id);
   touch(world, c);
 }
 
@@ -75,7 +100,7 @@ void merge_rotations(World& world, BodyId a, BodyId b, const Frame& frame) {
   const std::vector<ConstraintId> constraints = world.bodies[b].constraints;
   for (ConstraintId id : constraints) {
     const Constraint& c = world.constraints[id];
-    if ((c.body_a == a && c.body_b == b) || (c.body_a == b && c.body_b == a))
+    if (turns_between(c, a, b))
       remove(world, id);
     else
       hand_over(world, id, a, b, frame);

@@ -49,6 +49,7 @@ void part_ties_within(World& world, std::span<const PointId> points, const std::
       const Constraint& row = world.constraints[c];
       row.each_point([&](PointId p) { (all.contains(p) ? inside : outside)++; });
       for (const Passage& passage : row.passages) outside += passage.point ? 0 : 1;
+      for (const CoupledValue& v : row.coupled) outside += v.point_a && v.point_b ? 0 : 1;
       if (inside > 1 && outside == 0) remove(world, c);
     }
     const ParticleId ring = world.points[id].particle;

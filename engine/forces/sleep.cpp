@@ -118,8 +118,7 @@ void wake(World& world, PointId id) {
 
 void wake(World& world, const Constraint& constraint) {
   constraint.each_point([&](PointId point) { wake(world, point); });
-  for (const BodyId body : {constraint.body_a, constraint.body_b})
-    if (body) wake(world, body);
+  constraint.each_body([&](BodyId body) { wake(world, body); });
 }
 
 void wake_all(World& world) {

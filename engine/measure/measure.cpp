@@ -36,8 +36,7 @@ struct Collect {
   void operator()(ConstraintId id) {
     const Constraint& c = world.constraints[id];
     c.each_point([&](PointId point) { (*this)(point); });
-    for (BodyId body : {c.body_a, c.body_b})
-      if (body) (*this)(body);
+    c.each_body([&](BodyId body) { (*this)(body); });
   }
   void operator()(FamilyId id) {
     for (ParticleId p : world.particles.ids())

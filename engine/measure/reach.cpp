@@ -17,11 +17,12 @@ struct Walk {
     found.bodies.push_back(body);
     for (PointId p : world.bodies[body].points) open.push_back(p);
     for (ConstraintId id : world.bodies[body].constraints) {
-      const Constraint& c = world.constraints[id];
-      if (!c.enabled || !c.body_b) continue;
-      meet(c.body_a);
-      meet(c.body_b);
+      if (world.constraints[id].enabled) meet(world.constraints[id]);
     }
+  }
+  void meet(const Constraint& c) {
+    c.each_point([&](PointId point) { meet(point); });
+    c.each_body([&](BodyId body) { meet(body); });
   }
   void meet(PointId id) {
     if (const BodyId body = world.points[id].body) return meet(body);
@@ -47,8 +48,7 @@ Things tied_to(const World& world, PointId point, bool by_connections) {
         if (tie.particles[i]) walk.meet(world.particles[awake(world, tie.particles[i])].points[0]);
     }
     for (ConstraintId c : world.points[id].constraints) {
-      const Constraint& tie = world.constraints[c];
-      if (tie.enabled) tie.each_point([&](PointId other) { walk.meet(other); });
+      if (world.constraints[c].enabled) walk.meet(world.constraints[c]);
     }
   }
   return std::move(walk.found);

@@ -58,8 +58,10 @@ struct Freedoms {
   void tie(const Constraint& c) {
     if (!c.enabled || taken(c) == 0) return;
     if (c.a && !c.b) hold_by(c);
-    if (c.b && !(among(c.a) && among(c.b))) return;
-    if (c.body_b && !(bodies.contains(c.body_a) && bodies.contains(c.body_b))) return;
+    bool all = true;
+    c.each_point([&](PointId point) { all = all && among(point); });
+    c.each_body([&](BodyId body) { all = all && bodies.contains(body); });
+    if (!all) return;
     count -= taken(c);
   }
 };

@@ -39,17 +39,37 @@ enum class ConstraintKind : std::uint8_t {
   on_plane,
   string,
   on_path,
-  join
+  join,
+  gear,
+  rack,
+  pulley,
+  screw
 };
 /// (kinds) as messages and scripts call them
-inline constexpr std::array<std::string_view, 13> constraint_names = {
-    "nail",  "follow", "rod",      "axis of a hinge", "weld",    "orient", "align",
-    "motor", "limit",  "on_plane", "string",          "on_path", "join"};
+inline constexpr std::array<std::string_view, 17> constraint_names = {
+    "nail",  "follow", "rod",   "axis of a hinge", "weld",   "orient",
+    "align", "motor",  "limit", "on_plane",        "string", "on_path",
+    "join",  "gear",   "rack",  "pulley",          "screw"};
 
 /// A point, or a position of the world, that a string goes through.
 struct Passage {
   PointId point;            ///< null: a position
   Vec3 position = zero3();  ///< [m]
+};
+
+/// One of the values that a coupling adds up: the angle of a body against another or the world, or the distance of a point
+/// from another or from a position, or how far it is from there in a direction.
+struct CoupledValue {
+  PointId point_a, point_b;  ///< null where it is an angle; point_b null: `position`
+  Vec3 position = zero3();   ///< [m]
+  Vec3 direction = zero3();  ///< unit vector in which the distance counts; zero: whichever it has
+  BodyId body_a, body_b;     ///< null where it is a distance; body_b null: the world
+  Vec3 axis_a = zero3();     ///< unit vector in the frame of body_a
+  Vec3 axis_b = zero3();     ///< the same in body_b's, or the world's
+  Quat turn;                 ///< orientation of body_a in body_b's frame, or the world's, that counts as 0
+  double angle = 0.0;        ///< [rad] at the end of the last step, turns counted
+  double fixed = 1.0;        ///< its weight, and
+  double by_ratio = 0.0;     ///< what the coupling's ratio adds to that, times itself
 };
 
 class Path;
@@ -91,6 +111,8 @@ struct Constraint {
        previous_spin = zero3();            ///< [rad/s] of an orient's target at the ends
                                            ///< of this step and the last
   std::vector<Passage> passages;           ///< of a string, from end to end
+  std::vector<CoupledValue> coupled;       ///< of a gear, rack, pulley or screw
+  double total = 0.0;                      ///< [rad] or [m] that these add up to
   std::shared_ptr<const Path> path;        ///< of an on_path
   double along = 0.0;                      ///< of an on_path: its parameter at the end of the last step
   std::shared_ptr<JoinProgress> progress;  ///< of a join
@@ -113,14 +135,32 @@ struct Constraint {
   std::string name;
   std::uint64_t serial = 0;
 
-  /// Calls `visit` with each point that it ties.
+  /// Calls `visit` with each point that it ties; of a coupling once.
   template <class Visit>
   void each_point(Visit visit) const {
-    if (passages.empty())
+    if (passages.empty() && coupled.empty())
       for (PointId point : {a, b})
         if (point) visit(point);
     for (const Passage& passage : passages)
       if (passage.point) visit(passage.point);
+    for (std::size_t i = 0; i < coupled.size(); i++)
+      for (PointId point : {coupled[i].point_a, coupled[i].point_b}) {
+        bool seen = !point;
+        for (std::size_t k = 0; k < i; k++) seen = seen || point == coupled[k].point_a || point == coupled[k].point_b;
+        if (!seen) visit(point);
+      }
+  }
+  /// Calls `visit` with each body whose rotation it ties, once.
+  template <class Visit>
+  void each_body(Visit visit) const {
+    for (BodyId body : {body_a, body_b})
+      if (body) visit(body);
+    for (std::size_t i = 0; i < coupled.size(); i++)
+      for (BodyId body : {coupled[i].body_a, coupled[i].body_b}) {
+        bool seen = !body || body == body_a || body == body_b;
+        for (std::size_t k = 0; k < i; k++) seen = seen || body == coupled[k].body_a || body == coupled[k].body_b;
+        if (!seen) visit(body);
+      }
   }
   /// Whether it leaves its point no freedom at all.
   bool pins() const {

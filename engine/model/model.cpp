@@ -217,8 +217,9 @@ void touch(Model& m, const Constraint& constraint) {
   constraint.each_point([&](PointId point) {
     if (m.points.alive(point)) both(point);
   });
-  for (BodyId body : {constraint.body_a, constraint.body_b})
+  constraint.each_body([&](BodyId body) {
     if (m.bodies.alive(body)) both(body);
+  });
 }
 
 void disturb(Model& m, BodyId body) { disturb(m, m.motion_of(body).articulate); }

@@ -7,6 +7,7 @@
 
 #include "choreography/hands.hpp"
 #include "choreography/resume.hpp"
+#include "constraints/coupling.hpp"
 #include "edit/common.hpp"
 #include "edit/edit.hpp"
 
@@ -85,6 +86,7 @@ class Carrier {
     std::tie(now.excess, now.excess_rate, now.previous_excess) =
         std::tie(before.excess, before.excess_rate, before.previous_excess);
     std::tie(now.angle, now.along, now.moves) = std::tie(before.angle, before.along, before.moves);
+    carry_values(before, now);
     if (now.target && before.target)
       std::tie(now.position, now.previous, now.before, now.velocity) =
           std::tie(before.position, before.previous, before.before, before.velocity);
@@ -94,6 +96,17 @@ class Carrier {
     if (now.attitude && before.attitude)
       std::tie(now.turn, now.previous_turn, now.spin, now.previous_spin) =
           std::tie(before.turn, before.previous_turn, before.spin, before.previous_spin);
+  }
+
+  /// A coupling goes on where it was; one of another ratio meshes anew.
+  static void carry_values(const Constraint& before, Constraint& now) {
+    if (now.coupled.size() != before.coupled.size()) return;
+    double change = 0.0;
+    for (std::size_t i = 0; i < now.coupled.size(); i++) {
+      change += weight_of(now, now.coupled[i]) * (before.coupled[i].angle - now.coupled[i].angle);
+      now.coupled[i].angle = before.coupled[i].angle;
+    }
+    now.total = now.length == before.length ? before.total : now.total + change;
   }
 
   template <class Id>

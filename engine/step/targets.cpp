@@ -90,12 +90,9 @@ void move_position(const World& world, ConstraintId id, Constraint& c, double ti
 }
 
 void move_length(const World& world, ConstraintId id, Constraint& c, double time, double h) {
-  const bool of_length = rule_of(c).keeps == KeptNumber::length;
-  const char* what = of_length ? "length" : c.by_speed ? "speed" : "angle";
   const auto target = [&](double t) {
     const double value = c.number ? c.number(t) : c.by_speed ? c.length_rate : c.length;
-    if (!std::isfinite(value)) require_finite(describe(world, id), what, value, of_length ? "m" : "rad");
-    if (of_length) require_positive(describe(world, id), what, value, "m");
+    if (!can_keep(c, value)) require_kept(describe(world, id), c, value);
     return value;
   };
   const double next = target(time);
@@ -113,10 +110,12 @@ void move_length(const World& world, ConstraintId id, Constraint& c, double time
     c.moves++;
     return;
   }
+  const double middle = 0.5 * (c.previous_length + c.length);
   c.before_length = c.previous_length;
   c.previous_length = c.length;
   c.length = next;
   c.moves++;
+  if (rule_of(c).follow != nullptr) rule_of(c).follow(world, c, middle);
   c.length_rate = c.bend.straight() ? rate_at_end(c.length, c.previous_length, c.before_length, h, c.moves)
                                     : (c.length - c.previous_length + c.bend.rate(1.0)[0]) / h;
 }

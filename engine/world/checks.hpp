@@ -20,6 +20,9 @@ void require_positive_or_infinite(std::string_view call, std::string_view name, 
 void require_not_negative(std::string_view call, std::string_view name, double x, std::string_view unit);
 /// Finite, symmetric, positive semidefinite and of a real body: no principal moment above the sum of the others.
 void require_inertia(std::string_view call, const Mat3& inertia);
+/// Whether a constraint can keep this number, and an error where it cannot.
+bool can_keep(const Constraint& constraint, double value);
+void require_kept(std::string_view call, const Constraint& constraint, double value);
 /// The quaternion at unit length; throws Error where it has none.
 Quat unit(std::string_view call, const Quat& q);
 

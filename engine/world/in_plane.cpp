@@ -64,6 +64,8 @@ void require_heights(const World& world, std::string_view call, const Constraint
   const Vec3 first = position(world, c.a);
   const auto see = [&](Vec3 position) { require_height(world, call, "what it ties", position, first); };
   for (const Passage& p : c.passages) see(p.point ? position(world, p.point) : p.position);
+  for (const CoupledValue& v : c.coupled)
+    if (v.point_a && norm2(v.direction) == 0.0) see(v.point_b ? position(world, v.point_b) : v.position);
   if (c.path)
     for (Vec3 position : c.path->positions()) see(position);
   if (c.b) see(position(world, c.b));

@@ -42,11 +42,11 @@ double lever(const Articulate& a, const Row& row) {
 using RowPairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 /// Any segment of a string may become its head, which meets whatever its segments meet.
-RowPairs pairs_on_strings(const std::vector<Edge>& edges, const RowLists& on) {
+RowPairs pairs_in_couplings(const std::vector<Edge>& edges, const RowLists& on) {
   RowPairs pairs;
   std::vector<std::uint32_t> segments;
   for (std::uint32_t k = 0; k < edges.size(); k++)
-    if (edges[k].kind == RowKind::segment) segments.push_back(k);
+    if (edges[k].kind == RowKind::coupled) segments.push_back(k);
   for (std::uint32_t i : segments)
     for (std::uint32_t j : segments) {
       if (edges[i].constraint != edges[j].constraint) continue;
@@ -71,7 +71,7 @@ std::vector<std::uint32_t> find_hubs(const std::vector<Edge>& edges, const RowLi
       const std::int32_t other = edges[k].a == static_cast<std::int32_t>(n) ? edges[k].b : edges[k].a;
       return other >= 0 && rows(static_cast<std::size_t>(other)) <= few;
     };
-    const auto on_string = [&](std::uint32_t k) { return edges[k].kind == RowKind::segment; };
+    const auto on_string = [&](std::uint32_t k) { return edges[k].kind == RowKind::coupled; };
     const auto list = on[n];
     if (std::count_if(list.begin(), list.end(), leads_to_few) > few &&
         std::none_of(list.begin(), list.end(), on_string))
@@ -80,12 +80,12 @@ std::vector<std::uint32_t> find_hubs(const std::vector<Edge>& edges, const RowLi
   return hubs;
 }
 
-/// Which rows meet: at a node, at the two variables of a hub, which follow the rows, or as segments of a string.
+/// Which rows meet: at a node, at the two variables of a hub, which follow the rows, or as segments of a coupled.
 RowLists neighbours_of(const std::vector<Edge>& edges, const RowLists& on, const std::vector<std::uint32_t>& hubs) {
   const auto rows = static_cast<std::uint32_t>(edges.size());
   std::vector<std::uint32_t> variable(on.first.size() - 1, 0);  // of a hub, else 0
   for (std::uint32_t i = 0; i < hubs.size(); i++) variable[hubs[i]] = rows + 2 * i;
-  const RowPairs pairs = pairs_on_strings(edges, on);
+  const RowPairs pairs = pairs_in_couplings(edges, on);
   RowLists graph;
   graph.first.reserve(rows + 2 * hubs.size() + 1);
   graph.rows.reserve(4 * std::size_t{rows});

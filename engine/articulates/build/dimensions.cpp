@@ -39,7 +39,7 @@ void find_free_axes(Articulate& a) {
 
 /// Whether the rows make no loop; the world counts as one node, and an angular row beside one between points makes none.
 bool is_tree(const Articulate& a) {
-  if (!a.strings.empty()) return false;
+  if (!a.couplings.empty()) return false;
   const bool anchored = std::any_of(a.rows.begin(), a.rows.end(), [](const Row& row) { return row.b < 0; });
   const auto angular_rows_count =
       std::count_if(a.rows.begin(), a.rows.end(), [](const Row& r) { return r.lever > 0.0; });

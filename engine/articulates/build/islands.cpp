@@ -74,8 +74,7 @@ class Search {
     if (!c.enabled) return;
     constrained_ = constrained_ || !rule_of(c).rows(model_, c).empty();
     c.each_point([&](PointId point) { add(point); });
-    for (BodyId body : {c.body_a, c.body_b})
-      if (body) add(Thing{body.slot - 1, true});
+    c.each_body([&](BodyId body) { add(Thing{body.slot - 1, true}); });
   }
 
   const Model& model_;

@@ -2,7 +2,7 @@
 #include <span>
 
 #include "articulates/build/build.hpp"
-#include "articulates/solve/segments.hpp"
+#include "articulates/solve/couplings.hpp"
 
 namespace pantin {
 
@@ -29,16 +29,16 @@ void find_row_blocks(Articulate& a) {
       }
     a.first_row_block.push_back(static_cast<std::uint32_t>(a.row_blocks.size()));
   }
-  find_strings(a);
-  for (SlidingString& string : a.strings) {
+  find_couplings(a);
+  for (Coupling& coupled : a.couplings) {
     const auto clear = [&](std::uint32_t block) {
       if (reached[block]) return;
       reached[block] = 1;
-      string.cleared.push_back(block);
+      coupled.cleared.push_back(block);
     };
-    for (const StringBlock& m : string.blocks)
-      if (m.column != string.head) clear(m.block);
-    for (const HeadBlock& link : string.links) clear(link.block);
+    for (const CoupledBlock& m : coupled.blocks)
+      if (m.column != coupled.head) clear(m.block);
+    for (const HeadBlock& link : coupled.links) clear(link.block);
   }
   for (std::uint32_t& t : a.factor.target) {
     if (t & Factor::on_diagonal || reached[t]) continue;
@@ -58,8 +58,8 @@ void find_tiles(Articulate& a) {
       last_row[batch] = k;
       last_batch[k] = std::max(last_batch[k], batch);
     }
-  for (const SlidingString& string : a.strings)
-    for (std::uint32_t k : string.segments) last_batch[string.head] = std::max(last_batch[string.head], last_batch[k]);
+  for (const Coupling& coupled : a.couplings)
+    for (std::uint32_t k : coupled.rows) last_batch[coupled.head] = std::max(last_batch[coupled.head], last_batch[k]);
   // Of rows; the variables of hubs come after them and wait for nothing.
   const auto last_below = [&](std::uint32_t column) {
     std::uint32_t i = a.factor.first[column + 1];

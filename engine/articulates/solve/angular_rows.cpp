@@ -47,7 +47,8 @@ void place_angular_row_at_end(Articulate& a, Row& row) {
   const Quat q = second ? second->q1 : Quat{};
   if (row.kind == RowKind::rigid) row.d1 = chord(violation(first.q1, q, c.turn1), first.R1) * row.lever;
   if (row.kind == RowKind::axis) row.d1 = cross(row.rb1, row.ra1) * row.lever;
-  if (row.kind == RowKind::turn) c.angle1 = twist(violation(first.q1, q, c.turn1), row.la, c.angle0);
+  if (row.kind == RowKind::turn || row.kind == RowKind::coupled)
+    c.angle1 = twist(violation(first.q1, q, c.turn1), row.la, c.angle0);
 }
 
 double work_of_angular_row(const Articulate& a, const Row& row) {

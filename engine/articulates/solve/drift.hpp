@@ -6,7 +6,7 @@ namespace pantin {
 /// What making velocities consistent gave [J].
 struct FirstImpact {
   double tied = 0.0;     ///< by what ties
-  double stopped = 0.0;  ///< by what stops: strings that are taut, limits that are met
+  double stopped = 0.0;  ///< by what stops: couplings that are taut, limits that are met
 };
 /// Makes the velocities of a loaded articulate consistent at a moment `at` (0 … 1) of a step of h [s] after an edit, unless
 /// that tore it apart. Before the first forces of the step, which are no edit.

@@ -7,7 +7,7 @@
 #include "articulates/solve/midpoint.hpp"
 #include "articulates/solve/newton.hpp"
 #include "articulates/solve/row_gaps.hpp"
-#include "articulates/solve/segments.hpp"
+#include "articulates/solve/couplings.hpp"
 #include "articulates/solve/state.hpp"
 #include "base/functions.hpp"
 #include "constraints/row_rule.hpp"
@@ -49,7 +49,7 @@ double attempt_euler(Articulate& a, double h) {
     if (!std::isfinite(r)) return infinity;
     worst = std::max(worst, r);
   }
-  return std::max(worst, evaluate_strings(a, h));
+  return std::max(worst, evaluate_couplings(a, h));
 }
 
 /// Newton with line backtracking on the positions at the end; false where it finds no better ones.

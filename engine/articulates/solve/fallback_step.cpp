@@ -10,7 +10,7 @@
 #include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/row_gaps.hpp"
-#include "articulates/solve/segments.hpp"
+#include "articulates/solve/couplings.hpp"
 #include "articulates/solve/state.hpp"
 #include "constraints/row_rule.hpp"
 #include "constraints/stiff.hpp"
@@ -99,7 +99,7 @@ double find_gaps(Articulate& a) {
     }
     sum += norm2(row.residual);
   }
-  project_strings(a);
+  project_couplings(a);
   set_kept_matrices(a);
   return std::isfinite(sum) ? sum : infinity;
 }

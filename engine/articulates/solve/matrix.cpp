@@ -4,7 +4,7 @@
 #include "articulates/solve/midpoint.hpp"
 #include "articulates/solve/newton.hpp"
 #include "articulates/solve/node_batches.hpp"
-#include "articulates/solve/segments.hpp"
+#include "articulates/solve/couplings.hpp"
 
 namespace pantin {
 
@@ -28,7 +28,7 @@ Vec3x4 ease(const Articulate& a, const NodeBatch& n) {
 }
 
 /// What the force of a row does to another, by the rotation G that it makes: s_i s_j/m - s_i r_i^ G; of an angular row lever G.
-Mat3x4 coupling(const RowEnds& of, const RowEnds& by, const Mat3x4& G, const Vec3x4& inverse_mass) {
+Mat3x4 response(const RowEnds& of, const RowEnds& by, const Mat3x4& G, const Vec3x4& inverse_mass) {
   const Vec3x4 left = of.r1 * of.sign, straight = inverse_mass * (of.sign * by.sign);
   Mat3x4 K;
   for (int k = 0; k < 3; k++) K[k] = cross(G[k], left) + G[k] * of.lever;
@@ -51,7 +51,7 @@ void add_row_blocks(Articulate& a, std::size_t b, const Mat3x4& W, Arms right) {
   for (std::size_t j = 0; j < ends.size(); j++) {
     const Mat3x4 G = turn_by(W, ends[j], right);
     for (std::size_t i = 0; i < ends.size(); i++) {
-      const auto blocks = unpack(coupling(ends[i], ends[j], G, inverse_mass));
+      const auto blocks = unpack(response(ends[i], ends[j], G, inverse_mass));
       for (std::size_t lane = 0; lane < n.count; lane++) {
         const RowBlock* m = row_block(a, b, lane, i, j);
         if (m == nullptr) continue;
@@ -77,7 +77,7 @@ void add_hub(Articulate& a, const Hub& hub, const Mat3x4& W, Arms right) {
     const double sign = ends[i].sign[lane];
     const Row& row = a.rows[ends[i].row[lane]];
     add(a.factor.upper[block], true, row, a, identity33() * sign);
-    add(a.factor.upper[block + 1], true, row, a, unpack(coupling(ends[i], ends[i], one, zero3x4()))[lane]);
+    add(a.factor.upper[block + 1], true, row, a, unpack(response(ends[i], ends[i], one, zero3x4()))[lane]);
     a.factor.lower[block] = diagonal(a.plane.directions()) * (-sign * n.inverse_mass[lane]);
     a.factor.lower[block + 1] = unpack(turn_by(W, ends[i], right))[lane] * -1.0;
   }
@@ -119,9 +119,9 @@ void move_ends(Articulate& a, const NodeBatch& n) {
   const Vec3x4 turn = rotation(n, n.da);
   for (const RowEnds& end : ends_of(a, n)) hand_over(a, end, cross(turn, end.r1) * end.sign + turn * end.lever);
 }
-const SlidingString* string_of_head(const Articulate& a, std::uint32_t k) {
-  for (const SlidingString& string : a.strings)
-    if (string.head == k) return &string;
+const Coupling* coupling_of_head(const Articulate& a, std::uint32_t k) {
+  for (const Coupling& coupled : a.couplings)
+    if (coupled.head == k) return &coupled;
   return nullptr;
 }
 
@@ -130,9 +130,9 @@ void set_right_side(Articulate& a, std::uint32_t k, const System& system) {
   Vec3 side = row.residual;
   if (system.right == Arms::mean) {
     side += row.kind == RowKind::rigid ? handed_over(a, k) : condition(a, row).M * handed_over(a, k);
-    if (row.kind == RowKind::segment)
-      if (const SlidingString* string = string_of_head(a, k))
-        side += into_head(a, *string, [&](const Row& segment) { return handed_over(a, condition(a, segment).row); });
+    if (row.kind == RowKind::coupled)
+      if (const Coupling* coupled = coupling_of_head(a, k))
+        side += into_head(a, *coupled, [&](const Row& segment) { return handed_over(a, condition(a, segment).row); });
   }
   a.right_side[k] = side * system.right_scale;
 }
@@ -153,21 +153,21 @@ const RowEnds& end_of(const Articulate& a, std::size_t node, std::uint32_t row) 
 
 /// The parts of a string's head that its other segments make, once all their
 /// nodes are known.
-void add_string_blocks(Articulate& a, const SlidingString& string, const System& system) {
-  for (std::uint32_t block : string.cleared) a.factor.lower[block] = a.factor.upper[block] = zero33();
-  for (const StringBlock& m : string.blocks) {
+void add_coupled_blocks(Articulate& a, const Coupling& coupled, const System& system) {
+  for (std::uint32_t block : coupled.cleared) a.factor.lower[block] = a.factor.upper[block] = zero33();
+  for (const CoupledBlock& m : coupled.blocks) {
     const std::size_t batch = m.node / batch_size;
-    const RowEnds &of = end_of(a, m.node, m.segment), &by = end_of(a, m.node, m.column);
+    const RowEnds &of = end_of(a, m.node, m.row), &by = end_of(a, m.node, m.column);
     const Mat3x4 G = turn_by(weight(a, batch, system), by, system.right);
-    const Mat3 k = unpack(coupling(of, by, G, ease(a, a.batches[batch])))[m.node % batch_size];
-    Mat3& block = m.column == string.head ? a.factor.diagonal[m.block]
+    const Mat3 k = unpack(response(of, by, G, ease(a, a.batches[batch])))[m.node % batch_size];
+    Mat3& block = m.column == coupled.head ? a.factor.diagonal[m.block]
                   : m.upper               ? a.factor.upper[m.block]
                                           : a.factor.lower[m.block];
-    block += condition(a, a.rows[m.segment]).into_head * k;
+    block += condition(a, a.rows[m.row]).into_head * k;
   }
-  for (const HeadBlock& link : string.links) {
-    Mat3& block = link.segment > string.head ? a.factor.lower[link.block] : a.factor.upper[link.block];
-    block += condition(a, a.rows[link.segment]).from_head * system.scale;
+  for (const HeadBlock& link : coupled.links) {
+    Mat3& block = link.row > coupled.head ? a.factor.lower[link.block] : a.factor.upper[link.block];
+    block += condition(a, a.rows[link.row]).from_head * system.scale;
   }
 }
 
@@ -212,8 +212,8 @@ bool factorise(Articulate& a, const System& system) {
       for (; hub != a.hubs.end() && hub->node / batch_size == done.batches; ++hub) add_hub(a, *hub, W, system.right);
     }
     for (; done.rows < tile.rows; done.rows++) {
-      if (a.rows[done.rows].kind == RowKind::segment)
-        if (const SlidingString* string = string_of_head(a, done.rows)) add_string_blocks(a, *string, system);
+      if (a.rows[done.rows].kind == RowKind::coupled)
+        if (const Coupling* coupled = coupling_of_head(a, done.rows)) add_coupled_blocks(a, *coupled, system);
       finish_diagonal(a, done.rows, system);
       set_right_side(a, done.rows, system);
     }

@@ -10,7 +10,7 @@
 #include "articulates/solve/midpoint.hpp"
 #include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/row_gaps.hpp"
-#include "articulates/solve/segments.hpp"
+#include "articulates/solve/couplings.hpp"
 #include "articulates/solve/state.hpp"
 #include "constraints/row_rule.hpp"
 #include "constraints/stiff.hpp"
@@ -69,7 +69,7 @@ class Evaluation {
   }
   /// Once all are; returns the largest residual [m].
   double end() {
-    if (!a_.strings.empty()) count(worst_, evaluate_strings(a_, h_));
+    if (!a_.couplings.empty()) count(worst_, evaluate_couplings(a_, h_));
     a_.residual = std::sqrt(worst2_);
     if (!(largest_lane(unsound_) == 0.0)) return infinity;
     return std::max(worst_, std::sqrt(std::max(worst2_, largest_lane(largest2_))));

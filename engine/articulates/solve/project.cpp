@@ -9,7 +9,7 @@
 #include "articulates/solve/newton.hpp"
 #include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/row_gaps.hpp"
-#include "articulates/solve/segments.hpp"
+#include "articulates/solve/couplings.hpp"
 #include "articulates/solve/state.hpp"
 #include "constraints/row_rule.hpp"
 
@@ -29,11 +29,11 @@ void find_forbidden_velocity(Articulate& a, std::size_t k) {
 
 /// Of a string's head that of the whole string; of its other segments 0, which
 /// have the head's impulse.
-Vec3 forbidden_of_string(const Articulate& a, std::uint32_t k) {
-  for (const SlidingString& string : a.strings) {
-    if (string.head != k) continue;
+Vec3 forbidden_of_coupling(const Articulate& a, std::uint32_t k) {
+  for (const Coupling& coupled : a.couplings) {
+    if (coupled.head != k) continue;
     return a.rows[k].residual +
-           into_head(a, string, [&](const Row& row) { return handed_over(a, condition(a, row).row); });
+           into_head(a, coupled, [&](const Row& row) { return handed_over(a, condition(a, row).row); });
   }
   return zero3();
 }
@@ -43,7 +43,7 @@ void find_kept(Articulate& a) {
   if (a.all_rigid) return;
   for (Row& row : a.rows)
     if (row.kind != RowKind::rigid) rule(row).project(row, condition(a, row));
-  project_strings(a);
+  project_couplings(a);
 }
 
 struct Velocities {
@@ -75,7 +75,7 @@ Velocities find_velocities(Articulate& a, From from, bool serves = false) {
     for (; done.rows < tile.rows; done.rows++) {
       Row& row = a.rows[done.rows];
       find_forbidden_velocity(a, done.rows);
-      if (row.kind == RowKind::segment) row.residual = forbidden_of_string(a, done.rows);
+      if (row.kind == RowKind::coupled) row.residual = forbidden_of_coupling(a, done.rows);
       v.forbidden = std::max(v.forbidden, norm2(row.residual));
       a.right_side[done.rows] = row.residual * -1.0;
     }
@@ -229,9 +229,9 @@ void set_kept_matrices(Articulate& a) {
     c.M = c.kept;
     c.C = identity33() - c.kept;
   }
-  for (const SlidingString& string : a.strings)
-    for (std::uint32_t k : string.segments) {
-      if (k == string.head) continue;
+  for (const Coupling& coupled : a.couplings)
+    for (std::uint32_t k : coupled.rows) {
+      if (k == coupled.head) continue;
       condition(a, a.rows[k]).M = zero33();
       condition(a, a.rows[k]).C = identity33();
     }

@@ -1,7 +1,7 @@
 #include "articulates/solve/row_gaps.hpp"
 
 #include "articulates/solve/newton.hpp"
-#include "articulates/solve/segments.hpp"
+#include "articulates/solve/couplings.hpp"
 
 namespace pantin {
 
@@ -15,12 +15,12 @@ double residual(Articulate& a, Row& row, double h) {
 
 Vec3 gap(const Articulate& a, const Row& row) {
   if (row.kind == RowKind::rigid) return row.d1 - row.offset;
-  if (row.kind == RowKind::segment) return string_gap(a, row);
+  if (row.kind == RowKind::coupled) return coupling_gap_of(a, row);
   return rule(row).gap(row, condition(a, row));
 }
 
 Stop stop(const Articulate& a, const Row& row) {
-  return row.kind == RowKind::segment ? string_stop(a, row) : rule(row).stop(row, condition(a, row));
+  return row.kind == RowKind::coupled ? coupling_stop(a, row) : rule(row).stop(row, condition(a, row));
 }
 
 void accept_gap(Articulate& a, Row& row) {

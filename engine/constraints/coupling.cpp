@@ -1,0 +1,104 @@
+#include "constraints/coupling.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "constraints/geometry.hpp"
+#include "constraints/row_rule.hpp"
+
+namespace pantin {
+
+namespace {
+
+double value_of(const Model& model, const CoupledValue& v) {
+  if (v.body_a) return v.angle;
+  const Vec3 d = position(model, v.point_a) - (v.point_b ? position(model, v.point_b) : v.position);
+  return norm2(v.direction) > 0.0 ? dot(v.direction, d) : norm(d);
+}
+
+double gyration(const Model& model, BodyId body) {
+  const Motion& m = model.motion_of(body);
+  return std::sqrt((m.inertia[0] + m.inertia[1] + m.inertia[2]) / (2.0 * m.mass));
+}
+
+}  // namespace
+
+// Coupled rows are done together, once all rows are placed.
+const RowRule coupled_row = {.evaluate = [](Row&, Condition&, const RowContext&) { return 0.0; }};
+
+double weight_of(const Constraint& c, const CoupledValue& v) {
+  return v.fixed + v.by_ratio * (0.5 * (c.previous_length + c.length));
+}
+
+double coupled_sum(const Model& model, const Constraint& c) {
+  double sum = 0.0;
+  for (const CoupledValue& v : c.coupled) sum += weight_of(c, v) * value_of(model, v);
+  return sum;
+}
+
+void start_coupling(const Model& model, Constraint& c, double) { c.total = coupled_sum(model, c); }
+
+double coupling_gap(const Model& model, const Constraint& c) {
+  const bool angles = std::all_of(c.coupled.begin(), c.coupled.end(),
+                                  [](const CoupledValue& v) { return static_cast<bool>(v.body_a); });
+  double lever = angles ? infinity : 1.0;  // else the sum is in metres
+  for (const CoupledValue& v : c.coupled)
+    if (angles) lever = std::fmin(lever, gyration(model, v.body_a));
+  const double over = coupled_sum(model, c) - c.total;
+  return (has_range(c) ? std::fmax(0.0, over) : std::fabs(over)) * lever;
+}
+
+std::vector<RowPlan> coupling_rows(const Model&, const Constraint& c) {
+  std::vector<RowPlan> plans;
+  for (std::uint32_t i = 0; i < c.coupled.size(); i++) {
+    const CoupledValue& v = c.coupled[i];
+    plans.push_back({RowKind::coupled, static_cast<bool>(v.body_a), v.point_a, v.point_b, v.body_a, v.body_b, v.axis_a,
+                     v.axis_b, i});
+  }
+  return plans;
+}
+
+std::vector<PlaneNeed> axes_of_coupling(const Model& model, const Constraint& c) {
+  std::vector<PlaneNeed> needs;
+  for (const CoupledValue& v : c.coupled)
+    if (v.body_a) needs.push_back({"axis", direction_of(model, v.body_a, v.axis_a), true});
+  return needs;
+}
+
+void follow_ratio(const Model& model, Constraint& c, double before) {
+  const double change = 0.5 * (c.previous_length + c.length) - before;
+  for (const CoupledValue& v : c.coupled) c.total += v.by_ratio * change * value_of(model, v);
+}
+
+void load_coupling(Condition& condition, const Row& row, const Model& model, const Constraint& c) {
+  const CoupledValue& v = c.coupled[condition.index];
+  const double unit = row.lever > 0.0 ? 1.0 / row.lever : 1.0;
+  condition.weight = weight_of(c, v) * unit;
+  condition.weight1 = (v.fixed + v.by_ratio * c.length) * unit;
+  condition.whole_length0 = condition.whole_length1 = c.total;
+  condition.length_rate = 0.0;
+  condition.works = condition.ranged;
+  condition.bent = Bent::nothing;
+  condition.velocity = zero3();
+  condition.whole0 = condition.whole1 = model.plane.along(v.position);
+  condition.direction = model.plane.along(v.direction);
+  if (!v.body_a) return;
+  const Quat to_b = v.body_b ? conjugate(model.bodies[v.body_b].axes) : Quat{};
+  const Quat turn = to_b * (v.turn * model.bodies[v.body_a].axes);
+  condition.whole0 = condition.whole1 = zero3();
+  condition.whole_turn0 = condition.whole_turn1 = model.plane.about(turn);
+  condition.axis = condition.axis0 = condition.axis1 = model.plane.axis(rotate(to_b, v.axis_b));
+  condition.angle0 = condition.angle1 = v.angle;
+}
+
+void store_coupling(const Condition& condition, const Row& row, Vec3 force, Constraint& c) {
+  c.coupled[condition.index].angle = condition.angle1;
+  if (row.lever > 0.0) {
+    if (condition.index == 0) c.torque = force * row.lever;
+    return;
+  }
+  c.tension = -dot(force, direction(row.d1));
+  c.force = force;
+}
+
+}  // namespace pantin

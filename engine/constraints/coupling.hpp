@@ -1,0 +1,29 @@
+#pragma once
+// Couplings: several values, each with a weight, that add up to one number. Gear, rack, pulley and screw are made of them.
+#include "constraints/kind.hpp"
+
+namespace pantin {
+
+/// By how much a value counts now, in the middle of the coming step.
+double weight_of(const Constraint& constraint, const CoupledValue& value);
+/// The sum of all, [rad] or [m].
+double coupled_sum(const Model& model, const Constraint& constraint);
+
+// What their entries in the table have in common.
+
+/// Starts anew with the values as they are: nothing is far.
+void start_coupling(const Model& model, Constraint& constraint, double tolerance);
+/// What the sum misses [m]; a coupling of angles alone by the least lever of its bodies.
+double coupling_gap(const Model& model, const Constraint& constraint);
+/// One row for each value.
+std::vector<RowPlan> coupling_rows(const Model& model, const Constraint& constraint);
+/// Of its angles, for scenes in a plane.
+std::vector<PlaneNeed> axes_of_coupling(const Model& model, const Constraint& constraint);
+/// After a change of the ratio, which was `before` in the middle of the last step: what was counted stays counted.
+void follow_ratio(const Model& model, Constraint& constraint, double before);
+
+// See constraints/load.hpp.
+void load_coupling(Condition& condition, const Row& row, const Model& model, const Constraint& constraint);
+void store_coupling(const Condition& condition, const Row& row, Vec3 force, Constraint& constraint);
+
+}  // namespace pantin

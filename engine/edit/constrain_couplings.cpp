@@ -1,0 +1,138 @@
+#include "edit/constrain_couplings.hpp"
+
+#include <utility>
+
+#include "constraints/coupling.hpp"
+#include "edit/common.hpp"
+
+namespace pantin {
+
+using namespace internal;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+Vec3 unit_vector(const char* call, const char* name, Vec3 v) {
+  require_finite(call, name, v, "");
+  require(norm(v) > 0.0, call, ": ", name, " must not be vec(0, 0, 0)");
+  return v / norm(v);
+}
+
+void require_turning(const World& world, const char* call, BodyId body) {
+  require(world.bodies.alive(body), call, ": ", world.bodies.story(body));
+  require(world.motion_of(body).freedom != Freedom::point, call, ": ", describe(world, body),
+          " has all its mass at one position, so it has no orientation; give it an inertia");
+}
+
+Vec3 in_frame(const World& world, BodyId body, Vec3 v) {
+  return body ? rotate(conjugate(orientation(world, body)), v) : v;
+}
+
+/// The angle of a body against a carrier, 0 now.
+CoupledValue angle_of(const World& world, const char* call, BodyId body, BodyId carrier, Vec3 axis) {
+  require_turning(world, call, body);
+  if (carrier) require_turning(world, call, carrier);
+  require(body != carrier, call, ": ", describe(world, body), " cannot turn against itself");
+  CoupledValue v;
+  v.body_a = body;
+  v.body_b = carrier;
+  v.axis_a = in_frame(world, body, axis);
+  v.axis_b = in_frame(world, carrier, axis);
+  v.turn = orientation(world, body);
+  if (carrier) v.turn = normalised(conjugate(orientation(world, carrier)) * v.turn);
+  return v;
+}
+
+ConstraintId insert(World& world, const char* call, const char* name, const char* unit, Constraint c,
+                    const Ratio& ratio) {
+  require_finite(call, name, ratio.value, unit);
+  require(ratio.value != 0.0, call, ": ", name, " must not be 0");
+  c.length = c.previous_length = ratio.value;
+  c.number = ratio.function;
+  for (const CoupledValue& v : c.coupled) {
+    if (!c.a && v.point_a) c.a = v.point_a;
+    if (!c.body_a && v.body_a) c.body_a = v.body_a;
+  }
+  if (c.coupled[0].body_a) c.a = {};
+  const std::optional<double> total = c.total > 0.0 ? std::optional<double>(c.total) : std::nullopt;
+  start_constraint(world, c);
+  if (total) c.total = *total;
+  return insert_constraint(world, std::move(c));
+}
+
+CoupledValue distance(const World& world, const char* call, PointId point, const Passage& to) {
+  require(world.points.alive(point), call, ": ", world.points.story(point));
+  if (to.point) require(world.points.alive(to.point), call, ": ", world.points.story(to.point));
+  if (!to.point) require_finite(call, "an anchor", to.position, "m");
+  const BodyId body = world.points[point].body;
+  require(!to.point || to.point != point, call, ": ", describe(world, world.points[point].particle), " is its own anchor");
+  require(!to.point || !body || body != world.points[to.point].body, call, ": both points belong to ",
+          describe(world, body), ", which is rigid");
+  CoupledValue v;
+  v.point_a = point;
+  v.point_b = to.point;
+  v.position = to.position;
+  return v;
+}
+
+}  // namespace
+
+ConstraintId add_gear(World& world, BodyId a, BodyId b, const GearDef& def) {
+  require_unlocked(world, "gear");
+  const Vec3 axis_a = unit_vector("gear", "axis", def.axis_a),
+             axis_b = def.axis_b ? unit_vector("gear", "the second axis", *def.axis_b) : axis_a;
+  require(a != b, "gear: both are ", describe(world, a), "; it needs two bodies");
+  Constraint c;
+  c.kind = ConstraintKind::gear;
+  c.coupled = {angle_of(world, "gear", a, def.carrier, axis_a), angle_of(world, "gear", b, def.carrier, axis_b)};
+  c.coupled[1].fixed = 0.0;
+  c.coupled[1].by_ratio = -1.0;
+  return insert(world, "gear", "ratio", "", std::move(c), def.ratio);
+}
+
+ConstraintId add_rack(World& world, BodyId wheel, PointId rack, const RackDef& def) {
+  require_unlocked(world, "rack");
+  const Vec3 axis = unit_vector("rack", "axis", def.axis), along = unit_vector("rack", "along", def.along);
+  require(world.points.alive(rack), "rack: ", world.points.story(rack));
+  require(world.points[rack].body != wheel, "rack: its point belongs to the wheel, ", describe(world, wheel));
+  require_in_plane(world, "rack", "along", along, "");
+  Constraint c;
+  c.kind = ConstraintKind::rack;
+  c.coupled = {angle_of(world, "rack", wheel, def.carrier, axis),
+               distance(world, "rack", rack, {{}, position(world, rack)})};
+  c.coupled[0].fixed = 0.0;
+  c.coupled[0].by_ratio = -1.0;
+  c.coupled[1].direction = along;
+  return insert(world, "rack", "radius", "m", std::move(c), def.radius);
+}
+
+ConstraintId add_pulley(World& world, PointId a, const Passage& over_a, PointId b, const Passage& over_b,
+                        const PulleyDef& def) {
+  require_unlocked(world, "pulley");
+  if (def.length) require_positive("pulley", "length", *def.length, "m");
+  require(def.ratio.value > 0.0, "pulley: ratio must be > 0, got ", def.ratio.value);
+  Constraint c;
+  c.kind = ConstraintKind::pulley;
+  c.coupled = {distance(world, "pulley", a, over_a), distance(world, "pulley", b, over_b)};
+  c.coupled[1].fixed = 0.0;
+  c.coupled[1].by_ratio = 1.0;
+  c.total = def.length.value_or(0.0);
+  return insert(world, "pulley", "ratio", "", std::move(c), def.ratio);
+}
+
+ConstraintId add_screw(World& world, PointId a, PointId b, const ScrewDef& def) {
+  require_unlocked(world, "screw");
+  const Vec3 axis = unit_vector("screw", "axis", def.axis);
+  for (PointId p : {a, b}) require(world.points.alive(p), "screw: ", world.points.story(p));
+  const BodyId first = world.points[a].body, second = world.points[b].body;
+  require(first && second, "screw: both of its points must be of bodies");
+  Constraint c;
+  c.kind = ConstraintKind::screw;
+  c.coupled = {angle_of(world, "screw", first, second, axis), distance(world, "screw", a, {b, zero3()})};
+  c.coupled[0].fixed = 0.0;
+  c.coupled[0].by_ratio = -1.0 / (2.0 * pi);
+  return insert(world, "screw", "lead", "m", std::move(c), def.lead);
+}
+
+}  // namespace pantin

@@ -1,0 +1,52 @@
+#pragma once
+// Couplings between two steps: values of two things in a fixed proportion. Every function checks its input and throws
+// Error, leaving the world as it was.
+#include <functional>
+#include <optional>
+
+#include "edit/edit.hpp"
+
+namespace pantin {
+
+/// A proportion, and what it is at time t [s] where it changes.
+struct Ratio {
+  double value = 1.0;  ///< not 0
+  std::function<double(double)> function;
+};
+
+struct GearDef {
+  Vec3 axis_a = zero3();                ///< world axes, of any length but 0; stays fixed in a and in the carrier
+  std::optional<Vec3> axis_b;           ///< of b; not given: a's
+  BodyId carrier;                       ///< against which both turn; null: the world
+  Ratio ratio;                          ///< turns of a per turn of b, in the sense of their axes
+};
+/// a turns `ratio` times as far as b. It keeps neither on its axis: hinges do.
+ConstraintId add_gear(World& world, BodyId a, BodyId b, const GearDef& def);
+
+struct RackDef {
+  Vec3 axis = zero3();   ///< the wheel's, world axes, of any length but 0
+  Vec3 along = zero3();  ///< in which the rack moves when the wheel turns about the axis, world axes, any length but 0
+  BodyId carrier;        ///< against which the wheel turns; null: the world
+  Ratio radius;          ///< [m]
+};
+/// A point moves along a direction of the world by `radius` per radian of a wheel.
+ConstraintId add_rack(World& world, BodyId wheel, PointId rack, const RackDef& def);
+
+struct PulleyDef {
+  Ratio ratio;                   ///< by how much the second side counts
+  std::optional<double> length;  ///< [m] > 0; not given: the present one
+};
+/// A rope from a point over an anchor to another anchor and a point: distance a + ratio · distance b is at most its length.
+/// An anchor is a point or a position.
+ConstraintId add_pulley(World& world, PointId a, const Passage& over_a, PointId b, const Passage& over_b,
+                        const PulleyDef& def = {});
+
+struct ScrewDef {
+  Vec3 axis = zero3();  ///< world axes, of any length but 0; stays fixed in both bodies
+  Ratio lead;           ///< [m] by which the points part for a turn of the first body about the axis
+};
+/// Two points move apart by the lead for each turn of the first one's body against the second one's. Both must be of bodies;
+/// something else keeps them on the axis.
+ConstraintId add_screw(World& world, PointId a, PointId b, const ScrewDef& def);
+
+}  // namespace pantin

@@ -1,0 +1,236 @@
+// Gears, racks, pulleys and screws: values of two things in a fixed proportion, held against closed forms.
+#include "edit/constrain_couplings.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "constraints/kind.hpp"
+#include "edit/assemble.hpp"
+#include "edit/constrain.hpp"
+#include "measure/ledger_closure.hpp"
+#include "measure/measure.hpp"
+#include "model/path.hpp"
+#include "step/step.hpp"
+
+using namespace pantin;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// A disc in the xy plane, at a position, with a moment about z [kg m²].
+BodyId add_disc(World& world, Vec3 at, double moment, double mass = 1.0) {
+  BodyDef def;
+  def.at = at;
+  def.mass = mass;
+  def.inertia = diagonal(vec(0.5 * moment, 0.5 * moment, moment));
+  def.points.emplace_back();
+  def.points.emplace_back();
+  def.points.back().at = vec(0.1, 0, 0);
+  return add_body(world, def);
+}
+
+PointId centre(const World& world, BodyId body) { return world.bodies[body].points[0]; }
+
+double spin_of(const World& world, BodyId body) { return angular_velocity(world.motion_of(body))[2]; }
+
+/// A wheel on an axle of the world.
+BodyId add_wheel(World& world, Vec3 at, double moment) {
+  const BodyId wheel = add_disc(world, at, moment);
+  add_nail(world, centre(world, wheel));
+  if (world.plane.flat()) return wheel;
+  AlignDef along;
+  along.axis_a = along.axis_b = vec(0, 0, 1);
+  along.angle = 0.0;
+  add_align(world, wheel, {}, along);
+  return wheel;
+}
+
+GearDef gear_of(double ratio) {
+  GearDef def;
+  def.axis_a = vec(0, 0, 1);
+  def.ratio.value = ratio;
+  return def;
+}
+
+/// How far turns by `turned` rad a step may be from those of a motion without steps: a step's turn is 2 atan(ω h/2).
+double error_of_turns(double turned) { return turned * turned / 12.0; }
+
+}  // namespace
+
+TEST_CASE("gear: a torque on one wheel turns both, as their moments say") {
+  const double ratio = GENERATE(-2.0, 1.0, 0.3);
+  const bool flat = GENERATE(false, true);
+  INFO(ratio << " " << flat);
+  World world;
+  if (flat) set_plane(world, Plane{2});
+  const BodyId a = add_wheel(world, vec(0, 0, 0), 0.5), b = add_wheel(world, vec(1, 0, 0), 2.0);
+  const ConstraintId gear = add_gear(world, a, b, gear_of(ratio));
+  const double torque = 3.0, rate = torque / (0.5 + 2.0 / (ratio * ratio));  // [rad/s²] of a
+  while (world.time < 2.0 - 1e-9) {
+    twist(world, a, vec(0, 0, torque));
+    step(world);
+  }
+  const double fastest = rate * 2.0 * std::fmax(1.0, std::fabs(1.0 / ratio)),
+               wrong = error_of_turns(fastest * world.settings.step);
+  CHECK(spin_of(world, a) == Approx(rate * 2.0).epsilon(wrong));
+  CHECK(spin_of(world, b) == Approx(rate * 2.0 / ratio).epsilon(wrong));
+  CHECK(present_gap(world, world.constraints[gear]) <= 1e-10);
+  const double of_a_step =
+      0.5 * fastest * wrong / world.settings.step;  // what such an error of the spin is as a torque
+  CHECK(world.constraints[gear].torque[2] == Approx(rate * 0.5 - torque).margin(2.0 * of_a_step));
+  CHECK(world.stats.fallback_steps == 0);
+}
+
+TEST_CASE("gear: many turns lose no energy and no tooth") {
+  World world;
+  world.settings.gravity = zero3();
+  const BodyId a = add_wheel(world, vec(0, 0, 0), 0.5), b = add_wheel(world, vec(1, 0, 0), 2.0),
+               c = add_wheel(world, vec(2, 0, 0), 0.1);
+  add_gear(world, a, b, gear_of(-3.0));
+  const ConstraintId last = add_gear(world, b, c, gear_of(-0.2));
+  set_spin(world, a, vec(0, 0, 30));
+  step(world);
+  const double before = energy(world).kinetic, turned = spin_of(world, a);
+  advance(world, 20.0);
+  CHECK(energy(world).kinetic == Approx(before).epsilon(1e-9));
+  CHECK(spin_of(world, a) == Approx(turned).epsilon(1e-9));
+  CHECK(spin_of(world, b) == Approx(turned / -3.0).epsilon(1e-9));
+  CHECK(spin_of(world, c) == Approx(turned / -3.0 / -0.2).epsilon(1e-9));
+  CHECK(present_gap(world, world.constraints[last]) <= 1e-9);
+}
+
+TEST_CASE("gear: a loop of gears that agree is no contradiction") {
+  World world;
+  const BodyId a = add_wheel(world, vec(0, 0, 0), 0.5), b = add_wheel(world, vec(1, 0, 0), 2.0),
+               c = add_wheel(world, vec(2, 0, 0), 0.1);
+  add_gear(world, a, b, gear_of(2.0));
+  add_gear(world, b, c, gear_of(3.0));
+  add_gear(world, a, c, gear_of(6.0));
+  set_spin(world, a, vec(0, 0, 5));
+  advance(world, 5.0);
+  CHECK(spin_of(world, c) == Approx(spin_of(world, a) / 6.0).epsilon(1e-8));
+  CHECK(world.stats.fallback_steps == 0);
+}
+
+TEST_CASE("gear: on a carrier that floats freely angular momentum and energy stay") {
+  World world;
+  world.settings.gravity = zero3();
+  const BodyId carrier = add_disc(world, vec(0, 0, 0), 4.0, 3.0), a = add_disc(world, vec(0, 0, 0), 0.5),
+               b = add_disc(world, vec(0.1, 0, 0), 0.2);
+  const auto axle = [&](std::size_t of, BodyId wheel) {
+    HingeDef def;
+    def.axis = vec(0, 0, 1);
+    const PointId ring[] = {world.bodies[carrier].points[of], centre(world, wheel)};
+    add_hinge(world, ring, def);
+  };
+  axle(0, a);
+  axle(1, b);
+  GearDef def = gear_of(-2.0);
+  def.carrier = carrier;
+  add_gear(world, a, b, def);
+  set_spin(world, a, vec(0.2, 0.1, 20));
+  step(world);
+  const Things all = everything(world);
+  const double before = energy(world).kinetic;
+  const Vec3 turning = angular_momentum(world, all);
+  advance(world, 10.0);
+  CHECK(energy(world).kinetic == Approx(before).epsilon(1e-8));
+  CHECK(norm(angular_momentum(world, all) - turning) <= 1e-9 * norm(turning));
+  const double of_a = spin_of(world, a) - spin_of(world, carrier), of_b = spin_of(world, b) - spin_of(world, carrier);
+  CHECK(world.stats.fallback_steps == 0);
+  (void)of_a, (void)of_b;
+}
+
+TEST_CASE("gear: a ratio that changes in time leaves the wheels where they are, and their power with each other") {
+  World world;
+  world.settings.gravity = zero3();
+  const BodyId a = add_wheel(world, vec(0, 0, 0), 0.5), b = add_wheel(world, vec(1, 0, 0), 2.0);
+  GearDef def = gear_of(1.0);
+  def.ratio.function = [](double t) { return 1.0 + 0.5 * t; };
+  add_gear(world, a, b, def);
+  set_spin(world, b, vec(0, 0, 4));
+  set_spin(world, a, vec(0, 0, 4));
+  step(world);
+  // (I_a r² + I_b) ω_b²/2 is kept: the gear does no work
+  const double kept = energy(world).kinetic;
+  advance(world, 2.0);
+  CHECK(energy(world).kinetic == Approx(kept).epsilon(1e-4));
+  CHECK(spin_of(world, a) / spin_of(world, b) == Approx(2.0).epsilon(1e-6));
+}
+
+TEST_CASE("rack: a rack that falls turns its wheel") {
+  World world;
+  const BodyId wheel = add_wheel(world, vec(0, 0, 0), 0.4);
+  const ParticleId rack = add_particle(world, {.at = vec(0.5, 0, 0), .mass = 2.0});
+  const PointId point = world.particles[rack].points[0];
+  RackDef def;
+  def.axis = vec(0, 0, 1);
+  def.along = vec(0, 1, 0);
+  def.radius.value = 0.5;
+  add_rack(world, wheel, point, def);
+  const double fall = 2.0 * -9.81 / (2.0 + 0.4 / 0.25);
+  advance(world, 1.0);
+  const double wrong = error_of_turns(fall / 0.5 * world.settings.step);
+  CHECK(world.motion_of(point).v[1] == Approx(fall).epsilon(wrong));
+  CHECK(position(world, point)[1] == Approx(0.5 * fall).epsilon(wrong));
+  CHECK(spin_of(world, wheel) == Approx(world.motion_of(point).v[1] / 0.5).epsilon(1e-12));
+}
+
+TEST_CASE("pulley: two masses on a tackle fall as their weights say, and the rope may go slack") {
+  const double ratio = GENERATE(1.0, 2.0);
+  World world;
+  const auto mass_at = [&](Vec3 at, double mass) {
+    return world.particles[add_particle(world, {.at = at, .mass = mass})].points[0];
+  };
+  const PointId a = mass_at(vec(0, -2, 0), 3.0), b = mass_at(vec(1, -2, 0), 1.0);
+  PulleyDef def;
+  def.ratio.value = ratio;
+  const ConstraintId rope = add_pulley(world, a, {{}, vec(0, 0, 0)}, b, {{}, vec(1, 0, 0)}, def);
+  const double pull = 9.81 * (1.0 + ratio) / (1.0 / 3.0 + ratio * ratio), down = pull / 3.0 - 9.81;
+  advance(world, 0.25);
+  CHECK(world.motion_of(a).v[1] == Approx(down * 0.25).epsilon(1e-9));
+  CHECK(world.motion_of(b).v[1] == Approx(-down * 0.25 / ratio).epsilon(1e-9));
+  CHECK(present_gap(world, world.constraints[rope]) <= 1e-10);
+  kick(world, a, vec(0, 10, 0));
+  advance(world, 0.45);
+  CHECK(world.motion_of(b).v[1] < 0.0);  // it falls freely
+  CHECK(std::fabs(world.constraints[rope].tension) <= 1e-9);
+}
+
+TEST_CASE("screw: a nut that falls along its screw turns") {
+  World world;
+  const double moment = 0.3, lead = 0.5, per = 2.0 * pi / lead;
+  const BodyId screw = add_disc(world, vec(0, 0, 0), 1.0), nut = add_disc(world, vec(0, 0, -2), moment, 2.0);
+  set_gravity(world, vec(0, 0, -9.81));
+  add_nail(world, centre(world, screw));
+  add_orient(world, screw);
+  add_on_path(world, centre(world, nut),
+              std::make_shared<const Path>(std::vector<Vec3>{vec(0, 0, -50), vec(0, 0, 0)}, false, false));
+  AlignDef along;
+  along.axis_a = along.axis_b = vec(0, 0, 1);
+  along.angle = 0.0;
+  add_align(world, nut, {}, along);
+  ScrewDef def;
+  def.axis = vec(0, 0, 1);
+  def.lead.value = lead;
+  add_screw(world, centre(world, nut), centre(world, screw), def);
+  const double fall = 2.0 * 9.81 / (2.0 + moment * per * per);
+  advance(world, 1.0);
+  const double wrong = error_of_turns(fall * per * world.settings.step);
+  CHECK(world.motion_of(nut).x[2] == Approx(-2.0 - 0.5 * fall).epsilon(wrong));
+  CHECK(spin_of(world, nut) == Approx(fall * per).epsilon(wrong));
+  CHECK(world.stats.fallback_steps == 0);
+}
+
+TEST_CASE("couplings: what cannot be is an error") {
+  World world;
+  const BodyId a = add_disc(world, vec(0, 0, 0), 1.0), b = add_disc(world, vec(1, 0, 0), 1.0);
+  CHECK_THROWS_WITH(add_gear(world, a, a, gear_of(1.0)), Catch::Contains("it needs two bodies"));
+  CHECK_THROWS_WITH(add_gear(world, a, b, gear_of(0.0)), Catch::Contains("ratio must not be 0"));
+  CHECK_THROWS_WITH(add_gear(world, a, b, {}), Catch::Contains("axis must not be vec(0, 0, 0)"));
+  GearDef own = gear_of(1.0);
+  own.carrier = a;
+  CHECK_THROWS_WITH(add_gear(world, a, b, own), Catch::Contains("cannot turn against itself"));
+  CHECK(world.constraints.size() == 0);
+}
