@@ -141,21 +141,20 @@ void Animation::add_particles(const World& world) {
 void Animation::add_constraints(const World& world) {
   for (const ConstraintId id : world.constraints.ids()) {
     const Constraint& c = world.constraints[id];
-    if (!c.enabled) continue;
-    if (c.kind == ConstraintKind::nail && world.points.alive(c.a)) {
-      const double joint = joints_[world.points[c.a].particle.slot - 1],
-                   radius = 1.6 * std::max(joint, 0.04 * stage_.unit);
-      add({nail, number(id), 0}, name_or(c.name, "nail", id.slot), ball(iron), c.position, {},
-          vec(radius, radius, radius));
-    } else if (c.kind == ConstraintKind::rod && world.points.alive(c.a)) {
-      const Vec3 a = position(world, c.a), shift = shown_place(world, c.a) - a;
-      add_stick({rod, number(id), 0}, name_or(c.name, "rod", id.slot), a + shift,
-                (c.b ? position(world, c.b) : c.position) + shift, 0.025 * std::min(c.length, stage_.unit), iron);
+    find_look(world, c, stage_, look_);
+    const std::string name = name_or(c.name, constraint_names[static_cast<std::size_t>(c.kind)].data(), id.slot);
+    for (std::size_t i = 0; i < look_.knobs.size(); i++) {
+      const ConstraintLook::Knob& k = look_.knobs[i];
+      double radius = k.radius;
+      if (k.joints > 0.0)
+        radius = k.joints * std::max(joints_[world.points[c.a].particle.slot - 1], 0.04 * stage_.unit);
+      add({knob, number(id), i}, i == 0 ? name : text(name, ".", i), ball(iron), k.at, {}, vec(radius, radius, radius));
     }
-    for (std::size_t i = 1; i < c.passages.size(); i++) {
-      const auto place = [&](const Passage& p) { return p.point ? position(world, p.point) : p.position; };
-      add_stick({string, number(id), i}, text(name_or(c.name, "string", id.slot), ".", i), place(c.passages[i - 1]),
-                place(c.passages[i]), 0.01 * stage_.unit, thread);
+    for (std::size_t i = 0; i < look_.lines.size(); i++) {
+      const ConstraintLook::Line& l = look_.lines[i];
+      const double radius = l.radius > 0.0 ? l.radius : 0.008 * stage_.unit;
+      add_stick({l.metal ? bar : string, number(id), i}, look_.lines.size() == 1 ? name : text(name, ".", i + 1),
+                l.from, l.to, radius, l.metal ? iron : thread);
     }
   }
 }

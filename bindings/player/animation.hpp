@@ -35,7 +35,7 @@ class Animation {
   };
   /// Where in the kinds of things, which of them, and which look of it.
   using Key = std::array<std::uint64_t, 3>;
-  enum Kind : std::uint64_t { body, hinge, particle, nail, rod, string, tie };
+  enum Kind : std::uint64_t { body, hinge, particle, knob, bar, string, tie };
   class File;
 
   void add_frame(const World& world);
@@ -53,6 +53,7 @@ class Animation {
 
   FrameClock clock_;
   Stage stage_;
+  ConstraintLook look_;
   Shapes shapes_;
   Appearance appearance_;
   std::vector<double> joints_;  // [m] (slots of particles) radius that a hinge should exceed

@@ -7,7 +7,6 @@
 #include "forces/curves.hpp"
 #include "forces/forces.hpp"
 #include "laws/run/sites.hpp"
-#include "model/path.hpp"
 
 namespace pantin {
 
@@ -256,69 +255,36 @@ void DrawListMaker::draw_free(const World& world, std::uint32_t slot, Vec3 at, c
   draw_list.streaks.push_back({eye.place(at), width, eye.place(at - trail), shown, opacity});
 }
 
-void DrawListMaker::draw_path(const Path& path, const Eye& eye, const Stage& stage, DrawList& draw_list) {
-  const int parts = (path.smooth() ? 12 : 1) * static_cast<int>(path.pieces());
-  for (int i = 0; i < parts; i++) {
-    const double scale = path.pieces() / parts;
-    eye.bar(draw_list, path.position(i * scale), path.position((i + 1) * scale), 0.012 * stage.unit, 0.8, linear(iron));
-  }
-}
-
-/// A square in the plane, round the point that is on it.
-void DrawListMaker::draw_plane(Vec3 at, Vec3 normal, const Eye& eye, const Stage& stage, DrawList& draw_list) {
-  const Vec3 u =
-      direction(cross(normal, std::fabs(normal[0]) < 0.7 ? vec(1, 0, 0) : vec(0, 1, 0))) * (0.4 * stage.unit);
-  const Vec3 v = cross(normal, u);
-  const Vec3 corners[] = {at + u + v, at - u + v, at - u - v, at + u - v};
-  for (int i = 0; i < 4; i++) eye.bar(draw_list, corners[i], corners[(i + 1) % 4], 0.0, 0.6, linear(thread));
-}
-
-/// Strings, paths, planes, joins and limits of length; false for other constraints.
-bool DrawListMaker::draw_guide(const World& world, const Constraint& c, const Eye& eye, const Stage& stage,
-                               DrawList& draw_list) const {
-  const Rgb tie = by_load(linear(thread), c.tension);
-  switch (c.kind) {
-    case ConstraintKind::string: {
-      const auto place = [&](const Passage& p) { return p.point ? position(world, p.point) : p.position; };
-      for (std::size_t i = 1; i < c.passages.size(); i++)
-        eye.bar(draw_list, place(c.passages[i - 1]), place(c.passages[i]), 0.01 * stage.unit, 0.7, tie);
-      for (const Passage& p : c.passages)
-        if (!p.point)
-          eye.ball(draw_list, p.position, 0.05 * stage.unit, 2.5, linear(iron), DrawList::hinge, linear(iron));
-      return true;
-    }
-    case ConstraintKind::on_path: draw_path(*c.path, eye, stage, draw_list); return true;
-    case ConstraintKind::on_plane: draw_plane(position(world, c.a), c.axis_a, eye, stage, draw_list); return true;
-    case ConstraintKind::join:
-    case ConstraintKind::limit:
-      eye.bar(draw_list, position(world, c.a), c.b ? position(world, c.b) : c.position, 0.0, 0.6, tie);
-      return true;
-    default: return false;
-  }
+/// What a hand holds by: redder the harder it pulls.
+void DrawListMaker::draw_grab(const World& world, const Constraint& c, const Eye& eye, DrawList& draw_list) {
+  const Vec3 a = shown_place(world, c.a), place = c.position + (a - position(world, c.a));
+  const double pull = std::isfinite(c.max_force) && c.max_force > 0.0 ? norm(c.force) / c.max_force : 0.5;
+  const double width = 1.2 + 2.3 * std::clamp(std::sqrt(pull), 0.0, 1.0);  // [px]
+  if (!finite(a)) return;
+  eye.bar(draw_list, a, place, 0.0, width, linear(grip), true);
+  eye.ball(draw_list, place, 0.0, 5.5, linear(grip), DrawList::plain, {});
 }
 
 void DrawListMaker::draw_constraints(const World& world, const Eye& eye, const Stage& stage, DrawList& draw_list) {
-  const Rgb metal = linear(iron), red = linear(grip);
+  const Rgb metal = linear(iron);
   for (std::uint32_t s = 0; s < world.constraints.slots(); s++) {
     const Constraint& c = world.constraints.at_slot(s);
-    if (!world.constraints.alive_at(s) || !c.enabled || !world.points.alive(c.a)) continue;
-    const Vec3 a = shown_place(world, c.a), shift = a - position(world, c.a), place = c.position + shift;
-    if (!finite(a)) continue;
-    const double joint = std::max(static_cast<double>(joints_[world.points[c.a].particle.slot - 1]), 0.04) * stage.unit;
-    const double least = std::min(4.5, 3.2 * joint / eye.pixel_at(a));  // [px]
-    if (draw_guide(world, c, eye, stage, draw_list)) continue;
-    if (c.kind == ConstraintKind::rod) {
-      const Vec3 b = c.b ? position(world, c.b) + shift : place;
-      eye.bar(draw_list, a, b, 0.025 * std::min(c.length, stage.unit), 0.8, by_load(metal, c.tension));
-      if (!c.b) eye.ball(draw_list, b, 1.7 * joint, least, metal, DrawList::hinge, metal);
-    } else if (c.hand < 0) {
-      eye.ball(draw_list, place, 1.6 * joint, least, metal, DrawList::hinge,
-               mix(metal, red, c.kind == ConstraintKind::nail ? 0.0f : 0.6f));
-    } else {
-      const double pull = std::isfinite(c.max_force) && c.max_force > 0.0 ? norm(c.force) / c.max_force : 0.5;
-      const double width = 1.2 + 2.3 * std::clamp(std::sqrt(pull), 0.0, 1.0);  // [px]
-      eye.bar(draw_list, a, place, 0.0, width, red, true);
-      eye.ball(draw_list, place, 0.0, 5.5, red, DrawList::plain, {});
+    if (!world.constraints.alive_at(s) || !c.enabled) continue;
+    if (c.hand >= 0) draw_grab(world, c, eye, draw_list);
+    find_look(world, c, stage, look_);
+    for (const ConstraintLook::Line& l : look_.lines) {
+      const Rgb color = linear(l.metal ? iron : thread);
+      eye.bar(draw_list, l.from, l.to, l.radius, l.least, l.loaded ? by_load(color, c.tension) : color);
+    }
+    for (const ConstraintLook::Knob& k : look_.knobs) {
+      double radius = k.radius, least = 2.5;  // [px]
+      if (k.joints > 0.0) {
+        const double joint =
+            std::max(static_cast<double>(joints_[world.points[c.a].particle.slot - 1]), 0.04) * stage.unit;
+        radius = k.joints * joint;
+        least = std::min(4.5, 3.2 * joint / eye.pixel_at(shown_place(world, c.a)));
+      }
+      eye.ball(draw_list, k.at, radius, least, metal, DrawList::hinge, mix(metal, linear(grip), k.red ? 0.6f : 0.0f));
     }
   }
 }

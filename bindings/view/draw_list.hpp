@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "view/appearance.hpp"
+#include "view/constraint_look.hpp"
 #include "view/overlay.hpp"
 #include "view/shape.hpp"
 #include "view/tints.hpp"
@@ -80,10 +81,7 @@ class DrawListMaker {
   void draw_particles(const World& world, const Eye& eye, const Stage& stage, DrawList& draw_list);
   void draw_free(const World& world, std::uint32_t slot, Vec3 at, const Eye& eye, const Stage& stage,
                  DrawList& draw_list);
-  bool draw_guide(const World& world, const Constraint& constraint, const Eye& eye, const Stage& stage,
-                  DrawList& draw_list) const;
-  static void draw_path(const Path& path, const Eye& eye, const Stage& stage, DrawList& draw_list);
-  static void draw_plane(Vec3 at, Vec3 normal, const Eye& eye, const Stage& stage, DrawList& draw_list);
+  static void draw_grab(const World& world, const Constraint& constraint, const Eye& eye, DrawList& draw_list);
   void draw_constraints(const World& world, const Eye& eye, const Stage& stage, DrawList& draw_list);
   void draw_connections(const World& world, const Eye& eye, const Stage& stage, DrawList& draw_list) const;
   void find_loads(const World& world, const Views& views, const Stage& stage);
@@ -93,6 +91,7 @@ class DrawListMaker {
   Shapes shapes_;
   Appearance appearance_;
   Tints tints_;
+  ConstraintLook look_;
   std::vector<double> loads_;  // [N] (slots of connections)
   double most_load_ = 0.0;     // [N] of all; 0: loads are not shown
   std::vector<float> joints_;  // [m] (slots of particles): what a hinge should exceed

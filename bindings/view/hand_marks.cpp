@@ -123,7 +123,7 @@ class Pen {
   void target(const AnyId& thing, Color color) {
     if (!alive(viewport_.world, thing)) return;
     if (const auto* body = std::get_if<BodyId>(&thing)) {
-      const Vec3 middle = seen_place(viewport_.world, thing).from;
+      const Vec3 middle = seen_place(viewport_, thing).from;
       const auto& points = viewport_.world.bodies[*body].points;
       for (std::size_t i = 0; i < std::min<std::size_t>(points.size(), 64); i++)
         line(middle, shown_place(viewport_.world, points[i]), color, 4.0);
@@ -134,7 +134,7 @@ class Pen {
     const Seen seen =
         particle && !viewport_.world.particles[*particle].is_hinge()
             ? Seen{shown_place(viewport_.world, viewport_.world.particles[*particle].points[0]), zero3(), false}
-            : seen_place(viewport_.world, thing);
+            : seen_place(viewport_, thing);
     if (seen.tie)
       line(seen.from, seen.to, color, 4.0);
     else

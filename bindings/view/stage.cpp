@@ -6,6 +6,9 @@
 #include <queue>
 #include <unordered_map>
 
+#include "constraints/kind.hpp"
+#include "view/constraint_look.hpp"
+
 namespace pantin {
 
 namespace {
@@ -40,8 +43,8 @@ std::vector<double> lengths(const World& world) {
     if (extent > 0.0 || turning > 0.0) list.push_back(extent > 0.0 ? extent : turning);
   }
   for (std::uint32_t s = 0; s < world.constraints.slots(); s++)
-    if (world.constraints.alive_at(s) && world.constraints.at_slot(s).kind == ConstraintKind::rod)
-      list.push_back(world.constraints.at_slot(s).length);
+    if (const Constraint& c = world.constraints.at_slot(s); world.constraints.alive_at(s) && !has_range(c))
+      if (const auto reach = drawing_of(c).reach; reach != nullptr && reach(c) > 0.0) list.push_back(reach(c));
   return list;
 }
 
@@ -71,9 +74,8 @@ class Reach {
   explicit Reach(const World& world) : world_(world), reached_(world.points.slots()) {
     for (std::uint32_t s = 0; s < world.constraints.slots(); s++) {
       const Constraint& c = world.constraints.at_slot(s);
-      const bool held = c.pins() || c.kind == ConstraintKind::rod || c.kind == ConstraintKind::limit;
-      if (!world.constraints.alive_at(s) || !c.a || !(held || c.kind == ConstraintKind::follow)) continue;
-      const double length = c.kind == ConstraintKind::rod ? c.length : c.kind == ConstraintKind::limit ? c.high : 0.0;
+      if (!world.constraints.alive_at(s) || !c.a || drawing_of(c).reach == nullptr) continue;
+      const double length = drawing_of(c).reach(c);
       if (c.b) ties_[c.a.slot].push_back({c.b, length});
       if (c.b) ties_[c.b.slot].push_back({c.a, length});
       if (c.hand < 0 && !c.b) offer(c.a, length, c.position);

@@ -40,10 +40,7 @@ void each_cuttable(const World& world, const Visit& visit) {
   for (std::uint32_t s = 0; s < world.constraints.slots(); s++) {
     if (!world.constraints.alive_at(s)) continue;
     const Constraint& c = world.constraints.at_slot(s);
-    const bool seen = c.kind == ConstraintKind::nail || c.kind == ConstraintKind::rod ||
-                      c.kind == ConstraintKind::join || c.kind == ConstraintKind::string ||
-                      (c.kind == ConstraintKind::limit && c.a) || (c.kind == ConstraintKind::follow && c.hand < 0);
-    if (seen) visit(AnyId(world.constraints.id_at(s)));
+    if (is_cuttable(c) && c.hand < 0) visit(AnyId(world.constraints.id_at(s)));
   }
   for (std::uint32_t s = 0; s < world.connections.slots(); s++)
     if (world.connections.alive_at(s) && world.connections.at_slot(s).count == 2)
@@ -57,16 +54,14 @@ double distance_to(const Viewport& viewport, const AnyId& thing, const Stroke& s
     if (!a || !b) return std::numeric_limits<double>::infinity();
     return distance({stroke.x0, stroke.y0}, {stroke.x1, stroke.y1}, {a->x, a->y}, {b->x, b->y});
   };
-  const auto* id = std::get_if<ConstraintId>(&thing);
-  if (id && viewport.world.constraints[*id].kind == ConstraintKind::string) {
-    const auto& passages = viewport.world.constraints[*id].passages;
-    const auto place = [&](const Passage& p) { return p.point ? position(viewport.world, p.point) : p.position; };
+  if (const auto* id = std::get_if<ConstraintId>(&thing)) {
+    ConstraintLook look;
+    find_look(viewport.world, viewport.world.constraints[*id], viewport.stage, look);
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 1; i < passages.size(); i++)
-      least = std::min(least, to_line(place(passages[i - 1]), place(passages[i])));
-    return least;
+    for (const ConstraintLook::Line& line : look.lines) least = std::min(least, to_line(line.from, line.to));
+    if (!look.lines.empty()) return least;
   }
-  const Seen seen = seen_place(viewport.world, thing);
+  const Seen seen = seen_place(viewport, thing);
   return to_line(seen.from, seen.to);
 }
 
@@ -96,7 +91,8 @@ double distance_to_outline(std::vector<Spot>& spots, Spot at) {
 
 }  // namespace
 
-Seen seen_place(const World& world, const AnyId& thing) {
+Seen seen_place(const Viewport& viewport, const AnyId& thing) {
+  const World& world = viewport.world;
   if (const auto* hinge = std::get_if<ParticleId>(&thing)) {
     const Vec3 at = shown_place(world, star(world, *hinge));
     return {at, at, false};
@@ -113,13 +109,11 @@ Seen seen_place(const World& world, const AnyId& thing) {
   const auto* id = std::get_if<ConstraintId>(&thing);
   if (!id) return {};
   const Constraint& c = world.constraints[*id];
-  if (c.kind == ConstraintKind::string && c.passages.size() > 1) {
-    const auto place = [&](const Passage& p) { return p.point ? position(world, p.point) : p.position; };
-    return {place(c.passages.front()), place(c.passages.back()), true};
-  }
-  const Vec3 a = shown_place(world, c.a), shift = a - position(world, c.a);
-  if (c.kind == ConstraintKind::nail || c.kind == ConstraintKind::follow) return {a, a, false};
-  return {a, c.b ? position(world, c.b) + shift : c.position + shift, true};
+  ConstraintLook look;
+  find_look(world, c, viewport.stage, look);
+  if (!look.lines.empty()) return {look.lines.front().from, look.lines.back().to, true};
+  if (!c.a) return {};
+  return {shown_place(world, c.a), shown_place(world, c.a), false};
 }
 
 std::vector<AnyId> cuttable(const Viewport& viewport, const Stroke& stroke) {
@@ -127,7 +121,7 @@ std::vector<AnyId> cuttable(const Viewport& viewport, const Stroke& stroke) {
   std::vector<AnyId> found;
   double best = std::numeric_limits<double>::infinity();
   each_cuttable(viewport.world, [&](const AnyId& thing) {
-    const bool tie = seen_place(viewport.world, thing).tie;
+    const bool tie = seen_place(viewport, thing).tie;
     const double away = distance_to(viewport, thing, stroke);
     if (!click) {
       if (away <= (tie ? 0.0 : stroke_reach)) found.push_back(thing);
@@ -186,7 +180,7 @@ AnyId pick_thing(const Viewport& viewport, double x, double y) {
       pick_point(viewport.world, viewport.stage, viewport.camera, x, y, viewport.width, viewport.height, 14.0);
   if (point && !viewport.world.points[point].body) return viewport.world.points[point].own;
   if (const std::vector<AnyId> ties = cuttable(viewport, {x, y, x, y});
-      !ties.empty() && seen_place(viewport.world, ties[0]).tie)
+      !ties.empty() && seen_place(viewport, ties[0]).tie)
     return ties[0];
   if (const BodyId body = pick_body(viewport, x, y)) return body;
   return {};

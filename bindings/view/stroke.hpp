@@ -10,7 +10,7 @@ struct Stroke {
   double x0 = 0.0, y0 = 0.0, x1 = 0.0, y1 = 0.0;  ///< [px]
 };
 
-/// Hinges, nails, rods, strings, joins and connections that a stroke crosses; of those at its click's place the nearest.
+/// Hinges, connections and the constraints that a hand may cut, where a stroke crosses; of those at its click's place the nearest.
 /// What hands hold by is not among them.
 std::vector<AnyId> cuttable(const Viewport& viewport, const Stroke& stroke);
 /// Where such a thing is seen: one place of a hinge or nail, the two ends of a tie [m].
@@ -18,7 +18,7 @@ struct Seen {
   Vec3 from = zero3(), to = zero3();
   bool tie = false;
 };
-Seen seen_place(const World& world, const AnyId& thing);
+Seen seen_place(const Viewport& viewport, const AnyId& thing);
 
 /// The body whose outline a pixel is in or at most `reach` [px] from; the nearest to the eye of several. Null: none.
 BodyId pick_body(const Viewport& viewport, double x, double y, double reach = 12.0);

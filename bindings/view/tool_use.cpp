@@ -31,13 +31,9 @@ const char* kind_of(const World& world, const AnyId& thing, bool many) {
   if (std::holds_alternative<ParticleId>(thing)) return many ? "hinges" : "hinge";
   if (std::holds_alternative<ConnectionId>(thing)) return many ? "connections" : "connection";
   const auto* id = std::get_if<ConstraintId>(&thing);
-  const ConstraintKind kind = id && world.constraints.alive(*id) ? world.constraints[*id].kind : ConstraintKind::axis;
-  switch (kind) {
-    case ConstraintKind::nail: return many ? "nails" : "nail";
-    case ConstraintKind::rod: return many ? "rods" : "rod";
-    case ConstraintKind::string: return many ? "strings" : "string";
-    default: return many ? "ties" : "tie";
-  }
+  const ConstraintDrawing& drawing =
+      id && world.constraints.alive(*id) ? drawing_of(world.constraints[*id]) : ConstraintDrawing{};
+  return many ? drawing.many : drawing.one;
 }
 
 /// "cut 3 hinges", "cut 2 ties" of several kinds.
