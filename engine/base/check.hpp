@@ -1,8 +1,10 @@
 #pragma once
 // Two grades of wrong: `require` tells the caller of bad input, `assume` stops on a fault of our own.
-#include <sstream>
+#include <concepts>
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace pantin {
 
@@ -14,20 +16,39 @@ struct Error : std::runtime_error {
 /// A number as people write it: the shortest text that reads back as the same double.
 std::string to_text(double value);
 
-namespace detail {
-inline void put(std::ostringstream& out, double value) { out << to_text(value); }
-template <class T>
-void put(std::ostringstream& out, const T& value) {
-  out << value;
-}
-}  // namespace detail
+/// A part of a text: a text, a character, a whole number, or a number as `to_text` writes it.
+class TextPart {
+ public:
+  TextPart(std::string_view text) : kind_(Kind::text), text_(text) {}
+  TextPart(const std::string& text) : TextPart(std::string_view(text)) {}
+  TextPart(const char* text) : TextPart(std::string_view(text)) {}
+  TextPart(char letter) : kind_(Kind::letter), letter_(letter) {}
+  TextPart(double number) : kind_(Kind::number), number_(number) {}
+  template <std::signed_integral T>
+  TextPart(T number) : kind_(Kind::whole), whole_(number) {}
+  template <std::unsigned_integral T>
+  TextPart(T number) : kind_(Kind::count), count_(number) {}
+
+  void append_to(std::string& text) const;
+
+ private:
+  enum class Kind : unsigned char { text, letter, number, whole, count };
+  Kind kind_;
+  union {
+    std::string_view text_;
+    char letter_;
+    double number_;
+    long long whole_;
+    unsigned long long count_;
+  };
+};
+
+std::string joined_text(std::initializer_list<TextPart> parts);
 
 /// Joins values into one text.
 template <class... Parts>
 std::string text(const Parts&... parts) {
-  std::ostringstream out;
-  (detail::put(out, parts), ...);
-  return out.str();
+  return joined_text({TextPart(parts)...});
 }
 
 /// Throws Error with the joined message.
