@@ -18,17 +18,17 @@ constexpr double turn = 6.283185307179586;  // [rad]
 /// By how much the box shows a constraint's point beside where it is.
 Vec3 shift_of(const World& world, const Constraint& c) { return shown_place(world, c.a) - position(world, c.a); }
 
-Vec3 second_end(const World& world, const Constraint& c) { return c.b ? position(world, c.b) : c.position; }
+Vec3 second_end(const World& world, const Constraint& c) { return c.b ? position(world, c.b) : c.position.now; }
 
 Vec3 place(const World& world, const Passage& p) { return p.point ? position(world, p.point) : p.position; }
 
 void draw_nail(const World& world, const Constraint& c, const Stage&, ConstraintLook& look) {
-  look.knobs.push_back({c.position + shift_of(world, c), 0.0, 1.6, c.kind != ConstraintKind::nail});
+  look.knobs.push_back({c.position.now + shift_of(world, c), 0.0, 1.6, c.kind != ConstraintKind::nail});
 }
 
 void draw_rod(const World& world, const Constraint& c, const Stage& stage, ConstraintLook& look) {
   const Vec3 shift = shift_of(world, c), end = second_end(world, c) + shift;
-  look.lines.push_back({position(world, c.a) + shift, end, 0.025 * std::min(c.length, stage.unit), 0.8, true});
+  look.lines.push_back({position(world, c.a) + shift, end, 0.025 * std::min(c.number.now, stage.unit), 0.8, true});
   if (!c.b) look.knobs.push_back({end, 0.0, 1.7});
 }
 
@@ -38,15 +38,15 @@ void draw_thread(const World& world, const Constraint& c, const Stage&, Constrai
 }
 
 void draw_string(const World& world, const Constraint& c, const Stage& stage, ConstraintLook& look) {
-  for (std::size_t i = 1; i < c.passages.size(); i++)
+  for (std::size_t i = 1; i < c.passages().size(); i++)
     look.lines.push_back(
-        {place(world, c.passages[i - 1]), place(world, c.passages[i]), 0.01 * stage.unit, 0.7, false, true});
-  for (const Passage& p : c.passages)
+        {place(world, c.passages()[i - 1]), place(world, c.passages()[i]), 0.01 * stage.unit, 0.7, false, true});
+  for (const Passage& p : c.passages())
     if (!p.point) look.knobs.push_back({p.position, 0.05 * stage.unit});
 }
 
 void draw_path(const World&, const Constraint& c, const Stage& stage, ConstraintLook& look) {
-  const Path& path = *c.path;
+  const Path& path = *c.as<PathData>().path;
   const int pieces = (path.smooth() ? 12 : 1) * static_cast<int>(path.pieces());
   const double scale = path.pieces() / pieces;
   for (int i = 0; i < pieces; i++)
@@ -107,12 +107,12 @@ void draw_teeth(const Wheel& wheel, double radius, int teeth, bool tooth_first, 
 /// Rings that roll on each other, as far apart as the wheels are: their radii are as the turns say. None where the axes are
 /// not parallel, or the wheels sit on one.
 void draw_gear(const World& world, const Constraint& c, const Stage& stage, ConstraintLook& look) {
-  const CoupledValue &of_a = c.coupled[0], &of_b = c.coupled[1];
+  const CoupledValue &of_a = c.coupled()[0], &of_b = c.coupled()[1];
   const Vec3 axis = rotate(orientation(world, of_a.body_a), of_a.axis_a),
              other = rotate(orientation(world, of_b.body_a), of_b.axis_a);
   Vec3 apart = world.motion_of(of_b.body_a).x - world.motion_of(of_a.body_a).x;
   apart -= axis * dot(apart, axis);
-  const double distance = norm(apart), ratio = c.length * (dot(axis, other) < 0.0 ? -1.0 : 1.0);
+  const double distance = norm(apart), ratio = c.number.now * (dot(axis, other) < 0.0 ? -1.0 : 1.0);
   if (std::fabs(dot(axis, other)) < 0.99 || distance < 0.05 * stage.unit || std::fabs(1.0 - ratio) < 1e-3) return;
   const double radius_b = distance / std::fabs(1.0 / ratio - 1.0), radius_a = radius_b / std::fabs(ratio);
   const bool inner = ratio > 0.0;  // the smaller one rolls in the larger
@@ -128,15 +128,15 @@ void draw_gear(const World& world, const Constraint& c, const Stage& stage, Cons
 
 /// The wheel's ring, and a bar with teeth past it.
 void draw_rack(const World& world, const Constraint& c, const Stage&, ConstraintLook& look) {
-  const CoupledValue &of_wheel = c.coupled[0], &of_rack = c.coupled[1];
+  const CoupledValue &of_wheel = c.coupled()[0], &of_rack = c.coupled()[1];
   const Vec3 along = of_rack.direction, at = shown_place(world, of_rack.point_a);
-  const double radius = std::fabs(c.length);
+  const double radius = std::fabs(c.number.now);
   Wheel wheel = wheel_of(world, of_wheel, zero3());
   Vec3 contact = at - wheel.at;
   contact = direction(contact - along * dot(contact, along) - wheel.axis * dot(contact, wheel.axis));
   wheel = wheel_of(world, of_wheel, contact);
   constexpr int teeth = 32;
-  const double pitch = radius * turn / teeth, moved = c.length * of_wheel.angle;
+  const double pitch = radius * turn / teeth, moved = c.number.now * of_wheel.angle;
   draw_teeth(wheel, radius, teeth, true, look);
   const int middle = 4 * static_cast<int>(std::lround((dot(at - wheel.at, along) - moved) / (2.0 * pitch)));
   const auto place = [&](int i) {
@@ -152,7 +152,7 @@ void draw_rack(const World& world, const Constraint& c, const Stage&, Constraint
 void draw_pulley(const World& world, const Constraint& c, const Stage& stage, ConstraintLook& look) {
   std::array<Vec3, 2> anchors;
   for (std::size_t i = 0; i < 2; i++) {
-    const CoupledValue& v = c.coupled[i];
+    const CoupledValue& v = c.coupled()[i];
     anchors[i] = v.point_b ? position(world, v.point_b) : v.position;
     look.lines.push_back({position(world, v.point_a), anchors[i], 0.01 * stage.unit, 0.7});
     look.knobs.push_back({anchors[i], 0.05 * stage.unit});
@@ -162,12 +162,12 @@ void draw_pulley(const World& world, const Constraint& c, const Stage& stage, Co
 
 /// A thread of the screw's lead between its points.
 void draw_screw(const World& world, const Constraint& c, const Stage& stage, ConstraintLook& look) {
-  const Vec3 from = position(world, c.coupled[1].point_a), to = position(world, c.coupled[1].point_b);
-  const Wheel wheel = wheel_of(world, c.coupled[0], across(to - from)[0]);
+  const Vec3 from = position(world, c.coupled()[1].point_a), to = position(world, c.coupled()[1].point_b);
+  const Wheel wheel = wheel_of(world, c.coupled()[0], across(to - from)[0]);
   const double radius = 0.12 * stage.unit, length = norm(to - from);
-  const double turns = std::clamp(length / std::fmax(std::fabs(c.length), 1e-9), 0.0, 60.0);
+  const double turns = std::clamp(length / std::fmax(std::fabs(c.number.now), 1e-9), 0.0, 60.0);
   const int pieces = std::max(1, static_cast<int>(12.0 * turns));
-  const Vec3 u = wheel.mark, v = cross(wheel.axis, u) * (c.length < 0.0 ? -1.0 : 1.0);
+  const Vec3 u = wheel.mark, v = cross(wheel.axis, u) * (c.number.now < 0.0 ? -1.0 : 1.0);
   const auto corner = [&](int i) {
     const double angle = turn * turns * i / pieces;
     return from + (to - from) * (static_cast<double>(i) / pieces) +
@@ -187,7 +187,7 @@ constexpr ConstraintDrawing unseen;
 constexpr std::array drawings = {
     /* nail */ ConstraintDrawing{"nail", "nails", draw_nail, always, none},
     /* follow */ ConstraintDrawing{"tie", "ties", draw_nail, always, none},
-    /* rod */ ConstraintDrawing{"rod", "rods", draw_rod, always, [](const Constraint& c) { return c.length; }},
+    /* rod */ ConstraintDrawing{"rod", "rods", draw_rod, always, [](const Constraint& c) { return c.number.now; }},
     /* axis */ unseen,
     /* weld */ unseen,
     /* orient */ unseen,

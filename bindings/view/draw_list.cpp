@@ -257,7 +257,7 @@ void DrawListMaker::draw_free(const World& world, std::uint32_t slot, Vec3 at, c
 
 /// What a hand holds by: redder the harder it pulls.
 void DrawListMaker::draw_grab(const World& world, const Constraint& c, const Eye& eye, DrawList& draw_list) {
-  const Vec3 a = shown_place(world, c.a), place = c.position + (a - position(world, c.a));
+  const Vec3 a = shown_place(world, c.a), place = c.position.now + (a - position(world, c.a));
   const double pull = std::isfinite(c.max_force) && c.max_force > 0.0 ? norm(c.force) / c.max_force : 0.5;
   const double width = 1.2 + 2.3 * std::clamp(std::sqrt(pull), 0.0, 1.0);  // [px]
   if (!finite(a)) return;

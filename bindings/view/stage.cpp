@@ -78,7 +78,7 @@ class Reach {
       const double length = drawing_of(c).reach(c);
       if (c.b) ties_[c.a.slot].push_back({c.b, length});
       if (c.b) ties_[c.b.slot].push_back({c.a, length});
-      if (c.hand < 0 && !c.b) offer(c.a, length, c.position);
+      if (c.hand < 0 && !c.b) offer(c.a, length, c.position.now);
     }
     tie_connections();
     expanded_.assign(world.bodies.slots(), 0);

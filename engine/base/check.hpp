@@ -1,10 +1,10 @@
 #pragma once
 // Two grades of wrong: `require` tells the caller of bad input, `assume` stops on a fault of our own.
-#include <concepts>
 #include <initializer_list>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace pantin {
 
@@ -24,9 +24,9 @@ class TextPart {
   TextPart(const char* text) : TextPart(std::string_view(text)) {}
   TextPart(char letter) : kind_(Kind::letter), letter_(letter) {}
   TextPart(double number) : kind_(Kind::number), number_(number) {}
-  template <std::signed_integral T>
+  template <class T, std::enable_if_t<std::is_integral_v<T> && std::is_signed_v<T>, int> = 0>
   TextPart(T number) : kind_(Kind::whole), whole_(number) {}
-  template <std::unsigned_integral T>
+  template <class T, std::enable_if_t<std::is_integral_v<T> && std::is_unsigned_v<T>, int> = 0>
   TextPart(T number) : kind_(Kind::count), count_(number) {}
 
   void append_to(std::string& text) const;

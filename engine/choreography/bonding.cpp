@@ -61,7 +61,8 @@ std::vector<ConstraintId> ties_of(const World& world, ParticleId id) {
   std::vector<ConstraintId> ties;
   for (PointId p : world.particles[id].points)
     for (ConstraintId c : world.points[p].constraints)
-      if (world.constraints[c].b || world.constraints[c].passages.size() > 1 || !world.constraints[c].coupled.empty())
+      if (world.constraints[c].b || world.constraints[c].passages().size() > 1 ||
+          !world.constraints[c].coupled().empty())
         ties.push_back(c);
   return ties;
 }
@@ -69,7 +70,7 @@ std::vector<ConstraintId> ties_of(const World& world, ParticleId id) {
 void end_joins(World& world, const BondingDef& def, ParticleId id) {
   for (ConstraintId tie : ties_of(world, id)) {
     const Constraint& c = world.constraints[tie];
-    if (c.progress && is_bond(world, def, world.points[c.a].particle, world.points[c.b].particle)) remove(world, tie);
+    if (c.progress() && is_bond(world, def, world.points[c.a].particle, world.points[c.b].particle)) remove(world, tie);
   }
 }
 

@@ -25,7 +25,7 @@ double size_of_pair(const World& world, const Constraint& c) {
 /// A limited join may be too weak for what holds its points apart.
 void tell_when_stuck(World& world, ConstraintId id, double apart) {
   const Constraint& c = world.constraints[id];
-  JoinProgress& progress = *c.progress;
+  JoinProgress& progress = *c.progress();
   if (apart < progress.nearest * (1.0 - nearer)) {
     progress.nearest = apart;
     progress.nearest_at = world.time;
@@ -52,7 +52,7 @@ void hold_when_near(World& world, ConstraintId id) {
 }
 
 bool has_met(const Constraint& c) {
-  return !std::isfinite(c.max_force) && norm2(c.away) == 0.0 && norm2(c.previous_away) == 0.0;
+  return !std::isfinite(c.max_force) && norm2(c.attract.away) == 0.0 && norm2(c.attract.previous_away) == 0.0;
 }
 
 /// In the next step, by the choreography: it may be gone by then.
@@ -70,15 +70,15 @@ void make_met_hinge(World& world, ConstraintId id) {
   const Constraint c = world.constraints[id];
   const Acting acting(world);
   world.locked = false;
-  world.who = [label = c.progress->label] { return label.empty() ? std::string("its join") : label; };
+  world.who = [label = c.progress()->label] { return label.empty() ? std::string("its join") : label; };
   const PointId points[] = {c.a, c.b};
   try {
     HingeDef def;
-    def.name = c.progress->hinge_name;
+    def.name = c.progress()->hinge_name;
     take_out_constraint(world, id, {describe(world, id), world.time, "its points meeting"});
     const ParticleId hinge = add_hinge(world, points, def);
     notice(world, Notice::Kind::joined, hinge, text(describe(world, hinge), " was made"));
-    tell_met(world, hinge, *c.progress);
+    tell_met(world, hinge, *c.progress());
   } catch (const Error& error) { log_line(world, "dropped", text("join: ", error.what())); }
 }
 
@@ -91,7 +91,7 @@ void make_met_hinges(World& world) {
     for (const Condition& row : articulate->conditions) {
       if (!world.constraints.alive(row.constraint)) continue;
       const Constraint& c = world.constraints[row.constraint];
-      if (!c.progress) continue;
+      if (!c.progress()) continue;
       hold_when_near(world, row.constraint);
       if (has_met(c)) met.push_back(row.constraint);
     }

@@ -49,7 +49,7 @@ void set(Constraint& c, std::string_view call, double angle) {
     c.axis_b *= -1.0;
     angle = 0.0;
   }
-  c.length = angle < least ? 0.0 : angle;
+  c.number.now = angle < least ? 0.0 : angle;
 }
 
 /// An align to 0 turns its second axis, so that the two are one at once; this is in body_b's frame.
@@ -60,22 +60,23 @@ void start_together(const Model& model, Constraint& c, double tolerance) {
   if (angle <= tolerance) return;
   const Vec3 across = cross(c.axis_b, axis);
   const Vec3 any = cross(c.axis_b, std::fabs(c.axis_b[0]) < 0.7 ? vec(1, 0, 0) : vec(0, 1, 0));
-  c.away = direction(norm(across) > 1e-9 ? across : any) * angle;
-  c.away_rate = direction(c.away) * dot(direction(c.away), rotate(conjugate(frame), relative_spin(model, c)));
+  c.attract.away = direction(norm(across) > 1e-9 ? across : any) * angle;
+  c.attract.away_rate =
+      direction(c.attract.away) * dot(direction(c.attract.away), rotate(conjugate(frame), relative_spin(model, c)));
 }
 
 void start(const Model& model, Constraint& c, double tolerance) {
-  if (c.length == 0.0) return start_together(model, c, tolerance);
-  start_number(c, value(model, c) - c.length, rate(model, c), tolerance);
+  if (c.number.now == 0.0) return start_together(model, c, tolerance);
+  start_number(c, value(model, c) - c.number.now, rate(model, c), tolerance);
 }
 
 double gap(const Model& model, const Constraint& c) {
-  if (c.length == 0.0 && norm2(c.away) > 0.0) return 0.0;
-  return lever(model, c) * std::fabs(value(model, c) - c.length - c.excess);
+  if (c.number.now == 0.0 && norm2(c.attract.away) > 0.0) return 0.0;
+  return lever(model, c) * std::fabs(value(model, c) - c.number.now - c.attract.excess);
 }
 
 std::vector<RowPlan> rows(const Model&, const Constraint& c) {
-  return {angular_row(c, c.length == 0.0 ? RowKind::axis : RowKind::align)};
+  return {angular_row(c, c.number.now == 0.0 ? RowKind::axis : RowKind::align)};
 }
 
 std::vector<PlaneNeed> in_plane(const Model& model, const Constraint& c) {
@@ -89,7 +90,7 @@ const ConstraintRule align_rule = {
     .keeps = kept_angle,
     .freedoms =
         [](const Constraint& c) {
-          return c.length == 0.0 ? FreedomsTaken{2, 1} : FreedomsTaken{1, 1};
+          return c.number.now == 0.0 ? FreedomsTaken{2, 1} : FreedomsTaken{1, 1};
         },
     .directions = no_direction,
     .start = start,

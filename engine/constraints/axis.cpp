@@ -47,11 +47,11 @@ std::vector<PlaneNeed> in_plane(const Model& model, const Constraint& c) {
 void load_axis(Condition& condition, const Row& row, const Model& model, const Constraint& c) {
   if (row.kind != RowKind::axis) return;
   const Quat to_b = c.body_b ? conjugate(model.bodies[c.body_b].axes) : Quat{};
-  condition.velocity = c.away_rate * row.lever;
+  condition.velocity = c.attract.away_rate * row.lever;
   if (c.body_b) condition.velocity = rotate(orientation(model, c.body_b), condition.velocity);
   condition.velocity = model.plane.about(condition.velocity);
-  condition.whole0 = model.plane.about(rotate(to_b, c.previous_away));
-  condition.whole1 = model.plane.about(rotate(to_b, c.away));
+  condition.whole0 = model.plane.about(rotate(to_b, c.attract.previous_away));
+  condition.whole1 = model.plane.about(rotate(to_b, c.attract.away));
 }
 
 const ConstraintRule axis_rule = {

@@ -27,31 +27,31 @@ double gyration(const Model& model, BodyId body) {
 const RowRule coupled_row = {.evaluate = [](Row&, Condition&, const RowContext&) { return 0.0; }};
 
 double weight_of(const Constraint& c, const CoupledValue& v) {
-  return v.fixed + v.by_ratio * (0.5 * (c.previous_length + c.length));
+  return v.fixed + v.by_ratio * (0.5 * (c.number.previous + c.number.now));
 }
 
 double coupled_sum(const Model& model, const Constraint& c) {
   double sum = 0.0;
-  for (const CoupledValue& v : c.coupled) sum += weight_of(c, v) * value_of(model, v);
+  for (const CoupledValue& v : c.coupled()) sum += weight_of(c, v) * value_of(model, v);
   return sum;
 }
 
-void start_coupling(const Model& model, Constraint& c, double) { c.total = coupled_sum(model, c); }
+void start_coupling(const Model& model, Constraint& c, double) { c.as<CouplingData>().total = coupled_sum(model, c); }
 
 double coupling_gap(const Model& model, const Constraint& c) {
-  const bool angles = std::all_of(c.coupled.begin(), c.coupled.end(),
+  const bool angles = std::all_of(c.coupled().begin(), c.coupled().end(),
                                   [](const CoupledValue& v) { return static_cast<bool>(v.body_a); });
   double lever = angles ? infinity : 1.0;  // else the sum is in metres
-  for (const CoupledValue& v : c.coupled)
+  for (const CoupledValue& v : c.coupled())
     if (angles) lever = std::fmin(lever, gyration(model, v.body_a));
-  const double over = coupled_sum(model, c) - c.total;
+  const double over = coupled_sum(model, c) - c.as<CouplingData>().total;
   return (has_range(c) ? std::fmax(0.0, over) : std::fabs(over)) * lever;
 }
 
 std::vector<RowPlan> coupling_rows(const Model&, const Constraint& c) {
   std::vector<RowPlan> plans;
-  for (std::uint32_t i = 0; i < c.coupled.size(); i++) {
-    const CoupledValue& v = c.coupled[i];
+  for (std::uint32_t i = 0; i < c.coupled().size(); i++) {
+    const CoupledValue& v = c.coupled()[i];
     plans.push_back({RowKind::coupled, static_cast<bool>(v.body_a), v.point_a, v.point_b, v.body_a, v.body_b, v.axis_a,
                      v.axis_b, i});
   }
@@ -60,22 +60,23 @@ std::vector<RowPlan> coupling_rows(const Model&, const Constraint& c) {
 
 std::vector<PlaneNeed> axes_of_coupling(const Model& model, const Constraint& c) {
   std::vector<PlaneNeed> needs;
-  for (const CoupledValue& v : c.coupled)
+  for (const CoupledValue& v : c.coupled())
     if (v.body_a) needs.push_back({"axis", direction_of(model, v.body_a, v.axis_a), true});
   return needs;
 }
 
 void follow_ratio(const Model& model, Constraint& c, double before) {
-  const double change = 0.5 * (c.previous_length + c.length) - before;
-  for (const CoupledValue& v : c.coupled) c.total += v.by_ratio * change * value_of(model, v);
+  const double change = 0.5 * (c.number.previous + c.number.now) - before;
+  CouplingData& data = c.as<CouplingData>();
+  for (const CoupledValue& v : data.values) data.total += v.by_ratio * change * value_of(model, v);
 }
 
 void load_coupling(Condition& condition, const Row& row, const Model& model, const Constraint& c) {
-  const CoupledValue& v = c.coupled[condition.index];
+  const CoupledValue& v = c.coupled()[condition.index];
   const double unit = row.lever > 0.0 ? 1.0 / row.lever : 1.0;
   condition.weight = weight_of(c, v) * unit;
-  condition.weight1 = (v.fixed + v.by_ratio * c.length) * unit;
-  condition.whole_length0 = condition.whole_length1 = c.total;
+  condition.weight1 = (v.fixed + v.by_ratio * c.number.now) * unit;
+  condition.whole_length0 = condition.whole_length1 = c.as<CouplingData>().total;
   condition.length_rate = 0.0;
   condition.works = condition.ranged;
   condition.bent = Bent::nothing;
@@ -92,7 +93,7 @@ void load_coupling(Condition& condition, const Row& row, const Model& model, con
 }
 
 void store_coupling(const Condition& condition, const Row& row, Vec3 force, Constraint& c) {
-  c.coupled[condition.index].angle = condition.angle1;
+  c.as<CouplingData>().values[condition.index].angle = condition.angle1;
   if (row.lever > 0.0) {
     if (condition.index == 0) c.torque = force * row.lever;
     return;

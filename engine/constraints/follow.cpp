@@ -37,7 +37,9 @@ void start(const Model& model, Constraint& c, double tolerance) {
   if (c.pins()) start_point(model, c, from_position(model, c), velocity(model, c.a), tolerance);
 }
 
-double gap(const Model& model, const Constraint& c) { return c.pins() ? norm(from_position(model, c) - c.away) : 0.0; }
+double gap(const Model& model, const Constraint& c) {
+  return c.pins() ? norm(from_position(model, c) - c.attract.away) : 0.0;
+}
 
 std::vector<RowPlan> rows(const Model&, const Constraint& c) {
   return {between_points(c, c.pins() ? RowKind::rigid : RowKind::soft)};

@@ -11,13 +11,13 @@ double gyration(const Model& model, BodyId body) {
 
 /// Where body_b, or the world, wants body_a's frame.
 Quat wanted_orientation(const Model& model, const Constraint& c) {
-  return c.body_b ? orientation(model, c.body_b) * c.turn : c.turn;
+  return c.body_b ? orientation(model, c.body_b) * c.turn.now : c.turn.now;
 }
 
 }  // namespace
 
 double end_distance_rate(const Model& model, const Constraint& c) {
-  const Vec3 d = position(model, c.a) - (c.b ? position(model, c.b) : c.position);
+  const Vec3 d = position(model, c.a) - (c.b ? position(model, c.b) : c.position.now);
   const Vec3 v = velocity(model, c.a) - (c.b ? velocity(model, c.b) : zero3());
   return dot(direction(d), v);
 }
@@ -35,15 +35,15 @@ double lever(const Model& model, const Constraint& c) {
 
 void start_number(Constraint& c, double excess, double rate, double allowed) {
   if (std::fabs(excess) <= allowed) return;
-  c.excess = excess;
-  c.excess_rate = rate;
+  c.attract.excess = excess;
+  c.attract.excess_rate = rate;
 }
 
 void start_point(const Model& model, Constraint& c, Vec3 away, Vec3 rate, double tolerance) {
   const double size = size_of(model, c.a);
-  if (norm(away) <= tolerance * (size > 0.0 || c.pins() ? size : largest(c.position))) return;
-  c.away = away;
-  c.away_rate = rate;
+  if (norm(away) <= tolerance * (size > 0.0 || c.pins() ? size : largest(c.position.now))) return;
+  c.attract.away = away;
+  c.attract.away_rate = rate;
 }
 
 }  // namespace pantin

@@ -13,10 +13,10 @@ inline Vec3 direction_of(const Model& model, BodyId body, Vec3 axis) {
 inline double angle_between(Vec3 u, Vec3 v) { return functions::atan2(norm(cross(u, v)), dot(u, v)); }
 
 /// From the position that a constraint names to its point [m].
-inline Vec3 from_position(const Model& model, const Constraint& c) { return position(model, c.a) - c.position; }
+inline Vec3 from_position(const Model& model, const Constraint& c) { return position(model, c.a) - c.position.now; }
 
 inline double end_distance(const Model& model, const Constraint& c) {
-  return norm(position(model, c.a) - (c.b ? position(model, c.b) : c.position));
+  return norm(position(model, c.a) - (c.b ? position(model, c.b) : c.position.now));
 }
 /// Rate of that [m/s].
 double end_distance_rate(const Model& model, const Constraint& c);

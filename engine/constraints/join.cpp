@@ -27,12 +27,12 @@ namespace {
 
 void start(const Model& model, Constraint& c, double) {
   if (std::isfinite(c.max_force)) return;
-  c.away = position(model, c.a) - position(model, c.b);
-  c.away_rate = velocity(model, c.a) - velocity(model, c.b);
+  c.attract.away = position(model, c.a) - position(model, c.b);
+  c.attract.away_rate = velocity(model, c.a) - velocity(model, c.b);
 }
 
 double gap(const Model& model, const Constraint& c) {
-  return std::isfinite(c.max_force) ? 0.0 : norm(position(model, c.a) - position(model, c.b) - c.away);
+  return std::isfinite(c.max_force) ? 0.0 : norm(position(model, c.a) - position(model, c.b) - c.attract.away);
 }
 
 std::vector<RowPlan> rows(const Model&, const Constraint& c) {

@@ -24,7 +24,7 @@ void start(const Model& model, Constraint& c, double tolerance) {
 }
 
 double gap(const Model& model, const Constraint& c) {
-  const double past = std::fabs(outside(c, value(model, c))) - std::fabs(c.excess);
+  const double past = std::fabs(outside(c, value(model, c))) - std::fabs(c.attract.excess);
   return std::fmax(0.0, c.a ? past : past * lever(model, c));
 }
 

@@ -25,13 +25,13 @@ Quat between_nodes(const Model& model, const Constraint& c, const Quat& turn) {
 
 void load_angular_row(Condition& condition, const Row& row, const Model& model, const Constraint& c) {
   const Quat to_b = c.body_b ? conjugate(model.bodies[c.body_b].axes) : Quat{};
-  condition.whole_turn0 = model.plane.about(between_nodes(model, c, c.previous_turn));
-  condition.whole_turn1 = model.plane.about(between_nodes(model, c, c.turn));
+  condition.whole_turn0 = model.plane.about(between_nodes(model, c, c.turn.previous));
+  condition.whole_turn1 = model.plane.about(between_nodes(model, c, c.turn.now));
   condition.axis = condition.axis0 = condition.axis1 = model.plane.axis(rotate(to_b, c.axis_b));
   condition.angle0 = condition.angle1 = c.angle;
-  condition.whole_length0 = row.lever * (c.previous_length + c.previous_excess);
-  condition.whole_length1 = row.lever * (c.length + c.excess);
-  condition.length_rate = row.lever * (c.length_rate + c.excess_rate);
+  condition.whole_length0 = row.lever * (c.number.previous + c.attract.previous_excess);
+  condition.whole_length1 = row.lever * (c.number.now + c.attract.excess);
+  condition.length_rate = row.lever * (c.number.rate + c.attract.excess_rate);
   condition.low = row.lever * c.low;
   condition.high = row.lever * c.high;
   condition.upper = c.max_torque / row.lever;
@@ -41,9 +41,10 @@ void load_angular_row(Condition& condition, const Row& row, const Model& model, 
   condition.velocity = zero3();
   condition.whole0 = condition.whole1 = zero3();
   condition.by_speed = c.by_speed;
-  condition.start_rate = row.lever * c.previous_rate;
-  condition.bent = c.bend.straight() ? Bent::nothing : c.attitude ? Bent::turn : Bent::length;
-  condition.bend = c.bend.mapped(row.lever, [&](Vec3 v) { return c.attitude ? model.plane.about(v) : v * row.lever; });
+  condition.start_rate = row.lever * c.number.previous_rate;
+  condition.bent = c.bend.straight() ? Bent::nothing : c.turn.of_time ? Bent::turn : Bent::length;
+  condition.bend =
+      c.bend.mapped(row.lever, [&](Vec3 v) { return c.turn.of_time ? model.plane.about(v) : v * row.lever; });
   condition.works = false;
   if (rule_of(c).load != nullptr) rule_of(c).load(condition, row, model, c);
   condition.works = condition.works || condition.ranged || condition.whole_length0 != condition.whole_length1 ||
@@ -56,16 +57,16 @@ void load(Condition& condition, const Row& row, const Model& model, double total
   const Constraint& c = model.constraints[condition.constraint];
   condition.ranged = has_range(c);
   condition.held_before = condition.held;
-  if (!c.coupled.empty()) return load_coupling(condition, row, model, c);
+  if (!c.coupled().empty()) return load_coupling(condition, row, model, c);
   if (row.lever > 0.0) return load_angular_row(condition, row, model, c);
-  condition.whole0 = model.plane.along(c.previous + c.previous_away);
-  condition.whole1 = model.plane.along(c.position + c.away);
-  condition.velocity = model.plane.along(c.velocity + c.away_rate);
-  condition.whole_length0 = c.previous_length + c.previous_excess;
-  condition.whole_length1 = c.length + c.excess;
-  condition.length_rate = c.length_rate + c.excess_rate;
-  condition.bent = c.bend.straight() ? Bent::nothing : c.target ? Bent::position : Bent::length;
-  condition.bend = c.bend.mapped(1.0, [&](Vec3 v) { return c.target ? model.plane.along(v) : v; });
+  condition.whole0 = model.plane.along(c.position.previous + c.attract.previous_away);
+  condition.whole1 = model.plane.along(c.position.now + c.attract.away);
+  condition.velocity = model.plane.along(c.position.rate + c.attract.away_rate);
+  condition.whole_length0 = c.number.previous + c.attract.previous_excess;
+  condition.whole_length1 = c.number.now + c.attract.excess;
+  condition.length_rate = c.number.rate + c.attract.excess_rate;
+  condition.bent = c.bend.straight() ? Bent::nothing : c.position.of_time ? Bent::position : Bent::length;
+  condition.bend = c.bend.mapped(1.0, [&](Vec3 v) { return c.position.of_time ? model.plane.along(v) : v; });
   condition.low = c.low;
   condition.high = c.high;
   condition.normal = model.plane.axis(c.axis_a);
@@ -77,13 +78,13 @@ void load(Condition& condition, const Row& row, const Model& model, double total
 }
 
 void store(const Condition& condition, const Row& row, Vec3 force, Constraint& c) {
-  if (!c.coupled.empty()) return store_coupling(condition, row, force, c);
+  if (!c.coupled().empty()) return store_coupling(condition, row, force, c);
   if (row.lever > 0.0) {
     c.torque = force * row.lever;
     c.angle = condition.angle1;
     return;
   }
-  if (c.path) c.along = condition.angle1;
+  if (c.is<PathData>()) c.as<PathData>().along = condition.angle1;
   c.tension = -dot(force, direction(row.d1));
   if (condition.index == 0) c.force = force;
 }

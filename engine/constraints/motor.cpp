@@ -11,7 +11,7 @@ double value(const Model&, const Constraint& c) { return c.angle; }
 void start(const Model& model, Constraint& c, double tolerance) {
   if (c.by_speed) return;
   const Vec3 axis = direction_of(model, c.body_a, c.axis_a);
-  start_number(c, c.angle - c.length, dot(axis, relative_spin(model, c)), tolerance);
+  start_number(c, c.angle - c.number.now, dot(axis, relative_spin(model, c)), tolerance);
 }
 
 std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {angular_row(c, RowKind::turn)}; }

@@ -10,7 +10,7 @@ void start(const Model& model, Constraint& c, double tolerance) {
   start_point(model, c, from_position(model, c), velocity(model, c.a), tolerance);
 }
 
-double gap(const Model& model, const Constraint& c) { return norm(from_position(model, c) - c.away); }
+double gap(const Model& model, const Constraint& c) { return norm(from_position(model, c) - c.attract.away); }
 
 std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {between_points(c, RowKind::rigid)}; }
 

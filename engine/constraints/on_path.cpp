@@ -75,26 +75,28 @@ const RowRule path_row = {
 
 namespace {
 
+const Path& path_of(const Constraint& c) { return *c.as<PathData>().path; }
+
 void start(const Model& model, Constraint& c, double tolerance) {
   const Vec3 at = position(model, c.a);
-  c.along = c.path->nearest(at);
-  const Vec3 T = c.path->tangent(c.along), off = at - c.path->position(c.along), v = velocity(model, c.a);
+  const double along = c.as<PathData>().along = path_of(c).nearest(at);
+  const Vec3 T = path_of(c).tangent(along), off = at - path_of(c).position(along), v = velocity(model, c.a);
   if (norm(off) <= tolerance * std::fmax(size_of(model, c.a), largest(at))) return;
-  c.away = off;
-  c.away_rate = v - T * dot(T, v);
+  c.attract.away = off;
+  c.attract.away_rate = v - T * dot(T, v);
 }
 
 double gap(const Model& model, const Constraint& c) {
-  const Vec3 at = position(model, c.a) - c.away;
-  return norm(at - c.path->position(c.path->nearest(at, c.along)));
+  const Vec3 at = position(model, c.a) - c.attract.away;
+  return norm(at - path_of(c).position(path_of(c).nearest(at, c.as<PathData>().along)));
 }
 
 std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {between_points(c, RowKind::path)}; }
 
 void load(Condition& condition, const Row&, const Model& model, const Constraint& c) {
-  condition.path = c.path.get();
-  condition.angle0 = condition.angle1 = c.along;
-  const Vec3 at = c.path->positions()[0], height = at - model.plane.along(at);
+  condition.path = &path_of(c);
+  condition.angle0 = condition.angle1 = c.as<PathData>().along;
+  const Vec3 at = path_of(c).positions()[0], height = at - model.plane.along(at);
   condition.whole0 -= height;
   condition.whole1 -= height;
 }
@@ -106,13 +108,13 @@ const ConstraintRule on_path_rule = {
         [](const Constraint&) {
           return FreedomsTaken{2, 1};
         },
-    .directions = [](const Constraint& c) { return all_across(c.path->tangent(c.along)); },
+    .directions = [](const Constraint& c) { return all_across(path_of(c).tangent(c.as<PathData>().along)); },
     .start = start,
     .gap = gap,
-    .size = [](const Constraint& c) { return norm(c.path->positions()[1] - c.path->positions()[0]); },
+    .size = [](const Constraint& c) { return norm(path_of(c).positions()[1] - path_of(c).positions()[0]); },
     .rows = rows,
     .load = load,
-    .has_range = [](const Constraint& c) { return !c.path->closed(); },
+    .has_range = [](const Constraint& c) { return !path_of(c).closed(); },
 };
 
 }  // namespace pantin

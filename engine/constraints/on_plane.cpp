@@ -28,7 +28,7 @@ void start(const Model& model, Constraint& c, double tolerance) {
 }
 
 double gap(const Model& model, const Constraint& c) {
-  return std::fabs(dot(c.axis_a, from_position(model, c) - c.away));
+  return std::fabs(dot(c.axis_a, from_position(model, c) - c.attract.away));
 }
 
 std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {between_points(c, RowKind::plane)}; }

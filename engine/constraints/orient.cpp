@@ -10,18 +10,20 @@ namespace {
 void start(const Model& model, Constraint& c, double tolerance) {
   const Vec3 away = present_turn(model, c);
   if (norm(away) <= tolerance) return;
-  c.away = away;
-  c.away_rate = angular_velocity(model.motion_of(c.body_a));
+  c.attract.away = away;
+  c.attract.away_rate = angular_velocity(model.motion_of(c.body_a));
 }
 
-double gap(const Model& model, const Constraint& c) { return lever(model, c) * norm(present_turn(model, c) - c.away); }
+double gap(const Model& model, const Constraint& c) {
+  return lever(model, c) * norm(present_turn(model, c) - c.attract.away);
+}
 
 std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {angular_row(c, RowKind::rigid)}; }
 
 void load(Condition& condition, const Row& row, const Model& model, const Constraint& c) {
-  condition.whole_turn0 = quaternion_of(model.plane.about(c.previous_away)) * condition.whole_turn0;
-  condition.whole_turn1 = quaternion_of(model.plane.about(c.away)) * condition.whole_turn1;
-  condition.velocity = model.plane.about(c.spin + c.away_rate) * row.lever;
+  condition.whole_turn0 = quaternion_of(model.plane.about(c.attract.previous_away)) * condition.whole_turn0;
+  condition.whole_turn1 = quaternion_of(model.plane.about(c.attract.away)) * condition.whole_turn1;
+  condition.velocity = model.plane.about(c.turn.rate + c.attract.away_rate) * row.lever;
 }
 
 }  // namespace

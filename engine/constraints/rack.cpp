@@ -18,7 +18,7 @@ const ConstraintRule rack_rule = {
     .in_plane =
         [](const Model& model, const Constraint& c) {
           std::vector<PlaneNeed> needs = axes_of_coupling(model, c);
-          needs.push_back({"along", c.coupled[1].direction, false});
+          needs.push_back({"along", c.coupled()[1].direction, false});
           return needs;
         },
 };

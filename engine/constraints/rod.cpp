@@ -50,10 +50,12 @@ const RowRule rod_row = {.evaluate = evaluate_rod, .project = project_rod, .gap 
 namespace {
 
 void start(const Model& model, Constraint& c, double tolerance) {
-  start_number(c, end_distance(model, c) - c.length, end_distance_rate(model, c), tolerance * c.length);
+  start_number(c, end_distance(model, c) - c.number.now, end_distance_rate(model, c), tolerance * c.number.now);
 }
 
-double gap(const Model& model, const Constraint& c) { return std::fabs(end_distance(model, c) - c.length - c.excess); }
+double gap(const Model& model, const Constraint& c) {
+  return std::fabs(end_distance(model, c) - c.number.now - c.attract.excess);
+}
 
 std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {between_points(c, RowKind::rod)}; }
 
@@ -69,7 +71,7 @@ const ConstraintRule rod_rule = {
     .directions = all_directions,
     .start = start,
     .gap = gap,
-    .size = [](const Constraint& c) { return c.length; },
+    .size = [](const Constraint& c) { return c.number.now; },
     .value = end_distance,
     .rows = rows,
 };

@@ -11,16 +11,16 @@ Vec3 position_of(const Model& model, const Passage& p) { return p.point ? positi
 
 double value(const Model& model, const Constraint& c) {
   double sum = 0.0;
-  for (std::size_t i = 1; i < c.passages.size(); i++)
-    sum += norm(position_of(model, c.passages[i]) - position_of(model, c.passages[i - 1]));
+  for (std::size_t i = 1; i < c.passages().size(); i++)
+    sum += norm(position_of(model, c.passages()[i]) - position_of(model, c.passages()[i - 1]));
   return sum;
 }
 
 double rate(const Model& model, const Constraint& c) {
   double sum = 0.0;
   const auto velocity_of = [&](const Passage& p) { return p.point ? velocity(model, p.point) : zero3(); };
-  for (std::size_t i = 1; i < c.passages.size(); i++) {
-    const Passage &from = c.passages[i - 1], &to = c.passages[i];
+  for (std::size_t i = 1; i < c.passages().size(); i++) {
+    const Passage &from = c.passages()[i - 1], &to = c.passages()[i];
     const Vec3 along = direction(position_of(model, to) - position_of(model, from));
     sum += dot(along, velocity_of(to) - velocity_of(from));
   }
@@ -28,10 +28,12 @@ double rate(const Model& model, const Constraint& c) {
 }
 
 void start(const Model& model, Constraint& c, double tolerance) {
-  start_number(c, std::fmax(0.0, value(model, c) - c.length), rate(model, c), tolerance * c.length);
+  start_number(c, std::fmax(0.0, value(model, c) - c.number.now), rate(model, c), tolerance * c.number.now);
 }
 
-double gap(const Model& model, const Constraint& c) { return std::fmax(0.0, value(model, c) - c.length - c.excess); }
+double gap(const Model& model, const Constraint& c) {
+  return std::fmax(0.0, value(model, c) - c.number.now - c.attract.excess);
+}
 
 /// Whether a segment cannot change its length.
 bool is_fixed(const Model& model, const Passage& from, const Passage& to) {
@@ -42,17 +44,17 @@ bool is_fixed(const Model& model, const Passage& from, const Passage& to) {
 
 double fixed_length(const Model& model, const Constraint& c) {
   double sum = 0.0;
-  for (std::size_t i = 1; i < c.passages.size(); i++)
-    if (is_fixed(model, c.passages[i - 1], c.passages[i]))
-      sum += norm(position_of(model, c.passages[i]) - position_of(model, c.passages[i - 1]));
+  for (std::size_t i = 1; i < c.passages().size(); i++)
+    if (is_fixed(model, c.passages()[i - 1], c.passages()[i]))
+      sum += norm(position_of(model, c.passages()[i]) - position_of(model, c.passages()[i - 1]));
   return sum;
 }
 
 std::vector<RowPlan> rows(const Model& model, const Constraint& c) {
   std::vector<RowPlan> plans;
-  for (std::uint32_t i = 0; i + 1 < c.passages.size(); i++) {
-    PointId from = c.passages[i].point, to = c.passages[i + 1].point;
-    if (is_fixed(model, c.passages[i], c.passages[i + 1])) continue;
+  for (std::uint32_t i = 0; i + 1 < c.passages().size(); i++) {
+    PointId from = c.passages()[i].point, to = c.passages()[i + 1].point;
+    if (is_fixed(model, c.passages()[i], c.passages()[i + 1])) continue;
     if (!from) std::swap(from, to);
     plans.push_back({RowKind::coupled, false, from, to, {}, {}, zero3(), zero3(), i});
   }
@@ -60,7 +62,7 @@ std::vector<RowPlan> rows(const Model& model, const Constraint& c) {
 }
 
 void load(Condition& condition, const Row&, const Model& model, const Constraint& c) {
-  const Passage &from = c.passages[condition.index], &to = c.passages[condition.index + 1];
+  const Passage &from = c.passages()[condition.index], &to = c.passages()[condition.index + 1];
   condition.whole0 = condition.whole1 = model.plane.along(from.point ? to.position : from.position);
   condition.velocity = zero3();
   const double fixed = fixed_length(model, c);
@@ -76,7 +78,7 @@ const ConstraintRule string_rule = {
     .directions = no_direction,
     .start = start,
     .gap = gap,
-    .size = [](const Constraint& c) { return c.length; },
+    .size = [](const Constraint& c) { return c.number.now; },
     .value = value,
     .rows = rows,
     .load = load,

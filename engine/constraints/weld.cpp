@@ -8,11 +8,13 @@ namespace {
 
 double gap(const Model& model, const Constraint& c) {
   const auto at = [&](BodyId body, Vec3 arm) { return origin(model, body) + direction_of(model, body, arm); };
-  return std::fmax(norm(at(c.body_a, c.arm_a) - at(c.body_b, c.arm_b)), lever(model, c) * norm(present_turn(model, c)));
+  return std::fmax(norm(at(c.body_a, c.as<WeldData>().arm_a) - at(c.body_b, c.as<WeldData>().arm_b)),
+                   lever(model, c) * norm(present_turn(model, c)));
 }
 
 std::vector<RowPlan> rows(const Model&, const Constraint& c) {
-  return {{RowKind::rigid, false, {}, {}, c.body_a, c.body_b, c.arm_a, c.arm_b, 0}, angular_row(c, RowKind::rigid)};
+  return {{RowKind::rigid, false, {}, {}, c.body_a, c.body_b, c.as<WeldData>().arm_a, c.as<WeldData>().arm_b, 0},
+          angular_row(c, RowKind::rigid)};
 }
 
 }  // namespace

@@ -67,9 +67,9 @@ void find_overloads(const World& world, const Articulate& a, Overloads& found) {
     }
     const ConstraintId id = condition(a, row).constraint;
     const Constraint& c = world.constraints[id];
-    if (c.ring) {
-      const double borne = world.particles[c.ring].breaks_at.torque;
-      note(found.hinges, {c.ring, load, story(), since(borne)}, load > borne);
+    if (c.ring()) {
+      const double borne = world.particles[c.ring()].breaks_at.torque;
+      note(found.hinges, {c.ring(), load, story(), since(borne)}, load > borne);
       continue;
     }
     const double length = angular ? 0.0 : norm(row.d1);
@@ -90,7 +90,7 @@ double broken_since(const World& world, const Articulate& a, const Row& row, con
   if (row.kind == RowKind::stiff) return 0.0;
   if (row.condition < 0) return time(found.hinges, world.points[row.member].particle);
   const ConstraintId id = condition(a, row).constraint;
-  const ParticleId ring = world.constraints[id].ring;
+  const ParticleId ring = world.constraints[id].ring();
   return std::max(time(found.constraints, id), ring ? time(found.hinges, ring) : 0.0);
 }
 

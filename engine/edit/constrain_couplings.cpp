@@ -44,20 +44,20 @@ CoupledValue angle_of(const World& world, const char* call, BodyId body, BodyId 
   return v;
 }
 
-ConstraintId insert(World& world, const char* call, const char* name, const char* unit, Constraint c,
-                    const Ratio& ratio) {
-  require_finite(call, name, ratio.value, unit);
-  require(ratio.value != 0.0, call, ": ", name, " must not be 0");
-  c.length = c.previous_length = ratio.value;
-  c.number = ratio.function;
-  for (const CoupledValue& v : c.coupled) {
-    if (!c.a && v.point_a) c.a = v.point_a;
+ConstraintId insert(World& world, ConstraintKind kind, std::vector<CoupledValue> values, const Ratio& ratio,
+                    std::optional<double> length = {}) {
+  Constraint c;
+  c.kind = kind;
+  c.number.now = c.number.previous = ratio.value;
+  c.number.of_time = ratio.function;
+  require_kept(kind_name(kind), c, ratio.value);
+  for (const CoupledValue& v : values)
     if (!c.body_a && v.body_a) c.body_a = v.body_a;
-  }
-  if (c.coupled[0].body_a) c.a = {};
-  const std::optional<double> total = c.total > 0.0 ? std::optional<double>(c.total) : std::nullopt;
+  if (!values[0].body_a) c.a = values[0].point_a;
+  c.own = CouplingData{std::move(values)};
+  require_in_plane(world, c);
   start_constraint(world, c);
-  if (total) c.total = *total;
+  if (length) c.as<CouplingData>().total = *length;
   return insert_constraint(world, std::move(c));
 }
 
@@ -66,7 +66,8 @@ CoupledValue distance(const World& world, const char* call, PointId point, const
   if (to.point) require(world.points.alive(to.point), call, ": ", world.points.story(to.point));
   if (!to.point) require_finite(call, "an anchor", to.position, "m");
   const BodyId body = world.points[point].body;
-  require(!to.point || to.point != point, call, ": ", describe(world, world.points[point].particle), " is its own anchor");
+  require(!to.point || to.point != point, call, ": ", describe(world, world.points[point].particle),
+          " is its own anchor");
   require(!to.point || !body || body != world.points[to.point].body, call, ": both points belong to ",
           describe(world, body), ", which is rigid");
   CoupledValue v;
@@ -83,12 +84,11 @@ ConstraintId add_gear(World& world, BodyId a, BodyId b, const GearDef& def) {
   const Vec3 axis_a = unit_vector("gear", "axis", def.axis_a),
              axis_b = def.axis_b ? unit_vector("gear", "the second axis", *def.axis_b) : axis_a;
   require(a != b, "gear: both are ", describe(world, a), "; it needs two bodies");
-  Constraint c;
-  c.kind = ConstraintKind::gear;
-  c.coupled = {angle_of(world, "gear", a, def.carrier, axis_a), angle_of(world, "gear", b, def.carrier, axis_b)};
-  c.coupled[1].fixed = 0.0;
-  c.coupled[1].by_ratio = -1.0;
-  return insert(world, "gear", "ratio", "", std::move(c), def.ratio);
+  std::vector<CoupledValue> values = {angle_of(world, "gear", a, def.carrier, axis_a),
+                                      angle_of(world, "gear", b, def.carrier, axis_b)};
+  values[1].fixed = 0.0;
+  values[1].by_ratio = -1.0;
+  return insert(world, ConstraintKind::gear, std::move(values), def.ratio);
 }
 
 ConstraintId add_rack(World& world, BodyId wheel, PointId rack, const RackDef& def) {
@@ -96,29 +96,22 @@ ConstraintId add_rack(World& world, BodyId wheel, PointId rack, const RackDef& d
   const Vec3 axis = unit_vector("rack", "axis", def.axis), along = unit_vector("rack", "along", def.along);
   require(world.points.alive(rack), "rack: ", world.points.story(rack));
   require(world.points[rack].body != wheel, "rack: its point belongs to the wheel, ", describe(world, wheel));
-  require_in_plane(world, "rack", "along", along, "");
-  Constraint c;
-  c.kind = ConstraintKind::rack;
-  c.coupled = {angle_of(world, "rack", wheel, def.carrier, axis),
-               distance(world, "rack", rack, {{}, position(world, rack)})};
-  c.coupled[0].fixed = 0.0;
-  c.coupled[0].by_ratio = -1.0;
-  c.coupled[1].direction = along;
-  return insert(world, "rack", "radius", "m", std::move(c), def.radius);
+  std::vector<CoupledValue> values = {angle_of(world, "rack", wheel, def.carrier, axis),
+                                      distance(world, "rack", rack, {{}, position(world, rack)})};
+  values[0].fixed = 0.0;
+  values[0].by_ratio = -1.0;
+  values[1].direction = along;
+  return insert(world, ConstraintKind::rack, std::move(values), def.radius);
 }
 
 ConstraintId add_pulley(World& world, PointId a, const Passage& over_a, PointId b, const Passage& over_b,
                         const PulleyDef& def) {
   require_unlocked(world, "pulley");
   if (def.length) require_positive("pulley", "length", *def.length, "m");
-  require(def.ratio.value > 0.0, "pulley: ratio must be > 0, got ", def.ratio.value);
-  Constraint c;
-  c.kind = ConstraintKind::pulley;
-  c.coupled = {distance(world, "pulley", a, over_a), distance(world, "pulley", b, over_b)};
-  c.coupled[1].fixed = 0.0;
-  c.coupled[1].by_ratio = 1.0;
-  c.total = def.length.value_or(0.0);
-  return insert(world, "pulley", "ratio", "", std::move(c), def.ratio);
+  std::vector<CoupledValue> values = {distance(world, "pulley", a, over_a), distance(world, "pulley", b, over_b)};
+  values[1].fixed = 0.0;
+  values[1].by_ratio = 1.0;
+  return insert(world, ConstraintKind::pulley, std::move(values), def.ratio, def.length);
 }
 
 ConstraintId add_screw(World& world, PointId a, PointId b, const ScrewDef& def) {
@@ -127,12 +120,11 @@ ConstraintId add_screw(World& world, PointId a, PointId b, const ScrewDef& def) 
   for (PointId p : {a, b}) require(world.points.alive(p), "screw: ", world.points.story(p));
   const BodyId first = world.points[a].body, second = world.points[b].body;
   require(first && second, "screw: both of its points must be of bodies");
-  Constraint c;
-  c.kind = ConstraintKind::screw;
-  c.coupled = {angle_of(world, "screw", first, second, axis), distance(world, "screw", a, {b, zero3()})};
-  c.coupled[0].fixed = 0.0;
-  c.coupled[0].by_ratio = -1.0 / (2.0 * pi);
-  return insert(world, "screw", "lead", "m", std::move(c), def.lead);
+  std::vector<CoupledValue> values = {angle_of(world, "screw", first, second, axis),
+                                      distance(world, "screw", a, {b, zero3()})};
+  values[0].fixed = 0.0;
+  values[0].by_ratio = -1.0 / (2.0 * pi);
+  return insert(world, ConstraintKind::screw, std::move(values), def.lead);
 }
 
 }  // namespace pantin

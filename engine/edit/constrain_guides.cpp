@@ -65,7 +65,7 @@ ConstraintId add_limit(World& world, PointId a, Vec3 position, const LimitDef& d
   require_finite("limit", "position", position, "m");
   Constraint c;
   c.a = a;
-  c.position = position;
+  c.position.now = position;
   return add_length_limit(world, std::move(c), def);
 }
 
@@ -78,7 +78,7 @@ ConstraintId add_on_plane(World& world, PointId point, const PlaneDef& def) {
   c.kind = ConstraintKind::on_plane;
   c.a = point;
   c.time_constant = def.time_constant;
-  c.position = def.through.value_or(position(world, point));
+  c.position.now = def.through.value_or(position(world, point));
   c.axis_a = unit_normal(def.normal);
   start_constraint(world, c);
   return insert_constraint(world, std::move(c));
@@ -103,10 +103,11 @@ ConstraintId add_string(World& world, std::vector<Passage> passages, const Strin
   require(static_cast<bool>(c.a), "string: it goes through positions only; one must be a point or a particle");
   c.kind = ConstraintKind::string;
   c.time_constant = def.time_constant;
-  c.passages = std::move(passages);
-  c.length = def.length.value_or(present_value(world, c));
-  require_positive("string", "length", c.length, "m");
-  require(c.length > fixed, "string: its positions are ", fixed, " m apart, so it cannot be ", c.length, " m long");
+  c.own = StringData{std::move(passages)};
+  c.number.now = def.length.value_or(present_value(world, c));
+  require_positive("string", "length", c.number.now, "m");
+  require(c.number.now > fixed, "string: its positions are ", fixed, " m apart, so it cannot be ", c.number.now,
+          " m long");
   start_constraint(world, c);
   return insert_constraint(world, std::move(c));
 }
@@ -119,9 +120,9 @@ ConstraintId add_on_path(World& world, PointId point, std::shared_ptr<const Path
   c.kind = ConstraintKind::on_path;
   c.a = point;
   c.time_constant = time_constant;
-  c.path = std::move(path);
+  c.own = PathData{std::move(path)};
   require_in_plane(world, c);
-  if (world.plane.flat()) c.path = level(world, *c.path, position(world, point));
+  if (world.plane.flat()) c.as<PathData>().path = level(world, *c.as<PathData>().path, position(world, point));
   start_constraint(world, c);
   return insert_constraint(world, std::move(c));
 }

@@ -17,13 +17,13 @@ ConstraintId add_rod_row(World& world, Constraint c, Vec3 far_end, std::optional
   const double distance = norm(position(world, c.a) - far_end);
   c.kind = ConstraintKind::rod;
   c.time_constant = 0.1;
-  c.length = length.value_or(distance);
+  c.number.now = length.value_or(distance);
   if (!length)
     require(distance > 0.0, "rod: its ends are at one position, so it has no length; a length must be > 0 m");
-  require_positive("rod", "length", c.length, "m");
-  c.previous_length = c.before_length = c.length;
-  require(std::fabs(distance - c.length) <= world.settings.tolerance * c.length, "rod: its ends are ", distance,
-          " m apart, but its length is given as ", c.length, " m; move them first, or set the length afterwards");
+  require_positive("rod", "length", c.number.now, "m");
+  c.number.previous = c.number.before = c.number.now;
+  require(std::fabs(distance - c.number.now) <= world.settings.tolerance * c.number.now, "rod: its ends are ", distance,
+          " m apart, but its length is given as ", c.number.now, " m; move them first, or set the length afterwards");
   return insert_constraint(world, std::move(c));
 }
 
@@ -47,7 +47,7 @@ ConstraintId add_nail(World& world, PointId point, std::optional<Vec3> at, doubl
   c.kind = ConstraintKind::nail;
   c.a = point;
   c.time_constant = time_constant;
-  c.position = at ? *at : position(world, point);
+  c.position.now = at ? *at : position(world, point);
   start_constraint(world, c);
   return insert_constraint(world, std::move(c));
 }
@@ -75,8 +75,8 @@ ConstraintId add_follow(World& world, PointId point, const FollowDef& def) {
   c.max_force = def.max_force;
   c.time_constant = def.time_constant;
   c.hand = def.hand;
-  if (def.hand < 0) c.target = def.target;
-  c.position = at;
+  if (def.hand < 0) c.position.of_time = def.target;
+  c.position.now = at;
   start_constraint(world, c);
   return insert_constraint(world, std::move(c));
 }
@@ -102,7 +102,7 @@ ConstraintId add_rod(World& world, PointId a, Vec3 position, std::optional<doubl
   require_finite("rod", "position", position, "m");
   Constraint c;
   c.a = a;
-  c.position = c.previous = c.before = position;
+  c.position.now = c.position.previous = c.position.before = position;
   return add_rod_row(world, std::move(c), position, length);
 }
 
@@ -121,12 +121,12 @@ void set_enabled(World& world, ConstraintId id, bool enabled) {
 void set_target(World& world, ConstraintId follow, std::function<Vec3(double)> target) {
   Constraint& c = of_kind(world, follow, ConstraintKind::follow, "target");
   require(c.hand < 0, "target: ", describe(world, follow), " belongs to hand ", c.hand + 1, " and goes where it goes");
-  Vec3 position = target ? present(world, target) : c.position;
+  Vec3 position = target ? present(world, target) : c.position.now;
   require_finite("follow", "target", position, "m");
-  position = world.plane.beside(position, c.position);
-  c.position = position;
+  position = world.plane.beside(position, c.position.now);
+  c.position.now = position;
   start_constraint(world, c);
-  c.target = std::move(target);
+  c.position.of_time = std::move(target);
   touch(world, c);
 }
 
@@ -140,10 +140,10 @@ void set_position(World& world, ConstraintId id, Vec3 position) {
     require(!c.b, who, ": both its ends are points; move those");
     touch(world, c);
   }
-  if (c.kind != ConstraintKind::on_plane) require_height(world, who, "position", position, c.position);
+  if (c.kind != ConstraintKind::on_plane) require_height(world, who, "position", position, c.position.now);
   wake(world, c);
-  c.target = nullptr;
-  c.position = position;
+  c.position.of_time = nullptr;
+  c.position.now = position;
   start_constraint(world, c);
 }
 

@@ -43,9 +43,9 @@ Constraint tie_of(const World& world, ConstraintKind kind, BodyId a, BodyId b) {
   c.body_a = a;
   c.body_b = b;
   c.time_constant = usual_time_constant;
-  c.turn = orientation(world, a);
-  if (b) c.turn = normalised(conjugate(orientation(world, b)) * c.turn);
-  c.previous_turn = c.turn;
+  c.turn.now = orientation(world, a);
+  if (b) c.turn.now = normalised(conjugate(orientation(world, b)) * c.turn.now);
+  c.turn.previous = c.turn.now;
   return c;
 }
 
@@ -76,8 +76,7 @@ ConstraintId add_weld(World& world, BodyId a, BodyId b) {
   require_two(world, "weld", a, b);
   Constraint c = tie_of(world, ConstraintKind::weld, a, b);
   const Vec3 middle = 0.5 * (world.motion_of(a).x + world.motion_of(b).x);
-  c.arm_a = in_frame(world, a, middle - origin(world, a));
-  c.arm_b = in_frame(world, b, middle - origin(world, b));
+  c.own = WeldData{in_frame(world, a, middle - origin(world, a)), in_frame(world, b, middle - origin(world, b))};
   return insert_constraint(world, std::move(c));
 }
 
@@ -87,12 +86,12 @@ ConstraintId add_orient(World& world, BodyId body, const OrientDef& def) {
   require_positive("orient", "time_constant", def.time_constant, "s");
   Constraint c = tie_of(world, ConstraintKind::orient, body, {});
   c.time_constant = def.time_constant;
-  if (def.to) c.turn = unit("orient", *def.to);
+  if (def.to) c.turn.now = unit("orient", *def.to);
   if (def.target) {
     const Lock lock(world);
-    c.turn = turned_in_plane(world, body, unit("orient", def.target(world.time)));
+    c.turn.now = turned_in_plane(world, body, unit("orient", def.target(world.time)));
   }
-  c.attitude = def.target;
+  c.turn.of_time = def.target;
   start_constraint(world, c);
   return insert_constraint(world, std::move(c));
 }
@@ -123,9 +122,9 @@ ConstraintId add_motor(World& world, BodyId a, BodyId b, const MotorDef& def) {
   c.max_torque = def.max_torque;
   set_axis(world, c, unit_axis("motor", "axis", def.axis));
   c.by_speed = def.speed.has_value();
-  c.number = def.number;
-  c.length = def.angle.value_or(0.0);
-  c.length_rate = def.speed.value_or(0.0);
+  c.number.of_time = def.number;
+  c.number.now = def.angle.value_or(0.0);
+  c.number.rate = def.speed.value_or(0.0);
   start_constraint(world, c);
   return insert_constraint(world, std::move(c));
 }
@@ -151,9 +150,9 @@ void set_length(World& world, ConstraintId id, double value, std::function<doubl
   wake(world, c);
   const std::string who = describe(world, id);
   require_kept(who, c, value);
-  c.number = std::move(function);
+  c.number.of_time = std::move(function);
   if (c.by_speed) {
-    c.length_rate = value;
+    c.number.rate = value;
     c.moves = 0;
     return;
   }
@@ -161,7 +160,7 @@ void set_length(World& world, ConstraintId id, double value, std::function<doubl
     rule_of(c).set(c, who, value);
     touch(world, c);
   } else {
-    c.length = value;
+    c.number.now = value;
   }
   start_constraint(world, c);
 }
@@ -170,8 +169,8 @@ void set_attitude(World& world, ConstraintId id, const Quat& to, std::function<Q
   Constraint& c = of_kinds(world, id, {ConstraintKind::orient}, "an orientation to keep");
   const Quat turn = unit(describe(world, id), to);
   if (!target) require_turn(world, describe(world, id), c.body_a, turn);
-  c.turn = turned_in_plane(world, c.body_a, turn);
-  c.attitude = std::move(target);
+  c.turn.now = turned_in_plane(world, c.body_a, turn);
+  c.turn.of_time = std::move(target);
   start_constraint(world, c);
 }
 
@@ -196,8 +195,7 @@ namespace {
 
 /// In a ring that does not hold now its axis does not either.
 void insert_axis(World& world, ParticleId hinge, std::uint64_t given, Constraint c) {
-  c.ring = hinge;
-  c.given = given;
+  c.own = AxisData{hinge, given};
   c.enabled = world.particles[hinge].enabled;
   const ConstraintId id = insert_constraint(world, std::move(c));
   world.particles[hinge].axes.push_back(id);
@@ -216,7 +214,7 @@ void add_axes(World& world, ParticleId hinge, std::span<const BodyId> bodies, Ve
 
 void take_over_axes(World& world, ParticleId from, ParticleId to) {
   for (ConstraintId id : std::exchange(world.particles[from].axes, {})) {
-    world.constraints[id].ring = to;
+    world.constraints[id].as<AxisData>().ring = to;
     world.particles[to].axes.push_back(id);
     set_enabled(world, id, world.particles[to].enabled);
   }
@@ -238,13 +236,14 @@ void drop_axes(World& world, ParticleId hinge, BodyId body) {
     take_out_constraint(world, id, {describe(world, id), world.time, culprit(world)});
   }
   for (const Constraint& other : left) {
-    const Constraint& next =
-        *std::find_if(left.begin(), left.end(), [&](const Constraint& c) { return c.given == other.given; });
+    const Constraint& next = *std::find_if(left.begin(), left.end(), [&](const Constraint& c) {
+      return c.as<AxisData>().given == other.as<AxisData>().given;
+    });
     if (&next == &other) continue;
     Constraint c = tie_of(world, ConstraintKind::axis, next.body_b, other.body_b);
     c.axis_a = next.axis_b;
     c.axis_b = other.axis_b;
-    insert_axis(world, hinge, other.given, std::move(c));
+    insert_axis(world, hinge, other.as<AxisData>().given, std::move(c));
   }
 }
 

@@ -22,8 +22,8 @@ void take_out_constraint(World& world, ConstraintId id, Obituary obituary) {
   touch(world, c);
   c.each_point([&](PointId point) { std::erase(world.points[point].constraints, id); });
   c.each_body([&](BodyId body) { std::erase(world.bodies[body].constraints, id); });
-  if (c.ring && world.particles.alive(c.ring)) std::erase(world.particles[c.ring].axes, id);
-  const std::shared_ptr<JoinProgress> progress = c.progress;
+  if (c.ring() && world.particles.alive(c.ring())) std::erase(world.particles[c.ring()].axes, id);
+  const std::shared_ptr<JoinProgress> progress = c.progress();
   world.constraints.remove(id, obituary);
   if (progress && world.constraints.alive(progress->holder))
     take_out_constraint(world, progress->holder, {describe(world, progress->holder), obituary.time, obituary.who});

@@ -47,11 +47,12 @@ ConstraintId add_join(World& world, PointId a, PointId b, const JoinDef& def) {
   require_in_plane(world, c);
   start_constraint(world, c);
   const ConstraintId holder = add_holder(world, a, def);
-  c.progress = std::make_shared<JoinProgress>();
-  c.progress->holder = holder;
-  c.progress->on_met = def.on_met;
-  c.progress->hinge_name = def.name;
-  c.progress->label = world.who ? world.who() : "";
+  const auto progress = std::make_shared<JoinProgress>();
+  progress->holder = holder;
+  progress->on_met = def.on_met;
+  progress->hinge_name = def.name;
+  progress->label = world.who ? world.who() : "";
+  c.own = JoinData{progress};
   return insert_constraint(world, std::move(c));
 }
 

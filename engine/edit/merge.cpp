@@ -51,29 +51,31 @@ void hand_over(std::vector<CoupledValue>& coupled, BodyId a, BodyId b, const Fra
 
 /// Whether two bodies that become one turn against each other in it.
 bool turns_between(const Constraint& c, BodyId a, BodyId b) {
-  const auto is = [&](BodyId first, BodyId second) { return (first == a && second == b) || (first == b && second == a); };
-  return is(c.body_a, c.body_b) || std::any_of(c.coupled.begin(), c.coupled.end(),
+  const auto is = [&](BodyId first, BodyId second) {
+    return (first == a && second == b) || (first == b && second == a);
+  };
+  return is(c.body_a, c.body_b) || std::any_of(c.coupled().begin(), c.coupled().end(),
                                                [&](const CoupledValue& v) { return is(v.body_a, v.body_b); });
 }
 
 /// Rotations that are tied to b are tied to a from now on, as they are now.
 void hand_over(World& world, ConstraintId id, BodyId a, BodyId b, const Frame& frame) {
   Constraint& c = world.constraints[id];
-  hand_over(c.coupled, a, b, frame);
+  if (c.is<CouplingData>()) hand_over(c.as<CouplingData>().values, a, b, frame);
   if (c.body_a == b) {
     c.body_a = a;
     c.axis_a = rotate(frame.turn, c.axis_a);
-    c.arm_a = frame.place(c.arm_a);
-    c.turn = normalised(c.turn * conjugate(frame.turn));
-    c.previous_turn = normalised(c.previous_turn * conjugate(frame.turn));
-    if (const auto wanted = c.attitude)
-      c.attitude = [wanted, turn = frame.turn](double time) { return wanted(time) * conjugate(turn); };
+    if (c.is<WeldData>()) c.as<WeldData>().arm_a = frame.place(c.as<WeldData>().arm_a);
+    c.turn.now = normalised(c.turn.now * conjugate(frame.turn));
+    c.turn.previous = normalised(c.turn.previous * conjugate(frame.turn));
+    if (const auto wanted = c.turn.of_time)
+      c.turn.of_time = [wanted, turn = frame.turn](double time) { return wanted(time) * conjugate(turn); };
   } else if (c.body_b == b) {
     c.body_b = a;
     c.axis_b = rotate(frame.turn, c.axis_b);
-    c.arm_b = frame.place(c.arm_b);
-    c.turn = normalised(frame.turn * c.turn);
-    c.previous_turn = normalised(frame.turn * c.previous_turn);
+    if (c.is<WeldData>()) c.as<WeldData>().arm_b = frame.place(c.as<WeldData>().arm_b);
+    c.turn.now = normalised(frame.turn * c.turn.now);
+    c.turn.previous = normalised(frame.turn * c.turn.previous);
   }
   std::erase(world.bodies[b].constraints, id);
   std::vector<ConstraintId>& list = world.bodies[a].constraints;
@@ -86,11 +88,11 @@ void take_axes(World& world, BodyId a, BodyId b, const Frame& frame) {
   const std::vector<ConstraintId> constraints = world.bodies[b].constraints;
   for (ConstraintId id : constraints) {
     const Constraint& c = world.constraints[id];
-    if (!c.ring) continue;
-    const auto& axes = world.particles[c.ring].axes;
+    if (!c.ring()) continue;
+    const auto& axes = world.particles[c.ring()].axes;
     const bool of_both = std::any_of(axes.begin(), axes.end(), [&](ConstraintId other) {
       const Constraint& o = world.constraints[other];
-      return o.given == c.given && (o.body_a == a || o.body_b == a);
+      return o.as<AxisData>().given == c.as<AxisData>().given && (o.body_a == a || o.body_b == a);
     });
     if (!of_both) hand_over(world, id, a, b, frame);
   }

@@ -48,8 +48,8 @@ void part_ties_within(World& world, std::span<const PointId> points, const std::
       int inside = 0, outside = 0;
       const Constraint& row = world.constraints[c];
       row.each_point([&](PointId p) { (all.contains(p) ? inside : outside)++; });
-      for (const Passage& passage : row.passages) outside += passage.point ? 0 : 1;
-      for (const CoupledValue& v : row.coupled) outside += v.point_a && v.point_b ? 0 : 1;
+      for (const Passage& passage : row.passages()) outside += passage.point ? 0 : 1;
+      for (const CoupledValue& v : row.coupled()) outside += v.point_a && v.point_b ? 0 : 1;
       if (inside > 1 && outside == 0) remove(world, c);
     }
     const ParticleId ring = world.points[id].particle;
@@ -80,7 +80,7 @@ void drop_rotations(World& world, BodyId id) {
   const std::vector<ConstraintId> constraints = world.bodies[id].constraints;
   for (ConstraintId c : constraints) {
     if (!world.constraints.alive(c)) continue;
-    if (const ParticleId ring = world.constraints[c].ring)
+    if (const ParticleId ring = world.constraints[c].ring())
       drop_axes(world, ring, id);
     else
       remove(world, c);

@@ -5,8 +5,10 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "base/lanes.hpp"
@@ -75,58 +77,76 @@ struct CoupledValue {
 class Path;
 struct JoinProgress;
 
+/// What a constraint wants of a value: what it is at the end of the step, and was before.
+template <class T, class Rate = T>
+struct Prescribed {
+  T now{};                           ///< at the end of this step
+  T previous{};                      ///< one step ago
+  T before{};                        ///< two steps ago, once it was moved twice or more
+  Rate rate{};                       ///< [1/s] at the end of this step
+  Rate previous_rate{};              ///< one step ago
+  std::function<T(double)> of_time;  ///< at time t [s]; empty where it is set by hand
+};
+
+/// What is far from where a constraint wants it comes nearer as fast as `time_constant` says.
+struct Attraction {
+  double excess = 0.0;           ///< [m] or [rad] by which its number is beyond
+  double excess_rate = 0.0;      ///< [1/s]
+  double previous_excess = 0.0;  ///< one step ago
+  Vec3 away = zero3();           ///< [m], [rad] of an orient: how far its point or body is
+  Vec3 away_rate = zero3();      ///< [1/s]
+  Vec3 previous_away = zero3();  ///< one step ago
+};
+
+// What only one kind has.
+
+struct AxisData {
+  ParticleId ring;          ///< the hinge it belongs to
+  std::uint64_t given = 0;  ///< what all axes that were given at once have in common, a serial
+};
+struct WeldData {
+  Vec3 arm_a = zero3(), arm_b = zero3();  ///< [m] its position in the frames of its bodies
+};
+struct StringData {
+  std::vector<Passage> passages;  ///< from end to end
+};
+struct PathData {
+  std::shared_ptr<const Path> path;
+  double along = 0.0;  ///< its parameter at the end of the last step
+};
+struct JoinData {
+  std::shared_ptr<JoinProgress> progress;
+};
+struct CouplingData {
+  std::vector<CoupledValue> values;
+  double total = 0.0;  ///< [rad] or [m] that they add up to
+};
+
 struct Constraint {
   ConstraintKind kind = ConstraintKind::nail;
-  PointId a;                ///< the point that it ties; null where it ties rotations
-  PointId b;                ///< of a rod or limit; null where its other end is a position of the world
-  BodyId body_a;            ///< whose rotation it ties
-  BodyId body_b;            ///< to this one's; null: to the world
-  ParticleId ring;          ///< of an axis: the hinge it belongs to
-  std::uint64_t given = 0;  ///< of an axis: what all axes that were given at once have in common, a serial
-  Vec3 position = zero3();  ///< [m] nail's position, target of a follow at the end of this step, world end of a rod
-  Vec3 previous = zero3();  ///< [m] `position` one step ago
-  Vec3 before = zero3();    ///< [m] `position` two steps ago, once `moves` is 2 or more
-  Vec3 velocity = zero3();  ///< [m/s] of `position` at the end of this step
-  double length = 0.0;      ///< what it keeps at the end of this step: [m] of a rod; [rad] of a motor or an align
-  double previous_length = 0.0;  ///< one step ago
-  double before_length = 0.0;    ///< two steps ago, once `moves` is 2 or more
-  double length_rate = 0.0;      ///< [1/s] of it at the end of this step
-  double previous_rate = 0.0;    ///< [rad/s] of a motor that is told its speed: that at the start of this step
-  double excess = 0.0;           ///< length still to be drawn in
-  double excess_rate = 0.0;      ///< [1/s]
-  double previous_excess = 0.0;  ///< `excess` one step ago
+  PointId a;      ///< the point that it ties; null where it ties rotations
+  PointId b;      ///< of a rod, limit or join; null where its other end is a position of the world
+  BodyId body_a;  ///< whose rotation it ties
+  BodyId body_b;  ///< to this one's; null: to the world
+
+  Prescribed<Vec3> position;    ///< [m] of a nail, a follow, the world end of a rod
+  Prescribed<double> number;    ///< [m] of a rod or string, [rad] of a motor or align, ratio of a coupling
+  Prescribed<Quat, Vec3> turn;  ///< of body_a in body_b's frame, or the world's
+  bool by_speed = false;        ///< a motor that is told its speed, the rate of `number` [rad/s]
+  Bend bend;                    ///< of what moves, in this step: [m], [rad]; of a number the first component
+  std::uint32_t moves = 0;      ///< samples of what moves since it last jumped
+  Attraction attract;
+  double time_constant = 0.0;  ///< [s] of that, and of how fast a soft follow answers; > 0
+
+  Vec3 axis_a = zero3();         ///< unit vector in the frame of body_a; of an on_plane its normal
+  Vec3 axis_b = zero3();         ///< the same in body_b's frame, or the world's
+  double angle = 0.0;            ///< [rad] of a motor or limit at the end of the last step, turns counted
   double low = 0.0, high = 0.0;  ///< [m] or [rad] of a limit
   double max_force = std::numeric_limits<double>::infinity();   ///< [N] of a follow, > 0
   double max_torque = std::numeric_limits<double>::infinity();  ///< [N m] of a motor, > 0
-  double time_constant = 0.0;             ///< [s] how fast a violation is drawn in, or a limited follow answers; > 0
-  Vec3 away = zero3();                    ///< [m], [rad] of an orient: violation still to be drawn in
-  Vec3 away_rate = zero3();               ///< [1/s]
-  Vec3 previous_away = zero3();           ///< `away` one step ago
-  Vec3 axis_a = zero3();                  ///< unit vector in the frame of body_a; of an on_plane its normal
-  Vec3 axis_b = zero3();                  ///< the same in body_b's frame, or the world's
-  Vec3 arm_a = zero3(), arm_b = zero3();  ///< [m] of a weld: its position in the frames of its bodies
-  Quat turn;                              ///< orientation of body_a in body_b's frame, or the world's, that counts as 0
-  Quat previous_turn;                     ///< the same one step ago
-  Vec3 spin = zero3(),
-       previous_spin = zero3();            ///< [rad/s] of an orient's target at the ends
-                                           ///< of this step and the last
-  std::vector<Passage> passages;           ///< of a string, from end to end
-  std::vector<CoupledValue> coupled;       ///< of a gear, rack, pulley or screw
-  double total = 0.0;                      ///< [rad] or [m] that these add up to
-  std::shared_ptr<const Path> path;        ///< of an on_path
-  double along = 0.0;                      ///< of an on_path: its parameter at the end of the last step
-  std::shared_ptr<JoinProgress> progress;  ///< of a join
-  bool by_speed = false;                   ///< a motor that is told its speed, `length_rate`
-  double angle = 0.0;                      ///< [rad] of a motor or limit at the end of the last
-                                           ///< step, turns counted
-  std::function<Vec3(double)> target;      ///< of a follow: position at time t [s];
-                                           ///< empty where `position` is set by hand
-  std::function<double(double)> number;    ///< `length` at time t [s], or a motor's speed; empty where that
-                                           ///< is set by hand
-  std::function<Quat(double)> attitude;    ///< of an orient: `turn` at time t [s]
-  Bend bend;                ///< of `position` [m], `length` in its first component, or `turn` [rad], in this step
-  std::int32_t hand = -1;   ///< of a hand's grab: index of the hand
-  std::uint32_t moves = 0;  ///< samples of the target since it last jumped
+  std::variant<std::monostate, AxisData, WeldData, StringData, PathData, JoinData, CouplingData> own;
+
+  std::int32_t hand = -1;  ///< of a hand's grab: index of the hand
   bool enabled = true;
   Breaking breaks_at;
   Vec3 force = zero3();   ///< [N] on a in the last step; of a rod along it
@@ -135,14 +155,42 @@ struct Constraint {
   std::string name;
   std::uint64_t serial = 0;
 
+  /// What only its kind has.
+  template <class Data>
+  Data& as() {
+    return std::get<Data>(own);
+  }
+  template <class Data>
+  const Data& as() const {
+    return std::get<Data>(own);
+  }
+  template <class Data>
+  bool is() const {
+    return std::holds_alternative<Data>(own);
+  }
+  /// What a string goes through, from end to end; empty of others.
+  std::span<const Passage> passages() const {
+    return is<StringData>() ? std::span<const Passage>(as<StringData>().passages) : std::span<const Passage>();
+  }
+  /// The values of a coupling; empty of others.
+  std::span<const CoupledValue> coupled() const {
+    return is<CouplingData>() ? std::span<const CoupledValue>(as<CouplingData>().values)
+                              : std::span<const CoupledValue>();
+  }
+  /// The hinge of an axis; null of others.
+  ParticleId ring() const { return is<AxisData>() ? as<AxisData>().ring : ParticleId(); }
+  /// Of a join; null of others.
+  std::shared_ptr<JoinProgress> progress() const { return is<JoinData>() ? as<JoinData>().progress : nullptr; }
+
   /// Calls `visit` with each point that it ties; of a coupling once.
   template <class Visit>
   void each_point(Visit visit) const {
-    if (passages.empty() && coupled.empty())
+    if (passages().empty() && coupled().empty())
       for (PointId point : {a, b})
         if (point) visit(point);
-    for (const Passage& passage : passages)
+    for (const Passage& passage : passages())
       if (passage.point) visit(passage.point);
+    const std::span<const CoupledValue> coupled = this->coupled();
     for (std::size_t i = 0; i < coupled.size(); i++)
       for (PointId point : {coupled[i].point_a, coupled[i].point_b}) {
         bool seen = !point;
@@ -155,6 +203,7 @@ struct Constraint {
   void each_body(Visit visit) const {
     for (BodyId body : {body_a, body_b})
       if (body) visit(body);
+    const std::span<const CoupledValue> coupled = this->coupled();
     for (std::size_t i = 0; i < coupled.size(); i++)
       for (BodyId body : {coupled[i].body_a, coupled[i].body_b}) {
         bool seen = !body || body == body_a || body == body_b;

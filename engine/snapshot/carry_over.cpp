@@ -81,32 +81,33 @@ class Carrier {
   void operator()(ConstraintId from, ConstraintId to) {
     const Constraint& before = old_.constraints[from];
     Constraint& now = fresh_.constraints[to];
-    std::tie(now.away, now.away_rate, now.previous_away) =
-        std::tie(before.away, before.away_rate, before.previous_away);
-    std::tie(now.excess, now.excess_rate, now.previous_excess) =
-        std::tie(before.excess, before.excess_rate, before.previous_excess);
-    std::tie(now.angle, now.along, now.moves) = std::tie(before.angle, before.along, before.moves);
-    carry_values(before, now);
-    if (now.target && before.target)
-      std::tie(now.position, now.previous, now.before, now.velocity) =
-          std::tie(before.position, before.previous, before.before, before.velocity);
-    if (now.number && before.number)
-      std::tie(now.length, now.previous_length, now.before_length, now.length_rate) =
-          std::tie(before.length, before.previous_length, before.before_length, before.length_rate);
-    if (now.attitude && before.attitude)
-      std::tie(now.turn, now.previous_turn, now.spin, now.previous_spin) =
-          std::tie(before.turn, before.previous_turn, before.spin, before.previous_spin);
+    now.attract = before.attract;
+    std::tie(now.angle, now.moves) = std::tie(before.angle, before.moves);
+    if (now.is<PathData>() && before.is<PathData>()) now.as<PathData>().along = before.as<PathData>().along;
+    if (now.is<CouplingData>() && before.is<CouplingData>()) carry_values(before, now);
+    carry_past(before.position, now.position);
+    carry_past(before.number, now.number);
+    carry_past(before.turn, now.turn);
+  }
+
+  template <class T, class Rate>
+  static void carry_past(const Prescribed<T, Rate>& before, Prescribed<T, Rate>& now) {
+    if (!now.of_time || !before.of_time) return;
+    const std::function<T(double)> of_time = std::move(now.of_time);
+    now = before;
+    now.of_time = of_time;
   }
 
   /// A coupling goes on where it was; one of another ratio meshes anew.
   static void carry_values(const Constraint& before, Constraint& now) {
-    if (now.coupled.size() != before.coupled.size()) return;
+    const CouplingData& past = before.as<CouplingData>();
+    CouplingData& data = now.as<CouplingData>();
     double change = 0.0;
-    for (std::size_t i = 0; i < now.coupled.size(); i++) {
-      change += weight_of(now, now.coupled[i]) * (before.coupled[i].angle - now.coupled[i].angle);
-      now.coupled[i].angle = before.coupled[i].angle;
+    for (std::size_t i = 0; i < std::min(data.values.size(), past.values.size()); i++) {
+      change += weight_of(now, data.values[i]) * (past.values[i].angle - data.values[i].angle);
+      data.values[i].angle = past.values[i].angle;
     }
-    now.total = now.length == before.length ? before.total : now.total + change;
+    data.total = now.number.now == before.number.now ? past.total : data.total + change;
   }
 
   template <class Id>

@@ -29,19 +29,20 @@ void approach(Violation& away, Violation& rate, double h, double tau, double lea
 /// What is left of a violation when it counts as none, [m]. Points that are to be joined need not come nearer for ever.
 double least_violation(const World& world, const Constraint& c) {
   if (!c.a) return 1e-14;
-  if (!c.progress) return 1e-14 * std::fmax(size_of(world, c.a), largest(c.position));
+  if (!c.progress()) return 1e-14 * std::fmax(size_of(world, c.a), largest(c.position.now));
   const double size = std::fmax(size_of(world, c.a), size_of(world, c.b));
   return 0.1 * world.settings.tolerance * (size > 0.0 ? size : largest(position(world, c.a)));
 }
 
 void draw_in(const World& world, Constraint& c, double h) {
-  c.previous_away = c.away;
-  c.previous_excess = c.excess;
-  const bool there = size(c.away) == 0.0 && size(c.away_rate) == 0.0 && c.excess == 0.0 && c.excess_rate == 0.0;
+  c.attract.previous_away = c.attract.away;
+  c.attract.previous_excess = c.attract.excess;
+  const bool there = size(c.attract.away) == 0.0 && size(c.attract.away_rate) == 0.0 && c.attract.excess == 0.0 &&
+                     c.attract.excess_rate == 0.0;
   if (there) return;
   const double least = least_violation(world, c);
-  approach(c.away, c.away_rate, h, c.time_constant, least);
-  approach(c.excess, c.excess_rate, h, c.time_constant, least);
+  approach(c.attract.away, c.attract.away_rate, h, c.time_constant, least);
+  approach(c.attract.excess, c.attract.excess_rate, h, c.time_constant, least);
 }
 
 /// Of something known at the end of this step and the two before it, h apart [s]: its rate at the end.
@@ -71,53 +72,54 @@ Bend bend_of(const World& world, const Constraint& c, Off off) {
 
 void move_position(const World& world, ConstraintId id, Constraint& c, double time, double h) {
   const auto target = [&](double t) {
-    Vec3 position = c.hand >= 0 ? world.hands[static_cast<std::size_t>(c.hand)].position : c.position;
-    if (c.target) position = c.target(t);
+    Vec3 position = c.hand >= 0 ? world.hands[static_cast<std::size_t>(c.hand)].position : c.position.now;
+    if (c.position.of_time) position = c.position.of_time(t);
     if (!finite(position)) require_finite(describe(world, id), "target", position, "m");
-    return world.plane.beside(position, c.position);
+    return world.plane.beside(position, c.position.now);
   };
   const Vec3 next = target(time);
   c.bend = {};
-  if (c.target)
-    c.bend = bend_of(world, c,
-                     [&](double s) { return target(time + (s - 1.0) * h) - c.position - (next - c.position) * s; });
-  c.before = c.previous;
-  c.previous = c.position;
-  c.position = next;
+  if (c.position.of_time)
+    c.bend = bend_of(world, c, [&](double s) {
+      return target(time + (s - 1.0) * h) - c.position.now - (next - c.position.now) * s;
+    });
+  c.position.before = c.position.previous;
+  c.position.previous = c.position.now;
+  c.position.now = next;
   c.moves++;
-  c.velocity = c.bend.straight() ? rate_at_end(c.position, c.previous, c.before, h, c.moves)
-                                 : (c.position - c.previous + c.bend.rate(1.0)) / h;
+  c.position.rate = c.bend.straight() ? rate_at_end(c.position.now, c.position.previous, c.position.before, h, c.moves)
+                                      : (c.position.now - c.position.previous + c.bend.rate(1.0)) / h;
 }
 
 void move_length(const World& world, ConstraintId id, Constraint& c, double time, double h) {
   const auto target = [&](double t) {
-    const double value = c.number ? c.number(t) : c.by_speed ? c.length_rate : c.length;
+    const double value = c.number.of_time ? c.number.of_time(t) : c.by_speed ? c.number.rate : c.number.now;
     if (!can_keep(c, value)) require_kept(describe(world, id), c, value);
     return value;
   };
   const double next = target(time);
   c.bend = {};
-  const double last = c.by_speed ? c.length_rate : c.length;
-  if (c.number)
+  const double last = c.by_speed ? c.number.rate : c.number.now;
+  if (c.number.of_time)
     c.bend = bend_of(world, c,
                      [&](double s) { return vec(target(time + (s - 1.0) * h) - last - (next - last) * s, 0.0, 0.0); });
   if (c.by_speed) {
     const double mean = 0.5 * (last + next) + c.bend.at(0.5)[0];
-    c.previous_rate = last;
-    c.length_rate = next;
-    c.previous_length = c.angle;
-    c.length = c.angle + 2.0 * functions::atan(0.5 * mean * h);  // what a step makes of a body of that spin
+    c.number.previous_rate = last;
+    c.number.rate = next;
+    c.number.previous = c.angle;
+    c.number.now = c.angle + 2.0 * functions::atan(0.5 * mean * h);  // what a step makes of a body of that spin
     c.moves++;
     return;
   }
-  const double middle = 0.5 * (c.previous_length + c.length);
-  c.before_length = c.previous_length;
-  c.previous_length = c.length;
-  c.length = next;
+  const double middle = 0.5 * (c.number.previous + c.number.now);
+  c.number.before = c.number.previous;
+  c.number.previous = c.number.now;
+  c.number.now = next;
   c.moves++;
   if (rule_of(c).follow != nullptr) rule_of(c).follow(world, c, middle);
-  c.length_rate = c.bend.straight() ? rate_at_end(c.length, c.previous_length, c.before_length, h, c.moves)
-                                    : (c.length - c.previous_length + c.bend.rate(1.0)[0]) / h;
+  c.number.rate = c.bend.straight() ? rate_at_end(c.number.now, c.number.previous, c.number.before, h, c.moves)
+                                    : (c.number.now - c.number.previous + c.bend.rate(1.0)[0]) / h;
 }
 
 /// The vector of the turn from one orientation to another that is near, [rad] to second order.
@@ -128,31 +130,32 @@ Vec3 turn_to(const Quat& to, const Quat& from) {
 
 void move_attitude(const World& world, ConstraintId id, Constraint& c, double time, double h) {
   const auto target = [&](double t) {
-    return turned_in_plane(world, c.body_a, unit(describe(world, id), c.attitude(t)));
+    return turned_in_plane(world, c.body_a, unit(describe(world, id), c.turn.of_time(t)));
   };
   const Quat next = target(time);
   c.bend = bend_of(world, c, [&](double s) {
-    const Quat straight = between(c.turn, next, s), q = target(time + (s - 1.0) * h) * conjugate(straight);
+    const Quat straight = between(c.turn.now, next, s), q = target(time + (s - 1.0) * h) * conjugate(straight);
     return direction(vec(q.x, q.y, q.z)) * (2.0 * functions::atan2(norm(vec(q.x, q.y, q.z)), q.w));
   });
-  c.previous_turn = c.turn;
-  c.turn = next;
-  const Vec3 mean = turn_to(c.turn, c.previous_turn) / h;
+  c.turn.previous = c.turn.now;
+  c.turn.now = next;
+  const Vec3 mean = turn_to(c.turn.now, c.turn.previous) / h;
   c.moves++;
-  c.spin = c.moves >= 2 ? mean * 1.5 - c.previous_spin * 0.5 : mean;
-  if (!c.bend.straight()) c.spin = mean + c.bend.rate(1.0) / h;
-  c.previous_spin = mean;
+  c.turn.rate = c.moves >= 2 ? mean * 1.5 - c.turn.previous_rate * 0.5 : mean;
+  if (!c.bend.straight()) c.turn.rate = mean + c.bend.rate(1.0) / h;
+  c.turn.previous_rate = mean;
 }
 
 /// Whether what it keeps is at the end of this step other than at its start, or was in the last.
 bool moves(const Constraint& c) {
   const auto differ = [](Vec3 a, Vec3 b) { return norm2(a - b) > 0.0; };
-  const Quat p = c.turn, q = c.previous_turn;
-  return (c.kind == ConstraintKind::follow && (differ(c.position, c.previous) || norm2(c.velocity) > 0.0)) ||
-         ((c.number || c.by_speed) && (c.length != c.previous_length || c.length_rate != 0.0)) ||
-         (c.attitude && (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z || norm2(c.spin) > 0.0)) ||
-         norm2(c.away) + norm2(c.previous_away) + norm2(c.away_rate) > 0.0 || c.excess != 0.0 ||
-         c.previous_excess != 0.0 || c.excess_rate != 0.0;
+  const Quat p = c.turn.now, q = c.turn.previous;
+  return (c.kind == ConstraintKind::follow &&
+          (differ(c.position.now, c.position.previous) || norm2(c.position.rate) > 0.0)) ||
+         ((c.number.of_time || c.by_speed) && (c.number.now != c.number.previous || c.number.rate != 0.0)) ||
+         (c.turn.of_time && (p.w != q.w || p.x != q.x || p.y != q.y || p.z != q.z || norm2(c.turn.rate) > 0.0)) ||
+         norm2(c.attract.away) + norm2(c.attract.previous_away) + norm2(c.attract.away_rate) > 0.0 ||
+         c.attract.excess != 0.0 || c.attract.previous_excess != 0.0 || c.attract.excess_rate != 0.0;
 }
 
 }  // namespace
@@ -166,8 +169,8 @@ void sample_targets(World& world) {
     const ConstraintId id = world.constraints.id_at(s);
     Constraint& c = world.constraints.at_slot(s);
     if (c.kind == ConstraintKind::follow) move_position(world, id, c, time, h);
-    if (c.number || c.by_speed) move_length(world, id, c, time, h);
-    if (c.attitude) move_attitude(world, id, c, time, h);
+    if (c.number.of_time || c.by_speed) move_length(world, id, c, time, h);
+    if (c.turn.of_time) move_attitude(world, id, c, time, h);
     draw_in(world, c, h);
     if (moves(c)) wake(world, c);
   }

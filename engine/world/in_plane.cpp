@@ -63,17 +63,17 @@ void require_heights(const World& world, std::string_view call, const Constraint
   if (!c.a) return;
   const Vec3 first = position(world, c.a);
   const auto see = [&](Vec3 position) { require_height(world, call, "what it ties", position, first); };
-  for (const Passage& p : c.passages) see(p.point ? position(world, p.point) : p.position);
-  for (const CoupledValue& v : c.coupled)
+  for (const Passage& p : c.passages()) see(p.point ? position(world, p.point) : p.position);
+  for (const CoupledValue& v : c.coupled())
     if (v.point_a && norm2(v.direction) == 0.0) see(v.point_b ? position(world, v.point_b) : v.position);
-  if (c.path)
-    for (Vec3 position : c.path->positions()) see(position);
+  if (c.is<PathData>())
+    for (Vec3 position : c.as<PathData>().path->positions()) see(position);
   if (c.b) see(position(world, c.b));
-  if (rule_of(c).ends_at_position && !c.b && !c.target && c.hand < 0) see(c.position);
+  if (rule_of(c).ends_at_position && !c.b && !c.position.of_time && c.hand < 0) see(c.position.now);
 }
 
 void require_axes(const World& world, std::string_view call, const Constraint& c) {
-  if (rule_of(c).orients && !c.attitude) require_turn(world, call, c.body_a, c.turn);
+  if (rule_of(c).orients && !c.turn.of_time) require_turn(world, call, c.body_a, c.turn.now);
   if (rule_of(c).in_plane == nullptr) return;
   for (const PlaneNeed& need : rule_of(c).in_plane(world, c)) {
     if (need.along_normal) require_about_normal(world, call, need.name, need.vector, "");

@@ -95,7 +95,7 @@ TEST_CASE("a bead on a wire with ends slides along and stops at the end") {
   CHECK(norm(position(world, bead) - vec(1, -1, 0) * (0.25 * g * 0.25)) < 1e-10);
   advance(world, 2.0);
   CHECK(norm(position(world, bead) - vec(2, -2, 0)) < 1e-10);
-  CHECK(std::fabs(world.constraints[path].along - 2.0) < 1e-10);
+  CHECK(std::fabs(world.constraints[path].as<PathData>().along - 2.0) < 1e-10);
   CHECK(norm(velocity(world, bead)) < 1e-9);
   CHECK(norm(world.constraints[path].force - vec(0, g, 0)) < 1e-7);
   CHECK(world.worst.energy < 1e-9);

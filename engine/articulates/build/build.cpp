@@ -163,8 +163,8 @@ Condition make_condition(const Model& model, const Edge& edge, Row& row) {
     return condition;
   }
   const Constraint& c = model.constraints[edge.constraint];
-  condition.length = c.length;
-  condition.held = condition.held_before = !has_range(c) && !c.path && std::isinf(c.max_torque);
+  condition.length = c.number.now;
+  condition.held = condition.held_before = !has_range(c) && !c.is<PathData>() && std::isinf(c.max_torque);
   row.f = edge.angular ? c.torque / row.lever : c.force;
   return condition;
 }
