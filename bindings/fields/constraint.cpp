@@ -1,5 +1,7 @@
 #include "fields/constraint.hpp"
 
+#include <iterator>
+
 #include "edit/constrain.hpp"
 
 namespace pantin::fields {
@@ -51,22 +53,13 @@ Property torque_property() {
 }
 
 const Type& constraint_type(ConstraintKind kind) {
-  switch (kind) {
-    case ConstraintKind::nail: return nail_type();
-    case ConstraintKind::follow: return follow_type();
-    case ConstraintKind::rod: return rod_type();
-    case ConstraintKind::weld: return weld_type();
-    case ConstraintKind::orient: return orient_type();
-    case ConstraintKind::align: return align_type();
-    case ConstraintKind::motor: return motor_type();
-    case ConstraintKind::limit: return limit_type();
-    case ConstraintKind::on_plane: return on_plane_type();
-    case ConstraintKind::string: return string_type();
-    case ConstraintKind::on_path: return on_path_type();
-    case ConstraintKind::join: return join_type();
-    case ConstraintKind::axis: break;  // of a hinge, and no thing of its own
-  }
-  return any_constraint_type();
+  using Maker = const Type& (*)();
+  // (kinds) in the order of ConstraintKind; an axis is of a hinge, and no thing of its own
+  constexpr Maker types[] = {nail_type,  follow_type, rod_type,   any_constraint_type, weld_type,   orient_type,
+                             align_type, motor_type,  limit_type, on_plane_type,       string_type, on_path_type,
+                             join_type,  gear_type,   rack_type,  pulley_type,         screw_type};
+  static_assert(std::size(types) == constraint_names.size());
+  return types[static_cast<std::size_t>(kind)]();
 }
 
 }  // namespace pantin::fields

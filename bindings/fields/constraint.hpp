@@ -22,5 +22,9 @@ const Type& on_plane_type();
 const Type& string_type();
 const Type& on_path_type();
 const Type& join_type();
+const Type& gear_type();
+const Type& rack_type();
+const Type& pulley_type();
+const Type& screw_type();
 
 }  // namespace pantin::fields

@@ -11,14 +11,14 @@ const Constraint& row(const World& world, ConstraintId id) { return world.constr
 
 Table passages(const World& world, ConstraintId id) {
   Table list;
-  for (const Passage& passage : row(world, id).passages)
+  for (const Passage& passage : row(world, id).passages())
     list.push_back({"", passage.point ? Value(AnyId(passage.point)) : Value(passage.position)});
   return list;
 }
 
 Table places(const World& world, ConstraintId id) {
   Table list;
-  for (const Vec3& place : row(world, id).path->positions()) list.push_back({"", place});
+  for (const Vec3& place : row(world, id).as<PathData>().path->positions()) list.push_back({"", place});
   return list;
 }
 
@@ -30,7 +30,7 @@ const Type& on_plane_type() {
                          {point_property(),
                           property<ConstraintId>(
                               "through", "vec", "m", "a position on the plane; the point is drawn to a new one",
-                              [](const World& w, ConstraintId c) { return row(w, c).position; },
+                              [](const World& w, ConstraintId c) { return row(w, c).position.now; },
                               [](World& w, ConstraintId c, Vec3 at) { set_position(w, c, at); }),
                           property<ConstraintId>(
                               "normal", "vec", "1", "across the plane, of unit length",
@@ -49,7 +49,7 @@ const Type& string_type() {
            "length", "number", "m",
            "the most that it is long; written as a number or a function of time "
            "[s]",
-           [](const World& w, ConstraintId c) { return row(w, c).length; },
+           [](const World& w, ConstraintId c) { return row(w, c).number.now; },
            [](World& w, ConstraintId c, const OfTime<double>& given) {
              set_length(w, c, now(w, given), function_of(given));
            }),
@@ -61,16 +61,16 @@ const Type& string_type() {
 }
 
 const Type& on_path_type() {
-  static const Type type =
-      type_of_constraint("OnPath", "on_path", "Keeps a point on a path.",
-                         {point_property(),
-                          property<ConstraintId>("path", "vec[]", "m", "the positions that the path goes through",
-                                                 [](const World& w, ConstraintId c) { return places(w, c); }),
-                          property<ConstraintId>("along", "number", "1",
-                                                 "where on the path the point is: 0 at the first position, 1 at the "
-                                                 "second, and so on",
-                                                 [](const World& w, ConstraintId c) { return row(w, c).along; }),
-                          force_property()});
+  static const Type type = type_of_constraint(
+      "OnPath", "on_path", "Keeps a point on a path.",
+      {point_property(),
+       property<ConstraintId>("path", "vec[]", "m", "the positions that the path goes through",
+                              [](const World& w, ConstraintId c) { return places(w, c); }),
+       property<ConstraintId>("along", "number", "1",
+                              "where on the path the point is: 0 at the first position, 1 at the "
+                              "second, and so on",
+                              [](const World& w, ConstraintId c) { return row(w, c).as<PathData>().along; }),
+       force_property()});
   return type;
 }
 

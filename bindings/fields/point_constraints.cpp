@@ -10,14 +10,14 @@ const Constraint& row(const World& world, ConstraintId id) { return world.constr
 /// A vec that a constraint keeps a point to.
 Property position_property(const char* name, const char* doc) {
   return property<ConstraintId>(
-      name, "vec", "m", doc, [](const World& w, ConstraintId c) { return row(w, c).position; },
+      name, "vec", "m", doc, [](const World& w, ConstraintId c) { return row(w, c).position.now; },
       [](World& w, ConstraintId c, Vec3 at) { set_position(w, c, at); });
 }
 
 Property target() {
   return property<ConstraintId>(
       "target", "vec", "m", "where the target is; written as a vec or a function of time [s]",
-      [](const World& w, ConstraintId c) { return row(w, c).position; },
+      [](const World& w, ConstraintId c) { return row(w, c).position.now; },
       [](World& w, ConstraintId c, const OfTime<Vec3>& given) {
         if (auto function = function_of(given))
           set_target(w, c, std::move(function));
@@ -29,7 +29,7 @@ Property target() {
 Property end_of_rod() {
   return property<ConstraintId>(
       "at", "vec", "m", "position of its second end; written where no point is there",
-      [](const World& w, ConstraintId c) { return row(w, c).b ? position(w, row(w, c).b) : row(w, c).position; },
+      [](const World& w, ConstraintId c) { return row(w, c).b ? position(w, row(w, c).b) : row(w, c).position.now; },
       [](World& w, ConstraintId c, Vec3 at) {
         require(!row(w, c).b, "rod: at can be written only of a rod whose end is a position; this one ends at a point");
         set_position(w, c, at);
@@ -71,7 +71,7 @@ const Type& rod_type() {
        end_of_rod(),
        property<ConstraintId>(
            "length", "number", "m", "the distance that it keeps; written as a number or a function of time [s]",
-           [](const World& w, ConstraintId c) { return row(w, c).length; },
+           [](const World& w, ConstraintId c) { return row(w, c).number.now; },
            [](World& w, ConstraintId c, const OfTime<double>& given) {
              set_length(w, c, now(w, given), function_of(given));
            }),

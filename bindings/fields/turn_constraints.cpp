@@ -22,7 +22,7 @@ template <bool of_speed>
 Property kept_number(const char* doc) {
   return property<ConstraintId>(
       of_speed ? "speed" : "angle", "number", of_speed ? "rad/s" : "rad", doc,
-      [](const World& w, ConstraintId c) { return of_speed ? row(w, c).length_rate : row(w, c).length; },
+      [](const World& w, ConstraintId c) { return of_speed ? row(w, c).number.rate : row(w, c).number.now; },
       [](World& w, ConstraintId c, const OfTime<double>& given) {
         const bool by_speed = row(w, c).by_speed;
         require(by_speed == of_speed, constraint_type(row(w, c).kind).word, ": this one keeps its ",
@@ -58,7 +58,7 @@ const Type& orient_type() {
                                                    "to", "quat", "",
                                                    "the orientation; written as a quat or a function of time [s]; the "
                                                    "body is drawn to a new one",
-                                                   [](const World& w, ConstraintId c) { return row(w, c).turn; },
+                                                   [](const World& w, ConstraintId c) { return row(w, c).turn.now; },
                                                    [](World& w, ConstraintId c, const OfTime<Quat>& given) {
                                                      set_attitude(w, c, now(w, given), function_of(given));
                                                    }),

@@ -108,6 +108,26 @@ const char* const annotations_options = R"(---@class NameOptions
 ---@field max? number [rad or m] (default `math.huge`)
 ---@field length? number [m] of a distance, the same as max (default none)
 
+---@class GearOptions: ConstraintOptions
+---@field ratio number|fun(t: number): number [1] turns of a for one of b, in the sense of their axes; not 0, below 0 they turn against each other, as wheels do that mesh from outside
+---@field axis? vec [1] of a, world axes; it stays fixed in a (default the normal of scene.plane; without one it must be given)
+---@field axis_b? vec [1] of b (default `axis`)
+---@field carrier? Body against which both turn, as the arm of a planetary gear (default the world)
+
+---@class RackOptions: ConstraintOptions
+---@field radius number|fun(t: number): number [m] how far the point moves for a turn of 1 rad; not 0
+---@field axis? vec [1] of the wheel, world axes (default the normal of scene.plane; without one it must be given)
+---@field along vec [1] in which the point moves when the wheel turns about the axis, world axes
+---@field carrier? Body against which the wheel turns (default the world)
+
+---@class PulleyOptions: ConstraintOptions
+---@field ratio? number|fun(t: number): number [1] how many times b's side counts, > 0 (default `1`)
+---@field length? number [m] the most that a's side and ratio times b's add up to (default the present one)
+
+---@class ScrewOptions: ConstraintOptions
+---@field lead number|fun(t: number): number [m] by which the points move apart for a turn of the first body about the axis; not 0
+---@field axis vec [1] world axes; it stays fixed in both bodies
+
 ---@class StringOptions: OrientOptions
 ---@field length? number|fun(t: number): number [m] the most that it is long (default the present one)
 

@@ -42,6 +42,7 @@ const std::vector<ReferenceTasks>& reference_tasks() {
         {"a point to a plane or to a path", {"Scene:on_plane", "Scene:on_path"}},
         {"two bodies, or how a body is turned", {"Scene:weld", "Scene:orient", "Scene:align"}},
         {"an angle or a speed by a motor", {"Scene:motor", "MotorOptions"}},
+        {"gears, racks, pulleys and screws", {"Scene:gear", "Scene:rack", "Scene:pulley", "Scene:screw"}},
         {"what is still apart", {"Scene:join"}},
         {"what breaks under load", {"Breaking", "AnyConstraint.breaks_at"}}}},
       {"Forces",

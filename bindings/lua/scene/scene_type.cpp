@@ -9,6 +9,7 @@
 #include "lua/thing/assemble.hpp"
 #include "lua/thing/body_options.hpp"
 #include "lua/thing/build_options.hpp"
+#include "lua/thing/coupling_options.hpp"
 #include "lua/thing/emitter_options.hpp"
 #include "lua/thing/family_options.hpp"
 #include "lua/thing/fields.hpp"
@@ -171,6 +172,25 @@ std::vector<Method> constraining() {
       {"on_path", guard<scene_on_path>, "point: Point|Particle, path: vec[] [m], options?: PathOptions", "OnPath",
        "Keeps a point on a path through positions; at the end of an open one it stops.",
        "scene:on_path(p, { p.position, vec(0, 3, 0), vec(2, 3, 0) }, { smooth = true })"},
+      {"gear", guard<scene_gear>, "a: Body, b: Body, options: GearOptions", "Gear",
+       "Turns a `ratio` times as far as b, each about an axis of a carrier or of the world. It keeps neither on its "
+       "axis: "
+       "hinges with an axis do.",
+       "local gear = scene:gear(arm, block, { ratio = -2, axis = vec(0, 0, 1) })\n"
+       "gear.ratio = -3"},
+      {"rack", guard<scene_rack>, "wheel: Body, point: Point|Particle, options: RackOptions", "Rack",
+       "Moves a point along a direction as far as the rim of a wheel turns.",
+       "scene:rack(block, p, { radius = 0.5, axis = vec(0, 0, 1), along = vec(1, 0, 0) })"},
+      {"pulley", guard<scene_pulley>,
+       "a: Point|Particle, over_a: Point|Particle|vec [m], over_b: Point|Particle|vec [m], b: Point|Particle, "
+       "options?: "
+       "PulleyOptions",
+       "Pulley",
+       "A rope from a over two anchors to b, at most so long; as in a tackle b's side may count several times.",
+       "scene:pulley(p, vec(0, 5, 0), vec(1, 5, 0), q, { ratio = 2 })"},
+      {"screw", guard<scene_screw>, "a: Point, b: Point, options: ScrewOptions", "Screw",
+       "Moves two points of bodies apart by `lead` for each turn of the first body against the second about an axis.",
+       "scene:screw(block.points[1], arm.head, { lead = 0.01, axis = vec(0, 1, 0) })"},
       {"join", guard<scene_join>, "a: Point|Particle, b: Point|Particle, options?: JoinOptions", "Join",
        "Draws two points together, at a position or on their way to each other, and makes the hinge when they are "
        "within "

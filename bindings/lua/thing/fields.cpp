@@ -122,22 +122,11 @@ Field& field_named(Type& type, std::string_view name) {
 }
 
 const Type& type_of(Kind kind) {
+  if (is_constraint(kind)) return constraint_type(kind);
   switch (kind) {
     case Kind::point: return point_type();
     case Kind::particle: return particle_type();
     case Kind::body: return body_type();
-    case Kind::nail:
-    case Kind::follow:
-    case Kind::rod:
-    case Kind::weld:
-    case Kind::orient:
-    case Kind::align:
-    case Kind::motor:
-    case Kind::limit:
-    case Kind::on_plane:
-    case Kind::string:
-    case Kind::on_path:
-    case Kind::join: return constraint_type(kind);
     case Kind::group: return group_type();
     case Kind::family: return family_type();
     case Kind::connection: return connection_type();
@@ -150,9 +139,8 @@ const Type& type_of(Kind kind) {
     case Kind::structure: return structure_type();
     case Kind::draw: return draw_type();
     case Kind::snapshot: return snapshot_type();
-    case Kind::scene: break;
+    default: return scene_type();
   }
-  return scene_type();
 }
 
 std::vector<const Type*> all_types() {

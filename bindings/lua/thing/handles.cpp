@@ -7,24 +7,13 @@
 namespace pantin::lua {
 namespace {
 
+/// All but an axis, which is of a hinge and no thing of its own, in the order of ConstraintKind.
 Kind kind_of(ConstraintKind kind) {
-  switch (kind) {
-    case ConstraintKind::nail: return Kind::nail;
-    case ConstraintKind::follow: return Kind::follow;
-    case ConstraintKind::rod: return Kind::rod;
-    case ConstraintKind::weld: return Kind::weld;
-    case ConstraintKind::orient: return Kind::orient;
-    case ConstraintKind::align: return Kind::align;
-    case ConstraintKind::motor: return Kind::motor;
-    case ConstraintKind::limit: return Kind::limit;
-    case ConstraintKind::on_plane: return Kind::on_plane;
-    case ConstraintKind::string: return Kind::string;
-    case ConstraintKind::on_path: return Kind::on_path;
-    case ConstraintKind::join: return Kind::join;
-    case ConstraintKind::axis: break;  // of a hinge, and no thing of its own
-  }
-  return Kind::nail;
+  const auto i = static_cast<std::uint32_t>(kind);
+  return static_cast<Kind>(static_cast<std::uint32_t>(Kind::nail) + i - (kind > ConstraintKind::axis ? 1 : 0));
 }
+static_assert(static_cast<std::size_t>(Kind::screw) - static_cast<std::size_t>(Kind::nail) + 2 ==
+              constraint_names.size());
 
 lua_Integer key_of(const Ref& ref) {
   return static_cast<lua_Integer>((static_cast<std::uint64_t>(ref.generation) << 32) | ref.slot);

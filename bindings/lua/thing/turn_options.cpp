@@ -10,22 +10,6 @@
 namespace pantin::lua {
 namespace {
 
-const std::vector<std::string> common = {"name", "breaks_at"};
-
-std::vector<std::string> with_common(std::vector<std::string> names) {
-  names.insert(names.end(), common.begin(), common.end());
-  return names;
-}
-
-/// Gives a new constraint what all may have, and returns it to the script.
-int finish(const Self& self, ConstraintId id, const Options& o) {
-  self.world.constraints[id].name = o.string("name").value_or("");
-  if (o.has("breaks_at"))
-    set_breaks_at(self.world, id, check_breaking(self.state, o.push("breaks_at"), o.what() + ": breaks_at"));
-  push_thing(self.state, self.script, id);
-  return 1;
-}
-
 /// Where a second body may be left out for the world: that body, or null; moves `index` past it.
 BodyId second_body(lua_State* state, int& index, const char* call) {
   if (const Ref* ref = to_ref(state, index); ref || lua_isnil(state, index)) {
@@ -45,7 +29,7 @@ void read_time_constant(const Options& o, Def& def) {
 int scene_weld(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "weld");
   const BodyId a = check_body(state, 2, "weld", argument(1)), b = check_body(state, 3, "weld", argument(2));
-  const Options o(state, 4, "weld", common);
+  const Options o(state, 4, "weld", with_common({}));
   return finish(self, add_weld(self.world, a, b), o);
 }
 
@@ -82,13 +66,6 @@ int scene_align(lua_State* state) {
   const ConstraintId align = add_align(self.world, a, b, def);
   if (angle.function) set_length(self.world, align, angle.value, std::move(angle.function));
   return finish(self, align, o);
-}
-
-/// In a plane its normal, unless another is given.
-Vec3 axis_option(const Self& self, const Options& o) {
-  const Plane& plane = self.world.plane;
-  require(o.has("axis") || plane.flat(), o.what(), ": axis must be given, a vec in world axes");
-  return o.has("axis") ? *o.vector("axis", "") : plane.about(vec(1, 1, 1));
 }
 
 int scene_motor(lua_State* state) {

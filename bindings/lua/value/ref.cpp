@@ -5,11 +5,12 @@
 namespace pantin::lua {
 namespace {
 
-const char* const words[] = {"a point",        "a particle", "a body",     "a nail",   "a follow", "a rod",
-                             "a weld",         "an orient",  "an align",   "a motor",  "a limit",  "an on_plane",
-                             "a string",       "an on_path", "a join",     "a group",  "a family", "a connection",
-                             "an interaction", "a field",    "an emitter", "an event", "a hand",   "a subscription",
-                             "a structure",    "scene.draw", "a snapshot", "a scene"};
+const char* const words[] = {"a point",    "a particle", "a body",   "a nail",         "a follow",       "a rod",
+                             "a weld",     "an orient",  "an align", "a motor",        "a limit",        "an on_plane",
+                             "a string",   "an on_path", "a join",   "a gear",         "a rack",         "a pulley",
+                             "a screw",    "a group",    "a family", "a connection",   "an interaction", "a field",
+                             "an emitter", "an event",   "a hand",   "a subscription", "a structure",    "scene.draw",
+                             "a snapshot", "a scene"};
 
 }  // namespace
 

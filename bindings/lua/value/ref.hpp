@@ -27,6 +27,10 @@ enum class Kind : std::uint32_t {
   string,
   on_path,
   join,
+  gear,
+  rack,
+  pulley,
+  screw,
   group,
   family,
   connection,
@@ -41,10 +45,10 @@ enum class Kind : std::uint32_t {
   snapshot,
   scene
 };
-inline constexpr std::size_t kind_count = 28;
+inline constexpr std::size_t kind_count = static_cast<std::size_t>(Kind::scene) + 1;
 
 /// Whether things of this kind are constraints.
-inline bool is_constraint(Kind kind) { return kind >= Kind::nail && kind <= Kind::join; }
+inline bool is_constraint(Kind kind) { return kind >= Kind::nail && kind <= Kind::screw; }
 
 /// The userdata.
 struct Ref {

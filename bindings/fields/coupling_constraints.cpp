@@ -1,0 +1,102 @@
+// Gear, rack, pulley and screw: values in a proportion.
+#include "constraints/kind.hpp"
+#include "edit/constrain.hpp"
+#include "fields/constraint.hpp"
+
+namespace pantin::fields {
+namespace {
+
+const Constraint& row(const World& world, ConstraintId id) { return world.constraints[id]; }
+const CoupledValue& first(const World& world, ConstraintId id) { return row(world, id).coupled()[0]; }
+const CoupledValue& second(const World& world, ConstraintId id) { return row(world, id).coupled()[1]; }
+
+/// The number by which one value counts against the other.
+Property proportion(const char* name, const char* unit, const char* doc) {
+  return property<ConstraintId>(
+      name, "number", unit, doc, [](const World& w, ConstraintId c) { return row(w, c).number.now; },
+      [](World& w, ConstraintId c, const OfTime<double>& given) {
+        set_length(w, c, now(w, given), function_of(given));
+      });
+}
+
+Property carrier() {
+  return property<ConstraintId>("carrier", "Body?", "", "against which it turns, or nil for the world",
+                                [](const World& w, ConstraintId c) { return first(w, c).body_b; });
+}
+
+/// Of the first value, where that is an angle.
+Property turned(const char* doc) {
+  return property<ConstraintId>("turned", "number", "rad", doc,
+                                [](const World& w, ConstraintId c) { return first(w, c).angle; });
+}
+
+}  // namespace
+
+const Type& gear_type() {
+  static const Type type = type_of_constraint(
+      "Gear", "gear", "Turns one body `ratio` times as far as another.",
+      {property<ConstraintId>("a", "Body", "", "its first body",
+                              [](const World& w, ConstraintId c) { return first(w, c).body_a; }),
+       property<ConstraintId>("b", "Body", "", "its second body",
+                              [](const World& w, ConstraintId c) { return second(w, c).body_a; }),
+       carrier(),
+       proportion(
+           "ratio", "1",
+           "turns of a for one of b, in the sense of their axes; below 0 they turn against each other, as wheels do "
+           "that mesh from outside; written as a number or a function of time [s], the wheels mesh anew"),
+       turned("the angle of a against the carrier, since it was made, turns counted"), torque_property()});
+  return type;
+}
+
+const Type& rack_type() {
+  static const Type type = type_of_constraint(
+      "Rack", "rack", "Moves a point along a line as far as the rim of a wheel turns.",
+      {property<ConstraintId>("wheel", "Body", "", "the body that turns",
+                              [](const World& w, ConstraintId c) { return first(w, c).body_a; }),
+       property<ConstraintId>("point", "Point", "", "the point that moves",
+                              [](const World& w, ConstraintId c) { return second(w, c).point_a; }),
+       carrier(),
+       proportion(
+           "radius", "m",
+           "how far the point moves for a turn of 1 rad; written as a number or a function of time [s], the teeth "
+           "mesh anew"),
+       turned("the angle of the wheel against the carrier, since it was made, turns counted"), force_property(),
+       torque_property()});
+  return type;
+}
+
+const Type& pulley_type() {
+  static const Type type = type_of_constraint(
+      "Pulley", "pulley", "A rope over two anchors, at most so long; one side may count several times, as in a tackle.",
+      {property<ConstraintId>("a", "Point", "", "the point at its first end",
+                              [](const World& w, ConstraintId c) { return first(w, c).point_a; }),
+       property<ConstraintId>("b", "Point", "", "the point at its second end",
+                              [](const World& w, ConstraintId c) { return second(w, c).point_a; }),
+       proportion(
+           "ratio", "1",
+           "how many times the second side counts, > 0; written as a number or a function of time [s], the rope is "
+           "as long as it is then"),
+       property<ConstraintId>("length", "number", "m", "the most that a's side and ratio times b's add up to",
+                              [](const World& w, ConstraintId c) { return row(w, c).as<CouplingData>().total; }),
+       property<ConstraintId>("force", "number", "N", "tension of a's side in the last step, 0 where it is slack",
+                              [](const World& w, ConstraintId c) { return row(w, c).tension; })});
+  return type;
+}
+
+const Type& screw_type() {
+  static const Type type = type_of_constraint(
+      "Screw", "screw", "Moves two points apart by `lead` for each turn of the first one's body against the second's.",
+      {property<ConstraintId>("a", "Point", "", "its first point",
+                              [](const World& w, ConstraintId c) { return second(w, c).point_a; }),
+       property<ConstraintId>("b", "Point", "", "its second point",
+                              [](const World& w, ConstraintId c) { return second(w, c).point_b; }),
+       proportion(
+           "lead", "m",
+           "by which they move apart in a turn; written as a number or a function of time [s], the thread begins "
+           "anew"),
+       turned("the angle of the first body against the second, since it was made, turns counted"), force_property(),
+       torque_property()});
+  return type;
+}
+
+}  // namespace pantin::fields

@@ -1,0 +1,26 @@
+#include "lua/thing/constraint_options.hpp"
+
+#include "lua/thing/handles.hpp"
+
+namespace pantin::lua {
+
+std::vector<std::string> with_common(std::vector<std::string> names) {
+  names.insert(names.end(), {"name", "breaks_at"});
+  return names;
+}
+
+int finish(const Self& self, ConstraintId id, const Options& o) {
+  self.world.constraints[id].name = o.string("name").value_or("");
+  if (o.has("breaks_at"))
+    set_breaks_at(self.world, id, check_breaking(self.state, o.push("breaks_at"), o.what() + ": breaks_at"));
+  push_thing(self.state, self.script, id);
+  return 1;
+}
+
+Vec3 axis_option(const Self& self, const Options& o) {
+  const Plane& plane = self.world.plane;
+  require(o.has("axis") || plane.flat(), o.what(), ": axis must be given, a vec in world axes");
+  return o.has("axis") ? *o.vector("axis", "") : plane.about(vec(1, 1, 1));
+}
+
+}  // namespace pantin::lua

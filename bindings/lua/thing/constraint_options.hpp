@@ -1,0 +1,15 @@
+#pragma once
+// What the makers of constraints have in common.
+#include "lua/thing/constraint_fields.hpp"
+#include "lua/value/arguments.hpp"
+
+namespace pantin::lua {
+
+/// These options, and those that all constraints have.
+std::vector<std::string> with_common(std::vector<std::string> names);
+/// Gives a new constraint what all may have, and returns it to the script.
+int finish(const Self& self, ConstraintId id, const Options& options);
+/// The option `axis`; in a plane its normal, unless another is given.
+Vec3 axis_option(const Self& self, const Options& options);
+
+}  // namespace pantin::lua
