@@ -92,16 +92,28 @@ Corner corner_of(int i) {
   return {which + (i % 2 == 0 ? -0.22 : 0.22), which % 2 == 0};
 }
 
-/// A ring of so many teeth and gaps, with a tooth at its mark or a gap.
-void draw_teeth(const Wheel& wheel, double radius, int teeth, bool tooth_first, ConstraintLook& look) {
-  const double depth = 0.6 * radius * turn / teeth;
+/// How wide a tooth and a gap are [m]: alike all over the scene, but where a wheel is too small for that.
+double pitch_of(double smallest, const Stage& stage) { return std::min(0.12 * stage.unit, turn * smallest / 16.0); }
+
+/// A ring that has teeth and gaps, so many all round, where it meets another, at `contact`: a tooth at its mark or a gap.
+void draw_ring(const Wheel& wheel, Vec3 contact, double radius, int teeth, bool tooth_first, ConstraintLook& look) {
+  const double pitch = turn / teeth, depth = 0.6 * radius * pitch;
   const Vec3 u = wheel.mark, v = cross(wheel.axis, u);
-  const auto place = [&](int i) {
-    const Corner corner = corner_of(i);
-    const double angle = turn * corner.along / teeth, out = radius + (corner.tooth == tooth_first ? 0.5 : -0.5) * depth;
+  const auto place = [&](double angle, double out) {
     return wheel.at + (u * std::cos(angle) + v * std::sin(angle)) * out;
   };
-  for (int i = 0; i < 2 * teeth; i++) look.lines.push_back({place(i), place(i + 1), 0.0, 1.0, true, false});
+  constexpr int sides = 48, shown = 7;  // teeth and gaps to either side of where they meet
+  for (int i = 0; i < sides; i++)
+    look.lines.push_back(
+        {place(turn * i / sides, radius), place(turn * (i + 1) / sides, radius), 0.0, 0.8, true, false});
+  const double met = std::atan2(dot(contact, v), dot(contact, u));
+  const int middle = 2 * static_cast<int>(std::lround(met / pitch)), all = 2 * std::min(shown, teeth / 2);
+  const auto corner = [&](int i) {
+    const Corner c = corner_of(i);
+    return place(pitch * c.along, radius + (c.tooth == tooth_first ? 0.5 : -0.5) * depth);
+  };
+  for (int i = middle - all; i < middle + all; i++)
+    look.lines.push_back({corner(i), corner(i + 1), 0.0, 1.2, true, false});
 }
 
 /// Rings that roll on each other, as far apart as the wheels are: their radii are as the turns say. None where the axes are
@@ -117,17 +129,14 @@ void draw_gear(const World& world, const Constraint& c, const Stage& stage, Cons
   const double radius_b = distance / std::fabs(1.0 / ratio - 1.0), radius_a = radius_b / std::fabs(ratio);
   const bool inner = ratio > 0.0;  // the smaller one rolls in the larger
   const Vec3 from_a = inner && radius_b > radius_a ? apart * -1.0 : apart, from_b = inner ? from_a : apart * -1.0;
-  constexpr int fewest = 16;
-  const double per = fewest / std::min(radius_a, radius_b);
-  const auto count = [&](double radius) {
-    return std::clamp(2 * static_cast<int>(std::lround(0.5 * per * radius)), fewest, 240);
-  };
-  draw_teeth(wheel_of(world, of_a, from_a), radius_a, count(radius_a), true, look);
-  draw_teeth(wheel_of(world, of_b, from_b), radius_b, count(radius_b), inner, look);
+  const double pitch = pitch_of(std::min(radius_a, radius_b), stage);
+  const auto count = [&](double radius) { return 2 * static_cast<int>(std::lround(0.5 * turn * radius / pitch)); };
+  draw_ring(wheel_of(world, of_a, from_a), from_a, radius_a, count(radius_a), true, look);
+  draw_ring(wheel_of(world, of_b, from_b), from_b, radius_b, count(radius_b), inner, look);
 }
 
 /// The wheel's ring, and a bar with teeth past it.
-void draw_rack(const World& world, const Constraint& c, const Stage&, ConstraintLook& look) {
+void draw_rack(const World& world, const Constraint& c, const Stage& stage, ConstraintLook& look) {
   const CoupledValue &of_wheel = c.coupled()[0], &of_rack = c.coupled()[1];
   const Vec3 along = of_rack.direction, at = shown_place(world, of_rack.point_a);
   const double radius = std::fabs(c.number.now);
@@ -135,9 +144,9 @@ void draw_rack(const World& world, const Constraint& c, const Stage&, Constraint
   Vec3 contact = at - wheel.at;
   contact = direction(contact - along * dot(contact, along) - wheel.axis * dot(contact, wheel.axis));
   wheel = wheel_of(world, of_wheel, contact);
-  constexpr int teeth = 32;
+  const int teeth = 2 * static_cast<int>(std::lround(0.5 * turn * radius / pitch_of(radius, stage)));
   const double pitch = radius * turn / teeth, moved = c.number.now * of_wheel.angle;
-  draw_teeth(wheel, radius, teeth, true, look);
+  draw_ring(wheel, contact, radius, teeth, true, look);
   const int middle = 4 * static_cast<int>(std::lround((dot(at - wheel.at, along) - moved) / (2.0 * pitch)));
   const auto place = [&](int i) {
     const Corner corner = corner_of(i);

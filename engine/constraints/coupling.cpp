@@ -98,6 +98,7 @@ void store_coupling(const Condition& condition, const Row& row, Vec3 force, Cons
     if (condition.index == 0) c.torque = force * row.lever;
     return;
   }
+  if (condition.index != 0 && !c.coupled()[0].body_a) return;  // the second side of a pulley
   c.tension = -dot(force, direction(row.d1));
   c.force = force;
 }

@@ -139,7 +139,7 @@ function quat_methods:inverse() end
 ---@field label string where it was set
 ---@field target? string what it is done to
 
----@alias Thing Point|Particle|Body|Nail|Follow|Rod|Weld|Orient|Align|Motor|Limit|OnPlane|String|OnPath|Join|Group|Family|Connection|Interaction|Field|Emitter
+---@alias Thing Point|Particle|Body|Nail|Follow|Rod|Weld|Orient|Align|Motor|Limit|OnPlane|String|OnPath|Join|Gear|Rack|Pulley|Screw|Group|Family|Connection|Interaction|Field|Emitter
 
 ---What every thing has; it may be a target of events and behaviours, and a member of a group.
 ---@class AnyThing
@@ -423,6 +423,46 @@ local OnPath = {}
 ---@field max_force number [N] it never pulls harder; math.huge: no limit (read only)
 ---@field force vec [N] what it exerted on its first point in the last step (read only)
 local Join = {}
+
+---Turns one body `ratio` times as far as another.
+---@class Gear: AnyConstraint
+---@field a Body its first body (read only)
+---@field b Body its second body (read only)
+---@field carrier Body? against which it turns, or nil for the world (read only)
+---@field ratio number [1] turns of a for one of b, in the sense of their axes; below 0 they turn against each other, as wheels do that mesh from outside; written as a number or a function of time [s], the wheels mesh anew
+---@field turned number [rad] the angle of a against the carrier, since it was made, turns counted (read only)
+---@field torque vec [N m] what it exerted on its first body in the last step; a weld's is about the middle between the centres of mass (read only)
+local Gear = {}
+
+---Moves a point along a line as far as the rim of a wheel turns.
+---@class Rack: AnyConstraint
+---@field wheel Body the body that turns (read only)
+---@field point Point the point that moves (read only)
+---@field carrier Body? against which it turns, or nil for the world (read only)
+---@field radius number [m] how far the point moves for a turn of 1 rad; written as a number or a function of time [s], the teeth mesh anew
+---@field turned number [rad] the angle of the wheel against the carrier, since it was made, turns counted (read only)
+---@field force vec [N] what it exerted on its first point in the last step (read only)
+---@field torque vec [N m] what it exerted on its first body in the last step; a weld's is about the middle between the centres of mass (read only)
+local Rack = {}
+
+---A rope over two anchors, at most so long; one side may count several times, as in a tackle.
+---@class Pulley: AnyConstraint
+---@field a Point the point at its first end (read only)
+---@field b Point the point at its second end (read only)
+---@field ratio number [1] how many times the second side counts, > 0; written as a number or a function of time [s], the rope is as long as it is then
+---@field length number [m] the most that a's side and ratio times b's add up to (read only)
+---@field force number [N] tension of a's side in the last step, 0 where it is slack (read only)
+local Pulley = {}
+
+---Moves two points apart by `lead` for each turn of the first one's body against the second's.
+---@class Screw: AnyConstraint
+---@field a Point its first point (read only)
+---@field b Point its second point (read only)
+---@field lead number [m] by which they move apart in a turn; written as a number or a function of time [s], the thread begins anew
+---@field turned number [rad] the angle of the first body against the second, since it was made, turns counted (read only)
+---@field force vec [N] what it exerted on its first point in the last step (read only)
+---@field torque vec [N m] what it exerted on its first body in the last step; a weld's is about the middle between the centres of mass (read only)
+local Screw = {}
 
 ---A named set of things. It is gone when no member lives.
 ---@class Group: AnySet
@@ -916,6 +956,45 @@ function Scene:string(points, options) end
 ---@param options? PathOptions
 ---@return OnPath
 function Scene:on_path(point, path, options) end
+---Turns a `ratio` times as far as b, each about an axis of a carrier or of the world. It keeps neither on its axis: hinges with an axis do.
+---```lua
+---local gear = scene:gear(arm, block, { ratio = -2, axis = vec(0, 0, 1) })
+---gear.ratio = -3
+---```
+---@param a Body
+---@param b Body
+---@param options GearOptions
+---@return Gear
+function Scene:gear(a, b, options) end
+---Moves a point along a direction as far as the rim of a wheel turns.
+---```lua
+---scene:rack(block, p, { radius = 0.5, axis = vec(0, 0, 1), along = vec(1, 0, 0) })
+---```
+---@param wheel Body
+---@param point Point|Particle
+---@param options RackOptions
+---@return Rack
+function Scene:rack(wheel, point, options) end
+---A rope from a over two anchors to b, at most so long; as in a tackle b's side may count several times.
+---```lua
+---scene:pulley(p, vec(0, 5, 0), vec(1, 5, 0), q, { ratio = 2 })
+---```
+---@param a Point|Particle
+---@param over_a Point|Particle|vec [m]
+---@param over_b Point|Particle|vec [m]
+---@param b Point|Particle
+---@param options? PulleyOptions
+---@return Pulley
+function Scene:pulley(a, over_a, over_b, b, options) end
+---Moves two points of bodies apart by `lead` for each turn of the first body against the second about an axis.
+---```lua
+---scene:screw(block.points[1], arm.head, { lead = 0.01, axis = vec(0, 1, 0) })
+---```
+---@param a Point
+---@param b Point
+---@param options ScrewOptions
+---@return Screw
+function Scene:screw(a, b, options) end
 ---Draws two points together, at a position or on their way to each other, and makes the hinge when they are within a tenth of scene.tolerance of their size, some 20 time constants later. Without at, momentum is kept on the way, and so is angular momentum: they come together on a straight line, and what that takes goes into the turning of all that hangs on them. Two free particles alone have nothing to turn, and lose theirs.
 ---```lua
 ---scene:join(p, q, { max_force = 50, on_met = function(hinge) print(hinge) end })
@@ -1241,6 +1320,26 @@ function OpenedScene:restore(snapshot) end
 ---@field min? number [rad or m] (default `-math.huge`; of a distance 0)
 ---@field max? number [rad or m] (default `math.huge`)
 ---@field length? number [m] of a distance, the same as max (default none)
+
+---@class GearOptions: ConstraintOptions
+---@field ratio number|fun(t: number): number [1] turns of a for one of b, in the sense of their axes; not 0, below 0 they turn against each other, as wheels do that mesh from outside
+---@field axis? vec [1] of a, world axes; it stays fixed in a (default the normal of scene.plane; without one it must be given)
+---@field axis_b? vec [1] of b (default `axis`)
+---@field carrier? Body against which both turn, as the arm of a planetary gear (default the world)
+
+---@class RackOptions: ConstraintOptions
+---@field radius number|fun(t: number): number [m] how far the point moves for a turn of 1 rad; not 0
+---@field axis? vec [1] of the wheel, world axes (default the normal of scene.plane; without one it must be given)
+---@field along vec [1] in which the point moves when the wheel turns about the axis, world axes
+---@field carrier? Body against which the wheel turns (default the world)
+
+---@class PulleyOptions: ConstraintOptions
+---@field ratio? number|fun(t: number): number [1] how many times b's side counts, > 0 (default `1`)
+---@field length? number [m] the most that a's side and ratio times b's add up to (default the present one)
+
+---@class ScrewOptions: ConstraintOptions
+---@field lead number|fun(t: number): number [m] by which the points move apart for a turn of the first body about the axis; not 0
+---@field axis vec [1] world axes; it stays fixed in both bodies
 
 ---@class StringOptions: OrientOptions
 ---@field length? number|fun(t: number): number [m] the most that it is long (default the present one)

@@ -9,6 +9,7 @@
 
 #include "edit/assemble.hpp"
 #include "edit/constrain.hpp"
+#include "edit/constrain_couplings.hpp"
 #include "fields/color.hpp"
 #include "laws/library.hpp"
 #include "lua/thing/fields.hpp"
@@ -37,6 +38,7 @@ class Zoo {
     add_points();
     add_ties();
     add_turns();
+    add_couplings();
     add_sets();
     things["Scene"] = {};
   }
@@ -96,6 +98,23 @@ class Zoo {
     LimitDef limit;
     limit.max = 1.0;
     things["Limit"] = add_limit(world, body(), {}, vec(0, 0, 1), limit);
+  }
+  void add_couplings() {
+    GearDef gear;
+    gear.axis_a = vec(0, 0, 1);
+    gear.ratio.value = -2.0;
+    things["Gear"] = add_gear(world, body(), body(), gear);
+    RackDef rack;
+    rack.axis = vec(0, 0, 1);
+    rack.along = vec(1, 0, 0);
+    rack.radius.value = 0.5;
+    things["Rack"] = add_rack(world, body(), point(), rack);
+    things["Pulley"] = add_pulley(world, point(), {{}, vec(0, 5, 0)}, point(), {{}, vec(0, 6, 0)});
+    ScrewDef screw;
+    screw.axis = vec(1, 0, 0);
+    screw.lead.value = 0.1;
+    const PointId a = world.bodies[body()].points[0], b = world.bodies[body()].points[0];
+    things["Screw"] = add_screw(world, a, b, screw);
   }
   void add_sets() {
     FamilyDef family;
@@ -228,6 +247,10 @@ std::vector<Sample> samples_of_constraints() {
       {"Align", "angle", 0.25},
       {"Motor", "speed", 2.5},
       {"motor by angle", "angle", 0.25},
+      {"Gear", "ratio", -3.0},
+      {"Rack", "radius", 0.25},
+      {"Pulley", "ratio", 2.0},
+      {"Screw", "lead", -0.2},
       {"Motor", "max_torque", 30.0},
       {"Limit", "min", -0.5},
       {"Limit", "max", 1.5},
@@ -280,7 +303,7 @@ TEST_CASE("every property of every kind of thing is read without a script, and i
       CHECK((is_of(property->type, value) || (std::string(property->type) == "Body[]" && value.index() == 0)));
     }
   }
-  CHECK(kinds.size() == 22);
+  CHECK(kinds.size() == 26);
 }
 
 TEST_CASE("what is written to a property is read from it, of every property that can be written") {

@@ -30,6 +30,13 @@ BodyId add_disc(World& world, Vec3 at, double moment, double mass = 1.0) {
   return add_body(world, def);
 }
 
+PointId add_mass(World& world, Vec3 at, double mass) {
+  ParticleDef def;
+  def.at = at;
+  def.mass = mass;
+  return world.particles[add_particle(world, def)].points[0];
+}
+
 PointId centre(const World& world, BodyId body) { return world.bodies[body].points[0]; }
 
 double spin_of(const World& world, BodyId body) { return angular_velocity(world.motion_of(body))[2]; }
@@ -162,8 +169,7 @@ TEST_CASE("gear: a ratio that changes in time leaves the wheels where they are, 
 TEST_CASE("rack: a rack that falls turns its wheel") {
   World world;
   const BodyId wheel = add_wheel(world, vec(0, 0, 0), 0.4);
-  const ParticleId rack = add_particle(world, {.at = vec(0.5, 0, 0), .mass = 2.0});
-  const PointId point = world.particles[rack].points[0];
+  const PointId point = add_mass(world, vec(0.5, 0, 0), 2.0);
   RackDef def;
   def.axis = vec(0, 0, 1);
   def.along = vec(0, 1, 0);
@@ -180,10 +186,7 @@ TEST_CASE("rack: a rack that falls turns its wheel") {
 TEST_CASE("pulley: two masses on a tackle fall as their weights say, and the rope may go slack") {
   const double ratio = GENERATE(1.0, 2.0);
   World world;
-  const auto mass_at = [&](Vec3 at, double mass) {
-    return world.particles[add_particle(world, {.at = at, .mass = mass})].points[0];
-  };
-  const PointId a = mass_at(vec(0, -2, 0), 3.0), b = mass_at(vec(1, -2, 0), 1.0);
+  const PointId a = add_mass(world, vec(0, -2, 0), 3.0), b = add_mass(world, vec(1, -2, 0), 1.0);
   PulleyDef def;
   def.ratio.value = ratio;
   const ConstraintId rope = add_pulley(world, a, {{}, vec(0, 0, 0)}, b, {{}, vec(1, 0, 0)}, def);
@@ -191,6 +194,7 @@ TEST_CASE("pulley: two masses on a tackle fall as their weights say, and the rop
   advance(world, 0.25);
   CHECK(world.motion_of(a).v[1] == Approx(down * 0.25).epsilon(1e-9));
   CHECK(world.motion_of(b).v[1] == Approx(-down * 0.25 / ratio).epsilon(1e-9));
+  CHECK(world.constraints[rope].tension == Approx(pull).epsilon(1e-9));
   CHECK(present_gap(world, world.constraints[rope]) <= 1e-10);
   kick(world, a, vec(0, 10, 0));
   advance(world, 0.45);

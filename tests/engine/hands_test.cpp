@@ -98,7 +98,7 @@ TEST_CASE("a grab is a follow with a limit; a new one lets go of the last") {
   grab(t.world, 0, left_of(t.world, t.a), 30);
   const ConstraintId first = t.world.hands[0].grab;
   CHECK(t.world.constraints[first].max_force == 30.0);
-  CHECK(same(t.world.constraints[first].position, vec(5, 0, 0)));
+  CHECK(same(t.world.constraints[first].position.now, vec(5, 0, 0)));
   grab(t.world, 0, right_of(t.world, t.b));
   CHECK_FALSE(t.world.constraints.alive(first));
   CHECK(t.world.constraints[t.world.hands[0].grab].a == right_of(t.world, t.b));
@@ -201,12 +201,12 @@ TEST_CASE("the velocity of a followed target is exact for a parabola once there 
   const ConstraintId id = add_follow(world, point_of(world, add_particle(world, {})), def);
   feed(world, {});
   const Constraint& c = world.constraints[id];
-  CHECK(same(c.previous, vec(1, 0, 0)));
-  CHECK(c.position[0] == Approx(1.23));
-  CHECK(c.velocity[0] == Approx(2.3));
+  CHECK(same(c.position.previous, vec(1, 0, 0)));
+  CHECK(c.position.now[0] == Approx(1.23));
+  CHECK(c.position.rate[0] == Approx(2.3));
   feed(world, {});
-  CHECK(c.previous[0] == Approx(1.23));
-  CHECK(c.velocity[0] == Approx(2 + 6 * 0.2));
+  CHECK(c.position.previous[0] == Approx(1.23));
+  CHECK(c.position.rate[0] == Approx(2 + 6 * 0.2));
   def.target = [](double t) { return t > 0.25 ? vec(0, std::nan(""), 0) : zero3(); };
   set_target(world, id, def.target);
   CHECK_THROWS_WITH(feed(world, {}), Contains("follow") && Contains("target must be finite"));
@@ -223,14 +223,14 @@ TEST_CASE("a nail from far away draws its point in, critically damped, without o
     feed(world, {}, 0.05);
     const double t = 0.05 * i, decay = std::exp(-t / tau);
     const Constraint& c = world.constraints[id];
-    CHECK(c.away[0] == Approx(-2 * (1 + t / tau) * decay));
-    CHECK(c.away[2] == Approx(t * decay));
-    CHECK(c.away_rate[0] == Approx(2 * t / (tau * tau) * decay));
-    CHECK(c.away_rate[2] == Approx((1 - t / tau) * decay).margin(1e-14));
+    CHECK(c.attract.away[0] == Approx(-2 * (1 + t / tau) * decay));
+    CHECK(c.attract.away[2] == Approx(t * decay));
+    CHECK(c.attract.away_rate[0] == Approx(2 * t / (tau * tau) * decay));
+    CHECK(c.attract.away_rate[2] == Approx((1 - t / tau) * decay).margin(1e-14));
   }
   for (int i = 0; i < 400; i++) feed(world, {}, 0.05);
-  CHECK(same(world.constraints[id].away, zero3()));
-  CHECK(same(world.constraints[id].away_rate, zero3()));
+  CHECK(same(world.constraints[id].attract.away, zero3()));
+  CHECK(same(world.constraints[id].attract.away_rate, zero3()));
 }
 
 TEST_CASE("a follow that an event makes is at its target at the end of that step") {
@@ -249,6 +249,6 @@ TEST_CASE("a follow that an event makes is at its target at the end of that step
   };
   add_event(world, event);
   while (!follow) step(world);
-  CHECK(world.constraints[follow].position[0] == world.time);
-  CHECK(norm(world.constraints[follow].velocity - vec(1, 0, 0)) <= 1e-12);
+  CHECK(world.constraints[follow].position.now[0] == world.time);
+  CHECK(norm(world.constraints[follow].position.rate - vec(1, 0, 0)) <= 1e-12);
 }

@@ -160,7 +160,7 @@ TEST_CASE("hub: rows of all kinds on it hold") {
   const Vec3 apart = centre(welded) - position(world, wheel.centre);
   check_exact(world, 0.5);
   CHECK(hubs(world) == 1);
-  CHECK(norm(position(world, wheel.edge[0]) - vec(1, 4, 0)) == Approx(world.constraints[rod].length).epsilon(1e-9));
+  CHECK(norm(position(world, wheel.edge[0]) - vec(1, 4, 0)) == Approx(world.constraints[rod].number.now).epsilon(1e-9));
   CHECK(norm(position(world, wheel.edge[5]) - position(world, cases::point_of(world, held, 0))) ==
         Approx(length).epsilon(1e-9));
   CHECK(norm(centre(welded) - position(world, wheel.centre)) == Approx(norm(apart)).epsilon(1e-9));

@@ -34,7 +34,7 @@ double largest_gap(const World& world) {
   }
   for (const ConstraintId id : world.constraints.ids()) {
     const Constraint& c = world.constraints[id];
-    if (c.kind == ConstraintKind::nail) gap = std::max(gap, norm(position(world, c.a) - c.position));
+    if (c.kind == ConstraintKind::nail) gap = std::max(gap, norm(position(world, c.a) - c.position.now));
   }
   return gap;
 }

@@ -1,6 +1,6 @@
 #pragma once
 // What the makers of constraints have in common.
-#include "lua/thing/constraint_fields.hpp"
+#include "lua/thing/constraint_values.hpp"
 #include "lua/value/arguments.hpp"
 
 namespace pantin::lua {

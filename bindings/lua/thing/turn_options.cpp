@@ -1,6 +1,6 @@
 #include "lua/thing/turn_options.hpp"
 
-#include "lua/thing/constraint_values.hpp"
+#include "lua/thing/constraint_options.hpp"
 #include "lua/thing/script.hpp"
 #include "lua/thing/targets.hpp"
 #include "lua/value/arguments.hpp"
