@@ -1,6 +1,7 @@
 #pragma once
 // Couplings: several values, each with a weight, that add up to one number. Gear, rack, pulley and screw are made of them.
 #include "constraints/kind.hpp"
+#include "constraints/plans.hpp"
 
 namespace pantin {
 
@@ -21,6 +22,21 @@ std::vector<RowPlan> coupling_rows(const Model& model, const Constraint& constra
 std::vector<PlaneNeed> axes_of_coupling(const Model& model, const Constraint& constraint);
 /// After a change of the ratio, which was `before` in the middle of the last step: what was counted stays counted.
 void follow_ratio(const Model& model, Constraint& constraint, double before);
+
+/// The entry of a coupling that holds its sum from both sides, and so takes one freedom.
+constexpr ConstraintRule coupling_rule(KeptNumber keeps,
+                                       std::vector<PlaneNeed> (*in_plane)(const Model&, const Constraint&)) {
+  ConstraintRule rule;
+  rule.keeps = keeps;
+  rule.freedoms = [](const Constraint&) { return FreedomsTaken{1, 1}; };
+  rule.directions = no_direction;
+  rule.start = start_coupling;
+  rule.gap = coupling_gap;
+  rule.follow = follow_ratio;
+  rule.rows = coupling_rows;
+  rule.in_plane = in_plane;
+  return rule;
+}
 
 // See constraints/load.hpp.
 void load_coupling(Condition& condition, const Row& row, const Model& model, const Constraint& constraint);

@@ -15,10 +15,10 @@ struct Ratio {
 };
 
 struct GearDef {
-  Vec3 axis_a = zero3();                ///< world axes, of any length but 0; stays fixed in a and in the carrier
-  std::optional<Vec3> axis_b;           ///< of b; not given: a's
-  BodyId carrier;                       ///< against which both turn; null: the world
-  Ratio ratio;                          ///< turns of a per turn of b, in the sense of their axes
+  Vec3 axis_a = zero3();       ///< world axes, of any length but 0; stays fixed in a and in the carrier
+  std::optional<Vec3> axis_b;  ///< of b; not given: a's
+  BodyId carrier;              ///< against which both turn; null: the world
+  Ratio ratio;                 ///< turns of a per turn of b, in the sense of their axes
 };
 /// a turns `ratio` times as far as b. It keeps neither on its axis: hinges do.
 ConstraintId add_gear(World& world, BodyId a, BodyId b, const GearDef& def);

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <utility>
 
+#include "articulates/solve/couplings.hpp"
 #include "articulates/solve/drift.hpp"
 #include "articulates/solve/newton.hpp"
 #include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/row_gaps.hpp"
-#include "articulates/solve/couplings.hpp"
 #include "articulates/solve/state.hpp"
 #include "constraints/row_rule.hpp"
 #include "constraints/stiff.hpp"

@@ -120,7 +120,8 @@ TEST_CASE("the options that annotations list are those that the bindings know") 
   for (const auto& [name, call] : calls) {
     CAPTURE(name);
     const std::string message = failure(things + call);
-    const std::string begins = "unknown field 'wrong'. Known are ";
+    const std::string begins = " Known are ";
+    CHECK_THAT(message, Catch::Contains("unknown field 'wrong'"));
     CAPTURE(message);
     const std::size_t known = message.find(begins);
     REQUIRE(known != std::string::npos);

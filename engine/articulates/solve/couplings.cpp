@@ -33,7 +33,8 @@ double per_turn(double turned) {
 
 Value value(const Row& row, const Condition& c, double w) {
   if (row.lever > 0.0)
-    return {mean_axis(row), twist_gradient(row) * w, c.angle1 * row.lever * w, per_turn(c.angle1 - c.angle0) * w, 0.0, 0.0};
+    return {
+        mean_axis(row), twist_gradient(row) * w, c.angle1 * row.lever * w, per_turn(c.angle1 - c.angle0) * w, 0.0, 0.0};
   const double displacement = norm(row.d1 - row.d0);
   if (norm2(c.direction) > 0.0)
     return {c.direction, c.direction * w, dot(c.direction, row.d1) * w, w, 0.0, displacement};
@@ -66,9 +67,9 @@ double sum_of(const Articulate& a, const Coupling& coupling) {
   for (std::uint32_t k : coupling.rows) {
     const Row& row = a.rows[k];
     const Condition& c = condition(a, row);
-    const double v = row.lever > 0.0              ? c.angle1 * row.lever
+    const double v = row.lever > 0.0            ? c.angle1 * row.lever
                      : norm2(c.direction) > 0.0 ? dot(c.direction, row.d1)
-                                                  : norm(row.d1);
+                                                : norm(row.d1);
     sum += v * relative_weight(a, coupling, k);
   }
   return sum;
@@ -113,8 +114,7 @@ double evaluate_coupling(Articulate& a, const Coupling& coupling, double h) {
   Row& head = a.rows[coupling.head];
   const Condition& c = condition(a, head);
   const Value of_head = value(head, c, 1.0);
-  const double kappa = 0.5 * h * h * mobility(a, head), 
-               over = sum_of(a, coupling) - c.length / c.weight - c.accepted;
+  const double kappa = 0.5 * h * h * mobility(a, head), over = sum_of(a, coupling) - c.length / c.weight - c.accepted;
   const bool held = !c.ranged || dot(head.f, of_head.n) / of_head.share * kappa < over;
   double worst = 0.0;
   for (std::uint32_t k : coupling.rows) {
@@ -150,9 +150,8 @@ void find_couplings(Articulate& a) {
     const Row& row = a.rows[k];
     if (row.kind != RowKind::coupled) continue;
     const ConstraintId id = condition(a, row).constraint;
-    const auto same = std::find_if(a.couplings.begin(), a.couplings.end(), [&](const Coupling& s) {
-      return condition(a, a.rows[s.head]).constraint == id;
-    });
+    const auto same = std::find_if(a.couplings.begin(), a.couplings.end(),
+                                   [&](const Coupling& s) { return condition(a, a.rows[s.head]).constraint == id; });
     if (same == a.couplings.end()) {
       a.couplings.push_back({k, {k}, {}, {}, {}});
       continue;

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "articulates/solve/conditions.hpp"
+#include "articulates/solve/couplings.hpp"
 #include "articulates/solve/fallback_step.hpp"
 #include "articulates/solve/midpoint.hpp"
 #include "articulates/solve/momenta.hpp"
 #include "articulates/solve/newton.hpp"
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/row_gaps.hpp"
-#include "articulates/solve/couplings.hpp"
 #include "articulates/solve/state.hpp"
 #include "constraints/row_rule.hpp"
 

@@ -2,12 +2,12 @@
 
 #include "articulates/solve/angular_rows.hpp"
 #include "articulates/solve/conditions.hpp"
+#include "articulates/solve/couplings.hpp"
 #include "articulates/solve/drift.hpp"
 #include "articulates/solve/fallback_step.hpp"
 #include "articulates/solve/midpoint.hpp"
 #include "articulates/solve/newton.hpp"
 #include "articulates/solve/row_gaps.hpp"
-#include "articulates/solve/couplings.hpp"
 #include "articulates/solve/state.hpp"
 #include "base/functions.hpp"
 #include "constraints/row_rule.hpp"

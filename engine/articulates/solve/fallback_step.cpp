@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "articulates/solve/angular_rows.hpp"
+#include "articulates/solve/couplings.hpp"
 #include "articulates/solve/loose.hpp"
 #include "articulates/solve/midpoint.hpp"
 #include "articulates/solve/momenta.hpp"
@@ -10,7 +11,6 @@
 #include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/row_gaps.hpp"
-#include "articulates/solve/couplings.hpp"
 #include "articulates/solve/state.hpp"
 #include "constraints/row_rule.hpp"
 #include "constraints/stiff.hpp"

@@ -1,10 +1,10 @@
 // The matrix S of the rows: blocks Σ over shared nodes of s_i s_j (1/m - r_i^ W r̄_j^).
 #include <algorithm>
 
+#include "articulates/solve/couplings.hpp"
 #include "articulates/solve/midpoint.hpp"
 #include "articulates/solve/newton.hpp"
 #include "articulates/solve/node_batches.hpp"
-#include "articulates/solve/couplings.hpp"
 
 namespace pantin {
 
@@ -161,8 +161,8 @@ void add_coupled_blocks(Articulate& a, const Coupling& coupled, const System& sy
     const Mat3x4 G = turn_by(weight(a, batch, system), by, system.right);
     const Mat3 k = unpack(response(of, by, G, ease(a, a.batches[batch])))[m.node % batch_size];
     Mat3& block = m.column == coupled.head ? a.factor.diagonal[m.block]
-                  : m.upper               ? a.factor.upper[m.block]
-                                          : a.factor.lower[m.block];
+                  : m.upper                ? a.factor.upper[m.block]
+                                           : a.factor.lower[m.block];
     block += condition(a, a.rows[m.row]).into_head * k;
   }
   for (const HeadBlock& link : coupled.links) {

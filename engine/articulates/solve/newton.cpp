@@ -7,10 +7,10 @@
 #include <limits>
 
 #include "articulates/solve/angular_rows.hpp"
+#include "articulates/solve/couplings.hpp"
 #include "articulates/solve/midpoint.hpp"
 #include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/row_gaps.hpp"
-#include "articulates/solve/couplings.hpp"
 #include "articulates/solve/state.hpp"
 #include "constraints/row_rule.hpp"
 #include "constraints/stiff.hpp"

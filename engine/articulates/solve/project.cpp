@@ -4,12 +4,12 @@
 #include <utility>
 
 #include "articulates/solve/conditions.hpp"
+#include "articulates/solve/couplings.hpp"
 #include "articulates/solve/midpoint.hpp"
 #include "articulates/solve/momenta.hpp"
 #include "articulates/solve/newton.hpp"
 #include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/row_gaps.hpp"
-#include "articulates/solve/couplings.hpp"
 #include "articulates/solve/state.hpp"
 #include "constraints/row_rule.hpp"
 
