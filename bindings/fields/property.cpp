@@ -161,7 +161,8 @@ bool is_plain(const Value& value) { return holds<std::monostate, double, bool, s
 void write(World& world, const AnyId& thing, std::string_view name, const Value& value) {
   const Type& type = type_of(world, thing);
   const Property& property = known(type, name);
-  property.write(world, thing, checked(type, property, value));
+  const Value fitting = checked(type, property, value);
+  property.write(world, thing, fitting);
 }
 
 }  // namespace pantin::fields

@@ -41,14 +41,14 @@ double lever(const Articulate& a, const Row& row) {
 
 using RowPairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-/// Any segment of a string may become its head, which meets whatever its segments meet.
+/// Any row of a coupling may become its head, which meets whatever its rows meet.
 RowPairs pairs_in_couplings(const std::vector<Edge>& edges, const RowLists& on) {
   RowPairs pairs;
-  std::vector<std::uint32_t> segments;
+  std::vector<std::uint32_t> coupled;
   for (std::uint32_t k = 0; k < edges.size(); k++)
-    if (edges[k].kind == RowKind::coupled) segments.push_back(k);
-  for (std::uint32_t i : segments)
-    for (std::uint32_t j : segments) {
+    if (edges[k].kind == RowKind::coupled) coupled.push_back(k);
+  for (std::uint32_t i : coupled)
+    for (std::uint32_t j : coupled) {
       if (edges[i].constraint != edges[j].constraint) continue;
       if (j != i) pairs.emplace_back(i, j);
       for (std::int32_t node : {edges[j].a, edges[j].b})
@@ -71,16 +71,16 @@ std::vector<std::uint32_t> find_hubs(const std::vector<Edge>& edges, const RowLi
       const std::int32_t other = edges[k].a == static_cast<std::int32_t>(n) ? edges[k].b : edges[k].a;
       return other >= 0 && rows(static_cast<std::size_t>(other)) <= few;
     };
-    const auto on_string = [&](std::uint32_t k) { return edges[k].kind == RowKind::coupled; };
+    const auto is_coupled = [&](std::uint32_t k) { return edges[k].kind == RowKind::coupled; };
     const auto list = on[n];
     if (std::count_if(list.begin(), list.end(), leads_to_few) > few &&
-        std::none_of(list.begin(), list.end(), on_string))
+        std::none_of(list.begin(), list.end(), is_coupled))
       hubs.push_back(n);
   }
   return hubs;
 }
 
-/// Which rows meet: at a node, at the two variables of a hub, which follow the rows, or as segments of a coupled.
+/// Which rows meet: at a node, at the two variables of a hub, which follow the rows, or as rows of a coupling.
 RowLists neighbours_of(const std::vector<Edge>& edges, const RowLists& on, const std::vector<std::uint32_t>& hubs) {
   const auto rows = static_cast<std::uint32_t>(edges.size());
   std::vector<std::uint32_t> variable(on.first.size() - 1, 0);  // of a hub, else 0

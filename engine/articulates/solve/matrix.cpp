@@ -132,7 +132,7 @@ void set_right_side(Articulate& a, std::uint32_t k, const System& system) {
     side += row.kind == RowKind::rigid ? handed_over(a, k) : condition(a, row).M * handed_over(a, k);
     if (row.kind == RowKind::coupled)
       if (const Coupling* coupled = coupling_of_head(a, k))
-        side += into_head(a, *coupled, [&](const Row& segment) { return handed_over(a, condition(a, segment).row); });
+        side += into_head(a, *coupled, [&](const Row& other) { return handed_over(a, condition(a, other).row); });
   }
   a.right_side[k] = side * system.right_scale;
 }
@@ -151,7 +151,7 @@ const RowEnds& end_of(const Articulate& a, std::size_t node, std::uint32_t row) 
   return *found;
 }
 
-/// The parts of a string's head that its other segments make, once all their
+/// The parts of a coupling's head that its other rows make, once all their
 /// nodes are known.
 void add_coupled_blocks(Articulate& a, const Coupling& coupled, const System& system) {
   for (std::uint32_t block : coupled.cleared) a.factor.lower[block] = a.factor.upper[block] = zero33();

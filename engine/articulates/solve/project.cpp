@@ -27,8 +27,7 @@ void find_forbidden_velocity(Articulate& a, std::size_t k) {
   if (row.kind != RowKind::rigid) row.residual = c.kept * row.residual;
 }
 
-/// Of a string's head that of the whole string; of its other segments 0, which
-/// have the head's impulse.
+/// Of a coupling's head that of the sum; of its other rows 0, which have the head's impulse.
 Vec3 forbidden_of_coupling(const Articulate& a, std::uint32_t k) {
   for (const Coupling& coupled : a.couplings) {
     if (coupled.head != k) continue;
