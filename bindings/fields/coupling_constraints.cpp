@@ -72,10 +72,10 @@ const Type& pulley_type() {
                               [](const World& w, ConstraintId c) { return first(w, c).point_a; }),
        property<ConstraintId>("b", "Point", "", "the point at its second end",
                               [](const World& w, ConstraintId c) { return second(w, c).point_a; }),
-       proportion(
-           "ratio", "1",
-           "how many times the second side counts, > 0; written as a number or a function of time [s], the rope is "
-           "as long as it is then"),
+       proportion("ratio", "1",
+                  "how many times the second side counts, > 0; written as a number or a function of time [s]; a rope "
+                  "that would be "
+                  "too short is as long as it is then"),
        property<ConstraintId>("length", "number", "m", "the most that a's side and ratio times b's add up to",
                               [](const World& w, ConstraintId c) { return row(w, c).as<CouplingData>().total; }),
        property<ConstraintId>("force", "number", "N", "tension of a's side in the last step, 0 where it is slack",
@@ -85,7 +85,10 @@ const Type& pulley_type() {
 
 const Type& screw_type() {
   static const Type type = type_of_constraint(
-      "Screw", "screw", "Moves two points apart by `lead` for each turn of the first one's body against the second's.",
+      "Screw", "screw",
+      "Moves two points apart by `lead` for each turn of the first one's body against the second's. What counts is "
+      "their "
+      "distance, so they must not come to each other.",
       {property<ConstraintId>("a", "Point", "", "its first point",
                               [](const World& w, ConstraintId c) { return second(w, c).point_a; }),
        property<ConstraintId>("b", "Point", "", "its second point",

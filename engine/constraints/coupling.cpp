@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/functions.hpp"
 #include "constraints/geometry.hpp"
 #include "constraints/row_rule.hpp"
 
@@ -14,6 +15,15 @@ double value_of(const Model& model, const CoupledValue& v) {
   if (v.body_a) return v.angle;
   const Vec3 d = position(model, v.point_a) - (v.point_b ? position(model, v.point_b) : v.position);
   return norm2(v.direction) > 0.0 ? dot(v.direction, d) : norm(d);
+}
+
+/// How far it is turned now [rad], nearest to what was counted last: it may have turned while the coupling was off.
+double present_angle(const Model& model, const CoupledValue& v) {
+  constexpr double turn = 6.283185307179586;
+  const Quat frame = v.body_b ? orientation(model, v.body_b) : Quat{};
+  const Quat q = conjugate(frame) * orientation(model, v.body_a) * conjugate(v.turn);
+  const double angle = 2.0 * functions::atan2(dot(vec(q.x, q.y, q.z), v.axis_b), q.w);
+  return angle + turn * std::round((v.angle - angle) / turn);
 }
 
 double gyration(const Model& model, BodyId body) {
@@ -36,7 +46,13 @@ double coupled_sum(const Model& model, const Constraint& c) {
   return sum;
 }
 
-void start_coupling(const Model& model, Constraint& c, double) { c.as<CouplingData>().total = coupled_sum(model, c); }
+void start_coupling(const Model& model, Constraint& c, double) {
+  CouplingData& data = c.as<CouplingData>();
+  for (CoupledValue& v : data.values)
+    if (v.body_a) v.angle = present_angle(model, v);
+  const double sum = coupled_sum(model, c);
+  data.total = has_range(c) ? std::fmax(data.total, sum) : sum;  // a rope that is long enough stays as long
+}
 
 double coupling_gap(const Model& model, const Constraint& c) {
   const bool angles = std::all_of(c.coupled().begin(), c.coupled().end(),

@@ -12,7 +12,7 @@ double coupled_sum(const Model& model, const Constraint& constraint);
 
 // What their entries in the table have in common.
 
-/// Starts anew with the values as they are: nothing is far.
+/// Starts anew with the values as they are: nothing is far, and wheels that turned while it was off mesh where they are.
 void start_coupling(const Model& model, Constraint& constraint, double tolerance);
 /// What the sum misses [m]; a coupling of angles alone by the least lever of its bodies.
 double coupling_gap(const Model& model, const Constraint& constraint);

@@ -449,12 +449,12 @@ local Rack = {}
 ---@class Pulley: AnyConstraint
 ---@field a Point the point at its first end (read only)
 ---@field b Point the point at its second end (read only)
----@field ratio number [1] how many times the second side counts, > 0; written as a number or a function of time [s], the rope is as long as it is then
+---@field ratio number [1] how many times the second side counts, > 0; written as a number or a function of time [s]; a rope that would be too short is as long as it is then
 ---@field length number [m] the most that a's side and ratio times b's add up to (read only)
 ---@field force number [N] tension of a's side in the last step, 0 where it is slack (read only)
 local Pulley = {}
 
----Moves two points apart by `lead` for each turn of the first one's body against the second's.
+---Moves two points apart by `lead` for each turn of the first one's body against the second's. What counts is their distance, so they must not come to each other.
 ---@class Screw: AnyConstraint
 ---@field a Point its first point (read only)
 ---@field b Point its second point (read only)

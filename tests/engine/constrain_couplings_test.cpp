@@ -142,11 +142,9 @@ TEST_CASE("gear: on a carrier that floats freely angular momentum and energy sta
   const double before = energy(world).kinetic;
   const Vec3 turning = angular_momentum(world, all);
   advance(world, 10.0);
-  CHECK(energy(world).kinetic == Approx(before).epsilon(1e-8));
+  CHECK(energy(world).kinetic == Approx(before).epsilon(1e-10));
   CHECK(norm(angular_momentum(world, all) - turning) <= 1e-9 * norm(turning));
-  const double of_a = spin_of(world, a) - spin_of(world, carrier), of_b = spin_of(world, b) - spin_of(world, carrier);
   CHECK(world.stats.fallback_steps == 0);
-  (void)of_a, (void)of_b;
 }
 
 TEST_CASE("gear: a ratio that changes in time leaves the wheels where they are, and their power with each other") {

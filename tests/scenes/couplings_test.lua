@@ -53,6 +53,25 @@ test("gear: a new ratio meshes where the wheels are, and one of time turns witho
   expect(scene:find("b").spin.z):near(0.8, 1e-3)
 end)
 
+test("gear: off and on again it meshes where the wheels are, and a slack rope keeps its length", function()
+  local scene = open_with [[
+    scene.gravity = vec(0, 0, 0)
+    local gear = scene:gear(a, b, { ratio = -2, axis = z })
+    local rope = scene:pulley(p, vec(0, 4, 0), vec(1, 4, 0), q, { length = 9, name = "rope" })
+    a.spin, b.spin = vec(0, 0, 4), vec(0, 0, -2)
+    scene:at(0.5, function() gear.enabled, rope.enabled = false, false end)
+    scene:at(0.6, function() b.spin = vec(0, 0, 7) end)
+    scene:at(0.7, function() b.spin = vec(0, 0, -2) end)
+    scene:at(1.0, function() gear.enabled, rope.enabled = true, true end)
+    scene:probe("turned", function() return gear.turned end)
+  ]]
+  scene:advance(1.5)
+  expect(scene.stats.fallback_steps):equal(0)
+  expect(scene:find("a").spin.z):near(4, 1e-9)
+  expect(scene:read "turned"):near(6, 1e-3)
+  expect(scene:find("rope").length):equal(9)
+end)
+
 test("a planetary gear turns as Willis's formula says, with more planets than it needs", function()
   local scene = open_with [[
     local at = vec(3, 0, 0)

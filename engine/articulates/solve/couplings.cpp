@@ -1,6 +1,6 @@
 // Several values add up to one, Σ w v = L: lengths of a string's segments, turns of gears, heights of racks. What makes
 // force times displacement exact for a value is its discrete gradient e: of a length (d0 + d1)/(|d0| + |d1|), of a height
-// its direction, of an angle that turns by φ the axis times φ/(2 tan φ/2), for a torque does work on 2 tan(φ/2). So the
+// its direction, of an angle that turns by φ the axis n times φ/(n·(ā_a - ā_b)), for that is what a torque does work on. So the
 // forces are λ w e with one λ for all: what the coupling gives on one side it takes on the other, without work.
 //   head:   n (Σ w v - L) + κ P f = 0, or f = 0 where it is one-sided and slack;   n = e/|e|, P = 1 - n n'
 //   others: κ (f - λ w e) = 0
@@ -9,7 +9,6 @@
 
 #include <algorithm>
 
-#include "base/functions.hpp"
 #include "constraints/row_rule.hpp"
 
 namespace pantin {
@@ -25,16 +24,25 @@ struct Value {
   double displacement;  // [m] of d in the step
 };
 
-/// φ/(2 tan φ/2)
-double per_turn(double turned) {
-  if (std::fabs(turned) < 1e-4) return 1.0 - turned * turned / 12.0;
-  return 0.5 * turned * functions::cos(0.5 * turned) / functions::sin(0.5 * turned);
+/// By how much more an angle turns than a torque along the mean axis n does work on: φ/(n·(ā_a - ā_b)), with the Cayley vectors
+/// of both ends. About one axis these are 2 tan(α/2) and 2 tan(β/2), α - β = φ.
+double turn_by_work(const Articulate& a, const Row& row, Vec3 n, double turned) {
+  const auto along = [&](std::int32_t node) {
+    return node < 0 ? 0.0 : dot(n, a.nodes[static_cast<std::size_t>(node)].a);
+  };
+  const double of_a = along(row.a), of_b = along(row.b), work = of_a - of_b;
+  if (std::fabs(turned) > 1e-4 && std::fabs(work) > 0.1 * std::fabs(turned)) return turned / work;
+  return (1.0 - turned * turned / 12.0) / (1.0 + 0.25 * of_a * of_b);
 }
 
-Value value(const Row& row, const Condition& c, double w) {
+Value value(const Articulate& a, const Row& row, const Condition& c, double w) {
   if (row.lever > 0.0)
-    return {
-        mean_axis(row), twist_gradient(row) * w, c.angle1 * row.lever * w, per_turn(c.angle1 - c.angle0) * w, 0.0, 0.0};
+    return {mean_axis(row),
+            twist_gradient(row) * w,
+            c.angle1 * row.lever * w,
+            turn_by_work(a, row, mean_axis(row), c.angle1 - c.angle0) * w,
+            0.0,
+            0.0};
   const double displacement = norm(row.d1 - row.d0);
   if (norm2(c.direction) > 0.0)
     return {c.direction, c.direction * w, dot(c.direction, row.d1) * w, w, 0.0, displacement};
@@ -113,7 +121,7 @@ double evaluate_other(Articulate& a, Row& row, const Value& v, const Row& head, 
 double evaluate_coupling(Articulate& a, const Coupling& coupling, double h) {
   Row& head = a.rows[coupling.head];
   const Condition& c = condition(a, head);
-  const Value of_head = value(head, c, 1.0);
+  const Value of_head = value(a, head, c, 1.0);
   const double kappa = 0.5 * h * h * mobility(a, head), over = sum_of(a, coupling) - c.length / c.weight - c.accepted;
   const bool held = !c.ranged || dot(head.f, of_head.n) / of_head.share * kappa < over;
   double worst = 0.0;
@@ -124,7 +132,7 @@ double evaluate_coupling(Articulate& a, const Coupling& coupling, double h) {
       continue;
     }
     condition(a, row).held = true;
-    const auto own = [&] { return value(row, condition(a, row), relative_weight(a, coupling, k)); };
+    const auto own = [&] { return value(a, row, condition(a, row), relative_weight(a, coupling, k)); };
     worst = std::fmax(worst, k == coupling.head ? evaluate_head(a, row, of_head, over, kappa)
                                                 : evaluate_other(a, row, own(), head, of_head, kappa));
   }
