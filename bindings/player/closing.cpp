@@ -41,7 +41,7 @@ void print_closing(const Scene& scene, const std::string& path, double seconds) 
   std::cout << scene_name(path) << line;
   std::snprintf(line, sizeof line,
                 "  energy error %.2g (worst %.2g)   largest gap %.2g m (worst %.2g m)   hash %016llx\n",
-                world.error.energy, world.worst.energy, world.error.hinge_gap, world.worst.hinge_gap,
+                world.error.energy, world.worst.energy, world.error.constraint, world.worst.constraint,
                 static_cast<unsigned long long>(state_hash(world)));
   std::cout << line;
   if (world.stats.fallback_steps > 0)

@@ -76,6 +76,7 @@ std::string summary(const Scene& scene, const std::string& failure) {
                      {"constraint", world.error.constraint},
                      {"energy", world.error.energy},
                      {"worst_hinge_gap", world.worst.hinge_gap},
+                     {"worst_constraint", world.worst.constraint},
                      {"worst_energy", world.worst.energy}};
   if (world.settings.accuracy)
     result["accuracy"] = {{"wanted", property(world, "accuracy")},

@@ -14,7 +14,7 @@ double coupled_sum(const Model& model, const Constraint& constraint);
 
 /// Starts anew with the values as they are: nothing is far, and wheels that turned while it was off mesh where they are.
 void start_coupling(const Model& model, Constraint& constraint, double tolerance);
-/// What the sum misses [m]; a coupling of angles alone by the least lever of its bodies.
+/// What the sum misses [m]: how far that of its things would have to move to close it which has to move least.
 double coupling_gap(const Model& model, const Constraint& constraint);
 /// One row for each value.
 std::vector<RowPlan> coupling_rows(const Model& model, const Constraint& constraint);
@@ -37,6 +37,10 @@ constexpr ConstraintRule coupling_rule(KeptNumber keeps,
   rule.in_plane = in_plane;
   return rule;
 }
+
+/// Whether the load of a row is what its constraint tells: of a pulley that of the first side, of other couplings those of the
+/// first thing that turns and of what moves.
+bool tells_load(const Condition& condition, const Row& row, const Constraint& constraint);
 
 // See constraints/load.hpp.
 void load_coupling(Condition& condition, const Row& row, const Model& model, const Constraint& constraint);

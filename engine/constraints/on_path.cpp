@@ -95,6 +95,7 @@ std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {between_p
 
 void load(Condition& condition, const Row&, const Model& model, const Constraint& c) {
   condition.path = &path_of(c);
+  condition.extent = path_of(c).extent();
   condition.angle0 = condition.angle1 = c.as<PathData>().along;
   const Vec3 at = path_of(c).positions()[0], height = at - model.plane.along(at);
   condition.whole0 -= height;

@@ -124,6 +124,7 @@ ConstraintId add_screw(World& world, PointId a, PointId b, const ScrewDef& def) 
                                       distance(world, "screw", a, {b, zero3()})};
   values[0].fixed = 0.0;
   values[0].by_ratio = -1.0 / (2.0 * pi);
+  values[1].side = 1.0;
   return insert(world, ConstraintKind::screw, std::move(values), def.lead);
 }
 

@@ -70,8 +70,9 @@ struct CoupledValue {
   Vec3 axis_b = zero3();     ///< the same in body_b's, or the world's
   Quat turn;                 ///< orientation of body_a in body_b's frame, or the world's, that counts as 0
   double angle = 0.0;        ///< [rad] at the end of the last step, turns counted
-  double fixed = 1.0;        ///< its weight, and
-  double by_ratio = 0.0;     ///< what the coupling's ratio adds to that, times itself
+  double side = 0.0;      ///< of a distance along the first value's axis: 1 or, on the other side, -1; 0: has no sides
+  double fixed = 1.0;     ///< its weight, and
+  double by_ratio = 0.0;  ///< what the coupling's ratio adds to that, times itself
 };
 
 class Path;

@@ -42,6 +42,7 @@ Path::Path(std::vector<Vec3> positions, bool smooth, bool closed)
   const std::vector<Vec3> m = smooth_ ? slopes(positions_, closed) : std::vector<Vec3>(n, zero3());
   for (std::size_t i = 0; i < count; i++) {
     const Vec3 from = positions_[i], way = positions_[(i + 1) % n] - from;
+    extent_ = std::fmax(extent_, std::fmax(norm(from), norm(way)));
     if (!smooth_) {
       pieces_.push_back({from, way, zero3(), zero3()});
       continue;

@@ -13,7 +13,8 @@ class Path {
   Path(std::vector<Vec3> positions, bool smooth, bool closed);
 
   Vec3 position(double u) const;
-  Vec3 tangent(double u) const;  ///< of unit length
+  Vec3 tangent(double u) const;              ///< of unit length
+  double extent() const { return extent_; }  ///< [m] of the largest number in its positions
   double pieces() const { return static_cast<double>(pieces_.size()); }
   bool closed() const { return closed_; }
   bool smooth() const { return smooth_; }
@@ -32,6 +33,7 @@ class Path {
   std::vector<Vec3> positions_;
   std::vector<Piece> pieces_;
   bool smooth_, closed_;
+  double extent_ = 0.0;
 };
 
 }  // namespace pantin

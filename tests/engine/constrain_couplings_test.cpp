@@ -164,6 +164,57 @@ TEST_CASE("gear: a ratio that changes in time leaves the wheels where they are, 
   CHECK(spin_of(world, a) / spin_of(world, b) == Approx(2.0).epsilon(1e-6));
 }
 
+TEST_CASE("gear: edits of each step take nothing where the ratio changes in time") {
+  const int steps_in_a_second = GENERATE(60, 240);
+  World world;
+  world.settings.gravity = zero3();
+  world.settings.step = 1.0 / steps_in_a_second;
+  const BodyId a = add_wheel(world, vec(0, 0, 0), 0.5), b = add_wheel(world, vec(1, 0, 0), 2.0);
+  GearDef def = gear_of(2.0);
+  def.ratio.function = [](double t) { return 2.0 + std::sin(2.0 * t); };
+  add_gear(world, a, b, def);
+  set_spin(world, b, vec(0, 0, 4));
+  set_spin(world, a, vec(0, 0, 8));
+  step(world);
+  const double kept = energy(world).kinetic;
+  for (int k = 0; k < 5 * steps_in_a_second; k++) {
+    set_spin(world, a, vec(0, 0, spin_of(world, a)));
+    step(world);
+  }
+  CHECK(energy(world).kinetic == Approx(kept).epsilon(1e-10));
+}
+
+TEST_CASE("gear: breaks at the torque on its first wheel, which it tells") {
+  World world;
+  world.settings.gravity = zero3();
+  const BodyId a = add_wheel(world, vec(0, 0, 0), 0.5), b = add_wheel(world, vec(1, 0, 0), 2.0);
+  const ConstraintId gear = add_gear(world, a, b, gear_of(-2.0));
+  Breaking at;
+  at.torque = 1.0;
+  set_breaks_at(world, gear, at);
+  double told = 0.0;
+  while (world.constraints.alive(gear) && world.time < 2.0) {
+    told = norm(world.constraints[gear].torque);
+    twist(world, a, vec(0, 0, 5.0 * world.time));
+    step(world);
+  }
+  CHECK(told <= 1.0);
+  CHECK(world.time == Approx(0.4).margin(2.5 * world.settings.step));  // half of 5 N m/s goes to b, twice that is on b
+}
+
+TEST_CASE("gear: the gap that is told of gears that contradict is the one that is there") {
+  const double ratio = GENERATE(1e-6, 0.3, 2.0, 1e6);
+  World world;
+  world.settings.gravity = zero3();
+  const BodyId a = add_wheel(world, vec(0, 0, 0), 0.5), b = add_wheel(world, vec(1, 0, 0), 2.0);
+  const ConstraintId gears[] = {add_gear(world, a, b, gear_of(ratio)), add_gear(world, a, b, gear_of(2.0 * ratio))};
+  set_spin(world, a, vec(0, 0, 5));
+  for (int k = 0; k < 20; k++) step(world);
+  double there = 0.0;
+  for (ConstraintId gear : gears) there = std::fmax(there, present_gap(world, world.constraints[gear]));
+  CHECK(world.error.constraint == Approx(there).epsilon(0.05).margin(1e-12));
+}
+
 TEST_CASE("rack: a rack that falls turns its wheel") {
   World world;
   const BodyId wheel = add_wheel(world, vec(0, 0, 0), 0.4);
@@ -221,7 +272,32 @@ TEST_CASE("screw: a nut that falls along its screw turns") {
   advance(world, 1.0);
   const double wrong = error_of_turns(fall * per * world.settings.step);
   CHECK(world.motion_of(nut).x[2] == Approx(-2.0 - 0.5 * fall).epsilon(wrong));
-  CHECK(spin_of(world, nut) == Approx(fall * per).epsilon(wrong));
+  CHECK(spin_of(world, nut) == Approx(-fall * per).epsilon(wrong));
+  CHECK(world.stats.fallback_steps == 0);
+}
+
+TEST_CASE("screw: a nut passes the point it counts from, and turns on") {
+  World world;
+  world.settings.gravity = zero3();
+  const double lead = 0.5, spin = 4.0, speed = -spin * lead / (2.0 * pi), start = GENERATE(0.2, 1e-3, 0.0);
+  INFO(start);
+  const BodyId screw = add_wheel(world, vec(0, 0, 0), 0.3), nut = add_disc(world, vec(0, 0, start), 0.3, 2.0);
+  add_orient(world, nut);
+  add_on_path(world, centre(world, nut),
+              std::make_shared<const Path>(std::vector<Vec3>{vec(0, 0, -50), vec(0, 0, 50)}, false, false));
+  ScrewDef def;
+  def.axis = vec(0, 0, 1);
+  def.lead.value = lead;
+  add_screw(world, centre(world, screw), centre(world, nut), def);
+  set_spin(world, screw, vec(0, 0, spin));
+  set_velocity(world, nut, vec(0, 0, speed));
+  step(world);
+  const double kept = energy(world).kinetic, first = velocity(world, centre(world, nut))[2];
+  advance(world, 2.0 + world.settings.step);
+  CHECK(world.motion_of(nut).x[2] == Approx(start + first * (2.0 + world.settings.step)).margin(1e-4));
+  CHECK(velocity(world, centre(world, nut))[2] == Approx(first).epsilon(1e-10));
+  CHECK(energy(world).kinetic == Approx(kept).epsilon(1e-10));
+  CHECK(world.worst.constraint <= 1e-10);
   CHECK(world.stats.fallback_steps == 0);
 }
 

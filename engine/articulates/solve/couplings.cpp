@@ -4,7 +4,8 @@
 // forces are λ w e with one λ for all: what the coupling gives on one side it takes on the other, without work.
 //   head:   n (Σ w v - L) + κ P f = 0, or f = 0 where it is one-sided and slack;   n = e/|e|, P = 1 - n n'
 //   others: κ (f - λ w e) = 0
-// Weights are relative to the head's.
+// Weights are relative to the head's. A distance that has sides is s |d|, with s kept from step to step; in the step in which
+// it changes, e = (n0 + n1)/(1 + n0·n1) of the directions n = s d/|d|, which is exact too.
 #include "articulates/solve/couplings.hpp"
 
 #include <algorithm>
@@ -23,6 +24,28 @@ struct Value {
   double bend;          // by how much n turns with a change of d1, [1/m]
   double displacement;  // [m] of d in the step
 };
+
+/// Of a distance at the ends of a step.
+struct Distance {
+  Vec3 n0, n1;           // unit vectors in which it grows
+  double value;          // [m] at the end
+  double side = 1.0;     // there
+  bool crosses = false;  // from one side to the other, or too near to its point at an end to have a direction there
+};
+
+/// Kept from step to step: a distance that turns round its point stays on its side, one that passes it along the axis changes.
+Distance distance(const Articulate& a, const Row& row, const Condition& c) {
+  const double r0 = norm(row.d0), r1 = norm(row.d1), least = 1e-9 * a.length;
+  if (c.angle0 == 0.0) return {direction(row.d0), direction(row.d1), r1};
+  const Node& n = a.nodes[static_cast<std::size_t>(row.b)];
+  const Vec3 u0 = n.R0 * c.axis, u1 = n.R1 * c.axis;
+  const double along = dot(u1, row.d1);
+  if (r1 <= least) return {r0 > least ? direction(row.d0) * c.angle0 : u0, u1, along, along < 0.0 ? -1.0 : 1.0, true};
+  const bool passes = along * c.angle0 < -0.9 * r1 && norm(row.d1 - row.d0) > r1;
+  const double side = passes ? -c.angle0 : c.angle0;
+  return {r0 > least ? direction(row.d0) * c.angle0 : u0, direction(row.d1) * side, side * r1, side,
+          passes || r0 <= least};
+}
 
 /// By how much more an angle turns than a torque along the mean axis n does work on: φ/(n·(ā_a - ā_b)), with the Cayley vectors
 /// of both ends. About one axis these are 2 tan(α/2) and 2 tan(β/2), α - β = φ.
@@ -46,10 +69,21 @@ Value value(const Articulate& a, const Row& row, const Condition& c, double w) {
   const double displacement = norm(row.d1 - row.d0);
   if (norm2(c.direction) > 0.0)
     return {c.direction, c.direction * w, dot(c.direction, row.d1) * w, w, 0.0, displacement};
-  const double r0 = norm(row.d0), r1 = norm(row.d1), sum = std::fmax(r0 + r1, 1e-300);
-  const Vec3 e = (row.d0 + row.d1) / sum;
+  const Distance d = distance(a, row, c);
+  if (d.crosses) {
+    const Vec3 e = (d.n0 + d.n1) / (1.0 + dot(d.n0, d.n1));
+    return {direction(e), d.n1 * w, d.value * w, norm(e) * w, 0.0, displacement};
+  }
+  const double sum = std::fmax(norm(row.d0) + norm(row.d1), 1e-300);
+  const Vec3 e = (row.d0 + row.d1) / (d.side * sum);
   const double stretch = std::fmax(norm(e), 1e-3);
-  return {direction(e), direction(row.d1) * w, r1 * w, stretch * w, 1.0 / (sum * stretch), displacement};
+  return {direction(e), d.n1 * w, d.value * w, stretch * w, d.side / (sum * stretch), displacement};
+}
+
+/// [m] at the end of the step.
+double value_at_end(const Articulate& a, const Row& row, const Condition& c) {
+  if (row.lever > 0.0) return c.angle1 * row.lever;
+  return norm2(c.direction) > 0.0 ? dot(c.direction, row.d1) : distance(a, row, c).value;
 }
 
 /// The direction of a row's velocities that its value changes with, and by how much.
@@ -57,12 +91,12 @@ struct Slope {
   Vec3 n;
   double size;
 };
-Slope slope(const Row& row, const Condition& c) {
+Slope slope(const Articulate& a, const Row& row, const Condition& c) {
   if (row.lever > 0.0) {
     const Vec3 gradient = twist_gradient(row);
     return {direction(gradient), std::fmax(1.0, norm(gradient))};
   }
-  return {norm2(c.direction) > 0.0 ? c.direction : direction(row.d1), 1.0};
+  return {norm2(c.direction) > 0.0 ? c.direction : distance(a, row, c).n1, 1.0};
 }
 
 double relative_weight(const Articulate& a, const Coupling& coupling, std::uint32_t k) {
@@ -74,11 +108,7 @@ double sum_of(const Articulate& a, const Coupling& coupling) {
   double sum = 0.0;
   for (std::uint32_t k : coupling.rows) {
     const Row& row = a.rows[k];
-    const Condition& c = condition(a, row);
-    const double v = row.lever > 0.0            ? c.angle1 * row.lever
-                     : norm2(c.direction) > 0.0 ? dot(c.direction, row.d1)
-                                                : norm(row.d1);
-    sum += v * relative_weight(a, coupling, k);
+    sum += value_at_end(a, row, condition(a, row)) * relative_weight(a, coupling, k);
   }
   return sum;
 }
@@ -118,9 +148,18 @@ double evaluate_other(Articulate& a, Row& row, const Value& v, const Row& head, 
   return weighted(wrong, row, v, kappa);
 }
 
+void find_sides(Articulate& a, const Coupling& coupling) {
+  for (std::uint32_t k : coupling.rows) {
+    const Row& row = a.rows[k];
+    Condition& c = condition(a, row);
+    if (row.lever == 0.0 && c.angle0 != 0.0) c.angle1 = distance(a, row, c).side;
+  }
+}
+
 double evaluate_coupling(Articulate& a, const Coupling& coupling, double h) {
   Row& head = a.rows[coupling.head];
   const Condition& c = condition(a, head);
+  find_sides(a, coupling);
   const Value of_head = value(a, head, c, 1.0);
   const double kappa = 0.5 * h * h * mobility(a, head), over = sum_of(a, coupling) - c.length / c.weight - c.accepted;
   const bool held = !c.ranged || dot(head.f, of_head.n) / of_head.share * kappa < over;
@@ -195,10 +234,11 @@ void project_couplings(Articulate& a) {
     const Row& head = a.rows[coupling.head];
     const Condition& of_head = condition(a, head);
     const bool held = of_head.held;
-    const Slope along_head = slope(head, of_head);
+    find_sides(a, coupling);
+    const Slope along_head = slope(a, head, of_head);
     for (std::uint32_t k : coupling.rows) {
       Condition& c = condition(a, a.rows[k]);
-      const Slope along = slope(a.rows[k], c);
+      const Slope along = slope(a, a.rows[k], c);
       const double share = c.weight1 * along.size / (of_head.weight1 * along_head.size);
       c.wanted = zero3();
       c.kept = held ? outer(along.n, along.n) : zero33();
@@ -213,9 +253,19 @@ Stop coupling_stop(const Articulate& a, const Row& row) {
   for (const Coupling& coupling : a.couplings) {
     if (&a.rows[coupling.head] != &row) continue;
     const Condition& c = condition(a, row);
-    return {slope(row, c).n * -1.0, c.length / c.weight + c.accepted - sum_of(a, coupling)};
+    return {slope(a, row, c).n * -1.0, c.length / c.weight + c.accepted - sum_of(a, coupling)};
   }
   return {zero3()};
+}
+
+double told_by_head(const Articulate& a, const Row& row) {
+  for (const Coupling& coupling : a.couplings) {
+    if (&a.rows[coupling.head] != &row) continue;
+    double most = 0.0;
+    for (std::uint32_t k : coupling.rows) most = std::fmax(most, std::fabs(relative_weight(a, coupling, k)));
+    return 1.0 / most;
+  }
+  return 1.0;
 }
 
 Vec3 coupling_gap_of(const Articulate& a, const Row& row) {

@@ -17,6 +17,8 @@ void project_couplings(Articulate& articulate);
 void hold_with_heads(Articulate& articulate);
 /// What keeps a head from making its sum larger than it may be.
 Stop coupling_stop(const Articulate& articulate, const Row& row);
+/// How far the thing that would have to move least to close a head's gap is from where it should be, by that gap [1].
+double told_by_head(const Articulate& articulate, const Row& row);
 /// By how much the sum is wrong: of a head, along itself; else 0, [m].
 Vec3 coupling_gap_of(const Articulate& articulate, const Row& row);
 

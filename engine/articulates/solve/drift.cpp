@@ -59,19 +59,20 @@ void arrive_by_fallback(Articulate& a, const DriftSettings& settings, const Part
 class WantedVelocities {
  public:
   WantedVelocities(Articulate& a, double h, double at) : a_(a) {
-    for (const Condition& c : a.conditions) at_end_.push_back({c.velocity, c.length_rate});
+    for (const Condition& c : a.conditions) at_end_.push_back({c.velocity, c.length_rate, c.weight1});
     for (const Row& row : a.rows)
       if (row.condition >= 0) want(a.conditions[static_cast<std::size_t>(row.condition)], row.lever, h, at);
   }
   ~WantedVelocities() {
     for (std::size_t k = 0; k < a_.conditions.size(); k++)
-      std::tie(a_.conditions[k].velocity, a_.conditions[k].length_rate) = at_end_[k];
+      std::tie(a_.conditions[k].velocity, a_.conditions[k].length_rate, a_.conditions[k].weight1) = at_end_[k];
   }
   WantedVelocities(const WantedVelocities&) = delete;
   WantedVelocities& operator=(const WantedVelocities&) = delete;
 
  private:
   static void want(Condition& c, double lever, double h, double at) {
+    c.weight1 = c.weight0 + (c.weight1 - c.weight0) * at;
     if (c.by_speed) {
       c.length_rate = speed(c, at);
       return;
@@ -95,7 +96,7 @@ class WantedVelocities {
   }
 
   Articulate& a_;
-  std::vector<std::pair<Vec3, double>> at_end_;
+  std::vector<std::tuple<Vec3, double, double>> at_end_;
 };
 
 /// Puts the ends of nodes and rows where they start, at a moment of the step.

@@ -125,7 +125,9 @@ double start_iteration(Articulate& a, double h, Vec3 gravity, Goal& goal) {
       });
   prediction.end();
   const double speed2 = std::max(norm(gravity) * a.length, largest_lane(extent.speed2));
-  goal.round_off = 8e-16 * std::max(a.length, largest_lane(extent.position));
+  double largest = std::max(a.length, largest_lane(extent.position));
+  for (const Condition& c : a.conditions) largest = std::fmax(largest, c.extent);
+  goal.round_off = 8e-16 * largest;
   const double wanted = std::min(3e-11 * std::fabs(h) * std::sqrt(speed2), 5e-11 * a.length);
   goal.tolerance = std::max(wanted, goal.round_off);
   return e;

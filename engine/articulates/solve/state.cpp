@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "articulates/solve/conditions.hpp"
+#include "articulates/solve/couplings.hpp"
 #include "articulates/solve/row_gaps.hpp"
 #include "constraints/load.hpp"
 #include "constraints/stiff.hpp"
@@ -115,6 +116,15 @@ NodeTotals totals_of(const Articulate& a) {
   return t;
 }
 
+namespace {
+
+double told_gap(const Articulate& a, const Row& row, double open) {
+  const double all = open + norm(row.offset) + std::fabs(condition(a, row).accepted);
+  return row.kind == RowKind::coupled ? all * told_by_head(a, row) : all;
+}
+
+}  // namespace
+
 void measure_gaps(Articulate& a) {
   a.gaps = {};
   for (const Row& row : a.rows) {
@@ -124,7 +134,7 @@ void measure_gaps(Articulate& a) {
     if (row.kind == RowKind::rigid && row.lever == 0.0)
       a.gaps.points = std::max(a.gaps.points, norm(row.d1));
     else
-      a.gaps.rods = std::max(a.gaps.rods, open + norm(row.offset) + std::fabs(condition(a, row).accepted));
+      a.gaps.rods = std::max(a.gaps.rods, told_gap(a, row, open));
   }
 }
 
