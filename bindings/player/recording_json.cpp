@@ -131,9 +131,9 @@ Json json_of(const Command& c) {
 }
 
 Command::Kind kind_of(const std::string& name) {
-  for (std::uint8_t k = 0; k <= static_cast<std::uint8_t>(Command::Kind::heat); k++)
-    if (name_of(static_cast<Command::Kind>(k)) == name) return static_cast<Command::Kind>(k);
-  throw Error(text("there is no command '", name, "'"));
+  const auto found = std::find(command_names.begin(), command_names.end(), name);
+  require(found != command_names.end(), "there is no command '", name, "'");
+  return static_cast<Command::Kind>(found - command_names.begin());
 }
 
 Command command_of(const Json& json) {

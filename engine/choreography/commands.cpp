@@ -128,12 +128,6 @@ void carry_out(World& world, const Command& c) {
 
 }  // namespace
 
-std::string_view name_of(Command::Kind kind) {
-  static constexpr std::string_view names[] = {"grab", "release", "cut",  "key",    "button", "join",
-                                               "nail", "push",    "spin", "remove", "make",   "heat"};
-  return names[static_cast<std::size_t>(kind)];
-}
-
 Things heated_by(const World& world, Vec3 position, double radius) {
   Things things = things_of(world, near(world, position, radius));
   std::sort(things.free_points.begin(), things.free_points.end());

@@ -1,13 +1,10 @@
 #pragma once
 #include <span>
-#include <string_view>
 
 #include "measure/measure.hpp"
 
 namespace pantin {
 
-/// "grab", "cut" …
-std::string_view name_of(Command::Kind kind);
 /// Carries out what hands asked for, by the functions that scripts call. What cannot be done is no fault of the scene, as
 /// a thing may have gone on the way: it is dropped, and the log says why.
 void carry_out(World& world, std::span<const Command> commands);

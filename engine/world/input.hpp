@@ -1,6 +1,8 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/lanes.hpp"
@@ -32,6 +34,11 @@ struct Command {
   double energy = 0.0;       ///< [J] heat: given to what is in the ball; a negative one cools, at most to rest
   std::string name;          ///< key, button
 };
+
+/// (kinds) as recordings and the log call them
+inline constexpr std::array<std::string_view, 12> command_names = {
+    "grab", "release", "cut", "key", "button", "join", "nail", "push", "spin", "remove", "make", "heat"};
+inline std::string_view name_of(Command::Kind kind) { return command_names[static_cast<std::size_t>(kind)]; }
 
 /// All that the outside told the world for one step; plain data, so that play can be replayed.
 struct StepInput {

@@ -67,7 +67,7 @@ int scene_behave(lua_State* state) {
   lua_settop(state, 4);
   const Ref* ref = to_ref(state, 2);
   AnyId target;
-  if (!ref || ref->kind != Kind::scene) target = any_of(check_thing(state, 2, "behave", "argument 1, the target,"));
+  if (!ref || ref->kind != Kind::scene) target = check_thing(state, 2, "behave", "argument 1, the target,").thing;
   check_behaviour(state, 3);
   require(lua_isnoneornil(state, 4) || lua_istable(state, 4), "behave: argument 3, the options, must be a table, got ",
           kind_of_value(state, 4));

@@ -85,7 +85,7 @@ class Copier {
     if (const auto v = to_vec(from_, index)) return lua::push(to_, *v), true;
     if (const auto q = to_quat(from_, index)) return lua::push(to_, *q), true;
     const Ref* ref = to_ref(from_, index);
-    const auto id = ref ? counterpart(any_of(*ref)) : std::nullopt;
+    const auto id = ref ? counterpart(ref->thing) : std::nullopt;
     if (id) push_thing(to_, script_, *id);
     return id.has_value();
   }
@@ -114,7 +114,7 @@ void add_data(lua_State* from, lua_State* to, Script& old, Script& fresh, Copier
     lua_pushnil(from);
     while (lua_next(from, -2)) {
       const Ref* ref = to_ref(from, -2);
-      if (const auto id = copier.counterpart(any_of(*ref))) {
+      if (const auto id = copier.counterpart(ref->thing)) {
         push_thing(to, fresh, *id);
         push_data(to, *to_ref(to, -1));
         copier.add();

@@ -29,7 +29,7 @@ void in_event(Script& script, Call call) {
 int take_action(lua_State* state, int index, const char* call, Script& script, Event& event) {
   const bool with_target = !lua_isfunction(state, index);
   if (with_target)
-    event.target = any_of(check_thing(state, index, call, argument(index - 1) + ", the target or action,"));
+    event.target = check_thing(state, index, call, argument(index - 1) + ", the target or action,").thing;
   if (with_target) index++;
   const Callback function = check_function(state, index, call, argument(index - 1) + ", the action,");
   event.label = where(state);

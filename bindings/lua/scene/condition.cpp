@@ -25,7 +25,7 @@ Whereabouts whereabouts_at(lua_State* state, int index, const std::string& name)
   if (to_vec(state, index)) return {{}, check_vec(state, index, "when", name, "m")};
   const Ref* ref = to_ref(state, index);
   if (ref && ref->kind == Kind::scene) return {};
-  return {any_of(check_thing(state, index, "when", name))};
+  return {check_thing(state, index, "when", name).thing};
 }
 
 /// A thing, a place, or a list of two of them.

@@ -23,7 +23,7 @@ void write_camera(const Self& s, int index) {
   AnyId follow;
   if (o.has("follow")) {
     const Ref& ref = check_thing(s.state, o.push("follow"), "scene: camera", "follow");
-    follow = any_of(ref);
+    follow = ref.thing;
     lua_pop(s.state, 1);
   }
   s.script.camera_at = at;

@@ -14,7 +14,7 @@ int remove_thing(lua_State* state) {
   const Ref* ref = to_ref(state, 1);
   require(ref, "remove: call it with a colon, thing:remove()");
   require_alive(*ref);
-  remove(ref->script->world, any_of(*ref));
+  remove(ref->script->world, ref->thing);
   return 0;
 }
 

@@ -32,7 +32,7 @@ const Type& any_constraint_type() {
 
 const Type& constraint_type(Kind kind) {
   static const std::vector<Type> types = make();
-  return types[static_cast<std::size_t>(kind) - static_cast<std::size_t>(Kind::nail)];
+  return types[static_cast<std::size_t>(kind) - static_cast<std::size_t>(Kind::constraint)];
 }
 
 }  // namespace pantin::lua

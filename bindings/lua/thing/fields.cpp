@@ -59,7 +59,7 @@ int index(lua_State* state) {
     if (field.read)
       field.read(self);
     else
-      push_value(state, self.script, field.property->read(self.world, any_of(self.ref)));
+      push_value(state, self.script, field.property->read(self.world, self.ref.thing));
     return 1;
   }
   if (type.more && lua_type(state, 2) == LUA_TSTRING) {
@@ -84,7 +84,7 @@ int new_index(lua_State* state) {
     if (field.write)
       field.write(self, 3);
     else
-      field.property->write(self.world, any_of(self.ref), check_value(self, *field.property, 3));
+      field.property->write(self.world, self.ref.thing, check_value(self, *field.property, 3));
     return 0;
   }
   require(!lua_isfunction(state, -1), type.word, ": ", lua_tostring(state, 2), " is a method and cannot be written");

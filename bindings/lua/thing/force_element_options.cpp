@@ -214,7 +214,7 @@ int scene_field(lua_State* state) {
   const KnownNames known[] = {ref->kind == Kind::family ? names_of_family(self.world, ref->id<FamilyId>())
                                                         : names_of_all(self.world)};
   const ResolvedLaw resolved = resolve_law(state, 3, self.world, known, false);
-  const FieldId id = add_field(self.world, resolved.laws.front(), any_of(*ref), resolved.values);
+  const FieldId id = add_field(self.world, resolved.laws.front(), ref->thing, resolved.values);
   watch_law(self.script.laws, id, resolved);
   push_thing(state, self.script, id);
   return 1;

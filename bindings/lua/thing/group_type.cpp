@@ -28,7 +28,7 @@ int add_things(lua_State* state) {
   const int count = lua_gettop(state);
   for (int i = 2; i <= count; i++) check_thing(state, i, "group: add", argument(i - 1));
   require(count > 1, "group: add: argument 1 must be a thing of the scene, got nil");
-  for (int i = 2; i <= count; i++) add_to_group(self.world, id_of(self), any_of(*to_ref(state, i)));
+  for (int i = 2; i <= count; i++) add_to_group(self.world, id_of(self), to_ref(state, i)->thing);
   lua_settop(state, 1);
   return 1;
 }
@@ -39,7 +39,7 @@ int remove_things(lua_State* state) {
   const int count = lua_gettop(state);
   if (count == 1) return remove(self.world, id_of(self)), 0;
   for (int i = 2; i <= count; i++)
-    remove_from_group(self.world, id_of(self), any_of(check_thing(state, i, "group: remove", argument(i - 1))));
+    remove_from_group(self.world, id_of(self), check_thing(state, i, "group: remove", argument(i - 1)).thing);
   return 0;
 }
 

@@ -7,14 +7,6 @@
 namespace pantin::lua {
 namespace {
 
-/// All but an axis, which is of a hinge and no thing of its own, in the order of ConstraintKind.
-Kind kind_of(ConstraintKind kind) {
-  const auto i = static_cast<std::uint32_t>(kind);
-  return static_cast<Kind>(static_cast<std::uint32_t>(Kind::nail) + i - (kind > ConstraintKind::axis ? 1 : 0));
-}
-static_assert(static_cast<std::size_t>(Kind::screw) - static_cast<std::size_t>(Kind::nail) + 2 ==
-              constraint_names.size());
-
 lua_Integer key_of(const Ref& ref) {
   return static_cast<lua_Integer>((static_cast<std::uint64_t>(ref.generation) << 32) | ref.slot);
 }
@@ -36,7 +28,9 @@ void push_registry_table(lua_State* state, const void* key, bool weak) {
 
 template <class Row>
 Ref ref_of(Script& script, Kind kind, Handle<Row> id, const Store<Row>& rows) {
-  return make_ref(script, kind, id.slot, id.generation, rows.alive(id) ? rows[id].serial : 0);
+  Ref ref = make_ref(script, kind, id.slot, id.generation, rows.alive(id) ? rows[id].serial : 0);
+  if constexpr (std::is_constructible_v<AnyId, Handle<Row>>) ref.thing = id;
+  return ref;
 }
 
 /// An event is told how it ended after its row is gone.
@@ -73,7 +67,7 @@ void remember(lua_State* state, const Ref& ref) {
 }  // namespace
 
 Ref make_ref(Script& script, Kind kind, std::uint32_t slot, std::uint32_t generation, std::uint64_t serial) {
-  return {Tag::ref, kind, slot, generation, serial, &script, &script.world};
+  return {Tag::ref, kind, slot, generation, serial, &script, &script.world, {}};
 }
 
 void push_ref(lua_State* state, const Ref& ref) {
@@ -103,7 +97,7 @@ void push_thing(lua_State* state, Script& script, const AnyId& thing) {
   if (const auto* emitter = std::get_if<EmitterId>(&thing))
     return push_ref(state, ref_of(script, Kind::emitter, *emitter, w.emitters));
   if (const auto* id = std::get_if<ConstraintId>(&thing)) {
-    const Kind kind = w.constraints.alive(*id) ? kind_of(w.constraints[*id].kind) : Kind::nail;
+    const Kind kind = w.constraints.alive(*id) ? kind_of(w.constraints[*id].kind) : Kind::constraint;
     return push_ref(state, ref_of(script, kind, *id, w.constraints));
   }
   lua_pushnil(state);

@@ -20,7 +20,7 @@ bool is_plain(lua_State* state, int index) {
   }
   const Ref* ref = to_ref(state, index);
   if (!ref) return to_vec(state, index) || to_quat(state, index);
-  return ref->kind == Kind::hand || !std::holds_alternative<std::monostate>(any_of(*ref));
+  return ref->kind == Kind::hand || !std::holds_alternative<std::monostate>(ref->thing);
 }
 
 std::string step_of_path(lua_State* state, int key) {

@@ -10,7 +10,7 @@ std::string argument(int number) { return text("argument ", number); }
 
 const Ref& check_thing(lua_State* state, int index, const std::string& call, const std::string& name) {
   const Ref* ref = to_ref(state, index);
-  require(ref && !std::holds_alternative<std::monostate>(any_of(*ref)), call, ": ", name,
+  require(ref && !std::holds_alternative<std::monostate>(ref->thing), call, ": ", name,
           " must be a thing of the scene, got ", kind_of_value(state, index));
   require_alive(*ref);
   return *ref;

@@ -1,16 +1,40 @@
 #include "lua/value/ref.hpp"
 
+#include <array>
+
 #include "scene/errors.hpp"
 
 namespace pantin::lua {
 namespace {
 
-const char* const words[] = {"a point",    "a particle", "a body",   "a nail",         "a follow",       "a rod",
-                             "a weld",     "an orient",  "an align", "a motor",        "a limit",        "an on_plane",
-                             "a string",   "an on_path", "a join",   "a gear",         "a rack",         "a pulley",
-                             "a screw",    "a group",    "a family", "a connection",   "an interaction", "a field",
-                             "an emitter", "an event",   "a hand",   "a subscription", "a structure",    "scene.draw",
-                             "a snapshot", "a scene"};
+/// With its article, by kind.
+std::array<std::string, kind_count> words() {
+  std::array<std::string, kind_count> all;
+  const auto set = [&](Kind kind, std::string word) { all[static_cast<std::size_t>(kind)] = std::move(word); };
+  for (std::size_t i = 0; i < constraint_names.size(); i++) {
+    const std::string name(constraint_names[i]);
+    const bool vowel = name.find_first_of("aeiou") == 0;
+    if (const auto kind = static_cast<ConstraintKind>(i); kind != ConstraintKind::axis)
+      set(kind_of(kind), (vowel ? "an " : "a ") + name);
+  }
+  set(Kind::point, "a point");
+  set(Kind::particle, "a particle");
+  set(Kind::body, "a body");
+  set(Kind::group, "a group");
+  set(Kind::family, "a family");
+  set(Kind::connection, "a connection");
+  set(Kind::interaction, "an interaction");
+  set(Kind::field, "a field");
+  set(Kind::emitter, "an emitter");
+  set(Kind::event, "an event");
+  set(Kind::hand, "a hand");
+  set(Kind::subscription, "a subscription");
+  set(Kind::structure, "a structure");
+  set(Kind::draw, "scene.draw");
+  set(Kind::snapshot, "a snapshot");
+  set(Kind::scene, "a scene");
+  return all;
+}
 
 }  // namespace
 
@@ -18,26 +42,7 @@ const Ref* to_ref(lua_State* state, int index) {
   return tag_of(state, index) == Tag::ref ? static_cast<const Ref*>(lua_touserdata(state, index)) : nullptr;
 }
 
-AnyId any_of(const Ref& ref) {
-  if (is_constraint(ref.kind)) return ref.id<ConstraintId>();
-  switch (ref.kind) {
-    case Kind::point: return ref.id<PointId>();
-    case Kind::particle: return ref.id<ParticleId>();
-    case Kind::body: return ref.id<BodyId>();
-    case Kind::group: return ref.id<GroupId>();
-    case Kind::family: return ref.id<FamilyId>();
-    case Kind::connection: return ref.id<ConnectionId>();
-    case Kind::interaction: return ref.id<InteractionId>();
-    case Kind::field: return ref.id<FieldId>();
-    case Kind::emitter: return ref.id<EmitterId>();
-    default: return {};
-  }
-}
-
-bool alive(const Ref& ref) {
-  const AnyId id = any_of(ref);
-  return std::holds_alternative<std::monostate>(id) || alive(*ref.world, id);
-}
+bool alive(const Ref& ref) { return std::holds_alternative<std::monostate>(ref.thing) || alive(*ref.world, ref.thing); }
 
 void require_alive(const Ref& ref) {
   const World& w = *ref.world;
@@ -62,7 +67,8 @@ void require_alive(const Ref& ref) {
 const char* kind_of_thing(const Ref& ref) {
   if (ref.kind == Kind::particle && alive(ref) && ref.world->particles[ref.id<ParticleId>()].is_hinge())
     return "a hinge";
-  return words[static_cast<std::size_t>(ref.kind)];
+  static const std::array<std::string, kind_count> all = words();
+  return all[static_cast<std::size_t>(ref.kind)].c_str();
 }
 
 std::string describe(const Ref& ref) {
@@ -74,7 +80,7 @@ std::string describe(const Ref& ref) {
     case Kind::draw: return "scene.draw";
     case Kind::snapshot: return "snapshot";
     case Kind::scene: return "scene";
-    default: return describe(*ref.world, any_of(ref));
+    default: return describe(*ref.world, ref.thing);
   }
 }
 

@@ -15,23 +15,8 @@ enum class Kind : std::uint32_t {
   point,
   particle,
   body,
-  nail,
-  follow,
-  rod,
-  weld,
-  orient,
-  align,
-  motor,
-  limit,
-  on_plane,
-  string,
-  on_path,
-  join,
-  gear,
-  rack,
-  pulley,
-  screw,
-  group,
+  constraint,  ///< the first kind of constraints; the others follow it
+  group = constraint + constraint_names.size() - 1,
   family,
   connection,
   interaction,
@@ -48,7 +33,12 @@ enum class Kind : std::uint32_t {
 inline constexpr std::size_t kind_count = static_cast<std::size_t>(Kind::scene) + 1;
 
 /// Whether things of this kind are constraints.
-inline bool is_constraint(Kind kind) { return kind >= Kind::nail && kind <= Kind::screw; }
+inline bool is_constraint(Kind kind) { return kind >= Kind::constraint && kind < Kind::group; }
+/// Of a constraint's thing: in the order of ConstraintKind without the axis, which is of a hinge and no thing of its own.
+inline Kind kind_of(ConstraintKind kind) {
+  const auto i = static_cast<std::uint32_t>(kind);
+  return static_cast<Kind>(static_cast<std::uint32_t>(Kind::constraint) + i - (kind > ConstraintKind::axis ? 1 : 0));
+}
 
 /// The userdata.
 struct Ref {
@@ -59,6 +49,7 @@ struct Ref {
   std::uint64_t serial = 0;  ///< order of making
   Script* script = nullptr;
   const World* world = nullptr;  ///< the script's
+  AnyId thing;                   ///< as the engine knows it; monostate for hands, events, structures and the like
 
   template <class Id>
   Id id() const {
@@ -68,9 +59,6 @@ struct Ref {
 
 /// The thing at `index`, alive or not, or null.
 const Ref* to_ref(lua_State* state, int index);
-/// The ref as the engine knows it; monostate for hands, events, subscriptions, structures and scenes.
-AnyId any_of(const Ref& ref);
-
 /// Whether what it names still lives.
 bool alive(const Ref& ref);
 /// Throws StaleHandle with its story where it is gone.
