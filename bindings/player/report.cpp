@@ -15,9 +15,9 @@ namespace pantin::player {
 namespace {
 
 /// A line on standard error that moves, where that is a terminal.
-class Line {
+class StatusLine {
  public:
-  ~Line() {
+  ~StatusLine() {
     if (terminal_) std::cerr << "\r\033[K" << std::flush;
   }
   void show(const std::string& what, double part) const {
@@ -37,7 +37,7 @@ int report(const RunOptions& options, const std::string& prefix, const std::stri
   Output json(start + ".json"), picture(start + ".svg");
   Study studied;
   {
-    const Line line;
+    const StatusLine line;
     studied = study(options, home, report_budget, [&](const std::string& what, double part) { line.show(what, part); });
   }
   if (Interrupt::asked()) say("stopped; this is what the runs until then tell");

@@ -7,14 +7,11 @@
 
 #include "base/check.hpp"
 #include "view/keys.hpp"
+#include "view/panel_style.hpp"
 
 namespace pantin {
 
 namespace {
-
-constexpr ImGuiWindowFlags quiet = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
-                                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
-                                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoSavedSettings;
 
 constexpr float icon_size = 1.5f;  // times the text's
 
@@ -66,7 +63,7 @@ float draw_variants(ToolChoice& choice, float middle, float bottom) {
   const Tool& tool = choice.tool();
   if (tool.variants.empty()) return bottom;
   ImGui::SetNextWindowPos({middle, bottom}, ImGuiCond_Always, {0.5f, 1.0f});
-  ImGui::Begin("variants", nullptr, quiet | ImGuiWindowFlags_NoBackground);
+  ImGui::Begin("variants", nullptr, quiet_window | ImGuiWindowFlags_NoBackground);
   for (std::size_t i = 0; i < tool.variants.size(); i++) {
     if (i > 0) ImGui::SameLine();
     const bool chosen = i == choice.variant;
@@ -101,7 +98,7 @@ PaletteWish draw_palette(ToolChoice& choice, const UndoState& undo, const std::s
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {2.0f * scale, 2.0f * scale});
   ImGui::SetNextWindowPos({0.5f * width, bottom}, ImGuiCond_Always, {0.5f, 1.0f});
   ImGui::SetNextWindowBgAlpha(0.72f);
-  ImGui::Begin("tools", nullptr, quiet);
+  ImGui::Begin("tools", nullptr, quiet_window);
   ImGui::SetWindowFontScale(icon_size);
   for (const Tool& tool : tools()) {
     if (&tool != &tools().front()) ImGui::SameLine();

@@ -24,10 +24,6 @@ MarkLook mark_look(bool dark) {
   return {{0.16f, 0.17f, 0.19f, 1.0f}, {0.96f, 0.94f, 0.90f, 0.7f}};
 }
 
-constexpr ImGuiWindowFlags quiet = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
-                                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
-                                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoSavedSettings;
-
 constexpr std::pair<const char*, ImGuiKey> editing_keys[] = {{"tab", ImGuiKey_Tab},
                                                              {"left", ImGuiKey_LeftArrow},
                                                              {"right", ImGuiKey_RightArrow},
@@ -248,7 +244,7 @@ void Panel::buttons(const Overlay& overlay) {
   if (overlay.buttons.empty()) return;
   const float edge = 10.0f;
   ImGui::SetNextWindowPos({edge, edge + (overlay.title.empty() ? 0.0f : 1.8f * ImGui::GetFontSize())});
-  ImGui::Begin("buttons", nullptr, quiet | ImGuiWindowFlags_NoBackground);
+  ImGui::Begin("buttons", nullptr, quiet_window | ImGuiWindowFlags_NoBackground);
   ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_WindowBg));
   for (const std::string& name : overlay.buttons)
     if (ImGui::Button(name.c_str())) pressed_ = name;
@@ -265,7 +261,7 @@ void Panel::help(const Overlay& overlay, float width, float height) {
   ImGui::SetNextWindowPos({0.5f * width, 0.5f * height}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {width - edge, height - edge});
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {3.0f, 0.0f});
-  ImGui::Begin("keys", nullptr, quiet & ~ImGuiWindowFlags_NoScrollbar);
+  ImGui::Begin("keys", nullptr, quiet_window & ~ImGuiWindowFlags_NoScrollbar);
   const auto middle = overlay.help.begin() + static_cast<std::ptrdiff_t>(overlay.help.size() / 2);
   auto heading = overlay.help.end();  // that nearest the middle
   for (auto row = overlay.help.begin(); row != overlay.help.end(); ++row)

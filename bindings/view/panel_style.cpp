@@ -9,7 +9,7 @@
 namespace pantin {
 namespace {
 
-constexpr float letters = 14.0f;  // [px] height
+constexpr float letter_height = 14.0f;  // [px]
 
 /// By how it begins: of anything else, Dear ImGui would end the program.
 bool is_font(const char* path) {
@@ -29,10 +29,10 @@ void load_panel_font(float scale, std::span<const char* const> paths) {
   static const ImWchar ranges[] = {0x20,   0xff,   0x370,  0x3ff,  0x2010, 0x2027, 0x2070, 0x209f, 0x2190, 0x21ff,
                                    0x2200, 0x22ff, 0x25b6, 0x25b6, 0x25cf, 0x25cf, 0x2600, 0x27bf, 0};
   ImGuiIO& io = ImGui::GetIO();
-  const float size = std::round(letters * scale);
+  const float size = std::round(letter_height * scale);
   for (const char* path : paths) {
     io.Fonts->Clear();
-    io.FontGlobalScale = letters / size;
+    io.FontGlobalScale = letter_height / size;
     if (is_font(path) && io.Fonts->AddFontFromFileTTF(path, size, nullptr, ranges) && io.Fonts->Build()) return;
   }
   std::cerr
