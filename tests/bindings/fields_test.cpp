@@ -9,7 +9,7 @@
 
 #include "edit/assemble.hpp"
 #include "edit/constrain.hpp"
-#include "edit/constrain_couplings.hpp"
+#include "edit/coupling_constraints.hpp"
 #include "fields/color.hpp"
 #include "laws/library.hpp"
 #include "lua/thing/fields.hpp"

@@ -162,7 +162,7 @@ int scene_hand(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "hand");
   const Options o(state, 2, "hand", {"path"});
   std::function<Vec3(double)> path;
-  if (const auto function = o.function("path")) path = place_of_time(*function, "hand: path");
+  if (const auto function = o.function("path")) path = position_of_time(*function, "hand: path");
   push_hand(state, self.script, add_hand(self.world, std::move(path)));
   return 1;
 }

@@ -9,7 +9,7 @@
 #include "lua/thing/assemble.hpp"
 #include "lua/thing/body_options.hpp"
 #include "lua/thing/build_options.hpp"
-#include "lua/thing/coupling_options.hpp"
+#include "lua/thing/coupling_constraint_options.hpp"
 #include "lua/thing/emitter_options.hpp"
 #include "lua/thing/family_options.hpp"
 #include "lua/thing/fields.hpp"
@@ -19,7 +19,7 @@
 #include "lua/thing/script.hpp"
 #include "lua/thing/structure_type.hpp"
 #include "lua/thing/targets.hpp"
-#include "lua/thing/turn_options.hpp"
+#include "lua/thing/turn_constraint_options.hpp"
 #include "lua/value/arguments.hpp"
 #include "lua/vm/guard.hpp"
 

@@ -22,7 +22,7 @@ PointId hinge_member(lua_State* state, int index) {
 
 }  // namespace
 
-std::function<Vec3(double)> place_of_time(Callback function, std::string what) {
+std::function<Vec3(double)> position_of_time(Callback function, std::string what) {
   return [function = std::move(function), what = std::move(what)](double time) { return function.vector(time, what); };
 }
 
@@ -77,7 +77,7 @@ int scene_follow(lua_State* state) {
   FollowDef def;
   const Ref* ref = to_ref(state, 3);
   if (lua_isfunction(state, 3)) {
-    def.target = place_of_time(Callback(state, 3), "follow: target");
+    def.target = position_of_time(Callback(state, 3), "follow: target");
   } else if (ref && ref->kind == Kind::hand) {
     def.hand = static_cast<std::int32_t>(ref->slot) - 1;
   } else {

@@ -9,7 +9,7 @@
 namespace pantin::lua {
 
 /// A script's function of time [s] that returns a place [m].
-std::function<Vec3(double)> place_of_time(Callback function, std::string what);
+std::function<Vec3(double)> position_of_time(Callback function, std::string what);
 
 int scene_hinge(lua_State* state);
 int scene_nail(lua_State* state);

@@ -64,7 +64,7 @@ fields::Value check_function_of(const Self& self, const Property& p, const char*
   switch (p.form) {
     case Form::number_of_time: return of_time(number_of_time);
     case Form::rate_of_time: return rate_function(Callback(self.state, index));
-    case Form::vec_of_time: return of_time(place_of_time);
+    case Form::vec_of_time: return of_time(position_of_time);
     case Form::quat_of_time: return of_time(quat_of_time);
     case Form::number_of_age:
     case Form::color_of_age: return curve_of(self.state, index, word, p.name);

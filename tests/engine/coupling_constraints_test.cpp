@@ -1,5 +1,5 @@
 // Gears, racks, pulleys and screws: values of two things in a fixed proportion, held against closed forms.
-#include "edit/constrain_couplings.hpp"
+#include "edit/coupling_constraints.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

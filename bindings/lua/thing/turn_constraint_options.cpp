@@ -1,4 +1,4 @@
-#include "lua/thing/turn_options.hpp"
+#include "lua/thing/turn_constraint_options.hpp"
 
 #include "lua/thing/constraint_options.hpp"
 #include "lua/thing/script.hpp"

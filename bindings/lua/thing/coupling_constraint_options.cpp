@@ -1,6 +1,6 @@
-#include "lua/thing/coupling_options.hpp"
+#include "lua/thing/coupling_constraint_options.hpp"
 
-#include "edit/constrain_couplings.hpp"
+#include "edit/coupling_constraints.hpp"
 #include "lua/thing/constraint_options.hpp"
 #include "lua/thing/targets.hpp"
 #include "lua/value/arguments.hpp"

@@ -1,4 +1,4 @@
-#include "edit/constrain_couplings.hpp"
+#include "edit/coupling_constraints.hpp"
 
 #include <utility>
 
