@@ -1,7 +1,5 @@
 #include "view/renderer.hpp"
 
-#include <imgui.h>
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
@@ -12,10 +10,8 @@
 
 #include "base/check.hpp"
 #include "choreography/hands.hpp"
-#include "support/process.hpp"
 #include "view/draw_list.hpp"
 #include "view/gl.hpp"
-#include "view/panel_style.hpp"
 #include "view/window.hpp"
 #include "window/small_worlds.hpp"
 
@@ -398,22 +394,4 @@ TEST_CASE("a shader that OpenGL refuses is told, and the rest is drawn", "[windo
   rows.send(std::vector<Vec3>(3));
   rows.draw(refused, GL_TRIANGLES);
   CHECK(glGetError() == GL_NO_ERROR);
-}
-
-TEST_CASE("a font that is missing or broken is told, and another is taken", "[view]") {
-  const support::Folder folder;
-  const std::string broken = folder / "broken.ttf", cut = folder / "cut.ttf";
-  support::write_file(broken, "this is no font");
-  support::write_file(cut, std::string("\0\1\0\0\0\x10", 6) + std::string(500, 'x'));
-  const char* const paths[] = {"/nowhere/none.ttf", folder.path.c_str(), broken.c_str(), cut.c_str()};
-  ImGuiContext* const context = ImGui::CreateContext();
-  ImGui::SetCurrentContext(context);
-  std::ostringstream told;
-  std::streambuf* const before = std::cerr.rdbuf(told.rdbuf());
-  load_panel_font(2.0f, paths);
-  std::cerr.rdbuf(before);
-  CHECK(told.str().find("font is not here") != std::string::npos);
-  CHECK(ImGui::GetIO().Fonts->Build());
-  CHECK(ImGui::GetIO().Fonts->Fonts.Size == 1);
-  ImGui::DestroyContext(context);
 }

@@ -14,6 +14,7 @@
 #include "lua/thing/family_options.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/force_element_options.hpp"
+#include "lua/thing/guide_constraint_options.hpp"
 #include "lua/thing/look_options.hpp"
 #include "lua/thing/point_constraint_options.hpp"
 #include "lua/thing/script.hpp"

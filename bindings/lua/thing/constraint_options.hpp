@@ -12,4 +12,10 @@ int finish(const Self& self, ConstraintId id, const Options& options);
 /// The option `axis`; in a plane its normal, unless another is given.
 Vec3 axis_option(const Self& self, const Options& options);
 
+/// Of one that attracts what is far.
+template <class Def>
+void read_time_constant(const Options& options, Def& def) {
+  def.time_constant = options.number("time_constant", "s").value_or(def.time_constant);
+}
+
 }  // namespace pantin::lua

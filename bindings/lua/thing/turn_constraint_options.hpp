@@ -1,5 +1,5 @@
 #pragma once
-// scene:weld, orient, align, motor, limit, on_plane, string and on_path.
+// scene:weld, orient, align, motor and limit.
 #include <lua.hpp>
 
 namespace pantin::lua {
@@ -9,8 +9,5 @@ int scene_orient(lua_State* state);
 int scene_align(lua_State* state);
 int scene_motor(lua_State* state);
 int scene_limit(lua_State* state);
-int scene_on_plane(lua_State* state);
-int scene_string(lua_State* state);
-int scene_on_path(lua_State* state);
 
 }  // namespace pantin::lua

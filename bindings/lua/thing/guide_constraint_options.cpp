@@ -1,0 +1,69 @@
+#include "lua/thing/guide_constraint_options.hpp"
+
+#include "edit/constrain.hpp"
+#include "lua/thing/constraint_options.hpp"
+#include "lua/thing/script.hpp"
+#include "lua/thing/targets.hpp"
+#include "lua/vm/guard.hpp"
+#include "model/path.hpp"
+
+namespace pantin::lua {
+
+int scene_on_plane(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "on_plane");
+  const PointId point = check_point(state, 2, "on_plane", argument(1));
+  const Options o(state, 3, "on_plane", with_common({"through", "normal", "time_constant"}));
+  PlaneDef def;
+  def.through = o.vector("through", "m");
+  def.normal = o.vector("normal", "").value_or(def.normal);
+  read_time_constant(o, def);
+  return finish(self, add_on_plane(self.world, point, def), o);
+}
+
+int scene_string(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "string");
+  require(lua_istable(state, 2), "string: argument 1 must be a list of points, particles or positions, got ",
+          kind_of_value(state, 2));
+  std::vector<Passage> passages;
+  for (lua_Integer i = 1; lua_rawgeti(state, 2, i) != LUA_TNIL; i++) {
+    const std::string name = text("item ", i, " of the list");
+    const int at = lua_gettop(state);
+    if (to_vec(state, at))
+      passages.push_back({{}, check_vec(state, at, "string", name, "m")});
+    else
+      passages.push_back({check_point(state, at, "string", name), zero3()});
+    lua_pop(state, 1);
+  }
+  lua_pop(state, 1);
+  const Options o(state, 3, "string", with_common({"length", "time_constant"}));
+  StringDef def;
+  NumberOrFunction length;
+  if (o.has("length")) {
+    length = check_number_of_time(self, o.push("length"), "string", "length", "m");
+    def.length = length.value;
+  }
+  read_time_constant(o, def);
+  const ConstraintId string = add_string(self.world, std::move(passages), def);
+  if (length.function) set_length(self.world, string, length.value, std::move(length.function));
+  return finish(self, string, o);
+}
+
+int scene_on_path(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "on_path");
+  const PointId point = check_point(state, 2, "on_path", argument(1));
+  require(lua_istable(state, 3), "on_path: argument 2, the path, must be a list of vecs [m], got ",
+          kind_of_value(state, 3));
+  std::vector<Vec3> places;
+  for (lua_Integer i = 1; lua_rawgeti(state, 3, i) != LUA_TNIL; i++) {
+    places.push_back(check_vec(state, lua_gettop(state), "on_path", text("position ", i, " of the path"), "m"));
+    lua_pop(state, 1);
+  }
+  lua_pop(state, 1);
+  const Options o(state, 4, "on_path", with_common({"smooth", "closed", "time_constant"}));
+  auto path = std::make_shared<const Path>(std::move(places), o.boolean("smooth").value_or(false),
+                                           o.boolean("closed").value_or(false));
+  const double time_constant = o.number("time_constant", "s").value_or(usual_time_constant);
+  return finish(self, add_on_path(self.world, point, std::move(path), time_constant), o);
+}
+
+}  // namespace pantin::lua
