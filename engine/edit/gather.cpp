@@ -103,8 +103,8 @@ std::vector<std::array<ParticleId, 2>> pairs_within(const World& world, const st
 std::vector<ConnectionId> connections_among(const World& world, const std::vector<ParticleId>& list) {
   const std::unordered_set<ParticleId> inside(list.begin(), list.end());
   std::vector<ConnectionId> found;
-  const auto look = [&](ParticleId holder) {
-    for (ConnectionId id : world.particles[holder].connections) {
+  const auto look = [&](ParticleId particle) {
+    for (ConnectionId id : world.particles[particle].connections) {
       const Connection& c = world.connections[id];
       if (std::all_of(c.particles.begin(), c.particles.begin() + c.count,
                       [&](ParticleId end) { return end && inside.contains(awake(world, end)); }))

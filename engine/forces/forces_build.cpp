@@ -123,14 +123,14 @@ struct Active {
 };
 
 void add_connections(const World& world, Forces& forces, const Active::Batch& batch,
-                     std::span<const std::uint32_t> place_sites, std::size_t& next_position) {
+                     std::span<const std::uint32_t> position_sites, std::size_t& next_position) {
   ActingConnections acting(batch.law, batch.solved, forces, *world.workers);
   for (ConnectionId id : batch.ids) {
     const Connection& row = world.connections[id];
     BondEnds ends{};
     for (std::uint32_t i = 0; i < row.count; i++)
       ends[i] =
-          row.particles[i] ? forces.site_of[awake(world, row.particles[i]).slot - 1] : place_sites[next_position++];
+          row.particles[i] ? forces.site_of[awake(world, row.particles[i]).slot - 1] : position_sites[next_position++];
     add_bond(world, acting, id, ends);
   }
   forces.connections.push_back(std::move(acting));
@@ -185,12 +185,12 @@ std::unique_ptr<Forces> build_forces(const World& world) {
   std::iota(all.begin(), all.end(), 0u);
   fill_attributes(world, *forces, all);
 
-  std::vector<std::uint32_t> place_sites(builder.positions.size());
-  std::iota(place_sites.begin(), place_sites.end(),
+  std::vector<std::uint32_t> position_sites(builder.positions.size());
+  std::iota(position_sites.begin(), position_sites.end(),
             static_cast<std::uint32_t>(forces->sites.n - builder.positions.size()));
   std::size_t next_position = 0;
   for (const Active::Batch& batch : acting.connections)
-    add_connections(world, *forces, batch, place_sites, next_position);
+    add_connections(world, *forces, batch, position_sites, next_position);
   for (InteractionId id : acting.interactions)
     each_part(world.interactions[id],
               [&](const auto& law) { forces->interactions.emplace_back(id, law, *forces, *world.workers); });

@@ -279,11 +279,11 @@ void VelocityKick::find_tied() {
     k_.tied.push_back(std::make_shared<TiedKick>(world_, k_, i, dt_, side_));
     tied_of_[i] = k_.tied.back().get();
   }
-  std::vector<std::size_t> place_of(f_.sites.n, 0);
+  std::vector<std::size_t> index_of(f_.sites.n, 0);
   for (const Attached& a : f_.attached) {
     TiedKick* tied = tied_to(a.receiver);
     if (tied == nullptr) continue;
-    place_of[a.site] = tied->sites.size();
+    index_of[a.site] = tied->sites.size();
     tied->sites.push_back({a.site, f_.receivers[a.receiver].node, a.r});
   }
   const auto tied_at = [&](std::uint32_t site) {
@@ -297,7 +297,7 @@ void VelocityKick::find_tied() {
       if (tied != nullptr) tied->crossed = true;
       if (other != nullptr) other->crossed = true;
     } else if (tied != nullptr) {
-      tied->pairs.push_back({k, place_of[p.a], place_of[p.b]});
+      tied->pairs.push_back({k, index_of[p.a], index_of[p.b]});
       inner_[k] = 1;
     }
   }

@@ -220,9 +220,9 @@ struct Constraint {
 
 using ConstraintId = Handle<Constraint>;
 
-/// What a join does besides drawing its points together.
+/// What a join does besides attracting its points to each other.
 struct JoinProgress {
-  ConstraintId holder;                     ///< that draws its first point to a position, and goes with it; or null
+  ConstraintId holder;                     ///< that attracts its first point to a position, and goes with it; or null
   std::function<void(ParticleId)> on_met;  ///< called with the hinge, in the step after that in which they met
   std::string hinge_name;
   std::string label;                                         ///< "scene.lua:12"

@@ -41,14 +41,14 @@ Path::Path(std::vector<Vec3> positions, bool smooth, bool closed)
             " of the path are the same");
   const std::vector<Vec3> m = smooth_ ? slopes(positions_, closed) : std::vector<Vec3>(n, zero3());
   for (std::size_t i = 0; i < count; i++) {
-    const Vec3 from = positions_[i], way = positions_[(i + 1) % n] - from;
-    extent_ = std::fmax(extent_, std::fmax(norm(from), norm(way)));
+    const Vec3 from = positions_[i], chord = positions_[(i + 1) % n] - from;
+    extent_ = std::fmax(extent_, std::fmax(norm(from), norm(chord)));
     if (!smooth_) {
-      pieces_.push_back({from, way, zero3(), zero3()});
+      pieces_.push_back({from, chord, zero3(), zero3()});
       continue;
     }
     const Vec3 s0 = m[i], s1 = m[(i + 1) % n];
-    pieces_.push_back({from, s0, 3.0 * way - 2.0 * s0 - s1, s0 + s1 - 2.0 * way});
+    pieces_.push_back({from, s0, 3.0 * chord - 2.0 * s0 - s1, s0 + s1 - 2.0 * chord});
   }
 }
 
@@ -85,12 +85,12 @@ double Path::nearest(Vec3 to, double u) const {
   const double count = pieces();
   double last = infinity;
   for (int i = 0; i < 50; i++) {
-    const double way = std::fmin(std::fmax(step_towards(to, u), -0.5), 0.5);
-    double next = u + way;
+    const double change = std::fmin(std::fmax(step_towards(to, u), -0.5), 0.5);
+    double next = u + change;
     if (!closed_) next = std::fmin(std::fmax(next, 0.0), count);
     // A step over the end of a piece stops there first: the next piece has its own slope.
-    const double edge = way > 0.0 ? std::floor(u) + 1.0 : std::ceil(u) - 1.0;
-    if ((way > 0.0 && next > edge) || (way < 0.0 && next < edge)) next = edge;
+    const double edge = change > 0.0 ? std::floor(u) + 1.0 : std::ceil(u) - 1.0;
+    if ((change > 0.0 && next > edge) || (change < 0.0 && next < edge)) next = edge;
     const double moved = std::fabs(next - u);
     u = next;
     if (moved == 0.0 || (moved < 1e-15 * count) || (moved >= last && moved < 1e-12 * count)) break;

@@ -128,7 +128,7 @@ Structure rotated(Structure s, const Quat& turn) {
 }
 
 Structure moved(Structure s, Vec3 by) {
-  require(finite(by), "move: the way must be finite [m]");
+  require(finite(by), "move: the displacement must be finite [m]");
   return with_positions(std::move(s), [&](Vec3 v) { return v + by; });
 }
 

@@ -51,11 +51,11 @@ class Finder {
   }
 
   void edge_a(Edge& edge, PointId point) const {
-    edge.a = node_of(model_, holder(model_, point));
+    edge.a = node_of(model_, owner(model_, point));
     edge.la = model_.plane.along(arm(model_, point));
   }
   void edge_b(Edge& edge, PointId point) const {
-    edge.b = node_of(model_, holder(model_, point));
+    edge.b = node_of(model_, owner(model_, point));
     edge.lb = model_.plane.along(arm(model_, point));
   }
   /// A position or an axis in the frame of a body, in principal axes of its node.
@@ -109,7 +109,7 @@ class Finder {
     if (found([&](const Edge& edge) { return edge.connection == id; })) return;
     const bool swapped = !c.particles[0];  // a position of the world is always the second end
     const ParticleId a = c.particles[swapped ? 1 : 0], b = c.particles[swapped ? 0 : 1];
-    if (b && holder(model_, star(model_, a)) == holder(model_, star(model_, b))) return;  // nothing can move
+    if (b && owner(model_, star(model_, a)) == owner(model_, star(model_, b))) return;  // nothing can move
     Edge edge;
     edge.kind = RowKind::stiff;
     edge.connection = id;
@@ -126,7 +126,7 @@ void find_edges(const Model& model, Thing thing, EdgesOf which, std::vector<Edge
   Finder(model, which, edges).visit(thing);
 }
 
-Thing holder(const Model& model, PointId point) {
+Thing owner(const Model& model, PointId point) {
   const Point& p = model.points[point];
   return p.body ? Thing{p.body.slot - 1, true} : Thing{point.slot - 1, false};
 }

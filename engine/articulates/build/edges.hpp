@@ -27,7 +27,7 @@ enum class EdgesOf : std::uint8_t { listed, all };
 void find_edges(const Model& model, Thing thing, EdgesOf which, std::vector<Edge>& edges);
 
 /// The body of a point, or the point itself.
-Thing holder(const Model& model, PointId point);
+Thing owner(const Model& model, PointId point);
 /// Order of making.
 std::uint64_t serial_of(const Model& model, Thing thing);
 /// Index of a thing in its articulate.

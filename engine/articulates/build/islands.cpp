@@ -46,14 +46,14 @@ class Search {
     mark = 1;
     found_.push_back(t);
   }
-  void add(PointId point) { add(holder(model_, point)); }
+  void add(PointId point) { add(owner(model_, point)); }
   /// What is tied by connections that are solved with their articulate.
   void visit(const Particle& particle) {
     for (ConnectionId id : particle.connections) {
       const Connection& c = model_.connections[id];
       if (!c.enabled || c.solve == Solve::explicitly) continue;
-      const Thing first = c.particles[0] ? holder(model_, star(model_, c.particles[0])) : Thing{};
-      const Thing second = c.particles[1] ? holder(model_, star(model_, c.particles[1])) : Thing{};
+      const Thing first = c.particles[0] ? owner(model_, star(model_, c.particles[0])) : Thing{};
+      const Thing second = c.particles[1] ? owner(model_, star(model_, c.particles[1])) : Thing{};
       const bool inside = c.particles[0] && c.particles[1] && first == second;
       constrained_ = constrained_ || !inside;
       if (c.particles[0]) add(first);

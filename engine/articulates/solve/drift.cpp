@@ -267,10 +267,10 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   }
   const std::uint32_t count = a.sub_steps.count, spare = a.effort.spare;
   const bool open = a.gaps.open > 1e-8 * a.length;
-  const double way = (settings.to - settings.from) / count;
+  const double part = (settings.to - settings.from) / count;
   for (std::uint32_t i = 0; i < count; i++) {
-    const double to = i + 1 == count ? settings.to : settings.from + way * (i + 1);
-    drift_part(a, settings, {settings.from + way * i, to, to, 0}, report);
+    const double to = i + 1 == count ? settings.to : settings.from + part * (i + 1);
+    drift_part(a, settings, {settings.from + part * i, to, to, 0}, report);
   }
   end_effort(a, spare, open, report);
   if (a.torn) report.met += std::exchange(report.dissipated, 0.0);  // drawing together what an edit tore apart
