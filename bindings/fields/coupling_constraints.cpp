@@ -1,4 +1,5 @@
 // Gear, rack, pulley and screw: values in a proportion.
+#include "edit/coupling_constraints.hpp"
 #include "constraints/kind.hpp"
 #include "edit/constrain.hpp"
 #include "fields/constraint.hpp"
@@ -73,11 +74,13 @@ const Type& pulley_type() {
        property<ConstraintId>("b", "Point", "", "the point at its second end",
                               [](const World& w, ConstraintId c) { return second(w, c).point_a; }),
        proportion("ratio", "1",
-                  "how many times the second side counts, > 0; written as a number or a function of time [s]; a rope "
-                  "that would be "
-                  "too short is as long as it is then"),
-       property<ConstraintId>("length", "number", "m", "the most that a's side and ratio times b's add up to",
-                              [](const World& w, ConstraintId c) { return row(w, c).as<CouplingData>().total; }),
+                  "how many times the second side counts, > 0; written as a number or a function of time [s]; "
+                  "a rope that then is too short attracts what it ties"),
+       property<ConstraintId>(
+           "length", "number", "m",
+           "the most that a's side and ratio times b's add up to; one that is too short attracts what it ties",
+           [](const World& w, ConstraintId c) { return row(w, c).as<CouplingData>().total; },
+           [](World& w, ConstraintId c, double length) { set_rope_length(w, c, length); }),
        property<ConstraintId>("force", "number", "N", "tension of a's side in the last step, 0 where it is slack",
                               [](const World& w, ConstraintId c) { return row(w, c).tension; })});
   return type;
@@ -86,17 +89,16 @@ const Type& pulley_type() {
 const Type& screw_type() {
   static const Type type = type_of_constraint(
       "Screw", "screw",
-      "Moves two points apart by `lead` for each turn of the first one's body against the second's. What counts is "
-      "their "
-      "distance, so they must not come to each other.",
+      "Moves one point along an axis of another's body by `lead` for each turn of its own body about it. How far it is "
+      "along the axis counts, on both sides; something else must keep it on the axis, such as a guide or a hinge.",
       {property<ConstraintId>("a", "Point", "", "its first point",
                               [](const World& w, ConstraintId c) { return second(w, c).point_a; }),
        property<ConstraintId>("b", "Point", "", "its second point",
                               [](const World& w, ConstraintId c) { return second(w, c).point_b; }),
-       proportion(
-           "lead", "m",
-           "by which they move apart in a turn; written as a number or a function of time [s], the thread begins "
-           "anew"),
+       proportion("lead", "m",
+                  "by which a goes along the axis in a turn of its body about it; written as a number or a function of "
+                  "time [s], the thread begins "
+                  "anew"),
        turned("the angle of the first body against the second, since it was made, turns counted"), force_property(),
        torque_property()});
   return type;

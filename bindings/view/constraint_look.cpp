@@ -138,7 +138,8 @@ void draw_gear(const World& world, const Constraint& c, const Stage& stage, Cons
 /// The wheel's ring, and a bar with teeth past it.
 void draw_rack(const World& world, const Constraint& c, const Stage& stage, ConstraintLook& look) {
   const CoupledValue &of_wheel = c.coupled()[0], &of_rack = c.coupled()[1];
-  const Vec3 along = of_rack.direction, at = shown_place(world, of_rack.point_a);
+  const Vec3 along = of_rack.body_b ? rotate(orientation(world, of_rack.body_b), of_rack.axis_b) : of_rack.axis_b,
+             at = shown_place(world, of_rack.point_a);
   const double radius = std::fabs(c.number.now);
   Wheel wheel = wheel_of(world, of_wheel, zero3());
   Vec3 contact = at - wheel.at;

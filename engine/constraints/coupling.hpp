@@ -12,7 +12,8 @@ double coupled_sum(const Model& model, const Constraint& constraint);
 
 // What their entries in the table have in common.
 
-/// Starts anew with the values as they are: nothing is far, and wheels that turned while it was off mesh where they are.
+/// Starts anew with the values as they are: wheels that turned while it was off mesh where they are; a rope that is too short
+/// attracts what it ties.
 void start_coupling(const Model& model, Constraint& constraint, double tolerance);
 /// What the sum misses [m]: how far that of its things would have to move to close it which has to move least.
 double coupling_gap(const Model& model, const Constraint& constraint);

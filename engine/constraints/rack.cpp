@@ -1,5 +1,6 @@
 // A rack: a point moves as far as the rim of a wheel turns; the ratio is the radius [m].
 #include "constraints/coupling.hpp"
+#include "constraints/geometry.hpp"
 
 namespace pantin {
 
@@ -7,7 +8,7 @@ namespace {
 
 std::vector<PlaneNeed> in_plane(const Model& model, const Constraint& c) {
   std::vector<PlaneNeed> needs = axes_of_coupling(model, c);
-  needs.push_back({"along", c.coupled()[1].direction, false});
+  needs.push_back({"along", direction_of(model, c.coupled()[1].body_b, c.coupled()[1].axis_b), false});
   return needs;
 }
 

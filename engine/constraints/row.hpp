@@ -68,7 +68,7 @@ struct Condition {
   Quat turn0, turn1, whole_turn0, whole_turn1;
   Vec3 axis = zero3(), axis0 = zero3(), axis1 = zero3();
   double angle0 = 0.0,
-         angle1 = 0.0;         // [rad] of a turn at the start and end, turns counted; or a coupled distance's side
+         angle1 = 0.0;         // [rad] of a turn at the start and end, turns counted
   Vec3 normal = zero3();       // of a plane
   const Path* path = nullptr;  // of a point on one; its parameter is `angle`
   std::uint32_t index = 0;     // which row of its constraint it is
@@ -84,7 +84,7 @@ struct Condition {
   // Of a coupled row: by how much its value counts in metres of its own [1], in the step and at its ends; and in matrices,
   // by d1 in the equation of the head, and by the head's force in its own.
   double weight = 1.0, weight0 = 1.0, weight1 = 1.0;
-  Vec3 direction = zero3();  // in which its distance counts; zero: whichever it has
+  bool turns_axis = false;  // an angular one that turns the axis along which another's distance counts
   Mat3 into_head = zero33(), from_head = zero33();
   double extent = 0.0;      // [m] of the largest number that its gap is found from, whose round-off it has
   bool held = true;         // the range, or the limit of the force, lets it act as a constraint

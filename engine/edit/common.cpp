@@ -1,6 +1,9 @@
 #include "edit/common.hpp"
 
+#include <algorithm>
+
 #include "edit/edit.hpp"
+#include "forces/sleep.hpp"
 
 namespace pantin::internal {
 
@@ -113,6 +116,14 @@ void require_free_of_holders(const World& world, std::string_view call, PointId 
 Vec3 present(World& world, const std::function<Vec3(double)>& position) {
   const Lock lock(world);
   return position(world.time);
+}
+
+Constraint& of_kinds(World& world, ConstraintId id, std::initializer_list<ConstraintKind> kinds, const char* call) {
+  require_unlocked(world, call);
+  Constraint& c = world.constraints[id];
+  require(std::find(kinds.begin(), kinds.end(), c.kind) != kinds.end(), call, ": ", describe(world, id), " has none");
+  wake(world, c);
+  return c;
 }
 
 }  // namespace pantin::internal

@@ -1,5 +1,6 @@
 #pragma once
 // What every edit shares: the energy it makes, and how things join and leave rings.
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -66,5 +67,8 @@ void require_free_of_holders(const World& world, std::string_view call, PointId 
 
 /// Where a target or path is now, [m]. It looks and answers: the world is locked meanwhile.
 Vec3 present(World& world, const std::function<Vec3(double)>& position);
+
+/// A constraint of one of these kinds, awake; throws Error where it is another.
+Constraint& of_kinds(World& world, ConstraintId id, std::initializer_list<ConstraintKind> kinds, const char* call);
 
 }  // namespace pantin::internal

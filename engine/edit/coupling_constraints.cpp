@@ -45,7 +45,7 @@ CoupledValue angle_of(const World& world, const char* call, BodyId body, BodyId 
 }
 
 ConstraintId insert(World& world, ConstraintKind kind, std::vector<CoupledValue> values, const Ratio& ratio,
-                    std::optional<double> length = {}) {
+                    std::optional<double> length = {}, double time_constant = usual_time_constant) {
   Constraint c;
   c.kind = kind;
   c.number.now = c.number.previous = ratio.value;
@@ -55,9 +55,10 @@ ConstraintId insert(World& world, ConstraintKind kind, std::vector<CoupledValue>
     if (!c.body_a && v.body_a) c.body_a = v.body_a;
   if (!values[0].body_a) c.a = values[0].point_a;
   c.own = CouplingData{std::move(values)};
+  c.as<CouplingData>().total = length.value_or(0.0);
+  c.time_constant = time_constant;
   require_in_plane(world, c);
   start_constraint(world, c);
-  if (length) c.as<CouplingData>().total = *length;
   return insert_constraint(world, std::move(c));
 }
 
@@ -75,6 +76,13 @@ CoupledValue distance(const World& world, const char* call, PointId point, const
   v.point_b = to.point;
   v.position = to.position;
   return v;
+}
+
+/// Has a distance count along an axis of a body, or of the world.
+void count_along(const World& world, CoupledValue& v, BodyId body, Vec3 axis) {
+  v.body_b = body;
+  v.axis_b = in_frame(world, body, axis);
+  if (body && !v.point_b) v.position = in_frame(world, body, v.position - origin(world, body));
 }
 
 }  // namespace
@@ -96,11 +104,13 @@ ConstraintId add_rack(World& world, BodyId wheel, PointId rack, const RackDef& d
   const Vec3 axis = unit_vector("rack", "axis", def.axis), along = unit_vector("rack", "along", def.along);
   require(world.points.alive(rack), "rack: ", world.points.story(rack));
   require(world.points[rack].body != wheel, "rack: its point belongs to the wheel, ", describe(world, wheel));
+  require(!def.carrier || world.points[rack].body != def.carrier, "rack: its point belongs to the carrier, ",
+          describe(world, def.carrier));
   std::vector<CoupledValue> values = {angle_of(world, "rack", wheel, def.carrier, axis),
                                       distance(world, "rack", rack, {{}, position(world, rack)})};
   values[0].fixed = 0.0;
   values[0].by_ratio = -1.0;
-  values[1].direction = along;
+  count_along(world, values[1], def.carrier, along);
   return insert(world, ConstraintKind::rack, std::move(values), def.radius);
 }
 
@@ -108,10 +118,18 @@ ConstraintId add_pulley(World& world, PointId a, const Passage& over_a, PointId 
                         const PulleyDef& def) {
   require_unlocked(world, "pulley");
   if (def.length) require_positive("pulley", "length", *def.length, "m");
+  require_positive("pulley", "time_constant", def.time_constant, "s");
   std::vector<CoupledValue> values = {distance(world, "pulley", a, over_a), distance(world, "pulley", b, over_b)};
   values[1].fixed = 0.0;
   values[1].by_ratio = 1.0;
-  return insert(world, ConstraintKind::pulley, std::move(values), def.ratio, def.length);
+  return insert(world, ConstraintKind::pulley, std::move(values), def.ratio, def.length, def.time_constant);
+}
+
+void set_rope_length(World& world, ConstraintId id, double length) {
+  Constraint& c = of_kinds(world, id, {ConstraintKind::pulley}, "a rope's length");
+  require_positive(describe(world, id), "length", length, "m");
+  c.as<CouplingData>().total = length;
+  start_constraint(world, c);
 }
 
 ConstraintId add_screw(World& world, PointId a, PointId b, const ScrewDef& def) {
@@ -124,7 +142,7 @@ ConstraintId add_screw(World& world, PointId a, PointId b, const ScrewDef& def) 
                                       distance(world, "screw", a, {b, zero3()})};
   values[0].fixed = 0.0;
   values[0].by_ratio = -1.0 / (2.0 * pi);
-  values[1].side = 1.0;
+  count_along(world, values[1], second, axis);
   return insert(world, ConstraintKind::screw, std::move(values), def.lead);
 }
 

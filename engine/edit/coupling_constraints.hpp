@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include "edit/edit.hpp"
+#include "edit/constrain.hpp"
 
 namespace pantin {
 
@@ -24,29 +24,35 @@ struct GearDef {
 ConstraintId add_gear(World& world, BodyId a, BodyId b, const GearDef& def);
 
 struct RackDef {
-  Vec3 axis = zero3();   ///< the wheel's, world axes, of any length but 0
-  Vec3 along = zero3();  ///< in which the rack moves when the wheel turns about the axis, world axes, any length but 0
-  BodyId carrier;        ///< against which the wheel turns; null: the world
-  Ratio radius;          ///< [m]
+  Vec3 axis = zero3();  ///< the wheel's, world axes, of any length but 0
+  Vec3 along =
+      zero3();     ///< in which the rack moves when the wheel turns about the axis, world axes, any length but 0; fixed
+                   ///< in the carrier
+  BodyId carrier;  ///< against which the wheel turns and the rack moves; null: the world
+  Ratio radius;    ///< [m]
 };
-/// A point moves along a direction of the world by `radius` per radian of a wheel.
+/// A point moves along a direction by `radius` per radian of a wheel, both against the carrier.
 ConstraintId add_rack(World& world, BodyId wheel, PointId rack, const RackDef& def);
 
 struct PulleyDef {
-  Ratio ratio;                   ///< by how much the second side counts
-  std::optional<double> length;  ///< [m] > 0; not given: the present one
+  Ratio ratio;                                 ///< by how much the second side counts
+  std::optional<double> length;                ///< [m] > 0; not given: the present one
+  double time_constant = usual_time_constant;  ///< [s] > 0, in which a rope that is too short attracts what it ties
 };
 /// A rope from a point over an anchor to another anchor and a point: distance a + ratio · distance b is at most its length.
 /// An anchor is a point or a position.
 ConstraintId add_pulley(World& world, PointId a, const Passage& over_a, PointId b, const Passage& over_b,
                         const PulleyDef& def = {});
 
+/// Of a pulley [m] > 0; one that is too short attracts what it ties.
+void set_rope_length(World& world, ConstraintId pulley, double length);
+
 struct ScrewDef {
   Vec3 axis = zero3();  ///< world axes, of any length but 0; stays fixed in both bodies
-  Ratio lead;           ///< [m] by which the points part for a turn of the first body about the axis
+  Ratio lead;           ///< [m] by which the first point goes along the axis for a turn of its body about it
 };
-/// Two points move apart by the lead for each turn of the first one's body against the second one's. Both must be of bodies;
-/// something else keeps them on the axis.
+/// A point moves along an axis through another's body by the lead for each turn of its own body against that one: how far it
+/// is along the axis counts, on both sides. Both must be of bodies; something else keeps them on the axis.
 ConstraintId add_screw(World& world, PointId a, PointId b, const ScrewDef& def);
 
 }  // namespace pantin

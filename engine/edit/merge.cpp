@@ -44,6 +44,7 @@ void hand_over(std::vector<CoupledValue>& coupled, BodyId a, BodyId b, const Fra
     if (v.body_b == b) {
       v.body_b = a;
       v.axis_b = rotate(frame.turn, v.axis_b);
+      v.position = frame.place(v.position);
       v.turn = normalised(frame.turn * v.turn);
     }
   }
@@ -98,14 +99,24 @@ void take_axes(World& world, BodyId a, BodyId b, const Frame& frame) {
   }
 }
 
+/// Whether a point of one of two bodies that become one counts along an axis of the other.
+bool moves_between(const World& world, const Constraint& c, BodyId a, BodyId b) {
+  const auto is = [&](BodyId body) { return body && (body == a || body == b); };
+  return std::any_of(c.coupled().begin(), c.coupled().end(), [&](const CoupledValue& v) {
+    return v.point_a && is(v.body_b) && is(world.points[v.point_a].body);
+  });
+}
+
 void merge_rotations(World& world, BodyId a, BodyId b, const Frame& frame) {
-  const std::vector<ConstraintId> constraints = world.bodies[b].constraints;
-  for (ConstraintId id : constraints) {
-    const Constraint& c = world.constraints[id];
-    if (turns_between(c, a, b))
-      remove(world, id);
-    else
-      hand_over(world, id, a, b, frame);
+  for (BodyId body : {a, b}) {
+    const std::vector<ConstraintId> constraints = world.bodies[body].constraints;
+    for (ConstraintId id : constraints) {
+      const Constraint& c = world.constraints[id];
+      if (turns_between(c, a, b) || moves_between(world, c, a, b))
+        remove(world, id);
+      else if (body == b)
+        hand_over(world, id, a, b, frame);
+    }
   }
 }
 

@@ -54,14 +54,6 @@ void set_axis(const World& world, Constraint& c, Vec3 axis) {
   c.axis_b = in_frame(world, c.body_b, axis);
 }
 
-Constraint& of_kinds(World& world, ConstraintId id, std::initializer_list<ConstraintKind> kinds, const char* call) {
-  require_unlocked(world, call);
-  Constraint& c = world.constraints[id];
-  require(std::find(kinds.begin(), kinds.end(), c.kind) != kinds.end(), call, ": ", describe(world, id), " has none");
-  wake(world, c);
-  return c;
-}
-
 void require_range(const char* call, double min, double max, const char* unit) {
   require(!std::isnan(min) && !std::isnan(max), call, ": min and max must be numbers [", unit, "]");
   require(min < max, call, ": min must be below max, got ", min, " and ", max, " ", unit);

@@ -59,19 +59,19 @@ struct Passage {
   Vec3 position = zero3();  ///< [m]
 };
 
-/// One of the values that a coupling adds up: the angle of a body against another or the world, or the distance of a point
-/// from another or from a position, or how far it is from there in a direction.
+/// One of the values that a coupling adds up: the angle of a body against another or the world; or the distance of a point
+/// from another or from a position; or how far it is from there along an axis.
 struct CoupledValue {
   PointId point_a, point_b;  ///< null where it is an angle; point_b null: `position`
-  Vec3 position = zero3();   ///< [m]
-  Vec3 direction = zero3();  ///< unit vector in which the distance counts; zero: whichever it has
-  BodyId body_a, body_b;     ///< null where it is a distance; body_b null: the world
+  Vec3 position = zero3();   ///< [m] in the frame of body_b, or the world's
+  BodyId body_a;             ///< null where it is a distance
+  BodyId body_b;             ///< null: the world
   Vec3 axis_a = zero3();     ///< unit vector in the frame of body_a
-  Vec3 axis_b = zero3();     ///< the same in body_b's, or the world's
-  Quat turn;                 ///< orientation of body_a in body_b's frame, or the world's, that counts as 0
-  double angle = 0.0;        ///< [rad] at the end of the last step, turns counted
-  double side = 0.0;      ///< of a distance along the first value's axis: 1 or, on the other side, -1; 0: has no sides
-  double fixed = 1.0;     ///< its weight, and
+  Vec3 axis_b =
+      zero3();         ///< the same in body_b's, or the world's; of a distance: along which it counts; zero: as it is
+  Quat turn;           ///< orientation of body_a in body_b's frame, or the world's, that counts as 0
+  double angle = 0.0;  ///< [rad] at the end of the last step, turns counted
+  double fixed = 1.0;  ///< its weight, and
   double by_ratio = 0.0;  ///< what the coupling's ratio adds to that, times itself
 };
 

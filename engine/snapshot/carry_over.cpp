@@ -106,7 +106,6 @@ class Carrier {
     for (std::size_t i = 0; i < std::min(data.values.size(), past.values.size()); i++) {
       change += weight_of(now, data.values[i]) * (past.values[i].angle - data.values[i].angle);
       data.values[i].angle = past.values[i].angle;
-      data.values[i].side = past.values[i].side;
     }
     data.total = now.number.now == before.number.now ? past.total : data.total + change;
   }

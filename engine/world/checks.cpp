@@ -6,6 +6,12 @@
 
 namespace pantin::internal {
 
+namespace {
+
+std::string spaced(std::string_view unit) { return unit.empty() ? std::string() : text(" ", unit); }
+
+}  // namespace
+
 void require_unlocked(const World& world, std::string_view call) {
   require(!world.locked, call, ": the world cannot be edited while it steps; edit in an event or a step callback");
 }
@@ -21,13 +27,13 @@ void require_finite(std::string_view call, std::string_view name, double x, std:
   require(std::isfinite(x), call, ": ", name, " must be finite, got ", x, " ", unit);
 }
 void require_positive(std::string_view call, std::string_view name, double x, std::string_view unit) {
-  require(x > 0.0 && std::isfinite(x), call, ": ", name, " must be > 0 ", unit, " and finite, got ", x);
+  require(x > 0.0 && std::isfinite(x), call, ": ", name, " must be > 0", spaced(unit), " and finite, got ", x);
 }
 void require_positive_or_infinite(std::string_view call, std::string_view name, double x, std::string_view unit) {
-  require(x > 0.0, call, ": ", name, " must be > 0 ", unit, ", got ", x);
+  require(x > 0.0, call, ": ", name, " must be > 0", spaced(unit), ", got ", x);
 }
 void require_not_negative(std::string_view call, std::string_view name, double x, std::string_view unit) {
-  require(x >= 0.0 && std::isfinite(x), call, ": ", name, " must be >= 0 ", unit, " and finite, got ", x);
+  require(x >= 0.0 && std::isfinite(x), call, ": ", name, " must be >= 0", spaced(unit), " and finite, got ", x);
 }
 
 void require_inertia(std::string_view call, const Mat3& inertia) {

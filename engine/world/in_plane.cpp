@@ -65,7 +65,7 @@ void require_heights(const World& world, std::string_view call, const Constraint
   const auto see = [&](Vec3 position) { require_height(world, call, "what it ties", position, first); };
   for (const Passage& p : c.passages()) see(p.point ? position(world, p.point) : p.position);
   for (const CoupledValue& v : c.coupled())
-    if (v.point_a && norm2(v.direction) == 0.0) see(v.point_b ? position(world, v.point_b) : v.position);
+    if (v.point_a && norm2(v.axis_b) == 0.0) see(v.point_b ? position(world, v.point_b) : v.position);
   if (c.is<PathData>())
     for (Vec3 position : c.as<PathData>().path->positions()) see(position);
   if (c.b) see(position(world, c.b));

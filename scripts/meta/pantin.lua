@@ -449,16 +449,16 @@ local Rack = {}
 ---@class Pulley: AnyConstraint
 ---@field a Point the point at its first end (read only)
 ---@field b Point the point at its second end (read only)
----@field ratio number [1] how many times the second side counts, > 0; written as a number or a function of time [s]; a rope that would be too short is as long as it is then
----@field length number [m] the most that a's side and ratio times b's add up to (read only)
+---@field ratio number [1] how many times the second side counts, > 0; written as a number or a function of time [s]; a rope that then is too short attracts what it ties
+---@field length number [m] the most that a's side and ratio times b's add up to; one that is too short attracts what it ties
 ---@field force number [N] tension of a's side in the last step, 0 where it is slack (read only)
 local Pulley = {}
 
----Moves two points apart by `lead` for each turn of the first one's body against the second's. What counts is their distance, so they must not come to each other.
+---Moves one point along an axis of another's body by `lead` for each turn of its own body about it. How far it is along the axis counts, on both sides; something else must keep it on the axis, such as a guide or a hinge.
 ---@class Screw: AnyConstraint
 ---@field a Point its first point (read only)
 ---@field b Point its second point (read only)
----@field lead number [m] by which they move apart in a turn; written as a number or a function of time [s], the thread begins anew
+---@field lead number [m] by which a goes along the axis in a turn of its body about it; written as a number or a function of time [s], the thread begins anew
 ---@field turned number [rad] the angle of the first body against the second, since it was made, turns counted (read only)
 ---@field force vec [N] what it exerted on its first point in the last step (read only)
 ---@field torque vec [N m] what it exerted on its first body in the last step; a weld's is about the middle between the centres of mass (read only)
@@ -986,7 +986,7 @@ function Scene:rack(wheel, point, options) end
 ---@param options? PulleyOptions
 ---@return Pulley
 function Scene:pulley(a, over_a, over_b, b, options) end
----Moves two points of bodies apart by `lead` for each turn of the first body against the second about an axis.
+---Moves a along an axis of b's body by `lead` for each turn of a's body about it.
 ---```lua
 ---scene:screw(block.points[1], arm.head, { lead = 0.01, axis = vec(0, 1, 0) })
 ---```
@@ -1330,15 +1330,15 @@ function OpenedScene:restore(snapshot) end
 ---@class RackOptions: ConstraintOptions
 ---@field radius number|fun(t: number): number [m] how far the point moves for a turn of 1 rad; not 0
 ---@field axis? vec [1] of the wheel, world axes (default the normal of scene.plane; without one it must be given)
----@field along vec [1] in which the point moves when the wheel turns about the axis, world axes
----@field carrier? Body against which the wheel turns (default the world)
+---@field along vec [1] in which the point moves when the wheel turns about the axis, world axes; it stays fixed in the carrier
+---@field carrier? Body against which the wheel turns and the point moves (default the world)
 
----@class PulleyOptions: ConstraintOptions
+---@class PulleyOptions: OrientOptions
 ---@field ratio? number|fun(t: number): number [1] how many times b's side counts, > 0 (default `1`)
 ---@field length? number [m] the most that a's side and ratio times b's add up to (default the present one)
 
 ---@class ScrewOptions: ConstraintOptions
----@field lead number|fun(t: number): number [m] by which the points move apart for a turn of the first body about the axis; not 0
+---@field lead number|fun(t: number): number [m] by which the first point goes along the axis for a turn of its body about it; not 0
 ---@field axis vec [1] world axes; it stays fixed in both bodies
 
 ---@class StringOptions: OrientOptions

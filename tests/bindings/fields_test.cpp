@@ -250,6 +250,7 @@ std::vector<Sample> samples_of_constraints() {
       {"Gear", "ratio", -3.0},
       {"Rack", "radius", 0.25},
       {"Pulley", "ratio", 2.0},
+      {"Pulley", "length", 40.0},
       {"Screw", "lead", -0.2},
       {"Motor", "max_torque", 30.0},
       {"Limit", "min", -0.5},

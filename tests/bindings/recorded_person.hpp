@@ -157,7 +157,7 @@ class RecordedPerson {
   Command command() {
     const std::vector<PointId> points = world().points.ids();
     Command c;
-    c.kind = static_cast<Command::Kind>(below(static_cast<std::size_t>(Command::Kind::heat) + 1));
+    c.kind = static_cast<Command::Kind>(below(command_names.size()));
     c.hand = static_cast<std::int32_t>(below(2));
     c.name = "k";
     c.point = points[below(points.size())];

@@ -276,29 +276,131 @@ TEST_CASE("screw: a nut that falls along its screw turns") {
   CHECK(world.stats.fallback_steps == 0);
 }
 
-TEST_CASE("screw: a nut passes the point it counts from, and turns on") {
+TEST_CASE("screw: a nut passes the point it counts from, on the axis and beside it, and turns on") {
   World world;
   world.settings.gravity = zero3();
-  const double lead = 0.5, spin = 4.0, speed = -spin * lead / (2.0 * pi), start = GENERATE(0.2, 1e-3, 0.0);
-  INFO(start);
-  const BodyId screw = add_wheel(world, vec(0, 0, 0), 0.3), nut = add_disc(world, vec(0, 0, start), 0.3, 2.0);
+  const double lead = 0.5, spin = 4.0, speed = -spin * lead / (2.0 * pi), start = GENERATE(0.2, 1e-3, 0.0),
+               beside = GENERATE(0.0, 1e-5, 0.3);
+  INFO(start << " " << beside);
+  const BodyId screw = add_wheel(world, vec(0, 0, 0), 0.3), nut = add_disc(world, vec(beside, 0, start), 0.3, 2.0);
   add_orient(world, nut);
   add_on_path(world, centre(world, nut),
-              std::make_shared<const Path>(std::vector<Vec3>{vec(0, 0, -50), vec(0, 0, 50)}, false, false));
+              std::make_shared<const Path>(std::vector<Vec3>{vec(beside, 0, -50), vec(beside, 0, 50)}, false, false));
   ScrewDef def;
   def.axis = vec(0, 0, 1);
   def.lead.value = lead;
-  add_screw(world, centre(world, screw), centre(world, nut), def);
-  set_spin(world, screw, vec(0, 0, spin));
+  add_screw(world, centre(world, nut), centre(world, screw), def);
+  set_spin(world, screw, vec(0, 0, -spin));
   set_velocity(world, nut, vec(0, 0, speed));
   step(world);
   const double kept = energy(world).kinetic, first = velocity(world, centre(world, nut))[2];
   advance(world, 2.0 + world.settings.step);
+  CHECK(std::fabs(first) > 0.9 * std::fabs(speed));
   CHECK(world.motion_of(nut).x[2] == Approx(start + first * (2.0 + world.settings.step)).margin(1e-4));
   CHECK(velocity(world, centre(world, nut))[2] == Approx(first).epsilon(1e-10));
   CHECK(energy(world).kinetic == Approx(kept).epsilon(1e-10));
   CHECK(world.worst.constraint <= 1e-10);
   CHECK(world.stats.fallback_steps == 0);
+}
+
+TEST_CASE("couplings: of bodies that tumble freely momentum, angular momentum and energy stay") {
+  const bool of_screw = GENERATE(true, false);
+  World world;
+  world.settings.gravity = zero3();
+  const auto add = [&](Vec3 at, Vec3 moments, double mass) {
+    BodyDef def;
+    def.at = at;
+    def.mass = mass;
+    def.inertia = diagonal(moments);
+    def.points.emplace_back();
+    return add_body(world, def);
+  };
+  const BodyId a = add(vec(0.2, 1, 0), vec(0.3, 0.2, 0.4), 2.0), b = add(vec(0, 0, 0), vec(0.5, 0.6, 0.7), 3.0),
+               c = add(vec(1, 0, 0), vec(0.2, 0.2, 0.3), 1.0);
+  ScrewDef screw;
+  screw.axis = vec(0, 1, 0);
+  screw.lead.value = 0.5;
+  RackDef rack;
+  rack.axis = vec(0, 1, 0);
+  rack.along = vec(1, 0, 0);
+  rack.radius.value = 0.4;
+  rack.carrier = b;
+  if (of_screw)
+    add_screw(world, centre(world, a), centre(world, b), screw);
+  else
+    add_rack(world, a, centre(world, c), rack);
+  set_spin(world, a, vec(0.3, 5, -0.2));
+  set_spin(world, b, vec(0.1, -1, 0.4));
+  set_velocity(world, a, vec(0, 0.1, 0));
+  set_velocity(world, b, vec(-0.2, 0.3, 0.1));
+  step(world);
+  const Things all = everything(world);
+  const double kept = energy(world).kinetic;
+  const Vec3 momentum = pantin::momentum(world, all), turning = angular_momentum(world, all);
+  advance(world, 3.0);
+  CHECK(energy(world).kinetic == Approx(kept).epsilon(1e-10));
+  CHECK(norm(pantin::momentum(world, all) - momentum) <= 1e-12);
+  CHECK(norm(angular_momentum(world, all) - turning) <= 1e-9);
+  CHECK(world.stats.fallback_steps == 0);
+}
+
+TEST_CASE("gear: about axes that tilt it does no work, however slowly it turns") {
+  const double slow = GENERATE(1.0, 0.1, 0.01);
+  World world;
+  world.settings.gravity = zero3();
+  BodyDef def;
+  def.mass = 1.0;
+  def.inertia = diagonal(vec(0.3, 0.2, 0.4));
+  def.points.emplace_back();
+  const BodyId a = add_body(world, def), b = add_wheel(world, vec(3, 0, 0), 0.5);
+  add_nail(world, centre(world, a));
+  set_spin(world, a, vec(0.5, 0, 1) * slow);
+  set_spin(world, b, vec(0, 0, slow));
+  add_gear(world, a, b, gear_of(1.0));
+  step(world);
+  const double kept = energy(world).kinetic;
+  advance(world, 2.0 / slow);
+  CHECK(spin_of(world, b) / slow == Approx(1.07747699).epsilon(1e-7));  // by RK4 with the force from the accelerations
+  CHECK(energy(world).kinetic == Approx(kept).epsilon(1e-9));
+}
+
+TEST_CASE("couplings: what they tell does not change with a limit that is never met") {
+  const bool limited = GENERATE(false, true);
+  INFO(limited);
+  World world;
+  const BodyId wheel = add_wheel(world, vec(0, 0, 0), 0.1);
+  const PointId point = add_mass(world, vec(0.5, 0, 0), 2.0);
+  RackDef def;
+  def.axis = vec(0, 0, 1);
+  def.along = vec(0, 1, 0);
+  def.radius.value = 0.5;
+  const ConstraintId rack = add_rack(world, wheel, point, def);
+  LimitDef limit;
+  limit.max = 1e6;
+  if (limited) add_limit(world, wheel, BodyId{}, vec(0, 0, 1), limit);
+  advance(world, 3.0);
+  const double fall = 2.0 * -9.81 / (2.0 + 0.1 / 0.25);
+  CHECK(world.constraints[rack].force[1] == Approx(2.0 * (fall + 9.81)).epsilon(0.03));
+}
+
+TEST_CASE("pulley: a rope that is too short attracts what it ties") {
+  World world;
+  const PointId a = add_mass(world, vec(0, 2, 0), 1.0), b = add_mass(world, vec(1, 1, 0), 1.0);
+  PulleyDef def;
+  def.length = 3.0;
+  const ConstraintId rope = add_pulley(world, a, {{}, vec(0, 4, 0)}, b, {{}, vec(1, 4, 0)}, def);
+  const auto length = [&] { return 8.0 - position(world, a)[1] - position(world, b)[1]; };
+  step(world);
+  CHECK(length() > 4.9);
+  advance(world, 2.0);
+  CHECK(length() == Approx(3.0).epsilon(1e-3));
+  set_rope_length(world, rope, 2.5);
+  step(world);
+  CHECK(length() > 2.9);
+  advance(world, 4.0);
+  CHECK(length() == Approx(2.5).epsilon(1e-3));
+  CHECK(world.stats.fallback_steps == 0);
+  CHECK_THROWS_WITH(set_rope_length(world, rope, -1.0), Catch::Contains("length must be > 0 m"));
 }
 
 TEST_CASE("couplings: what cannot be is an error") {

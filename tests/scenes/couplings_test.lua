@@ -1,4 +1,4 @@
--- Gears, racks, pulleys and screws as scripts make them; closed forms are in tests/engine/constrain_couplings_test.cpp.
+-- Gears, racks, pulleys and screws as scripts make them; closed forms are in tests/engine/coupling_constraints_test.cpp.
 local function open_with(code)
   return open_text([[
     local z = vec(0, 0, 1)

@@ -117,15 +117,15 @@ const char* const annotations_options = R"(---@class NameOptions
 ---@class RackOptions: ConstraintOptions
 ---@field radius number|fun(t: number): number [m] how far the point moves for a turn of 1 rad; not 0
 ---@field axis? vec [1] of the wheel, world axes (default the normal of scene.plane; without one it must be given)
----@field along vec [1] in which the point moves when the wheel turns about the axis, world axes
----@field carrier? Body against which the wheel turns (default the world)
+---@field along vec [1] in which the point moves when the wheel turns about the axis, world axes; it stays fixed in the carrier
+---@field carrier? Body against which the wheel turns and the point moves (default the world)
 
----@class PulleyOptions: ConstraintOptions
+---@class PulleyOptions: OrientOptions
 ---@field ratio? number|fun(t: number): number [1] how many times b's side counts, > 0 (default `1`)
 ---@field length? number [m] the most that a's side and ratio times b's add up to (default the present one)
 
 ---@class ScrewOptions: ConstraintOptions
----@field lead number|fun(t: number): number [m] by which the points move apart for a turn of the first body about the axis; not 0
+---@field lead number|fun(t: number): number [m] by which the first point goes along the axis for a turn of its body about it; not 0
 ---@field axis vec [1] world axes; it stays fixed in both bodies
 
 ---@class StringOptions: OrientOptions

@@ -190,7 +190,7 @@ std::vector<Method> constraining() {
        "A rope from a over two anchors to b, at most so long; as in a tackle b's side may count several times.",
        "scene:pulley(p, vec(0, 5, 0), vec(1, 5, 0), q, { ratio = 2 })"},
       {"screw", guard<scene_screw>, "a: Point, b: Point, options: ScrewOptions", "Screw",
-       "Moves two points of bodies apart by `lead` for each turn of the first body against the second about an axis.",
+       "Moves a along an axis of b's body by `lead` for each turn of a's body about it.",
        "scene:screw(block.points[1], arm.head, { lead = 0.01, axis = vec(0, 1, 0) })"},
       {"join", guard<scene_join>, "a: Point|Particle, b: Point|Particle, options?: JoinOptions", "Join",
        "Draws two points together, at a position or on their way to each other, and makes the hinge when they are "

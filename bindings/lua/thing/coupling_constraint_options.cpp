@@ -21,12 +21,6 @@ BodyId carrier_option(const Self& self, const Options& o) {
   return o.has("carrier") ? check_body(self.state, o.push("carrier"), o.what(), "carrier") : BodyId{};
 }
 
-/// A point or a position, over which a rope runs.
-Passage check_anchor(lua_State* state, int index, const char* call) {
-  if (to_vec(state, index)) return {{}, check_vec(state, index, call, argument(index - 1), "m")};
-  return {check_point(state, index, call, argument(index - 1)), zero3()};
-}
-
 }  // namespace
 
 int scene_gear(lua_State* state) {
@@ -58,12 +52,14 @@ int scene_rack(lua_State* state) {
 int scene_pulley(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "pulley");
   const PointId a = check_point(state, 2, "pulley", argument(1));
-  const Passage over_a = check_anchor(state, 3, "pulley"), over_b = check_anchor(state, 4, "pulley");
+  const Passage over_a = check_point_or_position(state, 3, "pulley", argument(2)),
+                over_b = check_point_or_position(state, 4, "pulley", argument(3));
   const PointId b = check_point(state, 5, "pulley", argument(4));
-  const Options o(state, 6, "pulley", with_common({"ratio", "length"}));
+  const Options o(state, 6, "pulley", with_common({"ratio", "length", "time_constant"}));
   PulleyDef def;
   if (o.has("ratio")) def.ratio = check_ratio(self, o, "ratio", "");
   def.length = o.number("length", "m");
+  read_time_constant(o, def);
   return finish(self, add_pulley(self.world, a, over_a, b, over_b, def), o);
 }
 

@@ -26,12 +26,7 @@ int scene_string(lua_State* state) {
           kind_of_value(state, 2));
   std::vector<Passage> passages;
   for (lua_Integer i = 1; lua_rawgeti(state, 2, i) != LUA_TNIL; i++) {
-    const std::string name = text("item ", i, " of the list");
-    const int at = lua_gettop(state);
-    if (to_vec(state, at))
-      passages.push_back({{}, check_vec(state, at, "string", name, "m")});
-    else
-      passages.push_back({check_point(state, at, "string", name), zero3()});
+    passages.push_back(check_point_or_position(state, lua_gettop(state), "string", text("item ", i, " of the list")));
     lua_pop(state, 1);
   }
   lua_pop(state, 1);

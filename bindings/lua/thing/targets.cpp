@@ -24,6 +24,13 @@ const Ref& check_kind(lua_State* state, int index, Kind kind, const std::string&
   return *ref;
 }
 
+Passage check_point_or_position(lua_State* state, int index, const std::string& call, const std::string& name) {
+  if (to_vec(state, index)) return {{}, check_vec(state, index, call, name, "m")};
+  require(to_ref(state, index), call, ": ", name, " must be a point, a particle or a vec [m], got ",
+          kind_of_value(state, index));
+  return {check_point(state, index, call, name), zero3()};
+}
+
 PointId check_point(lua_State* state, int index, const std::string& call, const std::string& name) {
   const Ref* ref = to_ref(state, index);
   require(!ref || ref->kind != Kind::body, call, ": ", name,

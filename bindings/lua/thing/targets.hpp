@@ -8,6 +8,8 @@
 
 namespace pantin::lua {
 
+/// What a rope may run over or end at.
+Passage check_point_or_position(lua_State* state, int index, const std::string& call, const std::string& name);
 /// Any living thing of the script's world.
 const Ref& check_thing(lua_State* state, int index, const std::string& call, const std::string& name);
 const Ref& check_kind(lua_State* state, int index, Kind kind, const std::string& call, const std::string& name);

@@ -164,8 +164,9 @@ Condition make_condition(const Model& model, const Edge& edge, Row& row) {
   }
   const Constraint& c = model.constraints[edge.constraint];
   condition.length = c.number.now;
+  condition.turns_axis = edge.angular && !c.coupled().empty() && c.coupled()[edge.index].point_a;
   condition.held = condition.held_before = !has_range(c) && !c.is<PathData>() && std::isinf(c.max_torque);
-  row.f = edge.angular ? c.torque / row.lever : c.force;
+  row.f = condition.turns_axis ? zero3() : edge.angular ? c.torque / row.lever : c.force;
   return condition;
 }
 

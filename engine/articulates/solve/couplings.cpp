@@ -4,8 +4,9 @@
 // forces are λ w e with one λ for all: what the coupling gives on one side it takes on the other, without work.
 //   head:   n (Σ w v - L) + κ P f = 0, or f = 0 where it is one-sided and slack;   n = e/|e|, P = 1 - n n'
 //   others: κ (f - λ w e) = 0
-// Weights are relative to the head's. A distance that has sides is s |d|, with s kept from step to step; in the step in which
-// it changes, e = (n0 + n1)/(1 + n0·n1) of the directions n = s d/|d|, which is exact too.
+// Weights are relative to the head's. How far d is along an axis u that turns with a body is u·d, which changes by
+// ū·Δd + d̄·Δu, and d̄·Δu = ā·(ū x d̄) with the body's Cayley vector ā: so besides λ w ū on the points there is a torque
+// λ w ū x d̄ on that body, the force of an angular row that turns the axis and has no value of its own.
 #include "articulates/solve/couplings.hpp"
 
 #include <algorithm>
@@ -25,65 +26,75 @@ struct Value {
   double displacement;  // [m] of d in the step
 };
 
-/// Of a distance at the ends of a step.
-struct Distance {
-  Vec3 n0, n1;           // unit vectors in which it grows
-  double value;          // [m] at the end
-  double side = 1.0;     // there
-  bool crosses = false;  // from one side to the other, or too near to its point at an end to have a direction there
-};
+struct Axis {
+  Vec3 at_start, at_end;
 
-/// Kept from step to step: a distance that turns round its point stays on its side, one that passes it along the axis changes.
-Distance distance(const Articulate& a, const Row& row, const Condition& c) {
-  const double r0 = norm(row.d0), r1 = norm(row.d1), least = 1e-9 * a.length;
-  if (c.angle0 == 0.0) return {direction(row.d0), direction(row.d1), r1};
-  const Node& n = a.nodes[static_cast<std::size_t>(row.b)];
-  const Vec3 u0 = n.R0 * c.axis, u1 = n.R1 * c.axis;
-  const double along = dot(u1, row.d1);
-  if (r1 <= least) return {r0 > least ? direction(row.d0) * c.angle0 : u0, u1, along, along < 0.0 ? -1.0 : 1.0, true};
-  const bool passes = along * c.angle0 < -0.9 * r1 && norm(row.d1 - row.d0) > r1;
-  const double side = passes ? -c.angle0 : c.angle0;
-  return {r0 > least ? direction(row.d0) * c.angle0 : u0, direction(row.d1) * side, side * r1, side,
-          passes || r0 <= least};
+  Vec3 mean() const { return (at_start + at_end) * 0.5; }
+};
+/// That a distance counts along: of a node, or of the world.
+Axis axis_of(const Articulate& a, std::int32_t node, const Condition& c) {
+  if (node < 0) return {c.axis, c.axis};
+  const Node& n = a.nodes[static_cast<std::size_t>(node)];
+  return {n.R0 * c.axis, n.R1 * c.axis};
+}
+bool counts_along_axis(const Row& row, const Condition& c) { return row.lever == 0.0 && norm2(c.axis) > 0.0; }
+
+/// The row of the distance whose axis an angular one turns.
+const Row& distance_of(const Articulate& a, const Coupling& coupling, const Condition& c) {
+  const auto it = std::find_if(coupling.rows.begin(), coupling.rows.end(), [&](std::uint32_t k) {
+    return a.rows[k].lever == 0.0 && condition(a, a.rows[k]).index == c.index;
+  });
+  return a.rows[*it];
 }
 
 /// By how much more an angle turns than a torque along the mean axis n does work on: φ/(n·(ā_a - ā_b)), with the Cayley vectors
 /// of both ends. About one axis these are 2 tan(α/2) and 2 tan(β/2), α - β = φ.
-double turn_by_work(const Articulate& a, const Row& row, Vec3 n, double turned) {
+double turn_by_work(const Articulate& a, const Row& row, Vec3 n, double turned, double counted) {
   const auto along = [&](std::int32_t node) {
     return node < 0 ? 0.0 : dot(n, a.nodes[static_cast<std::size_t>(node)].a);
   };
   const double of_a = along(row.a), of_b = along(row.b), work = of_a - of_b;
-  if (std::fabs(turned) > 1e-4 && std::fabs(work) > 0.1 * std::fabs(turned)) return turned / work;
-  return (1.0 - turned * turned / 12.0) / (1.0 + 0.25 * of_a * of_b);
+  // What is small has the round-off of all turns that were counted; its limit then is off by φ².
+  const bool small = std::fabs(turned * turned * turned) < 1e-14 * (1.0 + std::fabs(counted));
+  if (!small && std::fabs(work) > 0.1 * std::fabs(turned)) return turned / work;
+  const double apart =
+      1.0 + dot(direction(row.ra0 + row.ra1), direction(row.rb0 + row.rb1));  // 2 cos² of half the angle
+  return std::sqrt(2.0 / std::fmax(apart, 1e-9)) * (1.0 - turned * turned / 12.0) / (1.0 + 0.25 * of_a * of_b);
 }
 
-Value value(const Articulate& a, const Row& row, const Condition& c, double w) {
-  if (row.lever > 0.0)
-    return {mean_axis(row),
-            twist_gradient(row) * w,
-            c.angle1 * row.lever * w,
-            turn_by_work(a, row, mean_axis(row), c.angle1 - c.angle0) * w,
-            0.0,
-            0.0};
+Value value_of_angle(const Articulate& a, const Row& row, const Condition& c, double w) {
+  const Vec3 n = mean_axis(row);
+  const double share = turn_by_work(a, row, n, c.angle1 - c.angle0, c.angle1);
+  return {n, twist_gradient(row) * w, c.angle1 * row.lever * w, share * w, 0.0, 0.0};
+}
+
+/// Of the angular row that turns the axis of a distance.
+Value value_of_turning(const Articulate& a, const Row& row, const Condition& c, const Row& distance, double w) {
+  const Axis u = axis_of(a, row.a, c);
+  const Vec3 e = cross(u.mean(), distance.d0 + distance.d1) * (0.5 / row.lever);
+  return {direction(e), cross(u.at_end, distance.d1) * (w / row.lever), 0.0, norm(e) * w, 0.0, 0.0};
+}
+
+Value value(const Articulate& a, const Coupling& coupling, const Row& row, const Condition& c, double w) {
+  if (c.turns_axis) return value_of_turning(a, row, c, distance_of(a, coupling, c), w);
+  if (row.lever > 0.0) return value_of_angle(a, row, c, w);
   const double displacement = norm(row.d1 - row.d0);
-  if (norm2(c.direction) > 0.0)
-    return {c.direction, c.direction * w, dot(c.direction, row.d1) * w, w, 0.0, displacement};
-  const Distance d = distance(a, row, c);
-  if (d.crosses) {
-    const Vec3 e = (d.n0 + d.n1) / (1.0 + dot(d.n0, d.n1));
-    return {direction(e), d.n1 * w, d.value * w, norm(e) * w, 0.0, displacement};
+  if (counts_along_axis(row, c)) {
+    const Axis u = axis_of(a, row.b, c);
+    const Vec3 e = u.mean();
+    return {direction(e), u.at_end * w, dot(u.at_end, row.d1) * w, norm(e) * w, 0.0, displacement};
   }
-  const double sum = std::fmax(norm(row.d0) + norm(row.d1), 1e-300);
-  const Vec3 e = (row.d0 + row.d1) / (d.side * sum);
+  const double r0 = norm(row.d0), r1 = norm(row.d1), sum = std::fmax(r0 + r1, 1e-300);
+  const Vec3 e = (row.d0 + row.d1) / sum;
   const double stretch = std::fmax(norm(e), 1e-3);
-  return {direction(e), d.n1 * w, d.value * w, stretch * w, d.side / (sum * stretch), displacement};
+  return {direction(e), direction(row.d1) * w, r1 * w, stretch * w, 1.0 / (sum * stretch), displacement};
 }
 
 /// [m] at the end of the step.
 double value_at_end(const Articulate& a, const Row& row, const Condition& c) {
+  if (c.turns_axis) return 0.0;
   if (row.lever > 0.0) return c.angle1 * row.lever;
-  return norm2(c.direction) > 0.0 ? dot(c.direction, row.d1) : distance(a, row, c).value;
+  return counts_along_axis(row, c) ? dot(axis_of(a, row.b, c).at_end, row.d1) : norm(row.d1);
 }
 
 /// The direction of a row's velocities that its value changes with, and by how much.
@@ -91,12 +102,16 @@ struct Slope {
   Vec3 n;
   double size;
 };
-Slope slope(const Articulate& a, const Row& row, const Condition& c) {
+Slope slope(const Articulate& a, const Coupling& coupling, const Row& row, const Condition& c) {
+  if (c.turns_axis) {
+    const Vec3 gradient = cross(axis_of(a, row.a, c).at_end, distance_of(a, coupling, c).d1) / row.lever;
+    return {direction(gradient), norm(gradient)};
+  }
   if (row.lever > 0.0) {
     const Vec3 gradient = twist_gradient(row);
     return {direction(gradient), std::fmax(1.0, norm(gradient))};
   }
-  return {norm2(c.direction) > 0.0 ? c.direction : distance(a, row, c).n1, 1.0};
+  return {counts_along_axis(row, c) ? axis_of(a, row.b, c).at_end : direction(row.d1), 1.0};
 }
 
 double relative_weight(const Articulate& a, const Coupling& coupling, std::uint32_t k) {
@@ -148,19 +163,10 @@ double evaluate_other(Articulate& a, Row& row, const Value& v, const Row& head, 
   return weighted(wrong, row, v, kappa);
 }
 
-void find_sides(Articulate& a, const Coupling& coupling) {
-  for (std::uint32_t k : coupling.rows) {
-    const Row& row = a.rows[k];
-    Condition& c = condition(a, row);
-    if (row.lever == 0.0 && c.angle0 != 0.0) c.angle1 = distance(a, row, c).side;
-  }
-}
-
 double evaluate_coupling(Articulate& a, const Coupling& coupling, double h) {
   Row& head = a.rows[coupling.head];
   const Condition& c = condition(a, head);
-  find_sides(a, coupling);
-  const Value of_head = value(a, head, c, 1.0);
+  const Value of_head = value(a, coupling, head, c, 1.0);
   const double kappa = 0.5 * h * h * mobility(a, head), over = sum_of(a, coupling) - c.length / c.weight - c.accepted;
   const bool held = !c.ranged || dot(head.f, of_head.n) / of_head.share * kappa < over;
   double worst = 0.0;
@@ -171,7 +177,7 @@ double evaluate_coupling(Articulate& a, const Coupling& coupling, double h) {
       continue;
     }
     condition(a, row).held = true;
-    const auto own = [&] { return value(a, row, condition(a, row), relative_weight(a, coupling, k)); };
+    const auto own = [&] { return value(a, coupling, row, condition(a, row), relative_weight(a, coupling, k)); };
     worst = std::fmax(worst, k == coupling.head ? evaluate_head(a, row, of_head, over, kappa)
                                                 : evaluate_other(a, row, own(), head, of_head, kappa));
   }
@@ -204,7 +210,8 @@ void find_couplings(Articulate& a) {
       continue;
     }
     same->rows.push_back(k);
-    same->head = k;  // the last: what another row holds still leaves the head no pivot before the others have one
+    // The last: what another row holds still leaves the head no pivot before the others have one.
+    if (!condition(a, row).turns_axis) same->head = k;
   }
   for (Coupling& coupling : a.couplings)
     for (std::uint32_t k : coupling.rows) {
@@ -234,11 +241,10 @@ void project_couplings(Articulate& a) {
     const Row& head = a.rows[coupling.head];
     const Condition& of_head = condition(a, head);
     const bool held = of_head.held;
-    find_sides(a, coupling);
-    const Slope along_head = slope(a, head, of_head);
+    const Slope along_head = slope(a, coupling, head, of_head);
     for (std::uint32_t k : coupling.rows) {
       Condition& c = condition(a, a.rows[k]);
-      const Slope along = slope(a, a.rows[k], c);
+      const Slope along = slope(a, coupling, a.rows[k], c);
       const double share = c.weight1 * along.size / (of_head.weight1 * along_head.size);
       c.wanted = zero3();
       c.kept = held ? outer(along.n, along.n) : zero33();
@@ -253,7 +259,7 @@ Stop coupling_stop(const Articulate& a, const Row& row) {
   for (const Coupling& coupling : a.couplings) {
     if (&a.rows[coupling.head] != &row) continue;
     const Condition& c = condition(a, row);
-    return {slope(a, row, c).n * -1.0, c.length / c.weight + c.accepted - sum_of(a, coupling)};
+    return {slope(a, coupling, row, c).n * -1.0, c.length / c.weight + c.accepted - sum_of(a, coupling)};
   }
   return {zero3()};
 }

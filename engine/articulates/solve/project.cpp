@@ -200,11 +200,13 @@ void carry_half(Articulate& a, double h) {
   a.symmetric_h = h;
   for (std::size_t k = 0; k < a.rows.size(); k++) a.symmetric[k] = (a.symmetric[k] + a.impulses[k]) * 0.5;
   a.symmetric_work = {};
-  for (const Condition& c : a.conditions) {
+  for (const Condition& c : a.conditions)
     if (row(a, c).kind != RowKind::rigid)
       a.symmetric[c.row] = c.kept * a.symmetric[c.row];  // earlier ones were along others
-    add_work(a.symmetric_work, a, c, a.symmetric[c.row]);
-  }
+  for (const Coupling& coupled : a.couplings)
+    for (std::uint32_t k : coupled.rows)
+      if (k != coupled.head) a.symmetric[k] = condition(a, a.rows[k]).from_head * a.symmetric[coupled.head] * -1.0;
+  for (const Condition& c : a.conditions) add_work(a.symmetric_work, a, c, a.symmetric[c.row]);
 }
 
 /// Whether what was struck is a stop, and no motor that reached its speed.
@@ -292,7 +294,8 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
     const double given = restore_momenta(a, kept);
     report.work += a.attracts ? kinetic_energy(a) - before.kinetic - (report.outside() - outside) : given;
   }
-  if (struck(a) && !a.cut) {
+  const bool one_sided = is_one_sided(a);
+  if (one_sided && !a.cut) {  // no half is carried, so all of it belongs to this step
     begin_exerted(a);
     add_forces_exerted(a, settings.full);
     a.cut = true;
@@ -300,7 +303,7 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   if (a.cut) add_impulses_exerted(a);
   const double speed = std::max(before.fastest, std::sqrt(norm(settings.gravity) * a.length));
   const bool noise = before.forbidden <= 1e-9 * speed;  // as large as what the solver leaves
-  if (a.smooth && !a.weak && !noise && !over_gaps && !is_one_sided(a)) carry_half(a, settings.full / a.sub_steps.count);
+  if (a.smooth && !a.weak && !noise && !over_gaps && !one_sided) carry_half(a, settings.full / a.sub_steps.count);
   if (settings.energy_return)
     report.returned += return_energy(a, before.kinetic - a.symmetric_energy, settings.gravity);
 }
