@@ -43,8 +43,8 @@ double evaluate_function(Row& row, Condition& c, const ConstraintFunction& r, co
   row.residual = r.n * h.gap + across * kappa;
   c.M = outer(r.n, r.gradient) - P * (kappa * along * r.bend);
   c.C = P * kappa;
-  const double weight = std::fmax(kappa, r.displacement / std::fmax(norm(row.f), 1e-3 * r.displacement / kappa));
-  return std::fmax(std::fabs(h.gap), norm(across) * weight);
+  const double scale = std::fmax(kappa, r.displacement / std::fmax(norm(row.f), 1e-3 * r.displacement / kappa));
+  return std::fmax(std::fabs(h.gap), norm(across) * scale);
 }
 
 void project_function(Condition& c, Vec3 gradient, double slope) {

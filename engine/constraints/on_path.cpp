@@ -50,8 +50,8 @@ double evaluate_path(Row& row, Condition& c, const RowContext& context) {
   const double bend = displacement > 1e-12 * norm(position) ? dot(row.f, T - n * dot(n, T)) / displacement : 0.0;
   c.M = identity33() - outer(T, T) + outer(n, T) * (kappa * bend);
   c.C = outer(n, n) * kappa;
-  const double weight = std::fmax(kappa, displacement / std::fmax(norm(row.f), 1e-3 * displacement / kappa));
-  return std::fmax(norm(open - row.offset), std::fabs(along) * weight);
+  const double scale = std::fmax(kappa, displacement / std::fmax(norm(row.f), 1e-3 * displacement / kappa));
+  return std::fmax(norm(open - row.offset), std::fabs(along) * scale);
 }
 
 void project_path(const Row&, Condition& c) {

@@ -137,9 +137,9 @@ void set_right_side(Articulate& a, std::uint32_t k, const System& system) {
   a.right_side[k] = side * system.right_scale;
 }
 
-Mat3x4 weight(const Articulate& a, std::size_t b, const System& system) {
+Mat3x4 angular_mobility(const Articulate& a, std::size_t b, const System& system) {
   if (!system.turns) return congruent(rotations(a, b, &Node::R0), zero3x4());
-  if (system.right == Arms::mean) return weight(a.batches[b], system.h);
+  if (system.right == Arms::mean) return angular_mobility(a.batches[b], system.h);
   const Mat3x4 R = rotations(a, b, system.right == Arms::start ? &Node::R0 : &Node::R1);
   return congruent(R, a.batches[b].inverse_inertia);
 }
@@ -158,7 +158,7 @@ void add_coupled_blocks(Articulate& a, const Coupling& coupled, const System& sy
   for (const CoupledBlock& m : coupled.blocks) {
     const std::size_t batch = m.node / batch_size;
     const RowEnds &of = end_of(a, m.node, m.row), &by = end_of(a, m.node, m.column);
-    const Mat3x4 G = turn_by(weight(a, batch, system), by, system.right);
+    const Mat3x4 G = turn_by(angular_mobility(a, batch, system), by, system.right);
     const Mat3 k = unpack(response(of, by, G, ease(a, a.batches[batch])))[m.node % batch_size];
     Mat3& block = m.column == coupled.head ? a.factor.diagonal[m.block]
                   : m.upper                ? a.factor.upper[m.block]
@@ -207,7 +207,7 @@ bool factorise(Articulate& a, const System& system) {
                        : invert_jacobian(n, moments(a, n), system.h);
         move_ends(a, n);
       }
-      const Mat3x4 W = weight(a, done.batches, system);
+      const Mat3x4 W = angular_mobility(a, done.batches, system);
       add_row_blocks(a, done.batches, W, system.right);
       for (; hub != a.hubs.end() && hub->node / batch_size == done.batches; ++hub) add_hub(a, *hub, W, system.right);
     }

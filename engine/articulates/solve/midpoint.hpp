@@ -76,7 +76,7 @@ inline void invert_flat_jacobian(NodeBatch& n, const Mat3x4& B, double h, int k)
 }
 
 /// W = (2/h) c (1 + a^/2) J⁻¹ (1 - a^/2): the rotation at the end that a moment of unit force makes, times 2/h².
-inline Mat3x4 weight(const NodeBatch& n, double h) {
+inline Mat3x4 angular_mobility(const NodeBatch& n, double h) {
   Mat3x4 W = times_hat(n.J_inverse, n.a);
   for (int k = 0; k < 3; k++) {
     const Vec3x4 x = n.J_inverse[k] - W[k] * 0.5;
