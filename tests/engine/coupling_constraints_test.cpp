@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "articulates/solve/momenta.hpp"
 #include "constraints/kind.hpp"
 #include "edit/assemble.hpp"
 #include "edit/constrain.hpp"
@@ -334,6 +335,7 @@ TEST_CASE("couplings: of bodies that tumble freely momentum, angular momentum an
   set_velocity(world, a, vec(0, 0.1, 0));
   set_velocity(world, b, vec(-0.2, 0.3, 0.1));
   step(world);
+  for (const auto& articulate : world.articulates) CHECK(is_free(*articulate));
   const Things all = everything(world);
   const double kept = energy(world).kinetic;
   const Vec3 momentum = pantin::momentum(world, all), turning = angular_momentum(world, all);

@@ -58,7 +58,7 @@ Anchors anchors(const Articulate& a) {
   bool turned = false;
   for (const Condition& c : a.conditions) {
     const Row& r = row(a, c);
-    if (r.b >= 0) continue;
+    if (r.b >= 0 || c.turns_axis) continue;
     const bool held = r.kind == RowKind::plane || r.kind == RowKind::path ||
                       (r.kind == RowKind::coupled && r.lever == 0.0 && norm2(c.axis) > 0.0);
     if (c.stiff || held) return {Anchorage::fixed, c.whole1, zero3()};  // no momentum is kept

@@ -50,7 +50,9 @@ void add_rigid_motion(Articulate& a, Vec3 X, Vec3 velocity, Vec3 spin) {
 }  // namespace
 
 bool is_free(const Articulate& a) {
-  return std::all_of(a.rows.begin(), a.rows.end(), [](const Row& row) { return row.b >= 0; });
+  return std::all_of(a.rows.begin(), a.rows.end(), [&](const Row& row) {
+    return row.b >= 0 || (row.condition >= 0 && condition(a, row).turns_axis);
+  });
 }
 
 Vec3 centre_of_mass(const Articulate& a) {
