@@ -1,0 +1,112 @@
+#include "contacts/solve/island.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pantin {
+
+namespace {
+
+void push_body(IslandBody& body, Vec3 arm, Vec3 impulse) {
+  body.v += impulse * body.inverse_mass;
+  body.w += body.mobility * cross(arm, impulse);
+}
+
+/// How much a unit impulse along `way` changes the velocity of its point along it [1/kg].
+double mobility_along(const IslandBody& body, Vec3 arm, Vec3 way) {
+  const Vec3 moment = cross(arm, way);
+  return body.inverse_mass + dot(moment, body.mobility * moment);
+}
+
+double mobility_along(const ContactIsland& island, const IslandPair& p, Vec3 way) {
+  const double of_a = mobility_along(island.bodies[static_cast<std::size_t>(p.a)], p.ra, way);
+  return p.b < 0 ? of_a : of_a + mobility_along(island.bodies[static_cast<std::size_t>(p.b)], p.rb, way);
+}
+
+double mean_mobility(const ContactIsland& island, const IslandTie& t) {
+  double sum = 0.0;
+  for (int i = 0; i < 3; i++) {
+    const Vec3 axis = vec(i == 0, i == 1, i == 2);
+    if (t.lever == 0.0) {
+      sum += mobility_along(island, t, axis);
+      continue;
+    }
+    sum += t.lever * t.lever * dot(axis, island.bodies[static_cast<std::size_t>(t.a)].mobility * axis);
+    if (t.b >= 0) sum += t.lever * t.lever * dot(axis, island.bodies[static_cast<std::size_t>(t.b)].mobility * axis);
+  }
+  return sum / 3.0;
+}
+
+}  // namespace
+
+void push(ContactIsland& island, const IslandPair& pair, Vec3 impulse) {
+  push_body(island.bodies[static_cast<std::size_t>(pair.a)], pair.ra, impulse);
+  if (pair.b >= 0) push_body(island.bodies[static_cast<std::size_t>(pair.b)], pair.rb, impulse * -1.0);
+}
+
+void push(ContactIsland& island, const IslandTie& tie, Vec3 impulse) {
+  if (tie.lever == 0.0) return push(island, static_cast<const IslandPair&>(tie), impulse);
+  IslandBody& a = island.bodies[static_cast<std::size_t>(tie.a)];
+  a.w += a.mobility * (impulse * tie.lever);
+  if (tie.b < 0) return;
+  IslandBody& b = island.bodies[static_cast<std::size_t>(tie.b)];
+  b.w -= b.mobility * (impulse * tie.lever);
+}
+
+void start_from_rest(ContactIsland& island) {
+  for (IslandBody& body : island.bodies) {
+    body.v = body.v0;
+    body.w = body.w0;
+  }
+}
+
+void apply_impulses(ContactIsland& island) {
+  start_from_rest(island);
+  for (const IslandContact& c : island.contacts)
+    if (c.on) push(island, c, to_world(c, c.impulse));
+  for (const IslandTie& t : island.ties) push(island, t, t.kept * t.impulse);
+}
+
+void observe(ContactIsland& island) {
+  for (IslandContact& c : island.contacts)
+    if (c.on) c.u = to_frame(c, relative(c, island.bodies, &IslandBody::v, &IslandBody::w)) + c.bias;
+  for (IslandTie& t : island.ties)
+    t.u = velocity_of(t, island.bodies, &IslandBody::v, &IslandBody::w) - t.kept * t.wanted;
+}
+
+void prepare(ContactIsland& island) {
+  for (IslandContact& c : island.contacts) {
+    c.wn = mobility_along(island, c, c.frame[0]);
+    c.wt = std::max(mobility_along(island, c, c.frame[1]), mobility_along(island, c, c.frame[2]));
+    c.impulse = c.start;
+  }
+  for (IslandTie& t : island.ties) {
+    t.w = mean_mobility(island, t);
+    t.impulse = t.start;
+  }
+}
+
+double coulomb_residual(const IslandContact& c) {
+  const double normal = std::fabs(std::fmin(c.impulse[0] * c.wn, c.u[0]));
+  const double bound = c.friction * std::fmax(0.0, c.impulse[0]) * c.wt;
+  const double x1 = c.impulse[1] * c.wt, x2 = c.impulse[2] * c.wt, y1 = x1 - c.u[1], y2 = x2 - c.u[2];
+  const double size = std::sqrt(y1 * y1 + y2 * y2), part = size > bound ? bound / size : 1.0;
+  const double d1 = x1 - y1 * part, d2 = x2 - y2 * part;
+  return std::fmax(normal, std::sqrt(d1 * d1 + d2 * d2));
+}
+
+double residual(const ContactIsland& island) {
+  double most = 0.0;
+  for (const IslandContact& c : island.contacts)
+    if (c.on) most = std::fmax(most, coulomb_residual(c));
+  for (const IslandTie& t : island.ties) most = std::fmax(most, norm(t.u));
+  return most;
+}
+
+double kinetic_energy(const ContactIsland& island) {
+  double sum = 0.0;
+  for (const IslandBody& b : island.bodies) sum += 0.5 * (b.mass * norm2(b.v) + dot(b.w, b.inertia * b.w));
+  return sum;
+}
+
+}  // namespace pantin

@@ -1,0 +1,113 @@
+#pragma once
+// The problem that a stage of touch solves: velocities of bodies, given those without impulses of contacts and ties.
+//
+//   M (v - v0) = Σ G' γ + Σ T' μ
+//   contacts:  u = G v + bias in the frame (n, t1, t2);  0 ≤ γ_n ⊥ u_n ≥ 0;  |γ_t| ≤ friction γ_n, against u_t where it slides
+//   ties:      kept (T v - wanted) = 0, as articulates have them
+//
+// v stands for the velocity of the centre and the spin, in world axes; forces act on body a, opposite ones on b. w is the
+// diagonal of the Delassus operator G M⁻¹ G': how much a unit impulse changes its own velocity [1/kg].
+#include <cstdint>
+#include <vector>
+
+#include "articulates/factor.hpp"
+#include "base/lanes.hpp"
+
+namespace pantin {
+
+struct IslandBody {
+  double mass = 1.0, inverse_mass = 1.0;
+  Mat3 inertia = identity33(), mobility = zero33();  ///< [kg m²] and its inverse, world axes; mobility 0 where it cannot turn
+  Mat3 turning = identity33();                       ///< projects on the axes that it can turn about
+  double reach = 0.0;                                ///< [m] makes a speed of a spin, where residuals are measured
+  Vec3 v0 = zero3(), w0 = zero3();                   ///< [m/s], [rad/s] without impulses
+  Vec3 v = zero3(), w = zero3();
+};
+
+/// Between a body and another, or the world (b = -1).
+struct IslandPair {
+  std::int32_t a = 0, b = -1;
+  Vec3 ra = zero3(), rb = zero3();  ///< [m] arms from the centres
+};
+
+struct IslandContact : IslandPair {
+  Mat3 frame;              ///< columns n (from b to a), t1, t2
+  double friction = 0.0;
+  double wn = 0.0, wt = 0.0;  ///< [1/kg]
+  Vec3 bias = zero3();     ///< [m/s] in the frame, as all that follow
+  Vec3 start = zero3();    ///< [N s] where the search for γ begins
+  Vec3 impulse = zero3();  ///< [N s] γ
+  Vec3 u = zero3();        ///< [m/s]
+  bool on = true;
+};
+
+struct IslandTie : IslandPair {
+  double lever = 0.0;      ///< [m] of an angular one, which sees spins alone; 0: ties points
+  Mat3 kept = identity33();
+  double w = 0.0;          ///< [1/kg]
+  Vec3 wanted = zero3();   ///< [m/s] world axes, as all that follow
+  Vec3 start = zero3();    ///< [N s]
+  Vec3 impulse = zero3();  ///< [N s] μ
+  Vec3 u = zero3();        ///< [m/s] kept (T v - wanted)
+};
+
+/// Where blocks of a pair are in the factor: (row of a, row of b) for linear and angular parts.
+struct PairBlocks {
+  std::array<std::uint32_t, 4> block{};
+  std::array<bool, 4> a_below{};
+};
+
+struct ContactIsland {
+  std::vector<IslandBody> bodies;
+  std::vector<IslandContact> contacts;
+  std::vector<IslandTie> ties;
+  double tolerance = 1e-8;  ///< [m/s] to which velocities at contacts are solved
+  // Of the matrix M + Σ G' D G + Σ T' k T: rows 2i of the centre of body i and 2i + 1 of its spin.
+  Factor factor;
+  std::vector<std::uint32_t> position;  ///< (2 bodies) in the order of elimination
+  std::vector<std::uint32_t> own;       ///< (bodies) block of the two rows of a body
+  std::vector<PairBlocks> contact_blocks, tie_blocks;
+  std::vector<Mat3> base_diagonal, base_lower;  ///< of masses and ties
+  std::vector<Vec3> right_side;
+};
+
+inline Vec3 to_frame(const IslandContact& c, Vec3 world) { return transposed_times(c.frame, world); }
+inline Vec3 to_world(const IslandContact& c, Vec3 local) { return c.frame * local; }
+
+/// Velocity of a's point relative to b's, world axes, of velocities `v` and spins `w` of the bodies.
+inline Vec3 relative(const IslandPair& p, const std::vector<IslandBody>& bodies, Vec3 IslandBody::*v, Vec3 IslandBody::*w) {
+  const IslandBody& a = bodies[static_cast<std::size_t>(p.a)];
+  Vec3 u = a.*v + cross(a.*w, p.ra);
+  if (p.b < 0) return u;
+  const IslandBody& b = bodies[static_cast<std::size_t>(p.b)];
+  return u - b.*v - cross(b.*w, p.rb);
+}
+inline Vec3 relative_spin(const IslandTie& t, const std::vector<IslandBody>& bodies, Vec3 IslandBody::*w) {
+  const Vec3 wa = bodies[static_cast<std::size_t>(t.a)].*w;
+  return (t.b < 0 ? wa : wa - bodies[static_cast<std::size_t>(t.b)].*w) * t.lever;
+}
+inline Vec3 velocity_of(const IslandTie& t, const std::vector<IslandBody>& bodies, Vec3 IslandBody::*v,
+                        Vec3 IslandBody::*w) {
+  return t.kept * (t.lever > 0.0 ? relative_spin(t, bodies, w) : relative(t, bodies, v, w));
+}
+
+/// Adds an impulse [N s] (world axes, on a) to the velocities.
+void push(ContactIsland& island, const IslandPair& pair, Vec3 impulse);
+void push(ContactIsland& island, const IslandTie& tie, Vec3 impulse);
+/// Velocities without impulses, and with those at hand.
+void start_from_rest(ContactIsland& island);
+void apply_impulses(ContactIsland& island);
+/// Sets u of contacts that are on and of ties from the velocities.
+void observe(ContactIsland& island);
+/// Sets wn, wt and w, and begins the search where last time's impulses are.
+void prepare(ContactIsland& island);
+
+/// How far a contact is from Coulomb's law with impulse γ at velocity u [m/s]: with x = w γ, the distance of x from the
+/// projection of x - u on what is allowed.
+double coulomb_residual(const IslandContact& contact);
+/// Largest of all contacts, and of what ties should forbid [m/s].
+double residual(const ContactIsland& island);
+/// Kinetic energy of the velocities [J].
+double kinetic_energy(const ContactIsland& island);
+
+}  // namespace pantin

@@ -1,0 +1,21 @@
+#pragma once
+// The matrix of an island's velocities, M + Σ G' D G + Σ T' k T, factorised by body.
+#include <span>
+
+#include "contacts/solve/island.hpp"
+
+namespace pantin {
+
+/// Lays out the factor for the pairs that the contacts and ties make.
+void lay_out_matrix(ContactIsland& island);
+/// Sets the part of masses and ties, with stiffness `tie_stiffness` / w of each tie [kg].
+void set_base(ContactIsland& island, double tie_stiffness);
+/// Factorises the base with the contacts' stiffness: D(contact) [kg], world axes, by index; none where it is off.
+void factorise(ContactIsland& island, std::span<const Mat3> stiffness);
+/// Solves for the change of velocities that impulses on the bodies make, those of IslandBody::force and moment.
+struct BodyLoad {
+  Vec3 force = zero3(), moment = zero3();  ///< [N s], [N m s]
+};
+void solve(ContactIsland& island, std::span<const BodyLoad> load, std::span<BodyLoad> change);
+
+}  // namespace pantin

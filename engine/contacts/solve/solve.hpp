@@ -1,0 +1,17 @@
+#pragma once
+#include "contacts/solve/island.hpp"
+
+namespace pantin {
+
+/// How an island was solved, in the order of how well.
+struct IslandReport {
+  double residual = 0.0;  ///< [m/s] at contacts and ties
+  std::uint32_t iterations = 0, factorisations = 0;
+  bool by_newton = true;
+};
+
+/// Finds impulses and velocities of an island whose contacts and ties say where to begin. The impulses balance the momenta to
+/// round-off and are in the cone, however well the law is met; `residual` says that.
+IslandReport solve_island(ContactIsland& island);
+
+}  // namespace pantin
