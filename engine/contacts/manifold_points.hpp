@@ -1,0 +1,23 @@
+#pragma once
+// Points that a pair may have, before those that matter are chosen.
+#include "contacts/manifold.hpp"
+
+namespace pantin {
+
+/// Points of one pair in any number that clipping gives; what does not fit is left out.
+struct PointList {
+  static constexpr std::uint32_t capacity = 160;
+  std::uint32_t count = 0;
+  std::array<ManifoldPoint, capacity> points;
+
+  void add(const ManifoldPoint& point) {
+    if (count < capacity) points[count++] = point;
+  }
+};
+
+/// Adds up to four points of a list to a manifold: the deepest, the one farthest from it, and those farthest from the line
+/// between the two on either side. Of points that are equally good within round-off of `size` [m] that of the smallest id.
+/// No two have the same id.
+void keep_points(const PointList& list, double size, Manifold& manifold);
+
+}  // namespace pantin
