@@ -29,7 +29,8 @@ struct TriangleMesh {
   Bounds bounds;
 };
 
-/// Heights y over points of a grid in x and z, flat triangles between; solid below.
+/// Heights y over points of a grid in x and z; solid below. Each cell has two triangles: 2 (row (columns - 1) + column) is at
+/// its corner of low x and high z, the next at that of high x and low z.
 struct HeightField {
   std::uint32_t columns = 0, rows = 0;  ///< points along x and z, each >= 2
   double spacing = 1.0;                 ///< [m] between neighbours, centred on the origin
@@ -37,11 +38,11 @@ struct HeightField {
   double lowest = 0.0, highest = 0.0;   ///< [m]
 };
 
-/// Throws Error where there is no triangle, an index is out of range, a vertex is not finite, or all triangles have no area;
-/// those without area are left out. Holes are no error.
+/// Throws Error where there is no triangle, an index is out of range, a vertex is not within 1e12 m, or all triangles have
+/// no area; those without area are left out. Holes are no error. Corners at the same place count as one.
 std::shared_ptr<const TriangleMesh> make_mesh(std::vector<Vec3> vertices,
                                               std::span<const std::array<std::uint32_t, 3>> faces);
-/// Throws Error where there are fewer than 2 x 2 heights, their number is not rows x columns, or one is not finite.
+/// Throws Error where there are fewer than 2 x 2 heights, their number is not rows x columns, or one is not within 1e12 m.
 std::shared_ptr<const HeightField> make_height_field(std::uint32_t columns, std::uint32_t rows, double spacing,
                                                      std::vector<double> heights);
 
@@ -53,6 +54,8 @@ struct MeshTriangle {
   std::array<bool, 3> convex;
   std::uint32_t index;
 };
+MeshTriangle triangle_of(const TriangleMesh& mesh, std::uint32_t index);
+MeshTriangle triangle_of(const HeightField& field, std::uint32_t index);
 /// Calls use(triangle) for each whose bounds meet the box, in the shape's own axes and rising index.
 void triangles_in(const TriangleMesh& mesh, const Bounds& box, const std::function<void(const MeshTriangle&)>& use);
 void triangles_in(const HeightField& field, const Bounds& box, const std::function<void(const MeshTriangle&)>& use);
