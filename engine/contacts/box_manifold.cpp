@@ -221,7 +221,7 @@ void add_face_points(const BoxPair& pair, int axis, bool with_edge_pair, PointLi
 }  // namespace
 
 void box_on_box(const BoxShape& a, const Pose& at_a, const BoxShape& b, const Pose& at_b, double margin,
-                Manifold& manifold) {
+                SeparationCache& cache, Manifold& manifold) {
   manifold.count = 0;
   BoxPair pair = {a.half,          b.half, at_a, at_b, margin, std::fmin(largest(a.half), largest(b.half)),
                   at_a.x - at_b.x, {},     {}};
@@ -235,6 +235,12 @@ void box_on_box(const BoxShape& a, const Pose& at_a, const BoxShape& b, const Po
   const bool edge_pair = best.edge >= 0 && best.edge_gap > edge_threshold && add_edge_point(pair, best.edge, manifold);
   PointList list;
   add_face_points(pair, best.face, edge_pair, list);
+  const double gap = std::fmax(best.face_gap, best.edge_gap);
+  if (!edge_pair && gap > 0.0 && least_gap(list) > gap + on_border * pair.size) {
+    const Separation nearest = separation(a, at_a, b, at_b, margin, &cache);
+    if (nearest.distance <= margin && nearest.distance < least_gap(list) - on_border * pair.size)
+      manifold.points[manifold.count++] = nearest_point(nearest);
+  }
   keep_points(list, pair.size, manifold);
 }
 

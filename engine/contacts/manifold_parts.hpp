@@ -5,11 +5,17 @@
 namespace pantin {
 
 void box_on_box(const BoxShape& a, const Pose& at_a, const BoxShape& b, const Pose& at_b, double margin,
-                Manifold& manifold);
+                SeparationCache& cache, Manifold& manifold);
 /// b is a half space.
 void convex_on_plane(const Geometry& a, const Pose& at_a, const Pose& at_b, double margin, Manifold& manifold);
 /// Any two convex shapes.
 void convex_on_convex(const Geometry& a, const Pose& at_a, const Geometry& b, const Pose& at_b, double margin,
                       SeparationCache& cache, Manifold& manifold);
+/// b is a mesh or a height field.
+void convex_on_triangles(const Geometry& a, const Pose& at_a, const Geometry& b, const Pose& at_b, double margin,
+                         ManifoldSink& sink);
+
+/// The nearest points of two shapes.
+ManifoldPoint nearest_point(const Separation& nearest);
 
 }  // namespace pantin

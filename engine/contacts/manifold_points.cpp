@@ -41,14 +41,19 @@ using Order = std::array<std::uint32_t, PointList::capacity>;
 
 /// The first that is as deep as the deepest.
 std::uint32_t deepest(const PointList& list, const Order& order, double size) {
-  double least = infinity;
-  for (std::uint32_t i = 0; i < list.count; i++) least = std::fmin(least, list.points[i].gap);
+  const double least = least_gap(list);
   for (std::uint32_t i = 0; i < list.count; i++)
     if (list.points[order[i]].gap <= least + same_gap * size) return order[i];
   return order[0];
 }
 
 }  // namespace
+
+double least_gap(const PointList& list) {
+  double least = infinity;
+  for (std::uint32_t i = 0; i < list.count; i++) least = std::fmin(least, list.points[i].gap);
+  return least;
+}
 
 void keep_points(const PointList& list, double size, Manifold& manifold) {
   if (list.count <= most_kept) {

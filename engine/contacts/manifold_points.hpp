@@ -15,6 +15,9 @@ struct PointList {
   }
 };
 
+/// [m]
+double least_gap(const PointList& list);
+
 /// Adds up to four points of a list to a manifold: the deepest, the one farthest from it, and those farthest from the line
 /// between the two on either side. Of points that are equally good within round-off of `size` [m] that of the smallest id.
 /// No two have the same id.
