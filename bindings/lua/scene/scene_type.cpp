@@ -14,10 +14,12 @@
 #include "lua/thing/family_options.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/force_element_options.hpp"
+#include "lua/thing/ground_options.hpp"
 #include "lua/thing/guide_constraint_options.hpp"
 #include "lua/thing/look_options.hpp"
 #include "lua/thing/point_constraint_options.hpp"
 #include "lua/thing/script.hpp"
+#include "lua/thing/shape_type.hpp"
 #include "lua/thing/structure_type.hpp"
 #include "lua/thing/targets.hpp"
 #include "lua/thing/turn_constraint_options.hpp"
@@ -48,6 +50,28 @@ int scene_body(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "body");
   push_thing(state, self.script, add_body(self.world, body_def(state, 2)));
   return 1;
+}
+
+int make_solid(lua_State* state, const char* kind) {
+  const Self self = check_self(state, Kind::scene, kind);
+  push_thing(state, self.script, add_body(self.world, solid_def(state, 2, kind)));
+  return 1;
+}
+int scene_ball(lua_State* state) { return make_solid(state, "ball"); }
+int scene_box(lua_State* state) { return make_solid(state, "box"); }
+int scene_capsule(lua_State* state) { return make_solid(state, "capsule"); }
+int scene_cylinder(lua_State* state) { return make_solid(state, "cylinder"); }
+
+int scene_floor(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "floor");
+  add_shape(self.world, floor_def(state, 2));
+  return 0;
+}
+
+int scene_ground(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "ground");
+  for (const ShapeDef& def : ground_defs(state, 2)) add_shape(self.world, def);
+  return 0;
 }
 
 int scene_group(lua_State* state) {
@@ -90,6 +114,21 @@ std::vector<Method> making() {
       {"body", guard<scene_body>, "options: BodyOptions", "Body", "Makes a rigid body.",
        "local rod = scene:body { at = vec(0, 3, 0),\n"
        "  points = { left = { at = vec(-1, 0, 0), mass = 1 }, right = { at = vec(1, 0, 0), mass = 1 } } }"},
+      {"ball", guard<scene_ball>, "options: BallOptions", "Body", "Makes a rigid body that is a ball, which touches.",
+       "local ball = scene:ball { radius = 0.2, at = vec(0, 2, 0), velocity = vec(3, 0, 0), restitution = 0.7 }"},
+      {"box", guard<scene_box>, "options: BoxOptions", "Body", "Makes a rigid body that is a box, which touches.",
+       "local crate = scene:box { size = vec(1, 1, 1), at = vec(0, 3, 0), density = 300, friction = 0.4 }"},
+      {"capsule", guard<scene_capsule>, "options: CapsuleOptions", "Body",
+       "Makes a rigid body that is a cylinder with round ends, which touches.",
+       "local pill = scene:capsule { radius = 0.2, length = 0.5, at = vec(0, 2, 0) }"},
+      {"cylinder", guard<scene_cylinder>, "options: CylinderOptions", "Body",
+       "Makes a rigid body that is a cylinder, which touches.",
+       "local wheel = scene:cylinder { radius = 0.5, length = 0.1, axis = vec(0, 0, 1), at = vec(0, 2, 0) }"},
+      {"floor", guard<scene_floor>, "options?: FloorOptions", "", "Makes a plane on which things rest, solid below.",
+       "scene:floor { height = -9, friction = 0.8 }"},
+      {"ground", guard<scene_ground>, "options: GroundOptions", "",
+       "Puts shapes into the world, where they stay: things rest on them and strike them.",
+       "scene:ground { shape = shape.box(10, 1, 10), at = vec(0, -9, 0), color = \"#987\" }"},
       {"merge", guard<scene_merge>, "a: Body, b: Body", "Body",
        "a lives on with b's points, which stay valid; b is gone.", "local both = scene:merge(arm, block)"},
       {"split", guard<scene_split>, "body: Body, points: Point|Point[], ...: Point", "Body",
@@ -321,6 +360,7 @@ void open_globals(lua_State* state, Script& script) {
   push_ref(state, make_ref(script, Kind::scene, 1, 1, 1));
   lua_setglobal(state, "scene");
   open_structures(state, script);
+  open_shapes(state, script);
 }
 
 const Type& scene_type() {

@@ -4,6 +4,8 @@
 
 #include "lua/thing/family_options.hpp"
 #include "lua/thing/fields.hpp"
+#include "lua/thing/ground_options.hpp"
+#include "lua/thing/shape_options.hpp"
 #include "lua/value/arguments.hpp"
 #include "lua/value/values.hpp"
 
@@ -81,17 +83,23 @@ PointDef point_def(lua_State* state, int index, const std::string& call, const s
   return def;
 }
 
-BodyDef body_def(lua_State* state, int index) {
-  const Options o(state, index, "body",
-                  {"points", "at", "orientation", "velocity", "spin", "mass", "inertia", "color", "name"});
-  require(lua_istable(state, index), "body: needs a table, scene:body{ points = { … }, mass = 1 }");
+namespace {
+
+/// What bodies of all sorts are given.
+const std::vector<std::string>& body_options() {
+  static const std::vector<std::string> names = {"points", "at",   "orientation", "velocity", "spin",
+                                                 "mass",   "inertia", "color",    "name"};
+  return names;
+}
+
+BodyDef body_of(const Options& o) {
   BodyDef def;
   def.name = o.string("name").value_or("");
   def.mass = o.number("mass", "kg").value_or(0.0);
-  require(!o.has("mass") || def.mass > 0, "body: mass must be > 0 kg, got ", def.mass);
+  require(!o.has("mass") || def.mass > 0, o.what(), ": mass must be > 0 kg, got ", def.mass);
   if (o.has("inertia")) {
-    def.inertia = check_inertia(state, o.push("inertia"), "body");
-    lua_pop(state, 1);
+    def.inertia = check_inertia(o.state(), o.push("inertia"), o.what());
+    lua_pop(o.state(), 1);
   }
   def.at = o.vector("at", "m").value_or(def.at);
   def.orientation = o.quat("orientation").value_or(def.orientation);
@@ -99,9 +107,31 @@ BodyDef body_def(lua_State* state, int index) {
   def.spin = o.vector("spin", "rad/s").value_or(def.spin);
   def.color = o.color("color").value_or(def.color);
   if (o.has("points")) {
-    def.points = point_defs(state, o.push("points"));
-    lua_pop(state, 1);
+    def.points = point_defs(o.state(), o.push("points"));
+    lua_pop(o.state(), 1);
   }
+  return def;
+}
+
+}  // namespace
+
+BodyDef body_def(lua_State* state, int index) {
+  const Options o(state, index, "body", with_names(body_options(), {"shape", "shapes"}));
+  require(lua_istable(state, index), "body: needs a table, scene:body{ points = { … }, mass = 1 }");
+  BodyDef def = body_of(o);
+  def.shapes = shape_options(o, def.color);
+  for (std::size_t i = 0; i < def.shapes.size(); i++)
+    require(is_convex(def.shapes[i].geometry), "body: shape ", i + 1,
+            " is a plane, a mesh or heights, which do not move; give it to scene:ground");
+  return def;
+}
+
+BodyDef solid_def(lua_State* state, int index, const char* name) {
+  const ShapeKind& kind = shape_kind(name);
+  const Options o(state, index, name, with_names(with_names(kind.sizes, material_options()), body_options()));
+  BodyDef def = body_of(o);
+  def.shapes = {shape_of_sizes(kind, o).def};
+  def.shapes[0].color = def.color;
   return def;
 }
 

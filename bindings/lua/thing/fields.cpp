@@ -137,6 +137,7 @@ const Type& type_of(Kind kind) {
     case Kind::hand: return hand_type();
     case Kind::subscription: return subscription_type();
     case Kind::structure: return structure_type();
+    case Kind::shape: return shape_type();
     case Kind::draw: return draw_type();
     case Kind::snapshot: return snapshot_type();
     default: return scene_type();

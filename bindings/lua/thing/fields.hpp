@@ -103,6 +103,7 @@ const Type& event_type();
 const Type& hand_type();
 const Type& subscription_type();
 const Type& structure_type();
+const Type& shape_type();
 const Type& draw_type();
 const Type& snapshot_type();
 const Type& scene_type();

@@ -30,6 +30,7 @@ std::array<std::string, kind_count> words() {
   set(Kind::hand, "a hand");
   set(Kind::subscription, "a subscription");
   set(Kind::structure, "a structure");
+  set(Kind::shape, "a shape");
   set(Kind::draw, "scene.draw");
   set(Kind::snapshot, "a snapshot");
   set(Kind::scene, "a scene");
@@ -77,6 +78,7 @@ std::string describe(const Ref& ref) {
     case Kind::event: return "event";
     case Kind::subscription: return "subscription";
     case Kind::structure: return "structure";
+    case Kind::shape: return "shape";
     case Kind::draw: return "scene.draw";
     case Kind::snapshot: return "snapshot";
     case Kind::scene: return "scene";

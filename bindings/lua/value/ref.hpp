@@ -26,6 +26,7 @@ enum class Kind : std::uint32_t {
   hand,
   subscription,
   structure,
+  shape,
   draw,
   snapshot,
   scene

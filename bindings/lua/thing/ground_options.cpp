@@ -1,0 +1,55 @@
+#include "lua/thing/ground_options.hpp"
+
+#include "lua/thing/shape_options.hpp"
+#include "lua/value/values.hpp"
+
+namespace pantin::lua {
+
+std::vector<ShapeDef> shape_options(const Options& o, const Color& color) {
+  std::vector<ShapeDef> defs;
+  const auto add = [&](const ShapeValue& value) {
+    defs.push_back(value.def);
+    defs.back().color = value.color.value_or(color);
+  };
+  lua_State* state = o.state();
+  require(!o.has("shape") || !o.has("shapes"), o.what(), ": takes shape, or a list shapes, not both");
+  if (o.has("shape")) add(check_shape_value(state, o.push("shape"), o.what(), "shape"));
+  if (o.has("shapes")) {
+    const int list = o.push("shapes");
+    require(lua_istable(state, list), o.what(), ": shapes must be a list of shapes, got ", kind_of_value(state, list));
+    for (lua_Unsigned i = 1; i <= lua_rawlen(state, list); i++) {
+      lua_rawgeti(state, list, static_cast<lua_Integer>(i));
+      add(check_shape_value(state, -1, o.what(), text("shape ", i)));
+      lua_pop(state, 1);
+    }
+    require(!defs.empty(), o.what(), ": shapes must be a list of shapes, got none");
+  }
+  if (!defs.empty()) lua_pop(state, 1);
+  return defs;
+}
+
+ShapeDef floor_def(lua_State* state, int index) {
+  const ShapeKind& kind = shape_kind("plane");
+  const Options o(state, index, "floor",
+                  with_names(kind.sizes, {"friction", "restitution", "surface_velocity", "color", "name"}));
+  ShapeDef def = shape_of_sizes(kind, o).def;
+  def.color = o.color("color").value_or(def.color);
+  def.name = o.string("name").value_or("");
+  return def;
+}
+
+std::vector<ShapeDef> ground_defs(lua_State* state, int index) {
+  const Options o(state, index, "ground", {"shape", "shapes", "at", "orientation", "color"});
+  const ShapeDef usual;
+  std::vector<ShapeDef> defs = shape_options(o, o.color("color").value_or(usual.color));
+  require(!defs.empty(), "ground: needs a shape, scene:ground { shape = shape.box(10, 1, 10) }");
+  const Vec3 at = o.vector("at", "m").value_or(zero3());
+  const Quat turn = normalised(o.quat("orientation").value_or(Quat{}));
+  for (ShapeDef& def : defs) {
+    def.at = at + rotate(turn, def.at);
+    def.orientation = normalised(turn * def.orientation);
+  }
+  return defs;
+}
+
+}  // namespace pantin::lua

@@ -1,0 +1,18 @@
+#pragma once
+// Shapes of bodies and of the world, as options.
+#include <lua.hpp>
+#include <vector>
+
+#include "edit/edit.hpp"
+#include "lua/value/arguments.hpp"
+
+namespace pantin::lua {
+
+/// `shape`, or the list `shapes`; those without a colour have this one.
+std::vector<ShapeDef> shape_options(const Options& options, const Color& color);
+/// `{ height, normal, friction, restitution, surface_velocity, color, name }`.
+ShapeDef floor_def(lua_State* state, int index);
+/// `{ shape, shapes, at, orientation, color }`.
+std::vector<ShapeDef> ground_defs(lua_State* state, int index);
+
+}  // namespace pantin::lua
