@@ -28,6 +28,12 @@ void write_mass(World& world, BodyId body, double mass) {
   set_own_mass(world, body, mass - points);
 }
 
+std::optional<Color> color_of(const World& world, BodyId id) {
+  const Body& body = world.bodies[id];
+  if (!body.shapes.empty()) return world.shapes[body.shapes[0]].color;
+  return body.points.empty() ? std::optional<Color>() : world.points[body.points[0]].color;
+}
+
 std::vector<Property> motion() {
   return {
       property<BodyId>(
@@ -76,20 +82,82 @@ std::vector<Property> make_up() {
       property<BodyId>("hinges", "Particle[]", "", "the hinges that its points are in",
                        [](const World& w, BodyId b) { return hinges_of(w, b); }),
       property<BodyId>(
-          "color", "color", "", "color of its first point; writing gives it to all",
-          [](const World& w, BodyId b) {
-            const auto& points = w.bodies[b].points;
-            return points.empty() ? std::optional<Color>() : w.points[points[0]].color;
-          },
+          "color", "color", "", "color of its first shape, or point; writing gives it to all",
+          [](const World& w, BodyId b) { return color_of(w, b); },
           [](World& w, BodyId b, const Color& color) {
             for (PointId p : w.bodies[b].points) w.points[p].color = color;
+            for (ShapeId s : w.bodies[b].shapes) w.shapes[s].color = color;
           }),
+  };
+}
+
+/// Of its shapes.
+template <class Write>
+void write_material(World& world, BodyId body, const char* name, const Write& write) {
+  require(!world.locked, "body: ", name,
+          " cannot be written while the world steps; write it in an event or a step callback");
+  require(!world.bodies[body].shapes.empty(), "body: ", name, " is of its shapes, and it has none");
+  for (const ShapeId shape : world.bodies[body].shapes) write(world.shapes[shape].material);
+}
+
+std::optional<double> friction(const World& world, BodyId body) {
+  const auto& shapes = world.bodies[body].shapes;
+  return shapes.empty() ? std::optional<double>() : world.shapes[shapes[0]].material.friction;
+}
+
+std::optional<double> restitution(const World& world, BodyId body) {
+  const auto& shapes = world.bodies[body].shapes;
+  return shapes.empty() ? std::optional<double>() : world.shapes[shapes[0]].material.restitution;
+}
+
+void write_friction(World& world, BodyId body, double friction) {
+  require(friction >= 0.0, "body: friction must be >= 0, got ", friction);
+  write_material(world, body, "friction", [&](Material& m) { m.friction = friction; });
+}
+
+void write_restitution(World& world, BodyId body, double restitution) {
+  require(restitution >= 0.0 && restitution <= 1.0, "body: restitution must be from 0 to 1, got ", restitution);
+  write_material(world, body, "restitution", [&](Material& m) { m.restitution = restitution; });
+}
+
+/// What touches it, or is about to and was pushed: forces on it, normals towards it.
+Table contacts_of(const World& world, BodyId body) {
+  Table list;
+  const std::uint32_t slot = body.slot - 1;
+  for (const Contact& c : world.contacts.list) {
+    const bool first = c.body_a == slot, second = c.body_b >= 0 && static_cast<std::uint32_t>(c.body_b) == slot;
+    if (!(first || second) || (c.gap > 0.0 && norm2(c.total) == 0.0)) continue;
+    const double side = first ? 1.0 : -1.0;
+    const std::int32_t other = first ? c.body_b : static_cast<std::int32_t>(c.body_a);
+    const BodyId with = other < 0 ? BodyId{} : world.bodies.id_at(static_cast<std::uint32_t>(other));
+    list.push_back({"", Table{{"with", with ? Value(AnyId(with)) : Value()},
+                              {"at", c.at},
+                              {"normal", c.normal * side},
+                              {"force", c.total * (side / world.settings.step)},
+                              {"depth", -c.gap}}});
+  }
+  return list;
+}
+
+std::vector<Property> touch() {
+  return {
+      property<BodyId>(
+          "friction", "number?", "1", "of its first shape, nil without one; writing gives it to all",
+          [](const World& w, BodyId b) { return friction(w, b); },
+          [](World& w, BodyId b, double v) { write_friction(w, b, v); }),
+      property<BodyId>(
+          "restitution", "number?", "1", "of its first shape, nil without one; writing gives it to all",
+          [](const World& w, BodyId b) { return restitution(w, b); },
+          [](World& w, BodyId b, double v) { write_restitution(w, b, v); }),
+      property<BodyId>("contacts", "Contact[]", "", "where its shapes touch others, after the last step",
+                       [](const World& w, BodyId b) { return contacts_of(w, b); }),
   };
 }
 
 std::vector<Property> properties_of_body() {
   std::vector<Property> all = motion();
-  for (Property& more : make_up()) all.push_back(std::move(more));
+  for (auto some : {make_up(), touch()})
+    for (Property& more : some) all.push_back(std::move(more));
   return all;
 }
 

@@ -59,7 +59,7 @@ Table stats(const World& world) {
   const Stats& s = world.stats;
   MostSubSteps most = most_sub_steps(world);
   Table table;
-  table.reserve(16);
+  table.reserve(20);
   const auto count = [&](const char* name, std::uint64_t value) {
     table.push_back({name, static_cast<std::int64_t>(value)});
   };
@@ -75,6 +75,10 @@ Table stats(const World& world) {
   count("rejected_steps", s.rejected);
   table.push_back({"missed_accuracy", worst_missed(world)});
   count("projections", s.projections);
+  count("contacts", s.contacts);
+  count("contact_islands", s.contact_islands);
+  count("contact_iterations", s.contact_iterations);
+  count("unsolved_islands", s.unsolved_islands);
   count("sub_steps", world.sub_steps.count);
   count("most_sub_steps", most.count);
   table.push_back({"most_sub_steps_of", std::move(most.thing)});

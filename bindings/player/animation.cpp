@@ -45,6 +45,7 @@ void Animation::add_frames(const World& world) {
 void Animation::add_frame(const World& world) {
   joints_.assign(world.particles.slots(), 0.0);
   add_bodies(world);
+  add_ground(world);
   add_particles(world);
   add_constraints(world);
   add_ties(world);
@@ -101,14 +102,31 @@ void Animation::add_stick(const Key& key, const std::string& name, Vec3 from, Ve
 
 void Animation::add_bodies(const World& world) {
   for (const BodyId id : world.bodies.ids()) {
-    const Shape& shape = shapes_.of(world, id, stage_);
-    const std::size_t look = mesh({body, shape.hash, 0}, [&] { return body_mesh(shape); });
+    const Figure& figure = figures_.of(world, id, stage_);
+    const std::size_t look = mesh({body, figure.hash, 0}, [&] { return body_mesh(figure); });
     const Body& row = world.bodies[id];
-    add({body, number(id), shape.hash}, name_or(row.name, "body", id.slot), look,
+    add({body, number(id), figure.hash}, name_or(row.name, "body", id.slot), look,
         origin(world, id) + image_shift(world, world.motion_of(id).x), orientation(world, id), vec(1, 1, 1));
     for (std::size_t i = 0; i < row.points.size(); i++) {
       double& joint = joints_[world.points[row.points[i]].particle.slot - 1];
-      joint = std::max(joint, shape.joints[i]);
+      joint = std::max(joint, figure.joints[i]);
+    }
+  }
+}
+
+void Animation::add_ground(const World& world) {
+  for (const ShapeId id : world.shapes.ids()) {
+    const Shape& row = world.shapes[id];
+    if (row.body) continue;
+    const std::string name = name_or(row.name, "ground", id.slot);
+    if (std::holds_alternative<HalfSpaceShape>(row.geometry)) {
+      const Floor floor = floor_of(world, id, stage_);
+      const std::size_t look = mesh({ground, number(id), 1}, [&] { return floor_mesh(row.color); });
+      add({ground, number(id), 1}, name, look, floor.middle, row.orientation, vec(2, 2, 1) * floor.reach);
+    } else {
+      const Figure& figure = figures_.of(world, id);
+      const std::size_t look = mesh({ground, figure.hash, 0}, [&] { return body_mesh(figure); });
+      add({ground, number(id), figure.hash}, name, look, zero3(), {}, vec(1, 1, 1));
     }
   }
 }

@@ -12,7 +12,7 @@
 namespace pantin::player {
 
 /// What a world's things looked like and where they were in each frame, for a binary glTF 2.0 file (.glb): a node with a
-/// mesh for each body, hinge, free particle, nail, rod, string and tie, of its own name or its kind and number. Metres,
+/// mesh for each body, shape of the world, hinge, free particle, nail, rod, string and tie, of its own name or its kind and number. Metres,
 /// seconds of play, y up. What is not there all the time has a size of 0 before and after; radii follow the age, colors are
 /// those of the first frame, as glTF knows no others.
 class Animation {
@@ -35,11 +35,12 @@ class Animation {
   };
   /// Where in the kinds of things, which of them, and which look of it.
   using Key = std::array<std::uint64_t, 3>;
-  enum Kind : std::uint64_t { body, hinge, particle, knob, bar, string, tie };
+  enum Kind : std::uint64_t { body, hinge, particle, knob, bar, string, tie, ground };
   class File;
 
   void add_frame(const World& world);
   void add_bodies(const World& world);
+  void add_ground(const World& world);
   void add_particles(const World& world);
   void add_constraints(const World& world);
   void add_ties(const World& world);
@@ -54,7 +55,7 @@ class Animation {
   FrameClock clock_;
   Stage stage_;
   ConstraintLook look_;
-  Shapes shapes_;
+  Figures figures_;
   Appearance appearance_;
   std::vector<double> joints_;  // [m] (slots of particles) radius that a hinge should exceed
   std::vector<Mesh> meshes_;

@@ -54,7 +54,7 @@ void add_capsule(Mesh::Patch& patch, Vec3 from, Vec3 to, double radius) {
       patch, norm(half) > 0.0, [&](Vec3 d, double side) { return middle + half * side + turned(d) * radius; }, turned);
 }
 
-void add_ellipsoid(Mesh::Patch& patch, const Shape::Ellipsoid& ellipsoid) {
+void add_ellipsoid(Mesh::Patch& patch, const Figure::Ellipsoid& ellipsoid) {
   const Mat3& a = ellipsoid.axes;
   const double sign = dot(cross(a[0], a[1]), a[2]) < 0.0 ? -1.0 : 1.0;
   add_round(
@@ -71,17 +71,29 @@ Mesh::Patch& Mesh::patch(const Color& color) {
   return patches.back();
 }
 
-Mesh body_mesh(const Shape& shape) {
+Mesh body_mesh(const Figure& figure) {
   Mesh mesh;
-  for (const Shape::Bar& bar : shape.bars) add_capsule(mesh.patch(shape.color), bar.from, bar.to, bar.radius);
-  for (const Shape::Ball& ball : shape.balls) add_capsule(mesh.patch(ball.color), ball.at, ball.at, ball.radius);
-  for (const Shape::Ellipsoid& ellipsoid : shape.ellipsoids) add_ellipsoid(mesh.patch(shape.color), ellipsoid);
-  for (const Shape::Corner& corner : shape.corners) {
-    Mesh::Patch& patch = mesh.patch(shape.color);
+  for (const Figure::Bar& bar : figure.bars) add_capsule(mesh.patch(bar.color), bar.from, bar.to, bar.radius);
+  for (const Figure::Ball& ball : figure.balls) add_capsule(mesh.patch(ball.color), ball.at, ball.at, ball.radius);
+  for (const Figure::Ellipsoid& ellipsoid : figure.ellipsoids) add_ellipsoid(mesh.patch(ellipsoid.color), ellipsoid);
+  for (const Figure::Corner& corner : figure.corners) {
+    Mesh::Patch& patch = mesh.patch(corner.color);
     patch.indices.push_back(vertices(patch));
     put(patch.positions, corner.at);
     put(patch.normals, corner.normal);
   }
+  return mesh;
+}
+
+Mesh floor_mesh(const Color& color) {
+  Mesh mesh;
+  Mesh::Patch& patch = mesh.patch(color);
+  for (const Vec3 corner : {vec(-0.5, -0.5, 0), vec(0.5, -0.5, 0), vec(0.5, 0.5, 0), vec(-0.5, 0.5, 0)}) {
+    put(patch.positions, corner);
+    put(patch.normals, vec(0, 0, 1));
+  }
+  put_triangle(patch, 0, 1, 2);
+  put_triangle(patch, 0, 2, 3);
   return mesh;
 }
 

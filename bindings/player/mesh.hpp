@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "view/shape.hpp"
+#include "view/figure.hpp"
 
 namespace pantin::player {
 
@@ -21,7 +21,9 @@ struct Mesh {
 };
 
 /// In the body's frame, [m].
-Mesh body_mesh(const Shape& shape);
+Mesh body_mesh(const Figure& figure);
+/// A square of edge 1 across the third axis.
+Mesh floor_mesh(const Color& color);
 /// A ball of radius 1.
 Mesh ball_mesh(const Color& color);
 /// A tube of radius 1 from (0, 0, -1/2) to (0, 0, 1/2), with open ends.

@@ -121,6 +121,19 @@ void shade_ellipsoid(DrawList& s, const DrawList::Ellipsoid& ellipsoid, float le
 
 }  // namespace
 
+Floor floor_of(const World& world, ShapeId plane, const Stage& stage) {
+  const Shape& shape = world.shapes[plane];
+  const Vec3 middle = 0.5 * (stage.lower + stage.upper), normal = matrix(shape.orientation)[2];
+  return {middle - normal * dot(middle - shape.at, normal), 2.2 * stage.size};
+}
+
+double ground_square(const Stage& stage) {
+  // 1, 2 or 5 times a power of ten.
+  const double length = stage.size / 8.0, power = std::pow(10.0, std::floor(std::log10(length)));
+  const double part = length / power;
+  return power * (part < 1.5 ? 1.0 : part < 3.5 ? 2.0 : part < 7.5 ? 5.0 : 10.0);
+}
+
 Vec3 key_light() {
   static const Vec3 to_light = direction(vec(-0.42, 0.85, 0.38));
   return to_light;
@@ -150,6 +163,7 @@ void DrawListMaker::draw(const World& world, const Camera& camera, const Stage& 
   draw_list.bars.clear();
   draw_list.ellipsoids.clear();
   draw_list.corners.clear();
+  draw_list.floors.clear();
   draw_list.shades.clear();
   draw_list.glows.clear();
   draw_list.streaks.clear();
@@ -162,6 +176,7 @@ void DrawListMaker::draw(const World& world, const Camera& camera, const Stage& 
   if (overlay.views.on(View::bodies)) {
     for (std::uint32_t s = 0; s < world.bodies.slots(); s++)
       if (world.bodies.alive_at(s)) draw_body(world, world.bodies.id_at(s), eye, stage, draw_list);
+    draw_ground(world, eye, stage, draw_list);
     draw_particles(world, eye, stage, draw_list);
   }
   draw_constraints(world, eye, stage, draw_list);
@@ -169,35 +184,67 @@ void DrawListMaker::draw(const World& world, const Camera& camera, const Stage& 
   draw_breaks(world, eye, stage, overlay.pace, draw_list);
 }
 
+void DrawListMaker::draw_figure(const Figure& figure, const Pose& pose, const std::optional<Color>& tint, const Eye& eye,
+                                const Stage& stage, DrawList& draw_list) {
+  const auto shown = [&](const Color& color) { return linear(tint.value_or(color)); };
+  for (const Figure::Bar& b : figure.bars) {
+    const Vec3 from = pose.to_world(b.from), to = pose.to_world(b.to);
+    eye.bar(draw_list, from, to, b.radius, std::clamp(0.1 * norm(to - from) / eye.pixel_at(from), 0.8, 2.4),
+            shown(b.color));
+  }
+  for (const Figure::Ball& b : figure.balls)
+    eye.ball(draw_list, pose.to_world(b.at), b.radius, 1.0, shown(b.color), DrawList::plain, {});
+  for (const Figure::Ellipsoid& e : figure.ellipsoids) {
+    const Mat3 axes = pose.R * e.axes;
+    const Rgb color = shown(e.color), light = mix(color, linear(paper), 0.75f);
+    const Float3 at = eye.place(pose.to_world(e.at));
+    draw_list.ellipsoids.push_back({at, floats(axes[0] / eye.unit), floats(axes[1] / eye.unit),
+                                    floats(axes[2] / eye.unit), color, light});
+    const double most = std::max({norm(axes[0]), norm(axes[1]), norm(axes[2])});
+    include(draw_list, at, static_cast<float>(most / eye.unit));
+    shade_ellipsoid(draw_list, draw_list.ellipsoids.back(), static_cast<float>((stage.ground - eye.at[1]) / eye.unit));
+  }
+  for (const Figure::Corner& c : figure.corners) {
+    draw_list.corners.push_back({eye.place(pose.to_world(c.at)), floats(pose.R * c.normal), shown(c.color)});
+    include(draw_list, draw_list.corners.back().at, 0.0f);
+  }
+}
+
+/// The world's shapes.
+void DrawListMaker::draw_ground(const World& world, const Eye& eye, const Stage& stage, DrawList& draw_list) {
+  const double square = ground_square(stage);
+  for (std::uint32_t s = 0; s < world.shapes.slots(); s++) {
+    if (!world.shapes.alive_at(s) || world.shapes.at_slot(s).body) continue;
+    const Shape& shape = world.shapes.at_slot(s);
+    const ShapeId id = world.shapes.id_at(s);
+    if (!std::holds_alternative<HalfSpaceShape>(shape.geometry)) {
+      draw_figure(figures_.of(world, id), {}, {}, eye, stage, draw_list);
+      continue;
+    }
+    const Floor floor = floor_of(world, id, stage);
+    const Mat3 axes = matrix(shape.orientation);
+    if (dot(axes[2], eye.at - floor.middle) <= 0.0) continue;
+    const auto from = [&](Vec3 axis) {
+      return static_cast<float>(std::fmod(dot(floor.middle, axis) / square, 2.0));
+    };
+    const bool level = axes[2][1] > 1.0 - 1e-9 && std::fabs(floor.middle[1] - stage.ground) <= 1e-9 * stage.size;
+    draw_list.floors.push_back({eye.place(floor.middle), floats(axes[0]), floats(axes[1]), floats(axes[2]),
+                                linear(shape.color), from(axes[0]), from(axes[1]),
+                                static_cast<float>(floor.reach / eye.unit), static_cast<float>(eye.unit / square),
+                                level});
+  }
+}
+
 void DrawListMaker::draw_body(const World& world, BodyId id, const Eye& eye, const Stage& stage, DrawList& draw_list) {
-  const Shape& shape = shapes_.of(world, id, stage);
+  const Figure& figure = figures_.of(world, id, stage);
   const Vec3 at = origin(world, id) + image_shift(world, world.motion_of(id).x);
   const Mat3 turn = matrix(orientation(world, id));
   if (!finite(at)) return;
-  const auto tint = tints_.of_body(id.slot - 1);
-  const Rgb color = linear(tint.value_or(shape.color)), light = mix(color, linear(paper), 0.75f);
-  for (const Shape::Bar& b : shape.bars) {
-    const Vec3 from = at + turn * b.from, to = at + turn * b.to;
-    eye.bar(draw_list, from, to, b.radius, std::clamp(0.1 * norm(to - from) / eye.pixel_at(from), 0.8, 2.4), color);
-  }
-  for (const Shape::Ball& b : shape.balls)
-    eye.ball(draw_list, at + turn * b.at, b.radius, 1.0, linear(tint.value_or(b.color)), DrawList::plain, {});
-  for (const Shape::Ellipsoid& e : shape.ellipsoids) {
-    const Mat3 axes = turn * e.axes;
-    draw_list.ellipsoids.push_back({eye.place(at + turn * e.at), floats(axes[0] / eye.unit), floats(axes[1] / eye.unit),
-                                    floats(axes[2] / eye.unit), color, light});
-    const double most = std::max({norm(axes[0]), norm(axes[1]), norm(axes[2])});
-    include(draw_list, eye.place(at + turn * e.at), static_cast<float>(most / eye.unit));
-    shade_ellipsoid(draw_list, draw_list.ellipsoids.back(), static_cast<float>((stage.ground - eye.at[1]) / eye.unit));
-  }
-  for (const Shape::Corner& c : shape.corners) {
-    draw_list.corners.push_back({eye.place(at + turn * c.at), floats(turn * c.normal), color});
-    include(draw_list, draw_list.corners.back().at, 0.0f);
-  }
+  draw_figure(figure, {at, turn}, tints_.of_body(id.slot - 1), eye, stage, draw_list);
   const std::vector<PointId>& points = world.bodies[id].points;
   for (std::size_t i = 0; i < points.size(); i++) {
     float& joint = joints_[world.points[points[i]].particle.slot - 1];
-    joint = std::max(joint, static_cast<float>(shape.joints[i] / stage.unit));
+    joint = std::max(joint, static_cast<float>(figure.joints[i] / stage.unit));
   }
 }
 

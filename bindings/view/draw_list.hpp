@@ -3,8 +3,8 @@
 
 #include "view/appearance.hpp"
 #include "view/constraint_look.hpp"
+#include "view/figure.hpp"
 #include "view/overlay.hpp"
-#include "view/shape.hpp"
 #include "view/tints.hpp"
 
 namespace pantin {
@@ -42,6 +42,16 @@ struct DrawList {
     Float3 at, normal;
     Rgb color;
   };
+  /// A piece of a plane on which things rest, in two tones of squares.
+  struct Floor {
+    Float3 middle, x, y;  ///< of length 1 along the squares
+    Float3 normal;
+    Rgb color;
+    float from_x, from_y;  ///< where the middle is [squares]
+    float reach;
+    float squares;  ///< in a unit
+    bool level;     ///< at the height of the ground, whose shadows fall on it
+  };
   /// A soft disc of light; its color is as shown.
   struct Glow {
     Float3 at;
@@ -61,6 +71,7 @@ struct DrawList {
   std::vector<Bar> bars;
   std::vector<Ellipsoid> ellipsoids;
   std::vector<Corner> corners;
+  std::vector<Floor> floors;
   std::vector<Corner> shades;  ///< shadows of the ellipsoids, on the ground
   std::vector<Glow> glows;
   std::vector<Streak> streaks;
@@ -72,12 +83,15 @@ class DrawListMaker {
  public:
   void draw(const World& world, const Camera& camera, const Stage& stage, const Overlay& overlay, int height,
             DrawList& draw_list);
-  void clear() { shapes_.clear(); }
+  void clear() { figures_.clear(); }
   const Tints& tints() const { return tints_; }
 
  private:
   struct Eye;
+  static void draw_figure(const Figure& figure, const Pose& pose, const std::optional<Color>& tint, const Eye& eye,
+                          const Stage& stage, DrawList& draw_list);
   void draw_body(const World& world, BodyId body, const Eye& eye, const Stage& stage, DrawList& draw_list);
+  void draw_ground(const World& world, const Eye& eye, const Stage& stage, DrawList& draw_list);
   void draw_particles(const World& world, const Eye& eye, const Stage& stage, DrawList& draw_list);
   void draw_free(const World& world, std::uint32_t slot, Vec3 at, const Eye& eye, const Stage& stage,
                  DrawList& draw_list);
@@ -88,7 +102,7 @@ class DrawListMaker {
   Rgb by_load(Rgb slack, double load) const;
   void draw_breaks(const World& world, const Eye& eye, const Stage& stage, double pace, DrawList& draw_list);
 
-  Shapes shapes_;
+  Figures figures_;
   Appearance appearance_;
   Tints tints_;
   ConstraintLook look_;
@@ -104,6 +118,15 @@ Vec3 shown_place(const World& world, PointId point);
 
 /// Radius [m] at which a free particle, or a point of a body, is drawn.
 double drawn_radius(const World& world, PointId point, const Stage& stage);
+
+/// The part of one of the world's planes that is drawn.
+struct Floor {
+  Vec3 middle = zero3();  ///< [m]
+  double reach = 1.0;     ///< [m]
+};
+Floor floor_of(const World& world, ShapeId plane, const Stage& stage);
+/// Edge of the squares that the ground shows [m]: a round number.
+double ground_square(const Stage& stage);
 
 /// Direction to the key light, of length 1.
 Vec3 key_light();

@@ -28,13 +28,6 @@ const Background light_background = {vec(0.972, 0.953, 0.916), vec(0.885, 0.845,
                  dark_background = {vec(0.105, 0.118, 0.145), vec(0.185, 0.205, 0.245), vec(0.62, 0.68, 0.78),
                                     vec(0.02, 0.025, 0.035), 0.9f};
 
-// A round number (1, 2 or 5 times a power of ten) near a length.
-double round_length(double length) {
-  const double power = std::pow(10.0, std::floor(std::log10(length)));
-  const double part = length / power;
-  return power * (part < 1.5 ? 1.0 : part < 3.5 ? 2.0 : part < 7.5 ? 5.0 : 10.0);
-}
-
 const char* const light_definitions = "const float veil = 0.75;\n";
 
 int pixels(int length, double scale) { return std::max(1, static_cast<int>(std::lround(length * scale))); }
@@ -54,6 +47,7 @@ struct Renderer::Parts {
   Target shadow{shadow_pixels * 3 / 2, shadow_pixels, 0, Target::Format::shade, false};
   ShaderProgram ball, bar, ellipsoid, mesh, glow, streak, backdrop{"backdrop", {}, ""},
       grid{"grid", {"common.glsl", "fade.glsl"}, text("const float corners = ", ground_corners, ".0;\n")},
+      floor{"floor", {"common.glsl"}, text("const float corners = ", ground_corners, ".0;\n")},
       shade{"shade", {"common.glsl", "fade.glsl", "shadow_maps.glsl"}, ""},
       shadow_ball{"shadow_ball", {"shadow_maps.glsl", "shadow.glsl", "triangle.glsl"}, ""},
       shadow_bar{"shadow_bar", {"shadow_maps.glsl", "shadow.glsl"}, ""},
@@ -100,6 +94,7 @@ struct Renderer::Parts {
   void draw_backdrop(const Background& colors);
   void draw_shadows(const Camera& camera, bool wanted);
   void draw_ground(const Camera& camera, const Background& colors);
+  void draw_floors(const Camera& camera);
   void draw_things(const Camera& camera);
   void draw_lights(const Camera& camera);
   void set_camera(const ShaderProgram& program, const Camera& camera) const;
@@ -174,6 +169,7 @@ void Renderer::draw(const World& world, const Camera& camera, const Overlay& ove
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   p.rim = colors.rim;
   p.draw_backdrop(colors);
+  p.draw_floors(camera);
   p.draw_ground(camera, colors);
   p.draw_things(camera);
   p.draw_lights(camera);
@@ -254,9 +250,36 @@ void Renderer::Parts::draw_shadows(const Camera& camera, bool wanted) {
   glBlendEquation(GL_FUNC_ADD);
 }
 
+// A little behind where they are, so that shadows fall on them.
+void Renderer::Parts::draw_floors(const Camera& camera) {
+  if (draw_list.floors.empty()) return;
+  set_camera(floor, camera);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_TRUE);
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(1.0f, 4.0f);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  for (const DrawList::Floor& f : draw_list.floors) {
+    floor.set("middle", vec(f.middle.x, f.middle.y, f.middle.z));
+    floor.set("along_x", vec(f.x.x, f.x.y, f.x.z));
+    floor.set("along_y", vec(f.y.x, f.y.y, f.y.z));
+    floor.set("normal", vec(f.normal.x, f.normal.y, f.normal.z));
+    floor.set("paint", vec(f.color.r, f.color.g, f.color.b));
+    floor.set("from", f.from_x, f.from_y);
+    floor.set("squares", f.squares);
+    floor.set("reach", f.reach);
+    nothing.draw(floor, GL_TRIANGLE_FAN, ground_corners);
+  }
+  glDisable(GL_BLEND);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  glDisable(GL_DEPTH_TEST);
+}
+
 void Renderer::Parts::draw_ground(const Camera& camera, const Background& colors) {
   const Vec3 eye = camera.eye(), middle = (stage.lower + stage.upper) * 0.5;
-  const double unit = camera.distance, square = round_length(stage.size / 8.0);
+  const double unit = camera.distance, square = ground_square(stage);
   const float level = static_cast<float>((stage.ground - eye[1]) / unit), size = static_cast<float>(stage.size / unit);
   // Faded where the eye is below it, and where the scene has fallen through it.
   const float above = std::clamp(-level / (0.03f * size), 0.0f, 1.0f);
@@ -277,6 +300,8 @@ void Renderer::Parts::draw_ground(const Camera& camera, const Background& colors
   grid.set("ink", colors.grid);
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  if (!draw_list.floors.empty()) glEnable(GL_DEPTH_TEST);  // some may be in front of it
+  glDepthMask(GL_FALSE);
   if (shaded) {
     shade.use();
     shade.set("shadow", 0);
@@ -287,8 +312,12 @@ void Renderer::Parts::draw_ground(const Camera& camera, const Background& colors
     glBindTexture(GL_TEXTURE_2D, shadow.texture());
     nothing.draw(shade, GL_TRIANGLE_STRIP, 4);
   }
-  nothing.draw(grid, GL_TRIANGLE_FAN, ground_corners);
+  const bool squares = std::any_of(draw_list.floors.begin(), draw_list.floors.end(),
+                                   [](const DrawList::Floor& f) { return f.level; });
+  if (!squares) nothing.draw(grid, GL_TRIANGLE_FAN, ground_corners);
   glDisable(GL_BLEND);
+  glDisable(GL_DEPTH_TEST);
+  glDepthMask(GL_TRUE);
 }
 
 void Renderer::Parts::draw_things(const Camera& camera) {

@@ -15,6 +15,21 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// Of a body's shapes.
+Bounds box_of(const World& world, BodyId body) {
+  const Pose frame{origin(world, body), matrix(orientation(world, body))};
+  Bounds sum;
+  for (const ShapeId id : world.bodies[body].shapes) {
+    const Shape& shape = world.shapes[id];
+    const Bounds box = bounds_of(shape.geometry, frame * Pose{shape.at, matrix(shape.orientation)});
+    for (int i = 0; i < 3; i++) {
+      sum.low[i] = std::fmin(sum.low[i], box.low[i]);
+      sum.high[i] = std::fmax(sum.high[i], box.high[i]);
+    }
+  }
+  return sum;
+}
+
 double median(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -36,6 +51,11 @@ std::vector<double> lengths(const World& world) {
         upper[i] = first ? p[i] : std::fmax(upper[i], p[i]);
       }
       first = false;
+    }
+    if (!body.shapes.empty()) {
+      const Bounds box = box_of(world, world.bodies.id_at(s));
+      list.push_back(norm(box.high - box.low));
+      continue;
     }
     const Motion& m = world.motion[s];
     const double extent = norm(upper - lower);
@@ -155,12 +175,49 @@ void include_flight(const World& world, const Emitter& emitter, Stage& stage) {
   }
 }
 
+/// The world's shapes, as far as they are near what moves.
+void include_ground(const World& world, Stage& stage) {
+  const bool alone = stage.empty;
+  const double margin = 0.5 * largest(stage.upper - stage.lower);
+  const Vec3 low = stage.lower - vec(1, 1, 1) * margin, high = stage.upper + vec(1, 1, 1) * margin;
+  for (const ShapeId id : world.shapes.ids()) {
+    const Shape& shape = world.shapes[id];
+    if (shape.body || std::holds_alternative<HalfSpaceShape>(shape.geometry)) continue;
+    const Bounds box = bounds_of(shape.geometry, {shape.at, matrix(shape.orientation)});
+    for (Vec3 corner : {box.low, box.high}) {
+      for (int i = 0; i < 3 && !alone; i++) corner[i] = std::clamp<double>(corner[i], low[i], high[i]);
+      include(stage, corner);
+    }
+  }
+}
+
+/// The highest level plane that things are above.
+std::optional<double> level_floor(const World& world, const Stage& stage) {
+  std::optional<double> found;
+  for (const ShapeId id : world.shapes.ids()) {
+    const Shape& shape = world.shapes[id];
+    if (shape.body || !std::holds_alternative<HalfSpaceShape>(shape.geometry)) continue;
+    const double height = shape.at[1];
+    if (matrix(shape.orientation)[2][1] > 1.0 - 1e-9 && height <= stage.lower[1] + 0.2 * stage.size &&
+        height >= stage.lower[1] - 3.0 * stage.size)
+      found = std::fmax(found.value_or(height), height);
+  }
+  return found;
+}
+
 void find_box(const World& world, Stage& stage) {
   for (std::uint32_t s = 0; s < world.bodies.slots(); s++)
     if (world.bodies.alive_at(s)) include(stage, world.motion[s].x);
   for (std::uint32_t s = 0; s < world.points.slots(); s++)
     if (world.points.alive_at(s)) include(stage, position(world, world.points.id_at(s)));
+  for (std::uint32_t s = 0; s < world.bodies.slots(); s++) {
+    if (!world.bodies.alive_at(s) || world.bodies.at_slot(s).shapes.empty()) continue;
+    const Bounds box = box_of(world, world.bodies.id_at(s));
+    include(stage, box.low);
+    include(stage, box.high);
+  }
   for (EmitterId id : world.emitters.ids()) include_flight(world, world.emitters[id], stage);
+  include_ground(world, stage);
   if (stage.empty || !(world.settings.gravity[1] < 0.0)) return;
   const Reach reach(world);
   for (std::uint32_t s = 0; s < world.points.slots(); s++) {
@@ -184,6 +241,10 @@ Stage find_stage(const World& world) {
   if (!(stage.unit > 0.0)) stage.unit = stage.size > 0.0 ? stage.size : 1.0;
   if (!(stage.size > 0.0)) stage.size = stage.unit;
   stage.size = std::fmax(stage.size, stage.unit);
+  if (const auto floor = level_floor(world, stage)) {
+    stage.ground = *floor;
+    return stage;
+  }
   const double low = stage.lower[1];
   stage.ground = low >= -1e-6 * stage.size && low < 0.6 * stage.size ? 0.0 : low - 0.1 * stage.size;
   return stage;

@@ -77,7 +77,7 @@ TEST_CASE("animation: another program sees each thing where it was, turned as it
 TEST_CASE("animation: a mesh has no triangle without area, and each turns its normal outwards") {
   const auto scene = thrown_rod();
   Stage stage = find_stage(scene->world());
-  for (const Mesh& mesh : {body_mesh(make_shape(scene->world(), scene->world().bodies.ids()[0], stage)),
+  for (const Mesh& mesh : {body_mesh(make_figure(scene->world(), scene->world().bodies.ids()[0], stage)),
                            ball_mesh(Color{}), tube_mesh(Color{})}) {
     for (const Mesh::Patch& patch : mesh.patches) {
       const auto at = [&](const std::vector<float>& list, std::size_t corner) {

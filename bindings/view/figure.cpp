@@ -1,10 +1,10 @@
-#include "view/shape.hpp"
+#include "view/figure.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
-#include "base/hash.hpp"
+#include "edit/edit.hpp"
 #include "view/hull.hpp"
 
 namespace pantin {
@@ -51,8 +51,9 @@ Places measure(const World& world, const Body& body) {
 }
 
 // Half axes of the even ellipsoid of the body's own mass and inertia: a_i² = 5/(2 m) (I_j + I_k - I_i).
-Shape::Ellipsoid own_ellipsoid(const Body& body) {
-  Shape::Ellipsoid ellipsoid;
+Figure::Ellipsoid own_ellipsoid(const Body& body, const Color& color) {
+  Figure::Ellipsoid ellipsoid;
+  ellipsoid.color = color;
   if (!(body.own_mass > 0.0) || !(trace(body.own_inertia) > 0.0)) return ellipsoid;
   const double scale = trace(body.own_inertia);
   const Principal own = principal_axes(body.own_inertia * (1.0 / scale), identity33());
@@ -70,25 +71,26 @@ Shape::Ellipsoid own_ellipsoid(const Body& body) {
   return ellipsoid;
 }
 
-void add_triangle(Shape& shape, Vec3 a, Vec3 b, Vec3 c) {
+void add_triangle(Figure& figure, Vec3 a, Vec3 b, Vec3 c, const Color& color) {
   const Vec3 normal = direction(cross(b - a, c - a));
-  for (const Vec3 v : {a, b, c}) shape.corners.push_back({v, normal});
+  for (const Vec3 v : {a, b, c}) figure.corners.push_back({v, normal, color});
 }
 
-void make_hull(Shape& shape, const Places& places) {
+void make_plate(Figure& figure, const Places& places, const Color& color) {
   std::vector<Vec3> at = places.at;
   if (places.dimension == 2) {
     const Vec3 half = places.axes[2] * (plate_part * places.extent[0]);
     for (const Vec3 v : places.at) at.push_back(v + half);
     for (std::size_t i = 0; i < places.at.size(); i++) at[i] -= half;
   }
-  for (const auto& f : convex_hull(at)) add_triangle(shape, at[f[0]], at[f[1]], at[f[2]]);
-  shape.joints.assign(shape.joints.size(), 0.03 * places.extent[0]);
+  for (const auto& f : convex_hull(at)) add_triangle(figure, at[f[0]], at[f[1]], at[f[2]], color);
+  figure.joints.assign(figure.joints.size(), 0.03 * places.extent[0]);
 }
 
 // A capsule along the points, with a ball for each mass on it.
-void make_line(Shape& shape, const World& world, const Body& body, const Places& places, const Stage& stage,
-               const Shape::Ellipsoid& ellipsoid) {
+void make_line(Figure& figure, const World& world, const Body& body, const Places& places, const Stage& stage,
+               const Figure::Ellipsoid& ellipsoid) {
+  const Color& color = ellipsoid.color;
   const Vec3 from = places.centre + places.axes[0] * places.lower[0];
   const double length = places.extent[0];
   double radius = bar_part * std::min(length, 2.0 * stage.unit);
@@ -101,50 +103,78 @@ void make_line(Shape& shape, const World& world, const Body& body, const Places&
   for (const PointId id : body.points) most = std::max(most, world.points[id].mass);
   const bool weighted = !(trace(body.own_inertia) > 0.0);
   if (round || weighted) radius *= 0.6;
-  if (round) shape.ellipsoids.push_back(ellipsoid);
-  shape.bars.push_back({from, from + places.axes[0] * length, radius});
-  const auto ball = [&](Vec3 at, double mass, double given, Color color) {
-    if (given > 0.0) shape.balls.push_back({at, given, color});
+  if (round) figure.ellipsoids.push_back(ellipsoid);
+  figure.bars.push_back({from, from + places.axes[0] * length, radius, color});
+  const auto ball = [&](Vec3 at, double mass, double given, Color of_point) {
+    if (given > 0.0) figure.balls.push_back({at, given, of_point});
     if (!(given > 0.0) && weighted && mass > 0.0)
-      shape.balls.push_back({at, 3.2 * radius * std::cbrt(mass / most), color});
+      figure.balls.push_back({at, 3.2 * radius * std::cbrt(mass / most), of_point});
   };
   for (std::size_t i = 0; i < body.points.size(); i++) {
     const Point& p = world.points[body.points[i]];
-    const std::size_t before = shape.balls.size();
+    const std::size_t before = figure.balls.size();
     ball(p.position, p.mass, p.radius, p.color);
-    shape.joints[i] = shape.balls.size() > before ? 0.78 * shape.balls.back().radius : radius;
+    figure.joints[i] = figure.balls.size() > before ? 0.78 * figure.balls.back().radius : radius;
   }
-  ball(body.own_position, body.own_mass, 0.0, shape.color);
+  ball(body.own_position, body.own_mass, 0.0, color);
 }
 
 }  // namespace
 
-Shape make_shape(const World& world, BodyId id, const Stage& stage) {
-  const Body& body = world.bodies[id];
-  Shape shape;
-  shape.color = body.points.empty() ? Color{0.93f, 0.55f, 0.27f, 1.0f} : world.points[body.points[0]].color;
-  shape.joints.assign(body.points.size(), 0.0);
-  const Places places = measure(world, body);
-  const Shape::Ellipsoid ellipsoid = own_ellipsoid(body);
-  if (places.dimension >= 2) {
-    make_hull(shape, places);
-    for (const PointId p : body.points)
-      if (world.points[p].radius > 0.0)
-        shape.balls.push_back({world.points[p].position, world.points[p].radius, world.points[p].color});
-  } else if (places.dimension == 1) {
-    make_line(shape, world, body, places, stage, ellipsoid);
-  } else if (norm(ellipsoid.axes[0]) > 0.0) {
-    shape.ellipsoids.push_back(ellipsoid);
-    shape.joints.assign(shape.joints.size(), 0.1 * norm(ellipsoid.axes[0]));
-  } else {
-    const double given = body.points.empty() ? 0.0 : world.points[body.points[0]].radius;
-    shape.balls.push_back({places.centre, given > 0.0 ? given : 0.12 * stage.unit, shape.color});
-    shape.joints.assign(shape.joints.size(), 0.78 * shape.balls.back().radius);
-  }
-  return shape;
+namespace {
+
+void add_points(Figure& figure, const World& world, const Body& body) {
+  for (const PointId p : body.points)
+    if (world.points[p].radius > 0.0)
+      figure.balls.push_back({world.points[p].position, world.points[p].radius, world.points[p].color});
 }
 
-const Shape& Shapes::of(const World& world, BodyId id, const Stage& stage) {
+void make_solid(Figure& figure, const World& world, const Body& body, const Stage& stage) {
+  double thinnest = 0.2 * stage.unit;
+  for (const ShapeId id : body.shapes) {
+    add_shape(figure, world.shapes[id]);
+    thinnest = std::min(thinnest, thickness_of(world.shapes[id].geometry));
+  }
+  figure.joints.assign(figure.joints.size(), 0.4 * thinnest);
+  add_points(figure, world, body);
+}
+
+}  // namespace
+
+Figure make_figure(const World& world, BodyId id, const Stage& stage) {
+  const Body& body = world.bodies[id];
+  Figure figure;
+  figure.joints.assign(body.points.size(), 0.0);
+  if (!body.shapes.empty()) {
+    make_solid(figure, world, body, stage);
+    return figure;
+  }
+  const Color color = body.points.empty() ? BodyDef().color : world.points[body.points[0]].color;
+  const Places places = measure(world, body);
+  const Figure::Ellipsoid ellipsoid = own_ellipsoid(body, color);
+  if (places.dimension >= 2) {
+    make_plate(figure, places, color);
+    add_points(figure, world, body);
+  } else if (places.dimension == 1) {
+    make_line(figure, world, body, places, stage, ellipsoid);
+  } else if (norm(ellipsoid.axes[0]) > 0.0) {
+    figure.ellipsoids.push_back(ellipsoid);
+    figure.joints.assign(figure.joints.size(), 0.1 * norm(ellipsoid.axes[0]));
+  } else {
+    const double given = body.points.empty() ? 0.0 : world.points[body.points[0]].radius;
+    figure.balls.push_back({places.centre, given > 0.0 ? given : 0.12 * stage.unit, color});
+    figure.joints.assign(figure.joints.size(), 0.78 * figure.balls.back().radius);
+  }
+  return figure;
+}
+
+Figure make_figure(const World& world, ShapeId id) {
+  Figure figure;
+  add_shape(figure, world.shapes[id]);
+  return figure;
+}
+
+const Figure& Figures::of(const World& world, BodyId id, const Stage& stage) {
   const Body& body = world.bodies[id];
   Hash hash;
   hash.add((std::uint64_t{id.generation} << 32) | body.points.size());
@@ -159,13 +189,32 @@ const Shape& Shapes::of(const World& world, BodyId id, const Stage& stage) {
     for (const float c : {point.color.r, point.color.g, point.color.b})
       hash.add(std::uint64_t{std::bit_cast<std::uint32_t>(c)});
   }
-  if (rows_.size() < world.bodies.slots()) rows_.resize(world.bodies.slots());
-  Shape& shape = rows_[id.slot - 1];
-  if (shape.hash != hash.value) {
-    shape = make_shape(world, id, stage);
-    shape.hash = hash.value;
+  for (const ShapeId s : body.shapes) add_to(hash, world.shapes[s]);
+  if (bodies_.size() < world.bodies.slots()) bodies_.resize(world.bodies.slots());
+  Figure& figure = bodies_[id.slot - 1];
+  if (figure.hash != hash.value) {
+    figure = make_figure(world, id, stage);
+    figure.hash = hash.value;
   }
-  return shape;
+  return figure;
+}
+
+const Figure& Figures::of(const World& world, ShapeId id) {
+  Hash hash;
+  hash.add(std::uint64_t{id.generation});
+  add_to(hash, world.shapes[id]);
+  if (shapes_.size() < world.shapes.slots()) shapes_.resize(world.shapes.slots());
+  Figure& figure = shapes_[id.slot - 1];
+  if (figure.hash != hash.value) {
+    figure = make_figure(world, id);
+    figure.hash = hash.value;
+  }
+  return figure;
+}
+
+void Figures::clear() {
+  bodies_.clear();
+  shapes_.clear();
 }
 
 }  // namespace pantin
