@@ -1,4 +1,6 @@
 // Two convex shapes: their nearest points, and where a face is as near, what lies over it.
+#include <algorithm>
+
 #include "contacts/feature_pair.hpp"
 #include "contacts/manifold_parts.hpp"
 
@@ -20,27 +22,61 @@ struct Line {
   std::uint32_t name;
 };
 
-Vec3 nearest_on(const Line& line, Vec3 x) {
-  const Vec3 way = line.to - line.from;
-  const double part = dot(x - line.from, way) / norm2(way);
-  return line.from + way * std::fmin(std::fmax(part, 0.0), 1.0);
+struct Interval {
+  double from, to;
+};
+
+/// Where a line runs beside another, as parts of it.
+Interval part_beside(const Line& line, const Line& other) {
+  const Vec3 way = other.to - other.from;
+  const double square = norm2(way), start = dot(line.from - other.from, way) / square,
+               end = dot(line.to - other.from, way) / square;
+  if (start == end) return {1.0, 0.0};
+  const double at_from = -start / (end - start), at_to = (1.0 - start) / (end - start);
+  return {std::fmax(0.0, std::fmin(at_from, at_to)), std::fmin(1.0, std::fmax(at_from, at_to))};
 }
 
-/// Both ends of the part of line a that runs along line b.
-void add_line_points(const FeaturePair& pair, const Line& a, const Line& b, Vec3 normal, PointList& list) {
-  const Vec3 way = a.to - a.from;
-  const double square = norm2(way);
-  if (!(square > 0.0) || !(norm2(b.to - b.from) > 0.0)) return;
-  const double from = dot(b.from - a.from, way) / square, to = dot(b.to - a.from, way) / square;
-  const double start = std::fmax(0.0, std::fmin(from, to)), end = std::fmin(1.0, std::fmax(from, to));
-  if (end - start < as_good_a_face) return;
-  for (const double part : {start, end}) {
-    const Vec3 x = a.from + way * part, between = x - nearest_on(b, x);
-    const double distance = norm(between), gap = distance - a.radius - b.radius;
-    if (gap > pair.margin || !(dot(between, normal) > along_normal * distance)) continue;
-    const std::uint32_t which = part == 0.0 ? 0 : part == 1.0 ? 1 : part == from ? 2 : 3;
-    const Vec3 n = between / distance;
-    list.add({pair.origin + x - n * a.radius, n, gap, name_of(along_lines, a.name, b.name, which)});
+/// From x along a direction to the surface about a line [m]; infinite where it passes by, or meets it past the line's ends.
+double way_to_surface(Vec3 x, Vec3 along, const Line& line) {
+  const Vec3 axis = direction(line.to - line.from), w = x - line.from;
+  const Vec3 across = along - axis * dot(axis, along), off = w - axis * dot(axis, w);
+  const double a = norm2(across), b = dot(across, off), c = norm2(off) - line.radius * line.radius;
+  const double root = b * b - a * c;
+  if (!(root >= 0.0 && a > 0.0)) return infinity;
+  const double way = (-b - std::sqrt(root)) / a, at = dot(axis, w + along * way), near = little * line.radius;
+  return at >= -near && at <= norm(line.to - line.from) + near ? way : infinity;
+}
+
+bool has_point_at(const PointList& list, Vec3 on_a, double near) {
+  const auto end = list.points.begin() + list.count;
+  return std::any_of(list.points.begin(), end,
+                     [&](const ManifoldPoint& p) { return norm2(p.on_a - on_a) <= near * near; });
+}
+
+/// Both ends of the part in which a round line and another one run along each other; each point lies on both surfaces.
+void add_line_points(const FeaturePair& pair, const Line& round, const Line& other, bool round_is_a, Vec3 normal,
+                     PointList& list) {
+  const bool from_other = other.radius == 0.0;
+  const Line &sampled = from_other ? other : round, &beside = from_other ? round : other;
+  const Vec3 axis = direction(round.to - round.from);
+  const Interval interval = part_beside(sampled, beside);
+  if (interval.to - interval.from < as_good_a_face) return;
+  for (const double part : {interval.from, interval.to}) {
+    const Vec3 x = sampled.from + (sampled.to - sampled.from) * part;
+    const Vec3 nearest = beside.from + (beside.to - beside.from) * (dot(x - beside.from, beside.to - beside.from) /
+                                                                    norm2(beside.to - beside.from));
+    Vec3 away = from_other ? nearest - x : x - nearest;
+    away -= axis * dot(axis, away);
+    const double distance = norm(away);
+    const Vec3 n = away / distance, to_a = round_is_a ? n : -n;
+    if (!(dot(to_a, normal) > along_normal)) continue;
+    const double gap = (from_other ? distance : way_to_surface(x, -n, other)) - round.radius;
+    if (gap > pair.margin) continue;
+    const Vec3 on_round = (from_other ? nearest : x) - n * round.radius;
+    const std::uint32_t which = (part == 0.0 || part == 1.0 ? 0u : 2u) + (part == interval.from ? 0u : 1u);
+    const Vec3 on_a = pair.origin + (round_is_a ? on_round : on_round - n * gap);
+    if (has_point_at(list, on_a, as_good_a_face * pair.size)) continue;  // edges that meet share a corner
+    list.add({on_a, to_a, gap, name_of(along_lines, round.name, other.name, which)});
   }
 }
 
@@ -55,10 +91,12 @@ void for_each_line(const Feature& feature, Use use) {
 
 /// Of a segment that lies along another one, or along an edge.
 void add_points_along_lines(const FeaturePair& pair, Vec3 normal, PointList& list) {
-  const Feature &a = pair.a.feature, &b = pair.b.feature;
-  if (a.kind != Feature::Kind::segment && b.kind != Feature::Kind::segment) return;
-  for_each_line(a, [&](const Line& line_a) {
-    for_each_line(b, [&](const Line& line_b) { add_line_points(pair, line_a, line_b, normal, list); });
+  const bool round_is_a = pair.a.feature.kind == Feature::Kind::segment;
+  const Feature& round = (round_is_a ? pair.a : pair.b).feature;
+  if (round.kind != Feature::Kind::segment) return;
+  for_each_line(round, [&](const Line& line) {
+    for_each_line((round_is_a ? pair.b : pair.a).feature,
+                  [&](const Line& other) { add_line_points(pair, line, other, round_is_a, normal, list); });
   });
 }
 
@@ -79,7 +117,7 @@ double face_gap(const FeaturePair& pair, bool face_of_a) {
   if (!face.is_face()) return -infinity;
   const FeatureSide& other = side_of(pair, !face_of_a);
   const Vec3 lowest = other.pose.to_world(support(other.core, transposed_times(other.pose.R, -face.normal)));
-  return dot(face.normal, lowest - on_plane(face));
+  return dot(face.normal, lowest - on_plane(face)) - other.core.rounding;
 }
 
 void add_face_points(const FeaturePair& pair, bool face_of_a, double least, PointList& list) {
@@ -90,10 +128,9 @@ void add_face_points(const FeaturePair& pair, bool face_of_a, double least, Poin
   clip(loop, other.feature.normal, face, little * pair.size);
   for (std::uint32_t i = 0; i < loop.count; i++) {
     const Corner& c = loop.corners[i];
-    const double height = dot(outwards, c.x - plane), gap = height - other.core.rounding;
+    const double gap = dot(outwards, c.x - plane);
     if (gap > pair.margin || gap < least) continue;
-    const Vec3 on_a = face_of_a ? c.x - outwards * height : c.x - outwards * other.core.rounding;
-    list.add({pair.origin + on_a, face_of_a ? -outwards : outwards, gap,
+    list.add({pair.origin + (face_of_a ? c.x - outwards * gap : c.x), face_of_a ? -outwards : outwards, gap,
               name_of(face_of_a ? over_face_of_a : over_face_of_b, face.number, c.name)});
   }
 }
@@ -104,18 +141,17 @@ ManifoldPoint nearest_point(const Separation& nearest) {
 
 void set_feature_points(const FeaturePair& pair, const Separation& nearest, Manifold& manifold) {
   manifold.count = 0;
-  const double distance = nearest.distance + pair.a.core.rounding + pair.b.core.rounding;
+  const double little_gap = little * pair.size, good = nearest.distance - as_good_a_face * pair.size;
   const double gap_a = face_gap(pair, true), gap_b = face_gap(pair, false);
-  const double good = distance - as_good_a_face * pair.size;
   PointList list;
   if (gap_a >= good || gap_b >= good) {
     add_face_points(pair, prefers_a(pair, gap_a >= good, gap_b >= good), -infinity, list);
-    if (nearest.distance < least_gap(list) - little * pair.size) list.add(nearest_point(nearest));
+    if (nearest.distance < least_gap(list) - little_gap) list.add(nearest_point(nearest));
     keep_points(list, pair.size, manifold);
     return;
   }
   add_points_along_lines(pair, nearest.normal, list);
-  if (nearest.distance < least_gap(list) - little * pair.size)
+  if (std::fabs(nearest.distance - least_gap(list)) > little_gap)
     manifold.points[manifold.count++] = nearest_point(nearest);
   // Where edges meet, a face may lie on the other shape within the step.
   if (pair.a.feature.is_face() || pair.b.feature.is_face()) add_face_points(pair, gap_a >= gap_b, 0.0, list);

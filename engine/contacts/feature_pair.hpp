@@ -19,7 +19,7 @@ struct FeaturePair {
   double size;    ///< [m] of the smaller shape: what tolerances are parts of
 };
 
-/// How far the core of one is over the face that is the other's feature [m]; -infinity where that is no face.
+/// How far one shape is over the face that is the other's feature [m]; -infinity where that is no face.
 double face_gap(const FeaturePair& pair, bool face_of_a);
 /// A face is as good as any direction where its gap is that of the nearest points within this part of the size.
 inline constexpr double as_good_a_face = 1e-6;

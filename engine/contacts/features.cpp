@@ -44,30 +44,53 @@ void box_face(Vec3 half, const Pose& pose, Vec3 along, Feature& feature) {
   feature.loop.add({middle - along_u + along_v, on_g | last_v, edges_v + up_v});
 }
 
+/// What is within `radius` of the z axis from -half to half: its line that lies farthest along a direction, which is not that
+/// of the axis.
+void side_line(double radius, double half, const Pose& pose, Vec3 local, Feature& feature) {
+  const Vec3 across = pose.R[0] * local[0] + pose.R[1] * local[1];
+  feature.kind = Feature::Kind::segment;
+  feature.normal = across / std::sqrt(local[0] * local[0] + local[1] * local[1]);
+  feature.number = 2;
+  feature.radius = radius;
+  feature.line = {pose.x - pose.R[2] * half, pose.x + pose.R[2] * half};
+  feature.loop.count = 0;
+  feature.loop.closed = false;
+  for (std::uint32_t i = 0; i < 2; i++) feature.loop.add({feature.line[i] + feature.normal * radius, i, 0});
+}
+
+void single_point(Vec3 x, std::uint32_t number, Feature& feature) {
+  feature.kind = Feature::Kind::point;
+  feature.number = number;
+  feature.loop.count = 0;
+  feature.loop.closed = false;
+  feature.loop.add({x, number, 0});
+}
+
+bool is_upright(Vec3 local) {
+  return std::fabs(local[2]) > std::sqrt(local[0] * local[0] + local[1] * local[1]) - better_face;
+}
+
+void capsule_feature(double radius, double half, const Pose& pose, Vec3 along, Feature& feature) {
+  const Vec3 local = transposed_times(pose.R, along);
+  if (!is_upright(local)) return side_line(radius, half, pose, local, feature);
+  const bool up = local[2] > 0.0;
+  single_point(pose.x + pose.R[2] * (up ? half : -half) + along * radius, up ? 1 : 0, feature);
+}
+
 void cylinder_feature(double radius, double half, const Pose& pose, Vec3 along, Feature& feature) {
   const Vec3 local = transposed_times(pose.R, along);
-  const double across = std::sqrt(local[0] * local[0] + local[1] * local[1]);
-  feature.loop.count = 0;
+  if (!is_upright(local)) return side_line(radius, half, pose, local, feature);
+  const bool up = local[2] > 0.0;
+  const Vec3 x = pose.R[0] * radius, y = pose.R[1] * (up ? radius : -radius);
+  feature.kind = Feature::Kind::disc;
+  feature.normal = up ? pose.R[2] : -pose.R[2];
+  feature.number = up ? 1 : 0;
   feature.radius = radius;
-  if (std::fabs(local[2]) > across - better_face) {
-    const bool up = local[2] > 0.0;
-    const Vec3 x = pose.R[0] * radius, y = pose.R[1] * (up ? radius : -radius);
-    feature.kind = Feature::Kind::disc;
-    feature.normal = up ? pose.R[2] : -pose.R[2];
-    feature.number = up ? 1 : 0;
-    feature.centre = pose.x + feature.normal * half;
-    feature.loop.closed = true;
-    for (std::uint32_t i = 0; i < rim_corners; i++)
-      feature.loop.add({feature.centre + x * cosine_of_sixteenths(i) + y * cosine_of_sixteenths(i + 12), i, i});
-    return;
-  }
-  const Vec3 outwards = (pose.R[0] * local[0] + pose.R[1] * local[1]) / across;
-  feature.kind = Feature::Kind::segment;
-  feature.normal = outwards;
-  feature.number = 2;
-  feature.loop.closed = false;
-  feature.line = {pose.x - pose.R[2] * half, pose.x + pose.R[2] * half};
-  for (std::uint32_t i = 0; i < 2; i++) feature.loop.add({feature.line[i] + outwards * radius, i, 0});
+  feature.centre = pose.x + feature.normal * half;
+  feature.loop.count = 0;
+  feature.loop.closed = true;
+  for (std::uint32_t i = 0; i < rim_corners; i++)
+    feature.loop.add({feature.centre + x * cosine_of_sixteenths(i) + y * cosine_of_sixteenths(i + 12), i, i});
 }
 
 std::uint32_t face_along(const Hull& hull, Vec3 local) {
@@ -115,22 +138,8 @@ void find_face(const Hull& hull, const Pose& pose, std::uint32_t number, Feature
 
 void find_feature(const Core& core, const Pose& pose, Vec3 along, Feature& feature) {
   switch (core.kind) {
-    case Core::Kind::point:
-      feature.kind = Feature::Kind::point;
-      feature.number = 0;
-      feature.loop.count = 0;
-      feature.loop.closed = false;
-      feature.loop.add({pose.x, 0, 0});
-      return;
-    case Core::Kind::segment:
-      feature.kind = Feature::Kind::segment;
-      feature.number = 0;
-      feature.radius = core.rounding;
-      feature.line = {pose.x - pose.R[2] * core.half[2], pose.x + pose.R[2] * core.half[2]};
-      feature.loop.count = 0;
-      feature.loop.closed = false;
-      for (std::uint32_t i = 0; i < 2; i++) feature.loop.add({feature.line[i], i, 0});
-      return;
+    case Core::Kind::point: return single_point(pose.x + along * core.rounding, 0, feature);
+    case Core::Kind::segment: return capsule_feature(core.rounding, core.half[2], pose, along, feature);
     case Core::Kind::box: return box_face(core.half, pose, along, feature);
     case Core::Kind::cylinder: return cylinder_feature(core.half[0], core.half[2], pose, along, feature);
     case Core::Kind::hull:

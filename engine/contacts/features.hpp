@@ -34,7 +34,7 @@ struct Loop {
   }
 };
 
-/// Of a core: a face, the cap of a cylinder, a segment (of a capsule, or along a cylinder's side) or a point.
+/// Of a shape's surface: a face, the cap of a cylinder, a line along the side of a capsule or a cylinder, or a point.
 struct Feature {
   enum class Kind : unsigned char { point, segment, polygon, disc };
   Kind kind;

@@ -9,12 +9,10 @@ namespace pantin {
 
 namespace {
 
-/// Sine up to which a normal does not lean, and cosine lost up to which it is that of the front.
+/// Sine up to which a normal does not lean, and part of the cosine up to which two are the same.
 constexpr double no_lean = 1e-6, same_normal = 1e-10;
-/// Length of what is left of a normal along a triangle, below which it is the front's.
-constexpr double no_rest = 1e-3;
-/// Part of the size within which points are one.
-constexpr double same_place = 1e-7;
+/// Parts of the size within which points are one, and gaps are equal.
+constexpr double same_place = 1e-7, same_depth = 1e-9;
 
 struct ToldPoint {
   Vec3 on_b, normal;
@@ -34,89 +32,106 @@ struct OnTriangles {
   MeshScratch& scratch;
 };
 
-/// What becomes of nearest points: they stay, the front's normal takes the place of theirs, or a neighbour tells them.
-enum class Handling { stay, front, neighbour };
-
-/// By the normal and the nearest point of the triangle, in the mesh's axes: whether the normal is one of those that belong
-/// to the edges and corners there.
-Handling handling_of(const MeshTriangle& t, Vec3 normal, Vec3 on_b, bool overlapping, double near) {
-  Vec3 rest = normal;
-  bool leans = false, leans_over_flat = false;
-  for (std::size_t i = 0; i < 3; i++) {
-    const Vec3 along = direction(t.corner[(i + 1) % 3] - t.corner[i]), outwards = cross(along, t.normal);
-    const double lean = dot(normal, outwards);
-    if (lean <= no_lean || dot(outwards, t.corner[i] - on_b) > near) continue;
-    leans = true;
-    if (!t.convex[i]) {
-      leans_over_flat = true;
-      rest -= outwards * lean;
-      continue;
-    }
-    const bool rim = dot(t.over[i], t.normal) >= 1.0 - same_normal;
-    const double away = rim ? dot(normal, t.normal) + 2.0 * no_lean : dot(normal, cross(t.over[i], along));
-    if (away <= no_lean) return Handling::neighbour;
-  }
-  if (!leans) return Handling::front;
-  if (!leans_over_flat) return Handling::stay;
-  if (norm(rest - t.normal * dot(rest, t.normal)) < no_rest) return Handling::front;
-  return overlapping ? Handling::stay : Handling::neighbour;
-}
-
-/// Lowest and highest point of a over the front [m].
+/// Lowest and highest point of a convex shape over a plane through x [m].
 struct Extent {
   double low, high;
 };
 
-Extent extent_over(const FeatureSide& a, Vec3 normal) {
+Extent extent_over(const FeatureSide& a, Vec3 normal, Vec3 x) {
   const auto height = [&](Vec3 along) {
-    return dot(normal, a.pose.to_world(support(a.core, transposed_times(a.pose.R, along))));
+    return dot(normal, a.pose.to_world(support(a.core, transposed_times(a.pose.R, along))) - x);
   };
   return {height(-normal) - a.core.rounding, height(normal) + a.core.rounding};
 }
 
-void set_front_points(const FeaturePair& pair, const Separation& nearest, Manifold& manifold) {
+/// A triangle in world axes, from its first corner.
+MeshTriangle turned_triangle(const MeshTriangle& t, const Mat3& R) {
+  MeshTriangle turned = t;
+  turned.normal = R * t.normal;
+  for (std::size_t i = 0; i < 3; i++) {
+    turned.corner[i] = R * (t.corner[i] - t.corner[0]);
+    turned.over[i] = R * t.over[i];
+  }
+  return turned;
+}
+
+/// What becomes of nearest points: they stay, the front's normal takes the place of theirs, or a neighbour tells them.
+enum class Handling { stay, front, neighbour };
+
+/// Of a normal that leans over a convex edge. Where shapes overlap, the way out of one triangle may lead into the next: the
+/// front that lets out first tells them.
+Handling over_ridge(const FeatureSide& a, const MeshTriangle& t, std::size_t edge, Vec3 along,
+                    const Separation& nearest) {
+  const Vec3 normal = nearest.normal, over = t.over[edge];
+  if (dot(over, t.normal) >= 1.0 - same_normal)
+    return dot(normal, t.normal) < -no_lean ? Handling::neighbour : Handling::stay;
+  if (dot(normal, cross(over, along)) > no_lean) return Handling::stay;
+  if (nearest.distance >= 0.0) return Handling::neighbour;
+  const bool lets_out_first = extent_over(a, t.normal, t.corner[edge]).low >= extent_over(a, over, t.corner[edge]).low;
+  return lets_out_first ? Handling::front : Handling::neighbour;
+}
+
+/// Whether the normal belongs to the edges and corners that the nearest point lies on; on_b from the first corner.
+Handling handling_of(const FeatureSide& a, const MeshTriangle& t, const Separation& nearest, Vec3 on_b, double near) {
+  bool over_convex = false, over_flat = false;
+  for (std::size_t i = 0; i < 3; i++) {
+    const Vec3 along = direction(t.corner[(i + 1) % 3] - t.corner[i]), outwards = cross(along, t.normal);
+    if (dot(nearest.normal, outwards) <= no_lean || dot(outwards, t.corner[i] - on_b) > near) continue;
+    const Handling handling = t.convex[i] ? over_ridge(a, t, i, along, nearest) : Handling::front;
+    if (handling == Handling::neighbour) return handling;
+    over_convex = over_convex || handling == Handling::stay;
+    over_flat = over_flat || handling == Handling::front;
+  }
+  if (!over_convex) return Handling::front;
+  return over_flat && nearest.distance >= 0.0 ? Handling::neighbour : Handling::stay;
+}
+
+/// What of the feature is over the front, and the lowest point of the shape where that is.
+void set_front_points(const FeaturePair& pair, Manifold& manifold) {
+  const FeatureSide& a = pair.a;
   const Vec3 normal = pair.b.feature.normal;
+  const Vec3 lowest = a.pose.to_world(support(a.core, transposed_times(a.pose.R, -normal))) - normal * a.core.rounding;
+  const double gap = dot(normal, lowest), near = same_depth * pair.size;
   PointList list;
   add_face_points(pair, false, -infinity, list);
-  if (dot(nearest.normal, normal) >= 1.0 - same_normal && nearest.distance < least_gap(list) - 1e-9 * pair.size) {
-    ManifoldPoint point = nearest_point(nearest);
-    point.normal = normal;
-    list.add(point);
-  }
+  Loop loop;
+  loop.add({lowest, 0, 0});
+  clip(loop, normal, pair.b.feature, near);
+  if (loop.count > 0 && gap < least_gap(list) - near)
+    list.add(nearest_point({gap, normal, pair.origin + lowest, zero3()}));
   keep_points(list, pair.size, manifold);
 }
 
-/// The points of one triangle; it is set in the prism, its first corner the origin.
-void set_triangle_points(const OnTriangles& on, const MeshTriangle& t, Manifold& manifold) {
+/// The points of one triangle. What has passed through a front by less than its thickness, or half of its extent, goes back.
+void set_triangle_points(const OnTriangles& on, const MeshTriangle& in_mesh, Manifold& manifold) {
   manifold.count = 0;
   FeaturePair pair;
-  pair.origin = on.at_b.to_world(t.corner[0]);
+  pair.origin = on.at_b.to_world(in_mesh.corner[0]);
   pair.margin = on.margin;
   pair.size = on.size;
   pair.a.core = core_of(on.a);
   pair.a.pose = {on.at_a.x - pair.origin, on.at_a.R};
-  const Vec3 front = on.at_b.R * t.normal;
-  const Extent extent = extent_over(pair.a, front);
+  const MeshTriangle t = turned_triangle(in_mesh, on.at_b.R);
+  const Extent extent = extent_over(pair.a, t.normal, zero3());
   const double deepest = std::fmax(on.thickness, 0.5 * (extent.high - extent.low));
   if (extent.low > on.margin || extent.high < 0.0 || -extent.low > deepest) return;
 
-  on.scratch.prism.set({zero3(), t.corner[1] - t.corner[0], t.corner[2] - t.corner[0]}, t.normal, on.thickness);
-  SeparationCache cache{front};
-  const Pose at_triangle = {pair.origin, on.at_b.R};
-  const Separation nearest = separation(on.a, on.at_a, on.scratch.prism.geometry(), at_triangle, on.margin, &cache);
+  on.scratch.prism.set(t.corner, t.normal, on.thickness);
+  SeparationCache cache{t.normal};
+  const Separation nearest =
+      separation(on.a, on.at_a, on.scratch.prism.geometry(), {pair.origin, identity33()}, on.margin, &cache);
   if (!(nearest.distance <= on.margin)) return;
 
   pair.b.core = core_of(on.scratch.prism.geometry());
-  pair.b.pose = {zero3(), on.at_b.R};
   find_face(on.scratch.prism.hull(), pair.b.pose, 0, pair.b.feature);
-  Handling handling = Handling::front;
-  if (extent.low < nearest.distance - as_good_a_face * on.size)
-    handling = handling_of(t, transposed_times(on.at_b.R, nearest.normal), on.at_b.to_local(nearest.on_b),
-                           nearest.distance < 0.0, as_good_a_face * on.size);
+  const double near = as_good_a_face * on.size;
+  const Handling handling = extent.low >= nearest.distance - near
+                                ? Handling::front
+                                : handling_of(pair.a, t, nearest, nearest.on_b - pair.origin, near);
   if (handling == Handling::neighbour) return;
-  find_feature(pair.a.core, pair.a.pose, handling == Handling::front ? -front : -nearest.normal, pair.a.feature);
+  find_feature(pair.a.core, pair.a.pose, handling == Handling::front ? -t.normal : -nearest.normal, pair.a.feature);
   if (handling == Handling::front)
-    set_front_points(pair, nearest, manifold);
+    set_front_points(pair, manifold);
   else
     set_feature_points(pair, nearest, manifold);
 }
