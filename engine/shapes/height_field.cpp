@@ -38,12 +38,12 @@ std::uint32_t neighbour_of(const HeightField& field, std::uint32_t index, std::s
 }
 
 /// The cells from one place to another along an axis, as far as there are any.
-struct Cells {
+struct CellRange {
   std::uint32_t first, last;
   bool none;
 };
 
-Cells cells_between(double low, double high, double spacing, std::uint32_t points) {
+CellRange cells_between(double low, double high, double spacing, std::uint32_t points) {
   const double middle = 0.5 * (points - 1), last = points - 2.0;
   const double from = std::floor(low / spacing + middle - 1e-9), to = std::floor(high / spacing + middle + 1e-9);
   if (!(from <= last + 1.0) || !(to >= -1.0)) return {0, 0, true};
@@ -102,8 +102,8 @@ MeshTriangle triangle_of(const HeightField& field, std::uint32_t index) {
 
 void triangles_in(const HeightField& field, const Bounds& box, const std::function<void(const MeshTriangle&)>& use) {
   if (box.low[1] > field.highest || box.high[1] < field.lowest) return;
-  const Cells x = cells_between(box.low[0], box.high[0], field.spacing, field.columns);
-  const Cells z = cells_between(box.low[2], box.high[2], field.spacing, field.rows);
+  const CellRange x = cells_between(box.low[0], box.high[0], field.spacing, field.columns);
+  const CellRange z = cells_between(box.low[2], box.high[2], field.spacing, field.rows);
   if (x.none || z.none) return;
   for (std::uint32_t row = z.first; row <= z.last; row++)
     for (std::uint32_t column = x.first; column <= x.last; column++)

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/bounds.hpp"
 #include "base/lanes.hpp"
 
 namespace pantin {
@@ -43,15 +44,6 @@ struct Pose {
   Vec3 to_local(Vec3 world) const { return transposed_times(R, world - x); }
 };
 inline Pose operator*(const Pose& outer, const Pose& inner) { return {outer.to_world(inner.x), outer.R * inner.R}; }
-
-struct Bounds {
-  Vec3 low = vec(infinity, infinity, infinity), high = vec(-infinity, -infinity, -infinity);
-};
-inline bool overlap(const Bounds& a, const Bounds& b) {
-  for (int i = 0; i < 3; i++)
-    if (a.low[i] > b.high[i] || b.low[i] > a.high[i]) return false;
-  return true;
-}
 
 /// Whether it may be a body's: it has a volume, and each two of its points have the way between them in it.
 bool is_convex(const Geometry& shape);
