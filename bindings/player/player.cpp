@@ -13,6 +13,7 @@
 #include "player/message.hpp"
 #include "scene/errors.hpp"
 #include "view/pick.hpp"
+#include "view/stroke.hpp"
 #include "view/view_keys.hpp"
 
 namespace pantin::player {
@@ -92,8 +93,12 @@ void Player::choose_followed() {
     const World& world = scene_->world();
     const PointId point =
         pick_point(world, renderer_.stage(), camera_, event.x, event.y, renderer_.width(), renderer_.height());
+    const Viewport viewport{world, renderer_.stage(), camera_, renderer_.width(), renderer_.height()};
+    const auto on_shape = pick_shape(viewport, event.x, event.y);
     AnyId thing;
-    if (point && world.points[point].body)
+    if (on_shape && on_shape->body)
+      thing = on_shape->body;
+    else if (point && world.points[point].body)
       thing = world.points[point].body;
     else if (point)
       thing = world.points[point].particle;

@@ -113,8 +113,8 @@ class Pen {
 
   /// The point under the cursor, or how far the hand reaches.
   void held(bool only_hinged) {
-    if (const PointId point = pick_held(viewport_, hand_.x, hand_.y))
-      ring(shown_place(viewport_.world, point), 26.0, color_);
+    if (const Held held = pick_held(viewport_, hand_.x, hand_.y))
+      ring(shown_place(viewport_.world, held), 26.0, color_);
     else if (!only_hinged)
       ring_on_screen(2.0 * reach, faded(color_, 0.22f));
   }
@@ -169,7 +169,7 @@ class Pen {
 
   void join() {
     if (!hand_.use->point()) return;
-    const PointId other = pick_held(viewport_, hand_.x, hand_.y);
+    const PointId other = pick_held(viewport_, hand_.x, hand_.y).point;
     const bool there = other && other != hand_.use->point();
     const Vec3 from = shown_place(viewport_.world, hand_.use->point());
     ring(from, 26.0, color_);

@@ -155,7 +155,7 @@ void PlayerInput::move_hands(const Work& work) {
   if (use.active())
     highlight_ = use.point();
   else if (takes_points && !work.frame.on_panel)
-    highlight_ = pick_held(work.viewport, mouse->second.x, mouse->second.y);
+    highlight_ = pick_held(work.viewport, mouse->second.x, mouse->second.y).point;
 }
 
 void PlayerInput::add_marks(const Gestures& gestures, const Viewport& viewport, bool on_panel,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "shapes/ray.hpp"
 #include "view/draw_list.hpp"
 #include "view/pick.hpp"
 
@@ -11,7 +12,8 @@ namespace pantin {
 
 namespace {
 
-constexpr double click_reach = 24.0, tie_reach = 9.0, stroke_reach = 6.0;  // [px]
+constexpr double click_reach = 24.0, tie_reach = 9.0, stroke_reach = 6.0,
+                 reach_on_shape = 14.0;  // [px]
 
 struct Spot {
   double x = 0.0, y = 0.0;  // [px]
@@ -136,7 +138,34 @@ std::vector<AnyId> cuttable(const Viewport& viewport, const Stroke& stroke) {
   return found;
 }
 
-BodyId pick_body(const Viewport& viewport, double x, double y, double reach) {
+std::optional<OnShape> pick_shape(const Viewport& viewport, double x, double y) {
+  const World& world = viewport.world;
+  if (world.shapes.size() == 0) return {};
+  const double deepest = 4.0 * (viewport.camera.distance + viewport.stage.size);
+  const Vec3 from = viewport.camera.eye(), to = viewport.place(x, y, deepest);
+  std::optional<OnShape> found;
+  double best = infinity;
+  for (std::uint32_t s = 0; s < world.shapes.slots(); s++) {
+    if (!world.shapes.alive_at(s)) continue;
+    const Shape& shape = world.shapes.at_slot(s);
+    Pose pose{shape.at, matrix(shape.orientation)};
+    Vec3 shift = zero3();
+    if (shape.body) {
+      shift = image_shift(world, world.motion_of(shape.body).x);
+      pose = Pose{origin(world, shape.body) + shift, matrix(orientation(world, shape.body))} * pose;
+    }
+    const auto hit = finite(pose.x) ? ray(shape.geometry, pose, from, to) : std::nullopt;
+    if (!hit || hit->part >= best) continue;
+    best = hit->part;
+    found = {shape.body, from + (to - from) * best - shift, best * deepest};
+  }
+  return found;
+}
+
+namespace {
+
+/// In or near the outline of a body's points and its centre.
+BodyId pick_outline(const Viewport& viewport, double x, double y, double reach) {
   BodyId found;
   double best = reach, depth = std::numeric_limits<double>::infinity();
   std::vector<Spot> spots;
@@ -158,18 +187,37 @@ BodyId pick_body(const Viewport& viewport, double x, double y, double reach) {
   return found;
 }
 
-PointId pick_held(const Viewport& viewport, double x, double y) {
+}  // namespace
+
+BodyId pick_body(const Viewport& viewport, double x, double y, double reach) {
+  if (const auto spot = pick_shape(viewport, x, y); spot && spot->body) return spot->body;
+  return pick_outline(viewport, x, y, reach);
+}
+
+Vec3 shown_place(const World& world, const Held& held) {
+  if (held.point) return shown_place(world, held.point);
+  return held.at + (held.body ? image_shift(world, world.motion_of(held.body).x) : zero3());
+}
+
+Held pick_held(const Viewport& viewport, double x, double y) {
+  const World& world = viewport.world;
+  const auto spot = pick_shape(viewport, x, y);
+  const double reach = spot && spot->body ? reach_on_shape : 40.0;
   if (const PointId point =
-          pick_point(viewport.world, viewport.stage, viewport.camera, x, y, viewport.width, viewport.height))
-    return point;
-  const BodyId body = pick_body(viewport, x, y);
-  PointId found;
-  double best = std::numeric_limits<double>::infinity();
+          pick_point(world, viewport.stage, viewport.camera, x, y, viewport.width, viewport.height, reach)) {
+    const auto seen = viewport.project(shown_place(world, point));
+    const bool same = spot && spot->body && world.points[point].body == spot->body;
+    if (!spot || same || (seen && seen->depth <= spot->depth)) return {point, {}, zero3()};
+  }
+  if (spot && spot->body) return {{}, spot->body, spot->at};
+  const BodyId body = pick_outline(viewport, x, y, 12.0);
+  Held found;
+  double best = infinity;
   if (!body) return found;
-  for (PointId p : viewport.world.bodies[body].points) {
-    const auto seen = viewport.project(shown_place(viewport.world, p));
+  for (PointId p : world.bodies[body].points) {
+    const auto seen = viewport.project(shown_place(world, p));
     const double away = seen ? std::hypot(seen->x - x, seen->y - y) : best;
-    if (away < best) best = away, found = p;
+    if (away < best) best = away, found.point = p;
   }
   return found;
 }

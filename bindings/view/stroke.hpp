@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "view/viewport.hpp"
@@ -22,8 +23,24 @@ Seen seen_place(const Viewport& viewport, const AnyId& thing);
 
 /// The body whose outline a pixel is in or at most `reach` [px] from; the nearest to the eye of several. Null: none.
 BodyId pick_body(const Viewport& viewport, double x, double y, double reach = 12.0);
-/// What one can take hold of at a pixel: as `pick_point`, or else the seen point of the body there that is nearest.
-PointId pick_held(const Viewport& viewport, double x, double y);
+/// The place on a shape that is seen at a pixel.
+struct OnShape {
+  BodyId body;  ///< null: the world
+  Vec3 at = zero3();   ///< [m]
+  double depth = 0.0;  ///< [m] along the view
+};
+std::optional<OnShape> pick_shape(const Viewport& viewport, double x, double y);
+/// What one can take hold of at a pixel: a point, or a place on a body that has none there.
+struct Held {
+  PointId point;
+  BodyId body;        ///< of the place; null where there is a point
+  Vec3 at = zero3();  ///< [m] the place
+  explicit operator bool() const { return point || body; }
+};
+/// As `pick_point`, or else the place on the shape there, or else the seen point of the body there that is nearest.
+Held pick_held(const Viewport& viewport, double x, double y);
+/// Where it is shown [m].
+Vec3 shown_place(const World& world, const Held& held);
 /// The body, free particle, connection or constraint at a pixel, or nothing.
 AnyId pick_thing(const Viewport& viewport, double x, double y);
 

@@ -93,14 +93,19 @@ void ToolUse::press(const Viewport& viewport, ToolChoice choice, std::int32_t ha
   active_ = true;
   x0_ = x_ = x;
   y0_ = y_ = y;
-  point_ = pick_held(viewport, x, y);
+  const Held held = pick_held(viewport, x, y);
+  point_ = held.point;
+  body_ = held.body;
   depth_ = dot(viewport.camera.target - viewport.camera.eye(), viewport.camera.forward());
-  const auto seen = point_ ? viewport.project(shown_place(viewport.world, point_)) : std::nullopt;
+  const auto seen = held ? viewport.project(shown_place(viewport.world, held)) : std::nullopt;
   if (seen) {
     depth_ = seen->depth;
-    offset_ = position(viewport.world, point_) - viewport.place(x, y, depth_);
+    if (body_)
+      on_body_ = rotate(conjugate(orientation(viewport.world, body_)), held.at - origin(viewport.world, body_));
+    offset_ = start(viewport) - viewport.place(x, y, depth_);
   } else {
     point_ = {};
+    body_ = {};
   }
   switch (choice.kind) {
     case ToolKind::drag: return grab(viewport, output);
@@ -112,7 +117,7 @@ void ToolUse::press(const Viewport& viewport, ToolChoice choice, std::int32_t ha
       break;
     case ToolKind::push:
     case ToolKind::spin:
-      if (!point_) output.said.push_back(std::string(choice.tool().name) + ": there is nothing under the cursor");
+      if (!point_ && !body_) output.said.push_back(std::string(choice.tool().name) + ": there is nothing under the cursor");
       break;
     default: break;
   }
@@ -131,9 +136,11 @@ void ToolUse::move(const Viewport& viewport, double x, double y, ToolOutput& out
 void ToolUse::hold(const Viewport& viewport, double time, ToolOutput& output) {
   if (!active_) return;
   if (point_ && !viewport.world.points.alive(point_)) point_ = {};
+  if (body_ && !viewport.world.bodies.alive(body_)) body_ = {};
+  if (body_ && choice_.kind == ToolKind::drag) take_point(viewport.world);
   if (choice_.kind != ToolKind::heat) return;
   Command c = command(Command::Kind::heat);
-  const PointId under = pick_held(viewport, x_, y_);
+  const Held under = pick_held(viewport, x_, y_);
   if (const auto seen = under ? viewport.project(shown_place(viewport.world, under)) : std::nullopt)
     depth_ = seen->depth;
   c.position = viewport.place(x_, y_, depth_);
@@ -150,22 +157,22 @@ void ToolUse::hold(const Viewport& viewport, double time, ToolOutput& output) {
 void ToolUse::release(const Viewport& viewport, ToolOutput& output) {
   if (!active_) return;
   active_ = false;
-  const bool alive = viewport.world.points.alive(point_);
+  const bool alive = begun_at(viewport.world);
   switch (choice_.kind) {
     case ToolKind::drag:
-      if (point_) output.input.commands.push_back(command(Command::Kind::release));
+      if (point_ || body_) output.input.commands.push_back(command(Command::Kind::release));
       break;
     case ToolKind::cut:
       if (done_.empty()) output.said.push_back(std::string("nothing was cut: ") + choice_.tool().help);
       break;
     case ToolKind::join:
-      if (alive) join(viewport, output);
+      if (viewport.world.points.alive(point_)) join(viewport, output);
       break;
     case ToolKind::push:
     case ToolKind::spin: {
       if (!alive) break;
       const bool push = choice_.kind == ToolKind::push;
-      Command c = command(push ? Command::Kind::push : Command::Kind::spin);
+      Command c = command_there(viewport, push ? Command::Kind::push : Command::Kind::spin);
       c.amount = push ? impulse(viewport) : turn(viewport);
       if (!push && is_click()) {
         output.said.push_back("spin: drag over a body");
@@ -204,7 +211,10 @@ Vec3 ToolUse::place(const Viewport& viewport, double x, double y) const {
 }
 
 Vec3 ToolUse::start(const Viewport& viewport) const {
-  return viewport.world.points.alive(point_) ? position(viewport.world, point_) : viewport.place(x0_, y0_, depth_);
+  const World& world = viewport.world;
+  if (world.points.alive(point_)) return position(world, point_);
+  if (world.bodies.alive(body_)) return origin(world, body_) + rotate(orientation(world, body_), on_body_);
+  return viewport.place(x0_, y0_, depth_);
 }
 
 Vec3 ToolUse::way(const Viewport& viewport) const {
@@ -214,9 +224,9 @@ Vec3 ToolUse::way(const Viewport& viewport) const {
 bool ToolUse::is_click() const { return std::hypot(x_ - x0_, y_ - y0_) < click_distance; }
 
 Vec3 ToolUse::impulse(const Viewport& viewport) const {
-  if (!viewport.world.points.alive(point_)) return zero3();
-  const Point& point = viewport.world.points[point_];
-  const double mass = point.body ? viewport.world.motion_of(point.body).mass : point.mass;
+  if (!begun_at(viewport.world)) return zero3();
+  const BodyId body = body_of(viewport.world);
+  const double mass = body ? viewport.world.motion_of(body).mass : viewport.world.points[point_].mass;
   // A click pushes away from the eye.
   const Vec3 way_to = is_click() ? viewport.camera.forward() * (0.5 * viewport.stage.unit) : way(viewport);
   return viewport.world.plane.along(way_to) * (mass / step_times(viewport.world, push_time));
@@ -239,7 +249,7 @@ Command ToolUse::making(const Viewport& viewport) const {
   double part = 1.0;  // of its usual size
   c.position = start(viewport);
   if (choice_.variant == 0) {
-    const PointId end = click ? PointId{} : pick_held(viewport, x_, y_);
+    const PointId end = click ? PointId{} : pick_held(viewport, x_, y_).point;
     c.points = {zero3(),
                 click ? viewport.camera.right() * unit : way(viewport) + viewport.place(x0_, y0_, depth_) - c.position};
     c.point = viewport.world.points.alive(point_) ? point_ : PointId{};
@@ -277,6 +287,30 @@ Command ToolUse::command(Command::Kind kind) const {
   return c;
 }
 
+/// The same, of what it began at: a point, or a place on a body.
+Command ToolUse::command_there(const Viewport& viewport, Command::Kind kind) const {
+  Command c = command(kind);
+  if (point_ || !body_) return c;
+  c.thing = body_;
+  c.position = start(viewport);
+  return c;
+}
+
+/// Whether there is what it began at.
+bool ToolUse::begun_at(const World& world) const { return world.points.alive(point_) || world.bodies.alive(body_); }
+
+BodyId ToolUse::body_of(const World& world) const {
+  return world.points.alive(point_) ? world.points[point_].body : body_;
+}
+
+/// The point that its grab made on the body.
+void ToolUse::take_point(const World& world) {
+  const auto index = static_cast<std::size_t>(hand_);
+  if (index >= world.hands.size() || !world.constraints.alive(world.hands[index].grab)) return;
+  point_ = world.constraints[world.hands[index].grab].a;
+  body_ = {};
+}
+
 void ToolUse::send(Command command, ToolOutput& output) {
   if (!acted_) output.acts.push_back(choice_.tool().name);
   acted_ = true;
@@ -284,13 +318,17 @@ void ToolUse::send(Command command, ToolOutput& output) {
 }
 
 void ToolUse::grab(const Viewport& viewport, ToolOutput& output) {
-  if (!point_) return;
-  output.input.moves.push_back({hand_, position(viewport.world, point_), true});
-  send(command(Command::Kind::grab), output);
+  if (!point_ && !body_) return;
+  output.input.moves.push_back({hand_, start(viewport), true});
+  send(command_there(viewport, Command::Kind::grab), output);
 }
 
 void ToolUse::nail(const Viewport& viewport, ToolOutput& output) {
-  if (!point_) return output.said.push_back("nail: there is no point under the cursor");
+  if (!point_ && !body_) return output.said.push_back("nail: there is nothing under the cursor");
+  if (body_) {
+    send(command_there(viewport, Command::Kind::nail), output);
+    return output.said.push_back("nailed");
+  }
   const Particle& ring = viewport.world.particles[viewport.world.points[point_].particle];
   for (const PointId p : ring.points)
     for (const ConstraintId id : viewport.world.points[p].constraints)
@@ -338,7 +376,7 @@ void ToolUse::remove(const Viewport& viewport, ToolOutput& output) {
 
 void ToolUse::join(const Viewport& viewport, ToolOutput& output) {
   Command c = command(Command::Kind::join);
-  c.other = pick_held(viewport, x_, y_);
+  c.other = pick_held(viewport, x_, y_).point;
   if (!c.other || c.other == point_) return output.said.push_back("join: let go at another point");
   send(c, output);
   output.said.push_back("joining");

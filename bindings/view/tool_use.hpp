@@ -32,7 +32,7 @@ class ToolUse {
 
   bool active() const { return active_; }
   /// Holds a point by dragging it.
-  bool holding() const { return active_ && choice_.kind == ToolKind::drag && point_; }
+  bool holding() const { return active_ && choice_.kind == ToolKind::drag && (point_ || body_); }
   ToolChoice choice() const { return choice_; }
   PointId point() const { return point_; }  ///< at which it began, or null
   /// Where the hand is [m]: at the depth of what it began at.
@@ -52,6 +52,8 @@ class ToolUse {
 
  private:
   Command command(Command::Kind kind) const;
+  Command command_there(const Viewport& viewport, Command::Kind kind) const;
+  void take_point(const World& world);
   void send(Command command, ToolOutput& output);
   void grab(const Viewport& viewport, ToolOutput& output);
   void nail(const Viewport& viewport, ToolOutput& output);
@@ -59,6 +61,8 @@ class ToolUse {
   void remove(const Viewport& viewport, ToolOutput& output);
   void join(const Viewport& viewport, ToolOutput& output);
   bool is_click() const;
+  bool begun_at(const World& world) const;
+  BodyId body_of(const World& world) const;
 
   ToolChoice choice_;
   std::int32_t hand_ = -1;
@@ -67,6 +71,8 @@ class ToolUse {
   double depth_ = 0.0;                              // [m]
   Vec3 offset_ = zero3();                           // [m] from the place under the pointer to the point
   PointId point_;
+  BodyId body_;             // at which it began where that has no point; until a drag has given it one
+  Vec3 on_body_ = zero3();  // [m] the place, in the body's frame
   std::vector<AnyId> done_;  // what it cut or removed
   std::vector<Vec3> trail_;
 };

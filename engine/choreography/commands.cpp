@@ -15,9 +15,53 @@ using namespace internal;
 
 namespace {
 
+/// The body that is meant where no point is; null: none.
+BodyId body_meant(const Command& c) {
+  const auto* body = std::get_if<BodyId>(&c.thing);
+  return body && !c.point ? *body : BodyId{};
+}
+
+/// The point that is meant, or a new one at the place of the body that is.
+PointId point_meant(World& world, const Command& c, std::string name = "") {
+  const BodyId body = body_meant(c);
+  if (!body) return c.point;
+  require_finite(name_of(c.kind), "position", c.position, "m");
+  PointDef def;
+  def.at = rotate(conjugate(orientation(world, body)), c.position - origin(world, body));
+  def.name = std::move(name);
+  return add_point(world, body, def);
+}
+
+/// What a point is called that is there to be held by a hand.
+std::string name_of_grip(std::int32_t hand) { return text("(grip of hand ", hand + 1, ")"); }
+
+/// With the point that was made to be held by, if there is one.
+void release_by_hand(World& world, std::int32_t index) {
+  const auto at = static_cast<std::size_t>(index);
+  const bool holds = index >= 0 && at < world.hands.size() && world.hands[at].grab;
+  const PointId held = holds ? world.constraints[world.hands[at].grab].a : PointId{};
+  release(world, index);
+  if (!held || world.points[held].name != name_of_grip(index)) return;
+  const bool used = world.particles[world.points[held].particle].is_hinge() || !world.points[held].constraints.empty();
+  if (!used) remove_point(world, held);
+}
+
 void grab_by_hand(World& world, const Command& c) {
   hand_of_input(world, c.hand);
-  grab(world, c.hand, c.point, c.max_force == 0.0 ? std::optional<double>() : c.max_force);
+  if (body_meant(c)) release_by_hand(world, c.hand);
+  const PointId point = point_meant(world, c, name_of_grip(c.hand));
+  try {
+    grab(world, c.hand, point, c.max_force == 0.0 ? std::optional<double>() : c.max_force);
+  } catch (const Error&) {
+    if (body_meant(c)) remove_point(world, point);
+    throw;
+  }
+}
+
+void push_by_hand(World& world, const Command& c) {
+  const Vec3 impulse = world.plane.along(c.amount);
+  if (const BodyId body = body_meant(c)) return kick(world, body, impulse, c.position);
+  kick(world, c.point, impulse);
 }
 
 /// What connections leave is shown as what breaks is.
@@ -52,7 +96,7 @@ void join_by_hand(World& world, const Command& c) {
 
 void spin_by_hand(World& world, const Command& c) {
   require_finite("spin", "spin", c.amount, "rad/s");
-  const BodyId body = world.points[c.point].body;
+  const BodyId body = body_meant(c) ? body_meant(c) : world.points[c.point].body;
   require(static_cast<bool>(body), "spin: ", describe(world, c.point), " is a free particle, which cannot turn");
   const Motion& m = world.motion_of(body);
   const Vec3 spin = rotate(m.q, m.angular * inverse_inertia(m));
@@ -112,13 +156,13 @@ void heat_by_hand(World& world, const Command& c) {
 void carry_out(World& world, const Command& c) {
   switch (c.kind) {
     case Command::Kind::grab: return grab_by_hand(world, c);
-    case Command::Kind::release: return release(world, c.hand);
+    case Command::Kind::release: return release_by_hand(world, c.hand);
     case Command::Kind::cut: return cut_by_hand(world, c);
     case Command::Kind::key: return notice(world, Notice::Kind::key, {}, c.name, c.hand);
     case Command::Kind::button: return notice(world, Notice::Kind::button, {}, c.name, c.hand);
     case Command::Kind::join: return join_by_hand(world, c);
-    case Command::Kind::nail: add_nail(world, c.point); return;
-    case Command::Kind::push: return kick(world, c.point, world.plane.along(c.amount));
+    case Command::Kind::nail: add_nail(world, point_meant(world, c)); return;
+    case Command::Kind::push: return push_by_hand(world, c);
     case Command::Kind::spin: return spin_by_hand(world, c);
     case Command::Kind::remove: return remove(world, c.thing);
     case Command::Kind::make: return make_by_hand(world, c);
