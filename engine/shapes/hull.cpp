@@ -128,6 +128,7 @@ bool set_edges(Hull& hull) {
 }
 
 void set_packs(Hull& hull) {
+  hull.packs.clear();
   for (std::size_t first = 0; first < hull.vertices.size(); first += 4) {
     Vec3 x{}, y{}, z{};
     for (std::size_t i = 0; i < 4; i++) {
@@ -212,6 +213,20 @@ std::shared_ptr<const Hull> make_hull(std::span<const Vec3> points) {
   set_packs(*hull);
   set_extents(*hull);
   return hull;
+}
+
+void set_triangle(Hull& hull, const std::array<Vec3, 3>& corner, Vec3 normal) {
+  hull.vertices.assign(corner.begin(), corner.end());
+  const double offset = dot(normal, corner[0]);
+  hull.faces.assign({{normal, offset, 0, 3}, {-normal, -offset, 3, 3}});
+  hull.loops.assign({0, 1, 2, 0, 2, 1});
+  hull.edges.assign({{0, 1}, {1, 2}, {0, 2}});
+  hull.edge_faces.assign(3, {0, 1});
+  hull.first_neighbour.assign({0, 2, 4, 6});
+  hull.neighbours.assign({1, 2, 0, 2, 0, 1});
+  hull.reach = std::max({norm(corner[0]), norm(corner[1]), norm(corner[2])});
+  hull.thickness = 0.0;
+  set_packs(hull);
 }
 
 }  // namespace pantin

@@ -96,6 +96,19 @@ class Polish {
   Widest widest_;
 };
 
+/// The flat faces of a core that look nearly along n.
+void offer_faces(Polish& polish, const Core& core, const Mat3& R, Vec3 n) {
+  if (core.kind == Core::Kind::cylinder) polish.offer_both(R[2]);
+  if (core.kind == Core::Kind::box)
+    for (int i = 0; i < 3; i++) polish.offer_both(R[i]);
+  if (core.kind != Core::Kind::hull) return;
+  const Vec3 own = transposed_times(R, n);
+  Vec3 best = zero3();
+  for (const Hull::Face& face : core.hull->faces)
+    if (dot(face.normal, own) > dot(best, own)) best = face.normal;
+  polish.offer_both(R * best);
+}
+
 }  // namespace
 
 Widest polished(const CorePair& pair, Vec3 normal, const Simplex& simplex) {
@@ -110,8 +123,8 @@ Widest polished(const CorePair& pair, Vec3 normal, const Simplex& simplex) {
     }
   for (std::size_t i = 0; i < a.count; i++)
     for (std::size_t j = 0; j < b.count; j++) polish.offer_across(a.along[i], b.along[j]);
-  if (pair.a.kind == Core::Kind::cylinder) polish.offer_both(vec(0, 0, 1));
-  if (pair.b.kind == Core::Kind::cylinder) polish.offer_both(pair.R[2]);
+  offer_faces(polish, pair.a, identity33(), -normal);
+  offer_faces(polish, pair.b, pair.R, normal);
   return polish.widest();
 }
 

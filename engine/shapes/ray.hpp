@@ -10,7 +10,8 @@ struct RayHit {
   Vec3 normal;  ///< outwards, of unit length, world; of a ray that begins inside against its direction
 };
 
-/// Where the way from `from` to `to` [m] first meets a shape; at once where it begins inside. Any shape.
+/// Where the way from `from` to `to` [m] first meets a shape; at once where it begins inside. Any shape; a mesh has no inside
+/// and is met from both sides, its normal towards where the ray comes from.
 std::optional<RayHit> ray(const Geometry& shape, const Pose& pose, Vec3 from, Vec3 to);
 /// The first touch of a convex shape that is moved by `way` [m] without turning, with any other shape; part 0 and the
 /// normal of the overlap where they overlap at the start.
