@@ -10,6 +10,8 @@ namespace {
 
 /// Part of the size within which gaps are equal, and a corner lies on the border of a face.
 constexpr double little = 1e-9;
+/// Part of the size about nearest points within which no other normal holds.
+constexpr double where_edges_meet = 1e-2;
 /// Cosine above which two points of lines are near each other along the normal of the pair.
 constexpr double along_normal = 0.99;
 
@@ -139,6 +141,21 @@ ManifoldPoint nearest_point(const Separation& nearest) {
   return {nearest.on_a, nearest.normal, nearest.distance, nearest_id};
 }
 
+namespace {
+
+/// Where edges meet, a face may lie on the other shape within the step: adds what is over it, but for where they meet.
+void add_open_points(const FeaturePair& pair, bool face_of_a, const Separation& nearest, PointList& list) {
+  PointList open;
+  add_face_points(pair, face_of_a, 0.0, open);
+  const double near = where_edges_meet * pair.size;
+  for (std::uint32_t i = 0; i < open.count; i++) {
+    const Vec3 on_a = open.points[i].on_a;
+    if (norm2(on_a - nearest.on_a) > near * near && !has_point_at(list, on_a, near)) list.add(open.points[i]);
+  }
+}
+
+}  // namespace
+
 void set_feature_points(const FeaturePair& pair, const Separation& nearest, Manifold& manifold) {
   manifold.count = 0;
   const double little_gap = little * pair.size, good = nearest.distance - as_good_a_face * pair.size;
@@ -153,8 +170,7 @@ void set_feature_points(const FeaturePair& pair, const Separation& nearest, Mani
   add_points_along_lines(pair, nearest.normal, list);
   if (std::fabs(nearest.distance - least_gap(list)) > little_gap)
     manifold.points[manifold.count++] = nearest_point(nearest);
-  // Where edges meet, a face may lie on the other shape within the step.
-  if (pair.a.feature.is_face() || pair.b.feature.is_face()) add_face_points(pair, gap_a >= gap_b, 0.0, list);
+  if (pair.a.feature.is_face() || pair.b.feature.is_face()) add_open_points(pair, gap_a >= gap_b, nearest, list);
   keep_points(list, pair.size, manifold);
 }
 

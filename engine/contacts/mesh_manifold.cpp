@@ -1,5 +1,7 @@
 // A convex shape on triangles: each as a face with solid behind it, whose edges and corners are touched only where they
 // stick out.
+#include <algorithm>
+
 #include "contacts/feature_pair.hpp"
 #include "contacts/manifold_parts.hpp"
 #include "contacts/triangle_prism.hpp"
@@ -13,15 +15,26 @@ namespace {
 constexpr double no_lean = 1e-6, same_normal = 1e-10;
 /// Parts of the size within which points are one, and gaps are equal.
 constexpr double same_place = 1e-7, same_depth = 1e-9;
+/// Part of the size within which one overlap is told for several triangles.
+constexpr double nearby = 0.25;
 
 struct ToldPoint {
   Vec3 on_b, normal;
+  bool overlaps;
+};
+
+/// A triangle that is overlapped but has no point that overlaps: the way out of it leads over its edges.
+struct LostTriangle {
+  ManifoldPoint point;  ///< of what is in it, along its front's normal
+  double upright;       ///< cosine between the way out and that normal
+  std::uint32_t index;
 };
 
 /// Kept from call to call, so that none asks for memory.
 struct MeshScratch {
   TrianglePrism prism;
   std::vector<ToldPoint> told;
+  std::vector<LostTriangle> lost;
 };
 
 struct OnTriangles {
@@ -55,8 +68,8 @@ MeshTriangle turned_triangle(const MeshTriangle& t, const Mat3& R) {
   return turned;
 }
 
-/// What becomes of nearest points: they stay, the front's normal takes the place of theirs, or a neighbour tells them.
-enum class Handling { stay, front, neighbour };
+/// What becomes of nearest points: they stay, the front's normal takes the place of theirs, a neighbour tells them, or one may.
+enum class Handling { stay, front, neighbour, perhaps_neighbour };
 
 /// Of a normal that leans over a convex edge. Where shapes overlap, the way out of one triangle may lead into the next: the
 /// front that lets out first tells them.
@@ -78,7 +91,7 @@ Handling handling_of(const FeatureSide& a, const MeshTriangle& t, const Separati
     const Vec3 along = direction(t.corner[(i + 1) % 3] - t.corner[i]), outwards = cross(along, t.normal);
     if (dot(nearest.normal, outwards) <= no_lean || dot(outwards, t.corner[i] - on_b) > near) continue;
     const Handling handling = t.convex[i] ? over_ridge(a, t, i, along, nearest) : Handling::front;
-    if (handling == Handling::neighbour) return handling;
+    if (handling == Handling::neighbour || handling == Handling::perhaps_neighbour) return handling;
     over_convex = over_convex || handling == Handling::stay;
     over_flat = over_flat || handling == Handling::front;
   }
@@ -100,6 +113,11 @@ void set_front_points(const FeaturePair& pair, Manifold& manifold) {
   if (loop.count > 0 && gap < least_gap(list) - near)
     list.add(nearest_point({gap, normal, pair.origin + lowest, zero3()}));
   keep_points(list, pair.size, manifold);
+}
+
+bool overlaps_at_all(const Manifold& manifold) {
+  const auto end = manifold.points.begin() + manifold.count;
+  return std::any_of(manifold.points.begin(), end, [](const ManifoldPoint& p) { return p.gap < 0.0; });
 }
 
 /// The points of one triangle. What has passed through a front by less than its thickness, or half of its extent, goes back.
@@ -129,11 +147,20 @@ void set_triangle_points(const OnTriangles& on, const MeshTriangle& in_mesh, Man
                                 ? Handling::front
                                 : handling_of(pair.a, t, nearest, nearest.on_b - pair.origin, near);
   if (handling == Handling::neighbour) return;
+  const double height = dot(t.normal, nearest.on_a - pair.origin);
+  const ManifoldPoint within = nearest_point({height, t.normal, nearest.on_a, nearest.on_a - t.normal * height});
+  const LostTriangle lost = {within, dot(nearest.normal, t.normal), t.index};
+  const bool overlaps = nearest.distance < -same_depth * on.size;
+  if (handling == Handling::perhaps_neighbour) {
+    if (overlaps) on.scratch.lost.push_back(lost);
+    return;
+  }
   find_feature(pair.a.core, pair.a.pose, handling == Handling::front ? -t.normal : -nearest.normal, pair.a.feature);
   if (handling == Handling::front)
     set_front_points(pair, manifold);
   else
     set_feature_points(pair, nearest, manifold);
+  if (overlaps && !overlaps_at_all(manifold)) on.scratch.lost.push_back(lost);
 }
 
 /// Leaves out what a neighbour told at a common edge or corner.
@@ -148,7 +175,7 @@ void drop_told(const OnTriangles& on, Manifold& manifold) {
       told = told || (norm2(other.on_b - on_b) <= near * near && dot(other.normal, point.normal) >= 1.0 - same_normal);
     if (told) continue;
     manifold.points[kept++] = point;
-    on.scratch.told.push_back({on_b, point.normal});
+    on.scratch.told.push_back({on_b, point.normal, point.gap < 0.0});
   }
   manifold.count = kept;
 }
@@ -160,12 +187,33 @@ void tell_triangle(const OnTriangles& on, const MeshTriangle& t) {
   if (manifold.count > 0) on.sink.take(manifold, t.index);
 }
 
+/// The most upright of lost triangles first, unless another one has told of an overlap nearby.
+void tell_lost(const OnTriangles& on) {
+  std::vector<LostTriangle>& lost = on.scratch.lost;
+  std::sort(lost.begin(), lost.end(), [](const LostTriangle& a, const LostTriangle& b) {
+    return a.upright != b.upright ? a.upright > b.upright : a.index < b.index;
+  });
+  const double near = nearby * on.size;
+  for (const LostTriangle& l : lost) {
+    const Vec3 on_a = l.point.on_a;
+    const auto is_near = [&](const ToldPoint& other) {
+      return other.overlaps && norm2(other.on_b - on_a) <= near * near;
+    };
+    if (std::any_of(on.scratch.told.begin(), on.scratch.told.end(), is_near)) continue;
+    on.scratch.told.push_back({on_a - l.point.normal * l.point.gap, l.point.normal, true});
+    Manifold manifold;
+    manifold.points[manifold.count++] = l.point;
+    on.sink.take(manifold, l.index);
+  }
+}
+
 }  // namespace
 
 void convex_on_triangles(const Geometry& a, const Pose& at_a, const Geometry& b, const Pose& at_b, double margin,
                          ManifoldSink& sink) {
   thread_local MeshScratch scratch;
   scratch.told.clear();
+  scratch.lost.clear();
   const OnTriangles on = {a, at_a, at_b, margin, reach_of(a), thickness_of(a), sink, scratch};
   const Pose in_mesh = {at_b.to_local(at_a.x),
                         {{transposed_times(at_b.R, at_a.R[0]), transposed_times(at_b.R, at_a.R[1]),
@@ -176,6 +224,7 @@ void convex_on_triangles(const Geometry& a, const Pose& at_a, const Geometry& b,
   const auto tell = [&on](const MeshTriangle& triangle) { tell_triangle(on, triangle); };
   if (const auto* mesh = std::get_if<std::shared_ptr<const TriangleMesh>>(&b)) triangles_in(**mesh, box, tell);
   if (const auto* field = std::get_if<std::shared_ptr<const HeightField>>(&b)) triangles_in(**field, box, tell);
+  tell_lost(on);
 }
 
 }  // namespace pantin

@@ -15,7 +15,7 @@ constexpr double level = 1e-7;
 /// Part of a hull's reach above its lowest corner within which all its corners may matter.
 constexpr double low_corners = 0.02;
 
-struct Plane {
+struct Lowest {
   const Pose& at_a;
   Vec3 normal;    ///< world
   Vec3 up;        ///< the same in the shape's own axes
@@ -24,21 +24,25 @@ struct Plane {
   PointList& points;
 
   double gap_of(Vec3 local) const { return height + dot(up, local); }
-  void add(Vec3 local, std::uint32_t id, double radius = 0.0) const {
-    const double gap = gap_of(local) - radius;
-    if (gap <= margin) points.add({at_a.to_world(local) - normal * radius, normal, gap, id});
+  void add(Vec3 local, std::uint32_t id) const {
+    const double gap = gap_of(local);
+    if (gap <= margin) points.add({at_a.to_world(local), normal, gap, id});
   }
 };
 
-void add_lowest(const Plane& plane, const BallShape& ball) { plane.add(zero3(), 0, ball.radius); }
+void add_lowest(const Lowest& plane, const BallShape& ball) { plane.add(-plane.up * ball.radius, 0); }
 
-void add_lowest(const Plane& plane, const CapsuleShape& capsule) {
-  plane.add(vec(0, 0, -capsule.half), 0, capsule.radius);
-  plane.add(vec(0, 0, capsule.half), 1, capsule.radius);
+/// The lowest point of the lower end; of the other end, unless it stands, that of the line along its side.
+void add_lowest(const Lowest& plane, const CapsuleShape& capsule) {
+  const Vec3 up = plane.up, lower_end = vec(0, 0, up[2] > 0.0 ? -capsule.half : capsule.half);
+  const std::uint32_t lower = up[2] > 0.0 ? 0 : 1;
+  plane.add(lower_end - up * capsule.radius, lower);
+  const double across = std::sqrt(up[0] * up[0] + up[1] * up[1]);
+  if (across > std::fabs(up[2])) plane.add(-lower_end - vec(up[0], up[1], 0.0) * (capsule.radius / across), 1 - lower);
 }
 
 /// Four corners, of equally low ones those of the smallest number.
-void add_lowest(const Plane& plane, const BoxShape& box) {
+void add_lowest(const Lowest& plane, const BoxShape& box) {
   std::array<Vec3, 8> corner;
   std::array<double, 8> gap;
   for (std::uint32_t i = 0; i < 8; i++) {
@@ -58,7 +62,7 @@ void add_lowest(const Plane& plane, const BoxShape& box) {
 
 /// Standing, four points of the lower rim a quarter of a turn apart, of which the lowest of all takes the place of the one
 /// nearest to it; lying, both ends of its lowest line.
-void add_lowest(const Plane& plane, const CylinderShape& cylinder) {
+void add_lowest(const Lowest& plane, const CylinderShape& cylinder) {
   const double tilt = std::sqrt(plane.up[0] * plane.up[0] + plane.up[1] * plane.up[1]);
   const Vec3 down = tilt > 0.0 ? vec(-plane.up[0], -plane.up[1], 0.0) / tilt : zero3();
   const double radius = cylinder.radius, half = cylinder.half;
@@ -78,7 +82,7 @@ void add_lowest(const Plane& plane, const CylinderShape& cylinder) {
 }
 
 /// All low corners, and those of the face that looks down: what a fast turn may bring to the plane.
-void add_lowest(const Plane& plane, const std::shared_ptr<const Hull>& hull) {
+void add_lowest(const Lowest& plane, const std::shared_ptr<const Hull>& hull) {
   const double lowest = plane.gap_of(hull->vertices[farthest(*hull, -plane.up)]);
   if (lowest > plane.margin) return;
   const double low = lowest + low_corners * hull->reach;
@@ -96,7 +100,7 @@ void add_lowest(const Plane& plane, const std::shared_ptr<const Hull>& hull) {
 }
 
 template <class Other>
-void add_lowest(const Plane&, const Other&) {}
+void add_lowest(const Lowest&, const Other&) {}
 
 }  // namespace
 
@@ -104,7 +108,7 @@ void convex_on_plane(const Geometry& a, const Pose& at_a, const Pose& at_b, doub
   manifold.count = 0;
   const Vec3 normal = at_b.R[2];
   PointList points;
-  const Plane plane = {at_a, normal, transposed_times(at_a.R, normal), dot(normal, at_a.x - at_b.x), margin, points};
+  const Lowest plane = {at_a, normal, transposed_times(at_a.R, normal), dot(normal, at_a.x - at_b.x), margin, points};
   std::visit([&](const auto& shape) { add_lowest(plane, shape); }, a);
   if (points.count > 0) keep_points(points, reach_of(a), manifold);
 }
