@@ -18,24 +18,16 @@ const Hull& cube() {
   return *hull;
 }
 
-/// Faces and edges of a box or a hull, in axes of the pair.
+/// Faces and edges of a box or a hull; none of others. Those of a box are a cube's, drawn out along its axes.
 struct Polyhedron {
-  explicit Polyhedron(const Core& core, const Mat3* turn = nullptr) {
-    if (!is_polyhedron(core)) return;
-    const bool box = core.kind == Core::Kind::box;
-    hull = box ? &cube() : core.hull;
-    scale = box ? core.half : vec(1, 1, 1);
-    R = turn != nullptr ? *turn : identity33();
+  explicit Polyhedron(const Core& core) {
+    if (core.kind == Core::Kind::box) hull = &cube(), scale = core.half;
+    if (core.kind == Core::Kind::hull) hull = core.hull, scale = vec(1, 1, 1);
   }
   std::size_t faces() const { return hull != nullptr ? hull->faces.size() : 0; }
   std::size_t edges() const { return hull != nullptr ? hull->edges.size() : 0; }
-  Vec3 normal(std::size_t face) const { return R * hull->faces[face].normal; }
-  Vec3 along(std::size_t edge) const {
-    return R * ((hull->vertices[hull->edges[edge][1]] - hull->vertices[hull->edges[edge][0]]) * scale);
-  }
   const Hull* hull = nullptr;
   Vec3 scale = zero3();
-  Mat3 R = identity33();
 };
 
 struct Arc {
@@ -43,20 +35,26 @@ struct Arc {
   Vec3 along;     ///< of the edge
 };
 
-std::vector<Arc> arcs_of(const Polyhedron& polyhedron, double sign) {
-  std::vector<Arc> arcs(polyhedron.edges());
-  for (std::size_t i = 0; i < arcs.size(); i++) {
-    const auto [from, to] = polyhedron.hull->edge_faces[i];
-    arcs[i] = {polyhedron.normal(from) * sign, polyhedron.normal(to) * sign, polyhedron.along(i)};
-  }
-  return arcs;
+/// In axes of its own.
+Arc arc_of(const Polyhedron& polyhedron, std::size_t edge) {
+  const auto [from, to] = polyhedron.hull->edge_faces[edge];
+  const auto [begin, end] = polyhedron.hull->edges[edge];
+  const std::vector<Vec3>& vertices = polyhedron.hull->vertices;
+  return {polyhedron.hull->faces[from].normal, polyhedron.hull->faces[to].normal,
+          (vertices[end] - vertices[begin]) * polyhedron.scale};
 }
 
-/// Arcs that meet in a point, or nearly: each crosses the other's great circle, on the same side of the sphere.
-bool cross_each_other(const Arc& a, const Arc& b) {
+Arc turned_back(const Arc& arc, const Mat3& R) {
+  return {transposed_times(R, arc.from), transposed_times(R, arc.to), transposed_times(R, arc.along)};
+}
+
+/// Whether one arc and the opposite of another meet in a point, or nearly: each crosses the other's great circle, on the
+/// same side of the sphere.
+bool meet(const Arc& a, const Arc& b) {
   constexpr double slack = 1e-9;
   const Vec3 of_a = cross(a.from, a.to), of_b = cross(b.from, b.to);
-  const double b_from = dot(of_a, b.from), b_to = dot(of_a, b.to), a_from = dot(of_b, a.from), a_to = dot(of_b, a.to);
+  const double b_from = -dot(of_a, b.from), b_to = -dot(of_a, b.to);
+  const double a_from = dot(of_b, a.from), a_to = dot(of_b, a.to);
   return b_from * b_to <= slack && a_from * a_to <= slack && b_from * a_to >= -slack;
 }
 
@@ -74,8 +72,6 @@ void offer_across(Widest& widest, const CorePair& pair, Vec3 u, Vec3 v, double s
 }
 
 }  // namespace
-
-bool is_polyhedron(const Core& core) { return core.kind == Core::Kind::box || core.kind == Core::Kind::hull; }
 
 Widest widest_of_boxes(const CorePair& pair) {
   const Vec3 a = pair.a.half, b = pair.b.half, x = pair.x;
@@ -108,22 +104,28 @@ Widest widest_of_boxes(const CorePair& pair) {
 }
 
 Widest widest_of_polyhedra(const CorePair& pair) {
-  const Polyhedron a(pair.a), b(pair.b, &pair.R);
+  const Polyhedron a(pair.a), b(pair.b);
   const double slack = noise * (size_of(pair.a) + size_of(pair.b));
   Widest widest;
-  for (std::size_t i = 0; i < a.faces(); i++) offer_along(widest, pair, -a.normal(i), slack);
-  for (std::size_t i = 0; i < b.faces(); i++) offer_along(widest, pair, b.normal(i), slack);
+  for (std::size_t i = 0; i < a.faces(); i++) offer_along(widest, pair, -a.hull->faces[i].normal, slack);
+  for (std::size_t i = 0; i < b.faces(); i++) offer_along(widest, pair, pair.R * b.hull->faces[i].normal, slack);
   if (pair.a.kind == Core::Kind::point || pair.b.kind == Core::Kind::point) return widest;
-  const std::vector<Arc> of_a = arcs_of(a, 1.0), of_b = arcs_of(b, -1.0);
-  const auto segment = [&](const std::vector<Arc>& arcs, Vec3 u) {
-    for (const Arc& arc : arcs)
-      if (dot(arc.from, u) * dot(arc.to, u) <= 0.0) offer_across(widest, pair, arc.along, u, slack);
+  const auto offer_edges = [&](const Polyhedron& polyhedron, const Mat3& R, Vec3 segment) {
+    for (std::size_t i = 0; i < polyhedron.edges(); i++) {
+      const Arc arc = arc_of(polyhedron, i);
+      if (dot(arc.from, segment) * dot(arc.to, segment) <= 0.0)
+        offer_across(widest, pair, R * arc.along, R * segment, slack);
+    }
   };
-  if (pair.a.kind == Core::Kind::segment) return segment(of_b, vec(0, 0, 1)), widest;
-  if (pair.b.kind == Core::Kind::segment) return segment(of_a, pair.R[2]), widest;
-  for (const Arc& i : of_a)
-    for (const Arc& j : of_b)
-      if (cross_each_other(i, j)) offer_across(widest, pair, i.along, j.along, slack);
+  if (pair.a.kind == Core::Kind::segment) return offer_edges(b, pair.R, transposed_times(pair.R, vec(0, 0, 1))), widest;
+  if (pair.b.kind == Core::Kind::segment) return offer_edges(a, identity33(), pair.R[2]), widest;
+  for (std::size_t i = 0; i < a.edges(); i++) {
+    const Arc of_a = turned_back(arc_of(a, i), pair.R);
+    for (std::size_t j = 0; j < b.edges(); j++) {
+      const Arc of_b = arc_of(b, j);
+      if (meet(of_a, of_b)) offer_across(widest, pair, pair.R * of_a.along, pair.R * of_b.along, slack);
+    }
+  }
   return widest;
 }
 

@@ -20,6 +20,4 @@ struct Widest {
 Widest widest_of_boxes(const CorePair& pair);
 Widest widest_of_polyhedra(const CorePair& pair);
 
-bool is_polyhedron(const Core& core);  ///< a box or a hull
-
 }  // namespace pantin

@@ -190,7 +190,9 @@ TEST_CASE("distance: past what is asked for, it is only known to be more") {
 TEST_CASE("distance: takes no memory from the heap") {
   Random random;
   const auto hull = make_hull(brute::random_points(random, 30, 1.0));
-  const std::vector<Geometry> shapes{BallShape{0.5}, BoxShape{vec(0.5, 0.6, 0.7)}, CylinderShape{0.5, 0.5}, hull};
+  const std::vector<Geometry> shapes{BallShape{0.5}, BoxShape{vec(0.5, 0.6, 0.7)}, CylinderShape{0.5, 0.5}, hull,
+                                     CapsuleShape{0.3, 0.5}};
+  separation(shapes[1], {}, CapsuleShape{0.3, 0.5}, {});
   std::uint64_t taken = 0;
   for (int i = 0; i < 200; i++)
     for (const Geometry& a : shapes)
