@@ -184,8 +184,8 @@ void DrawListMaker::draw(const World& world, const Camera& camera, const Stage& 
   draw_breaks(world, eye, stage, overlay.pace, draw_list);
 }
 
-void DrawListMaker::draw_figure(const Figure& figure, const Pose& pose, const std::optional<Color>& tint, const Eye& eye,
-                                const Stage& stage, DrawList& draw_list) {
+void DrawListMaker::draw_figure(const Figure& figure, const Pose& pose, const std::optional<Color>& tint,
+                                const Eye& eye, const Stage& stage, DrawList& draw_list) {
   const auto shown = [&](const Color& color) { return linear(tint.value_or(color)); };
   for (const Figure::Bar& b : figure.bars) {
     const Vec3 from = pose.to_world(b.from), to = pose.to_world(b.to);
@@ -198,8 +198,8 @@ void DrawListMaker::draw_figure(const Figure& figure, const Pose& pose, const st
     const Mat3 axes = pose.R * e.axes;
     const Rgb color = shown(e.color), light = mix(color, linear(paper), 0.75f);
     const Float3 at = eye.place(pose.to_world(e.at));
-    draw_list.ellipsoids.push_back({at, floats(axes[0] / eye.unit), floats(axes[1] / eye.unit),
-                                    floats(axes[2] / eye.unit), color, light});
+    draw_list.ellipsoids.push_back(
+        {at, floats(axes[0] / eye.unit), floats(axes[1] / eye.unit), floats(axes[2] / eye.unit), color, light});
     const double most = std::max({norm(axes[0]), norm(axes[1]), norm(axes[2])});
     include(draw_list, at, static_cast<float>(most / eye.unit));
     shade_ellipsoid(draw_list, draw_list.ellipsoids.back(), static_cast<float>((stage.ground - eye.at[1]) / eye.unit));
@@ -224,14 +224,11 @@ void DrawListMaker::draw_ground(const World& world, const Eye& eye, const Stage&
     const Floor floor = floor_of(world, id, stage);
     const Mat3 axes = matrix(shape.orientation);
     if (dot(axes[2], eye.at - floor.middle) <= 0.0) continue;
-    const auto from = [&](Vec3 axis) {
-      return static_cast<float>(std::fmod(dot(floor.middle, axis) / square, 2.0));
-    };
-    const bool level = axes[2][1] > 1.0 - 1e-9 && std::fabs(floor.middle[1] - stage.ground) <= 1e-9 * stage.size;
-    draw_list.floors.push_back({eye.place(floor.middle), floats(axes[0]), floats(axes[1]), floats(axes[2]),
-                                linear(shape.color), from(axes[0]), from(axes[1]),
-                                static_cast<float>(floor.reach / eye.unit), static_cast<float>(eye.unit / square),
-                                level});
+    const auto from = [&](Vec3 axis) { return static_cast<float>(std::fmod(dot(floor.middle, axis) / square, 2.0)); };
+    const bool level = axes[2][1] > 1.0 - 1e-9 && std::fabs(floor.middle[1] - stage.ground) <= 1e-6 * stage.size;
+    draw_list.floors.push_back(
+        {eye.place(floor.middle), floats(axes[0]), floats(axes[1]), floats(axes[2]), linear(shape.color), from(axes[0]),
+         from(axes[1]), static_cast<float>(floor.reach / eye.unit), static_cast<float>(eye.unit / square), level});
   }
 }
 

@@ -24,9 +24,7 @@ struct ShapePen {
   }
   void triangle(Vec3 a, Vec3 b, Vec3 c) { triangle(a, b, c, direction(cross(b - a, c - a))); }
 
-  void operator()(const BallShape& ball) {
-    figure.ellipsoids.push_back({shape.at, pose.R * ball.radius, shape.color});
-  }
+  void operator()(const BallShape& ball) { figure.ellipsoids.push_back({shape.at, pose.R * ball.radius, shape.color}); }
   void operator()(const BoxShape& box) {
     for (int axis = 0; axis < 3; axis++)
       for (const double side : {-1.0, 1.0}) {
@@ -46,7 +44,8 @@ struct ShapePen {
   void operator()(const CylinderShape& cylinder) {
     const Vec3 top = vec(0, 0, cylinder.half);
     for (int i = 0; i < cylinder_sides; i++) {
-      const double a = 2.0 * std::numbers::pi * i / cylinder_sides, b = 2.0 * std::numbers::pi * (i + 1) / cylinder_sides;
+      const double a = 2.0 * std::numbers::pi * i / cylinder_sides,
+                   b = 2.0 * std::numbers::pi * (i + 1) / cylinder_sides;
       const Vec3 na = vec(std::cos(a), std::sin(a), 0), nb = vec(std::cos(b), std::sin(b), 0);
       const Vec3 pa = na * cylinder.radius, pb = nb * cylinder.radius;
       triangle(top, pa + top, pb + top, vec(0, 0, 1));
@@ -76,10 +75,11 @@ struct ShapePen {
     };
     const auto put = [&](int column, int row) {
       const double x = (column - 0.5 * (columns - 1)) * field->spacing, z = (row - 0.5 * (rows - 1)) * field->spacing;
-      const double wide = field->spacing * (std::min(column + 1, columns - 1) - std::max(column - 1, 0)),
-                   deep = field->spacing * (std::min(row + 1, rows - 1) - std::max(row - 1, 0));
-      corner(vec(x, height(column, row), z), direction(vec((height(column - 1, row) - height(column + 1, row)) / wide, 1,
-                                                           (height(column, row - 1) - height(column, row + 1)) / deep)));
+      const double over_x = field->spacing * (std::min(column + 1, columns - 1) - std::max(column - 1, 0)),
+                   over_z = field->spacing * (std::min(row + 1, rows - 1) - std::max(row - 1, 0));
+      corner(vec(x, height(column, row), z),
+             direction(vec((height(column - 1, row) - height(column + 1, row)) / over_x, 1,
+                           (height(column, row - 1) - height(column, row + 1)) / over_z)));
     };
     for (int row = 0; row + 1 < rows; row++)
       for (int column = 0; column + 1 < columns; column++) {

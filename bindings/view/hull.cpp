@@ -34,9 +34,9 @@ std::vector<std::uint32_t> first_four(std::span<const Vec3> p, double small) {
 
 // Quickhull (Barber, Dobkin and Huhdanpaa 1996). What is replaced at once hangs together, so each point adds two faces at
 // most, however the signs of flat ones come out.
-class Hull {
+class HullMaker {
  public:
-  Hull(std::span<const Vec3> points, double small) : points_(points), small_(small) {
+  HullMaker(std::span<const Vec3> points, double small) : points_(points), small_(small) {
     const auto start = first_four(points, small);
     if (start.empty()) return;
     const std::uint32_t first[4][3] = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
@@ -123,7 +123,7 @@ std::vector<Face> convex_hull(std::span<const Vec3> points) {
   if (points.size() < 4) return {};
   double size = 0.0;
   for (const Vec3 p : points) size = std::max(size, largest(p - points[0]));
-  return Hull(points, 1e-7 * size).faces();
+  return HullMaker(points, 1e-7 * size).faces();
 }
 
 }  // namespace pantin

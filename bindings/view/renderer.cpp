@@ -312,8 +312,8 @@ void Renderer::Parts::draw_ground(const Camera& camera, const Background& colors
     glBindTexture(GL_TEXTURE_2D, shadow.texture());
     nothing.draw(shade, GL_TRIANGLE_STRIP, 4);
   }
-  const bool squares = std::any_of(draw_list.floors.begin(), draw_list.floors.end(),
-                                   [](const DrawList::Floor& f) { return f.level; });
+  const bool squares =
+      std::any_of(draw_list.floors.begin(), draw_list.floors.end(), [](const DrawList::Floor& f) { return f.level; });
   if (!squares) nothing.draw(grid, GL_TRIANGLE_FAN, ground_corners);
   glDisable(GL_BLEND);
   glDisable(GL_DEPTH_TEST);

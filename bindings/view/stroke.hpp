@@ -25,7 +25,7 @@ Seen seen_place(const Viewport& viewport, const AnyId& thing);
 BodyId pick_body(const Viewport& viewport, double x, double y, double reach = 12.0);
 /// The place on a shape that is seen at a pixel.
 struct OnShape {
-  BodyId body;  ///< null: the world
+  BodyId body;         ///< null: the world
   Vec3 at = zero3();   ///< [m]
   double depth = 0.0;  ///< [m] along the view
 };

@@ -117,7 +117,8 @@ void ToolUse::press(const Viewport& viewport, ToolChoice choice, std::int32_t ha
       break;
     case ToolKind::push:
     case ToolKind::spin:
-      if (!point_ && !body_) output.said.push_back(std::string(choice.tool().name) + ": there is nothing under the cursor");
+      if (!point_ && !body_)
+        output.said.push_back(std::string(choice.tool().name) + ": there is nothing under the cursor");
       break;
     default: break;
   }

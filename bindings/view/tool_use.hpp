@@ -71,8 +71,8 @@ class ToolUse {
   double depth_ = 0.0;                              // [m]
   Vec3 offset_ = zero3();                           // [m] from the place under the pointer to the point
   PointId point_;
-  BodyId body_;             // at which it began where that has no point; until a drag has given it one
-  Vec3 on_body_ = zero3();  // [m] the place, in the body's frame
+  BodyId body_;              // at which it began where that has no point; until a drag has given it one
+  Vec3 on_body_ = zero3();   // [m] the place, in the body's frame
   std::vector<AnyId> done_;  // what it cut or removed
   std::vector<Vec3> trail_;
 };

@@ -67,6 +67,10 @@ class Zoo {
     things["Particle"] = particle();
     const BodyId a = body(), b = body();
     things["Body"] = body();
+    BodyDef solid;
+    solid.at = vec(0, 0, 90);
+    solid.shapes.emplace_back();
+    things["solid"] = add_body(world, solid);
     set_position(world, b, world.motion_of(a).x);
     const PointId ends[] = {world.bodies[a].points[0], world.bodies[b].points[0]};
     things["hinge"] = add_hinge(world, ends);
@@ -225,6 +229,9 @@ std::vector<Sample> samples_of_things(const Zoo& zoo) {
       {"Body", "inertia", diagonal(vec(1.5, 2.0, 2.5))},
       {"Body", "color", Color{0, 0, 1, 1}},
       {"Body", "name", "block"},
+      {"solid", "friction", 0.25},
+      {"solid", "restitution", 0.75},
+      {"solid", "color", Color{0, 0, 1, 1}},
       {"Connection", "breaks_at", Breaking{2.0, infinity_, 4.0}},
       {"Emitter", "at", EmitterPosition{{}, vec(1, 2, 3), {}}},
       {"Emitter", "rate", 3.0},

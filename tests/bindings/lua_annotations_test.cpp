@@ -88,6 +88,21 @@ TEST_CASE("the options that annotations list are those that the bindings know") 
   const std::vector<std::pair<std::string, std::string>> calls = {
       {"ParticleOptions", "scene:particle(wrong)"},
       {"BodyOptions", "scene:body(wrong)"},
+      {"BallOptions", "scene:ball(wrong)"},
+      {"BoxOptions", "scene:box(wrong)"},
+      {"CapsuleOptions", "scene:capsule(wrong)"},
+      {"CylinderOptions", "scene:cylinder(wrong)"},
+      {"FloorOptions", "scene:floor(wrong)"},
+      {"GroundOptions", "scene:ground(wrong)"},
+      {"BallShapeOptions", "shape.ball(wrong)"},
+      {"BoxShapeOptions", "shape.box(wrong)"},
+      {"CapsuleShapeOptions", "shape.capsule(wrong)"},
+      {"CylinderShapeOptions", "shape.cylinder(wrong)"},
+      {"HullShapeOptions", "shape.hull(wrong)"},
+      {"PolygonShapeOptions", "shape.polygon(wrong)"},
+      {"PlaneShapeOptions", "shape.plane(wrong)"},
+      {"MeshShapeOptions", "shape.mesh(wrong)"},
+      {"HeightsShapeOptions", "shape.heights(wrong)"},
       {"PointOptions", "scene:body { points = { wrong } }"},
       {"FamilyOptions", "scene:family('f', wrong)"},
       {"EmitterOptions", "scene:emitter(wrong)"},
@@ -151,7 +166,8 @@ TEST_CASE("every field that is listed can be read, and every method is there") {
       Screw = scene:screw(body.head, other.head, { lead = 1, axis = vec(0, 1, 0) }),
       Motor = scene:motor(body, { axis = vec(0, 1, 0), speed = 1 }),
       Limit = scene:limit(body, other, { axis = vec(0, 1, 0), max = 1 }), Group = scene:group "g", Hand = scene:hand(),
-      Snapshot = scene:snapshot(), Structure = structure.cube(), Draw = scene.draw, Event = scene:at(1, type), Subscription = scene:on("step", type), Family = scene:family("f") }
+      Snapshot = scene:snapshot(), Structure = structure.cube(), Shape = shape.ball(1),
+      Draw = scene.draw, Event = scene:at(1, type), Subscription = scene:on("step", type), Family = scene:family("f") }
     local spring, drag = force.spring { stiffness = 1 }, force.drag { linear = 1 }
     things.Connection = scene:connect(scene:particle(), vec(0, 1, 0), spring)
     things.Interaction = scene:interact(things.Family, things.Family, force.gravitation {})

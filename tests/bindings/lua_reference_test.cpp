@@ -143,16 +143,17 @@ TEST_CASE("the defaults that the reference names of options are those of what is
       {"ParticleOptions", "scene:particle {}"},
       {"EmitterOptions", "scene:emitter { rate = 1 }"},
       {"PointOptions", "b.head"},
-      {"BodyOptions", "scene:body { points = { { mass = 1, at = vec(1, 0, 0) }, { mass = 1, at = vec(-1, 0, 0) } } }"},
+      {"AnyBodyOptions", "scene:body { points = { { mass = 1, at = vec(1, 0, 0) }, { mass = 1, at = vec(-1, 0, 0) } } }"},
       {"FollowOptions", "scene:follow(p, vec(0, 0, 0))"},
       {"MotorOptions", "scene:motor(b, { axis = vec(0, 1, 0), speed = 1 })"},
       {"LimitOptions", "scene:limit(b, { axis = vec(0, 1, 0), max = 2 })"},
       {"PlaneOptions", "scene:on_plane(p)"},
       {"JoinOptions", "scene:join(p, b.head)"},
+      {"MaterialOptions", "shape.ball(1)"},
   };
   // Of those the thing tells more than what was given: its points' part too, or the length.
-  const std::set<std::string> other = {"BodyOptions.mass", "BodyOptions.inertia", "BodyOptions.points",
-                                       "PointOptions.at",  "LimitOptions.max",    "JoinOptions.at"};
+  const std::set<std::string> other = {"AnyBodyOptions.mass", "AnyBodyOptions.inertia", "AnyBodyOptions.points",
+                                       "PointOptions.at",     "LimitOptions.max",       "JoinOptions.at"};
   std::size_t compared = 0;
   for (const Line& line : lines_of_annotations()) {
     const auto maker = makers.find(line.owner);
@@ -161,7 +162,7 @@ TEST_CASE("the defaults that the reference names of options are those of what is
     CAPTURE(line.whole);
     if (name == "time_constant") continue;  // no field tells it
     const std::string at = name == "at" && line.owner == "ParticleOptions" ? "position"
-                           : name == "at" && line.owner == "BodyOptions"   ? "origin"
+                           : name == "at" && line.owner == "AnyBodyOptions" ? "origin"
                                                                            : name;
     const std::string is = "tostring(made." + at + ") == tostring(" + usual + ")";
     CHECK(failure(bodies + maker->second + " assert(made." + at + " == " + usual + " or " + is + ")") == "");
@@ -190,7 +191,7 @@ TEST_CASE("what the annotations call a thing is what calls accept as one") {
       Connection = scene:connect(p, q, spring), Interaction = scene:interact(ions, ions, force.coulomb {}),
       Field = scene:field(scene, force.drag { linear = 1 }), Emitter = scene:emitter { rate = 1 },
       Event = scene:at(1, type), Hand = scene:hand(), Subscription = scene:on("step", type), Structure = structure.cube(),
-      Draw = scene.draw, Snapshot = scene:snapshot(), Scene = scene }
+      Shape = shape.ball(1), Draw = scene.draw, Snapshot = scene:snapshot(), Scene = scene }
     local thing = things.)";
   for (const lua::Type* type : lua::all_types()) {
     const std::string name = type->name;

@@ -2,6 +2,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "shapes/hull.hpp"
+#include "shapes/mass.hpp"
+#include "shapes/mesh.hpp"
 #include "window/small_worlds.hpp"
 
 using namespace pantin;
@@ -81,4 +84,64 @@ TEST_CASE("a figure is made anew when its body changes", "[view]") {
   add_point(world, body, weight(vec(0, 1, 0)));
   CHECK(figures.of(world, body, stage).bars.empty());
   CHECK_FALSE(figures.of(world, body, stage).corners.empty());
+}
+
+namespace {
+
+/// What a closed surface holds [m³], its triangles anticlockwise from outside.
+double volume_in(const Figure& figure) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < figure.corners.size(); i += 3)
+    sum += dot(figure.corners[i].at, cross(figure.corners[i + 1].at, figure.corners[i + 2].at)) / 6.0;
+  return sum;
+}
+
+ShapeDef turned(Geometry geometry) {
+  ShapeDef def = small_worlds::shape(std::move(geometry), vec(1, 2, 3));
+  def.orientation = normalised({0.8, 0.3, -0.2, 0.4});
+  return def;
+}
+
+}  // namespace
+
+TEST_CASE("shapes are drawn as they are, whatever the points of their body", "[view]") {
+  const std::vector<Vec3> corners = {vec(0, 0, 0), vec(1, 0, 0), vec(0, 2, 0), vec(0, 0, 3), vec(1, 1, 1)};
+  for (const Geometry& geometry :
+       {Geometry{BoxShape{vec(0.5, 1.0, 1.5)}}, Geometry{CylinderShape{0.5, 1.0}}, Geometry{make_hull(corners)}}) {
+    BodyDef def;
+    def.points = {weight(vec(0, 0, 0)), weight(vec(5, 0, 0))};
+    def.shapes = {turned(geometry)};
+    def.mass = 1.0;
+    const Figure figure = figure_of(def);
+    CHECK(figure.bars.empty());
+    CHECK(volume_in(figure) == Approx(solid_mass(geometry).volume).epsilon(0.01));
+    for (std::size_t i = 0; i < figure.corners.size(); i += 3) {
+      const Vec3 area =
+          cross(figure.corners[i + 1].at - figure.corners[i].at, figure.corners[i + 2].at - figure.corners[i].at);
+      for (std::size_t k = i; k < i + 3; k++) {
+        CHECK(norm(figure.corners[k].normal) == Approx(1.0));
+        CHECK(dot(area, figure.corners[k].normal) > 0.99 * norm(area));
+      }
+    }
+  }
+  BodyDef def;
+  def.shapes = {turned(BallShape{0.5}), turned(CapsuleShape{0.25, 1.0})};
+  const Figure figure = figure_of(def);
+  REQUIRE(figure.ellipsoids.size() == 1);
+  CHECK(norm(figure.ellipsoids[0].axes[2]) == Approx(0.5));
+  CHECK(norm(figure.ellipsoids[0].at - vec(1, 2, 3)) < 1e-12);
+  REQUIRE(figure.bars.size() == 1);
+  CHECK(norm(figure.bars[0].to - figure.bars[0].from) == Approx(2.0));
+}
+
+TEST_CASE("the front of a height field is its upper side", "[view]") {
+  World world;
+  const ShapeId hills = add_shape(world, small_worlds::shape(make_height_field(3, 2, 0.5, {0, 1, 0, 0.5, 0, 2})));
+  const Figure figure = make_figure(world, hills);
+  CHECK(figure.corners.size() == 12);
+  for (std::size_t i = 0; i < figure.corners.size(); i += 3)
+    CHECK(cross(figure.corners[i + 1].at - figure.corners[i].at, figure.corners[i + 2].at - figure.corners[i].at)[1] >
+          0.0);
+  const ShapeId plane = add_shape(world, small_worlds::shape(HalfSpaceShape{}));
+  CHECK(make_figure(world, plane).corners.empty());
 }

@@ -12,6 +12,13 @@ inline PointDef anchor(Vec3 at) {
   return def;
 }
 
+inline ShapeDef shape(Geometry geometry, Vec3 at = zero3()) {
+  ShapeDef def;
+  def.geometry = std::move(geometry);
+  def.at = at;
+  return def;
+}
+
 inline ParticleId particle(World& world, Vec3 at) {
   ParticleDef def;
   def.at = at;

@@ -82,3 +82,21 @@ TEST_CASE("the stage of what hangs by springs reaches as far down as they do", "
   CHECK(stage.lower[1] == Approx(-1.0));
   CHECK(stage.ground < -1.0);
 }
+
+TEST_CASE("the stage holds shapes, what is near of the world's, and stands on a floor", "[view]") {
+  World world;
+  BodyDef def;
+  def.at = vec(0, 2, 0);
+  def.shapes = {small_worlds::shape(BoxShape{vec(1, 2, 0.5)})};
+  add_body(world, def);
+  CHECK(find_stage(world).lower[1] == Approx(0.0));
+  CHECK(find_stage(world).upper[1] == Approx(4.0));
+  CHECK(find_stage(world).unit == Approx(std::sqrt(21.0)));
+  add_shape(world, small_worlds::shape(BoxShape{vec(50, 0.5, 50)}, vec(0, -0.5, 0)));
+  CHECK(find_stage(world).upper[0] == Approx(3.0));
+  CHECK(find_stage(world).lower[1] == Approx(-1.0));
+  ShapeDef floor = small_worlds::shape(HalfSpaceShape{}, vec(0, -1.5, 0));
+  floor.orientation = normalised({1.0, -1.0, 0.0, 0.0});
+  add_shape(world, floor);
+  CHECK(find_stage(world).ground == -1.5);
+}

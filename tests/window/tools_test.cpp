@@ -148,6 +148,58 @@ TEST_CASE("nail holds a point, and pulls a nail out", "[view]") {
   CHECK_THAT(bench.said.back(), Contains("there is no point"));
 }
 
+TEST_CASE("a shape is held where it is seen, by a point that goes when it is let go", "[view]") {
+  Bench bench(1);
+  BodyDef def;
+  def.at = vec(0.5, 2.5, 0);
+  def.shapes = {small_worlds::shape(BoxShape{vec(0.5, 0.5, 0.5)})};
+  const BodyId box = add_body(bench.world, def);
+  const Vec3 front = def.at + vec(0.3, 0.2, 0.5);
+  const Projected at = bench.seen(front);
+  bench.press(at);
+  bench.frame(2);
+  REQUIRE(bench.world.bodies[box].points.size() == 1);
+  const PointId grip = bench.world.bodies[box].points[0];
+  REQUIRE(bench.world.hands[0].grab);
+  CHECK(bench.world.constraints[bench.world.hands[0].grab].a == grip);
+  CHECK(norm(bench.world.points[grip].position - (front - def.at)) < 0.02);
+  for (int i = 0; i < 60; i++) {
+    bench.move({at.x - 2.0 * i, at.y});
+    bench.frame();
+  }
+  CHECK(bench.world.motion_of(box).x[0] < def.at[0] - 0.3);
+  bench.release({at.x - 118.0, at.y});
+  bench.frame();
+  CHECK_FALSE(bench.world.hands[0].grab);
+  CHECK(bench.world.bodies[box].points.empty());
+  CHECK(bench.last_log().empty());
+}
+
+TEST_CASE("push, spin, nail and remove act on a shape where it is seen", "[view]") {
+  Bench bench(1);
+  bench.world.settings.gravity = zero3();
+  BodyDef def;
+  def.at = vec(0.5, 2.5, 0);
+  def.shapes = {small_worlds::shape(BallShape{0.5})};
+  const BodyId ball = add_body(bench.world, def);
+  const Projected middle = bench.seen(def.at), right = {middle.x + 60, middle.y};
+  bench.choose(ToolKind::push);
+  bench.drag(middle, right);
+  CHECK(bench.world.motion_of(ball).p[0] > 0.0);
+  set_velocity(bench.world, ball, zero3());
+  bench.choose(ToolKind::spin);
+  bench.drag(middle, right);
+  CHECK(norm(bench.world.motion_of(ball).angular) > 0.0);
+  set_spin(bench.world, ball, zero3());
+  bench.choose(ToolKind::nail);
+  bench.click(middle);
+  CHECK(bench.world.bodies[ball].points.size() == 1);
+  CHECK(bench.world.constraints.size() == 2);
+  bench.choose(ToolKind::remove);
+  bench.click({middle.x, middle.y + 30});
+  CHECK_FALSE(bench.world.bodies.alive(ball));
+}
+
 TEST_CASE("push and spin act by the length of the drag", "[view]") {
   Bench bench(1);
   remove(bench.world, bench.world.constraints.ids()[0]);

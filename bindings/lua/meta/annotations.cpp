@@ -6,6 +6,7 @@
 
 #include "lua/meta/force_annotations.hpp"
 #include "lua/thing/fields.hpp"
+#include "lua/thing/shape_type.hpp"
 #include "lua/thing/structure_type.hpp"
 
 namespace pantin::lua {
@@ -131,6 +132,8 @@ std::string annotations() {
   out << force_annotations();
   out << "structure = {}\n";
   for (const Method& maker : structure_makers()) write_method(out, "structure.", maker);
+  out << "\nshape = {}\n";
+  for (const Method& maker : shape_makers()) write_method(out, "shape.", maker);
   out << "\n" << annotations_tail;
   return out.str();
 }

@@ -54,16 +54,107 @@ const char* const annotations_options = R"(---@class NameOptions
 ---@field xz? number [kg m²] (default `0`)
 ---@field yz? number [kg m²] (default `0`)
 
----It needs masses enough to turn: of its points, or its own mass and inertia.
----@class BodyOptions: NameOptions
+---What bodies of all sorts are given.
+---@class AnyBodyOptions: NameOptions
 ---@field points? table<integer|string, vec|PointOptions> [m] in its frame, a list or by name; a vec is a position without mass (default `{}`)
 ---@field at? vec [m] position of its frame's origin (default `vec(0, 0, 0)`)
 ---@field orientation? quat turns its frame to the world (default `quat(vec(0, 0, 1), 0)`)
 ---@field velocity? vec [m/s] of its centre of mass (default `vec(0, 0, 0)`)
 ---@field spin? vec [rad/s] angular velocity, world axes (default `vec(0, 0, 0)`)
----@field mass? number [kg] beside its points', at its frame's origin (default `0`)
----@field inertia? vec|Inertia|number[] [kg m²] beside its points', about its frame's origin in the frame's axes; a vec is the diagonal (default `vec(0, 0, 0)`)
----@field color? color of its points (default orange)
+---@field mass? number [kg] beside its points', spread over its shapes, or else at its frame's origin (default that of its shapes' density where no point has a mass, else `0`)
+---@field inertia? vec|Inertia|number[] [kg m²] beside its points', about the centre of its shapes, or else its frame's origin, in the frame's axes; a vec is the diagonal (default that of its shapes, else `vec(0, 0, 0)`)
+---@field color? color of its points and shapes (default orange)
+
+---It needs masses enough to turn: of its shapes, of its points, or its own mass and inertia.
+---@class BodyOptions: AnyBodyOptions
+---@field shape? Shape that touches others (default none)
+---@field shapes? Shape[] several of them (default none)
+
+---What shapes are made of.
+---@class MaterialOptions
+---@field density? number [kg/m³] of a body whose mass is not given (default `1000`)
+---@field friction? number [1] of two that touch the root of the product counts (default `0.5`)
+---@field restitution? number [1] 0 to 1; of two that touch the larger counts (default `0`)
+---@field surface_velocity? vec [m/s] of its surface against its body, as of a belt (default `vec(0, 0, 0)`)
+
+---@class ShapeOptions: NameOptions, MaterialOptions
+---@field at? vec [m] position in the frame of its body, or in the world (default `vec(0, 0, 0)`)
+---@field orientation? quat turns it in that frame (default `quat(vec(0, 0, 1), 0)`)
+---@field color? color (default the body's, or grey)
+
+---@class BallSize
+---@field radius number [m]
+
+---Size, or x, y and z.
+---@class BoxSize
+---@field size? vec|number [m] its edges along the axes; a number is that of a cube (default none)
+---@field x? number [m] (default none)
+---@field y? number [m] (default none)
+---@field z? number [m] (default none)
+
+---Length, or from and to.
+---@class CapsuleSize
+---@field radius number [m] of its ends
+---@field length? number [m] between the centres of its ends, along y (default none)
+---@field from? vec [m] the centre of one end (default none)
+---@field to? vec [m] that of the other (default none)
+
+---@class CylinderSize
+---@field radius number [m]
+---@field length number [m]
+---@field axis? vec [1] along which it is long (default `vec(0, 1, 0)`)
+
+---@class BallShapeOptions: ShapeOptions, BallSize
+
+---@class BoxShapeOptions: ShapeOptions, BoxSize
+
+---@class CapsuleShapeOptions: ShapeOptions, CapsuleSize
+
+---@class CylinderShapeOptions: ShapeOptions, CylinderSize
+
+---@class HullShapeOptions: ShapeOptions
+---@field points vec[]|Structure [m] four or more that are not in one plane; of a structure its vertices
+
+---@class PolygonShapeOptions: ShapeOptions
+---@field points vec[] [m] three or more, in the plane of x and y
+---@field thickness? number [m] along z (default `1`)
+
+---@class PlaneShapeOptions: ShapeOptions
+---@field normal? vec [1] out of what is solid (default `vec(0, 1, 0)`)
+---@field height? number [m] of the plane along its normal (default `0`)
+
+---@class MeshShapeOptions: ShapeOptions
+---@field vertices vec[]|Structure [m] positions; of a structure its faces count, too
+---@field faces? integer[][] lists of three or more numbers of vertices, counter-clockwise seen from outside (default the structure's)
+
+---@class HeightsShapeOptions: ShapeOptions
+---@field columns integer of places along x
+---@field rows integer of places along z
+---@field spacing? number [m] between them, about the origin (default `1`)
+---@field height number[]|fun(x: number, z: number): number [m] a list, row by row, or at a place
+
+---@class BallOptions: AnyBodyOptions, MaterialOptions, BallSize
+
+---@class BoxOptions: AnyBodyOptions, MaterialOptions, BoxSize
+
+---@class CapsuleOptions: AnyBodyOptions, MaterialOptions, CapsuleSize
+
+---@class CylinderOptions: AnyBodyOptions, MaterialOptions, CylinderSize
+
+---@class FloorOptions: NameOptions
+---@field height? number [m] along its normal (default `0`)
+---@field normal? vec [1] out of what is solid (default `vec(0, 1, 0)`)
+---@field friction? number [1] (default `0.5`)
+---@field restitution? number [1] 0 to 1 (default `0`)
+---@field surface_velocity? vec [m/s] of a belt (default `vec(0, 0, 0)`)
+---@field color? color of its brighter squares (default grey)
+
+---@class GroundOptions
+---@field shape? Shape to be put into the world (default none)
+---@field shapes? Shape[] several of them (default none)
+---@field at? vec [m] position of their frame's origin (default `vec(0, 0, 0)`)
+---@field orientation? quat turns their frame to the world (default `quat(vec(0, 0, 1), 0)`)
+---@field color? color of those that have none (default grey)
 
 ---Loads, and of a constraint or connection the length, at which it breaks.
 ---@class Breaking

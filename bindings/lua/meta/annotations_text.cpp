@@ -72,6 +72,14 @@ function quat_methods:inverse() end
 ---@alias Moment "step"|"press"|"release"|"key"|"grab"|"drop"|"cut"|"broke"|"joined"|"removed" at which scene:on calls
 ---@alias Waiting fun(what?: number|fun(): boolean) for a time [s], until something holds, or for the next step
 
+---Where a shape of a body touches another.
+---@class Contact
+---@field with? Body whose shape it is; nil: the world's
+---@field at vec [m] where they touch
+---@field normal vec [1] away from the other
+---@field force vec [N] on this body, the mean over the last step
+---@field depth number [m] by which they overlap; below 0: apart
+
 ---@class Energy
 ---@field kinetic number [J] of motion
 ---@field potential number [J] of gravity and of laws with energy
@@ -92,6 +100,8 @@ function quat_methods:inverse() end
 ---@field hand number [J] by hands, follows, moving anchors and lengths, and pushes on what is tied
 ---@field motor number [J] by motors, and turns and angles that follow a function of time
 ---@field limit number [J] by limits, and by all that ties what strikes one
+---@field contact number [J] by friction, restitution and moving surfaces, where shapes touch
+---@field push_out number [J] by moving apart what overlaps
 ---@field event number [J] by kicks, and pushes on what is loose
 ---@field edit number [J] by things made and changed
 ---@field merge number [J] lost by what became one body
@@ -123,6 +133,10 @@ function quat_methods:inverse() end
 ---@field rejected_steps integer steps that were done again with more sub-steps, as `scene.accuracy` wants
 ---@field missed_accuracy number [as scene.accuracy] largest error where not even the most sub-steps gave what `scene.accuracy` wants; 0 where none was missed
 ---@field projections integer of velocities
+---@field contacts integer of shapes, in the last step
+---@field contact_islands integer of what touches, with what ties it, in the last step
+---@field contact_iterations integer of all of them
+---@field unsolved_islands integer times that impulses were left that miss the law of friction
 ---@field sub_steps integer of the whole scene in its last step, as `scene.accuracy` wants
 ---@field most_sub_steps integer the most of any body or articulate, those of the scene included
 ---@field most_sub_steps_of string that body, or the first of that articulate; "" where all take as many

@@ -30,8 +30,8 @@ void name_arguments(lua_State* state, const ShapeKind& kind) {
   int given = 0;
   while (given < static_cast<int>(names.size()) && is_by_position(state, given + 1)) given++;
   const int last = lua_gettop(state), table = last + 1;
-  require(last <= given + 1, kind.name, ": takes ", given == 0 ? "a table of options" : "at most a table after its sizes",
-          ", got ", last, " values");
+  require(last <= given + 1, kind.name, ": takes ",
+          given == 0 ? "a table of options" : "at most a table after its sizes", ", got ", last, " values");
   if (given == 0) return;
   lua_newtable(state);
   if (last > given && !lua_isnil(state, last)) {

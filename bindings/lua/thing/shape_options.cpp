@@ -122,8 +122,8 @@ void read_polygon(const Options& o, ShapeDef& def) {
   const double thickness = o.has("thickness") ? needed(o, "thickness") : 1.0;
   std::vector<Vec3> corners;
   for (std::size_t i = 0; i < outline.size(); i++) {
-    require(outline[i][2] == 0.0, o.what(), ": point ", i + 1, " must lie in the plane of x and y, got z = ",
-            outline[i][2], " m");
+    require(outline[i][2] == 0.0, o.what(), ": point ", i + 1,
+            " must lie in the plane of x and y, got z = ", outline[i][2], " m");
     for (const double side : {-0.5, 0.5}) corners.push_back(outline[i] + vec(0, 0, side * thickness));
   }
   require(outline.size() >= 3, o.what(), ": points must be 3 or more, got ", outline.size());
@@ -210,8 +210,8 @@ std::vector<double> read_height(const Options& o, std::uint32_t columns, std::ui
     each_element(state, at, [&](int element, lua_Unsigned i) {
       heights.push_back(check_number(state, element, o.what(), text("height ", i), "m"));
     });
-    require(heights.size() == std::size_t{columns} * rows, o.what(), ": height must have columns x rows = ",
-            std::size_t{columns} * rows, " numbers, got ", heights.size());
+    require(heights.size() == std::size_t{columns} * rows, o.what(),
+            ": height must have columns x rows = ", std::size_t{columns} * rows, " numbers, got ", heights.size());
   }
   lua_pop(state, 1);
   return heights;
@@ -223,8 +223,7 @@ void read_heights(const Options& o, ShapeDef& def) {
           most_heights, ", got ", static_cast<double>(columns) * rows);
   const double spacing = o.has("spacing") ? needed(o, "spacing") : 1.0;
   std::vector<double> heights = read_height(o, columns, rows, spacing);
-  def.geometry =
-      checked(o, "height", [&] { return make_height_field(columns, rows, spacing, std::move(heights)); });
+  def.geometry = checked(o, "height", [&] { return make_height_field(columns, rows, spacing, std::move(heights)); });
 }
 
 }  // namespace

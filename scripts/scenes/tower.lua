@@ -1,0 +1,45 @@
+-- A tower of bricks, and a wrecking ball on a chain of rigid links, let go after a second. Drag a brick; cut the chain.
+local storeys = scene:param("storeys", 10, { min = 1, max = 40, step = 1, help = "layers of bricks" })
+local weight = scene:param("weight", 400, { min = 10, max = 5000, help = "of the ball, kg" })
+local links = scene:param("links", 12, { min = 2, max = 60, step = 1, help = "links of the chain" })
+
+scene.title = "Tower and wrecking ball"
+scene.duration = 8
+scene.camera = { at = vec(1.5, 3.2, 11), look_at = vec(-0.8, 2.4, 0) }
+scene:floor { friction = 0.6, color = "#d9cdb8" }
+
+-- Three bricks a layer, each layer across the one below.
+local brick = shape.box { size = vec(1.2, 0.3, 0.4), density = 500, friction = 0.6 }
+local colors = { "#b5533c", "#c9714f", "#d98e63" }
+local tower = scene:group "tower"
+for storey = 1, storeys do
+  local turned = storey % 2 == 0
+  for k = -1, 1 do
+    local aside = turned and vec(0.4 * k, 0, 0) or vec(0, 0, 0.4 * k)
+    tower:add(scene:body { shape = brick, at = aside + vec(0, 0.3 * storey - 0.15, 0),
+                           orientation = turned and quat(vec(0, 1, 0), math.pi / 2) or nil,
+                           color = colors[(storey + k) % 3 + 1] })
+  end
+end
+
+-- The chain hangs from a crane and is held out to the left.
+local top, length = vec(-1.6, 6.5, 0), 0.36
+local way = vec(-0.96, -0.28, 0)
+local link = shape.capsule { radius = 0.05, from = way * (-length / 2), to = way * (length / 2), density = 7800 }
+local chain, last = scene:group "chain", nil
+for i = 1, links do
+  local one = scene:body { shape = link, at = top + way * (length * (i - 0.5)), color = "#4b5563",
+                           points = { head = way * (-length / 2), tail = way * (length / 2) } }
+  if last then scene:hinge(last.tail, one.head) else scene:nail(one.head) end
+  chain:add(one)
+  last = one
+end
+local radius = 0.45
+local ball = scene:ball { radius = radius, mass = weight, at = top + way * (length * links + radius), color = "#374151",
+                          points = { eye = way * -radius }, name = "ball" }
+scene:hinge(last.tail, ball.eye)
+
+local hold = scene:follow(ball.eye, ball.eye.position)
+scene:at(1, function() hold:remove() end)
+scene:button("cut the chain", function() chain:cut_hinges() end)
+scene:probe("speed of the ball", function() return ball.velocity:length() end)
