@@ -120,6 +120,44 @@ bool overlaps_at_all(const Manifold& manifold) {
   return std::any_of(manifold.points.begin(), end, [](const ManifoldPoint& p) { return p.gap < 0.0; });
 }
 
+/// Keeps a triangle without points that overlap, where the shapes do.
+void keep_lost(const OnTriangles& on, const FeaturePair& pair, const MeshTriangle& t, const Separation& nearest) {
+  if (nearest.distance >= -same_depth * on.size) return;
+  const double height = dot(t.normal, nearest.on_a - pair.origin);
+  const ManifoldPoint within = nearest_point({height, t.normal, nearest.on_a, zero3()});
+  on.scratch.lost.push_back({within, dot(nearest.normal, t.normal), t.index});
+}
+
+/// Of a triangle that has no edge to be touched from its sides: the front tells all.
+void set_flat_points(const OnTriangles& on, FeaturePair& pair, const MeshTriangle& t, double low, Manifold& manifold) {
+  find_feature(pair.a.core, pair.a.pose, -t.normal, pair.a.feature);
+  set_front_points(pair, manifold);
+  if (low >= -same_depth * on.size || overlaps_at_all(manifold)) return;
+  SeparationCache cache{t.normal};
+  keep_lost(on, pair, t,
+            separation(on.a, on.at_a, on.scratch.prism.geometry(), {pair.origin, identity33()}, 0.0, &cache));
+}
+
+void set_ridged_points(const OnTriangles& on, FeaturePair& pair, const MeshTriangle& t, double low,
+                       Manifold& manifold) {
+  SeparationCache cache{t.normal};
+  const Separation nearest =
+      separation(on.a, on.at_a, on.scratch.prism.geometry(), {pair.origin, identity33()}, on.margin, &cache);
+  if (!(nearest.distance <= on.margin)) return;
+  const double near = as_good_a_face * on.size;
+  const Handling handling = low >= nearest.distance - near
+                                ? Handling::front
+                                : handling_of(pair.a, t, nearest, nearest.on_b - pair.origin, near);
+  if (handling == Handling::neighbour) return;
+  if (handling == Handling::perhaps_neighbour) return keep_lost(on, pair, t, nearest);
+  find_feature(pair.a.core, pair.a.pose, handling == Handling::front ? -t.normal : -nearest.normal, pair.a.feature);
+  if (handling == Handling::front)
+    set_front_points(pair, manifold);
+  else
+    set_feature_points(pair, nearest, manifold);
+  if (!overlaps_at_all(manifold)) keep_lost(on, pair, t, nearest);
+}
+
 /// The points of one triangle. What has passed through a front by less than its thickness, or half of its extent, goes back.
 void set_triangle_points(const OnTriangles& on, const MeshTriangle& in_mesh, Manifold& manifold) {
   manifold.count = 0;
@@ -135,32 +173,10 @@ void set_triangle_points(const OnTriangles& on, const MeshTriangle& in_mesh, Man
   if (extent.low > on.margin || extent.high < 0.0 || -extent.low > deepest) return;
 
   on.scratch.prism.set(t.corner, t.normal, on.thickness);
-  SeparationCache cache{t.normal};
-  const Separation nearest =
-      separation(on.a, on.at_a, on.scratch.prism.geometry(), {pair.origin, identity33()}, on.margin, &cache);
-  if (!(nearest.distance <= on.margin)) return;
-
   pair.b.core = core_of(on.scratch.prism.geometry());
   find_face(on.scratch.prism.hull(), pair.b.pose, 0, pair.b.feature);
-  const double near = as_good_a_face * on.size;
-  const Handling handling = extent.low >= nearest.distance - near
-                                ? Handling::front
-                                : handling_of(pair.a, t, nearest, nearest.on_b - pair.origin, near);
-  if (handling == Handling::neighbour) return;
-  const double height = dot(t.normal, nearest.on_a - pair.origin);
-  const ManifoldPoint within = nearest_point({height, t.normal, nearest.on_a, nearest.on_a - t.normal * height});
-  const LostTriangle lost = {within, dot(nearest.normal, t.normal), t.index};
-  const bool overlaps = nearest.distance < -same_depth * on.size;
-  if (handling == Handling::perhaps_neighbour) {
-    if (overlaps) on.scratch.lost.push_back(lost);
-    return;
-  }
-  find_feature(pair.a.core, pair.a.pose, handling == Handling::front ? -t.normal : -nearest.normal, pair.a.feature);
-  if (handling == Handling::front)
-    set_front_points(pair, manifold);
-  else
-    set_feature_points(pair, nearest, manifold);
-  if (overlaps && !overlaps_at_all(manifold)) on.scratch.lost.push_back(lost);
+  const bool ridged = t.convex[0] || t.convex[1] || t.convex[2];
+  (ridged ? set_ridged_points : set_flat_points)(on, pair, t, extent.low, manifold);
 }
 
 /// Leaves out what a neighbour told at a common edge or corner.
