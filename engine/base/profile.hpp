@@ -15,18 +15,21 @@ enum class Phase {
   find_articulates,
   refresh_forces,
   half_kick,
+  place_contacts,
   drift,
+  find_contacts,
   find_pairs,
   apply_forces,
   half_kick_to_end,
   project_velocities,
+  meet_contacts,
   break_connections,
   end_step,
 };
 
-inline constexpr std::array<std::string_view, 14> phase_names = {
+inline constexpr std::array<std::string_view, 17> phase_names = {
     "begin_step",        "fire_events", "run_behaviours", "age_particles", "find_articulates", "refresh_forces",
-    "half_kick",         "drift",       "find_pairs",     "apply_forces",  "half_kick_to_end", "project_velocities",
+    "half_kick",         "place_contacts", "drift", "find_contacts",       "find_pairs",     "apply_forces",  "half_kick_to_end", "project_velocities", "meet_contacts",
     "break_connections", "end_step",
 };
 

@@ -127,7 +127,7 @@ double usual_grab_force(const World& world, PointId point) {
   const double total = mass(world, hanging), weight = norm(world.settings.gravity);
   if (weight > 0.0) return 20.0 * total * weight;
   const Bounds box = bounds(world, hanging);
-  const double size = norm(box.upper - box.lower);
+  const double size = norm(box.high - box.low);
   constexpr double patience = 0.2;  // [s]
   // A thing without size moves by its drawn size, or 1 m.
   const double drawn = world.points[point].radius;

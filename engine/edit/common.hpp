@@ -9,6 +9,7 @@
 #include "constraints/kind.hpp"
 #include "edit/edit.hpp"
 #include "forces/disturb.hpp"
+#include "model/weigh.hpp"
 #include "world/checks.hpp"
 #include "world/in_plane.hpp"
 #include "world/record.hpp"
@@ -42,6 +43,13 @@ void take_out_constraint(World& world, ConstraintId constraint, Obituary obituar
 bool let_go(World& world, ConstraintId constraint);
 /// Ends a connection that bore no more than `force` [N]; told as "broke". May be called inside a step.
 void break_connection(World& world, ConnectionId connection, double force);
+
+/// Throws Error where a shape is none: of no size, not finite, of a material that is none; or cannot be a body's.
+void check_shape(const std::string& who, const ShapeDef& def, bool of_body);
+/// What a body of these shapes has beside its points, with the mass and inertia given or else theirs.
+OwnMass own_mass_of(const BodyDef& def);
+/// Shapes of a body that goes.
+void erase_shapes(World& world, BodyId body, const std::string& who);
 
 /// A point with its own particle, in no body yet.
 PointId make_point(World& world, Point row);

@@ -58,14 +58,25 @@ struct PointDef {
   std::string name;
 };
 
+/// A shape of a body, in its frame, or of the world.
+struct ShapeDef {
+  Geometry geometry = BallShape{0.5};
+  Vec3 at = zero3();  ///< [m]
+  Quat orientation;   ///< normalised when made
+  Material material;
+  Color color = {0.62f, 0.64f, 0.66f, 1.0f};  ///< of one of the world's
+  std::string name;
+};
+
 struct BodyDef {
   std::vector<PointDef> points;
+  std::vector<ShapeDef> shapes;  ///< convex ones; where no mass is given, they are filled with their density
   Vec3 at = zero3();        ///< [m] position of the frame's origin
   Quat orientation;         ///< frame to world; normalised when made
   Vec3 velocity = zero3();  ///< [m/s] of the centre of mass
   Vec3 spin = zero3();      ///< [rad/s] world axes
-  double mass = 0.0;        ///< [kg] beside the points', at the frame's origin; >= 0
-  Mat3 inertia = zero33();  ///< [kg m²] beside the points', about the frame's origin; symmetric, positive semidefinite
+  double mass = 0.0;        ///< [kg] beside the points', at the frame's origin, or spread over the shapes; >= 0
+  Mat3 inertia = zero33();  ///< [kg m²] beside the points', about the frame's origin, or about the centre of the shapes; symmetric, positive semidefinite
   Color color = {0.93f, 0.55f, 0.27f, 1.0f};
   std::string name;
 };
@@ -117,6 +128,10 @@ FieldId add_field(World& world, std::shared_ptr<const Law> law, const AnyId& tar
 
 ParticleId add_particle(World& world, const ParticleDef& def);
 BodyId add_body(World& world, const BodyDef& def);
+/// A shape that stands in the world.
+ShapeId add_shape(World& world, const ShapeDef& def);
+/// One more shape of a body, whose mass stays as it is.
+ShapeId add_shape(World& world, BodyId body, const ShapeDef& def);
 /// Joins points of different bodies (or free points) into one ring. Points may be in hinges already: the rings unite.
 ParticleId add_hinge(World& world, std::span<const PointId> points, const HingeDef& def = {});
 /// Keeps a point at `at` [m], or where it is. One far from `at` is drawn there with `time_constant` [s].
@@ -143,6 +158,7 @@ void remove(World& world, InteractionId interaction);
 void remove(World& world, FieldId field);
 void remove(World& world, GroupId group);      ///< the set, not its members
 void remove(World& world, FamilyId family);    ///< only one without particles and laws
+void remove(World& world, ShapeId shape);      ///< the body's mass stays as it is
 void remove(World& world, EmitterId emitter);  ///< its particles live on
 void remove(World& world, const AnyId& thing);
 

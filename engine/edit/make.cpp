@@ -59,7 +59,8 @@ void check(const World& world, const std::string& who, const BodyDef& def) {
   require_in_plane(world, who, "velocity", def.velocity, "m/s");
   require_about_normal(world, who, "spin", def.spin, "rad/s");
   const Quat frame = unit(who, def.orientation);
-  weigh(who, masses, {def.mass, def.inertia, zero3()}, conjugate(frame), normal_in(world, frame));
+  for (const ShapeDef& shape : def.shapes) check_shape(text(who, ": shape"), shape, true);
+  weigh(who, masses, own_mass_of(def), conjugate(frame), normal_in(world, frame));
 }
 
 /// Puts a weighed body where and how its definition says.
@@ -116,8 +117,10 @@ BodyId add_body(World& world, const BodyDef& def) {
   const Quat frame = unit(who, def.orientation);
   disturb_sites(world);
   Body row;
-  row.own_mass = def.mass;
-  row.own_inertia = def.inertia;
+  const OwnMass own = own_mass_of(def);
+  row.own_mass = own.mass;
+  row.own_inertia = own.inertia;
+  row.own_position = own.position;
   row.name = def.name;
   row.serial = world.next_serial++;
   const BodyId id = world.bodies.add(std::move(row));
@@ -125,6 +128,7 @@ BodyId add_body(World& world, const BodyDef& def) {
   world.motion_of(id) = Motion{};
   world.motion_of(id).q = frame;
   for (const PointDef& p : def.points) world.bodies[id].points.push_back(make_body_point(world, p, def.color, id));
+  for (const ShapeDef& shape : def.shapes) add_shape(world, id, shape);
   update_mass(world, id);
   start(world, id, def, frame);
   touch(world, id);

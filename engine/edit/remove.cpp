@@ -17,6 +17,7 @@ void remove(World& world, BodyId id) {
   for (std::size_t i = 0; i < points.size(); i++) erase_point(world, points[i], names[i]);
   const std::vector<ConstraintId> constraints = world.bodies[id].constraints;
   for (ConstraintId c : constraints) remove(world, c);
+  erase_shapes(world, id, culprit(world));
   world.bodies.remove(id, obituary(world, what));
   world.motion[id.slot - 1] = Motion{};
   notice(world, Notice::Kind::removed, id, world.bodies.story(id));

@@ -11,12 +11,12 @@ namespace {
 constexpr std::uint32_t none = Forces::none;
 
 /// State of a receiver: after a drift as the articulate that holds it has it, before as the model has it.
-struct Pose {
+struct ReceiverState {
   Vec3 x, v, spin;
   Quat q;
 };
 
-Pose pose_of(const World& world, const Receiver& m, bool drifted) {
+ReceiverState state_of(const World& world, const Receiver& m, bool drifted) {
   if (drifted && m.articulate >= 0) {
     const Node& n = world.articulates[static_cast<std::size_t>(m.articulate)]->nodes[m.node];
     const Vec3 before = m.is_body ? world.motion[m.slot].x : world.free_motion[m.slot].x;
@@ -35,8 +35,8 @@ void read_velocities(const World& world, Forces& f, bool drifted) {
   for (std::size_t i = 0; i < f.sites.n; i++)
     if (f.point[i] != none) f.sites.v[i] = world.free_motion[f.point[i]].v;
   for (Attached& a : f.attached) {
-    const Pose pose = pose_of(world, f.receivers[a.receiver], drifted);
-    f.sites.v[a.site] = pose.v + cross(pose.spin, a.r);
+    const ReceiverState state = state_of(world, f.receivers[a.receiver], drifted);
+    f.sites.v[a.site] = state.v + cross(state.spin, a.r);
   }
 }
 
@@ -44,9 +44,9 @@ void read_positions(const World& world, Forces& f, bool drifted) {
   for (std::size_t i = 0; i < f.sites.n; i++)
     if (f.point[i] != none) f.sites.x[i] = world.free_motion[f.point[i]].x - f.image[i];
   for (Attached& a : f.attached) {
-    const Pose pose = pose_of(world, f.receivers[a.receiver], drifted);
-    a.r = rotate(pose.q, a.arm);
-    f.sites.x[a.site] = pose.x + a.r - f.image[a.site];
+    const ReceiverState state = state_of(world, f.receivers[a.receiver], drifted);
+    a.r = rotate(state.q, a.arm);
+    f.sites.x[a.site] = state.x + a.r - f.image[a.site];
   }
 }
 

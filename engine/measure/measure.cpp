@@ -6,6 +6,7 @@
 #include "articulates/articulate.hpp"
 #include "base/hash.hpp"
 #include "constraints/kind.hpp"
+#include "contacts/find.hpp"
 #include "forces/forces.hpp"
 #include "forces/work_check.hpp"
 #include "measure/energy_scale.hpp"
@@ -218,19 +219,14 @@ std::uint64_t state_hash(const World& world) {
 
 Bounds bounds(const World& world, const Things& things) {
   Bounds box;
-  bool any = false;
-  const auto take = [&](Vec3 p) {
-    for (int i = 0; i < 3; i++) {
-      box.lower[i] = any ? std::fmin(box.lower[i], p[i]) : p[i];
-      box.upper[i] = any ? std::fmax(box.upper[i], p[i]) : p[i];
-    }
-    any = true;
-  };
   for (BodyId id : things.bodies) {
-    if (world.bodies[id].points.empty()) take(world.motion_of(id).x);
-    for (PointId p : world.bodies[id].points) take(position(world, p));
+    const Body& body = world.bodies[id];
+    if (body.points.empty() && body.shapes.empty()) box.add(world.motion_of(id).x);
+    for (PointId p : body.points) box.add(position(world, p));
+    for (ShapeId s : body.shapes) box.add(bounds_of(world.shapes[s].geometry, pose_of(world, world.shapes[s])));
   }
-  for (PointId p : things.free_points) take(position(world, p));
+  for (PointId p : things.free_points) box.add(position(world, p));
+  if (box.empty()) return {zero3(), zero3()};
   return box;
 }
 

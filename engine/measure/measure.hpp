@@ -46,11 +46,7 @@ MostSubSteps most_sub_steps(const World& world);
 /// Hash of all positions and velocities in the order of making: equal states have equal hashes.
 std::uint64_t state_hash(const World& world);
 
-struct Bounds {
-  Vec3 lower = zero3();  ///< [m]
-  Vec3 upper = zero3();  ///< [m]
-};
-/// Box round all points of the things.
+/// Box round all points and shapes of the things; of nothing the origin.
 Bounds bounds(const World& world, const Things& things);
 /// Free points and bodies of a group, sorted into clusters in which each is within `distance` [m] of another (positions of
 /// free points, centres of bodies; in a periodic box their nearest images), biggest first.

@@ -8,6 +8,8 @@
 
 namespace pantin {
 
+struct Shape;
+
 /// What a body's points leave free: all six; five, where every point lies on one line and nothing has inertia about it
 /// (its spin about the line is 0); three, where all lie at one position.
 enum class Freedom : std::uint8_t { rigid, line, point };
@@ -16,6 +18,7 @@ enum class Freedom : std::uint8_t { rigid, line, point };
 /// `own_position`; `update_mass` works them out whenever one changes.
 struct Body {
   std::vector<PointId> points;
+  std::vector<Handle<Shape>> shapes;            ///< that it touches others with, in the order of making
   std::vector<Handle<Constraint>> constraints;  ///< that tie its rotation, in the order of making
   double own_mass = 0.0;                        ///< [kg] given beside the points'
   Mat3 own_inertia = zero33();                  ///< [kg m²] about `own_position`, in the frame's axes

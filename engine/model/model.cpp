@@ -194,7 +194,7 @@ void disturb(Model& m, std::int32_t articulate) {
 }  // namespace
 
 void touch(Model& m, BodyId body) {
-  m.topology_changed = true;
+  m.topology_changed = m.places_changed = true;
   m.touched.push_back({body, {}, m.motion_of(body).articulate});
 }
 
@@ -222,7 +222,10 @@ void touch(Model& m, const Constraint& constraint) {
   });
 }
 
-void disturb(Model& m, BodyId body) { disturb(m, m.motion_of(body).articulate); }
+void disturb(Model& m, BodyId body) {
+  m.places_changed = true;
+  disturb(m, m.motion_of(body).articulate);
+}
 
 void disturb(Model& m, PointId point) {
   const Point& p = m.points[point];

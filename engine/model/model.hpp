@@ -15,6 +15,7 @@
 #include "model/particle.hpp"
 #include "model/plane.hpp"
 #include "model/point.hpp"
+#include "model/shape.hpp"
 
 namespace pantin {
 
@@ -39,9 +40,11 @@ struct Model {
   Store<Interaction> interactions;
   Store<Field> fields;
   Store<Emitter> emitters;
+  Store<Shape> shapes;
   std::uint64_t next_serial = 1;
   bool topology_changed = true;         ///< an edit waits for `find_articulates`
   bool force_elements_changed = false;  ///< an edit concerns which laws act on what
+  bool places_changed = true;           ///< an edit concerns where things are, or their shapes
   std::vector<Touched> touched;         ///< whose ties are to be looked at anew
   std::vector<std::int32_t> disturbed;  ///< articulates whose positions or velocities an edit changed
 

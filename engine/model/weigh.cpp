@@ -10,8 +10,8 @@ constexpr double same_line = 1e-9;       // relative to the extent
 constexpr double no_inertia = 1e-12;     // about a line, relative to that across it
 constexpr double no_moment = 1e-24;      // relative to mass x extent²
 
-/// Places that count for the shape: all points, and the position of its own mass.
-struct Shape {
+/// Places that count for how it lies: all points, and the position of its own mass.
+struct Layout {
   double extent = 0.0;    // [m] farthest position from the first
   double coordinate = 0;  // [m] largest
   Vec3 along = zero3();   // direction of the farthest
@@ -20,8 +20,8 @@ struct Shape {
 };
 
 template <class Each>
-Shape shape_of(Vec3 first, const Each& each) {
-  Shape s;
+Layout layout_of(Vec3 first, const Each& each) {
+  Layout s;
   each([&](Vec3 position, double) {
     s.coordinate = std::fmax(s.coordinate, largest(position));
     const double far = norm(position - first);
@@ -40,13 +40,13 @@ Mat3 about_distance(double mass, Vec3 r) { return (diagonal(vec(1, 1, 1) * norm2
 double largest_of(const Mat3& a) { return std::fmax(largest(a[0]), std::fmax(largest(a[1]), largest(a[2]))); }
 
 /// Moments as a loose body moves with them: see Freedom.
-void settle(Weighed& w, const Shape& shape) {
+void settle(Weighed& w, const Layout& layout) {
   const double most = w.moments[2];
-  if (shape.spot && !(most > 0.0)) {
+  if (layout.spot && !(most > 0.0)) {
     w.freedom = Freedom::point;
     w.moments = zero3();
   } else if (w.moments[0] <= no_inertia * most) {
-    w.bare = !shape.line || shape.spot;
+    w.bare = !layout.line || layout.spot;
     w.freedom = w.bare ? Freedom::rigid : Freedom::line;
     w.moments = w.bare ? lifted(w.moments) : vec(most, most, most);
   }
@@ -94,11 +94,11 @@ Weighed weigh(const std::string& who, std::span<const MassPoint> points, const O
   const bool flat = norm2(normal) > 0.0;
   const auto seen = [&](Vec3 position) { return flat ? position - normal * dot(normal, position) : position; };
   const auto about = [&](const Mat3& m) { return flat ? outer(normal, normal) * dot(normal, m * normal) : m; };
-  const Shape shape = shape_of(
+  const Layout layout = layout_of(
       seen(first), [&](const auto& visit) { each([&](Vec3 position, double mass) { visit(seen(position), mass); }); });
-  const double tiny = shape.spot ? 0.0 : no_moment * w.mass * shape.extent * shape.extent;
-  inertia = shape.spot && !(largest_of(about(own.inertia)) > 0.0) ? zero33() : about(inertia);
-  require(shape.spot || largest_of(inertia) > tiny, who,
+  const double tiny = layout.spot ? 0.0 : no_moment * w.mass * layout.extent * layout.extent;
+  inertia = layout.spot && !(largest_of(about(own.inertia)) > 0.0) ? zero33() : about(inertia);
+  require(layout.spot || largest_of(inertia) > tiny, who,
           ": all its mass is at one position but it has points elsewhere, so it has no inertia to turn with; give "
           "`inertia` [kg m²], or give those points mass, or use a `rod` instead");
   if (flat) {
@@ -108,7 +108,7 @@ Weighed weigh(const std::string& who, std::span<const MassPoint> points, const O
   const Principal principal = principal_axes(inertia, matrix(near));
   w.moments = principal.moments;
   w.axes = quaternion(principal.axes);
-  settle(w, shape);
+  settle(w, layout);
   return w;
 }
 

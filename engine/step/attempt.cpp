@@ -64,6 +64,7 @@ void keep_start(World& world) {
   for (std::size_t i = 0; i < s.articulates.size(); i++) keep(*world.articulates[i], s.articulates[i]);
   s.ledger = world.ledger;
   s.stats = world.stats;
+  s.contacts = world.contacts;
   s.work = world.work;
   s.nonconservative_work = world.nonconservative_work;
   s.work_check = world.work_check;

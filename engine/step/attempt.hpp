@@ -17,6 +17,7 @@ struct StepStart {
   std::vector<ArticulateStart> articulates;
   Ledger ledger;
   Stats stats;
+  Contacts contacts;
   double work = 0.0, nonconservative_work = 0.0;  // [J]
   WorkCheck work_check;
   std::uint64_t instant = 0;

@@ -26,6 +26,12 @@ void find_pairs(World& world);
 void apply_forces(World& world);
 /// Ends connections that were pulled harder or further than they bear.
 void break_connections(World& world);
+/// Of shapes that touch: impulses with which the drift brings none into another.
+void place_contacts(World& world);
+/// Which shapes touch after the drift; what overlaps is displaced a little.
+void find_contacts(World& world);
+/// Impulses of the whole step: friction, restitution, rest.
+void meet_contacts(World& world);
 /// Moves free particles and bodies on their own, and articulates by Newton's iteration.
 void drift(World& world);
 /// Takes out of the velocities what the constraints forbid.

@@ -28,11 +28,14 @@ void step(World& world) {
       for (std::uint32_t stage = 0; stage < count && !misses_accuracy(world); stage++) {
         begin_stage(world, stage);
         phases::half_kick(world);
+        phases::place_contacts(world);
         phases::drift(world);
+        phases::find_contacts(world);
         phases::find_pairs(world);
         phases::apply_forces(world);
         phases::half_kick_to_end(world);
         phases::project_velocities(world);
+        phases::meet_contacts(world);
       }
     } while (is_to_be_done_again(world));
     phases::break_connections(world);

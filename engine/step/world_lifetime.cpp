@@ -1,6 +1,7 @@
 // Here, since what a world owns is known whole only to the step.
 #include "articulates/solve/sub_steps.hpp"
 #include "base/parallel.hpp"
+#include "contacts/find.hpp"
 #include "forces/forces.hpp"
 #include "step/attempt.hpp"
 #include "world/world.hpp"

@@ -13,7 +13,8 @@ struct World;
 
 /// What changes the energy, besides gravity and laws that have one.
 /// hand: also moving anchors and lengths, pushes on what is tied. motor: also turns and angles by functions of time.
-/// limit: also all that ties what strikes one. event: kicks, pushes on what is loose. merge: lost in becoming one body.
+/// limit: also all that ties what strikes one. contact: friction and restitution, and what moving surfaces give. push_out:
+/// displacing what overlaps. event: kicks, pushes on what is loose. merge: lost in becoming one body.
 /// damper: laws that depend on velocities, springs solved at the end of the step. law: parameters, connections made and
 /// removed, attributes that follow an age. sleep: what still moved that fell asleep. unsolved: forces on what Newton's
 /// iteration leaves open, within its tolerance. integrator: what "euler" and "rk4" change that no force explains.
@@ -21,6 +22,8 @@ enum class Source : std::uint8_t {
   hand,
   motor,
   limit,
+  contact,
+  push_out,
   event,
   edit,
   merge,
@@ -35,8 +38,8 @@ enum class Source : std::uint8_t {
   unsolved,
   integrator
 };
-inline constexpr std::array<std::string_view, 16> source_names = {
-    "hand",   "motor",    "limit", "event",      "edit",          "merge",         "emitter",  "removal",
+inline constexpr std::array<std::string_view, 18> source_names = {
+    "hand",   "motor",    "limit", "contact", "push_out", "event",      "edit",          "merge",         "emitter",  "removal",
     "damper", "law_edit", "sleep", "projection", "energy_return", "fallback_step", "unsolved", "integrator"};
 
 struct Ledger {

@@ -14,6 +14,7 @@
 #include "base/profile.hpp"
 #include "base/random.hpp"
 #include "base/shared_list.hpp"
+#include "contacts/contact.hpp"
 #include "model/model.hpp"
 #include "world/input.hpp"
 #include "world/ledger.hpp"
@@ -23,6 +24,7 @@
 namespace pantin {
 
 struct Articulate;
+struct ContactFinder;
 struct Forces;
 struct StepStart;
 struct Trial;
@@ -90,6 +92,10 @@ struct Stats {
   std::uint64_t newton_iterations = 0;
   std::uint64_t solves = 0;  ///< articulate steps solved
   std::uint64_t factorisations = 0;
+  std::uint64_t contacts = 0;            ///< of the last step
+  std::uint64_t contact_islands = 0;     ///< of the last step: what touches and what ties it, solved together
+  std::uint64_t contact_iterations = 0;
+  std::uint64_t unsolved_islands = 0;    ///< times that impulses were left that miss the law of friction
   std::uint64_t halved_steps = 0;
   std::uint64_t fallback_steps = 0;
   std::uint64_t projections = 0;  ///< velocity projections that needed a factor of their own
@@ -142,6 +148,8 @@ struct WorldData : Model {
   double error_span = 0.0;       ///< [s] less at first
   SubSteps sub_steps;            ///< full ones, each with kicks and a projection of its own, that `accuracy` asks for
 
+  Contacts contacts;  ///< of shapes that touch
+
   Choreography choreography;
   std::vector<Hand> hands;
   StepInput input;              ///< for the coming step; emptied by it
@@ -192,6 +200,7 @@ struct World : WorldData {
   World& operator=(const World&) = delete;
 
   std::vector<std::unique_ptr<Articulate>> articulates;  ///< in the order of their smallest serial
+  std::unique_ptr<ContactFinder> contact_finder;         ///< null where there is no shape
   std::unique_ptr<Forces> forces;                        ///< of the laws; null where none acts
   std::vector<std::unique_ptr<Trial>> trials;            ///< (threads) of sub-steps
   std::unique_ptr<StepStart> start;                      ///< of a step that may have to be done again

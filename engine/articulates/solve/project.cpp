@@ -375,6 +375,13 @@ ImpulseWork make_consistent(Articulate& a, double time, double struck) {
   return work;
 }
 
+void find_forbidden(Articulate& a, double h, double at) {
+  set_conditions(a, h, at, at);
+  for (Node& n : a.nodes) settle(n);
+  place_rows_at_end(a);
+  find_kept(a);
+}
+
 void begin_answers(Articulate& a, double epsilon) {
   if (!a.exact) {
     for (Node& n : a.nodes) settle(n);

@@ -31,6 +31,10 @@ void set_kept_matrices(Articulate& articulate);
 /// of what moves by itself.
 ImpulseWork make_consistent(Articulate& articulate, double time, double struck = 0.0);
 
+/// Puts rows where nodes start, at a moment `at` (0 … 1) of a step of h [s], and finds which velocities they forbid there:
+/// Condition::kept and wanted, RowEnds::r1.
+void find_forbidden(Articulate& articulate, double h, double at);
+
 /// Gets an articulate ready for `answer`: finds what the rows that hold forbid at the nodes' starts, Condition::wanted, and
 /// their factor with a compliance `epsilon` at least, unless the articulate has one.
 void begin_answers(Articulate& articulate, double epsilon);

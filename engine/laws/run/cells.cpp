@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/bounds.hpp"
 #include "base/check.hpp"
 
 namespace pantin {
@@ -14,18 +15,13 @@ namespace {
 
 constexpr double most_cells = 1 << 30;  // along an axis
 
-struct Bounds {
-  Vec3 low = vec(infinity, infinity, infinity), high = -low;
-};
-
 Bounds bounds_of(std::span<const Vec3> positions, std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) {
   Bounds bounds;
   double all = 0.0;  // not finite when one of them is not
   for (const auto& members : {a, b})
     for (const std::uint32_t i : members) {
       const Vec3 x = positions[i];
-      bounds.low = x < bounds.low ? x : bounds.low;
-      bounds.high = x > bounds.high ? x : bounds.high;
+      bounds.add(x);
       all += (x[0] + x[1] + x[2]) * 0.0;
     }
   require(all == 0.0, "a particle is at a position that is not finite: its neighbours cannot be found");

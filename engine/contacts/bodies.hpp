@@ -1,0 +1,29 @@
+#pragma once
+// State of bodies, wherever it is kept: in the model, or after a drift in the articulates.
+#include <memory>
+#include <vector>
+
+#include "articulates/articulate.hpp"
+#include "model/model.hpp"
+
+namespace pantin {
+
+struct BodyState {
+  Vec3 x;         ///< [m] centre
+  Quat q;         ///< principal axes to the world
+  Mat3 R;         ///< its matrix
+  Vec3 v, w;      ///< [m/s], [rad/s] world axes
+  double mass;    ///< [kg]
+  Vec3 inertia;   ///< [kg m²] principal
+  Vec3 mobility;  ///< [1/(kg m²)] principal, 0 where it cannot turn
+  Node* node;     ///< where it is kept, or null: in the model
+};
+
+BodyState state_of(Model& model, const std::vector<std::unique_ptr<Articulate>>& articulates, std::uint32_t slot,
+                   bool drifted);
+/// Adds to the momenta [kg m/s], [kg m²/s] about the centre, world axes.
+void add_momenta(Model& model, const BodyState& state, std::uint32_t slot, Vec3 p, Vec3 angular);
+/// Displaces by `way` [m] and turns by a rotation vector [rad]; momenta in world axes stay.
+void displace(Model& model, const BodyState& state, std::uint32_t slot, Vec3 way, Vec3 turn);
+
+}  // namespace pantin

@@ -1,0 +1,51 @@
+#pragma once
+// What goes through time of things that touch: their contacts, with the impulses of the last step to begin with.
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include "base/lanes.hpp"
+
+namespace pantin {
+
+/// Which features of which shapes meet: lasts as long as they do.
+struct ContactKey {
+  std::uint32_t a = 0, b = 0;  ///< slots of Model::shapes
+  std::uint32_t part = 0;      ///< of b: a triangle of a mesh
+  std::uint32_t feature = 0;
+  friend auto operator<=>(const ContactKey&, const ContactKey&) = default;
+  bool same_shapes(const ContactKey& k) const { return a == k.a && b == k.b; }
+};
+
+/// A point at which two shapes touch, or soon may. Shape a is a body's.
+struct Contact {
+  ContactKey key;
+  std::uint32_t body_a = 0;  ///< slot
+  std::int32_t body_b = -1;  ///< slot, or -1: the world
+  Vec3 normal = zero3();     ///< from b to a, of unit length
+  Vec3 at = zero3();         ///< [m] world: where impulses act, between the surfaces
+  double gap = 0.0;          ///< [m] below 0: overlap
+  double size = 1.0;         ///< [m] thickness of the smaller shape: lengths are held against it
+  double friction = 0.0, restitution = 0.0;
+  Vec3 belt = zero3();     ///< [m/s] by which the surface of a moves on it, less that of b
+  Vec3 placing = zero3();  ///< [N s] on a: of the stage before the drift, which keeps shapes from overlapping
+  Vec3 total = zero3();    ///< [N s] on a: of all the step, which the velocities after it have
+  double approach = 0.0;   ///< [m/s] along the normal at the start of the step, below 0: nearing
+  double rebound = 0.0;    ///< [m/s] wanted along the normal at the end of the step
+};
+
+/// An impulse that was given before a drift.
+struct Placing {
+  std::uint32_t body_a;
+  std::int32_t body_b;
+  Vec3 impulse;       ///< [N s] on a
+  Vec3 arm_a, arm_b;  ///< [m] then, world axes
+};
+
+struct Contacts {
+  std::vector<Contact> list;    ///< by key
+  std::vector<Placing> placed;  ///< in this step
+  bool stale = true;            ///< positions or shapes changed since they were found
+};
+
+}  // namespace pantin

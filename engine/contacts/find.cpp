@@ -1,0 +1,184 @@
+#include "contacts/find.hpp"
+
+#include <algorithm>
+
+#include "contacts/bodies.hpp"
+
+namespace pantin {
+
+namespace {
+
+/// Where a shape is now, and how far it may get.
+struct Placed {
+  Pose pose;
+  double margin = 0.0;  // [m] gaps up to the sum of two margins are contacts
+  bool moves = false;
+};
+
+Pose in_principal_axes(const Body& body, const Shape& shape) {
+  const Quat to_axes = conjugate(body.axes);
+  return {rotate(to_axes, shape.at - body.centre), matrix(to_axes * shape.orientation)};
+}
+
+Placed place(const Placement& p, const Shape& shape) {
+  constexpr double still = 0.01;  // of the thickness
+  Placed placed;
+  const double size = thickness_of(shape.geometry);
+  if (std::isfinite(size)) placed.margin = still * size;
+  if (!shape.body) {
+    placed.pose = {shape.at, matrix(shape.orientation)};
+    return placed;
+  }
+  const BodyState s = state_of(const_cast<Model&>(p.model), p.articulates, shape.body.slot - 1, p.drifted);
+  placed.moves = true;
+  placed.pose = Pose{s.x, s.R} * in_principal_axes(p.model.bodies[shape.body], shape);
+  const double arm = norm(placed.pose.x - s.x) + reach_of(shape.geometry);
+  placed.margin += p.h * (norm(s.v) + norm(s.w) * arm + norm(p.gravity) * p.h);
+  return placed;
+}
+
+Bounds widened(Bounds b, double margin) {
+  const Vec3 by = vec(margin, margin, margin);
+  return {b.low - by, b.high + by};
+}
+
+bool may_touch(const ContactFinder& finder, const Shape& a, const Shape& b) {
+  if (!a.body && !b.body) return false;
+  if (a.body && b.body) {
+    if (a.body == b.body) return false;
+    const std::uint32_t x = a.body.slot - 1, y = b.body.slot - 1;
+    if (std::binary_search(finder.tied.begin(), finder.tied.end(), std::pair(std::min(x, y), std::max(x, y))))
+      return false;
+  }
+  return true;
+}
+
+/// The points of one pair.
+struct Collector final : ManifoldSink {
+  ContactKey key;
+  Contact like;
+  Vec3 x_a = zero3(), x_b = zero3();
+  std::vector<Contact>* to = nullptr;
+
+  void take(const Manifold& m, std::uint32_t part) override {
+    for (std::uint32_t i = 0; i < m.count; i++) {
+      const ManifoldPoint& p = m.points[i];
+      Contact c = like;
+      c.key = key;
+      c.key.part = part;
+      c.key.feature = p.id;
+      c.normal = p.normal;
+      c.gap = p.gap;
+      c.at = c.body_b < 0 ? p.on_a : p.on_a - p.normal * (0.5 * p.gap);
+      to->push_back(c);
+    }
+  }
+};
+
+double friction_of(const Shape& a, const Shape& b) { return std::sqrt(a.material.friction * b.material.friction); }
+
+void keep_impulses(const std::vector<Contact>& before, std::vector<Contact>& now) {
+  auto old = before.begin();
+  std::vector<char> inherited(before.size(), 0);
+  std::vector<std::size_t> orphans;
+  const auto inherit = [&](Contact& c, std::vector<Contact>::const_iterator from) {
+    c.placing = from->placing;
+    c.total = from->total;
+    c.approach = from->approach;
+    c.rebound = from->rebound;
+    inherited[static_cast<std::size_t>(from - before.begin())] = 1;
+  };
+  for (std::size_t i = 0; i < now.size(); i++) {
+    while (old != before.end() && old->key < now[i].key) old++;
+    if (old != before.end() && old->key == now[i].key)
+      inherit(now[i], old);
+    else
+      orphans.push_back(i);
+  }
+  constexpr double near = 0.3;  // of the size
+  for (const std::size_t i : orphans) {
+    const ContactKey first{now[i].key.a, now[i].key.b, 0, 0};
+    auto best = before.end();
+    double least = near * now[i].size;
+    for (auto it = std::lower_bound(before.begin(), before.end(), first,
+                                    [](const Contact&c, const ContactKey&k) { return c.key < k; });
+         it != before.end() && it->key.same_shapes(first); it++) {
+      if (inherited[static_cast<std::size_t>(it - before.begin())]) continue;
+      const double distance = norm(it->at - now[i].at);
+      if (distance >= least) continue;
+      least = distance;
+      best = it;
+    }
+    if (best != before.end()) inherit(now[i], best);
+  }
+}
+
+}  // namespace
+
+Pose pose_of(const Model& m, const Shape& shape) {
+  if (!shape.body) return {shape.at, matrix(shape.orientation)};
+  const Motion& motion = m.motion_of(shape.body);
+  return Pose{motion.x, matrix(motion.q)} * in_principal_axes(m.bodies[shape.body], shape);
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> tied_bodies(const Model& m) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (const ParticleId id : m.particles.ids()) {
+    const Particle& ring = m.particles[id];
+    if (!ring.joins()) continue;
+    for (std::size_t i = 0; i < ring.points.size(); i++)
+      for (std::size_t j = 0; j < i; j++) {
+        const BodyId a = m.points[ring.points[i]].body, b = m.points[ring.points[j]].body;
+        if (a && b && a != b) pairs.emplace_back(std::min(a.slot, b.slot) - 1, std::max(a.slot, b.slot) - 1);
+      }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+void find_contacts(const Placement& p, ContactFinder& finder, Contacts& contacts) {
+  const Store<Shape>& shapes = p.model.shapes;
+  std::vector<Placed> placed(shapes.slots());
+  finder.serials.resize(shapes.slots(), 0);
+  for (std::uint32_t s = 0; s < shapes.slots(); s++) {
+    const bool alive = shapes.alive_at(s);
+    if (finder.serials[s] != 0 && (!alive || finder.serials[s] != shapes.at_slot(s).serial))
+      finder.broad_phase.remove(s);
+    finder.serials[s] = alive ? shapes.at_slot(s).serial : 0;
+    if (!alive) continue;
+    const Shape& shape = shapes.at_slot(s);
+    placed[s] = place(p, shape);
+    const double slack = placed[s].moves ? placed[s].margin + 0.1 * thickness_of(shape.geometry) : 0.0;
+    finder.broad_phase.put({widened(bounds_of(shape.geometry, placed[s].pose), placed[s].margin), s, placed[s].moves},
+                           slack);
+  }
+  std::vector<Contact> now;
+  Collector collector;
+  collector.to = &now;
+  for (const auto& [first, second] : finder.broad_phase.pairs()) {
+    const Shape &x = shapes.at_slot(first), &y = shapes.at_slot(second);
+    if (!may_touch(finder, x, y)) continue;
+    const bool swapped = !x.body;
+    const std::uint32_t a = swapped ? second : first, b = swapped ? first : second;
+    const Shape &sa = shapes.at_slot(a), &sb = shapes.at_slot(b);
+    collector.key = {a, b, 0, 0};
+    collector.like.body_a = sa.body.slot - 1;
+    collector.like.body_b = sb.body ? static_cast<std::int32_t>(sb.body.slot - 1) : -1;
+    const double ta = thickness_of(sa.geometry), tb = thickness_of(sb.geometry);
+    collector.like.size = std::min(ta, tb);
+    collector.like.friction = friction_of(sa, sb);
+    collector.like.restitution = std::max(sa.material.restitution, sb.material.restitution);
+    collector.like.belt =
+        placed[a].pose.R * sa.material.surface_velocity - placed[b].pose.R * sb.material.surface_velocity;
+    SeparationCache cache;
+    find_manifolds(sa.geometry, placed[a].pose, sb.geometry, placed[b].pose, placed[a].margin + placed[b].margin, cache,
+                   collector);
+  }
+  std::sort(now.begin(), now.end(), [](const Contact& a, const Contact& b) { return a.key < b.key; });
+  keep_impulses(contacts.list, now);
+  contacts.list = std::move(now);
+  contacts.stale = false;
+}
+
+}  // namespace pantin

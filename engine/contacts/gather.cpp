@@ -1,0 +1,177 @@
+#include "contacts/gather.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "articulates/solve/project.hpp"
+#include "articulates/solve/state.hpp"
+
+namespace pantin {
+
+namespace {
+
+/// Sets of numbers that are joined (Tarjan 1975), each known by its smallest.
+class Sets {
+ public:
+  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+  std::size_t find(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::size_t i, std::size_t j) {
+    i = find(i);
+    j = find(j);
+    parent_[std::max(i, j)] = std::min(i, j);
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+Mat3 in_world(const Mat3& R, Vec3 principal) {
+  return times_transposed({{R[0] * principal[0], R[1] * principal[1], R[2] * principal[2]}}, R);
+}
+
+IslandBody body_of(const BodyState& s, Vec3 velocity, double reach) {
+  IslandBody b;
+  b.mass = s.mass;
+  b.inverse_mass = 1.0 / s.mass;
+  Vec3 inertia = s.inertia, turning = vec(1, 1, 1);
+  for (int i = 0; i < 3; i++) {
+    if (s.mobility[i] > 0.0) continue;
+    inertia[i] = s.mass;  // of no effect
+    turning[i] = 0.0;
+  }
+  b.inertia = in_world(s.R, inertia);
+  b.mobility = in_world(s.R, s.mobility);
+  b.turning = in_world(s.R, turning);
+  b.reach = reach;
+  b.v0 = velocity;
+  b.w0 = s.w;
+  return b;
+}
+
+/// Builds islands, thing by thing.
+struct Builder {
+  Model& model;
+  const Articulates& articulates;
+  const TouchSettings& settings;
+  std::vector<std::int32_t> index;  // (slots of bodies) in its island, or -1
+
+  std::int32_t add_body(TouchIsland& to, std::uint32_t slot) {
+    if (index[slot] >= 0) return index[slot];
+    const BodyState s = state_of(model, articulates, slot, settings.drifted);
+    double reach = 0.0;
+    for (const ShapeId shape : model.bodies.at_slot(slot).shapes) reach = std::max(reach, reach_of(model.shapes[shape].geometry));
+    to.problem.bodies.push_back(body_of(s, s.v, reach));
+    to.slots.push_back(slot);
+    to.points.push_back(0);
+    to.states.push_back(s);
+    return index[slot] = static_cast<std::int32_t>(to.slots.size()) - 1;
+  }
+  std::int32_t add_point(TouchIsland& to, Node& n) {
+    IslandBody b;
+    b.mass = n.mass;
+    b.inverse_mass = n.inverse_mass;
+    b.inertia = identity33() * n.mass;
+    b.turning = zero33();
+    b.v0 = n.p0 * n.inverse_mass;
+    to.problem.bodies.push_back(b);
+    to.slots.push_back(n.slot);
+    to.points.push_back(1);
+    BodyState s{};
+    s.node = &n;
+    to.states.push_back(s);
+    return static_cast<std::int32_t>(to.slots.size()) - 1;
+  }
+  void add_articulate(TouchIsland& to, std::uint32_t number) {
+    Articulate& a = *articulates[number];
+    wake(a);
+    to.articulates.push_back(number);
+    if (!settings.drifted) load(a, model, settings.gravity);
+    find_forbidden(a, settings.h, settings.drifted ? 1.0 : 0.0);
+    std::vector<std::int32_t> places;
+    for (Node& n : a.nodes) places.push_back(n.is_body ? add_body(to, n.slot) : add_point(to, n));
+    const std::size_t first = to.problem.ties.size();
+    for (const Row& row : a.rows) {
+      IslandTie t;
+      t.a = places[static_cast<std::size_t>(row.a)];
+      t.b = row.b < 0 ? -1 : places[static_cast<std::size_t>(row.b)];
+      t.lever = row.lever;
+      if (row.condition >= 0) {
+        const Condition& c = condition(a, row);
+        t.kept = row.kind == RowKind::rigid ? identity33() : c.kept;
+        t.wanted = c.wanted;
+      }
+      to.problem.ties.push_back(t);
+    }
+    for (std::size_t b = 0; b < a.batches.size(); b++)
+      for (const RowEnds& end : std::span(a.ends).subspan(a.batches[b].first_end, a.batches[b].last_end - a.batches[b].first_end))
+        for (std::size_t lane = 0; lane < batch_size; lane++) {
+          if (end.to[lane] >= 2 * a.rows.size()) continue;
+          IslandTie& t = to.problem.ties[first + end.row[lane]];
+          (end.to[lane] % 2 == 0 ? t.ra : t.rb) = lane_of(end.r1, lane);
+        }
+    std::erase_if(to.problem.ties, [](const IslandTie& t) { return trace(t.kept) == 0.0; });
+  }
+};
+
+Mat3 frame_of(Vec3 n) {
+  const Vec3 other = std::fabs(n[0]) < 0.6 ? vec(1, 0, 0) : vec(0, 1, 0);
+  const Vec3 t1 = direction(other - n * dot(n, other));
+  return {{n, t1, cross(n, t1)}};
+}
+
+}  // namespace
+
+std::vector<TouchIsland> gather(Model& model, const Articulates& articulates, const Contacts& contacts,
+                                const TouchSettings& settings, const std::vector<char>& used) {
+  const std::size_t tied = articulates.size();
+  const auto thing = [&](std::uint32_t slot) {
+    const std::int32_t articulate = model.motion[slot].articulate;
+    return articulate >= 0 ? static_cast<std::size_t>(articulate) : tied + slot;
+  };
+  Sets sets(tied + model.bodies.slots());
+  for (std::size_t k = 0; k < used.size(); k++) {
+    const Contact& c = contacts.list[k];
+    if (used[k] && c.body_b >= 0) sets.join(thing(c.body_a), thing(static_cast<std::uint32_t>(c.body_b)));
+  }
+  std::vector<std::size_t> roots;
+  for (std::size_t k = 0; k < used.size(); k++)
+    if (used[k]) roots.push_back(sets.find(thing(contacts.list[k].body_a)));
+  std::sort(roots.begin(), roots.end());
+  roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
+  std::vector<TouchIsland> islands(roots.size());
+  const auto island_of = [&](std::size_t number) -> TouchIsland* {
+    const std::size_t root = sets.find(number);
+    const auto found = std::lower_bound(roots.begin(), roots.end(), root);
+    return found != roots.end() && *found == root ? &islands[static_cast<std::size_t>(found - roots.begin())] : nullptr;
+  };
+  Builder builder{model, articulates, settings, std::vector<std::int32_t>(model.bodies.slots(), -1)};
+  for (std::uint32_t i = 0; i < tied; i++)
+    if (TouchIsland* island = island_of(i)) builder.add_articulate(*island, i);
+  for (std::size_t k = 0; k < used.size(); k++) {
+    if (!used[k]) continue;
+    const Contact& from = contacts.list[k];
+    TouchIsland& island = *island_of(thing(from.body_a));
+    IslandContact c;
+    c.a = builder.add_body(island, from.body_a);
+    c.ra = from.at - island.states[static_cast<std::size_t>(c.a)].x;
+    if (from.body_b >= 0) {
+      c.b = builder.add_body(island, static_cast<std::uint32_t>(from.body_b));
+      c.rb = from.at - island.states[static_cast<std::size_t>(c.b)].x;
+    }
+    c.frame = frame_of(from.normal);
+    c.friction = from.friction;
+    island.problem.contacts.push_back(c);
+    island.contacts.push_back(k);
+  }
+  for (TouchIsland& island : islands) {
+    double size = infinity;
+    for (const std::size_t k : island.contacts) size = std::min(size, contacts.list[k].size);
+    island.problem.tolerance = 4e-11 * size / settings.h;
+  }
+  return islands;
+}
+
+}  // namespace pantin

@@ -1,0 +1,261 @@
+#include "contacts/stages.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "articulates/solve/state.hpp"
+#include "constraints/stiff.hpp"
+#include "contacts/gather.hpp"
+#include "contacts/solve/solve.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr double touching = 1e-5;             // of the size: a gap that is as good as closed
+constexpr double told_overlap = 3e-4;         // of the size: what overlaps more is parted,
+constexpr double left_overlap = 2e-4;         // down to this
+constexpr double parted_a_step = 0.2, most_a_step = 5e-3;  // of what is too much; of the size
+constexpr double accepted = 1e4;              // of the tolerance
+
+/// What the impulses of an island do to its bodies [N s], [N m s].
+std::vector<std::array<Vec3, 2>> sums_of(const ContactIsland& island) {
+  std::vector<std::array<Vec3, 2>> sums(island.bodies.size(), {zero3(), zero3()});
+  const auto add = [&](const IslandPair& p, Vec3 impulse) {
+    sums[static_cast<std::size_t>(p.a)][0] += impulse;
+    sums[static_cast<std::size_t>(p.a)][1] += cross(p.ra, impulse);
+    if (p.b < 0) return;
+    sums[static_cast<std::size_t>(p.b)][0] -= impulse;
+    sums[static_cast<std::size_t>(p.b)][1] -= cross(p.rb, impulse);
+  };
+  for (const IslandContact& c : island.contacts)
+    if (c.on) add(c, to_world(c, c.impulse));
+  for (const IslandTie& t : island.ties) {
+    const Vec3 impulse = t.kept * t.impulse;
+    if (t.lever == 0.0) {
+      add(t, impulse);
+      continue;
+    }
+    sums[static_cast<std::size_t>(t.a)][1] += impulse * t.lever;
+    if (t.b >= 0) sums[static_cast<std::size_t>(t.b)][1] -= impulse * t.lever;
+  }
+  return sums;
+}
+
+double kinetic_energy_now(const Model& model, const TouchIsland& island) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < island.slots.size(); i++) {
+    const Node* n = island.states[i].node;
+    sum += n ? kinetic_energy(*n) : kinetic_energy(model.motion[island.slots[i]]);
+  }
+  return sum;
+}
+
+void give(Model& model, const TouchIsland& island, const std::vector<std::array<Vec3, 2>>& sums) {
+  for (std::size_t i = 0; i < sums.size(); i++) {
+    if (island.points[i])
+      island.states[i].node->p0 += sums[i][0];
+    else
+      add_momenta(model, island.states[i], island.slots[i], model.plane.along(sums[i][0]), sums[i][1]);
+  }
+}
+
+void store_tied(Model& model, const Articulates& articulates, const TouchIsland& island, const TouchSettings& settings) {
+  if (settings.drifted) return;
+  for (const std::uint32_t a : island.articulates)
+    for (const Node& n : articulates[a]->nodes)
+      if (!n.is_body) store(n, model);
+}
+
+void count(const IslandReport& found, const ContactIsland& problem, TouchReport& report) {
+  report.islands++;
+  report.contacts += static_cast<std::uint32_t>(problem.contacts.size());
+  report.iterations += found.iterations;
+  report.factorisations += found.factorisations;
+  report.worst = std::max(report.worst, found.residual);
+  if (found.residual > accepted * problem.tolerance) report.unsolved++;
+}
+
+/// n·(ω × (ω × r)) of both ends: by how much turning alone opens the gap [m/s²].
+double opening(const TouchIsland& island, const IslandContact& c) {
+  const auto of = [&](std::int32_t body, Vec3 r) {
+    const Vec3 w = island.problem.bodies[static_cast<std::size_t>(body)].w0, n = c.frame[0];
+    return dot(n, w) * dot(w, r) - norm2(w) * dot(n, r);
+  };
+  return of(c.a, c.ra) - (c.b < 0 ? 0.0 : of(c.b, c.rb));
+}
+
+/// Forces that the drift will have beside contacts: gravity, pushes, and what soft rows pulled with last.
+void foresee_forces(Model& model, const Articulates& articulates, TouchIsland& island, const TouchSettings& settings) {
+  const double half = 0.5 * settings.h;
+  for (std::size_t i = 0; i < island.slots.size(); i++) {
+    IslandBody& b = island.problem.bodies[i];
+    b.v0 += model.plane.along(settings.gravity) * half;
+    if (island.points[i]) continue;
+    const Motion& m = model.motion[island.slots[i]];
+    b.v0 += m.force * (half * b.inverse_mass);
+    b.w0 += b.mobility * m.torque * half;
+  }
+  (void)articulates;
+}
+
+}  // namespace
+
+void place(Model& model, const Articulates& articulates, Contacts& contacts, const TouchSettings& settings,
+           TouchReport& report) {
+  contacts.placed.clear();
+  for (Contact& c : contacts.list) c.rebound = c.approach = 0.0;
+  const std::vector<char> used(contacts.list.size(), 1);
+  const double h = settings.h;
+  for (TouchIsland& island : gather(model, articulates, contacts, settings, used)) {
+    ContactIsland& problem = island.problem;
+    std::vector<Vec3> openings;
+    for (std::size_t k = 0; k < problem.contacts.size(); k++) {
+      Contact& from = contacts.list[island.contacts[k]];
+      IslandContact& c = problem.contacts[k];
+      from.approach = dot(from.normal, relative(c, problem.bodies, &IslandBody::v0, &IslandBody::w0));
+      const double gap = from.gap >= 0.0 ? from.gap / h : 0.0;
+      c.bias = to_frame(c, from.belt);
+      c.bias[0] = gap + 0.5 * h * opening(island, c);
+      c.start = to_frame(c, from.placing);
+    }
+    for (IslandTie& t : problem.ties) {
+      if (t.lever > 0.0) continue;
+      const auto turned = [&](std::int32_t body, Vec3 r) {
+        const Vec3 w = problem.bodies[static_cast<std::size_t>(body)].w0;
+        return cross(w, cross(w, r));
+      };
+      t.wanted -= (turned(t.a, t.ra) - (t.b < 0 ? zero3() : turned(t.b, t.rb))) * (0.5 * h);
+    }
+    foresee_forces(model, articulates, island, settings);
+    count(solve_island(problem), problem, report);
+    const double before = kinetic_energy_now(model, island);
+    bool any = false;
+    for (std::size_t k = 0; k < problem.contacts.size(); k++) {
+      Contact& to = contacts.list[island.contacts[k]];
+      to.placing = to_world(problem.contacts[k], problem.contacts[k].impulse);
+      if (norm2(to.placing) == 0.0) continue;
+      any = true;
+      contacts.placed.push_back({to.body_a, to.body_b, to.placing, problem.contacts[k].ra, problem.contacts[k].rb});
+      if (to.restitution == 0.0) continue;
+      const double fall = to.body_b < 0 ? -dot(to.normal, settings.gravity) : 0.0;
+      const double slow = std::max(2.0 * norm(settings.gravity) * h, 1e4 * problem.tolerance);
+      if (to.approach < -slow)
+        to.rebound = to.restitution * std::sqrt(std::max(0.0, to.approach * to.approach + 2.0 * fall * std::max(0.0, to.gap)));
+    }
+    if (!any) continue;
+    give(model, island, sums_of(problem));
+    store_tied(model, articulates, island, settings);
+    report.work += kinetic_energy_now(model, island) - before;
+  }
+}
+
+namespace {
+
+/// Takes the impulses before the drift back, at one point of each pair: nearer to that of the lighter body. Returns the change
+/// of the kinetic energy [J].
+double take_back(Model& model, const Articulates& articulates, const std::vector<Placing>& placed, bool drifted) {
+  double work = 0.0;
+  const auto kinetic = [&](const BodyState& s, std::uint32_t slot) {
+    return s.node ? kinetic_energy(*s.node) : kinetic_energy(model.motion[slot]);
+  };
+  const auto add = [&](const BodyState& s, std::uint32_t slot, Vec3 arm, Vec3 impulse) {
+    const double before = kinetic(s, slot);
+    add_momenta(model, s, slot, model.plane.along(impulse), cross(arm, impulse));
+    work += kinetic(s, slot) - before;
+  };
+  for (const Placing& p : placed) {
+    const BodyState a = state_of(model, articulates, p.body_a, drifted);
+    if (p.body_b < 0) {
+      add(a, p.body_a, p.arm_a, p.impulse * -1.0);
+      continue;
+    }
+    const auto slot_b = static_cast<std::uint32_t>(p.body_b);
+    const BodyState b = state_of(model, articulates, slot_b, drifted);
+    const double of_b = a.mass / (a.mass + b.mass);
+    const Vec3 at = (a.x + p.arm_a) * (1.0 - of_b) + (b.x + p.arm_b) * of_b;
+    add(a, p.body_a, at - a.x, p.impulse * -1.0);
+    add(b, slot_b, at - b.x, p.impulse);
+  }
+  return work;
+}
+
+}  // namespace
+
+void meet(Model& model, const Articulates& articulates, Contacts& contacts, const TouchSettings& settings,
+          TouchReport& report) {
+  report.work += take_back(model, articulates, contacts.placed, settings.drifted);
+  contacts.placed.clear();
+  std::vector<char> used(contacts.list.size(), 0);
+  for (std::size_t k = 0; k < used.size(); k++) {
+    Contact& c = contacts.list[k];
+    used[k] = c.gap <= touching * c.size || norm2(c.placing) > 0.0;
+    if (!used[k]) c.total = zero3();
+  }
+  for (TouchIsland& island : gather(model, articulates, contacts, settings, used)) {
+    ContactIsland& problem = island.problem;
+    for (std::size_t k = 0; k < problem.contacts.size(); k++) {
+      const Contact& from = contacts.list[island.contacts[k]];
+      IslandContact& c = problem.contacts[k];
+      c.bias = to_frame(c, from.belt);
+      c.bias[0] = -from.rebound;
+      c.start = to_frame(c, from.total);
+    }
+    count(solve_island(problem), problem, report);
+    const double before = kinetic_energy_now(model, island);
+    for (std::size_t k = 0; k < problem.contacts.size(); k++)
+      contacts.list[island.contacts[k]].total = to_world(problem.contacts[k], problem.contacts[k].impulse);
+    give(model, island, sums_of(problem));
+    store_tied(model, articulates, island, settings);
+    report.work += kinetic_energy_now(model, island) - before;
+  }
+}
+
+double part(Model& model, const Articulates& articulates, Contacts& contacts, const TouchSettings& settings,
+            TouchReport& report) {
+  std::vector<char> used(contacts.list.size(), 0);
+  bool any = false;
+  for (std::size_t k = 0; k < used.size(); k++) {
+    const Contact& c = contacts.list[k];
+    used[k] = c.gap <= 0.02 * c.size;
+    any = any || c.gap < -told_overlap * c.size;
+  }
+  if (!any) return 0.0;
+  double work = 0.0;
+  const double h = settings.h;
+  for (TouchIsland& island : gather(model, articulates, contacts, settings, used)) {
+    ContactIsland& problem = island.problem;
+    const auto overlaps = [&](std::size_t k) {
+      return contacts.list[k].gap < -told_overlap * contacts.list[k].size;
+    };
+    if (std::none_of(island.contacts.begin(), island.contacts.end(), overlaps)) continue;
+    for (IslandBody& b : problem.bodies) b.v0 = b.w0 = zero3();
+    for (IslandTie& t : problem.ties) t.wanted = zero3();
+    for (std::size_t k = 0; k < problem.contacts.size(); k++) {
+      const Contact& from = contacts.list[island.contacts[k]];
+      IslandContact& c = problem.contacts[k];
+      const double left = left_overlap * from.size;
+      const double wanted = from.gap < -left ? std::max(parted_a_step * (from.gap + left), -most_a_step * from.size)
+                                             : std::max(from.gap, 0.0);
+      c.friction = 0.0;
+      c.bias = vec(wanted / h, 0, 0);
+    }
+    problem.tolerance *= 1e3;
+    count(solve_island(problem), problem, report);
+    const double before = kinetic_energy_now(model, island);
+    for (std::size_t i = 0; i < island.slots.size(); i++) {
+      const Vec3 way = model.plane.along(problem.bodies[i].v) * h;
+      work -= problem.bodies[i].mass * dot(settings.gravity, way);
+      if (island.points[i])
+        island.states[i].node->x0 += way;
+      else
+        displace(model, island.states[i], island.slots[i], way, problem.bodies[i].w * h);
+    }
+    store_tied(model, articulates, island, settings);
+    work += kinetic_energy_now(model, island) - before;
+    contacts.stale = true;
+  }
+  return work;
+}
+
+}  // namespace pantin

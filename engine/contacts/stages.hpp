@@ -1,0 +1,40 @@
+#pragma once
+// Touch in a step: `place` before a drift and `meet` after it solve the same problem, for velocities that do not bring
+// shapes into each other and for velocities with all impulses of the step; `part` opens what overlaps all the same.
+#include <memory>
+#include <vector>
+
+#include "articulates/articulate.hpp"
+#include "contacts/contact.hpp"
+#include "model/model.hpp"
+
+namespace pantin {
+
+struct TouchSettings {
+  double h;      ///< [s] of the drift
+  Vec3 gravity;  ///< [m/s²]
+  bool drifted;  ///< what rows tie has its state in the articulates
+};
+
+struct TouchReport {
+  double work = 0.0;   ///< [J] change of the kinetic energy
+  double belts = 0.0;  ///< [J] of it that moving surfaces gave
+  std::uint32_t islands = 0, contacts = 0, iterations = 0, factorisations = 0;
+  std::uint32_t unsolved = 0;  ///< islands beyond what is accepted
+  double worst = 0.0;          ///< [m/s] largest residual
+};
+
+using Articulates = std::vector<std::unique_ptr<Articulate>>;
+
+/// Impulses with which the drift of h ends without new overlaps: 0 ≤ γ_n ⊥ G v̄ + gap/h ≥ 0 of its mean velocities v̄.
+void place(Model& model, const Articulates& articulates, Contacts& contacts, const TouchSettings& settings,
+           TouchReport& report);
+/// Takes these impulses back and gives those of the whole step, with which velocities part or stay:
+/// 0 ≤ γ_n ⊥ G v - rebound ≥ 0.
+void meet(Model& model, const Articulates& articulates, Contacts& contacts, const TouchSettings& settings,
+          TouchReport& report);
+/// Displaces what overlaps by more than a little, momenta kept; returns the work [J] of it.
+double part(Model& model, const Articulates& articulates, Contacts& contacts, const TouchSettings& settings,
+            TouchReport& report);
+
+}  // namespace pantin

@@ -1,0 +1,37 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/color.hpp"
+#include "base/handle.hpp"
+#include "model/body.hpp"
+#include "shapes/shape.hpp"
+
+namespace pantin {
+
+/// What a shape is made of, where things touch it.
+struct Material {
+  double density = 1000.0;          ///< [kg/m³] > 0: of a body whose mass is not given
+  double friction = 0.5;            ///< >= 0: of two shapes the root of the product
+  double restitution = 0.0;         ///< 0 … 1: of two shapes the larger
+  Vec3 surface_velocity = zero3();  ///< [m/s] in the body's frame or the world: of a belt
+};
+
+/// A shape that a body has, or that stands in the world and does not move.
+struct Shape {
+  Geometry geometry = BallShape{0.5};
+  Handle<Body> body;         ///< null: the world's
+  Vec3 at = zero3();         ///< [m] of its origin, in the body's frame or the world
+  Quat orientation;          ///< its axes to those
+  Material material;
+  std::uint32_t layer = 0;   ///< of Model::layers
+  bool sensor = false;       ///< tells and does not push
+  Color color;               ///< of one of the world's
+  std::string name;
+  std::uint64_t serial = 0;
+};
+
+using ShapeId = Handle<Shape>;
+
+}  // namespace pantin

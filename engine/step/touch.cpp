@@ -1,0 +1,66 @@
+// Things with shapes touch: phases around the drift. Nothing happens in a scene without shapes.
+#include <algorithm>
+
+#include "contacts/find.hpp"
+#include "contacts/stages.hpp"
+#include "step/ledger_posts.hpp"
+#include "step/phases.hpp"
+
+namespace pantin::phases {
+
+namespace {
+
+TouchSettings settings_of(const World& world, bool drifted) {
+  return {world.stage.h, world.settings.gravity, drifted};
+}
+
+void count(World& world, const TouchReport& report) {
+  world.stats.contact_iterations += report.iterations;
+  world.stats.unsolved_islands += report.unsolved;
+}
+
+/// Finds contacts where things are now.
+void find(World& world, bool drifted) {
+  if (!world.contact_finder) world.contact_finder = std::make_unique<ContactFinder>();
+  ContactFinder& finder = *world.contact_finder;
+  if (world.places_changed) finder.tied = tied_bodies(world);
+  world.places_changed = false;
+  find_contacts({world, world.articulates, drifted, world.settings.gravity, world.stage.h}, finder, world.contacts);
+}
+
+}  // namespace
+
+void place_contacts(World& world) {
+  if (world.shapes.empty()) return;
+  const Timed timed(world.profile, Phase::place_contacts);
+  const bool drifted = world.stage.index > 0;
+  if (world.contacts.stale || world.places_changed) find(world, drifted);
+  TouchReport report;
+  place(world, world.articulates, world.contacts, settings_of(world, drifted), report);
+  post(world, Source::contact, report.work);
+  count(world, report);
+}
+
+void find_contacts(World& world) {
+  if (world.shapes.empty()) return;
+  const Timed timed(world.profile, Phase::find_contacts);
+  find(world, true);
+  TouchReport report;
+  const double work = part(world, world.articulates, world.contacts, settings_of(world, true), report);
+  post(world, Source::push_out, work);
+  count(world, report);
+  if (world.contacts.stale) find(world, true);
+}
+
+void meet_contacts(World& world) {
+  if (world.shapes.empty()) return;
+  const Timed timed(world.profile, Phase::meet_contacts);
+  TouchReport report;
+  meet(world, world.articulates, world.contacts, settings_of(world, true), report);
+  post(world, Source::contact, report.work);
+  count(world, report);
+  world.stats.contacts = report.contacts;
+  world.stats.contact_islands = report.islands;
+}
+
+}  // namespace pantin::phases
