@@ -57,7 +57,8 @@ void check_pairs(int times, double size_a, double size_b, Place place) {
 
 std::pair<Pose, Pose> anywhere(Random& random, double size) {
   const Pose a{brute::random_vector(random, size), brute::random_turn(random)};
-  return {a, {a.x + brute::random_direction(random) * (1.5 * size * random.uniform()), brute::random_turn(random)}};
+  const Vec3 aside = brute::random_direction(random);
+  return {a, {a.x + aside * (1.5 * size * random.uniform()), brute::random_turn(random)}};
 }
 
 }  // namespace
