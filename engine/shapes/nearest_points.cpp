@@ -55,6 +55,8 @@ Feature feature_of(const Core& core, Vec3 n) {
   return {cap ? Feature::Form::plane : Feature::Form::point, end, zero3()};
 }
 
+bool has_rim(const Core& core) { return core.kind == Kind::cylinder; }
+
 double clamped(double x, double half) { return std::clamp(x, -half, half); }
 
 /// Nearest points of two segments by their middles and halves: parts of the halves, -1 … 1 (Lumelsky 1985).
@@ -105,13 +107,18 @@ Separation nearest_points(const CorePair& pair, const Widest& widest, const Simp
   const Vec3 n = widest.normal, way = n * widest.gap;
   const Feature a = feature_of(pair.a, -n), own_b = feature_of(pair.b, transposed_times(pair.R, n));
   const Feature b{own_b.form, pair.x + pair.R * own_b.middle, pair.R * own_b.half};
-  if (a.form == Form::point) return {widest.gap, n, a.middle, a.middle - way};
-  if (b.form == Form::point) return {widest.gap, n, b.middle + way, b.middle};
+  const Vec3 guess = (simplex.on_a() + simplex.on_b() + moved) * 0.5;
+  if (a.form == Form::point || b.form == Form::point) {
+    const Vec3 on_a = a.form == Form::point ? a.middle : b.middle + way;
+    // A rim that is as good as parallel to what it is on may be lowest elsewhere than where it is met.
+    const double aside = norm(on_a - guess - way * 0.5), size = size_of(pair.a) + size_of(pair.b);
+    if (aside <= 1e-3 * size || !(has_rim(pair.a) || has_rim(pair.b))) return {widest.gap, n, on_a, on_a - way};
+    return {widest.gap, n, guess + way * 0.5, guess - way * 0.5};
+  }
   if (a.form == Form::segment && b.form == Form::segment) {
     const Vec3 on_a = a.middle + a.half * parts_of(b.middle - a.middle, a.half, b.half)[0];
     return {widest.gap, n, on_a, on_a - way};
   }
-  const Vec3 guess = (simplex.on_a() + simplex.on_b() + moved) * 0.5;
   const auto onto = [&](const Feature& feature, Vec3 p) {
     if (feature.form == Form::plane) return p + n * dot(n, feature.middle - p);
     return feature.middle + feature.half * clamped(dot(feature.half, p - feature.middle) / norm2(feature.half), 1.0);
