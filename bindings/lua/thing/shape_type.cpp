@@ -9,16 +9,17 @@
 namespace pantin::lua {
 namespace {
 
+/// Lua aligns less than vectors need, so the value is elsewhere.
 struct ShapeRef : Ref {
-  ShapeValue value;
+  std::shared_ptr<const ShapeValue> value;
 };
 
 int drop_shape(lua_State* state) {
-  static_cast<ShapeRef*>(lua_touserdata(state, 1))->value.~ShapeValue();
+  static_cast<ShapeRef*>(lua_touserdata(state, 1))->value.reset();
   return 0;
 }
 
-const ShapeValue& shape_of(const Self& self) { return static_cast<const ShapeRef&>(self.ref).value; }
+const ShapeValue& shape_of(const Self& self) { return *static_cast<const ShapeRef&>(self.ref).value; }
 
 /// Pushes what a shape with a volume has of it, else nil.
 template <class Read>
@@ -92,8 +93,9 @@ Type make() {
 }  // namespace
 
 void push_shape(lua_State* state, Script& script, ShapeValue value) {
+  auto kept = std::make_shared<const ShapeValue>(std::move(value));
   const Ref ref = make_ref(script, Kind::shape, 1, 1, 0);
-  new (lua_newuserdatauv(state, sizeof(ShapeRef), 0)) ShapeRef{ref, std::move(value)};
+  new (lua_newuserdatauv(state, sizeof(ShapeRef), 0)) ShapeRef{ref, std::move(kept)};
   push_metatable(state, Kind::shape);
   lua_pushcfunction(state, drop_shape);
   lua_setfield(state, -2, "__gc");
@@ -104,7 +106,7 @@ const ShapeValue& check_shape_value(lua_State* state, int index, std::string_vie
   const Ref* ref = to_ref(state, index);
   require(ref && ref->kind == Kind::shape, what, ": ", name, " must be a shape, as shape.box(1, 1, 1), got ",
           kind_of_value(state, index));
-  return static_cast<const ShapeRef*>(ref)->value;
+  return *static_cast<const ShapeRef*>(ref)->value;
 }
 
 const Type& shape_type() {
