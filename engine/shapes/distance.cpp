@@ -34,8 +34,7 @@ Widest widest_of(const CorePair& pair, Vec3 start) {
 }
 
 /// The cores are drawn apart along the normal: what is nearest then touches.
-Separation overlapping(const CorePair& pair, Vec3 start) {
-  Widest widest = widest_of(pair, start);
+Separation overlapping(const CorePair& pair, Widest widest) {
   const double size = size_of(pair.a) + size_of(pair.b);
   CorePair apart = pair;
   const Vec3 away = widest.normal * (size - widest.gap);
@@ -56,8 +55,13 @@ void mend_normal(const CorePair& pair, Separation& separation) {
 Separation of_cores(const CorePair& pair, Vec3 start, double beyond) {
   if (pair.a.kind == Kind::segment && pair.b.kind == Kind::segment) return of_segments(pair);
   if (has(pair, Kind::point) && !has(pair, Kind::hull)) return of_point(pair);
+  if (pair.a.kind == Kind::box && pair.b.kind == Kind::box) {
+    const Widest widest = widest_of_boxes(pair);
+    if (!(widest.gap > 0.0)) return overlapping(pair, widest);
+    start = widest.normal;
+  }
   const Nearness near = nearness(pair, start, beyond);
-  if (near.found == Nearness::Found::overlapping) return overlapping(pair, near.normal);
+  if (near.found == Nearness::Found::overlapping) return overlapping(pair, widest_of(pair, near.normal));
   const Simplex& simplex = near.simplex;
   if (near.found == Nearness::Found::apart && has(pair, Kind::cylinder))
     return nearest_points(pair, polished(pair, near.normal, simplex), simplex, zero3());

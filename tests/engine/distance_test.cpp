@@ -31,10 +31,10 @@ Shape random_shape(Random& random, int kind, double size) {
 void check_pair(const Shape& a, const Pose& at_a, const Shape& b, const Pose& at_b, double size) {
   const Separation found = separation(a.shape, at_a, b.shape, at_b);
   const brute::Convex put_a = brute::put(a.brute, at_a, at_a.x), put_b = brute::put(b.brute, at_b, at_a.x);
-  CHECK(std::fabs(static_cast<double>(brute::distance(put_a, put_b) - found.distance)) < 1e-14 * size);
+  CHECK(std::fabs(brute::distance(put_a, put_b) - found.distance) < 1e-14 * size);
   CHECK(std::fabs(norm(found.normal) - 1.0) < 1e-15);
   if (std::fabs(found.distance) > 1e-6 * size)
-    CHECK(std::fabs(static_cast<double>(brute::gap_along(put_a, put_b, found.normal)) - found.distance) < 1e-14 * size);
+    CHECK(std::fabs(brute::gap_along(put_a, put_b, found.normal) - found.distance) < 1e-14 * size);
   const double rounding = 1e-14 * size + 4e-16 * (largest(at_a.x) + largest(at_b.x));
   CHECK(norm(found.on_a - found.on_b - found.normal * found.distance) < rounding);
   const Geometry point = BallShape{1e-12};

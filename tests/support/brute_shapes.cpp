@@ -19,7 +19,8 @@ Point cross(const Point& a, const Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 Real norm(const Point& a) { return std::sqrt(dot(a, a)); }
-Point point(Vec3 v) { return {v[0], v[1], v[2]}; }
+Real real(double x) { return static_cast<Real>(x); }
+Point point(Vec3 v) { return {real(v[0]), real(v[1]), real(v[2])}; }
 
 /// Whether no point is beyond the plane of three.
 bool bounds(const std::vector<Point>& points, std::size_t i, std::size_t j, std::size_t k) {
@@ -109,7 +110,7 @@ Real least_distance(const Convex& a, const Convex& b) {
 
 Convex convex(std::span<const Vec3> points, double radius) {
   Convex result;
-  result.radius = radius;
+  result.radius = real(radius);
   for (const Vec3 p : points) result.points.push_back(point(p));
   std::set<std::array<std::size_t, 2>> edges;
   const std::size_t count = points.size();
@@ -138,13 +139,15 @@ Convex put(const Convex& own, const Pose& pose, Vec3 origin) {
   return result;
 }
 
-Real distance(const Convex& a, const Convex& b) {
+double distance(const Convex& a, const Convex& b) {
   const Real radius = a.radius + b.radius, widest = widest_gap(a, b);
   const bool overlap = widest <= 0.0L && (!a.triangles.empty() || !b.triangles.empty());
-  return (overlap ? widest : least_distance(a, b)) - radius;
+  return static_cast<double>((overlap ? widest : least_distance(a, b)) - radius);
 }
 
-Real gap_along(const Convex& a, const Convex& b, Vec3 normal) { return gap(a, b, point(normal)) - a.radius - b.radius; }
+double gap_along(const Convex& a, const Convex& b, Vec3 normal) {
+  return static_cast<double>(gap(a, b, point(normal)) - a.radius - b.radius);
+}
 
 Mat3 random_turn(Random& random) {
   Quat q;

@@ -18,7 +18,7 @@ struct Convex {
   std::vector<Point> points;                          ///< [m]
   std::vector<std::array<std::size_t, 3>> triangles;  ///< all whose plane has no point beyond it
   std::vector<std::array<std::size_t, 2>> edges;      ///< of those triangles, diagonals of faces too
-  Real radius = 0.0;                                  ///< [m]
+  Real radius = 0.0L;                                 ///< [m]
 };
 /// Of the shape's own points, in its own axes.
 Convex convex(std::span<const Vec3> points, double radius = 0.0);
@@ -27,9 +27,9 @@ Convex convex(const BoxShape& box);
 Convex put(const Convex& convex, const Pose& pose, Vec3 origin);
 
 /// [m] below 0 as deep as they overlap.
-Real distance(const Convex& a, const Convex& b);
+double distance(const Convex& a, const Convex& b);
 /// [m] the gap between their shadows along a direction of unit length, from b to a.
-Real gap_along(const Convex& a, const Convex& b, Vec3 normal);
+double gap_along(const Convex& a, const Convex& b, Vec3 normal);
 
 /// A rotation, evenly distributed.
 Mat3 random_turn(Random& random);
