@@ -17,6 +17,6 @@ float checks(vec2 at) {
 void main() {
   float off = dot(place, place) / (reach * reach), fade = clamp(1.6 * (1.0 - off), 0.0, 1.0);
   float lit = 0.62 + 0.38 * max(dot(normal, light), 0.0);
-  vec3 color = paint * lit * mix(0.80, 1.0, checks(place * squares + from));
+  vec3 color = paint * lit * mix(0.88, 1.0, checks(place * squares + from));
   result = vec4(shown(color), fade * fade);
 }

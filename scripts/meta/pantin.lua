@@ -67,6 +67,14 @@ function quat_methods:inverse() end
 ---@alias Moment "step"|"press"|"release"|"key"|"grab"|"drop"|"cut"|"broke"|"joined"|"removed" at which scene:on calls
 ---@alias Waiting fun(what?: number|fun(): boolean) for a time [s], until something holds, or for the next step
 
+---Where a shape of a body touches another.
+---@class Contact
+---@field with? Body whose shape it is; nil: the world's
+---@field at vec [m] where they touch
+---@field normal vec [1] away from the other
+---@field force vec [N] on this body, the mean over the last step
+---@field depth number [m] by which they overlap; below 0: apart
+
 ---@class Energy
 ---@field kinetic number [J] of motion
 ---@field potential number [J] of gravity and of laws with energy
@@ -87,6 +95,8 @@ function quat_methods:inverse() end
 ---@field hand number [J] by hands, follows, moving anchors and lengths, and pushes on what is tied
 ---@field motor number [J] by motors, and turns and angles that follow a function of time
 ---@field limit number [J] by limits, and by all that ties what strikes one
+---@field contact number [J] by friction, restitution and moving surfaces, where shapes touch
+---@field push_out number [J] by moving apart what overlaps
 ---@field event number [J] by kicks, and pushes on what is loose
 ---@field edit number [J] by things made and changed
 ---@field merge number [J] lost by what became one body
@@ -118,6 +128,10 @@ function quat_methods:inverse() end
 ---@field rejected_steps integer steps that were done again with more sub-steps, as `scene.accuracy` wants
 ---@field missed_accuracy number [as scene.accuracy] largest error where not even the most sub-steps gave what `scene.accuracy` wants; 0 where none was missed
 ---@field projections integer of velocities
+---@field contacts integer of shapes, in the last step
+---@field contact_islands integer of what touches, with what ties it, in the last step
+---@field contact_iterations integer of all of them
+---@field unsolved_islands integer times that impulses were left that miss the law of friction
 ---@field sub_steps integer of the whole scene in its last step, as `scene.accuracy` wants
 ---@field most_sub_steps integer the most of any body or articulate, those of the scene included
 ---@field most_sub_steps_of string that body, or the first of that articulate; "" where all take as many
@@ -288,7 +302,10 @@ function Particle:force(body) end
 ---@field inertia vec|Inertia [kg m²] its points' and its own about the frame's origin, in the frame's axes: vec of the diagonal, or a table. Tied, a body moves with no principal moment below 1e-4 of the largest, and a warning says so
 ---@field points Point[] its points, in the order of making (read only)
 ---@field hinges Particle[] the hinges that its points are in (read only)
----@field color color color of its first point; writing gives it to all
+---@field color color color of its first shape, or point; writing gives it to all
+---@field friction number? [1] of its first shape, nil without one; writing gives it to all
+---@field restitution number? [1] of its first shape, nil without one; writing gives it to all
+---@field contacts Contact[] where its shapes touch others, after the last step (read only)
 ---@field [string] Point its named points
 local Body = {}
 ---Pulls for the coming step, at its centre of mass or at a position of the world.
@@ -685,6 +702,32 @@ function Structure:select(part, keep) end
 ---@return vec
 function Structure:inertia(mass_in) end
 
+---What touches, and what it is made of: a value, which does not change.
+---@class Shape
+---@field kind string "ball", "box", "capsule" …, as it was made (read only)
+---@field volume number? [m³] inside it; nil of a plane, a mesh and heights (read only)
+---@field mass number? [kg] of its volume filled with its density; nil without a volume (read only)
+---@field centre vec? [m] its centre of mass in the frame of its body; nil without a volume (read only)
+---@field density number [kg/m³] of a body whose mass is not given (read only)
+---@field friction number [1] of two that touch the root of the product counts (read only)
+---@field restitution number [1] 0 to 1; of two that touch the larger counts (read only)
+---@field surface_velocity vec [m/s] of its surface against its body, as of a belt (read only)
+local Shape = {}
+---Moved in the frame of its body.
+---```lua
+---local head = shape.box(1, 1, 1):move(vec(0, 2, 0))
+---```
+---@param by vec [m]
+---@return Shape
+function Shape:move(by) end
+---Turned about the origin of its body's frame.
+---```lua
+---local log = shape.cylinder(0.2, 3):rotate(quat(vec(0, 0, 1), math.pi / 2))
+---```
+---@param turn quat
+---@return Shape
+function Shape:rotate(turn) end
+
 ---Draws over the scene what is shown until the next step: call it in each step. On the screen (space = "screen") x and y are in px from the upper left corner, negative ones from the right or lower edge.
 ---@class Draw
 local Draw = {}
@@ -761,6 +804,46 @@ function Scene:particle(options) end
 ---@param options BodyOptions
 ---@return Body
 function Scene:body(options) end
+---Makes a rigid body that is a ball, which touches.
+---```lua
+---local ball = scene:ball { radius = 0.2, at = vec(0, 2, 0), velocity = vec(3, 0, 0), restitution = 0.7 }
+---```
+---@param options BallOptions
+---@return Body
+function Scene:ball(options) end
+---Makes a rigid body that is a box, which touches.
+---```lua
+---local crate = scene:box { size = vec(1, 1, 1), at = vec(0, 3, 0), density = 300, friction = 0.4 }
+---```
+---@param options BoxOptions
+---@return Body
+function Scene:box(options) end
+---Makes a rigid body that is a cylinder with round ends, which touches.
+---```lua
+---local pill = scene:capsule { radius = 0.2, length = 0.5, at = vec(0, 2, 0) }
+---```
+---@param options CapsuleOptions
+---@return Body
+function Scene:capsule(options) end
+---Makes a rigid body that is a cylinder, which touches.
+---```lua
+---local wheel = scene:cylinder { radius = 0.5, length = 0.1, axis = vec(0, 0, 1), at = vec(0, 2, 0) }
+---```
+---@param options CylinderOptions
+---@return Body
+function Scene:cylinder(options) end
+---Makes a plane on which things rest, solid below.
+---```lua
+---scene:floor { height = -9, friction = 0.8 }
+---```
+---@param options? FloorOptions
+function Scene:floor(options) end
+---Puts shapes into the world, where they stay: things rest on them and strike them.
+---```lua
+---scene:ground { shape = shape.box(10, 1, 10), at = vec(0, -9, 0), color = "#987" }
+---```
+---@param options GroundOptions
+function Scene:ground(options) end
 ---a lives on with b's points, which stay valid; b is gone.
 ---```lua
 ---local both = scene:merge(arm, block)
@@ -1267,16 +1350,107 @@ function OpenedScene:restore(snapshot) end
 ---@field xz? number [kg m²] (default `0`)
 ---@field yz? number [kg m²] (default `0`)
 
----It needs masses enough to turn: of its points, or its own mass and inertia.
----@class BodyOptions: NameOptions
+---What bodies of all sorts are given.
+---@class AnyBodyOptions: NameOptions
 ---@field points? table<integer|string, vec|PointOptions> [m] in its frame, a list or by name; a vec is a position without mass (default `{}`)
 ---@field at? vec [m] position of its frame's origin (default `vec(0, 0, 0)`)
 ---@field orientation? quat turns its frame to the world (default `quat(vec(0, 0, 1), 0)`)
 ---@field velocity? vec [m/s] of its centre of mass (default `vec(0, 0, 0)`)
 ---@field spin? vec [rad/s] angular velocity, world axes (default `vec(0, 0, 0)`)
----@field mass? number [kg] beside its points', at its frame's origin (default `0`)
----@field inertia? vec|Inertia|number[] [kg m²] beside its points', about its frame's origin in the frame's axes; a vec is the diagonal (default `vec(0, 0, 0)`)
----@field color? color of its points (default orange)
+---@field mass? number [kg] beside its points', spread over its shapes, or else at its frame's origin (default that of its shapes' density where no point has a mass, else `0`)
+---@field inertia? vec|Inertia|number[] [kg m²] beside its points', about the centre of its shapes, or else its frame's origin, in the frame's axes; a vec is the diagonal (default that of its shapes, else `vec(0, 0, 0)`)
+---@field color? color of its points and shapes (default orange)
+
+---It needs masses enough to turn: of its shapes, of its points, or its own mass and inertia.
+---@class BodyOptions: AnyBodyOptions
+---@field shape? Shape that touches others (default none)
+---@field shapes? Shape[] several of them (default none)
+
+---What shapes are made of.
+---@class MaterialOptions
+---@field density? number [kg/m³] of a body whose mass is not given (default `1000`)
+---@field friction? number [1] of two that touch the root of the product counts (default `0.5`)
+---@field restitution? number [1] 0 to 1; of two that touch the larger counts (default `0`)
+---@field surface_velocity? vec [m/s] of its surface against its body, as of a belt (default `vec(0, 0, 0)`)
+
+---@class ShapeOptions: NameOptions, MaterialOptions
+---@field at? vec [m] position in the frame of its body, or in the world (default `vec(0, 0, 0)`)
+---@field orientation? quat turns it in that frame (default `quat(vec(0, 0, 1), 0)`)
+---@field color? color (default the body's, or grey)
+
+---@class BallSize
+---@field radius number [m]
+
+---Size, or x, y and z.
+---@class BoxSize
+---@field size? vec|number [m] its edges along the axes; a number is that of a cube (default none)
+---@field x? number [m] (default none)
+---@field y? number [m] (default none)
+---@field z? number [m] (default none)
+
+---Length, or from and to.
+---@class CapsuleSize
+---@field radius number [m] of its ends
+---@field length? number [m] between the centres of its ends, along y (default none)
+---@field from? vec [m] the centre of one end (default none)
+---@field to? vec [m] that of the other (default none)
+
+---@class CylinderSize
+---@field radius number [m]
+---@field length number [m]
+---@field axis? vec [1] along which it is long (default `vec(0, 1, 0)`)
+
+---@class BallShapeOptions: ShapeOptions, BallSize
+
+---@class BoxShapeOptions: ShapeOptions, BoxSize
+
+---@class CapsuleShapeOptions: ShapeOptions, CapsuleSize
+
+---@class CylinderShapeOptions: ShapeOptions, CylinderSize
+
+---@class HullShapeOptions: ShapeOptions
+---@field points vec[]|Structure [m] four or more that are not in one plane; of a structure its vertices
+
+---@class PolygonShapeOptions: ShapeOptions
+---@field points vec[] [m] three or more, in the plane of x and y
+---@field thickness? number [m] along z (default `1`)
+
+---@class PlaneShapeOptions: ShapeOptions
+---@field normal? vec [1] out of what is solid (default `vec(0, 1, 0)`)
+---@field height? number [m] of the plane along its normal (default `0`)
+
+---@class MeshShapeOptions: ShapeOptions
+---@field vertices vec[]|Structure [m] positions; of a structure its faces count, too
+---@field faces? integer[][] lists of three or more numbers of vertices, counter-clockwise seen from outside (default the structure's)
+
+---@class HeightsShapeOptions: ShapeOptions
+---@field columns integer of places along x
+---@field rows integer of places along z
+---@field spacing? number [m] between them, about the origin (default `1`)
+---@field height number[]|fun(x: number, z: number): number [m] a list, row by row, or at a place
+
+---@class BallOptions: AnyBodyOptions, MaterialOptions, BallSize
+
+---@class BoxOptions: AnyBodyOptions, MaterialOptions, BoxSize
+
+---@class CapsuleOptions: AnyBodyOptions, MaterialOptions, CapsuleSize
+
+---@class CylinderOptions: AnyBodyOptions, MaterialOptions, CylinderSize
+
+---@class FloorOptions: NameOptions
+---@field height? number [m] along its normal (default `0`)
+---@field normal? vec [1] out of what is solid (default `vec(0, 1, 0)`)
+---@field friction? number [1] (default `0.5`)
+---@field restitution? number [1] 0 to 1 (default `0`)
+---@field surface_velocity? vec [m/s] of a belt (default `vec(0, 0, 0)`)
+---@field color? color of its brighter squares (default grey)
+
+---@class GroundOptions
+---@field shape? Shape to be put into the world (default none)
+---@field shapes? Shape[] several of them (default none)
+---@field at? vec [m] position of their frame's origin (default `vec(0, 0, 0)`)
+---@field orientation? quat turns their frame to the world (default `quat(vec(0, 0, 1), 0)`)
+---@field color? color of those that have none (default grey)
 
 ---Loads, and of a constraint or connection the length, at which it breaks.
 ---@class Breaking
@@ -1936,6 +2110,88 @@ function structure.molecule(file, options) end
 ---@param parts StructureParts
 ---@return Structure
 function structure.new(parts) end
+
+shape = {}
+---A ball.
+---```lua
+---local ball = shape.ball { radius = 0.5, restitution = 0.8 }
+---local rubber = shape.ball(0.5, { restitution = 0.8 })
+---```
+---@param radius number|BallShapeOptions [m]
+---@param options? BallShapeOptions
+---@return Shape
+function shape.ball(radius, options) end
+---A box along the axes; of one length a cube.
+---```lua
+---local brick = shape.box { size = vec(0.24, 0.07, 0.12), density = 1900 }
+---local plank = shape.box(2, 0.05, 0.3)
+---```
+---@param x number|vec|BoxShapeOptions [m]
+---@param y? number|BoxShapeOptions [m]
+---@param z? number [m]
+---@param options? BoxShapeOptions
+---@return Shape
+function shape.box(x, y, z, options) end
+---All within a radius of a line: a cylinder with round ends.
+---```lua
+---local limb = shape.capsule { radius = 0.1, from = vec(0, 0, 0), to = vec(1, 0, 0) }
+---local post = shape.capsule(0.1, 1)
+---```
+---@param radius number|CapsuleShapeOptions [m]
+---@param length? number [m]
+---@param options? CapsuleShapeOptions
+---@return Shape
+function shape.capsule(radius, length, options) end
+---A cylinder along y, or along an axis.
+---```lua
+---local wheel = shape.cylinder { radius = 0.4, length = 0.1, axis = vec(0, 0, 1) }
+---```
+---@param radius number|CylinderShapeOptions [m]
+---@param length? number [m]
+---@param options? CylinderShapeOptions
+---@return Shape
+function shape.cylinder(radius, length, options) end
+---The convex hull of points, or of the vertices of a structure.
+---```lua
+---local die = shape.hull(structure.dodecahedron { edge = 0.2 }, { friction = 0.3 })
+---```
+---@param points vec[]|Structure|HullShapeOptions [m]
+---@param options? HullShapeOptions
+---@return Shape
+function shape.hull(points, options) end
+---A plate whose outline is the convex hull of points in the plane of x and y; its middle is at z = 0.
+---```lua
+---local wedge = shape.polygon { points = { vec(0, 0, 0), vec(2, 0, 0), vec(0, 1, 0) }, thickness = 0.5 }
+---```
+---@param points vec[]|PolygonShapeOptions [m]
+---@param thickness? number [m]
+---@param options? PolygonShapeOptions
+---@return Shape
+function shape.polygon(points, thickness, options) end
+---A plane, solid behind it. It does not move, so no body can have it.
+---```lua
+---scene:ground { shape = shape.plane { normal = vec(1, 0, 0), height = -9 } }
+---```
+---@param options? PlaneShapeOptions
+---@return Shape
+function shape.plane(options) end
+---Triangles, whose front is where their corners run counter-clockwise. It does not move, so no body can have it.
+---```lua
+---scene:ground { shape = shape.mesh(structure.sheet { columns = 4, rows = 4 }) }
+---```
+---@param vertices vec[]|Structure|MeshShapeOptions [m]
+---@param faces? integer[][]
+---@param options? MeshShapeOptions
+---@return Shape
+function shape.mesh(vertices, faces, options) end
+---Heights over a grid in x and z, solid below. It does not move, so no body can have it.
+---```lua
+---scene:ground { shape = shape.heights { columns = 20, rows = 20, spacing = 0.5,
+---  height = function(x, z) return -9 + 0.1 * x * x end } }
+---```
+---@param options HeightsShapeOptions
+---@return Shape
+function shape.heights(options) end
 
 ---@type Scene
 scene = nil

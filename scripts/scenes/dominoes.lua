@@ -5,6 +5,7 @@ local spacing = scene:param("spacing", 0.24, { min = 0.1, max = 0.4, help = "bet
 scene.title = "Dominoes"
 scene.duration = 12
 scene.step = 1 / 480
+scene.camera = { at = vec(0, 5.2, 6.8), look_at = vec(0, 0, 0.5) }
 scene:floor { friction = 0.7, color = "#dfe5e8" }
 
 local stone = shape.box { size = vec(0.08, 0.5, 0.25), density = 700, friction = 0.3 }

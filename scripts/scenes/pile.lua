@@ -4,6 +4,7 @@ local friction = scene:param("friction", 0.5, { min = 0, max = 1.5, help = "of a
 
 scene.title = "Pile"
 scene.duration = 8
+scene.camera = { at = vec(4.6, 4.6, 6.4), look_at = vec(0, 0.8, 0) }
 scene:floor { height = -0.2, color = "#cfd8d3" }
 
 -- A tray: a bottom and four walls.
