@@ -129,7 +129,8 @@ Table contacts_of(const World& world, BodyId body) {
     if (!(first || second) || (c.gap > 0.0 && norm2(c.total) == 0.0)) continue;
     const double side = first ? 1.0 : -1.0;
     const std::int32_t other = first ? c.body_b : static_cast<std::int32_t>(c.body_a);
-    const BodyId with = other < 0 ? BodyId{} : world.bodies.id_at(static_cast<std::uint32_t>(other));
+    const bool body_there = other >= 0 && world.bodies.alive_at(static_cast<std::uint32_t>(other));
+    const BodyId with = body_there ? world.bodies.id_at(static_cast<std::uint32_t>(other)) : BodyId{};
     list.push_back({"", Table{{"with", with ? Value(AnyId(with)) : Value()},
                               {"at", c.at},
                               {"normal", c.normal * side},
