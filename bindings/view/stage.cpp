@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "constraints/kind.hpp"
+#include "contacts/find.hpp"
 #include "view/constraint_look.hpp"
 
 namespace pantin {
@@ -16,17 +17,9 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Of a body's shapes.
-Bounds box_of(const World& world, BodyId body) {
-  const Pose frame{origin(world, body), matrix(orientation(world, body))};
+Bounds box_of(const World& world, const Body& body) {
   Bounds sum;
-  for (const ShapeId id : world.bodies[body].shapes) {
-    const Shape& shape = world.shapes[id];
-    const Bounds box = bounds_of(shape.geometry, frame * Pose{shape.at, matrix(shape.orientation)});
-    for (int i = 0; i < 3; i++) {
-      sum.low[i] = std::fmin(sum.low[i], box.low[i]);
-      sum.high[i] = std::fmax(sum.high[i], box.high[i]);
-    }
-  }
+  for (const ShapeId id : body.shapes) sum.add(bounds_of(world.shapes[id].geometry, pose_of(world, world.shapes[id])));
   return sum;
 }
 
@@ -53,7 +46,7 @@ std::vector<double> lengths(const World& world) {
       first = false;
     }
     if (!body.shapes.empty()) {
-      const Bounds box = box_of(world, world.bodies.id_at(s));
+      const Bounds box = box_of(world, body);
       list.push_back(norm(box.high - box.low));
       continue;
     }
@@ -183,7 +176,7 @@ void include_ground(const World& world, Stage& stage) {
   for (const ShapeId id : world.shapes.ids()) {
     const Shape& shape = world.shapes[id];
     if (shape.body || std::holds_alternative<HalfSpaceShape>(shape.geometry)) continue;
-    const Bounds box = bounds_of(shape.geometry, {shape.at, matrix(shape.orientation)});
+    const Bounds box = bounds_of(shape.geometry, pose_of(world, shape));
     for (Vec3 corner : {box.low, box.high}) {
       for (int i = 0; i < 3 && !alone; i++) corner[i] = std::clamp<double>(corner[i], low[i], high[i]);
       include(stage, corner);
@@ -212,7 +205,7 @@ void find_box(const World& world, Stage& stage) {
     if (world.points.alive_at(s)) include(stage, position(world, world.points.id_at(s)));
   for (std::uint32_t s = 0; s < world.bodies.slots(); s++) {
     if (!world.bodies.alive_at(s) || world.bodies.at_slot(s).shapes.empty()) continue;
-    const Bounds box = box_of(world, world.bodies.id_at(s));
+    const Bounds box = box_of(world, world.bodies.at_slot(s));
     include(stage, box.low);
     include(stage, box.high);
   }

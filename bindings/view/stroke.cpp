@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "contacts/find.hpp"
 #include "shapes/ray.hpp"
 #include "view/draw_list.hpp"
 #include "view/pick.hpp"
@@ -148,12 +149,9 @@ std::optional<OnShape> pick_shape(const Viewport& viewport, double x, double y) 
   for (std::uint32_t s = 0; s < world.shapes.slots(); s++) {
     if (!world.shapes.alive_at(s)) continue;
     const Shape& shape = world.shapes.at_slot(s);
-    Pose pose{shape.at, matrix(shape.orientation)};
-    Vec3 shift = zero3();
-    if (shape.body) {
-      shift = image_shift(world, world.motion_of(shape.body).x);
-      pose = Pose{origin(world, shape.body) + shift, matrix(orientation(world, shape.body))} * pose;
-    }
+    const Vec3 shift = shape.body ? image_shift(world, world.motion_of(shape.body).x) : zero3();
+    Pose pose = pose_of(world, shape);
+    pose.x += shift;
     const auto hit = finite(pose.x) ? ray(shape.geometry, pose, from, to) : std::nullopt;
     if (!hit || hit->part >= best) continue;
     best = hit->part;
