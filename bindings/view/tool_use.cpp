@@ -325,7 +325,7 @@ void ToolUse::grab(const Viewport& viewport, ToolOutput& output) {
 }
 
 void ToolUse::nail(const Viewport& viewport, ToolOutput& output) {
-  if (!point_ && !body_) return output.said.push_back("nail: there is nothing under the cursor");
+  if (!point_ && !body_) return output.said.push_back("nail: there is no point under the cursor");
   if (body_) {
     send(command_there(viewport, Command::Kind::nail), output);
     return output.said.push_back("nailed");

@@ -17,11 +17,11 @@ test("a ball has the mass of its volume and 2/5 m r²", function()
 end)
 
 test("a box has m/12 (b² + c²) about each axis, a cube's size may be a number", function()
-  local box = body_of "scene:box { size = vec(1, 2, 3) }"
+  local box = body_of "scene:block { size = vec(1, 2, 3) }"
   expect(box.mass):near(6000, 1e-9)
   expect(box.inertia):near(vec(4 + 9, 1 + 9, 1 + 4) * 500, 1e-9)
-  expect(body_of("scene:box { x = 1, y = 2, z = 3 }").inertia):near(box.inertia, 1e-9)
-  expect(body_of("scene:box { size = 2, density = 1 }").mass):near(8, 1e-12)
+  expect(body_of("scene:block { x = 1, y = 2, z = 3 }").inertia):near(box.inertia, 1e-9)
+  expect(body_of("scene:block { size = 2, density = 1 }").mass):near(8, 1e-12)
 end)
 
 test("a cylinder is along y, or along its axis", function()
@@ -131,7 +131,7 @@ end)
 
 test("friction and restitution of a body are those of its shapes", function()
   local scene = open_text [[
-    local box = scene:box { size = 1, friction = 0.2, name = "box" }
+    local box = scene:block { size = 1, friction = 0.2, name = "box" }
     assert(box.friction == 0.2 and box.restitution == 0)
     box.friction, box.restitution = 0.7, 0.5
     assert(not pcall(function() box.friction = -1 end))
@@ -146,7 +146,7 @@ end)
 test("a box at rest on a floor tells its contacts, whose forces bear its weight", function()
   local scene = open_text [[
     scene:floor {}
-    scene:box { size = vec(1, 0.5, 1), at = vec(0, 0.25, 0), name = "box" }
+    scene:block { size = vec(1, 0.5, 1), at = vec(0, 0.25, 0), name = "box" }
   ]]
   scene:advance(1)
   local box, sum = scene:find "box", vec(0, 0, 0)
@@ -167,8 +167,8 @@ end)
 test("one body on another: each tells the other, with opposite forces", function()
   local scene = open_text [[
     scene:floor {}
-    scene:box { size = 1, at = vec(0, 0.5, 0), name = "low" }
-    scene:box { size = 0.5, at = vec(0, 1.25, 0), name = "high" }
+    scene:block { size = 1, at = vec(0, 0.5, 0), name = "low" }
+    scene:block { size = 0.5, at = vec(0, 1.25, 0), name = "high" }
   ]]
   scene:advance(1)
   local low, high, force = scene:find "low", scene:find "high", vec(0, 0, 0)

@@ -135,7 +135,7 @@ const char* const annotations_options = R"(---@class NameOptions
 
 ---@class BallOptions: AnyBodyOptions, MaterialOptions, BallSize
 
----@class BoxOptions: AnyBodyOptions, MaterialOptions, BoxSize
+---@class BlockOptions: AnyBodyOptions, MaterialOptions, BoxSize
 
 ---@class CapsuleOptions: AnyBodyOptions, MaterialOptions, CapsuleSize
 

@@ -29,7 +29,7 @@ const std::vector<ReferenceTasks>& reference_tasks() {
       {"Make things",
        {{"a free particle", {"Scene:particle", "ParticleOptions"}},
         {"a rigid body", {"Scene:body", "BodyOptions", "Body:add_point"}},
-        {"a body that touches others", {"Scene:ball", "Scene:box", "Scene:capsule", "Scene:cylinder"}},
+        {"a body that touches others", {"Scene:ball", "Scene:block", "Scene:capsule", "Scene:cylinder"}},
         {"what things rest on", {"Scene:floor", "Scene:ground"}},
         {"particles of a kind, with attributes of their own", {"Scene:family", "FamilyOptions"}},
         {"particles at a rate, as of a fountain", {"Scene:emitter", "EmitterOptions"}},

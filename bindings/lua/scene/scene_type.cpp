@@ -52,15 +52,16 @@ int scene_body(lua_State* state) {
   return 1;
 }
 
-int make_solid(lua_State* state, const char* kind) {
-  const Self self = check_self(state, Kind::scene, kind);
-  push_thing(state, self.script, add_body(self.world, solid_def(state, 2, kind)));
+int make_solid(lua_State* state, const char* kind, const char* call) {
+  const Self self = check_self(state, Kind::scene, call);
+  push_thing(state, self.script, add_body(self.world, solid_def(state, 2, kind, call)));
   return 1;
 }
-int scene_ball(lua_State* state) { return make_solid(state, "ball"); }
-int scene_box(lua_State* state) { return make_solid(state, "box"); }
-int scene_capsule(lua_State* state) { return make_solid(state, "capsule"); }
-int scene_cylinder(lua_State* state) { return make_solid(state, "cylinder"); }
+int scene_ball(lua_State* state) { return make_solid(state, "ball", "ball"); }
+// `scene.box` is the edges of the periodic box.
+int scene_block(lua_State* state) { return make_solid(state, "box", "block"); }
+int scene_capsule(lua_State* state) { return make_solid(state, "capsule", "capsule"); }
+int scene_cylinder(lua_State* state) { return make_solid(state, "cylinder", "cylinder"); }
 
 int scene_floor(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "floor");
@@ -116,8 +117,8 @@ std::vector<Method> making() {
        "  points = { left = { at = vec(-1, 0, 0), mass = 1 }, right = { at = vec(1, 0, 0), mass = 1 } } }"},
       {"ball", guard<scene_ball>, "options: BallOptions", "Body", "Makes a rigid body that is a ball, which touches.",
        "local ball = scene:ball { radius = 0.2, at = vec(0, 2, 0), velocity = vec(3, 0, 0), restitution = 0.7 }"},
-      {"box", guard<scene_box>, "options: BoxOptions", "Body", "Makes a rigid body that is a box, which touches.",
-       "local crate = scene:box { size = vec(1, 1, 1), at = vec(0, 3, 0), density = 300, friction = 0.4 }"},
+      {"block", guard<scene_block>, "options: BlockOptions", "Body", "Makes a rigid body that is a box, which touches.",
+       "local crate = scene:block { size = vec(1, 1, 1), at = vec(0, 3, 0), density = 300, friction = 0.4 }"},
       {"capsule", guard<scene_capsule>, "options: CapsuleOptions", "Body",
        "Makes a rigid body that is a cylinder with round ends, which touches.",
        "local pill = scene:capsule { radius = 0.2, length = 0.5, at = vec(0, 2, 0) }"},

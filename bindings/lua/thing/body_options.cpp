@@ -87,8 +87,8 @@ namespace {
 
 /// What bodies of all sorts are given.
 const std::vector<std::string>& body_options() {
-  static const std::vector<std::string> names = {"points", "at",   "orientation", "velocity", "spin",
-                                                 "mass",   "inertia", "color",    "name"};
+  static const std::vector<std::string> names = {"points", "at",      "orientation", "velocity", "spin",
+                                                 "mass",   "inertia", "color",       "name"};
   return names;
 }
 
@@ -126,9 +126,9 @@ BodyDef body_def(lua_State* state, int index) {
   return def;
 }
 
-BodyDef solid_def(lua_State* state, int index, const char* name) {
+BodyDef solid_def(lua_State* state, int index, const char* name, const char* call) {
   const ShapeKind& kind = shape_kind(name);
-  const Options o(state, index, name, with_names(with_names(kind.sizes, material_options()), body_options()));
+  const Options o(state, index, call, with_names(with_names(kind.sizes, material_options()), body_options()));
   BodyDef def = body_of(o);
   def.shapes = {shape_of_sizes(kind, o).def};
   def.shapes[0].color = def.color;
