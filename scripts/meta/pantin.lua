@@ -813,11 +813,11 @@ function Scene:body(options) end
 function Scene:ball(options) end
 ---Makes a rigid body that is a box, which touches.
 ---```lua
----local crate = scene:box { size = vec(1, 1, 1), at = vec(0, 3, 0), density = 300, friction = 0.4 }
+---local crate = scene:block { size = vec(1, 1, 1), at = vec(0, 3, 0), density = 300, friction = 0.4 }
 ---```
----@param options BoxOptions
+---@param options BlockOptions
 ---@return Body
-function Scene:box(options) end
+function Scene:block(options) end
 ---Makes a rigid body that is a cylinder with round ends, which touches.
 ---```lua
 ---local pill = scene:capsule { radius = 0.2, length = 0.5, at = vec(0, 2, 0) }
@@ -1431,7 +1431,7 @@ function OpenedScene:restore(snapshot) end
 
 ---@class BallOptions: AnyBodyOptions, MaterialOptions, BallSize
 
----@class BoxOptions: AnyBodyOptions, MaterialOptions, BoxSize
+---@class BlockOptions: AnyBodyOptions, MaterialOptions, BoxSize
 
 ---@class CapsuleOptions: AnyBodyOptions, MaterialOptions, CapsuleSize
 
