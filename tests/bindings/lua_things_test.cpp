@@ -53,7 +53,7 @@ TEST_CASE("errors name the line, the value, the unit and what is allowed") {
 }
 
 TEST_CASE("names of later parts answer as any unknown name") {
-  for (const char* name : {"collide", "floor"})
+  for (const char* name : {"collide", "cast"})
     CHECK_THAT(failure("local x = scene." + std::string(name)),
                Contains("scene: unknown field '" + std::string(name) + "'"));
 }
