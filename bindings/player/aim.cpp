@@ -24,7 +24,7 @@ void Follower::move(const Scene& scene, Camera& camera) {
   AnyId thing = chosen_.value_or(scene.camera().follow);
   if (std::holds_alternative<std::monostate>(thing) || !alive(scene.world(), thing)) return last_.reset();
   Bounds box = bounds(scene.world(), things_of(scene.world(), thing));
-  Vec3 place = 0.5 * (box.lower + box.upper);
+  Vec3 place = 0.5 * (box.low + box.high);
   if (last_ && finite(place)) camera.target += place - *last_;
   last_ = place;
 }

@@ -24,7 +24,7 @@ void see_all(const World& world, const Stage& stage, double aspect, Camera& came
   const std::optional<Vec3>& edges = world.settings.box;
   const Bounds box = edges ? Bounds{zero3(), *edges} : bounds(world, everything(world));
   const Vec3 margin = vec(1, 1, 1) * (0.12 * stage.unit);
-  camera.frame(box.lower - margin, box.upper + margin, aspect);
+  camera.frame(box.low - margin, box.high + margin, aspect);
 }
 
 }  // namespace pantin

@@ -5,6 +5,7 @@
 // Letters follow the equations: x position [m], q orientation, R its matrix, p momentum [kg m/s], P angular momentum in
 // principal axes [kg m²/s], O = I⁻¹P [rad/s], a the step's Cayley vector [rad], f the force of a row on its first point
 // [N] (the second gets -f), l arms in principal axes [m], r arms in the world [m]; 0 start and 1 end of a step of h [s].
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -151,6 +152,7 @@ struct MeanMotion {
 struct ArticulateState {
   std::vector<Condition> conditions;
   std::vector<Vec3> impulses;   // (rows) [N s] of the last projection of velocities
+  std::array<std::vector<Vec3>, 2> touched;  // (rows) [N s] with what it touches, before and after the last drift; none: nothing
   std::vector<Vec3> exerted;    // (rows) [N s] in all, in a full sub-step that is cut into parts or strikes a row
   double exerted_time = 0.0;    // [s] for which that is the sum; 0: the rows' forces tell all
   std::vector<Vec3> expected;   // (rows) [N] in the coming step, where laws of velocity ask for it; none, or not finite
@@ -180,6 +182,7 @@ struct ArticulateState {
   double arrived = 0.0;           // part of the full sub-step that a fallback step has already moved over
   bool smooth = true;             // no part of the full sub-step was halved or a fallback step
   bool cut = false;               // the full sub-step has more than one part
+  bool touches = false;           // contacts gave it impulses before the last drift
   bool weak = false;              // the last factor had weak pivots: its multipliers are not all determined
   SubSteps sub_steps;             // in each stage of a step
   std::vector<MeanMotion> means;  // (nodes) where `accuracy` asks

@@ -75,6 +75,12 @@ struct Collector final : ManifoldSink {
   }
 };
 
+/// How its surface moves on it [m/s], world axes.
+Vec3 belt_of(const Shape& shape, const Placed& placed) {
+  const Vec3 v = shape.material.surface_velocity;
+  return norm2(v) == 0.0 ? v : placed.pose.R * transposed_times(matrix(shape.orientation), v);
+}
+
 double friction_of(const Shape& a, const Shape& b) { return std::sqrt(a.material.friction * b.material.friction); }
 
 void keep_impulses(const std::vector<Contact>& before, std::vector<Contact>& now) {
@@ -170,7 +176,7 @@ void find_contacts(const Placement& p, ContactFinder& finder, Contacts& contacts
     collector.like.friction = friction_of(sa, sb);
     collector.like.restitution = std::max(sa.material.restitution, sb.material.restitution);
     collector.like.belt =
-        placed[a].pose.R * sa.material.surface_velocity - placed[b].pose.R * sb.material.surface_velocity;
+        belt_of(sa, placed[a]) - belt_of(sb, placed[b]);
     SeparationCache cache;
     find_manifolds(sa.geometry, placed[a].pose, sb.geometry, placed[b].pose, placed[a].margin + placed[b].margin, cache,
                    collector);

@@ -92,9 +92,9 @@ struct Builder {
     find_forbidden(a, settings.h, settings.drifted ? 1.0 : 0.0);
     std::vector<std::int32_t> places;
     for (Node& n : a.nodes) places.push_back(n.is_body ? add_body(to, n.slot) : add_point(to, n));
-    const std::size_t first = to.problem.ties.size();
+    std::vector<IslandTie> ties;
     for (const Row& row : a.rows) {
-      IslandTie t;
+      IslandTie& t = ties.emplace_back();
       t.a = places[static_cast<std::size_t>(row.a)];
       t.b = row.b < 0 ? -1 : places[static_cast<std::size_t>(row.b)];
       t.lever = row.lever;
@@ -103,16 +103,21 @@ struct Builder {
         t.kept = row.kind == RowKind::rigid ? identity33() : c.kept;
         t.wanted = c.wanted;
       }
-      to.problem.ties.push_back(t);
     }
     for (std::size_t b = 0; b < a.batches.size(); b++)
       for (const RowEnds& end : std::span(a.ends).subspan(a.batches[b].first_end, a.batches[b].last_end - a.batches[b].first_end))
         for (std::size_t lane = 0; lane < batch_size; lane++) {
           if (end.to[lane] >= 2 * a.rows.size()) continue;
-          IslandTie& t = to.problem.ties[first + end.row[lane]];
+          IslandTie& t = ties[end.row[lane]];
           (end.to[lane] % 2 == 0 ? t.ra : t.rb) = lane_of(end.r1, lane);
         }
-    std::erase_if(to.problem.ties, [](const IslandTie& t) { return trace(t.kept) == 0.0; });
+    const std::vector<Vec3>& last = a.touched[settings.drifted ? 1 : 0];
+    for (std::uint32_t k = 0; k < ties.size(); k++) {
+      if (trace(ties[k].kept) == 0.0) continue;
+      if (last.size() == ties.size()) ties[k].start = ties[k].kept * last[k];
+      to.problem.ties.push_back(ties[k]);
+      to.rows.push_back({number, k});
+    }
   }
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "articulates/solve/node_batches.hpp"
+#include "articulates/solve/project.hpp"
 #include "articulates/solve/state.hpp"
 #include "constraints/stiff.hpp"
 #include "contacts/gather.hpp"
@@ -19,7 +21,7 @@ constexpr double parted_a_step = 0.2, most_a_step = 5e-3;  // of what is too muc
 constexpr double accepted = 1e4;              // of the tolerance
 
 /// What the impulses of an island do to its bodies [N s], [N m s].
-std::vector<std::array<Vec3, 2>> sums_of(const ContactIsland& island) {
+std::vector<std::array<Vec3, 2>> sums_of_contacts(const ContactIsland& island) {
   std::vector<std::array<Vec3, 2>> sums(island.bodies.size(), {zero3(), zero3()});
   const auto add = [&](const IslandPair& p, Vec3 impulse) {
     sums[static_cast<std::size_t>(p.a)][0] += impulse;
@@ -30,14 +32,21 @@ std::vector<std::array<Vec3, 2>> sums_of(const ContactIsland& island) {
   };
   for (const IslandContact& c : island.contacts)
     if (c.on) add(c, to_world(c, c.impulse));
+  return sums;
+}
+
+/// Of its ties too.
+std::vector<std::array<Vec3, 2>> sums_of(const ContactIsland& island) {
+  auto sums = sums_of_contacts(island);
   for (const IslandTie& t : island.ties) {
     const Vec3 impulse = t.kept * t.impulse;
-    if (t.lever == 0.0) {
-      add(t, impulse);
-      continue;
-    }
-    sums[static_cast<std::size_t>(t.a)][1] += impulse * t.lever;
-    if (t.b >= 0) sums[static_cast<std::size_t>(t.b)][1] -= impulse * t.lever;
+    const Vec3 turn_a = t.lever == 0.0 ? cross(t.ra, impulse) : impulse * t.lever,
+               turn_b = t.lever == 0.0 ? cross(t.rb, impulse) : turn_a, along = t.lever == 0.0 ? impulse : zero3();
+    sums[static_cast<std::size_t>(t.a)][0] += along;
+    sums[static_cast<std::size_t>(t.a)][1] += turn_a;
+    if (t.b < 0) continue;
+    sums[static_cast<std::size_t>(t.b)][0] -= along;
+    sums[static_cast<std::size_t>(t.b)][1] -= turn_b;
   }
   return sums;
 }
@@ -65,6 +74,32 @@ void store_tied(Model& model, const Articulates& articulates, const TouchIsland&
   for (const std::uint32_t a : island.articulates)
     for (const Node& n : articulates[a]->nodes)
       if (!n.is_body) store(n, model);
+}
+
+/// What ties answer to impulses of contacts alone, exactly: those of gravity and of turning belong to the drift.
+ImpulseWork answer_of_ties(Model& model, const Articulates& articulates, const TouchIsland& island,
+                           const TouchSettings& settings) {
+  ImpulseWork work;
+  for (const std::uint32_t number : island.articulates) {
+    Articulate& a = *articulates[number];
+    if (!settings.drifted) load(a, model, settings.gravity);
+    a.exact = false;
+    begin_answers(a, 0.0);
+    for (std::size_t b = 0; b < a.batches.size(); b++) read_momenta(a, b);
+    work += answer(a);
+    for (std::size_t b = 0; b < a.batches.size(); b++) tell_momenta(a, b);
+    a.exact = false;
+    if (settings.drifted) continue;
+    for (const Node& n : a.nodes) store(n, model);
+  }
+  return work;
+}
+
+void keep_tie_impulses(const Articulates& articulates, const TouchIsland& island, int stage) {
+  for (const std::uint32_t a : island.articulates)
+    articulates[a]->touched[static_cast<std::size_t>(stage)].assign(articulates[a]->rows.size(), zero3());
+  for (std::size_t k = 0; k < island.rows.size(); k++)
+    articulates[island.rows[k][0]]->touched[static_cast<std::size_t>(stage)][island.rows[k][1]] = island.problem.ties[k].impulse;
 }
 
 void count(const IslandReport& found, const ContactIsland& problem, TouchReport& report) {
@@ -104,6 +139,7 @@ void foresee_forces(Model& model, const Articulates& articulates, TouchIsland& i
 void place(Model& model, const Articulates& articulates, Contacts& contacts, const TouchSettings& settings,
            TouchReport& report) {
   contacts.placed.clear();
+  for (const auto& articulate : articulates) articulate->touches = false;
   for (Contact& c : contacts.list) c.rebound = c.approach = 0.0;
   const std::vector<char> used(contacts.list.size(), 1);
   const double h = settings.h;
@@ -129,6 +165,7 @@ void place(Model& model, const Articulates& articulates, Contacts& contacts, con
     }
     foresee_forces(model, articulates, island, settings);
     count(solve_island(problem), problem, report);
+    keep_tie_impulses(articulates, island, 0);
     const double before = kinetic_energy_now(model, island);
     bool any = false;
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
@@ -144,9 +181,12 @@ void place(Model& model, const Articulates& articulates, Contacts& contacts, con
         to.rebound = to.restitution * std::sqrt(std::max(0.0, to.approach * to.approach + 2.0 * fall * std::max(0.0, to.gap)));
     }
     if (!any) continue;
-    give(model, island, sums_of(problem));
+    for (const std::uint32_t a : island.articulates) articulates[a]->touches = true;
+    give(model, island, sums_of_contacts(problem));
     store_tied(model, articulates, island, settings);
-    report.work += kinetic_energy_now(model, island) - before;
+    const ImpulseWork ties = answer_of_ties(model, articulates, island, settings);
+    report.ties += ties;
+    report.work += kinetic_energy_now(model, island) - before - ties.all();
   }
 }
 
@@ -202,6 +242,7 @@ void meet(Model& model, const Articulates& articulates, Contacts& contacts, cons
       c.start = to_frame(c, from.total);
     }
     count(solve_island(problem), problem, report);
+    keep_tie_impulses(articulates, island, 1);
     const double before = kinetic_energy_now(model, island);
     for (std::size_t k = 0; k < problem.contacts.size(); k++)
       contacts.list[island.contacts[k]].total = to_world(problem.contacts[k], problem.contacts[k].impulse);

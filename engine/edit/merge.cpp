@@ -135,6 +135,18 @@ void take_points(World& world, BodyId a, BodyId b, const Frame& frame) {
   world.bodies[b].points.clear();
 }
 
+void take_shapes(World& world, BodyId a, BodyId b, const Frame& frame) {
+  for (const ShapeId id : world.bodies[b].shapes) {
+    Shape& shape = world.shapes[id];
+    shape.at = frame.place(shape.at);
+    shape.orientation = normalised(frame.turn * shape.orientation);
+    shape.material.surface_velocity = rotate(frame.turn, shape.material.surface_velocity);
+    shape.body = a;
+    world.bodies[a].shapes.push_back(id);
+  }
+  world.bodies[b].shapes.clear();
+}
+
 /// Pushes of this step go on.
 void take_pushes(World& world, BodyId a, const Motion& old_a, const Motion& old_b) {
   Motion& m = world.motion_of(a);
@@ -169,6 +181,7 @@ void merge(World& world, BodyId a, BodyId b) {
   part_ties_within(world, points, who);
   merge_rotations(world, a, b, frame);
   take_points(world, a, b, frame);
+  take_shapes(world, a, b, frame);
   OwnMass own_b = own_of(world.bodies[b]);
   const Mat3 R = matrix(frame.turn);
   own_b.position = frame.place(own_b.position);

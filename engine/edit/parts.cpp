@@ -89,6 +89,7 @@ void drop_rotations(World& world, BodyId id) {
 
 void erase_body(World& world, BodyId id, const std::string& who) {
   drop_rotations(world, id);
+  erase_shapes(world, id, who);
   world.bodies.remove(id, {describe(world, id), world.time, who});
   world.motion[id.slot - 1] = Motion{};
   notice(world, Notice::Kind::removed, id, world.bodies.story(id));

@@ -38,6 +38,8 @@ void place_contacts(World& world) {
   TouchReport report;
   place(world, world.articulates, world.contacts, settings_of(world, drifted), report);
   post(world, Source::contact, report.work);
+  post(world, Source::hand, report.ties.ends);
+  post(world, Source::motor, report.ties.turns);
   count(world, report);
 }
 

@@ -39,8 +39,8 @@ class RecordedPerson {
       put_back ? recorder_->restored(number) : recorder_->kept(number);
     };
     const Bounds box = bounds(world(), everything(world()));
-    middle_ = 0.5 * (box.lower + box.upper);
-    reach_ = 0.6 * norm(box.upper - box.lower);
+    middle_ = 0.5 * (box.low + box.high);
+    reach_ = 0.6 * norm(box.high - box.low);
   }
 
   World& world() { return scene_->world(); }

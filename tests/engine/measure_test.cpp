@@ -143,9 +143,9 @@ TEST_CASE("bounds hold all points; of nothing they are nothing") {
   Two t;
   ball(t.world, 1, vec(-1, 2, -3));
   const Bounds box = bounds(t.world, everything(t.world));
-  CHECK(norm(box.lower - vec(-1, 0, -3)) < 1e-14);
-  CHECK(norm(box.upper - vec(2, 2, 0)) < 1e-14);
-  CHECK(same(bounds(t.world, Things{}).upper, zero3()));
+  CHECK(norm(box.low - vec(-1, 0, -3)) < 1e-14);
+  CHECK(norm(box.high - vec(2, 2, 0)) < 1e-14);
+  CHECK(same(bounds(t.world, Things{}).high, zero3()));
 }
 
 TEST_CASE("clusters are what is within the distance, biggest first") {

@@ -11,7 +11,7 @@
 
 namespace pantin::touching {
 
-struct Told : ManifoldSink {
+struct Told final : ManifoldSink {
   std::vector<std::pair<Manifold, std::uint32_t>> manifolds;  ///< with their parts
   void take(const Manifold& manifold, std::uint32_t part) override { manifolds.emplace_back(manifold, part); }
 

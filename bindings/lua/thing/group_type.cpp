@@ -106,8 +106,8 @@ int cut_hinges(lua_State* state) {
 int bounds_of(lua_State* state) {
   const Self self = check_self(state, Kind::group, "bounds");
   const Bounds box = bounds(self.world, things_of(self.world, id_of(self)));
-  push(state, box.lower);
-  push(state, box.upper);
+  push(state, box.low);
+  push(state, box.high);
   return 2;
 }
 

@@ -221,6 +221,7 @@ SearchReport newton_search(ContactIsland& island, std::uint32_t most_iterations)
     solve(island, newton.load, newton.change);
     newton.follow_velocities();
     observe(island);
+    const double before = now;
     now = residual(island);
     if (!std::isfinite(now)) break;
     if (now < best.residual) best.keep(island, now);
@@ -229,7 +230,7 @@ SearchReport newton_search(ContactIsland& island, std::uint32_t most_iterations)
       if (report.iterations >= 6 && stalls) break;
       third = best.residual;
     }
-    if (report.iterations >= 4 && best.residual <= 10.0 * island.tolerance) break;
+    if (best.residual <= 10.0 * island.tolerance && now > 0.5 * before) break;
     tau = std::fmin(0.1 * tau, smoothing * smoothing * now * now);
     if (tau < smallest) tau = 0.0;
   }
