@@ -121,19 +121,6 @@ void shade_ellipsoid(DrawList& s, const DrawList::Ellipsoid& ellipsoid, float le
 
 }  // namespace
 
-Floor floor_of(const World& world, ShapeId plane, const Stage& stage) {
-  const Shape& shape = world.shapes[plane];
-  const Vec3 middle = 0.5 * (stage.lower + stage.upper), normal = matrix(shape.orientation)[2];
-  return {middle - normal * dot(middle - shape.at, normal), 2.2 * stage.size};
-}
-
-double ground_square(const Stage& stage) {
-  // 1, 2 or 5 times a power of ten.
-  const double length = stage.size / 8.0, power = std::pow(10.0, std::floor(std::log10(length)));
-  const double part = length / power;
-  return power * (part < 1.5 ? 1.0 : part < 3.5 ? 2.0 : part < 7.5 ? 5.0 : 10.0);
-}
-
 Vec3 key_light() {
   static const Vec3 to_light = direction(vec(-0.42, 0.85, 0.38));
   return to_light;

@@ -4,6 +4,7 @@
 #include "view/appearance.hpp"
 #include "view/constraint_look.hpp"
 #include "view/figure.hpp"
+#include "view/floor.hpp"
 #include "view/overlay.hpp"
 #include "view/tints.hpp"
 
@@ -118,15 +119,6 @@ Vec3 shown_place(const World& world, PointId point);
 
 /// Radius [m] at which a free particle, or a point of a body, is drawn.
 double drawn_radius(const World& world, PointId point, const Stage& stage);
-
-/// The part of one of the world's planes that is drawn.
-struct Floor {
-  Vec3 middle = zero3();  ///< [m]
-  double reach = 1.0;     ///< [m]
-};
-Floor floor_of(const World& world, ShapeId plane, const Stage& stage);
-/// Edge of the squares that the ground shows [m]: a round number.
-double ground_square(const Stage& stage);
 
 /// Direction to the key light, of length 1.
 Vec3 key_light();

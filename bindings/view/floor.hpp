@@ -1,0 +1,16 @@
+#pragma once
+#include "view/stage.hpp"
+#include "world/world.hpp"
+
+namespace pantin {
+
+/// The part of one of the world's planes that is drawn.
+struct Floor {
+  Vec3 middle = zero3();  ///< [m]
+  double reach = 1.0;     ///< [m]
+};
+Floor floor_of(const World& world, ShapeId plane, const Stage& stage);
+/// Edge of the squares that the ground shows [m]: a round number.
+double ground_square(const Stage& stage);
+
+}  // namespace pantin
