@@ -22,6 +22,7 @@ struct IslandBody {
   double reach = 0.0;                                ///< [m] makes a speed of a spin, where residuals are measured
   Vec3 v0 = zero3(), w0 = zero3();                   ///< [m/s], [rad/s] without impulses
   Vec3 v = zero3(), w = zero3();
+  Vec3 dv = zero3(), dw = zero3();  ///< of a search: its next step
 };
 
 /// Between a body and another, or the world (b = -1).

@@ -122,13 +122,15 @@ struct Newton {
   void follow_velocities() {
     for (std::size_t i = 0; i < island.bodies.size(); i++) {
       IslandBody& b = island.bodies[i];
-      b.v += change[i].force;
-      b.w += change[i].moment;
+      b.dv = change[i].force;
+      b.dw = change[i].moment;
+      b.v += b.dv;
+      b.w += b.dw;
     }
     for (std::size_t k = 0; k < laws.size(); k++) {
       IslandContact& c = island.contacts[k];
       if (!c.on) continue;
-      const Vec3 du = to_frame(c, relative(c, island.bodies, &IslandBody::v, &IslandBody::w)) + c.bias - c.u;
+      const Vec3 du = to_frame(c, relative(c, island.bodies, &IslandBody::dv, &IslandBody::dw));
       const Linear& l = used[k];
       double along = 0.0, across = 0.0;
       if (c.friction > 0.0) {
@@ -138,7 +140,7 @@ struct Newton {
       c.impulse -= vec(du[0] * l.stiffness[0] / c.wn, along * l.d1 - across * l.d2, along * l.d2 + across * l.d1);
     }
     for (IslandTie& t : island.ties) {
-      const Vec3 du = velocity_of(t, island.bodies, &IslandBody::v, &IslandBody::w) - t.kept * t.wanted - t.u;
+      const Vec3 du = velocity_of(t, island.bodies, &IslandBody::dv, &IslandBody::dw);
       t.impulse -= du * (tie_stiffness / t.w);
     }
   }
@@ -220,6 +222,7 @@ SearchReport newton_search(ContactIsland& island, std::uint32_t most_iterations)
     newton.change.resize(newton.load.size());
     solve(island, newton.load, newton.change);
     newton.follow_velocities();
+    apply_impulses(island);  // a stiff law makes much of the round-off of velocities
     observe(island);
     const double before = now;
     now = residual(island);

@@ -153,20 +153,18 @@ struct Proximal {
   void iterate() {
     change.resize(load.size());
     solve(island, load, change);
-    const auto bodies = island.bodies;
     for (std::size_t i = 0; i < change.size(); i++) {
-      island.bodies[i].v = change[i].force;
-      island.bodies[i].w = change[i].moment;
+      island.bodies[i].dv = change[i].force;
+      island.bodies[i].dw = change[i].moment;
     }
     du.assign(cones.size(), zero3());
     for (std::size_t k = 0; k < cones.size(); k++) {
       const IslandContact& c = island.contacts[k];
-      if (c.on) du[k] = to_frame(c, relative(c, island.bodies, &IslandBody::v, &IslandBody::w));
+      if (c.on) du[k] = to_frame(c, relative(c, island.bodies, &IslandBody::dv, &IslandBody::dw));
     }
     tie_du.resize(island.ties.size());
     for (std::size_t k = 0; k < tie_du.size(); k++)
-      tie_du[k] = velocity_of(island.ties[k], island.bodies, &IslandBody::v, &IslandBody::w);
-    island.bodies = bodies;
+      tie_du[k] = velocity_of(island.ties[k], island.bodies, &IslandBody::dv, &IslandBody::dw);
     const double x = step_length();
     for (std::size_t i = 0; i < change.size(); i++) {
       island.bodies[i].v += change[i].force * x;
