@@ -3,7 +3,7 @@
 // which the factor eliminates the rows; `load` and `store` move the state between them and the model.
 //
 // Letters follow the equations: x position [m], q orientation, R its matrix, p momentum [kg m/s], P angular momentum in
-// principal axes [kg m²/s], O = I⁻¹P [rad/s], a the step's Cayley vector [rad], f the force of a row on its first point
+// principal axes [kg m²/s], O = I⁻¹P [rad/s], a the step's Cayley vector in world axes [rad], f the force of a row on its first point
 // [N] (the second gets -f), l arms in principal axes [m], r arms in the world [m]; 0 start and 1 end of a step of h [s].
 #include <cstdint>
 #include <memory>
@@ -34,7 +34,7 @@ struct alignas(64) Node {
   // seldom asked for, or only where a step is not the midpoint's
   std::uint32_t first_row;
   double reach;  // [m] turns a rotation into a displacement in the residual
-  Vec3 a;        // where angular rows ask for it, world axes at the start; of a node without rows, principal ones
+  Vec3 a;        // where angular rows ask for it, world axes; with `euler` the rotation vector
   Vec3 x1, p1, P1;
   Quat q1;
   Mat3 R1;

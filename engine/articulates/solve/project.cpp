@@ -65,7 +65,7 @@ Velocities find_velocities(Articulate& a, From from, bool serves = false) {
     for (; done.batches < tile.batches; done.batches++) {
       if (from == From::nodes) read_momenta(a, done.batches);
       const NodeBatch& n = a.batches[done.batches];
-      const Vec3x4 velocity = n.p * n.inverse_mass, spin = n.mobility * n.L;
+      const Vec3x4 velocity = n.p * n.inverse_mass, spin = n.inverse_inertia_world * n.L;
       kinetic += (dot(velocity, n.p) + dot(spin, n.L)) * 0.5;
       fastest2 = larger(norm2(velocity), fastest2);
       for (const RowEnds& end : ends_of(a, n))
