@@ -9,6 +9,7 @@ Type type_of_constraint(const char* name, const char* word, const char* doc, std
 Property point_property();   ///< that it holds
 Property force_property();   ///< as a vec
 Property torque_property();  ///< as a vec
+inline const Constraint& constraint_row(const World& world, ConstraintId id) { return world.constraints[id]; }
 
 const Type& nail_type();
 const Type& follow_type();

@@ -7,14 +7,13 @@
 namespace pantin::fields {
 namespace {
 
-const Constraint& row(const World& world, ConstraintId id) { return world.constraints[id]; }
-const CoupledValue& first(const World& world, ConstraintId id) { return row(world, id).coupled()[0]; }
-const CoupledValue& second(const World& world, ConstraintId id) { return row(world, id).coupled()[1]; }
+const CoupledValue& first(const World& world, ConstraintId id) { return constraint_row(world, id).coupled()[0]; }
+const CoupledValue& second(const World& world, ConstraintId id) { return constraint_row(world, id).coupled()[1]; }
 
 /// The number by which one value counts against the other.
 Property proportion(const char* name, const char* unit, const char* doc) {
   return property<ConstraintId>(
-      name, "number", unit, doc, [](const World& w, ConstraintId c) { return row(w, c).number.now; },
+      name, "number", unit, doc, [](const World& w, ConstraintId c) { return constraint_row(w, c).number.now; },
       [](World& w, ConstraintId c, const OfTime<double>& given) {
         set_length(w, c, now(w, given), function_of(given));
       });
@@ -79,10 +78,10 @@ const Type& pulley_type() {
        property<ConstraintId>(
            "length", "number", "m",
            "the most that a's side and ratio times b's add up to; one that is too short attracts what it ties",
-           [](const World& w, ConstraintId c) { return row(w, c).as<CouplingData>().total; },
+           [](const World& w, ConstraintId c) { return constraint_row(w, c).as<CouplingData>().total; },
            [](World& w, ConstraintId c, double length) { set_rope_length(w, c, length); }),
        property<ConstraintId>("force", "number", "N", "tension of a's side in the last step, 0 where it is slack",
-                              [](const World& w, ConstraintId c) { return row(w, c).tension; })});
+                              [](const World& w, ConstraintId c) { return constraint_row(w, c).tension; })});
   return type;
 }
 

@@ -7,18 +7,16 @@
 namespace pantin::fields {
 namespace {
 
-const Constraint& row(const World& world, ConstraintId id) { return world.constraints[id]; }
-
 Table passages(const World& world, ConstraintId id) {
   Table list;
-  for (const Passage& passage : row(world, id).passages())
+  for (const Passage& passage : constraint_row(world, id).passages())
     list.push_back({"", passage.point ? Value(AnyId(passage.point)) : Value(passage.position)});
   return list;
 }
 
 Table places(const World& world, ConstraintId id) {
   Table list;
-  for (const Vec3& place : row(world, id).as<PathData>().path->positions()) list.push_back({"", place});
+  for (const Vec3& place : constraint_row(world, id).as<PathData>().path->positions()) list.push_back({"", place});
   return list;
 }
 
@@ -30,11 +28,11 @@ const Type& on_plane_type() {
                          {point_property(),
                           property<ConstraintId>(
                               "through", "vec", "m", "a position on the plane; the point is drawn to a new one",
-                              [](const World& w, ConstraintId c) { return row(w, c).position.now; },
+                              [](const World& w, ConstraintId c) { return constraint_row(w, c).position.now; },
                               [](World& w, ConstraintId c, Vec3 at) { set_position(w, c, at); }),
                           property<ConstraintId>(
                               "normal", "vec", "1", "across the plane, of unit length",
-                              [](const World& w, ConstraintId c) { return row(w, c).axis_a; },
+                              [](const World& w, ConstraintId c) { return constraint_row(w, c).axis_a; },
                               [](World& w, ConstraintId c, Vec3 normal) { set_normal(w, c, normal); }),
                           force_property()});
   return type;
@@ -49,14 +47,14 @@ const Type& string_type() {
            "length", "number", "m",
            "the most that it is long; written as a number or a function of time "
            "[s]",
-           [](const World& w, ConstraintId c) { return row(w, c).number.now; },
+           [](const World& w, ConstraintId c) { return constraint_row(w, c).number.now; },
            [](World& w, ConstraintId c, const OfTime<double>& given) {
              set_length(w, c, now(w, given), function_of(given));
            }),
        property<ConstraintId>("taken", "number", "m", "how long its way is now: less than its length where it is slack",
-                              [](const World& w, ConstraintId c) { return present_value(w, row(w, c)); }),
+                              [](const World& w, ConstraintId c) { return present_value(w, constraint_row(w, c)); }),
        property<ConstraintId>("force", "number", "N", "tension in the last step, 0 where it is slack",
-                              [](const World& w, ConstraintId c) { return row(w, c).tension; })});
+                              [](const World& w, ConstraintId c) { return constraint_row(w, c).tension; })});
   return type;
 }
 
@@ -69,7 +67,7 @@ const Type& on_path_type() {
        property<ConstraintId>("along", "number", "1",
                               "where on the path the point is: 0 at the first position, 1 at the "
                               "second, and so on",
-                              [](const World& w, ConstraintId c) { return row(w, c).as<PathData>().along; }),
+                              [](const World& w, ConstraintId c) { return constraint_row(w, c).as<PathData>().along; }),
        force_property()});
   return type;
 }

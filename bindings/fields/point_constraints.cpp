@@ -5,19 +5,17 @@
 namespace pantin::fields {
 namespace {
 
-const Constraint& row(const World& world, ConstraintId id) { return world.constraints[id]; }
-
 /// A vec that a constraint keeps a point to.
 Property position_property(const char* name, const char* doc) {
   return property<ConstraintId>(
-      name, "vec", "m", doc, [](const World& w, ConstraintId c) { return row(w, c).position.now; },
+      name, "vec", "m", doc, [](const World& w, ConstraintId c) { return constraint_row(w, c).position.now; },
       [](World& w, ConstraintId c, Vec3 at) { set_position(w, c, at); });
 }
 
 Property target() {
   return property<ConstraintId>(
       "target", "vec", "m", "where the target is; written as a vec or a function of time [s]",
-      [](const World& w, ConstraintId c) { return row(w, c).position.now; },
+      [](const World& w, ConstraintId c) { return constraint_row(w, c).position.now; },
       [](World& w, ConstraintId c, const OfTime<Vec3>& given) {
         if (auto function = function_of(given))
           set_target(w, c, std::move(function));
@@ -29,18 +27,23 @@ Property target() {
 Property end_of_rod() {
   return property<ConstraintId>(
       "at", "vec", "m", "position of its second end; written where no point is there",
-      [](const World& w, ConstraintId c) { return row(w, c).b ? position(w, row(w, c).b) : row(w, c).position.now; },
+      [](const World& w, ConstraintId c) {
+        return constraint_row(w, c).b ? position(w, constraint_row(w, c).b) : constraint_row(w, c).position.now;
+      },
       [](World& w, ConstraintId c, Vec3 at) {
-        require(!row(w, c).b, "rod: at can be written only of a rod whose end is a position; this one ends at a point");
+        require(!constraint_row(w, c).b,
+                "rod: at can be written only of a rod whose end is a position; this one ends at a point");
         set_position(w, c, at);
       });
 }
 
 Property first_point(const char* doc) {
-  return property<ConstraintId>("a", "Point", "", doc, [](const World& w, ConstraintId c) { return row(w, c).a; });
+  return property<ConstraintId>("a", "Point", "", doc,
+                                [](const World& w, ConstraintId c) { return constraint_row(w, c).a; });
 }
 Property second_point(const char* type, const char* doc) {
-  return property<ConstraintId>("b", type, "", doc, [](const World& w, ConstraintId c) { return row(w, c).b; });
+  return property<ConstraintId>("b", type, "", doc,
+                                [](const World& w, ConstraintId c) { return constraint_row(w, c).b; });
 }
 
 }  // namespace
@@ -58,7 +61,7 @@ const Type& follow_type() {
                          {point_property(), target(),
                           or_infinity(property<ConstraintId>(
                               "max_force", "number", "N", "never pulls harder; math.huge: no limit",
-                              [](const World& w, ConstraintId c) { return row(w, c).max_force; },
+                              [](const World& w, ConstraintId c) { return constraint_row(w, c).max_force; },
                               [](World& w, ConstraintId c, double force) { set_max_force(w, c, force); })),
                           force_property()});
   return type;
@@ -71,12 +74,12 @@ const Type& rod_type() {
        end_of_rod(),
        property<ConstraintId>(
            "length", "number", "m", "the distance that it keeps; written as a number or a function of time [s]",
-           [](const World& w, ConstraintId c) { return row(w, c).number.now; },
+           [](const World& w, ConstraintId c) { return constraint_row(w, c).number.now; },
            [](World& w, ConstraintId c, const OfTime<double>& given) {
              set_length(w, c, now(w, given), function_of(given));
            }),
        property<ConstraintId>("force", "number", "N", "tension in the last step, > 0 when it pulls",
-                              [](const World& w, ConstraintId c) { return row(w, c).tension; })});
+                              [](const World& w, ConstraintId c) { return constraint_row(w, c).tension; })});
   return type;
 }
 
@@ -85,7 +88,7 @@ const Type& join_type() {
       "Join", "join", "Draws two points together, to join them into a hinge.",
       {first_point("the first point"), second_point("Point", "the second point"),
        property<ConstraintId>("max_force", "number", "N", "it never pulls harder; math.huge: no limit",
-                              [](const World& w, ConstraintId c) { return row(w, c).max_force; }),
+                              [](const World& w, ConstraintId c) { return constraint_row(w, c).max_force; }),
        force_property()});
   return type;
 }

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint32_t meridians = 16, parallels = 8;
 
-void put(std::vector<float>& list, Vec3 v) {
+void put_vertex(std::vector<float>& list, Vec3 v) {
   for (int i = 0; i < 3; i++) list.push_back(static_cast<float>(v[i]));
 }
 
@@ -29,8 +29,8 @@ void add_round(Mesh::Patch& patch, bool stretched, PlaceOf place, NormalOf norma
       const double angle = 2.0 * std::numbers::pi * i / meridians;
       const Vec3 d =
           vec(std::cos(latitude) * std::cos(angle), std::cos(latitude) * std::sin(angle), std::sin(latitude));
-      put(patch.positions, place(d, side));
-      put(patch.normals, direction(normal(d)));
+      put_vertex(patch.positions, place(d, side));
+      put_vertex(patch.normals, direction(normal(d)));
     }
   };
   for (std::uint32_t k = 0; k <= parallels / 2; k++) row(k, 1.0);
@@ -79,8 +79,8 @@ Mesh body_mesh(const Figure& figure) {
   for (const Figure::Corner& corner : figure.corners) {
     Mesh::Patch& patch = mesh.patch(corner.color);
     patch.indices.push_back(vertices(patch));
-    put(patch.positions, corner.at);
-    put(patch.normals, corner.normal);
+    put_vertex(patch.positions, corner.at);
+    put_vertex(patch.normals, corner.normal);
   }
   return mesh;
 }
@@ -110,8 +110,8 @@ Mesh tube_mesh(const Color& color) {
     for (std::uint32_t i = 0; i <= meridians; i++) {
       const double angle = 2.0 * std::numbers::pi * i / meridians;
       const Vec3 d = vec(std::cos(angle), std::sin(angle), 0.0);
-      put(patch.positions, d + vec(0, 0, end));
-      put(patch.normals, d);
+      put_vertex(patch.positions, d + vec(0, 0, end));
+      put_vertex(patch.normals, d);
     }
   for (std::uint32_t i = 0; i < meridians; i++) {
     put_triangle(patch, i, i + meridians + 1, i + 1);

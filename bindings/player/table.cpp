@@ -13,7 +13,7 @@ std::string quoted(const std::string& name) {
   return result + "\"";
 }
 
-void put(std::string& out, double value) {
+void put_number(std::string& out, double value) {
   char digits[32];
   auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
   out.append(digits, end);
@@ -35,12 +35,12 @@ std::string probe_table(const Times& times, const std::vector<Probe>& probes) {
   for (const Probe& probe : probes) out.append(1, ',').append(quoted(probe.name));
   out += "\n";
   for (std::size_t row = 0; row < times.values.size(); row++) {
-    put(out, times.values[row]);
+    put_number(out, times.values[row]);
     for (const Probe& probe : probes) {
       out += ",";
       std::uint64_t step = times.first_step + row;
       bool known = step >= probe.first_step && step - probe.first_step < probe.values.size();
-      if (known) put(out, probe.values[step - probe.first_step]);
+      if (known) put_number(out, probe.values[step - probe.first_step]);
     }
     out += "\n";
   }

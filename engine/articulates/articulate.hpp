@@ -3,7 +3,7 @@
 // which the factor eliminates the rows; `load` and `store` move the state between them and the model.
 //
 // Letters follow the equations: x position [m], q orientation, R its matrix, p momentum [kg m/s], P angular momentum in
-// principal axes [kg m²/s], O = I⁻¹P [rad/s], a the step's Cayley vector [rad], f the force of a row on its first point
+// principal axes [kg m²/s], O = I⁻¹P [rad/s], a the step's Cayley vector in world axes [rad], f the force of a row on its first point
 // [N] (the second gets -f), l arms in principal axes [m], r arms in the world [m]; 0 start and 1 end of a step of h [s].
 #include <array>
 #include <cstdint>
@@ -35,7 +35,7 @@ struct alignas(64) Node {
   // seldom asked for, or only where a step is not the midpoint's
   std::uint32_t first_row;
   double reach;  // [m] turns a rotation into a displacement in the residual
-  Vec3 a;        // where angular rows ask for it, world axes at the start; of a node without rows, principal ones
+  Vec3 a;        // where angular rows ask for it, world axes; with `euler` the rotation vector
   Vec3 x1, p1, P1;
   Quat q1;
   Mat3 R1;
@@ -151,8 +151,9 @@ struct MeanMotion {
 /// What steps change beside nodes and rows; a step that is done again starts from it.
 struct ArticulateState {
   std::vector<Condition> conditions;
-  std::vector<Vec3> impulses;   // (rows) [N s] of the last projection of velocities
-  std::array<std::vector<Vec3>, 2> touched;  // (rows) [N s] with what it touches, before and after the last drift; none: nothing
+  std::vector<Vec3> impulses;  // (rows) [N s] of the last projection of velocities
+  std::array<std::vector<Vec3>, 2>
+      touched;                  // (rows) [N s] with what it touches, before and after the last drift; none: nothing
   std::vector<Vec3> exerted;    // (rows) [N s] in all, in a full sub-step that is cut into parts or strikes a row
   double exerted_time = 0.0;    // [s] for which that is the sum; 0: the rows' forces tell all
   std::vector<Vec3> expected;   // (rows) [N] in the coming step, where laws of velocity ask for it; none, or not finite

@@ -1,6 +1,6 @@
 #pragma once
-// What the solver works on: the nodes of an articulate four at a time, one to a lane, with their ends of rows. Rotations
-// are in world axes here: with α = R0 a, R1 = cay(α) R0, and R0 drops out of the equations.
+// What the solver works on: the nodes of an articulate four at a time, one to a lane, with their ends of rows. With
+// `a` in world axes, R1 = cay(a) R0, and R0 drops out of the equations.
 #include <cstdint>
 
 #include "base/vectors4.hpp"
@@ -27,7 +27,7 @@ struct alignas(64) NodeBatch {
   Lanes c;                 // 1/(1 + a·a/4)
   Vec3x4 x1, row_force;
   Vec3x4 L1;      // R1 P1
-  Vec3x4 E, sum;  // residual of the rotation, Π1 + L1
+  Vec3x4 E, sum;  // residual of the rotation, Π + L1
   Mat3x4 J_inverse;
   // constants of the step
   Vec3x4 x_free, L_free;  // x1 and L1 without forces of rows
@@ -35,8 +35,8 @@ struct alignas(64) NodeBatch {
   Mat3x4 inertia_rate;    // R0 (2/h) I R0'
   Lanes sway;             // h²/2m
   // of a projection of velocities
-  Vec3x4 p, L;      // momenta, angular ones in world axes
-  Mat3x4 mobility;  // R I⁻¹ R'
+  Vec3x4 p, L;                   // momenta, angular ones in world axes
+  Mat3x4 inverse_inertia_world;  // R I⁻¹ R'
   // constants
   Vec3x4 inertia, inverse_inertia;
   Lanes inverse_mass;

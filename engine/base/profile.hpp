@@ -28,8 +28,11 @@ enum class Phase {
 };
 
 inline constexpr std::array<std::string_view, 17> phase_names = {
-    "begin_step",        "fire_events", "run_behaviours", "age_particles", "find_articulates", "refresh_forces",
-    "half_kick",         "place_contacts", "drift", "find_contacts",       "find_pairs",     "apply_forces",  "half_kick_to_end", "project_velocities", "meet_contacts",
+    "begin_step",        "fire_events",        "run_behaviours",
+    "age_particles",     "find_articulates",   "refresh_forces",
+    "half_kick",         "place_contacts",     "drift",
+    "find_contacts",     "find_pairs",         "apply_forces",
+    "half_kick_to_end",  "project_velocities", "meet_contacts",
     "break_connections", "end_step",
 };
 

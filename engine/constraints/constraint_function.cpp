@@ -34,14 +34,14 @@ double evaluate_function(Row& row, Condition& c, const ConstraintFunction& r, co
   c.held = h.held;
   if (!h.held) {
     row.residual = (row.f - r.n * h.force) * kappa;
-    c.M = (identity33() - outer(r.n, r.n)) * (-kappa * h.force * r.bend);
+    c.M = (identity33() - outer(r.n, r.n)) * (-kappa * h.force * r.turn_of_n);
     c.C = identity33() * kappa;
     return norm(row.residual);
   }
   const Vec3 across = row.f - r.n * along;
   const Mat3 P = identity33() - outer(r.n, r.n);
   row.residual = r.n * h.gap + across * kappa;
-  c.M = outer(r.n, r.gradient) - P * (kappa * along * r.bend);
+  c.M = outer(r.n, r.gradient) - P * (kappa * along * r.turn_of_n);
   c.C = P * kappa;
   const double scale = std::fmax(kappa, r.displacement / std::fmax(norm(row.f), 1e-3 * r.displacement / kappa));
   return std::fmax(std::fabs(h.gap), norm(across) * scale);

@@ -1,4 +1,4 @@
-// A join: two points are `position1` apart at the end of the step, which goes to 0 as `conditions` say.
+// A join: two points are `position1` apart at the end of the step, which goes to 0 as step/targets.cpp says.
 #include "constraints/geometry.hpp"
 #include "constraints/plans.hpp"
 #include "constraints/row_rule.hpp"

@@ -47,8 +47,8 @@ double evaluate_path(Row& row, Condition& c, const RowContext& context) {
   const Vec3 n = displacement > 1e-12 * norm(position) ? chord / displacement : T;
   const double along = dot(row.f, n);
   row.residual = open - row.offset + n * (along * kappa);
-  const double bend = displacement > 1e-12 * norm(position) ? dot(row.f, T - n * dot(n, T)) / displacement : 0.0;
-  c.M = identity33() - outer(T, T) + outer(n, T) * (kappa * bend);
+  const double turned = displacement > 1e-12 * norm(position) ? dot(row.f, T - n * dot(n, T)) / displacement : 0.0;
+  c.M = identity33() - outer(T, T) + outer(n, T) * (kappa * turned);
   c.C = outer(n, n) * kappa;
   const double scale = std::fmax(kappa, displacement / std::fmax(norm(row.f), 1e-3 * displacement / kappa));
   return std::fmax(norm(open - row.offset), std::fabs(along) * scale);

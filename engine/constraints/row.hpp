@@ -3,8 +3,8 @@
 // as in articulates/articulate.hpp.
 //
 // An angular row ties rotations: lever f is a torque on its first node [N m], d is lever times a small rotation of the
-// first node against the second [m], l and r are axes (unit vectors). Its torque does the work lever f·(ā_a - ā_b) exactly,
-// ā = R0 a: a rigid one does none, since equal relative rotations at both ends have equal ā.
+// first node against the second [m], l and r are axes (unit vectors). Its torque does the work lever f·(a_a - a_b) exactly,
+// with the nodes' Cayley vectors: a rigid one does none, since equal relative rotations at both ends have equal ones.
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -67,10 +67,10 @@ struct Condition {
   // at the ends of a step while it is drawn in.
   Quat turn0, turn1, whole_turn0, whole_turn1;
   Vec3 axis = zero3(), axis0 = zero3(), axis1 = zero3();
-  double angle0 = 0.0,
-         angle1 = 0.0;         // [rad] of a turn at the start and end, turns counted
+  // [rad] of a turn at the start and end, turns counted; of a point on a path, its parameter there.
+  double angle0 = 0.0, angle1 = 0.0;
   Vec3 normal = zero3();       // of a plane
-  const Path* path = nullptr;  // of a point on one; its parameter is `angle`
+  const Path* path = nullptr;  // of a point on one
   std::uint32_t index = 0;     // which row of its constraint it is
   // Of rows of one dimension: the range that its value is kept in, [m], and the range of its force, [N].
   double low = 0.0, high = 0.0;

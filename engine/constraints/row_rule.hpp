@@ -9,7 +9,7 @@ namespace pantin {
 
 struct RowContext {
   double h;         ///< [s]
-  double mobility;  ///< [1/kg] tr(S_kk)/3 of the row, last known: how far a force moves it
+  double mobility;  ///< [1/kg] of the row, from masses, inertia and arms alone: how far a force moves it
 };
 
 /// The nearer end of a row's range.
@@ -44,7 +44,7 @@ struct ConstraintFunction {
   Vec3 n;                     ///< of unit length; a force along it does work on the value exactly
   Vec3 gradient;              ///< of the value at the end of the step, by d1
   double low, high;           ///< [m] how far the value is above the ends of the range
-  double bend = 0.0;          ///< [1/m] by how much n turns, across itself, with a change of d1
+  double turn_of_n = 0.0;     ///< [1/m] by how much n turns, across itself, with a change of d1
   double displacement = 0.0;  ///< [m] how far d moves in the step: a force across n does work on that
 };
 /// Sets residual, M, C and `held`; returns the size of the residual [m]. Held, the force along n is what keeps the value

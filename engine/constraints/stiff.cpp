@@ -6,7 +6,7 @@
 // damping, by which its length settles about as fast as in truth, at most that of the backward rule, h k/2. And at the
 // end of the full sub-step the rate of its distance is drawn to u by an impulse -κ (rate - u). That gives κ u²/4 at most,
 // and κ <= 4 c h: spring, damper and impulse together only take energy. Both are small, of third order in h, where
-// D = h c/m and z² = h² k/m are.
+// ζ = h c μ and ν² = h² k μ are, μ the row's mobility.
 // Newton's row is M (change of d1) + C df = -residual with M = Σ Q 1 + e ∇Q', C = 1, all divided by what makes it metres.
 #include "constraints/stiff.hpp"
 
@@ -120,10 +120,10 @@ void choose_damping(StiffBond& bond, double s0, const RowContext& context) {
   k = std::fmax(k, 0.0);
   const bool swallows = bond.solve == Solve::at_end;
   if (!swallows && c == 0.0) return;
-  const double h = context.h, z2 = h * h * k * context.mobility, D = h * c * context.mobility;
-  const double part = swallows ? 1.0 : z2 * D / (z2 * D + 4.0 * z2 + 6.0 * D * D);
+  const double h = context.h, nu2 = h * h * k * context.mobility, zeta = h * c * context.mobility;
+  const double part = swallows ? 1.0 : nu2 * zeta / (nu2 * zeta + 4.0 * nu2 + 6.0 * zeta * zeta);
   bond.damping = 0.5 * h * k * part;
-  const double fast = D * D + 0.25 * z2;
+  const double fast = zeta * zeta + 0.25 * nu2;
   bond.settling = swallows ? 0.5 * h * (c + bond.damping) : 0.5 * h * c * fast / (1.0 + fast);
 }
 

@@ -175,8 +175,7 @@ void find_contacts(const Placement& p, ContactFinder& finder, Contacts& contacts
     collector.like.size = std::min(ta, tb);
     collector.like.friction = friction_of(sa, sb);
     collector.like.restitution = std::max(sa.material.restitution, sb.material.restitution);
-    collector.like.belt =
-        belt_of(sa, placed[a]) - belt_of(sb, placed[b]);
+    collector.like.belt = belt_of(sa, placed[a]) - belt_of(sb, placed[b]);
     SeparationCache cache;
     find_manifolds(sa.geometry, placed[a].pose, sb.geometry, placed[b].pose, placed[a].margin + placed[b].margin, cache,
                    collector);

@@ -62,7 +62,8 @@ struct Builder {
     if (index[slot] >= 0) return index[slot];
     const BodyState s = state_of(model, articulates, slot, settings.drifted);
     double reach = 0.0;
-    for (const ShapeId shape : model.bodies.at_slot(slot).shapes) reach = std::max(reach, reach_of(model.shapes[shape].geometry));
+    for (const ShapeId shape : model.bodies.at_slot(slot).shapes)
+      reach = std::max(reach, reach_of(model.shapes[shape].geometry));
     to.problem.bodies.push_back(body_of(s, s.v, reach));
     to.slots.push_back(slot);
     to.points.push_back(0);
@@ -105,7 +106,8 @@ struct Builder {
       }
     }
     for (std::size_t b = 0; b < a.batches.size(); b++)
-      for (const RowEnds& end : std::span(a.ends).subspan(a.batches[b].first_end, a.batches[b].last_end - a.batches[b].first_end))
+      for (const RowEnds& end :
+           std::span(a.ends).subspan(a.batches[b].first_end, a.batches[b].last_end - a.batches[b].first_end))
         for (std::size_t lane = 0; lane < batch_size; lane++) {
           if (end.to[lane] >= 2 * a.rows.size()) continue;
           IslandTie& t = ties[end.row[lane]];

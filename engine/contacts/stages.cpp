@@ -14,11 +14,11 @@ namespace pantin {
 
 namespace {
 
-constexpr double touching = 1e-5;             // of the size: a gap that is as good as closed
-constexpr double told_overlap = 3e-4;         // of the size: what overlaps more is parted,
-constexpr double left_overlap = 2e-4;         // down to this
+constexpr double touching = 1e-5;                          // of the size: a gap that is as good as closed
+constexpr double told_overlap = 3e-4;                      // of the size: what overlaps more is parted,
+constexpr double left_overlap = 2e-4;                      // down to this
 constexpr double parted_a_step = 0.2, most_a_step = 5e-3;  // of what is too much; of the size
-constexpr double accepted = 1e4;              // of the tolerance
+constexpr double accepted = 1e4;                           // of the tolerance
 
 /// What the impulses of an island do to its bodies [N s], [N m s].
 std::vector<std::array<Vec3, 2>> sums_of_contacts(const ContactIsland& island) {
@@ -69,7 +69,8 @@ void give(Model& model, const TouchIsland& island, const std::vector<std::array<
   }
 }
 
-void store_tied(Model& model, const Articulates& articulates, const TouchIsland& island, const TouchSettings& settings) {
+void store_tied(Model& model, const Articulates& articulates, const TouchIsland& island,
+                const TouchSettings& settings) {
   if (settings.drifted) return;
   for (const std::uint32_t a : island.articulates)
     for (const Node& n : articulates[a]->nodes)
@@ -99,7 +100,8 @@ void keep_tie_impulses(const Articulates& articulates, const TouchIsland& island
   for (const std::uint32_t a : island.articulates)
     articulates[a]->touched[static_cast<std::size_t>(stage)].assign(articulates[a]->rows.size(), zero3());
   for (std::size_t k = 0; k < island.rows.size(); k++)
-    articulates[island.rows[k][0]]->touched[static_cast<std::size_t>(stage)][island.rows[k][1]] = island.problem.ties[k].impulse;
+    articulates[island.rows[k][0]]->touched[static_cast<std::size_t>(stage)][island.rows[k][1]] =
+        island.problem.ties[k].impulse;
 }
 
 void count(const IslandReport& found, const ContactIsland& problem, TouchReport& report) {
@@ -178,7 +180,8 @@ void place(Model& model, const Articulates& articulates, Contacts& contacts, con
       const double fall = to.body_b < 0 ? -dot(to.normal, settings.gravity) : 0.0;
       const double slow = std::max(2.0 * norm(settings.gravity) * h, 1e4 * problem.tolerance);
       if (to.approach < -slow)
-        to.rebound = to.restitution * std::sqrt(std::max(0.0, to.approach * to.approach + 2.0 * fall * std::max(0.0, to.gap)));
+        to.rebound =
+            to.restitution * std::sqrt(std::max(0.0, to.approach * to.approach + 2.0 * fall * std::max(0.0, to.gap)));
     }
     if (!any) continue;
     for (const std::uint32_t a : island.articulates) articulates[a]->touches = true;
@@ -266,9 +269,7 @@ double part(Model& model, const Articulates& articulates, Contacts& contacts, co
   const double h = settings.h;
   for (TouchIsland& island : gather(model, articulates, contacts, settings, used)) {
     ContactIsland& problem = island.problem;
-    const auto overlaps = [&](std::size_t k) {
-      return contacts.list[k].gap < -told_overlap * contacts.list[k].size;
-    };
+    const auto overlaps = [&](std::size_t k) { return contacts.list[k].gap < -told_overlap * contacts.list[k].size; };
     if (std::none_of(island.contacts.begin(), island.contacts.end(), overlaps)) continue;
     for (IslandBody& b : problem.bodies) b.v0 = b.w0 = zero3();
     for (IslandTie& t : problem.ties) t.wanted = zero3();

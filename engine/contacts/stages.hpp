@@ -17,8 +17,8 @@ struct TouchSettings {
 };
 
 struct TouchReport {
-  double work = 0.0;   ///< [J] change of the kinetic energy
-  ImpulseWork ties;    ///< what ties that move gave when they answered
+  double work = 0.0;  ///< [J] change of the kinetic energy
+  ImpulseWork ties;   ///< what ties that move gave when they answered
   std::uint32_t islands = 0, contacts = 0, iterations = 0, factorisations = 0;
   std::uint32_t unsolved = 0;  ///< islands beyond what is accepted
   double worst = 0.0;          ///< [m/s] largest residual

@@ -71,12 +71,13 @@ struct ShapeDef {
 struct BodyDef {
   std::vector<PointDef> points;
   std::vector<ShapeDef> shapes;  ///< convex ones; where no mass is given, they are filled with their density
-  Vec3 at = zero3();        ///< [m] position of the frame's origin
-  Quat orientation;         ///< frame to world; normalised when made
-  Vec3 velocity = zero3();  ///< [m/s] of the centre of mass
-  Vec3 spin = zero3();      ///< [rad/s] world axes
-  double mass = 0.0;        ///< [kg] beside the points', at the frame's origin, or spread over the shapes; >= 0
-  Mat3 inertia = zero33();  ///< [kg m²] beside the points', about the frame's origin, or about the centre of the shapes; symmetric, positive semidefinite
+  Vec3 at = zero3();             ///< [m] position of the frame's origin
+  Quat orientation;              ///< frame to world; normalised when made
+  Vec3 velocity = zero3();       ///< [m/s] of the centre of mass
+  Vec3 spin = zero3();           ///< [rad/s] world axes
+  double mass = 0.0;             ///< [kg] beside the points', at the frame's origin, or spread over the shapes; >= 0
+  Mat3 inertia =
+      zero33();  ///< [kg m²] beside the points', about the frame's origin, or about the centre of the shapes; symmetric, positive semidefinite
   Color color = {0.93f, 0.55f, 0.27f, 1.0f};
   std::string name;
 };

@@ -89,7 +89,8 @@ void check_shape(const std::string& who, const ShapeDef& def, bool of_body) {
 
 OwnMass own_mass_of(const BodyDef& def) {
   if (def.shapes.empty()) return {def.mass, def.inertia, zero3()};
-  const bool weighed = std::any_of(def.points.begin(), def.points.end(), [](const PointDef& p) { return p.mass > 0.0; });
+  const bool weighed =
+      std::any_of(def.points.begin(), def.points.end(), [](const PointDef& p) { return p.mass > 0.0; });
   if (def.mass == 0.0 && weighed) return {0.0, def.inertia, zero3()};
   OwnMass own = mass_of(def.shapes);
   if (def.mass > 0.0) {

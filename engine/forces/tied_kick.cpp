@@ -69,15 +69,15 @@ Motions TiedKick::allowed(const Motions& impulses) {
     NodeBatch& n = a_->batches[b];
     n.p = impulses[b].p;
     n.L = impulses[b].L;
-    free2 += norm2(n.p) * n.inverse_mass + dot(n.L, n.mobility * n.L);
+    free2 += norm2(n.p) * n.inverse_mass + dot(n.L, n.inverse_inertia_world * n.L);
   }
   asked_ = std::sqrt(sum(free2));
   if (ties_) answer(*a_);
   for (std::size_t b = 0; b < all.size(); b++) {
     const NodeBatch& n = a_->batches[b];
-    all[b] = {n.p * n.inverse_mass, n.mobility * n.L, n.p, n.L};
+    all[b] = {n.p * n.inverse_mass, n.inverse_inertia_world * n.L, n.p, n.L};
   }
-  // NeighbourList that say what others do need more compliance: to forbid takes energy, where nothing is wanted.
+  // Rows that say what others do need more compliance: to forbid takes energy, where nothing is wanted.
   const bool wants = std::any_of(a_->conditions.begin(), a_->conditions.end(), wants_motion);
   if (!ties_ || wants || size_of(all) <= (1.0 + 1e-9) * asked_ || epsilon_ > 1e-5) return all;
   epsilon_ = 100.0 * std::max(epsilon_, a_->least_epsilon);
@@ -106,7 +106,7 @@ Motions TiedKick::felt_with_soft_rows(const Motions& by) const {
   return to;
 }
 
-/// NeighbourList that pull without forbidding, as the drift that follows will have them.
+/// Rows that pull without forbidding, as the drift that follows will have them.
 void TiedKick::find_soft_rows() {
   soft_.clear();
   for (std::size_t k = 0; k < a_->rows.size(); k++) {
@@ -210,7 +210,7 @@ void TiedKick::find_known() {
   for (std::size_t b = 0; b < n; b++) {
     read_momenta(*a_, b);
     const NodeBatch& batch = a_->batches[b];
-    first[b] = {batch.p * batch.inverse_mass, batch.mobility * batch.L, batch.p, batch.L};
+    first[b] = {batch.p * batch.inverse_mass, batch.inverse_inertia_world * batch.L, batch.p, batch.L};
     for (std::size_t lane = 0; lane < batch.count && !alone_; lane++) {
       const Node& node = a_->nodes[batch_size * b + lane];
       pantin::push(other[b], lane, world_.plane.along(node.force) * dt_, world_.plane.about(node.torque) * dt_);

@@ -21,13 +21,13 @@ struct Material {
 /// A shape that a body has, or that stands in the world and does not move.
 struct Shape {
   Geometry geometry = BallShape{0.5};
-  Handle<Body> body;         ///< null: the world's
-  Vec3 at = zero3();         ///< [m] of its origin, in the body's frame or the world
-  Quat orientation;          ///< its axes to those
+  Handle<Body> body;  ///< null: the world's
+  Vec3 at = zero3();  ///< [m] of its origin, in the body's frame or the world
+  Quat orientation;   ///< its axes to those
   Material material;
-  std::uint32_t layer = 0;   ///< of Model::layers
-  bool sensor = false;       ///< tells and does not push
-  Color color;               ///< of one of the world's
+  std::uint32_t layer = 0;  ///< of Model::layers
+  bool sensor = false;      ///< tells and does not push
+  Color color;              ///< of one of the world's
   std::string name;
   std::uint64_t serial = 0;
 };

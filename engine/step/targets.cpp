@@ -14,7 +14,7 @@ namespace {
 double size(Vec3 v) { return norm(v); }
 double size(double x) { return std::fabs(x); }
 
-/// Critically damped approach to 0 in a time of h (Barzel and Barr 1988): D(t) = (D0 + (D0' + D0/τ) t) exp(-t/τ), until
+/// Critically damped approach to 0 in a time of h (Barzel and Barr 1988): σ(t) = (σ0 + (σ̇0 + σ0/τ) t) exp(-t/τ), until
 /// `least` is left [m].
 template <class Violation>
 void approach(Violation& away, Violation& rate, double h, double tau, double least) {

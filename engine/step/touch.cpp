@@ -10,9 +10,7 @@ namespace pantin::phases {
 
 namespace {
 
-TouchSettings settings_of(const World& world, bool drifted) {
-  return {world.stage.h, world.settings.gravity, drifted};
-}
+TouchSettings settings_of(const World& world, bool drifted) { return {world.stage.h, world.settings.gravity, drifted}; }
 
 void count(World& world, const TouchReport& report) {
   world.stats.contact_iterations += report.iterations;

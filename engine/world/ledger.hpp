@@ -39,8 +39,9 @@ enum class Source : std::uint8_t {
   integrator
 };
 inline constexpr std::array<std::string_view, 18> source_names = {
-    "hand",   "motor",    "limit", "contact", "push_out", "event",      "edit",          "merge",         "emitter",  "removal",
-    "damper", "law_edit", "sleep", "projection", "energy_return", "fallback_step", "unsolved", "integrator"};
+    "hand",  "motor",      "limit",         "contact",       "push_out", "event",
+    "edit",  "merge",      "emitter",       "removal",       "damper",   "law_edit",
+    "sleep", "projection", "energy_return", "fallback_step", "unsolved", "integrator"};
 
 struct Ledger {
   std::array<double, source_names.size()> given{};  ///< [J] since the start; the last five since it is kept

@@ -8,7 +8,7 @@
 
 namespace pantin {
 
-/// How things are moved; `rule_of` in world/integrator says what each is.
+/// How things are moved; `rule_of` in forces/integrator.hpp says what each is.
 enum class Integrator : std::uint8_t { verlet, euler, implicit, suzuki4, rk4 };
 
 struct NamedIntegrator {

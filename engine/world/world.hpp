@@ -92,10 +92,10 @@ struct Stats {
   std::uint64_t newton_iterations = 0;
   std::uint64_t solves = 0;  ///< articulate steps solved
   std::uint64_t factorisations = 0;
-  std::uint64_t contacts = 0;            ///< of the last step
-  std::uint64_t contact_islands = 0;     ///< of the last step: what touches and what ties it, solved together
+  std::uint64_t contacts = 0;         ///< of the last step
+  std::uint64_t contact_islands = 0;  ///< of the last step: what touches and what ties it, solved together
   std::uint64_t contact_iterations = 0;
-  std::uint64_t unsolved_islands = 0;    ///< times that impulses were left that miss the law of friction
+  std::uint64_t unsolved_islands = 0;  ///< times that impulses were left that miss the law of friction
   std::uint64_t halved_steps = 0;
   std::uint64_t fallback_steps = 0;
   std::uint64_t projections = 0;  ///< velocity projections that needed a factor of their own

@@ -19,6 +19,7 @@ using Names = std::vector<std::string_view>;
 
 // Each may include itself and those to its left.
 const Names engine_order = {"engine/base",
+                            "engine/shapes",
                             "engine/model",
                             "engine/laws",
                             "engine/laws/run",
@@ -26,6 +27,8 @@ const Names engine_order = {"engine/base",
                             "engine/articulates",
                             "engine/articulates/solve",
                             "engine/articulates/build",
+                            "engine/contacts/solve",
+                            "engine/contacts",
                             "engine/world",
                             "engine/forces",
                             "engine/measure",

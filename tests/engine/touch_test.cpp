@@ -165,8 +165,8 @@ TEST_CASE("A stack of five carries a box a thousand times and a hundred thousand
 }
 
 TEST_CASE("Things fall by no shape's name through the floor, however fast") {
-  const Geometry falling =
-      GENERATE(Geometry(BallShape{0.005}), Geometry(BoxShape{vec(0.005, 0.005, 0.005)}), Geometry(CapsuleShape{0.005, 0.01}));
+  const Geometry falling = GENERATE(Geometry(BallShape{0.005}), Geometry(BoxShape{vec(0.005, 0.005, 0.005)}),
+                                    Geometry(CapsuleShape{0.005, 0.01}));
   World world;
   ShapeDef wall = shape(BoxShape{vec(5, 0.005, 5)});
   add_shape(world, wall);
@@ -343,4 +343,3 @@ TEST_CASE("Integrators that cannot move what touches say so") {
   step(world);
   CHECK(world.failure.find("moves nothing that touches") != std::string::npos);
 }
-

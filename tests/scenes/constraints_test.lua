@@ -264,3 +264,29 @@ test("a rod that breaks breaks when its load says, not at the end of the step", 
     expect(scene.error.energy):below(1e-12)
   end
 end)
+
+test("a kick along a closed path is kept, as along an open one", function()
+  for _, closed in ipairs { false, true } do
+    local scene = open_text(([[
+      scene.gravity = vec(0, 0, 0)
+      local bead = scene:particle { at = vec(0.3, 0, 0), name = "bead" }
+      scene:on_path(bead, { vec(0, 0, 0), vec(1, 0, 0), vec(1, 1, 0), vec(0, 1, 0) }, { closed = %s })
+      scene:at(0.1, function() bead:kick(vec(1, 0, 0)) end)
+    ]]):format(closed))
+    scene:advance(0.3)
+    expect(scene:find("bead").velocity.x):near(1, 1e-9)
+  end
+end)
+
+test("a limit is met without a bounce beside a thermostat too", function()
+  for _, start in ipairs { 0.5, 0.501, 0.5025, 0.503 } do
+    local scene = open_text(([[
+      scene.gravity = vec(0, 0, 0)
+      scene:field(scene, force.thermostat { rate = 1e-9, temperature = 0 })
+      local bob = scene:particle { at = vec(%s, 0, 0), velocity = vec(1, 0, 0), name = "bob" }
+      scene:limit(bob, vec(0, 0, 0), { max = 0.7 })
+    ]]):format(start))
+    scene:advance(0.5)
+    expect(math.abs(scene:find("bob").velocity.x)):below(1e-6)
+  end
+end)

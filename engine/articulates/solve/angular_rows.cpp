@@ -1,5 +1,5 @@
 // Angular rows: torques between two nodes, or on one from the world. With equal axes at both ends of the step the relative
-// rotation ā_a - ā_b is along the mean axis, so that a torque across it does no work.
+// rotation a_a - a_b is along the mean axis, so that a torque across it does no work.
 #include "articulates/solve/angular_rows.hpp"
 
 #include "base/functions.hpp"

@@ -1,11 +1,11 @@
 // Several values add up to one, Σ w v = L: lengths of a string's segments, turns of gears, heights of racks. What makes
 // force times displacement exact for a value is its discrete gradient e: of a length (d0 + d1)/(|d0| + |d1|), of a height
-// its direction, of an angle that turns by φ the axis n times φ/(n·(ā_a - ā_b)), for that is what a torque does work on. So the
+// its direction, of an angle that turns by φ the axis n times φ/(n·(a_a - a_b)), for that is what a torque does work on. So the
 // forces are λ w e with one λ for all: what the coupling gives on one side it takes on the other, without work.
 //   head:   n (Σ w v - L) + κ P f = 0, or f = 0 where it is one-sided and slack;   n = e/|e|, P = 1 - n n'
 //   others: κ (f - λ w e) = 0
 // Weights are relative to the head's. How far d is along an axis u that turns with a body is u·d, which changes by
-// ū·Δd + d̄·Δu, and d̄·Δu = ā·(ū x d̄) with the body's Cayley vector ā: so besides λ w ū on the points there is a torque
+// ū·Δd + d̄·Δu, and d̄·Δu = a·(ū x d̄) with the body's Cayley vector a: so besides λ w ū on the points there is a torque
 // λ w ū x d̄ on that body, the force of an angular row that turns the axis and has no value of its own.
 #include "articulates/solve/couplings.hpp"
 
@@ -22,7 +22,7 @@ struct Value {
   Vec3 gradient;        // of w v at the end of the step, by d1
   double value;         // w v [m]
   double share;         // w |e|
-  double bend;          // by how much n turns with a change of d1, [1/m]
+  double turn_of_n;     // by how much n turns with a change of d1, [1/m]
   double displacement;  // [m] of d in the step
 };
 
@@ -47,8 +47,8 @@ const Row& distance_of(const Articulate& a, const Coupling& coupling, const Cond
   return a.rows[*it];
 }
 
-/// By how much more an angle turns than a torque along the mean axis n does work on: φ/(n·(ā_a - ā_b)), with the Cayley vectors
-/// of both ends. About one axis these are 2 tan(α/2) and 2 tan(β/2), α - β = φ.
+/// By how much more an angle turns than a torque along the mean axis n does work on: φ/(n·(a_a - a_b)), with the Cayley vectors
+/// of both nodes. About one axis these are 2 tan of half their angles, which differ by φ.
 double turn_by_work(const Articulate& a, const Row& row, Vec3 n, double turned, double counted) {
   const auto along = [&](std::int32_t node) {
     return node < 0 ? 0.0 : dot(n, a.nodes[static_cast<std::size_t>(node)].a);
@@ -147,7 +147,7 @@ double evaluate_head(Articulate& a, Row& row, const Value& v, double over, doubl
   const double along = dot(row.f, v.n);
   const Vec3 across = row.f - v.n * along;
   row.residual = v.n * over + across * kappa;
-  c.M = outer(v.n, v.gradient) - P * (kappa * along * v.bend);
+  c.M = outer(v.n, v.gradient) - P * (kappa * along * v.turn_of_n);
   c.C = P * kappa;
   return std::fmax(std::fabs(over), weighted(across, row, v, kappa));
 }
@@ -156,7 +156,7 @@ double evaluate_other(Articulate& a, Row& row, const Value& v, const Row& head, 
   Condition& c = condition(a, row);
   const Vec3 wrong = row.f - v.n * (dot(head.f, of_head.n) / of_head.share * v.share);
   row.residual = wrong * kappa;
-  c.M = (identity33() - outer(v.n, v.n)) * (-kappa * dot(row.f, v.n) * v.bend);
+  c.M = (identity33() - outer(v.n, v.n)) * (-kappa * dot(row.f, v.n) * v.turn_of_n);
   c.C = identity33() * kappa;
   c.into_head = outer(of_head.n, v.gradient);
   c.from_head = outer(v.n, of_head.n) * (-kappa * v.share / of_head.share);

@@ -129,6 +129,12 @@ void begin_cut(Articulate& a, const DriftSettings& settings, double at, DriftRep
   a.symmetric_energy += given;
 }
 
+/// Whether the drift is a part of its full sub-step, as beside thermostats, and something may strike in it.
+bool halves_what_stops(const Articulate& a, const DriftSettings& settings) {
+  if (settings.backwards || (settings.to - settings.from) * settings.h > 0.75 * settings.full) return false;
+  return std::any_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) { return c.ranged; });
+}
+
 /// Some times what a step costs that is solved at once.
 std::uint32_t allowance(const Articulate& a, std::uint32_t least, double times) {
   return std::max(least, static_cast<std::uint32_t>(times * a.effort.usual)) * a.sub_steps.count;
@@ -204,7 +210,8 @@ FirstImpact meet(Articulate& a, double h, double at) {
   a.edited = a.cut = false;
   stand_still(a, h, at);
   measure_gaps(a);
-  for (Condition& c : a.conditions) c.held = !c.ranged && std::isinf(c.upper);  // of motors the step finds out
+  for (Condition& c : a.conditions)  // of motors and ends of paths the step finds out
+    c.held = !c.ranged && std::isinf(c.upper) && row(a, c).kind != RowKind::path;
   a.torn = a.gaps.open > 1e-8 * a.length;
   if (a.torn) return {};
   const WantedVelocities wanted(a, h, at);
@@ -263,7 +270,8 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
     a.cut = false;
     a.exerted_time = 0.0;
     const bool open = a.gaps.open > 1e-8 * a.length;
-    if (a.sub_steps.count > 1 && !open) symmetric ? cut(a) : begin_cut(a, settings, settings.from, report);
+    if ((a.sub_steps.count > 1 || halves_what_stops(a, settings)) && !open)
+      symmetric ? cut(a) : begin_cut(a, settings, settings.from, report);
   }
   const std::uint32_t count = a.sub_steps.count, spare = a.effort.spare;
   const bool open = a.gaps.open > 1e-8 * a.length;

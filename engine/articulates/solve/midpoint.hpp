@@ -1,5 +1,5 @@
 #pragma once
-// The energy-momentum midpoint step of nodes, and its derivative. With R1 = R0 cay(a), a = h (O0 + O1)/2, and forces
+// The energy-momentum midpoint step of nodes, and its derivative. With R1 = cay(a) R0, a = R0 h (O0 + O1)/2, and forces
 // at the mean of the arms at both ends, energy changes only by the work of outer forces, and momentum and angular
 // momentum are exact (rotation: Simo and Wong 1991; constraint forces: after Simo, Tarnow and Doblaré 1995).
 //

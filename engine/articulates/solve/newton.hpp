@@ -44,7 +44,7 @@ void reuse_factor(Articulate& articulate, const System& system);
 /// R I⁻¹ R' with the rotation at the start or end of the step.
 Mat3 inverse_inertia(const Node& node, const Mat3& R);
 
-/// tr(S_kk)/3 of a row from the nodes' masses and inverse inertia, [1/kg].
+/// tr(S_kk)/3 of a row from the nodes' masses and inverse inertia, of a turn along its axes, [1/kg].
 double mobility(const Articulate& articulate, const Row& row);
 
 }  // namespace pantin

@@ -212,7 +212,7 @@ void read_momenta(Articulate& a, std::size_t b) {
   const Mat3x4 R = rotations(a, b, &Node::R0);
   n.p = pack_nodes(a, b, [](const Node& node) { return node.p0; });
   n.L = R * pack_nodes(a, b, [](const Node& node) { return node.P0; });
-  n.mobility = congruent(R, n.inverse_inertia);
+  n.inverse_inertia_world = congruent(R, n.inverse_inertia);
 }
 
 void tell_momenta(Articulate& a, std::size_t b) {

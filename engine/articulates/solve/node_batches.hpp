@@ -62,7 +62,7 @@ void read_momenta(Articulate& articulate, std::size_t batch);
 void tell_momenta(Articulate& articulate, std::size_t batch);
 /// Kinetic energies of the momenta [J].
 inline Lanes kinetic_energy(const NodeBatch& n) {
-  return (norm2(n.p) * n.inverse_mass + dot(n.L, n.mobility * n.L)) * 0.5;
+  return (norm2(n.p) * n.inverse_mass + dot(n.L, n.inverse_inertia_world * n.L)) * 0.5;
 }
 /// Adds impulses [N s] to the momenta, at the arms of the end: impulse(k) is that of row k.
 template <class Impulse>

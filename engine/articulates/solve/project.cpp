@@ -65,7 +65,7 @@ Velocities find_velocities(Articulate& a, From from, bool serves = false) {
     for (; done.batches < tile.batches; done.batches++) {
       if (from == From::nodes) read_momenta(a, done.batches);
       const NodeBatch& n = a.batches[done.batches];
-      const Vec3x4 velocity = n.p * n.inverse_mass, spin = n.mobility * n.L;
+      const Vec3x4 velocity = n.p * n.inverse_mass, spin = n.inverse_inertia_world * n.L;
       kinetic += (dot(velocity, n.p) + dot(spin, n.L)) * 0.5;
       fastest2 = larger(norm2(velocity), fastest2);
       for (const RowEnds& end : ends_of(a, n))
@@ -303,7 +303,8 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   if (a.cut) add_impulses_exerted(a);
   const double speed = std::max(before.fastest, std::sqrt(norm(settings.gravity) * a.length));
   const bool noise = before.forbidden <= 1e-9 * speed;  // as large as what the solver leaves
-  if (a.smooth && !a.weak && !noise && !over_gaps && !one_sided && !a.touches) carry_half(a, settings.full / a.sub_steps.count);
+  if (a.smooth && !a.weak && !noise && !over_gaps && !one_sided && !a.touches)
+    carry_half(a, settings.full / a.sub_steps.count);
   if (settings.energy_return)
     report.returned += return_energy(a, before.kinetic - a.symmetric_energy, settings.gravity);
 }

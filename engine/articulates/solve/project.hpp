@@ -3,14 +3,14 @@
 
 namespace pantin {
 
-/// Takes out of the momenta what the rows forbid, S1 μ = -(G1 v1 - v_anchor), p += G'μ, once at the end of a full step;
+/// Takes out of the momenta what the rows forbid, S1 Λ = -(G1 v1 - wanted), p += G1'Λ, once at the end of a full step;
 /// without it an odd-even velocity hides and grows. With `energy_return` the kinetic energy that this took is given back.
 void project_velocities(Articulate& articulate, const DriftSettings& settings, DriftReport& report);
 
-/// Before a full sub-step of `full` [s]: takes out of the momenta half of what projections gave of late, p -= G0'μ̂ with
-/// μ̂ = ½ (μ̂ + μ) of the last. A solved step turns the sign of a velocity that the rows forbid, so with this it and its
+/// Before a full sub-step of `full` [s]: takes out of the momenta half of what projections gave of late, p -= G0'Λ̂ with
+/// Λ̂ = ½ (Λ̂ + Λ) of the last. A solved step turns the sign of a velocity that the rows forbid, so with this it and its
 /// projection are nearly reversible together (symmetric projection: Hairer 2000), and energy drifts less; where their
-/// number is even, p += G0'μ̂. Nothing, and false, where the last one was another: edited, halved, a fallback, of another length,
+/// number is even, p += G0'Λ̂. Nothing, and false, where the last one was another: edited, halved, a fallback, of another length,
 /// or with multipliers that are not all determined.
 bool project_symmetrically(Articulate& articulate, double full, DriftReport& report);
 

@@ -17,10 +17,11 @@ namespace pantin {
 
 struct IslandBody {
   double mass = 1.0, inverse_mass = 1.0;
-  Mat3 inertia = identity33(), mobility = zero33();  ///< [kg m²] and its inverse, world axes; mobility 0 where it cannot turn
-  Mat3 turning = identity33();                       ///< projects on the axes that it can turn about
-  double reach = 0.0;                                ///< [m] makes a speed of a spin, where residuals are measured
-  Vec3 v0 = zero3(), w0 = zero3();                   ///< [m/s], [rad/s] without impulses
+  Mat3 inertia = identity33(),
+       mobility = zero33();         ///< [kg m²] and its inverse, world axes; mobility 0 where it cannot turn
+  Mat3 turning = identity33();      ///< projects on the axes that it can turn about
+  double reach = 0.0;               ///< [m] makes a speed of a spin, where residuals are measured
+  Vec3 v0 = zero3(), w0 = zero3();  ///< [m/s], [rad/s] without impulses
   Vec3 v = zero3(), w = zero3();
   Vec3 dv = zero3(), dw = zero3();  ///< of a search: its next step
 };
@@ -32,18 +33,18 @@ struct IslandPair {
 };
 
 struct IslandContact : IslandPair {
-  Mat3 frame;              ///< columns n (from b to a), t1, t2
+  Mat3 frame;  ///< columns n (from b to a), t1, t2
   double friction = 0.0;
   double wn = 0.0, wt = 0.0;  ///< [1/kg]
-  Vec3 bias = zero3();     ///< [m/s] in the frame, as all that follow
-  Vec3 start = zero3();    ///< [N s] where the search for γ begins
-  Vec3 impulse = zero3();  ///< [N s] γ
-  Vec3 u = zero3();        ///< [m/s]
+  Vec3 bias = zero3();        ///< [m/s] in the frame, as all that follow
+  Vec3 start = zero3();       ///< [N s] where the search for γ begins
+  Vec3 impulse = zero3();     ///< [N s] γ
+  Vec3 u = zero3();           ///< [m/s]
   bool on = true;
 };
 
 struct IslandTie : IslandPair {
-  double lever = 0.0;      ///< [m] of an angular one, which sees spins alone; 0: ties points
+  double lever = 0.0;  ///< [m] of an angular one, which sees spins alone; 0: ties points
   Mat3 kept = identity33();
   double w = 0.0;          ///< [1/kg]
   Vec3 wanted = zero3();   ///< [m/s] world axes, as all that follow
@@ -76,7 +77,8 @@ inline Vec3 to_frame(const IslandContact& c, Vec3 world) { return transposed_tim
 inline Vec3 to_world(const IslandContact& c, Vec3 local) { return c.frame * local; }
 
 /// Velocity of a's point relative to b's, world axes, of velocities `v` and spins `w` of the bodies.
-inline Vec3 relative(const IslandPair& p, const std::vector<IslandBody>& bodies, Vec3 IslandBody::*v, Vec3 IslandBody::*w) {
+inline Vec3 relative(const IslandPair& p, const std::vector<IslandBody>& bodies, Vec3 IslandBody::*v,
+                     Vec3 IslandBody::*w) {
   const IslandBody& a = bodies[static_cast<std::size_t>(p.a)];
   Vec3 u = a.*v + cross(a.*w, p.ra);
   if (p.b < 0) return u;

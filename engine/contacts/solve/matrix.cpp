@@ -52,7 +52,8 @@ PairBlocks blocks_of(const ContactIsland& island, const IslandPair& pair) {
   PairBlocks blocks;
   if (pair.b < 0) return blocks;
   for (std::size_t i = 0; i < 4; i++) {
-    const std::uint32_t a = island.position[2 * number(pair.a) + i / 2], b = island.position[2 * number(pair.b) + i % 2];
+    const std::uint32_t a = island.position[2 * number(pair.a) + i / 2],
+                        b = island.position[2 * number(pair.b) + i % 2];
     blocks.block[i] = island.factor.block(std::max(a, b), std::min(a, b));
     blocks.a_below[i] = a > b;
   }

@@ -28,7 +28,8 @@ void confine(ContactIsland& island) {
       c.impulse = zero3();
       continue;
     }
-    const double t = std::sqrt(c.impulse[1] * c.impulse[1] + c.impulse[2] * c.impulse[2]), bound = c.friction * c.impulse[0];
+    const double t = std::sqrt(c.impulse[1] * c.impulse[1] + c.impulse[2] * c.impulse[2]),
+                 bound = c.friction * c.impulse[0];
     if (t <= bound) continue;
     c.impulse[1] *= bound / t;
     c.impulse[2] *= bound / t;
