@@ -89,8 +89,8 @@ Mesh floor_mesh(const Color& color) {
   Mesh mesh;
   Mesh::Patch& patch = mesh.patch(color);
   for (const Vec3 corner : {vec(-0.5, -0.5, 0), vec(0.5, -0.5, 0), vec(0.5, 0.5, 0), vec(-0.5, 0.5, 0)}) {
-    put(patch.positions, corner);
-    put(patch.normals, vec(0, 0, 1));
+    put_vertex(patch.positions, corner);
+    put_vertex(patch.normals, vec(0, 0, 1));
   }
   put_triangle(patch, 0, 1, 2);
   put_triangle(patch, 0, 2, 3);

@@ -68,6 +68,7 @@ struct Builder {
     to.slots.push_back(slot);
     to.points.push_back(0);
     to.states.push_back(s);
+    to.pulls.push_back({zero3(), zero3()});
     return index[slot] = static_cast<std::int32_t>(to.slots.size()) - 1;
   }
   std::int32_t add_point(TouchIsland& to, Node& n) {
@@ -83,7 +84,17 @@ struct Builder {
     BodyState s{};
     s.node = &n;
     to.states.push_back(s);
+    to.pulls.push_back({zero3(), zero3()});
     return static_cast<std::int32_t>(to.slots.size()) - 1;
+  }
+  static void add_pull(TouchIsland& to, const IslandTie& t, Vec3 force) {
+    const auto add = [&](std::int32_t body, Vec3 arm, double sign) {
+      if (body < 0) return;
+      to.pulls[static_cast<std::size_t>(body)][0] += force * sign;
+      to.pulls[static_cast<std::size_t>(body)][1] += cross(arm, force) * sign;
+    };
+    add(t.a, t.ra, 1.0);
+    add(t.b, t.rb, -1.0);
   }
   void add_articulate(TouchIsland& to, std::uint32_t number) {
     Articulate& a = *articulates[number];
@@ -113,6 +124,8 @@ struct Builder {
           IslandTie& t = ties[end.row[lane]];
           (end.to[lane] % 2 == 0 ? t.ra : t.rb) = lane_of(end.r1, lane);
         }
+    for (std::uint32_t k = 0; k < ties.size(); k++)
+      if (is_soft(a.rows[k])) add_pull(to, ties[k], a.rows[k].f);
     const std::vector<Vec3>& last = a.touched[settings.drifted ? 1 : 0];
     for (std::uint32_t k = 0; k < ties.size(); k++) {
       if (trace(ties[k].kept) == 0.0) continue;

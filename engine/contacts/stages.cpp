@@ -123,17 +123,17 @@ double opening(const TouchIsland& island, const IslandContact& c) {
 }
 
 /// Forces that the drift will have beside contacts: gravity, pushes, and what soft rows pulled with last.
-void foresee_forces(Model& model, const Articulates& articulates, TouchIsland& island, const TouchSettings& settings) {
+void foresee_forces(const Model& model, TouchIsland& island, const TouchSettings& settings) {
   const double half = 0.5 * settings.h;
   for (std::size_t i = 0; i < island.slots.size(); i++) {
     IslandBody& b = island.problem.bodies[i];
-    b.v0 += model.plane.along(settings.gravity) * half;
+    b.v0 += (model.plane.along(settings.gravity) + island.pulls[i][0] * b.inverse_mass) * half;
+    b.w0 += b.mobility * island.pulls[i][1] * half;
     if (island.points[i]) continue;
     const Motion& m = model.motion[island.slots[i]];
     b.v0 += m.force * (half * b.inverse_mass);
     b.w0 += b.mobility * m.torque * half;
   }
-  (void)articulates;
 }
 
 }  // namespace
@@ -165,7 +165,7 @@ void place(Model& model, const Articulates& articulates, Contacts& contacts, con
       };
       t.wanted -= (turned(t.a, t.ra) - (t.b < 0 ? zero3() : turned(t.b, t.rb))) * (0.5 * h);
     }
-    foresee_forces(model, articulates, island, settings);
+    foresee_forces(model, island, settings);
     count(solve_island(problem), problem, report);
     keep_tie_impulses(articulates, island, 0);
     const double before = kinetic_energy_now(model, island);

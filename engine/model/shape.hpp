@@ -25,8 +25,6 @@ struct Shape {
   Vec3 at = zero3();  ///< [m] of its origin, in the body's frame or the world
   Quat orientation;   ///< its axes to those
   Material material;
-  std::uint32_t layer = 0;  ///< of Model::layers
-  bool sensor = false;      ///< tells and does not push
   Color color;              ///< of one of the world's
   std::string name;
   std::uint64_t serial = 0;

@@ -283,6 +283,24 @@ TEST_CASE("A belt carries what lies on it at its speed") {
   CHECK(std::fabs(world.motion_of(box).p[0] - 2.0) < 1e-6);
 }
 
+TEST_CASE("A hand that presses a box on the floor does not press it through") {
+  World world;
+  add_floor(world);
+  BodyDef def;
+  def.shapes = {shape(unit_box)};
+  def.points = {point(vec(0.3, 0.5, 0))};
+  def.at = vec(0, 0.5, 0);
+  def.mass = 1.0;
+  const BodyId box = add_body(world, def);
+  FollowDef hand;
+  hand.at = vec(0.3, -3, 0);
+  hand.max_force = 500.0;
+  add_follow(world, world.bodies[box].points[0], hand);
+  advance(world, 2.0);
+  CHECK(world.motion_of(box).x[1] > 0.499);
+  CHECK(norm(world.motion_of(box).p) < 1e-3);
+}
+
 TEST_CASE("Bodies that share a hinge do not collide; others do") {
   World world;
   BodyDef def;
