@@ -25,7 +25,7 @@ struct Shape {
   Vec3 at = zero3();  ///< [m] of its origin, in the body's frame or the world
   Quat orientation;   ///< its axes to those
   Material material;
-  Color color;              ///< of one of the world's
+  Color color;  ///< of one of the world's
   std::string name;
   std::uint64_t serial = 0;
 };
