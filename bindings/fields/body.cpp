@@ -111,7 +111,7 @@ std::optional<double> restitution(const World& world, BodyId body) {
 }
 
 void write_friction(World& world, BodyId body, double friction) {
-  require(friction >= 0.0, "body: friction must be >= 0, got ", friction);
+  require_not_negative("body", "friction", friction, "");
   write_material(world, body, "friction", [&](Material& m) { m.friction = friction; });
 }
 

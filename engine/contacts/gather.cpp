@@ -128,7 +128,7 @@ struct Builder {
       if (is_soft(a.rows[k])) add_pull(to, ties[k], a.rows[k].f);
     const std::vector<Vec3>& last = a.touched[settings.drifted ? 1 : 0];
     for (std::uint32_t k = 0; k < ties.size(); k++) {
-      if (trace(ties[k].kept) == 0.0) continue;
+      if (trace(ties[k].kept) == 0.0 || a.rows[k].kind == RowKind::coupled) continue;
       if (last.size() == ties.size()) ties[k].start = ties[k].kept * last[k];
       to.problem.ties.push_back(ties[k]);
       to.rows.push_back({number, k});

@@ -96,6 +96,12 @@ ImpulseWork answer_of_ties(Model& model, const Articulates& articulates, const T
   return work;
 }
 
+/// Couplings hold more than two things each: they answer once the rest is solved.
+bool has_couplings(const Articulates& articulates, const TouchIsland& island) {
+  return std::any_of(island.articulates.begin(), island.articulates.end(),
+                     [&](std::uint32_t a) { return !articulates[a]->couplings.empty(); });
+}
+
 void keep_tie_impulses(const Articulates& articulates, const TouchIsland& island, int stage) {
   for (const std::uint32_t a : island.articulates)
     articulates[a]->touched[static_cast<std::size_t>(stage)].assign(articulates[a]->rows.size(), zero3());
@@ -250,8 +256,10 @@ void meet(Model& model, const Articulates& articulates, Contacts& contacts, cons
     for (std::size_t k = 0; k < problem.contacts.size(); k++)
       contacts.list[island.contacts[k]].total = to_world(problem.contacts[k], problem.contacts[k].impulse);
     give(model, island, sums_of(problem));
-    store_tied(model, articulates, island, settings);
-    report.work += kinetic_energy_now(model, island) - before;
+    ImpulseWork ties;
+    if (has_couplings(articulates, island)) ties = answer_of_ties(model, articulates, island, settings);
+    report.ties += ties;
+    report.work += kinetic_energy_now(model, island) - before - ties.all();
   }
 }
 

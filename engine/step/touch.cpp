@@ -13,6 +13,9 @@ namespace {
 TouchSettings settings_of(const World& world, bool drifted) { return {world.stage.h, world.settings.gravity, drifted}; }
 
 void count(World& world, const TouchReport& report) {
+  post(world, Source::contact, report.work);
+  post(world, Source::hand, report.ties.ends);
+  post(world, Source::motor, report.ties.turns);
   world.stats.contact_iterations += report.iterations;
   world.stats.unsolved_islands += report.unsolved;
 }
@@ -35,9 +38,6 @@ void place_contacts(World& world) {
   if (world.contacts.stale || world.places_changed) find(world, drifted);
   TouchReport report;
   place(world, world.articulates, world.contacts, settings_of(world, drifted), report);
-  post(world, Source::contact, report.work);
-  post(world, Source::hand, report.ties.ends);
-  post(world, Source::motor, report.ties.turns);
   count(world, report);
 }
 
@@ -57,7 +57,6 @@ void meet_contacts(World& world) {
   const Timed timed(world.profile, Phase::meet_contacts);
   TouchReport report;
   meet(world, world.articulates, world.contacts, settings_of(world, true), report);
-  post(world, Source::contact, report.work);
   count(world, report);
   world.stats.contacts = report.contacts;
   world.stats.contact_islands = report.islands;

@@ -6,6 +6,7 @@
 #include "contacts/find.hpp"
 #include "edit/assemble.hpp"
 #include "edit/constrain.hpp"
+#include "edit/coupling_constraints.hpp"
 #include "edit/edit.hpp"
 #include "measure/measure.hpp"
 #include "snapshot/snapshot.hpp"
@@ -299,6 +300,30 @@ TEST_CASE("A hand that presses a box on the floor does not press it through") {
   advance(world, 2.0);
   CHECK(world.motion_of(box).x[1] > 0.499);
   CHECK(norm(world.motion_of(box).p) < 1e-3);
+}
+
+TEST_CASE("A ball that rolls drives what is geared to it, and the gear stays exact") {
+  World world;
+  add_floor(world);
+  const BodyId ball = add(world, shape(BallShape{0.5}), vec(0, 0.5, 0));
+  BodyDef def;
+  def.points = {point(zero3())};
+  def.inertia = identity33() * 0.1;
+  def.mass = 1.0;
+  def.at = vec(0, 3, 0);
+  const BodyId wheel = add_body(world, def);
+  add_nail(world, world.bodies[wheel].points[0]);
+  GearDef gear;
+  gear.axis_a = vec(0, 0, 1);
+  gear.ratio.value = -0.5;
+  add_gear(world, ball, wheel, gear);
+  set_spin(world, ball, vec(0, 0, -2));
+  set_spin(world, wheel, vec(0, 0, 4));
+  advance(world, 0.5);
+  const double a = angular_velocity(world.motion_of(ball))[2], b = angular_velocity(world.motion_of(wheel))[2];
+  CHECK(b > 0.5);
+  CHECK(std::fabs(a / b + 0.5) < 1e-9);
+  CHECK(std::fabs(world.motion_of(ball).p[0] + 0.5 * a) < 1e-6);
 }
 
 TEST_CASE("Bodies that share a hinge do not collide; others do") {
