@@ -98,8 +98,6 @@ void add_turns(const ContactIsland& island, Sums to, const IslandTie& t, const P
   to.lower[blocks.block[3]] -= blocks.a_below[3] ? both : transpose(both);
 }
 
-}  // namespace
-
 void lay_out_matrix(ContactIsland& island) {
   Elimination order = minimum_degree(neighbours_of_rows(island));
   island.position.resize(2 * island.bodies.size());
@@ -116,7 +114,10 @@ void lay_out_matrix(ContactIsland& island) {
   for (const IslandTie& t : island.ties) island.tie_blocks.push_back(blocks_of(island, t));
 }
 
+}  // namespace
+
 void set_base(ContactIsland& island, double tie_stiffness) {
+  if (island.factor.rows == 0) lay_out_matrix(island);
   island.base_diagonal.assign(island.factor.rows, zero33());
   island.base_lower.assign(island.factor.below.size(), zero33());
   for (std::size_t i = 0; i < island.bodies.size(); i++) {

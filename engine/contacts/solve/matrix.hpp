@@ -6,9 +6,8 @@
 
 namespace pantin {
 
-/// Lays out the factor for the pairs that the contacts and ties make.
-void lay_out_matrix(ContactIsland& island);
-/// Sets the part of masses and ties, with stiffness `tie_stiffness` / w of each tie [kg].
+/// Sets the part of masses and ties, with stiffness `tie_stiffness` / w of each tie [kg]. Lays out the factor first, where
+/// that is still to be done: what is solved where its search begins needs none.
 void set_base(ContactIsland& island, double tie_stiffness);
 /// Factorises the base with the contacts' stiffness: D(contact) [kg], world axes, by index; none where it is off.
 void factorise(ContactIsland& island, std::span<const Mat3> stiffness);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contacts/solve/matrix.hpp"
 #include "contacts/solve/search.hpp"
 
 namespace pantin {
@@ -40,7 +39,6 @@ void confine(ContactIsland& island) {
 
 IslandReport solve_island(ContactIsland& island) {
   prepare(island);
-  lay_out_matrix(island);
   const double tight = accepted * island.tolerance;
   SearchReport found = newton_search(island, most_of_newton);
   IslandReport report{found.residual, found.iterations, found.factorisations, true};
