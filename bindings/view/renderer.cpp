@@ -250,6 +250,10 @@ void Renderer::Parts::draw_shadows(const Camera& camera, bool wanted) {
   glBlendEquation(GL_FUNC_ADD);
 }
 
+namespace {
+Vec3 wide(float x, float y, float z) { return vec(double{x}, double{y}, double{z}); }
+}  // namespace
+
 // A little behind where they are, so that shadows fall on them.
 void Renderer::Parts::draw_floors(const Camera& camera) {
   if (draw_list.floors.empty()) return;
@@ -262,11 +266,11 @@ void Renderer::Parts::draw_floors(const Camera& camera) {
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   for (const DrawList::Floor& f : draw_list.floors) {
-    floor.set("middle", vec(f.middle.x, f.middle.y, f.middle.z));
-    floor.set("along_x", vec(f.x.x, f.x.y, f.x.z));
-    floor.set("along_y", vec(f.y.x, f.y.y, f.y.z));
-    floor.set("normal", vec(f.normal.x, f.normal.y, f.normal.z));
-    floor.set("paint", vec(f.color.r, f.color.g, f.color.b));
+    floor.set("middle", wide(f.middle.x, f.middle.y, f.middle.z));
+    floor.set("along_x", wide(f.x.x, f.x.y, f.x.z));
+    floor.set("along_y", wide(f.y.x, f.y.y, f.y.z));
+    floor.set("normal", wide(f.normal.x, f.normal.y, f.normal.z));
+    floor.set("paint", wide(f.color.r, f.color.g, f.color.b));
     floor.set("from", f.from_x, f.from_y);
     floor.set("squares", f.squares);
     floor.set("reach", f.reach);
