@@ -1,6 +1,7 @@
 #include "edit/edit.hpp"
 #include "fields/make.hpp"
 #include "measure/query.hpp"
+#include "world/checks.hpp"
 
 namespace pantin::fields {
 namespace {

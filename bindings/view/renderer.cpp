@@ -251,7 +251,9 @@ void Renderer::Parts::draw_shadows(const Camera& camera, bool wanted) {
 }
 
 namespace {
-Vec3 wide(float x, float y, float z) { return vec(double{x}, double{y}, double{z}); }
+Vec3 wide(float x, float y, float z) {
+  return vec(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
+}
 }  // namespace
 
 // A little behind where they are, so that shadows fall on them.
