@@ -1,7 +1,6 @@
 #include "edit/edit.hpp"
 #include "fields/make.hpp"
 #include "measure/query.hpp"
-#include "world/checks.hpp"
 
 namespace pantin::fields {
 namespace {
@@ -112,7 +111,7 @@ std::optional<double> restitution(const World& world, BodyId body) {
 }
 
 void write_friction(World& world, BodyId body, double friction) {
-  require_not_negative("body", "friction", friction, "");
+  require(friction >= 0.0 && std::isfinite(friction), "body: friction must be a finite number >= 0, got ", friction);
   write_material(world, body, "friction", [&](Material& m) { m.friction = friction; });
 }
 
