@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "edit/edit.hpp"
 #include "fields/make.hpp"
 #include "measure/query.hpp"

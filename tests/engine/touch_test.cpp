@@ -235,7 +235,7 @@ namespace {
 
 void add_pile(World& world, int count) {
   add_floor(world);
-  Random random(7);
+  Random random{7};
   for (int i = 0; i < count; i++) {
     const Vec3 at = vec(2 * random.uniform() - 1, 1.0 + 1.2 * i, 2 * random.uniform() - 1);
     const BodyId body = add(world, i % 2 == 0 ? shape(unit_box) : shape(BallShape{0.5}), at);
