@@ -48,6 +48,7 @@ void expect_no_complaint(const Played& played) {
 std::uint64_t hash_without_window(const std::string& path, std::uint64_t steps) {
   SceneOptions options;
   options.home = sources::folder();
+  options.script_limit = 0.0;
   const auto scene = lua::open_scene(path, options);
   while (scene->world().steps < steps) scene->step();
   return state_hash(scene->world());
