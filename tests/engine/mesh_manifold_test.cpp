@@ -98,7 +98,8 @@ TEST_CASE("mesh: nothing is lost on its way into rolling ground") {
   Random random{.seed = 23};
   for (const Geometry& shape : falling_shapes())
     for (int i = 0; i < 12; i++) {
-      Pose pose = {vec(random.uniform() - 0.5, 1.0, random.uniform() - 0.5), brute::random_turn(random)};
+      const double z = random.uniform() - 0.5, x = random.uniform() - 0.5;
+      Pose pose = {vec(x, 1.0, z), brute::random_turn(random)};
       double last = infinity;
       CAPTURE(shape.index(), i);
       for (; pose.x[1] > 0.15; pose.x[1] -= 0.025) {
