@@ -4,9 +4,9 @@
 
 namespace pantin {
 
-BodyState state_of(Model& model, const std::vector<std::unique_ptr<Articulate>>& articulates, std::uint32_t slot,
+BodyState state_of(const Model& model, const std::vector<std::unique_ptr<Articulate>>& articulates, std::uint32_t slot,
                    bool drifted) {
-  Motion& m = model.motion[slot];
+  const Motion& m = model.motion[slot];
   Node* node = drifted && m.articulate >= 0
                    ? &articulates[static_cast<std::size_t>(m.articulate)]->nodes[static_cast<std::size_t>(m.node)]
                    : nullptr;

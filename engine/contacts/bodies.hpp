@@ -19,7 +19,7 @@ struct BodyState {
   Node* node;     ///< where it is kept, or null: in the model
 };
 
-BodyState state_of(Model& model, const std::vector<std::unique_ptr<Articulate>>& articulates, std::uint32_t slot,
+BodyState state_of(const Model& model, const std::vector<std::unique_ptr<Articulate>>& articulates, std::uint32_t slot,
                    bool drifted);
 /// Adds to the momenta [kg m/s], [kg m²/s] about the centre, world axes.
 void add_momenta(Model& model, const BodyState& state, std::uint32_t slot, Vec3 p, Vec3 angular);

@@ -45,6 +45,7 @@ struct Placing {
 struct Contacts {
   std::vector<Contact> list;    ///< by key
   std::vector<Placing> placed;  ///< in this step
+  double work = 0.0;            ///< [J] of those, with what ties answered: told with the rest of the step
   bool stale = true;            ///< positions or shapes changed since they were found
 };
 

@@ -29,7 +29,7 @@ Placed place(const Placement& p, const Shape& shape) {
     placed.pose = {shape.at, matrix(shape.orientation)};
     return placed;
   }
-  const BodyState s = state_of(const_cast<Model&>(p.model), p.articulates, shape.body.slot - 1, p.drifted);
+  const BodyState s = state_of(p.model, p.articulates, shape.body.slot - 1, p.drifted);
   placed.moves = true;
   placed.pose = Pose{s.x, s.R} * in_principal_axes(p.model.bodies[shape.body], shape);
   const double arm = norm(placed.pose.x - s.x) + reach_of(shape.geometry);
@@ -129,15 +129,17 @@ Pose pose_of(const Model& m, const Shape& shape) {
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> tied_bodies(const Model& m) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  const auto add = [&](BodyId a, BodyId b) {
+    if (a && b && a != b) pairs.emplace_back(std::min(a.slot, b.slot) - 1, std::max(a.slot, b.slot) - 1);
+  };
   for (const ParticleId id : m.particles.ids()) {
     const Particle& ring = m.particles[id];
     if (!ring.joins()) continue;
     for (std::size_t i = 0; i < ring.points.size(); i++)
-      for (std::size_t j = 0; j < i; j++) {
-        const BodyId a = m.points[ring.points[i]].body, b = m.points[ring.points[j]].body;
-        if (a && b && a != b) pairs.emplace_back(std::min(a.slot, b.slot) - 1, std::max(a.slot, b.slot) - 1);
-      }
+      for (std::size_t j = 0; j < i; j++) add(m.points[ring.points[i]].body, m.points[ring.points[j]].body);
   }
+  for (const ConstraintId id : m.constraints.ids())
+    if (const Constraint& c = m.constraints[id]; c.is<WeldData>() && c.enabled) add(c.body_a, c.body_b);
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;

@@ -16,7 +16,6 @@ struct ContactFinder {
   BroadPhase broad_phase;
   std::vector<std::uint64_t> serials;                         ///< (slots of shapes) of what is in there; 0: nothing
   std::vector<std::pair<std::uint32_t, std::uint32_t>> tied;  ///< (smaller, larger) slots of bodies that do not collide
-  std::uint64_t topology = 0;                                 ///< that `tied` is of
 };
 
 /// Where things are: of what rows tie in the articulates after a drift, else in the model.
@@ -30,7 +29,7 @@ struct Placement {
 
 /// Finds all contacts anew; those that were there before keep their impulses.
 void find_contacts(const Placement& placement, ContactFinder& finder, Contacts& contacts);
-/// Pairs of bodies that a hinge or another constraint of points ties and that do not collide, sorted.
+/// Pairs of bodies that a hinge or a weld ties and that do not collide, sorted.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> tied_bodies(const Model& model);
 /// A body's shape in the world.
 Pose pose_of(const Model& model, const Shape& shape);

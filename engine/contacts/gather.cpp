@@ -68,7 +68,7 @@ struct Builder {
     to.slots.push_back(slot);
     to.points.push_back(0);
     to.states.push_back(s);
-    to.pulls.push_back({zero3(), zero3()});
+    to.pulls.emplace_back();
     return index[slot] = static_cast<std::int32_t>(to.slots.size()) - 1;
   }
   std::int32_t add_point(TouchIsland& to, Node& n) {
@@ -84,14 +84,14 @@ struct Builder {
     BodyState s{};
     s.node = &n;
     to.states.push_back(s);
-    to.pulls.push_back({zero3(), zero3()});
+    to.pulls.emplace_back();
     return static_cast<std::int32_t>(to.slots.size()) - 1;
   }
   static void add_pull(TouchIsland& to, const IslandTie& t, Vec3 force) {
     const auto add = [&](std::int32_t body, Vec3 arm, double sign) {
       if (body < 0) return;
-      to.pulls[static_cast<std::size_t>(body)][0] += force * sign;
-      to.pulls[static_cast<std::size_t>(body)][1] += cross(arm, force) * sign;
+      to.pulls[static_cast<std::size_t>(body)].force += force * sign;
+      to.pulls[static_cast<std::size_t>(body)].moment += cross(arm, force) * sign;
     };
     add(t.a, t.ra, 1.0);
     add(t.b, t.rb, -1.0);

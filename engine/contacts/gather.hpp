@@ -18,7 +18,7 @@ struct TouchIsland {
   std::vector<std::size_t> contacts;       ///< (contacts) index in Contacts::list
   std::vector<std::uint32_t> articulates;  ///< that are in it
   std::vector<std::array<std::uint32_t, 2>> rows;  ///< (ties) articulate and its row
-  std::vector<std::array<Vec3, 2>> pulls;          ///< (bodies) [N], [N m] of soft rows in the last step
+  std::vector<BodyLoad> pulls;                     ///< (bodies) [N], [N m] of soft rows in the last step
 };
 
 /// Islands of the contacts that are `used`, in the order of the smallest number of what they hold; tied things with their rows

@@ -6,7 +6,6 @@
 #include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/state.hpp"
-#include "constraints/stiff.hpp"
 #include "contacts/gather.hpp"
 #include "contacts/solve/solve.hpp"
 
@@ -15,41 +14,10 @@ namespace pantin {
 namespace {
 
 constexpr double touching = 1e-5;                          // of the size: a gap that is as good as closed
-constexpr double told_overlap = 3e-4;                      // of the size: what overlaps more is parted,
+constexpr double told_overlap = 3e-4;                      // of the size: what overlaps more is pushed out,
 constexpr double left_overlap = 2e-4;                      // down to this
-constexpr double parted_a_step = 0.2, most_a_step = 5e-3;  // of what is too much; of the size
+constexpr double pushed_a_step = 0.2, most_a_step = 5e-3;  // of what is too much; of the size
 constexpr double accepted = 1e4;                           // of the tolerance
-
-/// What the impulses of an island do to its bodies [N s], [N m s].
-std::vector<std::array<Vec3, 2>> sums_of_contacts(const ContactIsland& island) {
-  std::vector<std::array<Vec3, 2>> sums(island.bodies.size(), {zero3(), zero3()});
-  const auto add = [&](const IslandPair& p, Vec3 impulse) {
-    sums[static_cast<std::size_t>(p.a)][0] += impulse;
-    sums[static_cast<std::size_t>(p.a)][1] += cross(p.ra, impulse);
-    if (p.b < 0) return;
-    sums[static_cast<std::size_t>(p.b)][0] -= impulse;
-    sums[static_cast<std::size_t>(p.b)][1] -= cross(p.rb, impulse);
-  };
-  for (const IslandContact& c : island.contacts)
-    if (c.on) add(c, to_world(c, c.impulse));
-  return sums;
-}
-
-/// Of its ties too.
-std::vector<std::array<Vec3, 2>> sums_of(const ContactIsland& island) {
-  auto sums = sums_of_contacts(island);
-  for (const IslandTie& t : island.ties) {
-    const Vec3 impulse = t.kept * t.impulse;
-    const Vec3 turn_a = t.lever == 0.0 ? cross(t.ra, impulse) : impulse * t.lever,
-               turn_b = t.lever == 0.0 ? cross(t.rb, impulse) : turn_a, along = t.lever == 0.0 ? impulse : zero3();
-    sums[static_cast<std::size_t>(t.a)][0] += along;
-    sums[static_cast<std::size_t>(t.a)][1] += turn_a;
-    if (t.b < 0) continue;
-    sums[static_cast<std::size_t>(t.b)][0] -= along;
-    sums[static_cast<std::size_t>(t.b)][1] -= turn_b;
-  }
-  return sums;
-}
 
 double kinetic_energy_now(const Model& model, const TouchIsland& island) {
   double sum = 0.0;
@@ -60,12 +28,12 @@ double kinetic_energy_now(const Model& model, const TouchIsland& island) {
   return sum;
 }
 
-void give(Model& model, const TouchIsland& island, const std::vector<std::array<Vec3, 2>>& sums) {
-  for (std::size_t i = 0; i < sums.size(); i++) {
+void give(Model& model, const TouchIsland& island, const std::vector<BodyLoad>& loads) {
+  for (std::size_t i = 0; i < loads.size(); i++) {
     if (island.points[i])
-      island.states[i].node->p0 += sums[i][0];
+      island.states[i].node->p0 += loads[i].force;
     else
-      add_momenta(model, island.states[i], island.slots[i], model.plane.along(sums[i][0]), sums[i][1]);
+      add_momenta(model, island.states[i], island.slots[i], model.plane.along(loads[i].force), loads[i].moment);
   }
 }
 
@@ -96,6 +64,13 @@ ImpulseWork answer_of_ties(Model& model, const Articulates& articulates, const T
   return work;
 }
 
+/// What ties that move give by impulses at the end of the step.
+ImpulseWork work_of_ties(const ContactIsland& island) {
+  ImpulseWork work;
+  for (const IslandTie& t : island.ties) (t.lever > 0.0 ? work.turns : work.ends) += dot(t.kept * t.impulse, t.wanted);
+  return work;
+}
+
 /// Couplings hold more than two things each: they answer once the rest is solved.
 bool has_couplings(const Articulates& articulates, const TouchIsland& island) {
   return std::any_of(island.articulates.begin(), island.articulates.end(),
@@ -114,8 +89,6 @@ void count(const IslandReport& found, const ContactIsland& problem, TouchReport&
   report.islands++;
   report.contacts += static_cast<std::uint32_t>(problem.contacts.size());
   report.iterations += found.iterations;
-  report.factorisations += found.factorisations;
-  report.worst = std::max(report.worst, found.residual);
   if (found.residual > accepted * problem.tolerance) report.unsolved++;
 }
 
@@ -133,8 +106,8 @@ void foresee_forces(const Model& model, TouchIsland& island, const TouchSettings
   const double half = 0.5 * settings.h;
   for (std::size_t i = 0; i < island.slots.size(); i++) {
     IslandBody& b = island.problem.bodies[i];
-    b.v0 += (model.plane.along(settings.gravity) + island.pulls[i][0] * b.inverse_mass) * half;
-    b.w0 += b.mobility * island.pulls[i][1] * half;
+    b.v0 += (model.plane.along(settings.gravity) + island.pulls[i].force * b.inverse_mass) * half;
+    b.w0 += b.mobility * island.pulls[i].moment * half;
     if (island.points[i]) continue;
     const Motion& m = model.motion[island.slots[i]];
     b.v0 += m.force * (half * b.inverse_mass);
@@ -153,7 +126,6 @@ void place(Model& model, const Articulates& articulates, Contacts& contacts, con
   const double h = settings.h;
   for (TouchIsland& island : gather(model, articulates, contacts, settings, used)) {
     ContactIsland& problem = island.problem;
-    std::vector<Vec3> openings;
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
       Contact& from = contacts.list[island.contacts[k]];
       IslandContact& c = problem.contacts[k];
@@ -191,7 +163,9 @@ void place(Model& model, const Articulates& articulates, Contacts& contacts, con
     }
     if (!any) continue;
     for (const std::uint32_t a : island.articulates) articulates[a]->touches = true;
-    give(model, island, sums_of_contacts(problem));
+    std::vector<BodyLoad> loads(problem.bodies.size());
+    add_contact_loads(problem, loads);
+    give(model, island, loads);
     store_tied(model, articulates, island, settings);
     const ImpulseWork ties = answer_of_ties(model, articulates, island, settings);
     report.ties += ties;
@@ -253,18 +227,24 @@ void meet(Model& model, const Articulates& articulates, Contacts& contacts, cons
     count(solve_island(problem), problem, report);
     keep_tie_impulses(articulates, island, 1);
     const double before = kinetic_energy_now(model, island);
-    for (std::size_t k = 0; k < problem.contacts.size(); k++)
-      contacts.list[island.contacts[k]].total = to_world(problem.contacts[k], problem.contacts[k].impulse);
-    give(model, island, sums_of(problem));
-    ImpulseWork ties;
-    if (has_couplings(articulates, island)) ties = answer_of_ties(model, articulates, island, settings);
+    for (std::size_t k = 0; k < problem.contacts.size(); k++) {
+      Contact& to = contacts.list[island.contacts[k]];
+      to.total = to_world(problem.contacts[k], problem.contacts[k].impulse);
+      report.belts -= dot(to.total, to.belt - to.normal * dot(to.normal, to.belt));
+    }
+    std::vector<BodyLoad> loads(problem.bodies.size());
+    add_contact_loads(problem, loads);
+    add_tie_loads(problem, loads);
+    give(model, island, loads);
+    ImpulseWork ties = work_of_ties(problem);
+    if (has_couplings(articulates, island)) ties += answer_of_ties(model, articulates, island, settings);
     report.ties += ties;
     report.work += kinetic_energy_now(model, island) - before - ties.all();
   }
 }
 
-double part(Model& model, const Articulates& articulates, Contacts& contacts, const TouchSettings& settings,
-            TouchReport& report) {
+double push_out(Model& model, const Articulates& articulates, Contacts& contacts, const TouchSettings& settings,
+                TouchReport& report) {
   std::vector<char> used(contacts.list.size(), 0);
   bool any = false;
   for (std::size_t k = 0; k < used.size(); k++) {
@@ -285,7 +265,7 @@ double part(Model& model, const Articulates& articulates, Contacts& contacts, co
       const Contact& from = contacts.list[island.contacts[k]];
       IslandContact& c = problem.contacts[k];
       const double left = left_overlap * from.size;
-      const double wanted = from.gap < -left ? std::max(parted_a_step * (from.gap + left), -most_a_step * from.size)
+      const double wanted = from.gap < -left ? std::max(pushed_a_step * (from.gap + left), -most_a_step * from.size)
                                              : std::max(from.gap, 0.0);
       c.friction = 0.0;
       c.bias = vec(wanted / h, 0, 0);
@@ -301,7 +281,6 @@ double part(Model& model, const Articulates& articulates, Contacts& contacts, co
       else
         displace(model, island.states[i], island.slots[i], way, problem.bodies[i].w * h);
     }
-    store_tied(model, articulates, island, settings);
     work += kinetic_energy_now(model, island) - before;
     contacts.stale = true;
   }

@@ -1,6 +1,6 @@
 #pragma once
 // Touch in a step: `place` before a drift and `meet` after it solve the same problem, for velocities that do not bring
-// shapes into each other and for velocities with all impulses of the step; `part` opens what overlaps all the same.
+// shapes into each other and for velocities with all impulses of the step; `push_out` opens what overlaps all the same.
 #include <memory>
 #include <vector>
 
@@ -17,11 +17,11 @@ struct TouchSettings {
 };
 
 struct TouchReport {
-  double work = 0.0;  ///< [J] change of the kinetic energy
-  ImpulseWork ties;   ///< what ties that move gave when they answered
-  std::uint32_t islands = 0, contacts = 0, iterations = 0, factorisations = 0;
+  double work = 0.0;   ///< [J] change of the kinetic energy by contacts
+  double belts = 0.0;  ///< [J] what moving surfaces may have given of it
+  ImpulseWork ties;    ///< what ties that move gave when they answered
+  std::uint32_t islands = 0, contacts = 0, iterations = 0;
   std::uint32_t unsolved = 0;  ///< islands beyond what is accepted
-  double worst = 0.0;          ///< [m/s] largest residual
 };
 
 using Articulates = std::vector<std::unique_ptr<Articulate>>;
@@ -34,7 +34,7 @@ void place(Model& model, const Articulates& articulates, Contacts& contacts, con
 void meet(Model& model, const Articulates& articulates, Contacts& contacts, const TouchSettings& settings,
           TouchReport& report);
 /// Displaces what overlaps by more than a little, momenta kept; returns the work [J] of it.
-double part(Model& model, const Articulates& articulates, Contacts& contacts, const TouchSettings& settings,
-            TouchReport& report);
+double push_out(Model& model, const Articulates& articulates, Contacts& contacts, const TouchSettings& settings,
+                TouchReport& report);
 
 }  // namespace pantin

@@ -20,12 +20,6 @@ TrianglePrism::TrianglePrism() : hull_(std::make_shared<Hull>()), geometry_(std:
     h.edges.insert(h.edges.end(), {{i, j}, {i + 3, j + 3}, {i, i + 3}});
     h.edge_faces.insert(h.edge_faces.end(), {{0, 1 + i}, {1 + i, 4}, {1 + before, 1 + i}});
   }
-  for (std::uint32_t v = 0; v < 6; v++) {
-    const std::uint32_t level = v / 3 * 3, i = v % 3;
-    h.first_neighbour.push_back(static_cast<std::uint32_t>(h.neighbours.size()));
-    h.neighbours.insert(h.neighbours.end(), {level + (i + 1) % 3, level + (i + 2) % 3, i + 3 - level});
-  }
-  h.first_neighbour.push_back(static_cast<std::uint32_t>(h.neighbours.size()));
 }
 
 void TrianglePrism::set(const std::array<Vec3, 3>& corner, Vec3 normal, double depth) {

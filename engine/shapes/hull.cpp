@@ -111,19 +111,11 @@ bool set_edges(Hull& hull) {
       edges[std::minmax(from, to)].push_back(f);
     }
   }
-  std::vector<Loop> around(hull.vertices.size());
   for (const auto& [ends, faces] : edges) {
     if (faces.size() != 2) return false;
     hull.edges.push_back({ends.first, ends.second});
     hull.edge_faces.push_back({faces[0], faces[1]});
-    around[ends.first].push_back(ends.second);
-    around[ends.second].push_back(ends.first);
   }
-  for (const Loop& neighbours : around) {
-    hull.first_neighbour.push_back(static_cast<std::uint32_t>(hull.neighbours.size()));
-    hull.neighbours.insert(hull.neighbours.end(), neighbours.begin(), neighbours.end());
-  }
-  hull.first_neighbour.push_back(static_cast<std::uint32_t>(hull.neighbours.size()));
   return true;
 }
 
@@ -222,8 +214,6 @@ void set_triangle(Hull& hull, const std::array<Vec3, 3>& corner, Vec3 normal) {
   hull.loops.assign({0, 1, 2, 0, 2, 1});
   hull.edges.assign({{0, 1}, {1, 2}, {0, 2}});
   hull.edge_faces.assign(3, {0, 1});
-  hull.first_neighbour.assign({0, 2, 4, 6});
-  hull.neighbours.assign({1, 2, 0, 2, 0, 1});
   hull.reach = std::max({norm(corner[0]), norm(corner[1]), norm(corner[2])});
   hull.thickness = 0.0;
   set_packs(hull);

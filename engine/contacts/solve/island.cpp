@@ -53,6 +53,38 @@ void push(ContactIsland& island, const IslandTie& tie, Vec3 impulse) {
   b.w -= b.mobility * (impulse * tie.lever);
 }
 
+namespace {
+
+void add_load(std::vector<BodyLoad>& loads, std::int32_t body, Vec3 force, Vec3 moment) {
+  if (body < 0) return;
+  loads[static_cast<std::size_t>(body)].force += force;
+  loads[static_cast<std::size_t>(body)].moment += moment;
+}
+
+void add_at_point(std::vector<BodyLoad>& loads, const IslandPair& p, Vec3 impulse) {
+  add_load(loads, p.a, impulse, cross(p.ra, impulse));
+  add_load(loads, p.b, impulse * -1.0, cross(p.rb, impulse) * -1.0);
+}
+
+}  // namespace
+
+void add_contact_loads(const ContactIsland& island, std::vector<BodyLoad>& loads) {
+  for (const IslandContact& c : island.contacts)
+    if (c.on) add_at_point(loads, c, to_world(c, c.impulse));
+}
+
+void add_tie_loads(const ContactIsland& island, std::vector<BodyLoad>& loads) {
+  for (const IslandTie& t : island.ties) {
+    const Vec3 impulse = t.kept * t.impulse;
+    if (t.lever == 0.0) {
+      add_at_point(loads, t, impulse);
+      continue;
+    }
+    add_load(loads, t.a, zero3(), impulse * t.lever);
+    add_load(loads, t.b, zero3(), impulse * -t.lever);
+  }
+}
+
 void start_from_rest(ContactIsland& island) {
   for (IslandBody& body : island.bodies) {
     body.v = body.v0;

@@ -53,6 +53,11 @@ struct IslandTie : IslandPair {
   Vec3 u = zero3();        ///< [m/s] kept (T v - wanted)
 };
 
+/// What impulses do to a body: [N s], [N m s] about its centre, world axes.
+struct BodyLoad {
+  Vec3 force = zero3(), moment = zero3();
+};
+
 /// Where blocks of a pair are in the factor: (row of a, row of b) for linear and angular parts.
 struct PairBlocks {
   std::array<std::uint32_t, 4> block{};
@@ -97,6 +102,9 @@ inline Vec3 velocity_of(const IslandTie& t, const std::vector<IslandBody>& bodie
 /// Adds an impulse [N s] (world axes, on a) to the velocities.
 void push(ContactIsland& island, const IslandPair& pair, Vec3 impulse);
 void push(ContactIsland& island, const IslandTie& tie, Vec3 impulse);
+/// Adds what impulses do to the bodies: of contacts that are on, of ties.
+void add_contact_loads(const ContactIsland& island, std::vector<BodyLoad>& loads);
+void add_tie_loads(const ContactIsland& island, std::vector<BodyLoad>& loads);
 /// Velocities without impulses, and with those at hand.
 void start_from_rest(ContactIsland& island);
 void apply_impulses(ContactIsland& island);

@@ -11,10 +11,7 @@ namespace pantin {
 void set_base(ContactIsland& island, double tie_stiffness);
 /// Factorises the base with the contacts' stiffness: D(contact) [kg], world axes, by index; none where it is off.
 void factorise(ContactIsland& island, std::span<const Mat3> stiffness);
-/// Solves for the change of velocities that impulses on the bodies make, those of IslandBody::force and moment.
-struct BodyLoad {
-  Vec3 force = zero3(), moment = zero3();  ///< [N s], [N m s]
-};
+/// Solves for the change of velocities [m/s], [rad/s] that these make.
 void solve(ContactIsland& island, std::span<const BodyLoad> load, std::span<BodyLoad> change);
 
 }  // namespace pantin

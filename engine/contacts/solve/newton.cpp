@@ -173,26 +173,8 @@ void unbalanced(const ContactIsland& island, std::vector<BodyLoad>& load) {
     const IslandBody& b = island.bodies[i];
     load[i] = {(b.v0 - b.v) * b.mass, b.inertia * (b.w0 - b.w)};
   }
-  const auto add = [&](const IslandPair& p, Vec3 impulse) {
-    BodyLoad& a = load[static_cast<std::size_t>(p.a)];
-    a.force += impulse;
-    a.moment += cross(p.ra, impulse);
-    if (p.b < 0) return;
-    BodyLoad& b = load[static_cast<std::size_t>(p.b)];
-    b.force -= impulse;
-    b.moment -= cross(p.rb, impulse);
-  };
-  for (const IslandContact& c : island.contacts)
-    if (c.on) add(c, to_world(c, c.impulse));
-  for (const IslandTie& t : island.ties) {
-    const Vec3 impulse = t.kept * t.impulse;
-    if (t.lever == 0.0) {
-      add(t, impulse);
-      continue;
-    }
-    load[static_cast<std::size_t>(t.a)].moment += impulse * t.lever;
-    if (t.b >= 0) load[static_cast<std::size_t>(t.b)].moment -= impulse * t.lever;
-  }
+  add_contact_loads(island, load);
+  add_tie_loads(island, load);
 }
 
 SearchReport newton_search(ContactIsland& island, std::uint32_t most_iterations) {
