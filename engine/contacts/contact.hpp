@@ -1,5 +1,6 @@
 #pragma once
 // What goes through time of things that touch: their contacts, with the impulses of the last step to begin with.
+#include <array>
 #include <cstdint>
 #include <tuple>
 #include <vector>
@@ -42,11 +43,20 @@ struct Placing {
   Vec3 arm_a, arm_b;  ///< [m] then, world axes
 };
 
+/// What is known of a body that touches, from step to step.
+struct TouchedBody {
+  std::array<std::uint8_t, 2> failures{},
+      wait{};                ///< of `place`, `meet`: in a row of exact searches; solves until the next
+  std::uint32_t still = 0;   ///< steps in which its island has not moved
+  std::uint32_t asleep = 0;  ///< number of the island that sleeps with it, from 1; 0: awake
+};
+
 struct Contacts {
-  std::vector<Contact> list;    ///< by key
-  std::vector<Placing> placed;  ///< in this step
-  double work = 0.0;            ///< [J] of those, with what ties answered: told with the rest of the step
-  bool stale = true;            ///< positions or shapes changed since they were found
+  std::vector<Contact> list;        ///< by key
+  std::vector<Placing> placed;      ///< in this step
+  std::vector<TouchedBody> bodies;  ///< (slots of bodies)
+  double work = 0.0;                ///< [J] of those, with what ties answered: told with the rest of the step
+  bool stale = true;                ///< positions or shapes changed since they were found
 };
 
 }  // namespace pantin

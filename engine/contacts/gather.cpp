@@ -43,7 +43,8 @@ IslandBody body_of(const BodyState& s, Vec3 velocity, double reach) {
     turning[i] = 0.0;
   }
   b.inertia = in_world(s.R, inertia);
-  b.mobility = in_world(s.R, s.mobility);
+  for (int i = 0; i < 3; i++) b.root[i] = s.R[i] * std::sqrt(s.mobility[i]);
+  b.mobility = times_transposed(b.root, b.root);
   b.turning = in_world(s.R, turning);
   b.reach = reach;
   b.v0 = velocity;
@@ -56,7 +57,7 @@ struct Builder {
   Model& model;
   const Articulates& articulates;
   const TouchSettings& settings;
-  std::vector<std::int32_t> index;  // (slots of bodies) in its island, or -1
+  std::vector<std::int32_t>& index;
 
   std::int32_t add_body(TouchIsland& to, std::uint32_t slot) {
     if (index[slot] >= 0) return index[slot];
@@ -144,8 +145,19 @@ Mat3 frame_of(Vec3 n) {
 
 }  // namespace
 
-std::vector<TouchIsland> gather(Model& model, const Articulates& articulates, const Contacts& contacts,
-                                const TouchSettings& settings, const std::vector<char>& used) {
+void TouchIsland::clear() {
+  problem.clear();
+  slots.clear();
+  points.clear();
+  states.clear();
+  contacts.clear();
+  articulates.clear();
+  rows.clear();
+  pulls.clear();
+}
+
+std::span<TouchIsland> gather(TouchSpace& space, Model& model, const Articulates& articulates, const Contacts& contacts,
+                              const TouchSettings& settings, const std::vector<char>& used) {
   const std::size_t tied = articulates.size();
   const auto thing = [&](std::uint32_t slot) {
     const std::int32_t articulate = model.motion[slot].articulate;
@@ -161,13 +173,16 @@ std::vector<TouchIsland> gather(Model& model, const Articulates& articulates, co
     if (used[k]) roots.push_back(sets.find(thing(contacts.list[k].body_a)));
   std::sort(roots.begin(), roots.end());
   roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
-  std::vector<TouchIsland> islands(roots.size());
+  if (space.islands.size() < roots.size()) space.islands.resize(roots.size());
+  const std::span<TouchIsland> islands = std::span(space.islands).first(roots.size());
+  for (TouchIsland& island : islands) island.clear();
   const auto island_of = [&](std::size_t number) -> TouchIsland* {
     const std::size_t root = sets.find(number);
     const auto found = std::lower_bound(roots.begin(), roots.end(), root);
     return found != roots.end() && *found == root ? &islands[static_cast<std::size_t>(found - roots.begin())] : nullptr;
   };
-  Builder builder{model, articulates, settings, std::vector<std::int32_t>(model.bodies.slots(), -1)};
+  space.index.assign(model.bodies.slots(), -1);
+  Builder builder{model, articulates, settings, space.index};
   for (std::uint32_t i = 0; i < tied; i++)
     if (TouchIsland* island = island_of(i)) builder.add_articulate(*island, i);
   for (std::size_t k = 0; k < used.size(); k++) {
@@ -183,6 +198,7 @@ std::vector<TouchIsland> gather(Model& model, const Articulates& articulates, co
     }
     c.frame = frame_of(from.normal);
     c.friction = from.friction;
+    c.height = -dot(settings.gravity, from.at);
     island.problem.contacts.push_back(c);
     island.contacts.push_back(k);
   }

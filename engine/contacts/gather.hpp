@@ -1,5 +1,6 @@
 #pragma once
 // From contacts to the problems that are solved: what touches, and all that ties it, is an island.
+#include <span>
 #include <vector>
 
 #include "contacts/bodies.hpp"
@@ -19,11 +20,19 @@ struct TouchIsland {
   std::vector<std::uint32_t> articulates;  ///< that are in it
   std::vector<std::array<std::uint32_t, 2>> rows;  ///< (ties) articulate and its row
   std::vector<BodyLoad> pulls;                     ///< (bodies) [N], [N m] of soft rows in the last step
+
+  void clear();  ///< keeps memory
+};
+
+/// Islands, whose memory lasts from stage to stage.
+struct TouchSpace {
+  std::vector<TouchIsland> islands;
+  std::vector<std::int32_t> index;  ///< (slots of bodies) in its island, or -1
 };
 
 /// Islands of the contacts that are `used`, in the order of the smallest number of what they hold; tied things with their rows
 /// as they are now. Velocities are set, biases and starts are not.
-std::vector<TouchIsland> gather(Model& model, const Articulates& articulates, const Contacts& contacts,
-                                const TouchSettings& settings, const std::vector<char>& used);
+std::span<TouchIsland> gather(TouchSpace& space, Model& model, const Articulates& articulates, const Contacts& contacts,
+                              const TouchSettings& settings, const std::vector<char>& used);
 
 }  // namespace pantin

@@ -14,6 +14,7 @@ namespace pantin {
 namespace {
 
 constexpr double touching = 1e-5;                          // of the size: a gap that is as good as closed
+constexpr double soft_overlap = 1e-8;                      // of the size: what the largest load of an island makes
 constexpr double told_overlap = 3e-4;                      // of the size: what overlaps more is pushed out,
 constexpr double left_overlap = 2e-4;                      // down to this
 constexpr double pushed_a_step = 0.2, most_a_step = 5e-3;  // of what is too much; of the size
@@ -92,6 +93,32 @@ void count(const IslandReport& found, const ContactIsland& problem, TouchReport&
   if (found.residual > accepted * problem.tolerance) report.unsolved++;
 }
 
+/// Solves it, exactly if its bodies are not waiting: where that failed some times in a row it is tried now and then.
+void solve(Contacts& contacts, TouchIsland& island, std::size_t stage, TouchReport& report) {
+  constexpr std::uint8_t waits_after = 8, longest_wait = 3;
+  std::uint8_t failures = 0, wait = 0;
+  const auto all = [&](auto use) {
+    for (std::size_t i = 0; i < island.slots.size(); i++)
+      if (!island.points[i]) use(contacts.bodies[island.slots[i]]);
+  };
+  all([&](const TouchedBody& body) {
+    failures = std::max(failures, body.failures[stage]);
+    wait = std::max(wait, body.wait[stage]);
+  });
+  const IslandReport found = solve_island(island.problem, wait == 0);
+  count(found, island.problem, report);
+  if (wait > 0) {
+    wait--;
+  } else {
+    failures = found.failed ? std::min<std::uint8_t>(failures + 1, waits_after) : 0;
+    wait = failures < waits_after ? 0 : longest_wait;
+  }
+  all([&](TouchedBody& body) {
+    body.failures[stage] = failures;
+    body.wait[stage] = wait;
+  });
+}
+
 /// n·(ω × (ω × r)) of both ends: by how much turning alone opens the gap [m/s²].
 double opening(const TouchIsland& island, const IslandContact& c) {
   const auto of = [&](std::int32_t body, Vec3 r) {
@@ -117,20 +144,25 @@ void foresee_forces(const Model& model, TouchIsland& island, const TouchSettings
 
 }  // namespace
 
-void place(Model& model, const Articulates& articulates, Contacts& contacts, const TouchSettings& settings,
-           TouchReport& report) {
+void place(TouchSpace& space, Model& model, const Articulates& articulates, Contacts& contacts,
+           const TouchSettings& settings, TouchReport& report) {
   contacts.placed.clear();
+  contacts.bodies.resize(model.bodies.slots());
   for (const auto& articulate : articulates) articulate->touches = false;
   for (Contact& c : contacts.list) c.rebound = c.approach = 0.0;
   const std::vector<char> used(contacts.list.size(), 1);
   const double h = settings.h;
-  for (TouchIsland& island : gather(model, articulates, contacts, settings, used)) {
+  for (TouchIsland& island : gather(space, model, articulates, contacts, settings, used)) {
     ContactIsland& problem = island.problem;
+    double largest = 0.0;
+    for (const std::size_t k : island.contacts)
+      largest = std::max(largest, dot(contacts.list[k].placing, contacts.list[k].normal));
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
       Contact& from = contacts.list[island.contacts[k]];
       IslandContact& c = problem.contacts[k];
+      c.compliance = largest > 0.0 ? soft_overlap * from.size / (h * largest) : 0.0;
       from.approach = dot(from.normal, relative(c, problem.bodies, &IslandBody::v0, &IslandBody::w0));
-      const double gap = from.gap >= 0.0 ? from.gap / h : 0.0;
+      const double gap = std::max(from.gap / h, -c.compliance * std::max(0.0, dot(from.placing, from.normal)));
       c.bias = to_frame(c, from.belt);
       c.bias[0] = gap + 0.5 * h * opening(island, c);
       c.start = to_frame(c, from.placing);
@@ -144,7 +176,7 @@ void place(Model& model, const Articulates& articulates, Contacts& contacts, con
       t.wanted -= (turned(t.a, t.ra) - (t.b < 0 ? zero3() : turned(t.b, t.rb))) * (0.5 * h);
     }
     foresee_forces(model, island, settings);
-    count(solve_island(problem), problem, report);
+    solve(contacts, island, 0, report);
     keep_tie_impulses(articulates, island, 0);
     const double before = kinetic_energy_now(model, island);
     bool any = false;
@@ -205,8 +237,8 @@ double take_back(Model& model, const Articulates& articulates, const std::vector
 
 }  // namespace
 
-void meet(Model& model, const Articulates& articulates, Contacts& contacts, const TouchSettings& settings,
-          TouchReport& report) {
+void meet(TouchSpace& space, Model& model, const Articulates& articulates, Contacts& contacts,
+          const TouchSettings& settings, TouchReport& report) {
   report.work += take_back(model, articulates, contacts.placed, settings.drifted);
   contacts.placed.clear();
   std::vector<char> used(contacts.list.size(), 0);
@@ -215,7 +247,7 @@ void meet(Model& model, const Articulates& articulates, Contacts& contacts, cons
     used[k] = c.gap <= touching * c.size || norm2(c.placing) > 0.0;
     if (!used[k]) c.total = zero3();
   }
-  for (TouchIsland& island : gather(model, articulates, contacts, settings, used)) {
+  for (TouchIsland& island : gather(space, model, articulates, contacts, settings, used)) {
     ContactIsland& problem = island.problem;
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
       const Contact& from = contacts.list[island.contacts[k]];
@@ -223,8 +255,9 @@ void meet(Model& model, const Articulates& articulates, Contacts& contacts, cons
       c.bias = to_frame(c, from.belt);
       c.bias[0] = -from.rebound;
       c.start = to_frame(c, from.total);
+      c.other_start = to_frame(c, from.placing);
     }
-    count(solve_island(problem), problem, report);
+    solve(contacts, island, 1, report);
     keep_tie_impulses(articulates, island, 1);
     const double before = kinetic_energy_now(model, island);
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
@@ -243,8 +276,8 @@ void meet(Model& model, const Articulates& articulates, Contacts& contacts, cons
   }
 }
 
-double push_out(Model& model, const Articulates& articulates, Contacts& contacts, const TouchSettings& settings,
-                TouchReport& report) {
+double push_out(TouchSpace& space, Model& model, const Articulates& articulates, Contacts& contacts,
+                const TouchSettings& settings, TouchReport& report) {
   std::vector<char> used(contacts.list.size(), 0);
   bool any = false;
   for (std::size_t k = 0; k < used.size(); k++) {
@@ -255,7 +288,7 @@ double push_out(Model& model, const Articulates& articulates, Contacts& contacts
   if (!any) return 0.0;
   double work = 0.0;
   const double h = settings.h;
-  for (TouchIsland& island : gather(model, articulates, contacts, settings, used)) {
+  for (TouchIsland& island : gather(space, model, articulates, contacts, settings, used)) {
     ContactIsland& problem = island.problem;
     const auto overlaps = [&](std::size_t k) { return contacts.list[k].gap < -told_overlap * contacts.list[k].size; };
     if (std::none_of(island.contacts.begin(), island.contacts.end(), overlaps)) continue;
@@ -271,7 +304,7 @@ double push_out(Model& model, const Articulates& articulates, Contacts& contacts
       c.bias = vec(wanted / h, 0, 0);
     }
     problem.tolerance *= 1e3;
-    count(solve_island(problem), problem, report);
+    count(solve_island(problem, true), problem, report);
     const double before = kinetic_energy_now(model, island);
     for (std::size_t i = 0; i < island.slots.size(); i++) {
       const Vec3 way = model.plane.along(problem.bodies[i].v) * h;

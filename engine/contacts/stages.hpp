@@ -16,6 +16,8 @@ struct TouchSettings {
   bool drifted;  ///< what rows tie has its state in the articulates
 };
 
+struct TouchSpace;
+
 struct TouchReport {
   double work = 0.0;   ///< [J] change of the kinetic energy by contacts
   double belts = 0.0;  ///< [J] what moving surfaces may have given of it
@@ -27,14 +29,14 @@ struct TouchReport {
 using Articulates = std::vector<std::unique_ptr<Articulate>>;
 
 /// Impulses with which the drift of h ends without new overlaps: 0 ≤ γ_n ⊥ G v̄ + gap/h ≥ 0 of its mean velocities v̄.
-void place(Model& model, const Articulates& articulates, Contacts& contacts, const TouchSettings& settings,
-           TouchReport& report);
+void place(TouchSpace& space, Model& model, const Articulates& articulates, Contacts& contacts,
+           const TouchSettings& settings, TouchReport& report);
 /// Takes these impulses back and gives those of the whole step, with which velocities part or stay:
 /// 0 ≤ γ_n ⊥ G v - rebound ≥ 0.
-void meet(Model& model, const Articulates& articulates, Contacts& contacts, const TouchSettings& settings,
-          TouchReport& report);
+void meet(TouchSpace& space, Model& model, const Articulates& articulates, Contacts& contacts,
+          const TouchSettings& settings, TouchReport& report);
 /// Displaces what overlaps by more than a little, momenta kept; returns the work [J] of it.
-double push_out(Model& model, const Articulates& articulates, Contacts& contacts, const TouchSettings& settings,
-                TouchReport& report);
+double push_out(TouchSpace& space, Model& model, const Articulates& articulates, Contacts& contacts,
+                const TouchSettings& settings, TouchReport& report);
 
 }  // namespace pantin

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "contacts/find.hpp"
+#include "contacts/gather.hpp"
 #include "contacts/stages.hpp"
 #include "step/ledger_posts.hpp"
 #include "step/phases.hpp"
@@ -31,7 +32,10 @@ void post_contacts(World& world, const TouchReport& report) {
 
 /// Finds contacts where things are now.
 void find(World& world, bool drifted) {
-  if (!world.contact_finder) world.contact_finder = std::make_unique<ContactFinder>();
+  if (!world.contact_finder) {
+    world.contact_finder = std::make_unique<ContactFinder>();
+    world.touch_space = std::make_unique<TouchSpace>();
+  }
   ContactFinder& finder = *world.contact_finder;
   if (world.places_changed) finder.tied = tied_bodies(world);
   world.places_changed = false;
@@ -46,7 +50,7 @@ void place_contacts(World& world) {
   const bool drifted = world.stage.index > 0;
   if (world.contacts.stale || world.places_changed) find(world, drifted);
   TouchReport report;
-  place(world, world.articulates, world.contacts, settings_of(world, drifted), report);
+  place(*world.touch_space, world, world.articulates, world.contacts, settings_of(world, drifted), report);
   world.contacts.work = report.work;
   count(world, report);
 }
@@ -56,7 +60,8 @@ void find_contacts(World& world) {
   const Timed timed(world.profile, Phase::find_contacts);
   find(world, true);
   TouchReport report;
-  const double work = push_out(world, world.articulates, world.contacts, settings_of(world, true), report);
+  const double work =
+      push_out(*world.touch_space, world, world.articulates, world.contacts, settings_of(world, true), report);
   post(world, Source::push_out, work);
   count(world, report);
   if (world.contacts.stale) find(world, true);
@@ -66,7 +71,7 @@ void meet_contacts(World& world) {
   if (world.shapes.empty()) return;
   const Timed timed(world.profile, Phase::meet_contacts);
   TouchReport report;
-  meet(world, world.articulates, world.contacts, settings_of(world, true), report);
+  meet(*world.touch_space, world, world.articulates, world.contacts, settings_of(world, true), report);
   post_contacts(world, report);
   count(world, report);
   world.stats.contacts = report.contacts;

@@ -2,6 +2,7 @@
 #include "articulates/solve/sub_steps.hpp"
 #include "base/parallel.hpp"
 #include "contacts/find.hpp"
+#include "contacts/gather.hpp"
 #include "forces/forces.hpp"
 #include "step/attempt.hpp"
 #include "world/world.hpp"

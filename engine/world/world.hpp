@@ -27,6 +27,7 @@ struct Articulate;
 struct ContactFinder;
 struct Forces;
 struct StepStart;
+struct TouchSpace;
 struct Trial;
 class Workers;
 
@@ -201,6 +202,7 @@ struct World : WorldData {
 
   std::vector<std::unique_ptr<Articulate>> articulates;  ///< in the order of their smallest serial
   std::unique_ptr<ContactFinder> contact_finder;         ///< null where there is no shape
+  std::unique_ptr<TouchSpace> touch_space;               ///< the same
   std::unique_ptr<Forces> forces;                        ///< of the laws; null where none acts
   std::vector<std::unique_ptr<Trial>> trials;            ///< (threads) of sub-steps
   std::unique_ptr<StepStart> start;                      ///< of a step that may have to be done again

@@ -39,6 +39,13 @@ double mean_mobility(const ContactIsland& island, const IslandTie& t) {
 
 }  // namespace
 
+void ContactIsland::clear() {
+  bodies.clear();
+  contacts.clear();
+  ties.clear();
+  factor.rows = 0;
+}
+
 void push(ContactIsland& island, const IslandPair& pair, Vec3 impulse) {
   push_body(island.bodies[static_cast<std::size_t>(pair.a)], pair.ra, impulse);
   if (pair.b >= 0) push_body(island.bodies[static_cast<std::size_t>(pair.b)], pair.rb, impulse * -1.0);
@@ -74,15 +81,13 @@ void add_contact_loads(const ContactIsland& island, std::vector<BodyLoad>& loads
 }
 
 void add_tie_loads(const ContactIsland& island, std::vector<BodyLoad>& loads) {
-  for (const IslandTie& t : island.ties) {
-    const Vec3 impulse = t.kept * t.impulse;
-    if (t.lever == 0.0) {
-      add_at_point(loads, t, impulse);
-      continue;
-    }
-    add_load(loads, t.a, zero3(), impulse * t.lever);
-    add_load(loads, t.b, zero3(), impulse * -t.lever);
-  }
+  for (const IslandTie& t : island.ties) add_load(loads, t, t.kept * t.impulse);
+}
+
+void add_load(std::vector<BodyLoad>& loads, const IslandTie& t, Vec3 impulse) {
+  if (t.lever == 0.0) return add_at_point(loads, t, impulse);
+  add_load(loads, t.a, zero3(), impulse * t.lever);
+  add_load(loads, t.b, zero3(), impulse * -t.lever);
 }
 
 void start_from_rest(ContactIsland& island) {
@@ -119,7 +124,7 @@ void prepare(ContactIsland& island) {
 }
 
 double coulomb_residual(const IslandContact& c) {
-  const double normal = std::fabs(std::fmin(c.impulse[0] * c.wn, c.u[0]));
+  const double normal = std::fabs(std::fmin(c.impulse[0] * c.wn, c.u[0] + c.compliance * c.impulse[0]));
   const double bound = c.friction * std::fmax(0.0, c.impulse[0]) * c.wt;
   const double x1 = c.impulse[1] * c.wt, x2 = c.impulse[2] * c.wt, y1 = x1 - c.u[1], y2 = x2 - c.u[2];
   const double size = std::sqrt(y1 * y1 + y2 * y2), part = size > bound ? bound / size : 1.0;

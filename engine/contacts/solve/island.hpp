@@ -12,6 +12,7 @@
 
 #include "articulates/factor.hpp"
 #include "base/lanes.hpp"
+#include "contacts/solve/sweeps.hpp"
 
 namespace pantin {
 
@@ -19,6 +20,7 @@ struct IslandBody {
   double mass = 1.0, inverse_mass = 1.0;
   Mat3 inertia = identity33(),
        mobility = zero33();         ///< [kg m²] and its inverse, world axes; mobility 0 where it cannot turn
+  Mat3 root = zero33();             ///< mobility = root root'
   Mat3 turning = identity33();      ///< projects on the axes that it can turn about
   double reach = 0.0;               ///< [m] makes a speed of a spin, where residuals are measured
   Vec3 v0 = zero3(), w0 = zero3();  ///< [m/s], [rad/s] without impulses
@@ -36,10 +38,13 @@ struct IslandContact : IslandPair {
   Mat3 frame;  ///< columns n (from b to a), t1, t2
   double friction = 0.0;
   double wn = 0.0, wt = 0.0;  ///< [1/kg]
-  Vec3 bias = zero3();        ///< [m/s] in the frame, as all that follow
-  Vec3 start = zero3();       ///< [N s] where the search for γ begins
-  Vec3 impulse = zero3();     ///< [N s] γ
-  Vec3 u = zero3();           ///< [m/s]
+  double compliance = 0.0;  ///< [1/kg] u_n in the law counts with compliance γ_n: loads of rigid bodies become unique
+  double height = 0.0;      ///< against gravity: sweeps go up and down
+  Vec3 bias = zero3();      ///< [m/s] in the frame, as all that follow
+  Vec3 start = zero3();     ///< [N s] where the search for γ begins
+  Vec3 other_start = zero3();  ///< [N s] taken instead of it, of all contacts, where that is nearer
+  Vec3 impulse = zero3();      ///< [N s] γ
+  Vec3 u = zero3();            ///< [m/s]
   bool on = true;
 };
 
@@ -71,11 +76,15 @@ struct ContactIsland {
   double tolerance = 1e-8;  ///< [m/s] to which velocities at contacts are solved
   // Of the matrix M + Σ G' D G + Σ T' k T: rows 2i of the centre of body i and 2i + 1 of its spin.
   Factor factor;
+  bool touching = false;                ///< whether it was laid out for contacts, too
   std::vector<std::uint32_t> position;  ///< (2 bodies) in the order of elimination
   std::vector<std::uint32_t> own;       ///< (bodies) block of the two rows of a body
   std::vector<PairBlocks> contact_blocks, tie_blocks;
-  std::vector<Mat3> base_diagonal, base_lower;  ///< of masses and ties
+  std::vector<Mat3> base_diagonal, base_lower, base_upper;  ///< of masses and ties
   std::vector<Vec3> right_side;
+  SweepSpace sweep_space;
+
+  void clear();  ///< keeps memory
 };
 
 inline Vec3 to_frame(const IslandContact& c, Vec3 world) { return transposed_times(c.frame, world); }
@@ -105,6 +114,7 @@ void push(ContactIsland& island, const IslandTie& tie, Vec3 impulse);
 /// Adds what impulses do to the bodies: of contacts that are on, of ties.
 void add_contact_loads(const ContactIsland& island, std::vector<BodyLoad>& loads);
 void add_tie_loads(const ContactIsland& island, std::vector<BodyLoad>& loads);
+void add_load(std::vector<BodyLoad>& loads, const IslandTie& tie, Vec3 impulse);
 /// Velocities without impulses, and with those at hand.
 void start_from_rest(ContactIsland& island);
 void apply_impulses(ContactIsland& island);

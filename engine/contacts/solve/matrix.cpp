@@ -21,9 +21,9 @@ void add_pairs(const Things& things, std::vector<Pair>& pairs) {
   }
 }
 
-RowLists neighbours_of_rows(const ContactIsland& island) {
+RowLists neighbours_of_rows(const ContactIsland& island, bool touching) {
   std::vector<Pair> pairs;
-  add_pairs(island.contacts, pairs);
+  if (touching) add_pairs(island.contacts, pairs);
   add_pairs(island.ties, pairs);
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
@@ -63,43 +63,54 @@ PairBlocks blocks_of(const ContactIsland& island, const IslandPair& pair) {
 /// arm^ K
 Mat3 turned_by(Vec3 arm, const Mat3& K) { return {{cross(arm, K[0]), cross(arm, K[1]), cross(arm, K[2])}}; }
 
-/// Where the matrix is put together: the diagonals and the lower half.
+/// Where the matrix is put together: the diagonal, below it and above it.
 struct Sums {
-  std::vector<Mat3>& diagonal;
-  std::vector<Mat3>& lower;
+  std::vector<Mat3>&diagonal, &lower, &upper;
+
+  /// Adds the entry (row, column) and its opposite, which share a block of the pattern.
+  void add(std::uint32_t block, bool below, const Mat3& entry, const Mat3& opposite) {
+    lower[block] += below ? entry : opposite;
+    upper[block] += below ? opposite : entry;
+  }
 };
 
-void add_own(const ContactIsland& island, Sums to, std::int32_t body, const Mat3& ll, const Mat3& al, const Mat3& aa) {
+/// Adds what a body's spin (a) and its centre (l) have with themselves.
+void add_own(const ContactIsland& island, Sums to, std::int32_t body, const Mat3& ll, const Mat3& al, const Mat3& la,
+             const Mat3& aa) {
   const std::uint32_t l = island.position[2 * number(body)], a = island.position[2 * number(body) + 1];
   to.diagonal[l] += ll;
   to.diagonal[a] += aa;
-  to.lower[island.own[number(body)]] += a > l ? al : transpose(al);
+  to.add(island.own[number(body)], a > l, al, la);
 }
 
-/// Adds J' K J of a stiffness between two points: of a body with J = [1, -r^ T], T its `turning`.
+/// Adds J' K J of a stiffness between two points: of a body with J = [1, -r^ T], T its `turning`. K need not be symmetric.
 void add_points(const ContactIsland& island, Sums to, const IslandPair& p, const PairBlocks& blocks, const Mat3& K) {
-  const Mat3 &Ta = island.bodies[number(p.a)].turning, Ka = Ta * turned_by(p.ra, K);
-  add_own(island, to, p.a, K, Ka, transpose(Ta * turned_by(p.ra, transpose(Ka))));
+  const auto before = [](const Mat3& T, Vec3 r, const Mat3& k) { return T * turned_by(r, k); };  // T r^ k
+  const auto behind = [&](const Mat3& k, Vec3 r, const Mat3& T) { return transpose(before(T, r, transpose(k))); };
+  const Mat3 &Ta = island.bodies[number(p.a)].turning, Ka = before(Ta, p.ra, K), aK = behind(K, p.ra, Ta);
+  add_own(island, to, p.a, K, Ka, aK, behind(Ka, p.ra, Ta));
   if (p.b < 0) return;
-  const Mat3 &Tb = island.bodies[number(p.b)].turning, Kb = Tb * turned_by(p.rb, K);
-  add_own(island, to, p.b, K, Kb, transpose(Tb * turned_by(p.rb, transpose(Kb))));
-  const Mat3 parts[4] = {K, transpose(Kb), Ka, transpose(Tb * turned_by(p.rb, transpose(Ka)))};
-  for (std::size_t i = 0; i < 4; i++) to.lower[blocks.block[i]] -= blocks.a_below[i] ? parts[i] : transpose(parts[i]);
+  const Mat3 &Tb = island.bodies[number(p.b)].turning, Kb = before(Tb, p.rb, K), bK = behind(K, p.rb, Tb);
+  add_own(island, to, p.b, K, Kb, bK, behind(Kb, p.rb, Tb));
+  const Mat3 entries[4] = {K, bK, Ka, behind(Ka, p.rb, Tb)}, opposites[4] = {K, Kb, aK, behind(Kb, p.ra, Ta)};
+  for (std::size_t i = 0; i < 4; i++)
+    to.add(blocks.block[i], blocks.a_below[i], entries[i] * -1.0, opposites[i] * -1.0);
 }
 
 /// The same of an angular tie.
 void add_turns(const ContactIsland& island, Sums to, const IslandTie& t, const PairBlocks& blocks, const Mat3& K) {
   const Mat3& Ta = island.bodies[number(t.a)].turning;
-  add_own(island, to, t.a, zero33(), zero33(), Ta * K * transpose(Ta));
+  add_own(island, to, t.a, zero33(), zero33(), zero33(), Ta * K * transpose(Ta));
   if (t.b < 0) return;
   const Mat3& Tb = island.bodies[number(t.b)].turning;
-  add_own(island, to, t.b, zero33(), zero33(), Tb * K * transpose(Tb));
-  const Mat3 both = Ta * K * transpose(Tb);
-  to.lower[blocks.block[3]] -= blocks.a_below[3] ? both : transpose(both);
+  add_own(island, to, t.b, zero33(), zero33(), zero33(), Tb * K * transpose(Tb));
+  const Mat3 both = Ta * K * transpose(Tb) * -1.0;
+  to.add(blocks.block[3], blocks.a_below[3], both, transpose(both));
 }
 
-void lay_out_matrix(ContactIsland& island) {
-  Elimination order = minimum_degree(neighbours_of_rows(island));
+void lay_out_matrix(ContactIsland& island, bool touching) {
+  island.touching = touching;
+  Elimination order = minimum_degree(neighbours_of_rows(island, touching));
   island.position.resize(2 * island.bodies.size());
   for (std::uint32_t k = 0; k < order.order.size(); k++) island.position[order.order[k]] = k;
   island.factor = lay_out(std::move(order.columns));
@@ -109,23 +120,29 @@ void lay_out_matrix(ContactIsland& island) {
     island.own[i] = island.factor.block(std::max(l, a), std::min(l, a));
   }
   island.contact_blocks.clear();
-  for (const IslandContact& c : island.contacts) island.contact_blocks.push_back(blocks_of(island, c));
+  if (touching)
+    for (const IslandContact& c : island.contacts) island.contact_blocks.push_back(blocks_of(island, c));
   island.tie_blocks.clear();
   for (const IslandTie& t : island.ties) island.tie_blocks.push_back(blocks_of(island, t));
 }
 
 }  // namespace
 
+void lay_out_ties(ContactIsland& island) { lay_out_matrix(island, false); }
+void lay_out_all(ContactIsland& island) {
+  if (island.factor.rows == 0 || !island.touching) lay_out_matrix(island, true);
+}
+
 void set_base(ContactIsland& island, double tie_stiffness) {
-  if (island.factor.rows == 0) lay_out_matrix(island);
   island.base_diagonal.assign(island.factor.rows, zero33());
   island.base_lower.assign(island.factor.below.size(), zero33());
+  island.base_upper.assign(island.factor.below.size(), zero33());
   for (std::size_t i = 0; i < island.bodies.size(); i++) {
     const IslandBody& b = island.bodies[i];
     island.base_diagonal[island.position[2 * i]] = identity33() * b.mass;
     island.base_diagonal[island.position[2 * i + 1]] = b.inertia;
   }
-  const Sums base{island.base_diagonal, island.base_lower};
+  const Sums base{island.base_diagonal, island.base_lower, island.base_upper};
   for (std::size_t k = 0; k < island.ties.size(); k++) {
     const IslandTie& t = island.ties[k];
     const Mat3 K = t.kept * (tie_stiffness / t.w);
@@ -140,10 +157,10 @@ void factorise(ContactIsland& island, std::span<const Mat3> stiffness) {
   Factor& f = island.factor;
   std::copy(island.base_diagonal.begin(), island.base_diagonal.end(), f.diagonal.begin());
   std::copy(island.base_lower.begin(), island.base_lower.end(), f.lower.begin());
-  for (std::size_t k = 0; k < island.contacts.size(); k++)
+  std::copy(island.base_upper.begin(), island.base_upper.end(), f.upper.begin());
+  for (std::size_t k = 0; k < stiffness.size(); k++)
     if (island.contacts[k].on)
-      add_points(island, {f.diagonal, f.lower}, island.contacts[k], island.contact_blocks[k], stiffness[k]);
-  for (std::size_t i = 0; i < f.lower.size(); i++) f.upper[i] = transpose(f.lower[i]);
+      add_points(island, {f.diagonal, f.lower, f.upper}, island.contacts[k], island.contact_blocks[k], stiffness[k]);
   for (std::size_t i = 0; i < f.diagonal.size(); i++)
     f.whole[i] = vec(f.diagonal[i][0][0], f.diagonal[i][1][1], f.diagonal[i][2][2]);
   const std::uint32_t* to = f.target.data();

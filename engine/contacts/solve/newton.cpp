@@ -9,32 +9,36 @@ namespace pantin {
 
 namespace {
 
-constexpr double contact_stiffness = 1e8, tie_stiffness = 1e7;  // largest, of 1 / w
-constexpr double smoothing = 0.1;                               // √τ of the residual
+constexpr double tie_stiffness = 1e7;                          // of 1 / w
+constexpr double least_stiffness = 1e3, most_stiffness = 1e8;  // of contacts, of 1 / w
+constexpr double smoothing = 0.1;                              // √τ of the residual
 
 /// dγ = offset - stiffness ds makes the smoothed law hold to first order.
 struct Slope {
   double offset, stiffness;
+  double follows = 0.0;  ///< of g, by how much the root moves with it
 };
 
-Slope smoothed(double g, double s, double tau) {
+Slope smoothed(double g, double s, double tau, double softness) {
   const double x = g - s, r = std::sqrt(x * x + 4.0 * tau) + 1e-300, size = std::fabs(x);
   const double low = 4.0 * tau / (r * (r + size) + 1e-300), high = (r + size) / r;
   const double by_g = x > 0.0 ? low : high, by_s = x > 0.0 ? high : low;
   const double value = x > 0.0 ? 2.0 * s - r * low : 2.0 * g - r * low;
-  const double slope = by_g + by_s / contact_stiffness;
-  return {-value / slope, by_s / slope};
+  const double slope = by_g + by_s * softness;
+  return {-value / slope, by_s / slope, by_g / slope};
 }
 
 /// A contact's law to first order: normal, along the slip, across it.
 struct Linear {
   Vec3 offset = zero3(), stiffness = zero3();
   double d1 = 1.0, d2 = 0.0;  // the slip's direction by t1 and t2
+  double follows = 0.0;       // change of the impulse along the slip by that of the normal one
 };
 
-Linear linearise(const IslandContact& c, double tau) {
+Linear linearise(const IslandContact& c, double tau, double stiffest) {
   Linear l;
-  const Slope normal = smoothed(c.impulse[0] * c.wn, c.u[0], tau);
+  const Slope normal =
+      smoothed(c.impulse[0] * c.wn, c.u[0] + c.compliance * c.impulse[0], tau, 1.0 / stiffest + c.compliance / c.wn);
   l.offset[0] = normal.offset;
   l.stiffness[0] = normal.stiffness;
   const double bound = c.friction * std::fmax(0.0, c.impulse[0]) * c.wt;
@@ -46,16 +50,17 @@ Linear linearise(const IslandContact& c, double tau) {
   }
   const double g_along = g1 * l.d1 + g2 * l.d2, u_along = c.u[1] * l.d1 + c.u[2] * l.d2;
   const double g_across = g2 * l.d1 - g1 * l.d2, u_across = c.u[2] * l.d1 - c.u[1] * l.d2;
-  const Slope slip = smoothed(bound - g_along, -u_along, std::fmin(tau, bound * bound));
+  const Slope slip = smoothed(bound - g_along, -u_along, std::fmin(tau, bound * bound), 1.0 / stiffest);
   l.offset[1] = -slip.offset;
   l.stiffness[1] = slip.stiffness;
+  if (c.impulse[0] > 0.0) l.follows = slip.follows * c.friction;
   if (size > bound) {
     const double turn = bound / std::fmax(size - bound, 1e-300);
-    l.stiffness[2] = std::fmin(contact_stiffness, std::fmax(l.stiffness[1], turn));
+    l.stiffness[2] = std::fmin(stiffest, std::fmax(l.stiffness[1], turn));
     l.offset[2] = -g_across - l.stiffness[2] * u_across;
   } else {
-    l.stiffness[2] = contact_stiffness;
-    l.offset[2] = -contact_stiffness * u_across;
+    l.stiffness[2] = stiffest;
+    l.offset[2] = -stiffest * u_across;
   }
   return l;
 }
@@ -66,15 +71,22 @@ struct Newton {
   std::vector<Mat3> stiffness = {};
   std::vector<BodyLoad> load = {}, change = {};
 
-  void linearise_all(double tau) {
+  /// With stiffnesses such that what is left [m/s] asks for no more than the impulses that there are: where rigid bodies hold each
+  /// other in more ways than one, loads then move among them bit by bit.
+  void linearise_all(double tau, double left) {
+    double most = 0.0;
+    for (const IslandContact& c : island.contacts)
+      if (c.on) most = std::fmax(most, c.impulse[0] * c.wn);
+    const double stiffest = std::clamp(most / left, least_stiffness, most_stiffness);
     for (std::size_t k = 0; k < laws.size(); k++)
-      if (island.contacts[k].on) laws[k] = linearise(island.contacts[k], tau);
+      if (island.contacts[k].on) laws[k] = linearise(island.contacts[k], tau, stiffest);
   }
   bool changed(const Linear& now, const Linear& then) const {
     for (int j = 0; j < 3; j++) {
       const double a = now.stiffness[j], b = then.stiffness[j];
       if (std::fabs(a - b) > 0.02 * std::fmax(a, b) + 1e-4) return true;
     }
+    if (std::fabs(now.follows - then.follows) > 0.02) return true;
     const bool turns = std::fabs(now.stiffness[1] - now.stiffness[2]) > 1e-3 * now.stiffness[2];
     return turns && std::fabs(now.d1 * then.d2 - now.d2 * then.d1) > 1e-3;
   }
@@ -98,6 +110,7 @@ struct Newton {
                  across = c.frame[2] * used[k].d1 - c.frame[1] * used[k].d2;
       stiffness[k] = outer(c.frame[0], c.frame[0]) * (used[k].stiffness[0] / c.wn);
       if (c.friction == 0.0) continue;
+      stiffness[k] += outer(along, c.frame[0]) * (used[k].follows * used[k].stiffness[0] / c.wn);
       stiffness[k] += outer(along, along) * (used[k].stiffness[1] / c.wt);
       stiffness[k] += outer(across, across) * (used[k].stiffness[2] / c.wt);
     }
@@ -113,7 +126,7 @@ struct Newton {
         c.impulse[1] = c.impulse[2] = 0.0;
         continue;
       }
-      const double along = l.offset[1] / c.wt, across = l.offset[2] / c.wt;
+      const double along = l.offset[1] / c.wt + used[k].follows * l.offset[0] / c.wn, across = l.offset[2] / c.wt;
       c.impulse[1] += along * l.d1 - across * l.d2;
       c.impulse[2] += along * l.d2 + across * l.d1;
     }
@@ -134,7 +147,7 @@ struct Newton {
       const Linear& l = used[k];
       double along = 0.0, across = 0.0;
       if (c.friction > 0.0) {
-        along = (du[1] * l.d1 + du[2] * l.d2) * l.stiffness[1] / c.wt;
+        along = (du[1] * l.d1 + du[2] * l.d2) * l.stiffness[1] / c.wt + l.follows * du[0] * l.stiffness[0] / c.wn;
         across = (du[2] * l.d1 - du[1] * l.d2) * l.stiffness[2] / c.wt;
       }
       c.impulse -= vec(du[0] * l.stiffness[0] / c.wn, along * l.d1 - across * l.d2, along * l.d2 + across * l.d1);
@@ -182,19 +195,20 @@ SearchReport newton_search(ContactIsland& island, std::uint32_t most_iterations)
   Newton newton{island, std::vector<Linear>(island.contacts.size())};
   apply_impulses(island);
   observe(island);
-  double now = residual(island), third = infinity;
+  double now = residual(island);
   Best best;
   best.keep(island, now);
   if (now <= island.tolerance) {
     report.residual = now;
     return report;
   }
+  lay_out_all(island);
   set_base(island, tie_stiffness);
   const double smallest = 1e-4 * island.tolerance * island.tolerance;
   double tau = smoothing * smoothing * now * now;
   while (report.iterations < most_iterations && now > island.tolerance) {
     report.iterations++;
-    newton.linearise_all(tau);
+    newton.linearise_all(tau, now);
     if (!newton.factor_serves()) {
       newton.factorise_law();
       report.factorisations++;
@@ -210,11 +224,6 @@ SearchReport newton_search(ContactIsland& island, std::uint32_t most_iterations)
     now = residual(island);
     if (!std::isfinite(now)) break;
     if (now < best.residual) best.keep(island, now);
-    if (report.iterations % 3 == 0) {
-      const bool stalls = best.residual > 0.3 * third && best.residual > 100.0 * island.tolerance;
-      if (report.iterations >= 6 && stalls) break;
-      third = best.residual;
-    }
     if (best.residual <= 10.0 * island.tolerance && now > 0.5 * before) break;
     tau = std::fmin(0.1 * tau, smoothing * smoothing * now * now);
     if (tau < smallest) tau = 0.0;

@@ -13,10 +13,9 @@ struct SearchReport {
 /// Newton's iteration on a smoothed form of Coulomb's law, primal and dual at once, from the impulses at hand; what it found
 /// best is left. Quadratic near a solution; far from one, or for large ratios of mass, it may stall.
 SearchReport newton_search(ContactIsland& island, std::uint32_t most_iterations);
-/// Proximal point iteration from IslandContact::start: convex problems, each solved by Newton with an exact line search, in
-/// which normal speeds are raised by friction |u_t| of the last (De Saxcé 1992; Acary and Cadoux 2013): that makes the
-/// associated cone Coulomb's law. Always comes nearer; slow for the last digits.
-SearchReport proximal_search(ContactIsland& island, double wanted);
+/// At most so many sweeps over the contacts, up and down, one by one, with all ties at once after each; ends where a sweep changes
+/// velocities at contacts by no more than `enough` [m/s]. Never far from the law, and quick; slow for what carries far.
+SearchReport sweep_search(ContactIsland& island, std::uint32_t most_sweeps, double enough);
 
 /// The loads that impulses do not yet balance: Σ J' impulses - M (v - v0).
 void unbalanced(const ContactIsland& island, std::vector<BodyLoad>& load);

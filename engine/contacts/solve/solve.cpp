@@ -10,14 +10,17 @@ namespace pantin {
 namespace {
 
 constexpr std::uint32_t most_of_newton = 15;
-constexpr double accepted = 100.0;  // of the tolerance
+constexpr std::uint32_t most_sweeps = 10, sweeps_before_newton = 30;
+constexpr std::size_t few = 24;            // contacts: such an island is always solved exactly
+constexpr double calm = 3e7;               // of the tolerance, root of the mean square of velocities
+constexpr double accepted = 100.0;         // of the tolerance
+constexpr double swept_enough = 1e4;       // of the tolerance
+constexpr std::size_t most_updates = 100;  // of blocks in a factorisation, for each contact
 
-/// What may stay open while things move fast [m/s]: nothing that is seen.
-double loosely(const ContactIsland& island) {
-  double fastest = 0.0;
-  for (const IslandBody& b : island.bodies) fastest = std::fmax(fastest, norm2(b.v0));
-  const double tight = accepted * island.tolerance;
-  return std::clamp(0.02 * std::sqrt(fastest), tight, 1e4 * tight);
+double mean_velocity(const ContactIsland& island) {
+  double mass = 0.0;
+  for (const IslandBody& b : island.bodies) mass += b.mass;
+  return std::sqrt(2.0 * kinetic_energy(island) / mass);
 }
 
 /// Puts impulses into the cone.
@@ -35,34 +38,79 @@ void confine(ContactIsland& island) {
   }
 }
 
+struct Search {
+  ContactIsland& island;
+  IslandReport report = {};
+  double tight = accepted * island.tolerance;
+
+  bool solved() const { return report.residual <= tight; }
+  void take(const SearchReport& found) {
+    report.residual = found.residual;
+    report.iterations += found.iterations;
+    report.factorisations += found.factorisations;
+  }
+  /// What was found is where the next search begins.
+  void go_on() {
+    confine(island);
+    for (IslandContact& c : island.contacts) c.start = c.impulse;
+    for (IslandTie& t : island.ties) t.start = t.impulse;
+  }
+  /// Not where the factor would cost more than it is worth.
+  void newton() {
+    lay_out_all(island);
+    report.failed = island.factor.target.size() > most_updates * island.contacts.size();
+    if (report.failed) return;
+    take(newton_search(island, most_of_newton));
+    report.failed = !solved();
+    go_on();
+  }
+  void sweeps(std::uint32_t most) {
+    take(sweep_search(island, most, swept_enough * island.tolerance));
+    go_on();
+  }
+};
+
+/// How near impulses and their velocities are: ½ |v|²_M + bias·γ, least in the solution among what the cone allows.
+double dual(const ContactIsland& island) {
+  double sum = kinetic_energy(island);
+  for (const IslandContact& c : island.contacts)
+    if (c.on) sum += dot(c.bias, c.impulse);
+  return sum;
+}
+
+void choose_start(ContactIsland& island) {
+  apply_impulses(island);
+  observe(island);
+  const auto has_other = [](const IslandContact& c) { return norm2(c.other_start) > 0.0; };
+  if (std::none_of(island.contacts.begin(), island.contacts.end(), has_other) || residual(island) <= island.tolerance)
+    return;
+  const double first = dual(island);
+  for (IslandContact& c : island.contacts) c.impulse = c.other_start;
+  apply_impulses(island);
+  if (dual(island) < first)
+    for (IslandContact& c : island.contacts) c.start = c.other_start;
+  for (IslandContact& c : island.contacts) c.impulse = c.start;
+  apply_impulses(island);
+  observe(island);
+}
+
 }  // namespace
 
-IslandReport solve_island(ContactIsland& island) {
+IslandReport solve_island(ContactIsland& island, bool exactly) {
   prepare(island);
-  const double tight = accepted * island.tolerance;
-  SearchReport found = newton_search(island, most_of_newton);
-  IslandReport report{found.residual, found.iterations, found.factorisations, true};
-  if (!(found.residual <= tight)) {
-    report.by_newton = false;
-    confine(island);
-    if (std::isfinite(found.residual))
-      for (IslandContact& c : island.contacts) c.start = c.impulse;
-    if (std::isfinite(found.residual))
-      for (IslandTie& t : island.ties) t.start = t.impulse;
-    const SearchReport near = proximal_search(island, loosely(island));
-    report.residual = near.residual;
-    report.iterations += near.iterations;
-    report.factorisations += near.factorisations;
-    if (near.residual > tight && near.residual <= 1e4 * tight) {
-      const SearchReport polished = newton_search(island, most_of_newton);
-      report.residual = std::fmin(near.residual, polished.residual);
-      report.iterations += polished.iterations;
-      report.factorisations += polished.factorisations;
-    }
+  choose_start(island);
+  Search search{island};
+  search.report.residual = residual(island);
+  if (search.report.residual <= island.tolerance) return search.report;
+  const bool exact = island.contacts.size() <= few || (exactly && mean_velocity(island) <= calm * island.tolerance);
+  if (exact && search.report.residual <= swept_enough * island.tolerance) search.newton();
+  if (!search.solved()) {
+    search.sweeps(exact ? sweeps_before_newton : most_sweeps);
+    if (!search.solved() && exact) search.newton();
   }
   confine(island);
   apply_impulses(island);
-  return report;
+  return search.report;
 }
 
 }  // namespace pantin

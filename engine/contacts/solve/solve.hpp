@@ -7,11 +7,12 @@ namespace pantin {
 struct IslandReport {
   double residual = 0.0;  ///< [m/s] at contacts and ties
   std::uint32_t iterations = 0, factorisations = 0;
-  bool by_newton = true;
+  bool failed = false;  ///< an exact search, where one was tried
 };
 
-/// Finds impulses and velocities of an island whose contacts and ties say where to begin. The impulses balance the momenta to
-/// round-off and are in the cone, however well the law is met; `residual` says that.
-IslandReport solve_island(ContactIsland& island);
+/// Finds impulses and velocities of an island whose contacts and ties say where to begin: exactly where it is small or
+/// that is asked for, as far as that succeeds; else by sweeps. The impulses balance the momenta to round-off and are in the cone, however well
+/// the law is met; `residual` says that.
+IslandReport solve_island(ContactIsland& island, bool exactly);
 
 }  // namespace pantin

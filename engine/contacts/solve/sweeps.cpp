@@ -1,0 +1,271 @@
+// ContactBlock coordinate descent on the dual of a stage's problem,
+//
+//   Φ(γ, μ) = ½ |y0 + J'γ + T'μ|² + bias·γ,   γ_n ≥ 0,  |γ_t| ≤ friction γ_n,  μ free,
+//
+// contact by contact, then all ties at once; y = M^½ v, so that one row reads a velocity and gives an impulse. From sweep to
+// sweep the whole change is carried on along conjugate directions (Silcowitz-Hansen, Niebe, Erleben 2010).
+#include <algorithm>
+#include <cmath>
+
+#include "contacts/solve/search.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr double tie_stiffness = 1e7;     // of 1 / w
+constexpr std::uint32_t idle_sweeps = 2;  // that leave out a contact that stays open
+
+struct Sweeps {
+  ContactIsland& island;
+  SweepSpace& space = island.sweep_space;
+  std::vector<Scaled>&free = space.free, &y = space.y;
+  std::vector<ContactBlock>& blocks = space.blocks;
+  std::vector<std::uint32_t>& order = space.order;
+  std::vector<BodyLoad> load = {}, change = {};
+
+  void take_velocities() {
+    free.assign(island.bodies.size() + 1, {});
+    for (std::size_t i = 0; i < island.bodies.size(); i++) {
+      const IslandBody& b = island.bodies[i];
+      free[i] = {b.v0 * std::sqrt(b.mass), transposed_times(b.root, b.inertia * b.w0)};
+    }
+    y = free;
+  }
+  void add_side(ContactBlock& block, const IslandContact& c, std::int32_t body, Vec3 arm, double& by, Mat3& spin,
+                std::uint32_t& number) {
+    spin = zero33();
+    number = static_cast<std::uint32_t>(island.bodies.size());
+    if (body < 0) return;
+    number = static_cast<std::uint32_t>(body);
+    const IslandBody& b = island.bodies[number];
+    by = std::sqrt(b.inverse_mass);
+    for (int k = 0; k < 3; k++) spin[k] = transposed_times(b.root, cross(arm, c.frame[k]));
+    const auto add = [&](double& w, int i, int j) { w += (i == j ? by * by : 0.0) + dot(spin[i], spin[j]); };
+    add(block.w00, 0, 0);
+    add(block.w01, 0, 1);
+    add(block.w02, 0, 2);
+    add(block.w11, 1, 1);
+    add(block.w12, 1, 2);
+    add(block.w22, 2, 2);
+  }
+  void add_block(const IslandContact& c) {
+    ContactBlock& block = blocks.emplace_back();
+    block.frame = c.frame;
+    block.friction = c.friction;
+    block.compliance = c.compliance;
+    block.bias = c.bias;
+    block.impulse = c.start[0] > 0.0 ? c.start : zero3();
+    add_side(block, c, c.a, c.ra, block.by_a, block.spin_a, block.a);
+    add_side(block, c, c.b, c.rb, block.by_b, block.spin_b, block.b);
+    const double det = block.w11 * block.w22 - block.w12 * block.w12;
+    block.i11 = block.w22 / det;
+    block.i12 = -block.w12 / det;
+    block.i22 = block.w11 / det;
+    const double mean = 0.5 * (block.w11 + block.w22), off = 0.5 * (block.w11 - block.w22);
+    block.wt = mean + std::sqrt(off * off + block.w12 * block.w12);
+  }
+  void add_blocks() {
+    order.clear();
+    for (std::uint32_t k = 0; k < island.contacts.size(); k++)
+      if (island.contacts[k].on) order.push_back(k);
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+      return island.contacts[i].height < island.contacts[j].height;
+    });
+    blocks.clear();
+    blocks.reserve(order.size());
+    for (const std::uint32_t k : order) add_block(island.contacts[k]);
+  }
+
+  Vec3 velocity(const ContactBlock& c) const {
+    const Scaled &a = y[c.a], &b = y[c.b];
+    const Vec3 centre = a.centre * c.by_a - b.centre * c.by_b;
+    Mat3 rows;
+    for (int k = 0; k < 3; k++) rows[k] = c.frame[k] * centre + c.spin_a[k] * a.spin - c.spin_b[k] * b.spin;
+    rows = transpose(rows);
+    return rows[0] + rows[1] + rows[2] + c.bias;
+  }
+  void give(const ContactBlock& c, Vec3 impulse) {
+    Scaled &a = y[c.a], &b = y[c.b];
+    const Vec3 p = c.frame * impulse;
+    a.centre += p * c.by_a;
+    b.centre -= p * c.by_b;
+    a.spin += c.spin_a * impulse;
+    b.spin -= c.spin_b * impulse;
+  }
+  /// Coulomb's law of one contact, others as they are; returns the largest change [m/s].
+  double visit(ContactBlock& c) {
+    const Vec3 u = velocity(c), old = c.impulse;
+    const double n = std::fmax(0.0, old[0] - (u[0] + c.compliance * old[0]) / (c.w00 + c.compliance)), dn = n - old[0],
+                 bound = c.friction * n;
+    if (dn == 0.0 && n == 0.0) return 0.0;
+    const double u1 = u[1] + c.w01 * dn, u2 = u[2] + c.w02 * dn;
+    double t1 = old[1] - (c.i11 * u1 + c.i12 * u2), t2 = old[2] - (c.i12 * u1 + c.i22 * u2);
+    if (t1 * t1 + t2 * t2 > bound * bound) {
+      t1 = old[1];
+      t2 = old[2];
+      for (int i = 0; i < 2; i++) {
+        const double d1 = t1 - old[1], d2 = t2 - old[2];
+        t1 -= (u1 + c.w11 * d1 + c.w12 * d2) / c.wt;
+        t2 -= (u2 + c.w12 * d1 + c.w22 * d2) / c.wt;
+        const double size = std::sqrt(t1 * t1 + t2 * t2);
+        if (size <= bound) continue;
+        t1 *= bound / size;
+        t2 *= bound / size;
+      }
+    }
+    c.impulse = vec(n, t1, t2);
+    const Vec3 by = c.impulse - old;
+    give(c, by);
+    return std::fmax(std::fabs(by[0]) * c.w00, std::fmax(std::fabs(by[1]), std::fabs(by[2])) * c.wt);
+  }
+  /// All ties at once, contacts as they are.
+  void hold_ties() {
+    if (island.ties.empty()) return;
+    for (std::size_t i = 0; i < island.bodies.size(); i++) {
+      IslandBody& b = island.bodies[i];
+      b.v = y[i].centre * std::sqrt(b.inverse_mass);
+      b.w = b.root * y[i].spin;
+    }
+    load.assign(island.bodies.size(), {});
+    std::vector<IslandTie>& ties = island.ties;
+    for (IslandTie& t : ties) {
+      t.u = velocity_of(t, island.bodies, &IslandBody::v, &IslandBody::w) - t.kept * t.wanted;
+      add_load(load, t, t.u * (-tie_stiffness / t.w));
+    }
+    change.resize(load.size());
+    solve(island, load, change);
+    for (std::size_t i = 0; i < change.size(); i++) {
+      island.bodies[i].dv = change[i].force;
+      island.bodies[i].dw = change[i].moment;
+      load[i] = {};
+    }
+    for (IslandTie& t : ties) {
+      const Vec3 du = velocity_of(t, island.bodies, &IslandBody::dv, &IslandBody::dw);
+      const Vec3 impulse = (t.u + du) * (-tie_stiffness / t.w);
+      t.impulse += impulse;
+      add_load(load, t, t.kept * impulse);
+    }
+    for (std::size_t i = 0; i < load.size(); i++) {
+      y[i].centre += load[i].force * std::sqrt(island.bodies[i].inverse_mass);
+      y[i].spin += transposed_times(island.bodies[i].root, load[i].moment);
+    }
+  }
+  double square(const std::vector<Scaled>& of) const {
+    Vec3 sum = zero3();
+    for (const Scaled& s : of) sum += s.centre * s.centre + s.spin * s.spin;
+    return sum[0] + sum[1] + sum[2];
+  }
+  /// Starts from what is nearest to the solution among multiples of the impulses at hand, from none to all of them.
+  void start() {
+    double constant = 0.0, soft = 0.0;
+    for (const ContactBlock& c : blocks) {
+      if (c.impulse[0] == 0.0) continue;
+      give(c, c.impulse);
+      constant += dot(c.bias, c.impulse);
+      soft += c.compliance * c.impulse[0] * c.impulse[0];
+    }
+    for (std::size_t i = 0; i < y.size(); i++) {
+      y[i].centre -= free[i].centre;
+      y[i].spin -= free[i].spin;
+      constant += dot(free[i].centre, y[i].centre) + dot(free[i].spin, y[i].spin);
+    }
+    const double whole = square(y) + soft, part = whole > 0.0 ? std::clamp(-constant / whole, 0.0, 1.0) : 0.0;
+    for (ContactBlock& c : blocks) c.impulse *= part;
+    for (std::size_t i = 0; i < y.size(); i++) {
+      y[i].centre = free[i].centre + y[i].centre * part;
+      y[i].spin = free[i].spin + y[i].spin * part;
+    }
+  }
+  double sweep(bool upward, bool all) {
+    double most = 0.0;
+    const auto one = [&](ContactBlock& c) {
+      c.before = c.impulse;
+      if (c.idle > 0 && !all) {
+        c.idle--;
+        return;
+      }
+      const double change_here = visit(c);
+      if (change_here == 0.0 && c.impulse[0] == 0.0) c.idle = idle_sweeps;
+      most = std::fmax(most, change_here);
+    };
+    if (upward)
+      for (ContactBlock& c : blocks) one(c);
+    else
+      for (std::size_t k = blocks.size(); k-- > 0;) one(blocks[k]);
+    hold_ties();
+    return most;
+  }
+  void begin() {
+    if (!island.ties.empty()) {
+      lay_out_ties(island);
+      set_base(island, tie_stiffness);
+      factorise(island, {});
+    }
+    take_velocities();
+    add_blocks();
+    for (IslandTie& t : island.ties) t.impulse = zero3();
+    start();
+    hold_ties();
+    space.way.assign(y.size(), {});
+    space.tie_way.assign(island.ties.size(), zero3());
+  }
+  /// Notes where a sweep starts.
+  void keep() {
+    space.before = y;
+    space.tie_before.clear();
+    for (const IslandTie& t : island.ties) space.tie_before.push_back(t.impulse);
+  }
+  double change_of_sweep() const {
+    double sum = 0.0;
+    for (const ContactBlock& c : blocks) {
+      const Vec3 d = c.impulse - c.before;
+      sum += d[0] * d[0] * c.w00 + (d[1] * d[1] + d[2] * d[2]) * c.wt;
+    }
+    return sum;
+  }
+  /// Goes on by a part of the last direction; what the sweep changed and that is the next one.
+  void carry_on(double part) {
+    for (ContactBlock& c : blocks) {
+      const Vec3 on = c.way * part;
+      c.way = c.impulse - c.before + on;
+      c.impulse += on;
+    }
+    for (std::size_t k = 0; k < island.ties.size(); k++) {
+      const Vec3 on = space.tie_way[k] * part;
+      space.tie_way[k] = island.ties[k].impulse - space.tie_before[k] + on;
+      island.ties[k].impulse += on;
+    }
+    for (std::size_t k = 0; k < y.size(); k++) {
+      const Vec3 centre = space.way[k].centre * part, spin = space.way[k].spin * part;
+      space.way[k] = {y[k].centre - space.before[k].centre + centre, y[k].spin - space.before[k].spin + spin};
+      y[k].centre += centre;
+      y[k].spin += spin;
+    }
+  }
+};
+
+}  // namespace
+
+SearchReport sweep_search(ContactIsland& island, std::uint32_t most_sweeps, double enough) {
+  SearchReport report;
+  Sweeps s{island};
+  s.begin();
+  double last_change = 0.0;
+  while (report.iterations < most_sweeps) {
+    const bool upward = report.iterations % 2 == 0, last = ++report.iterations == most_sweeps;
+    s.keep();
+    if (s.sweep(upward, last) <= enough || last) break;
+    const double change = s.change_of_sweep(), part = last_change > 0.0 ? change / last_change : 0.0;
+    s.carry_on(part > 1.0 ? 0.0 : part);
+    last_change = change;
+  }
+  s.hold_ties();
+  for (std::size_t k = 0; k < s.blocks.size(); k++) island.contacts[s.order[k]].impulse = s.blocks[k].impulse;
+  apply_impulses(island);
+  observe(island);
+  report.residual = residual(island);
+  return report;
+}
+
+}  // namespace pantin
