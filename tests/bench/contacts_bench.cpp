@@ -20,7 +20,7 @@ namespace pantin {
 
 namespace {
 
-constexpr double short_seconds = 3.0, named_seconds = 100.0, growth_seconds = 60.0;  // [s] of the processor, at most
+constexpr double short_seconds = 3.0, named_seconds = 100.0, growth_seconds = 30.0;  // [s] of the processor, at most
 constexpr const char *table = "contacts.csv", *picture = "contacts.svg";
 
 /// What is run, until when [s], and how much of the processor [s] each may use.
@@ -51,7 +51,8 @@ peers::PileTrial run_peer(const PeerProgram& peer, const std::string& setting, c
     char* end = nullptr;
     *value = std::strtod(rest, &end);
     if (end == rest) {
-      trial.trouble = ended.code == 0 ? ended.out.substr(0, ended.out.find('\n')) : text("ended with ", ended.code);
+      const std::string line = ended.out.substr(0, ended.out.find('\n'));
+      trial.trouble = ended.code == 0 ? line.substr(line.find(' ') + 1) : text("ended with ", ended.code);
       break;
     }
     rest = end;
@@ -125,13 +126,15 @@ void print_summary(const char* title, const std::vector<Result>& results, const 
 
 void print_summaries(const std::vector<Result>& results, const std::vector<Contender>& contenders) {
   using Trial = peers::PileTrial;
-  print_summary("ns per contact and step, in motion; at rest", results, contenders, [](const Trial& t) {
-    return number("%.0f", t.moving.per_contact()) + "; " + number("%.0f", t.rest.per_contact());
-  });
+  const auto both = [](const char* format, const Trial& t, double moving, double rest) {
+    if (t.simulated < peers::pile_moves) return number(format, moving) + number(" until %.1f s", t.simulated);
+    return number(format, moving) + "; " + number(format, rest);
+  };
+  print_summary("ns per contact and step, in motion; at rest", results, contenders,
+                [&](const Trial& t) { return both("%.0f", t, t.moving.per_contact(), t.rest.per_contact()); });
   print_summary("creep at rest, m", results, contenders, [](const Trial& t) { return number("%.0e", t.creep); });
-  print_summary("overlap in motion; at rest, m", results, contenders, [](const Trial& t) {
-    return number("%.0e", t.moving.overlap) + "; " + number("%.0e", t.rest.overlap);
-  });
+  print_summary("overlap in motion; at rest, m", results, contenders,
+                [&](const Trial& t) { return both("%.0e", t, t.moving.overlap, t.rest.overlap); });
   print_summary("largest rise of the energy in a step, J", results, contenders,
                 [](const Trial& t) { return number("%.0e", t.rise); });
 }

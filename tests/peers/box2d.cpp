@@ -9,6 +9,7 @@ namespace pantin::peers {
 namespace {
 
 float single(double x) { return static_cast<float>(x); }
+double wide(float x) { return static_cast<double>(x); }
 b2Vec2 flat(const Eigen::Vector3d& v) { return {single(v.x()), single(v.y())}; }
 
 class FlatRig : public Rig {
@@ -27,11 +28,11 @@ class FlatRig : public Rig {
     for (std::size_t i = 0; i < bodies_.size(); i++) {
       const b2Body& body = *bodies_[i];
       const b2Vec2 x = body.GetPosition(), v = body.GetLinearVelocity();
-      const Eigen::Quaterniond turned(Eigen::AngleAxisd(double{body.GetAngle()}, Eigen::Vector3d::UnitZ()));
-      state[i] = {{double{x.x}, double{x.y}, 0.0},
+      const Eigen::Quaterniond turned(Eigen::AngleAxisd(wide(body.GetAngle()), Eigen::Vector3d::UnitZ()));
+      state[i] = {{wide(x.x), wide(x.y), 0.0},
                   turned * pile_.solids[i].turn,
-                  {double{v.x}, double{v.y}, 0.0},
-                  {0.0, 0.0, double{body.GetAngularVelocity()}}};
+                  {wide(v.x), wide(v.y), 0.0},
+                  {0.0, 0.0, wide(body.GetAngularVelocity())}};
     }
   }
 

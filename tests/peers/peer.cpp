@@ -44,7 +44,7 @@ void run_one_pile(const char* setting_name, const char* pile_name, double until,
   const Setting& setting = *find(all, setting_name);
   const Mechanism mechanism = pile(pile_name, setting.in_plane);
   if (!setting.can(mechanism)) {
-    std::printf("trouble: too large for it\n");
+    std::printf("trouble: too much for it\n");
     return;
   }
   PileTrial trial = run_pile(setting, mechanism, until, most);
