@@ -1,19 +1,16 @@
 // `pantin bench articulates [CASE…]`: speed against error of the hard cases; with --peers, in the other engines too.
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <limits>
 #include <optional>
-#include <sstream>
 
 #include "base/check.hpp"
 #include "bench/pantin_rig.hpp"
+#include "bench/peer_programs.hpp"
 #include "player/bench.hpp"
 #include "player/plot.hpp"
 #include "support/process.hpp"
@@ -95,34 +92,17 @@ peers::Trial run_peer(const std::string& program, const std::string& setting, co
   return trial;
 }
 
-/// The engines whose programs lie beside this one.
 std::vector<Contender> peer_contenders() {
   std::vector<Contender> list;
-  const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  for (const auto& [name, label] : {std::pair{"bullet", "Bullet"}, std::pair{"ode", "ODE"},
-                                    std::pair{"simbody", "Simbody"}, std::pair{"mujoco", "MuJoCo"}}) {
-    const std::string program = folder / (std::string("pantin_peer_") + name);
-    if (!std::filesystem::exists(program)) {
-      std::printf("%s is not here: ./pantin bench articulates --peers installs and builds it\n", label);
-      continue;
-    }
-    Contender contender;
-    contender.name = label;
-    std::istringstream lines(support::finish({{program, "list"}, {}, "", -1}).out);
-    for (std::string line; std::getline(lines, line);) contender.settings.push_back(line);
-    contender.run = [program](const std::string& setting, const peers::Mechanism& mechanism, double rate,
-                              const Eigen::Vector2d& position) {
+  for (const PeerProgram& peer : peer_programs({"bullet", "ode", "simbody", "mujoco"}, "articulates", "list")) {
+    Contender contender{peer.label, peer.settings, {}};
+    contender.run = [program = peer.path](const std::string& setting, const peers::Mechanism& mechanism, double rate,
+                                          const Eigen::Vector2d& position) {
       return run_peer(program, setting, mechanism, rate, position);
     };
     list.push_back(contender);
   }
   return list;
-}
-
-void show_progress(const std::string& what) {
-  if (isatty(STDERR_FILENO) == 0) return;
-  std::fprintf(stderr, "\r\033[K%s", what.c_str());
-  std::fflush(stderr);
 }
 
 /// From the longest step to where it is exact, or takes more than 0.3 s of the processor for one.
@@ -152,13 +132,6 @@ std::vector<Tried> front(std::vector<Tried> tried) {
   for (const Tried& t : tried)
     if (best.empty() || t.trial.error < 0.8 * best.back().trial.error) best.push_back(t);
   return best;
-}
-
-std::string number(const char* format, double x) {
-  if (!std::isfinite(x)) return "-";
-  char digits[32];
-  std::snprintf(digits, sizeof digits, format, x);
-  return digits;
 }
 
 void print_tried(const std::string& name, const std::vector<Tried>& list) {

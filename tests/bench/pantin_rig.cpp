@@ -4,6 +4,8 @@
 
 #include "base/check.hpp"
 #include "edit/edit.hpp"
+#include "peers/pile_trial.hpp"
+#include "peers/piles.hpp"
 #include "step/step.hpp"
 
 namespace pantin {
@@ -22,6 +24,7 @@ class PantinRig : public peers::Rig {
     world_.settings.gravity = pantin::vec(0, -peers::gravity, 0);
     for (std::size_t i = 0; i < mechanism.solids.size(); i++) add(mechanism, static_cast<int>(i));
     for (std::size_t k = 0; k < mechanism.joints.size(); k++) join(mechanism, static_cast<int>(k));
+    for (const peers::Wall& wall : mechanism.walls) add(wall);
   }
 
   void step() override {
@@ -39,15 +42,19 @@ class PantinRig : public peers::Rig {
     }
   }
 
+  std::size_t contacts() const override { return world_.contacts.list.size(); }
+  std::size_t unsolved() const override { return world_.stats.unsolved_islands; }
+
  private:
   void add(const peers::Mechanism& mechanism, int solid) {
     const peers::SolidDef& def = mechanism.solids[static_cast<std::size_t>(solid)];
-    const Eigen::Quaterniond q = def.orientation();
+    const Eigen::Quaterniond q = def.turn;
     BodyDef body;
     body.at = vec(def.at);
     body.orientation = {q.w(), q.x(), q.y(), q.z()};
     body.mass = def.mass;
     body.inertia = diagonal(vec(def.moments));
+    if (def.form != peers::Form::none) body.shapes = {shape(geometry_of(def))};
     for (std::size_t k = 0; k < mechanism.joints.size(); k++) {
       const peers::BallJoint& joint = mechanism.joints[k];
       for (const bool first : {true, false}) {
@@ -59,6 +66,22 @@ class PantinRig : public peers::Rig {
       }
     }
     bodies_.push_back(add_body(world_, body));
+  }
+
+  void add(const peers::Wall& wall) {
+    ShapeDef def = shape(HalfSpaceShape{});
+    const auto q = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), wall.normal);
+    def.at = vec(wall.offset * wall.normal);
+    def.orientation = {q.w(), q.x(), q.y(), q.z()};
+    add_shape(world_, def);
+  }
+
+  static ShapeDef shape(const Geometry& geometry) {
+    ShapeDef def;
+    def.geometry = geometry;
+    def.material.friction = peers::friction;
+    def.material.restitution = 0.0;
+    return def;
   }
 
   PointId end(int solid, const std::string& name) const {
@@ -96,6 +119,15 @@ std::vector<peers::Setting> pantin_settings() {
       all.push_back(setting);
     }
   return all;
+}
+
+peers::Setting pantin_pile_setting() {
+  peers::Setting setting;
+  setting.name = "as it is";
+  setting.make = [](const peers::Mechanism& pile, double step) {
+    return std::make_unique<PantinRig>(pile, step, Integrator::verlet, true);
+  };
+  return setting;
 }
 
 }  // namespace pantin

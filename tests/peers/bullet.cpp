@@ -7,6 +7,7 @@
 #include <btBulletDynamicsCommon.h>
 
 #include "peers/peer.hpp"
+#include "peers/piles.hpp"
 
 namespace pantin::peers {
 
@@ -35,10 +36,12 @@ class RigidRig : public Rig {
     set_up(world_, iterations);
     for (const SolidDef& solid : mechanism.solids) add(solid);
     for (const BallJoint& joint : mechanism.joints) add(joint);
+    for (const Wall& wall : mechanism.walls) add(wall);
   }
   ~RigidRig() override {
     for (const auto& joint : joints_) world_.removeConstraint(joint.get());
     for (const auto& body : bodies_) world_.removeRigidBody(body.get());
+    for (const auto& wall : walls_) world_.removeRigidBody(wall.get());
   }
 
   void step() override { world_.stepSimulation(step_, 0); }
@@ -52,15 +55,45 @@ class RigidRig : public Rig {
     }
   }
 
+  std::size_t contacts() const override {
+    std::size_t count = 0;
+    for (int i = 0; i < dispatcher_.getNumManifolds(); i++)
+      count += static_cast<std::size_t>(dispatcher_.getManifoldByIndexInternal(i)->getNumContacts());
+    return count;
+  }
+
  private:
+  btCollisionShape* shape_of(const SolidDef& solid) {
+    if (solid.form == Form::none) return &shape_;
+    if (solid.form == Form::ball)
+      shapes_.push_back(std::make_unique<btSphereShape>(solid.size.x()));
+    else if (solid.form == Form::box)
+      shapes_.push_back(std::make_unique<btBoxShape>(bullet(solid.size)));
+    else
+      shapes_.push_back(std::make_unique<btCapsuleShapeZ>(solid.size.x(), 2 * solid.size.z()));
+    return shapes_.back().get();
+  }
+
   void add(const SolidDef& solid) {
-    btRigidBody::btRigidBodyConstructionInfo info(solid.mass, nullptr, &shape_, bullet(solid.moments));
-    info.m_startWorldTransform = btTransform(bullet(solid.orientation()), bullet(solid.at));
+    btRigidBody::btRigidBodyConstructionInfo info(solid.mass, nullptr, shape_of(solid), bullet(solid.moments));
+    info.m_friction = std::sqrt(friction);  // of two it takes the product
+    info.m_startWorldTransform = btTransform(bullet(solid.turn), bullet(solid.at));
     bodies_.push_back(std::make_unique<btRigidBody>(info));
     btRigidBody& body = *bodies_.back();
     body.setActivationState(DISABLE_DEACTIVATION);
     body.setFlags(BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY);
-    world_.addRigidBody(&body, 0, 0);
+    if (solid.form == Form::none)
+      world_.addRigidBody(&body, 0, 0);
+    else
+      world_.addRigidBody(&body);
+  }
+
+  void add(const Wall& wall) {
+    shapes_.push_back(std::make_unique<btStaticPlaneShape>(bullet(wall.normal), wall.offset));
+    btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, shapes_.back().get());
+    info.m_friction = std::sqrt(friction);
+    walls_.push_back(std::make_unique<btRigidBody>(info));
+    world_.addRigidBody(walls_.back().get());
   }
 
   void add(const BallJoint& joint) {
@@ -80,7 +113,8 @@ class RigidRig : public Rig {
   btSequentialImpulseConstraintSolver solver_;
   btDiscreteDynamicsWorld world_;
   btSphereShape shape_{0.01};
-  std::vector<std::unique_ptr<btRigidBody>> bodies_;
+  std::vector<std::unique_ptr<btCollisionShape>> shapes_;
+  std::vector<std::unique_ptr<btRigidBody>> bodies_, walls_;
   std::vector<std::unique_ptr<btTypedConstraint>> joints_;
 };
 
@@ -146,7 +180,7 @@ class MultiRig : public Rig {
 
   void turn_link(const Mechanism& mechanism, const BallJoint& joint) {
     const auto orientation = [&](int i) {
-      return i < 0 ? Eigen::Quaterniond::Identity() : mechanism.solids[static_cast<std::size_t>(i)].orientation();
+      return i < 0 ? Eigen::Quaterniond::Identity() : mechanism.solids[static_cast<std::size_t>(i)].turn;
     };
     const Eigen::Quaterniond q = orientation(joint.a).conjugate() * orientation(joint.b);
     const double coordinates[4] = {q.x(), q.y(), q.z(), q.w()};
@@ -203,5 +237,7 @@ std::vector<Setting> settings() {
   return {rigid("10 iterations", 10), rigid("50 iterations", 50), multi("multibody", false),
           multi("multibody RK4", true)};
 }
+
+std::vector<Setting> pile_settings() { return {rigid("10 iterations", 10), rigid("100 iterations", 100)}; }
 
 }  // namespace pantin::peers

@@ -47,8 +47,9 @@ Mechanism ring(int links) {
   Eigen::Vector3d corner(0, 0, 0);
   for (int i = 0; i < links; i++) {
     SolidDef rod;
-    rod.angle = pi + 2 * pi * (i + 0.5) / links;
-    const Eigen::Vector3d along(std::cos(rod.angle), std::sin(rod.angle), 0);
+    const double angle = pi + 2 * pi * (i + 0.5) / links;
+    rod.turn = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ());
+    const Eigen::Vector3d along(std::cos(angle), std::sin(angle), 0);
     rod.at = corner + 0.5 * along;
     corner += along;
     made.solids.push_back(rod);

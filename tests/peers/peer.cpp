@@ -4,6 +4,9 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "peers/pile_trial.hpp"
+#include "peers/piles.hpp"
+
 using namespace pantin::peers;
 
 namespace {
@@ -32,15 +35,42 @@ void run(const char* setting_name, const char* mechanism_name, double rate, cons
     std::printf("trouble: %s\n", trial.trouble.c_str());
 }
 
+void list(const std::vector<Setting>& all) {
+  for (const Setting& setting : all) std::printf("%s%s\n", setting.chooses_steps ? "*" : "", setting.name.c_str());
+}
+
+void run_one_pile(const char* setting_name, const char* pile_name, double until, double most) {
+  const std::vector<Setting> all = pile_settings();
+  const Setting& setting = *find(all, setting_name);
+  const Mechanism mechanism = pile(pile_name, setting.in_plane);
+  if (!setting.can(mechanism)) {
+    std::printf("trouble: too much for it\n");
+    return;
+  }
+  PileTrial trial = run_pile(setting, mechanism, until, most);
+  if (!trial.trouble.empty()) {
+    std::printf("trouble: %s\n", trial.trouble.c_str());
+    return;
+  }
+  for (const auto& [name, value] : trial.numbers()) std::printf("%.17g ", *value);
+  std::printf("\n");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc == 2 && std::strcmp(argv[1], "list") == 0) {
-    for (const Setting& setting : settings())
-      std::printf("%s%s\n", setting.chooses_steps ? "*" : "", setting.name.c_str());
-    return 0;
-  }
-  if (argc != 7 || std::strcmp(argv[1], "run") != 0) return 2;
-  run(argv[2], argv[3], std::atof(argv[4]), {std::atof(argv[5]), std::atof(argv[6])});
+  const auto asked = [&](const char* command, int count) {
+    return argc == count && std::strcmp(argv[1], command) == 0;
+  };
+  if (asked("list", 2))
+    list(settings());
+  else if (asked("run", 7))
+    run(argv[2], argv[3], std::atof(argv[4]), {std::atof(argv[5]), std::atof(argv[6])});
+  else if (asked("piles", 2))
+    list(pile_settings());
+  else if (asked("pile", 6))
+    run_one_pile(argv[2], argv[3], std::atof(argv[4]), std::atof(argv[5]));
+  else
+    return 2;
   return 0;
 }

@@ -65,7 +65,7 @@ class SimbodyRig : public Rig {
   SimTK::MobilizedBody& body(int i) { return bodies_[static_cast<std::size_t>(i)]; }
 
   static Eigen::Quaterniond orientation(const Mechanism& mechanism, int i) {
-    return i < 0 ? Eigen::Quaterniond::Identity() : mechanism.solids[static_cast<std::size_t>(i)].orientation();
+    return i < 0 ? Eigen::Quaterniond::Identity() : mechanism.solids[static_cast<std::size_t>(i)].turn;
   }
 
   void add(const Mechanism& mechanism, const BallJoint& joint) {
@@ -126,5 +126,7 @@ std::vector<Setting> settings() {
     all.push_back(simbody("Merson, accuracy 1e-" + std::to_string(digits), Method::merson, std::pow(10.0, -digits)));
   return all;
 }
+
+std::vector<Setting> pile_settings() { return {}; }
 
 }  // namespace pantin::peers

@@ -66,7 +66,7 @@ class Observer {
     for (std::size_t i = 0; i < now_.size(); i++) {
       const SolidDef& def = mechanism_.solids[i];
       if ((now_[i].position - def.at).norm() > 1e-6 * (1 + def.at.norm()) || now_[i].velocity.norm() > 1e-6 ||
-          now_[i].turn.angularDistance(def.orientation()) > 1e-6)
+          now_[i].turn.angularDistance(def.turn) > 1e-6)
         throw std::runtime_error("does not start where it should");
     }
   }

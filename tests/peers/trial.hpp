@@ -19,6 +19,10 @@ class Rig {
   virtual void step() = 0;
   /// Places and velocities of the solids, in their order. Leaves the motion as it is.
   virtual void read(std::vector<SolidState>& state) = 0;
+  /// Points at which shapes touched in the last step, as the engine counts them.
+  virtual std::size_t contacts() const { return 0; }
+  /// Times so far that the engine said it did not solve what touches.
+  virtual std::size_t unsolved() const { return 0; }
 };
 
 /// A way to use an engine.
@@ -27,6 +31,7 @@ struct Setting {
   std::function<std::unique_ptr<Rig>(const Mechanism&, double step)> make;
   bool chooses_steps = false;  ///< keeps an accuracy by steps of its own
   std::function<bool(const Mechanism&)> can = [](const Mechanism&) { return true; };  ///< what it can do at all
+  bool in_plane = false;                                                              ///< takes piles in a plane
 };
 
 struct Trial {

@@ -12,7 +12,7 @@ namespace {
 std::vector<peers::SolidState> at_rest(const peers::Mechanism& mechanism) {
   std::vector<peers::SolidState> state;
   for (const peers::SolidDef& solid : mechanism.solids)
-    state.push_back({solid.at, solid.orientation(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()});
+    state.push_back({solid.at, solid.turn, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()});
   return state;
 }
 
