@@ -4,6 +4,7 @@
 #include <tuple>
 #include <vector>
 
+#include "base/handle.hpp"
 #include "base/lanes.hpp"
 
 namespace pantin {
@@ -42,11 +43,35 @@ struct Placing {
   Vec3 arm_a, arm_b;  ///< [m] then, world axes
 };
 
+struct Body;
+struct Shape;
+
+/// A body that touches another, or a shape of the world.
+struct TouchPair {
+  Handle<Body> a, b;  ///< b null: `ground`
+  Handle<Shape> ground;
+  friend auto operator<=>(const TouchPair&, const TouchPair&) = default;
+};
+
+/// How two pressed on each other in a step, or in a stage of it.
+struct Touch {
+  TouchPair pair;
+  Vec3 at = zero3();      ///< [m] mean, by impulse
+  Vec3 normal = zero3();  ///< from b to a: of unit length, or in sums times the impulse
+  double impulse = 0.0;   ///< [N s] along the normal; 0 of a sensor
+  double speed = 0.0;     ///< [m/s] with which they neared each other
+};
+
 struct Contacts {
   std::vector<Contact> list;    ///< by key
+  std::vector<Contact> sensed;  ///< by key: those of sensors, which the stages do not know
   std::vector<Placing> placed;  ///< in this step
   double work = 0.0;            ///< [J] of those, with what ties answered: told with the rest of the step
   bool stale = true;            ///< positions or shapes changed since they were found
+
+  bool watched = false;             ///< somebody wants to be told who begins and ends to touch
+  std::vector<Touch> felt;          ///< where watched: in this step so far, of each stage
+  std::vector<TouchPair> touching;  ///< where watched: at the end of the last step, rising
 };
 
 }  // namespace pantin

@@ -229,6 +229,7 @@ Made made(const World& world) {
   add(list, world.interactions, any);
   add(list, world.fields, any);
   add(list, world.emitters, any);
+  add(list, world.shapes, [](const Shape& shape) { return shape.body ? no_sort : std::size_t{0}; });
   add(list, world.groups, any);
   for (MadeThing& thing : list.things) {
     if (const auto* body = std::get_if<BodyId>(&thing.id)) thing.points = world.bodies[*body].points;

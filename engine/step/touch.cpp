@@ -3,6 +3,7 @@
 
 #include "contacts/find.hpp"
 #include "contacts/stages.hpp"
+#include "contacts/touching.hpp"
 #include "step/ledger_posts.hpp"
 #include "step/phases.hpp"
 
@@ -31,11 +32,9 @@ void post_contacts(World& world, const TouchReport& report) {
 
 /// Finds contacts where things are now.
 void find(World& world, bool drifted) {
-  if (!world.contact_finder) world.contact_finder = std::make_unique<ContactFinder>();
-  ContactFinder& finder = *world.contact_finder;
-  if (world.places_changed) finder.tied = tied_bodies(world);
-  world.places_changed = false;
-  find_contacts({world, world.articulates, drifted, world.settings.gravity, world.stage.h}, finder, world.contacts);
+  renew(world.contact_finder, world);
+  find_contacts({world, world.articulates, drifted, world.settings.gravity, world.stage.h}, *world.contact_finder,
+                world.contacts);
 }
 
 }  // namespace
@@ -69,6 +68,7 @@ void meet_contacts(World& world) {
   meet(world, world.articulates, world.contacts, settings_of(world, true), report);
   post_contacts(world, report);
   count(world, report);
+  if (world.contacts.watched) feel(world, world.articulates, world.contacts);
   world.stats.contacts = report.contacts;
   world.stats.contact_islands = report.islands;
 }
