@@ -169,26 +169,27 @@ void set_layer(World& world, ShapeId id, std::string_view layer) {
 
 void set_extent(World& world, ShapeId id, std::optional<double> extent) {
   require_unlocked(world, "size");
-  require(std::holds_alternative<HalfSpaceShape>(world.shapes[id].geometry), "size: ", describe(world, id),
-          " is no plane: its own is what is drawn");
-  if (extent) require_positive("floor", "size", *extent, "m");
+  const std::string who = describe(world, id);
+  require(std::holds_alternative<HalfSpaceShape>(world.shapes[id].geometry), who,
+          ": size is of planes alone, which have no end");
+  if (extent) require_positive(who, "size", *extent, "m");
   world.shapes[id].extent = extent;
 }
 
 void set_sensor(World& world, ShapeId id, bool sensor) { written(world, id, "sensor").sensor = sensor; }
 
 void set_friction(World& world, ShapeId id, double friction) {
-  require_not_negative("shape", "friction", friction, "");
+  require_not_negative(describe(world, id), "friction", friction, "");
   written(world, id, "friction").material.friction = friction;
 }
 
 void set_restitution(World& world, ShapeId id, double restitution) {
-  require_restitution("shape", restitution);
+  require_restitution(describe(world, id), restitution);
   written(world, id, "restitution").material.restitution = restitution;
 }
 
 void set_surface_velocity(World& world, ShapeId id, Vec3 velocity) {
-  require_finite("shape", "surface_velocity", velocity, "m/s");
+  require_finite(describe(world, id), "surface_velocity", velocity, "m/s");
   written(world, id, "surface_velocity").material.surface_velocity = velocity;
 }
 

@@ -1534,7 +1534,7 @@ function OpenedScene:restore(snapshot) end
 ---@field surface_velocity? vec [m/s] of a belt (default `vec(0, 0, 0)`)
 ---@field layer? string that scene:collide speaks of (default none)
 ---@field sensor? boolean tells what it touches, and pushes nothing (default `false`)
----@field size? number [m] across which it is drawn, though it has no end (default: as far as is seen)
+---@field size? number [m] across which it is drawn, though it has no end (default as far as is seen)
 ---@field color? color of its brighter squares (default grey)
 
 ---@class GroundOptions

@@ -120,7 +120,7 @@ test("floors and ground are things with a material, which can be removed", funct
   expect(scene:find("floor")):equal(nil)
   fails("scene:floor {}.friction = -1", "friction must be >= 0")
   fails("scene:floor {}.restitution = 0 / 0", "restitution must be a finite number, got NaN")
-  fails("scene:ground { shape = shape.box(1, 1, 1) }.size = 1", "is no plane")
+  fails("scene:ground { shape = shape.box(1, 1, 1) }.size = 1", "size is of planes alone")
   fails("local f = scene:floor { name = 'low' } f:remove() print(f.friction)", "floor 'low' was removed at 0 s by")
 end)
 
