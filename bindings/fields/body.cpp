@@ -128,6 +128,17 @@ Value row_at(const Store<Row>& rows, std::uint32_t slot) {
   return rows.alive_at(slot) ? Value(AnyId(rows.id_at(slot))) : Value();
 }
 
+/// How fast the surface of a slides on that of b [m/s], belts included.
+Vec3 slip_of(const World& world, const Contact& c) {
+  const auto velocity = [&](std::uint32_t slot) {
+    const Motion& m = world.motion[slot];
+    return m.p / m.mass + cross(angular_velocity(m), c.at - m.x);
+  };
+  const bool on_body = c.body_b >= 0 && world.bodies.alive_at(static_cast<std::uint32_t>(c.body_b));
+  const Vec3 v = velocity(c.body_a) - (on_body ? velocity(static_cast<std::uint32_t>(c.body_b)) : zero3()) + c.belt;
+  return v - c.normal * dot(c.normal, v);
+}
+
 void add_contact(const World& world, std::uint32_t body, const Contact& c, bool sensor, Table& list) {
   const bool first = c.body_a == body, second = c.body_b >= 0 && static_cast<std::uint32_t>(c.body_b) == body;
   if (!(first || second) || (c.gap > 0.0 && norm2(c.total) == 0.0)) return;
@@ -139,6 +150,7 @@ void add_contact(const World& world, std::uint32_t body, const Contact& c, bool 
                  {"normal", c.normal * side},
                  {"force", c.total * (side / world.settings.step)},
                  {"depth", -c.gap},
+                 {"slip", slip_of(world, c) * side},
                  {"sensor", sensor}}});
 }
 

@@ -83,12 +83,15 @@ std::vector<TouchPair> pairs(const Model& model, const Contacts& contacts, Is is
 
 }  // namespace
 
+std::vector<TouchPair> touching_now(const Model& model, const Contacts& contacts) {
+  return contacts.watched ? contacts.touching : pairs(model, contacts, presses, overlaps);
+}
+
 void watch(const Model& model, Contacts& contacts, bool watched) {
   if (contacts.watched == watched) return;
+  contacts.touching = watched ? touching_now(model, contacts) : std::vector<TouchPair>();
   contacts.watched = watched;
   contacts.felt.clear();
-  contacts.touching.clear();
-  if (watched) contacts.touching = pairs(model, contacts, presses, overlaps);
 }
 
 void feel(const Model& model, const Articulates& articulates, Contacts& contacts) {

@@ -18,6 +18,8 @@ struct TouchChanges {
 
 /// Begins or ends to watch. What touches already is not told.
 void watch(const Model& model, Contacts& contacts, bool watched);
+/// Those that touch now, rising; where that is not watched, by their contacts.
+std::vector<TouchPair> touching_now(const Model& model, const Contacts& contacts);
 /// After a stage of a step: adds what pressed to `contacts.felt`.
 void feel(const Model& model, const Articulates& articulates, Contacts& contacts);
 /// After a step: what changed in it.

@@ -74,6 +74,7 @@ function quat_methods:inverse() end
 ---@field normal vec [1] away from the other
 ---@field force vec [N] on this body, the mean over the last step
 ---@field depth number [m] by which they overlap; below 0: apart
+---@field slip vec [m/s] with which its surface slides on the other's, that of belts included
 ---@field sensor boolean whether one of the two is a sensor, which pushes nothing
 
 ---What scene:on tells of two that touch; of two that part, a and b alone.

@@ -300,3 +300,14 @@ test("the deepest overlap is told", function()
   expect(scene.error.penetration):below(3e-4)
   expect(scene.error.worst_penetration):above(0.09)
 end)
+
+test("contacts tell how fast surfaces slide on each other, belts included", function()
+  local scene = open_text [[
+    scene:floor { surface_velocity = vec(0, 0, 2), friction = 0 }
+    scene:block { size = 1, at = vec(0, 0.5, 0), velocity = vec(3, 0, 0), friction = 0, name = "box" }
+  ]]
+  scene:advance(0.2)
+  local box = scene:find "box"
+  expect(#box.contacts):equal(4)
+  for _, contact in ipairs(box.contacts) do expect(contact.slip):near(vec(3, 0, -2), 1e-6) end
+end)
