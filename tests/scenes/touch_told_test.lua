@@ -311,3 +311,18 @@ test("contacts tell how fast surfaces slide on each other, belts included", func
   expect(#box.contacts):equal(4)
   for _, contact in ipairs(box.contacts) do expect(contact.slip):near(vec(3, 0, -2), 1e-6) end
 end)
+
+test("a step that is done again with more sub-steps begins with the contacts of its start", function()
+  local scene = open_text [[
+    scene.step, scene.accuracy = 1 / 60, 1e-3
+    scene:floor {}
+    scene:ball { radius = 0.5, at = vec(0, 0.505, 0), velocity = vec(0, -10, 0), name = "ball" }
+    local f = scene:family "f"
+    scene:particle { at = vec(5, 1, 0), family = f }
+    scene:particle { at = vec(6.05, 1, 0), family = f }
+    scene:interact(f, f, force.pair { potential = function(r) return 1e4 * (r - 1) ^ 2 end })
+  ]]
+  scene:step()
+  expect(scene.stats.rejected_steps):above(0)
+  expect(scene:find("ball").position.y):near(0.5, 1e-6)
+end)
