@@ -172,22 +172,29 @@ std::vector<HingedPair> hinged_pairs(const Model& m) {
           pairs.push_back({a.slot - 1, b.slot - 1, arm(m, i), rotate(conjugate(m.motion_of(a).q), axis)});
       }
   }
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const HingedPair& x, const HingedPair& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); });
   return pairs;
 }
 
 /// Leaves out contacts where a hinge is: it keeps these together, so that impulses there would have no bound.
 void drop_at_hinges(const Placement& p, const std::vector<HingedPair>& hinged, std::vector<Contact>& list) {
   constexpr double near = 0.05;  // of the size
-  for (const HingedPair& h : hinged) {
-    const BodyState s = state_of(p.model, p.articulates, h.a, p.drifted);
-    const Vec3 at = s.x + s.R * h.arm, axis = s.R * h.axis;
-    std::erase_if(list, [&](const Contact& c) {
-      const auto b = static_cast<std::uint32_t>(c.body_b);  // of the world: of no body
-      if (std::min(c.body_a, b) != h.a || std::max(c.body_a, b) != h.b) return false;
-      const Vec3 d = c.at - at;
-      return norm(d - axis * dot(axis, d)) < near * c.size;
-    });
-  }
+  if (hinged.empty()) return;
+  const auto is_before = [](const HingedPair& h, const std::pair<std::uint32_t, std::uint32_t>& bodies) {
+    return std::pair(h.a, h.b) < bodies;
+  };
+  std::erase_if(list, [&](const Contact& c) {
+    const auto b = static_cast<std::uint32_t>(c.body_b);  // of the world: of no body
+    const std::pair bodies(std::min(c.body_a, b), std::max(c.body_a, b));
+    auto h = std::lower_bound(hinged.begin(), hinged.end(), bodies, is_before);
+    for (; h != hinged.end() && std::pair(h->a, h->b) == bodies; h++) {
+      const BodyState s = state_of(p.model, p.articulates, h->a, p.drifted);
+      const Vec3 d = c.at - s.x - s.R * h->arm, axis = s.R * h->axis;
+      if (norm(d - axis * dot(axis, d)) < near * c.size) return true;
+    }
+    return false;
+  });
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ struct ContactFinder {
   std::vector<std::uint32_t> height_fields;                   ///< their slots: solid far below their bounds
   std::vector<std::uint64_t> serials;                         ///< (slots of shapes) of what is in there; 0: nothing
   std::vector<std::pair<std::uint32_t, std::uint32_t>> tied;  ///< (smaller, larger) slots of bodies that do not collide
-  std::vector<HingedPair> hinged;
+  std::vector<HingedPair> hinged;                             ///< rising
 };
 
 /// Where things are: of what rows tie in the articulates after a drift, else in the model.

@@ -156,9 +156,10 @@ TEST_CASE("What is met is what all shapes one by one give: before the first step
     check_same(hits_of_ray(world, from, to), wanted, norm(to - from));
   }
   fill(world, random, 20, 20);
+  advance(world, 0.6);
   const Snapshot snapshot = take_snapshot(world);
   CHECK(ask_all(world, random, 60) > 50);
-  advance(world, 0.4);
+  advance(world, 1.2);
   restore(world, snapshot);
   CHECK(ask_all(world, random, 60) > 50);
 }
