@@ -98,10 +98,11 @@ std::vector<Hit> hits_of_ray(World& world, Vec3 from, Vec3 to, const HitFilter& 
 std::vector<Hit> hits_of_endless_ray(World& world, Vec3 from, Vec3 along, const HitFilter& filter) {
   internal::require_finite("ray", "from", from, "m");
   internal::require_finite("ray", "direction", along, "");
-  require(norm2(along) > 0.0, "ray: direction must have a length > 0");
+  const double longest = largest(along);
+  require(longest > 0.0, "ray: direction must have a length > 0");
   const ContactFinder& finder = current_finder(world);
-  constexpr double endless = 1e15;  // [m]
-  const Vec3 u = direction(along);
+  constexpr double endless = 1e15;            // [m]
+  const Vec3 u = direction(along / longest);  // of any size
   return collect(
       world, finder, filter, [&](const BroadPhase& bounds, auto use) { bounds.along(only(from), u * endless, use); },
       [&](const Shape& shape, const Pose& pose) {

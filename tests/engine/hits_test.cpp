@@ -201,6 +201,8 @@ TEST_CASE("An endless ray meets what is far, as far as closed forms say") {
   CHECK(hits[0].shape == far);
   CHECK(hits[0].distance == Approx(1e6 - 0.4).margin(1e-9));
   CHECK(norm(hits[0].normal - vec(-0.8, -0.6, 0)) < 1e-6);
+  for (const double size : {1e-300, 1e300})
+    CHECK(hits_of_endless_ray(world, zero3(), vec(size, 0, 0))[0].distance == hits[0].distance);
   const std::vector<Hit> down = hits_of_endless_ray(world, vec(0, 0, 1), vec(1e-3, 0, -1));
   REQUIRE(down.size() == 1);
   CHECK(down[0].shape == floor);

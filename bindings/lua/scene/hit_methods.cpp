@@ -112,7 +112,6 @@ int scene_ray(lua_State* state) {
   const auto from = o.vector("from", "m"), to = o.vector("to", "m"), direction = o.vector("direction", "");
   require(from.has_value(), "ray: needs from, a vec [m]");
   require(to.has_value() != direction.has_value(), "ray: needs to, a vec [m], or direction, a vec, and not both");
-  require(!direction || norm(*direction) > 0.0, "ray: direction must have a length > 0");
   const HitFilter filter = read_filter(o, script.world);
   return push_hits(state, script,
                    to ? hits_of_ray(script.world, *from, *to, filter)
