@@ -99,7 +99,7 @@ void write_material(World& world, BodyId body, const char* name, const Write& wr
   require(!world.locked, "body: ", name,
           " cannot be written while the world steps; write it in an event or a step callback");
   require(!world.bodies[body].shapes.empty(), "body: ", name, " is of its shapes, and it has none");
-  for (const ShapeId shape : world.bodies[body].shapes) write(world.shapes[shape].material);
+  for (const ShapeId shape : world.bodies[body].shapes) write(shape);
 }
 
 std::optional<double> friction(const World& world, BodyId body) {
@@ -114,32 +114,63 @@ std::optional<double> restitution(const World& world, BodyId body) {
 
 void write_friction(World& world, BodyId body, double friction) {
   require(friction >= 0.0 && std::isfinite(friction), "body: friction must be a finite number >= 0, got ", friction);
-  write_material(world, body, "friction", [&](Material& m) { m.friction = friction; });
+  write_material(world, body, "friction", [&](ShapeId shape) { set_friction(world, shape, friction); });
 }
 
 void write_restitution(World& world, BodyId body, double restitution) {
   require(restitution >= 0.0 && restitution <= 1.0, "body: restitution must be from 0 to 1, got ", restitution);
-  write_material(world, body, "restitution", [&](Material& m) { m.restitution = restitution; });
+  write_material(world, body, "restitution", [&](ShapeId shape) { set_restitution(world, shape, restitution); });
+}
+
+/// Nothing where it is gone.
+template <class Row>
+Value row_at(const Store<Row>& rows, std::uint32_t slot) {
+  return rows.alive_at(slot) ? Value(AnyId(rows.id_at(slot))) : Value();
+}
+
+/// How fast the surface of a slides on that of b [m/s], belts included.
+Vec3 slip_of(const World& world, const Contact& c) {
+  const auto velocity = [&](std::uint32_t slot) {
+    const Motion& m = world.motion[slot];
+    return m.p / m.mass + cross(angular_velocity(m), c.at - m.x);
+  };
+  const bool on_body = c.body_b >= 0 && world.bodies.alive_at(static_cast<std::uint32_t>(c.body_b));
+  const Vec3 v = velocity(c.body_a) - (on_body ? velocity(static_cast<std::uint32_t>(c.body_b)) : zero3()) + c.belt;
+  return v - c.normal * dot(c.normal, v);
+}
+
+void add_contact(const World& world, std::uint32_t body, const Contact& c, bool sensor, Table& list) {
+  const bool first = c.body_a == body, second = c.body_b >= 0 && static_cast<std::uint32_t>(c.body_b) == body;
+  if (!(first || second) || (c.gap > 0.0 && norm2(c.total) == 0.0)) return;
+  const double side = first ? 1.0 : -1.0;
+  const std::uint32_t other = first ? static_cast<std::uint32_t>(c.body_b) : c.body_a;
+  list.push_back(
+      {"", Table{{"with", first && c.body_b < 0 ? row_at(world.shapes, c.key.b) : row_at(world.bodies, other)},
+                 {"at", c.at},
+                 {"normal", c.normal * side},
+                 {"force", c.total * (side / world.settings.step)},
+                 {"depth", -c.gap},
+                 {"slip", slip_of(world, c) * side},
+                 {"sensor", sensor}}});
 }
 
 /// What touches it, or is about to and was pushed: forces on it, normals towards it.
 Table contacts_of(const World& world, BodyId body) {
   Table list;
-  const std::uint32_t slot = body.slot - 1;
-  for (const Contact& c : world.contacts.list) {
-    const bool first = c.body_a == slot, second = c.body_b >= 0 && static_cast<std::uint32_t>(c.body_b) == slot;
-    if (!(first || second) || (c.gap > 0.0 && norm2(c.total) == 0.0)) continue;
-    const double side = first ? 1.0 : -1.0;
-    const std::int32_t other = first ? c.body_b : static_cast<std::int32_t>(c.body_a);
-    const bool body_there = other >= 0 && world.bodies.alive_at(static_cast<std::uint32_t>(other));
-    const BodyId with = body_there ? world.bodies.id_at(static_cast<std::uint32_t>(other)) : BodyId{};
-    list.push_back({"", Table{{"with", with ? Value(AnyId(with)) : Value()},
-                              {"at", c.at},
-                              {"normal", c.normal * side},
-                              {"force", c.total * (side / world.settings.step)},
-                              {"depth", -c.gap}}});
-  }
+  for (const Contact& c : world.contacts.list) add_contact(world, body.slot - 1, c, false, list);
+  for (const Contact& c : world.contacts.sensed) add_contact(world, body.slot - 1, c, true, list);
   return list;
+}
+
+std::optional<std::string> layer_of_body(const World& world, BodyId body) {
+  const auto& shapes = world.bodies[body].shapes;
+  const std::uint32_t layer = shapes.empty() ? 0 : world.shapes[shapes[0]].layer;
+  return layer == 0 ? std::optional<std::string>() : world.layers.names[layer - 1];
+}
+
+void write_layer(World& world, BodyId body, const std::optional<std::string>& layer) {
+  require(!world.bodies[body].shapes.empty(), "body: layer is of its shapes, and it has none");
+  for (const ShapeId shape : world.bodies[body].shapes) set_layer(world, shape, layer.value_or(""));
 }
 
 std::vector<Property> touch() {
@@ -152,6 +183,12 @@ std::vector<Property> touch() {
           "restitution", "number?", "1", "of its first shape, nil without one; writing gives it to all",
           [](const World& w, BodyId b) { return restitution(w, b); },
           [](World& w, BodyId b, double v) { write_restitution(w, b, v); }),
+      property<BodyId>(
+          "layer", "string?", "", "of its first shape, nil without one; writing gives it to all",
+          [](const World& w, BodyId b) { return layer_of_body(w, b); },
+          [](World& w, BodyId b, const std::optional<std::string>& layer) { write_layer(w, b, layer); }),
+      property<BodyId>("colliders", "Collider[]", "", "its shapes, in the order of making",
+                       [](const World& w, BodyId b) { return w.bodies[b].shapes; }),
       property<BodyId>("contacts", "Contact[]", "", "where its shapes touch others, after the last step",
                        [](const World& w, BodyId b) { return contacts_of(w, b); }),
   };

@@ -23,9 +23,11 @@ Table table_of_numbers(const std::map<std::string, double>& numbers) {
 Table errors(const World& world) {
   const Accuracy now = accuracy(world);
   const Accuracy& worst = world.worst;
-  return {{"hinge_gap", now.hinge_gap},
+  return {{"penetration", now.penetration},
+          {"hinge_gap", now.hinge_gap},
           {"constraint", now.constraint},
           {"energy", now.energy},
+          {"worst_penetration", std::fmax(worst.penetration, now.penetration)},
           {"worst_hinge_gap", std::fmax(worst.hinge_gap, now.hinge_gap)},
           {"worst_constraint", std::fmax(worst.constraint, now.constraint)},
           {"worst_energy", std::fmax(worst.energy, now.energy)}};

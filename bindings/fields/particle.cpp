@@ -96,6 +96,10 @@ std::vector<Property> of_hinges() {
                           "enabled", "boolean", "", "of a hinge: whether its points stay together (default `true`)",
                           [](const World& w, ParticleId p) { return ring(w, p).enabled; },
                           [](World& w, ParticleId p, bool on) { set_enabled(w, awake(w, p), on); })),
+      called("hinge", property<ParticleId>(
+                          "collide", "boolean", "", "of a hinge: whether its bodies touch each other (default `false`)",
+                          [](const World& w, ParticleId p) { return ring(w, p).collide; },
+                          [](World& w, ParticleId p, bool on) { set_collide(w, p, on); })),
       called("hinge",
              of_parts({"force", "torque"},
                       property<ParticleId>(

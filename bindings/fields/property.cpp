@@ -123,6 +123,7 @@ const Type& type_of(const World& world, const AnyId& thing) {
   if (std::holds_alternative<InteractionId>(thing)) return interaction_type();
   if (std::holds_alternative<FieldId>(thing)) return field_type();
   if (std::holds_alternative<EmitterId>(thing)) return emitter_type();
+  if (std::holds_alternative<ShapeId>(thing)) return collider_type();
   return scene_type();
 }
 

@@ -73,6 +73,7 @@ const Type& field_type();
 const Type& group_type();
 const Type& family_type();
 const Type& emitter_type();
+const Type& collider_type();
 /// The settings of the world, which is no thing: its AnyId is std::monostate.
 const Type& scene_type();
 

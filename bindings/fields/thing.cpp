@@ -17,6 +17,7 @@ void with_rows(World_& world, const AnyId& thing, Use&& use) {
   if (const auto* interaction = std::get_if<InteractionId>(&thing)) return use(world.interactions, *interaction);
   if (const auto* field = std::get_if<FieldId>(&thing)) return use(world.fields, *field);
   if (const auto* emitter = std::get_if<EmitterId>(&thing)) return use(world.emitters, *emitter);
+  if (const auto* shape = std::get_if<ShapeId>(&thing)) return use(world.shapes, *shape);
 }
 
 Value read_name(const World& world, const AnyId& thing) {

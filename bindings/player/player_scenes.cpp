@@ -9,6 +9,7 @@
 #include "player/player.hpp"
 #include "scene/interrupt.hpp"
 #include "view/keys.hpp"
+#include "view/pick.hpp"
 
 namespace pantin::player {
 namespace {
@@ -223,7 +224,11 @@ void Player::choose() {
   for (const PointerEvent& event : gestures_.events)
     if (event.kind == PointerEvent::Kind::press && event.button == PointerEvent::Button::left) {
       chosen_ = {};
-      if (const PointId point = hands_.highlight(); scene_->world().points.alive(point)) chosen_ = point;
+      World& world = scene_->world();
+      if (const PointId point = hands_.highlight(); world.points.alive(point))
+        chosen_ = point;
+      else
+        chosen_ = pick_shape(world, camera_, event.x, event.y, renderer_.width(), renderer_.height());
     }
 }
 

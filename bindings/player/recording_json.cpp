@@ -85,8 +85,8 @@ void read(const Json& json, Handle<Row>& id) {
   id = {json.at(0), json.at(1)};
 }
 
-constexpr std::array<const char*, 11> kinds = {"nothing", "point",      "particle",    "body",  "constraint", "group",
-                                               "family",  "connection", "interaction", "field", "emitter"};
+constexpr std::array<const char*, 12> kinds = {"nothing", "point",      "particle",    "body",  "constraint", "group",
+                                               "family",  "connection", "interaction", "field", "emitter",    "shape"};
 static_assert(kinds.size() == std::variant_size_v<AnyId>);
 
 Json json_of(const AnyId& thing) {

@@ -72,12 +72,10 @@ std::string summary(const Scene& scene, const std::string& failure) {
   result["steps"] = world.steps;
   result["hash"] = hash;
   result["energy"] = property(world, "energy");
-  result["error"] = {{"hinge_gap", world.error.hinge_gap},
-                     {"constraint", world.error.constraint},
-                     {"energy", world.error.energy},
-                     {"worst_hinge_gap", world.worst.hinge_gap},
-                     {"worst_constraint", world.worst.constraint},
-                     {"worst_energy", world.worst.energy}};
+  result["error"] = {{"penetration", world.error.penetration},       {"hinge_gap", world.error.hinge_gap},
+                     {"constraint", world.error.constraint},         {"energy", world.error.energy},
+                     {"worst_penetration", world.worst.penetration}, {"worst_hinge_gap", world.worst.hinge_gap},
+                     {"worst_constraint", world.worst.constraint},   {"worst_energy", world.worst.energy}};
   if (world.settings.accuracy)
     result["accuracy"] = {{"wanted", property(world, "accuracy")},
                           {"per", property(world, "accuracy_per")},

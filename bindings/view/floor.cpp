@@ -6,6 +6,7 @@ namespace pantin {
 
 Floor floor_of(const World& world, ShapeId plane, const Stage& stage) {
   const Shape& shape = world.shapes[plane];
+  if (shape.extent) return {shape.at, 0.5 * *shape.extent};
   const Vec3 middle = 0.5 * (stage.lower + stage.upper), normal = matrix(shape.orientation)[2];
   return {middle - normal * dot(middle - shape.at, normal), 2.2 * stage.size};
 }

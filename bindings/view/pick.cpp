@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "measure/hits.hpp"
 #include "view/draw_list.hpp"
 
 namespace pantin {
@@ -69,6 +70,15 @@ ParticleId pick_hinge(const World& world, const Stage& stage, const Camera& came
     if (line.rate(best, shown_place(world, star(world, id)), 0.05 * stage.unit, 0.0)) found = id;
   }
   return found;
+}
+
+AnyId pick_shape(World& world, const Camera& camera, double x, double y, int width, int height) {
+  if (world.shapes.empty()) return {};
+  const Ray sight = camera.ray(x, y, width, height);
+  const std::vector<Hit> hits = hits_of_endless_ray(world, sight.from, sight.direction);
+  if (hits.empty()) return {};
+  const BodyId body = world.shapes[hits[0].shape].body;
+  return body ? AnyId(body) : AnyId(hits[0].shape);
 }
 
 }  // namespace pantin

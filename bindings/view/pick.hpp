@@ -13,4 +13,7 @@ PointId pick_point(const World& world, const Stage& stage, const Camera& camera,
 ParticleId pick_hinge(const World& world, const Stage& stage, const Camera& camera, double x, double y, int width,
                       int height, double reach = 24.0);
 
+/// The body, or else the shape of the world, that is seen at a pixel; sensors are seen through. Nothing: monostate.
+AnyId pick_shape(World& world, const Camera& camera, double x, double y, int width, int height);
+
 }  // namespace pantin

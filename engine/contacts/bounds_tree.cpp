@@ -103,31 +103,39 @@ void BoundsTree::refit(std::uint32_t node) {
 void BoundsTree::refit_upwards(std::uint32_t node) {
   while (node != none) {
     refit(node);
-    node = nodes_[balance(node)].parent;
+    exchange(node);
+    node = nodes_[node].parent;
   }
 }
 
-/// Where one side is higher by two, its root takes the node's place; gives what is there now.
-std::uint32_t BoundsTree::balance(std::uint32_t node) {
+/// Exchanges a side of a node for a half of the other side, where that makes the other side smaller, or leaves it as large and
+/// the node less high.
+void BoundsTree::exchange(std::uint32_t node) {
   const auto height = [&](std::uint32_t i) { return nodes_[i].height; };
-  const std::array<std::uint32_t, 2> side = nodes_[node].child;
-  const int more = height(side[1]) - height(side[0]);
-  if (more >= -1 && more <= 1) return node;
-
-  const std::size_t high = more > 0 ? 1 : 0;
-  const std::uint32_t rising = side[high];
-  const std::array<std::uint32_t, 2> grandchild = nodes_[rising].child;
-  const std::size_t keeps = height(grandchild[0]) > height(grandchild[1]) ? 0 : 1;
-  const std::uint32_t stays = grandchild[keeps], moves = grandchild[1 - keeps];
-  replace_child(nodes_[node].parent, node, rising);
-  nodes_[rising].parent = nodes_[node].parent;
-  nodes_[rising].child = {node, stays};
-  nodes_[node].parent = rising;
-  nodes_[node].child[high] = moves;
-  nodes_[moves].parent = node;
+  double best = 0.0;
+  std::size_t side = 0, half = 0;
+  bool found = false;
+  for (std::size_t s = 0; s < 2; s++) {
+    const std::uint32_t lone = nodes_[node].child[s], other = nodes_[node].child[1 - s];
+    if (nodes_[other].is_leaf()) continue;
+    for (std::size_t k = 0; k < 2; k++) {
+      const std::uint32_t leaves = nodes_[other].child[k], stays = nodes_[other].child[1 - k];
+      const double gain =
+          half_surface(nodes_[other].bounds) - half_surface(joined(nodes_[lone].bounds, nodes_[stays].bounds));
+      const bool lower = height(leaves) > std::max(height(lone), height(stays));
+      if (!(gain > best || (gain == 0.0 && !found && lower))) continue;
+      best = gain, side = s, half = k, found = true;
+    }
+  }
+  if (!found) return;
+  const std::uint32_t lone = nodes_[node].child[side], other = nodes_[node].child[1 - side],
+                      leaves = nodes_[other].child[half];
+  nodes_[node].child[side] = leaves;
+  nodes_[other].child[half] = lone;
+  nodes_[leaves].parent = node;
+  nodes_[lone].parent = other;
+  refit(other);
   refit(node);
-  refit(rising);
-  return rising;
 }
 
 }  // namespace pantin

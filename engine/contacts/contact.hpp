@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include "base/handle.hpp"
 #include "base/lanes.hpp"
 
 namespace pantin {
@@ -18,6 +19,12 @@ struct ContactKey {
   bool same_shapes(const ContactKey& k) const { return a == k.a && b == k.b; }
 };
 
+/// How a shape is round where it touches: what turns there is its core, or what of it is not about an axis.
+struct Roundness {
+  double radius = 0.0;  ///< [m] of the surface about the core; of a cylinder its own
+  Vec3 axis = zero3();  ///< of a cylinder, in the world; else 0
+};
+
 /// A point at which two shapes touch, or soon may. Shape a is a body's.
 struct Contact {
   ContactKey key;
@@ -28,6 +35,7 @@ struct Contact {
   double gap = 0.0;          ///< [m] below 0: overlap
   double size = 1.0;         ///< [m] thickness of the smaller shape: lengths are held against it
   double friction = 0.0, restitution = 0.0;
+  Roundness round_a, round_b;
   Vec3 belt = zero3();     ///< [m/s] by which the surface of a moves on it, less that of b
   Vec3 placing = zero3();  ///< [N s] on a: of the stage before the drift, which keeps shapes from overlapping
   Vec3 total = zero3();    ///< [N s] on a: of all the step, which the velocities after it have
@@ -51,12 +59,36 @@ struct TouchedBody {
   std::uint32_t asleep = 0;  ///< number of the island that sleeps with it, from 1; 0: awake
 };
 
+struct Body;
+struct Shape;
+
+/// A body that touches another, or a shape of the world.
+struct TouchPair {
+  Handle<Body> a, b;  ///< b null: `ground`
+  Handle<Shape> ground;
+  friend auto operator<=>(const TouchPair&, const TouchPair&) = default;
+};
+
+/// How two pressed on each other in a step, or in a stage of it.
+struct Touch {
+  TouchPair pair;
+  Vec3 at = zero3();      ///< [m] mean, by impulse
+  Vec3 normal = zero3();  ///< from b to a: of unit length, or in sums times the impulse
+  double impulse = 0.0;   ///< [N s] along the normal; 0 of a sensor
+  double speed = 0.0;     ///< [m/s] with which they neared each other
+};
+
 struct Contacts {
   std::vector<Contact> list;        ///< by key
+  std::vector<Contact> sensed;      ///< by key: those of sensors, which the stages do not know
   std::vector<Placing> placed;      ///< in this step
   std::vector<TouchedBody> bodies;  ///< (slots of bodies)
   double work = 0.0;                ///< [J] of those, with what ties answered: told with the rest of the step
   bool stale = true;                ///< positions or shapes changed since they were found
+
+  bool watched = false;             ///< somebody wants to be told who begins and ends to touch
+  std::vector<Touch> felt;          ///< where watched: in this step so far, of each stage
+  std::vector<TouchPair> touching;  ///< where watched: at the end of the last step, rising
 };
 
 }  // namespace pantin

@@ -42,7 +42,9 @@ Bounds widened(Bounds b, double margin) {
   return {b.low - by, b.high + by};
 }
 
-bool may_touch(const ContactFinder& finder, const Shape& a, const Shape& b) {
+/// `rule`: of their layers, or null.
+bool may_touch(const ContactFinder& finder, const Shape& a, const Shape& b, const LayerRule* rule) {
+  if (rule && !rule->collide) return false;
   if (!a.body && !b.body) return false;
   if (a.body && b.body) {
     if (a.body == b.body) return false;
@@ -75,13 +77,24 @@ struct Collector final : ManifoldSink {
   }
 };
 
+Roundness roundness_of(const Geometry& shape, const Pose& pose) {
+  if (const auto* cylinder = std::get_if<CylinderShape>(&shape)) return {cylinder->radius, pose.R[2]};
+  return {is_convex(shape) ? rounding_of(shape) : 0.0, zero3()};
+}
+
 /// How its surface moves on it [m/s], world axes.
 Vec3 belt_of(const Shape& shape, const Placed& placed) {
   const Vec3 v = shape.material.surface_velocity;
   return norm2(v) == 0.0 ? v : placed.pose.R * transposed_times(matrix(shape.orientation), v);
 }
 
-double friction_of(const Shape& a, const Shape& b) { return std::sqrt(a.material.friction * b.material.friction); }
+double friction_of(const Shape& a, const Shape& b, const LayerRule* rule) {
+  return rule && rule->friction ? *rule->friction : std::sqrt(a.material.friction * b.material.friction);
+}
+
+double restitution_of(const Shape& a, const Shape& b, const LayerRule* rule) {
+  return rule && rule->restitution ? *rule->restitution : std::max(a.material.restitution, b.material.restitution);
+}
 
 void keep_impulses(const std::vector<Contact>& before, std::vector<Contact>& now) {
   auto old = before.begin();
@@ -134,7 +147,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> tied_bodies(const Model& m)
   };
   for (const ParticleId id : m.particles.ids()) {
     const Particle& ring = m.particles[id];
-    if (!ring.joins()) continue;
+    if (!ring.joins() || ring.collide) continue;
     for (std::size_t i = 0; i < ring.points.size(); i++)
       for (std::size_t j = 0; j < i; j++) add(m.points[ring.points[i]].body, m.points[ring.points[j]].body);
   }
@@ -145,10 +158,69 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> tied_bodies(const Model& m)
   return pairs;
 }
 
-void find_contacts(const Placement& p, ContactFinder& finder, Contacts& contacts) {
+namespace {
+
+std::vector<HingedPair> hinged_pairs(const Model& m) {
+  std::vector<HingedPair> pairs;
+  for (const ParticleId id : m.particles.ids()) {
+    const Particle& ring = m.particles[id];
+    if (!ring.joins() || !ring.collide) continue;
+    Vec3 axis = zero3();
+    if (!ring.axes.empty()) {
+      const Constraint& c = m.constraints[ring.axes[0]];
+      axis = rotate(orientation(m, c.body_a), c.axis_a);
+    }
+    for (const PointId i : ring.points)
+      for (const PointId j : ring.points) {
+        const BodyId a = m.points[i].body, b = m.points[j].body;
+        if (a && b && a.slot < b.slot)
+          pairs.push_back({a.slot - 1, b.slot - 1, arm(m, i), rotate(conjugate(m.motion_of(a).q), axis)});
+      }
+  }
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const HingedPair& x, const HingedPair& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); });
+  return pairs;
+}
+
+/// Leaves out contacts where a hinge is: it keeps these together, so that impulses there would have no bound.
+void drop_at_hinges(const Placement& p, const std::vector<HingedPair>& hinged, std::vector<Contact>& list) {
+  constexpr double near = 0.05;  // of the size
+  if (hinged.empty()) return;
+  const auto is_before = [](const HingedPair& h, const std::pair<std::uint32_t, std::uint32_t>& bodies) {
+    return std::pair(h.a, h.b) < bodies;
+  };
+  std::erase_if(list, [&](const Contact& c) {
+    const auto b = static_cast<std::uint32_t>(c.body_b);  // of the world: of no body
+    const std::pair bodies(std::min(c.body_a, b), std::max(c.body_a, b));
+    auto h = std::lower_bound(hinged.begin(), hinged.end(), bodies, is_before);
+    for (; h != hinged.end() && std::pair(h->a, h->b) == bodies; h++) {
+      const BodyState s = state_of(p.model, p.articulates, h->a, p.drifted);
+      const Vec3 d = c.at - s.x - s.R * h->arm, axis = s.R * h->axis;
+      if (norm(d - axis * dot(axis, d)) < near * c.size) return true;
+    }
+    return false;
+  });
+}
+
+}  // namespace
+
+bool renew(std::unique_ptr<ContactFinder>& finder, Model& model) {
+  const bool changed = !finder || model.places_changed;
+  if (!finder) finder = std::make_unique<ContactFinder>();
+  if (changed) finder->tied = tied_bodies(model);
+  if (changed) finder->hinged = hinged_pairs(model);
+  model.places_changed = false;
+  return changed;
+}
+
+namespace {
+
+/// (slots of shapes)
+std::vector<Placed> place_all(const Placement& p, ContactFinder& finder) {
   const Store<Shape>& shapes = p.model.shapes;
   std::vector<Placed> placed(shapes.slots());
   finder.serials.resize(shapes.slots(), 0);
+  finder.height_fields.clear();
   for (std::uint32_t s = 0; s < shapes.slots(); s++) {
     const bool alive = shapes.alive_at(s);
     if (finder.serials[s] != 0 && (!alive || finder.serials[s] != shapes.at_slot(s).serial))
@@ -156,35 +228,53 @@ void find_contacts(const Placement& p, ContactFinder& finder, Contacts& contacts
     finder.serials[s] = alive ? shapes.at_slot(s).serial : 0;
     if (!alive) continue;
     const Shape& shape = shapes.at_slot(s);
+    if (std::holds_alternative<std::shared_ptr<const HeightField>>(shape.geometry)) finder.height_fields.push_back(s);
     placed[s] = place(p, shape);
     const double slack = placed[s].moves ? placed[s].margin + 0.1 * thickness_of(shape.geometry) : 0.0;
     finder.broad_phase.put({widened(bounds_of(shape.geometry, placed[s].pose), placed[s].margin), s, placed[s].moves},
                            slack);
   }
-  std::vector<Contact> now;
+  return placed;
+}
+
+}  // namespace
+
+void put_bounds(const Placement& p, ContactFinder& finder) { place_all(p, finder); }
+
+void find_contacts(const Placement& p, ContactFinder& finder, Contacts& contacts) {
+  const Store<Shape>& shapes = p.model.shapes;
+  const std::vector<Placed> placed = place_all(p, finder);
+  std::vector<Contact> now, sensed;
   Collector collector;
-  collector.to = &now;
   for (const auto& [first, second] : finder.broad_phase.pairs()) {
     const Shape &x = shapes.at_slot(first), &y = shapes.at_slot(second);
-    if (!may_touch(finder, x, y)) continue;
+    const LayerRule* rule = p.model.layers.rule(x.layer, y.layer);
+    if (!may_touch(finder, x, y, rule)) continue;
     const bool swapped = !x.body;
     const std::uint32_t a = swapped ? second : first, b = swapped ? first : second;
     const Shape &sa = shapes.at_slot(a), &sb = shapes.at_slot(b);
+    collector.to = sa.sensor || sb.sensor ? &sensed : &now;
     collector.key = {a, b, 0, 0};
     collector.like.body_a = sa.body.slot - 1;
     collector.like.body_b = sb.body ? static_cast<std::int32_t>(sb.body.slot - 1) : -1;
     const double ta = thickness_of(sa.geometry), tb = thickness_of(sb.geometry);
     collector.like.size = std::min(ta, tb);
-    collector.like.friction = friction_of(sa, sb);
-    collector.like.restitution = std::max(sa.material.restitution, sb.material.restitution);
+    collector.like.friction = friction_of(sa, sb, rule);
+    collector.like.restitution = restitution_of(sa, sb, rule);
+    collector.like.round_a = roundness_of(sa.geometry, placed[a].pose);
+    collector.like.round_b = roundness_of(sb.geometry, placed[b].pose);
     collector.like.belt = belt_of(sa, placed[a]) - belt_of(sb, placed[b]);
     SeparationCache cache;
     find_manifolds(sa.geometry, placed[a].pose, sb.geometry, placed[b].pose, placed[a].margin + placed[b].margin, cache,
                    collector);
   }
-  std::sort(now.begin(), now.end(), [](const Contact& a, const Contact& b) { return a.key < b.key; });
+  drop_at_hinges(p, finder.hinged, now);
+  const auto by_key = [](const Contact& a, const Contact& b) { return a.key < b.key; };
+  std::sort(now.begin(), now.end(), by_key);
+  std::sort(sensed.begin(), sensed.end(), by_key);
   keep_impulses(contacts.list, now);
   contacts.list = std::move(now);
+  contacts.sensed = std::move(sensed);
   contacts.stale = false;
 }
 

@@ -14,6 +14,7 @@ namespace pantin {
 namespace {
 
 constexpr double touching = 1e-5;                          // of the size: a gap that is as good as closed
+constexpr double held_gap = 1e-2;                          // of the size: that may be left of one that was to be closed
 constexpr double soft_overlap = 1e-8;                      // of the size: what the largest load of an island makes
 constexpr double told_overlap = 3e-4;                      // of the size: what overlaps more is pushed out,
 constexpr double left_overlap = 2e-4;                      // down to this
@@ -119,13 +120,23 @@ void solve(Contacts& contacts, TouchIsland& island, std::size_t stage, TouchRepo
   });
 }
 
-/// n·(ω × (ω × r)) of both ends: by how much turning alone opens the gap [m/s²].
-double opening(const TouchIsland& island, const IslandContact& c) {
-  const auto of = [&](std::int32_t body, Vec3 r) {
-    const Vec3 w = island.problem.bodies[static_cast<std::size_t>(body)].w0, n = c.frame[0];
-    return dot(n, w) * dot(w, r) - norm2(w) * dot(n, r);
-  };
-  return of(c.a, c.ra) - (c.b < 0 ? 0.0 : of(c.b, c.rb));
+/// By how much turning alone moves a surface away along `out` [m/s²], the normal that points into its shape, at the arm r to
+/// it: n·(ω × (ω × r)) of what turns with the body there, less what a round surface has behind it.
+double opening(const IslandBody& body, Vec3 r, Vec3 out, const Roundness& round) {
+  const Vec3 w = body.w0, turning = norm2(round.axis) > 0.0 ? r : r + out * round.radius;
+  const double edge = dot(out, w) * dot(w, turning) - norm2(w) * dot(out, turning);
+  if (edge <= 0.0 || norm2(round.axis) == 0.0) return edge;
+  const Vec3 across = out - round.axis * dot(round.axis, out);
+  const double size = norm(across), turn = dot(cross(round.axis, across), cross(w, out));
+  return size > 0.0 ? std::max(0.0, edge - round.radius * turn * turn / (size * size * size)) : edge;
+}
+
+double opening(const TouchIsland& island, const IslandContact& c, const Contact& from) {
+  const std::vector<IslandBody>& bodies = island.problem.bodies;
+  const Vec3 n = c.frame[0], half = n * (0.5 * from.gap);
+  if (c.b < 0) return opening(bodies[static_cast<std::size_t>(c.a)], c.ra, n, from.round_a);
+  return opening(bodies[static_cast<std::size_t>(c.a)], c.ra + half, n, from.round_a) +
+         opening(bodies[static_cast<std::size_t>(c.b)], c.rb - half, n * -1.0, from.round_b);
 }
 
 /// Forces that the drift will have beside contacts: gravity, pushes, and what soft rows pulled with last.
@@ -164,7 +175,7 @@ void place(TouchSpace& space, Model& model, const Articulates& articulates, Cont
       from.approach = dot(from.normal, relative(c, problem.bodies, &IslandBody::v0, &IslandBody::w0));
       const double gap = std::max(from.gap / h, -c.compliance * std::max(0.0, dot(from.placing, from.normal)));
       c.bias = to_frame(c, from.belt);
-      c.bias[0] = gap + 0.5 * h * opening(island, c);
+      c.bias[0] = gap + 0.5 * h * opening(island, c, from);
       c.start = to_frame(c, from.placing);
     }
     for (IslandTie& t : problem.ties) {
@@ -244,7 +255,7 @@ void meet(TouchSpace& space, Model& model, const Articulates& articulates, Conta
   std::vector<char> used(contacts.list.size(), 0);
   for (std::size_t k = 0; k < used.size(); k++) {
     Contact& c = contacts.list[k];
-    used[k] = c.gap <= touching * c.size || norm2(c.placing) > 0.0;
+    used[k] = c.gap <= (norm2(c.placing) > 0.0 ? held_gap : touching) * c.size;
     if (!used[k]) c.total = zero3();
   }
   for (TouchIsland& island : gather(space, model, articulates, contacts, settings, used)) {

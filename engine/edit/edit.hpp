@@ -64,7 +64,10 @@ struct ShapeDef {
   Vec3 at = zero3();  ///< [m]
   Quat orientation;   ///< normalised when made
   Material material;
+  std::string layer;                          ///< empty: of none
+  bool sensor = false;                        ///< tells what it touches, and pushes nothing
   Color color = {0.62f, 0.64f, 0.66f, 1.0f};  ///< of one of the world's
+  std::optional<double> extent;               ///< [m] > 0: across which a half space is drawn, about its origin
   std::string name;
 };
 
@@ -88,6 +91,7 @@ struct HingeDef {
   std::optional<double> radius;                               ///< [m]
   double lifetime = std::numeric_limits<double>::infinity();  ///< [s] > 0
   std::optional<Vec3> axis;                                   ///< turns about it only; world axes, of any length but 0
+  bool collide = false;                                       ///< its bodies touch each other, too
   std::string name;
 };
 
@@ -133,6 +137,19 @@ BodyId add_body(World& world, const BodyDef& def);
 ShapeId add_shape(World& world, const ShapeDef& def);
 /// One more shape of a body, whose mass stays as it is.
 ShapeId add_shape(World& world, BodyId body, const ShapeDef& def);
+/// The layer of this name; it exists from now on. 0 for the empty one: none.
+std::uint32_t layer_of(World& world, std::string_view name);
+void set_extent(World& world, ShapeId half_space, std::optional<double> extent);  ///< [m] > 0
+void set_layer(World& world, ShapeId shape, std::string_view layer);
+void set_sensor(World& world, ShapeId shape, bool sensor);
+void set_friction(World& world, ShapeId shape, double friction);        ///< >= 0
+void set_restitution(World& world, ShapeId shape, double restitution);  ///< 0 … 1
+void set_surface_velocity(World& world, ShapeId shape, Vec3 velocity);  ///< [m/s]
+/// How shapes of two layers, or two of one, touch from now on: `rule.a` and `rule.b` are set by this.
+void set_rule(World& world, std::string_view a, std::string_view b, LayerRule rule);
+/// Whether the bodies of a hinge touch each other.
+void set_collide(World& world, ParticleId hinge, bool collide);
+
 /// Joins points of different bodies (or free points) into one ring. Points may be in hinges already: the rings unite.
 ParticleId add_hinge(World& world, std::span<const PointId> points, const HingeDef& def = {});
 /// Keeps a point at `at` [m], or where it is. One far from `at` is drawn there with `time_constant` [s].

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "edit/common.hpp"
 #include "shapes/mass.hpp"
@@ -32,6 +33,10 @@ struct Checker {
   }
 };
 
+void require_restitution(const std::string& who, double restitution) {
+  require(restitution >= 0.0 && restitution <= 1.0, who, ": restitution must be from 0 to 1, got ", restitution);
+}
+
 ShapeId insert(World& world, const ShapeDef& def, BodyId body) {
   Shape row;
   row.geometry = def.geometry;
@@ -39,7 +44,10 @@ ShapeId insert(World& world, const ShapeDef& def, BodyId body) {
   row.at = def.at;
   row.orientation = unit("shape", def.orientation);
   row.material = def.material;
+  row.layer = layer_of(world, def.layer);
+  row.sensor = def.sensor;
   row.color = def.color;
+  row.extent = def.extent;
   row.name = def.name;
   row.serial = world.next_serial++;
   world.places_changed = world.unchecked = true;
@@ -47,13 +55,14 @@ ShapeId insert(World& world, const ShapeDef& def, BodyId body) {
 }
 
 void erase(World& world, ShapeId id, const std::string& who) {
-  const std::string what = world.shapes[id].name.empty() ? "shape" : text("shape '", world.shapes[id].name, "'");
-  world.shapes.remove(id, {what, world.time, who, 0});
+  world.shapes.remove(id, {describe(world, id), world.time, who, 0});
   world.places_changed = true;
 }
 
-/// Mass, centre and inertia about it of shapes filled with their density.
-OwnMass mass_of(const std::vector<ShapeDef>& shapes) {
+/// Mass, centre and inertia about it of shapes filled with their density. Sensors weigh nothing beside others.
+OwnMass mass_of(std::vector<ShapeDef> shapes) {
+  const auto is_sensor = [](const ShapeDef& s) { return s.sensor; };
+  if (!std::all_of(shapes.begin(), shapes.end(), is_sensor)) std::erase_if(shapes, is_sensor);
   OwnMass sum;
   for (const ShapeDef& s : shapes) {
     const SolidMass solid = solid_mass(s.geometry);
@@ -83,7 +92,8 @@ void check_shape(const std::string& who, const ShapeDef& def, bool of_body) {
   const Material& m = def.material;
   require_positive(who, "density", m.density, "kg/m³");
   require_not_negative(who, "friction", m.friction, "");
-  require(m.restitution >= 0.0 && m.restitution <= 1.0, who, ": restitution must be from 0 to 1, got ", m.restitution);
+  require_restitution(who, m.restitution);
+  if (def.extent) require_positive(who, "size", *def.extent, "m");
   require_finite(who, "surface_velocity", m.surface_velocity, "m/s");
 }
 
@@ -127,6 +137,84 @@ void remove(World& world, ShapeId id) {
   require_unlocked(world, "remove");
   if (const BodyId body = world.shapes[id].body) std::erase(world.bodies[body].shapes, id);
   erase(world, id, culprit(world));
+  notice(world, Notice::Kind::removed, id, world.shapes.story(id));
+}
+
+std::uint32_t layer_of(World& world, std::string_view name) {
+  if (name.empty()) return 0;
+  auto& names = world.layers.names;
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) {
+    names.emplace_back(name);
+    return static_cast<std::uint32_t>(names.size());
+  }
+  return static_cast<std::uint32_t>(found - names.begin()) + 1;
+}
+
+namespace {
+
+/// The row of a shape that is about to be written.
+Shape& written(World& world, ShapeId id, const char* what) {
+  require_unlocked(world, what);
+  Shape& shape = world.shapes[id];
+  world.places_changed = true;
+  return shape;
+}
+
+}  // namespace
+
+void set_layer(World& world, ShapeId id, std::string_view layer) {
+  written(world, id, "layer").layer = layer_of(world, layer);
+}
+
+void set_extent(World& world, ShapeId id, std::optional<double> extent) {
+  require_unlocked(world, "size");
+  const std::string who = describe(world, id);
+  require(std::holds_alternative<HalfSpaceShape>(world.shapes[id].geometry), who,
+          ": size is of planes alone, which have no end");
+  if (extent) require_positive(who, "size", *extent, "m");
+  world.shapes[id].extent = extent;
+}
+
+void set_sensor(World& world, ShapeId id, bool sensor) { written(world, id, "sensor").sensor = sensor; }
+
+void set_friction(World& world, ShapeId id, double friction) {
+  require_not_negative(describe(world, id), "friction", friction, "");
+  written(world, id, "friction").material.friction = friction;
+}
+
+void set_restitution(World& world, ShapeId id, double restitution) {
+  require_restitution(describe(world, id), restitution);
+  written(world, id, "restitution").material.restitution = restitution;
+}
+
+void set_surface_velocity(World& world, ShapeId id, Vec3 velocity) {
+  require_finite(describe(world, id), "surface_velocity", velocity, "m/s");
+  written(world, id, "surface_velocity").material.surface_velocity = velocity;
+}
+
+void set_rule(World& world, std::string_view a, std::string_view b, LayerRule rule) {
+  require_unlocked(world, "collide");
+  require(!a.empty() && !b.empty(), "collide: a layer must have a name");
+  if (rule.friction) require_not_negative("collide", "friction", *rule.friction, "");
+  if (rule.restitution) require_restitution("collide", *rule.restitution);
+  const std::uint32_t x = layer_of(world, a), y = layer_of(world, b);
+  std::tie(rule.a, rule.b) = std::minmax(x, y);
+  Layers& layers = world.layers;
+  const auto at = layers.rules.begin() + static_cast<std::ptrdiff_t>(layers.index(x, y));
+  if (layers.rule(x, y))
+    *at = rule;
+  else
+    layers.rules.insert(at, rule);
+  world.places_changed = true;
+}
+
+void set_collide(World& world, ParticleId id, bool collide) {
+  require_unlocked(world, "collide");
+  Particle& hinge = world.particles[awake(world, id)];
+  require(hinge.is_hinge(), "collide: ", describe(world, id), " is no hinge");
+  hinge.collide = collide;
+  world.places_changed = true;
 }
 
 }  // namespace pantin

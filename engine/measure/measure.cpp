@@ -7,6 +7,7 @@
 #include "base/hash.hpp"
 #include "constraints/kind.hpp"
 #include "contacts/find.hpp"
+#include "contacts/touching.hpp"
 #include "forces/forces.hpp"
 #include "forces/work_check.hpp"
 #include "measure/energy_scale.hpp"
@@ -59,6 +60,9 @@ struct Collect {
   void operator()(EmitterId id) {
     for (ParticleId p : world.particles.ids())
       if (world.particles[p].emitter == id) (*this)(p);
+  }
+  void operator()(ShapeId id) {
+    if (const BodyId body = world.shapes[id].body) (*this)(body);
   }
   void operator()(GroupId id) {
     const auto& members = world.groups[id].members;
@@ -177,6 +181,7 @@ Accuracy accuracy(const World& world) {
     worst = std::fmax(worst, present_gap(world, c));
   }
   a.constraint = std::fmax(a.constraint, a.hinge_gap);
+  a.penetration = penetration(world.contacts);
   const Energy now = energy(world);
   if (const double scale = energy_scale(world, now); scale > 0.0 && world.steps > 0)
     a.energy = (std::fabs(now.total() - world.start_energy - world.work) + std::fabs(missed_work(world))) / scale;

@@ -38,6 +38,7 @@ AnyId find(const World& world, std::string_view name) {
   oldest.look(world.interactions);
   oldest.look(world.fields);
   oldest.look(world.emitters);
+  oldest.look(world.shapes);
   return oldest.id;
 }
 

@@ -10,13 +10,14 @@
 #include "model/family.hpp"
 #include "model/force_element.hpp"
 #include "model/particle.hpp"
+#include "model/shape.hpp"
 
 namespace pantin {
 
 struct Group;
 /// Any thing a script can name.
 using AnyId = std::variant<std::monostate, PointId, ParticleId, BodyId, ConstraintId, Handle<Group>, FamilyId,
-                           ConnectionId, InteractionId, FieldId, EmitterId>;
+                           ConnectionId, InteractionId, FieldId, EmitterId, ShapeId>;
 
 /// A named set of things, in the order of adding.
 struct Group {

@@ -284,6 +284,14 @@ std::string describe(const Model& m, EmitterId id) {
   return m.emitters.alive(id) ? called("emitter", m.emitters[id]) : m.emitters.story(id);
 }
 
+std::string describe(const Model& m, ShapeId id) {
+  if (!m.shapes.alive(id)) return m.shapes.story(id);
+  const Shape& shape = m.shapes[id];
+  const bool plane = std::holds_alternative<HalfSpaceShape>(shape.geometry);
+  const std::string own = called(shape.body ? "shape" : plane ? "floor" : "ground", shape);
+  return shape.body ? text(own, " of ", describe(m, shape.body)) : own;
+}
+
 std::string describe(const Model& m, const AnyId& id) {
   return std::visit(
       [&](const auto& which) -> std::string {
@@ -347,6 +355,7 @@ struct Alive {
   bool operator()(InteractionId id) const { return m.interactions.alive(id); }
   bool operator()(FieldId id) const { return m.fields.alive(id); }
   bool operator()(EmitterId id) const { return m.emitters.alive(id); }
+  bool operator()(ShapeId id) const { return m.shapes.alive(id); }
   /// A group is gone when it had members and none lives.
   bool operator()(GroupId id) const {
     if (!m.groups.alive(id)) return false;

@@ -12,6 +12,7 @@
 #include "model/family.hpp"
 #include "model/force_element.hpp"
 #include "model/group.hpp"
+#include "model/layers.hpp"
 #include "model/particle.hpp"
 #include "model/plane.hpp"
 #include "model/point.hpp"
@@ -41,6 +42,7 @@ struct Model {
   Store<Field> fields;
   Store<Emitter> emitters;
   Store<Shape> shapes;
+  Layers layers;  ///< that shapes are in
   std::uint64_t next_serial = 1;
   bool topology_changed = true;         ///< an edit waits for `find_articulates`
   bool force_elements_changed = false;  ///< an edit concerns which laws act on what
@@ -130,6 +132,7 @@ std::string describe(const Model& m, ConnectionId id);
 std::string describe(const Model& m, InteractionId id);
 std::string describe(const Model& m, FieldId id);
 std::string describe(const Model& m, EmitterId id);
+std::string describe(const Model& m, ShapeId id);
 std::string describe(const Model& m, const AnyId& id);
 bool alive(const Model& m, const AnyId& id);
 

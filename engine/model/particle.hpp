@@ -32,6 +32,7 @@ struct Particle {
   std::shared_ptr<const Curves> curves;                       ///< what of it follows its age; null: nothing
   Handle<Emitter> emitter;                                    ///< that made it, or null
   bool enabled = true;                                        ///< of a hinge: whether its points stay together
+  bool collide = false;                                       ///< of a hinge: whether its bodies touch each other
   Breaking breaks_at;                                         ///< of a hinge
   std::vector<Handle<Constraint>> axes;  ///< of a hinge with an axis: one from its first body to each other
   std::string name;

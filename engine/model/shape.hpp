@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,10 @@ struct Shape {
   Vec3 at = zero3();  ///< [m] of its origin, in the body's frame or the world
   Quat orientation;   ///< its axes to those
   Material material;
-  Color color;  ///< of one of the world's
+  std::uint32_t layer = 0;       ///< in Model::layers; 0: none
+  bool sensor = false;           ///< tells what it touches, and pushes nothing
+  Color color;                   ///< of one of the world's
+  std::optional<double> extent;  ///< [m] across which a half space is drawn, about its origin; none: as the stage wants
   std::string name;
   std::uint64_t serial = 0;
 };

@@ -8,6 +8,7 @@
 #include "choreography/hands.hpp"
 #include "choreography/resume.hpp"
 #include "constraints/coupling.hpp"
+#include "contacts/touching.hpp"
 #include "edit/common.hpp"
 #include "edit/edit.hpp"
 
@@ -212,6 +213,23 @@ void carry_hands(const World& old, const Made& before, World& fresh, CarriedOver
   }
 }
 
+/// What touched is not told anew, should somebody listen.
+void carry_touching(const World& old, World& fresh, const Counterparts& to) {
+  const auto counterpart = [&](auto id) {
+    const auto found = to.find(AnyId(id));
+    return found == to.end() ? decltype(id){} : std::get<decltype(id)>(found->second);
+  };
+  std::vector<TouchPair>& touching = fresh.contacts.touching;
+  for (const TouchPair& pair : touching_now(old, old.contacts)) {
+    const BodyId a = counterpart(pair.a), b = counterpart(pair.b);
+    const ShapeId ground = counterpart(pair.ground);
+    if (!a || (!b && !ground)) continue;
+    touching.push_back(b ? TouchPair{std::min(a, b), std::max(a, b), {}} : TouchPair{a, {}, ground});
+  }
+  std::sort(touching.begin(), touching.end());
+  fresh.contacts.watched = !touching.empty();
+}
+
 }  // namespace
 
 Made made(const World& world) {
@@ -229,6 +247,7 @@ Made made(const World& world) {
   add(list, world.interactions, any);
   add(list, world.fields, any);
   add(list, world.emitters, any);
+  add(list, world.shapes, [](const Shape& shape) { return shape.body ? no_sort : std::size_t{0}; });
   add(list, world.groups, any);
   for (MadeThing& thing : list.things) {
     if (const auto* body = std::get_if<BodyId>(&thing.id)) thing.points = world.bodies[*body].points;
@@ -256,6 +275,7 @@ CarriedOver carry_over(const World& old, const Made& before, World& fresh, const
   carry_events(before, fresh, now);
   carry_things(old, fresh, list, to);
   carry_emitters(fresh);
+  carry_touching(old, fresh, to);
   carry_hands(old, before, fresh, carried);
   fresh.random = old.random;
   // What was done here is no news to the scripts, nor anybody's act.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "articulates/articulate.hpp"
+#include "contacts/find.hpp"
 #include "edit/common.hpp"
 #include "forces/forces.hpp"
 #include "forces/solved.hpp"
@@ -76,6 +77,7 @@ void restore(World& world, const Snapshot& snapshot) {
   const Snapshot::Held& held = *snapshot.held_;
   tell_events(world.choreography.events, held.data.choreography.events);
   static_cast<WorldData&>(world) = held.data;
+  world.contact_finder.reset();  // it knows who is tied
   world.articulates.clear();
   for (const Articulate& articulate : held.articulates)
     world.articulates.push_back(std::make_unique<Articulate>(articulate));

@@ -100,6 +100,8 @@ void begin_again(World& world) {
   world.ledger = s.ledger;
   world.stats = s.stats;
   world.stats.rejected = rejected;
+  world.contacts = s.contacts;
+  world.contacts.stale = true;
   world.work = s.work;
   world.nonconservative_work = s.nonconservative_work;
   world.work_check = s.work_check;

@@ -2,6 +2,7 @@
 
 #include "articulates/articulate.hpp"
 #include "articulates/solve/state.hpp"
+#include "contacts/touching.hpp"
 #include "forces/forces.hpp"
 #include "forces/integrator.hpp"
 #include "forces/sleep.hpp"
@@ -113,9 +114,24 @@ void measure_errors(World& world, const OfLoosePoints& points) {
     now.energy = wrong / scale;
     world.worst.energy = world.worst_energy / scale;
   }
+  now.penetration = penetration(world.contacts);
+  world.worst.penetration = std::max(world.worst.penetration, now.penetration);
   world.worst.hinge_gap = std::max(world.worst.hinge_gap, now.hinge_gap);
   world.worst.constraint = std::max(world.worst.constraint, now.constraint);
   world.error = now;
+}
+
+void tell_touch(World& world) {
+  const auto tell = [&](Notice::Kind kind, const Touch& touch) {
+    Notice notice;
+    notice.kind = kind;
+    notice.thing = touch.pair.a;
+    notice.touch = touch;
+    world.notices.push_back(std::move(notice));
+  };
+  const TouchChanges changes = take_changes(world, world.contacts);
+  for (const TouchPair& pair : changes.parted) tell(Notice::Kind::parted, {pair});
+  for (const Touch& touch : changes.touched) tell(Notice::Kind::touched, touch);
 }
 
 }  // namespace
@@ -143,6 +159,7 @@ void end_step(World& world) {
   if (world.pushed) end_pushes(world);
   end_ledger(world);
   measure_errors(world, points);
+  if (world.contacts.watched) tell_touch(world);
   for (Probe& probe : world.probes) probe.latest = probe.read();  // one that fails leaves no row half recorded
   for (Probe& probe : world.probes) probe.values.push_back(probe.latest);
 }

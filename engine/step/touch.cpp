@@ -4,6 +4,7 @@
 #include "contacts/find.hpp"
 #include "contacts/gather.hpp"
 #include "contacts/stages.hpp"
+#include "contacts/touching.hpp"
 #include "step/ledger_posts.hpp"
 #include "step/phases.hpp"
 
@@ -32,14 +33,10 @@ void post_contacts(World& world, const TouchReport& report) {
 
 /// Finds contacts where things are now.
 void find(World& world, bool drifted) {
-  if (!world.contact_finder) {
-    world.contact_finder = std::make_unique<ContactFinder>();
-    world.touch_space = std::make_unique<TouchSpace>();
-  }
-  ContactFinder& finder = *world.contact_finder;
-  if (world.places_changed) finder.tied = tied_bodies(world);
-  world.places_changed = false;
-  find_contacts({world, world.articulates, drifted, world.settings.gravity, world.stage.h}, finder, world.contacts);
+  if (!world.touch_space) world.touch_space = std::make_unique<TouchSpace>();
+  renew(world.contact_finder, world);
+  find_contacts({world, world.articulates, drifted, world.settings.gravity, world.stage.h}, *world.contact_finder,
+                world.contacts);
 }
 
 }  // namespace
@@ -74,6 +71,7 @@ void meet_contacts(World& world) {
   meet(*world.touch_space, world, world.articulates, world.contacts, settings_of(world, true), report);
   post_contacts(world, report);
   count(world, report);
+  if (world.contacts.watched) feel(world, world.articulates, world.contacts);
   world.stats.contacts = report.contacts;
   world.stats.contact_islands = report.islands;
 }

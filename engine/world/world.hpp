@@ -43,12 +43,26 @@ struct Hand {
 
 /// Something that happened; told to scripts in the next step.
 struct Notice {
-  enum class Kind : std::uint8_t { removed, cut, broke, joined, grab, drop, press, release, key, button };
+  enum class Kind : std::uint8_t {
+    removed,
+    cut,
+    broke,
+    joined,
+    grab,
+    drop,
+    press,
+    release,
+    key,
+    button,
+    touched,
+    parted
+  };
   Kind kind = Kind::key;
   AnyId thing;
   std::int32_t hand = -1;
   std::string text;    ///< name of the key or button; story of what was removed
   double force = 0.0;  ///< [N] at which it broke
+  Touch touch = {};    ///< of what touched; of what parted the pair alone
 };
 
 /// Where a connection broke, for whoever shows it.
@@ -120,8 +134,9 @@ struct WorkCheck {
 
 /// How wrong the state is.
 struct Accuracy {
-  double hinge_gap = 0.0;   ///< [m] largest distance between points of one hinge, and of nails and rigid follows
-  double constraint = 0.0;  ///< [m] the same with rods
+  double penetration = 0.0;  ///< [m] deepest overlap of shapes that touch
+  double hinge_gap = 0.0;    ///< [m] largest distance between points of one hinge, and of nails and rigid follows
+  double constraint = 0.0;   ///< [m] the same with rods
   double energy = 0.0;  ///< |energy - start - work from outside| / largest kinetic energy so far, and what of that work
                         ///< a second estimate does not find
 };

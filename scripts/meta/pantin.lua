@@ -64,16 +64,35 @@ function quat_methods:inverse() end
 ---@alias color string|number[] "#rgb", "#rrggbb", "#rrggbbaa" or { r, g, b, a } of 0 to 1
 ---@alias Look "ball"|"glow"|"streak" a ball, a soft disc of light, or a line of light along the velocity
 ---@alias Curve<T> T|fun(age: number, life: number): T a value, or a function of age and lifetime [s]
----@alias Moment "step"|"press"|"release"|"key"|"grab"|"drop"|"cut"|"broke"|"joined"|"removed" at which scene:on calls
+---@alias Moment "step"|"press"|"release"|"key"|"grab"|"drop"|"cut"|"broke"|"joined"|"removed"|"touched"|"parted" at which scene:on calls
 ---@alias Waiting fun(what?: number|fun(): boolean) for a time [s], until something holds, or for the next step
 
 ---Where a shape of a body touches another.
 ---@class Contact
----@field with? Body whose shape it is; nil: the world's
+---@field with? Body|Collider whose shape it is, or that stands in the world; nil: it is gone
 ---@field at vec [m] where they touch
 ---@field normal vec [1] away from the other
 ---@field force vec [N] on this body, the mean over the last step
 ---@field depth number [m] by which they overlap; below 0: apart
+---@field slip vec [m/s] with which its surface slides on the other's, that of belts included
+---@field sensor boolean whether one of the two is a sensor, which pushes nothing
+
+---What scene:on tells of two that touch; of two that part, a and b alone.
+---@class Touch
+---@field a Body|Collider the one that the filter names, else a body
+---@field b Body|Collider the other
+---@field at vec [m] where, the mean by impulse
+---@field normal vec [1] from b to a
+---@field impulse number [N s] along the normal, in the step in which they touched; of a sensor 0
+---@field speed number [m/s] with which they neared each other at its start
+
+---What a ray, a shape or a position meets.
+---@class Hit
+---@field body? Body whose shape it is; nil: the world's
+---@field shape Collider
+---@field at vec [m] where it is met; of an overlap on the shape that was given, where it is deepest
+---@field normal? vec [1] out of what is met; against the direction of a ray that begins in it; nil of what a position is in
+---@field distance? number [m] along the way; of an overlap below 0: as deep as it is; nil of what a position is in
 
 ---@class Energy
 ---@field kinetic number [J] of motion
@@ -81,9 +100,11 @@ function quat_methods:inverse() end
 ---@field total number [J] their sum
 
 ---@class Accuracy
+---@field penetration number [m] deepest overlap of shapes that touch, at the end of the last step
 ---@field hinge_gap number [m] largest distance between points of a hinge, and of nails and follows without max_force
 ---@field constraint number [m] the same with rods
 ---@field energy number [1] change that no work explains, relative to the largest kinetic energy so far
+---@field worst_penetration number [m]
 ---@field worst_hinge_gap number [m]
 ---@field worst_constraint number [m]
 ---@field worst_energy number [1]
@@ -153,7 +174,7 @@ function quat_methods:inverse() end
 ---@field label string where it was set
 ---@field target? string what it is done to
 
----@alias Thing Point|Particle|Body|Nail|Follow|Rod|Weld|Orient|Align|Motor|Limit|OnPlane|String|OnPath|Join|Gear|Rack|Pulley|Screw|Group|Family|Connection|Interaction|Field|Emitter
+---@alias Thing Point|Particle|Body|Nail|Follow|Rod|Weld|Orient|Align|Motor|Limit|OnPlane|String|OnPath|Join|Gear|Rack|Pulley|Screw|Group|Family|Connection|Interaction|Field|Emitter|Collider
 
 ---What every thing has; it may be a target of events and behaviours, and a member of a group.
 ---@class AnyThing
@@ -221,6 +242,41 @@ function AnyScene:find(name) end
 ---@param radius number [m]
 ---@return Particle[]
 function AnyScene:near(at, radius) end
+---Where a ray first meets each shape, nearest first. One that begins in a shape meets it at once.
+---```lua
+---local hits = scene:ray { from = p.position, direction = vec(0, -1, 0) }
+---if hits[1] then print(hits[1].distance, hits[1].body) end
+---```
+---@param options RayOptions
+---@return Hit[]
+function AnyScene:ray(options) end
+---Where a convex shape that moves straight, without turning, first touches each other, nearest first.
+---```lua
+---local hits = scene:cast(shape.ball(0.3), p.position, p.position + vec(0, -5, 0), { ignore = block })
+---```
+---@param shape Shape
+---@param from vec [m]
+---@param to vec [m]
+---@param filter? HitFilter
+---@return Hit[]
+function AnyScene:cast(shape, from, to, filter) end
+---What overlaps a convex shape at a position, the deepest first.
+---```lua
+---if #scene:overlap(shape.box(1, 1, 1), vec(0, 3, 0)) == 0 then scene:block { size = 1, at = vec(0, 3, 0) } end
+---```
+---@param shape Shape
+---@param at vec [m]
+---@param filter? HitFilter
+---@return Hit[]
+function AnyScene:overlap(shape, at, filter) end
+---What a position is inside of, the oldest first. A mesh has no inside.
+---```lua
+---for _, hit in ipairs(scene:inside(p.position)) do print(hit.body) end
+---```
+---@param at vec [m]
+---@param filter? HitFilter
+---@return Hit[]
+function AnyScene:inside(at, filter) end
 
 ---A point mass. It belongs to at most one body, and always to one particle.
 ---@class Point: AnyThing
@@ -259,6 +315,7 @@ function Point:kick(impulse) end
 ---@field points Point[] its points, in the order of joining (read only)
 ---@field bodies Body[] the bodies of its points (read only)
 ---@field enabled boolean of a hinge: whether its points stay together (default `true`)
+---@field collide boolean of a hinge: whether its bodies touch each other (default `false`)
 ---@field breaks_at Breaking of a hinge: load at which it breaks (default `{}`)
 ---@field is_hinge boolean whether it joins two points or more (read only)
 ---@field [string] number [each its own] attributes of its family
@@ -305,6 +362,8 @@ function Particle:force(body) end
 ---@field color color color of its first shape, or point; writing gives it to all
 ---@field friction number? [1] of its first shape, nil without one; writing gives it to all
 ---@field restitution number? [1] of its first shape, nil without one; writing gives it to all
+---@field layer string? of its first shape, nil without one; writing gives it to all
+---@field colliders Collider[] its shapes, in the order of making (read only)
 ---@field contacts Contact[] where its shapes touch others, after the last step (read only)
 ---@field [string] Point its named points
 local Body = {}
@@ -576,6 +635,19 @@ local Field = {}
 ---@field made integer how many it has made (read only)
 local Emitter = {}
 
+---A shape in use: of a body, or standing in the world, as a floor.
+---@class Collider: AnyThing
+---@field body Body? whose it is; nil: it stands in the world (read only)
+---@field position vec [m] of its origin, in the world (read only)
+---@field friction number [1] of two that touch the root of the product counts (default `0.5`)
+---@field restitution number [1] 0 to 1; of two that touch the larger counts (default `0`)
+---@field surface_velocity vec [m/s] of its surface against its body, as of a belt (default `vec(0, 0, 0)`)
+---@field layer string? that scene:collide speaks of; nil: none
+---@field sensor boolean tells what it touches, and pushes nothing (default `false`)
+---@field size number? [m] of a plane: across which it is drawn, though it has no end; nil: as far as is seen
+---@field color color how it is drawn
+local Collider = {}
+
 ---Something set to happen.
 ---@class Event
 ---@field state string "waiting", "fired", "dropped" or "cancelled" (read only)
@@ -711,6 +783,8 @@ function Structure:inertia(mass_in) end
 ---@field density number [kg/m³] of a body whose mass is not given (read only)
 ---@field friction number [1] of two that touch the root of the product counts (read only)
 ---@field restitution number [1] 0 to 1; of two that touch the larger counts (read only)
+---@field layer string? that scene:collide speaks of; nil: that of its body, or none (read only)
+---@field sensor boolean tells what it touches, and pushes nothing (read only)
 ---@field surface_velocity vec [m/s] of its surface against its body, as of a belt (read only)
 local Shape = {}
 ---Moved in the frame of its body.
@@ -832,18 +906,6 @@ function Scene:capsule(options) end
 ---@param options CylinderOptions
 ---@return Body
 function Scene:cylinder(options) end
----Makes a plane on which things rest, solid below.
----```lua
----scene:floor { height = -9, friction = 0.8 }
----```
----@param options? FloorOptions
-function Scene:floor(options) end
----Puts shapes into the world, where they stay: things rest on them and strike them.
----```lua
----scene:ground { shape = shape.box(10, 1, 10), at = vec(0, -9, 0), color = "#987" }
----```
----@param options GroundOptions
-function Scene:ground(options) end
 ---a lives on with b's points, which stay valid; b is gone.
 ---```lua
 ---local both = scene:merge(arm, block)
@@ -924,6 +986,30 @@ function Scene:build(structure, options) end
 ---@param options? HandOptions
 ---@return Hand
 function Scene:hand(options) end
+---Makes a plane on which things rest, solid below.
+---```lua
+---local floor = scene:floor { height = -9, friction = 0.8 }
+---floor.friction = 0.2
+---```
+---@param options? FloorOptions
+---@return Collider
+function Scene:floor(options) end
+---Puts shapes into the world, where they stay: things rest on them and strike them. Returns each of them.
+---```lua
+---local slab = scene:ground { shape = shape.box(10, 1, 10), at = vec(0, -9, 0), color = "#987" }
+---```
+---@param options GroundOptions
+---@return Collider
+function Scene:ground(options) end
+---Says how shapes of two layers touch, or two of one layer: not at all, with a friction and restitution of their own, or as usual (true). What was said before of the two is forgotten.
+---```lua
+---scene:collide("car", "ghost", false)
+---scene:collide("ice", "rubber", { friction = 0.05, restitution = 0.3 })
+---```
+---@param a string
+---@param b string
+---@param how boolean|PairOptions
+function Scene:collide(a, b, how) end
 ---Joins points of two or more bodies, or free particles, into one particle.
 ---```lua
 ---local foot = scene:body { at = leg.tail.position, mass = 1, inertia = vec(1, 1, 1), points = { heel = vec(0, 0, 0) } }
@@ -1190,16 +1276,17 @@ function Scene:when(condition, target_or_action, action, options) end
 ---@param script? fun(wait: Waiting, target: Thing)
 ---@return Event
 function Scene:play(target_or_script, script) end
----Calls a function at each "step" (dt), "press" "release" (hand), "key" (name), "grab" "drop" (point, hand), "cut" "joined" (hinge), "broke" (connection, constraint or hinge, force [N] or torque [N m], story), "removed" (thing, story). on("key", "x", action) takes that key from the window, whatever that does with it; without a name, keys are heard that the window has no use for.
+---Calls a function at each "step" (dt), "press" "release" (hand), "key" (name), "grab" "drop" (point, hand), "cut" "joined" (hinge), "broke" (connection, constraint or hinge, force [N] or torque [N m], story), "removed" (thing, story). on("key", "x", action) takes that key from the window, whatever that does with it; without a name, keys are heard that the window has no use for. "touched" "parted" (Touch) are told in the step after, once for two things, and with a filter only of it: a body, a floor or ground, a group of these, or the name of a layer.
 ---```lua
 ---scene:on("broke", function(thing, load, story) print(story) end)
 ---scene:on("key", "x", function() p:kick(vec(0, 1, 0)) end)
+---scene:on("touched", block, function(touch) print(touch.b, touch.speed, touch.impulse) end)
 ---```
 ---@param moment Moment
----@param key_or_action string|function
+---@param filter_or_action string|Body|Collider|Group|function
 ---@param action? function
 ---@return Subscription
-function Scene:on(moment, key_or_action, action) end
+function Scene:on(moment, filter_or_action, action) end
 ---Puts a behaviour to work on a target, with which it ends.
 ---```lua
 ---scene:behave(p, { step = function(self) self.target:push(vec(self.options.pull, 0, 0)) end }, { pull = 3 })
@@ -1365,13 +1452,16 @@ function OpenedScene:restore(snapshot) end
 ---@class BodyOptions: AnyBodyOptions
 ---@field shape? Shape that touches others (default none)
 ---@field shapes? Shape[] several of them (default none)
+---@field layer? string of those of its shapes that have none (default none)
 
----What shapes are made of.
+---What shapes are made of, and what they touch.
 ---@class MaterialOptions
 ---@field density? number [kg/m³] of a body whose mass is not given (default `1000`)
 ---@field friction? number [1] of two that touch the root of the product counts (default `0.5`)
 ---@field restitution? number [1] 0 to 1; of two that touch the larger counts (default `0`)
 ---@field surface_velocity? vec [m/s] of its surface against its body, as of a belt (default `vec(0, 0, 0)`)
+---@field layer? string that scene:collide speaks of; it exists once it is named (default the body's, or none)
+---@field sensor? boolean tells what it touches, and pushes nothing; beside others it weighs nothing (default `false`)
 
 ---@class ShapeOptions: NameOptions, MaterialOptions
 ---@field at? vec [m] position in the frame of its body, or in the world (default `vec(0, 0, 0)`)
@@ -1443,6 +1533,9 @@ function OpenedScene:restore(snapshot) end
 ---@field friction? number [1] (default `0.5`)
 ---@field restitution? number [1] 0 to 1 (default `0`)
 ---@field surface_velocity? vec [m/s] of a belt (default `vec(0, 0, 0)`)
+---@field layer? string that scene:collide speaks of (default none)
+---@field sensor? boolean tells what it touches, and pushes nothing (default `false`)
+---@field size? number [m] across which it is drawn, though it has no end (default as far as is seen)
 ---@field color? color of its brighter squares (default grey)
 
 ---@class GroundOptions
@@ -1451,6 +1544,25 @@ function OpenedScene:restore(snapshot) end
 ---@field at? vec [m] position of their frame's origin (default `vec(0, 0, 0)`)
 ---@field orientation? quat turns their frame to the world (default `quat(vec(0, 0, 1), 0)`)
 ---@field color? color of those that have none (default grey)
+---@field layer? string of those that have none (default none)
+
+---Of two layers that touch.
+---@class PairOptions
+---@field friction? number [1] (default as usual: the root of the product)
+---@field restitution? number [1] 0 to 1 (default as usual: the larger)
+
+---Which shapes may be met.
+---@class HitFilter
+---@field layer? string only those in it (default any)
+---@field layers? string[] only those in one of these (default any)
+---@field ignore? Body|Collider|Group|(Body|Collider|Group)[] not these (default none)
+---@field sensors? boolean sensors, too (default `false`)
+
+---To, or direction.
+---@class RayOptions: HitFilter
+---@field from vec [m] where it begins
+---@field to? vec [m] where it ends (default none)
+---@field direction? vec [1] in which it goes without end; its length does not matter (default none)
 
 ---Loads, and of a constraint or connection the length, at which it breaks.
 ---@class Breaking
@@ -1464,6 +1576,7 @@ function OpenedScene:restore(snapshot) end
 ---@field lifetime? number [s] after which it is cut (default `math.huge`)
 ---@field family? Family (default the first point's)
 ---@field axis? vec [1] the bodies given here turn about it only, against each other; world axes (default none: about any)
+---@field collide? boolean its bodies touch each other, too (default `false`)
 ---@field breaks_at? Breaking (default `{}`)
 
 ---@class TieOptions: NameOptions

@@ -71,6 +71,9 @@ class Zoo {
     solid.at = vec(0, 0, 90);
     solid.shapes.emplace_back();
     things["solid"] = add_body(world, solid);
+    ShapeDef floor;
+    floor.geometry = HalfSpaceShape{};
+    things["Collider"] = add_shape(world, floor);
     set_position(world, b, world.motion_of(a).x);
     const PointId ends[] = {world.bodies[a].points[0], world.bodies[b].points[0]};
     things["hinge"] = add_hinge(world, ends);
@@ -220,6 +223,7 @@ std::vector<Sample> samples_of_things(const Zoo& zoo) {
       {"Particle", "name", "grain"},
       {"hinge", "breaks_at", Breaking{2.0, 3.0, infinity_}},
       {"hinge", "enabled", false},
+      {"hinge", "collide", true},
       {"Body", "position", vec(1, 2, 3)},
       {"Body", "velocity", vec(1, 2, 3)},
       {"Body", "origin", vec(1, 2, 3)},
@@ -232,6 +236,14 @@ std::vector<Sample> samples_of_things(const Zoo& zoo) {
       {"solid", "friction", 0.25},
       {"solid", "restitution", 0.75},
       {"solid", "color", Color{0, 0, 1, 1}},
+      {"solid", "layer", "car"},
+      {"Collider", "friction", 0.25},
+      {"Collider", "restitution", 0.75},
+      {"Collider", "surface_velocity", vec(1, 2, 3)},
+      {"Collider", "layer", "ice"},
+      {"Collider", "sensor", true},
+      {"Collider", "size", 3.0},
+      {"Collider", "color", Color{0, 1, 0, 1}},
       {"Connection", "breaks_at", Breaking{2.0, infinity_, 4.0}},
       {"Emitter", "at", EmitterPosition{{}, vec(1, 2, 3), {}}},
       {"Emitter", "rate", 3.0},
@@ -311,7 +323,7 @@ TEST_CASE("every property of every kind of thing is read without a script, and i
       CHECK((is_of(property->type, value) || (std::string(property->type) == "Body[]" && value.index() == 0)));
     }
   }
-  CHECK(kinds.size() == 26);
+  CHECK(kinds.size() == 27);
 }
 
 TEST_CASE("what is written to a property is read from it, of every property that can be written") {

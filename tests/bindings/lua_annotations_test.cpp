@@ -94,6 +94,9 @@ TEST_CASE("the options that annotations list are those that the bindings know") 
       {"CylinderOptions", "scene:cylinder(wrong)"},
       {"FloorOptions", "scene:floor(wrong)"},
       {"GroundOptions", "scene:ground(wrong)"},
+      {"PairOptions", "scene:collide('a', 'b', wrong)"},
+      {"RayOptions", "scene:ray(wrong)"},
+      {"HitFilter", "scene:inside(o, wrong)"},
       {"BallShapeOptions", "shape.ball(wrong)"},
       {"BoxShapeOptions", "shape.box(wrong)"},
       {"CapsuleShapeOptions", "shape.capsule(wrong)"},
@@ -166,7 +169,7 @@ TEST_CASE("every field that is listed can be read, and every method is there") {
       Screw = scene:screw(body.head, other.head, { lead = 1, axis = vec(0, 1, 0) }),
       Motor = scene:motor(body, { axis = vec(0, 1, 0), speed = 1 }),
       Limit = scene:limit(body, other, { axis = vec(0, 1, 0), max = 1 }), Group = scene:group "g", Hand = scene:hand(),
-      Snapshot = scene:snapshot(), Structure = structure.cube(), Shape = shape.ball(1),
+      Snapshot = scene:snapshot(), Structure = structure.cube(), Shape = shape.ball(1), Collider = scene:floor(),
       Draw = scene.draw, Event = scene:at(1, type), Subscription = scene:on("step", type), Family = scene:family("f") }
     local spring, drag = force.spring { stiffness = 1 }, force.drag { linear = 1 }
     things.Connection = scene:connect(scene:particle(), vec(0, 1, 0), spring)

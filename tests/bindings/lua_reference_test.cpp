@@ -112,7 +112,8 @@ TEST_CASE("in the reference every number and vec has a unit, and every option a 
     // What a function is given and gives is told by its meaning.
     if (std::regex_search(line.type, of_number) && line.type.find("fun(") == std::string::npos && line.type != "color")
       CHECK(line.rest.starts_with("["));
-    const bool of_result = line.owner == "Ledger" || line.owner == "TimelineEntry" || line.owner == "Contact";
+    const bool of_result =
+        line.owner == "Ledger" || line.owner == "TimelineEntry" || line.owner == "Contact" || line.owner == "Hit";
     if (!line.is_field || !line.name.ends_with('?') || of_result) continue;
     CHECK(line.rest.find("(default ") != std::string::npos);
     options++;
@@ -192,7 +193,7 @@ TEST_CASE("what the annotations call a thing is what calls accept as one") {
       Connection = scene:connect(p, q, spring), Interaction = scene:interact(ions, ions, force.coulomb {}),
       Field = scene:field(scene, force.drag { linear = 1 }), Emitter = scene:emitter { rate = 1 },
       Event = scene:at(1, type), Hand = scene:hand(), Subscription = scene:on("step", type), Structure = structure.cube(),
-      Shape = shape.ball(1), Draw = scene.draw, Snapshot = scene:snapshot(), Scene = scene }
+      Shape = shape.ball(1), Collider = scene:floor(), Draw = scene.draw, Snapshot = scene:snapshot(), Scene = scene }
     local thing = things.)";
   for (const lua::Type* type : lua::all_types()) {
     const std::string name = type->name;

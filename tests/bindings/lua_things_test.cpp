@@ -52,12 +52,6 @@ TEST_CASE("errors name the line, the value, the unit and what is allowed") {
   CHECK_THAT(failure(two_links + "a:push(3)"), Contains("push: force must be a vec [N], got a number"));
 }
 
-TEST_CASE("names of later parts answer as any unknown name") {
-  for (const char* name : {"collide", "cast"})
-    CHECK_THAT(failure("local x = scene." + std::string(name)),
-               Contains("scene: unknown field '" + std::string(name) + "'"));
-}
-
 TEST_CASE("one thing is always the same value") {
   CHECK(failure(two_links + R"(
     assert(a == scene:find "a" and a ~= b and a.head == a.head and a.head.body == a)

@@ -400,3 +400,31 @@ TEST_CASE("reload: reset goes back to the start, not to the moment of saving") {
   played.steps(60);
   CHECK(played.probe() == later);
 }
+
+TEST_CASE("reload: what touches is not told again, layers are those of the file, and ground that went stays away") {
+  const auto text = [](const std::string& rule) {
+    return R"(
+    scene:floor { name = "floor", layer = "floor" }
+    local slab = scene:ground { shape = shape.box(1, 1, 1), at = vec(9, 0, 0) }
+    local box = scene:block { size = 1, at = vec(0, 0.5, 0), layer = "box", name = "box" }
+    scene:on("touched", function() end)
+    scene:at(0.01, slab, function() slab:remove() end)
+    )" + rule;
+  };
+  Played played(text(""));
+  const auto told_in = [&](int steps) {
+    std::size_t told = 0;
+    for (int i = 0; i < steps; i++) {
+      played.steps(1);
+      for (const Notice& n : played.scene->world().notices) told += n.kind == Notice::Kind::touched ? 1 : 0;
+    }
+    return told;
+  };
+  CHECK(told_in(20) == 1);
+  played.save_and_look(text("-- the same"));
+  CHECK(told_in(20) == 0);
+  CHECK(played.scene->world().shapes.size() == 2);
+  played.save_and_look(text("scene:collide('box', 'floor', false)"));
+  CHECK(told_in(60) == 0);
+  CHECK(played.place("box")[1] < 0.4);
+}

@@ -42,3 +42,25 @@ TEST_CASE("of two points at one pixel the nearer to the eye is picked, and none 
   remove(world, near_one);
   CHECK(pick_point(world, stage, camera, 640, 360, width, height) == world.particles[far_one].points[0]);
 }
+
+TEST_CASE("the body or the ground that is seen at a pixel is picked, through sensors", "[view]") {
+  World world;
+  CHECK(std::holds_alternative<std::monostate>(pick_shape(world, Camera{}, 640, 360, width, height)));
+  ShapeDef shape;
+  shape.geometry = BoxShape{vec(1, 1, 1)};
+  BodyDef def;
+  def.shapes = {shape};
+  const BodyId body = add_body(world, def);
+  shape.at = vec(4, 0, 0);
+  const ShapeId ground = add_shape(world, shape);
+  shape.at = vec(2, 0, 3);
+  shape.geometry = BoxShape{vec(9, 9, 0.1)};
+  shape.sensor = true;
+  add_shape(world, shape);
+  Camera camera;
+  camera.look(vec(0, 0, 20), zero3());
+  CHECK(pick_shape(world, camera, 640, 360, width, height) == AnyId(body));
+  const auto beside = camera.project(vec(4, 0.5, 0), width, height);
+  CHECK(pick_shape(world, camera, beside->x, beside->y, width, height) == AnyId(ground));
+  CHECK(std::holds_alternative<std::monostate>(pick_shape(world, camera, 5, 5, width, height)));
+}

@@ -69,13 +69,16 @@ const char* const annotations_options = R"(---@class NameOptions
 ---@class BodyOptions: AnyBodyOptions
 ---@field shape? Shape that touches others (default none)
 ---@field shapes? Shape[] several of them (default none)
+---@field layer? string of those of its shapes that have none (default none)
 
----What shapes are made of.
+---What shapes are made of, and what they touch.
 ---@class MaterialOptions
 ---@field density? number [kg/m³] of a body whose mass is not given (default `1000`)
 ---@field friction? number [1] of two that touch the root of the product counts (default `0.5`)
 ---@field restitution? number [1] 0 to 1; of two that touch the larger counts (default `0`)
 ---@field surface_velocity? vec [m/s] of its surface against its body, as of a belt (default `vec(0, 0, 0)`)
+---@field layer? string that scene:collide speaks of; it exists once it is named (default the body's, or none)
+---@field sensor? boolean tells what it touches, and pushes nothing; beside others it weighs nothing (default `false`)
 
 ---@class ShapeOptions: NameOptions, MaterialOptions
 ---@field at? vec [m] position in the frame of its body, or in the world (default `vec(0, 0, 0)`)
@@ -147,6 +150,9 @@ const char* const annotations_options = R"(---@class NameOptions
 ---@field friction? number [1] (default `0.5`)
 ---@field restitution? number [1] 0 to 1 (default `0`)
 ---@field surface_velocity? vec [m/s] of a belt (default `vec(0, 0, 0)`)
+---@field layer? string that scene:collide speaks of (default none)
+---@field sensor? boolean tells what it touches, and pushes nothing (default `false`)
+---@field size? number [m] across which it is drawn, though it has no end (default as far as is seen)
 ---@field color? color of its brighter squares (default grey)
 
 ---@class GroundOptions
@@ -155,6 +161,25 @@ const char* const annotations_options = R"(---@class NameOptions
 ---@field at? vec [m] position of their frame's origin (default `vec(0, 0, 0)`)
 ---@field orientation? quat turns their frame to the world (default `quat(vec(0, 0, 1), 0)`)
 ---@field color? color of those that have none (default grey)
+---@field layer? string of those that have none (default none)
+
+---Of two layers that touch.
+---@class PairOptions
+---@field friction? number [1] (default as usual: the root of the product)
+---@field restitution? number [1] 0 to 1 (default as usual: the larger)
+
+---Which shapes may be met.
+---@class HitFilter
+---@field layer? string only those in it (default any)
+---@field layers? string[] only those in one of these (default any)
+---@field ignore? Body|Collider|Group|(Body|Collider|Group)[] not these (default none)
+---@field sensors? boolean sensors, too (default `false`)
+
+---To, or direction.
+---@class RayOptions: HitFilter
+---@field from vec [m] where it begins
+---@field to? vec [m] where it ends (default none)
+---@field direction? vec [1] in which it goes without end; its length does not matter (default none)
 
 ---Loads, and of a constraint or connection the length, at which it breaks.
 ---@class Breaking
@@ -168,6 +193,7 @@ const char* const annotations_options = R"(---@class NameOptions
 ---@field lifetime? number [s] after which it is cut (default `math.huge`)
 ---@field family? Family (default the first point's)
 ---@field axis? vec [1] the bodies given here turn about it only, against each other; world axes (default none: about any)
+---@field collide? boolean its bodies touch each other, too (default `false`)
 ---@field breaks_at? Breaking (default `{}`)
 
 ---@class TieOptions: NameOptions

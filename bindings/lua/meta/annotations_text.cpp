@@ -69,16 +69,35 @@ function quat_methods:inverse() end
 ---@alias color string|number[] "#rgb", "#rrggbb", "#rrggbbaa" or { r, g, b, a } of 0 to 1
 ---@alias Look "ball"|"glow"|"streak" a ball, a soft disc of light, or a line of light along the velocity
 ---@alias Curve<T> T|fun(age: number, life: number): T a value, or a function of age and lifetime [s]
----@alias Moment "step"|"press"|"release"|"key"|"grab"|"drop"|"cut"|"broke"|"joined"|"removed" at which scene:on calls
+---@alias Moment "step"|"press"|"release"|"key"|"grab"|"drop"|"cut"|"broke"|"joined"|"removed"|"touched"|"parted" at which scene:on calls
 ---@alias Waiting fun(what?: number|fun(): boolean) for a time [s], until something holds, or for the next step
 
 ---Where a shape of a body touches another.
 ---@class Contact
----@field with? Body whose shape it is; nil: the world's
+---@field with? Body|Collider whose shape it is, or that stands in the world; nil: it is gone
 ---@field at vec [m] where they touch
 ---@field normal vec [1] away from the other
 ---@field force vec [N] on this body, the mean over the last step
 ---@field depth number [m] by which they overlap; below 0: apart
+---@field slip vec [m/s] with which its surface slides on the other's, that of belts included
+---@field sensor boolean whether one of the two is a sensor, which pushes nothing
+
+---What scene:on tells of two that touch; of two that part, a and b alone.
+---@class Touch
+---@field a Body|Collider the one that the filter names, else a body
+---@field b Body|Collider the other
+---@field at vec [m] where, the mean by impulse
+---@field normal vec [1] from b to a
+---@field impulse number [N s] along the normal, in the step in which they touched; of a sensor 0
+---@field speed number [m/s] with which they neared each other at its start
+
+---What a ray, a shape or a position meets.
+---@class Hit
+---@field body? Body whose shape it is; nil: the world's
+---@field shape Collider
+---@field at vec [m] where it is met; of an overlap on the shape that was given, where it is deepest
+---@field normal? vec [1] out of what is met; against the direction of a ray that begins in it; nil of what a position is in
+---@field distance? number [m] along the way; of an overlap below 0: as deep as it is; nil of what a position is in
 
 ---@class Energy
 ---@field kinetic number [J] of motion
@@ -86,9 +105,11 @@ function quat_methods:inverse() end
 ---@field total number [J] their sum
 
 ---@class Accuracy
+---@field penetration number [m] deepest overlap of shapes that touch, at the end of the last step
 ---@field hinge_gap number [m] largest distance between points of a hinge, and of nails and follows without max_force
 ---@field constraint number [m] the same with rods
 ---@field energy number [1] change that no work explains, relative to the largest kinetic energy so far
+---@field worst_penetration number [m]
 ---@field worst_hinge_gap number [m]
 ---@field worst_constraint number [m]
 ---@field worst_energy number [1]

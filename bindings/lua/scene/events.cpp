@@ -4,9 +4,11 @@
 #include <utility>
 
 #include "choreography/hands.hpp"
+#include "contacts/touching.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/point_constraint_options.hpp"
 #include "lua/thing/script.hpp"
+#include "lua/thing/targets.hpp"
 #include "lua/value/arguments.hpp"
 #include "lua/vm/guard.hpp"
 
@@ -39,7 +41,8 @@ int cancel_subscription(lua_State* state) {
   return 0;
 }
 
-const char* const moments[] = {"step", "press", "release", "key", "grab", "drop", "cut", "broke", "joined", "removed"};
+const char* const moments[] = {"step", "press", "release", "key",     "grab",    "drop",
+                               "cut",  "broke", "joined",  "removed", "touched", "parted"};
 
 const char* name_of(Notice::Kind kind) {
   switch (kind) {
@@ -52,6 +55,8 @@ const char* name_of(Notice::Kind kind) {
     case Notice::Kind::press: return "press";
     case Notice::Kind::release: return "release";
     case Notice::Kind::key: return "key";
+    case Notice::Kind::touched: return "touched";
+    case Notice::Kind::parted: return "parted";
     case Notice::Kind::button: break;
   }
   return "button";
@@ -79,9 +84,61 @@ int push_notice(lua_State* state, Script& script, const Notice& notice) {
       push_thing(state, script, notice.thing);
       lua_pushlstring(state, notice.text.data(), notice.text.size());
       return 2;
+    case Notice::Kind::touched:
+    case Notice::Kind::parted:
     case Notice::Kind::button: break;
   }
   return 0;
+}
+
+AnyId second_of(const TouchPair& pair) { return pair.b ? AnyId(pair.b) : AnyId(pair.ground); }
+
+/// Whether a thing is what a filter names, or in it.
+bool is_among(const World& world, const AnyId& filter, const AnyId& thing) {
+  if (filter == thing) return true;
+  const auto* group = std::get_if<GroupId>(&filter);
+  if (!group || !world.groups.alive(*group)) return false;
+  const auto& members = world.groups[*group].members;
+  return std::any_of(members.begin(), members.end(), [&](const AnyId& one) { return is_among(world, one, thing); });
+}
+
+bool has_layer(const World& world, const std::string& layer, const AnyId& thing) {
+  const auto is_in = [&](ShapeId id) {
+    const std::uint32_t number = world.shapes[id].layer;
+    return number > 0 && world.layers.names[number - 1] == layer;
+  };
+  if (!alive(world, thing)) return false;
+  if (const auto* shape = std::get_if<ShapeId>(&thing)) return is_in(*shape);
+  const auto& shapes = world.bodies[std::get<BodyId>(thing)].shapes;
+  return std::any_of(shapes.begin(), shapes.end(), is_in);
+}
+
+bool names(const World& world, const Subscription& filter, const AnyId& thing) {
+  if (!filter.layer.empty()) return has_layer(world, filter.layer, thing);
+  return std::holds_alternative<std::monostate>(filter.target) || is_among(world, filter.target, thing);
+}
+
+/// Pushes { a, b, … }; what a filter names is a.
+int push_touch(lua_State* state, Script& script, const Notice& notice, bool turned) {
+  const Touch& touch = notice.touch;
+  const AnyId first = touch.pair.a, second = second_of(touch.pair);
+  lua_createtable(state, 0, 6);
+  const auto set = [&](const char* name, const AnyId& thing) {
+    push_thing(state, script, thing);
+    lua_setfield(state, -2, name);
+  };
+  set("a", turned ? second : first);
+  set("b", turned ? first : second);
+  if (notice.kind == Notice::Kind::parted) return 1;
+  push(state, touch.at);
+  lua_setfield(state, -2, "at");
+  push(state, turned ? -touch.normal : touch.normal);
+  lua_setfield(state, -2, "normal");
+  lua_pushnumber(state, touch.impulse);
+  lua_setfield(state, -2, "impulse");
+  lua_pushnumber(state, touch.speed);
+  lua_setfield(state, -2, "speed");
+  return 1;
 }
 
 /// Keeps the subscriptions in their places while it lives.
@@ -93,13 +150,14 @@ struct Telling {
   Script& script;
 };
 
-/// Calls those who wait for a moment, or for that key, in the order of asking; those who ask meanwhile wait for the next.
-void tell(Script& script, std::string_view moment, const std::string& key, const std::function<int(lua_State*)>& push) {
+/// Calls those who wait for a moment, and whom it concerns, in the order of asking; those who ask meanwhile wait for the next.
+void tell(Script& script, std::string_view moment, const std::function<bool(const Subscription&)>& concerns,
+          const std::function<int(lua_State*)>& push) {
   {
     const Telling telling(script);
     for (std::size_t i = 0, count = script.subscriptions.size(); i < count; i++) {
       if (script.subscriptions[i].name != moment) continue;
-      if (!script.subscriptions[i].key.empty() && script.subscriptions[i].key != key) continue;
+      if (concerns && !concerns(script.subscriptions[i])) continue;
       const std::optional<Callback> function = script.subscriptions[i].function;
       const AnyId target = script.subscriptions[i].target;
       if (!function) continue;
@@ -123,12 +181,64 @@ int subscribe(lua_State* state, Script& script, Subscription subscription) {
   return 1;
 }
 
+namespace {
+
+/// `[filter,] action`: a body, a floor or ground, a group of these, or the name of a layer.
+int subscribe_touch(lua_State* state, const Self& self, const std::string& name) {
+  Subscription subscription{0, name, {}};
+  int action = 3;
+  if (!lua_isfunction(state, 3)) {
+    action = 4;
+    const char* filter = "argument 2, the filter or action,";
+    if (lua_type(state, 3) == LUA_TSTRING) {
+      subscription.layer = check_text(state, 3, "on", filter);
+      require(!subscription.layer.empty(), "on: ", filter, " must not be an empty layer");
+    } else {
+      const Ref* ref = to_ref(state, 3);
+      require(ref && (ref->kind == Kind::body || ref->kind == Kind::collider || ref->kind == Kind::group),
+              "on: ", filter, " must be a body, a floor or ground, a group of these or the name of a layer, got ",
+              kind_of_value(state, 3));
+      require_alive(*ref);
+      subscription.target = ref->thing;
+      if (ref->kind == Kind::collider)
+        require(!self.world.shapes[ref->id<ShapeId>()].body, "on: ", filter,
+                " is a shape of a body; bodies are told of, so name that one");
+    }
+  }
+  subscription.function = check_function(state, action, "on", argument(action - 1));
+  return subscribe(state, self.script, std::move(subscription));
+}
+
+void tell_touch(Script& script, const Notice& notice) {
+  const World& world = script.world;
+  bool turned = false;
+  const auto concerns = [&](const Subscription& s) {
+    turned = !names(world, s, notice.touch.pair.a);
+    return !turned || names(world, s, second_of(notice.touch.pair));
+  };
+  tell(script, name_of(notice.kind), concerns,
+       [&](lua_State* state) { return push_touch(state, script, notice, turned); });
+}
+
+/// Who touches whom is only watched while somebody listens.
+void watch_touch(Script& script) {
+  const auto listens = [&](const Subscription& s) {
+    const bool ended = !std::holds_alternative<std::monostate>(s.target) && !alive(script.world, s.target);
+    return s.function && !ended && (s.name == "touched" || s.name == "parted");
+  };
+  const auto& list = script.subscriptions;
+  watch(script.world, script.world.contacts, std::any_of(list.begin(), list.end(), listens));
+}
+
+}  // namespace
+
 int scene_on(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "on");
   const std::vector<std::string> names(std::begin(moments), std::end(moments));
   const std::string name = check_text(state, 2, "on", "argument 1, the moment,");
   require(std::find(names.begin(), names.end(), name) != names.end(), "on: unknown moment '", name, "'.",
           suggestion(name, names), " Known are ", joined(names));
+  if (name == "touched" || name == "parted") return subscribe_touch(state, self, name);
   if (name != "key" || lua_type(state, 3) != LUA_TSTRING)
     return subscribe(state, self.script, {0, name, check_function(state, 3, "on", "argument 2")});
   const std::string key = check_text(state, 3, "on", "argument 2, the key,");
@@ -176,15 +286,19 @@ void run_behaviours(Script& script) {
       if (found == script.button_functions.end()) continue;
       const Callback function = found->second;
       function.call();
+    } else if (notice.kind == Notice::Kind::touched || notice.kind == Notice::Kind::parted) {
+      tell_touch(script, notice);
     } else {
-      tell(script, name_of(notice.kind), notice.text,
+      const auto concerns = [&](const Subscription& s) { return s.key.empty() || s.key == notice.text; };
+      tell(script, name_of(notice.kind), concerns,
            [&](lua_State* state) { return push_notice(state, script, notice); });
     }
   }
-  tell(script, "step", "", [&](lua_State* state) {
+  tell(script, "step", {}, [&](lua_State* state) {
     lua_pushnumber(state, script.world.settings.step);
     return 1;
   });
+  watch_touch(script);
   recheck_laws(script.world, script.laws, script.runtime.runs());
 }
 

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "choreography/choreography.hpp"
+#include "lua/scene/touch_methods.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/property_values.hpp"
 #include "lua/thing/script.hpp"
@@ -90,6 +91,7 @@ const Type& any_scene_type() {
                     {"near", guard<scene_near>, "at: vec [m], radius: number [m]", "Particle[]",
                      "Particles within a radius, nearest first.",
                      "for _, other in ipairs(scene:near(p.position, 0.5)) do other:remove() end"}};
+    for (Method& method : hit_methods()) made.methods.push_back(method);
     return made;
   }();
   return type;

@@ -6,6 +6,7 @@
 #include "lua/scene/parameters.hpp"
 #include "lua/scene/scene_settings.hpp"
 #include "lua/scene/snapshot.hpp"
+#include "lua/scene/touch_methods.hpp"
 #include "lua/thing/assemble.hpp"
 #include "lua/thing/body_options.hpp"
 #include "lua/thing/build_options.hpp"
@@ -14,7 +15,6 @@
 #include "lua/thing/family_options.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/force_element_options.hpp"
-#include "lua/thing/ground_options.hpp"
 #include "lua/thing/guide_constraint_options.hpp"
 #include "lua/thing/look_options.hpp"
 #include "lua/thing/point_constraint_options.hpp"
@@ -62,18 +62,6 @@ int scene_ball(lua_State* state) { return make_solid(state, "ball", "ball"); }
 int scene_block(lua_State* state) { return make_solid(state, "box", "block"); }
 int scene_capsule(lua_State* state) { return make_solid(state, "capsule", "capsule"); }
 int scene_cylinder(lua_State* state) { return make_solid(state, "cylinder", "cylinder"); }
-
-int scene_floor(lua_State* state) {
-  const Self self = check_self(state, Kind::scene, "floor");
-  add_shape(self.world, floor_def(state, 2));
-  return 0;
-}
-
-int scene_ground(lua_State* state) {
-  const Self self = check_self(state, Kind::scene, "ground");
-  for (const ShapeDef& def : ground_defs(state, 2)) add_shape(self.world, def);
-  return 0;
-}
 
 int scene_group(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "group");
@@ -125,11 +113,6 @@ std::vector<Method> making() {
       {"cylinder", guard<scene_cylinder>, "options: CylinderOptions", "Body",
        "Makes a rigid body that is a cylinder, which touches.",
        "local wheel = scene:cylinder { radius = 0.5, length = 0.1, axis = vec(0, 0, 1), at = vec(0, 2, 0) }"},
-      {"floor", guard<scene_floor>, "options?: FloorOptions", "", "Makes a plane on which things rest, solid below.",
-       "scene:floor { height = -9, friction = 0.8 }"},
-      {"ground", guard<scene_ground>, "options: GroundOptions", "",
-       "Puts shapes into the world, where they stay: things rest on them and strike them.",
-       "scene:ground { shape = shape.box(10, 1, 10), at = vec(0, -9, 0), color = \"#987\" }"},
       {"merge", guard<scene_merge>, "a: Body, b: Body", "Body",
        "a lives on with b's points, which stay valid; b is gone.", "local both = scene:merge(arm, block)"},
       {"split", guard<scene_split>, "body: Body, points: Point|Point[], ...: Point", "Body",
@@ -298,15 +281,19 @@ std::vector<Method> telling() {
        "scene:play(function(wait)\n"
        "  p:kick(vec(0, 1, 0)) wait(0.5) q:kick(vec(0, 1, 0))\n"
        "end)"},
-      {"on", guard<scene_on>, "moment: Moment, key_or_action: string|function, action?: function", "Subscription",
+      {"on", guard<scene_on>,
+       "moment: Moment, filter_or_action: string|Body|Collider|Group|function, action?: function", "Subscription",
        "Calls a function at each \"step\" (dt), \"press\" \"release\" (hand), \"key\" (name), \"grab\" \"drop\" "
        "(point, hand), "
        "\"cut\" \"joined\" (hinge), \"broke\" (connection, constraint or hinge, force [N] or torque [N m], story), "
        "\"removed\" (thing, "
        "story). on(\"key\", \"x\", action) takes that key from the window, whatever that does with it; without a name, "
-       "keys are heard that the window has no use for.",
+       "keys are heard that the window has no use for. \"touched\" \"parted\" (Touch) are told in the step after, once "
+       "for "
+       "two things, and with a filter only of it: a body, a floor or ground, a group of these, or the name of a layer.",
        "scene:on(\"broke\", function(thing, load, story) print(story) end)\n"
-       "scene:on(\"key\", \"x\", function() p:kick(vec(0, 1, 0)) end)"},
+       "scene:on(\"key\", \"x\", function() p:kick(vec(0, 1, 0)) end)\n"
+       "scene:on(\"touched\", block, function(touch) print(touch.b, touch.speed, touch.impulse) end)"},
       {"behave", guard<scene_behave>, "target: Thing|Scene, behaviour: Behaviour, options?: table", "Subscription",
        "Puts a behaviour to work on a target, with which it ends.",
        "scene:behave(p, { step = function(self) self.target:push(vec(self.options.pull, 0, 0)) end }, { pull = 3 })"},
@@ -339,7 +326,7 @@ Type make() {
   type.fields.push_back({"hands", "Hand[]", "", "the mouse, fingers, sticks, and scripted hands", read_hands, nullptr});
   type.fields.push_back({"draw", "Draw", "", "draws over the scene for one frame",
                          [](const Self& s) { push_ref(s.state, make_ref(s.script, Kind::draw, 1, 1, 1)); }, nullptr});
-  for (const auto& methods : {making(), constraining(), forcing(), telling()})
+  for (const auto& methods : {making(), touch_methods(), constraining(), forcing(), telling()})
     type.methods.insert(type.methods.end(), methods.begin(), methods.end());
   add_base(type, any_scene_type());
   type.methods.insert(type.methods.end(), any_scene_type().methods.begin(), any_scene_type().methods.end());

@@ -116,10 +116,11 @@ BodyDef body_of(const Options& o) {
 }  // namespace
 
 BodyDef body_def(lua_State* state, int index) {
-  const Options o(state, index, "body", with_names(body_options(), {"shape", "shapes"}));
+  const Options o(state, index, "body", with_names(body_options(), {"shape", "shapes", "layer"}));
   require(lua_istable(state, index), "body: needs a table, scene:body{ points = { … }, mass = 1 }");
   BodyDef def = body_of(o);
   def.shapes = shape_options(o, def.color);
+  require(!def.shapes.empty() || !o.has("layer"), "body: layer is of its shapes, and it has none");
   for (std::size_t i = 0; i < def.shapes.size(); i++)
     require(is_convex(def.shapes[i].geometry), "body: shape ", i + 1,
             " is a plane, a mesh or heights, which do not move; give it to scene:ground");

@@ -133,6 +133,7 @@ const Type& type_of(Kind kind) {
     case Kind::interaction: return interaction_type();
     case Kind::field: return field_type();
     case Kind::emitter: return emitter_type();
+    case Kind::collider: return collider_type();
     case Kind::event: return event_type();
     case Kind::hand: return hand_type();
     case Kind::subscription: return subscription_type();

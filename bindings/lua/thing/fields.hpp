@@ -99,6 +99,7 @@ const Type& connection_type();
 const Type& interaction_type();
 const Type& field_type();
 const Type& emitter_type();
+const Type& collider_type();
 const Type& event_type();
 const Type& hand_type();
 const Type& subscription_type();

@@ -7,8 +7,10 @@ namespace pantin::lua {
 
 std::vector<ShapeDef> shape_options(const Options& o, const Color& color) {
   std::vector<ShapeDef> defs;
+  const std::string layer = layer_option(o);
   const auto add = [&](const ShapeValue& value) {
     defs.push_back(value.def);
+    if (defs.back().layer.empty()) defs.back().layer = layer;
     defs.back().color = value.color.value_or(color);
   };
   lua_State* state = o.state();
@@ -31,15 +33,18 @@ std::vector<ShapeDef> shape_options(const Options& o, const Color& color) {
 ShapeDef floor_def(lua_State* state, int index) {
   const ShapeKind& kind = shape_kind("plane");
   const Options o(state, index, "floor",
-                  with_names(kind.sizes, {"friction", "restitution", "surface_velocity", "color", "name"}));
+                  with_names(kind.sizes, {"friction", "restitution", "surface_velocity", "layer", "sensor", "size",
+                                          "color", "name"}));
   ShapeDef def = shape_of_sizes(kind, o).def;
   def.color = o.color("color").value_or(def.color);
   def.name = o.string("name").value_or("");
+  def.extent = o.number("size", "m");
+  require(!def.extent || *def.extent > 0.0, "floor: size must be > 0 m, got ", def.extent.value_or(0.0));
   return def;
 }
 
 std::vector<ShapeDef> ground_defs(lua_State* state, int index) {
-  const Options o(state, index, "ground", {"shape", "shapes", "at", "orientation", "color"});
+  const Options o(state, index, "ground", {"shape", "shapes", "at", "orientation", "color", "layer"});
   const ShapeDef usual;
   std::vector<ShapeDef> defs = shape_options(o, o.color("color").value_or(usual.color));
   require(!defs.empty(), "ground: needs a shape, scene:ground { shape = shape.box(10, 1, 10) }");

@@ -96,6 +96,8 @@ void push_thing(lua_State* state, Script& script, const AnyId& thing) {
     return push_ref(state, ref_of(script, Kind::field, *field, w.fields));
   if (const auto* emitter = std::get_if<EmitterId>(&thing))
     return push_ref(state, ref_of(script, Kind::emitter, *emitter, w.emitters));
+  if (const auto* shape = std::get_if<ShapeId>(&thing))
+    return push_ref(state, ref_of(script, Kind::collider, *shape, w.shapes));
   if (const auto* id = std::get_if<ConstraintId>(&thing)) {
     const Kind kind = w.constraints.alive(*id) ? kind_of(w.constraints[*id].kind) : Kind::constraint;
     return push_ref(state, ref_of(script, kind, *id, w.constraints));

@@ -34,7 +34,7 @@ int scene_hinge(lua_State* state) {
   for (int i = 2; i <= count - (with_options ? 1 : 0); i++) points.push_back(hinge_member(state, i));
   HingeDef def;
   const Options o(state, with_options ? count : count + 1, "hinge",
-                  {"color", "radius", "lifetime", "name", "family", "axis", "breaks_at"});
+                  {"color", "radius", "lifetime", "name", "family", "axis", "collide", "breaks_at"});
   if (o.has("family")) {
     def.family = check_kind(state, o.push("family"), Kind::family, "hinge", "family").id<FamilyId>();
     lua_pop(state, 1);
@@ -44,6 +44,7 @@ int scene_hinge(lua_State* state) {
   def.lifetime = o.number_or_infinity("lifetime", "s").value_or(def.lifetime);
   def.name = o.string("name").value_or("");
   def.axis = o.vector("axis", "");
+  def.collide = o.boolean("collide").value_or(false);
   const ParticleId hinge = add_hinge(self.world, points, def);
   if (o.has("breaks_at"))
     set_breaks_at(self.world, hinge,

@@ -26,9 +26,10 @@ struct Subscription {
   std::uint64_t serial;
   std::string name;
   std::optional<Callback> function;  ///< empty: cancelled
-  AnyId target = {};                 ///< of a behaviour: it ends with this
+  AnyId target = {};                 ///< of a behaviour; of "touched" and "parted" what it waits for: it ends with this
   std::optional<Callback> stop = {};
-  std::string key = {};  ///< of the moment "key": the only one it waits for, or empty
+  std::string key = {};    ///< of the moment "key": the only one it waits for, or empty
+  std::string layer = {};  ///< of "touched" and "parted": what it waits for, where that is no thing, or empty
 };
 
 /// What a snapshot copies of a script.

@@ -250,7 +250,8 @@ const ShapeKind& shape_kind(std::string_view name) {
 }
 
 const std::vector<std::string>& material_options() {
-  static const std::vector<std::string> names = {"density", "friction", "restitution", "surface_velocity"};
+  static const std::vector<std::string> names = {"density",          "friction", "restitution",
+                                                 "surface_velocity", "layer",    "sensor"};
   return names;
 }
 
@@ -267,10 +268,18 @@ Material material_of(const Options& o) {
   return m;
 }
 
+std::string layer_option(const Options& o) {
+  const auto layer = o.string("layer");
+  require(!layer || !layer->empty(), o.what(), ": layer must not be empty");
+  return layer.value_or("");
+}
+
 ShapeValue shape_of_sizes(const ShapeKind& kind, const Options& o) {
   ShapeValue value{kind.name, {}, {}};
   kind.read(o, value.def);
   value.def.material = material_of(o);
+  value.def.layer = layer_option(o);
+  value.def.sensor = o.boolean("sensor").value_or(false);
   try {
     check_shape(value.def.geometry);
   } catch (const Error& error) { throw Error(text(o.what(), ": ", error.what())); }

@@ -18,9 +18,11 @@ struct ShapeKind {
 const std::vector<ShapeKind>& shape_kinds();
 const ShapeKind& shape_kind(std::string_view name);
 
-/// density, friction, restitution, surface_velocity
+/// density, friction, restitution, surface_velocity, layer, sensor
 const std::vector<std::string>& material_options();
 Material material_of(const Options& options);
+/// `layer`, or empty.
+std::string layer_option(const Options& options);
 
 /// Of its sizes and its material alone.
 ShapeValue shape_of_sizes(const ShapeKind& kind, const Options& options);

@@ -78,6 +78,14 @@ Type make() {
        [](const Self& s) { lua_pushnumber(s.state, shape_of(s).def.material.friction); }, nullptr},
       {"restitution", "number", "1", "0 to 1; of two that touch the larger counts",
        [](const Self& s) { lua_pushnumber(s.state, shape_of(s).def.material.restitution); }, nullptr},
+      {"layer", "string?", "", "that scene:collide speaks of; nil: that of its body, or none",
+       [](const Self& s) {
+         const std::string& layer = shape_of(s).def.layer;
+         layer.empty() ? lua_pushnil(s.state) : static_cast<void>(lua_pushlstring(s.state, layer.data(), layer.size()));
+       },
+       nullptr},
+      {"sensor", "boolean", "", "tells what it touches, and pushes nothing",
+       [](const Self& s) { lua_pushboolean(s.state, shape_of(s).def.sensor); }, nullptr},
       {"surface_velocity", "vec", "m/s", "of its surface against its body, as of a belt",
        [](const Self& s) { push(s.state, shape_of(s).def.material.surface_velocity); }, nullptr},
   };

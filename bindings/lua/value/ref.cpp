@@ -26,6 +26,7 @@ std::array<std::string, kind_count> words() {
   set(Kind::interaction, "an interaction");
   set(Kind::field, "a field");
   set(Kind::emitter, "an emitter");
+  set(Kind::collider, "a collider");
   set(Kind::event, "an event");
   set(Kind::hand, "a hand");
   set(Kind::subscription, "a subscription");
@@ -61,6 +62,7 @@ void require_alive(const Ref& ref) {
     case Kind::interaction: return check(w.interactions, ref.id<InteractionId>());
     case Kind::field: return check(w.fields, ref.id<FieldId>());
     case Kind::emitter: return check(w.emitters, ref.id<EmitterId>());
+    case Kind::collider: return check(w.shapes, ref.id<ShapeId>());
     default: return;
   }
 }

@@ -22,6 +22,7 @@ enum class Kind : std::uint32_t {
   interaction,
   field,
   emitter,
+  collider,
   event,
   hand,
   subscription,

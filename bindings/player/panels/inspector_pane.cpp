@@ -38,13 +38,11 @@ class InspectorPane : public Pane {
       shown_ = desk.hovered;
     if (!alive(world, shown_)) return ImGui::TextDisabled("click a thing of the scene");
     if (!(seen_ == desk.seen() && read_of_ == shown_)) read(desk);
-    bool first = true;
-    for (ThingRead& thing : things_) {
-      ImGui::PushID(first ? "first" : "more");
-      if (ImGui::CollapsingHeader(thing.label.c_str(), first ? ImGuiTreeNodeFlags_DefaultOpen : 0))
-        draw_fields(desk, thing);
+    for (std::size_t i = 0; i < things_.size(); i++) {
+      ImGui::PushID(static_cast<int>(i));
+      if (ImGui::CollapsingHeader(things_[i].label.c_str(), i == 0 ? ImGuiTreeNodeFlags_DefaultOpen : 0))
+        draw_fields(desk, things_[i]);
       ImGui::PopID();
-      first = false;
     }
   }
   void reset() override { shown_ = {}, edited_.clear(), seen_ = {}; }
@@ -73,13 +71,19 @@ class InspectorPane : public Pane {
     return thing ? describe(world, *thing) : std::string();
   }
 
-  /// The thing itself, but of a point its body first, then its particle or hinge.
+  /// The thing itself, a body with its shapes; but of a point its body first, then its particle or hinge.
   std::vector<AnyId> related(const World& world) const {
+    std::vector<AnyId> things;
+    const auto add_body = [&](BodyId body) {
+      things.emplace_back(body);
+      const auto& shapes = world.bodies[body].shapes;
+      things.insert(things.end(), shapes.begin(), shapes.end());
+    };
+    if (const auto* body = std::get_if<BodyId>(&shown_)) return add_body(*body), things;
     const auto* point = std::get_if<PointId>(&shown_);
     if (!point) return {shown_};
     const Point& row = world.points[*point];
-    std::vector<AnyId> things;
-    if (row.body) things.emplace_back(row.body);
+    if (row.body) add_body(row.body);
     if (row.particle && (!row.body || world.particles[row.particle].is_hinge())) things.emplace_back(row.particle);
     things.push_back(shown_);
     return things;

@@ -1,0 +1,133 @@
+#include "contacts/touching.hpp"
+
+#include <algorithm>
+
+#include "contacts/bodies.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr double closed = 1e-5, apart = 1e-3;  // of the size
+
+/// Nothing where one of them is gone.
+TouchPair pair_of(const Model& model, const Contact& c) {
+  const auto body = [&](std::uint32_t slot) {
+    return model.bodies.alive_at(slot) ? model.bodies.id_at(slot) : BodyId{};
+  };
+  const BodyId a = body(c.body_a);
+  if (c.body_b < 0) {
+    const bool there = model.shapes.alive_at(c.key.b);
+    return a && there ? TouchPair{a, {}, model.shapes.id_at(c.key.b)} : TouchPair{};
+  }
+  const BodyId b = body(static_cast<std::uint32_t>(c.body_b));
+  return a && b ? TouchPair{std::min(a, b), std::max(a, b), {}} : TouchPair{};
+}
+
+bool presses(const Contact& c) { return norm2(c.total) > 0.0 || c.gap <= closed * c.size; }
+bool overlaps(const Contact& sensed) { return sensed.gap <= 0.0; }
+
+/// Speed with which two near each other where a sensor is [m/s].
+double approach_of(const Model& model, const Articulates& articulates, const Contact& c) {
+  const auto velocity = [&](std::uint32_t slot) {
+    const BodyState s = state_of(model, articulates, slot, true);
+    return s.v + cross(s.w, c.at - s.x);
+  };
+  const Vec3 of_b = c.body_b < 0 ? zero3() : velocity(static_cast<std::uint32_t>(c.body_b));
+  return -dot(c.normal, velocity(c.body_a) - of_b);
+}
+
+void add(const Model& model, const Contact& c, double speed, std::vector<Touch>& list) {
+  const TouchPair pair = pair_of(model, c);
+  if (!pair.a) return;
+  const double impulse = std::max(0.0, dot(c.normal, c.total));
+  const bool turned = c.body_b >= 0 && pair.a.slot - 1 != c.body_a;
+  list.push_back({pair, c.at, turned ? -c.normal : c.normal, impulse, std::max(0.0, speed)});
+}
+
+/// One of each pair, rising: impulses add up, what is told of places is their mean by impulse, of speeds the largest.
+std::vector<Touch> summed(std::vector<Touch> list) {
+  std::stable_sort(list.begin(), list.end(), [](const Touch& x, const Touch& y) { return x.pair < y.pair; });
+  std::vector<Touch> sums;
+  for (auto from = list.begin(); from != list.end();) {
+    const auto end = std::find_if(from, list.end(), [&](const Touch& t) { return t.pair != from->pair; });
+    Touch sum = *from;
+    sum.impulse = sum.speed = 0.0;
+    Vec3 at = zero3(), normal = zero3();
+    for (; from != end; from++) {
+      sum.impulse += from->impulse;
+      sum.speed = std::max(sum.speed, from->speed);
+      at += from->at * from->impulse;
+      normal += from->normal * from->impulse;
+    }
+    if (sum.impulse > 0.0) sum.at = at / sum.impulse;
+    if (norm2(normal) > 0.0) sum.normal = direction(normal);
+    sums.push_back(sum);
+  }
+  return sums;
+}
+
+/// Pairs of contacts that are such, rising.
+template <class Is, class IsSensed>
+std::vector<TouchPair> pairs(const Model& model, const Contacts& contacts, Is is, IsSensed is_sensed) {
+  std::vector<TouchPair> list;
+  for (const Contact& c : contacts.list)
+    if (is(c)) list.push_back(pair_of(model, c));
+  for (const Contact& c : contacts.sensed)
+    if (is_sensed(c)) list.push_back(pair_of(model, c));
+  std::erase(list, TouchPair{});
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+  return list;
+}
+
+}  // namespace
+
+std::vector<TouchPair> touching_now(const Model& model, const Contacts& contacts) {
+  return contacts.watched ? contacts.touching : pairs(model, contacts, presses, overlaps);
+}
+
+void watch(const Model& model, Contacts& contacts, bool watched) {
+  if (contacts.watched == watched) return;
+  contacts.touching = watched ? touching_now(model, contacts) : std::vector<TouchPair>();
+  contacts.watched = watched;
+  contacts.felt.clear();
+}
+
+void feel(const Model& model, const Articulates& articulates, Contacts& contacts) {
+  for (const Contact& c : contacts.list)
+    if (presses(c)) add(model, c, -c.approach, contacts.felt);
+  for (const Contact& c : contacts.sensed)
+    if (overlaps(c)) add(model, c, approach_of(model, articulates, c), contacts.felt);
+}
+
+TouchChanges take_changes(const Model& model, Contacts& contacts) {
+  const std::vector<Touch> felt = summed(std::move(contacts.felt));
+  contacts.felt.clear();
+  const auto near = [](const Contact& c) { return c.gap <= apart * c.size; };
+  std::vector<TouchPair> now = pairs(model, contacts, near, near);
+  const auto among = [](const std::vector<TouchPair>& list, const TouchPair& pair) {
+    return std::binary_search(list.begin(), list.end(), pair);
+  };
+  std::erase_if(now, [&](const TouchPair& pair) { return !among(contacts.touching, pair); });
+  const auto kept = static_cast<std::ptrdiff_t>(now.size());
+  for (const Touch& touch : felt) now.push_back(touch.pair);
+  std::inplace_merge(now.begin(), now.begin() + kept, now.end());
+  now.erase(std::unique(now.begin(), now.end()), now.end());
+
+  TouchChanges changes;
+  for (const Touch& touch : felt)
+    if (!among(contacts.touching, touch.pair)) changes.touched.push_back(touch);
+  for (const TouchPair& pair : contacts.touching)
+    if (!among(now, pair)) changes.parted.push_back(pair);
+  contacts.touching = std::move(now);
+  return changes;
+}
+
+double penetration(const Contacts& contacts) {
+  double depth = 0.0;
+  for (const Contact& c : contacts.list) depth = std::max(depth, -c.gap);
+  return depth;
+}
+
+}  // namespace pantin
