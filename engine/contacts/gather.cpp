@@ -88,14 +88,12 @@ struct Builder {
     to.pulls.emplace_back();
     return static_cast<std::int32_t>(to.slots.size()) - 1;
   }
-  static void add_pull(TouchIsland& to, const IslandTie& t, Vec3 force) {
-    const auto add = [&](std::int32_t body, Vec3 arm, double sign) {
-      if (body < 0) return;
-      to.pulls[static_cast<std::size_t>(body)].force += force * sign;
-      to.pulls[static_cast<std::size_t>(body)].moment += cross(arm, force) * sign;
-    };
-    add(t.a, t.ra, 1.0);
-    add(t.b, t.rb, -1.0);
+  /// Of a force that has an end either way: contacts do not find it larger than it may be, it is what it was last.
+  static bool gives_way(const Articulate& a, const Row& row) {
+    if (is_soft(row)) return true;
+    if (row.condition < 0) return false;
+    const Condition& c = condition(a, row);
+    return std::isfinite(c.lower) && std::isfinite(c.upper);
   }
   void add_articulate(TouchIsland& to, std::uint32_t number) {
     Articulate& a = *articulates[number];
@@ -103,6 +101,8 @@ struct Builder {
     to.articulates.push_back(number);
     if (!settings.drifted) load(a, model, settings.gravity);
     find_forbidden(a, settings.h, settings.drifted ? 1.0 : 0.0);
+    for (const Row& row : a.rows)
+      if (gives_way(a, row) && row.condition >= 0) condition(a, row).kept = zero33();
     std::vector<std::int32_t> places;
     for (Node& n : a.nodes) places.push_back(n.is_body ? add_body(to, n.slot) : add_point(to, n));
     std::vector<IslandTie> ties;
@@ -126,7 +126,7 @@ struct Builder {
           (end.to[lane] % 2 == 0 ? t.ra : t.rb) = lane_of(end.r1, lane);
         }
     for (std::uint32_t k = 0; k < ties.size(); k++)
-      if (is_soft(a.rows[k])) add_pull(to, ties[k], a.rows[k].f);
+      if (gives_way(a, a.rows[k])) add_load(to.pulls, ties[k], a.rows[k].f);
     const std::vector<Vec3>& last = a.touched[settings.drifted ? 1 : 0];
     for (std::uint32_t k = 0; k < ties.size(); k++) {
       if (trace(ties[k].kept) == 0.0 || a.rows[k].kind == RowKind::coupled) continue;

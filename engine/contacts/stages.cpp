@@ -96,7 +96,7 @@ void count(const IslandReport& found, const ContactIsland& problem, TouchReport&
 
 /// Solves it, exactly if its bodies are not waiting: where that failed some times in a row it is tried now and then.
 void solve(Contacts& contacts, TouchIsland& island, std::size_t stage, TouchReport& report) {
-  constexpr std::uint8_t waits_after = 8, longest_wait = 3;
+  constexpr std::uint8_t waits_after = 4, wait_of_failure = 7, wait_of_dense = 100;
   std::uint8_t failures = 0, wait = 0;
   const auto all = [&](auto use) {
     for (std::size_t i = 0; i < island.slots.size(); i++)
@@ -112,7 +112,7 @@ void solve(Contacts& contacts, TouchIsland& island, std::size_t stage, TouchRepo
     wait--;
   } else {
     failures = found.failed ? std::min<std::uint8_t>(failures + 1, waits_after) : 0;
-    wait = failures < waits_after ? 0 : longest_wait;
+    wait = found.too_dense ? wait_of_dense : failures < waits_after ? 0 : wait_of_failure;
   }
   all([&](TouchedBody& body) {
     body.failures[stage] = failures;

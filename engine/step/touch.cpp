@@ -1,5 +1,6 @@
 // Things with shapes touch: phases around the drift. Nothing happens in a scene without shapes.
 #include <algorithm>
+#include <cmath>
 
 #include "contacts/find.hpp"
 #include "contacts/gather.hpp"
@@ -28,6 +29,8 @@ void post_contacts(World& world, const TouchReport& report) {
   post(world, Source::contact, work - wrong);
   DriftReport told;
   told.unsolved = wrong;
+  // The kinetic energy that came and went in the step: in a scene at rest there is no other to hold errors against.
+  world.largest_kinetic = std::max(world.largest_kinetic, std::fabs(world.contacts.work));
   post_report(world, told);
 }
 

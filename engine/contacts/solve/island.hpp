@@ -114,7 +114,7 @@ void push(ContactIsland& island, const IslandTie& tie, Vec3 impulse);
 /// Adds what impulses do to the bodies: of contacts that are on, of ties.
 void add_contact_loads(const ContactIsland& island, std::vector<BodyLoad>& loads);
 void add_tie_loads(const ContactIsland& island, std::vector<BodyLoad>& loads);
-void add_load(std::vector<BodyLoad>& loads, const IslandTie& tie, Vec3 impulse);
+void add_load(std::vector<BodyLoad>& loads, const IslandTie& tie, Vec3 impulse);  ///< world axes
 /// Velocities without impulses, and with those at hand.
 void start_from_rest(ContactIsland& island);
 void apply_impulses(ContactIsland& island);

@@ -9,10 +9,10 @@ namespace pantin {
 
 namespace {
 
-constexpr std::uint32_t most_of_newton = 15;
-constexpr std::uint32_t most_sweeps = 10, sweeps_before_newton = 30;
+constexpr std::uint32_t most_of_newton = 10;
+constexpr std::uint32_t most_sweeps = 20, sweeps_before_newton = 30;
 constexpr std::size_t few = 24;            // contacts: such an island is always solved exactly
-constexpr double calm = 3e7;               // of the tolerance, root of the mean square of velocities
+constexpr double calm = 1e8;               // of the tolerance, root of the mean square of velocities
 constexpr double accepted = 100.0;         // of the tolerance
 constexpr double swept_enough = 1e4;       // of the tolerance
 constexpr std::size_t most_updates = 100;  // of blocks in a factorisation, for each contact
@@ -58,8 +58,8 @@ struct Search {
   /// Not where the factor would cost more than it is worth.
   void newton() {
     lay_out_all(island);
-    report.failed = island.factor.target.size() > most_updates * island.contacts.size();
-    if (report.failed) return;
+    report.too_dense = island.factor.target.size() > most_updates * island.contacts.size();
+    if (report.too_dense) return;
     take(newton_search(island, most_of_newton));
     report.failed = !solved();
     go_on();

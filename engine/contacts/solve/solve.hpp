@@ -7,7 +7,8 @@ namespace pantin {
 struct IslandReport {
   double residual = 0.0;  ///< [m/s] at contacts and ties
   std::uint32_t iterations = 0, factorisations = 0;
-  bool failed = false;  ///< an exact search, where one was tried
+  bool failed = false;     ///< an exact search, where one was tried,
+  bool too_dense = false;  ///< since it would cost more than it is worth
 };
 
 /// Finds impulses and velocities of an island whose contacts and ties say where to begin: exactly where it is small or
