@@ -22,6 +22,7 @@ void step(World& world) {
     phases::find_articulates(world);
     phases::refresh_forces(world);
     if (!world.failure.empty()) return;
+    phases::divide_for_contacts(world);
     keep_start(world);
     do {
       const std::uint32_t count = all_asleep(world) ? 0 : stage_count(world);
