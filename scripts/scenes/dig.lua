@@ -10,8 +10,8 @@ scene:floor { height = -0.1, color = "#cdd5c6" }
 
 -- A bin without a lid.
 local long, wide, high, thick = 2.4, 1.4, 0.6, 0.1
-local function board(x, y, z, at) return shape.box(x, y, z, { at = at, friction = friction, color = "#8d7a63" }) end
-scene:ground { shapes = {
+local function board(x, y, z, at) return shape.box(x, y, z, { at = at, friction = friction }) end
+scene:ground { color = "#8d7a63", shapes = {
   board(long, thick, wide, vec(0, -thick / 2, 0)),
   board(thick, high, wide, vec(-(long + thick) / 2, high / 2 - thick, 0)),
   board(thick, high, wide, vec((long + thick) / 2, high / 2 - thick, 0)),
@@ -40,16 +40,14 @@ local shovel = scene:body {
   points = { handle = { at = vec(-0.2, 0.3, 0), radius = 0.06 } },
 }
 -- Every two seconds its handle is drawn to another position, and it is tipped to another angle, rad.
-local forward = vec(0, 0, 1)
 local moves = { { -0.8, 1.6, -0.6 }, { -0.7, 0.55, -0.5 }, { -0.1, 0.38, 0 }, { 0.5, 0.45, 0.2 }, { 0.6, 1.5, 0.4 }, { 1.9, 1.5, 0.4 },
                 { 1.9, 1.5, -1.5 }, { 0, 1.8, -0.6 } }
 local grip = scene:follow(shovel.handle, shovel.handle.position, { time_constant = 0.4, max_force = 3000 })
-local tip = scene:orient(shovel, quat(forward, -0.6), { time_constant = 0.3 })
+local tip = scene:orient(shovel, quat(vec(0, 0, 1), -0.6), { time_constant = 0.3 })
 local at = 0
 local digging = scene:every(2, function()
   at = at % #moves + 1
-  local x, y, angle = table.unpack(moves[at])
-  grip.target, tip.to = vec(x, y, 0), quat(forward, angle)
+  grip.target, tip.to = vec(moves[at][1], moves[at][2], 0), quat(vec(0, 0, 1), moves[at][3])
 end)
 scene:button("stop", function()
   digging:cancel()

@@ -23,11 +23,11 @@ local crank_at, mirrored = vec(0, 1, 0), 1
 --- A rod between two places, or a plate of three, on the side of the leg that is being made. A lower leg is solid: two bars to
 --- its foot, beside those of other legs.
 local function link(places, beside)
-  local points, shapes = {}, beside and {}
+  local points, shapes = {}, {}
   for n, at in ipairs(places) do points[n] = { at = vec(mirrored * at.x, at.y, 0) + crank_at, mass = 0.1 } end
   for n = 1, beside and 2 or 0 do
-    local aside = vec(0, 0, beside)
-    shapes[n] = shape.capsule { radius = 0.03, from = points[n].at + aside, to = points[3].at + aside, friction = friction }
+    local from, to = points[n].at + vec(0, 0, beside), points[3].at + vec(0, 0, beside)
+    shapes[n] = shape.capsule { radius = 0.03, from = from, to = to, friction = friction }
   end
   return scene:body { points = points, shapes = shapes, color = "#d9c39a" }.points
 end
