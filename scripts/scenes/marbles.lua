@@ -9,8 +9,7 @@ scene.camera = { at = vec(0.7, 1.9, 3.0), look_at = vec(-0.05, 1, 0) }
 scene:floor { color = "#d9d2c4" }
 
 -- Rails of two capsules, each pair below the end of the one before, with boards that keep marbles on them.
-local radius, gauge, long, drop, base = 0.032, 0.045, 1.4, 0.26, 1.5
-local parts = {}
+local radius, gauge, long, drop, base, parts = 0.032, 0.045, 1.4, 0.26, 1.5, {}
 for i = 1, 5 do
   local way = i % 2 == 1 and 1 or -1
   local from = vec(-way * 0.5 * long, base - drop * (i - 1), 0)
@@ -31,9 +30,8 @@ local vertices, faces = {}, {}
 for r = 0, 8 do
   local u = r / 8
   for s = 0, sides - 1 do
-    local a, wide = 2 * math.pi * s / sides, hole + (rim - hole) * u
+    local a, wide, b, next = 2 * math.pi * s / sides, hole + (rim - hole) * u, (r - 1) * sides + 1, (s + 1) % sides
     vertices[#vertices + 1] = mouth + vec(wide * math.cos(a), 0.3 * u ^ 0.6, wide * math.sin(a))
-    local b, next = (r - 1) * sides + 1, (s + 1) % sides
     if r > 0 then faces[#faces + 1] = { b + s, b + next, b + sides + next, b + sides + s } end
   end
 end

@@ -1,5 +1,4 @@
--- Theo Jansen's walking mechanism: six legs on one crank, all in a plane, walk on a floor by friction. Turn its speed, or drag
--- it by any joint.
+-- Theo Jansen's walking mechanism: six legs on one crank, in a plane, walk on a floor. Turn its speed, or drag it by any joint.
 scene.title = "Strandbeest"
 scene.duration = 20
 scene.plane, scene.step = "xy", 1 / 240
@@ -20,16 +19,15 @@ local function left(p, q, from_p, from_q)
 end
 local crank_at, mirrored = vec(0, 1, 0), 1
 
---- A rod between two places, or a plate of three, on the side of the leg that is being made. A lower leg is solid: two bars to
---- its foot, beside those of other legs.
+--- A rod between two places, or a plate of three, of the leg that is being made. A lower leg is solid, beside those of others.
 local function link(places, beside)
   local points, shapes = {}, {}
   for n, at in ipairs(places) do points[n] = { at = vec(mirrored * at.x, at.y, 0) + crank_at, mass = 0.1 } end
   for n = 1, beside and 2 or 0 do
-    local from, to = points[n].at + vec(0, 0, beside), points[3].at + vec(0, 0, beside)
-    shapes[n] = shape.capsule { radius = 0.03, from = from, to = to, friction = friction }
+    local from, aside = points[n].at, vec(0, 0, beside)
+    shapes[n] = shape.capsule { radius = 0.03, from = from, to = points[3].at, at = aside, friction = friction }
   end
-  return scene:body { points = points, shapes = shapes, color = "#d9c39a" }.points
+  return scene:body { points = points, shapes = beside and shapes, color = "#d9c39a" }.points
 end
 
 local pins, sides = {}, { vec(-a, -l, 0), vec(a, -l, 0) }
