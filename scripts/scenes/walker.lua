@@ -1,9 +1,10 @@
--- Theo Jansen's walking mechanism: six legs on one crank, all in a plane. Turn its speed, or drag it by any joint.
+-- Theo Jansen's walking mechanism: six legs on one crank, in a plane, walk on a floor. Turn its speed, or drag it by any joint.
 scene.title = "Strandbeest"
 scene.duration = 20
-scene.plane, scene.step = "xy", 1 / 960
+scene.plane, scene.step = "xy", 1 / 240
 
 local speed = scene:param("speed", 2, { min = -6, max = 6, help = "of the crank, rad/s" })
+local friction = scene:param("friction", 0.8, { min = 0, max = 2, help = "of feet and floor" })
 
 -- His "eleven holy numbers", m.
 local a, b, c, d, e, f = 0.380, 0.415, 0.393, 0.401, 0.558, 0.394
@@ -16,14 +17,17 @@ local function left(p, q, from_p, from_q)
   local along = (n * n + from_p * from_p - from_q * from_q) / (2 * n)
   return p + way * (along / n) + vec(-way.y, way.x, 0) * (math.sqrt(from_p * from_p - along * along) / n)
 end
-local feet = scene:family("feet", { radius = 0.03 })
 local crank_at, mirrored = vec(0, 1, 0), 1
 
---- A rod between two places, or a plate of three, on the side of the leg that is being made.
-local function link(...)
-  local points = {}
-  for n, at in ipairs { ... } do points[n] = { at = vec(mirrored * at.x, at.y, 0) + crank_at, mass = 0.1 } end
-  return scene:body { points = points, color = "#d9c39a" }.points
+--- A rod between two places, or a plate of three, of the leg that is being made. A lower leg is solid, beside those of others.
+local function link(places, beside)
+  local points, shapes = {}, {}
+  for n, at in ipairs(places) do points[n] = { at = vec(mirrored * at.x, at.y, 0) + crank_at, mass = 0.1 } end
+  for n = 1, beside and 2 or 0 do
+    local from, aside = points[n].at, vec(0, 0, beside)
+    shapes[n] = shape.capsule { radius = 0.03, from = from, to = points[3].at, at = aside, friction = friction }
+  end
+  return scene:body { points = points, shapes = beside and shapes, color = "#d9c39a" }.points
 end
 
 local pins, sides = {}, { vec(-a, -l, 0), vec(a, -l, 0) }
@@ -43,17 +47,16 @@ for n, pin in ipairs(pins) do
     local B, F = left(A, C, b, j), left(C, A, k, c)
     local D = left(A, B, d, e)
     local G = left(F, D, g, f)
-    local upper, lower = link(A, B, D), link(F, G, left(F, G, i, h))
-    local push, pull, swing, down = link(C, B), link(C, F), link(A, F), link(D, G)
+    local upper, lower = link { A, B, D }, link({ F, G, left(F, G, i, h) }, 0.1 * (n - 2))
+    local push, pull, swing, down = link { C, B }, link { C, F }, link { A, F }, link { D, G }
     scene:hinge(crank.points[n + 1], push[1], pull[1])
     scene:hinge(chassis.points[side + 1], upper[1], swing[1])
     scene:hinge(upper[2], push[2])
     scene:hinge(upper[3], down[1])
     scene:hinge(lower[1], pull[2], swing[2])
     scene:hinge(lower[2], down[2])
-    lower[3].particle.family = feet
   end
 end
-scene:field(feet, force.wall { through = vec(0, 0, 0), normal = vec(0, 1, 0), stiffness = 5e3, damping = 30, friction = 0.8, slip = 0.01 })
+scene:floor { friction = friction }
 scene.camera = { at = vec(0.3, 1.2, 3.5), look_at = vec(0, 0.7, 0), follow = chassis }
 scene:probe("way", function() return chassis.position.x end)

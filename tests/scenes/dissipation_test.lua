@@ -54,7 +54,21 @@ test("a bar that turns with its end on a rough floor is stopped as friction says
 end)
 
 test("steps in which feet meet the floor, stick and slip lose nothing that is not booked", function()
-  local scene = open "scenes/walker.lua"
+  local scene = open_text [[
+    scene.plane, scene.step = "xy", 1 / 960
+    local feet = scene:family "feet"
+    local cart = scene:body { at = vec(0, 1, 0), mass = 2, inertia = vec(1, 1, 1), points = { vec(-1, 0, 0), vec(1, 0, 0) } }
+    for i = 1, 2 do
+      local spokes = { vec(0, 0, 0) }
+      for n = 1, 5 do
+        spokes[n + 1] = { at = vec(math.cos(n * 2 * math.pi / 5), math.sin(n * 2 * math.pi / 5), 0), mass = 0.2, family = feet }
+      end
+      local wheel = scene:body { at = cart.points[i].position, points = spokes }
+      scene:hinge(wheel.points[1], cart.points[i])
+      scene:motor(wheel, cart, { speed = -1.5, max_torque = 60 })
+    end
+    scene:field(feet, force.wall { normal = vec(0, 1, 0), stiffness = 5e3, damping = 30, friction = 0.8, slip = 0.01 })
+  ]]
   local _ = scene.ledger.closure
   scene:advance(2)
   local ledger = scene.ledger

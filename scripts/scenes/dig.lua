@@ -1,0 +1,60 @@
+-- Stones in a bin, and a shovel that digs in them and tips them out beside it. Press "stop" and drag it yourself.
+local count = scene:param("count", 100, { min = 1, max = 1000, step = 1, help = "stones" })
+local friction = scene:param("friction", 0.5, { min = 0, max = 1.5, help = "of stones and shovel" })
+
+scene.title = "Dig"
+scene.duration = 24
+scene.step = 1 / 120
+scene.camera = { at = vec(2.6, 3.2, 4.6), look_at = vec(0.5, 0.4, 0) }
+scene:floor { height = -0.1, color = "#cdd5c6" }
+
+-- A bin without a lid.
+local long, wide, high, thick = 2.4, 1.4, 0.6, 0.1
+local function board(x, y, z, at) return shape.box(x, y, z, { at = at, friction = friction }) end
+scene:ground { color = "#8d7a63", shapes = {
+  board(long, thick, wide, vec(0, -thick / 2, 0)),
+  board(thick, high, wide, vec(-(long + thick) / 2, high / 2 - thick, 0)),
+  board(thick, high, wide, vec((long + thick) / 2, high / 2 - thick, 0)),
+  board(long + 2 * thick, high, thick, vec(0, high / 2 - thick, -(wide + thick) / 2)),
+  board(long + 2 * thick, high, thick, vec(0, high / 2 - thick, (wide + thick) / 2)),
+} }
+
+local function some(low, most) return low + (most - low) * math.random() end
+local colors = { "#9a8f80", "#b5a894", "#7f766a", "#c2b8a3", "#8c6f55" }
+local stones = {}
+for i = 1, count do
+  local size = some(0.1, 0.17)
+  local what = i % 3 == 0 and shape.ball(size / 2, { friction = friction, density = 2000 })
+    or i % 3 == 1 and shape.box(size, some(0.7, 1) * size, some(0.7, 1) * size, { friction = friction, density = 2000 })
+    or shape.hull(structure.dodecahedron { edge = 0.36 * size }, { friction = friction, density = 2000 })
+  stones[i] = scene:body { shape = what, color = colors[i % #colors + 1], orientation = quat(vec(some(-1, 1), 1, some(-1, 1)), some(0, 3)),
+                           at = vec(0.2 * (i % 10) - 0.9, 0.1 + 0.19 * (i // 60), 0.2 * (i // 10 % 6) - 0.5) }
+end
+
+-- The shovel: a plate with a back and two sides, held at its handle.
+local function plate(x, y, z, at) return shape.box(x, y, z, { at = at, friction = friction, density = 3000 }) end
+local shovel = scene:body {
+  at = vec(-0.7, 1.6, 0), color = "#c2413b", name = "shovel",
+  shapes = { plate(0.6, 0.03, 0.6, vec(0.1, 0, 0)), plate(0.03, 0.3, 0.6, vec(-0.2, 0.15, 0)),
+             plate(0.5, 0.2, 0.03, vec(0.05, 0.1, 0.3)), plate(0.5, 0.2, 0.03, vec(0.05, 0.1, -0.3)) },
+  points = { handle = { at = vec(-0.2, 0.3, 0), radius = 0.06 } },
+}
+-- Every two seconds its handle is drawn to another position, and it is tipped to another angle, rad.
+local moves = { { -0.8, 1.6, -0.6 }, { -0.7, 0.55, -0.5 }, { -0.1, 0.38, 0 }, { 0.5, 0.45, 0.2 }, { 0.6, 1.5, 0.4 }, { 1.9, 1.5, 0.4 },
+                { 1.9, 1.5, -1.5 }, { 0, 1.8, -0.6 } }
+local grip = scene:follow(shovel.handle, shovel.handle.position, { time_constant = 0.4, max_force = 3000 })
+local tip = scene:orient(shovel, quat(vec(0, 0, 1), -0.6), { time_constant = 0.3 })
+local at = 0
+local digging = scene:every(2, function()
+  at = at % #moves + 1
+  grip.target, tip.to = vec(moves[at][1], moves[at][2], 0), quat(vec(0, 0, 1), moves[at][3])
+end)
+scene:button("stop", function()
+  digging:cancel()
+  if grip.alive then grip:remove() end
+end)
+scene:probe("dug out", function()
+  local number = 0
+  for _, one in ipairs(stones) do if one.position.x > long / 2 + thick then number = number + 1 end end
+  return number
+end)

@@ -1,0 +1,32 @@
+-- A tippe top: a ball whose centre of mass lies below its middle, with a peg above. Spun fast, friction alone turns it over,
+-- and it climbs onto its peg. Without friction it never does.
+local rate = scene:param("spin", 240, { min = 0, max = 400, help = "about its peg at the start, rad/s" })
+local friction = scene:param("friction", 0.3, { min = 0, max = 1.5, help = "of top and table" })
+
+scene.title = "Tippe top"
+scene.duration = 12
+scene.step = 1 / 1000
+scene.camera = { at = vec(0.05, 0.07, 0.13), look_at = vec(0, 0.022, 0) }
+scene:floor { friction = friction, color = "#cbb894" }
+
+-- A wooden ball of 2 cm, hollowed out: what is left of it has its centre of mass 3 mm below its middle.
+local radius, below = 0.02, 0.003
+local mass = 0.02
+local lean = quat(vec(0, 0, 1), 0.1)
+local axis = lean:rotate(vec(0, 1, 0))
+local top = scene:body {
+  points = { { at = vec(0, 0, 0), mass = mass } }, inertia = vec(1, 1.05, 1) * (0.4 * mass * radius ^ 2),
+  shapes = {
+    shape.ball { radius = radius, at = vec(0, below, 0), friction = friction, color = "#c2413b" },
+    shape.capsule { radius = 0.005, from = vec(0, below + 0.6 * radius, 0), to = vec(0, below + 1.05 * radius, 0),
+                    friction = friction, color = "#f2b45c" },
+  },
+  orientation = lean, at = vec(0, radius, 0) - axis * below, spin = axis * rate, name = "top",
+}
+
+local function leaning() return math.acos(math.max(-1, math.min(1, top.orientation:rotate(vec(0, 1, 0)).y))) end
+scene:probe("lean", leaning)
+scene:probe("spin about the vertical", function() return top.spin.y end)
+scene:probe("height", function() return top.position.y end)
+scene:button("spin it", function() top.spin = vec(0, rate, 0) end)
+scene:when(function() return leaning() > 2.8 end, function() scene:result("turned over after", scene.time) end)
