@@ -27,8 +27,6 @@ void apply_forces(World& world);
 /// Ends connections that were pulled harder or further than they bear.
 void break_connections(World& world);
 /// Of shapes that touch: impulses with which the drift brings none into another.
-/// Things that are near each other and fast for their size are moved in up to four sub-steps.
-void divide_for_contacts(World& world);
 void place_contacts(World& world);
 /// Which shapes touch after the drift; what overlaps is displaced a little.
 void find_contacts(World& world);

@@ -6,6 +6,7 @@
 #include "forces/sleep.hpp"
 #include "step/attempt.hpp"
 #include "step/phases.hpp"
+#include "step/touch.hpp"
 
 namespace pantin {
 
@@ -22,7 +23,7 @@ void step(World& world) {
     phases::find_articulates(world);
     phases::refresh_forces(world);
     if (!world.failure.empty()) return;
-    phases::divide_for_contacts(world);
+    divide_for_contacts(world);
     keep_start(world);
     do {
       const std::uint32_t count = all_asleep(world) ? 0 : stage_count(world);

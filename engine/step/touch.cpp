@@ -9,8 +9,30 @@
 #include "contacts/touching.hpp"
 #include "step/ledger_posts.hpp"
 #include "step/phases.hpp"
+#include "step/touch.hpp"
 
-namespace pantin::phases {
+namespace pantin {
+
+void divide_for_contacts(World& world) {
+  if (world.shapes.empty()) return;
+  constexpr double most_way = 0.1;  // of the thickness, in a sub-step of what may touch
+  constexpr double most = 4.0;
+  double wanted = 1.0;
+  const auto see = [&](const Contact& c, std::uint32_t body, std::uint32_t shape) {
+    if (!world.shapes.alive_at(shape)) return;
+    const BodyState s = state_of(world, world.articulates, body, false);
+    const double speed = norm(s.v) + norm(s.w) * reach_of(world.shapes.at_slot(shape).geometry);
+    wanted = std::max(wanted, speed * world.settings.step / (most_way * c.size));
+  };
+  for (const Contact& c : world.contacts.list) {
+    see(c, c.body_a, c.key.a);
+    if (c.body_b >= 0) see(c, static_cast<std::uint32_t>(c.body_b), c.key.b);
+  }
+  const auto count = static_cast<std::uint16_t>(std::ceil(std::min(wanted, most)));
+  world.sub_steps.count = world.settings.accuracy ? std::max(world.sub_steps.count, count) : count;
+}
+
+namespace phases {
 
 namespace {
 
@@ -44,25 +66,6 @@ void find(World& world, bool drifted) {
 }
 
 }  // namespace
-
-void divide_for_contacts(World& world) {
-  if (world.shapes.empty()) return;
-  constexpr double most_way = 0.1;  // of the thickness, in a sub-step of what may touch
-  constexpr double most = 4.0;
-  double wanted = 1.0;
-  const auto see = [&](const Contact& c, std::uint32_t body, std::uint32_t shape) {
-    if (!world.shapes.alive_at(shape)) return;
-    const BodyState s = state_of(world, world.articulates, body, false);
-    const double speed = norm(s.v) + norm(s.w) * reach_of(world.shapes.at_slot(shape).geometry);
-    wanted = std::max(wanted, speed * world.settings.step / (most_way * c.size));
-  };
-  for (const Contact& c : world.contacts.list) {
-    see(c, c.body_a, c.key.a);
-    if (c.body_b >= 0) see(c, static_cast<std::uint32_t>(c.body_b), c.key.b);
-  }
-  const auto count = static_cast<std::uint16_t>(std::ceil(std::min(wanted, most)));
-  world.sub_steps.count = world.settings.accuracy ? std::max(world.sub_steps.count, count) : count;
-}
 
 void place_contacts(World& world) {
   if (world.shapes.empty()) return;
@@ -99,4 +102,6 @@ void meet_contacts(World& world) {
   world.stats.contact_islands = report.islands;
 }
 
-}  // namespace pantin::phases
+}  // namespace phases
+
+}  // namespace pantin
