@@ -70,6 +70,7 @@ struct Builder {
     to.points.push_back(0);
     to.states.push_back(s);
     to.pulls.emplace_back();
+    to.law_pulls.emplace_back();
     return index[slot] = static_cast<std::int32_t>(to.slots.size()) - 1;
   }
   std::int32_t add_point(TouchIsland& to, Node& n) {
@@ -86,6 +87,7 @@ struct Builder {
     s.node = &n;
     to.states.push_back(s);
     to.pulls.emplace_back();
+    to.law_pulls.emplace_back();
     return static_cast<std::int32_t>(to.slots.size()) - 1;
   }
   /// Of a force that has an end either way: contacts do not find it larger than it may be, it is what it was last.
@@ -126,7 +128,10 @@ struct Builder {
           (end.to[lane] % 2 == 0 ? t.ra : t.rb) = lane_of(end.r1, lane);
         }
     for (std::uint32_t k = 0; k < ties.size(); k++)
-      if (gives_way(a, a.rows[k])) add_load(to.pulls, ties[k], a.rows[k].f);
+      if (gives_way(a, a.rows[k])) {
+        add_load(to.pulls, ties[k], a.rows[k].f);
+        if (a.rows[k].kind == RowKind::stiff) add_load(to.law_pulls, ties[k], a.rows[k].f);
+      }
     const std::vector<Vec3>& last = a.touched[settings.drifted ? 1 : 0];
     for (std::uint32_t k = 0; k < ties.size(); k++) {
       if (trace(ties[k].kept) == 0.0 || a.rows[k].kind == RowKind::coupled) continue;
@@ -154,6 +159,7 @@ void TouchIsland::clear() {
   articulates.clear();
   rows.clear();
   pulls.clear();
+  law_pulls.clear();
 }
 
 std::span<TouchIsland> gather(TouchSpace& space, Model& model, const Articulates& articulates, const Contacts& contacts,

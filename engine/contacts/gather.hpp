@@ -20,6 +20,7 @@ struct TouchIsland {
   std::vector<std::uint32_t> articulates;  ///< that are in it
   std::vector<std::array<std::uint32_t, 2>> rows;  ///< (ties) articulate and its row
   std::vector<BodyLoad> pulls;                     ///< (bodies) [N], [N m] of soft rows in the last step
+  std::vector<BodyLoad> law_pulls;                 ///< (bodies) what of that is of laws
 
   void clear();  ///< keeps memory
 };

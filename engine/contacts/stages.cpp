@@ -318,12 +318,13 @@ double push_out(TouchSpace& space, Model& model, const Articulates& articulates,
     count(solve_island(problem, true), problem, report);
     const double before = kinetic_energy_now(model, island);
     for (std::size_t i = 0; i < island.slots.size(); i++) {
-      const Vec3 way = model.plane.along(problem.bodies[i].v) * h;
-      work -= problem.bodies[i].mass * dot(settings.gravity, way);
+      const Vec3 way = model.plane.along(problem.bodies[i].v) * h, turn = problem.bodies[i].w * h;
+      const BodyLoad& pull = island.law_pulls[i];
+      work -= dot(settings.gravity * problem.bodies[i].mass + pull.force, way) + dot(pull.moment, turn);
       if (island.points[i])
         island.states[i].node->x0 += way;
       else
-        displace(model, island.states[i], island.slots[i], way, problem.bodies[i].w * h);
+        displace(model, island.states[i], island.slots[i], way, turn);
     }
     work += kinetic_energy_now(model, island) - before;
     contacts.stale = true;
