@@ -67,16 +67,16 @@ bool may_touch(const ContactFinder& finder, const Shape& a, const Shape& b, cons
 
 /// (slots of bodies) Less what contacts stopped in the last drift: the end of the step does not give that back.
 std::vector<Going> going_on(const Model& model, const std::vector<Placed>& placed, const Contacts& contacts) {
+  constexpr double least_stop = 1e-6;  // part of the speed: less is round-off
   std::vector<Going> going(model.bodies.slots());
   for (std::uint32_t s = 0; s < placed.size(); s++)
     if (placed[s].moves) going[model.shapes.at_slot(s).body.slot - 1] = placed[s].going;
   for (const Contact& c : contacts.list) {
-    if (!(dot(c.placing, c.normal) > 0.0)) continue;
     Going world, &a = going[c.body_a], &b = c.body_b < 0 ? world : going[static_cast<std::size_t>(c.body_b)];
-    const double nearing = std::fmin(0.0, dot(c.normal, a.v - b.v));
-    const double of_a = c.body_b < 0 ? 1.0 : b.mass / (a.mass + b.mass);
-    a.v -= c.normal * (nearing * of_a);
-    b.v += c.normal * (nearing * (1.0 - of_a));
+    const double nearing = -dot(c.normal, a.v - b.v), lightness = 1.0 / a.mass + 1.0 / b.mass;
+    if (!(nearing > 0.0 && dot(c.placing, c.normal) * lightness > least_stop * nearing)) continue;
+    a.v += c.normal * (nearing / (a.mass * lightness));
+    b.v -= c.normal * (nearing / (b.mass * lightness));
   }
   return going;
 }

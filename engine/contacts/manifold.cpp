@@ -12,9 +12,11 @@ namespace {
 /// Part of the thickness by which shapes may overlap where one passes over the other: more than is left of what was pushed out.
 constexpr double passing_overlap = 5e-4;
 /// Part of the thickness below which nothing nears.
-constexpr double no_approach = 1e-9;
+constexpr double no_approach = 1e-6;
 /// [rad] past which a turn is not foreseen.
 constexpr double most_turn = 0.5;
+/// Part of the cosine up to which two normals are the same.
+constexpr double same_normal = 1e-10;
 constexpr int most_rounds = 30;
 
 struct Pair {
@@ -22,7 +24,8 @@ struct Pair {
   const Pose& at_a;
   const Geometry& b;
   const Pose& at_b;
-  double margin, overlap;  ///< [m]
+  double margin, thickness;  ///< [m]
+  double overlap() const { return passing_overlap * thickness; }
 };
 
 Pose moved(const Pose& pose, const Travel& motion, double part) {
@@ -36,26 +39,43 @@ Vec3 way_of(const Travel& motion, const Pose& at_a, Vec3 on_a) {
   return motion.way + cross(motion.turn, on_a - at_a.x);
 }
 
-/// The part of the motion after which the shapes overlap by so much as none that pass do, by Newton's method: of straight
-/// motion the distance is convex, and no step goes too far.
-std::optional<double> first_overlap(const Pair& pair, const Travel& motion, double most) {
+/// Turning about its axis moves no surface of what is round.
+Vec3 turn_of(const Geometry& shape, const Pose& pose, Vec3 turn) {
+  if (std::holds_alternative<BallShape>(shape)) return zero3();
+  const bool round = std::holds_alternative<CapsuleShape>(shape) || std::holds_alternative<CylinderShape>(shape);
+  return round ? turn - pose.R[2] * dot(pose.R[2], turn) : turn;
+}
+
+struct Meeting {
+  double part;
+  Vec3 normal;
+};
+
+/// When a motion first makes shapes overlap as none do that pass, by Newton's method: of straight motion the distance is
+/// convex, and no step goes too far.
+std::optional<Meeting> first_meeting(const Pair& pair, const Travel& motion) {
   SeparationCache cache;
   double part = 0.0;
   for (int round = 0; round < most_rounds; round++) {
     const Pose pose = moved(pair.at_a, motion, part);
     const Separation gap = separation(pair.a, pose, pair.b, pair.at_b, infinity, &cache);
-    const double left = gap.distance + pair.overlap;
-    if (left <= 1e-3 * pair.overlap) return part;
+    const double left = gap.distance + pair.overlap();
+    if (left <= 1e-3 * pair.overlap()) return Meeting{part, gap.normal};
     const double nearing = -dot(gap.normal, way_of(motion, pose, gap.on_a));
-    if (!(nearing * most > left - part * nearing)) {
-      if (norm2(motion.turn) == 0.0) return {};
-      const Pose end = moved(pair.at_a, motion, 1.0);
-      const bool meets = separation(pair.a, end, pair.b, pair.at_b, 0.0, &cache).distance <= -pair.overlap;
-      return meets ? std::optional(1.0) : std::nullopt;
+    if (nearing * (1.0 - part) >= left) {
+      part += left / nearing;
+      continue;
     }
-    part += left / nearing;
+    if (norm2(motion.turn) == 0.0 || part == 1.0) return {};
+    part = 1.0;
   }
-  return part;
+  return Meeting{part, zero3()};
+}
+
+/// How far a motion takes a past the plane of a point [m].
+double way_past(const Pair& pair, const Travel& motion, const ManifoldPoint& p) {
+  const double nearing = -dot(p.normal, way_of(motion, pair.at_a, p.on_a));
+  return nearing > no_approach * pair.thickness ? nearing - p.gap : 0.0;
 }
 
 void set_points(const Pair& pair, const Pose& at_a, SeparationCache& cache, Manifold& manifold) {
@@ -66,34 +86,10 @@ void set_points(const Pair& pair, const Pose& at_a, SeparationCache& cache, Mani
     convex_on_convex(pair.a, at_a, pair.b, pair.at_b, pair.margin, cache, manifold);
 }
 
-/// How many times the motion takes a past the plane of a point; 0 where it ends before that of each.
-double passes(const Pair& pair, const Travel& motion, const Manifold& manifold) {
-  double most = 0.0;
-  for (std::uint32_t i = 0; i < manifold.count; i++) {
-    const ManifoldPoint& p = manifold.points[i];
-    const double nearing = -dot(p.normal, way_of(motion, pair.at_a, p.on_a));
-    if (nearing * passing_overlap <= no_approach * pair.overlap || nearing <= p.gap) continue;
-    most = std::fmax(most, std::fmax(1.0, (p.gap + 2.0 * pair.overlap) / nearing));
-  }
-  return most;
-}
-
-/// Points that the motion would pass are put to the test: what only passes by needs none, and what meets b has those of
-/// where it does, unless it touches already.
-void foresee(const Pair& pair, const Travel& motion, Manifold& manifold) {
-  const double most = passes(pair, motion, manifold);
-  if (most == 0.0 || most * norm(motion.turn) > most_turn) return;
-  const std::optional<double> part = first_overlap(pair, motion, most);
-  if (!part) {
-    manifold.count = 0;
-    return;
-  }
-  double least = infinity;
-  for (std::uint32_t i = 0; i < manifold.count; i++) least = std::fmin(least, manifold.points[i].gap);
-  if (least <= pair.overlap) return;
+void set_points_there(const Pair& pair, const Travel& motion, double part, Manifold& manifold) {
   SeparationCache cache;
   Manifold there;
-  const Pose pose = moved(pair.at_a, motion, *part);
+  const Pose pose = moved(pair.at_a, motion, part);
   set_points(pair, pose, cache, there);
   if (there.count == 0) return;
   manifold = there;
@@ -105,13 +101,40 @@ void foresee(const Pair& pair, const Travel& motion, Manifold& manifold) {
   }
 }
 
+/// A motion that would go past the plane of a point is tried: where it meets b it has the points of there, and none where it
+/// only passes by. One that goes hardly past is tried as if something pressed.
+void foresee(const Pair& pair, Travel motion, Manifold& manifold) {
+  double most = 0.0, least = infinity;
+  Vec3 normal = zero3();
+  for (std::uint32_t i = 0; i < manifold.count; i++) {
+    const double past = way_past(pair, motion, manifold.points[i]);
+    least = std::fmin(least, manifold.points[i].gap);
+    if (past <= most) continue;
+    most = past;
+    normal = manifold.points[i].normal;
+  }
+  if (most == 0.0) return;
+  motion.turn = turn_of(pair.a, pair.at_a, motion.turn);
+  if (norm(motion.turn) > most_turn) return;
+  const double deep = 2.0 * pair.overlap();
+  const bool hardly = most < deep;
+  if (hardly) motion.way -= normal * (deep - most);
+  const std::optional<Meeting> meeting = first_meeting(pair, motion);
+  if (!meeting) {
+    if (!hardly || !first_meeting(pair, {normal * -(std::fmax(least, 0.0) + deep)})) manifold.count = 0;
+    return;
+  }
+  if (least > pair.overlap() || dot(meeting->normal, normal) < 1.0 - same_normal)
+    set_points_there(pair, motion, meeting->part, manifold);
+}
+
 }  // namespace
 
 void find_manifolds(const Geometry& a, const Pose& at_a, const Geometry& b, const Pose& at_b, double margin,
                     SeparationCache& cache, ManifoldSink& sink, const Travel& motion) {
   Manifold manifold;
   if (is_convex(b)) {
-    const Pair pair{a, at_a, b, at_b, margin, passing_overlap * std::fmin(thickness_of(a), thickness_of(b))};
+    const Pair pair{a, at_a, b, at_b, margin, std::fmin(thickness_of(a), thickness_of(b))};
     set_points(pair, at_a, cache, manifold);
     foresee(pair, motion, manifold);
   } else if (std::holds_alternative<HalfSpaceShape>(b)) {

@@ -201,7 +201,7 @@ TEST_CASE("A box that flies at a side of another, aslant from above, meets it an
   world.settings.gravity = zero3();
   ShapeDef other = shape(BoxShape{vec(0.5, 0.5, 0.5)}, 0.0);
   add_shape(world, other);
-  const BodyId box = add(world, shape(block, 0.0), vec(-3, 0.6 + 2.2 * drop, 0), vec(20, -20 * drop, 0));
+  add(world, shape(block, 0.0), vec(-3, 0.6 + 2.2 * drop, 0), vec(20, -20 * drop, 0));
   double deepest = 0.0;
   for (int i = 0; i < hz; i++) {
     step(world);
