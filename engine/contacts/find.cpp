@@ -8,9 +8,17 @@ namespace pantin {
 
 namespace {
 
+/// How a body goes on if nothing new stops it.
+struct Going {
+  Vec3 v = zero3(), w = zero3();  // [m/s], [rad/s]
+  double mass = infinity;         // [kg]
+};
+
 /// Where a shape is now, and how far it may get.
 struct Placed {
   Pose pose;
+  Vec3 arm = zero3();   // [m] from the body's centre
+  Going going;          // of the body, with the mean velocity of the last drift
   double margin = 0.0;  // [m] gaps up to the sum of two margins are contacts
   bool moves = false;
 };
@@ -32,7 +40,9 @@ Placed place(const Placement& p, const Shape& shape) {
   const BodyState s = state_of(p.model, p.articulates, shape.body.slot - 1, p.drifted);
   placed.moves = true;
   placed.pose = Pose{s.x, s.R} * in_principal_axes(p.model.bodies[shape.body], shape);
-  const double arm = norm(placed.pose.x - s.x) + reach_of(shape.geometry);
+  placed.arm = placed.pose.x - s.x;
+  placed.going = {p.drifted ? s.v - p.gravity * (0.5 * p.h) : s.v, s.w, s.mass};
+  const double arm = norm(placed.arm) + reach_of(shape.geometry);
   placed.margin += p.h * (norm(s.v) + norm(s.w) * arm + norm(p.gravity) * p.h);
   return placed;
 }
@@ -53,6 +63,27 @@ bool may_touch(const ContactFinder& finder, const Shape& a, const Shape& b, cons
       return false;
   }
   return true;
+}
+
+/// (slots of bodies) Less what contacts stopped in the last drift: the end of the step does not give that back.
+std::vector<Going> going_on(const Model& model, const std::vector<Placed>& placed, const Contacts& contacts) {
+  constexpr double least_stop = 1e-6;  // part of the speed: less is round-off
+  std::vector<Going> going(model.bodies.slots());
+  for (std::uint32_t s = 0; s < placed.size(); s++)
+    if (placed[s].moves) going[model.shapes.at_slot(s).body.slot - 1] = placed[s].going;
+  for (const Contact& c : contacts.list) {
+    Going world, &a = going[c.body_a], &b = c.body_b < 0 ? world : going[static_cast<std::size_t>(c.body_b)];
+    const double nearing = -dot(c.normal, a.v - b.v), lightness = 1.0 / a.mass + 1.0 / b.mass;
+    if (!(nearing > 0.0 && dot(c.placing, c.normal) * lightness > least_stop * nearing)) continue;
+    a.v += c.normal * (nearing / (a.mass * lightness));
+    b.v -= c.normal * (nearing / (b.mass * lightness));
+  }
+  return going;
+}
+
+Travel travel(const Going& a, const Placed& at_a, const Going& b, const Placed& at_b, double h) {
+  const Vec3 of_b = b.v + cross(b.w, at_a.pose.x - at_b.pose.x + at_b.arm);
+  return {(a.v + cross(a.w, at_a.arm) - of_b) * h, (a.w - b.w) * h};
 }
 
 /// The points of one pair.
@@ -244,6 +275,7 @@ void put_bounds(const Placement& p, ContactFinder& finder) { place_all(p, finder
 void find_contacts(const Placement& p, ContactFinder& finder, Contacts& contacts) {
   const Store<Shape>& shapes = p.model.shapes;
   const std::vector<Placed> placed = place_all(p, finder);
+  const std::vector<Going> going = going_on(p.model, placed, contacts);
   std::vector<Contact> now, sensed;
   Collector collector;
   for (const auto& [first, second] : finder.broad_phase.pairs()) {
@@ -264,9 +296,11 @@ void find_contacts(const Placement& p, ContactFinder& finder, Contacts& contacts
     collector.like.round_a = roundness_of(sa.geometry, placed[a].pose);
     collector.like.round_b = roundness_of(sb.geometry, placed[b].pose);
     collector.like.belt = belt_of(sa, placed[a]) - belt_of(sb, placed[b]);
+    const Going& b_goes = sb.body ? going[sb.body.slot - 1] : placed[b].going;
+    const Travel motion = travel(going[sa.body.slot - 1], placed[a], b_goes, placed[b], p.h);
     SeparationCache cache;
     find_manifolds(sa.geometry, placed[a].pose, sb.geometry, placed[b].pose, placed[a].margin + placed[b].margin, cache,
-                   collector);
+                   collector, motion);
   }
   drop_at_hinges(p, finder.hinged, now);
   const auto by_key = [](const Contact& a, const Contact& b) { return a.key < b.key; };

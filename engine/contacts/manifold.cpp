@@ -1,21 +1,147 @@
 #include "contacts/manifold.hpp"
 
+#include <optional>
+
+#include "base/functions.hpp"
 #include "contacts/manifold_parts.hpp"
 
 namespace pantin {
 
-void find_manifolds(const Geometry& a, const Pose& at_a, const Geometry& b, const Pose& at_b, double margin,
-                    SeparationCache& cache, ManifoldSink& sink) {
-  Manifold manifold;
-  const auto *box_a = std::get_if<BoxShape>(&a), *box_b = std::get_if<BoxShape>(&b);
+namespace {
+
+/// Part of the thickness by which shapes may overlap where one passes over the other: more than is left of what was pushed out.
+constexpr double passing_overlap = 5e-4;
+/// Part of the thickness below which nothing nears.
+constexpr double no_approach = 1e-6;
+/// [rad] past which a turn is not foreseen.
+constexpr double most_turn = 0.5;
+/// Part of the cosine up to which two normals are the same.
+constexpr double same_normal = 1e-10;
+constexpr int most_rounds = 30;
+
+struct Pair {
+  const Geometry& a;
+  const Pose& at_a;
+  const Geometry& b;
+  const Pose& at_b;
+  double margin, thickness;  ///< [m]
+  double overlap() const { return passing_overlap * thickness; }
+};
+
+Pose moved(const Pose& pose, const Travel& motion, double part) {
+  const double angle = norm(motion.turn) * part;
+  if (!(angle > 0.0)) return {pose.x + motion.way * part, pose.R};
+  const Vec3 u = motion.turn * (part * functions::sin(0.5 * angle) / angle);
+  return {pose.x + motion.way * part, matrix(Quat{functions::cos(0.5 * angle), u[0], u[1], u[2]}) * pose.R};
+}
+
+Vec3 way_of(const Travel& motion, const Pose& at_a, Vec3 on_a) {
+  return motion.way + cross(motion.turn, on_a - at_a.x);
+}
+
+/// Turning about its axis moves no surface of what is round.
+Vec3 turn_of(const Geometry& shape, const Pose& pose, Vec3 turn) {
+  if (std::holds_alternative<BallShape>(shape)) return zero3();
+  const bool round = std::holds_alternative<CapsuleShape>(shape) || std::holds_alternative<CylinderShape>(shape);
+  return round ? turn - pose.R[2] * dot(pose.R[2], turn) : turn;
+}
+
+struct Meeting {
+  double part;
+  Vec3 normal;
+};
+
+/// When a motion first makes shapes overlap as none do that pass, by Newton's method: of straight motion the distance is
+/// convex, and no step goes too far.
+std::optional<Meeting> first_meeting(const Pair& pair, const Travel& motion) {
+  SeparationCache cache;
+  double part = 0.0;
+  for (int round = 0; round < most_rounds; round++) {
+    const Pose pose = moved(pair.at_a, motion, part);
+    const Separation gap = separation(pair.a, pose, pair.b, pair.at_b, infinity, &cache);
+    const double left = gap.distance + pair.overlap();
+    if (left <= 1e-3 * pair.overlap()) return Meeting{part, gap.normal};
+    const double nearing = -dot(gap.normal, way_of(motion, pose, gap.on_a));
+    if (nearing * (1.0 - part) >= left) {
+      part += left / nearing;
+      continue;
+    }
+    if (norm2(motion.turn) == 0.0 || part == 1.0) return {};
+    part = 1.0;
+  }
+  return Meeting{part, zero3()};
+}
+
+/// How far a motion takes a past the plane of a point [m].
+double way_past(const Pair& pair, const Travel& motion, const ManifoldPoint& p) {
+  const double nearing = -dot(p.normal, way_of(motion, pair.at_a, p.on_a));
+  return nearing > no_approach * pair.thickness ? nearing - p.gap : 0.0;
+}
+
+void set_points(const Pair& pair, const Pose& at_a, SeparationCache& cache, Manifold& manifold) {
+  const auto *box_a = std::get_if<BoxShape>(&pair.a), *box_b = std::get_if<BoxShape>(&pair.b);
   if (box_a != nullptr && box_b != nullptr)
-    box_on_box(*box_a, at_a, *box_b, at_b, margin, cache, manifold);
-  else if (is_convex(b))
-    convex_on_convex(a, at_a, b, at_b, margin, cache, manifold);
-  else if (std::holds_alternative<HalfSpaceShape>(b))
-    convex_on_plane(a, at_a, at_b, margin, manifold);
+    box_on_box(*box_a, at_a, *box_b, pair.at_b, pair.margin, cache, manifold);
   else
+    convex_on_convex(pair.a, at_a, pair.b, pair.at_b, pair.margin, cache, manifold);
+}
+
+void set_points_there(const Pair& pair, const Travel& motion, double part, Manifold& manifold) {
+  SeparationCache cache;
+  Manifold there;
+  const Pose pose = moved(pair.at_a, motion, part);
+  set_points(pair, pose, cache, there);
+  if (there.count == 0) return;
+  manifold = there;
+  for (std::uint32_t i = 0; i < manifold.count; i++) {
+    ManifoldPoint& p = manifold.points[i];
+    const Vec3 now = pair.at_a.to_world(pose.to_local(p.on_a));
+    p.gap += dot(p.normal, now - p.on_a);
+    p.on_a = now;
+  }
+}
+
+/// A motion that would go past the plane of a point is tried: where it meets b it has the points of there, and none where it
+/// only passes by. One that goes hardly past is tried as if something pressed.
+void foresee(const Pair& pair, Travel motion, Manifold& manifold) {
+  double most = 0.0, least = infinity;
+  Vec3 normal = zero3();
+  for (std::uint32_t i = 0; i < manifold.count; i++) {
+    const double past = way_past(pair, motion, manifold.points[i]);
+    least = std::fmin(least, manifold.points[i].gap);
+    if (past <= most) continue;
+    most = past;
+    normal = manifold.points[i].normal;
+  }
+  if (most == 0.0) return;
+  motion.turn = turn_of(pair.a, pair.at_a, motion.turn);
+  if (norm(motion.turn) > most_turn) return;
+  const double deep = 2.0 * pair.overlap();
+  const bool hardly = most < deep;
+  if (hardly) motion.way -= normal * (deep - most);
+  const std::optional<Meeting> meeting = first_meeting(pair, motion);
+  if (!meeting) {
+    if (!hardly || !first_meeting(pair, {normal * -(std::fmax(least, 0.0) + deep)})) manifold.count = 0;
+    return;
+  }
+  if (least > pair.overlap() || dot(meeting->normal, normal) < 1.0 - same_normal)
+    set_points_there(pair, motion, meeting->part, manifold);
+}
+
+}  // namespace
+
+void find_manifolds(const Geometry& a, const Pose& at_a, const Geometry& b, const Pose& at_b, double margin,
+                    SeparationCache& cache, ManifoldSink& sink, const Travel& motion) {
+  Manifold manifold;
+  if (is_convex(b)) {
+    const Pair pair{a, at_a, b, at_b, margin, std::fmin(thickness_of(a), thickness_of(b))};
+    set_points(pair, at_a, cache, manifold);
+    foresee(pair, motion, manifold);
+  } else if (std::holds_alternative<HalfSpaceShape>(b)) {
+    convex_on_plane(a, at_a, at_b, margin, manifold);
+  } else {
     return convex_on_triangles(a, at_a, b, at_b, margin, sink);
+  }
   if (manifold.count > 0) sink.take(manifold, 0);
 }
 

@@ -19,16 +19,23 @@ struct Manifold {
   std::array<ManifoldPoint, 5> points;
 };
 
-/// Sets the points of two shapes with gaps up to `margin` [m], most important first where there are more than are kept. a is
-/// convex; b may be any shape. With meshes and height fields there may be more than one manifold: `use` is called for each,
-/// with a number that stays that of the same triangle.
+/// How a moves against b within the step if nothing stops it.
+struct Travel {
+  Vec3 way = zero3();   ///< [m] of its origin
+  Vec3 turn = zero3();  ///< [rad] about its origin, world axes
+};
+
+/// Takes the points of two shapes, most important first where there are more than are kept, with the number of a triangle.
 struct ManifoldSink {
   virtual void take(const Manifold& manifold, std::uint32_t part) = 0;
 
  protected:
   ~ManifoldSink() = default;
 };
+/// Tells the points with gaps up to `margin` [m]. a is convex; b may be any shape: of meshes and height fields there may be
+/// more than one manifold. Of convex shapes that a would meet within the step, those of where they meet; none where it
+/// would pass over b, though one of its sides is ahead.
 void find_manifolds(const Geometry& a, const Pose& at_a, const Geometry& b, const Pose& at_b, double margin,
-                    SeparationCache& cache, ManifoldSink& sink);
+                    SeparationCache& cache, ManifoldSink& sink, const Travel& motion = {});
 
 }  // namespace pantin

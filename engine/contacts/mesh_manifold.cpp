@@ -1,6 +1,7 @@
 // A convex shape on triangles: each as a face with solid behind it, whose edges and corners are touched only where they
 // stick out.
 #include <algorithm>
+#include <utility>
 
 #include "contacts/feature_pair.hpp"
 #include "contacts/manifold_parts.hpp"
@@ -30,9 +31,16 @@ struct LostTriangle {
   std::uint32_t index;
 };
 
+/// A point and the triangle that it is of.
+struct TrianglePoint {
+  ManifoldPoint point;
+  std::uint32_t index;
+};
+
 /// Kept from call to call, so that none asks for memory.
 struct MeshScratch {
   TrianglePrism prism;
+  std::vector<TrianglePoint> points;
   std::vector<ToldPoint> told;
   std::vector<LostTriangle> lost;
 };
@@ -196,11 +204,52 @@ void drop_told(const OnTriangles& on, Manifold& manifold) {
   manifold.count = kept;
 }
 
+/// Moves those that lie in one plane with the first, along its normal, to the end. Returns how many do not.
+std::size_t part_plane(std::vector<TrianglePoint>& points, double near) {
+  const ManifoldPoint first = points.front().point;
+  const auto on_b = [](const ManifoldPoint& p) { return p.on_a - p.normal * p.gap; };
+  const auto others = std::stable_partition(points.begin(), points.end(), [&](const TrianglePoint& p) {
+    return dot(p.point.normal, first.normal) < 1.0 - same_normal ||
+           std::fabs(dot(first.normal, on_b(p.point) - on_b(first))) > near;
+  });
+  return static_cast<std::size_t>(others - points.begin());
+}
+
+void tell_one(const OnTriangles& on, const TrianglePoint& p) {
+  Manifold manifold;
+  manifold.points[manifold.count++] = p.point;
+  on.sink.take(manifold, p.index);
+}
+
+/// Triangles in one plane are as one face: four of all their points are told, from the outermost of the deepest.
+void tell_points(const OnTriangles& on) {
+  std::vector<TrianglePoint>& points = on.scratch.points;
+  while (!points.empty()) {
+    const std::size_t rest = part_plane(points, same_place * on.size), count = points.size() - rest;
+    const auto first = points.begin() + static_cast<std::ptrdiff_t>(rest);
+    Vec3 middle = zero3();
+    for (auto p = first; p != points.end(); ++p) middle += p->point.on_a / static_cast<double>(count);
+    std::sort(first, points.end(), [&](const TrianglePoint& p, const TrianglePoint& q) {
+      const double of_p = norm2(p.point.on_a - middle), of_q = norm2(q.point.on_a - middle);
+      return of_p != of_q ? of_p > of_q : std::pair(p.index, p.point.id) < std::pair(q.index, q.point.id);
+    });
+    PointList list;
+    for (std::uint32_t i = 0; i < count; i++) {
+      list.add(first[i].point);
+      list.points[list.count - 1].id = i;
+    }
+    Manifold kept;
+    keep_points(list, on.size, kept);
+    for (std::uint32_t i = 0; i < kept.count; i++) tell_one(on, first[kept.points[i].id]);
+    points.resize(rest);
+  }
+}
+
 void tell_triangle(const OnTriangles& on, const MeshTriangle& t) {
   Manifold manifold;
   set_triangle_points(on, t, manifold);
   drop_told(on, manifold);
-  if (manifold.count > 0) on.sink.take(manifold, t.index);
+  for (std::uint32_t i = 0; i < manifold.count; i++) on.scratch.points.push_back({manifold.points[i], t.index});
 }
 
 /// The most upright of lost triangles first, unless another one has told of an overlap nearby.
@@ -217,9 +266,7 @@ void tell_lost(const OnTriangles& on) {
     };
     if (std::any_of(on.scratch.told.begin(), on.scratch.told.end(), is_near)) continue;
     on.scratch.told.push_back({on_a - l.point.normal * l.point.gap, l.point.normal, true});
-    Manifold manifold;
-    manifold.points[manifold.count++] = l.point;
-    on.sink.take(manifold, l.index);
+    on.scratch.points.push_back({l.point, l.index});
   }
 }
 
@@ -228,6 +275,7 @@ void tell_lost(const OnTriangles& on) {
 void convex_on_triangles(const Geometry& a, const Pose& at_a, const Geometry& b, const Pose& at_b, double margin,
                          ManifoldSink& sink) {
   thread_local MeshScratch scratch;
+  scratch.points.clear();
   scratch.told.clear();
   scratch.lost.clear();
   const OnTriangles on = {a, at_a, at_b, margin, reach_of(a), thickness_of(a), sink, scratch};
@@ -241,6 +289,7 @@ void convex_on_triangles(const Geometry& a, const Pose& at_a, const Geometry& b,
   if (const auto* mesh = std::get_if<std::shared_ptr<const TriangleMesh>>(&b)) triangles_in(**mesh, box, tell);
   if (const auto* field = std::get_if<std::shared_ptr<const HeightField>>(&b)) triangles_in(**field, box, tell);
   tell_lost(on);
+  tell_points(on);
 }
 
 }  // namespace pantin

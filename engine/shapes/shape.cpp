@@ -86,7 +86,7 @@ struct ThicknessOf {
   double operator()(const CylinderShape& cylinder) const { return 2.0 * std::min(cylinder.radius, cylinder.half); }
   double operator()(const HullPtr& hull) const { return hull->thickness; }
   double operator()(const HalfSpaceShape&) const { return infinity; }
-  double operator()(const MeshPtr&) const { return 0.0; }
+  double operator()(const MeshPtr&) const { return infinity; }
   double operator()(const FieldPtr&) const { return infinity; }
 };
 

@@ -51,7 +51,8 @@ bool is_convex(const Geometry& shape);
 Bounds bounds_of(const Geometry& shape, const Pose& pose);
 /// Radius about the shape's origin that all of it is within.
 double reach_of(const Geometry& shape);
-/// The smallest extent: what a gap is held against, and what may not be passed through in a step.
+/// The smallest extent: what a gap is held against, and what may not be passed through in a step. Infinite of half spaces,
+/// meshes and height fields, which are as solid behind their fronts as what meets them is thick.
 double thickness_of(const Geometry& shape);
 
 /// Throws Error where a length is not within 1e-12 m … 1e12 m, or a shared shape is missing.
