@@ -16,7 +16,7 @@ constexpr double no_approach = 1e-6;
 /// [rad] past which a turn is not foreseen.
 constexpr double most_turn = 0.5;
 /// Part of the cosine up to which two normals are the same.
-constexpr double same_normal = 1e-10;
+constexpr double same_normal = 1e-8;
 constexpr int most_rounds = 30;
 
 struct Pair {
@@ -117,11 +117,10 @@ void foresee(const Pair& pair, Travel motion, Manifold& manifold) {
   motion.turn = turn_of(pair.a, pair.at_a, motion.turn);
   if (norm(motion.turn) > most_turn) return;
   const double deep = 2.0 * pair.overlap();
-  const bool hardly = most < deep;
-  if (hardly) motion.way -= normal * (deep - most);
+  if (most < deep) motion.way -= normal * (deep - most);
   const std::optional<Meeting> meeting = first_meeting(pair, motion);
   if (!meeting) {
-    if (!hardly || !first_meeting(pair, {normal * -(std::fmax(least, 0.0) + deep)})) manifold.count = 0;
+    manifold.count = 0;
     return;
   }
   if (least > pair.overlap() || dot(meeting->normal, normal) < 1.0 - same_normal)

@@ -193,10 +193,12 @@ void place(TouchSpace& space, Model& model, const Articulates& articulates, Cont
     bool any = false;
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
       Contact& to = contacts.list[island.contacts[k]];
-      to.placing = to_world(problem.contacts[k], problem.contacts[k].impulse);
+      IslandContact& c = problem.contacts[k];
+      if (c.impulse[0] * c.wn <= problem.tolerance) c.impulse = zero3();  // round-off, which holds nothing
+      to.placing = to_world(c, c.impulse);
       if (norm2(to.placing) == 0.0) continue;
       any = true;
-      contacts.placed.push_back({to.body_a, to.body_b, to.placing, problem.contacts[k].ra, problem.contacts[k].rb});
+      contacts.placed.push_back({to.body_a, to.body_b, to.placing, c.ra, c.rb});
       if (to.restitution == 0.0) continue;
       const double fall = to.body_b < 0 ? -dot(to.normal, settings.gravity) : 0.0;
       const double slow = std::max(2.0 * norm(settings.gravity) * h, 1e4 * problem.tolerance);
