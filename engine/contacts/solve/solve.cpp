@@ -106,7 +106,7 @@ IslandReport solve_island(ContactIsland& island, bool exactly) {
   if (exact && search.report.residual <= swept_enough * island.tolerance) search.newton();
   if (!search.solved()) {
     search.sweeps(exact ? sweeps_before_newton : most_sweeps);
-    if (!search.solved() && exact) search.newton();
+    if (exact && search.report.residual > island.tolerance) search.newton();
   }
   confine(island);
   apply_impulses(island);
