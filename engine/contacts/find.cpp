@@ -41,7 +41,7 @@ Placed place(const Placement& p, const Shape& shape) {
   placed.moves = true;
   placed.pose = Pose{s.x, s.R} * in_principal_axes(p.model.bodies[shape.body], shape);
   placed.arm = placed.pose.x - s.x;
-  placed.going = {p.drifted ? s.v - p.gravity * (0.5 * p.h) : s.v, s.w, s.mass};
+  placed.going = {p.drifted ? s.v - p.gravity * (0.5 * p.drift) : s.v, s.w, s.mass};
   const double arm = norm(placed.arm) + reach_of(shape.geometry);
   placed.margin += p.h * (norm(s.v) + norm(s.w) * arm + norm(p.gravity) * p.h);
   return placed;

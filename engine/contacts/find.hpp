@@ -31,8 +31,9 @@ struct Placement {
   const Model& model;
   const std::vector<std::unique_ptr<Articulate>>& articulates;
   bool drifted;
-  Vec3 gravity;  ///< [m/s²]
-  double h;      ///< [s] over which they are to be foreseen
+  Vec3 gravity;        ///< [m/s²]
+  double h;            ///< [s] over which they are to be foreseen
+  double drift = 0.0;  ///< [s] of the last drift, where it has
 };
 
 /// Makes a finder where there is none, and tells it what edits changed of who may touch. Whether its bounds are to be put anew.

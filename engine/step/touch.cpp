@@ -57,11 +57,12 @@ void post_contacts(World& world, const TouchReport& report) {
   post_report(world, told);
 }
 
-/// Finds contacts where things are now.
+/// Finds contacts where things are now. After the last stage for all of the next step, which may have fewer sub-steps.
 void find(World& world, bool drifted) {
   if (!world.touch_space) world.touch_space = std::make_unique<TouchSpace>();
   renew(world.contact_finder, world);
-  find_contacts({world, world.articulates, drifted, world.settings.gravity, world.stage.h}, *world.contact_finder,
+  const double h = drifted && world.stage.to >= 1.0 ? world.settings.step : world.stage.h;
+  find_contacts({world, world.articulates, drifted, world.settings.gravity, h, world.stage.h}, *world.contact_finder,
                 world.contacts);
 }
 
