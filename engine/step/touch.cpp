@@ -15,7 +15,7 @@ namespace pantin {
 
 void divide_for_contacts(World& world) {
   if (world.shapes.empty()) return;
-  constexpr double most_way = 0.25;  // of the thickness, in a sub-step of what may touch
+  constexpr double most_way = 0.1;  // of the thickness, in a sub-step of what may touch
   constexpr double most = 4.0;
   double wanted = 1.0;
   const auto see = [&](const Contact& c, std::uint32_t body, std::uint32_t shape) {
