@@ -81,6 +81,17 @@ std::vector<Going> going_on(const Model& model, const std::vector<Placed>& place
   return going;
 }
 
+/// Whether one of these shapes kept the other out in the last drift: they touch, and neither passes the other by.
+bool held(const Contacts& contacts, const ContactKey& key) {
+  const auto before = [](const Contact& c, const ContactKey& k) {
+    return std::pair(c.key.a, c.key.b) < std::pair(k.a, k.b);
+  };
+  auto c = std::lower_bound(contacts.list.begin(), contacts.list.end(), key, before);
+  for (; c != contacts.list.end() && c->key.same_shapes(key); c++)
+    if (norm2(c->placing) > 0.0) return true;
+  return false;
+}
+
 Travel travel(const Going& a, const Placed& at_a, const Going& b, const Placed& at_b, double h) {
   const Vec3 of_b = b.v + cross(b.w, at_a.pose.x - at_b.pose.x + at_b.arm);
   return {(a.v + cross(a.w, at_a.arm) - of_b) * h, (a.w - b.w) * h};
@@ -102,6 +113,7 @@ struct Collector final : ManifoldSink {
       c.key.feature = p.id;
       c.normal = p.normal;
       c.gap = p.gap;
+      if (p.id == inner_ball_id) c.round_a = {norm(p.on_a - x_a), zero3()};
       c.at = c.body_b < 0 ? p.on_a : p.on_a - p.normal * (0.5 * p.gap);
       to->push_back(c);
     }
@@ -291,13 +303,15 @@ void find_contacts(const Placement& p, ContactFinder& finder, Contacts& contacts
     collector.like.body_b = sb.body ? static_cast<std::int32_t>(sb.body.slot - 1) : -1;
     const double ta = thickness_of(sa.geometry), tb = thickness_of(sb.geometry);
     collector.like.size = std::min(ta, tb);
+    collector.x_a = placed[a].pose.x;
     collector.like.friction = friction_of(sa, sb, rule);
     collector.like.restitution = restitution_of(sa, sb, rule);
     collector.like.round_a = roundness_of(sa.geometry, placed[a].pose);
     collector.like.round_b = roundness_of(sb.geometry, placed[b].pose);
     collector.like.belt = belt_of(sa, placed[a]) - belt_of(sb, placed[b]);
     const Going& b_goes = sb.body ? going[sb.body.slot - 1] : placed[b].going;
-    const Travel motion = travel(going[sa.body.slot - 1], placed[a], b_goes, placed[b], p.h);
+    const Travel motion =
+        held(contacts, collector.key) ? Travel{} : travel(going[sa.body.slot - 1], placed[a], b_goes, placed[b], p.h);
     SeparationCache cache;
     find_manifolds(sa.geometry, placed[a].pose, sb.geometry, placed[b].pose, placed[a].margin + placed[b].margin, cache,
                    collector, motion);

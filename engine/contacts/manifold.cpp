@@ -4,6 +4,7 @@
 
 #include "base/functions.hpp"
 #include "contacts/manifold_parts.hpp"
+#include "shapes/hull.hpp"
 
 namespace pantin {
 
@@ -101,9 +102,30 @@ void set_points_there(const Pair& pair, const Travel& motion, double part, Manif
   }
 }
 
+/// Of the ball about the origin that is within a convex shape [m]; 0 where the origin is outside.
+double inner_radius(const Geometry& shape) {
+  const auto* hull = std::get_if<std::shared_ptr<const Hull>>(&shape);
+  if (hull == nullptr) return 0.5 * thickness_of(shape);
+  double radius = infinity;
+  for (const Hull::Face& face : (*hull)->faces) radius = std::fmin(radius, face.offset);
+  return std::fmax(0.0, radius);
+}
+
+/// What may go farther than its inner ball is large may turn past what a point holds: the ball is held, too.
+void add_inner_ball(const Pair& pair, Manifold& manifold) {
+  const double radius = inner_radius(pair.a);
+  if (manifold.count == 0 || pair.margin < radius || std::holds_alternative<BallShape>(pair.a)) return;
+  const ManifoldPoint& p = manifold.points[0];
+  const double gap = dot(p.normal, pair.at_a.x - p.on_a) + p.gap - radius;
+  if (!(radius > 0.0 && gap < pair.margin)) return;
+  manifold.points[manifold.count++] = {pair.at_a.x - p.normal * radius, p.normal, gap, inner_ball_id};
+}
+
 /// A motion that would go past the plane of a point is tried: where it meets b it has the points of there, and none where it
 /// only passes by. One that goes hardly past is tried as if something pressed.
 void foresee(const Pair& pair, Travel motion, Manifold& manifold) {
+  const double farthest = norm(motion.way) + norm(motion.turn) * reach_of(pair.a);
+  if (!(farthest > no_approach * pair.thickness)) return;
   double most = 0.0, least = infinity;
   Vec3 normal = zero3();
   for (std::uint32_t i = 0; i < manifold.count; i++) {
@@ -136,6 +158,7 @@ void find_manifolds(const Geometry& a, const Pose& at_a, const Geometry& b, cons
     const Pair pair{a, at_a, b, at_b, margin, std::fmin(thickness_of(a), thickness_of(b))};
     set_points(pair, at_a, cache, manifold);
     foresee(pair, motion, manifold);
+    add_inner_ball(pair, manifold);
   } else if (std::holds_alternative<HalfSpaceShape>(b)) {
     convex_on_plane(a, at_a, at_b, margin, manifold);
   } else {

@@ -14,9 +14,12 @@ struct ManifoldPoint {
   std::uint32_t id;  ///< of the features that meet: the same in the next step where the same features do
 };
 
+/// Of a point of the ball about the origin of a that is within it: that does not turn away.
+inline constexpr std::uint32_t inner_ball_id = 0x7fffffffu;
+
 struct Manifold {
   std::uint32_t count = 0;
-  std::array<ManifoldPoint, 5> points;
+  std::array<ManifoldPoint, 6> points;
 };
 
 /// How a moves against b within the step if nothing stops it.

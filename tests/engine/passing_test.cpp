@@ -5,8 +5,11 @@
 #include "edit/edit.hpp"
 #include "shapes/mesh.hpp"
 #include "step/step.hpp"
+#include "support/brute_shapes.hpp"
 
 using namespace pantin;
+
+namespace passing {
 
 namespace {
 
@@ -94,6 +97,13 @@ double strays(World& world, BodyId body, double height, double time) {
   return most;
 }
 
+/// [m]
+double deepest(const World& world) {
+  double depth = 0.0;
+  for (const Contact& c : world.contacts.list) depth = std::fmax(depth, -c.gap);
+  return depth;
+}
+
 }  // namespace
 
 TEST_CASE("A box slides v²/2µg over the seams of flush boxes, of a mesh and of heights") {
@@ -139,10 +149,15 @@ TEST_CASE("What is round rolls on at its speed and height over any flat ground")
   add_ground(world, ground);
   const BodyId body =
       add(world, shape(round), vec(-0.4, 0.1, 0.13), vec(speed, 0, 0), {1, 0, 0, 0}, vec(0, 0, -10 * speed));
-  CHECK(strays(world, body, 0.1, 5.0) < 2e-6);
+  const double strayed = strays(world, body, 0.1, 5.0);
   const Motion& m = world.motion_of(body);
-  CHECK(norm(m.p / m.mass - vec(speed, 0, 0)) < 1e-6);
-  CHECK(std::fabs(m.x[2] - 0.13) < 2e-6);
+  const double slip = norm(m.p / m.mass - vec(speed, 0, 0)), aside = std::fabs(m.x[2] - 0.13);
+  const bool one_point = std::holds_alternative<BallShape>(round), seams = ground == Ground::tiles;
+  CHECK(strayed < (seams       ? 2e-6
+                   : one_point ? 1e-8
+                               : 1e-7));  // what rests overlaps by 1e-8 of its size, at a seam by more
+  CHECK(slip < (one_point && !seams ? 1e-9 : 1e-6));
+  CHECK(aside < (one_point ? 1e-9 : 2e-6));
 }
 
 TEST_CASE("A box that lands while it moves goes on over seams as on a half space") {
@@ -176,8 +191,8 @@ TEST_CASE("A ball slides down a wall of flush boxes that it is pressed against")
   CHECK(std::fabs(x[1] + 0.5 * g * world.time * world.time) < 1e-6);
 }
 
-TEST_CASE("A step up stops a box that slides against it, at the step") {
-  const double hz = GENERATE(60.0, 240.0), speed = GENERATE(1.0, 3.0);
+TEST_CASE("A step up stops a box that slides against it, and is not passed through") {
+  const double hz = GENERATE(60.0, 240.0), speed = GENERATE(1.0, 3.0, 10.0);
   CAPTURE(hz, speed);
   World world;
   world.settings.step = 1.0 / hz;
@@ -186,12 +201,13 @@ TEST_CASE("A step up stops a box that slides against it, at the step") {
   higher.at = vec(1.5, -0.49, 0);  // by 5 % of the box's height
   add_shape(world, higher);
   const BodyId box = add(world, shape(block, 0.0), vec(-0.4, 0.1, 0), vec(speed, 0, 0));
-  bool through = false;
-  for (int i = 0; i < hz; i++) {
+  double most = 0.0;
+  for (int i = 0; i < 1.4 / speed * hz; i++) {
     step(world);
-    through = through || (world.motion_of(box).x[0] > 0.8 + 1e-4 && world.motion_of(box).x[1] < 0.1099);
+    most = std::fmax(most, deepest(world));
   }
-  CHECK_FALSE(through);
+  CHECK(most < 1e-3);
+  CHECK(world.motion_of(box).p[0] / world.motion_of(box).mass < 0.5 * speed);  // it tips over the edge
 }
 
 TEST_CASE("A box that flies at a side of another, aslant from above, meets it and does not sink in") {
@@ -200,13 +216,42 @@ TEST_CASE("A box that flies at a side of another, aslant from above, meets it an
   World world;
   world.settings.step = 1.0 / hz;
   world.settings.gravity = zero3();
-  ShapeDef other = shape(BoxShape{vec(0.5, 0.5, 0.5)}, 0.0);
-  add_shape(world, other);
+  add_shape(world, shape(BoxShape{vec(0.5, 0.5, 0.5)}, 0.0));
   add(world, shape(block, 0.0), vec(-3, 0.6 + 2.2 * drop, 0), vec(20, -20 * drop, 0));
-  double deepest = 0.0;
+  double most = 0.0;
   for (int i = 0; i < hz; i++) {
     step(world);
-    for (const Contact& c : world.contacts.list) deepest = std::fmax(deepest, -c.gap);
+    most = std::fmax(most, deepest(world));
   }
-  CHECK(deepest < 5e-3);
+  CHECK(most < 5e-3);
 }
+
+TEST_CASE("Nothing passes a wall of thin flush boxes, however fast, from any side, at seams or between") {
+  Random random{.seed = 31};
+  const Geometry bullet = GENERATE(Geometry(BallShape{0.005}), Geometry(BoxShape{vec(0.005, 0.005, 0.005)}),
+                                   Geometry(CapsuleShape{0.005, 0.005}), Geometry(CylinderShape{0.005, 0.005}));
+  for (int trial = 0; trial < 60; trial++) {
+    World world;
+    world.settings.step = 1.0 / (trial % 2 == 0 ? 60.0 : 240.0);
+    world.settings.gravity = zero3();
+    for (int i = -2; i < 2; i++)
+      for (int j = -2; j < 2; j++) {
+        ShapeDef tile = shape(BoxShape{vec(0.005, 15, 15)}, 0.0);
+        tile.at = vec(0.005, 30 * (i + 0.5), 30 * (j + 0.5));
+        add_shape(world, tile);
+      }
+    const bool at_seam = trial % 3 == 0;
+    const double up = random.uniform() - 0.5, aside = random.uniform() - 0.5;
+    const double from_below = 1.6 * (random.uniform() - 0.5), from_beside = 1.6 * (random.uniform() - 0.5);
+    const double speed = std::pow(10.0, 1.0 + 2.0 * random.uniform());
+    const Quat turn = quaternion(brute::random_turn(random));
+    const Vec3 way = vec(1.0, from_below, from_beside);
+    const BodyId body = add(world, shape(bullet, 0.0), vec(0, at_seam ? 0.0 : up, aside) - way * 0.9,
+                            direction(way) * speed, trial % 4 == 0 ? Quat{1, 0, 0, 0} : turn);
+    CAPTURE(bullet.index(), trial, speed);
+    for (const double end = 1.5 / speed + 3 * world.settings.step; world.time < end;) step(world);
+    CHECK(world.motion_of(body).x[0] < 0.0);
+  }
+}
+
+}  // namespace passing
