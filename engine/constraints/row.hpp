@@ -90,6 +90,7 @@ struct Condition {
   bool held = true;         // the range, or the limit of the force, lets it act as a constraint
   bool held_before = true;  // at the end of the last stage of a step
   bool works = false;       // its force may do work
+  bool gives_way = false;   // now: impulses do not find it, since its force has an end
   std::uint32_t row = 0;
   ConstraintId constraint;  // null of a stiff row
   std::shared_ptr<StiffBond>
@@ -101,6 +102,9 @@ struct Condition {
 
 /// Whether a row forbids no motion, and only pulls.
 inline bool is_soft(const Row& row) { return row.kind == RowKind::soft || row.kind == RowKind::stiff; }
+
+/// Whether its force has an end either way, as that of a motor with a largest torque.
+inline bool is_limited(const Condition& c) { return std::isfinite(c.lower) && std::isfinite(c.upper); }
 
 /// Mean of the axes of an angular row over its nodes and the step, of unit length.
 inline Vec3 mean_axis(const Row& row) { return direction(row.ra0 + row.rb0 + row.ra1 + row.rb1); }

@@ -54,9 +54,7 @@ struct Placing {
 /// What is known of a body that touches, from step to step.
 struct TouchedBody {
   std::array<std::uint8_t, 2> failures{},
-      wait{};                ///< of `place`, `meet`: in a row of exact searches; solves until the next
-  std::uint32_t still = 0;   ///< steps in which its island has not moved
-  std::uint32_t asleep = 0;  ///< number of the island that sleeps with it, from 1; 0: awake
+      wait{};  ///< of `place`, `meet`: in a row of exact searches; solves until the next
 };
 
 struct Body;

@@ -101,7 +101,7 @@ Travel travel(const Going& a, const Placed& at_a, const Going& b, const Placed& 
 struct Collector final : ManifoldSink {
   ContactKey key;
   Contact like;
-  Vec3 x_a = zero3(), x_b = zero3();
+  Vec3 x_a = zero3();
   std::vector<Contact>* to = nullptr;
 
   void take(const Manifold& m, std::uint32_t part) override {

@@ -90,21 +90,13 @@ struct Builder {
     to.law_pulls.emplace_back();
     return static_cast<std::int32_t>(to.slots.size()) - 1;
   }
-  /// Of a force that has an end either way: contacts do not find it larger than it may be, it is what it was last.
-  static bool gives_way(const Articulate& a, const Row& row) {
-    if (is_soft(row)) return true;
-    if (row.condition < 0) return false;
-    const Condition& c = condition(a, row);
-    return std::isfinite(c.lower) && std::isfinite(c.upper);
-  }
   void add_articulate(TouchIsland& to, std::uint32_t number) {
     Articulate& a = *articulates[number];
     wake(a);
     to.articulates.push_back(number);
     if (!settings.drifted) load(a, model, settings.gravity);
+    for (Condition& c : a.conditions) c.gives_way = is_limited(c);
     find_forbidden(a, settings.h, settings.drifted ? 1.0 : 0.0);
-    for (const Row& row : a.rows)
-      if (gives_way(a, row) && row.condition >= 0) condition(a, row).kept = zero33();
     std::vector<std::int32_t> places;
     for (Node& n : a.nodes) places.push_back(n.is_body ? add_body(to, n.slot) : add_point(to, n));
     std::vector<IslandTie> ties;
@@ -127,11 +119,13 @@ struct Builder {
           IslandTie& t = ties[end.row[lane]];
           (end.to[lane] % 2 == 0 ? t.ra : t.rb) = lane_of(end.r1, lane);
         }
-    for (std::uint32_t k = 0; k < ties.size(); k++)
-      if (gives_way(a, a.rows[k])) {
-        add_load(to.pulls, ties[k], a.rows[k].f);
-        if (a.rows[k].kind == RowKind::stiff) add_load(to.law_pulls, ties[k], a.rows[k].f);
+    for (std::uint32_t k = 0; k < ties.size(); k++) {
+      const Row& row = a.rows[k];
+      if (is_soft(row) || (row.condition >= 0 && condition(a, row).gives_way)) {
+        add_load(to.pulls, ties[k], row.f);
+        if (row.kind == RowKind::stiff) add_load(to.law_pulls, ties[k], row.f);
       }
+    }
     const std::vector<Vec3>& last = a.touched[settings.drifted ? 1 : 0];
     for (std::uint32_t k = 0; k < ties.size(); k++) {
       if (trace(ties[k].kept) == 0.0 || a.rows[k].kind == RowKind::coupled) continue;

@@ -87,6 +87,12 @@ void keep_tie_impulses(const Articulates& articulates, const TouchIsland& island
         island.problem.ties[k].impulse;
 }
 
+/// Rows of limited force, which gave way to contacts, hold as before.
+void hold_again(const Articulates& articulates) {
+  for (const auto& articulate : articulates)
+    for (Condition& c : articulate->conditions) c.gives_way = false;
+}
+
 void count(const IslandReport& found, const ContactIsland& problem, TouchReport& report) {
   report.islands++;
   report.contacts += static_cast<std::uint32_t>(problem.contacts.size());
@@ -186,6 +192,7 @@ void place(TouchSpace& space, Model& model, const Articulates& articulates, Cont
       };
       t.wanted -= (turned(t.a, t.ra) - (t.b < 0 ? zero3() : turned(t.b, t.rb))) * (0.5 * h);
     }
+    for (const IslandBody& b : problem.bodies) report.gravity += 0.5 * b.mass * norm2(settings.gravity) * h * h;
     foresee_forces(model, island, settings);
     solve(contacts, island, 0, report);
     keep_tie_impulses(articulates, island, 0);
@@ -206,16 +213,18 @@ void place(TouchSpace& space, Model& model, const Articulates& articulates, Cont
         to.rebound =
             to.restitution * std::sqrt(std::max(0.0, to.approach * to.approach + 2.0 * fall * std::max(0.0, to.gap)));
     }
-    if (!any) continue;
-    for (const std::uint32_t a : island.articulates) articulates[a]->touches = true;
-    std::vector<BodyLoad> loads(problem.bodies.size());
-    add_contact_loads(problem, loads);
-    give(model, island, loads);
-    store_tied(model, articulates, island, settings);
-    const ImpulseWork ties = answer_of_ties(model, articulates, island, settings);
-    report.ties += ties;
-    report.work += kinetic_energy_now(model, island) - before - ties.all();
+    if (any) {
+      for (const std::uint32_t a : island.articulates) articulates[a]->touches = true;
+      std::vector<BodyLoad> loads(problem.bodies.size());
+      add_contact_loads(problem, loads);
+      give(model, island, loads);
+      store_tied(model, articulates, island, settings);
+      const ImpulseWork ties = answer_of_ties(model, articulates, island, settings);
+      report.ties += ties;
+      report.work += kinetic_energy_now(model, island) - before - ties.all();
+    }
   }
+  hold_again(articulates);
 }
 
 namespace {
@@ -287,6 +296,7 @@ void meet(TouchSpace& space, Model& model, const Articulates& articulates, Conta
     report.ties += ties;
     report.work += kinetic_energy_now(model, island) - before - ties.all();
   }
+  hold_again(articulates);
 }
 
 double push_out(TouchSpace& space, Model& model, const Articulates& articulates, Contacts& contacts,
@@ -331,6 +341,7 @@ double push_out(TouchSpace& space, Model& model, const Articulates& articulates,
     work += kinetic_energy_now(model, island) - before;
     contacts.stale = true;
   }
+  hold_again(articulates);
   return work;
 }
 

@@ -19,9 +19,10 @@ struct TouchSettings {
 struct TouchSpace;
 
 struct TouchReport {
-  double work = 0.0;   ///< [J] change of the kinetic energy by contacts
-  double belts = 0.0;  ///< [J] what moving surfaces may have given of it
-  ImpulseWork ties;    ///< what ties that move gave when they answered
+  double work = 0.0;     ///< [J] change of the kinetic energy by contacts
+  double belts = 0.0;    ///< [J] what moving surfaces may have given of it
+  double gravity = 0.0;  ///< [J] that gravity gives from rest in the step to what touches
+  ImpulseWork ties;      ///< what ties that move gave when they answered
   std::uint32_t islands = 0, contacts = 0, iterations = 0;
   std::uint32_t unsolved = 0;  ///< islands beyond what is accepted
 };

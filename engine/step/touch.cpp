@@ -52,9 +52,6 @@ void post_contacts(World& world, const TouchReport& report) {
   post(world, Source::contact, work - wrong);
   DriftReport told;
   told.unsolved = wrong;
-  // The kinetic energy that came and went in the step: in a scene at rest there is no other to hold errors against.
-  world.largest_kinetic = std::max(world.largest_kinetic, std::fabs(world.contacts.work));
-  post_report(world, told);
 }
 
 /// Finds contacts where things are now. After the last stage for all of the next step, which may have fewer sub-steps.
@@ -76,6 +73,8 @@ void place_contacts(World& world) {
   TouchReport report;
   place(*world.touch_space, world, world.articulates, world.contacts, settings_of(world, drifted), report);
   world.contacts.work = report.work;
+  // In a scene at rest there is no other energy to hold errors against.
+  world.largest_kinetic = std::max(world.largest_kinetic, report.gravity);
   count(world, report);
 }
 

@@ -8,14 +8,14 @@ scene.title = "Car on hills"
 scene.duration = 30
 
 local function height(x, z)
-  local rise = math.min(1, math.max(0, (math.abs(x + 90) - 3) / 4)) -- level where it starts
+  local rise = math.min(1, math.max(0, (math.abs(x + 190) - 3) / 4)) -- level where it starts
   return rise * roughness * (math.sin(0.45 * x) + 0.5 * math.sin(1.1 * x + 0.7) * math.cos(0.3 * z) + 0.3 * math.sin(0.8 * z))
 end
 scene:ground {
-  shape = shape.heights { columns = 401, rows = 41, spacing = 0.5, height = height, friction = 0.9 }, color = "#8aa06a",
+  shape = shape.heights { columns = 801, rows = 41, spacing = 0.5, height = height, friction = 0.9 }, color = "#8aa06a",
 }
 
-local start = vec(-90, 0.62, 0)
+local start = vec(-190, 0.62, 0)
 local chassis = scene:body {
   at = start, name = "car", color = "#c2413b", mass = 900,
   shapes = { shape.box(2.6, 0.3, 1.1, { at = vec(0, 0.1, 0) }),

@@ -42,6 +42,8 @@ void find_kept(Articulate& a) {
   if (a.all_rigid) return;
   for (Row& row : a.rows)
     if (row.kind != RowKind::rigid) rule(row).project(row, condition(a, row));
+  for (Condition& c : a.conditions)
+    if (c.gives_way) c.kept = zero33();
   project_couplings(a);
 }
 
@@ -260,6 +262,22 @@ bool project_symmetrically(Articulate& a, double full, DriftReport& report) {
   return true;
 }
 
+namespace {
+
+/// What touches may stop a motor more suddenly than its force could make good: rows of limited force that would need more
+/// than it in h [s] give way.
+void find_overdriven(Articulate& a, double h) {
+  for (Condition& c : a.conditions) c.gives_way = false;
+  if (std::none_of(a.conditions.begin(), a.conditions.end(), is_limited)) return;
+  begin_answers(a, 0.0);
+  for (std::size_t b = 0; b < a.batches.size(); b++) read_momenta(a, b);
+  answer(a);
+  for (Condition& c : a.conditions) c.gives_way = is_limited(c) && norm(a.impulses[c.row]) > c.upper * h;
+  a.exact = a.has_factor = false;
+}
+
+}  // namespace
+
 void project_velocities(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   a.symmetric_h = 0.0;
   const bool over_gaps = acts_over_gaps(a);
@@ -269,6 +287,7 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
     if (over_gaps) report.work += restore_momenta(a, kept);
     return;
   }
+  if (a.touches) find_overdriven(a, settings.full);
   std::fill(a.impulses.begin(), a.impulses.end(), zero3());
   find_kept(a);
   const bool serves = may_use_newton_factor(a);

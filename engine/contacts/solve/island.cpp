@@ -76,8 +76,7 @@ void add_at_point(std::vector<BodyLoad>& loads, const IslandPair& p, Vec3 impuls
 }  // namespace
 
 void add_contact_loads(const ContactIsland& island, std::vector<BodyLoad>& loads) {
-  for (const IslandContact& c : island.contacts)
-    if (c.on) add_at_point(loads, c, to_world(c, c.impulse));
+  for (const IslandContact& c : island.contacts) add_at_point(loads, c, to_world(c, c.impulse));
 }
 
 void add_tie_loads(const ContactIsland& island, std::vector<BodyLoad>& loads) {
@@ -99,14 +98,13 @@ void start_from_rest(ContactIsland& island) {
 
 void apply_impulses(ContactIsland& island) {
   start_from_rest(island);
-  for (const IslandContact& c : island.contacts)
-    if (c.on) push(island, c, to_world(c, c.impulse));
+  for (const IslandContact& c : island.contacts) push(island, c, to_world(c, c.impulse));
   for (const IslandTie& t : island.ties) push(island, t, t.kept * t.impulse);
 }
 
 void observe(ContactIsland& island) {
   for (IslandContact& c : island.contacts)
-    if (c.on) c.u = to_frame(c, relative(c, island.bodies, &IslandBody::v, &IslandBody::w)) + c.bias;
+    c.u = to_frame(c, relative(c, island.bodies, &IslandBody::v, &IslandBody::w)) + c.bias;
   for (IslandTie& t : island.ties)
     t.u = velocity_of(t, island.bodies, &IslandBody::v, &IslandBody::w) - t.kept * t.wanted;
 }
@@ -134,8 +132,7 @@ double coulomb_residual(const IslandContact& c) {
 
 double residual(const ContactIsland& island) {
   double most = 0.0;
-  for (const IslandContact& c : island.contacts)
-    if (c.on) most = std::fmax(most, coulomb_residual(c));
+  for (const IslandContact& c : island.contacts) most = std::fmax(most, coulomb_residual(c));
   for (const IslandTie& t : island.ties) most = std::fmax(most, norm(t.u));
   return most;
 }

@@ -45,7 +45,6 @@ struct IslandContact : IslandPair {
   Vec3 other_start = zero3();  ///< [N s] taken instead of it, of all contacts, where that is nearer
   Vec3 impulse = zero3();      ///< [N s] γ
   Vec3 u = zero3();            ///< [m/s]
-  bool on = true;
 };
 
 struct IslandTie : IslandPair {
@@ -111,14 +110,14 @@ inline Vec3 velocity_of(const IslandTie& t, const std::vector<IslandBody>& bodie
 /// Adds an impulse [N s] (world axes, on a) to the velocities.
 void push(ContactIsland& island, const IslandPair& pair, Vec3 impulse);
 void push(ContactIsland& island, const IslandTie& tie, Vec3 impulse);
-/// Adds what impulses do to the bodies: of contacts that are on, of ties.
+/// Adds what impulses do to the bodies: of contacts, of ties.
 void add_contact_loads(const ContactIsland& island, std::vector<BodyLoad>& loads);
 void add_tie_loads(const ContactIsland& island, std::vector<BodyLoad>& loads);
 void add_load(std::vector<BodyLoad>& loads, const IslandTie& tie, Vec3 impulse);  ///< world axes
 /// Velocities without impulses, and with those at hand.
 void start_from_rest(ContactIsland& island);
 void apply_impulses(ContactIsland& island);
-/// Sets u of contacts that are on and of ties from the velocities.
+/// Sets u of contacts and of ties from the velocities.
 void observe(ContactIsland& island);
 /// Sets wn, wt and w, and begins the search where last time's impulses are.
 void prepare(ContactIsland& island);

@@ -159,8 +159,7 @@ void factorise(ContactIsland& island, std::span<const Mat3> stiffness) {
   std::copy(island.base_lower.begin(), island.base_lower.end(), f.lower.begin());
   std::copy(island.base_upper.begin(), island.base_upper.end(), f.upper.begin());
   for (std::size_t k = 0; k < stiffness.size(); k++)
-    if (island.contacts[k].on)
-      add_points(island, {f.diagonal, f.lower, f.upper}, island.contacts[k], island.contact_blocks[k], stiffness[k]);
+    add_points(island, {f.diagonal, f.lower, f.upper}, island.contacts[k], island.contact_blocks[k], stiffness[k]);
   for (std::size_t i = 0; i < f.diagonal.size(); i++)
     f.whole[i] = vec(f.diagonal[i][0][0], f.diagonal[i][1][1], f.diagonal[i][2][2]);
   const std::uint32_t* to = f.target.data();

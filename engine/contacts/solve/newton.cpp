@@ -75,11 +75,9 @@ struct Newton {
   /// other in more ways than one, loads then move among them bit by bit.
   void linearise_all(double tau, double left) {
     double most = 0.0;
-    for (const IslandContact& c : island.contacts)
-      if (c.on) most = std::fmax(most, c.impulse[0] * c.wn);
+    for (const IslandContact& c : island.contacts) most = std::fmax(most, c.impulse[0] * c.wn);
     const double stiffest = std::clamp(most / left, least_stiffness, most_stiffness);
-    for (std::size_t k = 0; k < laws.size(); k++)
-      if (island.contacts[k].on) laws[k] = linearise(island.contacts[k], tau, stiffest);
+    for (std::size_t k = 0; k < laws.size(); k++) laws[k] = linearise(island.contacts[k], tau, stiffest);
   }
   bool changed(const Linear& now, const Linear& then) const {
     for (int j = 0; j < 3; j++) {
@@ -93,7 +91,7 @@ struct Newton {
   bool factor_serves() const {
     if (used.size() != laws.size()) return false;
     for (std::size_t k = 0; k < laws.size(); k++)
-      if (island.contacts[k].on && changed(laws[k], used[k])) return false;
+      if (changed(laws[k], used[k])) return false;
     return true;
   }
   void factorise_law() {
@@ -101,7 +99,6 @@ struct Newton {
     stiffness.assign(laws.size(), zero33());
     for (std::size_t k = 0; k < laws.size(); k++) {
       const IslandContact& c = island.contacts[k];
-      if (!c.on) continue;
       if (used[k].stiffness[0] < 1e-12) {
         used[k].stiffness = zero3();
         continue;
@@ -119,7 +116,6 @@ struct Newton {
   void move_impulses() {
     for (std::size_t k = 0; k < laws.size(); k++) {
       IslandContact& c = island.contacts[k];
-      if (!c.on) continue;
       const Linear& l = laws[k];
       c.impulse[0] += l.offset[0] / c.wn;
       if (used[k].stiffness[0] == 0.0 || c.friction == 0.0) {
@@ -142,7 +138,6 @@ struct Newton {
     }
     for (std::size_t k = 0; k < laws.size(); k++) {
       IslandContact& c = island.contacts[k];
-      if (!c.on) continue;
       const Vec3 du = to_frame(c, relative(c, island.bodies, &IslandBody::dv, &IslandBody::dw));
       const Linear& l = used[k];
       double along = 0.0, across = 0.0;
@@ -202,7 +197,6 @@ SearchReport newton_search(ContactIsland& island, std::uint32_t most_iterations)
     report.residual = now;
     return report;
   }
-  lay_out_all(island);
   set_base(island, tie_stiffness);
   const double smallest = 1e-4 * island.tolerance * island.tolerance;
   double tau = smoothing * smoothing * now * now;

@@ -26,7 +26,7 @@ double mean_velocity(const ContactIsland& island) {
 /// Puts impulses into the cone.
 void confine(ContactIsland& island) {
   for (IslandContact& c : island.contacts) {
-    if (!c.on || !(c.impulse[0] > 0.0)) {
+    if (!(c.impulse[0] > 0.0)) {
       c.impulse = zero3();
       continue;
     }
@@ -73,8 +73,7 @@ struct Search {
 /// How near impulses and their velocities are: ½ |v|²_M + bias·γ, least in the solution among what the cone allows.
 double dual(const ContactIsland& island) {
   double sum = kinetic_energy(island);
-  for (const IslandContact& c : island.contacts)
-    if (c.on) sum += dot(c.bias, c.impulse);
+  for (const IslandContact& c : island.contacts) sum += dot(c.bias, c.impulse);
   return sum;
 }
 

@@ -67,8 +67,7 @@ struct Sweeps {
   }
   void add_blocks() {
     order.clear();
-    for (std::uint32_t k = 0; k < island.contacts.size(); k++)
-      if (island.contacts[k].on) order.push_back(k);
+    for (std::uint32_t k = 0; k < island.contacts.size(); k++) order.push_back(k);
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
       return island.contacts[i].height < island.contacts[j].height;
     });
