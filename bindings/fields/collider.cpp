@@ -26,6 +26,16 @@ std::vector<Property> properties_of_collider() {
           [](const World& w, ShapeId s) { return w.shapes[s].material.restitution; },
           [](World& w, ShapeId s, double v) { set_restitution(w, s, v); }),
       property<ShapeId>(
+          "rolling", "number", "m",
+          "moment by normal force against rolling; of two that touch the larger counts (default `0`)",
+          [](const World& w, ShapeId s) { return w.shapes[s].material.rolling; },
+          [](World& w, ShapeId s, double v) { set_rolling(w, s, v); }),
+      property<ShapeId>(
+          "spinning", "number", "m",
+          "moment by normal force against spinning on the spot; of two that touch the larger counts (default `0`)",
+          [](const World& w, ShapeId s) { return w.shapes[s].material.spinning; },
+          [](World& w, ShapeId s, double v) { set_spinning(w, s, v); }),
+      property<ShapeId>(
           "surface_velocity", "vec", "m/s", "of its surface against its body, as of a belt (default `vec(0, 0, 0)`)",
           [](const World& w, ShapeId s) { return w.shapes[s].material.surface_velocity; },
           [](World& w, ShapeId s, Vec3 v) { set_surface_velocity(w, s, v); }),

@@ -35,12 +35,14 @@ struct Contact {
   double gap = 0.0;          ///< [m] below 0: overlap
   double size = 1.0;         ///< [m] thickness of the smaller shape: lengths are held against it
   double friction = 0.0, restitution = 0.0;
+  double rolling = 0.0, spinning = 0.0;  ///< [m] moment by normal force against rolling, against spinning on the spot
   Roundness round_a, round_b;
   Vec3 belt = zero3();     ///< [m/s] by which the surface of a moves on it, less that of b
   Vec3 placing = zero3();  ///< [N s] on a: of the stage before the drift, which keeps shapes from overlapping
   Vec3 total = zero3();    ///< [N s] on a: of all the step, which the velocities after it have
-  double approach = 0.0;   ///< [m/s] along the normal at the start of the step, below 0: nearing
-  double rebound = 0.0;    ///< [m/s] wanted along the normal at the end of the step
+  Vec3 placing_moment = zero3(), total_moment = zero3();  ///< [N m s] on a: of rolling and spinning, in the same
+  double approach = 0.0;  ///< [m/s] along the normal at the start of the step, below 0: nearing
+  double rebound = 0.0;   ///< [m/s] wanted along the normal at the end of the step
 };
 
 /// An impulse that was given before a drift.
@@ -48,6 +50,7 @@ struct Placing {
   std::uint32_t body_a;
   std::int32_t body_b;
   Vec3 impulse;       ///< [N s] on a
+  Vec3 moment;        ///< [N m s] on a, of rolling and spinning
   Vec3 arm_a, arm_b;  ///< [m] then, world axes
 };
 

@@ -146,6 +146,8 @@ void keep_impulses(const std::vector<Contact>& before, std::vector<Contact>& now
   const auto inherit = [&](Contact& c, std::vector<Contact>::const_iterator from) {
     c.placing = from->placing;
     c.total = from->total;
+    c.placing_moment = from->placing_moment;
+    c.total_moment = from->total_moment;
     c.approach = from->approach;
     c.rebound = from->rebound;
     inherited[static_cast<std::size_t>(from - before.begin())] = 1;
@@ -306,6 +308,8 @@ void find_contacts(const Placement& p, ContactFinder& finder, Contacts& contacts
     collector.x_a = placed[a].pose.x;
     collector.like.friction = friction_of(sa, sb, rule);
     collector.like.restitution = restitution_of(sa, sb, rule);
+    collector.like.rolling = std::max(sa.material.rolling, sb.material.rolling);
+    collector.like.spinning = std::max(sa.material.spinning, sb.material.spinning);
     collector.like.round_a = roundness_of(sa.geometry, placed[a].pose);
     collector.like.round_b = roundness_of(sb.geometry, placed[b].pose);
     collector.like.belt = belt_of(sa, placed[a]) - belt_of(sb, placed[b]);

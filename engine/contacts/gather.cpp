@@ -199,6 +199,12 @@ std::span<TouchIsland> gather(TouchSpace& space, Model& model, const Articulates
     c.frame = frame_of(from.normal);
     c.friction = from.friction;
     c.height = -dot(settings.gravity, from.at);
+    c.restitution = from.restitution;
+    if (from.rolling > 0.0 || from.spinning > 0.0) {
+      IslandRoll& roll = island.problem.rolls.emplace_back();
+      roll.contact = static_cast<std::uint32_t>(island.problem.contacts.size());
+      roll.lever = vec(from.spinning, from.rolling, from.rolling);
+    }
     island.problem.contacts.push_back(c);
     island.contacts.push_back(k);
   }

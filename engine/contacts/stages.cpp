@@ -7,6 +7,7 @@
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/state.hpp"
 #include "contacts/gather.hpp"
+#include "contacts/solve/impacts.hpp"
 #include "contacts/solve/solve.hpp"
 
 namespace pantin {
@@ -71,6 +72,31 @@ ImpulseWork work_of_ties(const ContactIsland& island) {
   ImpulseWork work;
   for (const IslandTie& t : island.ties) (t.lever > 0.0 ? work.turns : work.ends) += dot(t.kept * t.impulse, t.wanted);
   return work;
+}
+
+/// Where impacts of all that nears each other faster than this rebound [m/s].
+double slow_of(const TouchSettings& settings, const ContactIsland& island) {
+  return std::max(2.0 * norm(settings.gravity) * settings.h, 1e4 * island.tolerance);
+}
+
+/// Speed [m/s] with which it leaves what it meets in this step: as if it had met it at the surface; 0 where it is too slow.
+double rebound_of(const Contact& c, const TouchSettings& settings, double slow) {
+  if (c.restitution == 0.0 || c.approach >= -slow) return 0.0;
+  const double fall = c.body_b < 0 ? -dot(c.normal, settings.gravity) : 0.0;
+  return c.restitution * std::sqrt(std::max(0.0, c.approach * c.approach + 2.0 * fall * std::max(0.0, c.gap)));
+}
+
+void start_rolls(ContactIsland& island, const Contacts& contacts, const std::vector<std::size_t>& from,
+                 Vec3 Contact::*moment) {
+  for (IslandRoll& r : island.rolls) {
+    const Vec3 along = to_frame(island.contacts[r.contact], contacts.list[from[r.contact]].*moment);
+    for (int k = 0; k < 3; k++) r.start[k] = r.lever[k] > 0.0 ? along[k] / r.lever[k] : 0.0;
+  }
+}
+
+void keep_rolls(const ContactIsland& island, Contacts& contacts, const std::vector<std::size_t>& to,
+                Vec3 Contact::*moment) {
+  for (const IslandRoll& r : island.rolls) contacts.list[to[r.contact]].*moment = moment_of(island, r, r.impulse);
 }
 
 /// Couplings hold more than two things each: they answer once the rest is solved.
@@ -194,24 +220,22 @@ void place(TouchSpace& space, Model& model, const Articulates& articulates, Cont
     }
     for (const IslandBody& b : problem.bodies) report.gravity += 0.5 * b.mass * norm2(settings.gravity) * h * h;
     foresee_forces(model, island, settings);
+    start_rolls(problem, contacts, island.contacts, &Contact::placing_moment);
     solve(contacts, island, 0, report);
     keep_tie_impulses(articulates, island, 0);
+    keep_rolls(problem, contacts, island.contacts, &Contact::placing_moment);
     const double before = kinetic_energy_now(model, island);
+    const double slow = slow_of(settings, problem);
     bool any = false;
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
       Contact& to = contacts.list[island.contacts[k]];
       IslandContact& c = problem.contacts[k];
       if (c.impulse[0] * c.wn <= problem.tolerance) c.impulse = zero3();  // round-off, which holds nothing
       to.placing = to_world(c, c.impulse);
+      to.rebound = rebound_of(to, settings, slow);
       if (norm2(to.placing) == 0.0) continue;
       any = true;
-      contacts.placed.push_back({to.body_a, to.body_b, to.placing, c.ra, c.rb});
-      if (to.restitution == 0.0) continue;
-      const double fall = to.body_b < 0 ? -dot(to.normal, settings.gravity) : 0.0;
-      const double slow = std::max(2.0 * norm(settings.gravity) * h, 1e4 * problem.tolerance);
-      if (to.approach < -slow)
-        to.rebound =
-            to.restitution * std::sqrt(std::max(0.0, to.approach * to.approach + 2.0 * fall * std::max(0.0, to.gap)));
+      contacts.placed.push_back({to.body_a, to.body_b, to.placing, to.placing_moment, c.ra, c.rb});
     }
     if (any) {
       for (const std::uint32_t a : island.articulates) articulates[a]->touches = true;
@@ -236,23 +260,23 @@ double take_back(Model& model, const Articulates& articulates, const std::vector
   const auto kinetic = [&](const BodyState& s, std::uint32_t slot) {
     return s.node ? kinetic_energy(*s.node) : kinetic_energy(model.motion[slot]);
   };
-  const auto add = [&](const BodyState& s, std::uint32_t slot, Vec3 arm, Vec3 impulse) {
+  const auto add = [&](const BodyState& s, std::uint32_t slot, Vec3 arm, Vec3 impulse, Vec3 moment) {
     const double before = kinetic(s, slot);
-    add_momenta(model, s, slot, model.plane.along(impulse), cross(arm, impulse));
+    add_momenta(model, s, slot, model.plane.along(impulse), cross(arm, impulse) + moment);
     work += kinetic(s, slot) - before;
   };
   for (const Placing& p : placed) {
     const BodyState a = state_of(model, articulates, p.body_a, drifted);
     if (p.body_b < 0) {
-      add(a, p.body_a, p.arm_a, p.impulse * -1.0);
+      add(a, p.body_a, p.arm_a, p.impulse * -1.0, p.moment * -1.0);
       continue;
     }
     const auto slot_b = static_cast<std::uint32_t>(p.body_b);
     const BodyState b = state_of(model, articulates, slot_b, drifted);
     const double of_b = a.mass / (a.mass + b.mass);
     const Vec3 at = (a.x + p.arm_a) * (1.0 - of_b) + (b.x + p.arm_b) * of_b;
-    add(a, p.body_a, at - a.x, p.impulse * -1.0);
-    add(b, slot_b, at - b.x, p.impulse);
+    add(a, p.body_a, at - a.x, p.impulse * -1.0, p.moment * -1.0);
+    add(b, slot_b, at - b.x, p.impulse, p.moment);
   }
   return work;
 }
@@ -267,28 +291,36 @@ void meet(TouchSpace& space, Model& model, const Articulates& articulates, Conta
   for (std::size_t k = 0; k < used.size(); k++) {
     Contact& c = contacts.list[k];
     used[k] = c.gap <= (norm2(c.placing) > 0.0 ? held_gap : touching) * c.size;
-    if (!used[k]) c.total = zero3();
+    if (!used[k]) c.total = c.total_moment = zero3();
   }
   for (TouchIsland& island : gather(space, model, articulates, contacts, settings, used)) {
     ContactIsland& problem = island.problem;
+    bool rebounds = false;
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
       const Contact& from = contacts.list[island.contacts[k]];
       IslandContact& c = problem.contacts[k];
       c.bias = to_frame(c, from.belt);
-      c.bias[0] = -from.rebound;
+      c.bias[0] = 0.0;
       c.start = to_frame(c, from.total);
       c.other_start = to_frame(c, from.placing);
+      c.rebound = from.body_b < 0 ? from.rebound : 0.0;
+      rebounds = rebounds || from.rebound > 0.0;
     }
+    start_rolls(problem, contacts, island.contacts, &Contact::total_moment);
+    if (rebounds) report.iterations += resolve_impacts(problem, slow_of(settings, problem)).iterations;
     solve(contacts, island, 1, report);
     keep_tie_impulses(articulates, island, 1);
+    keep_rolls(problem, contacts, island.contacts, &Contact::total_moment);
     const double before = kinetic_energy_now(model, island);
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
       Contact& to = contacts.list[island.contacts[k]];
+      problem.contacts[k].impulse += problem.contacts[k].struck;
       to.total = to_world(problem.contacts[k], problem.contacts[k].impulse);
       report.belts -= dot(to.total, to.belt - to.normal * dot(to.normal, to.belt));
     }
     std::vector<BodyLoad> loads(problem.bodies.size());
     add_contact_loads(problem, loads);
+    for (IslandTie& t : problem.ties) t.impulse += t.struck;
     add_tie_loads(problem, loads);
     give(model, island, loads);
     ImpulseWork ties = work_of_ties(problem);
@@ -313,6 +345,7 @@ double push_out(TouchSpace& space, Model& model, const Articulates& articulates,
   const double h = settings.h;
   for (TouchIsland& island : gather(space, model, articulates, contacts, settings, used)) {
     ContactIsland& problem = island.problem;
+    problem.rolls.clear();
     const auto overlaps = [&](std::size_t k) { return contacts.list[k].gap < -told_overlap * contacts.list[k].size; };
     if (std::none_of(island.contacts.begin(), island.contacts.end(), overlaps)) continue;
     for (IslandBody& b : problem.bodies) b.v0 = b.w0 = zero3();

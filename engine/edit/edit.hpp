@@ -144,6 +144,8 @@ void set_layer(World& world, ShapeId shape, std::string_view layer);
 void set_sensor(World& world, ShapeId shape, bool sensor);
 void set_friction(World& world, ShapeId shape, double friction);        ///< >= 0
 void set_restitution(World& world, ShapeId shape, double restitution);  ///< 0 … 1
+void set_rolling(World& world, ShapeId shape, double rolling);          ///< [m] >= 0
+void set_spinning(World& world, ShapeId shape, double spinning);        ///< [m] >= 0
 void set_surface_velocity(World& world, ShapeId shape, Vec3 velocity);  ///< [m/s]
 /// How shapes of two layers, or two of one, touch from now on: `rule.a` and `rule.b` are set by this.
 void set_rule(World& world, std::string_view a, std::string_view b, LayerRule rule);

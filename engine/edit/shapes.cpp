@@ -93,6 +93,8 @@ void check_shape(const std::string& who, const ShapeDef& def, bool of_body) {
   require_positive(who, "density", m.density, "kg/m³");
   require_not_negative(who, "friction", m.friction, "");
   require_restitution(who, m.restitution);
+  require_not_negative(who, "rolling", m.rolling, "m");
+  require_not_negative(who, "spinning", m.spinning, "m");
   if (def.extent) require_positive(who, "size", *def.extent, "m");
   require_finite(who, "surface_velocity", m.surface_velocity, "m/s");
 }
@@ -186,6 +188,16 @@ void set_friction(World& world, ShapeId id, double friction) {
 void set_restitution(World& world, ShapeId id, double restitution) {
   require_restitution(describe(world, id), restitution);
   written(world, id, "restitution").material.restitution = restitution;
+}
+
+void set_rolling(World& world, ShapeId id, double rolling) {
+  require_not_negative(describe(world, id), "rolling", rolling, "m");
+  written(world, id, "rolling").material.rolling = rolling;
+}
+
+void set_spinning(World& world, ShapeId id, double spinning) {
+  require_not_negative(describe(world, id), "spinning", spinning, "m");
+  written(world, id, "spinning").material.spinning = spinning;
 }
 
 void set_surface_velocity(World& world, ShapeId id, Vec3 velocity) {

@@ -16,6 +16,8 @@ struct Material {
   double density = 1000.0;          ///< [kg/m³] > 0: of a body whose mass is not given
   double friction = 0.5;            ///< >= 0: of two shapes the root of the product
   double restitution = 0.0;         ///< 0 … 1: of two shapes the larger
+  double rolling = 0.0;             ///< [m] >= 0: moment by normal force against rolling; of two shapes the larger
+  double spinning = 0.0;            ///< [m] >= 0: the same against spinning on the spot
   Vec3 surface_velocity = zero3();  ///< [m/s] in the body's frame or the world: of a belt
 };
 

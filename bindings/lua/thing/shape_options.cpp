@@ -250,8 +250,8 @@ const ShapeKind& shape_kind(std::string_view name) {
 }
 
 const std::vector<std::string>& material_options() {
-  static const std::vector<std::string> names = {"density",          "friction", "restitution",
-                                                 "surface_velocity", "layer",    "sensor"};
+  static const std::vector<std::string> names = {"density",  "friction",         "restitution", "rolling",
+                                                 "spinning", "surface_velocity", "layer",       "sensor"};
   return names;
 }
 
@@ -264,6 +264,10 @@ Material material_of(const Options& o) {
   m.restitution = o.number("restitution", "").value_or(m.restitution);
   require(m.restitution >= 0.0 && m.restitution <= 1.0, o.what(), ": restitution must be from 0 to 1, got ",
           m.restitution);
+  m.rolling = o.number("rolling", "m").value_or(m.rolling);
+  require(m.rolling >= 0.0, o.what(), ": rolling must be >= 0 m, got ", m.rolling);
+  m.spinning = o.number("spinning", "m").value_or(m.spinning);
+  require(m.spinning >= 0.0, o.what(), ": spinning must be >= 0 m, got ", m.spinning);
   m.surface_velocity = o.vector("surface_velocity", "m/s").value_or(m.surface_velocity);
   return m;
 }

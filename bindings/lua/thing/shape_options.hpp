@@ -18,7 +18,7 @@ struct ShapeKind {
 const std::vector<ShapeKind>& shape_kinds();
 const ShapeKind& shape_kind(std::string_view name);
 
-/// density, friction, restitution, surface_velocity, layer, sensor
+/// density, friction, restitution, rolling, spinning, surface_velocity, layer, sensor
 const std::vector<std::string>& material_options();
 Material material_of(const Options& options);
 /// `layer`, or empty.

@@ -78,6 +78,11 @@ Type make() {
        [](const Self& s) { lua_pushnumber(s.state, shape_of(s).def.material.friction); }, nullptr},
       {"restitution", "number", "1", "0 to 1; of two that touch the larger counts",
        [](const Self& s) { lua_pushnumber(s.state, shape_of(s).def.material.restitution); }, nullptr},
+      {"rolling", "number", "m", "moment by normal force against rolling; of two that touch the larger counts",
+       [](const Self& s) { lua_pushnumber(s.state, shape_of(s).def.material.rolling); }, nullptr},
+      {"spinning", "number", "m",
+       "moment by normal force against spinning on the spot; of two that touch the larger counts",
+       [](const Self& s) { lua_pushnumber(s.state, shape_of(s).def.material.spinning); }, nullptr},
       {"layer", "string?", "", "that scene:collide speaks of; nil: that of its body, or none",
        [](const Self& s) {
          const std::string& layer = shape_of(s).def.layer;

@@ -42,6 +42,7 @@ double mean_mobility(const ContactIsland& island, const IslandTie& t) {
 void ContactIsland::clear() {
   bodies.clear();
   contacts.clear();
+  rolls.clear();
   ties.clear();
   factor.rows = 0;
 }
@@ -58,6 +59,16 @@ void push(ContactIsland& island, const IslandTie& tie, Vec3 impulse) {
   if (tie.b < 0) return;
   IslandBody& b = island.bodies[static_cast<std::size_t>(tie.b)];
   b.w -= b.mobility * (impulse * tie.lever);
+}
+
+void push(ContactIsland& island, const IslandRoll& roll, Vec3 impulse) {
+  const IslandContact& c = island.contacts[roll.contact];
+  const Vec3 moment = moment_of(island, roll, impulse);
+  IslandBody& a = island.bodies[static_cast<std::size_t>(c.a)];
+  a.w += a.mobility * moment;
+  if (c.b < 0) return;
+  IslandBody& b = island.bodies[static_cast<std::size_t>(c.b)];
+  b.w -= b.mobility * moment;
 }
 
 namespace {
@@ -77,6 +88,11 @@ void add_at_point(std::vector<BodyLoad>& loads, const IslandPair& p, Vec3 impuls
 
 void add_contact_loads(const ContactIsland& island, std::vector<BodyLoad>& loads) {
   for (const IslandContact& c : island.contacts) add_at_point(loads, c, to_world(c, c.impulse));
+  for (const IslandRoll& r : island.rolls) {
+    const Vec3 moment = moment_of(island, r, r.impulse);
+    add_load(loads, island.contacts[r.contact].a, zero3(), moment);
+    add_load(loads, island.contacts[r.contact].b, zero3(), moment * -1.0);
+  }
 }
 
 void add_tie_loads(const ContactIsland& island, std::vector<BodyLoad>& loads) {
@@ -99,12 +115,18 @@ void start_from_rest(ContactIsland& island) {
 void apply_impulses(ContactIsland& island) {
   start_from_rest(island);
   for (const IslandContact& c : island.contacts) push(island, c, to_world(c, c.impulse));
+  for (const IslandRoll& r : island.rolls) push(island, r, r.impulse);
   for (const IslandTie& t : island.ties) push(island, t, t.kept * t.impulse);
 }
 
 void observe(ContactIsland& island) {
   for (IslandContact& c : island.contacts)
     c.u = to_frame(c, relative(c, island.bodies, &IslandBody::v, &IslandBody::w)) + c.bias;
+  for (IslandRoll& r : island.rolls) {
+    const IslandContact& c = island.contacts[r.contact];
+    const Vec3 wa = island.bodies[static_cast<std::size_t>(c.a)].w;
+    r.u = r.lever * to_frame(c, c.b < 0 ? wa : wa - island.bodies[static_cast<std::size_t>(c.b)].w);
+  }
   for (IslandTie& t : island.ties)
     t.u = velocity_of(t, island.bodies, &IslandBody::v, &IslandBody::w) - t.kept * t.wanted;
 }
@@ -115,24 +137,52 @@ void prepare(ContactIsland& island) {
     c.wt = std::max(mobility_along(island, c, c.frame[1]), mobility_along(island, c, c.frame[2]));
     c.impulse = c.start;
   }
+  for (IslandRoll& r : island.rolls) {
+    const IslandContact& c = island.contacts[r.contact];
+    const auto mobility = [&](int k) {
+      const auto of = [&](std::int32_t body) {
+        return body < 0 ? 0.0 : dot(c.frame[k], island.bodies[static_cast<std::size_t>(body)].mobility * c.frame[k]);
+      };
+      return r.lever[k] * r.lever[k] * (of(c.a) + of(c.b));
+    };
+    r.wn = mobility(0);
+    r.wt = mobility(1) + mobility(2);
+    r.impulse = r.start;
+  }
   for (IslandTie& t : island.ties) {
     t.w = mean_mobility(island, t);
     t.impulse = t.start;
   }
 }
 
+namespace {
+
+/// Distance of x from the projection of x - u on the disc of this radius.
+double disc_residual(double x1, double x2, double u1, double u2, double radius) {
+  const double y1 = x1 - u1, y2 = x2 - u2;
+  const double size = std::sqrt(y1 * y1 + y2 * y2), part = size > radius ? radius / size : 1.0;
+  const double d1 = x1 - y1 * part, d2 = x2 - y2 * part;
+  return std::sqrt(d1 * d1 + d2 * d2);
+}
+
+}  // namespace
+
 double coulomb_residual(const IslandContact& c) {
   const double normal = std::fabs(std::fmin(c.impulse[0] * c.wn, c.u[0] + c.compliance * c.impulse[0]));
   const double bound = c.friction * std::fmax(0.0, c.impulse[0]) * c.wt;
-  const double x1 = c.impulse[1] * c.wt, x2 = c.impulse[2] * c.wt, y1 = x1 - c.u[1], y2 = x2 - c.u[2];
-  const double size = std::sqrt(y1 * y1 + y2 * y2), part = size > bound ? bound / size : 1.0;
-  const double d1 = x1 - y1 * part, d2 = x2 - y2 * part;
-  return std::fmax(normal, std::sqrt(d1 * d1 + d2 * d2));
+  return std::fmax(normal, disc_residual(c.impulse[1] * c.wt, c.impulse[2] * c.wt, c.u[1], c.u[2], bound));
+}
+
+double roll_residual(const ContactIsland& island, const IslandRoll& r) {
+  const double most = std::fmax(0.0, island.contacts[r.contact].impulse[0]);
+  return std::fmax(disc_residual(r.impulse[0] * r.wn, 0.0, r.u[0], 0.0, most * r.wn),
+                   disc_residual(r.impulse[1] * r.wt, r.impulse[2] * r.wt, r.u[1], r.u[2], most * r.wt));
 }
 
 double residual(const ContactIsland& island) {
   double most = 0.0;
   for (const IslandContact& c : island.contacts) most = std::fmax(most, coulomb_residual(c));
+  for (const IslandRoll& r : island.rolls) most = std::fmax(most, roll_residual(island, r));
   for (const IslandTie& t : island.ties) most = std::fmax(most, norm(t.u));
   return most;
 }

@@ -3,6 +3,7 @@
 //
 //   M (v - v0) = Σ G' γ + Σ T' μ
 //   contacts:  u = G v + bias in the frame (n, t1, t2);  0 ≤ γ_n ⊥ u_n ≥ 0;  |γ_t| ≤ friction γ_n, against u_t where it slides
+//   rolls:     |lever (ω_a - ω_b)'s moment| ≤ γ_n of their contact, about n and across it, against the turn
 //   ties:      kept (T v - wanted) = 0, as articulates have them
 //
 // v stands for the velocity of the centre and the spin, in world axes; forces act on body a, opposite ones on b. w is the
@@ -45,6 +46,18 @@ struct IslandContact : IslandPair {
   Vec3 other_start = zero3();  ///< [N s] taken instead of it, of all contacts, where that is nearer
   Vec3 impulse = zero3();      ///< [N s] γ
   Vec3 u = zero3();            ///< [m/s]
+  double restitution = 0.0;
+  double rebound = 0.0;   ///< [m/s] of the first impact, where that is known; else 0
+  Vec3 struck = zero3();  ///< [N s] of impacts
+};
+
+/// Friction at a contact against spins: an impulse of 1 N s turns with its lever, and slip is lever × spin.
+struct IslandRoll {
+  std::uint32_t contact = 0;
+  Vec3 lever = zero3();                     ///< [m] of spinning about n, of rolling about t1 and t2: the same of both
+  double wn = 0.0, wt = 0.0;                ///< [1/kg]
+  Vec3 start = zero3(), impulse = zero3();  ///< [N s] in the contact's frame
+  Vec3 u = zero3();                         ///< [m/s]
 };
 
 struct IslandTie : IslandPair {
@@ -55,6 +68,7 @@ struct IslandTie : IslandPair {
   Vec3 start = zero3();    ///< [N s]
   Vec3 impulse = zero3();  ///< [N s] μ
   Vec3 u = zero3();        ///< [m/s] kept (T v - wanted)
+  Vec3 struck = zero3();   ///< [N s] of impacts
 };
 
 /// What impulses do to a body: [N s], [N m s] about its centre, world axes.
@@ -71,6 +85,7 @@ struct PairBlocks {
 struct ContactIsland {
   std::vector<IslandBody> bodies;
   std::vector<IslandContact> contacts;
+  std::vector<IslandRoll> rolls;  ///< of some of them, in their order
   std::vector<IslandTie> ties;
   double tolerance = 1e-8;  ///< [m/s] to which velocities at contacts are solved
   // Of the matrix M + Σ G' D G + Σ T' k T: rows 2i of the centre of body i and 2i + 1 of its spin.
@@ -88,6 +103,10 @@ struct ContactIsland {
 
 inline Vec3 to_frame(const IslandContact& c, Vec3 world) { return transposed_times(c.frame, world); }
 inline Vec3 to_world(const IslandContact& c, Vec3 local) { return c.frame * local; }
+/// [N m s] world axes, on a, of an impulse of a roll.
+inline Vec3 moment_of(const ContactIsland& island, const IslandRoll& r, Vec3 impulse) {
+  return island.contacts[r.contact].frame * (r.lever * impulse);
+}
 
 /// Velocity of a's point relative to b's, world axes, of velocities `v` and spins `w` of the bodies.
 inline Vec3 relative(const IslandPair& p, const std::vector<IslandBody>& bodies, Vec3 IslandBody::*v,
@@ -110,7 +129,8 @@ inline Vec3 velocity_of(const IslandTie& t, const std::vector<IslandBody>& bodie
 /// Adds an impulse [N s] (world axes, on a) to the velocities.
 void push(ContactIsland& island, const IslandPair& pair, Vec3 impulse);
 void push(ContactIsland& island, const IslandTie& tie, Vec3 impulse);
-/// Adds what impulses do to the bodies: of contacts, of ties.
+void push(ContactIsland& island, const IslandRoll& roll, Vec3 impulse);  ///< in the contact's frame
+/// Adds what impulses do to the bodies: of contacts and rolls, of ties.
 void add_contact_loads(const ContactIsland& island, std::vector<BodyLoad>& loads);
 void add_tie_loads(const ContactIsland& island, std::vector<BodyLoad>& loads);
 void add_load(std::vector<BodyLoad>& loads, const IslandTie& tie, Vec3 impulse);  ///< world axes
@@ -125,6 +145,8 @@ void prepare(ContactIsland& island);
 /// How far a contact is from Coulomb's law with impulse γ at velocity u [m/s]: with x = w γ, the distance of x from the
 /// projection of x - u on what is allowed.
 double coulomb_residual(const IslandContact& contact);
+/// The same of friction against spins.
+double roll_residual(const ContactIsland& island, const IslandRoll& roll);
 /// Largest of all contacts, and of what ties should forbid [m/s].
 double residual(const ContactIsland& island);
 /// Kinetic energy of the velocities [J].

@@ -97,8 +97,8 @@ void add_points(const ContactIsland& island, Sums to, const IslandPair& p, const
     to.add(blocks.block[i], blocks.a_below[i], entries[i] * -1.0, opposites[i] * -1.0);
 }
 
-/// The same of an angular tie.
-void add_turns(const ContactIsland& island, Sums to, const IslandTie& t, const PairBlocks& blocks, const Mat3& K) {
+/// The same of a stiffness between two spins.
+void add_turns(const ContactIsland& island, Sums to, const IslandPair& t, const PairBlocks& blocks, const Mat3& K) {
   const Mat3& Ta = island.bodies[number(t.a)].turning;
   add_own(island, to, t.a, zero33(), zero33(), zero33(), Ta * K * transpose(Ta));
   if (t.b < 0) return;
@@ -153,13 +153,17 @@ void set_base(ContactIsland& island, double tie_stiffness) {
   }
 }
 
-void factorise(ContactIsland& island, std::span<const Mat3> stiffness) {
+void factorise(ContactIsland& island, std::span<const Mat3> stiffness, std::span<const Mat3> roll_stiffness) {
   Factor& f = island.factor;
   std::copy(island.base_diagonal.begin(), island.base_diagonal.end(), f.diagonal.begin());
   std::copy(island.base_lower.begin(), island.base_lower.end(), f.lower.begin());
   std::copy(island.base_upper.begin(), island.base_upper.end(), f.upper.begin());
   for (std::size_t k = 0; k < stiffness.size(); k++)
     add_points(island, {f.diagonal, f.lower, f.upper}, island.contacts[k], island.contact_blocks[k], stiffness[k]);
+  for (std::size_t k = 0; k < roll_stiffness.size(); k++) {
+    const std::uint32_t c = island.rolls[k].contact;
+    add_turns(island, {f.diagonal, f.lower, f.upper}, island.contacts[c], island.contact_blocks[c], roll_stiffness[k]);
+  }
   for (std::size_t i = 0; i < f.diagonal.size(); i++)
     f.whole[i] = vec(f.diagonal[i][0][0], f.diagonal[i][1][1], f.diagonal[i][2][2]);
   const std::uint32_t* to = f.target.data();

@@ -11,8 +11,8 @@ void lay_out_all(ContactIsland& island);
 void lay_out_ties(ContactIsland& island);
 /// Sets the part of masses and ties, with stiffness `tie_stiffness` / w of each tie [kg].
 void set_base(ContactIsland& island, double tie_stiffness);
-/// Factorises the base with the contacts' stiffness: D(contact) [kg], world axes, by index, or none at all.
-void factorise(ContactIsland& island, std::span<const Mat3> stiffness);
+/// Factorises the base with stiffnesses in world axes, by index, or none at all: of contacts [kg], of rolls [kg m²].
+void factorise(ContactIsland& island, std::span<const Mat3> stiffness, std::span<const Mat3> roll_stiffness);
 /// Solves for the change of velocities [m/s], [rad/s] that these make.
 void solve(ContactIsland& island, std::span<const BodyLoad> load, std::span<BodyLoad> change);
 

@@ -28,6 +28,39 @@ Slope smoothed(double g, double s, double tau, double softness) {
   return {-value / slope, by_s / slope, by_g / slope};
 }
 
+/// A law of slip to first order: along it, across it.
+struct Slip {
+  double along = 0.0, across = 0.0;  // offsets
+  double along_stiffness = 0.0, across_stiffness = 0.0;
+  double d1 = 1.0, d2 = 0.0;  // its direction by t1 and t2
+  double follows = 0.0;       // change of the impulse along it by that of its bound
+};
+
+/// Of impulses g within a bound, velocities u, all as speeds.
+Slip linearise_slip(double g1, double g2, double u1, double u2, double bound, double tau, double stiffest) {
+  Slip l;
+  const double x1 = g1 - u1, x2 = g2 - u2, size = std::sqrt(x1 * x1 + x2 * x2);
+  if (size > 1e-14 * (std::fabs(g1) + std::fabs(g2)) && size > 0.0) {
+    l.d1 = x1 / size;
+    l.d2 = x2 / size;
+  }
+  const double g_along = g1 * l.d1 + g2 * l.d2, u_along = u1 * l.d1 + u2 * l.d2;
+  const double g_across = g2 * l.d1 - g1 * l.d2, u_across = u2 * l.d1 - u1 * l.d2;
+  const Slope slip = smoothed(bound - g_along, -u_along, std::fmin(tau, bound * bound), 1.0 / stiffest);
+  l.along = -slip.offset;
+  l.along_stiffness = slip.stiffness;
+  l.follows = slip.follows;
+  if (size > bound) {
+    const double turn = bound / std::fmax(size - bound, 1e-300);
+    l.across_stiffness = std::fmin(stiffest, std::fmax(l.along_stiffness, turn));
+    l.across = -g_across - l.across_stiffness * u_across;
+  } else {
+    l.across_stiffness = stiffest;
+    l.across = -stiffest * u_across;
+  }
+  return l;
+}
+
 /// A contact's law to first order: normal, along the slip, across it.
 struct Linear {
   Vec3 offset = zero3(), stiffness = zero3();
@@ -35,40 +68,42 @@ struct Linear {
   double follows = 0.0;       // change of the impulse along the slip by that of the normal one
 };
 
+/// The same of friction against spins; that it follows the normal impulse is left to the next iteration.
+struct LinearRoll {
+  Slip spin, roll;
+};
+
+LinearRoll linearise(const ContactIsland& island, const IslandRoll& r, double tau, double stiffest) {
+  const double most = std::fmax(0.0, island.contacts[r.contact].impulse[0]);
+  return {linearise_slip(r.impulse[0] * r.wn, 0.0, r.u[0], 0.0, most * r.wn, tau, stiffest),
+          linearise_slip(r.impulse[1] * r.wt, r.impulse[2] * r.wt, r.u[1], r.u[2], most * r.wt, tau, stiffest)};
+}
+
+/// An impulse [N s] in the contact's frame of offsets, or of changes of velocities.
+Vec3 impulse_of(const IslandRoll& r, const LinearRoll& law, double spin, double along, double across) {
+  const double n = r.wn > 0.0 ? spin / r.wn : 0.0, by = r.wt > 0.0 ? 1.0 / r.wt : 0.0;
+  return vec(n, (along * law.roll.d1 - across * law.roll.d2) * by, (along * law.roll.d2 + across * law.roll.d1) * by);
+}
+
 Linear linearise(const IslandContact& c, double tau, double stiffest) {
   Linear l;
   const Slope normal =
       smoothed(c.impulse[0] * c.wn, c.u[0] + c.compliance * c.impulse[0], tau, 1.0 / stiffest + c.compliance / c.wn);
-  l.offset[0] = normal.offset;
-  l.stiffness[0] = normal.stiffness;
   const double bound = c.friction * std::fmax(0.0, c.impulse[0]) * c.wt;
-  const double g1 = c.impulse[1] * c.wt, g2 = c.impulse[2] * c.wt, x1 = g1 - c.u[1], x2 = g2 - c.u[2];
-  const double size = std::sqrt(x1 * x1 + x2 * x2);
-  if (size > 1e-14 * (std::fabs(g1) + std::fabs(g2)) && size > 0.0) {
-    l.d1 = x1 / size;
-    l.d2 = x2 / size;
-  }
-  const double g_along = g1 * l.d1 + g2 * l.d2, u_along = c.u[1] * l.d1 + c.u[2] * l.d2;
-  const double g_across = g2 * l.d1 - g1 * l.d2, u_across = c.u[2] * l.d1 - c.u[1] * l.d2;
-  const Slope slip = smoothed(bound - g_along, -u_along, std::fmin(tau, bound * bound), 1.0 / stiffest);
-  l.offset[1] = -slip.offset;
-  l.stiffness[1] = slip.stiffness;
+  const Slip slip = linearise_slip(c.impulse[1] * c.wt, c.impulse[2] * c.wt, c.u[1], c.u[2], bound, tau, stiffest);
+  l.offset = vec(normal.offset, slip.along, slip.across);
+  l.stiffness = vec(normal.stiffness, slip.along_stiffness, slip.across_stiffness);
+  l.d1 = slip.d1;
+  l.d2 = slip.d2;
   if (c.impulse[0] > 0.0) l.follows = slip.follows * c.friction;
-  if (size > bound) {
-    const double turn = bound / std::fmax(size - bound, 1e-300);
-    l.stiffness[2] = std::fmin(stiffest, std::fmax(l.stiffness[1], turn));
-    l.offset[2] = -g_across - l.stiffness[2] * u_across;
-  } else {
-    l.stiffness[2] = stiffest;
-    l.offset[2] = -stiffest * u_across;
-  }
   return l;
 }
 
 struct Newton {
   ContactIsland& island;
   std::vector<Linear> laws, used = {};
-  std::vector<Mat3> stiffness = {};
+  std::vector<LinearRoll> roll_laws = {}, roll_used = {};
+  std::vector<Mat3> stiffness = {}, roll_stiffness = {};
   std::vector<BodyLoad> load = {}, change = {};
 
   /// With stiffnesses such that what is left [m/s] asks for no more than the impulses that there are: where rigid bodies hold each
@@ -78,6 +113,13 @@ struct Newton {
     for (const IslandContact& c : island.contacts) most = std::fmax(most, c.impulse[0] * c.wn);
     const double stiffest = std::clamp(most / left, least_stiffness, most_stiffness);
     for (std::size_t k = 0; k < laws.size(); k++) laws[k] = linearise(island.contacts[k], tau, stiffest);
+    roll_laws.clear();
+    for (const IslandRoll& r : island.rolls) roll_laws.push_back(linearise(island, r, tau, stiffest));
+  }
+  bool changed(const Slip& now, const Slip& then) const {
+    const auto differs = [](double a, double b) { return std::fabs(a - b) > 0.02 * std::fmax(a, b) + 1e-4; };
+    return differs(now.along_stiffness, then.along_stiffness) || differs(now.across_stiffness, then.across_stiffness) ||
+           std::fabs(now.d1 * then.d2 - now.d2 * then.d1) > 1e-3;
   }
   bool changed(const Linear& now, const Linear& then) const {
     for (int j = 0; j < 3; j++) {
@@ -92,6 +134,8 @@ struct Newton {
     if (used.size() != laws.size()) return false;
     for (std::size_t k = 0; k < laws.size(); k++)
       if (changed(laws[k], used[k])) return false;
+    for (std::size_t k = 0; k < roll_laws.size(); k++)
+      if (changed(roll_laws[k].spin, roll_used[k].spin) || changed(roll_laws[k].roll, roll_used[k].roll)) return false;
     return true;
   }
   void factorise_law() {
@@ -111,7 +155,47 @@ struct Newton {
       stiffness[k] += outer(along, along) * (used[k].stiffness[1] / c.wt);
       stiffness[k] += outer(across, across) * (used[k].stiffness[2] / c.wt);
     }
-    factorise(island, stiffness);
+    roll_used = roll_laws;
+    roll_stiffness.assign(roll_laws.size(), zero33());
+    for (std::size_t k = 0; k < roll_laws.size(); k++) {
+      const IslandRoll& r = island.rolls[k];
+      if (used[r.contact].stiffness[0] == 0.0) {
+        roll_used[k] = {};
+        continue;
+      }
+      const Mat3& frame = island.contacts[r.contact].frame;
+      const Slip& l = roll_used[k].roll;
+      const Vec3 along = frame[1] * l.d1 + frame[2] * l.d2, across = frame[2] * l.d1 - frame[1] * l.d2;
+      const double spin = r.lever[0] * r.lever[0], roll = r.lever[1] * r.lever[1];
+      if (r.wn > 0.0)
+        roll_stiffness[k] += outer(frame[0], frame[0]) * (spin * roll_used[k].spin.along_stiffness / r.wn);
+      if (r.wt > 0.0)
+        roll_stiffness[k] += outer(along, along) * (roll * l.along_stiffness / r.wt) +
+                             outer(across, across) * (roll * l.across_stiffness / r.wt);
+    }
+    factorise(island, stiffness, roll_stiffness);
+  }
+  void move_rolls() {
+    for (std::size_t k = 0; k < roll_laws.size(); k++) {
+      IslandRoll& r = island.rolls[k];
+      const LinearRoll& l = roll_laws[k];
+      if (used[r.contact].stiffness[0] == 0.0)
+        r.impulse = zero3();
+      else
+        r.impulse += impulse_of(r, l, l.spin.along * l.spin.d1, l.roll.along, l.roll.across);
+    }
+  }
+  void follow_spins() {
+    for (std::size_t k = 0; k < roll_laws.size(); k++) {
+      IslandRoll& r = island.rolls[k];
+      const IslandContact& c = island.contacts[r.contact];
+      const Vec3 wa = island.bodies[static_cast<std::size_t>(c.a)].dw;
+      const Vec3 du = r.lever * to_frame(c, c.b < 0 ? wa : wa - island.bodies[static_cast<std::size_t>(c.b)].dw);
+      const LinearRoll& l = roll_used[k];
+      const double along = (du[1] * l.roll.d1 + du[2] * l.roll.d2) * l.roll.along_stiffness,
+                   across = (du[2] * l.roll.d1 - du[1] * l.roll.d2) * l.roll.across_stiffness;
+      r.impulse -= impulse_of(r, l, du[0] * l.spin.along_stiffness, along, across);
+    }
   }
   void move_impulses() {
     for (std::size_t k = 0; k < laws.size(); k++) {
@@ -126,6 +210,7 @@ struct Newton {
       c.impulse[1] += along * l.d1 - across * l.d2;
       c.impulse[2] += along * l.d2 + across * l.d1;
     }
+    move_rolls();
     for (IslandTie& t : island.ties) t.impulse -= t.u * (tie_stiffness / t.w);
   }
   void follow_velocities() {
@@ -147,6 +232,7 @@ struct Newton {
       }
       c.impulse -= vec(du[0] * l.stiffness[0] / c.wn, along * l.d1 - across * l.d2, along * l.d2 + across * l.d1);
     }
+    follow_spins();
     for (IslandTie& t : island.ties) {
       const Vec3 du = velocity_of(t, island.bodies, &IslandBody::dv, &IslandBody::dw);
       t.impulse -= du * (tie_stiffness / t.w);
@@ -157,16 +243,19 @@ struct Newton {
 /// What to come back to.
 struct Best {
   double residual = infinity;
-  std::vector<Vec3> contacts, ties;
+  std::vector<Vec3> contacts, rolls, ties;
   void keep(const ContactIsland& island, double now) {
     residual = now;
     contacts.clear();
+    rolls.clear();
     ties.clear();
     for (const IslandContact& c : island.contacts) contacts.push_back(c.impulse);
+    for (const IslandRoll& r : island.rolls) rolls.push_back(r.impulse);
     for (const IslandTie& t : island.ties) ties.push_back(t.impulse);
   }
   void put_back(ContactIsland& island) const {
     for (std::size_t k = 0; k < contacts.size(); k++) island.contacts[k].impulse = contacts[k];
+    for (std::size_t k = 0; k < rolls.size(); k++) island.rolls[k].impulse = rolls[k];
     for (std::size_t k = 0; k < ties.size(); k++) island.ties[k].impulse = ties[k];
     apply_impulses(island);
     observe(island);

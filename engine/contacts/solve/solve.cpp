@@ -36,6 +36,14 @@ void confine(ContactIsland& island) {
     c.impulse[1] *= bound / t;
     c.impulse[2] *= bound / t;
   }
+  for (IslandRoll& r : island.rolls) {
+    const double most = island.contacts[r.contact].impulse[0];
+    const double t = std::sqrt(r.impulse[1] * r.impulse[1] + r.impulse[2] * r.impulse[2]);
+    r.impulse[0] = std::clamp(r.impulse[0], -most, most);
+    if (t <= most) continue;
+    r.impulse[1] *= most / t;
+    r.impulse[2] *= most / t;
+  }
 }
 
 struct Search {
@@ -53,6 +61,7 @@ struct Search {
   void go_on() {
     confine(island);
     for (IslandContact& c : island.contacts) c.start = c.impulse;
+    for (IslandRoll& r : island.rolls) r.start = r.impulse;
     for (IslandTie& t : island.ties) t.start = t.impulse;
   }
   /// Not where the factor would cost more than it is worth.

@@ -22,6 +22,7 @@ struct Sweeps {
   std::vector<Scaled>&free = space.free, &y = space.y;
   std::vector<ContactBlock>& blocks = space.blocks;
   std::vector<std::uint32_t>& order = space.order;
+  std::vector<RollBlock>& rolls = space.rolls;
   std::vector<BodyLoad> load = {}, change = {};
 
   void take_velocities() {
@@ -74,6 +75,51 @@ struct Sweeps {
     blocks.clear();
     blocks.reserve(order.size());
     for (const std::uint32_t k : order) add_block(island.contacts[k]);
+  }
+
+  void add_rolls() {
+    rolls.clear();
+    if (island.rolls.empty()) return;
+    std::vector<std::uint32_t> block_of(order.size());
+    for (std::uint32_t k = 0; k < order.size(); k++) block_of[order[k]] = k;
+    for (const IslandRoll& r : island.rolls) {
+      const IslandContact& c = island.contacts[r.contact];
+      RollBlock& block = rolls.emplace_back();
+      block.contact = block_of[r.contact];
+      const auto rows = [&](std::int32_t body, Mat3& spin) {
+        spin = zero33();
+        if (body < 0) return;
+        for (int k = 0; k < 3; k++)
+          spin[k] = transposed_times(island.bodies[static_cast<std::size_t>(body)].root, c.frame[k] * r.lever[k]);
+      };
+      rows(c.a, block.spin_a);
+      rows(c.b, block.spin_b);
+      block.impulse = r.start;
+      block.wn = r.wn;
+      block.wt = r.wt;
+    }
+  }
+  void give(const RollBlock& r, Vec3 impulse) {
+    y[blocks[r.contact].a].spin += r.spin_a * impulse;
+    y[blocks[r.contact].b].spin -= r.spin_b * impulse;
+  }
+  /// Its law, others as they are.
+  void visit(RollBlock& r) {
+    const double most = blocks[r.contact].impulse[0];
+    r.before = r.impulse;
+    if (most == 0.0 && norm2(r.impulse) == 0.0) return;
+    const Vec3 u = transposed_times(r.spin_a, y[blocks[r.contact].a].spin) -
+                   transposed_times(r.spin_b, y[blocks[r.contact].b].spin);
+    Vec3 now = zero3();
+    if (r.wn > 0.0) now[0] = std::clamp(r.impulse[0] - u[0] / r.wn, -most, most);
+    if (r.wt > 0.0) {
+      const double t1 = r.impulse[1] - u[1] / r.wt, t2 = r.impulse[2] - u[2] / r.wt,
+                   size = std::sqrt(t1 * t1 + t2 * t2), part = size > most ? most / size : 1.0;
+      now[1] = t1 * part;
+      now[2] = t2 * part;
+    }
+    give(r, now - r.impulse);
+    r.impulse = now;
   }
 
   Vec3 velocity(const ContactBlock& c) const {
@@ -164,6 +210,7 @@ struct Sweeps {
       constant += dot(c.bias, c.impulse);
       soft += c.compliance * c.impulse[0] * c.impulse[0];
     }
+    for (const RollBlock& r : rolls) give(r, r.impulse);
     for (std::size_t i = 0; i < y.size(); i++) {
       y[i].centre -= free[i].centre;
       y[i].spin -= free[i].spin;
@@ -171,6 +218,7 @@ struct Sweeps {
     }
     const double whole = square(y) + soft, part = whole > 0.0 ? std::clamp(-constant / whole, 0.0, 1.0) : 0.0;
     for (ContactBlock& c : blocks) c.impulse *= part;
+    for (RollBlock& r : rolls) r.impulse *= part;
     for (std::size_t i = 0; i < y.size(); i++) {
       y[i].centre = free[i].centre + y[i].centre * part;
       y[i].spin = free[i].spin + y[i].spin * part;
@@ -192,6 +240,7 @@ struct Sweeps {
       for (ContactBlock& c : blocks) one(c);
     else
       for (std::size_t k = blocks.size(); k-- > 0;) one(blocks[k]);
+    for (RollBlock& r : rolls) visit(r);
     hold_ties();
     return most;
   }
@@ -199,10 +248,11 @@ struct Sweeps {
     if (!island.ties.empty()) {
       lay_out_ties(island);
       set_base(island, tie_stiffness);
-      factorise(island, {});
+      factorise(island, {}, {});
     }
     take_velocities();
     add_blocks();
+    add_rolls();
     for (IslandTie& t : island.ties) t.impulse = zero3();
     start();
     hold_ties();
@@ -221,6 +271,10 @@ struct Sweeps {
       const Vec3 d = c.impulse - c.before;
       sum += d[0] * d[0] * c.w00 + (d[1] * d[1] + d[2] * d[2]) * c.wt;
     }
+    for (const RollBlock& r : rolls) {
+      const Vec3 d = r.impulse - r.before;
+      sum += d[0] * d[0] * r.wn + (d[1] * d[1] + d[2] * d[2]) * r.wt;
+    }
     return sum;
   }
   /// Goes on by a part of the last direction; what the sweep changed and that is the next one.
@@ -229,6 +283,11 @@ struct Sweeps {
       const Vec3 on = c.way * part;
       c.way = c.impulse - c.before + on;
       c.impulse += on;
+    }
+    for (RollBlock& r : rolls) {
+      const Vec3 on = r.way * part;
+      r.way = r.impulse - r.before + on;
+      r.impulse += on;
     }
     for (std::size_t k = 0; k < island.ties.size(); k++) {
       const Vec3 on = space.tie_way[k] * part;
@@ -261,6 +320,7 @@ SearchReport sweep_search(ContactIsland& island, std::uint32_t most_sweeps, doub
   }
   s.hold_ties();
   for (std::size_t k = 0; k < s.blocks.size(); k++) island.contacts[s.order[k]].impulse = s.blocks[k].impulse;
+  for (std::size_t k = 0; k < s.rolls.size(); k++) island.rolls[k].impulse = s.rolls[k].impulse;
   apply_impulses(island);
   observe(island);
   report.residual = residual(island);

@@ -26,10 +26,19 @@ struct ContactBlock {
   std::uint32_t idle = 0;
 };
 
+/// Friction against spins at one of them: (columns) what it reads of spins.
+struct RollBlock {
+  Mat3 spin_a, spin_b;
+  std::uint32_t contact = 0;  // index of the block
+  Vec3 impulse = zero3(), before = zero3(), way = zero3();
+  double wn = 0.0, wt = 0.0;  // [1/kg]
+};
+
 struct SweepSpace {
   std::vector<Scaled> free, y, before, way;  ///< (bodies and, last, the world, which stays 0)
   std::vector<ContactBlock> blocks;          ///< from the lowest up
   std::vector<std::uint32_t> order;          ///< (blocks) index of the contact
+  std::vector<RollBlock> rolls;
   std::vector<Vec3> tie_before, tie_way;
 };
 

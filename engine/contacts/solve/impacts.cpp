@@ -1,0 +1,98 @@
+#include "contacts/solve/impacts.hpp"
+
+#include <algorithm>
+
+#include "contacts/solve/solve.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr std::uint32_t most_rounds = 40;
+constexpr double least_rise = 1e-12;  // of the kinetic energy: what is no round-off
+
+/// Those that near each other, by index; none if nothing of it rebounds.
+std::vector<std::size_t> striking(const ContactIsland& island, double slow) {
+  std::vector<std::size_t> found;
+  bool any = false;
+  for (std::size_t k = 0; k < island.contacts.size(); k++) {
+    const IslandContact& c = island.contacts[k];
+    if (!(c.u[0] < -slow)) continue;
+    found.push_back(k);
+    any = any || c.restitution > 0.0;
+  }
+  if (!any) found.clear();
+  return found;
+}
+
+/// What moving surfaces and ties that move gave [J].
+double given(const ContactIsland& island) {
+  double sum = 0.0;
+  for (const IslandContact& c : island.contacts) sum -= c.bias[1] * c.impulse[1] + c.bias[2] * c.impulse[2];
+  for (const IslandTie& t : island.ties) sum += dot(t.kept * t.impulse, t.wanted);
+  return sum;
+}
+
+/// One round, with this part of the rebounds; false if it gained energy from nowhere.
+bool strike(ContactIsland& island, const std::vector<IslandContact>& those, double part, bool first,
+            ImpactReport& report) {
+  island.contacts = those;
+  island.factor.rows = 0;
+  for (IslandContact& c : island.contacts) {
+    const double back = first && c.rebound > 0.0 ? c.rebound : -c.restitution * c.u[0];
+    c.bias[0] = -part * back;
+    c.start = c.other_start = zero3();
+  }
+  for (IslandTie& t : island.ties) t.start = zero3();
+  start_from_rest(island);
+  const double before = kinetic_energy(island);
+  report.iterations += solve_island(island, true).iterations;
+  return kinetic_energy(island) - before - std::max(0.0, given(island)) <= least_rise * before;
+}
+
+/// Its velocities are those that the next round begins with.
+void go_on(ContactIsland& island) {
+  for (IslandTie& t : island.ties) t.struck += t.kept * t.impulse;
+  for (IslandBody& b : island.bodies) {
+    b.v0 = b.v;
+    b.w0 = b.w;
+  }
+}
+
+}  // namespace
+
+ImpactReport resolve_impacts(ContactIsland& island, double slow) {
+  ImpactReport report;
+  std::vector<IslandContact> all;
+  std::vector<IslandRoll> rolls;
+  rolls.swap(island.rolls);
+  std::vector<Vec3> starts;
+  for (const IslandTie& t : island.ties) starts.push_back(t.start);
+  if (!island.ties.empty()) {
+    all.swap(island.contacts);
+    report.iterations += solve_island(island, true).iterations;
+    all.swap(island.contacts);
+    go_on(island);
+  }
+  while (report.rounds < most_rounds) {
+    start_from_rest(island);
+    observe(island);
+    const std::vector<std::size_t> now = striking(island, slow);
+    if (now.empty()) break;
+    std::vector<IslandContact> those;
+    for (const std::size_t k : now) those.push_back(island.contacts[k]);
+    all.swap(island.contacts);
+    for (const double part : {1.0, 0.5, 0.0})
+      if (strike(island, those, part, report.rounds == 0, report)) break;
+    for (std::size_t i = 0; i < now.size(); i++) all[now[i]].struck += island.contacts[i].impulse;
+    all.swap(island.contacts);
+    go_on(island);
+    report.rounds++;
+  }
+  rolls.swap(island.rolls);
+  for (std::size_t k = 0; k < starts.size(); k++) island.ties[k].start = starts[k];
+  island.factor.rows = 0;
+  return report;
+}
+
+}  // namespace pantin
