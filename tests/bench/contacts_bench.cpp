@@ -202,7 +202,14 @@ Task task_of(const std::vector<std::string>& arguments) {
   return task;
 }
 
+/// Random islands, whose impulses another program judges.
+void judge_islands() {
+  for (const PeerProgram& judge : peer_programs({"siconos"}, "contacts", "islands"))
+    for (const std::string& line : judge.settings) std::printf("%s\n", line.c_str());
+}
+
 void bench_contacts(const player::BenchOptions& options) {
+  if (options.arguments == std::vector<std::string>{"islands"}) return judge_islands();
   const Task task = task_of(options.arguments);
   const std::vector<Contender> contenders = contenders_of(options, task.grows);
   std::printf(
@@ -228,7 +235,7 @@ void bench_contacts(const player::BenchOptions& options) {
 const player::Register registered(
     {"contacts",
      "cost and rest of what touches; with --peers, other engines too; arguments: cases, as "
-     "boxes(300), or all, or growth",
+     "boxes(300), or all, or growth, or islands (random ones, judged by Siconos)",
      bench_contacts});
 
 }  // namespace

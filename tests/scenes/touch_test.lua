@@ -71,3 +71,22 @@ test("boxes that touch sideways in a pyramid stay, and the energy error of what 
   expect(scene.error.energy):below(1e-3)
   expect(scene.stats.unsolved_islands):equal(0)
 end)
+
+test("in the cradle two balls fly off where two come, and the energy stays", function()
+  local cradle = open("scenes/cradle.lua", { raised = 2 })
+  cradle:advance(0.75)
+  expect(cradle:read "first"):near(0, 0.05)
+  expect(cradle:read "last"):near(0.6, 0.15)
+  cradle:advance(20)
+  expect(cradle.error.energy):below(1e-3)
+end)
+
+test("a marble with friction against rolling comes to rest", function()
+  local scene = open_text [[
+    scene:floor { rolling = 0.02 }
+    scene:ball { radius = 0.2, at = vec(0, 0.2, 0), velocity = vec(1, 0, 0), spin = vec(0, 0, -5), name = "marble" }
+  ]]
+  scene:advance(3)
+  expect(scene:find("marble").velocity:length()):below(1e-8)
+  expect(scene:find("marble").position.x):near(0.5 / (5 / 7 * 9.81 * 0.02 / 0.2), 1e-2)
+end)

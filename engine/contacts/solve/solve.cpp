@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::uint32_t most_of_newton = 10;
 constexpr std::uint32_t most_sweeps = 20, sweeps_before_newton = 30;
+constexpr std::uint32_t rounds_of_hard = 4, sweeps_of_hard = 100, newton_of_hard = 30;  // where a small island is hard
 constexpr std::size_t few = 24;            // contacts: such an island is always solved exactly
 constexpr double calm = 1e8;               // of the tolerance, root of the mean square of velocities
 constexpr double accepted = 100.0;         // of the tolerance
@@ -65,11 +66,11 @@ struct Search {
     for (IslandTie& t : island.ties) t.start = t.impulse;
   }
   /// Not where the factor would cost more than it is worth.
-  void newton() {
+  void newton(std::uint32_t most) {
     lay_out_all(island);
     report.too_dense = island.factor.target.size() > most_updates * island.contacts.size();
     if (report.too_dense) return;
-    take(newton_search(island, most_of_newton));
+    take(newton_search(island, most));
     report.failed = !solved();
     go_on();
   }
@@ -104,17 +105,31 @@ void choose_start(ContactIsland& island) {
 
 }  // namespace
 
+bool is_calm(const ContactIsland& island) {
+  double mass = 0.0, twice_energy = 0.0;
+  for (const IslandBody& b : island.bodies) {
+    mass += b.mass;
+    twice_energy += b.mass * norm2(b.v0) + dot(b.w0, b.inertia * b.w0);
+  }
+  return twice_energy <= mass * calm * calm * island.tolerance * island.tolerance;
+}
+
 IslandReport solve_island(ContactIsland& island, bool exactly) {
   prepare(island);
   choose_start(island);
   Search search{island};
   search.report.residual = residual(island);
   if (search.report.residual <= island.tolerance) return search.report;
-  const bool exact = island.contacts.size() <= few || (exactly && mean_velocity(island) <= calm * island.tolerance);
-  if (exact && search.report.residual <= swept_enough * island.tolerance) search.newton();
+  const bool is_small = island.contacts.size() <= few;
+  const bool exact = is_small || (exactly && mean_velocity(island) <= calm * island.tolerance);
+  if (exact && search.report.residual <= swept_enough * island.tolerance) search.newton(most_of_newton);
   if (!search.solved()) {
     search.sweeps(exact ? sweeps_before_newton : most_sweeps);
-    if (exact && search.report.residual > island.tolerance) search.newton();
+    if (exact && search.report.residual > island.tolerance) search.newton(most_of_newton);
+    for (std::uint32_t i = 0; is_small && !search.solved() && i < rounds_of_hard; i++) {
+      search.sweeps(sweeps_of_hard);
+      search.newton(newton_of_hard);
+    }
   }
   confine(island);
   apply_impulses(island);
