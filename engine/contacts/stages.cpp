@@ -348,7 +348,6 @@ double push_out(TouchSpace& space, Model& model, const Articulates& articulates,
     problem.rolls.clear();
     const auto overlaps = [&](std::size_t k) { return contacts.list[k].gap < -told_overlap * contacts.list[k].size; };
     if (std::none_of(island.contacts.begin(), island.contacts.end(), overlaps)) continue;
-    const bool exactly = is_calm(problem);
     for (IslandBody& b : problem.bodies) b.v0 = b.w0 = zero3();
     for (IslandTie& t : problem.ties) t.wanted = zero3();
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
@@ -361,7 +360,7 @@ double push_out(TouchSpace& space, Model& model, const Articulates& articulates,
       c.bias = vec(wanted / h, 0, 0);
     }
     problem.tolerance *= 1e3;
-    count(solve_island(problem, exactly), problem, report);
+    count(solve_island(problem, true), problem, report);
     const double before = kinetic_energy_now(model, island);
     for (std::size_t i = 0; i < island.slots.size(); i++) {
       const Vec3 way = model.plane.along(problem.bodies[i].v) * h, turn = problem.bodies[i].w * h;

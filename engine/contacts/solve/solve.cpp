@@ -105,15 +105,6 @@ void choose_start(ContactIsland& island) {
 
 }  // namespace
 
-bool is_calm(const ContactIsland& island) {
-  double mass = 0.0, twice_energy = 0.0;
-  for (const IslandBody& b : island.bodies) {
-    mass += b.mass;
-    twice_energy += b.mass * norm2(b.v0) + dot(b.w0, b.inertia * b.w0);
-  }
-  return twice_energy <= mass * calm * calm * island.tolerance * island.tolerance;
-}
-
 IslandReport solve_island(ContactIsland& island, bool exactly) {
   prepare(island);
   choose_start(island);

@@ -11,9 +11,6 @@ struct IslandReport {
   bool too_dense = false;  ///< since it would cost more than it is worth
 };
 
-/// Whether it moves so slowly that an exact search of a large island is worth its price, without impulses.
-bool is_calm(const ContactIsland& island);
-
 /// Finds impulses and velocities of an island whose contacts and ties say where to begin: exactly where it is small or
 /// that is asked for, as far as that succeeds; else by sweeps. The impulses balance the momenta to round-off and are in the cone, however well
 /// the law is met; `residual` says that.
