@@ -5,6 +5,7 @@
 #include "contacts/bodies.hpp"
 #include "contacts/find.hpp"
 #include "contacts/gather.hpp"
+#include "contacts/heat.hpp"
 #include "contacts/stages.hpp"
 #include "contacts/touching.hpp"
 #include "step/ledger_posts.hpp"
@@ -36,7 +37,9 @@ namespace phases {
 
 namespace {
 
-TouchSettings settings_of(const World& world, bool drifted) { return {world.stage.h, world.settings.gravity, drifted}; }
+TouchSettings settings_of(const World& world, bool drifted) {
+  return {world.stage.h, world.settings.gravity, drifted, world.settings.contact};
+}
 
 void count(World& world, const TouchReport& report) {
   post(world, Source::hand, report.ties.ends);
@@ -52,6 +55,8 @@ void post_contacts(World& world, const TouchReport& report) {
   post(world, Source::contact, work - wrong);
   DriftReport told;
   told.unsolved = wrong;
+  post_report(world, told);
+  if (world.contacts.heat_kept) settle_heat(world, world.contacts, wrong);
 }
 
 /// Finds contacts where things are now. After the last stage for all of the next step, which may have fewer sub-steps.
