@@ -2,6 +2,7 @@
 
 #include "edit/edit.hpp"
 #include "fields/make.hpp"
+#include "measure/measure.hpp"
 #include "measure/query.hpp"
 
 namespace pantin::fields {

@@ -18,8 +18,9 @@ constexpr Color force_color = {0.82f, 0.18f, 0.24f, 1.0f}, velocity_color = {0.1
                 cell_color = {0.45f, 0.55f, 0.62f, 0.35f}, next_color = {0.45f, 0.44f, 0.42f, 1.0f},
                 highlight_color = {0.85f, 0.20f, 0.26f, 1.0f}, contact_force_color = {0.90f, 0.45f, 0.05f, 1.0f},
                 contact_color = {0.05f, 0.55f, 0.45f, 1.0f}, near_color = {0.50f, 0.52f, 0.55f, 0.8f};
-constexpr double shown_time = 0.1;  // [s] at the scene's pace: of its motion that a velocity's arrow is long
-constexpr double ring_part = 0.22;  // of the unit: how far members are drawn from their hinge
+constexpr double shown_time = 0.1;   // [s] at the scene's pace: of its motion that a velocity's arrow is long
+constexpr double ring_part = 0.22;   // of the unit: how far members are drawn from their hinge
+constexpr double normal_part = 0.4;  // of the thickness: how long a normal is
 constexpr std::size_t most_cells = 1500;
 
 Mark mark(Mark::Kind kind, Vec3 from, Vec3 to, const Color& color, double size) {
@@ -74,8 +75,7 @@ void each_force(const World& world, const Views& views, Visit visit) {
 }
 
 /// Each contact with its normal, and its manifold as lines from the middle.
-void add_contacts(const World& world, const Stage& stage, std::vector<Mark>& marks) {
-  const double length = std::max(0.3 * stage.unit, 0.02 * stage.size);
+void add_contacts(const World& world, std::vector<Mark>& marks) {
   const std::vector<Contact>& list = world.contacts.list;
   for (std::size_t from = 0, end = 0; from < list.size(); from = end) {
     Vec3 middle = zero3();
@@ -88,7 +88,7 @@ void add_contacts(const World& world, const Stage& stage, std::vector<Mark>& mar
       const Vec3 at = c.at + shift;
       const Color& color = presses(c) ? contact_color : near_color;
       if (end > from + 1) marks.push_back(mark(Mark::Kind::line, middle + shift, at, color, 1.0));
-      marks.push_back(mark(Mark::Kind::arrow, at, at + c.normal * length, color, 1.5));
+      marks.push_back(mark(Mark::Kind::arrow, at, at + c.normal * (normal_part * c.size), color, 1.5));
       marks.push_back(mark(Mark::Kind::point, at, at, color, 6.0));
     }
   }
@@ -178,7 +178,7 @@ void ViewMarks::add(const World& world, const Views& views, const Stage& stage, 
   if (views.on(View::cells)) add_cells(world, marks);
   if (views.on(View::velocities)) add_velocities(world, pace, marks);
   if (views.on(View::forces) || views.on(View::contact_forces)) add_forces(world, views, stage, marks);
-  if (views.on(View::contacts)) add_contacts(world, stage, marks);
+  if (views.on(View::contacts)) add_contacts(world, marks);
   if (views.on(View::rings)) add_rings(world, stage, marks);
 }
 

@@ -87,10 +87,12 @@ void find_contacts(World& world) {
   if (world.shapes.empty()) return;
   const Timed timed(world.profile, Phase::find_contacts);
   find(world, true);
+  const LedgerMark before = ledger_mark(world, true);
   TouchReport report;
   const double work =
       push_out(*world.touch_space, world, world.articulates, world.contacts, settings_of(world, true), report);
   post(world, Source::push_out, work);
+  if (work != 0.0) post_falling(world, before.falling - ledger_mark(world, true).falling);
   count(world, report);
   if (world.contacts.stale) find(world, true);
 }

@@ -22,7 +22,7 @@ end)
 test("the heat of all pairs is what the ledger's line contact lost since it was asked for", function()
   local scene = open_text [[
     scene:floor {}
-    for i = 1, 12 do scene:block { size = 0.8, at = vec(0.2 * (i % 3), 0.6 * i, 0.1 * (i % 4)), name = "box " .. i } end
+    for i = 1, 12 do scene:block { size = 0.8, at = vec(0.2 * (i % 3), 0.9 * i - 0.4, 0.1 * (i % 4)), name = "box " .. i } end
     scene:at(1, function() scene:find "box 3":remove() end)
   ]]
   scene:advance(0.3)
@@ -67,14 +67,38 @@ test("a contact tells its whole force, however many sub-steps the step had", fun
   expect(scene.stats.sub_steps):above(1)
   local force = vec(0, 0, 0)
   for _, contact in ipairs(scene:find("box").contacts) do force = force + contact.force end
-  expect(force.y):near(2 * 9.81, 1e-6)
-  expect(force.x):near(-9.81, 1e-6)
+  expect(force.y):near(2 * 9.81, 1e-4)
+  expect(force.x):near(-9.81, 1e-4)
 end)
 
 test("scene.contact says how contacts are solved, and refuses what it does not know", function()
-  local scene = open_text [[assert(scene.contact == "auto") scene.contact = "fast" scene.contact = "exact"]]
-  expect(scene.contact):equal("exact")
+  open_text [[assert(scene.contact == "auto") scene.contact = "exact" assert(scene.contact == "exact")]]
+  local function overlap_of_stack(search)
+    local scene = open_text(search .. [[
+      scene:floor {}
+      for i = 0, 7 do scene:block { size = 1, at = vec(0, 0.5 + i, 0) } end
+    ]])
+    scene:advance(0.5)
+    return scene.error.penetration
+  end
+  expect(overlap_of_stack 'scene.contact = "exact"'):equal(overlap_of_stack "")
+  expect(overlap_of_stack 'scene.contact = "fast"'):above(10 * overlap_of_stack "")
   expect(function() open_text [[scene.contact = "quick"]] end):fails(
     'scene: contact must be "auto", "exact" or "fast", got "quick"')
   expect(function() open_text [[scene.contact = 1]] end):fails("contact must be a string, got a number")
+end)
+
+test("the ledger closes where shapes touch, and where what overlaps is pushed out against gravity", function()
+  local scene = open_text [[
+    scene.step = 1 / 60
+    scene:floor {}
+    for i = 1, 20 do scene:block { size = 0.8, at = vec(0.2 * (i % 3), 0.7 * i, 0.1 * (i % 4)) } end
+  ]]
+  local ledger = scene.ledger
+  scene:advance(1)
+  ledger = scene.ledger
+  expect(ledger.push_out):above(1e4)
+  expect(ledger.contact):below(-1e3)
+  expect(ledger.closure):below(1e-10)
+  expect(ledger.truncation.gravity):near(0, 1e-6)
 end)
