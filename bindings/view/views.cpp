@@ -25,7 +25,7 @@ constexpr std::array<NamedView, 17> table = {{
     {View::errors, "errors", "gaps of hinges and what the solver left open: blue small, red large"},
     {View::cells, "cells", "cells of the search for neighbours"},
     {View::contacts, "contacts", "contacts with their normals, joined in manifolds; grey: not touching yet"},
-    {View::contact_forces, "contact_forces", "forces of contacts as arrows"},
+    {View::contact_forces, "contact_forces", "forces of contacts as arrows, on one of the two"},
     {View::asleep, "asleep", "what sleeps looks dim"},
     {View::dark, "dark", "a dark background"},
 }};

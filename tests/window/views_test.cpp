@@ -239,7 +239,7 @@ TEST_CASE("along an axis, near and far things have one size, and what is at the 
   CHECK(camera.project(camera.target, 1280, 720)->pixel == Approx(before));
 }
 
-TEST_CASE("contacts are shown where they are, with their forces, which add up to the weight", "[view]") {
+TEST_CASE("contacts are shown where they are, with forces that add up to the weight", "[view]") {
   const auto scene = lua_tests::open(R"(
     scene:floor {}
     scene:block { size = 1, at = vec(0, 0.5, 0), mass = 3 }
@@ -267,8 +267,13 @@ TEST_CASE("contacts are shown where they are, with their forces, which add up to
   CHECK(lines == 8);  // two manifolds of four
   const auto [forces, legend] = marks_of({View::contact_forces});
   CHECK(forces.size() == 8);
-  CHECK(legend == "forces: longest 12.3 N, length by the root");  // a quarter of 5 kg
-  for (const Mark& mark : forces) CHECK(mark.to[1] > mark.from[1]);
+  CHECK(legend.starts_with("forces: longest "));
+  Vec3 on_floor = zero3();
+  for (const Contact& c : world.contacts.list)
+    if (c.body_b < 0) on_floor += contact_force(world, c);
+  CHECK(norm(on_floor - vec(0, 5 * 9.81, 0)) < 1e-4);
+  for (const Mark& mark : forces)
+    if (mark.from[1] < 0.5) CHECK(mark.to[1] > mark.from[1]);
 }
 
 TEST_CASE("islands have colours of their own, and what touches has one", "[view]") {
