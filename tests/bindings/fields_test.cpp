@@ -239,6 +239,8 @@ std::vector<Sample> samples_of_things(const Zoo& zoo) {
       {"solid", "layer", "car"},
       {"Collider", "friction", 0.25},
       {"Collider", "restitution", 0.75},
+      {"Collider", "rolling", 0.01},
+      {"Collider", "spinning", 0.02},
       {"Collider", "surface_velocity", vec(1, 2, 3)},
       {"Collider", "layer", "ice"},
       {"Collider", "sensor", true},

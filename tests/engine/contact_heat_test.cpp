@@ -135,6 +135,19 @@ TEST_CASE("contact heat: the sum over all pairs is the ledger's line, in a heap 
   CHECK(sum(world) == Approx(of_ledger(world) - before).epsilon(1e-9));
 }
 
+TEST_CASE("contact heat: a ball that rolls until friction against rolling stops it gives all of its energy") {
+  World world;
+  const double radius = 0.5, speed = 1.0;
+  set_rolling(world, add_floor(world), 0.05);
+  const BodyId ball = add(world, BallShape{radius}, vec(0, radius, 0), vec(speed, 0, 0));
+  set_rolling(world, world.bodies[ball].shapes[0], 0.05);
+  set_spin(world, ball, vec(0, 0, -speed / radius));
+  world.contacts.heat_kept = true;
+  run(world, 4.0);
+  REQUIRE(world.contacts.heat.size() == 1);
+  CHECK(world.contacts.heat[0].heat == Approx(0.7 * speed * speed).epsilon(1e-6));
+}
+
 TEST_CASE("contact heat: what a belt gives is below 0") {
   World world;
   const ShapeId floor = add_floor(world);

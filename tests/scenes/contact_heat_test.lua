@@ -97,7 +97,7 @@ test("the ledger closes where shapes touch, and where what overlaps is pushed ou
   local ledger = scene.ledger
   scene:advance(1)
   ledger = scene.ledger
-  expect(ledger.push_out):above(1e4)
+  expect(ledger.push_out):above(1e3)
   expect(ledger.contact):below(-1e3)
   expect(ledger.closure):below(1e-10)
   expect(ledger.truncation.gravity):near(0, 1e-6)
