@@ -2,6 +2,7 @@
 
 #include "edit/edit.hpp"
 #include "fields/make.hpp"
+#include "measure/measure.hpp"
 #include "measure/query.hpp"
 
 namespace pantin::fields {
@@ -148,7 +149,7 @@ void add_contact(const World& world, std::uint32_t body, const Contact& c, bool 
       {"", Table{{"with", first && c.body_b < 0 ? row_at(world.shapes, c.key.b) : row_at(world.bodies, other)},
                  {"at", c.at},
                  {"normal", c.normal * side},
-                 {"force", c.total * (side / world.settings.step)},
+                 {"force", contact_force(world, c) * side},
                  {"depth", -c.gap},
                  {"slip", slip_of(world, c) * side},
                  {"sensor", sensor}}});

@@ -88,6 +88,21 @@ Table stats(const World& world) {
   return table;
 }
 
+/// By pair, without things where one of the two is gone.
+Table contact_heat(const World& world) {
+  Table list;
+  for (const TouchHeat& one : world.contacts.heat) {
+    Table entry;
+    if (one.pair.a) {
+      entry.push_back({"a", AnyId(one.pair.a)});
+      entry.push_back({"b", one.pair.b ? AnyId(one.pair.b) : AnyId(one.pair.ground)});
+    }
+    entry.push_back({"heat", one.heat});
+    list.push_back({"", std::move(entry)});
+  }
+  return list;
+}
+
 Table log_of(const World& world) {
   Table list;
   list.reserve(world.log.size());
@@ -120,6 +135,10 @@ std::vector<Property> accounts() {
           "ledger", "Ledger", "J",
           "where energy came from and went since the start; the first reading has all of it kept from the next step on",
           [](const World& w, None) { return ledger(w); }),
+      property<None>(
+          "contact_heat", "ContactHeat[]", "",
+          "what friction and impact took, by who touches; the first reading has it kept from the next step on",
+          [](const World& w, None) { return contact_heat(w); }),
       property<None>("stats", "Stats", "", "counts since the start, and ns per phase",
                      [](const World& w, None) { return stats(w); }),
       property<None>("log", "LogLine[]", "", "all that was logged", [](const World& w, None) { return log_of(w); }),

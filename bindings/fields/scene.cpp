@@ -29,6 +29,15 @@ void write_integrator(World& world, const std::string& name) {
   throw Error(text("scene: integrator must be ", known, ", got \"", name, "\""));
 }
 
+void write_contact(World& world, const std::string& name) {
+  const auto& names = contact_search_names;
+  const auto found = std::find(names.begin(), names.end(), name);
+  require(found != names.end(), "scene: contact must be \"auto\", \"exact\" or \"fast\", got \"", name, "\"");
+  require(!world.locked,
+          "scene: contact cannot be written while the world steps; write it in an event or a step callback");
+  world.settings.contact = static_cast<ContactSearch>(found - names.begin());
+}
+
 void write_energy_return(World& world, bool on) {
   require(!world.locked,
           "scene: energy_return cannot be written while the world steps; write it in an event or a step callback");
@@ -90,6 +99,13 @@ std::vector<Property> steps() {
           "energy_return", "boolean", "", "give back what the velocity projection took (default `true`)",
           [](const World& w, None) { return w.settings.energy_return; },
           [](World& w, None, bool on) { write_energy_return(w, on); }),
+      property<None>(
+          "contact", "string", "",
+          "how what touches is solved: \"exact\" by Newton's search, however long it takes, \"fast\" by sweeps alone, "
+          "which leave slips and loads unfinished, \"auto\" by the size and the motion of an island (default "
+          "`\"auto\"`)",
+          [](const World& w, None) { return contact_search_names[static_cast<std::size_t>(w.settings.contact)]; },
+          [](World& w, None, const std::string& name) { write_contact(w, name); }),
   };
 }
 

@@ -135,6 +135,13 @@ std::string first_order(const Study& study) {
                      : "something happens in whole steps, as events, impacts and hands do.");
 }
 
+std::string of_touch(const Study& study) {
+  if (!study.touches()) return "";
+  return " Shapes touch in it: impacts and friction begin and end in whole steps, so errors need not fall with the "
+         "step "
+         "as the order says, and nothing is told by it.";
+}
+
 std::string told_until(const Study& study) {
   return study.comparable > 0.0 ? format(" Errors are told until %g s.", study.comparable) : " No error is told.";
 }
@@ -160,28 +167,31 @@ std::string course(const Study& study) {
   if (too_few(study))
     return "No error is told: that takes three runs of one integrator that come to the end. A shorter --until leaves "
            "time for more.\n";
-  if (study.unresolved()) return losing(study) + told_until(study) + "\n";
+  if (study.unresolved()) return losing(study) + told_until(study) + of_touch(study) + "\n";
   if (never_together(study))
     return format(
                "Runs with different steps go different ways (they part after %g s by more than a hundredth of the "
                "size): ",
                study.together) +
-           "no step can be told to be right." + cause(study) + " Compare averages of many runs instead.\n";
+           "no step can be told to be right." + cause(study) + of_touch(study) +
+           " Compare averages of many runs instead.\n";
   if (!study.parts())
     return format("The finest runs stay together for all of the %g s", study.until) +
            (study.comparable < study.until ? format("; errors are told until %g s, while small ones are"
                                                     " sure.",
                                                     study.comparable)
                                            : ".") +
-           first_order(study) + "\n";
+           first_order(study) + of_touch(study) + "\n";
   std::string result = format("The finest runs part after %g s", study.together);
   if (study.chaotic)
     result += format(": the motion is chaotic, a small error grows tenfold in %.2g s", std::log(10.0) / study.growth);
-  return result + "." + told_until(study) + cause(study) + first_order(study) + "\n";
+  return result + "." + told_until(study) + cause(study) + first_order(study) + of_touch(study) + "\n";
 }
 
 /// Where no run is exact enough: how far the best integrator would have to go by its order.
 std::string extrapolated(const Study& study, double error) {
+  if (study.touches())
+    return "none of the steps tried is surely that exact, and where shapes touch no shorter one is foretold.";
   const StudyRun* best = nullptr;
   double cost = 0.0, step = 0.0;
   for (const StudyRun& run : study.runs) {

@@ -1,5 +1,6 @@
 #pragma once
 // A scene run over steps and integrators, and compared with the finest of its own runs.
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -45,6 +46,9 @@ struct Study {
 
   bool unresolved() const { return loser.has_value(); }
   bool parts() const { return together < until; }
+  bool touches() const {
+    return std::any_of(runs.begin(), runs.end(), [](const StudyRun& run) { return run.touched; });
+  }
   const StudyRun& finest() const { return runs[reference]; }
   /// [m] What the error of a run, or that of its worst thing, is at most.
   double error_of(const StudyRun& run) const { return run.error + (&run == &finest() ? 0.0 : uncertain); }

@@ -51,9 +51,11 @@ class EnergyWatch {
   bool right_ = true;
 };
 
+bool has_touched(const World& world) { return world.ledger.given[static_cast<std::size_t>(Source::contact)] != 0.0; }
+
 bool acts_in_steps(const World& world) {
   const auto events = world.choreography.events.ids();
-  return world.last_act > 0.0 || !world.choreography.past.empty() || !world.breaks.empty() ||
+  return has_touched(world) || world.last_act > 0.0 || !world.choreography.past.empty() || !world.breaks.empty() ||
          !world.emitters.ids().empty() ||
          std::any_of(events.begin(), events.end(), [&](EventId id) { return world.choreography.events[id].fired > 0; });
 }
@@ -144,6 +146,7 @@ bool perform(StudyRun& run, const Opener& opener, const std::vector<double>& tim
   run.steps = world.steps;
   run.stats = world.stats;
   run.worst = world.worst;
+  run.touched = has_touched(world);
   run.acted_in_steps = acts_in_steps(world);
   run.random_numbers = world.random.count - drawn;
   return true;

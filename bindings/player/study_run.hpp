@@ -29,7 +29,8 @@ struct StudyRun {
   Stats stats;
   Accuracy worst;
   double right_until = 0.0;          ///< [s] until then no energy was lost or made that counts beside what moves
-  bool acted_in_steps = false;       ///< events, scripts, breaks or emitters did something to it at the end of a step
+  bool touched = false;              ///< shapes pressed on each other
+  bool acted_in_steps = false;       ///< that, events, scripts, breaks or emitters did something to it in whole steps
   std::uint64_t random_numbers = 0;  ///< drawn by the script while it ran
   std::vector<Places> positions;     ///< (times that it reached)
 

@@ -171,9 +171,9 @@ void DrawListMaker::draw(const World& world, const Camera& camera, const Stage& 
   draw_breaks(world, eye, stage, overlay.pace, draw_list);
 }
 
-void DrawListMaker::draw_figure(const Figure& figure, const Pose& pose, const std::optional<Color>& tint,
-                                const Eye& eye, const Stage& stage, DrawList& draw_list) {
-  const auto shown = [&](const Color& color) { return linear(tint.value_or(color)); };
+void DrawListMaker::draw_figure(const Figure& figure, const Pose& pose, const Tint& tint, const Eye& eye,
+                                const Stage& stage, DrawList& draw_list) {
+  const auto shown = [&](const Color& color) { return linear(tint.of(color)); };
   for (const Figure::Bar& b : figure.bars) {
     const Vec3 from = pose.to_world(b.from), to = pose.to_world(b.to);
     eye.bar(draw_list, from, to, b.radius, std::clamp(0.1 * norm(to - from) / eye.pixel_at(from), 0.8, 2.4),
@@ -233,7 +233,7 @@ void DrawListMaker::draw_body(const World& world, BodyId id, const Eye& eye, con
 }
 
 void DrawListMaker::draw_particles(const World& world, const Eye& eye, const Stage& stage, DrawList& draw_list) {
-  const Rgb cream = linear(paper), dark = linear(deep);
+  const Rgb dark = linear(deep);
   appearance_.update(world);
   for (std::uint32_t s = 0; s < world.particles.slots(); s++) {
     const Particle& particle = world.particles.at_slot(s);
@@ -252,12 +252,9 @@ void DrawListMaker::draw_particles(const World& world, const Eye& eye, const Sta
     if (radius < 0.5 * pixel) continue;
     // A colour that is not just its first point's was meant.
     const bool own = particle.color && !(*particle.color == first.color);
-    const auto tint = tints_.of_particle(s);
-    eye.ball(draw_list, at, radius, std::min(3.8, 2.2 * joint / pixel),
-             tint  ? linear(*tint)
-             : own ? linear(*particle.color)
-                   : cream,
-             DrawList::hinge, by_load(dark, load_of(world, particle)));
+    const Color shown = tints_.of_particle(s).of(own ? *particle.color : paper);
+    eye.ball(draw_list, at, radius, std::min(3.8, 2.2 * joint / pixel), linear(shown), DrawList::hinge,
+             by_load(dark, load_of(world, particle)));
   }
 }
 
@@ -267,7 +264,7 @@ void DrawListMaker::draw_free(const World& world, std::uint32_t slot, Vec3 at, c
   const Particle& particle = world.particles.at_slot(slot);
   const PointId point = particle.points[0];
   Color color = appearance_.color(slot).value_or(particle.color.value_or(world.points[point].color));
-  if (const auto tint = tints_.of_particle(slot)) color = {tint->r, tint->g, tint->b, color.a};
+  color = tints_.of_particle(slot).of(color);
   const auto followed = appearance_.radius(slot);
   if (followed && !(*followed > 0.0)) return;
   const double radius = followed ? *followed : drawn_radius(world, point, stage);

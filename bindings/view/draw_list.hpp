@@ -89,8 +89,8 @@ class DrawListMaker {
 
  private:
   struct Eye;
-  static void draw_figure(const Figure& figure, const Pose& pose, const std::optional<Color>& tint, const Eye& eye,
-                          const Stage& stage, DrawList& draw_list);
+  static void draw_figure(const Figure& figure, const Pose& pose, const Tint& tint, const Eye& eye, const Stage& stage,
+                          DrawList& draw_list);
   void draw_body(const World& world, BodyId body, const Eye& eye, const Stage& stage, DrawList& draw_list);
   void draw_ground(const World& world, const Eye& eye, const Stage& stage, DrawList& draw_list);
   void draw_particles(const World& world, const Eye& eye, const Stage& stage, DrawList& draw_list);

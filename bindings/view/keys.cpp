@@ -85,9 +85,13 @@ std::vector<WindowKeys> make_table() {
       of_view(View::trails, "w"),
       of_view(View::families, "m"),
       of_view(View::articulates, "y"),
+      of_view(View::islands, ";"),
       of_view(View::temperature, "t"),
       of_view(View::errors, "e"),
       of_view(View::cells, "k"),
+      of_view(View::contacts, "z"),
+      of_view(View::contact_forces, "/"),
+      of_view(View::asleep, "'"),
       of_view(View::dark, "d"),
   };
 }

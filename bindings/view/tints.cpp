@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "articulates/articulate.hpp"
+#include "contacts/touching.hpp"
 
 namespace pantin {
 
@@ -43,6 +44,15 @@ struct Common {
 
 }  // namespace
 
+Color Tint::of(const Color& own) const {
+  Color c = color.value_or(own);
+  c.a = own.a;
+  if (!dim) return c;
+  const float level = 0.1f + 0.17f * (c.r + c.g + c.b) / 3.0f;
+  const auto faded = [&](float channel) { return level + 0.1f * channel; };
+  return {faded(c.r), faded(c.g), faded(c.b), c.a};
+}
+
 std::optional<Color> Tints::read(const std::vector<Color>& list, std::uint32_t slot) {
   if (slot >= list.size() || !(list[slot].a > 0.0f)) return {};
   return list[slot];
@@ -50,8 +60,11 @@ std::optional<Color> Tints::read(const std::vector<Color>& list, std::uint32_t s
 
 void Tints::update(const World& world, const Views& views, double size) {
   legend_.clear();
-  on_ =
-      views.on(View::families) || views.on(View::articulates) || views.on(View::temperature) || views.on(View::errors);
+  sleeping_bodies_.clear();
+  sleeping_particles_.clear();
+  if (views.on(View::asleep)) find_sleepers(world);
+  on_ = views.on(View::families) || views.on(View::articulates) || views.on(View::islands) ||
+        views.on(View::temperature) || views.on(View::errors);
   bodies_.clear();
   particles_.clear();
   if (!on_) return;
@@ -59,6 +72,7 @@ void Tints::update(const World& world, const Views& views, double size) {
   particles_.assign(world.particles.slots(), Color{0.0f, 0.0f, 0.0f, 0.0f});
   if (views.on(View::families)) by_family(world);
   if (views.on(View::articulates)) by_articulate(world);
+  if (views.on(View::islands)) by_island(world);
   if (views.on(View::temperature)) by_temperature(world);
   if (views.on(View::errors)) by_error(world, size);
 }
@@ -86,6 +100,56 @@ void Tints::by_articulate(const World& world) {
       else if (world.points.alive_at(node.slot))
         particles_[world.points.at_slot(node.slot).particle.slot - 1] = color;
     }
+  }
+}
+
+void Tints::by_island(const World& world) {
+  joined_.resize(world.bodies.slots());
+  for (std::uint32_t s = 0; s < joined_.size(); s++) joined_[s] = s;
+  const auto first_of = [&](std::uint32_t s) {
+    while (joined_[s] != s) s = joined_[s] = joined_[joined_[s]];
+    return s;
+  };
+  const auto join = [&](std::uint32_t a, std::uint32_t b) {
+    a = first_of(a);
+    b = first_of(b);
+    joined_[std::max(a, b)] = std::min(a, b);
+  };
+  for (const auto& articulate : world.articulates) {
+    const Node* last = nullptr;
+    for (const Node& node : articulate->nodes) {
+      if (!node.is_body) continue;
+      if (last) join(last->slot, node.slot);
+      last = &node;
+    }
+  }
+  const auto there = [&](std::uint32_t slot) { return world.bodies.alive_at(slot); };
+  const auto color = [&](std::uint32_t slot) { bodies_[slot] = distinct(first_of(slot)); };
+  for (const Contact& c : world.contacts.list)
+    if (c.body_b >= 0 && presses(c)) join(c.body_a, static_cast<std::uint32_t>(c.body_b));
+  for (const Contact& c : world.contacts.list)
+    if (presses(c) && there(c.body_a)) {
+      color(c.body_a);
+      if (c.body_b >= 0) color(static_cast<std::uint32_t>(c.body_b));
+    }
+  for (const auto& articulate : world.articulates)
+    for (const Node& node : articulate->nodes) {
+      if (node.is_body && there(node.slot)) color(node.slot);
+    }
+}
+
+void Tints::find_sleepers(const World& world) {
+  sleeping_bodies_.assign(world.bodies.slots(), 0);
+  sleeping_particles_.assign(world.particles.slots(), 0);
+  for (const auto& articulate : world.articulates) {
+    if (!articulate->rest.asleep) continue;
+    for (const Node& node : articulate->nodes)
+      if (node.is_body)
+        sleeping_bodies_[node.slot] = 1;
+      else if (world.points.alive_at(node.slot))
+        sleeping_particles_[world.points.at_slot(node.slot).particle.slot - 1] = 1;
+    for (const Row& row : articulate->rows)
+      if (world.points.alive(row.member)) sleeping_particles_[world.points[row.member].particle.slot - 1] = 1;
   }
 }
 

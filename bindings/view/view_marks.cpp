@@ -5,7 +5,9 @@
 #include <cstdio>
 
 #include "articulates/articulate.hpp"
+#include "contacts/touching.hpp"
 #include "forces/forces.hpp"
+#include "measure/measure.hpp"
 #include "view/draw_list.hpp"
 
 namespace pantin {
@@ -14,9 +16,11 @@ namespace {
 
 constexpr Color force_color = {0.82f, 0.18f, 0.24f, 1.0f}, velocity_color = {0.14f, 0.45f, 0.78f, 1.0f},
                 cell_color = {0.45f, 0.55f, 0.62f, 0.35f}, next_color = {0.45f, 0.44f, 0.42f, 1.0f},
-                highlight_color = {0.85f, 0.20f, 0.26f, 1.0f};
-constexpr double shown_time = 0.1;  // [s] at the scene's pace: of its motion that a velocity's arrow is long
-constexpr double ring_part = 0.22;  // of the unit: how far members are drawn from their hinge
+                highlight_color = {0.85f, 0.20f, 0.26f, 1.0f}, contact_force_color = {0.90f, 0.45f, 0.05f, 1.0f},
+                contact_color = {0.05f, 0.55f, 0.45f, 1.0f}, near_color = {0.50f, 0.52f, 0.55f, 0.8f};
+constexpr double shown_time = 0.1;   // [s] at the scene's pace: of its motion that a velocity's arrow is long
+constexpr double ring_part = 0.22;   // of the unit: how far members are drawn from their hinge
+constexpr double normal_part = 0.4;  // of the thickness: how long a normal is
 constexpr std::size_t most_cells = 1500;
 
 Mark mark(Mark::Kind kind, Vec3 from, Vec3 to, const Color& color, double size) {
@@ -51,16 +55,42 @@ void add_rings(const World& world, const Stage& stage, std::vector<Mark>& marks)
       add_ring(world, world.particles.at_slot(s), stage, marks);
 }
 
-/// Calls visit(point, force [N]) for what hinges and constraints exerted in the last step.
+/// Calls visit(place, force [N], colour) for what hinges and constraints, and contacts, exerted in the last step.
 template <class Visit>
-void each_force(const World& world, Visit visit) {
+void each_force(const World& world, const Views& views, Visit visit) {
+  if (views.on(View::contact_forces))
+    for (const Contact& c : world.contacts.list)
+      visit(c.at + image_shift(world, c.at), contact_force(world, c), contact_force_color);
+  if (!views.on(View::forces)) return;
+  const auto visit_point = [&](PointId id, Vec3 force) { visit(shown_place(world, id), force, force_color); };
   for (const auto& articulate : world.articulates)
     for (const Row& row : articulate->rows)
-      if (row.condition < 0 && row.kind != RowKind::stiff && world.points.alive(row.member)) visit(row.member, row.f);
+      if (row.condition < 0 && row.kind != RowKind::stiff && world.points.alive(row.member))
+        visit_point(row.member, row.f);
   for (std::uint32_t s = 0; s < world.constraints.slots(); s++) {
     if (!world.constraints.alive_at(s)) continue;
     const Constraint& c = world.constraints.at_slot(s);
-    if (c.enabled && world.points.alive(c.a)) visit(c.a, c.force);
+    if (c.enabled && world.points.alive(c.a)) visit_point(c.a, c.force);
+  }
+}
+
+/// Each contact with its normal, and its manifold as lines from the middle.
+void add_contacts(const World& world, std::vector<Mark>& marks) {
+  const std::vector<Contact>& list = world.contacts.list;
+  for (std::size_t from = 0, end = 0; from < list.size(); from = end) {
+    Vec3 middle = zero3();
+    for (end = from; end < list.size() && list[end].key.same_shapes(list[from].key); end++) middle += list[end].at;
+    middle = middle / static_cast<double>(end - from);
+    const Vec3 shift = image_shift(world, middle);
+    if (!finite(middle)) continue;
+    for (std::size_t k = from; k < end; k++) {
+      const Contact& c = list[k];
+      const Vec3 at = c.at + shift;
+      const Color& color = presses(c) ? contact_color : near_color;
+      if (end > from + 1) marks.push_back(mark(Mark::Kind::line, middle + shift, at, color, 1.0));
+      marks.push_back(mark(Mark::Kind::arrow, at, at + c.normal * (normal_part * c.size), color, 1.5));
+      marks.push_back(mark(Mark::Kind::point, at, at, color, 6.0));
+    }
   }
 }
 
@@ -93,17 +123,15 @@ void add_cell(const Grid& grid, const std::array<std::int32_t, 3>& cell, std::ve
 
 }  // namespace
 
-void ViewMarks::add_forces(const World& world, const Stage& stage, std::vector<Mark>& marks) {
+void ViewMarks::add_forces(const World& world, const Views& views, const Stage& stage, std::vector<Mark>& marks) {
   double most = 0.0;
-  each_force(world, [&](PointId, Vec3 force) { most = std::fmax(most, norm(force)); });
+  each_force(world, views, [&](Vec3, Vec3 force, const Color&) { most = std::fmax(most, norm(force)); });
   if (!(most > 0.0) || !std::isfinite(most)) return;
   const double longest = std::max(stage.unit, 0.1 * stage.size);  // [m]
-  each_force(world, [&](PointId id, Vec3 force) {
+  each_force(world, views, [&](Vec3 at, Vec3 force, const Color& color) {
     const double part = norm(force) / most;
-    const Vec3 at = shown_place(world, id);
     if (!(part > 1e-4) || !finite(at)) return;
-    marks.push_back(
-        mark(Mark::Kind::arrow, at, at + force * (longest * std::sqrt(part) / norm(force)), force_color, 2.0));
+    marks.push_back(mark(Mark::Kind::arrow, at, at + force * (longest * std::sqrt(part) / norm(force)), color, 2.0));
   });
   char line[80];
   std::snprintf(line, sizeof line, "forces: longest %.3g N, length by the root", most);
@@ -149,7 +177,8 @@ void ViewMarks::add(const World& world, const Views& views, const Stage& stage, 
   legend_.clear();
   if (views.on(View::cells)) add_cells(world, marks);
   if (views.on(View::velocities)) add_velocities(world, pace, marks);
-  if (views.on(View::forces)) add_forces(world, stage, marks);
+  if (views.on(View::forces) || views.on(View::contact_forces)) add_forces(world, views, stage, marks);
+  if (views.on(View::contacts)) add_contacts(world, marks);
   if (views.on(View::rings)) add_rings(world, stage, marks);
 }
 

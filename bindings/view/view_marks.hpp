@@ -32,7 +32,7 @@ class Trails {
   double last_ = 0.0;  // [s]
 };
 
-/// What the views show as marks: rings, forces, velocities and cells. One is kept, so that nothing is allocated once its
+/// What the views show as marks: rings, forces, velocities, contacts and cells. One is kept, so that nothing is allocated once its
 /// lists have grown.
 class ViewMarks {
  public:
@@ -42,7 +42,7 @@ class ViewMarks {
   const std::string& legend() const { return legend_; }
 
  private:
-  void add_forces(const World& world, const Stage& stage, std::vector<Mark>& marks);
+  void add_forces(const World& world, const Views& views, const Stage& stage, std::vector<Mark>& marks);
   void add_cells(const World& world, std::vector<Mark>& marks);
 
   std::string legend_;

@@ -10,7 +10,7 @@ namespace pantin {
 
 namespace {
 
-constexpr std::array<NamedView, 13> table = {{
+constexpr std::array<NamedView, 17> table = {{
     {View::bodies, "bodies", "bodies, particles and hinges"},
     {View::loads, "loads", "ties and hinges coloured by load: red pulls, blue pushes"},
     {View::shadows, "shadows", "shadows on the ground"},
@@ -20,14 +20,19 @@ constexpr std::array<NamedView, 13> table = {{
     {View::trails, "trails", "where things have been"},
     {View::families, "families", "a colour for each family"},
     {View::articulates, "articulates", "a colour for each articulate: what is solved together"},
+    {View::islands, "islands", "a colour for each island: what touches, and what ties that"},
     {View::temperature, "temperature", "temperature of each thing: blue cold, red hot"},
     {View::errors, "errors", "gaps of hinges and what the solver left open: blue small, red large"},
     {View::cells, "cells", "cells of the search for neighbours"},
+    {View::contacts, "contacts", "contacts with their normals, joined in manifolds; grey: not touching yet"},
+    {View::contact_forces, "contact_forces", "forces of contacts as arrows, on one of the two"},
+    {View::asleep, "asleep", "what sleeps looks dim"},
     {View::dark, "dark", "a dark background"},
 }};
 
 constexpr bool colours(View view) {
-  return view == View::families || view == View::articulates || view == View::temperature || view == View::errors;
+  return view == View::families || view == View::articulates || view == View::islands || view == View::temperature ||
+         view == View::errors;
 }
 
 }  // namespace

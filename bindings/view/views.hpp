@@ -17,9 +17,13 @@ enum class View : std::uint8_t {
   trails,
   families,
   articulates,
+  islands,
   temperature,
   errors,
   cells,
+  contacts,
+  contact_forces,
+  asleep,
   dark
 };
 

@@ -49,9 +49,10 @@ struct Contact {
 struct Placing {
   std::uint32_t body_a;
   std::int32_t body_b;
-  Vec3 impulse;       ///< [N s] on a
-  Vec3 moment;        ///< [N m s] on a, of rolling and spinning
-  Vec3 arm_a, arm_b;  ///< [m] then, world axes
+  std::uint32_t shape_b;  ///< slot
+  Vec3 impulse;           ///< [N s] on a
+  Vec3 moment;            ///< [N m s] on a, of rolling and spinning
+  Vec3 arm_a, arm_b;      ///< [m] then, world axes
 };
 
 /// What is known of a body that touches, from step to step.
@@ -79,6 +80,12 @@ struct Touch {
   double speed = 0.0;     ///< [m/s] with which they neared each other
 };
 
+/// What friction and impact took of two that touch.
+struct TouchHeat {
+  TouchPair pair;     ///< none: of those of whom one is gone
+  double heat = 0.0;  ///< [J] below 0: a moving surface gave
+};
+
 struct Contacts {
   std::vector<Contact> list;        ///< by key
   std::vector<Contact> sensed;      ///< by key: those of sensors, which the stages do not know
@@ -90,6 +97,10 @@ struct Contacts {
   bool watched = false;             ///< somebody wants to be told who begins and ends to touch
   std::vector<Touch> felt;          ///< where watched: in this step so far, of each stage
   std::vector<TouchPair> touching;  ///< where watched: at the end of the last step, rising
+
+  bool heat_kept = false;           ///< somebody asked what friction and impact take of whom
+  std::vector<TouchHeat> new_heat;  ///< where kept: in this stage so far, by impulse
+  std::vector<TouchHeat> heat;      ///< where kept: since then, by pair, rising
 };
 
 }  // namespace pantin

@@ -7,6 +7,7 @@
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/state.hpp"
 #include "contacts/gather.hpp"
+#include "contacts/heat.hpp"
 #include "contacts/solve/impacts.hpp"
 #include "contacts/solve/solve.hpp"
 
@@ -127,7 +128,7 @@ void count(const IslandReport& found, const ContactIsland& problem, TouchReport&
 }
 
 /// Solves it, exactly if its bodies are not waiting: where that failed some times in a row it is tried now and then.
-void solve(Contacts& contacts, TouchIsland& island, std::size_t stage, TouchReport& report) {
+void solve(Contacts& contacts, TouchIsland& island, std::size_t stage, ContactSearch search, TouchReport& report) {
   constexpr std::uint8_t waits_after = 4, wait_of_failure = 7, wait_of_dense = 100;
   std::uint8_t failures = 0, wait = 0;
   const auto all = [&](auto use) {
@@ -138,7 +139,7 @@ void solve(Contacts& contacts, TouchIsland& island, std::size_t stage, TouchRepo
     failures = std::max(failures, body.failures[stage]);
     wait = std::max(wait, body.wait[stage]);
   });
-  const IslandReport found = solve_island(island.problem, wait == 0);
+  const IslandReport found = solve_island(island.problem, wait == 0, search);
   count(found, island.problem, report);
   if (wait > 0) {
     wait--;
@@ -221,12 +222,12 @@ void place(TouchSpace& space, Model& model, const Articulates& articulates, Cont
     for (const IslandBody& b : problem.bodies) report.gravity += 0.5 * b.mass * norm2(settings.gravity) * h * h;
     foresee_forces(model, island, settings);
     start_rolls(problem, contacts, island.contacts, &Contact::placing_moment);
-    solve(contacts, island, 0, report);
+    solve(contacts, island, 0, settings.search, report);
     keep_tie_impulses(articulates, island, 0);
     keep_rolls(problem, contacts, island.contacts, &Contact::placing_moment);
     const double before = kinetic_energy_now(model, island);
     const double slow = slow_of(settings, problem);
-    bool any = false;
+    const std::size_t first = contacts.placed.size();
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
       Contact& to = contacts.list[island.contacts[k]];
       IslandContact& c = problem.contacts[k];
@@ -234,10 +235,10 @@ void place(TouchSpace& space, Model& model, const Articulates& articulates, Cont
       to.placing = to_world(c, c.impulse);
       to.rebound = rebound_of(to, settings, slow);
       if (norm2(to.placing) == 0.0) continue;
-      any = true;
-      contacts.placed.push_back({to.body_a, to.body_b, to.placing, to.placing_moment, c.ra, c.rb});
+      contacts.placed.push_back({to.body_a, to.body_b, to.key.b, to.placing, to.placing_moment, c.ra, c.rb});
     }
-    if (any) {
+    if (contacts.placed.size() > first) {
+      HeatOf heat(model, articulates, contacts, settings.drifted, std::span(contacts.placed).subspan(first));
       for (const std::uint32_t a : island.articulates) articulates[a]->touches = true;
       std::vector<BodyLoad> loads(problem.bodies.size());
       add_contact_loads(problem, loads);
@@ -245,7 +246,9 @@ void place(TouchSpace& space, Model& model, const Articulates& articulates, Cont
       store_tied(model, articulates, island, settings);
       const ImpulseWork ties = answer_of_ties(model, articulates, island, settings);
       report.ties += ties;
-      report.work += kinetic_energy_now(model, island) - before - ties.all();
+      const double work = kinetic_energy_now(model, island) - before - ties.all();
+      report.work += work;
+      heat.add(work);
     }
   }
   hold_again(articulates);
@@ -253,10 +256,24 @@ void place(TouchSpace& space, Model& model, const Articulates& articulates, Cont
 
 namespace {
 
-/// Takes the impulses before the drift back, at one point of each pair: nearer to that of the lighter body. Returns the change
-/// of the kinetic energy [J].
-double take_back(Model& model, const Articulates& articulates, const std::vector<Placing>& placed, bool drifted) {
+/// Of an impulse before the drift what takes it back, at one point of both bodies: nearer to that of the lighter one.
+void turn_back(const Model& model, const Articulates& articulates, Placing& p, bool drifted) {
+  p.impulse = p.impulse * -1.0;
+  p.moment = p.moment * -1.0;
+  if (p.body_b < 0) return;
+  const BodyState a = state_of(model, articulates, p.body_a, drifted);
+  const BodyState b = state_of(model, articulates, static_cast<std::uint32_t>(p.body_b), drifted);
+  const double of_b = a.mass / (a.mass + b.mass);
+  const Vec3 at = (a.x + p.arm_a) * (1.0 - of_b) + (b.x + p.arm_b) * of_b;
+  p.arm_a = at - a.x;
+  p.arm_b = at - b.x;
+}
+
+/// Takes the impulses before the drift back. Returns the change of the kinetic energy [J].
+double take_back(Model& model, const Articulates& articulates, Contacts& contacts, bool drifted) {
   double work = 0.0;
+  for (Placing& p : contacts.placed) turn_back(model, articulates, p, drifted);
+  HeatOf heat(model, articulates, contacts, drifted, contacts.placed);
   const auto kinetic = [&](const BodyState& s, std::uint32_t slot) {
     return s.node ? kinetic_energy(*s.node) : kinetic_energy(model.motion[slot]);
   };
@@ -265,19 +282,13 @@ double take_back(Model& model, const Articulates& articulates, const std::vector
     add_momenta(model, s, slot, model.plane.along(impulse), cross(arm, impulse) + moment);
     work += kinetic(s, slot) - before;
   };
-  for (const Placing& p : placed) {
-    const BodyState a = state_of(model, articulates, p.body_a, drifted);
-    if (p.body_b < 0) {
-      add(a, p.body_a, p.arm_a, p.impulse * -1.0, p.moment * -1.0);
-      continue;
-    }
+  for (const Placing& p : contacts.placed) {
+    add(state_of(model, articulates, p.body_a, drifted), p.body_a, p.arm_a, p.impulse, p.moment);
+    if (p.body_b < 0) continue;
     const auto slot_b = static_cast<std::uint32_t>(p.body_b);
-    const BodyState b = state_of(model, articulates, slot_b, drifted);
-    const double of_b = a.mass / (a.mass + b.mass);
-    const Vec3 at = (a.x + p.arm_a) * (1.0 - of_b) + (b.x + p.arm_b) * of_b;
-    add(a, p.body_a, at - a.x, p.impulse * -1.0, p.moment * -1.0);
-    add(b, slot_b, at - b.x, p.impulse, p.moment);
+    add(state_of(model, articulates, slot_b, drifted), slot_b, p.arm_b, p.impulse * -1.0, p.moment * -1.0);
   }
+  heat.add(work);
   return work;
 }
 
@@ -285,7 +296,7 @@ double take_back(Model& model, const Articulates& articulates, const std::vector
 
 void meet(TouchSpace& space, Model& model, const Articulates& articulates, Contacts& contacts,
           const TouchSettings& settings, TouchReport& report) {
-  report.work += take_back(model, articulates, contacts.placed, settings.drifted);
+  report.work += take_back(model, articulates, contacts, settings.drifted);
   contacts.placed.clear();
   std::vector<char> used(contacts.list.size(), 0);
   for (std::size_t k = 0; k < used.size(); k++) {
@@ -308,16 +319,21 @@ void meet(TouchSpace& space, Model& model, const Articulates& articulates, Conta
     }
     start_rolls(problem, contacts, island.contacts, &Contact::total_moment);
     if (rebounds) report.iterations += resolve_impacts(problem, slow_of(settings, problem)).iterations;
-    solve(contacts, island, 1, report);
+    solve(contacts, island, 1, settings.search, report);
     keep_tie_impulses(articulates, island, 1);
     keep_rolls(problem, contacts, island.contacts, &Contact::total_moment);
     const double before = kinetic_energy_now(model, island);
+    std::vector<Placing> given;  // where heat is kept
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
       Contact& to = contacts.list[island.contacts[k]];
       problem.contacts[k].impulse += problem.contacts[k].struck;
       to.total = to_world(problem.contacts[k], problem.contacts[k].impulse);
       report.belts -= dot(to.total, to.belt - to.normal * dot(to.normal, to.belt));
+      if (contacts.heat_kept)
+        given.push_back({to.body_a, to.body_b, to.key.b, to.total, to.total_moment, problem.contacts[k].ra,
+                         problem.contacts[k].rb});
     }
+    HeatOf heat(model, articulates, contacts, settings.drifted, given);
     std::vector<BodyLoad> loads(problem.bodies.size());
     add_contact_loads(problem, loads);
     for (IslandTie& t : problem.ties) t.impulse += t.struck;
@@ -326,7 +342,9 @@ void meet(TouchSpace& space, Model& model, const Articulates& articulates, Conta
     ImpulseWork ties = work_of_ties(problem);
     if (has_couplings(articulates, island)) ties += answer_of_ties(model, articulates, island, settings);
     report.ties += ties;
-    report.work += kinetic_energy_now(model, island) - before - ties.all();
+    const double work = kinetic_energy_now(model, island) - before - ties.all();
+    report.work += work;
+    heat.add(work);
   }
   hold_again(articulates);
 }
@@ -360,7 +378,7 @@ double push_out(TouchSpace& space, Model& model, const Articulates& articulates,
       c.bias = vec(wanted / h, 0, 0);
     }
     problem.tolerance *= 1e3;
-    count(solve_island(problem, true), problem, report);
+    count(solve_island(problem, true, settings.search), problem, report);
     const double before = kinetic_energy_now(model, island);
     for (std::size_t i = 0; i < island.slots.size(); i++) {
       const Vec3 way = model.plane.along(problem.bodies[i].v) * h, turn = problem.bodies[i].w * h;

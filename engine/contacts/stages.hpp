@@ -6,6 +6,7 @@
 
 #include "articulates/articulate.hpp"
 #include "contacts/contact.hpp"
+#include "contacts/solve/contact_search.hpp"
 #include "model/model.hpp"
 
 namespace pantin {
@@ -14,6 +15,7 @@ struct TouchSettings {
   double h;      ///< [s] of the drift
   Vec3 gravity;  ///< [m/s²]
   bool drifted;  ///< what rows tie has its state in the articulates
+  ContactSearch search = ContactSearch::automatic;
 };
 
 struct TouchSpace;

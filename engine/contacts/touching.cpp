@@ -10,21 +10,8 @@ namespace {
 
 constexpr double closed = 1e-5, apart = 1e-3;  // of the size
 
-/// Nothing where one of them is gone.
-TouchPair pair_of(const Model& model, const Contact& c) {
-  const auto body = [&](std::uint32_t slot) {
-    return model.bodies.alive_at(slot) ? model.bodies.id_at(slot) : BodyId{};
-  };
-  const BodyId a = body(c.body_a);
-  if (c.body_b < 0) {
-    const bool there = model.shapes.alive_at(c.key.b);
-    return a && there ? TouchPair{a, {}, model.shapes.id_at(c.key.b)} : TouchPair{};
-  }
-  const BodyId b = body(static_cast<std::uint32_t>(c.body_b));
-  return a && b ? TouchPair{std::min(a, b), std::max(a, b), {}} : TouchPair{};
-}
+TouchPair pair_of(const Model& model, const Contact& c) { return pair_of(model, c.body_a, c.body_b, c.key.b); }
 
-bool presses(const Contact& c) { return norm2(c.total) > 0.0 || c.gap <= closed * c.size; }
 bool overlaps(const Contact& sensed) { return sensed.gap <= 0.0; }
 
 /// Speed with which two near each other where a sensor is [m/s].
@@ -82,6 +69,21 @@ std::vector<TouchPair> pairs(const Model& model, const Contacts& contacts, Is is
 }
 
 }  // namespace
+
+bool presses(const Contact& c) { return norm2(c.total) > 0.0 || c.gap <= closed * c.size; }
+
+TouchPair pair_of(const Model& model, std::uint32_t body_a, std::int32_t body_b, std::uint32_t shape_b) {
+  const auto body = [&](std::uint32_t slot) {
+    return model.bodies.alive_at(slot) ? model.bodies.id_at(slot) : BodyId{};
+  };
+  const BodyId a = body(body_a);
+  if (body_b < 0) {
+    const bool there = model.shapes.alive_at(shape_b);
+    return a && there ? TouchPair{a, {}, model.shapes.id_at(shape_b)} : TouchPair{};
+  }
+  const BodyId b = body(static_cast<std::uint32_t>(body_b));
+  return a && b ? TouchPair{std::min(a, b), std::max(a, b), {}} : TouchPair{};
+}
 
 std::vector<TouchPair> touching_now(const Model& model, const Contacts& contacts) {
   return contacts.watched ? contacts.touching : pairs(model, contacts, presses, overlaps);

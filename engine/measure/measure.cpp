@@ -169,6 +169,10 @@ double mass(const World& world, const Things& things) {
   return sum;
 }
 
+Vec3 contact_force(const World& world, const Contact& contact) {
+  return world.stage.h > 0.0 ? contact.total / world.stage.h : zero3();
+}
+
 Accuracy accuracy(const World& world) {
   Accuracy a;
   for (std::uint32_t s = 0; s < world.particles.slots(); s++)

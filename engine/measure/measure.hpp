@@ -36,6 +36,8 @@ Energy energy(const World& world);
 Energy mechanical_energy(const World& world);
 /// Gaps now; `energy` relative to the start. Cheap: one pass over constraints and bodies.
 Accuracy accuracy(const World& world);
+/// On shape a, the mean over the last step, or over its last sub-step [N].
+Vec3 contact_force(const World& world, const Contact& contact);
 /// The largest number of sub-steps that a body or articulate took in the last step, those of the scene's kicks included, and
 /// the body, or the first of the articulate; empty where all took as many.
 struct MostSubSteps {

@@ -5,6 +5,7 @@
 #include "contacts/bodies.hpp"
 #include "contacts/find.hpp"
 #include "contacts/gather.hpp"
+#include "contacts/heat.hpp"
 #include "contacts/stages.hpp"
 #include "contacts/touching.hpp"
 #include "step/ledger_posts.hpp"
@@ -36,7 +37,9 @@ namespace phases {
 
 namespace {
 
-TouchSettings settings_of(const World& world, bool drifted) { return {world.stage.h, world.settings.gravity, drifted}; }
+TouchSettings settings_of(const World& world, bool drifted) {
+  return {world.stage.h, world.settings.gravity, drifted, world.settings.contact};
+}
 
 void count(World& world, const TouchReport& report) {
   post(world, Source::hand, report.ties.ends);
@@ -52,6 +55,8 @@ void post_contacts(World& world, const TouchReport& report) {
   post(world, Source::contact, work - wrong);
   DriftReport told;
   told.unsolved = wrong;
+  post_report(world, told);
+  if (world.contacts.heat_kept) settle_heat(world, world.contacts, wrong);
 }
 
 /// Finds contacts where things are now. After the last stage for all of the next step, which may have fewer sub-steps.
@@ -82,10 +87,12 @@ void find_contacts(World& world) {
   if (world.shapes.empty()) return;
   const Timed timed(world.profile, Phase::find_contacts);
   find(world, true);
+  const LedgerMark before = ledger_mark(world, true);
   TouchReport report;
   const double work =
       push_out(*world.touch_space, world, world.articulates, world.contacts, settings_of(world, true), report);
   post(world, Source::push_out, work);
+  if (work != 0.0) post_falling(world, before.falling - ledger_mark(world, true).falling);
   count(world, report);
   if (world.contacts.stale) find(world, true);
 }

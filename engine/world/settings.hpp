@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "base/lanes.hpp"
+#include "contacts/solve/contact_search.hpp"
 
 namespace pantin {
 
@@ -34,6 +35,7 @@ struct Settings {
   bool accuracy_per_step = false;  ///< `accuracy` is that of a step, not of a second
   std::optional<double> accuracy;  ///< [1/s] > 0: wanted error, relative to the sizes of things; none: fixed steps
   bool energy_return = true;       ///< give back what the velocity projection took
+  ContactSearch contact = ContactSearch::automatic;
   double tolerance = 1e-6;  ///< points of a new hinge may be this far apart, relative to the size of their bodies
   std::optional<Vec3> box;  ///< [m] edges of the periodic box, each > 0; none: open space
   std::uint64_t seed = 1;

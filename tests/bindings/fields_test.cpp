@@ -239,6 +239,8 @@ std::vector<Sample> samples_of_things(const Zoo& zoo) {
       {"solid", "layer", "car"},
       {"Collider", "friction", 0.25},
       {"Collider", "restitution", 0.75},
+      {"Collider", "rolling", 0.01},
+      {"Collider", "spinning", 0.02},
       {"Collider", "surface_velocity", vec(1, 2, 3)},
       {"Collider", "layer", "ice"},
       {"Collider", "sensor", true},
@@ -282,10 +284,11 @@ std::vector<Sample> samples_of_constraints() {
 
 std::vector<Sample> samples_of_scene() {
   return {
-      {"Scene", "gravity", vec(0, 0, -1)}, {"Scene", "step", 0.01},          {"Scene", "accuracy", 0.001},
-      {"Scene", "accuracy_per", "step"},   {"Scene", "accuracy", Value()},   {"Scene", "integrator", "implicit"},
-      {"Scene", "energy_return", false},   {"Scene", "box", vec(900, 9, 9)}, {"Scene", "box", Value()},
-      {"Scene", "tolerance", 1e-5},        {"Scene", "seed", 12.0},          {"Scene", "boltzmann", 2.0},
+      {"Scene", "gravity", vec(0, 0, -1)}, {"Scene", "step", 0.01},           {"Scene", "accuracy", 0.001},
+      {"Scene", "accuracy_per", "step"},   {"Scene", "accuracy", Value()},    {"Scene", "integrator", "implicit"},
+      {"Scene", "contact", "fast"},        {"Scene", "energy_return", false}, {"Scene", "box", vec(900, 9, 9)},
+      {"Scene", "box", Value()},           {"Scene", "tolerance", 1e-5},      {"Scene", "seed", 12.0},
+      {"Scene", "boltzmann", 2.0},
   };
 }
 

@@ -135,6 +135,20 @@ double bounce(double t, double k, double damping) {
   }
 }
 
+/// Height of the centre of a ball of radius 0.1 m dropped from 1 m, gravity 9.81, on a floor that gives back a part of its
+/// speed.
+double hard_bounce(double t, double restitution) {
+  const double g = 9.81, r = 0.1;
+  double y = 1.0 - r, v = 0.0;
+  while (true) {
+    const double fall = (v + std::sqrt(v * v + 2 * g * y)) / g;
+    if (t <= fall) return r + y + v * t - 0.5 * g * t * t;
+    t -= fall;
+    y = 0.0;
+    v = restitution * (g * fall - v);
+  }
+}
+
 /// From the nearest point (1 - e) on the x axis, with constant and half axis 1.
 Vec3 kepler(double t, double e) {
   double anomaly = std::fmod(t, 2 * std::numbers::pi) < std::numbers::pi ? 2.0 : 4.0;
@@ -185,6 +199,29 @@ Truth chain_truth(const reference::PlaneChain& chain, int pieces) {
 }
 
 }  // namespace
+
+TEST_CASE("promise: a ball that bounces on a floor, and nothing is told by the order", "[slow]") {
+  for (const double restitution : {1.0, 0.7}) {
+    const Study study = study_text(
+        text("scene:floor {}\n"
+             "scene:ball { radius = 0.1, at = vec(0, 1, 0), velocity = vec(1, 0, 0), friction = 0, restitution = ",
+             restitution, " }"),
+        1.5);
+    CHECK(study.touches());
+    CHECK_THAT(report_text(study, 1.0), Catch::Contains("Shapes touch in it"));
+    check_promises(study, ball([&](double t) { return vec(t, hard_bounce(t, restitution), 0); }));
+  }
+}
+
+TEST_CASE("promise: a box that slides until friction stops it", "[slow]") {
+  const Study study =
+      study_text("scene:floor {}\nscene:block { size = 0.2, at = vec(0, 0.1, 0), velocity = vec(3, 0, 0) }", 1.0);
+  CHECK(study.touches());
+  check_promises(study, ball([](double t) {
+                   const double a = 0.5 * 9.81, end = std::min(t, 3.0 / a);
+                   return vec(3.0 * end - 0.5 * a * end * end, 0.1, 0);
+                 }));
+}
 
 TEST_CASE("promise: a ball on a stiff wall, where runs may agree by luck", "[slow]") {
   struct Wall {

@@ -35,8 +35,13 @@ std::unique_ptr<Played> small_window() {
 
 // Of those that colour things only the last one shows, so each has its frames.
 const std::vector<std::vector<SDL_Keycode>> all_views = {
-    {SDLK_g, SDLK_a, SDLK_v, SDLK_w, SDLK_k, SDLK_d, SDLK_m}, {SDLK_y}, {SDLK_t, SDLK_d}, {SDLK_e}};
-const std::vector<SDL_Keycode> views_off = {SDLK_g, SDLK_a, SDLK_v, SDLK_w, SDLK_k, SDLK_e};
+    {SDLK_g, SDLK_a, SDLK_v, SDLK_w, SDLK_k, SDLK_z, SDLK_SLASH, SDLK_QUOTE, SDLK_d, SDLK_m},
+    {SDLK_y},
+    {SDLK_SEMICOLON},
+    {SDLK_t, SDLK_d},
+    {SDLK_e}};
+const std::vector<SDL_Keycode> views_off = {SDLK_g, SDLK_a,     SDLK_v,     SDLK_w, SDLK_k,
+                                            SDLK_z, SDLK_SLASH, SDLK_QUOTE, SDLK_e};
 
 void expect_no_complaint(const Played& played) {
   std::string said = played.player->failure();

@@ -7,13 +7,16 @@
 #include <cstdlib>
 #include <set>
 
+#include "articulates/articulate.hpp"
 #include "bindings/lua_support.hpp"
 #include "measure/measure.hpp"
 #include "support/allocations.hpp"
 #include "view/draw_list.hpp"
 #include "view/player_input.hpp"
 #include "view/renderer.hpp"
+#include "view/tints.hpp"
 #include "view/view_keys.hpp"
+#include "view/view_marks.hpp"
 #include "view/window.hpp"
 
 using namespace pantin;
@@ -39,6 +42,12 @@ const char* const everything_at_once = R"(
     if i % 5 > 1 then scene:connect(atoms[i - 1], atoms[i], force.spring { stiffness = 50, length = 0.8 }) end
   end
   scene:interact(gas, gas, force.wca { epsilon = 0.1, sigma = 0.2 })
+  scene:floor {}
+  for i = 0, 2 do scene:block { size = 0.6, at = vec(2, 0.3 + 0.6 * i, -1) } end
+  scene:block { size = 0.6, at = vec(4, 0.3, -1) }
+  local sleeper = scene:body { at = vec(6, 1.95, -1), shape = shape.box(0.6, 0.1, 0.6),
+    points = { head = { at = vec(0, 0.05, 0) } } }
+  scene:nail(sleeper.head)
 )";
 
 Overlay with(const Views& views) {
@@ -96,6 +105,9 @@ TEST_CASE("each view shows something, and toggled back the picture is the same t
     scene->step();
     renderer.watch(scene->world(), {View::trails}, 1.0);
   }
+  for (const auto& articulate : scene->world().articulates)
+    if (articulate->nodes.size() == 1) articulate->rest.asleep = true;  // the nailed plate, which hangs at rest
+
   for (const NamedView& named : view_table()) {
     INFO(named.name);
     renderer.watch(scene->world(), {View::trails}, 1.0);
@@ -146,8 +158,8 @@ TEST_CASE("drawing a frame asks for no memory, whatever it shows", "[window]") {
   overlay.highlight = scene->world().points.ids().back();
   for (const NamedView& named : view_table()) {
     INFO(named.name);
-    overlay.views = {View::bodies, View::loads,      View::shadows, View::rings,
-                     View::forces, View::velocities, View::trails,  View::cells};
+    overlay.views = {View::bodies, View::loads, View::shadows,  View::rings,          View::forces, View::velocities,
+                     View::trails, View::cells, View::contacts, View::contact_forces, View::asleep};
     overlay.views.set(named.view, true);
     for (int i = 0; i < 3; i++) renderer.draw(scene->world(), camera, overlay);
     const std::uint64_t before = allocations() + CountedImGui::count;
@@ -225,6 +237,88 @@ TEST_CASE("along an axis, near and far things have one size, and what is at the 
   CHECK(camera.forward()[axis] == Approx(-1.0));
   camera.look_freely();
   CHECK(camera.project(camera.target, 1280, 720)->pixel == Approx(before));
+}
+
+TEST_CASE("contacts are shown where they are, with forces that add up to the weight", "[view]") {
+  const auto scene = lua_tests::open(R"(
+    scene:floor {}
+    scene:block { size = 1, at = vec(0, 0.5, 0), mass = 3 }
+    scene:block { size = 1, at = vec(0, 1.5, 0), mass = 2 })");
+  for (int i = 0; i < 24; i++) scene->step();
+  const World& world = scene->world();
+  const Stage stage = find_stage(world);
+  const auto marks_of = [&](const Views& views) {
+    std::vector<Mark> marks;
+    ViewMarks shown;
+    shown.add(world, views, stage, 1.0, marks);
+    return std::pair(marks, shown.legend());
+  };
+  CHECK(marks_of({}).first.empty());
+  const auto contacts = marks_of({View::contacts}).first;
+  int points = 0, lines = 0;
+  for (const Mark& mark : contacts) {
+    points += mark.kind == Mark::Kind::point;
+    lines += mark.kind == Mark::Kind::line;
+    if (mark.kind != Mark::Kind::point) continue;
+    CHECK(std::min(std::fabs(mark.from[1]), std::fabs(mark.from[1] - 1.0)) < 1e-6);
+    CHECK(std::fabs(std::fabs(mark.from[0]) - 0.5) < 1e-6);
+  }
+  CHECK(points == 8);
+  CHECK(lines == 8);  // two manifolds of four
+  const auto [forces, legend] = marks_of({View::contact_forces});
+  CHECK(forces.size() == 8);
+  CHECK(legend.starts_with("forces: longest "));
+  Vec3 on_floor = zero3();
+  for (const Contact& c : world.contacts.list)
+    if (c.body_b < 0) on_floor += contact_force(world, c);
+  CHECK(norm(on_floor - vec(0, 5 * 9.81, 0)) < 1e-4);
+  for (const Mark& mark : forces)
+    if (mark.from[1] < 0.5) CHECK(mark.to[1] > mark.from[1]);
+}
+
+TEST_CASE("islands have colours of their own, and what touches has one", "[view]") {
+  const auto scene = lua_tests::open(R"(
+    scene:floor {}
+    scene:block { size = 1, at = vec(0, 0.5, 0) }
+    scene:block { size = 1, at = vec(0, 1.5, 0) }
+    scene:block { size = 1, at = vec(5, 0.5, 0) }
+    scene:block { size = 1, at = vec(9, 5, 0) }
+    local function link(x)
+      return scene:body { shape = shape.box(0.8, 0.2, 0.2), at = vec(x, 0.1, 5), points = { vec(-0.5, 0, 0), vec(0.5, 0, 0) } }
+    end
+    local first, second = link(0), link(1)
+    scene:hinge(first.points[2], second.points[1]))");
+  for (int i = 0; i < 5; i++) scene->step();
+  Tints tints;
+  tints.update(scene->world(), {View::islands}, 10.0);
+  const auto color = [&](std::uint32_t body) { return tints.of_body(body).of({0, 0, 0, 1}); };
+  CHECK(color(0) == color(1));
+  CHECK_FALSE(color(0) == color(2));
+  CHECK(color(4) == color(5));
+  CHECK_FALSE(color(4) == color(0));
+  CHECK_FALSE(color(3) == color(2));
+  tints.update(scene->world(), {View::bodies}, 10.0);
+  CHECK(color(0) == Color{0, 0, 0, 1});
+}
+
+TEST_CASE("what sleeps is dim where that is shown, in the colours of other views too", "[view]") {
+  const auto scene = lua_tests::open(R"(
+    scene:nail(scene:body { at = vec(0, -0.05, 0), shape = shape.ball(0.02), points = { head = { at = vec(0, 0.05, 0) } } }.head)
+    scene:nail(scene:body { at = vec(1, -0.05, 0), shape = shape.ball(0.02), spin = vec(0, 0, 9),
+      points = { head = { at = vec(0, 0.05, 0) } } }.head))");
+  for (int i = 0; i < 1200; i++) scene->step();
+  Tints tints;
+  constexpr Color own = {0.9f, 0.5f, 0.1f, 1.0f};
+  tints.update(scene->world(), {View::asleep}, 1.0);
+  CHECK(tints.of_body(0).dim);
+  CHECK_FALSE(tints.of_body(1).dim);
+  CHECK(tints.of_body(0).of(own).r < 0.5f * own.r);
+  CHECK(tints.of_body(1).of(own) == own);
+  tints.update(scene->world(), {View::asleep, View::articulates}, 1.0);
+  CHECK(tints.of_body(0).dim);
+  CHECK(tints.of_body(1).color);
+  tints.update(scene->world(), {}, 1.0);
+  CHECK_FALSE(tints.of_body(0).dim);
 }
 
 TEST_CASE("ties and hinges take the colour of their load", "[view]") {

@@ -77,7 +77,7 @@ function quat_methods:inverse() end
 ---@field with? Body|Collider whose shape it is, or that stands in the world; nil: it is gone
 ---@field at vec [m] where they touch
 ---@field normal vec [1] away from the other
----@field force vec [N] on this body, the mean over the last step
+---@field force vec [N] on this body, the mean over the last step, or over its last sub-step where it had several
 ---@field depth number [m] by which they overlap; below 0: apart
 ---@field slip vec [m/s] with which its surface slides on the other's, that of belts included
 ---@field sensor boolean whether one of the two is a sensor, which pushes nothing
@@ -90,6 +90,12 @@ function quat_methods:inverse() end
 ---@field normal vec [1] from b to a
 ---@field impulse number [N s] along the normal, in the step in which they touched; of a sensor 0
 ---@field speed number [m/s] with which they neared each other at its start
+
+--- What friction and impact took of two that touch, or, without a and b, of all of whom one was removed.
+---@class ContactHeat
+---@field a? Body
+---@field b? Body|Collider a body, or what stands in the world
+---@field heat number [J] since scene.contact_heat was read first; below 0: a moving surface gave. All together are what the ledger's line `contact` lost since then
 
 ---What a ray, a shape or a position meets.
 ---@class Hit

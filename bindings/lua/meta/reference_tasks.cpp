@@ -98,6 +98,8 @@ const std::vector<ReferenceTasks> all = {
       {"friction and restitution", {"MaterialOptions", "Body.friction", "Body.restitution"}},
       {"which ones touch, and with which friction", {"Scene:collide", "MaterialOptions", "HingeOptions"}},
       {"where it touches, and how hard", {"Body.contacts", "Contact"}},
+      {"what friction takes, and of whom", {"AnyScene.contact_heat", "ContactHeat"}},
+      {"how contacts are solved", {"Scene.contact"}},
       {"when it begins and ends to touch", {"Scene:on", "Touch"}},
       {"what is in the way, and what is where",
        {"AnyScene:ray", "AnyScene:cast", "AnyScene:overlap", "AnyScene:inside"}}}},

@@ -48,6 +48,11 @@ void read_ledger(const Self& self) {
   keep_ledger(self.world);
 }
 
+void read_contact_heat(const Self& self) {
+  push_property(self, "contact_heat");
+  self.world.contacts.heat_kept = true;
+}
+
 void read_stats(const Self& self) {
   push_property(self, "stats");
   keep_old_name(self, "safe_steps", "fallback_steps");
@@ -85,6 +90,7 @@ const Type& any_scene_type() {
   static const Type type = [] {
     Type made = type_with(fields::any_scene_type());
     field_named(made, "ledger").read = read_ledger;
+    field_named(made, "contact_heat").read = read_contact_heat;
     field_named(made, "stats").read = read_stats;
     made.methods = {{"find", guard<scene_find>, "name: string", "Thing?", "The oldest living thing of that name.",
                      "local found = scene:find(\"all\")"},

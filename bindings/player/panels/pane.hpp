@@ -46,7 +46,7 @@ inline constexpr PaneKind pane_kinds[] = {
     {"Time", "what was set to happen: what fired, what was dropped, what waits", 400.0f, false, false, make_time_pane},
     {"Probes", "what the scene measures, as plots", 380.0f, false, false, make_probes_pane},
     {"Energy", "where energy came from and went", 300.0f, false, false, make_ledger_pane},
-    {"Solver", "articulates, unknowns, iterations, fallbacks", 300.0f, false, false, make_solver_pane},
+    {"Solver", "articulates, unknowns, contacts, iterations, fallbacks", 300.0f, false, false, make_solver_pane},
     {"Phases", "wall time of each phase of a step", 320.0f, false, false, make_phases_pane},
     {"Log", "what happened and what went wrong", 460.0f, false, false, make_log_pane},
     {"Thing", "the thing that you clicked, field by field, to be edited", 380.0f, false, false, make_inspector_pane},

@@ -1,4 +1,4 @@
-// What the solver does: articulates, unknowns, iterations, fallbacks.
+// What the solver does: articulates, unknowns, iterations, fallbacks; and what touches.
 #include <imgui.h>
 
 #include <algorithm>
@@ -32,7 +32,9 @@ class SolverPane : public Pane {
       if (world.stats.solves > since_.solves)
         newton_ = static_cast<double>(world.stats.newton_iterations - since_.iterations) /
                   static_cast<double>(world.stats.solves - since_.solves);
-      since_ = {world.steps, world.stats.solves, world.stats.newton_iterations};
+      contact_iterations_ = static_cast<double>(world.stats.contact_iterations - since_.contact_iterations) /
+                            static_cast<double>(world.steps - since_.steps);
+      since_ = {world.steps, world.stats.solves, world.stats.newton_iterations, world.stats.contact_iterations};
     }
     Count unknowns = 0;
     for (const auto& articulate : world.articulates) unknowns += 3 * articulate->rows.size();
@@ -50,14 +52,31 @@ class SolverPane : public Pane {
     }
     ImGui::Text("%.2f iterations of Newton a solve, lately", newton_);
     ImGui::Text("hinge gap %.2g m, constraints %.2g m", world.error.hinge_gap, world.error.constraint);
-    if (world.settings.accuracy) draw_sub_steps(world);
+    if (!world.shapes.empty()) draw_contacts(world);
+    if (world.settings.accuracy || world.sub_steps.count > 1) draw_sub_steps(world);
     draw_articulates(world);
   }
 
  private:
   struct Since {
-    std::uint64_t steps = 0, solves = 0, iterations = 0;
+    std::uint64_t steps = 0, solves = 0, iterations = 0, contact_iterations = 0;
   };
+
+  void draw_contacts(const World& world) const {
+    ImGui::Separator();
+    const Stats& s = world.stats;
+    if (ImGui::BeginTable("contacts", 2, ImGuiTableFlags_SizingStretchProp)) {
+      line("contacts", s.contacts);
+      line("islands of contacts", s.contact_islands);
+      line("unsolved islands", s.unsolved_islands, true);
+      ImGui::EndTable();
+    }
+    ImGui::Text("%.2f iterations a step, lately", contact_iterations_);
+    ImGui::Text("overlap %.2g m, pushed out %.3g J", world.error.penetration,
+                world.ledger.given[static_cast<std::size_t>(Source::push_out)]);
+    ImGui::Text("friction and impact %+.4g J", world.ledger.given[static_cast<std::size_t>(Source::contact)]);
+    ImGui::Text("energy error %.2g", world.error.energy);
+  }
 
   static void draw_sub_steps(const World& world) {
     const MostSubSteps most = most_sub_steps(world);
@@ -80,7 +99,7 @@ class SolverPane : public Pane {
   }
 
   Since since_;
-  double newton_ = 0.0;
+  double newton_ = 0.0, contact_iterations_ = 0.0;
   std::vector<const Articulate*> biggest_;
 };
 

@@ -49,6 +49,7 @@ void confine(ContactIsland& island) {
 
 struct Search {
   ContactIsland& island;
+  bool at_any_cost;
   IslandReport report = {};
   double tight = accepted * island.tolerance;
 
@@ -68,7 +69,7 @@ struct Search {
   /// Not where the factor would cost more than it is worth.
   void newton(std::uint32_t most) {
     lay_out_all(island);
-    report.too_dense = island.factor.target.size() > most_updates * island.contacts.size();
+    report.too_dense = !at_any_cost && island.factor.target.size() > most_updates * island.contacts.size();
     if (report.too_dense) return;
     take(newton_search(island, most));
     report.failed = !solved();
@@ -105,14 +106,16 @@ void choose_start(ContactIsland& island) {
 
 }  // namespace
 
-IslandReport solve_island(ContactIsland& island, bool exactly) {
+IslandReport solve_island(ContactIsland& island, bool exactly, ContactSearch wanted) {
   prepare(island);
   choose_start(island);
-  Search search{island};
+  Search search{island, wanted == ContactSearch::exact};
   search.report.residual = residual(island);
   if (search.report.residual <= island.tolerance) return search.report;
-  const bool is_small = island.contacts.size() <= few;
-  const bool exact = is_small || (exactly && mean_velocity(island) <= calm * island.tolerance);
+  const bool is_small = wanted != ContactSearch::fast && island.contacts.size() <= few;
+  const bool exact =
+      is_small || wanted == ContactSearch::exact ||
+      (wanted == ContactSearch::automatic && exactly && mean_velocity(island) <= calm * island.tolerance);
   if (exact && search.report.residual <= swept_enough * island.tolerance) search.newton(most_of_newton);
   if (!search.solved()) {
     search.sweeps(exact ? sweeps_before_newton : most_sweeps);

@@ -1,4 +1,5 @@
 #pragma once
+#include "contacts/solve/contact_search.hpp"
 #include "contacts/solve/island.hpp"
 
 namespace pantin {
@@ -13,7 +14,7 @@ struct IslandReport {
 
 /// Finds impulses and velocities of an island whose contacts and ties say where to begin: exactly where it is small or
 /// that is asked for, as far as that succeeds; else by sweeps. The impulses balance the momenta to round-off and are in the cone, however well
-/// the law is met; `residual` says that.
-IslandReport solve_island(ContactIsland& island, bool exactly);
+/// the law is met; `residual` says that. `exactly` is a wish that counts where `search` leaves it open.
+IslandReport solve_island(ContactIsland& island, bool exactly, ContactSearch search = ContactSearch::automatic);
 
 }  // namespace pantin

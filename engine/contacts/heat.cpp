@@ -1,0 +1,80 @@
+#include "contacts/heat.hpp"
+
+#include <algorithm>
+
+#include "contacts/bodies.hpp"
+#include "contacts/touching.hpp"
+
+namespace pantin {
+
+HeatOf::HeatOf(const Model& model, const Articulates& articulates, Contacts& contacts, bool drifted,
+               std::span<const Placing> impulses)
+    : model_(model), articulates_(articulates), contacts_(contacts), drifted_(drifted) {
+  if (!contacts.heat_kept) return;
+  impulses_ = impulses;
+  for (const Placing& impulse : impulses_) before_.push_back(slip(impulse));
+}
+
+HeatOf::Slip HeatOf::slip(const Placing& impulse) const {
+  const auto of = [&](std::uint32_t slot, Vec3 arm) {
+    const BodyState s = state_of(model_, articulates_, slot, drifted_);
+    return Slip{s.v + cross(s.w, arm), s.w};
+  };
+  const Slip a = of(impulse.body_a, impulse.arm_a);
+  if (impulse.body_b < 0) return a;
+  const Slip b = of(static_cast<std::uint32_t>(impulse.body_b), impulse.arm_b);
+  return {a.velocity - b.velocity, a.spin - b.spin};
+}
+
+void HeatOf::add(double work) {
+  if (impulses_.empty()) return;
+  std::vector<double> works;
+  double sum = 0.0, size = 0.0;
+  for (std::size_t k = 0; k < impulses_.size(); k++) {
+    const Slip after = slip(impulses_[k]);
+    works.push_back(0.5 * (dot(impulses_[k].impulse, before_[k].velocity + after.velocity) +
+                           dot(impulses_[k].moment, before_[k].spin + after.spin)));
+    sum += works[k];
+    size += norm(impulses_[k].impulse);
+  }
+  for (std::size_t k = 0; k < impulses_.size(); k++) {
+    const Placing& p = impulses_[k];
+    const double part = size > 0.0 ? norm(p.impulse) / size : 1.0 / static_cast<double>(works.size());
+    contacts_.new_heat.push_back({pair_of(model_, p.body_a, p.body_b, p.shape_b), -works[k] - part * (work - sum)});
+  }
+}
+
+namespace {
+
+/// One of each pair, rising.
+std::vector<TouchHeat> summed(std::vector<TouchHeat> list) {
+  std::stable_sort(list.begin(), list.end(), [](const TouchHeat& x, const TouchHeat& y) { return x.pair < y.pair; });
+  std::vector<TouchHeat> sums;
+  for (const TouchHeat& one : list) {
+    if (sums.empty() || sums.back().pair != one.pair) sums.push_back({one.pair, 0.0});
+    sums.back().heat += one.heat;
+  }
+  return sums;
+}
+
+bool is_gone(const Model& model, const TouchPair& pair) {
+  return !model.bodies.alive(pair.a) || !(pair.b ? model.bodies.alive(pair.b) : model.shapes.alive(pair.ground));
+}
+
+}  // namespace
+
+void settle_heat(const Model& model, Contacts& contacts, double wrong) {
+  std::vector<TouchHeat> now = summed(std::move(contacts.new_heat));
+  contacts.new_heat.clear();
+  double given = 0.0;
+  for (const TouchHeat& one : now) given += std::max(0.0, -one.heat);
+  for (TouchHeat& one : now)
+    if (one.heat < 0.0) one.heat *= 1.0 - wrong / given;
+  std::vector<TouchHeat> all = std::move(contacts.heat);
+  for (TouchHeat& one : all)
+    if (is_gone(model, one.pair)) one.pair = {};
+  all.insert(all.end(), now.begin(), now.end());
+  contacts.heat = summed(std::move(all));
+}
+
+}  // namespace pantin
