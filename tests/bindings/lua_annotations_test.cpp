@@ -89,7 +89,7 @@ TEST_CASE("the options that annotations list are those that the bindings know") 
       {"ParticleOptions", "scene:particle(wrong)"},
       {"BodyOptions", "scene:body(wrong)"},
       {"BallOptions", "scene:ball(wrong)"},
-      {"BlockOptions", "scene:block(wrong)"},
+      {"BoxOptions", "scene:box(wrong)"},
       {"CapsuleOptions", "scene:capsule(wrong)"},
       {"CylinderOptions", "scene:cylinder(wrong)"},
       {"FloorOptions", "scene:floor(wrong)"},
