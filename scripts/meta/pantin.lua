@@ -641,6 +641,8 @@ local Emitter = {}
 ---@field position vec [m] of its origin, in the world (read only)
 ---@field friction number [1] of two that touch the root of the product counts (default `0.5`)
 ---@field restitution number [1] 0 to 1; of two that touch the larger counts (default `0`)
+---@field rolling number [m] moment by normal force against rolling; of two that touch the larger counts (default `0`)
+---@field spinning number [m] moment by normal force against spinning on the spot; of two that touch the larger counts (default `0`)
 ---@field surface_velocity vec [m/s] of its surface against its body, as of a belt (default `vec(0, 0, 0)`)
 ---@field layer string? that scene:collide speaks of; nil: none
 ---@field sensor boolean tells what it touches, and pushes nothing (default `false`)
@@ -783,6 +785,8 @@ function Structure:inertia(mass_in) end
 ---@field density number [kg/m³] of a body whose mass is not given (read only)
 ---@field friction number [1] of two that touch the root of the product counts (read only)
 ---@field restitution number [1] 0 to 1; of two that touch the larger counts (read only)
+---@field rolling number [m] moment by normal force against rolling; of two that touch the larger counts (read only)
+---@field spinning number [m] moment by normal force against spinning on the spot; of two that touch the larger counts (read only)
 ---@field layer string? that scene:collide speaks of; nil: that of its body, or none (read only)
 ---@field sensor boolean tells what it touches, and pushes nothing (read only)
 ---@field surface_velocity vec [m/s] of its surface against its body, as of a belt (read only)
@@ -942,9 +946,7 @@ function Scene:freeze(group) end
 ---```lua
 ---for _, piece in ipairs(scene:shatter(block)) do piece.color = "#f40" end
 ---local plate = scene:box { size = vec(2, 0.1, 2), at = vec(0, 9, 0) }
----scene:on("touched", plate, function(touch)
----  if touch.impulse > 5 then scene:shatter(plate, { pieces = 30, at = touch.at }) end
----end)
+---scene:on("touched", plate, function(touch) scene:shatter(plate, { pieces = 30, at = touch.at }) end)
 ---```
 ---@param body Body
 ---@param options? ShatterOptions
@@ -1399,89 +1401,6 @@ function OpenedScene:snapshot() end
 ---@param snapshot Snapshot
 function OpenedScene:restore(snapshot) end
 
----What shapes are made of, and what they touch.
----@class MaterialOptions
----@field density? number [kg/m³] of a body whose mass is not given (default `1000`)
----@field friction? number [1] of two that touch the root of the product counts (default `0.5`)
----@field restitution? number [1] 0 to 1; of two that touch the larger counts (default `0`)
----@field surface_velocity? vec [m/s] of its surface against its body, as of a belt (default `vec(0, 0, 0)`)
----@field layer? string that scene:collide speaks of; it exists once it is named (default the body's, or none)
----@field sensor? boolean tells what it touches, and pushes nothing; beside others it weighs nothing (default `false`)
-
----@class ShapeOptions: NameOptions, MaterialOptions
----@field at? vec [m] position in the frame of its body, or in the world (default `vec(0, 0, 0)`)
----@field orientation? quat turns it in that frame (default `quat(vec(0, 0, 1), 0)`)
----@field color? color (default the body's, or grey)
-
----@class BallSize
----@field radius number [m]
-
----Size, or x, y and z.
----@class BoxSize
----@field size? vec|number [m] its edges along the axes; a number is that of a cube (default none)
----@field x? number [m] (default none)
----@field y? number [m] (default none)
----@field z? number [m] (default none)
-
----Length, or from and to.
----@class CapsuleSize
----@field radius number [m] of its ends
----@field length? number [m] between the centres of its ends, along y (default none)
----@field from? vec [m] the centre of one end (default none)
----@field to? vec [m] that of the other (default none)
-
----@class CylinderSize
----@field radius number [m]
----@field length number [m]
----@field axis? vec [1] along which it is long (default `vec(0, 1, 0)`)
-
----@class BallShapeOptions: ShapeOptions, BallSize
-
----@class BoxShapeOptions: ShapeOptions, BoxSize
-
----@class CapsuleShapeOptions: ShapeOptions, CapsuleSize
-
----@class CylinderShapeOptions: ShapeOptions, CylinderSize
-
----@class HullShapeOptions: ShapeOptions
----@field points vec[]|Structure [m] four or more that are not in one plane; of a structure its vertices
-
----@class PolygonShapeOptions: ShapeOptions
----@field points vec[] [m] three or more, in the scene's plane, else in that of x and y
----@field thickness? number [m] across that plane (default `1`)
-
----@class LineShapeOptions: ShapeOptions
----@field points vec[] [m] two or more, in the scene's plane, else in that of x and y
----@field closed? boolean the last one is joined to the first (default `false`)
----@field thickness? number [m] across that plane (default `100`)
-
----@class PlaneShapeOptions: ShapeOptions
----@field normal? vec [1] out of what is solid (default `vec(0, 1, 0)`)
----@field height? number [m] of the plane along its normal (default `0`)
-
----A file, or vertices and faces.
----@class MeshShapeOptions: ShapeOptions, MeshFileOptions
----@field file? string of the scene's folder or assets/meshes, a Wavefront .obj (default none)
----@field vertices? vec[]|Structure [m] positions; of a structure its faces count, too (default none)
----@field faces? integer[][] lists of three or more numbers of vertices, counter-clockwise seen from outside (default the structure's)
-
----@class MeshFileOptions
----@field scale? number [m] of the file's length 1 (default `1`)
-
----@class HeightsShapeOptions: ShapeOptions
----@field columns integer of places along x
----@field rows integer of places along z
----@field spacing? number [m] between them, about the origin (default `1`)
----@field height number[]|fun(x: number, z: number): number [m] a list, row by row, or at a place
-
----@class BallOptions: AnyBodyOptions, MaterialOptions, BallSize
-
----@class BoxOptions: AnyBodyOptions, MaterialOptions, BoxSize
-
----@class CapsuleOptions: AnyBodyOptions, MaterialOptions, CapsuleSize
-
----@class CylinderOptions: AnyBodyOptions, MaterialOptions, CylinderSize
-
 ---@class NameOptions
 ---@field name? string what messages and scene:find call it (default `""`)
 
@@ -1553,11 +1472,11 @@ function OpenedScene:restore(snapshot) end
 ---A plane of the world.
 ---@class CuttingPlane
 ---@field through vec [m] a position in it
----@field normal vec [1] out of what keeps its handle
+---@field normal vec [1] towards what becomes a body of its own
 
 ---@class ShatterOptions
----@field pieces number bodies, 2 to 1000, and as many as the body has shapes
----@field seed? number of the random positions about which the pieces are (default `1`)
+---@field pieces integer bodies, 2 to 1000, and as many as the body has shapes
+---@field seed? integer of the random positions about which the pieces are (default `1`)
 ---@field at? vec [m] in the world: pieces are smaller the nearer they are (default none: spread evenly)
 
 ---@class FloorOptions: NameOptions
@@ -1565,6 +1484,8 @@ function OpenedScene:restore(snapshot) end
 ---@field normal? vec [1] out of what is solid (default `vec(0, 1, 0)`)
 ---@field friction? number [1] (default `0.5`)
 ---@field restitution? number [1] 0 to 1 (default `0`)
+---@field rolling? number [m] moment by normal force against rolling (default `0`)
+---@field spinning? number [m] moment by normal force against spinning on the spot (default `0`)
 ---@field surface_velocity? vec [m/s] of a belt (default `vec(0, 0, 0)`)
 ---@field layer? string that scene:collide speaks of (default none)
 ---@field sensor? boolean tells what it touches, and pushes nothing (default `false`)
@@ -1760,6 +1681,8 @@ function OpenedScene:restore(snapshot) end
 ---@field shape? "hull" rigid parts touch others, each as the convex hull of its vertices (default none)
 ---@field friction? number [1] of these, as of any shape (default `0.5`)
 ---@field restitution? number [1] (default `0`)
+---@field rolling? number [m] (default `0`)
+---@field spinning? number [m] (default `0`)
 ---@field layer? string that scene:collide speaks of (default none)
 ---@field at? vec [m] position of the structure's origin (default `vec(0, 0, 0)`)
 ---@field velocity? vec [m/s] (default `vec(0, 0, 0)`)
@@ -1812,6 +1735,91 @@ function OpenedScene:restore(snapshot) end
 ---@field vertices vec[] [m] positions
 ---@field edges? integer[][] pairs of numbers of vertices; those of faces need not be given (default `{}`)
 ---@field faces? integer[][] lists of numbers of vertices, counter-clockwise seen from outside (default `{}`)
+
+---What shapes are made of, and what they touch.
+---@class MaterialOptions
+---@field density? number [kg/m³] of a body whose mass is not given (default `1000`)
+---@field friction? number [1] of two that touch the root of the product counts (default `0.5`)
+---@field restitution? number [1] 0 to 1; of two that touch the larger counts (default `0`)
+---@field rolling? number [m] moment by normal force against rolling; of two that touch the larger counts (default `0`)
+---@field spinning? number [m] moment by normal force against spinning on the spot; of two that touch the larger counts (default `0`)
+---@field surface_velocity? vec [m/s] of its surface against its body, as of a belt (default `vec(0, 0, 0)`)
+---@field layer? string that scene:collide speaks of; it exists once it is named (default the body's, or none)
+---@field sensor? boolean tells what it touches, and pushes nothing; beside others it weighs nothing (default `false`)
+
+---@class ShapeOptions: NameOptions, MaterialOptions
+---@field at? vec [m] position in the frame of its body, or in the world (default `vec(0, 0, 0)`)
+---@field orientation? quat turns it in that frame (default `quat(vec(0, 0, 1), 0)`)
+---@field color? color (default the body's, or grey)
+
+---@class BallSize
+---@field radius number [m]
+
+---Size, or x, y and z.
+---@class BoxSize
+---@field size? vec|number [m] its edges along the axes; a number is that of a cube (default none)
+---@field x? number [m] (default none)
+---@field y? number [m] (default none)
+---@field z? number [m] (default none)
+
+---Length, or from and to.
+---@class CapsuleSize
+---@field radius number [m] of its ends
+---@field length? number [m] between the centres of its ends, along y (default none)
+---@field from? vec [m] the centre of one end (default none)
+---@field to? vec [m] that of the other (default none)
+
+---@class CylinderSize
+---@field radius number [m]
+---@field length number [m]
+---@field axis? vec [1] along which it is long (default `vec(0, 1, 0)`)
+
+---@class BallShapeOptions: ShapeOptions, BallSize
+
+---@class BoxShapeOptions: ShapeOptions, BoxSize
+
+---@class CapsuleShapeOptions: ShapeOptions, CapsuleSize
+
+---@class CylinderShapeOptions: ShapeOptions, CylinderSize
+
+---@class HullShapeOptions: ShapeOptions
+---@field points vec[]|Structure [m] four or more that are not in one plane; of a structure its vertices
+
+---@class PolygonShapeOptions: ShapeOptions
+---@field points vec[] [m] three or more, in the scene's plane, else in that of x and y
+---@field thickness? number [m] across that plane (default `1`)
+
+---@class LineShapeOptions: ShapeOptions
+---@field points vec[] [m] two or more, in the scene's plane, else in that of x and y
+---@field closed? boolean the last one is joined to the first (default `false`)
+---@field thickness? number [m] across that plane; what touches it may be deeper (default `2`)
+
+---@class PlaneShapeOptions: ShapeOptions
+---@field normal? vec [1] out of what is solid (default `vec(0, 1, 0)`)
+---@field height? number [m] of the plane along its normal (default `0`)
+
+---A file, or vertices and faces.
+---@class MeshShapeOptions: ShapeOptions, MeshFileOptions
+---@field file? string of the scene's folder or assets/meshes, a Wavefront .obj (default none)
+---@field vertices? vec[]|Structure [m] positions; of a structure its faces count, too (default none)
+---@field faces? integer[][] lists of three or more numbers of vertices, counter-clockwise seen from outside (default the structure's)
+
+---@class MeshFileOptions
+---@field scale? number [m] of the file's length 1 (default `1`)
+
+---@class HeightsShapeOptions: ShapeOptions
+---@field columns integer of places along x
+---@field rows integer of places along z
+---@field spacing? number [m] between them, about the origin (default `1`)
+---@field height number[]|fun(x: number, z: number): number [m] a list, row by row, or at a place
+
+---@class BallOptions: AnyBodyOptions, MaterialOptions, BallSize
+
+---@class BoxOptions: AnyBodyOptions, MaterialOptions, BoxSize
+
+---@class CapsuleOptions: AnyBodyOptions, MaterialOptions, CapsuleSize
+
+---@class CylinderOptions: AnyBodyOptions, MaterialOptions, CylinderSize
 
 ---A law: how particles pull at each other, or are pulled. It does not change.
 ---@class Law

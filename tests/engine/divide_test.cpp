@@ -218,6 +218,7 @@ TEST_CASE("Points, and hinges that hold them, go with the piece that they are in
   Weightless world;
   BodyDef def;
   def.shapes = {shape(box(2, 0.2, 2))};
+  def.mass = 100;
   for (double x : {-1.0, 1.0}) def.points.push_back(point(vec(x, 0.1, 1), 0.5));
   const BodyId plate = add_body(world, def);
   BodyDef arm;

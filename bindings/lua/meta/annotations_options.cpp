@@ -74,11 +74,11 @@ const char* const annotations_options = R"(---@class NameOptions
 ---A plane of the world.
 ---@class CuttingPlane
 ---@field through vec [m] a position in it
----@field normal vec [1] out of what keeps its handle
+---@field normal vec [1] towards what becomes a body of its own
 
 ---@class ShatterOptions
----@field pieces number bodies, 2 to 1000, and as many as the body has shapes
----@field seed? number of the random positions about which the pieces are (default `1`)
+---@field pieces integer bodies, 2 to 1000, and as many as the body has shapes
+---@field seed? integer of the random positions about which the pieces are (default `1`)
 ---@field at? vec [m] in the world: pieces are smaller the nearer they are (default none: spread evenly)
 
 ---@class FloorOptions: NameOptions

@@ -133,9 +133,7 @@ std::vector<Method> making() {
        "and hulls into that many bodies, which move on as it did.",
        "for _, piece in ipairs(scene:shatter(block)) do piece.color = \"#f40\" end\n"
        "local plate = scene:box { size = vec(2, 0.1, 2), at = vec(0, 9, 0) }\n"
-       "scene:on(\"touched\", plate, function(touch)\n"
-       "  if touch.impulse > 5 then scene:shatter(plate, { pieces = 30, at = touch.at }) end\n"
-       "end)"},
+       "scene:on(\"touched\", plate, function(touch) scene:shatter(plate, { pieces = 30, at = touch.at }) end)"},
       {"connect_within", guard<scene_connect_within>,
        "group: Group, distance: number [m], law: Law, options?: ConnectOptions", "Connection[]",
        "Ties the particles of a group that are nearer than a distance and not tied yet.",
