@@ -45,9 +45,12 @@ std::vector<Vec3> check_numbers(std::string_view text, const std::string& name) 
       Vec3 v = zero3();
       int count = 0;
       each_word(line, [&](std::string_view word) {
-        if (count < 3)
-          require(read_number(word, v[count]) && std::isfinite(v[count]), name, ":", number,
+        if (count < 3) {
+          double coordinate = 0.0;
+          require(read_number(word, coordinate) && std::isfinite(coordinate), name, ":", number,
                   ": a vertex must have three finite numbers [m], got '", word, "'");
+          v[count] = coordinate;
+        }
         count++;
       });
       require(count >= 3, name, ":", number, ": a vertex must have three finite numbers [m], got ", count);
