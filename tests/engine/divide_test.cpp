@@ -1,4 +1,6 @@
 // Edits of bodies that have shapes.
+#include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 
 #include "contacts/find.hpp"
@@ -6,6 +8,7 @@
 #include "edit/constrain.hpp"
 #include "measure/measure.hpp"
 #include "shapes/distance.hpp"
+#include "shapes/hull.hpp"
 #include "snapshot/snapshot.hpp"
 #include "step/step.hpp"
 #include "support/balance.hpp"
@@ -53,10 +56,9 @@ Vec3 box_moments(double mass, double x, double y, double z) {
 }
 
 Vec3 sorted(Vec3 v) {
-  if (v[0] > v[1]) std::swap(v[0], v[1]);
-  if (v[1] > v[2]) std::swap(v[1], v[2]);
-  if (v[0] > v[1]) std::swap(v[0], v[1]);
-  return v;
+  std::array<double, 3> all = {v[0], v[1], v[2]};
+  std::sort(all.begin(), all.end());
+  return vec(all[0], all[1], all[2]);
 }
 
 double kinetic(const World& world) { return energy(world).kinetic; }
