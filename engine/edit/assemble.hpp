@@ -19,14 +19,28 @@ namespace pantin {
 /// a lives on with the points and the own mass of b, which is gone; points, hinges and constraints stay, but for those
 /// between the two. A name that a has already is taken from b's point.
 void merge(World& world, BodyId a, BodyId b);
-/// Some of a body's points, not all, become a body of their own, which moves as they did. Both must have mass enough to
-/// be bodies; own mass stays where it is.
+/// Some of a body's points, not all, become a body of their own, which moves as they did. A shape goes with the points that
+/// are in it, else with the nearest; one with points of both parts in it is an error. Both must have mass enough to be
+/// bodies: own mass goes with the shapes if it is theirs, each filled evenly, and else stays where it is.
 BodyId split(World& world, BodyId body, std::span<const PointId> points, std::string name = {});
+/// What of a body is in front of a plane of the world, through a position [m], becomes a body of its own. Boxes and hulls are
+/// cut; a round shape on both sides is an error. Sensors go whole to the side of their origin.
+BodyId split(World& world, BodyId body, Vec3 through, Vec3 normal, std::string name = {});
 /// Free particles and bodies of a group become one body: the first of its bodies where it has no particles.
 BodyId freeze(World& world, GroupId group, std::string name = {});
 /// The points of a body become free particles, its own mass another; points without mass are gone. An angular momentum
 /// that these cannot carry is an error.
 std::vector<ParticleId> shatter(World& world, BodyId body);
+
+struct ShatterDef {
+  std::size_t pieces = 12;  ///< 2 … 1000, and as many as the body has shapes
+  std::uint64_t seed = 1;
+  std::optional<Vec3> at;  ///< [m] in the world: pieces are smaller the nearer they are
+};
+/// A body of boxes and hulls breaks into convex bodies, the cells of random positions in it (Voronoi 1908): flush, each with
+/// its share of the mass, the points in it, and the velocities that it had. What ties the body's rotation ends, and its
+/// sensors go; mass, centre, momenta and kinetic energy are kept to round-off.
+std::vector<BodyId> shatter(World& world, BodyId body, const ShatterDef& def);
 
 struct JoinDef {
   std::optional<Vec3> at;       ///< [m] where they are to meet; not given: on their way to each other

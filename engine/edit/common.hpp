@@ -46,8 +46,20 @@ void break_connection(World& world, ConnectionId connection, double force);
 
 /// Throws Error where a shape is none: of no size, not finite, of a material that is none; or cannot be a body's.
 void check_shape(const std::string& who, const ShapeDef& def, bool of_body);
+/// A convex shape filled evenly.
+struct Filled {
+  Geometry geometry;
+  Vec3 at;           ///< [m] in a body's frame
+  Quat orientation;  ///< its axes to that
+  double density;    ///< [kg/m³]
+};
+/// Mass, centre and inertia about it of one or more.
+OwnMass mass_of(std::span<const Filled> shapes);
+/// By how much a mass that is given makes shapes denser than theirs.
+double filling(const BodyDef& def);
 /// What a body of these shapes has beside its points, with the mass and inertia given or else theirs.
 OwnMass own_mass_of(const BodyDef& def);
+void erase_shape(World& world, ShapeId id, const std::string& who);
 /// Shapes of a body that goes.
 void erase_shapes(World& world, BodyId body, const std::string& who);
 

@@ -128,7 +128,11 @@ BodyId add_body(World& world, const BodyDef& def) {
   world.motion_of(id) = Motion{};
   world.motion_of(id).q = frame;
   for (const PointDef& p : def.points) world.bodies[id].points.push_back(make_body_point(world, p, def.color, id));
-  for (const ShapeDef& shape : def.shapes) add_shape(world, id, shape);
+  const double denser = filling(def);
+  for (ShapeDef shape : def.shapes) {
+    shape.material.density *= denser;
+    add_shape(world, id, shape);
+  }
   update_mass(world, id);
   start(world, id, def, frame);
   touch(world, id);

@@ -33,6 +33,15 @@ struct Checker {
   }
 };
 
+/// Sensors weigh nothing beside others.
+std::vector<Filled> filled(const std::vector<ShapeDef>& shapes) {
+  const bool sensors = std::all_of(shapes.begin(), shapes.end(), [](const ShapeDef& s) { return s.sensor; });
+  std::vector<Filled> list;
+  for (const ShapeDef& s : shapes)
+    if (sensors || !s.sensor) list.push_back({s.geometry, s.at, s.orientation, s.material.density});
+  return list;
+}
+
 void require_restitution(const std::string& who, double restitution) {
   require(restitution >= 0.0 && restitution <= 1.0, who, ": restitution must be from 0 to 1, got ", restitution);
 }
@@ -54,33 +63,6 @@ ShapeId insert(World& world, const ShapeDef& def, BodyId body) {
   return world.shapes.add(std::move(row));
 }
 
-void erase(World& world, ShapeId id, const std::string& who) {
-  world.shapes.remove(id, {describe(world, id), world.time, who, 0});
-  world.places_changed = true;
-}
-
-/// Mass, centre and inertia about it of shapes filled with their density. Sensors weigh nothing beside others.
-OwnMass mass_of(std::vector<ShapeDef> shapes) {
-  const auto is_sensor = [](const ShapeDef& s) { return s.sensor; };
-  if (!std::all_of(shapes.begin(), shapes.end(), is_sensor)) std::erase_if(shapes, is_sensor);
-  OwnMass sum;
-  for (const ShapeDef& s : shapes) {
-    const SolidMass solid = solid_mass(s.geometry);
-    const double mass = solid.volume * s.material.density;
-    sum.mass += mass;
-    sum.position += (s.at + rotate(normalised(s.orientation), solid.centre)) * mass;
-  }
-  sum.position = sum.position / sum.mass;
-  for (const ShapeDef& s : shapes) {
-    const SolidMass solid = solid_mass(s.geometry);
-    const Mat3 R = matrix(normalised(s.orientation));
-    const Vec3 d = s.at + R * solid.centre - sum.position;
-    sum.inertia += times_transposed(R * solid.second, R) * s.material.density;
-    sum.inertia += (identity33() * norm2(d) - outer(d, d)) * (solid.volume * s.material.density);
-  }
-  return sum;
-}
-
 }  // namespace
 
 namespace internal {
@@ -99,12 +81,35 @@ void check_shape(const std::string& who, const ShapeDef& def, bool of_body) {
   require_finite(who, "surface_velocity", m.surface_velocity, "m/s");
 }
 
+OwnMass mass_of(std::span<const Filled> shapes) {
+  OwnMass sum;
+  for (const Filled& s : shapes) {
+    const SolidMass solid = solid_mass(s.geometry);
+    const double mass = solid.volume * s.density;
+    sum.mass += mass;
+    sum.position += (s.at + rotate(normalised(s.orientation), solid.centre)) * mass;
+  }
+  sum.position = sum.position / sum.mass;
+  for (const Filled& s : shapes) {
+    const SolidMass solid = solid_mass(s.geometry);
+    const Mat3 R = matrix(normalised(s.orientation));
+    const Vec3 d = s.at + R * solid.centre - sum.position;
+    sum.inertia += times_transposed(R * solid.second, R) * s.density;
+    sum.inertia += (identity33() * norm2(d) - outer(d, d)) * (solid.volume * s.density);
+  }
+  return sum;
+}
+
+double filling(const BodyDef& def) {
+  return def.mass > 0.0 && !def.shapes.empty() ? def.mass / mass_of(filled(def.shapes)).mass : 1.0;
+}
+
 OwnMass own_mass_of(const BodyDef& def) {
   if (def.shapes.empty()) return {def.mass, def.inertia, zero3()};
   const bool weighed =
       std::any_of(def.points.begin(), def.points.end(), [](const PointDef& p) { return p.mass > 0.0; });
   if (def.mass == 0.0 && weighed) return {0.0, def.inertia, zero3()};
-  OwnMass own = mass_of(def.shapes);
+  OwnMass own = mass_of(filled(def.shapes));
   if (def.mass > 0.0) {
     own.inertia = own.inertia * (def.mass / own.mass);
     own.mass = def.mass;
@@ -113,10 +118,15 @@ OwnMass own_mass_of(const BodyDef& def) {
   return own;
 }
 
+void erase_shape(World& world, ShapeId id, const std::string& who) {
+  if (const BodyId body = world.shapes[id].body) std::erase(world.bodies[body].shapes, id);
+  world.shapes.remove(id, {describe(world, id), world.time, who, 0});
+  world.places_changed = true;
+}
+
 void erase_shapes(World& world, BodyId body, const std::string& who) {
   const std::vector<ShapeId> shapes = world.bodies[body].shapes;
-  for (const ShapeId id : shapes) erase(world, id, who);
-  world.bodies[body].shapes.clear();
+  for (const ShapeId id : shapes) erase_shape(world, id, who);
 }
 
 }  // namespace internal
@@ -137,8 +147,7 @@ ShapeId add_shape(World& world, BodyId body, const ShapeDef& def) {
 
 void remove(World& world, ShapeId id) {
   require_unlocked(world, "remove");
-  if (const BodyId body = world.shapes[id].body) std::erase(world.bodies[body].shapes, id);
-  erase(world, id, culprit(world));
+  erase_shape(world, id, culprit(world));
   notice(world, Notice::Kind::removed, id, world.shapes.story(id));
 }
 

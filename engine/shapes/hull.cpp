@@ -207,6 +207,20 @@ std::shared_ptr<const Hull> make_hull(std::span<const Vec3> points) {
   return hull;
 }
 
+std::shared_ptr<const Hull> moved(const Hull& hull, Vec3 by) {
+  const auto copy = std::make_shared<Hull>(hull);
+  for (Vec3& v : copy->vertices) v += by;
+  for (Hull::Face& face : copy->faces) {
+    face.offset = -infinity;
+    for (std::uint32_t i = 0; i < face.count; i++)
+      face.offset = std::max(face.offset, dot(face.normal, copy->vertices[copy->loops[face.first + i]]));
+  }
+  copy->reach = 0.0;
+  set_packs(*copy);
+  set_extents(*copy);
+  return copy;
+}
+
 void set_triangle(Hull& hull, const std::array<Vec3, 3>& corner, Vec3 normal) {
   hull.vertices.assign(corner.begin(), corner.end());
   const double offset = dot(normal, corner[0]);

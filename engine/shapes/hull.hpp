@@ -30,6 +30,9 @@ std::uint32_t farthest(const Hull& hull, Vec3 direction);
 /// in a plane as good as: the volume is below 1e-12 of the cube of their extent.
 std::shared_ptr<const Hull> make_hull(std::span<const Vec3> points);
 
+/// The same hull, displaced in its own axes [m].
+std::shared_ptr<const Hull> moved(const Hull& hull, Vec3 by);
+
 /// A flat one of a triangle, its front the first face; what it had before goes, its storage stays.
 void set_triangle(Hull& hull, const std::array<Vec3, 3>& corner, Vec3 normal);
 

@@ -37,6 +37,12 @@ BodyDef body_def(const Structure& s, const BuildDef& def, const BuildPiece& piec
     body.mass = piece.spread.mass;
     body.inertia = piece.spread.inertia;
   }
+  if (piece.hull) {
+    body.shapes = {*def.hull};
+    body.shapes[0].geometry = moved(*piece.hull, -piece.spread.centre);
+    body.shapes[0].color = body.color;
+    body.inertia = zero33();  // the shape's
+  }
   if (piece.kind == Kind::rod) {
     const Vec3 whole = s.vertices[piece.vertices[1]] - s.vertices[piece.vertices[0]];
     body.orientation = along(whole);

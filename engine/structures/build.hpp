@@ -29,6 +29,9 @@ struct BuildDef {
   std::function<BuildAs(std::uint32_t)> vertices, edges, faces;
   double mass = 1.0;              ///< [kg] > 0 of all
   std::optional<MassIn> mass_in;  ///< not given: edges if articulated, faces of panels, else points
+  /// Rigid pieces touch others, each as the convex hull of its vertices with the material and the layer of this; where
+  /// `mass_in` is not given they are solid.
+  std::optional<ShapeDef> hull;
   BuildLaw edge, angle, torsion;  ///< on edges, pairs of edges that meet, and three in a row
   Vec3 at = zero3();              ///< [m] position of the structure's origin
   Vec3 velocity = zero3();        ///< [m/s]

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "base/check.hpp"
+#include "shapes/mass.hpp"
 #include "structures/molecule.hpp"
 
 namespace pantin {
@@ -37,6 +38,8 @@ void check(const Structure& s, const BuildDef& def) {
     require(norm(s.vertices[e[0]] - s.vertices[e[1]]) > 0.0, "build: vertices ", e[0] + 1, " and ", e[1] + 1,
             " have an edge between them and are at one position");
   const MassIn where = mass_in(def);
+  require(!def.hull || where == MassIn::points,
+          "build: with shape = \"hull\", mass_in is \"points\", or not given: then the hulls are solid");
   require(where == MassIn::points || is_whole(def, BuildAs::rigid) ||
               (where == MassIn::edges && is_whole(def, BuildAs::articulated)) ||
               (where == MassIn::faces && is_whole(def, BuildAs::panels)),
@@ -178,6 +181,24 @@ MassDistribution rod_spread(const Structure& s, const BuildPiece& rod, double ma
   return {mass, (a + b) / 2.0, diagonal(vec(0, moment, moment))};
 }
 
+/// Hulls of the rigid pieces, filled with what their vertices share.
+void add_hulls(BuildPlan& plan, const Structure& s, const BuildDef& def) {
+  for (std::size_t i = 0; i < plan.pieces.size(); i++) {
+    BuildPiece& piece = plan.pieces[i];
+    require(piece.kind == Kind::rigid, "build: shape = \"hull\" is of rigid parts; rods and plates have none");
+    std::vector<Vec3> corners;
+    for (std::uint32_t v : piece.vertices) corners.push_back(s.vertices[v]);
+    try {
+      piece.hull = make_hull(corners);
+    } catch (const Error& error) { throw Error(text("build: shape: rigid part ", i + 1, ": ", error.what())); }
+    if (def.mass_in) continue;
+    const double mass = piece.spread.mass;
+    const SolidMass solid = solid_mass(piece.hull);
+    piece.masses.clear();
+    piece.spread = {mass, solid.centre, solid.second * (mass / solid.volume)};
+  }
+}
+
 void weigh(BuildPlan& plan, const Structure& s, const BuildDef& def) {
   const MassIn where = mass_in(def);
   if (where == MassIn::points) {
@@ -222,6 +243,10 @@ BuildPlan plan_build(const Structure& s, const BuildDef& def) {
   plan.pieces_of.resize(s.vertices.size());
   add_pieces(plan, s, def, forms_of(s, def));
   weigh(plan, s, def);
+  if (def.hull) {
+    require(!plan.pieces.empty(), "build: shape = \"hull\" is of rigid parts, and there are none");
+    add_hulls(plan, s, def);
+  }
   return plan;
 }
 

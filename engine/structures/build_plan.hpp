@@ -1,8 +1,10 @@
 #pragma once
 // What a build is going to make, worked out before anything is made.
 #include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "shapes/hull.hpp"
 #include "structures/build.hpp"
 
 namespace pantin {
@@ -14,6 +16,7 @@ struct BuildPiece {
   std::vector<std::uint32_t> vertices;
   std::vector<double> masses;  ///< [kg] of its vertices; empty: they are anchors, and `spread` is the body's own
   MassDistribution spread;     ///< in the structure's frame; with `masses` its mass and centre alone
+  std::shared_ptr<const Hull> hull = nullptr;  ///< that it touches others with, in the structure's frame
 };
 
 struct BuildPlan {

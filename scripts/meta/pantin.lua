@@ -72,7 +72,7 @@ function quat_methods:inverse() end
 ---@field with? Body|Collider whose shape it is, or that stands in the world; nil: it is gone
 ---@field at vec [m] where they touch
 ---@field normal vec [1] away from the other
----@field force vec [N] on this body, the mean over the last step, or over its last sub-step where it had several
+---@field force vec [N] on this body, the mean over the last step
 ---@field depth number [m] by which they overlap; below 0: apart
 ---@field slip vec [m/s] with which its surface slides on the other's, that of belts included
 ---@field sensor boolean whether one of the two is a sensor, which pushes nothing
@@ -85,12 +85,6 @@ function quat_methods:inverse() end
 ---@field normal vec [1] from b to a
 ---@field impulse number [N s] along the normal, in the step in which they touched; of a sensor 0
 ---@field speed number [m/s] with which they neared each other at its start
-
---- What friction and impact took of two that touch, or, without a and b, of all of whom one was removed.
----@class ContactHeat
----@field a? Body
----@field b? Body|Collider a body, or what stands in the world
----@field heat number [J] since scene.contact_heat was read first; below 0: a moving surface gave. All together are what the ledger's line `contact` lost since then
 
 ---What a ray, a shape or a position meets.
 ---@class Hit
@@ -225,7 +219,6 @@ local AnySet = {}
 ---@field temperature number [K] relative to the common motion; in J while scene.boltzmann is 1 (read only)
 ---@field error Accuracy what is left open now, and the worst since the start (read only)
 ---@field ledger Ledger [J] where energy came from and went since the start; the first reading has all of it kept from the next step on (read only)
----@field contact_heat ContactHeat[] what friction and impact took, by who touches; the first reading has it kept from the next step on (read only)
 ---@field stats Stats counts since the start, and ns per phase (read only)
 ---@field log LogLine[] all that was logged (read only)
 ---@field timeline TimelineEntry[] events that ended, then those that wait: the latest and the next 1000 (read only)
@@ -269,7 +262,7 @@ function AnyScene:ray(options) end
 function AnyScene:cast(shape, from, to, filter) end
 ---What overlaps a convex shape at a position, the deepest first.
 ---```lua
----if #scene:overlap(shape.box(1, 1, 1), vec(0, 3, 0)) == 0 then scene:block { size = 1, at = vec(0, 3, 0) } end
+---if #scene:overlap(shape.box(1, 1, 1), vec(0, 3, 0)) == 0 then scene:box { size = 1, at = vec(0, 3, 0) } end
 ---```
 ---@param shape Shape
 ---@param at vec [m]
@@ -866,7 +859,6 @@ local Snapshot = {}
 ---@field accuracy_per string whether `accuracy` is that of a "second" or of a "step", as where a scene lasts microseconds (default `"second"`)
 ---@field integrator string "verlet" (2nd order), "implicit" (the same with connections of any stiffness), "suzuki4" (4th order, where nothing dissipates), "rk4" (4th order, no constraints), "euler" (1st order, semi-implicit; free particles as with "verlet") (default `"verlet"`)
 ---@field energy_return boolean give back what the velocity projection took (default `true`)
----@field contact string how what touches is solved: "exact" by Newton's search, however long it takes, "fast" by sweeps alone, which leave slips and loads unfinished, "auto" by the size and the motion of an island (default `"auto"`)
 ---@field box vec? [m] edges of the periodic box (default none: open space)
 ---@field plane string? "xy", "xz" or "yz": everything stays in that plane, and forces across it do nothing; set it before things are made (default none: in space)
 ---@field tolerance number [1] points of a new hinge may be this far apart, relative to the size of their bodies (default `1e-6`)
@@ -899,9 +891,16 @@ function Scene:body(options) end
 function Scene:ball(options) end
 ---Makes a rigid body that is a box, which touches.
 ---```lua
----local crate = scene:block { size = vec(1, 1, 1), at = vec(0, 3, 0), density = 300, friction = 0.4 }
+---local crate = scene:box { size = vec(1, 1, 1), at = vec(0, 3, 0), density = 300, friction = 0.4 }
 ---```
----@param options BlockOptions
+---@param options BoxOptions
+---@return Body
+function Scene:box(options) end
+---The same as scene:box.
+---```lua
+---local brick = scene:block { size = vec(0.2, 0.1, 0.1), at = vec(0, 4, 0) }
+---```
+---@param options BoxOptions
 ---@return Body
 function Scene:block(options) end
 ---Makes a rigid body that is a cylinder with round ends, which touches.
@@ -926,12 +925,13 @@ function Scene:cylinder(options) end
 ---@param b Body
 ---@return Body
 function Scene:merge(a, b) end
----Makes a body of its own of some of a body's points.
+---Makes a body of its own of some of a body's points, or of what of it is in front of a plane. Shapes go with the points that are in them, else with the nearest; a plane cuts boxes and hulls.
 ---```lua
 ---local corner = scene:split(block, block.points[1], block.points[2], block.points[3])
+---local top = scene:split(scene:box { size = 1, at = vec(0, 9, 0) }, { through = vec(0, 9, 0), normal = vec(1, 1, 0) })
 ---```
 ---@param body Body
----@param points Point|Point[]
+---@param points Point|Point[]|CuttingPlane
 ---@param ... Point
 ---@return Body
 function Scene:split(body, points, ...) end
@@ -942,13 +942,16 @@ function Scene:split(body, points, ...) end
 ---@param group Group
 ---@return Body
 function Scene:freeze(group) end
----Makes free particles of a body's points; those without mass are gone.
+---Makes free particles of a body's points; those without mass are gone. With `pieces`, it breaks a body of boxes and hulls into that many bodies, which move on as it did.
 ---```lua
 ---for _, piece in ipairs(scene:shatter(block)) do piece.color = "#f40" end
+---local plate = scene:box { size = vec(2, 0.1, 2), at = vec(0, 9, 0) }
+---scene:on("touched", plate, function(touch) scene:shatter(plate, { pieces = 30, at = touch.at }) end)
 ---```
 ---@param body Body
----@return Particle[]
-function Scene:shatter(body) end
+---@param options? ShatterOptions
+---@return Particle[]|Body[]
+function Scene:shatter(body, options) end
 ---Ties the particles of a group that are nearer than a distance and not tied yet.
 ---```lua
 ---scene:connect_within(group, 5, spring, { breaks_at = { length = 8 } })
@@ -1466,80 +1469,15 @@ function OpenedScene:restore(snapshot) end
 ---@field shapes? Shape[] several of them (default none)
 ---@field layer? string of those of its shapes that have none (default none)
 
----What shapes are made of, and what they touch.
----@class MaterialOptions
----@field density? number [kg/m³] of a body whose mass is not given (default `1000`)
----@field friction? number [1] of two that touch the root of the product counts (default `0.5`)
----@field restitution? number [1] 0 to 1; of two that touch the larger counts (default `0`)
----@field rolling? number [m] moment by normal force against rolling; of two that touch the larger counts (default `0`)
----@field spinning? number [m] moment by normal force against spinning on the spot; of two that touch the larger counts (default `0`)
----@field surface_velocity? vec [m/s] of its surface against its body, as of a belt (default `vec(0, 0, 0)`)
----@field layer? string that scene:collide speaks of; it exists once it is named (default the body's, or none)
----@field sensor? boolean tells what it touches, and pushes nothing; beside others it weighs nothing (default `false`)
+---A plane of the world.
+---@class CuttingPlane
+---@field through vec [m] a position in it
+---@field normal vec [1] towards what becomes a body of its own
 
----@class ShapeOptions: NameOptions, MaterialOptions
----@field at? vec [m] position in the frame of its body, or in the world (default `vec(0, 0, 0)`)
----@field orientation? quat turns it in that frame (default `quat(vec(0, 0, 1), 0)`)
----@field color? color (default the body's, or grey)
-
----@class BallSize
----@field radius number [m]
-
----Size, or x, y and z.
----@class BoxSize
----@field size? vec|number [m] its edges along the axes; a number is that of a cube (default none)
----@field x? number [m] (default none)
----@field y? number [m] (default none)
----@field z? number [m] (default none)
-
----Length, or from and to.
----@class CapsuleSize
----@field radius number [m] of its ends
----@field length? number [m] between the centres of its ends, along y (default none)
----@field from? vec [m] the centre of one end (default none)
----@field to? vec [m] that of the other (default none)
-
----@class CylinderSize
----@field radius number [m]
----@field length number [m]
----@field axis? vec [1] along which it is long (default `vec(0, 1, 0)`)
-
----@class BallShapeOptions: ShapeOptions, BallSize
-
----@class BoxShapeOptions: ShapeOptions, BoxSize
-
----@class CapsuleShapeOptions: ShapeOptions, CapsuleSize
-
----@class CylinderShapeOptions: ShapeOptions, CylinderSize
-
----@class HullShapeOptions: ShapeOptions
----@field points vec[]|Structure [m] four or more that are not in one plane; of a structure its vertices
-
----@class PolygonShapeOptions: ShapeOptions
----@field points vec[] [m] three or more, in the plane of x and y
----@field thickness? number [m] along z (default `1`)
-
----@class PlaneShapeOptions: ShapeOptions
----@field normal? vec [1] out of what is solid (default `vec(0, 1, 0)`)
----@field height? number [m] of the plane along its normal (default `0`)
-
----@class MeshShapeOptions: ShapeOptions
----@field vertices vec[]|Structure [m] positions; of a structure its faces count, too
----@field faces? integer[][] lists of three or more numbers of vertices, counter-clockwise seen from outside (default the structure's)
-
----@class HeightsShapeOptions: ShapeOptions
----@field columns integer of places along x
----@field rows integer of places along z
----@field spacing? number [m] between them, about the origin (default `1`)
----@field height number[]|fun(x: number, z: number): number [m] a list, row by row, or at a place
-
----@class BallOptions: AnyBodyOptions, MaterialOptions, BallSize
-
----@class BlockOptions: AnyBodyOptions, MaterialOptions, BoxSize
-
----@class CapsuleOptions: AnyBodyOptions, MaterialOptions, CapsuleSize
-
----@class CylinderOptions: AnyBodyOptions, MaterialOptions, CylinderSize
+---@class ShatterOptions
+---@field pieces integer bodies, 2 to 1000, and as many as the body has shapes
+---@field seed? integer of the random positions about which the pieces are (default `1`)
+---@field at? vec [m] in the world: pieces are smaller the nearer they are (default none: spread evenly)
 
 ---@class FloorOptions: NameOptions
 ---@field height? number [m] along its normal (default `0`)
@@ -1739,7 +1677,13 @@ function OpenedScene:restore(snapshot) end
 ---@field law? Law on edges that are not within a body (default none)
 ---@field laws? { edge?: Law, angle?: Law, torsion?: Law } instead: on edges, pairs of edges that meet, and three in a row (default none)
 ---@field mass? number [kg] of all (default `1`)
----@field mass_in? "points"|"edges"|"faces"|"solid" where it is (default edges if articulated, faces of panels, else points)
+---@field mass_in? "points"|"edges"|"faces"|"solid" where it is (default edges if articulated, faces of panels, the hulls of those that touch, else points)
+---@field shape? "hull" rigid parts touch others, each as the convex hull of its vertices (default none)
+---@field friction? number [1] of these, as of any shape (default `0.5`)
+---@field restitution? number [1] (default `0`)
+---@field rolling? number [m] (default `0`)
+---@field spinning? number [m] (default `0`)
+---@field layer? string that scene:collide speaks of (default none)
 ---@field at? vec [m] position of the structure's origin (default `vec(0, 0, 0)`)
 ---@field velocity? vec [m/s] (default `vec(0, 0, 0)`)
 ---@field family? Family of the particles (default none)
@@ -1791,6 +1735,91 @@ function OpenedScene:restore(snapshot) end
 ---@field vertices vec[] [m] positions
 ---@field edges? integer[][] pairs of numbers of vertices; those of faces need not be given (default `{}`)
 ---@field faces? integer[][] lists of numbers of vertices, counter-clockwise seen from outside (default `{}`)
+
+---What shapes are made of, and what they touch.
+---@class MaterialOptions
+---@field density? number [kg/m³] of a body whose mass is not given (default `1000`)
+---@field friction? number [1] of two that touch the root of the product counts (default `0.5`)
+---@field restitution? number [1] 0 to 1; of two that touch the larger counts (default `0`)
+---@field rolling? number [m] moment by normal force against rolling; of two that touch the larger counts (default `0`)
+---@field spinning? number [m] moment by normal force against spinning on the spot; of two that touch the larger counts (default `0`)
+---@field surface_velocity? vec [m/s] of its surface against its body, as of a belt (default `vec(0, 0, 0)`)
+---@field layer? string that scene:collide speaks of; it exists once it is named (default the body's, or none)
+---@field sensor? boolean tells what it touches, and pushes nothing; beside others it weighs nothing (default `false`)
+
+---@class ShapeOptions: NameOptions, MaterialOptions
+---@field at? vec [m] position in the frame of its body, or in the world (default `vec(0, 0, 0)`)
+---@field orientation? quat turns it in that frame (default `quat(vec(0, 0, 1), 0)`)
+---@field color? color (default the body's, or grey)
+
+---@class BallSize
+---@field radius number [m]
+
+---Size, or x, y and z.
+---@class BoxSize
+---@field size? vec|number [m] its edges along the axes; a number is that of a cube (default none)
+---@field x? number [m] (default none)
+---@field y? number [m] (default none)
+---@field z? number [m] (default none)
+
+---Length, or from and to.
+---@class CapsuleSize
+---@field radius number [m] of its ends
+---@field length? number [m] between the centres of its ends, along y (default none)
+---@field from? vec [m] the centre of one end (default none)
+---@field to? vec [m] that of the other (default none)
+
+---@class CylinderSize
+---@field radius number [m]
+---@field length number [m]
+---@field axis? vec [1] along which it is long (default `vec(0, 1, 0)`)
+
+---@class BallShapeOptions: ShapeOptions, BallSize
+
+---@class BoxShapeOptions: ShapeOptions, BoxSize
+
+---@class CapsuleShapeOptions: ShapeOptions, CapsuleSize
+
+---@class CylinderShapeOptions: ShapeOptions, CylinderSize
+
+---@class HullShapeOptions: ShapeOptions
+---@field points vec[]|Structure [m] four or more that are not in one plane; of a structure its vertices
+
+---@class PolygonShapeOptions: ShapeOptions
+---@field points vec[] [m] three or more, in the scene's plane, else in that of x and y
+---@field thickness? number [m] across that plane (default `1`)
+
+---@class LineShapeOptions: ShapeOptions
+---@field points vec[] [m] two or more, in the scene's plane, else in that of x and y
+---@field closed? boolean the last one is joined to the first (default `false`)
+---@field thickness? number [m] across that plane; what touches it may be deeper (default `2`)
+
+---@class PlaneShapeOptions: ShapeOptions
+---@field normal? vec [1] out of what is solid (default `vec(0, 1, 0)`)
+---@field height? number [m] of the plane along its normal (default `0`)
+
+---A file, or vertices and faces.
+---@class MeshShapeOptions: ShapeOptions, MeshFileOptions
+---@field file? string of the scene's folder or assets/meshes, a Wavefront .obj (default none)
+---@field vertices? vec[]|Structure [m] positions; of a structure its faces count, too (default none)
+---@field faces? integer[][] lists of three or more numbers of vertices, counter-clockwise seen from outside (default the structure's)
+
+---@class MeshFileOptions
+---@field scale? number [m] of the file's length 1 (default `1`)
+
+---@class HeightsShapeOptions: ShapeOptions
+---@field columns integer of places along x
+---@field rows integer of places along z
+---@field spacing? number [m] between them, about the origin (default `1`)
+---@field height number[]|fun(x: number, z: number): number [m] a list, row by row, or at a place
+
+---@class BallOptions: AnyBodyOptions, MaterialOptions, BallSize
+
+---@class BoxOptions: AnyBodyOptions, MaterialOptions, BoxSize
+
+---@class CapsuleOptions: AnyBodyOptions, MaterialOptions, CapsuleSize
+
+---@class CylinderOptions: AnyBodyOptions, MaterialOptions, CylinderSize
 
 ---A law: how particles pull at each other, or are pulled. It does not change.
 ---@class Law
@@ -2232,6 +2261,14 @@ function structure.lattice(options) end
 ---@param options? MoleculeOptions
 ---@return Structure
 function structure.molecule(file, options) end
+---Vertices and faces of a Wavefront .obj file in the scene's folder or assets/meshes; a notice tells of holes.
+---```lua
+---scene:ground { shape = shape.mesh(structure.mesh("bowl.obj", { scale = 0.5 })), at = vec(0, -9, 0) }
+---```
+---@param file string
+---@param options? MeshFileOptions
+---@return Structure
+function structure.mesh(file, options) end
 ---A structure of one's own; edges of faces need not be given.
 ---```lua
 ---local kite = structure.new { vertices = { vec(0, 0, 0), vec(1, 0, 0), vec(1, 1, 0) }, faces = { { 1, 2, 3 } } }
@@ -2288,7 +2325,7 @@ function shape.cylinder(radius, length, options) end
 ---@param options? HullShapeOptions
 ---@return Shape
 function shape.hull(points, options) end
----A plate whose outline is the convex hull of points in the plane of x and y; its middle is at z = 0.
+---A plate whose outline is the convex hull of points in the scene's plane, else in that of x and y, which is at half its thickness.
 ---```lua
 ---local wedge = shape.polygon { points = { vec(0, 0, 0), vec(2, 0, 0), vec(0, 1, 0) }, thickness = 0.5 }
 ---```
@@ -2297,6 +2334,14 @@ function shape.hull(points, options) end
 ---@param options? PolygonShapeOptions
 ---@return Shape
 function shape.polygon(points, thickness, options) end
+---A line through points in the scene's plane, else in that of x and y, and what lies before and behind it. Its front is on the left of who walks along it. It does not move, so no body can have it.
+---```lua
+---scene:ground { shape = shape.line({ vec(-5, -9, 0), vec(0, -9.5, 0), vec(5, -9, 0) }) }
+---```
+---@param points vec[]|LineShapeOptions [m]
+---@param options? LineShapeOptions
+---@return Shape
+function shape.line(points, options) end
 ---A plane, solid behind it. It does not move, so no body can have it.
 ---```lua
 ---scene:ground { shape = shape.plane { normal = vec(1, 0, 0), height = -9 } }

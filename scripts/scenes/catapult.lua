@@ -39,7 +39,7 @@ local arm = scene:body {
 }
 scene:nail(arm.left)
 scene:nail(arm.right)
-local load = scene:block { size = vec(0.8, 0.8, 0.9), mass = weight, at = arm.root.position - vec(0, 0.6, 0), color = "#4b5563",
+local load = scene:box { size = vec(0.8, 0.8, 0.9), mass = weight, at = arm.root.position - vec(0, 0.6, 0), color = "#4b5563",
                            points = { eye = vec(0, 0.6, 0) } }
 scene:hinge(arm.root, load.eye)
 local shot = scene:ball { radius = 0.17, mass = stone, friction = 0.5, color = "#374151", name = "stone",
@@ -51,7 +51,7 @@ scene:at(1, function() latch:remove() end)
 local colors = { "#b5533c", "#c9714f", "#d98e63" }
 for row = 0, 5 do
   for column = -2, 2 do
-    scene:block { size = vec(0.5, 0.5, 0.79), density = 150, at = vec(distance, 0.25 + 0.5 * row, 0.8 * column + 0.4 * (row % 2)),
+    scene:box { size = vec(0.5, 0.5, 0.79), density = 150, at = vec(distance, 0.25 + 0.5 * row, 0.8 * column + 0.4 * (row % 2)),
                   color = colors[(row + column) % 3 + 1] }
   end
 end

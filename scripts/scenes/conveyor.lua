@@ -30,7 +30,7 @@ local parcels = {}
 local function drop(height)
   local size = vec(some(0.25, 0.55), some(0.15, 0.4), some(0.25, 0.55))
   local side = quat(vec(0, 1, 0), math.random(0, 3) * math.pi / 2)
-  parcels[#parcels + 1] = scene:block {
+  parcels[#parcels + 1] = scene:box {
     size = size, density = 200, friction = 0.5, color = colors[#parcels % #colors + 1],
     at = side:rotate(vec(some(-1.2, 1.2), high + height, half - wide / 2)), orientation = quat(vec(0, 1, 0), some(0, 3)) }
 end

@@ -406,7 +406,7 @@ TEST_CASE("reload: what touches is not told again, layers are those of the file,
     return R"(
     scene:floor { name = "floor", layer = "floor" }
     local slab = scene:ground { shape = shape.box(1, 1, 1), at = vec(9, 0, 0) }
-    local box = scene:block { size = 1, at = vec(0, 0.5, 0), layer = "box", name = "box" }
+    local box = scene:box { size = 1, at = vec(0, 0.5, 0), layer = "box", name = "box" }
     scene:on("touched", function() end)
     scene:at(0.01, slab, function() slab:remove() end)
     )" + rule;
@@ -427,4 +427,32 @@ TEST_CASE("reload: what touches is not told again, layers are those of the file,
   played.save_and_look(text("scene:collide('box', 'floor', false)"));
   CHECK(told_in(60) == 0);
   CHECK(played.place("box")[1] < 0.4);
+}
+
+TEST_CASE(
+    "reload: bodies go on where they were, with the shapes and the masses of the new file; what shattered stays gone") {
+  const auto text = [](const std::string& options) {
+    return R"(
+    scene:floor {}
+    scene:box { size = 1, at = vec(0, 0.5, 0), velocity = vec(2, 0, 0), name = "box" })" +
+           options + R"(
+    local plate = scene:box { size = vec(1, 0.1, 1), at = vec(9, 5, 0), name = "plate" }
+    scene:at(0.05, plate, function() scene:shatter(plate, { pieces = 5 }) end)
+    )";
+  };
+  Played played(text(""));
+  played.steps(20);
+  CHECK(played.scene->world().bodies.size() == 6);
+  const Vec3 before = played.place("box");
+  CHECK(before[0] > 0.1);
+  played.save_and_look(text(R"(scene:find("box"):remove()
+    scene:capsule { radius = 0.5, length = 1, at = vec(0, 0.5, 0), name = "box", density = 10 })"));
+  World& world = played.scene->world();
+  CHECK(norm(played.place("box") - before) < 1e-12);
+  REQUIRE(world.bodies.size() == 1);
+  const Body& box = world.bodies[world.bodies.ids()[0]];
+  CHECK(std::holds_alternative<CapsuleShape>(world.shapes[box.shapes[0]].geometry));
+  CHECK(world.motion_of(world.bodies.ids()[0]).mass == Approx(10 * M_PI * (0.25 + 4.0 / 3.0 * 0.125)));
+  played.steps(240);
+  CHECK(std::fabs(played.place("box")[1]) < 2.0);
 }

@@ -135,6 +135,8 @@ void check_include(const Files& files, const std::string& path, const std::strin
   if (!target.empty() && !may_include(from, target)) wrong.push_back(path + " must not include " + target);
   if (name.starts_with("gemmi/") && path != "engine/structures/molecule_gemmi.cpp")
     wrong.push_back(path + " must not include " + name);
+  if (name == "tiny_obj_loader.h" && path != "engine/structures/mesh_file.cpp")
+    wrong.push_back(path + " must not include " + name);
   if (!target.empty()) return;
   for (const auto start : forbidden_in(from)) {
     if (name.starts_with(start)) wrong.push_back(path + " must not include " + name);

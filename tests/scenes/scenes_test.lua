@@ -148,3 +148,12 @@ test("marbles: they find their way down the rails and are put back", function()
   run:advance(25)
   expect(run:read "rounds"):above(7)
 end)
+
+test("plates: the ball breaks each, and no piece goes through the floor", function()
+  local plates = open("scenes/plates.lua", { plates = 2, pieces = 10 })
+  plates:advance(2)
+  expect(plates:read "broken plates"):equal(2)
+  expect(plates:read "bodies"):equal(21)
+  for _, body in ipairs(plates.bodies) do expect(body.position.y):above(0) end
+  expect(plates.error.energy):below(1e-3)
+end)

@@ -17,11 +17,11 @@ test("a ball has the mass of its volume and 2/5 m r²", function()
 end)
 
 test("a box has m/12 (b² + c²) about each axis, a cube's size may be a number", function()
-  local box = body_of "scene:block { size = vec(1, 2, 3) }"
+  local box = body_of "scene:box { size = vec(1, 2, 3) }"
   expect(box.mass):near(6000, 1e-9)
   expect(box.inertia):near(vec(4 + 9, 1 + 9, 1 + 4) * 500, 1e-9)
-  expect(body_of("scene:block { x = 1, y = 2, z = 3 }").inertia):near(box.inertia, 1e-9)
-  expect(body_of("scene:block { size = 2, density = 1 }").mass):near(8, 1e-12)
+  expect(body_of("scene:box { x = 1, y = 2, z = 3 }").inertia):near(box.inertia, 1e-9)
+  expect(body_of("scene:box { size = 2, density = 1 }").mass):near(8, 1e-12)
 end)
 
 test("a cylinder is along y, or along its axis", function()
@@ -133,7 +133,7 @@ end)
 
 test("friction and restitution of a body are those of its shapes", function()
   local scene = open_text [[
-    local box = scene:block { size = 1, friction = 0.2, name = "box" }
+    local box = scene:box { size = 1, friction = 0.2, name = "box" }
     assert(box.friction == 0.2 and box.restitution == 0)
     box.friction, box.restitution = 0.7, 0.5
     assert(not pcall(function() box.friction = -1 end))
@@ -148,7 +148,7 @@ end)
 test("a box at rest on a floor tells its contacts, whose forces bear its weight", function()
   local scene = open_text [[
     scene:floor { name = "floor" }
-    scene:block { size = vec(1, 0.5, 1), at = vec(0, 0.25, 0), name = "box" }
+    scene:box { size = vec(1, 0.5, 1), at = vec(0, 0.25, 0), name = "box" }
   ]]
   scene:advance(1)
   local box, sum = scene:find "box", vec(0, 0, 0)
@@ -169,8 +169,8 @@ end)
 test("one body on another: each tells the other, with opposite forces", function()
   local scene = open_text [[
     scene:floor { name = "floor" }
-    scene:block { size = 1, at = vec(0, 0.5, 0), name = "low" }
-    scene:block { size = 0.5, at = vec(0, 1.25, 0), name = "high" }
+    scene:box { size = 1, at = vec(0, 0.5, 0), name = "low" }
+    scene:box { size = 0.5, at = vec(0, 1.25, 0), name = "high" }
   ]]
   scene:advance(1)
   local low, high, force = scene:find "low", scene:find "high", vec(0, 0, 0)
@@ -183,4 +183,29 @@ test("one body on another: each tells the other, with opposite forces", function
     if contact.with ~= scene:find "floor" then force = force + contact.force end
   end
   expect(force):near(vec(0, 0, 0), 1e-9 * high.mass)
+end)
+
+test("scene:box makes a body, and scene.box is the edges of the periodic box, of none or of one", function()
+  local scene = open_text [[
+    assert(scene.box == nil)
+    scene:box { size = 1, name = "in open space" }
+    scene.box = vec(9, 9, 9)
+    scene:box { size = 2, at = vec(3, 0, 0), name = "in a box" }
+    scene:block { size = 1, at = vec(-3, 0, 0), name = "by its old name" }
+    assert(scene.box == vec(9, 9, 9))
+  ]]
+  expect(scene:find("in open space").mass):near(1000, 1e-9)
+  expect(scene:find("in a box").mass):near(8000, 1e-9)
+  expect(scene:find("by its old name").mass):near(1000, 1e-9)
+  for code, message in pairs {
+    ["scene:box { sise = 1 }"] = "box: unknown field 'sise'",
+    ["scene.box { size = 1 }"] = "attempt to call a nil value (field 'box')",
+    ["local f f(scene)"] = "attempt to call a nil value (local 'f')",
+    ["nowhere()"] = "attempt to call a nil value (global 'nowhere')",
+    ["local v = vec(1, 2, 3) v(scene)"] = "attempt to call a vec value (local 'v')",
+    ["local box box(scene, { size = 1 })"] = "attempt to call a nil value",
+  } do
+    expect(function() open_text("local x\n" .. code) end):fails("text.lua:2: ")
+    expect(function() open_text("local x\n" .. code) end):fails(message)
+  end
 end)

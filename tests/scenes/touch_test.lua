@@ -59,7 +59,7 @@ test("boxes that touch sideways in a pyramid stay, and the energy error of what 
   local scene = open_text [[
     scene:floor {}
     for row = 1, 10 do
-      for i = 1, 11 - row do scene:block { size = 1, mass = 1, at = vec(i + 0.5 * row, row - 0.5, 0), name = "b" .. row .. "_" .. i } end
+      for i = 1, 11 - row do scene:box { size = 1, mass = 1, at = vec(i + 0.5 * row, row - 0.5, 0), name = "b" .. row .. "_" .. i } end
     end
   ]]
   scene:advance(1)

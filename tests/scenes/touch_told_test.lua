@@ -6,8 +6,8 @@ end
 test("hinged bodies collide where the hinge says so, also later", function()
   local scene = open_text [[
     local function door(at)
-      local wall = scene:block { size = 1, at = at, mass = 1000, points = { head = vec(0.6, 0.6, 0) } }
-      local leaf = scene:block { size = 1, at = at + vec(1.2, 1.2, 0), points = { head = vec(-0.6, -0.6, 0) },
+      local wall = scene:box { size = 1, at = at, mass = 1000, points = { head = vec(0.6, 0.6, 0) } }
+      local leaf = scene:box { size = 1, at = at + vec(1.2, 1.2, 0), points = { head = vec(-0.6, -0.6, 0) },
         spin = vec(0, 0, -2), velocity = vec(1.2, -1.2, 0), mass = 1 }
       return leaf, wall, function(options) return scene:hinge(wall.head, leaf.head, options) end
     end
@@ -37,7 +37,7 @@ end)
 test("layers: of a body, a shape, a floor; who passes whom is said by scene:collide", function()
   local scene = open_text [[
     scene:floor { layer = "floor", name = "floor" }
-    scene:block { size = 1, at = vec(0, 0.5, 0), layer = "ghost", name = "ghost" }
+    scene:box { size = 1, at = vec(0, 0.5, 0), layer = "ghost", name = "ghost" }
     scene:body { shapes = { shape.box(1, 1, 1, { layer = "ghost" }), shape.ball(0.5, { at = vec(2, 0, 0) }) },
       layer = "car", at = vec(5, 0.5, 0), name = "both" }
     scene:collide("ghost", "floor", false)
@@ -59,7 +59,7 @@ end)
 test("layers go with snapshots, and a rule may be taken back", function()
   local scene = open_text [[
     scene:floor { layer = "floor" }
-    local crate = scene:block { size = 1, at = vec(0, 0.5, 0), layer = "crate", name = "crate" }
+    local crate = scene:box { size = 1, at = vec(0, 0.5, 0), layer = "crate", name = "crate" }
     scene:at(0.1, function() scene.store.before = 1 scene:collide("crate", "floor", false) end)
     scene:at(0.2, function() scene:collide("floor", "crate", true) end)
   ]]
@@ -78,7 +78,7 @@ end)
 test("a pair of layers has friction and restitution of its own", function()
   local scene = open_text [[
     scene:floor { layer = "ice" }
-    scene:block { size = 1, at = vec(0, 0.5, 0), velocity = vec(1, 0, 0), layer = "rubber", name = "box" }
+    scene:box { size = 1, at = vec(0, 0.5, 0), velocity = vec(1, 0, 0), layer = "rubber", name = "box" }
     scene:collide("ice", "rubber", { friction = 0.05, restitution = 0.3 })
   ]]
   scene:advance(3)
@@ -93,9 +93,9 @@ test("wrong layers and rules are told", function()
   fails("scene:collide('a', 'b', { friction = 0 / 0 })", "collide: friction must be a finite number, got NaN")
   fails("scene:collide('a', 'b', { restitution = 2 })", "collide: restitution must be from 0 to 1, got 2")
   fails("scene:collide('a', 'b', { fricton = 1 })", "collide: unknown field 'fricton'. Did you mean 'friction'?")
-  fails("scene:block { size = 1, layer = 3 }", "block: layer must be a string, got a number")
-  fails("scene:block { size = 1, layer = '' }", "block: layer must not be empty")
-  fails("scene:block { size = 1, sensor = 1 }", "block: sensor must be true or false, got a number")
+  fails("scene:box { size = 1, layer = 3 }", "box: layer must be a string, got a number")
+  fails("scene:box { size = 1, layer = '' }", "box: layer must not be empty")
+  fails("scene:box { size = 1, sensor = 1 }", "box: sensor must be true or false, got a number")
   fails("scene:body { mass = 1, inertia = vec(1, 1, 1), layer = 'a' }", "body: layer is of its shapes, and it has none")
   fails("scene:floor { size = 0 }", "floor: size must be > 0 m, got 0")
 end)
@@ -109,7 +109,7 @@ test("floors and ground are things with a material, which can be removed", funct
     assert(floor.friction == 0.9 and floor.restitution == 0.5 and floor.size == nil)
     local a, b = scene:ground { shapes = { shape.box(1, 1, 1), shape.ball(1, { at = vec(0, 5, 0), name = "b" }) } }
     assert(b.name == "b" and b.position == vec(0, 5, 0) and a ~= b)
-    scene:block { size = 1, at = vec(9, 0.5, 0), name = "box" }
+    scene:box { size = 1, at = vec(9, 0.5, 0), name = "box" }
     scene:at(0.1, function() floor:remove() end)
     scene:group "all":add(floor, a)
   ]]
@@ -222,7 +222,7 @@ end)
 test("a snapshot keeps who touches: what rests is not told again", function()
   local scene = open_text [[
     scene:floor {}
-    scene:block { size = 1, at = vec(0, 0.5, 0) }
+    scene:box { size = 1, at = vec(0, 0.5, 0) }
     scene.store.count = 0
     scene:on("touched", function() scene.store.count = scene.store.count + 1 scene:result("count", scene.store.count) end)
   ]]
@@ -237,7 +237,7 @@ end)
 test("a ray meets what is in its way, nearest first, also before the first step and after edits", function()
   local scene = open_text [[
     local floor = scene:floor {}
-    local low = scene:block { size = 1, at = vec(0, 0.5, 0), layer = "low" }
+    local low = scene:box { size = 1, at = vec(0, 0.5, 0), layer = "low" }
     local high = scene:ball { radius = 0.5, at = vec(0, 2.5, 0) }
     local function down(options)
       options.from, options.direction = vec(0, 5, 0), vec(0, -2, 0)
@@ -304,7 +304,7 @@ end)
 test("contacts tell how fast surfaces slide on each other, belts included", function()
   local scene = open_text [[
     scene:floor { surface_velocity = vec(0, 0, 2), friction = 0 }
-    scene:block { size = 1, at = vec(0, 0.5, 0), velocity = vec(3, 0, 0), friction = 0, name = "box" }
+    scene:box { size = 1, at = vec(0, 0.5, 0), velocity = vec(3, 0, 0), friction = 0, name = "box" }
   ]]
   scene:advance(0.2)
   local box = scene:find "box"

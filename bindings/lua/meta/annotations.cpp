@@ -128,7 +128,7 @@ std::string annotations() {
   out << annotations_head << alias_of_things();
   for (const Type* type : base_types()) write_type(out, *type);
   for (const Type* type : all_types()) write_type(out, *type);
-  out << annotations_options;
+  out << annotations_options << annotations_shapes;
   out << force_annotations();
   out << "structure = {}\n";
   for (const Method& maker : structure_makers()) write_method(out, "structure.", maker);

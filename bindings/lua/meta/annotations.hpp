@@ -12,6 +12,7 @@ std::string annotations();
 /// functions.
 extern const char* const annotations_head;
 extern const char* const annotations_options;
+extern const char* const annotations_shapes;
 extern const char* const annotations_tail;
 /// As a block of Lua within comments.
 void write_example(std::ostream& out, std::string_view example);

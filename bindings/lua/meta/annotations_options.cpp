@@ -71,80 +71,15 @@ const char* const annotations_options = R"(---@class NameOptions
 ---@field shapes? Shape[] several of them (default none)
 ---@field layer? string of those of its shapes that have none (default none)
 
----What shapes are made of, and what they touch.
----@class MaterialOptions
----@field density? number [kg/m³] of a body whose mass is not given (default `1000`)
----@field friction? number [1] of two that touch the root of the product counts (default `0.5`)
----@field restitution? number [1] 0 to 1; of two that touch the larger counts (default `0`)
----@field rolling? number [m] moment by normal force against rolling; of two that touch the larger counts (default `0`)
----@field spinning? number [m] moment by normal force against spinning on the spot; of two that touch the larger counts (default `0`)
----@field surface_velocity? vec [m/s] of its surface against its body, as of a belt (default `vec(0, 0, 0)`)
----@field layer? string that scene:collide speaks of; it exists once it is named (default the body's, or none)
----@field sensor? boolean tells what it touches, and pushes nothing; beside others it weighs nothing (default `false`)
+---A plane of the world.
+---@class CuttingPlane
+---@field through vec [m] a position in it
+---@field normal vec [1] towards what becomes a body of its own
 
----@class ShapeOptions: NameOptions, MaterialOptions
----@field at? vec [m] position in the frame of its body, or in the world (default `vec(0, 0, 0)`)
----@field orientation? quat turns it in that frame (default `quat(vec(0, 0, 1), 0)`)
----@field color? color (default the body's, or grey)
-
----@class BallSize
----@field radius number [m]
-
----Size, or x, y and z.
----@class BoxSize
----@field size? vec|number [m] its edges along the axes; a number is that of a cube (default none)
----@field x? number [m] (default none)
----@field y? number [m] (default none)
----@field z? number [m] (default none)
-
----Length, or from and to.
----@class CapsuleSize
----@field radius number [m] of its ends
----@field length? number [m] between the centres of its ends, along y (default none)
----@field from? vec [m] the centre of one end (default none)
----@field to? vec [m] that of the other (default none)
-
----@class CylinderSize
----@field radius number [m]
----@field length number [m]
----@field axis? vec [1] along which it is long (default `vec(0, 1, 0)`)
-
----@class BallShapeOptions: ShapeOptions, BallSize
-
----@class BoxShapeOptions: ShapeOptions, BoxSize
-
----@class CapsuleShapeOptions: ShapeOptions, CapsuleSize
-
----@class CylinderShapeOptions: ShapeOptions, CylinderSize
-
----@class HullShapeOptions: ShapeOptions
----@field points vec[]|Structure [m] four or more that are not in one plane; of a structure its vertices
-
----@class PolygonShapeOptions: ShapeOptions
----@field points vec[] [m] three or more, in the plane of x and y
----@field thickness? number [m] along z (default `1`)
-
----@class PlaneShapeOptions: ShapeOptions
----@field normal? vec [1] out of what is solid (default `vec(0, 1, 0)`)
----@field height? number [m] of the plane along its normal (default `0`)
-
----@class MeshShapeOptions: ShapeOptions
----@field vertices vec[]|Structure [m] positions; of a structure its faces count, too
----@field faces? integer[][] lists of three or more numbers of vertices, counter-clockwise seen from outside (default the structure's)
-
----@class HeightsShapeOptions: ShapeOptions
----@field columns integer of places along x
----@field rows integer of places along z
----@field spacing? number [m] between them, about the origin (default `1`)
----@field height number[]|fun(x: number, z: number): number [m] a list, row by row, or at a place
-
----@class BallOptions: AnyBodyOptions, MaterialOptions, BallSize
-
----@class BlockOptions: AnyBodyOptions, MaterialOptions, BoxSize
-
----@class CapsuleOptions: AnyBodyOptions, MaterialOptions, CapsuleSize
-
----@class CylinderOptions: AnyBodyOptions, MaterialOptions, CylinderSize
+---@class ShatterOptions
+---@field pieces integer bodies, 2 to 1000, and as many as the body has shapes
+---@field seed? integer of the random positions about which the pieces are (default `1`)
+---@field at? vec [m] in the world: pieces are smaller the nearer they are (default none: spread evenly)
 
 ---@class FloorOptions: NameOptions
 ---@field height? number [m] along its normal (default `0`)
@@ -344,7 +279,13 @@ const char* const annotations_options = R"(---@class NameOptions
 ---@field law? Law on edges that are not within a body (default none)
 ---@field laws? { edge?: Law, angle?: Law, torsion?: Law } instead: on edges, pairs of edges that meet, and three in a row (default none)
 ---@field mass? number [kg] of all (default `1`)
----@field mass_in? "points"|"edges"|"faces"|"solid" where it is (default edges if articulated, faces of panels, else points)
+---@field mass_in? "points"|"edges"|"faces"|"solid" where it is (default edges if articulated, faces of panels, the hulls of those that touch, else points)
+---@field shape? "hull" rigid parts touch others, each as the convex hull of its vertices (default none)
+---@field friction? number [1] of these, as of any shape (default `0.5`)
+---@field restitution? number [1] (default `0`)
+---@field rolling? number [m] (default `0`)
+---@field spinning? number [m] (default `0`)
+---@field layer? string that scene:collide speaks of (default none)
 ---@field at? vec [m] position of the structure's origin (default `vec(0, 0, 0)`)
 ---@field velocity? vec [m/s] (default `vec(0, 0, 0)`)
 ---@field family? Family of the particles (default none)

@@ -166,7 +166,7 @@ std::vector<Method> hit_methods() {
        "local hits = scene:cast(shape.ball(0.3), p.position, p.position + vec(0, -5, 0), { ignore = block })"},
       {"overlap", guard<scene_overlap>, "shape: Shape, at: vec [m], filter?: HitFilter", "Hit[]",
        "What overlaps a convex shape at a position, the deepest first.",
-       "if #scene:overlap(shape.box(1, 1, 1), vec(0, 3, 0)) == 0 then scene:block { size = 1, at = vec(0, 3, 0) } end"},
+       "if #scene:overlap(shape.box(1, 1, 1), vec(0, 3, 0)) == 0 then scene:box { size = 1, at = vec(0, 3, 0) } end"},
       {"inside", guard<scene_inside>, "at: vec [m], filter?: HitFilter", "Hit[]",
        "What a position is inside of, the oldest first. A mesh has no inside.",
        "for _, hit in ipairs(scene:inside(p.position)) do print(hit.body) end"},

@@ -1,6 +1,7 @@
 // `scene`: the table of all that it can do.
 #include "lua/scene/scene_type.hpp"
 #include "edit/edit.hpp"
+#include "lua/scene/box_call.hpp"
 #include "lua/scene/choreography.hpp"
 #include "lua/scene/events.hpp"
 #include "lua/scene/parameters.hpp"
@@ -54,12 +55,11 @@ int scene_body(lua_State* state) {
 
 int make_solid(lua_State* state, const char* kind, const char* call) {
   const Self self = check_self(state, Kind::scene, call);
-  push_thing(state, self.script, add_body(self.world, solid_def(state, 2, kind, call)));
+  push_thing(state, self.script, add_body(self.world, solid_def(self.script, state, 2, kind, call)));
   return 1;
 }
 int scene_ball(lua_State* state) { return make_solid(state, "ball", "ball"); }
-// `scene.box` is the edges of the periodic box.
-int scene_block(lua_State* state) { return make_solid(state, "box", "block"); }
+int scene_box(lua_State* state) { return make_solid(state, "box", "box"); }
 int scene_capsule(lua_State* state) { return make_solid(state, "capsule", "capsule"); }
 int scene_cylinder(lua_State* state) { return make_solid(state, "cylinder", "cylinder"); }
 
@@ -105,8 +105,10 @@ std::vector<Method> making() {
        "  points = { left = { at = vec(-1, 0, 0), mass = 1 }, right = { at = vec(1, 0, 0), mass = 1 } } }"},
       {"ball", guard<scene_ball>, "options: BallOptions", "Body", "Makes a rigid body that is a ball, which touches.",
        "local ball = scene:ball { radius = 0.2, at = vec(0, 2, 0), velocity = vec(3, 0, 0), restitution = 0.7 }"},
-      {"block", guard<scene_block>, "options: BlockOptions", "Body", "Makes a rigid body that is a box, which touches.",
-       "local crate = scene:block { size = vec(1, 1, 1), at = vec(0, 3, 0), density = 300, friction = 0.4 }"},
+      {"box", guard<scene_box>, "options: BoxOptions", "Body", "Makes a rigid body that is a box, which touches.",
+       "local crate = scene:box { size = vec(1, 1, 1), at = vec(0, 3, 0), density = 300, friction = 0.4 }"},
+      {"block", guard<scene_box>, "options: BoxOptions", "Body", "The same as scene:box.",
+       "local brick = scene:block { size = vec(0.2, 0.1, 0.1), at = vec(0, 4, 0) }"},
       {"capsule", guard<scene_capsule>, "options: CapsuleOptions", "Body",
        "Makes a rigid body that is a cylinder with round ends, which touches.",
        "local pill = scene:capsule { radius = 0.2, length = 0.5, at = vec(0, 2, 0) }"},
@@ -115,15 +117,23 @@ std::vector<Method> making() {
        "local wheel = scene:cylinder { radius = 0.5, length = 0.1, axis = vec(0, 0, 1), at = vec(0, 2, 0) }"},
       {"merge", guard<scene_merge>, "a: Body, b: Body", "Body",
        "a lives on with b's points, which stay valid; b is gone.", "local both = scene:merge(arm, block)"},
-      {"split", guard<scene_split>, "body: Body, points: Point|Point[], ...: Point", "Body",
-       "Makes a body of its own of some of a body's points.",
-       "local corner = scene:split(block, block.points[1], block.points[2], block.points[3])"},
+      {"split", guard<scene_split>, "body: Body, points: Point|Point[]|CuttingPlane, ...: Point", "Body",
+       "Makes a body of its own of some of a body's points, or of what of it is in front of a plane. Shapes go with "
+       "the "
+       "points that are in them, else with the nearest; a plane cuts boxes and hulls.",
+       "local corner = scene:split(block, block.points[1], block.points[2], block.points[3])\n"
+       "local top = scene:split(scene:box { size = 1, at = vec(0, 9, 0) }, { through = vec(0, 9, 0), normal = vec(1, "
+       "1, "
+       "0) })"},
       {"freeze", guard<scene_freeze>, "group: Group", "Body",
        "Makes one body of the free particles and the bodies of a group.",
        "local lump = scene:freeze(scene:group(\"to be one\"):add(p, q, block))"},
-      {"shatter", guard<scene_shatter>, "body: Body", "Particle[]",
-       "Makes free particles of a body's points; those without mass are gone.",
-       "for _, piece in ipairs(scene:shatter(block)) do piece.color = \"#f40\" end"},
+      {"shatter", guard<scene_shatter>, "body: Body, options?: ShatterOptions", "Particle[]|Body[]",
+       "Makes free particles of a body's points; those without mass are gone. With `pieces`, it breaks a body of boxes "
+       "and hulls into that many bodies, which move on as it did.",
+       "for _, piece in ipairs(scene:shatter(block)) do piece.color = \"#f40\" end\n"
+       "local plate = scene:box { size = vec(2, 0.1, 2), at = vec(0, 9, 0) }\n"
+       "scene:on(\"touched\", plate, function(touch) scene:shatter(plate, { pieces = 30, at = touch.at }) end)"},
       {"connect_within", guard<scene_connect_within>,
        "group: Group, distance: number [m], law: Law, options?: ConnectOptions", "Connection[]",
        "Ties the particles of a group that are nearer than a distance and not tied yet.",
@@ -347,6 +357,7 @@ void push_store(lua_State* state, Script& script) {
 void open_globals(lua_State* state, Script& script) {
   push_ref(state, make_ref(script, Kind::scene, 1, 1, 1));
   lua_setglobal(state, "scene");
+  let_box_be_called(state, guard<scene_box>);
   open_structures(state, script);
   open_shapes(state, script);
 }

@@ -11,7 +11,7 @@ namespace {
 
 int scene_floor(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "floor");
-  push_thing(state, self.script, add_shape(self.world, floor_def(state, 2)));
+  push_thing(state, self.script, add_shape(self.world, floor_def(self.script, state, 2)));
   return 1;
 }
 

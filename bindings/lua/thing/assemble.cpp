@@ -1,5 +1,7 @@
 #include "lua/thing/assemble.hpp"
 
+#include <cmath>
+
 #include "edit/assemble.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/force_element_options.hpp"
@@ -30,6 +32,26 @@ std::vector<PointId> check_points(lua_State* state, int index, const char* call)
   return points;
 }
 
+/// Whether a table has keys that are texts.
+bool has_names(lua_State* state, int table) {
+  bool found = false;
+  lua_pushnil(state);
+  while (lua_next(state, table)) {
+    found = found || lua_type(state, -2) == LUA_TSTRING;
+    lua_pop(state, 1);
+  }
+  return found;
+}
+
+/// A whole number >= 0 that a double holds exactly.
+std::optional<std::uint64_t> whole(const Options& o, const char* name) {
+  const auto given = o.number(name, "");
+  if (!given) return {};
+  require(*given >= 0.0 && *given <= 9007199254740992.0 && std::trunc(*given) == *given, o.what(), ": ", name,
+          " must be a whole number >= 0, got ", *given);
+  return static_cast<std::uint64_t>(*given);
+}
+
 GroupId group_of(const Self& self) { return self.ref.id<GroupId>(); }
 
 }  // namespace
@@ -45,6 +67,13 @@ int scene_merge(lua_State* state) {
 int scene_split(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "split");
   const BodyId body = check_body(state, 2, "split", argument(1));
+  if (lua_istable(state, 3) && has_names(state, 3)) {
+    const Options o(state, 3, "split", {"through", "normal"});
+    const auto through = o.vector("through", "m"), normal = o.vector("normal", "");
+    require(through && normal, "split: a plane needs both, { through = vec [m], normal = vec }");
+    push_thing(state, self.script, split(self.world, body, *through, *normal));
+    return 1;
+  }
   push_thing(state, self.script, split(self.world, body, check_points(state, 3, "split")));
   return 1;
 }
@@ -58,7 +87,20 @@ int scene_freeze(lua_State* state) {
 
 int scene_shatter(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "shatter");
-  push_list(state, self.script, shatter(self.world, check_body(state, 2, "shatter", argument(1))));
+  const BodyId body = check_body(state, 2, "shatter", argument(1));
+  if (lua_isnoneornil(state, 3)) {
+    push_list(state, self.script, shatter(self.world, body));
+    return 1;
+  }
+  const Options o(state, 3, "shatter", {"pieces", "seed", "at"});
+  ShatterDef def;
+  const auto pieces = whole(o, "pieces");
+  require(pieces.has_value(),
+          "shatter: needs pieces, the number of bodies; without a table the body's points become particles");
+  def.pieces = *pieces;
+  def.seed = whole(o, "seed").value_or(def.seed);
+  def.at = o.vector("at", "m");
+  push_list(state, self.script, shatter(self.world, body, def));
   return 1;
 }
 

@@ -127,11 +127,11 @@ BodyDef body_def(lua_State* state, int index) {
   return def;
 }
 
-BodyDef solid_def(lua_State* state, int index, const char* name, const char* call) {
+BodyDef solid_def(Script& script, lua_State* state, int index, const char* name, const char* call) {
   const ShapeKind& kind = shape_kind(name);
   const Options o(state, index, call, with_names(with_names(kind.sizes, material_options()), body_options()));
   BodyDef def = body_of(o);
-  def.shapes = {shape_of_sizes(kind, o).def};
+  def.shapes = {shape_of_sizes(script, kind, o).def};
   def.shapes[0].color = def.color;
   return def;
 }

@@ -6,6 +6,7 @@
 #include "lua/thing/fields.hpp"
 #include "lua/thing/force_element_options.hpp"
 #include "lua/thing/script.hpp"
+#include "lua/thing/shape_options.hpp"
 #include "lua/thing/structure_type.hpp"
 #include "lua/thing/targets.hpp"
 #include "lua/value/arguments.hpp"
@@ -108,6 +109,18 @@ BuildLaws read_laws(const Self& self, const Options& o, BuildDef& def) {
   return laws;
 }
 
+std::optional<ShapeDef> read_hull(const Options& o) {
+  const auto shape = o.string("shape");
+  require(!shape || *shape == "hull", "build: shape must be \"hull\", got \"", shape.value_or(""), "\"");
+  for (const char* name : {"friction", "restitution", "rolling", "spinning", "layer"})
+    require(shape || !o.has(name), "build: ", name, " is of shapes, and there are none; give shape = \"hull\"");
+  if (!shape) return {};
+  ShapeDef def;
+  def.material = material_of(o);
+  def.layer = layer_option(o);
+  return def;
+}
+
 /// Laws that nothing obeys, and particles that no law ties, are told of.
 void tell_of_laws(World& world, const Structure& structure, const BuildDef& def, bool with_laws) {
   if (def.vertices || def.edges || def.faces) return;
@@ -123,9 +136,9 @@ void tell_of_laws(World& world, const Structure& structure, const BuildDef& def,
 int scene_build(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "build");
   const Structure& structure = check_structure(state, 2, "build", argument(1));
-  const Options o(
-      state, 3, "build",
-      {"as", "law", "laws", "mass", "mass_in", "at", "velocity", "family", "color", "radius", "axis", "name"});
+  const Options o(state, 3, "build",
+                  {"as", "law", "laws", "mass", "mass_in", "at", "velocity", "family", "color", "radius", "axis",
+                   "name", "shape", "friction", "restitution", "rolling", "spinning", "layer"});
   require(o.has("as"), "build: needs as = \"deformable\", \"rigid\", \"articulated\" or \"panels\"");
   BuildDef def;
   if (o.has("family")) {
@@ -144,6 +157,7 @@ int scene_build(lua_State* state) {
   def.radius = o.number("radius", "m");
   def.axis = o.vector("axis", "");
   def.name = o.string("name").value_or("");
+  def.hull = read_hull(o);
   read_as(o, structure, def);
   const Built built = build(self.world, structure, def);
   tell_of_laws(self.world, structure, def, !laws.read.empty());

@@ -163,13 +163,14 @@ void push_metatable(lua_State* state, const Type& type) {
   lua_pop(state, 1);
   lua_newtable(state);
   lua_newtable(state);
-  for (const Field& field : type.fields) {
-    lua_pushlightuserdata(state, const_cast<Field*>(&field));
-    lua_setfield(state, -2, field.name);
-  }
   for (const Method& method : type.methods) {
     lua_pushcfunction(state, method.function);
     lua_setfield(state, -2, method.name);
+  }
+  // A name that both a field and a method have reads as the field, see box_call.hpp.
+  for (const Field& field : type.fields) {
+    lua_pushlightuserdata(state, const_cast<Field*>(&field));
+    lua_setfield(state, -2, field.name);
   }
   const auto add = [&](const char* name, lua_CFunction function) {
     lua_pushvalue(state, -1);

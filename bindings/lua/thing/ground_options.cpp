@@ -30,12 +30,12 @@ std::vector<ShapeDef> shape_options(const Options& o, const Color& color) {
   return defs;
 }
 
-ShapeDef floor_def(lua_State* state, int index) {
+ShapeDef floor_def(Script& script, lua_State* state, int index) {
   const ShapeKind& kind = shape_kind("plane");
   const Options o(state, index, "floor",
                   with_names(kind.sizes, {"friction", "restitution", "rolling", "spinning", "surface_velocity", "layer",
                                           "sensor", "size", "color", "name"}));
-  ShapeDef def = shape_of_sizes(kind, o).def;
+  ShapeDef def = shape_of_sizes(script, kind, o).def;
   def.color = o.color("color").value_or(def.color);
   def.name = o.string("name").value_or("");
   def.extent = o.number("size", "m");

@@ -8,10 +8,12 @@
 
 namespace pantin::lua {
 
+struct Script;
+
 /// `shape`, or the list `shapes`; those without a colour have this one, those without a layer that of the options.
 std::vector<ShapeDef> shape_options(const Options& options, const Color& color);
 /// `{ height, normal, friction, restitution, rolling, spinning, surface_velocity, layer, sensor, size, color, name }`.
-ShapeDef floor_def(lua_State* state, int index);
+ShapeDef floor_def(Script& script, lua_State* state, int index);
 /// `{ shape, shapes, at, orientation, color, layer }`.
 std::vector<ShapeDef> ground_defs(lua_State* state, int index);
 

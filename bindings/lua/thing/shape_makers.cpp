@@ -55,7 +55,7 @@ void name_arguments(lua_State* state, const ShapeKind& kind) {
 int make(lua_State* state, const char* name) {
   const ShapeKind& kind = shape_kind(name);
   name_arguments(state, kind);
-  push_shape(state, script_of(state), shape_at(kind, state, 1));
+  push_shape(state, script_of(state), shape_at(script_of(state), kind, state, 1));
   return 1;
 }
 
@@ -65,6 +65,7 @@ int capsule(lua_State* state) { return make(state, "capsule"); }
 int cylinder(lua_State* state) { return make(state, "cylinder"); }
 int hull(lua_State* state) { return make(state, "hull"); }
 int polygon(lua_State* state) { return make(state, "polygon"); }
+int line(lua_State* state) { return make(state, "line"); }
 int plane(lua_State* state) { return make(state, "plane"); }
 int mesh(lua_State* state) { return make(state, "mesh"); }
 int heights(lua_State* state) { return make(state, "heights"); }
@@ -100,8 +101,14 @@ std::vector<Method> make_all() {
        "local die = shape.hull(structure.dodecahedron { edge = 0.2 }, { friction = 0.3 })"},
       {"polygon", guard<polygon>,
        "points: vec[]|PolygonShapeOptions [m], thickness?: number [m], options?: PolygonShapeOptions", "Shape",
-       "A plate whose outline is the convex hull of points in the plane of x and y; its middle is at z = 0.",
+       "A plate whose outline is the convex hull of points in the scene's plane, else in that of x and y, which is at "
+       "half its thickness.",
        "local wedge = shape.polygon { points = { vec(0, 0, 0), vec(2, 0, 0), vec(0, 1, 0) }, thickness = 0.5 }"},
+      {"line", guard<line>, "points: vec[]|LineShapeOptions [m], options?: LineShapeOptions", "Shape",
+       "A line through points in the scene's plane, else in that of x and y, and what lies before and behind it. Its "
+       "front "
+       "is on the left of who walks along it. It does not move, so no body can have it.",
+       "scene:ground { shape = shape.line({ vec(-5, -9, 0), vec(0, -9.5, 0), vec(5, -9, 0) }) }"},
       {"plane", guard<plane>, "options?: PlaneShapeOptions", "Shape",
        "A plane, solid behind it. It does not move, so no body can have it.",
        "scene:ground { shape = shape.plane { normal = vec(1, 0, 0), height = -9 } }"},

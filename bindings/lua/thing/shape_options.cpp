@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "lua/thing/script.hpp"
 #include "lua/thing/structure_type.hpp"
 #include "lua/value/tostring.hpp"
 #include "lua/value/values.hpp"
@@ -41,9 +42,9 @@ Vec3 axis_of(const Options& o, const char* name) {
   return direction(given);
 }
 
-void read_ball(const Options& o, ShapeDef& def) { def.geometry = BallShape{needed(o, "radius")}; }
+void read_ball(Script&, const Options& o, ShapeDef& def) { def.geometry = BallShape{needed(o, "radius")}; }
 
-void read_box(const Options& o, ShapeDef& def) {
+void read_box(Script&, const Options& o, ShapeDef& def) {
   Vec3 size = zero3();
   if (o.has("size")) {
     require(!o.has("x") && !o.has("y") && !o.has("z"), o.what(), ": takes size, or x, y and z, not both");
@@ -63,7 +64,7 @@ void read_box(const Options& o, ShapeDef& def) {
   def.geometry = BoxShape{size * 0.5};
 }
 
-void read_capsule(const Options& o, ShapeDef& def) {
+void read_capsule(Script&, const Options& o, ShapeDef& def) {
   const double radius = needed(o, "radius");
   if (!o.has("from") && !o.has("to")) {
     def.geometry = CapsuleShape{radius, 0.5 * needed(o, "length")};
@@ -78,7 +79,7 @@ void read_capsule(const Options& o, ShapeDef& def) {
   def.orientation = turn_to(direction(way));
 }
 
-void read_cylinder(const Options& o, ShapeDef& def) {
+void read_cylinder(Script&, const Options& o, ShapeDef& def) {
   def.geometry = CylinderShape{needed(o, "radius"), 0.5 * needed(o, "length")};
   def.orientation = turn_to(axis_of(o, "axis"));
 }
@@ -112,25 +113,63 @@ std::vector<Vec3> positions(const Options& o, const char* name, const char* one)
   return list;
 }
 
-void read_hull(const Options& o, ShapeDef& def) {
+void read_hull(Script&, const Options& o, ShapeDef& def) {
   const std::vector<Vec3> points = positions(o, "points", "point");
   def.geometry = checked(o, "points", [&] { return make_hull(points); });
 }
 
-void read_polygon(const Options& o, ShapeDef& def) {
-  const std::vector<Vec3> outline = positions(o, "points", "point");
+/// Which axis polygons and lines have no part of: that across the scene's plane, else z.
+int flat_axis(const Script& script) { return script.world.plane.flat() ? script.world.plane.normal : 2; }
+
+/// Positions in the scene's plane, else in that of x and y.
+std::vector<Vec3> flat_positions(const Script& script, const Options& o) {
+  const std::vector<Vec3> list = positions(o, "points", "point");
+  const int axis = flat_axis(script);
+  for (std::size_t i = 0; i < list.size(); i++)
+    require(list[i][axis] == 0.0, o.what(), ": point ", i + 1, " must lie in the plane of ", axis == 0 ? "y" : "x",
+            " and ", axis == 2 ? "y" : "z", ", got ",
+            axis == 0   ? "x"
+            : axis == 1 ? "y"
+                        : "z",
+            " = ", list[i][axis], " m");
+  return list;
+}
+
+void read_polygon(Script& script, const Options& o, ShapeDef& def) {
+  const std::vector<Vec3> outline = flat_positions(script, o);
   const double thickness = o.has("thickness") ? needed(o, "thickness") : 1.0;
-  std::vector<Vec3> corners;
-  for (std::size_t i = 0; i < outline.size(); i++) {
-    require(outline[i][2] == 0.0, o.what(), ": point ", i + 1,
-            " must lie in the plane of x and y, got z = ", outline[i][2], " m");
-    for (const double side : {-0.5, 0.5}) corners.push_back(outline[i] + vec(0, 0, side * thickness));
-  }
   require(outline.size() >= 3, o.what(), ": points must be 3 or more, got ", outline.size());
+  Vec3 side = zero3();
+  side[flat_axis(script)] = 0.5 * thickness;
+  std::vector<Vec3> corners;
+  for (const Vec3 at : outline) corners.insert(corners.end(), {at - side, at + side});
   def.geometry = checked(o, "points", [&] { return make_hull(corners); });
 }
 
-void read_plane(const Options& o, ShapeDef& def) {
+void read_line(Script& script, const Options& o, ShapeDef& def) {
+  const std::vector<Vec3> points = flat_positions(script, o);
+  const double thickness = o.has("thickness") ? needed(o, "thickness") : 2.0;
+  const bool closed = o.boolean("closed").value_or(false);
+  const std::size_t least = closed ? 3 : 2;
+  require(points.size() >= least, o.what(), ": points must be ", least, " or more, got ", points.size());
+  const int axis = flat_axis(script);
+  Vec3 side = zero3();
+  side[axis] = 0.5 * thickness;
+  if (axis == 1) side = -side;  // x, z and y are left-handed
+  std::vector<Vec3> corners;
+  for (const Vec3 at : points) corners.insert(corners.end(), {at - side, at + side});
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  const auto count = static_cast<std::uint32_t>(points.size());
+  for (std::uint32_t i = 0; i + (closed ? 0 : 1) < count; i++) {
+    const std::uint32_t a = 2 * i, b = 2 * ((i + 1) % count);
+    require(norm(points[(i + 1) % count] - points[i]) > 0.0, o.what(), ": points ", i + 1, " and ", (i + 1) % count + 1,
+            " are at one position");
+    triangles.insert(triangles.end(), {{a, a + 1, b}, {a + 1, b + 1, b}});
+  }
+  def.geometry = checked(o, "points", [&] { return make_mesh(std::move(corners), triangles); });
+}
+
+void read_plane(Script&, const Options& o, ShapeDef& def) {
   const Vec3 normal = axis_of(o, "normal");
   def.geometry = HalfSpaceShape{};
   def.at = normal * o.number("height", "m").value_or(0.0);
@@ -175,9 +214,19 @@ std::vector<Triangle> read_faces(const Options& o, std::size_t vertices) {
   return triangles;
 }
 
-void read_mesh(const Options& o, ShapeDef& def) {
-  std::vector<Vec3> vertices = positions(o, "vertices", "vertex");
-  const std::vector<Triangle> triangles = read_faces(o, vertices.size());
+void read_mesh(Script& script, const Options& o, ShapeDef& def) {
+  std::vector<Vec3> vertices;
+  std::vector<Triangle> triangles;
+  if (o.has("file")) {
+    require(!o.has("vertices") && !o.has("faces"), o.what(), ": takes file, or vertices and faces, not both");
+    Structure read = mesh_of_file(o.state(), script, *o.string("file"), o.number("scale", "").value_or(1.0));
+    vertices = std::move(read.vertices);
+    for (const StructureFace& face : read.faces) cut_face(face, triangles);
+  } else {
+    require(!o.has("scale"), o.what(), ": scale is of a file");
+    vertices = positions(o, "vertices", "vertex");
+    triangles = read_faces(o, vertices.size());
+  }
   def.geometry = checked(o, "faces", [&] { return make_mesh(std::move(vertices), triangles); });
 }
 
@@ -217,7 +266,7 @@ std::vector<double> read_height(const Options& o, std::uint32_t columns, std::ui
   return heights;
 }
 
-void read_heights(const Options& o, ShapeDef& def) {
+void read_heights(Script&, const Options& o, ShapeDef& def) {
   const std::uint32_t columns = count_of(o, "columns"), rows = count_of(o, "rows");
   require(static_cast<double>(columns) * rows <= most_heights, o.what(), ": columns x rows must be at most ",
           most_heights, ", got ", static_cast<double>(columns) * rows);
@@ -236,8 +285,9 @@ const std::vector<ShapeKind>& shape_kinds() {
       {"cylinder", {"radius", "length", "axis"}, {"radius", "length"}, read_cylinder},
       {"hull", {"points"}, {"points"}, read_hull},
       {"polygon", {"points", "thickness"}, {"points", "thickness"}, read_polygon},
+      {"line", {"points", "closed", "thickness"}, {"points"}, read_line},
       {"plane", {"normal", "height"}, {}, read_plane},
-      {"mesh", {"vertices", "faces"}, {"vertices", "faces"}, read_mesh},
+      {"mesh", {"vertices", "faces", "file", "scale"}, {"vertices", "faces"}, read_mesh},
       {"heights", {"columns", "rows", "spacing", "height"}, {}, read_heights},
   };
   return all;
@@ -278,9 +328,9 @@ std::string layer_option(const Options& o) {
   return layer.value_or("");
 }
 
-ShapeValue shape_of_sizes(const ShapeKind& kind, const Options& o) {
+ShapeValue shape_of_sizes(Script& script, const ShapeKind& kind, const Options& o) {
   ShapeValue value{kind.name, {}, {}};
-  kind.read(o, value.def);
+  kind.read(script, o, value.def);
   value.def.material = material_of(o);
   value.def.layer = layer_option(o);
   value.def.sensor = o.boolean("sensor").value_or(false);
@@ -290,11 +340,11 @@ ShapeValue shape_of_sizes(const ShapeKind& kind, const Options& o) {
   return value;
 }
 
-ShapeValue shape_at(const ShapeKind& kind, lua_State* state, int index) {
+ShapeValue shape_at(Script& script, const ShapeKind& kind, lua_State* state, int index) {
   std::vector<std::string> known = with_names(kind.sizes, {"at", "orientation"});
   known = with_names(with_names(std::move(known), material_options()), {"color", "name"});
   const Options o(state, index, kind.name, std::move(known));
-  ShapeValue value = shape_of_sizes(kind, o);
+  ShapeValue value = shape_of_sizes(script, kind, o);
   const Quat turn = normalised(o.quat("orientation").value_or(Quat{}));
   value.def.at = o.vector("at", "m").value_or(zero3()) + rotate(turn, value.def.at);
   value.def.orientation = normalised(turn * value.def.orientation);

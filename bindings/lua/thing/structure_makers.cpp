@@ -1,6 +1,7 @@
 // The table `structure`: polyhedra, lattices, mechanisms and structures of a scene's own.
 #include <cmath>
 #include <filesystem>
+#include <span>
 
 #include "lua/thing/script.hpp"
 #include "lua/thing/structure_type.hpp"
@@ -10,6 +11,7 @@
 #include "lua/vm/guard.hpp"
 #include "scene/files.hpp"
 #include "structures/lattice.hpp"
+#include "structures/mesh_file.hpp"
 #include "structures/molecule.hpp"
 #include "structures/polyhedra.hpp"
 
@@ -159,20 +161,21 @@ int make_new(lua_State* state) {
   return push_made(state, make_structure(std::move(vertices), edges, std::move(faces)));
 }
 
-/// A file below the scene's folder, or among the molecules that come with the program.
-std::string read_molecule_file(lua_State* state, const std::string& name) {
-  require(stays_inside(name), "molecule: '", name,
-          "' must be a file below the scene's folder or assets/molecules, not an absolute path or one with ..");
+/// A file below the scene's folder, or in a folder of `assets` that comes with the program.
+std::string read_scene_file(lua_State* state, const char* call, const char* assets, const std::string& name) {
+  require(stays_inside(name), call, ": '", name, "' must be a file below the scene's folder or assets/", assets,
+          ", not an absolute path or one with ..");
   const Runtime& runtime = Runtime::of(state);
-  const std::string places[] = {path_in(runtime.folder, name), path_in(runtime.home, "assets/molecules/" + name)};
+  const std::string places[] = {path_in(runtime.folder, name),
+                                path_in(runtime.home, text("assets/", assets, "/", name))};
   for (const std::string& path : places) {
     std::error_code error;
     const auto size = std::filesystem::file_size(path, error);
-    require(error || size <= largest_file, "molecule: '", path, "' has ", size >> 20, " MiB; at most ",
+    require(error || size <= largest_file, call, ": '", path, "' has ", size >> 20, " MiB; at most ",
             largest_file >> 20, " are read");
     if (const auto content = runtime.read(path)) return *content;
   }
-  throw Error(text("molecule: there is no file '", places[0], "' or '", places[1], "'"));
+  throw Error(text(call, ": there is no file '", places[0], "' or '", places[1], "'"));
 }
 
 int molecule(lua_State* state) {
@@ -180,12 +183,18 @@ int molecule(lua_State* state) {
   const Options o(state, 2, "molecule", {"scale"});
   const double scale = o.number("scale", "m/Å").value_or(1.0);
   require(scale > 0.0, "molecule: scale must be > 0 m/Å, got ", scale);
-  const std::string content = read_molecule_file(state, name);
+  const std::string content = read_scene_file(state, "molecule", "molecules", name);
   Structure read;
   try {
     read = read_molecule(content, name);
   } catch (const Error& error) { throw Error(text("molecule: ", error.what())); }
   return push_made(state, scaled(std::move(read), vec(scale, scale, scale)));
+}
+
+int mesh(lua_State* state) {
+  const std::string name = check_text(state, 1, "mesh", "argument 1, the file,");
+  const Options o(state, 2, "mesh", {"scale"});
+  return push_made(state, mesh_of_file(state, script_of(state), name, o.number("scale", "").value_or(1.0)));
 }
 
 int unknown_structure(lua_State* state) {
@@ -232,6 +241,9 @@ std::vector<Method> make() {
        "Atoms, bonds and flat rings of a .xyz, .sdf, .mol, .pdb, .cif or .mmcif file in the scene's folder or "
        "assets/molecules.",
        "local ball = structure.molecule(\"c60.xyz\", { scale = 0.1 })"},
+      {"mesh", guard<mesh>, "file: string, options?: MeshFileOptions", "Structure",
+       "Vertices and faces of a Wavefront .obj file in the scene's folder or assets/meshes; a notice tells of holes.",
+       "scene:ground { shape = shape.mesh(structure.mesh(\"bowl.obj\", { scale = 0.5 })), at = vec(0, -9, 0) }"},
       {"new", guard<make_new>, "parts: StructureParts", "Structure",
        "A structure of one's own; edges of faces need not be given.",
        "local kite = structure.new { vertices = { vec(0, 0, 0), vec(1, 0, 0), vec(1, 1, 0) }, faces = { { 1, 2, 3 } } "
@@ -240,6 +252,20 @@ std::vector<Method> make() {
 }
 
 }  // namespace
+
+Structure mesh_of_file(lua_State* state, Script& script, const std::string& name, double scale) {
+  require(scale > 0.0, "mesh: scale must be > 0, got ", scale);
+  const std::string content = read_scene_file(state, "mesh", "meshes", name);
+  Structure read;
+  try {
+    read = read_mesh_file(content, name);
+  } catch (const Error& error) { throw Error(text("mesh: ", error.what())); }
+  if (const std::size_t open = open_edges(read); open > 0)
+    log_line(script.world, "notice",
+             text("mesh '", name, "' has holes or a rim: ", open, open == 1 ? " edge is" : " edges are",
+                  " not between two faces that go round it in opposite senses"));
+  return scaled(std::move(read), vec(scale, scale, scale));
+}
 
 const std::vector<Method>& structure_makers() {
   static const std::vector<Method> makers = make();

@@ -16,6 +16,9 @@ const Structure& check_structure(lua_State* state, int index, const char* call, 
 int push_part(lua_State* state, const Structure& s, Part part, std::uint32_t number);
 MassIn check_mass_in(lua_State* state, int index, const std::string& what, const std::string& name);
 
+/// A surface from a file below the scene's folder or in assets/meshes, times `scale` > 0. Holes are told in the log.
+Structure mesh_of_file(lua_State* state, Script& script, const std::string& name, double scale);
+
 /// The functions of the table `structure`; upvalue 1 of each: the script.
 const std::vector<Method>& structure_makers();
 /// Puts the table `structure` into the globals.

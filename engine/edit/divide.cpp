@@ -1,0 +1,211 @@
+#include "edit/divide.hpp"
+
+#include <algorithm>
+
+#include "articulates/solve/state.hpp"
+#include "model/weigh.hpp"
+#include "shapes/mass.hpp"
+
+namespace pantin::internal {
+
+namespace {
+
+std::vector<MassPoint> masses_of(const World& world, const std::vector<PointId>& points) {
+  std::vector<MassPoint> masses;
+  for (PointId p : points) masses.push_back({world.points[p].position, world.points[p].mass});
+  return masses;
+}
+
+OwnMass own_of(const Body& body) { return {body.own_mass, body.own_inertia, body.own_position}; }
+
+/// What weighs of some shapes of a body: sensors only where it has nothing else.
+std::vector<Filled> filled(const World& world, BodyId body, const std::vector<PartShape>& shapes) {
+  const std::vector<ShapeId>& all = world.bodies[body].shapes;
+  const bool sensors = std::all_of(all.begin(), all.end(), [&](ShapeId s) { return world.shapes[s].sensor; });
+  std::vector<Filled> list;
+  for (const PartShape& part : shapes) {
+    const Shape& s = world.shapes[part.of];
+    if (s.sensor && !sensors) continue;
+    const Vec3 at = s.at + rotate(s.orientation, part.at);
+    list.push_back({part.piece ? Geometry{part.piece} : s.geometry, at, s.orientation, s.material.density});
+  }
+  return list;
+}
+
+/// Own masses of the parts.
+std::vector<OwnMass> own_masses(const World& world, BodyId body, const std::vector<Part>& parts) {
+  const std::vector<ShapeId>& all = world.bodies[body].shapes;
+  std::vector<OwnMass> list(parts.size());
+  const bool first_has_all =
+      parts[0].shapes.size() == all.size() &&
+      std::none_of(parts[0].shapes.begin(), parts[0].shapes.end(), [](const PartShape& s) { return s.piece; });
+  if (first_has_all || !is_filled(world, body)) {
+    list[0] = own_of(world.bodies[body]);
+    return list;
+  }
+  for (std::size_t i = 0; i < parts.size(); i++)
+    if (const auto shapes = filled(world, body, parts[i].shapes); !shapes.empty()) list[i] = mass_of(shapes);
+  return list;
+}
+
+/// Axes of hinges go with the points that the hinges hold.
+void take_axes(World& world, BodyId body, BodyId fresh) {
+  for (PointId p : world.bodies[fresh].points)
+    for (ConstraintId id : world.particles[world.points[p].particle].axes) {
+      Constraint& c = world.constraints[id];
+      BodyId& end = c.body_a == body ? c.body_a : c.body_b;
+      if (end != body) continue;
+      end = fresh;
+      std::erase(world.bodies[body].constraints, id);
+      world.bodies[fresh].constraints.push_back(id);
+    }
+}
+
+/// Shapes of the body, or copies of them that are pieces.
+void take_shapes(World& world, BodyId body, BodyId to, const std::vector<PartShape>& shapes) {
+  for (const PartShape& part : shapes) {
+    ShapeId id = part.of;
+    if (part.piece) {
+      Shape row = world.shapes[id];
+      row.at += rotate(row.orientation, part.at);
+      row.geometry = part.piece;
+      row.serial = world.next_serial++;
+      id = world.shapes.add(std::move(row));
+    } else if (to == body) {
+      continue;
+    } else {
+      std::erase(world.bodies[body].shapes, id);
+    }
+    world.shapes[id].body = to;
+    world.bodies[to].shapes.push_back(id);
+  }
+}
+
+/// A part of a moving body on its own.
+Motion part_of(const Weighed& w, const World& world, BodyId body, Vec3 spin) {
+  const Motion& old = world.motion_of(body);
+  const Quat frame = orientation(world, body);
+  Motion m;
+  m.mass = w.mass;
+  m.inertia = w.moments;
+  m.freedom = w.freedom;
+  m.q = world.plane.about(normalised(frame * w.axes));
+  m.x = origin(world, body) + rotate(frame, w.centre);
+  m.p = (old.p / old.mass + cross(spin, m.x - old.x)) * m.mass;
+  m.angular = m.inertia * turning_part(m, spin);
+  return m;
+}
+
+/// What the parts of a body miss of its angular momentum, because an inertia is lifted, goes into their spins, and what these
+/// cannot take into their motion about each other. `arm` [m] is how far they are from the frame's origin.
+void keep_momenta(const Plane& plane, const Motion& whole, const std::string& call, const std::string& who, double arm,
+                  std::vector<Motion>& parts) {
+  Motion &a = parts.front(), &b = parts.back();
+  Vec3 others = zero3();
+  for (std::size_t i = 1; i < parts.size(); i++) others += parts[i].p;
+  a.p = whole.p - others;
+  Vec3 missing = rotate(whole.q, whole.angular);
+  double least = 1e-13 * norm(missing);
+  for (const Motion& m : parts) {
+    missing -= plane.about(cross(m.x - whole.x, m.p)) + rotate(m.q, m.angular);
+    least += (1e-13 * norm(m.x - whole.x) + round_off * (norm(m.x) + arm)) * norm(m.p);
+  }
+  for (Motion& m : parts) {
+    const Vec3 part = turning_part(m, missing);
+    m.angular += part;
+    missing -= rotate(m.q, part);
+  }
+  const Vec3 d = plane.along(a.x - b.x);
+  if (norm2(d) > 0.0) {
+    const Vec3 impulse = cross(missing, d) / norm2(d);
+    a.p += impulse;
+    b.p -= impulse;
+    missing -= cross(d, impulse);
+  }
+  require(norm(missing) <= least, call, ": ", who, " spins about the line through its two parts, and these, of which ",
+          "neither can turn about it, cannot carry its angular momentum");
+}
+
+}  // namespace
+
+PartShape piece_of(ShapeId of, const Hull& hull) {
+  const Vec3 centre = solid_mass(std::make_shared<const Hull>(hull)).centre;
+  return {of, moved(hull, -centre), centre};
+}
+
+bool is_filled(const World& world, BodyId id) {
+  constexpr double round = 1e-9;
+  const Body& body = world.bodies[id];
+  if (body.shapes.empty() || !(body.own_mass > 0.0)) return false;
+  std::vector<PartShape> shapes;
+  for (ShapeId s : body.shapes) shapes.push_back({s});
+  const OwnMass sum = mass_of(filled(world, id, shapes));
+  const double moment = trace(sum.inertia), size = std::sqrt(moment / sum.mass);
+  for (int i = 0; i < 3; i++)
+    if (largest(sum.inertia[i] - body.own_inertia[i]) > round * moment) return false;
+  return std::fabs(sum.mass - body.own_mass) <= round * sum.mass &&
+         norm(sum.position - body.own_position) <= round * (size + norm(sum.position));
+}
+
+std::vector<BodyId> divide(World& world, BodyId body, const std::vector<Part>& parts, bool keeps,
+                           const std::string& call) {
+  const Body& row = world.bodies[body];
+  const Vec3 normal = normal_in(world, orientation(world, body)), spin = angular_velocity(world.motion_of(body));
+  const std::vector<OwnMass> own = own_masses(world, body, parts);
+  std::vector<Motion> motions;
+  double arm = 0.0;
+  for (std::size_t i = 0; i < parts.size(); i++) {
+    const Weighed w =
+        weigh(text(call, ": ", parts[i].called), masses_of(world, parts[i].points), own[i], row.axes, normal);
+    arm = std::fmax(arm, norm(w.centre));
+    motions.push_back(part_of(w, world, body, spin));
+  }
+  keep_momenta(world.plane, world.motion_of(body), call, describe(world, body), arm, motions);
+
+  acted(world);
+  disturb_sites(world);
+  touch(world, body);
+  disturb(world, body);
+  const double before = energy_of(world, body);
+  const Vec3 at = origin(world, body);
+  const Quat frame = orientation(world, body);
+  const std::vector<ShapeId> shapes = row.shapes;
+  world.bodies[body].points.clear();
+  std::vector<BodyId> bodies;
+  for (std::size_t i = 0; i < parts.size(); i++) {
+    const bool is_old = keeps && i == 0;
+    bodies.push_back(is_old ? body : make_body(world, "", at, frame, parts[i].points));
+    if (is_old) world.bodies[body].points = parts[i].points;
+  }
+  double after = 0.0;
+  for (std::size_t i = 0; i < parts.size(); i++) {
+    const BodyId id = bodies[i];
+    if (id != body) take_axes(world, body, id);
+    take_shapes(world, body, id, parts[i].shapes);
+    Body& part = world.bodies[id];
+    part.own_mass = own[i].mass;
+    part.own_inertia = own[i].inertia;
+    part.own_position = own[i].position;
+  }
+  for (ShapeId id : shapes) {
+    const bool cut = std::none_of(parts.begin(), parts.end(), [&](const Part& part) {
+      return std::any_of(part.shapes.begin(), part.shapes.end(),
+                         [&](const PartShape& s) { return s.of == id && !s.piece; });
+    });
+    if (cut) erase_shape(world, id, culprit(world));
+  }
+  if (!keeps) erase_body(world, body, culprit(world));
+  for (std::size_t i = 0; i < parts.size(); i++) {
+    const BodyId id = bodies[i];
+    update_mass(world, id);
+    if (world.motion_of(id).freedom == Freedom::point) drop_rotations(world, id);
+    set_momenta(world, id, motions[i].p, rotate(motions[i].q, motions[i].angular));
+    if (id != body) touch(world, id);
+    after += energy_of(world, id);
+  }
+  world.places_changed = true;
+  post(world, Source::edit, after - before);
+  return bodies;
+}
+
+}  // namespace pantin::internal

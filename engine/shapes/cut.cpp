@@ -1,0 +1,80 @@
+#include "shapes/cut.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/check.hpp"
+
+namespace pantin {
+
+using HullPtr = std::shared_ptr<const Hull>;
+
+HullPtr polyhedron_of(const Geometry& shape) {
+  if (const auto* hull = std::get_if<HullPtr>(&shape)) return *hull;
+  const auto* box = std::get_if<BoxShape>(&shape);
+  if (!box) return nullptr;
+  std::vector<Vec3> corners;
+  for (int i = 0; i < 8; i++)
+    corners.push_back(box->half * vec((i & 1) != 0 ? 1.0 : -1.0, (i & 2) != 0 ? 1.0 : -1.0, (i & 4) != 0 ? 1.0 : -1.0));
+  return make_hull(corners);
+}
+
+HullPtr behind(const HullPtr& hull, Vec3 normal, double offset) {
+  const double near = 1e-12 * (hull->reach + std::fabs(offset));
+  std::vector<double> height;
+  std::vector<Vec3> corners;
+  bool above = false, below = false;
+  for (const Vec3 v : hull->vertices) {
+    height.push_back(dot(normal, v) - offset);
+    above = above || height.back() > near;
+    below = below || height.back() < -near;
+    if (height.back() <= near) corners.push_back(v);
+  }
+  if (!below) return nullptr;
+  if (!above) return hull;
+  for (const auto& [a, b] : hull->edges) {
+    const double from = height[a], to = height[b];
+    if (std::fabs(from) <= near || std::fabs(to) <= near || (from > 0.0) == (to > 0.0)) continue;
+    corners.push_back(hull->vertices[a] + (hull->vertices[b] - hull->vertices[a]) * (from / (from - to)));
+  }
+  try {
+    return make_hull(corners);
+  } catch (const Error&) { return nullptr; }
+}
+
+namespace {
+
+/// [m] from a position to the farthest corner.
+double farthest_corner(const Hull& hull, Vec3 from) {
+  double most = 0.0;
+  for (const Vec3 v : hull.vertices) most = std::max(most, norm(v - from));
+  return most;
+}
+
+HullPtr cell_of(HullPtr cell, std::span<const Vec3> sites, std::size_t own) {
+  std::vector<std::pair<double, std::size_t>> others;
+  for (std::size_t i = 0; i < sites.size(); i++)
+    if (i != own) others.emplace_back(norm(sites[i] - sites[own]), i);
+  std::sort(others.begin(), others.end());
+  double reach = farthest_corner(*cell, sites[own]);
+  for (const auto& [distance, other] : others) {
+    if (distance > 2.0 * reach) break;
+    const Vec3 normal = direction(sites[other] - sites[own]);
+    const HullPtr rest = behind(cell, normal, dot(normal, (sites[own] + sites[other]) * 0.5));
+    if (!rest) return nullptr;
+    if (rest == cell) continue;
+    cell = rest;
+    reach = farthest_corner(*cell, sites[own]);
+  }
+  return cell;
+}
+
+}  // namespace
+
+std::vector<HullPtr> voronoi_cells(const HullPtr& hull, std::span<const Vec3> sites) {
+  std::vector<HullPtr> cells;
+  for (std::size_t i = 0; i < sites.size(); i++) cells.push_back(cell_of(hull, sites, i));
+  return cells;
+}
+
+}  // namespace pantin
