@@ -72,7 +72,7 @@ function quat_methods:inverse() end
 ---@field with? Body|Collider whose shape it is, or that stands in the world; nil: it is gone
 ---@field at vec [m] where they touch
 ---@field normal vec [1] away from the other
----@field force vec [N] on this body, the mean over the last step
+---@field force vec [N] on this body, the mean over the last step, or over its last sub-step where it had several
 ---@field depth number [m] by which they overlap; below 0: apart
 ---@field slip vec [m/s] with which its surface slides on the other's, that of belts included
 ---@field sensor boolean whether one of the two is a sensor, which pushes nothing
@@ -85,6 +85,12 @@ function quat_methods:inverse() end
 ---@field normal vec [1] from b to a
 ---@field impulse number [N s] along the normal, in the step in which they touched; of a sensor 0
 ---@field speed number [m/s] with which they neared each other at its start
+
+--- What friction and impact took of two that touch, or, without a and b, of all of whom one was removed.
+---@class ContactHeat
+---@field a? Body
+---@field b? Body|Collider a body, or what stands in the world
+---@field heat number [J] since scene.contact_heat was read first; below 0: a moving surface gave. All together are what the ledger's line `contact` lost since then
 
 ---What a ray, a shape or a position meets.
 ---@class Hit
@@ -219,6 +225,7 @@ local AnySet = {}
 ---@field temperature number [K] relative to the common motion; in J while scene.boltzmann is 1 (read only)
 ---@field error Accuracy what is left open now, and the worst since the start (read only)
 ---@field ledger Ledger [J] where energy came from and went since the start; the first reading has all of it kept from the next step on (read only)
+---@field contact_heat ContactHeat[] what friction and impact took, by who touches; the first reading has it kept from the next step on (read only)
 ---@field stats Stats counts since the start, and ns per phase (read only)
 ---@field log LogLine[] all that was logged (read only)
 ---@field timeline TimelineEntry[] events that ended, then those that wait: the latest and the next 1000 (read only)
@@ -859,6 +866,7 @@ local Snapshot = {}
 ---@field accuracy_per string whether `accuracy` is that of a "second" or of a "step", as where a scene lasts microseconds (default `"second"`)
 ---@field integrator string "verlet" (2nd order), "implicit" (the same with connections of any stiffness), "suzuki4" (4th order, where nothing dissipates), "rk4" (4th order, no constraints), "euler" (1st order, semi-implicit; free particles as with "verlet") (default `"verlet"`)
 ---@field energy_return boolean give back what the velocity projection took (default `true`)
+---@field contact string how what touches is solved: "exact" by Newton's search, however long it takes, "fast" by sweeps alone, which leave slips and loads unfinished, "auto" by the size and the motion of an island (default `"auto"`)
 ---@field box vec? [m] edges of the periodic box (default none: open space)
 ---@field plane string? "xy", "xz" or "yz": everything stays in that plane, and forces across it do nothing; set it before things are made (default none: in space)
 ---@field tolerance number [1] points of a new hinge may be this far apart, relative to the size of their bodies (default `1e-6`)
