@@ -235,7 +235,8 @@ TEST_CASE("Sleep in touch: a chain that lies sleeps with the box on it, and a ha
     links.push_back(add_body(world, link));
   }
   for (std::size_t i = 0; i + 1 < 3; i++)
-    add_hinge(world, std::vector<PointId>{cases::point_of(world, links[i], 1), cases::point_of(world, links[i + 1], 0)});
+    add_hinge(world,
+              std::vector<PointId>{cases::point_of(world, links[i], 1), cases::point_of(world, links[i + 1], 0)});
   const BodyId box = put(world, solid(BoxShape{vec(0.2, 0.2, 0.2)}), vec(1, 0.4, 0));
   step_to_sleep(world, 15.0);
   CHECK(sleepers(world) == 2);
