@@ -158,8 +158,13 @@ void add_contact(const World& world, std::uint32_t body, const Contact& c, bool 
 /// What touches it, or is about to and was pushed: forces on it, normals towards it.
 Table contacts_of(const World& world, BodyId body) {
   Table list;
-  for (const Contact& c : world.contacts.list) add_contact(world, body.slot - 1, c, false, list);
-  for (const Contact& c : world.contacts.sensed) add_contact(world, body.slot - 1, c, true, list);
+  const auto add = [&](const std::vector<Contact>& contacts, bool sensor) {
+    for (const Contact& c : contacts) add_contact(world, body.slot - 1, c, sensor, list);
+  };
+  add(world.contacts.list, false);
+  add(world.contacts.resting, false);
+  add(world.contacts.sensed, true);
+  add(world.contacts.resting_sensed, true);
   return list;
 }
 

@@ -141,6 +141,8 @@ void Tints::by_island(const World& world) {
 void Tints::find_sleepers(const World& world) {
   sleeping_bodies_.assign(world.bodies.slots(), 0);
   sleeping_particles_.assign(world.particles.slots(), 0);
+  for (std::uint32_t s = 0; s < world.contacts.bodies.size() && s < sleeping_bodies_.size(); s++)
+    if (world.bodies.alive_at(s) && world.contacts.bodies[s].rest.asleep) sleeping_bodies_[s] = 1;
   for (const auto& articulate : world.articulates) {
     if (!articulate->rest.asleep) continue;
     for (const Node& node : articulate->nodes)

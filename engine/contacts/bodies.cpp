@@ -23,6 +23,17 @@ BodyState state_of(const Model& model, const std::vector<std::unique_ptr<Articul
   return s;
 }
 
+bool asleep(const Model& model, const std::vector<std::unique_ptr<Articulate>>& articulates, const Contacts& contacts,
+            std::uint32_t slot) {
+  const std::int32_t articulate = model.motion[slot].articulate;
+  if (articulate >= 0) return articulates[static_cast<std::size_t>(articulate)]->rest.asleep;
+  return slot < contacts.bodies.size() && contacts.bodies[slot].rest.asleep;
+}
+
+bool sleeps_in_touch(const Contacts& contacts, std::uint32_t slot) {
+  return slot < contacts.bodies.size() && contacts.bodies[slot].island >= 0;
+}
+
 void add_momenta(Model& model, const BodyState& s, std::uint32_t slot, Vec3 p, Vec3 angular) {
   const Vec3 principal = turning_part(model.motion[slot], angular);
   if (s.node) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "articulates/articulate.hpp"
+#include "contacts/contact.hpp"
 #include "model/model.hpp"
 
 namespace pantin {
@@ -21,6 +22,11 @@ struct BodyState {
 
 BodyState state_of(const Model& model, const std::vector<std::unique_ptr<Articulate>>& articulates, std::uint32_t slot,
                    bool drifted);
+/// Whether what a body moves with sleeps.
+bool asleep(const Model& model, const std::vector<std::unique_ptr<Articulate>>& articulates, const Contacts& contacts,
+            std::uint32_t slot);
+/// Whether it has to wake with others: what sleeps without touching anything does not.
+bool sleeps_in_touch(const Contacts& contacts, std::uint32_t slot);
 /// Adds to the momenta [kg m/s], [kg m²/s] about the centre, world axes.
 void add_momenta(Model& model, const BodyState& state, std::uint32_t slot, Vec3 p, Vec3 angular);
 /// Displaces by `way` [m] and turns by a rotation vector [rad]; momenta in world axes stay.

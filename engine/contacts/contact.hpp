@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include "articulates/rest.hpp"
 #include "base/handle.hpp"
 #include "base/lanes.hpp"
 
@@ -58,7 +59,9 @@ struct Placing {
 /// What is known of a body that touches, from step to step.
 struct TouchedBody {
   std::array<std::uint8_t, 2> failures{},
-      wait{};  ///< of `place`, `meet`: in a row of exact searches; solves until the next
+      wait{};                ///< of `place`, `meet`: in a row of exact searches; solves until the next
+  Rest rest;                 ///< of one that nothing ties
+  std::int32_t island = -1;  ///< while it sleeps in touch: the same number in all that sleep with it
 };
 
 struct Body;
@@ -87,12 +90,18 @@ struct TouchHeat {
 };
 
 struct Contacts {
-  std::vector<Contact> list;        ///< by key
-  std::vector<Contact> sensed;      ///< by key: those of sensors, which the stages do not know
-  std::vector<Placing> placed;      ///< in this step
-  std::vector<TouchedBody> bodies;  ///< (slots of bodies)
-  double work = 0.0;                ///< [J] of those, with what ties answered: told with the rest of the step
-  bool stale = true;                ///< positions or shapes changed since they were found
+  std::vector<Contact> list;            ///< by key
+  std::vector<Contact> sensed;          ///< by key: those of sensors, which the stages do not know
+  std::vector<Placing> placed;          ///< in this step
+  std::vector<TouchedBody> bodies;      ///< (slots of bodies)
+  double work = 0.0;                    ///< [J] of those, with what ties answered: told with the rest of the step
+  std::vector<Contact> resting;         ///< by key: between things of which none is awake. They are in no other list,
+  std::vector<Contact> resting_sensed;  ///< nor are those of sensors
+  std::vector<std::uint32_t> sleepers;  ///< slots of bodies that sleep in touch, rising
+  std::uint64_t sleep_changes = 0;      ///< how often those became others
+  Vec3 slept_position = zero3();        ///< [kg m] sum of mass times position of those of them that nothing ties
+  double slept_depth = 0.0;             ///< [m] deepest overlap of those that rest
+  bool stale = true;                    ///< positions or shapes changed since they were found
 
   bool watched = false;             ///< somebody wants to be told who begins and ends to touch
   std::vector<Touch> felt;          ///< where watched: in this step so far, of each stage

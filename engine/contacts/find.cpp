@@ -2,26 +2,12 @@
 
 #include <algorithm>
 
+#include "base/subnormals.hpp"
 #include "contacts/bodies.hpp"
 
 namespace pantin {
 
 namespace {
-
-/// How a body goes on if nothing new stops it.
-struct Going {
-  Vec3 v = zero3(), w = zero3();  // [m/s], [rad/s]
-  double mass = infinity;         // [kg]
-};
-
-/// Where a shape is now, and how far it may get.
-struct Placed {
-  Pose pose;
-  Vec3 arm = zero3();   // [m] from the body's centre
-  Going going;          // of the body, with the mean velocity of the last drift
-  double margin = 0.0;  // [m] gaps up to the sum of two margins are contacts
-  bool moves = false;
-};
 
 Pose in_principal_axes(const Body& body, const Shape& shape) {
   const Quat to_axes = conjugate(body.axes);
@@ -37,10 +23,13 @@ Placed place(const Placement& p, const Shape& shape) {
     placed.pose = {shape.at, matrix(shape.orientation)};
     return placed;
   }
-  const BodyState s = state_of(p.model, p.articulates, shape.body.slot - 1, p.drifted);
-  placed.moves = true;
+  const std::uint32_t slot = shape.body.slot - 1;
+  const BodyState s = state_of(p.model, p.articulates, slot, p.drifted);
+  placed.moves = !sleeps_in_touch(p.contacts, slot);
   placed.pose = Pose{s.x, s.R} * in_principal_axes(p.model.bodies[shape.body], shape);
   placed.arm = placed.pose.x - s.x;
+  placed.going.mass = s.mass;
+  if (!placed.moves) return placed;
   placed.going = {p.drifted ? s.v - p.gravity * (0.5 * p.drift) : s.v, s.w, s.mass};
   const double arm = norm(placed.arm) + reach_of(shape.geometry);
   placed.margin += p.h * (norm(s.v) + norm(s.w) * arm + norm(p.gravity) * p.h);
@@ -65,12 +54,11 @@ bool may_touch(const ContactFinder& finder, const Shape& a, const Shape& b, cons
   return true;
 }
 
-/// (slots of bodies) Less what contacts stopped in the last drift: the end of the step does not give that back.
-std::vector<Going> going_on(const Model& model, const std::vector<Placed>& placed, const Contacts& contacts) {
+/// Sets how bodies go on: less what contacts stopped in the last drift, since the end of the step does not give that back.
+void find_going(const Model& model, ContactFinder& finder, const Contacts& contacts) {
   constexpr double least_stop = 1e-6;  // part of the speed: less is round-off
-  std::vector<Going> going(model.bodies.slots());
-  for (std::uint32_t s = 0; s < placed.size(); s++)
-    if (placed[s].moves) going[model.shapes.at_slot(s).body.slot - 1] = placed[s].going;
+  std::vector<Going>& going = finder.going;
+  for (const std::uint32_t s : finder.moving) going[model.shapes.at_slot(s).body.slot - 1] = finder.placed[s].going;
   for (const Contact& c : contacts.list) {
     Going world, &a = going[c.body_a], &b = c.body_b < 0 ? world : going[static_cast<std::size_t>(c.body_b)];
     const double nearing = -dot(c.normal, a.v - b.v), lightness = 1.0 / a.mass + 1.0 / b.mass;
@@ -78,7 +66,6 @@ std::vector<Going> going_on(const Model& model, const std::vector<Placed>& place
     a.v += c.normal * (nearing / (a.mass * lightness));
     b.v -= c.normal * (nearing / (b.mass * lightness));
   }
-  return going;
 }
 
 /// Whether one of these shapes kept the other out in the last drift: they touch, and neither passes the other by.
@@ -255,17 +242,26 @@ bool renew(std::unique_ptr<ContactFinder>& finder, Model& model) {
   if (changed) finder->tied = tied_bodies(model);
   if (changed) finder->hinged = hinged_pairs(model);
   model.places_changed = false;
+  finder->changed = finder->changed || changed;
   return changed;
 }
 
 namespace {
 
-/// (slots of shapes)
-std::vector<Placed> place_all(const Placement& p, ContactFinder& finder) {
+void put(const Placement& p, ContactFinder& finder, std::uint32_t s) {
+  const Shape& shape = p.model.shapes.at_slot(s);
+  const Placed& placed = finder.placed[s] = place(p, shape);
+  const double slack = placed.moves ? placed.margin + 0.1 * thickness_of(shape.geometry) : 0.0;
+  finder.broad_phase.put({widened(bounds_of(shape.geometry, placed.pose), placed.margin), s, placed.moves}, slack);
+}
+
+void put_all(const Placement& p, ContactFinder& finder) {
   const Store<Shape>& shapes = p.model.shapes;
-  std::vector<Placed> placed(shapes.slots());
+  finder.placed.resize(shapes.slots());
   finder.serials.resize(shapes.slots(), 0);
+  finder.going.assign(p.model.bodies.slots(), Going{});
   finder.height_fields.clear();
+  finder.moving.clear();
   for (std::uint32_t s = 0; s < shapes.slots(); s++) {
     const bool alive = shapes.alive_at(s);
     if (finder.serials[s] != 0 && (!alive || finder.serials[s] != shapes.at_slot(s).serial))
@@ -274,59 +270,101 @@ std::vector<Placed> place_all(const Placement& p, ContactFinder& finder) {
     if (!alive) continue;
     const Shape& shape = shapes.at_slot(s);
     if (std::holds_alternative<std::shared_ptr<const HeightField>>(shape.geometry)) finder.height_fields.push_back(s);
-    placed[s] = place(p, shape);
-    const double slack = placed[s].moves ? placed[s].margin + 0.1 * thickness_of(shape.geometry) : 0.0;
-    finder.broad_phase.put({widened(bounds_of(shape.geometry, placed[s].pose), placed[s].margin), s, placed[s].moves},
-                           slack);
+    put(p, finder, s);
+    if (finder.placed[s].moves) finder.moving.push_back(s);
+    if (shape.body) finder.going[shape.body.slot - 1] = finder.placed[s].going;
   }
-  return placed;
+  finder.changed = false;
+  finder.sleep_changes = p.contacts.sleep_changes;
 }
 
 }  // namespace
 
-void put_bounds(const Placement& p, ContactFinder& finder) { place_all(p, finder); }
+void put_bounds(const Placement& p, ContactFinder& finder) {
+  if (finder.changed || finder.sleep_changes != p.contacts.sleep_changes) return put_all(p, finder);
+  for (const std::uint32_t s : finder.moving) put(p, finder, s);
+}
 
-void find_contacts(const Placement& p, ContactFinder& finder, Contacts& contacts) {
-  const Store<Shape>& shapes = p.model.shapes;
-  const std::vector<Placed> placed = place_all(p, finder);
-  const std::vector<Going> going = going_on(p.model, placed, contacts);
-  std::vector<Contact> now, sensed;
-  Collector collector;
+namespace {
+
+/// Pairs that may touch, first the slot of a contact's shape a, in the order of their keys.
+void choose_pairs(const Model& model, ContactFinder& finder) {
+  finder.pairs.clear();
   for (const auto& [first, second] : finder.broad_phase.pairs()) {
-    const Shape &x = shapes.at_slot(first), &y = shapes.at_slot(second);
-    const LayerRule* rule = p.model.layers.rule(x.layer, y.layer);
-    if (!may_touch(finder, x, y, rule)) continue;
-    const bool swapped = !x.body;
-    const std::uint32_t a = swapped ? second : first, b = swapped ? first : second;
-    const Shape &sa = shapes.at_slot(a), &sb = shapes.at_slot(b);
-    collector.to = sa.sensor || sb.sensor ? &sensed : &now;
-    collector.key = {a, b, 0, 0};
-    collector.like.body_a = sa.body.slot - 1;
-    collector.like.body_b = sb.body ? static_cast<std::int32_t>(sb.body.slot - 1) : -1;
-    const double ta = thickness_of(sa.geometry), tb = thickness_of(sb.geometry);
-    collector.like.size = std::min(ta, tb);
-    collector.x_a = placed[a].pose.x;
-    collector.like.friction = friction_of(sa, sb, rule);
-    collector.like.restitution = restitution_of(sa, sb, rule);
-    collector.like.rolling = std::max(sa.material.rolling, sb.material.rolling);
-    collector.like.spinning = std::max(sa.material.spinning, sb.material.spinning);
-    collector.like.round_a = roundness_of(sa.geometry, placed[a].pose);
-    collector.like.round_b = roundness_of(sb.geometry, placed[b].pose);
-    collector.like.belt = belt_of(sa, placed[a]) - belt_of(sb, placed[b]);
-    const Going& b_goes = sb.body ? going[sb.body.slot - 1] : placed[b].going;
-    const Travel motion =
-        held(contacts, collector.key) ? Travel{} : travel(going[sa.body.slot - 1], placed[a], b_goes, placed[b], p.h);
-    SeparationCache cache;
-    find_manifolds(sa.geometry, placed[a].pose, sb.geometry, placed[b].pose, placed[a].margin + placed[b].margin, cache,
-                   collector, motion);
+    const Shape &x = model.shapes.at_slot(first), &y = model.shapes.at_slot(second);
+    if (!may_touch(finder, x, y, model.layers.rule(x.layer, y.layer))) continue;
+    finder.pairs.push_back(x.body ? BroadPhase::Pair(first, second) : BroadPhase::Pair(second, first));
   }
-  drop_at_hinges(p, finder.hinged, now);
-  const auto by_key = [](const Contact& a, const Contact& b) { return a.key < b.key; };
-  std::sort(now.begin(), now.end(), by_key);
-  std::sort(sensed.begin(), sensed.end(), by_key);
-  keep_impulses(contacts.list, now);
-  contacts.list = std::move(now);
-  contacts.sensed = std::move(sensed);
+  if (!std::is_sorted(finder.pairs.begin(), finder.pairs.end())) std::sort(finder.pairs.begin(), finder.pairs.end());
+}
+
+bool by_key(const Contact& a, const Contact& b) { return a.key < b.key; }
+
+void find_of_pair(const Placement& p, const ContactFinder& finder, const Contacts& contacts, BroadPhase::Pair pair,
+                  FoundContacts& found) {
+  const auto [a, b] = pair;
+  const Shape &sa = p.model.shapes.at_slot(a), &sb = p.model.shapes.at_slot(b);
+  const LayerRule* rule = p.model.layers.rule(sa.layer, sb.layer);
+  const Placed &at_a = finder.placed[a], &at_b = finder.placed[b];
+  Collector collector;
+  collector.to = sa.sensor || sb.sensor ? &found.sensed : &found.list;
+  collector.key = {a, b, 0, 0};
+  collector.like.body_a = sa.body.slot - 1;
+  collector.like.body_b = sb.body ? static_cast<std::int32_t>(sb.body.slot - 1) : -1;
+  const double ta = thickness_of(sa.geometry), tb = thickness_of(sb.geometry);
+  collector.like.size = std::min(ta, tb);
+  collector.x_a = at_a.pose.x;
+  collector.like.friction = friction_of(sa, sb, rule);
+  collector.like.restitution = restitution_of(sa, sb, rule);
+  collector.like.rolling = std::max(sa.material.rolling, sb.material.rolling);
+  collector.like.spinning = std::max(sa.material.spinning, sb.material.spinning);
+  collector.like.round_a = roundness_of(sa.geometry, at_a.pose);
+  collector.like.round_b = roundness_of(sb.geometry, at_b.pose);
+  collector.like.belt = belt_of(sa, at_a) - belt_of(sb, at_b);
+  const Going &a_goes = finder.going[sa.body.slot - 1], &b_goes = sb.body ? finder.going[sb.body.slot - 1] : at_b.going;
+  const Travel motion = held(contacts, collector.key) ? Travel{} : travel(a_goes, at_a, b_goes, at_b, p.h);
+  SeparationCache cache;
+  const auto before = static_cast<std::ptrdiff_t>(collector.to->size());
+  find_manifolds(sa.geometry, at_a.pose, sb.geometry, at_b.pose, at_a.margin + at_b.margin, cache, collector, motion);
+  std::sort(collector.to->begin() + before, collector.to->end(), by_key);
+}
+
+/// Of all pairs, by key.
+void find_of_pairs(const Placement& p, ContactFinder& finder, const Contacts& contacts, Workers& workers) {
+  constexpr std::size_t enough = 24;  // some 20 us of work: a thread is slow to wake
+  const std::size_t count = finder.pairs.size();
+  const std::size_t blocks = workers.count() == 1 ? 1 : std::clamp<std::size_t>(count / enough, 1, 64);
+  if (finder.found.size() < blocks) finder.found.resize(blocks);
+  workers.run(blocks, [&](std::size_t block, int) {
+    const SubnormalsAreZero subnormals_are_zero;
+    FoundContacts& found = finder.found[block];
+    found.list.clear();
+    found.sensed.clear();
+    for (std::size_t k = count * block / blocks; k < count * (block + 1) / blocks; k++)
+      find_of_pair(p, finder, contacts, finder.pairs[k], found);
+  });
+  const auto append = [](std::vector<Contact>& to, const std::vector<Contact>& more) {
+    to.insert(to.end(), more.begin(), more.end());
+  };
+  FoundContacts& all = finder.found[0];
+  for (std::size_t block = 1; block < blocks; block++) {
+    append(all.list, finder.found[block].list);
+    append(all.sensed, finder.found[block].sensed);
+  }
+}
+
+}  // namespace
+
+void find_contacts(const Placement& p, ContactFinder& finder, Workers& workers, Contacts& contacts) {
+  put_bounds(p, finder);
+  find_going(p.model, finder, contacts);
+  choose_pairs(p.model, finder);
+  find_of_pairs(p, finder, contacts, workers);
+  FoundContacts& found = finder.found[0];
+  drop_at_hinges(p, finder.hinged, found.list);
+  keep_impulses(contacts.list, found.list);
+  contacts.list.swap(found.list);
+  contacts.sensed.swap(found.sensed);
   contacts.stale = false;
 }
 

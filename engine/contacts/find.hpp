@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "articulates/articulate.hpp"
+#include "base/parallel.hpp"
 #include "contacts/broad_phase.hpp"
 #include "contacts/contact.hpp"
 #include "contacts/manifold.hpp"
@@ -17,6 +18,26 @@ struct HingedPair {
   Vec3 arm, axis;      ///< [m], of unit length: of the hinge and its axis, in principal axes of a; axis 0: about any
 };
 
+/// How a body goes on if nothing new stops it.
+struct Going {
+  Vec3 v = zero3(), w = zero3();  ///< [m/s], [rad/s]
+  double mass = infinity;         ///< [kg]
+};
+
+/// Where a shape is now, and how far it may get.
+struct Placed {
+  Pose pose;
+  Vec3 arm = zero3();   ///< [m] from the body's centre
+  Going going;          ///< of the body, with the mean velocity of the last drift
+  double margin = 0.0;  ///< [m] gaps up to the sum of two margins are contacts
+  bool moves = false;   ///< is of a body that does not sleep in touch
+};
+
+/// Contacts of some pairs.
+struct FoundContacts {
+  std::vector<Contact> list, sensed;
+};
+
 /// What finding contacts keeps to be quick: nothing that its result depends on.
 struct ContactFinder {
   BroadPhase broad_phase;
@@ -24,12 +45,20 @@ struct ContactFinder {
   std::vector<std::uint64_t> serials;                         ///< (slots of shapes) of what is in there; 0: nothing
   std::vector<std::pair<std::uint32_t, std::uint32_t>> tied;  ///< (smaller, larger) slots of bodies that do not collide
   std::vector<HingedPair> hinged;                             ///< rising
+  std::vector<Placed> placed;                                 ///< (slots of shapes) when they moved last
+  std::vector<std::uint32_t> moving;                          ///< slots of shapes that move
+  std::vector<Going> going;                                   ///< (slots of bodies)
+  std::vector<BroadPhase::Pair> pairs;                        ///< of shapes that may touch
+  std::vector<FoundContacts> found;                           ///< (blocks of pairs)
+  std::uint64_t sleep_changes = 0;                            ///< of the contacts, when these were found
+  bool changed = true;                                        ///< an edit concerned what is in there
 };
 
 /// Where things are: of what rows tie in the articulates after a drift, else in the model.
 struct Placement {
   const Model& model;
   const std::vector<std::unique_ptr<Articulate>>& articulates;
+  const Contacts& contacts;  ///< know who sleeps
   bool drifted;
   Vec3 gravity;        ///< [m/s²]
   double h;            ///< [s] over which they are to be foreseen
@@ -41,7 +70,7 @@ bool renew(std::unique_ptr<ContactFinder>& finder, Model& model);
 /// Puts the bounds of all shapes where they are.
 void put_bounds(const Placement& placement, ContactFinder& finder);
 /// Finds all contacts anew; those that were there before keep their impulses.
-void find_contacts(const Placement& placement, ContactFinder& finder, Contacts& contacts);
+void find_contacts(const Placement& placement, ContactFinder& finder, Workers& workers, Contacts& contacts);
 /// Pairs of bodies that a hinge or a weld ties and that do not collide, sorted.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> tied_bodies(const Model& model);
 /// A body's shape in the world.

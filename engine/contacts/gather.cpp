@@ -1,32 +1,14 @@
 #include "contacts/gather.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/state.hpp"
+#include "base/sets.hpp"
 
 namespace pantin {
 
 namespace {
-
-/// Sets of numbers that are joined (Tarjan 1975), each known by its smallest.
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-  std::size_t find(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t i, std::size_t j) {
-    i = find(i);
-    j = find(j);
-    parent_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 Mat3 in_world(const Mat3& R, Vec3 principal) {
   return times_transposed({{R[0] * principal[0], R[1] * principal[1], R[2] * principal[2]}}, R);
@@ -50,6 +32,12 @@ IslandBody body_of(const BodyState& s, Vec3 velocity, double reach) {
   b.v0 = velocity;
   b.w0 = s.w;
   return b;
+}
+
+Mat3 frame_of(Vec3 n) {
+  const Vec3 other = std::fabs(n[0]) < 0.6 ? vec(1, 0, 0) : vec(0, 1, 0);
+  const Vec3 t1 = direction(other - n * dot(n, other));
+  return {{n, t1, cross(n, t1)}};
 }
 
 /// Builds islands, thing by thing.
@@ -92,8 +80,6 @@ struct Builder {
   }
   void add_articulate(TouchIsland& to, std::uint32_t number) {
     Articulate& a = *articulates[number];
-    wake(a);
-    to.articulates.push_back(number);
     if (!settings.drifted) load(a, model, settings.gravity);
     for (Condition& c : a.conditions) c.gives_way = is_limited(c);
     find_forbidden(a, settings.h, settings.drifted ? 1.0 : 0.0);
@@ -134,13 +120,26 @@ struct Builder {
       to.rows.push_back({number, k});
     }
   }
+  void add_contact(TouchIsland& to, const Contact& from) {
+    IslandContact c;
+    c.a = add_body(to, from.body_a);
+    c.ra = from.at - to.states[static_cast<std::size_t>(c.a)].x;
+    if (from.body_b >= 0) {
+      c.b = add_body(to, static_cast<std::uint32_t>(from.body_b));
+      c.rb = from.at - to.states[static_cast<std::size_t>(c.b)].x;
+    }
+    c.frame = frame_of(from.normal);
+    c.friction = from.friction;
+    c.height = -dot(settings.gravity, from.at);
+    c.restitution = from.restitution;
+    if (from.rolling > 0.0 || from.spinning > 0.0) {
+      IslandRoll& roll = to.problem.rolls.emplace_back();
+      roll.contact = static_cast<std::uint32_t>(to.problem.contacts.size());
+      roll.lever = vec(from.spinning, from.rolling, from.rolling);
+    }
+    to.problem.contacts.push_back(c);
+  }
 };
-
-Mat3 frame_of(Vec3 n) {
-  const Vec3 other = std::fabs(n[0]) < 0.6 ? vec(1, 0, 0) : vec(0, 1, 0);
-  const Vec3 t1 = direction(other - n * dot(n, other));
-  return {{n, t1, cross(n, t1)}};
-}
 
 }  // namespace
 
@@ -154,10 +153,13 @@ void TouchIsland::clear() {
   rows.clear();
   pulls.clear();
   law_pulls.clear();
+  placed.clear();
+  heat.clear();
+  report = {};
 }
 
-std::span<TouchIsland> gather(TouchSpace& space, Model& model, const Articulates& articulates, const Contacts& contacts,
-                              const TouchSettings& settings, const std::vector<char>& used) {
+std::span<TouchIsland> gather(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates,
+                              const Contacts& contacts, const TouchSettings& settings, const std::vector<char>& used) {
   const std::size_t tied = articulates.size();
   const auto thing = [&](std::uint32_t slot) {
     const std::int32_t articulate = model.motion[slot].articulate;
@@ -182,37 +184,20 @@ std::span<TouchIsland> gather(TouchSpace& space, Model& model, const Articulates
     return found != roots.end() && *found == root ? &islands[static_cast<std::size_t>(found - roots.begin())] : nullptr;
   };
   space.index.assign(model.bodies.slots(), -1);
-  Builder builder{model, articulates, settings, space.index};
   for (std::uint32_t i = 0; i < tied; i++)
-    if (TouchIsland* island = island_of(i)) builder.add_articulate(*island, i);
-  for (std::size_t k = 0; k < used.size(); k++) {
-    if (!used[k]) continue;
-    const Contact& from = contacts.list[k];
-    TouchIsland& island = *island_of(thing(from.body_a));
-    IslandContact c;
-    c.a = builder.add_body(island, from.body_a);
-    c.ra = from.at - island.states[static_cast<std::size_t>(c.a)].x;
-    if (from.body_b >= 0) {
-      c.b = builder.add_body(island, static_cast<std::uint32_t>(from.body_b));
-      c.rb = from.at - island.states[static_cast<std::size_t>(c.b)].x;
-    }
-    c.frame = frame_of(from.normal);
-    c.friction = from.friction;
-    c.height = -dot(settings.gravity, from.at);
-    c.restitution = from.restitution;
-    if (from.rolling > 0.0 || from.spinning > 0.0) {
-      IslandRoll& roll = island.problem.rolls.emplace_back();
-      roll.contact = static_cast<std::uint32_t>(island.problem.contacts.size());
-      roll.lever = vec(from.spinning, from.rolling, from.rolling);
-    }
-    island.problem.contacts.push_back(c);
-    island.contacts.push_back(k);
-  }
-  for (TouchIsland& island : islands) {
+    if (TouchIsland* island = island_of(i)) island->articulates.push_back(i);
+  for (std::size_t k = 0; k < used.size(); k++)
+    if (used[k]) island_of(thing(contacts.list[k].body_a))->contacts.push_back(k);
+  Builder builder{model, articulates, settings, space.index};
+  share_islands(workers, islands, [&](TouchIsland& island) {
+    for (const std::uint32_t i : island.articulates) builder.add_articulate(island, i);
     double size = infinity;
-    for (const std::size_t k : island.contacts) size = std::min(size, contacts.list[k].size);
-    island.problem.tolerance = 4e-11 * size / settings.h;
-  }
+    for (const std::size_t k : island.contacts) {
+      builder.add_contact(island, contacts.list[k]);
+      size = std::min(size, contacts.list[k].size);
+    }
+    island.problem.tolerance = contact_tolerance * size / settings.h;
+  });
   return islands;
 }
 

@@ -1,14 +1,20 @@
 #pragma once
 // From contacts to the problems that are solved: what touches, and all that ties it, is an island.
+#include <algorithm>
 #include <span>
 #include <vector>
 
+#include "base/parallel.hpp"
+#include "base/subnormals.hpp"
 #include "contacts/bodies.hpp"
 #include "contacts/contact.hpp"
 #include "contacts/solve/island.hpp"
 #include "contacts/stages.hpp"
 
 namespace pantin {
+
+/// Times the thickness of the thinnest, over the length of the drift: the speed to which contacts are solved.
+constexpr double contact_tolerance = 4e-11;
 
 /// Where the parts of an island's problem come from.
 struct TouchIsland {
@@ -21,6 +27,9 @@ struct TouchIsland {
   std::vector<std::array<std::uint32_t, 2>> rows;  ///< (ties) articulate and its row
   std::vector<BodyLoad> pulls;                     ///< (bodies) [N], [N m] of soft rows in the last step
   std::vector<BodyLoad> law_pulls;                 ///< (bodies) what of that is of laws
+  std::vector<Placing> placed;                     ///< what `place` gave in it
+  std::vector<TouchHeat> heat;                     ///< of the stage, where it is kept
+  TouchReport report;                              ///< of the stage, of it alone
 
   void clear();  ///< keeps memory
 };
@@ -31,9 +40,30 @@ struct TouchSpace {
   std::vector<std::int32_t> index;  ///< (slots of bodies) in its island, or -1
 };
 
+/// Calls f(island) for each, among the threads: largest first, and where there is enough to do. What f does must concern its
+/// island only.
+template <class F>
+void share_islands(Workers& workers, std::span<TouchIsland> islands, F&& f) {
+  constexpr std::size_t enough_contacts = 32;  // some 20 us of work: a thread is slow to wake
+  std::vector<std::uint32_t> order(islands.size());
+  std::size_t contacts = 0;
+  for (std::uint32_t i = 0; i < order.size(); i++) order[i] = i, contacts += islands[i].contacts.size();
+  if (workers.count() == 1 || contacts < 2 * enough_contacts) {
+    for (TouchIsland& island : islands) f(island);
+    return;
+  }
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t x, std::uint32_t y) {
+    return islands[x].contacts.size() > islands[y].contacts.size();
+  });
+  workers.run(order.size(), [&](std::size_t task, int) {
+    const SubnormalsAreZero subnormals_are_zero;
+    f(islands[order[task]]);
+  });
+}
+
 /// Islands of the contacts that are `used`, in the order of the smallest number of what they hold; tied things with their rows
 /// as they are now. Velocities are set, biases and starts are not.
-std::span<TouchIsland> gather(TouchSpace& space, Model& model, const Articulates& articulates, const Contacts& contacts,
-                              const TouchSettings& settings, const std::vector<char>& used);
+std::span<TouchIsland> gather(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates,
+                              const Contacts& contacts, const TouchSettings& settings, const std::vector<char>& used);
 
 }  // namespace pantin

@@ -7,9 +7,9 @@
 
 namespace pantin {
 
-HeatOf::HeatOf(const Model& model, const Articulates& articulates, Contacts& contacts, bool drifted,
-               std::span<const Placing> impulses)
-    : model_(model), articulates_(articulates), contacts_(contacts), drifted_(drifted) {
+HeatOf::HeatOf(const Model& model, const Articulates& articulates, const Contacts& contacts, bool drifted,
+               std::span<const Placing> impulses, std::vector<TouchHeat>& to)
+    : model_(model), articulates_(articulates), to_(to), drifted_(drifted) {
   if (!contacts.heat_kept) return;
   impulses_ = impulses;
   for (const Placing& impulse : impulses_) before_.push_back(slip(impulse));
@@ -40,7 +40,7 @@ void HeatOf::add(double work) {
   for (std::size_t k = 0; k < impulses_.size(); k++) {
     const Placing& p = impulses_[k];
     const double part = size > 0.0 ? norm(p.impulse) / size : 1.0 / static_cast<double>(works.size());
-    contacts_.new_heat.push_back({pair_of(model_, p.body_a, p.body_b, p.shape_b), -works[k] - part * (work - sum)});
+    to_.push_back({pair_of(model_, p.body_a, p.body_b, p.shape_b), -works[k] - part * (work - sum)});
   }
 }
 

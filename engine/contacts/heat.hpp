@@ -12,9 +12,9 @@ namespace pantin {
 /// Impulses that are about to be given at once. Does nothing where heat is not kept.
 class HeatOf {
  public:
-  /// `drifted`: what is tied has its state in the articulates. The impulses must live as long as this.
-  HeatOf(const Model& model, const Articulates& articulates, Contacts& contacts, bool drifted,
-         std::span<const Placing> impulses);
+  /// `drifted`: what is tied has its state in the articulates. The impulses must live as long as this; heat is added to `to`.
+  HeatOf(const Model& model, const Articulates& articulates, const Contacts& contacts, bool drifted,
+         std::span<const Placing> impulses, std::vector<TouchHeat>& to);
   /// They were given, and did `work` [J] with what ties answered; that of ties is shared by impulse, or evenly where all are 0.
   void add(double work);
 
@@ -27,7 +27,7 @@ class HeatOf {
 
   const Model& model_;
   const Articulates& articulates_;
-  Contacts& contacts_;
+  std::vector<TouchHeat>& to_;
   bool drifted_;
   std::span<const Placing> impulses_;
   std::vector<Slip> before_;  // (impulses)

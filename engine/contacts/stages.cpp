@@ -127,6 +127,19 @@ void count(const IslandReport& found, const ContactIsland& problem, TouchReport&
   if (found.residual > accepted * problem.tolerance) report.unsolved++;
 }
 
+/// Does it to each island, with a report of its own, and adds these up in the order of the islands.
+template <class F>
+void each_island(Workers& workers, std::span<TouchIsland> islands, TouchReport& report, F&& f) {
+  share_islands(workers, islands, [&](TouchIsland& island) { f(island, island.report); });
+  for (const TouchIsland& island : islands) report += island.report;
+}
+
+void collect_heat(Contacts& contacts, std::span<TouchIsland> islands) {
+  if (!contacts.heat_kept) return;
+  for (TouchIsland& island : islands)
+    contacts.new_heat.insert(contacts.new_heat.end(), island.heat.begin(), island.heat.end());
+}
+
 /// Solves it, exactly if its bodies are not waiting: where that failed some times in a row it is tried now and then.
 void solve(Contacts& contacts, TouchIsland& island, std::size_t stage, ContactSearch search, TouchReport& report) {
   constexpr std::uint8_t waits_after = 4, wait_of_failure = 7, wait_of_dense = 100;
@@ -188,15 +201,27 @@ void foresee_forces(const Model& model, TouchIsland& island, const TouchSettings
 
 }  // namespace
 
-void place(TouchSpace& space, Model& model, const Articulates& articulates, Contacts& contacts,
-           const TouchSettings& settings, TouchReport& report) {
+void TouchReport::operator+=(const TouchReport& more) {
+  work += more.work;
+  belts += more.belts;
+  gravity += more.gravity;
+  ties += more.ties;
+  islands += more.islands;
+  contacts += more.contacts;
+  iterations += more.iterations;
+  unsolved += more.unsolved;
+}
+
+void place(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
+           const TouchSettings& settings, TouchReport& sum) {
   contacts.placed.clear();
   contacts.bodies.resize(model.bodies.slots());
   for (const auto& articulate : articulates) articulate->touches = false;
   for (Contact& c : contacts.list) c.rebound = c.approach = 0.0;
   const std::vector<char> used(contacts.list.size(), 1);
   const double h = settings.h;
-  for (TouchIsland& island : gather(space, model, articulates, contacts, settings, used)) {
+  const std::span<TouchIsland> islands = gather(space, workers, model, articulates, contacts, settings, used);
+  each_island(workers, islands, sum, [&](TouchIsland& island, TouchReport& report) {
     ContactIsland& problem = island.problem;
     double largest = 0.0;
     for (const std::size_t k : island.contacts)
@@ -227,7 +252,6 @@ void place(TouchSpace& space, Model& model, const Articulates& articulates, Cont
     keep_rolls(problem, contacts, island.contacts, &Contact::placing_moment);
     const double before = kinetic_energy_now(model, island);
     const double slow = slow_of(settings, problem);
-    const std::size_t first = contacts.placed.size();
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
       Contact& to = contacts.list[island.contacts[k]];
       IslandContact& c = problem.contacts[k];
@@ -235,10 +259,10 @@ void place(TouchSpace& space, Model& model, const Articulates& articulates, Cont
       to.placing = to_world(c, c.impulse);
       to.rebound = rebound_of(to, settings, slow);
       if (norm2(to.placing) == 0.0) continue;
-      contacts.placed.push_back({to.body_a, to.body_b, to.key.b, to.placing, to.placing_moment, c.ra, c.rb});
+      island.placed.push_back({to.body_a, to.body_b, to.key.b, to.placing, to.placing_moment, c.ra, c.rb});
     }
-    if (contacts.placed.size() > first) {
-      HeatOf heat(model, articulates, contacts, settings.drifted, std::span(contacts.placed).subspan(first));
+    if (!island.placed.empty()) {
+      HeatOf heat(model, articulates, contacts, settings.drifted, island.placed, island.heat);
       for (const std::uint32_t a : island.articulates) articulates[a]->touches = true;
       std::vector<BodyLoad> loads(problem.bodies.size());
       add_contact_loads(problem, loads);
@@ -250,7 +274,10 @@ void place(TouchSpace& space, Model& model, const Articulates& articulates, Cont
       report.work += work;
       heat.add(work);
     }
-  }
+  });
+  for (const TouchIsland& island : islands)
+    contacts.placed.insert(contacts.placed.end(), island.placed.begin(), island.placed.end());
+  collect_heat(contacts, islands);
   hold_again(articulates);
 }
 
@@ -273,7 +300,7 @@ void turn_back(const Model& model, const Articulates& articulates, Placing& p, b
 double take_back(Model& model, const Articulates& articulates, Contacts& contacts, bool drifted) {
   double work = 0.0;
   for (Placing& p : contacts.placed) turn_back(model, articulates, p, drifted);
-  HeatOf heat(model, articulates, contacts, drifted, contacts.placed);
+  HeatOf heat(model, articulates, contacts, drifted, contacts.placed, contacts.new_heat);
   const auto kinetic = [&](const BodyState& s, std::uint32_t slot) {
     return s.node ? kinetic_energy(*s.node) : kinetic_energy(model.motion[slot]);
   };
@@ -294,9 +321,9 @@ double take_back(Model& model, const Articulates& articulates, Contacts& contact
 
 }  // namespace
 
-void meet(TouchSpace& space, Model& model, const Articulates& articulates, Contacts& contacts,
-          const TouchSettings& settings, TouchReport& report) {
-  report.work += take_back(model, articulates, contacts, settings.drifted);
+void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
+          const TouchSettings& settings, TouchReport& sum) {
+  sum.work += take_back(model, articulates, contacts, settings.drifted);
   contacts.placed.clear();
   std::vector<char> used(contacts.list.size(), 0);
   for (std::size_t k = 0; k < used.size(); k++) {
@@ -304,7 +331,8 @@ void meet(TouchSpace& space, Model& model, const Articulates& articulates, Conta
     used[k] = c.gap <= (norm2(c.placing) > 0.0 ? held_gap : touching) * c.size;
     if (!used[k]) c.total = c.total_moment = zero3();
   }
-  for (TouchIsland& island : gather(space, model, articulates, contacts, settings, used)) {
+  const std::span<TouchIsland> islands = gather(space, workers, model, articulates, contacts, settings, used);
+  each_island(workers, islands, sum, [&](TouchIsland& island, TouchReport& report) {
     ContactIsland& problem = island.problem;
     bool rebounds = false;
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
@@ -333,7 +361,7 @@ void meet(TouchSpace& space, Model& model, const Articulates& articulates, Conta
         given.push_back({to.body_a, to.body_b, to.key.b, to.total, to.total_moment, problem.contacts[k].ra,
                          problem.contacts[k].rb});
     }
-    HeatOf heat(model, articulates, contacts, settings.drifted, given);
+    HeatOf heat(model, articulates, contacts, settings.drifted, given, island.heat);
     std::vector<BodyLoad> loads(problem.bodies.size());
     add_contact_loads(problem, loads);
     for (IslandTie& t : problem.ties) t.impulse += t.struck;
@@ -345,12 +373,13 @@ void meet(TouchSpace& space, Model& model, const Articulates& articulates, Conta
     const double work = kinetic_energy_now(model, island) - before - ties.all();
     report.work += work;
     heat.add(work);
-  }
+  });
+  collect_heat(contacts, islands);
   hold_again(articulates);
 }
 
-double push_out(TouchSpace& space, Model& model, const Articulates& articulates, Contacts& contacts,
-                const TouchSettings& settings, TouchReport& report) {
+void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
+              const TouchSettings& settings, TouchReport& sum) {
   std::vector<char> used(contacts.list.size(), 0);
   bool any = false;
   for (std::size_t k = 0; k < used.size(); k++) {
@@ -358,14 +387,15 @@ double push_out(TouchSpace& space, Model& model, const Articulates& articulates,
     used[k] = c.gap <= 0.02 * c.size;
     any = any || c.gap < -told_overlap * c.size;
   }
-  if (!any) return 0.0;
-  double work = 0.0;
+  if (!any) return;
+  contacts.stale = true;
   const double h = settings.h;
-  for (TouchIsland& island : gather(space, model, articulates, contacts, settings, used)) {
+  const std::span<TouchIsland> islands = gather(space, workers, model, articulates, contacts, settings, used);
+  each_island(workers, islands, sum, [&](TouchIsland& island, TouchReport& report) {
     ContactIsland& problem = island.problem;
     problem.rolls.clear();
     const auto overlaps = [&](std::size_t k) { return contacts.list[k].gap < -told_overlap * contacts.list[k].size; };
-    if (std::none_of(island.contacts.begin(), island.contacts.end(), overlaps)) continue;
+    if (std::none_of(island.contacts.begin(), island.contacts.end(), overlaps)) return;
     for (IslandBody& b : problem.bodies) b.v0 = b.w0 = zero3();
     for (IslandTie& t : problem.ties) t.wanted = zero3();
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
@@ -383,17 +413,15 @@ double push_out(TouchSpace& space, Model& model, const Articulates& articulates,
     for (std::size_t i = 0; i < island.slots.size(); i++) {
       const Vec3 way = model.plane.along(problem.bodies[i].v) * h, turn = problem.bodies[i].w * h;
       const BodyLoad& pull = island.law_pulls[i];
-      work -= dot(settings.gravity * problem.bodies[i].mass + pull.force, way) + dot(pull.moment, turn);
+      report.work -= dot(settings.gravity * problem.bodies[i].mass + pull.force, way) + dot(pull.moment, turn);
       if (island.points[i])
         island.states[i].node->x0 += way;
       else
         displace(model, island.states[i], island.slots[i], way, turn);
     }
-    work += kinetic_energy_now(model, island) - before;
-    contacts.stale = true;
-  }
+    report.work += kinetic_energy_now(model, island) - before;
+  });
   hold_again(articulates);
-  return work;
 }
 
 }  // namespace pantin

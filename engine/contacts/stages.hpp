@@ -19,6 +19,7 @@ struct TouchSettings {
 };
 
 struct TouchSpace;
+class Workers;
 
 struct TouchReport {
   double work = 0.0;     ///< [J] change of the kinetic energy by contacts
@@ -27,19 +28,21 @@ struct TouchReport {
   ImpulseWork ties;      ///< what ties that move gave when they answered
   std::uint32_t islands = 0, contacts = 0, iterations = 0;
   std::uint32_t unsolved = 0;  ///< islands beyond what is accepted
+
+  void operator+=(const TouchReport& more);
 };
 
 using Articulates = std::vector<std::unique_ptr<Articulate>>;
 
 /// Impulses with which the drift of h ends without new overlaps: 0 ≤ γ_n ⊥ G v̄ + gap/h ≥ 0 of its mean velocities v̄.
-void place(TouchSpace& space, Model& model, const Articulates& articulates, Contacts& contacts,
+void place(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
            const TouchSettings& settings, TouchReport& report);
 /// Takes these impulses back and gives those of the whole step, with which velocities part or stay:
 /// 0 ≤ γ_n ⊥ G v - rebound ≥ 0.
-void meet(TouchSpace& space, Model& model, const Articulates& articulates, Contacts& contacts,
+void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
           const TouchSettings& settings, TouchReport& report);
-/// Displaces what overlaps by more than a little, momenta kept; returns the work [J] of it.
-double push_out(TouchSpace& space, Model& model, const Articulates& articulates, Contacts& contacts,
-                const TouchSettings& settings, TouchReport& report);
+/// Displaces what overlaps by more than a little, momenta kept; `work` is that of displacing it.
+void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
+              const TouchSettings& settings, TouchReport& report);
 
 }  // namespace pantin

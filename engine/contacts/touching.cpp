@@ -58,10 +58,14 @@ std::vector<Touch> summed(std::vector<Touch> list) {
 template <class Is, class IsSensed>
 std::vector<TouchPair> pairs(const Model& model, const Contacts& contacts, Is is, IsSensed is_sensed) {
   std::vector<TouchPair> list;
-  for (const Contact& c : contacts.list)
-    if (is(c)) list.push_back(pair_of(model, c));
-  for (const Contact& c : contacts.sensed)
-    if (is_sensed(c)) list.push_back(pair_of(model, c));
+  const auto add = [&](const std::vector<Contact>& from, auto counts) {
+    for (const Contact& c : from)
+      if (counts(c)) list.push_back(pair_of(model, c));
+  };
+  add(contacts.list, is);
+  add(contacts.resting, is);
+  add(contacts.sensed, is_sensed);
+  add(contacts.resting_sensed, is_sensed);
   std::erase(list, TouchPair{});
   std::sort(list.begin(), list.end());
   list.erase(std::unique(list.begin(), list.end()), list.end());
@@ -127,7 +131,7 @@ TouchChanges take_changes(const Model& model, Contacts& contacts) {
 }
 
 double penetration(const Contacts& contacts) {
-  double depth = 0.0;
+  double depth = contacts.slept_depth;
   for (const Contact& c : contacts.list) depth = std::max(depth, -c.gap);
   return depth;
 }

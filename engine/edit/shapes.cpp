@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "edit/common.hpp"
+#include "forces/sleep.hpp"
 #include "shapes/mass.hpp"
 
 namespace pantin {
@@ -46,6 +47,12 @@ void require_restitution(const std::string& who, double restitution) {
   require(restitution >= 0.0 && restitution <= 1.0, who, ": restitution must be from 0 to 1, got ", restitution);
 }
 
+/// Says that a shape changes. What the world's touch could be anywhere.
+void change_places(World& world, BodyId of) {
+  world.places_changed = true;
+  of ? wake(world, of) : wake_all(world);
+}
+
 ShapeId insert(World& world, const ShapeDef& def, BodyId body) {
   Shape row;
   row.geometry = def.geometry;
@@ -59,7 +66,8 @@ ShapeId insert(World& world, const ShapeDef& def, BodyId body) {
   row.extent = def.extent;
   row.name = def.name;
   row.serial = world.next_serial++;
-  world.places_changed = world.unchecked = true;
+  world.unchecked = true;
+  change_places(world, body);
   return world.shapes.add(std::move(row));
 }
 
@@ -119,7 +127,9 @@ OwnMass own_mass_of(const BodyDef& def) {
 }
 
 void erase_shape(World& world, ShapeId id, const std::string& who) {
-  if (const BodyId body = world.shapes[id].body) std::erase(world.bodies[body].shapes, id);
+  const BodyId body = world.shapes[id].body;
+  if (body) std::erase(world.bodies[body].shapes, id);
+  change_places(world, body);
   world.shapes.remove(id, {describe(world, id), world.time, who, 0});
   world.places_changed = true;
 }
@@ -168,7 +178,7 @@ namespace {
 Shape& written(World& world, ShapeId id, const char* what) {
   require_unlocked(world, what);
   Shape& shape = world.shapes[id];
-  world.places_changed = true;
+  change_places(world, shape.body);
   return shape;
 }
 
@@ -228,6 +238,7 @@ void set_rule(World& world, std::string_view a, std::string_view b, LayerRule ru
   else
     layers.rules.insert(at, rule);
   world.places_changed = true;
+  wake_all(world);
 }
 
 void set_collide(World& world, ParticleId id, bool collide) {
@@ -236,6 +247,7 @@ void set_collide(World& world, ParticleId id, bool collide) {
   require(hinge.is_hinge(), "collide: ", describe(world, id), " is no hinge");
   hinge.collide = collide;
   world.places_changed = true;
+  wake(world, hinge.points[0]);
 }
 
 }  // namespace pantin

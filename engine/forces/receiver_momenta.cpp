@@ -1,6 +1,7 @@
 #include "forces/receiver_momenta.hpp"
 
 #include "articulates/articulate.hpp"
+#include "contacts/bodies.hpp"
 
 namespace pantin {
 
@@ -17,7 +18,8 @@ void ReceiverMomenta::add(Vec3 impulse, Vec3 twist) {
 }
 
 bool sleeps(const World& world, const Receiver& m) {
-  return m.articulate >= 0 && world.articulates[static_cast<std::size_t>(m.articulate)]->rest.asleep;
+  if (m.articulate >= 0) return world.articulates[static_cast<std::size_t>(m.articulate)]->rest.asleep;
+  return m.is_body && asleep(world, world.articulates, world.contacts, m.slot);
 }
 
 ReceiverMomenta momenta_of(World& world, const Receiver& m, bool drifted) {

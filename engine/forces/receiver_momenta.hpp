@@ -23,7 +23,7 @@ struct ReceiverMomenta {
 };
 
 ReceiverMomenta momenta_of(World& world, const Receiver& receiver, bool drifted);
-/// Whether it is of an articulate that sleeps.
+/// Whether it is of what sleeps.
 bool sleeps(const World& world, const Receiver& receiver);
 
 }  // namespace pantin

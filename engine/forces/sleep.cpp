@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "articulates/articulate.hpp"
 #include "articulates/solve/state.hpp"
+#include "base/sets.hpp"
+#include "contacts/gather.hpp"
+#include "contacts/resting.hpp"
 #include "forces/forces.hpp"
 
 namespace pantin {
@@ -13,161 +17,231 @@ namespace {
 
 constexpr double stillness = 1e-8;   // of its length; the square, an energy, is lost in the round-off of its weight's
 constexpr double round_off = 4e-11;  // of its distance from the origin, which positions are rounded to
-constexpr double least_steps = 256, swing = 4.0;  // times sqrt(length / gravity)
-constexpr double most_growth = 2.0;               // round-off grows slowly, a fall by thousands in such a time,
-constexpr double unseen = 1e-20;                  // but what is so much smaller may grow
+constexpr double unsolved = 10.0;    // times what contacts are solved to: where the search for their impulses may end
+constexpr double least_steps = 256, least_steps_loose = 32;
+constexpr double swing = 4.0;        // times sqrt(length / gravity)
+constexpr double most_growth = 2.0;  // round-off grows slowly, a fall by thousands in such a time,
+constexpr double unseen = 1e-20;     // but what is so much smaller may grow
 
-void wake(World& world, std::int32_t articulate) {
-  if (articulate >= 0 && static_cast<std::size_t>(articulate) < world.articulates.size())
-    wake(*world.articulates[static_cast<std::size_t>(articulate)]);
+/// An articulate that is awake, or a body that touches something and that nothing ties.
+struct Thing {
+  std::size_t number;      // of the articulate; of bodies after those
+  Articulate* articulate;  // or null
+  std::uint32_t slot;      // of the body
+  std::size_t island;      // its smallest number
+  Rest* rest;
+};
+
+/// What the end of a step leaves of an island.
+struct Island {
+  std::span<Thing> things;
+  double tolerance;  // [m/s] that its contacts are solved to; 0 where it has none
+};
+
+double kinetic_of(const World& world, const Thing& t) {
+  return t.articulate ? t.articulate->totals.kinetic : kinetic_energy(world.motion[t.slot]);
 }
 
 /// How long its motion is looked at [s].
-double watch_time(const World& world, const Articulate& a) {
+double watch_time(const World& world, const Thing& t) {
   const double gravity = norm(world.settings.gravity);
-  const double least = least_steps * world.settings.step;
-  return gravity > 0.0 ? std::max(least, swing * std::sqrt(a.length / gravity)) : least;
+  const double least = (t.articulate ? least_steps : least_steps_loose) * world.settings.step;
+  const double length = t.articulate ? t.articulate->length : gyration(world.motion[t.slot]);
+  return gravity > 0.0 ? std::max(least, swing * std::sqrt(length / gravity)) : least;
+}
+
+/// The speed at which its lightest part is as good as still.
+struct Still {
+  double speed;   // [m/s]
+  double energy;  // [J] of that part
+};
+
+Still still(const World& world, const Thing& t, double time, double tolerance) {
+  const Motion* m = t.articulate ? nullptr : &world.motion[t.slot];
+  double least = m ? m->mass : t.articulate->total_mass, far = m ? largest(m->x) : 0.0;
+  const double length = m ? gyration(*m) : t.articulate->length;
+  if (!m)
+    for (const Node& n : t.articulate->nodes) {
+      least = std::min(least, n.mass);
+      far = std::max(far, largest(n.x0));
+    }
+  const double speed = (stillness * length + round_off * far) / time + unsolved * tolerance;
+  return {speed, 0.5 * least * speed * speed};
+}
+
+bool is_closed(const Thing& t) {
+  return !t.articulate || (!t.articulate->fell_back && t.articulate->gaps.open <= 1e-8 * t.articulate->length);
 }
 
 /// Whether its motion has died away, at the end of a step.
-bool is_still(const World& world, Articulate& a) {
-  Rest& r = a.rest;
-  r.peak = std::max(r.peak, a.totals.kinetic);
-  if (++r.steps < least_steps) return false;
-  const double time = watch_time(world, a);
-  if (r.steps * world.settings.step < time) return false;
-  double least = a.total_mass, far = 0.0;
-  for (const Node& n : a.nodes) {
-    least = std::min(least, n.mass);
-    far = std::max(far, largest(n.x0));
+bool is_still(const World& world, const Island& island) {
+  double time = 0.0;
+  std::uint32_t steps = ~0u;
+  for (const Thing& t : island.things) {
+    Rest& r = *t.rest;
+    r.peak = std::max(r.peak, kinetic_of(world, t));
+    steps = std::min(steps, ++r.steps);
+    time = std::max(time, watch_time(world, t));
   }
-  const double speed = (stillness * a.length + round_off * far) / time;
-  const double rest = 0.5 * least * speed * speed;
-  const bool still =
-      r.last_peak >= 0.0 && r.peak <= rest && r.peak <= std::max(most_growth * r.last_peak, unseen * rest);
-  const bool closed = !a.fell_back && a.gaps.open <= 1e-8 * a.length;
-  r = {false, 0, 0.0, r.peak, speed / time, {}, 0};
-  return still && closed;
+  const bool over = steps * world.settings.step >= time;
+  bool calm = true, known = true, closed = true;
+  double peaks = 0.0, last_peaks = 0.0, rests = 0.0;
+  for (const Thing& t : island.things) {
+    Rest& r = *t.rest;
+    r.steps = steps;
+    if (!over) continue;
+    const Still rest = still(world, t, time, island.tolerance);
+    calm = calm && r.peak <= rest.energy;
+    known = known && r.last_peak >= 0.0;
+    closed = closed && is_closed(t);
+    peaks += r.peak;
+    last_peaks += r.last_peak;
+    rests += rest.energy;
+    r = {false, 0, 0.0, r.peak, rest.speed / time, {}, 0};
+  }
+  return over && calm && known && closed && peaks <= std::max(most_growth * last_peaks, unseen * rests);
 }
 
-void stop(World& world, Articulate& a) {
+void stop(World& world, const Thing& t) {
+  post(world, Source::sleep, -kinetic_of(world, t));
+  t.rest->asleep = true;
+  if (!t.articulate) {
+    world.motion[t.slot].p = world.motion[t.slot].angular = zero3();
+    return;
+  }
+  Articulate& a = *t.articulate;
   for (Node& n : a.nodes) n.p0 = n.P0 = n.O0 = zero3();
-  post(world, Source::sleep, -a.totals.kinetic);
   a.totals.kinetic = 0.0;
-  a.rest.asleep = true;
   store(a, world);
 }
 
-/// Notes what laws do to articulates that fall asleep.
+/// Bodies of an island that touches get a number that they have in common.
+void number(World& world, const Island& island) {
+  Contacts& contacts = world.contacts;
+  std::int32_t own = -1;
+  const auto add = [&](std::uint32_t slot) {
+    if (own < 0) own = static_cast<std::int32_t>(slot);
+    contacts.bodies[slot].island = own;
+    contacts.sleepers.push_back(slot);
+  };
+  for (const Thing& t : island.things) {
+    if (!t.articulate) add(t.slot);
+    if (t.articulate)
+      for (const Node& n : t.articulate->nodes)
+        if (n.is_body) add(n.slot);
+  }
+}
+
+/// Notes what laws do to what falls asleep.
 void note_pulls(World& world, const std::vector<char>& falling) {
   if (!world.forces) return;
+  const std::size_t tied = world.articulates.size();
   for (const Receiver& m : world.forces->receivers) {
-    if (m.articulate < 0 || !falling[static_cast<std::size_t>(m.articulate)]) continue;
-    Articulate& a = *world.articulates[static_cast<std::size_t>(m.articulate)];
-    a.rest.pulls.resize(a.nodes.size());
-    a.rest.pulls[m.node] = {m.force, m.torque, m.nonconservative_force, m.nonconservative_torque};
-    a.rest.receivers++;
+    const NodePull pull = {m.force, m.torque, m.nonconservative_force, m.nonconservative_torque};
+    if (m.articulate >= 0) {
+      const auto i = static_cast<std::size_t>(m.articulate);
+      if (!falling[i]) continue;
+      Articulate& a = *world.articulates[i];
+      a.rest.pulls.resize(a.nodes.size());
+      a.rest.pulls[m.node] = pull;
+      a.rest.receivers++;
+    } else if (m.is_body && falling[tied + m.slot]) {
+      Rest& rest = world.contacts.bodies[m.slot].rest;
+      rest.pulls = {pull};
+      rest.receivers = 1;
+    }
   }
 }
 
-/// Whether a law's pull is another than that which its articulate sleeps in.
-bool differs(const Articulate& a, const Receiver& m) {
-  if (a.rest.pulls.empty()) return true;
-  const NodePull& was = a.rest.pulls[m.node];
-  const Node& n = a.nodes[m.node];
-  const double most = n.mass * a.rest.acceleration;
-  const Vec3 force = m.force + m.nonconservative_force - was.force - was.nonconservative_force;
-  const Vec3 torque = m.torque + m.nonconservative_torque - was.torque - was.nonconservative_torque;
-  return !(norm(force) <= most && norm(torque) <= most * n.reach);
+/// A body that touches nothing does not fall asleep, and is to be watched from the beginning.
+void watch_anew(Rest& rest) {
+  if (rest.steps > 0 || rest.last_peak >= 0.0) rest = {};
 }
 
-/// Which wake; empty: none.
-std::vector<char> find_pulled(const World& world) {
-  std::vector<char> woken;
-  for (const Receiver& m : world.forces->receivers) {
-    if (m.articulate < 0) continue;
-    const auto i = static_cast<std::size_t>(m.articulate);
-    const Articulate& a = *world.articulates[i];
-    if (!a.rest.asleep || !differs(a, m)) continue;
-    woken.resize(world.articulates.size());
-    woken[i] = 1;
+/// Bodies that nothing ties, as far as they ever touched something.
+std::span<const std::uint32_t> loose_bodies(const World& world) {
+  const std::vector<std::uint32_t>& all = world.loose_bodies;
+  const auto end = std::lower_bound(all.begin(), all.end(), world.contacts.bodies.size());
+  return {all.begin(), end};
+}
+
+/// Islands of what touches, behind each other in `things`.
+std::vector<Island> islands_of(World& world, std::vector<Thing>& things) {
+  Contacts& contacts = world.contacts;
+  const std::size_t tied = world.articulates.size();
+  const auto number = [&](std::uint32_t slot) {
+    const std::int32_t articulate = world.motion[slot].articulate;
+    return articulate >= 0 ? static_cast<std::size_t>(articulate) : tied + slot;
+  };
+  Sets sets(tied + world.bodies.slots());
+  std::vector<double> size(tied + world.bodies.slots(), infinity);
+  for (const Contact& c : contacts.list)
+    if (c.body_b >= 0) sets.join(number(c.body_a), number(static_cast<std::uint32_t>(c.body_b)));
+  for (const Contact& c : contacts.list) {
+    double& least = size[sets.find(number(c.body_a))];
+    least = std::min(least, c.size);
   }
-  return woken;
+  for (std::size_t i = 0; i < tied; i++)
+    if (Articulate& a = *world.articulates[i]; !a.rest.asleep) things.push_back({i, &a, 0, sets.find(i), &a.rest});
+  for (const std::uint32_t slot : loose_bodies(world)) {
+    Rest& rest = contacts.bodies[slot].rest;
+    if (const std::size_t island = sets.find(tied + slot); std::isfinite(size[island]))
+      things.push_back({tied + slot, nullptr, slot, island, &rest});
+    else
+      watch_anew(rest);
+  }
+  std::stable_sort(things.begin(), things.end(), [](const Thing& x, const Thing& y) { return x.island < y.island; });
+  std::vector<Island> islands;
+  for (std::size_t from = 0, to = 0; from < things.size(); from = to) {
+    while (to < things.size() && things[to].island == things[from].island) to++;
+    const double least = size[things[from].island];
+    islands.push_back({std::span(things).subspan(from, to - from),
+                       std::isfinite(least) ? contact_tolerance * least / world.stage.h : 0.0});
+  }
+  return islands;
 }
 
-void wake(World& world, const std::vector<char>& woken) {
-  for (std::size_t i = 0; i < woken.size(); i++)
-    if (woken[i]) wake(*world.articulates[i]);
-}
-
-bool changes_by_itself(const Forces& f) {
-  const auto& names = f.sites.names;
-  return any_element(f, [](const ActingElement& a) { return a.law->timed; }) ||
-         std::find(names.begin(), names.end(), "age") != names.end() ||
-         std::find(f.followed.begin(), f.followed.end(), char{1}) != f.followed.end();
+/// Does it to each island that may fall asleep. Where nothing touches each articulate is one.
+template <class F>
+void each_island(World& world, F&& f) {
+  if (!world.contacts.list.empty()) {
+    std::vector<Thing> things;
+    for (const Island& island : islands_of(world, things)) f(island);
+    return;
+  }
+  for (const std::uint32_t slot : loose_bodies(world)) watch_anew(world.contacts.bodies[slot].rest);
+  for (std::size_t i = 0; i < world.articulates.size(); i++) {
+    Articulate& a = *world.articulates[i];
+    if (a.rest.asleep) continue;
+    Thing alone{i, &a, 0, i, &a.rest};
+    f(Island{std::span(&alone, 1), 0.0});
+  }
 }
 
 }  // namespace
 
-void wake(World& world, BodyId body) { wake(world, world.motion_of(body).articulate); }
-
-void wake(World& world, PointId id) {
-  const Point& point = world.points[id];
-  point.body ? wake(world, point.body) : wake(world, point.articulate);
-}
-
-void wake(World& world, const Constraint& constraint) {
-  constraint.each_point([&](PointId point) { wake(world, point); });
-  constraint.each_body([&](BodyId body) { wake(world, body); });
-}
-
-void wake_all(World& world) {
-  for (const auto& articulate : world.articulates) wake(*articulate);
-}
-
 void fall_asleep(World& world) {
+  if (all_asleep(world)) return;
   std::vector<char> falling;
-  for (std::size_t i = 0; i < world.articulates.size(); i++) {
-    Articulate& a = *world.articulates[i];
-    if (a.rest.asleep || !is_still(world, a)) continue;
-    stop(world, a);
-    falling.resize(world.articulates.size());
-    falling[i] = 1;
-  }
-  if (!falling.empty()) note_pulls(world, falling);
-}
-
-void wake_pulled(World& world) {
-  if (sleepers(world) == 0) return;
-  std::vector<std::uint32_t> receivers(world.articulates.size(), 0);
-  if (world.forces) {
-    for (const Receiver& m : world.forces->receivers)
-      if (m.articulate >= 0) receivers[static_cast<std::size_t>(m.articulate)]++;
-    wake(world, find_pulled(world));
-  }
-  for (std::size_t i = 0; i < receivers.size(); i++)
-    if (world.articulates[i]->rest.asleep && world.articulates[i]->rest.receivers != receivers[i])
-      wake(*world.articulates[i]);
-}
-
-void wake_pulled(World& world, double half) {
-  if (!world.forces || sleepers(world) == 0) return;
-  const std::vector<char> woken = find_pulled(world);
-  if (woken.empty()) return;
-  kick_from_rest(world, woken, half);
-  wake(world, woken);
-}
-
-bool all_asleep(const World& world) {
-  if (world.articulates.empty() || !world.loose_points.empty() || !world.loose_bodies.empty()) return false;
-  const auto asleep = [](const auto& articulate) { return articulate->rest.asleep; };
-  return std::all_of(world.articulates.begin(), world.articulates.end(), asleep) &&
-         (!world.forces || !changes_by_itself(*world.forces));
-}
-
-std::uint64_t sleepers(const World& world) {
-  const auto asleep = [](const auto& articulate) { return articulate->rest.asleep; };
-  return static_cast<std::uint64_t>(std::count_if(world.articulates.begin(), world.articulates.end(), asleep));
+  bool touching = false;
+  const std::size_t tied = world.articulates.size();
+  each_island(world, [&](const Island& island) {
+    if (!is_still(world, island)) return;
+    falling.resize(tied + world.bodies.slots());
+    for (const Thing& t : island.things) {
+      stop(world, t);
+      falling[t.number] = 1;
+    }
+    if (island.tolerance == 0.0) return;
+    number(world, island);
+    touching = true;
+  });
+  if (falling.empty()) return;
+  note_pulls(world, falling);
+  if (!touching) return;
+  std::sort(world.contacts.sleepers.begin(), world.contacts.sleepers.end());
+  std::erase_if(world.loose_bodies, [&](std::uint32_t slot) { return falling[tied + slot] != 0; });
+  sort_resting(world, world.articulates, world.contacts);
 }
 
 }  // namespace pantin

@@ -68,5 +68,7 @@ Vec3 inverse_inertia(const Motion& m);
 Vec3 angular_velocity(const Motion& m);
 /// [J]
 double kinetic_energy(const Motion& m);
+/// Largest radius of gyration about the centre [m].
+double gyration(const Motion& m);
 
 }  // namespace pantin

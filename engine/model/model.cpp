@@ -1,5 +1,8 @@
 #include "model/model.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "model/weigh.hpp"
 
 namespace pantin {
@@ -14,6 +17,10 @@ Vec3 angular_velocity(const Motion& m) { return rotate(m.q, m.angular * inverse_
 
 double kinetic_energy(const Motion& m) {
   return 0.5 * norm2(m.p) / m.mass + 0.5 * dot(m.angular, m.angular * inverse_inertia(m));
+}
+
+double gyration(const Motion& m) {
+  return std::sqrt(std::max(m.inertia[0], std::max(m.inertia[1], m.inertia[2])) / m.mass);
 }
 
 Vec3 arm(const Model& m, PointId point) {
@@ -196,6 +203,7 @@ void disturb(Model& m, std::int32_t articulate) {
 void touch(Model& m, BodyId body) {
   m.topology_changed = m.places_changed = true;
   m.touched.push_back({body, {}, m.motion_of(body).articulate});
+  m.stirred.push_back(body);
 }
 
 void touch(Model& m, PointId point) {
@@ -224,6 +232,7 @@ void touch(Model& m, const Constraint& constraint) {
 
 void disturb(Model& m, BodyId body) {
   m.places_changed = true;
+  m.stirred.push_back(body);
   disturb(m, m.motion_of(body).articulate);
 }
 

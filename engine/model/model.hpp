@@ -48,6 +48,7 @@ struct Model {
   bool force_elements_changed = false;  ///< an edit concerns which laws act on what
   bool places_changed = true;           ///< an edit concerns where things are, or their shapes
   std::vector<Touched> touched;         ///< whose ties are to be looked at anew
+  std::vector<BodyId> stirred;          ///< that an edit or a force concerned: what sleeps with them is to wake
   std::vector<std::int32_t> disturbed;  ///< articulates whose positions or velocities an edit changed
 
   FreeMotion& motion_of(PointId id) { return (void)points[id], free_motion[id.slot - 1]; }

@@ -65,6 +65,7 @@ void keep_start(World& world) {
   s.ledger = world.ledger;
   s.stats = world.stats;
   s.contacts = world.contacts;
+  s.loose_bodies = world.loose_bodies;
   s.work = world.work;
   s.nonconservative_work = world.nonconservative_work;
   s.work_check = world.work_check;
@@ -102,6 +103,9 @@ void begin_again(World& world) {
   world.stats.rejected = rejected;
   world.contacts = s.contacts;
   world.contacts.stale = true;
+  world.loose_bodies = s.loose_bodies;
+  world.saved_motion.clear();
+  for (const std::uint32_t slot : world.loose_bodies) world.saved_motion.push_back(world.motion[slot]);
   world.work = s.work;
   world.nonconservative_work = s.nonconservative_work;
   world.work_check = s.work_check;

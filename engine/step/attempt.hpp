@@ -18,6 +18,7 @@ struct StepStart {
   Ledger ledger;
   Stats stats;
   Contacts contacts;
+  std::vector<std::uint32_t> loose_bodies;
   double work = 0.0, nonconservative_work = 0.0;  // [J]
   WorkCheck work_check;
   std::uint64_t instant = 0;

@@ -89,7 +89,8 @@ void end_pushes(World& world) {
 /// Energies and gaps from the working copies, which are at hand; `accuracy()` finds the same from the model's rows.
 void measure_errors(World& world, const OfLoosePoints& points) {
   const Vec3 gravity = world.settings.gravity;
-  double kinetic = points.kinetic, potential = -dot(gravity, points.mass_position);
+  double kinetic = points.kinetic;
+  double potential = -dot(gravity, points.mass_position + world.contacts.slept_position);
   Accuracy now;
   for (const auto& articulate : world.articulates) {
     kinetic += articulate->totals.kinetic;

@@ -6,6 +6,7 @@
 #include "articulates/solve/state.hpp"
 #include "edit/common.hpp"
 #include "forces/integrator.hpp"
+#include "forces/sleep.hpp"
 #include "forces/solved.hpp"
 #include "step/ledger_posts.hpp"
 #include "step/phases.hpp"
@@ -102,6 +103,7 @@ void meet_edited(World& world) {
 
 void find_articulates(World& world) {
   begin_stage(world, 0);
+  wake_stirred(world);
   find_changed(world);
   meet_edited(world);
 }

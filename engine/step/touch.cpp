@@ -8,6 +8,7 @@
 #include "contacts/heat.hpp"
 #include "contacts/stages.hpp"
 #include "contacts/touching.hpp"
+#include "forces/sleep.hpp"
 #include "step/ledger_posts.hpp"
 #include "step/phases.hpp"
 #include "step/touch.hpp"
@@ -64,8 +65,9 @@ void find(World& world, bool drifted) {
   if (!world.touch_space) world.touch_space = std::make_unique<TouchSpace>();
   renew(world.contact_finder, world);
   const double h = drifted && world.stage.to >= 1.0 ? world.settings.step : world.stage.h;
-  find_contacts({world, world.articulates, drifted, world.settings.gravity, h, world.stage.h}, *world.contact_finder,
-                world.contacts);
+  find_contacts({world, world.articulates, world.contacts, drifted, world.settings.gravity, h, world.stage.h},
+                *world.contact_finder, *world.workers, world.contacts);
+  wake_touched(world);
 }
 
 }  // namespace
@@ -76,7 +78,8 @@ void place_contacts(World& world) {
   const bool drifted = world.stage.index > 0;
   if (world.contacts.stale || world.places_changed) find(world, drifted);
   TouchReport report;
-  place(*world.touch_space, world, world.articulates, world.contacts, settings_of(world, drifted), report);
+  place(*world.touch_space, *world.workers, world, world.articulates, world.contacts, settings_of(world, drifted),
+        report);
   world.contacts.work = report.work;
   // In a scene at rest there is no other energy to hold errors against.
   world.largest_kinetic = std::max(world.largest_kinetic, report.gravity);
@@ -89,10 +92,10 @@ void find_contacts(World& world) {
   find(world, true);
   const LedgerMark before = ledger_mark(world, true);
   TouchReport report;
-  const double work =
-      push_out(*world.touch_space, world, world.articulates, world.contacts, settings_of(world, true), report);
-  post(world, Source::push_out, work);
-  if (work != 0.0) post_falling(world, before.falling - ledger_mark(world, true).falling);
+  push_out(*world.touch_space, *world.workers, world, world.articulates, world.contacts, settings_of(world, true),
+           report);
+  post(world, Source::push_out, report.work);
+  if (report.work != 0.0) post_falling(world, before.falling - ledger_mark(world, true).falling);
   count(world, report);
   if (world.contacts.stale) find(world, true);
 }
@@ -101,7 +104,7 @@ void meet_contacts(World& world) {
   if (world.shapes.empty()) return;
   const Timed timed(world.profile, Phase::meet_contacts);
   TouchReport report;
-  meet(*world.touch_space, world, world.articulates, world.contacts, settings_of(world, true), report);
+  meet(*world.touch_space, *world.workers, world, world.articulates, world.contacts, settings_of(world, true), report);
   post_contacts(world, report);
   count(world, report);
   if (world.contacts.watched) feel(world, world.articulates, world.contacts);

@@ -4,6 +4,7 @@
 
 #include "base/check.hpp"
 #include "edit/edit.hpp"
+#include "forces/sleep.hpp"
 #include "peers/pile_trial.hpp"
 #include "peers/piles.hpp"
 #include "step/step.hpp"
@@ -28,6 +29,7 @@ class PantinRig : public peers::Rig {
   }
 
   void step() override {
+    wake_all(world_);  // no engine sleeps here
     pantin::step(world_);
     require(world_.failure.empty(), world_.failure);
   }

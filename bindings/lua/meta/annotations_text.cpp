@@ -136,7 +136,7 @@ function quat_methods:inverse() end
 ---@field removal number [J] by things removed
 ---@field damper number [J] by laws that depend on velocities (dampers, drag, wind, thermostats) but for those that do no work by it, as v × B, and what springs swallow that are solved at the end of the step
 ---@field law_edit number [J] by laws made, changed and removed, and attributes that follow an age
----@field sleep number [J] that articulates still had which fell asleep
+---@field sleep number [J] that things still had which fell asleep
 ---@field projection number [J] taken by the projection of velocities, since it is kept
 ---@field energy_return number [J] given back of that
 ---@field fallback_step number [J] taken by fallback steps, since it is kept
@@ -150,7 +150,7 @@ function quat_methods:inverse() end
 ---@class Stats
 ---@field steps integer done so far
 ---@field articulates integer there are now
----@field asleep integer of them, which rest until something moves them
+---@field asleep integer of them, and of bodies that touch, which rest until something moves them
 ---@field newton_iterations integer of all articulates
 ---@field worst_iterations integer that one step took
 ---@field solves integer of systems of linear equations
