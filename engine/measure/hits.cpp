@@ -14,7 +14,8 @@ namespace {
 const ContactFinder& current_finder(World& world) {
   const bool edited = world.places_changed;
   if (renew(world.contact_finder, world)) {
-    put_bounds({world, world.articulates, world.contacts, false, world.settings.gravity, world.settings.step}, *world.contact_finder);
+    put_bounds({world, world.articulates, world.contacts, false, world.settings.gravity, world.settings.step},
+               *world.contact_finder);
     world.contacts.stale = world.contacts.stale || edited;
   }
   return *world.contact_finder;
