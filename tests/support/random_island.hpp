@@ -15,7 +15,10 @@ struct Chance {
     return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1.0p-53;
   }
   int below(int count) { return static_cast<int>(engine() % static_cast<std::uint64_t>(count)); }
-  Vec3 vector(double size) { return vec(between(-size, size), between(-size, size), between(-size, size)); }
+  Vec3 vector(double size) {
+    const double x = between(-size, size), y = between(-size, size), z = between(-size, size);
+    return vec(x, y, z);
+  }
   Vec3 direction() {
     for (;;) {
       const Vec3 v = vector(1.0);

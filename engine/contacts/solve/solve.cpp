@@ -113,14 +113,14 @@ IslandReport solve_island(ContactIsland& island, bool exactly, ContactSearch wan
   search.report.residual = residual(island);
   if (search.report.residual <= island.tolerance) return search.report;
   const bool is_small = wanted != ContactSearch::fast && island.contacts.size() <= few;
+  const bool surely = is_small || wanted == ContactSearch::exact;
   const bool exact =
-      is_small || wanted == ContactSearch::exact ||
-      (wanted == ContactSearch::automatic && exactly && mean_velocity(island) <= calm * island.tolerance);
+      surely || (wanted == ContactSearch::automatic && exactly && mean_velocity(island) <= calm * island.tolerance);
   if (exact && search.report.residual <= swept_enough * island.tolerance) search.newton(most_of_newton);
   if (!search.solved()) {
     search.sweeps(exact ? sweeps_before_newton : most_sweeps);
     if (exact && search.report.residual > island.tolerance) search.newton(most_of_newton);
-    for (std::uint32_t i = 0; is_small && !search.solved() && i < rounds_of_hard; i++) {
+    for (std::uint32_t i = 0; surely && !search.solved() && i < rounds_of_hard; i++) {
       search.sweeps(sweeps_of_hard);
       search.newton(newton_of_hard);
     }
