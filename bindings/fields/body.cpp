@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "edit/edit.hpp"
+#include "fields/contacts.hpp"
 #include "fields/make.hpp"
-#include "measure/measure.hpp"
 #include "measure/query.hpp"
 
 namespace pantin::fields {
@@ -123,51 +123,6 @@ void write_restitution(World& world, BodyId body, double restitution) {
   write_material(world, body, "restitution", [&](ShapeId shape) { set_restitution(world, shape, restitution); });
 }
 
-/// Nothing where it is gone.
-template <class Row>
-Value row_at(const Store<Row>& rows, std::uint32_t slot) {
-  return rows.alive_at(slot) ? Value(AnyId(rows.id_at(slot))) : Value();
-}
-
-/// How fast the surface of a slides on that of b [m/s], belts included.
-Vec3 slip_of(const World& world, const Contact& c) {
-  const auto velocity = [&](std::uint32_t slot) {
-    const Motion& m = world.motion[slot];
-    return m.p / m.mass + cross(angular_velocity(m), c.at - m.x);
-  };
-  const bool on_body = c.body_b >= 0 && world.bodies.alive_at(static_cast<std::uint32_t>(c.body_b));
-  const Vec3 v = velocity(c.body_a) - (on_body ? velocity(static_cast<std::uint32_t>(c.body_b)) : zero3()) + c.belt;
-  return v - c.normal * dot(c.normal, v);
-}
-
-void add_contact(const World& world, std::uint32_t body, const Contact& c, bool sensor, Table& list) {
-  const bool first = c.body_a == body, second = c.body_b >= 0 && static_cast<std::uint32_t>(c.body_b) == body;
-  if (!(first || second) || (c.gap > 0.0 && norm2(c.total) == 0.0)) return;
-  const double side = first ? 1.0 : -1.0;
-  const std::uint32_t other = first ? static_cast<std::uint32_t>(c.body_b) : c.body_a;
-  list.push_back(
-      {"", Table{{"with", first && c.body_b < 0 ? row_at(world.shapes, c.key.b) : row_at(world.bodies, other)},
-                 {"at", c.at},
-                 {"normal", c.normal * side},
-                 {"force", contact_force(world, c) * side},
-                 {"depth", -c.gap},
-                 {"slip", slip_of(world, c) * side},
-                 {"sensor", sensor}}});
-}
-
-/// What touches it, or is about to and was pushed: forces on it, normals towards it.
-Table contacts_of(const World& world, BodyId body) {
-  Table list;
-  const auto add = [&](const std::vector<Contact>& contacts, bool sensor) {
-    for (const Contact& c : contacts) add_contact(world, body.slot - 1, c, sensor, list);
-  };
-  add(world.contacts.list, false);
-  add(world.contacts.resting, false);
-  add(world.contacts.sensed, true);
-  add(world.contacts.resting_sensed, true);
-  return list;
-}
-
 std::optional<std::string> layer_of_body(const World& world, BodyId body) {
   const auto& shapes = world.bodies[body].shapes;
   const std::uint32_t layer = shapes.empty() ? 0 : world.shapes[shapes[0]].layer;
@@ -196,7 +151,7 @@ std::vector<Property> touch() {
       property<BodyId>("colliders", "Collider[]", "", "its shapes, in the order of making",
                        [](const World& w, BodyId b) { return w.bodies[b].shapes; }),
       property<BodyId>("contacts", "Contact[]", "", "where its shapes touch others, after the last step",
-                       [](const World& w, BodyId b) { return contacts_of(w, b); }),
+                       [](const World& w, BodyId b) { return contacts_of(w, b.slot - 1); }),
   };
 }
 

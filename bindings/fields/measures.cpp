@@ -93,9 +93,9 @@ Table contact_heat(const World& world) {
   Table list;
   for (const TouchHeat& one : world.contacts.heat) {
     Table entry;
-    if (one.pair.a) {
-      entry.push_back({"a", AnyId(one.pair.a)});
-      entry.push_back({"b", one.pair.b ? AnyId(one.pair.b) : AnyId(one.pair.ground)});
+    if (one.pair != TouchPair{}) {
+      entry.push_back({"a", one.pair.a});
+      entry.push_back({"b", one.pair.b});
     }
     entry.push_back({"heat", one.heat});
     list.push_back({"", std::move(entry)});

@@ -1,4 +1,5 @@
 #include "edit/constrain.hpp"
+#include "fields/contacts.hpp"
 #include "fields/look.hpp"
 #include "fields/make.hpp"
 #include "forces/curves.hpp"
@@ -40,6 +41,15 @@ std::vector<Property> motion() {
   };
 }
 
+/// Of all its points.
+Table contacts_of_particle(const World& world, ParticleId particle) {
+  Table all;
+  for (const PointId p : ring(world, particle).points)
+    if (!world.points[p].body)
+      for (auto& contact : contacts_of(world, point_thing(p.slot - 1))) all.push_back(std::move(contact));
+  return all;
+}
+
 std::vector<Property> family_and_life() {
   return {
       property<ParticleId>(
@@ -53,6 +63,8 @@ std::vector<Property> family_and_life() {
           "goes at the beginning of the first step at which its age has reached this; a hinge is cut; math.huge: never",
           [](const World& w, ParticleId p) { return ring(w, p).lifetime; },
           [](World& w, ParticleId p, double life) { set_lifetime(w, awake(w, p), life); })),
+      property<ParticleId>("contacts", "Contact[]", "", "where it touches shapes and others, if its family is solid",
+                           [](const World& w, ParticleId p) { return contacts_of_particle(w, p); }),
       property<ParticleId>("age", "number", "s", "time since it was made",
                            [](const World& w, ParticleId p) { return w.time - ring(w, p).born; }),
   };

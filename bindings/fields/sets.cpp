@@ -1,4 +1,5 @@
 // Group and family, and what is measured of their things.
+#include "edit/edit.hpp"
 #include "fields/make.hpp"
 #include "fields/measures.hpp"
 #include "measure/query.hpp"
@@ -57,6 +58,36 @@ Table attributes(const World& world, FamilyId family) {
   return table;
 }
 
+std::optional<Solid> solid(const World& world, FamilyId family) { return world.families[family].solid; }
+
+std::optional<std::string> layer_of_family(const World& world, FamilyId family) {
+  const std::optional<Solid> touch = solid(world, family);
+  return touch && touch->layer > 0 ? std::optional(world.layers.names[touch->layer - 1]) : std::nullopt;
+}
+
+std::vector<Property> touch_of_family() {
+  return {
+      property<FamilyId>(
+          "solid", "boolean", "",
+          "whether its free particles touch shapes and each other, as balls of their radius that do not turn",
+          [](const World& w, FamilyId f) { return solid(w, f).has_value(); }),
+      property<FamilyId>(
+          "friction", "number?", "1", "of what is solid, else nil",
+          [](const World& w, FamilyId f) { return solid(w, f) ? std::optional(solid(w, f)->friction) : std::nullopt; },
+          [](World& w, FamilyId f, double friction) { set_friction(w, f, friction); }),
+      property<FamilyId>(
+          "restitution", "number?", "1", "0 … 1, of what is solid, else nil",
+          [](const World& w, FamilyId f) {
+            return solid(w, f) ? std::optional(solid(w, f)->restitution) : std::nullopt;
+          },
+          [](World& w, FamilyId f, double restitution) { set_restitution(w, f, restitution); }),
+      property<FamilyId>(
+          "layer", "string?", "", "of what is solid, see scene:collide",
+          [](const World& w, FamilyId f) { return layer_of_family(w, f); },
+          [](World& w, FamilyId f, const std::optional<std::string>& layer) { set_layer(w, f, layer.value_or("")); }),
+  };
+}
+
 std::vector<Property> properties_of_family() {
   return {
       property<FamilyId>("attributes", "table<string, number>", "each its own", "values of a particle that gives none",
@@ -82,7 +113,12 @@ const Type& group_type() {
 
 const Type& family_type() {
   static const Type type = {"Family", "family", "Particles of a kind, with named numeric attributes that laws read.",
-                            properties_of_family(), &any_set_type()};
+                            [] {
+                              std::vector<Property> all = properties_of_family();
+                              for (Property& more : touch_of_family()) all.push_back(std::move(more));
+                              return all;
+                            }(),
+                            &any_set_type()};
   return type;
 }
 

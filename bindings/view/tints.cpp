@@ -126,9 +126,9 @@ void Tints::by_island(const World& world) {
   const auto there = [&](std::uint32_t slot) { return world.bodies.alive_at(slot); };
   const auto color = [&](std::uint32_t slot) { bodies_[slot] = distinct(first_of(slot)); };
   for (const Contact& c : world.contacts.list)
-    if (c.body_b >= 0 && presses(c)) join(c.body_a, static_cast<std::uint32_t>(c.body_b));
+    if (c.body_b >= 0 && !is_point(c.body_a) && presses(c)) join(c.body_a, static_cast<std::uint32_t>(c.body_b));
   for (const Contact& c : world.contacts.list)
-    if (presses(c) && there(c.body_a)) {
+    if (presses(c) && !is_point(c.body_a) && there(c.body_a)) {
       color(c.body_a);
       if (c.body_b >= 0) color(static_cast<std::uint32_t>(c.body_b));
     }

@@ -1,5 +1,5 @@
 #pragma once
-// State of bodies, wherever it is kept: in the model, or after a drift in the articulates.
+// State of bodies and free points, wherever it is kept: in the model, or after a drift in the articulates.
 #include <memory>
 #include <vector>
 
@@ -20,16 +20,21 @@ struct BodyState {
   Node* node;     ///< where it is kept, or null: in the model
 };
 
-BodyState state_of(const Model& model, const std::vector<std::unique_ptr<Articulate>>& articulates, std::uint32_t slot,
+/// A point is a body that cannot turn.
+BodyState state_of(const Model& model, const std::vector<std::unique_ptr<Articulate>>& articulates, std::uint32_t thing,
                    bool drifted);
-/// Whether what a body moves with sleeps.
+/// Whether it sleeps, or what it moves with.
 bool asleep(const Model& model, const std::vector<std::unique_ptr<Articulate>>& articulates, const Contacts& contacts,
-            std::uint32_t slot);
-/// Whether it has to wake with others: what sleeps without touching anything does not.
+            std::uint32_t thing);
+/// Whether a body has to wake with others: what sleeps without touching anything does not.
 bool sleeps_in_touch(const Contacts& contacts, std::uint32_t slot);
 /// Adds to the momenta [kg m/s], [kg m²/s] about the centre, world axes.
-void add_momenta(Model& model, const BodyState& state, std::uint32_t slot, Vec3 p, Vec3 angular);
+void add_momenta(Model& model, const BodyState& state, std::uint32_t thing, Vec3 p, Vec3 angular);
 /// Displaces by `way` [m] and turns by a rotation vector [rad]; momenta in world axes stay.
-void displace(Model& model, const BodyState& state, std::uint32_t slot, Vec3 way, Vec3 turn);
+void displace(Model& model, const BodyState& state, std::uint32_t thing, Vec3 way, Vec3 turn);
+/// [J] now, not when its state was taken.
+double kinetic_energy(const Model& model, const BodyState& state, std::uint32_t thing);
+/// Whether it is a point that nothing ties: kicks give it gravity, too.
+bool is_loose_point(const Model& model, std::uint32_t thing);
 
 }  // namespace pantin

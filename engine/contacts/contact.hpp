@@ -8,12 +8,19 @@
 #include "articulates/rest.hpp"
 #include "base/handle.hpp"
 #include "base/lanes.hpp"
+#include "model/group.hpp"
 
 namespace pantin {
 
+/// Things that touch are known by the slot of a body; or, with a bit more, by that of a free point.
+constexpr std::uint32_t point_bit = 1u << 30;
+constexpr std::uint32_t point_thing(std::uint32_t slot) { return slot | point_bit; }
+constexpr bool is_point(std::uint32_t thing) { return (thing & point_bit) != 0; }
+constexpr std::uint32_t slot_of(std::uint32_t thing) { return thing & ~point_bit; }
+
 /// Which features of which shapes meet: lasts as long as they do.
 struct ContactKey {
-  std::uint32_t a = 0, b = 0;  ///< slots of Model::shapes
+  std::uint32_t a = 0, b = 0;  ///< slots of Model::shapes, or things that are points
   std::uint32_t part = 0;      ///< of b: a triangle of a mesh
   std::uint32_t feature = 0;
   friend auto operator<=>(const ContactKey&, const ContactKey&) = default;
@@ -26,15 +33,15 @@ struct Roundness {
   Vec3 axis = zero3();  ///< of a cylinder, in the world; else 0
 };
 
-/// A point at which two shapes touch, or soon may. Shape a is a body's.
+/// A point at which two shapes touch, or soon may. Shape a is a body's, or a solid point.
 struct Contact {
   ContactKey key;
-  std::uint32_t body_a = 0;  ///< slot
-  std::int32_t body_b = -1;  ///< slot, or -1: the world
+  std::uint32_t body_a = 0;  ///< thing
+  std::int32_t body_b = -1;  ///< thing, or -1: the world
   Vec3 normal = zero3();     ///< from b to a, of unit length
-  Vec3 at = zero3();         ///< [m] world: where impulses act, between the surfaces
-  double gap = 0.0;          ///< [m] below 0: overlap
-  double size = 1.0;         ///< [m] thickness of the smaller shape: lengths are held against it
+  Vec3 at = zero3();  ///< [m] world: where impulses act, between the surfaces; of a point and a shape in the point
+  double gap = 0.0;   ///< [m] below 0: overlap
+  double size = 1.0;  ///< [m] thickness of the smaller shape: lengths are held against it
   double friction = 0.0, restitution = 0.0;
   double rolling = 0.0, spinning = 0.0;  ///< [m] moment by normal force against rolling, against spinning on the spot
   Roundness round_a, round_b;
@@ -64,13 +71,9 @@ struct TouchedBody {
   std::int32_t island = -1;  ///< while it sleeps in touch: the same number in all that sleep with it
 };
 
-struct Body;
-struct Shape;
-
-/// A body that touches another, or a shape of the world.
+/// Two that touch: particles before bodies before shapes of the world.
 struct TouchPair {
-  Handle<Body> a, b;  ///< b null: `ground`
-  Handle<Shape> ground;
+  AnyId a, b;
   friend auto operator<=>(const TouchPair&, const TouchPair&) = default;
 };
 
@@ -94,6 +97,7 @@ struct Contacts {
   std::vector<Contact> sensed;          ///< by key: those of sensors, which the stages do not know
   std::vector<Placing> placed;          ///< in this step
   std::vector<TouchedBody> bodies;      ///< (slots of bodies)
+  std::vector<TouchedBody> points;      ///< (slots of points) of those that are solid; they sleep in no touch
   double work = 0.0;                    ///< [J] of those, with what ties answered: told with the rest of the step
   std::vector<Contact> resting;         ///< by key: between things of which none is awake. They are in no other list,
   std::vector<Contact> resting_sensed;  ///< nor are those of sensors
@@ -111,5 +115,14 @@ struct Contacts {
   std::vector<TouchHeat> new_heat;  ///< where kept: in this stage so far, by impulse
   std::vector<TouchHeat> heat;      ///< where kept: since then, by pair, rising
 };
+
+/// [m] Where two surfaces meet, in the middle between them.
+inline Vec3 between(const Contact& c) {
+  const bool in_point = is_point(c.body_a) && !(c.body_b >= 0 && is_point(static_cast<std::uint32_t>(c.body_b)));
+  return in_point ? c.at - c.normal * (c.round_a.radius + 0.5 * c.gap) : c.at;
+}
+
+/// Forgets contacts of what is gone.
+void drop_contacts(Contacts& contacts, std::uint32_t thing);
 
 }  // namespace pantin

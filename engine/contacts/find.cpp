@@ -14,8 +14,9 @@ Pose in_principal_axes(const Body& body, const Shape& shape) {
   return {rotate(to_axes, shape.at - body.centre), matrix(to_axes * shape.orientation)};
 }
 
+constexpr double still = 0.01;  // of the thickness
+
 Placed place(const Placement& p, const Shape& shape) {
-  constexpr double still = 0.01;  // of the thickness
   Placed placed;
   const double size = thickness_of(shape.geometry);
   if (std::isfinite(size)) placed.margin = still * size;
@@ -41,17 +42,19 @@ Bounds widened(Bounds b, double margin) {
   return {b.low - by, b.high + by};
 }
 
+bool are_tied(const ContactFinder& finder, std::uint32_t x, std::uint32_t y) {
+  return std::binary_search(finder.tied.begin(), finder.tied.end(), std::pair(std::min(x, y), std::max(x, y)));
+}
+
 /// `rule`: of their layers, or null.
 bool may_touch(const ContactFinder& finder, const Shape& a, const Shape& b, const LayerRule* rule) {
   if (rule && !rule->collide) return false;
   if (!a.body && !b.body) return false;
-  if (a.body && b.body) {
-    if (a.body == b.body) return false;
-    const std::uint32_t x = a.body.slot - 1, y = b.body.slot - 1;
-    if (std::binary_search(finder.tied.begin(), finder.tied.end(), std::pair(std::min(x, y), std::max(x, y))))
-      return false;
-  }
-  return true;
+  return !a.body || !b.body || (a.body != b.body && !are_tied(finder, a.body.slot - 1, b.body.slot - 1));
+}
+
+std::size_t number_of(const Model& model, std::uint32_t thing) {
+  return is_point(thing) ? model.bodies.slots() + slot_of(thing) : thing;
 }
 
 /// Sets how bodies go on: less what contacts stopped in the last drift, since the end of the step does not give that back.
@@ -60,7 +63,8 @@ void find_going(const Model& model, ContactFinder& finder, const Contacts& conta
   std::vector<Going>& going = finder.going;
   for (const std::uint32_t s : finder.moving) going[model.shapes.at_slot(s).body.slot - 1] = finder.placed[s].going;
   for (const Contact& c : contacts.list) {
-    Going world, &a = going[c.body_a], &b = c.body_b < 0 ? world : going[static_cast<std::size_t>(c.body_b)];
+    Going world, &a = going[number_of(model, c.body_a)],
+                 &b = c.body_b < 0 ? world : going[number_of(model, static_cast<std::uint32_t>(c.body_b))];
     const double nearing = -dot(c.normal, a.v - b.v), lightness = 1.0 / a.mass + 1.0 / b.mass;
     if (!(nearing > 0.0 && dot(c.placing, c.normal) * lightness > least_stop * nearing)) continue;
     a.v += c.normal * (nearing / (a.mass * lightness));
@@ -79,9 +83,22 @@ bool held(const Contacts& contacts, const ContactKey& key) {
   return false;
 }
 
-Travel travel(const Going& a, const Placed& at_a, const Going& b, const Placed& at_b, double h) {
-  const Vec3 of_b = b.v + cross(b.w, at_a.pose.x - at_b.pose.x + at_b.arm);
-  return {(a.v + cross(a.w, at_a.arm) - of_b) * h, (a.w - b.w) * h};
+/// One of two that may touch.
+struct Side {
+  std::uint32_t key;
+  std::int32_t thing;  // or -1: the world
+  const Geometry& geometry;
+  const Placed& placed;
+  const Going& going;
+  double friction, restitution, rolling, spinning;
+  Vec3 belt;  // [m/s]
+  bool sensor;
+  bool is_solid_point() const { return thing >= 0 && is_point(static_cast<std::uint32_t>(thing)); }
+};
+
+Travel travel(const Side& a, const Side& b, double h) {
+  const Vec3 of_b = b.going.v + cross(b.going.w, a.placed.pose.x - b.placed.pose.x + b.placed.arm);
+  return {(a.going.v + cross(a.going.w, a.placed.arm) - of_b) * h, (a.going.w - b.going.w) * h};
 }
 
 /// The points of one pair.
@@ -89,6 +106,7 @@ struct Collector final : ManifoldSink {
   ContactKey key;
   Contact like;
   Vec3 x_a = zero3();
+  bool in_point = false;  // impulses act in x_a
   std::vector<Contact>* to = nullptr;
 
   void take(const Manifold& m, std::uint32_t part) override {
@@ -101,7 +119,7 @@ struct Collector final : ManifoldSink {
       c.normal = p.normal;
       c.gap = p.gap;
       if (p.id == inner_ball_id) c.round_a = {norm(p.on_a - x_a), zero3()};
-      c.at = c.body_b < 0 ? p.on_a : p.on_a - p.normal * (0.5 * p.gap);
+      c.at = in_point ? x_a : c.body_b < 0 ? p.on_a : p.on_a - p.normal * (0.5 * p.gap);
       to->push_back(c);
     }
   }
@@ -118,52 +136,6 @@ Vec3 belt_of(const Shape& shape, const Placed& placed) {
   return norm2(v) == 0.0 ? v : placed.pose.R * transposed_times(matrix(shape.orientation), v);
 }
 
-double friction_of(const Shape& a, const Shape& b, const LayerRule* rule) {
-  return rule && rule->friction ? *rule->friction : std::sqrt(a.material.friction * b.material.friction);
-}
-
-double restitution_of(const Shape& a, const Shape& b, const LayerRule* rule) {
-  return rule && rule->restitution ? *rule->restitution : std::max(a.material.restitution, b.material.restitution);
-}
-
-void keep_impulses(const std::vector<Contact>& before, std::vector<Contact>& now) {
-  auto old = before.begin();
-  std::vector<char> inherited(before.size(), 0);
-  std::vector<std::size_t> orphans;
-  const auto inherit = [&](Contact& c, std::vector<Contact>::const_iterator from) {
-    c.placing = from->placing;
-    c.total = from->total;
-    c.placing_moment = from->placing_moment;
-    c.total_moment = from->total_moment;
-    c.approach = from->approach;
-    c.rebound = from->rebound;
-    inherited[static_cast<std::size_t>(from - before.begin())] = 1;
-  };
-  for (std::size_t i = 0; i < now.size(); i++) {
-    while (old != before.end() && old->key < now[i].key) old++;
-    if (old != before.end() && old->key == now[i].key)
-      inherit(now[i], old);
-    else
-      orphans.push_back(i);
-  }
-  constexpr double near = 0.3;  // of the size
-  for (const std::size_t i : orphans) {
-    const ContactKey first{now[i].key.a, now[i].key.b, 0, 0};
-    auto best = before.end();
-    double least = near * now[i].size;
-    for (auto it = std::lower_bound(before.begin(), before.end(), first,
-                                    [](const Contact&c, const ContactKey&k) { return c.key < k; });
-         it != before.end() && it->key.same_shapes(first); it++) {
-      if (inherited[static_cast<std::size_t>(it - before.begin())]) continue;
-      const double distance = norm(it->at - now[i].at);
-      if (distance >= least) continue;
-      least = distance;
-      best = it;
-    }
-    if (best != before.end()) inherit(now[i], best);
-  }
-}
-
 }  // namespace
 
 Pose pose_of(const Model& m, const Shape& shape) {
@@ -172,47 +144,7 @@ Pose pose_of(const Model& m, const Shape& shape) {
   return Pose{motion.x, matrix(motion.q)} * in_principal_axes(m.bodies[shape.body], shape);
 }
 
-std::vector<std::pair<std::uint32_t, std::uint32_t>> tied_bodies(const Model& m) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  const auto add = [&](BodyId a, BodyId b) {
-    if (a && b && a != b) pairs.emplace_back(std::min(a.slot, b.slot) - 1, std::max(a.slot, b.slot) - 1);
-  };
-  for (const ParticleId id : m.particles.ids()) {
-    const Particle& ring = m.particles[id];
-    if (!ring.joins() || ring.collide) continue;
-    for (std::size_t i = 0; i < ring.points.size(); i++)
-      for (std::size_t j = 0; j < i; j++) add(m.points[ring.points[i]].body, m.points[ring.points[j]].body);
-  }
-  for (const ConstraintId id : m.constraints.ids())
-    if (const Constraint& c = m.constraints[id]; c.is<WeldData>() && c.enabled) add(c.body_a, c.body_b);
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  return pairs;
-}
-
 namespace {
-
-std::vector<HingedPair> hinged_pairs(const Model& m) {
-  std::vector<HingedPair> pairs;
-  for (const ParticleId id : m.particles.ids()) {
-    const Particle& ring = m.particles[id];
-    if (!ring.joins() || !ring.collide) continue;
-    Vec3 axis = zero3();
-    if (!ring.axes.empty()) {
-      const Constraint& c = m.constraints[ring.axes[0]];
-      axis = rotate(orientation(m, c.body_a), c.axis_a);
-    }
-    for (const PointId i : ring.points)
-      for (const PointId j : ring.points) {
-        const BodyId a = m.points[i].body, b = m.points[j].body;
-        if (a && b && a.slot < b.slot)
-          pairs.push_back({a.slot - 1, b.slot - 1, arm(m, i), rotate(conjugate(m.motion_of(a).q), axis)});
-      }
-  }
-  std::stable_sort(pairs.begin(), pairs.end(),
-                   [](const HingedPair& x, const HingedPair& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); });
-  return pairs;
-}
 
 /// Leaves out contacts where a hinge is: it keeps these together, so that impulses there would have no bound.
 void drop_at_hinges(const Placement& p, const std::vector<HingedPair>& hinged, std::vector<Contact>& list) {
@@ -234,20 +166,6 @@ void drop_at_hinges(const Placement& p, const std::vector<HingedPair>& hinged, s
   });
 }
 
-}  // namespace
-
-bool renew(std::unique_ptr<ContactFinder>& finder, Model& model) {
-  const bool changed = !finder || model.places_changed;
-  if (!finder) finder = std::make_unique<ContactFinder>();
-  if (changed) finder->tied = tied_bodies(model);
-  if (changed) finder->hinged = hinged_pairs(model);
-  model.places_changed = false;
-  finder->changed = finder->changed || changed;
-  return changed;
-}
-
-namespace {
-
 void put(const Placement& p, ContactFinder& finder, std::uint32_t s) {
   const Shape& shape = p.model.shapes.at_slot(s);
   const Placed& placed = finder.placed[s] = place(p, shape);
@@ -259,7 +177,7 @@ void put_all(const Placement& p, ContactFinder& finder) {
   const Store<Shape>& shapes = p.model.shapes;
   finder.placed.resize(shapes.slots());
   finder.serials.resize(shapes.slots(), 0);
-  finder.going.assign(p.model.bodies.slots(), Going{});
+  finder.going.assign(p.model.bodies.slots() + (p.model.solids ? p.model.points.slots() : 0), Going{});
   finder.height_fields.clear();
   finder.moving.clear();
   for (std::uint32_t s = 0; s < shapes.slots(); s++) {
@@ -300,33 +218,55 @@ void choose_pairs(const Model& model, ContactFinder& finder) {
 
 bool by_key(const Contact& a, const Contact& b) { return a.key < b.key; }
 
+void add_contacts(const Side& a, const Side& b, const LayerRule* rule, const Contacts& before, double h, double margin,
+                  FoundContacts& found) {
+  Collector collector;
+  collector.to = a.sensor || b.sensor ? &found.sensed : &found.list;
+  collector.key = {a.key, b.key, 0, 0};
+  collector.x_a = a.placed.pose.x;
+  collector.in_point = a.is_solid_point() && !b.is_solid_point();
+  Contact& like = collector.like;
+  like.body_a = static_cast<std::uint32_t>(a.thing);
+  like.body_b = b.thing;
+  like.size = std::min(thickness_of(a.geometry), thickness_of(b.geometry));
+  like.friction = rule && rule->friction ? *rule->friction : std::sqrt(a.friction * b.friction);
+  like.restitution = rule && rule->restitution ? *rule->restitution : std::max(a.restitution, b.restitution);
+  if (!a.is_solid_point()) {  // what does not turn does not roll
+    like.rolling = std::max(a.rolling, b.rolling);
+    like.spinning = std::max(a.spinning, b.spinning);
+  }
+  like.round_a = roundness_of(a.geometry, a.placed.pose);
+  like.round_b = roundness_of(b.geometry, b.placed.pose);
+  like.belt = a.belt - b.belt;
+  SeparationCache cache;
+  const auto first = static_cast<std::ptrdiff_t>(collector.to->size());
+  find_manifolds(a.geometry, a.placed.pose, b.geometry, b.placed.pose, margin, cache, collector,
+                 held(before, collector.key) ? Travel{} : travel(a, b, h));
+  std::sort(collector.to->begin() + first, collector.to->end(), by_key);
+}
+
+Side side_of(const Model& model, const ContactFinder& finder, std::uint32_t slot) {
+  const Shape& s = model.shapes.at_slot(slot);
+  const Placed& at = finder.placed[slot];
+  return {slot,
+          s.body ? static_cast<std::int32_t>(s.body.slot - 1) : -1,
+          s.geometry,
+          at,
+          s.body ? finder.going[s.body.slot - 1] : at.going,
+          s.material.friction,
+          s.material.restitution,
+          s.material.rolling,
+          s.material.spinning,
+          belt_of(s, at),
+          s.sensor};
+}
+
 void find_of_pair(const Placement& p, const ContactFinder& finder, const Contacts& contacts, BroadPhase::Pair pair,
                   FoundContacts& found) {
   const auto [a, b] = pair;
-  const Shape &sa = p.model.shapes.at_slot(a), &sb = p.model.shapes.at_slot(b);
-  const LayerRule* rule = p.model.layers.rule(sa.layer, sb.layer);
-  const Placed &at_a = finder.placed[a], &at_b = finder.placed[b];
-  Collector collector;
-  collector.to = sa.sensor || sb.sensor ? &found.sensed : &found.list;
-  collector.key = {a, b, 0, 0};
-  collector.like.body_a = sa.body.slot - 1;
-  collector.like.body_b = sb.body ? static_cast<std::int32_t>(sb.body.slot - 1) : -1;
-  const double ta = thickness_of(sa.geometry), tb = thickness_of(sb.geometry);
-  collector.like.size = std::min(ta, tb);
-  collector.x_a = at_a.pose.x;
-  collector.like.friction = friction_of(sa, sb, rule);
-  collector.like.restitution = restitution_of(sa, sb, rule);
-  collector.like.rolling = std::max(sa.material.rolling, sb.material.rolling);
-  collector.like.spinning = std::max(sa.material.spinning, sb.material.spinning);
-  collector.like.round_a = roundness_of(sa.geometry, at_a.pose);
-  collector.like.round_b = roundness_of(sb.geometry, at_b.pose);
-  collector.like.belt = belt_of(sa, at_a) - belt_of(sb, at_b);
-  const Going &a_goes = finder.going[sa.body.slot - 1], &b_goes = sb.body ? finder.going[sb.body.slot - 1] : at_b.going;
-  const Travel motion = held(contacts, collector.key) ? Travel{} : travel(a_goes, at_a, b_goes, at_b, p.h);
-  SeparationCache cache;
-  const auto before = static_cast<std::ptrdiff_t>(collector.to->size());
-  find_manifolds(sa.geometry, at_a.pose, sb.geometry, at_b.pose, at_a.margin + at_b.margin, cache, collector, motion);
-  std::sort(collector.to->begin() + before, collector.to->end(), by_key);
+  const LayerRule* rule = p.model.layers.rule(p.model.shapes.at_slot(a).layer, p.model.shapes.at_slot(b).layer);
+  add_contacts(side_of(p.model, finder, a), side_of(p.model, finder, b), rule, contacts, p.h,
+               finder.placed[a].margin + finder.placed[b].margin, found);
 }
 
 /// Of all pairs, by key.
@@ -353,14 +293,95 @@ void find_of_pairs(const Placement& p, ContactFinder& finder, const Contacts& co
   }
 }
 
+/// Places solid points and tells how they go on.
+void place_points(const Placement& p, ContactFinder& finder) {
+  finder.placed_points.clear();
+  for (const SolidPoint& point : finder.solids) {
+    const std::uint32_t thing = point_thing(point.slot);
+    const BodyState s = state_of(p.model, p.articulates, thing, p.drifted);
+    const bool falls = p.drifted && !is_loose_point(p.model, thing);
+    finder.going[number_of(p.model, thing)] = {falls ? s.v - p.gravity * (0.5 * p.drift) : s.v, zero3(), s.mass};
+    const double rest = still * 2.0 * point.radius + norm(p.gravity) * p.h * p.h;
+    finder.placed_points.push_back(
+        {s.x, s.v * p.h, rest, rest + norm(s.v) * p.h, !asleep(p.model, p.articulates, p.contacts, thing)});
+  }
+}
+
+/// Calls use(side) with one of the solid points.
+template <class Use>
+void with_point(const Model& model, const ContactFinder& finder, std::size_t i, Use use) {
+  const SolidPoint& point = finder.solids[i];
+  const std::uint32_t thing = point_thing(point.slot);
+  const Geometry ball = BallShape{point.radius};
+  Placed at;
+  at.pose.x = finder.placed_points[i].x;
+  use(Side{thing, static_cast<std::int32_t>(thing), ball, at, finder.going[number_of(model, thing)],
+           point.touch.friction, point.touch.restitution, 0.0, 0.0, zero3(), false});
+}
+
+void points_on_shapes(const Placement& p, const ContactFinder& finder, const Contacts& contacts, FoundContacts& found) {
+  for (std::size_t i = 0; i < finder.solids.size(); i++) {
+    const SolidPoint& point = finder.solids[i];
+    const PlacedPoint& at = finder.placed_points[i];
+    finder.broad_phase.in_box(widened({at.x, at.x}, point.radius + at.margin), [&](std::uint32_t slot) {
+      const Shape& shape = p.model.shapes.at_slot(slot);
+      const Placed& placed = finder.placed[slot];
+      const LayerRule* rule = p.model.layers.rule(point.touch.layer, shape.layer);
+      if ((rule && !rule->collide) || !(at.moves || placed.moves)) return;
+      if (shape.body && are_tied(finder, point_thing(point.slot), shape.body.slot - 1)) return;
+      with_point(p.model, finder, i, [&](const Side& a) {
+        add_contacts(a, side_of(p.model, finder, slot), rule, contacts, p.h, at.margin + placed.margin, found);
+      });
+    });
+  }
+}
+
+void points_on_points(const Placement& p, ContactFinder& finder, const Contacts& contacts, FoundContacts& found) {
+  std::vector<std::uint32_t> index(p.model.points.slots());
+  for (std::uint32_t i = 0; i < finder.solids.size(); i++) {
+    const SolidPoint& point = finder.solids[i];
+    if (!point.among_others) continue;
+    const PlacedPoint& at = finder.placed_points[i];
+    index[point.slot] = i;
+    Bounds bounds;
+    bounds.add(at.x);
+    bounds.add(at.x + at.way);
+    finder.points.put({widened(bounds, point.radius + at.still), point.slot, at.moves}, 0.2 * point.radius);
+  }
+  for (const auto& pair : finder.points.pairs()) {
+    const std::uint32_t i = index[pair.first], j = index[pair.second];
+    const SolidPoint &x = finder.solids[i], &y = finder.solids[j];
+    const PlacedPoint &at_x = finder.placed_points[i], &at_y = finder.placed_points[j];
+    const double margin = at_x.still + at_y.still + norm(at_x.way - at_y.way), reach = x.radius + y.radius + margin;
+    if (norm2(at_x.x - at_y.x) > reach * reach) continue;
+    const LayerRule* rule = p.model.layers.rule(x.touch.layer, y.touch.layer);
+    if ((rule && !rule->collide) || are_tied(finder, point_thing(x.slot), point_thing(y.slot))) continue;
+    with_point(p.model, finder, i, [&](const Side& a) {
+      with_point(p.model, finder, j, [&](const Side& b) { add_contacts(a, b, rule, contacts, p.h, margin, found); });
+    });
+  }
+}
+
+/// Their keys are above those of shapes.
+void find_of_points(const Placement& p, ContactFinder& finder, const Contacts& contacts, FoundContacts& found) {
+  const auto first = static_cast<std::ptrdiff_t>(found.list.size()),
+             first_sensed = static_cast<std::ptrdiff_t>(found.sensed.size());
+  points_on_shapes(p, finder, contacts, found);
+  points_on_points(p, finder, contacts, found);
+  std::sort(found.list.begin() + first, found.list.end(), by_key);
+  std::sort(found.sensed.begin() + first_sensed, found.sensed.end(), by_key);
+}
+
 }  // namespace
 
 void find_contacts(const Placement& p, ContactFinder& finder, Workers& workers, Contacts& contacts) {
   put_bounds(p, finder);
+  place_points(p, finder);
   find_going(p.model, finder, contacts);
   choose_pairs(p.model, finder);
   find_of_pairs(p, finder, contacts, workers);
   FoundContacts& found = finder.found[0];
+  if (!finder.solids.empty()) find_of_points(p, finder, contacts, found);
   drop_at_hinges(p, finder.hinged, found.list);
   keep_impulses(contacts.list, found.list);
   contacts.list.swap(found.list);

@@ -33,25 +33,44 @@ struct Placed {
   bool moves = false;   ///< is of a body that does not sleep in touch
 };
 
+/// A solid point, in the same way.
+struct PlacedPoint {
+  Vec3 x = zero3();                  ///< [m]
+  Vec3 way = zero3();                ///< [m] over the coming step
+  double still = 0.0, margin = 0.0;  ///< [m] of the margin what its speed has no part in
+  bool moves = false;
+};
+
 /// Contacts of some pairs.
 struct FoundContacts {
   std::vector<Contact> list, sensed;
 };
 
+/// A free point that touches as a ball.
+struct SolidPoint {
+  std::uint32_t slot;
+  double radius;  ///< [m]
+  Solid touch;
+  bool among_others;  ///< may touch other points, too
+};
+
 /// What finding contacts keeps to be quick: nothing that its result depends on.
 struct ContactFinder {
-  BroadPhase broad_phase;
+  BroadPhase broad_phase;                                     ///< of shapes
+  BroadPhase points;                                          ///< of solid points that may touch others (slots)
+  std::vector<SolidPoint> solids;                             ///< by slot
   std::vector<std::uint32_t> height_fields;                   ///< their slots: solid far below their bounds
   std::vector<std::uint64_t> serials;                         ///< (slots of shapes) of what is in there; 0: nothing
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> tied;  ///< (smaller, larger) slots of bodies that do not collide
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> tied;  ///< (smaller, larger) things that do not collide
   std::vector<HingedPair> hinged;                             ///< rising
   std::vector<Placed> placed;                                 ///< (slots of shapes) when they moved last
+  std::vector<PlacedPoint> placed_points;                     ///< (solids)
   std::vector<std::uint32_t> moving;                          ///< slots of shapes that move
-  std::vector<Going> going;                                   ///< (slots of bodies)
-  std::vector<BroadPhase::Pair> pairs;                        ///< of shapes that may touch
-  std::vector<FoundContacts> found;                           ///< (blocks of pairs)
-  std::uint64_t sleep_changes = 0;                            ///< of the contacts, when these were found
-  bool changed = true;                                        ///< an edit concerned what is in there
+  std::vector<Going> going;             ///< (slots of bodies, then of points where some are solid)
+  std::vector<BroadPhase::Pair> pairs;  ///< of shapes that may touch
+  std::vector<FoundContacts> found;     ///< (blocks of pairs)
+  std::uint64_t sleep_changes = 0;      ///< of the contacts, when these were found
+  bool changed = true;                  ///< an edit concerned what is in there
 };
 
 /// Where things are: of what rows tie in the articulates after a drift, else in the model.
@@ -71,8 +90,8 @@ bool renew(std::unique_ptr<ContactFinder>& finder, Model& model);
 void put_bounds(const Placement& placement, ContactFinder& finder);
 /// Finds all contacts anew; those that were there before keep their impulses.
 void find_contacts(const Placement& placement, ContactFinder& finder, Workers& workers, Contacts& contacts);
-/// Pairs of bodies that a hinge or a weld ties and that do not collide, sorted.
-std::vector<std::pair<std::uint32_t, std::uint32_t>> tied_bodies(const Model& model);
+/// Gives contacts the impulses of those that were there before: the same features, else the nearest of the same shapes.
+void keep_impulses(const std::vector<Contact>& before, std::vector<Contact>& now);
 /// A body's shape in the world.
 Pose pose_of(const Model& model, const Shape& shape);
 

@@ -47,36 +47,22 @@ struct Builder {
   const TouchSettings& settings;
   std::vector<std::int32_t>& index;
 
-  std::int32_t add_body(TouchIsland& to, std::uint32_t slot) {
-    if (index[slot] >= 0) return index[slot];
-    const BodyState s = state_of(model, articulates, slot, settings.drifted);
+  std::int32_t add(TouchIsland& to, std::uint32_t thing) {
+    const std::size_t number = is_point(thing) ? model.bodies.slots() + slot_of(thing) : thing;
+    if (number < index.size() && index[number] >= 0) return index[number];
+    const BodyState s = state_of(model, articulates, thing, settings.drifted);
     double reach = 0.0;
-    for (const ShapeId shape : model.bodies.at_slot(slot).shapes)
-      reach = std::max(reach, reach_of(model.shapes[shape].geometry));
+    if (!is_point(thing))
+      for (const ShapeId shape : model.bodies.at_slot(thing).shapes)
+        reach = std::max(reach, reach_of(model.shapes[shape].geometry));
+    const auto place = static_cast<std::int32_t>(to.things.size());
     to.problem.bodies.push_back(body_of(s, s.v, reach));
-    to.slots.push_back(slot);
-    to.points.push_back(0);
+    to.things.push_back(thing);
     to.states.push_back(s);
     to.pulls.emplace_back();
     to.law_pulls.emplace_back();
-    return index[slot] = static_cast<std::int32_t>(to.slots.size()) - 1;
-  }
-  std::int32_t add_point(TouchIsland& to, Node& n) {
-    IslandBody b;
-    b.mass = n.mass;
-    b.inverse_mass = n.inverse_mass;
-    b.inertia = identity33() * n.mass;
-    b.turning = zero33();
-    b.v0 = n.p0 * n.inverse_mass;
-    to.problem.bodies.push_back(b);
-    to.slots.push_back(n.slot);
-    to.points.push_back(1);
-    BodyState s{};
-    s.node = &n;
-    to.states.push_back(s);
-    to.pulls.emplace_back();
-    to.law_pulls.emplace_back();
-    return static_cast<std::int32_t>(to.slots.size()) - 1;
+    if (number < index.size()) index[number] = place;
+    return place;
   }
   void add_articulate(TouchIsland& to, std::uint32_t number) {
     Articulate& a = *articulates[number];
@@ -84,7 +70,7 @@ struct Builder {
     for (Condition& c : a.conditions) c.gives_way = is_limited(c);
     find_forbidden(a, settings.h, settings.drifted ? 1.0 : 0.0);
     std::vector<std::int32_t> places;
-    for (Node& n : a.nodes) places.push_back(n.is_body ? add_body(to, n.slot) : add_point(to, n));
+    for (const Node& n : a.nodes) places.push_back(add(to, n.is_body ? n.slot : point_thing(n.slot)));
     std::vector<IslandTie> ties;
     for (const Row& row : a.rows) {
       IslandTie& t = ties.emplace_back();
@@ -122,10 +108,10 @@ struct Builder {
   }
   void add_contact(TouchIsland& to, const Contact& from) {
     IslandContact c;
-    c.a = add_body(to, from.body_a);
+    c.a = add(to, from.body_a);
     c.ra = from.at - to.states[static_cast<std::size_t>(c.a)].x;
     if (from.body_b >= 0) {
-      c.b = add_body(to, static_cast<std::uint32_t>(from.body_b));
+      c.b = add(to, static_cast<std::uint32_t>(from.body_b));
       c.rb = from.at - to.states[static_cast<std::size_t>(c.b)].x;
     }
     c.frame = frame_of(from.normal);
@@ -143,10 +129,17 @@ struct Builder {
 
 }  // namespace
 
+std::size_t island_number(const Model& model, std::size_t articulates, std::uint32_t thing) {
+  const std::uint32_t slot = slot_of(thing);
+  const std::int32_t articulate =
+      is_point(thing) ? model.points.at_slot(slot).articulate : model.motion[slot].articulate;
+  if (articulate >= 0) return static_cast<std::size_t>(articulate);
+  return articulates + (is_point(thing) ? model.bodies.slots() : 0) + slot;
+}
+
 void TouchIsland::clear() {
   problem.clear();
-  slots.clear();
-  points.clear();
+  things.clear();
   states.clear();
   contacts.clear();
   articulates.clear();
@@ -161,18 +154,16 @@ void TouchIsland::clear() {
 std::span<TouchIsland> gather(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates,
                               const Contacts& contacts, const TouchSettings& settings, const std::vector<char>& used) {
   const std::size_t tied = articulates.size();
-  const auto thing = [&](std::uint32_t slot) {
-    const std::int32_t articulate = model.motion[slot].articulate;
-    return articulate >= 0 ? static_cast<std::size_t>(articulate) : tied + slot;
-  };
-  Sets sets(tied + model.bodies.slots());
+  const std::size_t all = model.bodies.slots() + (model.solids ? model.points.slots() : 0);
+  Sets sets(tied + all);
   for (std::size_t k = 0; k < used.size(); k++) {
     const Contact& c = contacts.list[k];
-    if (used[k] && c.body_b >= 0) sets.join(thing(c.body_a), thing(static_cast<std::uint32_t>(c.body_b)));
+    if (used[k] && c.body_b >= 0)
+      sets.join(island_number(model, tied, c.body_a), island_number(model, tied, static_cast<std::uint32_t>(c.body_b)));
   }
   std::vector<std::size_t> roots;
   for (std::size_t k = 0; k < used.size(); k++)
-    if (used[k]) roots.push_back(sets.find(thing(contacts.list[k].body_a)));
+    if (used[k]) roots.push_back(sets.find(island_number(model, tied, contacts.list[k].body_a)));
   std::sort(roots.begin(), roots.end());
   roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
   if (space.islands.size() < roots.size()) space.islands.resize(roots.size());
@@ -183,11 +174,11 @@ std::span<TouchIsland> gather(TouchSpace& space, Workers& workers, Model& model,
     const auto found = std::lower_bound(roots.begin(), roots.end(), root);
     return found != roots.end() && *found == root ? &islands[static_cast<std::size_t>(found - roots.begin())] : nullptr;
   };
-  space.index.assign(model.bodies.slots(), -1);
+  space.index.assign(all, -1);
   for (std::uint32_t i = 0; i < tied; i++)
     if (TouchIsland* island = island_of(i)) island->articulates.push_back(i);
   for (std::size_t k = 0; k < used.size(); k++)
-    if (used[k]) island_of(thing(contacts.list[k].body_a))->contacts.push_back(k);
+    if (used[k]) island_of(island_number(model, tied, contacts.list[k].body_a))->contacts.push_back(k);
   Builder builder{model, articulates, settings, space.index};
   share_islands(workers, islands, [&](TouchIsland& island) {
     for (const std::uint32_t i : island.articulates) builder.add_articulate(island, i);

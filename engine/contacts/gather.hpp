@@ -19,11 +19,10 @@ constexpr double contact_tolerance = 4e-11;
 /// Where the parts of an island's problem come from.
 struct TouchIsland {
   ContactIsland problem;
-  std::vector<std::uint32_t> slots;        ///< (bodies) of Model::motion, or of free points where `points` says so
-  std::vector<char> points;                ///< (bodies) whether it is a free point of an articulate
-  std::vector<BodyState> states;           ///< (bodies)
-  std::vector<std::size_t> contacts;       ///< (contacts) index in Contacts::list
-  std::vector<std::uint32_t> articulates;  ///< that are in it
+  std::vector<std::uint32_t> things;               ///< (bodies)
+  std::vector<BodyState> states;                   ///< (bodies)
+  std::vector<std::size_t> contacts;               ///< (contacts) index in Contacts::list
+  std::vector<std::uint32_t> articulates;          ///< that are in it
   std::vector<std::array<std::uint32_t, 2>> rows;  ///< (ties) articulate and its row
   std::vector<BodyLoad> pulls;                     ///< (bodies) [N], [N m] of soft rows in the last step
   std::vector<BodyLoad> law_pulls;                 ///< (bodies) what of that is of laws
@@ -37,8 +36,11 @@ struct TouchIsland {
 /// Islands, whose memory lasts from stage to stage.
 struct TouchSpace {
   std::vector<TouchIsland> islands;
-  std::vector<std::int32_t> index;  ///< (slots of bodies) in its island, or -1
+  std::vector<std::int32_t> index;  ///< (slots of bodies, then of points where some are solid) in its island, or -1
 };
+
+/// Known by the articulate that it is in; or after these bodies by their slots, and after those points.
+std::size_t island_number(const Model& model, std::size_t articulates, std::uint32_t thing);
 
 /// Calls f(island) for each, among the threads: largest first, and where there is enough to do. What f does must concern its
 /// island only.

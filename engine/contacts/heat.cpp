@@ -57,9 +57,7 @@ std::vector<TouchHeat> summed(std::vector<TouchHeat> list) {
   return sums;
 }
 
-bool is_gone(const Model& model, const TouchPair& pair) {
-  return !model.bodies.alive(pair.a) || !(pair.b ? model.bodies.alive(pair.b) : model.shapes.alive(pair.ground));
-}
+bool is_gone(const Model& model, const TouchPair& pair) { return !alive(model, pair.a) || !alive(model, pair.b); }
 
 }  // namespace
 

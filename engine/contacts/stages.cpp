@@ -25,28 +25,14 @@ constexpr double accepted = 1e4;                           // of the tolerance
 
 double kinetic_energy_now(const Model& model, const TouchIsland& island) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < island.slots.size(); i++) {
-    const Node* n = island.states[i].node;
-    sum += n ? kinetic_energy(*n) : kinetic_energy(model.motion[island.slots[i]]);
-  }
+  for (std::size_t i = 0; i < island.things.size(); i++)
+    sum += kinetic_energy(model, island.states[i], island.things[i]);
   return sum;
 }
 
 void give(Model& model, const TouchIsland& island, const std::vector<BodyLoad>& loads) {
-  for (std::size_t i = 0; i < loads.size(); i++) {
-    if (island.points[i])
-      island.states[i].node->p0 += loads[i].force;
-    else
-      add_momenta(model, island.states[i], island.slots[i], model.plane.along(loads[i].force), loads[i].moment);
-  }
-}
-
-void store_tied(Model& model, const Articulates& articulates, const TouchIsland& island,
-                const TouchSettings& settings) {
-  if (settings.drifted) return;
-  for (const std::uint32_t a : island.articulates)
-    for (const Node& n : articulates[a]->nodes)
-      if (!n.is_body) store(n, model);
+  for (std::size_t i = 0; i < loads.size(); i++)
+    add_momenta(model, island.states[i], island.things[i], model.plane.along(loads[i].force), loads[i].moment);
 }
 
 /// What ties answer to impulses of contacts alone, exactly: those of gravity and of turning belong to the drift.
@@ -145,8 +131,11 @@ void solve(Contacts& contacts, TouchIsland& island, std::size_t stage, ContactSe
   constexpr std::uint8_t waits_after = 4, wait_of_failure = 7, wait_of_dense = 100;
   std::uint8_t failures = 0, wait = 0;
   const auto all = [&](auto use) {
-    for (std::size_t i = 0; i < island.slots.size(); i++)
-      if (!island.points[i]) use(contacts.bodies[island.slots[i]]);
+    for (const std::uint32_t thing : island.things)
+      if (const std::uint32_t slot = slot_of(thing); !is_point(thing))
+        use(contacts.bodies[slot]);
+      else if (slot < contacts.points.size())
+        use(contacts.points[slot]);
   };
   all([&](const TouchedBody& body) {
     failures = std::max(failures, body.failures[stage]);
@@ -179,21 +168,33 @@ double opening(const IslandBody& body, Vec3 r, Vec3 out, const Roundness& round)
 
 double opening(const TouchIsland& island, const IslandContact& c, const Contact& from) {
   const std::vector<IslandBody>& bodies = island.problem.bodies;
-  const Vec3 n = c.frame[0], half = n * (0.5 * from.gap);
+  const Vec3 n = c.frame[0];
+  if (is_point(from.body_a))  // its centre is where impulses act
+    return c.b < 0 ? 0.0
+                   : opening(bodies[static_cast<std::size_t>(c.b)], c.rb - n * (from.round_a.radius + from.gap),
+                             n * -1.0, from.round_b);
+  const Vec3 half = n * (0.5 * from.gap);
   if (c.b < 0) return opening(bodies[static_cast<std::size_t>(c.a)], c.ra, n, from.round_a);
   return opening(bodies[static_cast<std::size_t>(c.a)], c.ra + half, n, from.round_a) +
          opening(bodies[static_cast<std::size_t>(c.b)], c.rb - half, n * -1.0, from.round_b);
 }
 
+/// Kicks gave loose points half of gravity: their velocities at the start of the step are without.
+void take_half_of_gravity(const Model& model, TouchIsland& island, const TouchSettings& settings) {
+  for (std::size_t i = 0; i < island.things.size(); i++)
+    if (is_loose_point(model, island.things[i]))
+      island.problem.bodies[i].v0 -= model.plane.along(settings.gravity) * (0.5 * settings.h);
+}
+
 /// Forces that the drift will have beside contacts: gravity, pushes, and what soft rows pulled with last.
 void foresee_forces(const Model& model, TouchIsland& island, const TouchSettings& settings) {
   const double half = 0.5 * settings.h;
-  for (std::size_t i = 0; i < island.slots.size(); i++) {
+  for (std::size_t i = 0; i < island.things.size(); i++) {
     IslandBody& b = island.problem.bodies[i];
     b.v0 += (model.plane.along(settings.gravity) + island.pulls[i].force * b.inverse_mass) * half;
     b.w0 += b.mobility * island.pulls[i].moment * half;
-    if (island.points[i]) continue;
-    const Motion& m = model.motion[island.slots[i]];
+    if (is_point(island.things[i])) continue;
+    const Motion& m = model.motion[island.things[i]];
     b.v0 += m.force * (half * b.inverse_mass);
     b.w0 += b.mobility * m.torque * half;
   }
@@ -216,6 +217,7 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
            const TouchSettings& settings, TouchReport& sum) {
   contacts.placed.clear();
   contacts.bodies.resize(model.bodies.slots());
+  if (model.solids) contacts.points.resize(model.points.slots());
   for (const auto& articulate : articulates) articulate->touches = false;
   for (Contact& c : contacts.list) c.rebound = c.approach = 0.0;
   const std::vector<char> used(contacts.list.size(), 1);
@@ -223,6 +225,7 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
   const std::span<TouchIsland> islands = gather(space, workers, model, articulates, contacts, settings, used);
   each_island(workers, islands, sum, [&](TouchIsland& island, TouchReport& report) {
     ContactIsland& problem = island.problem;
+    take_half_of_gravity(model, island, settings);
     double largest = 0.0;
     for (const std::size_t k : island.contacts)
       largest = std::max(largest, dot(contacts.list[k].placing, contacts.list[k].normal));
@@ -267,7 +270,6 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
       std::vector<BodyLoad> loads(problem.bodies.size());
       add_contact_loads(problem, loads);
       give(model, island, loads);
-      store_tied(model, articulates, island, settings);
       const ImpulseWork ties = answer_of_ties(model, articulates, island, settings);
       report.ties += ties;
       const double work = kinetic_energy_now(model, island) - before - ties.all();
@@ -283,14 +285,14 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
 
 namespace {
 
-/// Of an impulse before the drift what takes it back, at one point of both bodies: nearer to that of the lighter one.
+/// Of an impulse before the drift what takes it back, at one point of both bodies: nearer to that of the lighter one, or in a free point.
 void turn_back(const Model& model, const Articulates& articulates, Placing& p, bool drifted) {
   p.impulse = p.impulse * -1.0;
   p.moment = p.moment * -1.0;
   if (p.body_b < 0) return;
   const BodyState a = state_of(model, articulates, p.body_a, drifted);
   const BodyState b = state_of(model, articulates, static_cast<std::uint32_t>(p.body_b), drifted);
-  const double of_b = a.mass / (a.mass + b.mass);
+  const double of_b = is_point(p.body_a) ? 0.0 : a.mass / (a.mass + b.mass);
   const Vec3 at = (a.x + p.arm_a) * (1.0 - of_b) + (b.x + p.arm_b) * of_b;
   p.arm_a = at - a.x;
   p.arm_b = at - b.x;
@@ -301,13 +303,10 @@ double take_back(Model& model, const Articulates& articulates, Contacts& contact
   double work = 0.0;
   for (Placing& p : contacts.placed) turn_back(model, articulates, p, drifted);
   HeatOf heat(model, articulates, contacts, drifted, contacts.placed, contacts.new_heat);
-  const auto kinetic = [&](const BodyState& s, std::uint32_t slot) {
-    return s.node ? kinetic_energy(*s.node) : kinetic_energy(model.motion[slot]);
-  };
-  const auto add = [&](const BodyState& s, std::uint32_t slot, Vec3 arm, Vec3 impulse, Vec3 moment) {
-    const double before = kinetic(s, slot);
-    add_momenta(model, s, slot, model.plane.along(impulse), cross(arm, impulse) + moment);
-    work += kinetic(s, slot) - before;
+  const auto add = [&](const BodyState& s, std::uint32_t thing, Vec3 arm, Vec3 impulse, Vec3 moment) {
+    const double before = kinetic_energy(model, s, thing);
+    add_momenta(model, s, thing, model.plane.along(impulse), cross(arm, impulse) + moment);
+    work += kinetic_energy(model, s, thing) - before;
   };
   for (const Placing& p : contacts.placed) {
     add(state_of(model, articulates, p.body_a, drifted), p.body_a, p.arm_a, p.impulse, p.moment);
@@ -410,14 +409,11 @@ void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulat
     problem.tolerance *= 1e3;
     count(solve_island(problem, true, settings.search), problem, report);
     const double before = kinetic_energy_now(model, island);
-    for (std::size_t i = 0; i < island.slots.size(); i++) {
+    for (std::size_t i = 0; i < island.things.size(); i++) {
       const Vec3 way = model.plane.along(problem.bodies[i].v) * h, turn = problem.bodies[i].w * h;
       const BodyLoad& pull = island.law_pulls[i];
       report.work -= dot(settings.gravity * problem.bodies[i].mass + pull.force, way) + dot(pull.moment, turn);
-      if (island.points[i])
-        island.states[i].node->x0 += way;
-      else
-        displace(model, island.states[i], island.slots[i], way, turn);
+      displace(model, island.states[i], island.things[i], way, turn);
     }
     report.work += kinetic_energy_now(model, island) - before;
   });

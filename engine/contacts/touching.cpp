@@ -26,10 +26,10 @@ double approach_of(const Model& model, const Articulates& articulates, const Con
 
 void add(const Model& model, const Contact& c, double speed, std::vector<Touch>& list) {
   const TouchPair pair = pair_of(model, c);
-  if (!pair.a) return;
+  if (pair == TouchPair{}) return;
   const double impulse = std::max(0.0, dot(c.normal, c.total));
-  const bool turned = c.body_b >= 0 && pair.a.slot - 1 != c.body_a;
-  list.push_back({pair, c.at, turned ? -c.normal : c.normal, impulse, std::max(0.0, speed)});
+  const bool turned = pair.a != thing_of(model, c.body_a);
+  list.push_back({pair, between(c), turned ? -c.normal : c.normal, impulse, std::max(0.0, speed)});
 }
 
 /// One of each pair, rising: impulses add up, what is told of places is their mean by impulse, of speeds the largest.
@@ -76,17 +76,20 @@ std::vector<TouchPair> pairs(const Model& model, const Contacts& contacts, Is is
 
 bool presses(const Contact& c) { return norm2(c.total) > 0.0 || c.gap <= closed * c.size; }
 
+AnyId thing_of(const Model& model, std::uint32_t thing) {
+  const std::uint32_t slot = slot_of(thing);
+  if (is_point(thing)) return model.points.alive_at(slot) ? AnyId(model.points.at_slot(slot).particle) : AnyId();
+  return model.bodies.alive_at(slot) ? AnyId(model.bodies.id_at(slot)) : AnyId();
+}
+
+AnyId second_of(const Model& model, std::int32_t body_b, std::uint32_t shape_b) {
+  if (body_b >= 0) return thing_of(model, static_cast<std::uint32_t>(body_b));
+  return model.shapes.alive_at(shape_b) ? AnyId(model.shapes.id_at(shape_b)) : AnyId();
+}
+
 TouchPair pair_of(const Model& model, std::uint32_t body_a, std::int32_t body_b, std::uint32_t shape_b) {
-  const auto body = [&](std::uint32_t slot) {
-    return model.bodies.alive_at(slot) ? model.bodies.id_at(slot) : BodyId{};
-  };
-  const BodyId a = body(body_a);
-  if (body_b < 0) {
-    const bool there = model.shapes.alive_at(shape_b);
-    return a && there ? TouchPair{a, {}, model.shapes.id_at(shape_b)} : TouchPair{};
-  }
-  const BodyId b = body(static_cast<std::uint32_t>(body_b));
-  return a && b ? TouchPair{std::min(a, b), std::max(a, b), {}} : TouchPair{};
+  const AnyId a = thing_of(model, body_a), b = second_of(model, body_b, shape_b), none;
+  return a != none && b != none ? TouchPair{std::min(a, b), std::max(a, b)} : TouchPair{};
 }
 
 std::vector<TouchPair> touching_now(const Model& model, const Contacts& contacts) {
@@ -134,6 +137,14 @@ double penetration(const Contacts& contacts) {
   double depth = contacts.slept_depth;
   for (const Contact& c : contacts.list) depth = std::max(depth, -c.gap);
   return depth;
+}
+
+void drop_contacts(Contacts& contacts, std::uint32_t thing) {
+  const auto is_of = [&](const Contact& c) {
+    return c.body_a == thing || (c.body_b >= 0 && static_cast<std::uint32_t>(c.body_b) == thing);
+  };
+  std::erase_if(contacts.list, is_of);
+  std::erase_if(contacts.sensed, is_of);
 }
 
 }  // namespace pantin

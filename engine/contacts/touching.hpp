@@ -20,6 +20,10 @@ struct TouchChanges {
 bool presses(const Contact& contact);
 /// Who touches there; nothing where one of them is gone. `body_b` -1: the world's shape in the slot `shape_b`.
 TouchPair pair_of(const Model& model, std::uint32_t body_a, std::int32_t body_b, std::uint32_t shape_b);
+/// A body, or the particle of a point; nothing where it is gone.
+AnyId thing_of(const Model& model, std::uint32_t thing);
+/// What the first of a contact touches: such a thing, or a shape of the world.
+AnyId second_of(const Model& model, std::int32_t body_b, std::uint32_t shape_b);
 /// Begins or ends to watch. What touches already is not told.
 void watch(const Model& model, Contacts& contacts, bool watched);
 /// Those that touch now, rising; where that is not watched, by their contacts.

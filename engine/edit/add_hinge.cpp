@@ -93,6 +93,7 @@ Particle shared_data(const World& world, PointId first, const HingeDef& def) {
   ring.curves = ring.family == last.family ? last.curves : world.families[ring.family].curves;
   if (def.color) ring.curves = without(ring.curves, "color");
   if (def.radius) ring.curves = without(ring.curves, "radius");
+  if (ring.family) require_solid_radius("hinge", world.families[ring.family], *ring.radius, ring.curves.get());
   ring.collide = def.collide;
   ring.name = def.name;
   return ring;

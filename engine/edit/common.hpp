@@ -31,6 +31,9 @@ std::shared_ptr<const Curves> curves_of(std::string_view call, const Family& fam
                                         const std::shared_ptr<const Curves>& own, bool radius_given, bool color_given,
                                         std::span<const AttributeDef> given);
 
+/// Throws Error where what is solid would have no radius [m], or one that follows its age.
+void require_solid_radius(std::string_view call, const Family& family, double radius, const Curves* curves);
+
 /// A constraint starts anew, see constraints/kind.hpp.
 inline void start_constraint(const World& world, Constraint& constraint) {
   pantin::start_constraint(world, constraint, world.settings.tolerance);
@@ -57,6 +60,7 @@ struct Filled {
 OwnMass mass_of(std::span<const Filled> shapes);
 /// By how much a mass that is given makes shapes denser than theirs.
 double filling(const BodyDef& def);
+void require_restitution(const std::string& who, double restitution);
 /// What a body of these shapes has beside its points, with the mass and inertia given or else theirs.
 OwnMass own_mass_of(const BodyDef& def);
 void erase_shape(World& world, ShapeId id, const std::string& who);

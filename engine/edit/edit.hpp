@@ -29,6 +29,8 @@ struct FamilyDef {
   std::optional<double> mass;    ///< [kg] > 0
   std::optional<Look> look;
   std::shared_ptr<const Curves> curves;  ///< of "color", "radius" and its attributes; null: none
+  std::optional<Solid> solid;            ///< its particles touch; their radius > 0, and follows no age
+  std::string layer;                     ///< of what is solid; empty: of none
   std::string name;                      ///< not empty, and of no other family
 };
 
@@ -147,6 +149,10 @@ void set_restitution(World& world, ShapeId shape, double restitution);  ///< 0 â
 void set_rolling(World& world, ShapeId shape, double rolling);          ///< [m] >= 0
 void set_spinning(World& world, ShapeId shape, double spinning);        ///< [m] >= 0
 void set_surface_velocity(World& world, ShapeId shape, Vec3 velocity);  ///< [m/s]
+/// The same of a solid family.
+void set_layer(World& world, FamilyId family, std::string_view layer);
+void set_friction(World& world, FamilyId family, double friction);        ///< >= 0
+void set_restitution(World& world, FamilyId family, double restitution);  ///< 0 â€¦ 1
 /// How shapes of two layers, or two of one, touch from now on: `rule.a` and `rule.b` are set by this.
 void set_rule(World& world, std::string_view a, std::string_view b, LayerRule rule);
 /// Whether the bodies of a hinge touch each other.
@@ -198,7 +204,7 @@ void set_spin(World& world, BodyId body, Vec3 spin);
 void set_lifetime(World& world, ParticleId particle, double lifetime);  ///< [s] from its making; > 0
 /// A particle's own: of a hinge the ring's, not its members'. Attributes that both families have are kept.
 void set_family(World& world, ParticleId particle, FamilyId family);
-void set_radius(World& world, ParticleId particle, double radius);  ///< [m] >= 0
+void set_radius(World& world, ParticleId particle, double radius);  ///< [m] >= 0, of what is solid > 0
 void set_color(World& world, ParticleId particle, const Color& color);
 void set_look(World& world, ParticleId particle, Look look);
 void set_attribute(World& world, ParticleId particle, std::string_view name, double value);

@@ -189,6 +189,7 @@ EmitterId add_emitter(World& world, const EmitterDef& def) {
   require_not_negative(call, "radius", row.radius, "m");
   row.values = attribute_values(call, family, def.attributes);
   row.curves = curves_of(call, family, def.curves, def.radius.has_value(), def.color.has_value(), def.attributes);
+  require_solid_radius(call, family, row.radius, row.curves.get());
   row.color = def.color.value_or(family.color.value_or(ParticleDef::usual_color));
   row.look = def.look;
   row.rate = def.rate;

@@ -34,6 +34,13 @@ std::vector<double> attribute_values(std::string_view call, const Family& family
   return values;
 }
 
+void require_solid_radius(std::string_view call, const Family& family, double radius, const Curves* curves) {
+  if (!family.solid) return;
+  const std::string who = text(call, ": as one of the solid family '", family.name, "' it ");
+  require(!(curves && curves->find("radius")), who, "touches, and its radius cannot follow its age");
+  require(radius > 0.0, who, "needs a radius > 0 m, got ", radius);
+}
+
 }  // namespace internal
 
 FamilyId add_family(World& world, const FamilyDef& def) {
@@ -61,6 +68,14 @@ FamilyId add_family(World& world, const FamilyDef& def) {
   row.look = def.look;
   row.curves = curves_of(call, row, def.curves, false, false, {});
   row.name = def.name;
+  if (def.solid) {
+    require_not_negative(call, "friction", def.solid->friction, "");
+    require_restitution(call, def.solid->restitution);
+    row.solid = def.solid;
+    require_solid_radius(call, row, def.radius.value_or(1.0), row.curves.get());
+    row.solid->layer = layer_of(world, def.layer);
+    world.solids = world.places_changed = world.unchecked = true;
+  }
   row.serial = world.next_serial++;
   return world.families.add(std::move(row));
 }
@@ -75,17 +90,58 @@ void set_family(World& world, ParticleId id, FamilyId family) {
     for (std::size_t i = 0; i < old.attributes.size(); i++)
       if (next.find(old.attributes[i].name) >= 0) kept.push_back({old.attributes[i].name, particle.values[i]});
   }
+  const PointId first = particle.points[0];
+  require_solid_radius(describe(world, id), next, radius_of(world, world.points[first]), next.curves.get());
   disturb_site(world, awake(world, id));
   particle.values = attribute_values("family", next, kept);
   particle.family = family;
   particle.curves = next.curves;
+  world.places_changed = world.places_changed || world.solids;
 }
+
+namespace {
+
+/// How a family touches, which is about to be written.
+Solid& written(World& world, FamilyId id, const char* what) {
+  require_unlocked(world, what);
+  Family& family = world.families[id];
+  require(family.solid.has_value(), describe(world, id), ": ", what, " is of what is solid, and it is not");
+  world.places_changed = true;
+  return *family.solid;
+}
+
+}  // namespace
+
+void set_layer(World& world, FamilyId id, std::string_view layer) {
+  written(world, id, "layer").layer = layer_of(world, layer);
+}
+
+void set_friction(World& world, FamilyId id, double friction) {
+  require_not_negative(describe(world, id), "friction", friction, "");
+  written(world, id, "friction").friction = friction;
+}
+
+void set_restitution(World& world, FamilyId id, double restitution) {
+  require_restitution(describe(world, id), restitution);
+  written(world, id, "restitution").restitution = restitution;
+}
+
+namespace {
+
+const Family& family_of(const World& world, const Particle& particle) {
+  static const Family none;
+  return particle.family ? world.families[particle.family] : none;
+}
+
+}  // namespace
 
 void set_radius(World& world, ParticleId particle, double radius) {
   require_unlocked(world, "radius");
   require_not_negative(describe(world, particle), "radius", radius, "m");
-  disturb_site(world, awake(world, particle));
   Particle& row = world.particles[particle];
+  require_solid_radius(describe(world, particle), family_of(world, row), radius, nullptr);
+  disturb_site(world, awake(world, particle));
+  world.places_changed = world.places_changed || world.solids;
   row.radius = radius;
   row.curves = without(row.curves, "radius");
 }

@@ -88,6 +88,7 @@ ParticleId add_particle(World& world, const ParticleDef& def) {
   require_not_negative(call, "radius", radius, "m");
   std::vector<double> values = attribute_values(call, family, def.attributes);
   auto curves = curves_of(call, family, def.curves, def.radius.has_value(), def.color.has_value(), def.attributes);
+  require_solid_radius(call, family, radius, curves.get());
   require_positive_or_infinite(call, "lifetime", def.lifetime, "s");
   Point row;
   row.mass = mass;

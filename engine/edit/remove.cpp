@@ -31,6 +31,7 @@ void remove(World& world, PointId id) {
   const ParticleId own = point.own;
   disturb_forces_by_death(world, own);
   touch(world, id);
+  drop_contacts(world.contacts, point_thing(id.slot - 1));
   post(world, Source::removal, -energy_of(world, id));
   erase_point(world, id, what);
   notice(world, Notice::Kind::removed, own, world.particles.story(own));

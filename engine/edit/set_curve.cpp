@@ -18,7 +18,10 @@ void require_name(std::string_view call, const Family& family, std::string_view 
 void set_curve(World& world, ParticleId id, std::shared_ptr<const Curve> curve) {
   require_unlocked(world, curve->name);
   Particle& particle = world.particles[awake(world, id)];
-  require_name(describe(world, id), particle.family ? world.families[particle.family] : Family{}, curve->name);
+  const Family family = particle.family ? world.families[particle.family] : Family{};
+  require_name(describe(world, id), family, curve->name);
+  require(!(family.solid && curve->name == "radius"), describe(world, id), ": as one of the solid family '",
+          family.name, "' it touches, and its radius cannot follow its age");
   if (curve->name != "color") disturb_forces(world);
   particle.curves = with(particle.curves.get(), std::move(curve));
 }

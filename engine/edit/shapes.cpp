@@ -43,10 +43,6 @@ std::vector<Filled> filled(const std::vector<ShapeDef>& shapes) {
   return list;
 }
 
-void require_restitution(const std::string& who, double restitution) {
-  require(restitution >= 0.0 && restitution <= 1.0, who, ": restitution must be from 0 to 1, got ", restitution);
-}
-
 /// Says that a shape changes. What the world's touch could be anywhere.
 void change_places(World& world, BodyId of) {
   world.places_changed = true;
@@ -74,6 +70,10 @@ ShapeId insert(World& world, const ShapeDef& def, BodyId body) {
 }  // namespace
 
 namespace internal {
+
+void require_restitution(const std::string& who, double restitution) {
+  require(restitution >= 0.0 && restitution <= 1.0, who, ": restitution must be from 0 to 1, got ", restitution);
+}
 
 void check_shape(const std::string& who, const ShapeDef& def, bool of_body) {
   require_finite(who, "at", def.at, "m");

@@ -109,7 +109,7 @@ void require_integrator_fits(const World& world) {
   const IntegratorRule& rule = rule_of(world);
   const std::string why = rule.refuses ? rule.refuses(world) : "";
   require(why.empty(), "scene: the integrator \"", name_of(rule.integrator), "\" ", why);
-  require(world.shapes.empty() || rule.divides, "scene: the integrator \"", name_of(rule.integrator),
+  require((world.shapes.empty() && !world.solids) || rule.divides, "scene: the integrator \"", name_of(rule.integrator),
           "\" moves nothing that touches; \"verlet\" does");
   require(!world.settings.accuracy || rule.divides,
           "scene: accuracy chooses the sub-steps of \"verlet\"; the integrator \"", name_of(rule.integrator),

@@ -169,23 +169,26 @@ std::span<const std::uint32_t> loose_bodies(const World& world) {
 std::vector<Island> islands_of(World& world, std::vector<Thing>& things) {
   Contacts& contacts = world.contacts;
   const std::size_t tied = world.articulates.size();
-  const auto number = [&](std::uint32_t slot) {
-    const std::int32_t articulate = world.motion[slot].articulate;
-    return articulate >= 0 ? static_cast<std::size_t>(articulate) : tied + slot;
-  };
-  Sets sets(tied + world.bodies.slots());
-  std::vector<double> size(tied + world.bodies.slots(), infinity);
+  const auto number = [&](std::uint32_t thing) { return island_number(world, tied, thing); };
+  const std::size_t all = tied + world.bodies.slots() + (world.solids ? world.points.slots() : 0);
+  Sets sets(all);
+  std::vector<double> size(all, infinity);
+  std::vector<char> has_points(all, 0);  // solid points are not watched: what touches them stays awake
   for (const Contact& c : contacts.list)
     if (c.body_b >= 0) sets.join(number(c.body_a), number(static_cast<std::uint32_t>(c.body_b)));
   for (const Contact& c : contacts.list) {
-    double& least = size[sets.find(number(c.body_a))];
-    least = std::min(least, c.size);
+    const std::size_t island = sets.find(number(c.body_a));
+    size[island] = std::min(size[island], c.size);
+    has_points[island] |= is_point(c.body_a);
   }
   for (std::size_t i = 0; i < tied; i++)
-    if (Articulate& a = *world.articulates[i]; !a.rest.asleep) things.push_back({i, &a, 0, sets.find(i), &a.rest});
+    if (Articulate& a = *world.articulates[i]; !a.rest.asleep && has_points[sets.find(i)])
+      watch_anew(a.rest);
+    else if (!a.rest.asleep)
+      things.push_back({i, &a, 0, sets.find(i), &a.rest});
   for (const std::uint32_t slot : loose_bodies(world)) {
     Rest& rest = contacts.bodies[slot].rest;
-    if (const std::size_t island = sets.find(tied + slot); std::isfinite(size[island]))
+    if (const std::size_t island = sets.find(tied + slot); std::isfinite(size[island]) && !has_points[island])
       things.push_back({tied + slot, nullptr, slot, island, &rest});
     else
       watch_anew(rest);

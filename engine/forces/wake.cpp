@@ -168,8 +168,13 @@ void wake_touched(World& world) {
   for (const Contact& c : world.contacts.list) {
     if (c.body_b < 0) continue;
     const auto b = static_cast<std::uint32_t>(c.body_b);
-    if (const bool a_sleeps = sleeps(c.body_a); a_sleeps != sleeps(b))
-      world.stirred.push_back(world.bodies.id_at(a_sleeps ? c.body_a : b));
+    const bool a_sleeps = sleeps(c.body_a);
+    if (a_sleeps == sleeps(b)) continue;
+    const std::uint32_t thing = a_sleeps ? c.body_a : b;
+    if (is_point(thing))
+      wake(world, world.points.at_slot(slot_of(thing)).articulate);
+    else
+      world.stirred.push_back(world.bodies.id_at(thing));
   }
   wake_stirred(world);
 }

@@ -18,6 +18,13 @@ enum class Look : std::uint8_t { ball, glow, streak };
 
 struct Curves;
 
+/// How particles touch: as balls of their radius that do not turn.
+struct Solid {
+  double friction = 0.5;     ///< >= 0: as a shape's
+  double restitution = 0.0;  ///< 0 … 1
+  std::uint32_t layer = 0;   ///< in Model::layers; 0: none
+};
+
 /// Particles of a kind, with named numeric attributes that laws may read.
 struct Family {
   struct Attribute {
@@ -30,6 +37,7 @@ struct Family {
   std::optional<double> mass;         ///< [kg]
   std::optional<Look> look;
   std::shared_ptr<const Curves> curves;  ///< of a particle that gives none; null: none
+  std::optional<Solid> solid;            ///< none: its particles touch nothing
   std::string name;
   std::uint64_t serial = 0;
 

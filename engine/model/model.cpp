@@ -23,6 +23,16 @@ double gyration(const Motion& m) {
   return std::sqrt(std::max(m.inertia[0], std::max(m.inertia[1], m.inertia[2])) / m.mass);
 }
 
+const Solid* solid_of(const Model& m, const Point& point) {
+  if (!m.solids || point.body) return nullptr;
+  const FamilyId family = m.particles[point.particle].family;
+  return family && m.families[family].solid ? &*m.families[family].solid : nullptr;
+}
+
+double radius_of(const Model& m, const Point& point) {
+  return m.particles[point.particle].radius.value_or(point.radius);
+}
+
 Vec3 arm(const Model& m, PointId point) {
   const Point& p = m.points[point];
   if (!p.body) return zero3();
@@ -210,6 +220,7 @@ void touch(Model& m, PointId point) {
   const Point& p = m.points[point];
   if (p.body) return touch(m, p.body);
   m.topology_changed = true;
+  m.places_changed = m.places_changed || solid_of(m, p);
   m.touched.push_back({{}, point, p.articulate});
 }
 
@@ -238,6 +249,7 @@ void disturb(Model& m, BodyId body) {
 
 void disturb(Model& m, PointId point) {
   const Point& p = m.points[point];
+  m.places_changed = m.places_changed || solid_of(m, p);
   p.body ? disturb(m, p.body) : disturb(m, p.articulate);
 }
 

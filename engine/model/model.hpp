@@ -42,7 +42,8 @@ struct Model {
   Store<Field> fields;
   Store<Emitter> emitters;
   Store<Shape> shapes;
-  Layers layers;  ///< that shapes are in
+  Layers layers;        ///< that shapes and solid families are in
+  bool solids = false;  ///< a family is solid
   std::uint64_t next_serial = 1;
   bool topology_changed = true;         ///< an edit waits for `find_articulates`
   bool force_elements_changed = false;  ///< an edit concerns which laws act on what
@@ -73,6 +74,10 @@ Vec3 position(const Model& m, PointId point);
 Vec3 velocity(const Model& m, PointId point);
 /// Place of a point relative to its body's centre of mass in principal axes, [m].
 Vec3 arm(const Model& m, PointId point);
+/// How a free point touches; null where it does not.
+const Solid* solid_of(const Model& m, const Point& point);
+/// What it is drawn with, and touches as where it is solid, [m]; of a body's point the same.
+double radius_of(const Model& m, const Point& point);
 /// Mean of a ring's points (they coincide up to the gap), [m]; of a sleeping particle its hinge's.
 Vec3 position(const Model& m, ParticleId particle);
 Vec3 velocity(const Model& m, ParticleId particle);

@@ -215,16 +215,11 @@ void carry_hands(const World& old, const Made& before, World& fresh, CarriedOver
 
 /// What touched is not told anew, should somebody listen.
 void carry_touching(const World& old, World& fresh, const Counterparts& to) {
-  const auto counterpart = [&](auto id) {
-    const auto found = to.find(AnyId(id));
-    return found == to.end() ? decltype(id){} : std::get<decltype(id)>(found->second);
-  };
   std::vector<TouchPair>& touching = fresh.contacts.touching;
   for (const TouchPair& pair : touching_now(old, old.contacts)) {
-    const BodyId a = counterpart(pair.a), b = counterpart(pair.b);
-    const ShapeId ground = counterpart(pair.ground);
-    if (!a || (!b && !ground)) continue;
-    touching.push_back(b ? TouchPair{std::min(a, b), std::max(a, b), {}} : TouchPair{a, {}, ground});
+    const auto a = to.find(pair.a), b = to.find(pair.b);
+    if (a == to.end() || b == to.end()) continue;
+    touching.push_back({std::min(a->second, b->second), std::max(a->second, b->second)});
   }
   std::sort(touching.begin(), touching.end());
   fresh.contacts.watched = !touching.empty();

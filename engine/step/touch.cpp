@@ -1,4 +1,4 @@
-// Things with shapes touch: phases around the drift. Nothing happens in a scene without shapes.
+// Things with shapes and solid particles touch: phases around the drift. Nothing happens in a scene without any.
 #include <algorithm>
 #include <cmath>
 
@@ -15,8 +15,14 @@
 
 namespace pantin {
 
+namespace {
+
+bool nothing_touches(const World& world) { return world.shapes.empty() && !world.solids; }
+
+}  // namespace
+
 void divide_for_contacts(World& world) {
-  if (world.shapes.empty()) return;
+  if (nothing_touches(world)) return;
   constexpr double most_way = 0.1;  // of the thickness, in a sub-step of what may touch
   constexpr double most = 4.0;
   double wanted = 1.0;
@@ -27,6 +33,7 @@ void divide_for_contacts(World& world) {
     wanted = std::max(wanted, speed * world.settings.step / (most_way * c.size));
   };
   for (const Contact& c : world.contacts.list) {
+    if (is_point(c.body_a)) continue;  // what does not turn is not passed through
     see(c, c.body_a, c.key.a);
     if (c.body_b >= 0) see(c, static_cast<std::uint32_t>(c.body_b), c.key.b);
   }
@@ -73,7 +80,7 @@ void find(World& world, bool drifted) {
 }  // namespace
 
 void place_contacts(World& world) {
-  if (world.shapes.empty()) return;
+  if (nothing_touches(world)) return;
   const Timed timed(world.profile, Phase::place_contacts);
   const bool drifted = world.stage.index > 0;
   if (world.contacts.stale || world.places_changed) find(world, drifted);
@@ -87,7 +94,7 @@ void place_contacts(World& world) {
 }
 
 void find_contacts(World& world) {
-  if (world.shapes.empty()) return;
+  if (nothing_touches(world)) return;
   const Timed timed(world.profile, Phase::find_contacts);
   find(world, true);
   const LedgerMark before = ledger_mark(world, true);
@@ -101,7 +108,7 @@ void find_contacts(World& world) {
 }
 
 void meet_contacts(World& world) {
-  if (world.shapes.empty()) return;
+  if (nothing_touches(world)) return;
   const Timed timed(world.profile, Phase::meet_contacts);
   TouchReport report;
   meet(*world.touch_space, *world.workers, world, world.articulates, world.contacts, settings_of(world, true), report);

@@ -127,6 +127,7 @@ class Zoo {
     FamilyDef family;
     family.name = "dust";
     family.attributes = {{"charge", 2.0}};
+    family.solid.emplace();
     const FamilyId dust = add_family(world, family);
     things["Family"] = dust;
     const GroupId group = add_group(world, "all");
@@ -237,6 +238,9 @@ std::vector<Sample> samples_of_things(const Zoo& zoo) {
       {"solid", "restitution", 0.75},
       {"solid", "color", Color{0, 0, 1, 1}},
       {"solid", "layer", "car"},
+      {"Family", "friction", 0.25},
+      {"Family", "restitution", 0.25},
+      {"Family", "layer", "sand"},
       {"Collider", "friction", 0.25},
       {"Collider", "restitution", 0.75},
       {"Collider", "rolling", 0.01},

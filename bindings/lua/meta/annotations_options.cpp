@@ -22,6 +22,10 @@ const char* const annotations_options = R"(---@class NameOptions
 
 ---@class FamilyOptions: LookOptions
 ---@field attributes? table<string, Curve<number>>|string[] [each its own] values of a particle that gives none; of names alone 0 (default `{}`)
+---@field solid? boolean its free particles touch shapes and each other, as balls of their radius that do not turn (default `false`)
+---@field friction? number [1] >= 0, of what is solid: of two that touch the root of the product (default `0.5`)
+---@field restitution? number [1] 0 … 1, of what is solid: of two that touch the larger (default `0`)
+---@field layer? string of what is solid, see Scene:collide (default none)
 
 ---@class EmitterOptions: NameOptions, LookOptions
 ---@field rate number|fun(t: number): number [1/s] particles per second

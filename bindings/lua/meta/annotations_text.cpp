@@ -72,20 +72,20 @@ function quat_methods:inverse() end
 ---@alias Moment "step"|"press"|"release"|"key"|"grab"|"drop"|"cut"|"broke"|"joined"|"removed"|"touched"|"parted" at which scene:on calls
 ---@alias Waiting fun(what?: number|fun(): boolean) for a time [s], until something holds, or for the next step
 
----Where a shape of a body touches another.
+---Where a shape of a body, or a solid particle, touches another.
 ---@class Contact
----@field with? Body|Collider whose shape it is, or that stands in the world; nil: it is gone
+---@field with? Body|Particle|Collider whose shape it is, or that stands in the world; nil: it is gone
 ---@field at vec [m] where they touch
 ---@field normal vec [1] away from the other
----@field force vec [N] on this body, the mean over the last step, or over its last sub-step where it had several
+---@field force vec [N] on this thing, the mean over the last step, or over its last sub-step where it had several
 ---@field depth number [m] by which they overlap; below 0: apart
 ---@field slip vec [m/s] with which its surface slides on the other's, that of belts included
 ---@field sensor boolean whether one of the two is a sensor, which pushes nothing
 
 ---What scene:on tells of two that touch; of two that part, a and b alone.
 ---@class Touch
----@field a Body|Collider the one that the filter names, else a body
----@field b Body|Collider the other
+---@field a Particle|Body|Collider the one that the filter names, else a particle or body
+---@field b Particle|Body|Collider the other
 ---@field at vec [m] where, the mean by impulse
 ---@field normal vec [1] from b to a
 ---@field impulse number [N s] along the normal, in the step in which they touched; of a sensor 0

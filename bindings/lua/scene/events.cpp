@@ -91,11 +91,12 @@ int push_notice(lua_State* state, Script& script, const Notice& notice) {
   return 0;
 }
 
-AnyId second_of(const TouchPair& pair) { return pair.b ? AnyId(pair.b) : AnyId(pair.ground); }
-
 /// Whether a thing is what a filter names, or in it.
 bool is_among(const World& world, const AnyId& filter, const AnyId& thing) {
   if (filter == thing) return true;
+  const auto* particle = std::get_if<ParticleId>(&thing);
+  if (const auto* family = std::get_if<FamilyId>(&filter))
+    return particle && world.particles.alive(*particle) && world.particles[*particle].family == *family;
   const auto* group = std::get_if<GroupId>(&filter);
   if (!group || !world.groups.alive(*group)) return false;
   const auto& members = world.groups[*group].members;
@@ -103,12 +104,14 @@ bool is_among(const World& world, const AnyId& filter, const AnyId& thing) {
 }
 
 bool has_layer(const World& world, const std::string& layer, const AnyId& thing) {
-  const auto is_in = [&](ShapeId id) {
-    const std::uint32_t number = world.shapes[id].layer;
-    return number > 0 && world.layers.names[number - 1] == layer;
-  };
+  const auto is = [&](std::uint32_t number) { return number > 0 && world.layers.names[number - 1] == layer; };
+  const auto is_in = [&](ShapeId id) { return is(world.shapes[id].layer); };
   if (!alive(world, thing)) return false;
   if (const auto* shape = std::get_if<ShapeId>(&thing)) return is_in(*shape);
+  if (const auto* particle = std::get_if<ParticleId>(&thing)) {
+    const FamilyId family = world.particles[*particle].family;
+    return family && world.families[family].solid && is(world.families[family].solid->layer);
+  }
   const auto& shapes = world.bodies[std::get<BodyId>(thing)].shapes;
   return std::any_of(shapes.begin(), shapes.end(), is_in);
 }
@@ -121,7 +124,7 @@ bool names(const World& world, const Subscription& filter, const AnyId& thing) {
 /// Pushes { a, b, … }; what a filter names is a.
 int push_touch(lua_State* state, Script& script, const Notice& notice, bool turned) {
   const Touch& touch = notice.touch;
-  const AnyId first = touch.pair.a, second = second_of(touch.pair);
+  const AnyId first = touch.pair.a, second = touch.pair.b;
   lua_createtable(state, 0, 6);
   const auto set = [&](const char* name, const AnyId& thing) {
     push_thing(state, script, thing);
@@ -183,7 +186,7 @@ int subscribe(lua_State* state, Script& script, Subscription subscription) {
 
 namespace {
 
-/// `[filter,] action`: a body, a floor or ground, a group of these, or the name of a layer.
+/// `[filter,] action`: a body, a particle, a floor or ground, a group of these, a family, or the name of a layer.
 int subscribe_touch(lua_State* state, const Self& self, const std::string& name) {
   Subscription subscription{0, name, {}};
   int action = 3;
@@ -195,8 +198,9 @@ int subscribe_touch(lua_State* state, const Self& self, const std::string& name)
       require(!subscription.layer.empty(), "on: ", filter, " must not be an empty layer");
     } else {
       const Ref* ref = to_ref(state, 3);
-      require(ref && (ref->kind == Kind::body || ref->kind == Kind::collider || ref->kind == Kind::group),
-              "on: ", filter, " must be a body, a floor or ground, a group of these or the name of a layer, got ",
+      constexpr std::array kinds = {Kind::body, Kind::particle, Kind::collider, Kind::group, Kind::family};
+      require(ref && std::find(kinds.begin(), kinds.end(), ref->kind) != kinds.end(), "on: ", filter,
+              " must be a body, a particle, a floor or ground, a group of these, a family or the name of a layer, got ",
               kind_of_value(state, 3));
       require_alive(*ref);
       subscription.target = ref->thing;
@@ -214,7 +218,7 @@ void tell_touch(Script& script, const Notice& notice) {
   bool turned = false;
   const auto concerns = [&](const Subscription& s) {
     turned = !names(world, s, notice.touch.pair.a);
-    return !turned || names(world, s, second_of(notice.touch.pair));
+    return !turned || names(world, s, notice.touch.pair.b);
   };
   tell(script, name_of(notice.kind), concerns,
        [&](lua_State* state) { return push_touch(state, script, notice, turned); });

@@ -59,12 +59,29 @@ std::vector<AttributeDef> attribute_options(const Options& options, const std::v
   return given;
 }
 
+namespace {
+
+/// How its particles touch, where `solid` says that they do.
+void read_solid(const Options& o, const std::string& what, FamilyDef& def) {
+  if (o.boolean("solid").value_or(false)) def.solid.emplace();
+  for (const char* name : {"friction", "restitution", "layer"})
+    require(!o.has(name) || def.solid, what, ": ", name, " is of what is solid; give it solid = true, too");
+  if (!def.solid) return;
+  def.solid->friction = o.number("friction", "").value_or(def.solid->friction);
+  def.solid->restitution = o.number("restitution", "").value_or(def.solid->restitution);
+  def.layer = o.string("layer").value_or("");
+  require(!o.has("layer") || !def.layer.empty(), what, ": layer must not be empty");
+}
+
+}  // namespace
+
 int scene_family(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "family");
   FamilyDef def;
   def.name = check_text(state, 2, "family", "argument 1, the name,");
   const std::string what = text("family '", def.name, "'");
-  const Options o(state, 3, what, {"attributes", "color", "radius", "mass", "look"});
+  const Options o(state, 3, what,
+                  {"attributes", "color", "radius", "mass", "look", "solid", "friction", "restitution", "layer"});
   Looks looks = look_options(o, {});
   if (o.has("attributes")) {
     read_attributes(state, o.push("attributes"), what, looks);
@@ -76,6 +93,7 @@ int scene_family(lua_State* state) {
   def.look = looks.look;
   def.curves = looks.curves;
   def.mass = o.number("mass", "kg");
+  read_solid(o, what, def);
   push_thing(state, self.script, add_family(self.world, def));
   return 1;
 }

@@ -1,0 +1,87 @@
+-- Particles that touch: solid families.
+local function fails(code, message)
+  expect(function() open_text(code):advance(0.1) end):fails(message)
+end
+
+test("a solid family says how it touches; each wrong option is refused", function()
+  local scene = open_text [[
+    local sand = scene:family("sand", { solid = true, radius = 0.1, friction = 0.3, restitution = 0.2, layer = "loose", })
+    local air = scene:family("air")
+    assert(sand.solid and sand.friction == 0.3 and sand.restitution == 0.2 and sand.layer == "loose")
+    assert(not air.solid and air.friction == nil and air.restitution == nil and air.layer == nil)
+    sand.friction, sand.restitution, sand.layer = 0.4, 0, nil
+    assert(sand.friction == 0.4 and sand.restitution == 0 and sand.layer == nil)
+  ]]
+  scene:advance(0.1)
+  fails([[scene:family("a", { friction = 0.5 })]], "family 'a': friction is of what is solid; give it solid = true, too")
+  fails([[scene:family("a", { solid = 1 })]], "solid must be true or false")
+  fails([[scene:family("a", { solid = true, friction = -1 })]], "friction must be")
+  fails([[scene:family("a", { solid = true, friction = 0 / 0 })]], "friction")
+  fails([[scene:family("a", { solid = true, restitution = 1.1 })]], "restitution must be from 0 to 1, got 1.1")
+  fails([[scene:family("a", { solid = true, layer = "" })]], "layer must not be empty")
+  fails([[scene:family("a", { solid = true, radius = 0 })]], "needs a radius > 0 m, got 0")
+  fails([[scene:family("a", { solid = true, radius = function(age) return 0.1 + age end })]], "cannot follow its age")
+  fails([[scene:particle { family = scene:family("a", { solid = true }), radius = 0 }]], "needs a radius > 0 m")
+  fails([[scene:emitter { family = scene:family("a", { solid = true }), rate = 1, radius = 0 }]], "needs a radius > 0 m")
+  fails([[scene:family("air").friction = 0.1]], "friction is of what is solid, and it is not")
+end)
+
+test("a solid particle lies on the floor and tells so; it is told of to who listens for it, its family or its layer", function()
+  local scene = open_text [[
+    local floor = scene:floor { name = "floor" }
+    local sand = scene:family("sand", { solid = true, radius = 0.1, layer = "loose" })
+    local p = scene:particle { family = sand, at = vec(0, 0.2, 0), mass = 2, name = "p" }
+    told = 0
+    for _, filter in ipairs { p, sand, "loose", floor } do
+      scene:on("touched", filter, function(touch)
+        assert(filter == floor and touch.a == floor and touch.b == p or touch.a == p and touch.b == floor)
+        told = told + 1
+      end)
+    end
+    scene:probe("told", function() return told end)
+  ]]
+  scene:advance(1)
+  expect(scene:read "told"):equal(4)
+  local p = scene:find "p"
+  expect(p.position.y):near(0.1, 1e-7)
+  expect(#p.contacts):equal(1)
+  local contact = p.contacts[1]
+  expect(contact.with):equal(scene:find "floor")
+  expect(contact.at):near(vec(0, 0, 0), 1e-6)
+  expect(contact.normal):near(vec(0, 1, 0), 1e-12)
+  expect(contact.force):near(vec(0, 2 * 9.81, 0), 1e-6)
+end)
+
+test("what a family lies on carries it: a box under grains tells the weight of all", function()
+  local scene = open_text [[
+    scene:floor {}
+    local sand = scene:family("sand", { solid = true, radius = 0.05, layer = "sand", mass = 0.5 })
+    scene:collide("sand", "sand", false)
+    local box = scene:block { size = vec(1, 0.2, 1), at = vec(0, 0.1, 0), mass = 3, name = "box" }
+    for i = 1, 16 do scene:particle { family = sand, at = vec(0.2 * (i % 4) - 0.3, 0.25, 0.2 * (i // 4) - 0.5) } end
+  ]]
+  scene:advance(1)
+  local weight = 0
+  for _, contact in ipairs(scene:find("box").contacts) do weight = weight + math.max(0, contact.force.y) end
+  expect(weight):near((3 + 8) * 9.81, 1e-5)
+  expect(scene.error.penetration):below(1e-5)
+end)
+
+test("tablecloth: it lies on what it fell on, its threads keep their length to 1e-6 m, and energy only falls", function()
+  local cloth = open("scenes/tablecloth.lua", { threads = 8 })
+  local last, rise = cloth.energy.total, 0
+  for _ = 1, 240 do
+    cloth:step()
+    rise, last = math.max(rise, cloth.energy.total - last), cloth.energy.total
+  end
+  expect(cloth.error.worst_constraint):below(1e-6)
+  expect(rise):below(1e-4)
+  expect(cloth:read "lowest"):above(0.024)
+end)
+
+test("brook: drops run over the bed and not through it, and the wheel turns with them", function()
+  local brook = open("scenes/brook.lua", { flow = 100 })
+  brook:advance(4)
+  expect(brook:read "spin of the wheel"):above(0.2)
+  expect(brook:read "drops"):above(300)
+end)
