@@ -67,20 +67,20 @@ function quat_methods:inverse() end
 ---@alias Moment "step"|"press"|"release"|"key"|"grab"|"drop"|"cut"|"broke"|"joined"|"removed"|"touched"|"parted" at which scene:on calls
 ---@alias Waiting fun(what?: number|fun(): boolean) for a time [s], until something holds, or for the next step
 
----Where a shape of a body touches another.
+---Where a shape of a body, or a solid particle, touches another.
 ---@class Contact
----@field with? Body|Collider whose shape it is, or that stands in the world; nil: it is gone
+---@field with? Body|Particle|Collider whose shape it is, or that stands in the world; nil: it is gone
 ---@field at vec [m] where they touch
 ---@field normal vec [1] away from the other
----@field force vec [N] on this body, the mean over the last step, or over its last sub-step where it had several
+---@field force vec [N] on this thing, the mean over the last step, or over its last sub-step where it had several
 ---@field depth number [m] by which they overlap; below 0: apart
 ---@field slip vec [m/s] with which its surface slides on the other's, that of belts included
 ---@field sensor boolean whether one of the two is a sensor, which pushes nothing
 
 ---What scene:on tells of two that touch; of two that part, a and b alone.
 ---@class Touch
----@field a Body|Collider the one that the filter names, else a body
----@field b Body|Collider the other
+---@field a Particle|Body|Collider the one that the filter names, else a particle or body
+---@field b Particle|Body|Collider the other
 ---@field at vec [m] where, the mean by impulse
 ---@field normal vec [1] from b to a
 ---@field impulse number [N s] along the normal, in the step in which they touched; of a sensor 0
@@ -315,6 +315,7 @@ function Point:kick(impulse) end
 ---@field mass number [kg] mass; of a hinge its points' sum, which is not written
 ---@field family Family? its family, whose attributes are fields of it: p.charge
 ---@field lifetime number [s] goes at the beginning of the first step at which its age has reached this; a hinge is cut; math.huge: never
+---@field contacts Contact[] where it touches shapes and others, if its family is solid (read only)
 ---@field age number [s] time since it was made (read only)
 ---@field color color|fun(age: number, life: number): color or a function of age and lifetime [s]; overrides its points'
 ---@field radius number|fun(age: number, life: number): number [m] or a function of age and lifetime [s]; overrides its points'
@@ -611,6 +612,10 @@ function Group:clusters(distance) end
 ---@class Family: AnySet
 ---@field attributes table<string, number> [each its own] values of a particle that gives none (read only)
 ---@field particles Particle[] its living particles, in the order of making (read only)
+---@field solid boolean whether its free particles touch shapes and each other, as balls of their radius that do not turn (read only)
+---@field friction number? [1] of what is solid, else nil
+---@field restitution number? [1] 0 … 1, of what is solid, else nil
+---@field layer string? of what is solid, see scene:collide
 local Family = {}
 
 ---Ties two, three or four particles by a law.
@@ -1299,14 +1304,14 @@ function Scene:when(condition, target_or_action, action, options) end
 ---@param script? fun(wait: Waiting, target: Thing)
 ---@return Event
 function Scene:play(target_or_script, script) end
----Calls a function at each "step" (dt), "press" "release" (hand), "key" (name), "grab" "drop" (point, hand), "cut" "joined" (hinge), "broke" (connection, constraint or hinge, force [N] or torque [N m], story), "removed" (thing, story). on("key", "x", action) takes that key from the window, whatever that does with it; without a name, keys are heard that the window has no use for. "touched" "parted" (Touch) are told in the step after, once for two things, and with a filter only of it: a body, a floor or ground, a group of these, or the name of a layer.
+---Calls a function at each "step" (dt), "press" "release" (hand), "key" (name), "grab" "drop" (point, hand), "cut" "joined" (hinge), "broke" (connection, constraint or hinge, force [N] or torque [N m], story), "removed" (thing, story). on("key", "x", action) takes that key from the window, whatever that does with it; without a name, keys are heard that the window has no use for. "touched" "parted" (Touch) are told in the step after, once for two things, and with a filter only of it: a body, a solid particle, a floor or ground, a group of these, a family, or the name of a layer.
 ---```lua
 ---scene:on("broke", function(thing, load, story) print(story) end)
 ---scene:on("key", "x", function() p:kick(vec(0, 1, 0)) end)
 ---scene:on("touched", block, function(touch) print(touch.b, touch.speed, touch.impulse) end)
 ---```
 ---@param moment Moment
----@param filter_or_action string|Body|Collider|Group|function
+---@param filter_or_action string|Body|Particle|Collider|Group|Family|function
 ---@param action? function
 ---@return Subscription
 function Scene:on(moment, filter_or_action, action) end
@@ -1428,6 +1433,10 @@ function OpenedScene:restore(snapshot) end
 
 ---@class FamilyOptions: LookOptions
 ---@field attributes? table<string, Curve<number>>|string[] [each its own] values of a particle that gives none; of names alone 0 (default `{}`)
+---@field solid? boolean its free particles touch shapes and each other, as balls of their radius that do not turn (default `false`)
+---@field friction? number [1] >= 0, of what is solid: of two that touch the root of the product (default `0.5`)
+---@field restitution? number [1] 0 … 1, of what is solid: of two that touch the larger (default `0`)
+---@field layer? string of what is solid, see Scene:collide (default none)
 
 ---@class EmitterOptions: NameOptions, LookOptions
 ---@field rate number|fun(t: number): number [1/s] particles per second

@@ -210,7 +210,7 @@ test("an error in a handler, and filters that are none, are told with their line
   fails([[scene:floor {}
     scene:ball { radius = 1, at = vec(0, 1, 0) }
     scene:on("touched", function(t) error("ouch") end)]], ":3: ouch")
-  fails("scene:on('touched', 3, print)", "on: argument 2, the filter or action, must be a body, a floor or ground")
+  fails("scene:on('touched', 3, print)", "on: argument 2, the filter or action, must be a body, a particle, a floor or ground")
   fails("scene:on('touched')", "on: argument 2, the filter or action, must be a body")
   fails("scene:on('touched', 'layer')", "on: argument 3 must be a function, got nil")
   fails("scene:on('touched', '', print)", "must not be an empty layer")
