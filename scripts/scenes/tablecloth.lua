@@ -1,5 +1,5 @@
 -- A cloth of threads that do not stretch falls over a ball and the corner of a box, and slides off where it finds no hold.
-local n = scene:param("threads", 16, { min = 4, max = 40, step = 1, help = "threads along each edge" })
+local n = scene:param("threads", 12, { min = 4, max = 40, step = 1, help = "threads along each edge" })
 local friction = scene:param("friction", 0.4, { min = 0, max = 1, help = "of the cloth" })
 
 scene.title = "Tablecloth"
