@@ -292,7 +292,8 @@ std::vector<Method> telling() {
        "  p:kick(vec(0, 1, 0)) wait(0.5) q:kick(vec(0, 1, 0))\n"
        "end)"},
       {"on", guard<scene_on>,
-       "moment: Moment, filter_or_action: string|Body|Particle|Collider|Group|Family|function, action?: function", "Subscription",
+       "moment: Moment, filter_or_action: string|Body|Particle|Collider|Group|Family|function, action?: function",
+       "Subscription",
        "Calls a function at each \"step\" (dt), \"press\" \"release\" (hand), \"key\" (name), \"grab\" \"drop\" "
        "(point, hand), "
        "\"cut\" \"joined\" (hinge), \"broke\" (connection, constraint or hinge, force [N] or torque [N m], story), "
@@ -300,7 +301,8 @@ std::vector<Method> telling() {
        "story). on(\"key\", \"x\", action) takes that key from the window, whatever that does with it; without a name, "
        "keys are heard that the window has no use for. \"touched\" \"parted\" (Touch) are told in the step after, once "
        "for "
-       "two things, and with a filter only of it: a body, a solid particle, a floor or ground, a group of these, a family, "
+       "two things, and with a filter only of it: a body, a solid particle, a floor or ground, a group of these, a "
+       "family, "
        "or the name of a layer.",
        "scene:on(\"broke\", function(thing, load, story) print(story) end)\n"
        "scene:on(\"key\", \"x\", function() p:kick(vec(0, 1, 0)) end)\n"
