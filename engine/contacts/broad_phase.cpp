@@ -2,12 +2,16 @@
 
 #include <algorithm>
 
+#include "contacts/crowd.hpp"
+
 namespace pantin {
 
 namespace {
 
 /// Wide bounds that exceed the exact ones by more than so many slacks are made anew.
 constexpr double most_slacks = 4.0;
+/// So many pairs of one owner take as long as one of two.
+constexpr std::size_t cheap = 10;
 
 bool contains(const Bounds& outer, const Bounds& inner) {
   for (int i = 0; i < 3; i++)
@@ -54,6 +58,7 @@ void BroadPhase::put(const Entry& entry, double slack) {
   const bool endless = is_endless(entry.exact);
   const Place place = endless ? Place::endless : entry.moves ? Place::moving : Place::resting;
   proxy.exact = entry.exact;
+  proxy.owner = entry.owner;
   if (place == proxy.place && entry.moves == proxy.moves && contains(proxy.wide, entry.exact) &&
       (endless || contains(widened(entry.exact, most_slacks * slack), proxy.wide)))
     return;
@@ -96,8 +101,12 @@ void BroadPhase::find_near(std::uint32_t shape) {
   if (proxy.place == Place::absent) return;
   const auto meets = [&](const Bounds& bounds) { return overlap(proxy.wide, bounds); };
   const auto add = [&](std::uint32_t other) {
-    if (other == shape || (proxies_[other].changed && other < shape)) return;
-    if (proxy.moves || proxies_[other].moves) near_.push_back(std::minmax(shape, other));
+    const Proxy& by = proxies_[other];
+    if (other == shape || (by.changed && other < shape)) return;
+    const bool own = proxy.owner != BoundsTree::none && proxy.owner == by.owner;
+    own_ += own ? 1 : 0;
+    if (!own && (proxy.moves || by.moves)) near_.push_back(std::minmax(shape, other));
+    require_no_crowd(near_.size() + own_ / cheap, proxies_.size(), is_endless(proxy.exact) ? by.exact : proxy.exact);
   };
   moving_.visit(meets, add);
   if (proxy.moves || proxy.place == Place::endless) resting_.visit(meets, add);
@@ -108,6 +117,7 @@ void BroadPhase::find_near(std::uint32_t shape) {
 void BroadPhase::update_near() {
   if (changed_.empty()) return;
   std::erase_if(near_, [&](const Pair& p) { return proxies_[p.first].changed || proxies_[p.second].changed; });
+  own_ = 0;
   const auto kept = static_cast<std::ptrdiff_t>(near_.size());
   for (const std::uint32_t shape : changed_) find_near(shape);
   std::sort(near_.begin() + kept, near_.end());

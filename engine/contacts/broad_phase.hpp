@@ -17,9 +17,10 @@ class BroadPhase {
  public:
   using Pair = std::pair<std::uint32_t, std::uint32_t>;
   struct Entry {
-    Bounds exact;         ///< of the shape over the coming step, its margin in them; may be infinite
-    std::uint32_t shape;  ///< the caller's number; memory grows with the largest
-    bool moves;           ///< pairs of two that do not move are not told
+    Bounds exact;                            ///< of the shape over the coming step, its margin in them; may be infinite
+    std::uint32_t shape;                     ///< the caller's number; memory grows with the largest
+    bool moves;                              ///< pairs of two that do not move are not told
+    std::uint32_t owner = BoundsTree::none;  ///< nor are those of two that have the same
   };
 
   /// Adds or moves one; `slack` [m] is by how much its wide bounds exceed the exact ones.
@@ -27,7 +28,7 @@ class BroadPhase {
   /// Nothing happens where there is no such shape.
   void remove(std::uint32_t shape);
   /// All pairs whose exact bounds overlap and of which one moves, (smaller number, larger number), rising. Valid until the
-  /// next change.
+  /// next change. Throws Error where there are too many.
   std::span<const Pair> pairs();
   /// Calls use(shape) for those whose exact bounds meet a box, or are met by the way of a box swept along `way` [m]; in no
   /// order.
@@ -40,7 +41,7 @@ class BroadPhase {
   enum class Place : std::uint8_t { absent, resting, moving, endless };
   struct Proxy {
     Bounds exact, wide;
-    std::uint32_t leaf = BoundsTree::none;
+    std::uint32_t leaf = BoundsTree::none, owner = BoundsTree::none;
     Place place = Place::absent;
     bool moves = false;
     bool changed = false;  ///< since its pairs were last found
@@ -58,6 +59,7 @@ class BroadPhase {
   BoundsTree resting_, moving_;
   std::vector<std::uint32_t> endless_;  ///< shapes whose bounds are infinite
   std::vector<std::uint32_t> changed_;
+  std::size_t own_ = 0;     ///< pairs of one owner, seen since some were last looked for
   std::vector<Pair> near_;  ///< whose wide bounds overlap, rising
   std::vector<Pair> added_, pairs_;
 };

@@ -4,6 +4,7 @@
 
 #include "base/subnormals.hpp"
 #include "contacts/bodies.hpp"
+#include "contacts/crowd.hpp"
 
 namespace pantin {
 
@@ -170,7 +171,9 @@ void put(const Placement& p, ContactFinder& finder, std::uint32_t s) {
   const Shape& shape = p.model.shapes.at_slot(s);
   const Placed& placed = finder.placed[s] = place(p, shape);
   const double slack = placed.moves ? placed.margin + 0.1 * thickness_of(shape.geometry) : 0.0;
-  finder.broad_phase.put({widened(bounds_of(shape.geometry, placed.pose), placed.margin), s, placed.moves}, slack);
+  const std::uint32_t owner = shape.body ? shape.body.slot : BoundsTree::none;
+  finder.broad_phase.put({widened(bounds_of(shape.geometry, placed.pose), placed.margin), s, placed.moves, owner},
+                         slack);
 }
 
 void put_all(const Placement& p, ContactFinder& finder) {
@@ -332,6 +335,7 @@ void points_on_shapes(const Placement& p, const ContactFinder& finder, const Con
       with_point(p.model, finder, i, [&](const Side& a) {
         add_contacts(a, side_of(p.model, finder, slot), rule, contacts, p.h, at.margin + placed.margin, found);
       });
+      require_no_crowd(found.list.size(), finder.solids.size() + finder.placed.size(), {at.x, at.x});
     });
   }
 }

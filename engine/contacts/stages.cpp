@@ -186,6 +186,16 @@ void take_half_of_gravity(const Model& model, TouchIsland& island, const TouchSe
       island.problem.bodies[i].v0 -= model.plane.along(settings.gravity) * (0.5 * settings.h);
 }
 
+/// [J] It gives to an island from rest in a step, or over a way that is nothing to what touches.
+double gravity_in_step(const TouchIsland& island, const Contacts& contacts, const TouchSettings& settings) {
+  constexpr double nothing = 1e-6;  // of the size
+  double mass = 0.0, size = 0.0;
+  for (const IslandBody& b : island.problem.bodies) mass += b.mass;
+  for (const std::size_t k : island.contacts) size = std::fmax(size, contacts.list[k].size);
+  const double g = norm(settings.gravity);
+  return mass * g * std::fmax(0.5 * g * settings.h * settings.h, nothing * size);
+}
+
 /// Forces that the drift will have beside contacts: gravity, pushes, and what soft rows pulled with last.
 void foresee_forces(const Model& model, TouchIsland& island, const TouchSettings& settings) {
   const double half = 0.5 * settings.h;
@@ -247,7 +257,7 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
       };
       t.wanted -= (turned(t.a, t.ra) - (t.b < 0 ? zero3() : turned(t.b, t.rb))) * (0.5 * h);
     }
-    for (const IslandBody& b : problem.bodies) report.gravity += 0.5 * b.mass * norm2(settings.gravity) * h * h;
+    report.gravity += gravity_in_step(island, contacts, settings);
     foresee_forces(model, island, settings);
     start_rolls(problem, contacts, island.contacts, &Contact::placing_moment);
     solve(contacts, island, 0, settings.search, report);

@@ -69,11 +69,17 @@ void post_contacts(World& world, const TouchReport& report) {
 
 /// Finds contacts where things are now. After the last stage for all of the next step, which may have fewer sub-steps.
 void find(World& world, bool drifted) {
+  if (!world.trouble.empty()) return;
   if (!world.touch_space) world.touch_space = std::make_unique<TouchSpace>();
   renew(world.contact_finder, world);
   const double h = drifted && world.stage.to >= 1.0 ? world.settings.step : world.stage.h;
-  find_contacts({world, world.articulates, world.contacts, drifted, world.settings.gravity, h, world.stage.h},
-                *world.contact_finder, *world.workers, world.contacts);
+  const Placement now{world, world.articulates, world.contacts, drifted, world.settings.gravity, h, world.stage.h};
+  try {
+    find_contacts(now, *world.contact_finder, *world.workers, world.contacts);
+  } catch (const Error& error) {
+    world.trouble = error.what();
+    return;
+  }
   wake_touched(world);
 }
 

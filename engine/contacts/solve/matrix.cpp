@@ -1,6 +1,7 @@
 #include "contacts/solve/matrix.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace pantin {
@@ -108,9 +109,22 @@ void add_turns(const ContactIsland& island, Sums to, const IslandPair& t, const 
   to.add(blocks.block[3], blocks.a_below[3], both, transpose(both));
 }
 
-void lay_out_matrix(ContactIsland& island, bool touching) {
+std::size_t updates_of(const RowLists& columns) {
+  std::size_t updates = 0;
+  for (std::size_t k = 0; k + 1 < columns.first.size(); k++) {
+    const std::size_t count = columns.first[k + 1] - columns.first[k];
+    updates += count * (count + 1) / 2;
+  }
+  return updates;
+}
+
+bool lay_out_matrix(ContactIsland& island, bool touching, std::size_t most_updates) {
+  const RowLists neighbours = neighbours_of_rows(island, touching);
+  const std::size_t blocks = neighbours.rows.size() / 2, rows = 2 * island.bodies.size();
+  if (blocks * blocks / (2 * rows) > most_updates) return false;  // the least that so many can be, evenly spread
+  Elimination order = minimum_degree(neighbours);
+  if (updates_of(order.columns) > most_updates) return false;
   island.touching = touching;
-  Elimination order = minimum_degree(neighbours_of_rows(island, touching));
   island.position.resize(2 * island.bodies.size());
   for (std::uint32_t k = 0; k < order.order.size(); k++) island.position[order.order[k]] = k;
   island.factor = lay_out(std::move(order.columns));
@@ -124,13 +138,15 @@ void lay_out_matrix(ContactIsland& island, bool touching) {
     for (const IslandContact& c : island.contacts) island.contact_blocks.push_back(blocks_of(island, c));
   island.tie_blocks.clear();
   for (const IslandTie& t : island.ties) island.tie_blocks.push_back(blocks_of(island, t));
+  return true;
 }
 
 }  // namespace
 
-void lay_out_ties(ContactIsland& island) { lay_out_matrix(island, false); }
-void lay_out_all(ContactIsland& island) {
-  if (island.factor.rows == 0 || !island.touching) lay_out_matrix(island, true);
+void lay_out_ties(ContactIsland& island) { lay_out_matrix(island, false, std::numeric_limits<std::size_t>::max()); }
+bool lay_out_all(ContactIsland& island, std::size_t most_updates) {
+  const bool laid_out = island.factor.rows != 0 && island.touching;
+  return laid_out || lay_out_matrix(island, true, most_updates);
 }
 
 void set_base(ContactIsland& island, double tie_stiffness) {

@@ -6,8 +6,9 @@
 
 namespace pantin {
 
-/// Lays out the factor, where that is still to be done: of all that ties bodies, or of ties alone.
-void lay_out_all(ContactIsland& island);
+/// Lays out the factor, where that is still to be done: of all that ties bodies, or of ties alone. The first says false, and
+/// lays out nothing, where a factorisation would update more than so many blocks.
+bool lay_out_all(ContactIsland& island, std::size_t most_updates);
 void lay_out_ties(ContactIsland& island);
 /// Sets the part of masses and ties, with stiffness `tie_stiffness` / w of each tie [kg].
 void set_base(ContactIsland& island, double tie_stiffness);

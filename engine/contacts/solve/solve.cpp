@@ -12,11 +12,12 @@ namespace {
 constexpr std::uint32_t most_of_newton = 10;
 constexpr std::uint32_t most_sweeps = 20, sweeps_before_newton = 30;
 constexpr std::uint32_t rounds_of_hard = 4, sweeps_of_hard = 100, newton_of_hard = 30;  // where a small island is hard
-constexpr std::size_t few = 24;            // contacts: such an island is always solved exactly
-constexpr double calm = 1e8;               // of the tolerance, root of the mean square of velocities
-constexpr double accepted = 100.0;         // of the tolerance
-constexpr double swept_enough = 1e4;       // of the tolerance
-constexpr std::size_t most_updates = 100;  // of blocks in a factorisation, for each contact
+constexpr std::size_t few = 24;                      // contacts: such an island is always solved exactly
+constexpr double calm = 1e8;                         // of the tolerance, root of the mean square of velocities
+constexpr double accepted = 100.0;                   // of the tolerance
+constexpr double swept_enough = 1e4;                 // of the tolerance
+constexpr std::size_t most_updates = 100;            // of blocks in a factorisation, for each contact
+constexpr std::size_t most_of_memory = 200'000'000;  // of them at all: 4 bytes each
 
 double mean_velocity(const ContactIsland& island) {
   double mass = 0.0;
@@ -68,8 +69,7 @@ struct Search {
   }
   /// Not where the factor would cost more than it is worth.
   void newton(std::uint32_t most) {
-    lay_out_all(island);
-    report.too_dense = !at_any_cost && island.factor.target.size() > most_updates * island.contacts.size();
+    report.too_dense = !lay_out_all(island, at_any_cost ? most_of_memory : most_updates * island.contacts.size());
     if (report.too_dense) return;
     take(newton_search(island, most));
     report.failed = !solved();
