@@ -1,6 +1,7 @@
 #include "contacts/broad_phase.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "contacts/crowd.hpp"
 
@@ -58,8 +59,8 @@ void BroadPhase::put(const Entry& entry, double slack) {
   const bool endless = is_endless(entry.exact);
   const Place place = endless ? Place::endless : entry.moves ? Place::moving : Place::resting;
   proxy.exact = entry.exact;
-  proxy.owner = entry.owner;
-  if (place == proxy.place && entry.moves == proxy.moves && contains(proxy.wide, entry.exact) &&
+  const bool other_owner = std::exchange(proxy.owner, entry.owner) != entry.owner;
+  if (!other_owner && place == proxy.place && entry.moves == proxy.moves && contains(proxy.wide, entry.exact) &&
       (endless || contains(widened(entry.exact, most_slacks * slack), proxy.wide)))
     return;
 

@@ -1,6 +1,7 @@
 #include "contacts/manifold_points.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace pantin {
@@ -11,6 +12,8 @@ constexpr std::uint32_t most_kept = 4;
 
 /// Parts of the size within which gaps, and parts of lengths and areas within which those, are held for equal.
 constexpr double same_gap = 1e-9, same_extent = 1e-6;
+/// Parts of the size: how much higher than the lowest a point may be that counts in full, and that counts by half.
+constexpr double as_low = 1e-5, half_as_low = 1e-3;
 
 void append(Manifold& manifold, ManifoldPoint point) {
   const auto end = manifold.points.begin() + manifold.count;
@@ -69,8 +72,13 @@ void keep_points(const PointList& list, double size, Manifold& manifold) {
 
   const double least_extent = same_extent * size;
   const ManifoldPoint& first = list.points[deepest(list, order, size)];
+  // What is open counts less, lest an edge that touches gives way to a corner that is farther and open.
+  const auto counts = [&](const ManifoldPoint& point) {
+    return 1.0 / (1.0 + std::fmax(0.0, point.gap - first.gap - as_low * size) / (half_as_low * size));
+  };
   Choice far(least_extent * least_extent);
-  for (auto i = order.begin(); i != end; ++i) far.offer(*i, norm2(list.points[*i].on_a - first.on_a));
+  for (auto i = order.begin(); i != end; ++i)
+    far.offer(*i, norm2(list.points[*i].on_a - first.on_a) * counts(list.points[*i]));
   append(manifold, first);
   if (far.chosen() == Choice::none) return;
 
@@ -79,7 +87,7 @@ void keep_points(const PointList& list, double size, Manifold& manifold) {
   const Vec3 across = cross(first.normal, second.on_a - first.on_a);
   Choice left(least_extent * norm(across)), right(least_extent * norm(across));
   for (auto i = order.begin(); i != end; ++i) {
-    const double side = dot(across, list.points[*i].on_a - first.on_a);
+    const double side = dot(across, list.points[*i].on_a - first.on_a) * counts(list.points[*i]);
     left.offer(*i, side);
     right.offer(*i, -side);
   }

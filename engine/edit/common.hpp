@@ -60,6 +60,7 @@ struct Filled {
 OwnMass mass_of(std::span<const Filled> shapes);
 /// By how much a mass that is given makes shapes denser than theirs.
 double filling(const BodyDef& def);
+void require_friction(const std::string& who, double friction);
 void require_restitution(const std::string& who, double restitution);
 /// What a body of these shapes has beside its points, with the mass and inertia given or else theirs.
 OwnMass own_mass_of(const BodyDef& def);

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "articulates/solve/state.hpp"
+#include "contacts/find.hpp"
 #include "model/weigh.hpp"
+#include "shapes/distance.hpp"
 #include "shapes/mass.hpp"
 
 namespace pantin::internal {
@@ -27,7 +29,7 @@ std::vector<Filled> filled(const World& world, BodyId body, const std::vector<Pa
     const Shape& s = world.shapes[part.of];
     if (s.sensor && !sensors) continue;
     const Vec3 at = s.at + rotate(s.orientation, part.at);
-    list.push_back({part.piece ? Geometry{part.piece} : s.geometry, at, s.orientation, s.material.density});
+    list.push_back({part.piece.value_or(s.geometry), at, s.orientation, s.material.density * part.denser});
   }
   return list;
 }
@@ -37,8 +39,8 @@ std::vector<OwnMass> own_masses(const World& world, BodyId body, const std::vect
   const std::vector<ShapeId>& all = world.bodies[body].shapes;
   std::vector<OwnMass> list(parts.size());
   const bool first_has_all =
-      parts[0].shapes.size() == all.size() &&
-      std::none_of(parts[0].shapes.begin(), parts[0].shapes.end(), [](const PartShape& s) { return s.piece; });
+      parts[0].shapes.size() == all.size() && std::none_of(parts[0].shapes.begin(), parts[0].shapes.end(),
+                                                           [](const PartShape& s) { return s.piece.has_value(); });
   if (first_has_all || !is_filled(world, body)) {
     list[0] = own_of(world.bodies[body]);
     return list;
@@ -61,6 +63,73 @@ void take_axes(World& world, BodyId body, BodyId fresh) {
     }
 }
 
+/// What ties the rotation of a body that becomes several, and which of them it will tie.
+struct Tie {
+  ConstraintId id;
+  std::size_t part;
+};
+
+/// [m] from a part to a position of the world: from its shapes, where it has some; 0 within.
+double distance_to(const World& world, const Part& part, Vec3 at) {
+  double least = infinity;
+  for (const PartShape& s : part.shapes) {
+    const Shape& shape = world.shapes[s.of];
+    const Geometry& geometry = s.piece ? *s.piece : shape.geometry;
+    Pose pose = pose_of(world, shape);
+    pose.x = pose.to_world(s.at);
+    const double tiny = 1e-9 * thickness_of(geometry);
+    least = std::min(least, std::max(0.0, separation(geometry, pose, BallShape{tiny}, {at}).distance + tiny));
+  }
+  for (PointId p : part.points) least = std::min(least, norm(position(world, p) - at));
+  return least;
+}
+
+/// Whether a point of a part is hinged to a body.
+bool is_hinged(const World& world, const Part& part, BodyId other) {
+  return std::any_of(part.points.begin(), part.points.end(), [&](PointId p) {
+    const std::vector<PointId>& ring = world.particles[world.points[p].particle].points;
+    return std::any_of(ring.begin(), ring.end(), [&](PointId q) { return world.points[q].body == other; });
+  });
+}
+
+/// A weld goes with the part at its position, what ties two bodies with the part that is hinged to the other one. Others stay
+/// with the body, or end with it.
+std::vector<Tie> ties_of(const World& world, BodyId body, const std::vector<Part>& parts) {
+  std::vector<Tie> ties;
+  for (ConstraintId id : world.bodies[body].constraints) {
+    const Constraint& c = world.constraints[id];
+    const bool is_a = c.body_a == body;
+    const BodyId other = is_a ? c.body_b : c.body_a;
+    if (c.ring() || !c.coupled().empty()) continue;
+    if (c.is<WeldData>()) {
+      const Vec3 arm = is_a ? c.as<WeldData>().arm_a : c.as<WeldData>().arm_b;
+      const Vec3 at = origin(world, body) + rotate(orientation(world, body), arm);
+      const auto nearest = std::min_element(parts.begin(), parts.end(), [&](const Part& a, const Part& b) {
+        return distance_to(world, a, at) < distance_to(world, b, at);
+      });
+      ties.push_back({id, static_cast<std::size_t>(nearest - parts.begin())});
+      continue;
+    }
+    if (!other) continue;
+    for (std::size_t i = 0; i < parts.size(); i++)
+      if (is_hinged(world, parts[i], other)) {
+        ties.push_back({id, i});
+        break;
+      }
+  }
+  return ties;
+}
+
+void take_ties(World& world, BodyId body, BodyId fresh, const std::vector<Tie>& ties, std::size_t part) {
+  for (const Tie& tie : ties) {
+    if (tie.part != part) continue;
+    Constraint& c = world.constraints[tie.id];
+    (c.body_a == body ? c.body_a : c.body_b) = fresh;
+    std::erase(world.bodies[body].constraints, tie.id);
+    world.bodies[fresh].constraints.push_back(tie.id);
+  }
+}
+
 /// Shapes of the body, or copies of them that are pieces.
 void take_shapes(World& world, BodyId body, BodyId to, const std::vector<PartShape>& shapes) {
   for (const PartShape& part : shapes) {
@@ -68,7 +137,8 @@ void take_shapes(World& world, BodyId body, BodyId to, const std::vector<PartSha
     if (part.piece) {
       Shape row = world.shapes[id];
       row.at += rotate(row.orientation, part.at);
-      row.geometry = part.piece;
+      row.geometry = *part.piece;
+      row.material.density *= part.denser;
       row.serial = world.next_serial++;
       id = world.shapes.add(std::move(row));
     } else if (to == body) {
@@ -94,6 +164,36 @@ Motion part_of(const Weighed& w, const World& world, BodyId body, Vec3 spin) {
   m.p = (old.p / old.mass + cross(spin, m.x - old.x)) * m.mass;
   m.angular = m.inertia * turning_part(m, spin);
   return m;
+}
+
+/// Whether hulls take the place of something round.
+bool has_facets(const std::vector<Part>& parts) {
+  return std::any_of(parts.begin(), parts.end(), [](const Part& part) {
+    return std::any_of(part.shapes.begin(), part.shapes.end(), [](const PartShape& s) { return s.denser != 1.0; });
+  });
+}
+
+/// What the parts of a body miss of its angular momentum, because hulls in what is round have other moments, goes into all of
+/// them as one spin about their common centre.
+void share_spin(const Plane& plane, const Motion& whole, std::vector<Motion>& parts) {
+  double mass = 0.0;
+  Vec3 centre = zero3();
+  for (const Motion& m : parts) mass += m.mass, centre += m.x * m.mass;
+  centre = centre / mass;
+  Vec3 missing = rotate(whole.q, whole.angular);
+  Mat3 inertia = zero33();
+  for (const Motion& m : parts) {
+    const Vec3 d = m.x - centre;
+    const Mat3 R = matrix(m.q);
+    missing -= plane.about(cross(d, m.p)) + rotate(m.q, m.angular);
+    inertia += (identity33() * norm2(d) - outer(d, d)) * m.mass + times_transposed(R * diagonal(m.inertia), R);
+  }
+  const int n = std::max(plane.normal, 0);
+  const Vec3 spin = plane.flat() ? missing / inertia[n][n] : inverse(inertia) * missing;
+  for (Motion& m : parts) {
+    m.p += cross(spin, m.x - centre) * m.mass;
+    m.angular += m.inertia * turning_part(m, spin);
+  }
 }
 
 /// What the parts of a body miss of its angular momentum, because an inertia is lifted, goes into their spins, and what these
@@ -128,9 +228,9 @@ void keep_momenta(const Plane& plane, const Motion& whole, const std::string& ca
 
 }  // namespace
 
-PartShape piece_of(ShapeId of, const Hull& hull) {
+PartShape piece_of(ShapeId of, const Hull& hull, double denser) {
   const Vec3 centre = solid_mass(std::make_shared<const Hull>(hull)).centre;
-  return {of, moved(hull, -centre), centre};
+  return {of, moved(hull, -centre), centre, denser};
 }
 
 bool is_filled(const World& world, BodyId id) {
@@ -160,8 +260,10 @@ std::vector<BodyId> divide(World& world, BodyId body, const std::vector<Part>& p
     arm = std::fmax(arm, norm(w.centre));
     motions.push_back(part_of(w, world, body, spin));
   }
+  if (has_facets(parts)) share_spin(world.plane, world.motion_of(body), motions);
   keep_momenta(world.plane, world.motion_of(body), call, describe(world, body), arm, motions);
 
+  const std::string who = describe(world, body);
   acted(world);
   disturb_sites(world);
   touch(world, body);
@@ -170,6 +272,7 @@ std::vector<BodyId> divide(World& world, BodyId body, const std::vector<Part>& p
   const Vec3 at = origin(world, body);
   const Quat frame = orientation(world, body);
   const std::vector<ShapeId> shapes = row.shapes;
+  const std::vector<Tie> ties = ties_of(world, body, parts);
   world.bodies[body].points.clear();
   std::vector<BodyId> bodies;
   for (std::size_t i = 0; i < parts.size(); i++) {
@@ -181,6 +284,7 @@ std::vector<BodyId> divide(World& world, BodyId body, const std::vector<Part>& p
   for (std::size_t i = 0; i < parts.size(); i++) {
     const BodyId id = bodies[i];
     if (id != body) take_axes(world, body, id);
+    if (id != body) take_ties(world, body, id, ties, i);
     take_shapes(world, body, id, parts[i].shapes);
     Body& part = world.bodies[id];
     part.own_mass = own[i].mass;
@@ -194,7 +298,11 @@ std::vector<BodyId> divide(World& world, BodyId body, const std::vector<Part>& p
     });
     if (cut) erase_shape(world, id, culprit(world));
   }
-  if (!keeps) erase_body(world, body, culprit(world));
+  if (!keeps) {
+    for (ConstraintId id : world.bodies[body].constraints)
+      log_line(world, "notice", text(call, ": ", describe(world, id), " ended: none of the parts of ", who, " has it"));
+    erase_body(world, body, culprit(world));
+  }
   for (std::size_t i = 0; i < parts.size(); i++) {
     const BodyId id = bodies[i];
     update_mass(world, id);

@@ -14,11 +14,12 @@ namespace pantin::internal {
 /// A shape of a part: one that the body has, or a piece of it.
 struct PartShape {
   ShapeId of;
-  std::shared_ptr<const Hull> piece = nullptr;  ///< in axes of its own, which are those of `of`; null: the whole
-  Vec3 at = zero3();                            ///< [m] of its origin, in the axes of `of`
+  std::optional<Geometry> piece = {};  ///< in axes of its own, which are those of `of`; none: the whole
+  Vec3 at = zero3();                   ///< [m] of its origin, in the axes of `of`
+  double denser = 1.0;                 ///< by which its material is: a hull in what is round has to weigh as much
 };
 /// Of a hull in the axes of `of`: with its origin at its centre of mass.
-PartShape piece_of(ShapeId of, const Hull& hull);
+PartShape piece_of(ShapeId of, const Hull& hull, double denser);
 
 struct Part {
   std::string called;  ///< in errors

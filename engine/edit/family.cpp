@@ -69,7 +69,7 @@ FamilyId add_family(World& world, const FamilyDef& def) {
   row.curves = curves_of(call, row, def.curves, false, false, {});
   row.name = def.name;
   if (def.solid) {
-    require_not_negative(call, "friction", def.solid->friction, "");
+    require_friction(call, def.solid->friction);
     require_restitution(call, def.solid->restitution);
     row.solid = def.solid;
     require_solid_radius(call, row, def.radius.value_or(1.0), row.curves.get());
@@ -117,7 +117,7 @@ void set_layer(World& world, FamilyId id, std::string_view layer) {
 }
 
 void set_friction(World& world, FamilyId id, double friction) {
-  require_not_negative(describe(world, id), "friction", friction, "");
+  require_friction(describe(world, id), friction);
   written(world, id, "friction").friction = friction;
 }
 

@@ -71,6 +71,11 @@ ShapeId insert(World& world, const ShapeDef& def, BodyId body) {
 
 namespace internal {
 
+void require_friction(const std::string& who, double friction) {
+  require_not_negative(who, "friction", friction, "");
+  require(friction <= 1e100, who, ": friction must be at most 1e100, got ", friction);
+}
+
 void require_restitution(const std::string& who, double restitution) {
   require(restitution >= 0.0 && restitution <= 1.0, who, ": restitution must be from 0 to 1, got ", restitution);
 }
@@ -81,7 +86,7 @@ void check_shape(const std::string& who, const ShapeDef& def, bool of_body) {
   require(!of_body || is_convex(def.geometry), who, ": a body cannot have it: planes, meshes and heights do not move");
   const Material& m = def.material;
   require_positive(who, "density", m.density, "kg/m³");
-  require_not_negative(who, "friction", m.friction, "");
+  require_friction(who, m.friction);
   require_restitution(who, m.restitution);
   require_not_negative(who, "rolling", m.rolling, "m");
   require_not_negative(who, "spinning", m.spinning, "m");
@@ -200,7 +205,7 @@ void set_extent(World& world, ShapeId id, std::optional<double> extent) {
 void set_sensor(World& world, ShapeId id, bool sensor) { written(world, id, "sensor").sensor = sensor; }
 
 void set_friction(World& world, ShapeId id, double friction) {
-  require_not_negative(describe(world, id), "friction", friction, "");
+  require_friction(describe(world, id), friction);
   written(world, id, "friction").material.friction = friction;
 }
 
@@ -227,7 +232,7 @@ void set_surface_velocity(World& world, ShapeId id, Vec3 velocity) {
 void set_rule(World& world, std::string_view a, std::string_view b, LayerRule rule) {
   require_unlocked(world, "collide");
   require(!a.empty() && !b.empty(), "collide: a layer must have a name");
-  if (rule.friction) require_not_negative("collide", "friction", *rule.friction, "");
+  if (rule.friction) require_friction("collide", *rule.friction);
   if (rule.restitution) require_restitution("collide", *rule.restitution);
   const std::uint32_t x = layer_of(world, a), y = layer_of(world, b);
   std::tie(rule.a, rule.b) = std::minmax(x, y);

@@ -18,7 +18,15 @@ using namespace internal;
 
 namespace {
 
-constexpr double flush = 1e-9;  // of the thickness: how far beside a plane a shape may be that is not cut
+constexpr double flush = 1e-9;          // of the thickness: how far beside a plane a shape may be that is not cut
+constexpr double across = 1.0 - 1e-14;  // cosine of the angle at which a cylinder is cut into cylinders
+
+/// By how much a hull of a shape has to be denser to weigh as much.
+double denser_of(const Geometry& shape, const std::shared_ptr<const Hull>& hull) {
+  const bool is_flat =
+      std::holds_alternative<BoxShape>(shape) || std::holds_alternative<std::shared_ptr<const Hull>>(shape);
+  return is_flat ? 1.0 : solid_mass(shape).volume / solid_mass(hull).volume;
+}
 
 /// "shape 2 of body 'car'"
 std::string name_of(const World& world, BodyId body, std::size_t shape) {
@@ -64,7 +72,7 @@ void assign_shapes(const World& world, BodyId body, Part& stays, Part& goes) {
     require(
         shape.sensor || here > 0.0 || there > 0.0, "split: ", name_of(world, body, i),
         " has points of both parts in it, so it can go with neither; give a plane, { through = vec, normal = vec }, "
-        "which cuts boxes and hulls");
+        "which cuts it");
     (here <= there ? stays : goes).shapes.push_back({shapes[i]});
   }
 }
@@ -89,16 +97,24 @@ void cut_shape(const World& world, BodyId body, std::size_t i, const Side& side,
     (is_front ? goes : stays).shapes.push_back({id});
     return;
   }
+  const auto* cylinder = std::get_if<CylinderShape>(&shape.geometry);
+  if (cylinder && std::fabs(n[2]) >= across) {
+    const double z = offset * n[2], above = 0.5 * (cylinder->half - z), below = 0.5 * (cylinder->half + z);
+    const PartShape top{id, CylinderShape{cylinder->radius, above}, vec(0, 0, z + above)},
+        bottom{id, CylinderShape{cylinder->radius, below}, vec(0, 0, z - below)};
+    goes.shapes.push_back(n[2] > 0.0 ? top : bottom);
+    stays.shapes.push_back(n[2] > 0.0 ? bottom : top);
+    return;
+  }
   const auto hull = polyhedron_of(shape.geometry);
-  require(hull != nullptr, "split: the plane goes through ", name_of(world, body, i),
-          ", which is round; boxes and hulls alone can be cut");
+  const double denser = denser_of(shape.geometry, hull);
   const auto back = behind(hull, n, offset), front = behind(hull, -n, -offset);
   if (!back || !front) {
     (front ? goes : stays).shapes.push_back({id});
     return;
   }
-  stays.shapes.push_back(piece_of(id, *back));
-  goes.shapes.push_back(piece_of(id, *front));
+  stays.shapes.push_back(piece_of(id, *back, denser));
+  goes.shapes.push_back(piece_of(id, *front, denser));
 }
 
 BodyId split_in_two(World& world, BodyId body, const std::vector<Part>& parts, std::string name) {
@@ -193,6 +209,7 @@ struct Broken {
   std::shared_ptr<const Hull> hull;
   std::size_t pieces = 1;
   double volume;  ///< [m³]
+  double denser;  ///< by which its pieces are
 };
 
 std::vector<Broken> shapes_to_break(const World& world, BodyId body) {
@@ -202,9 +219,8 @@ std::vector<Broken> shapes_to_break(const World& world, BodyId body) {
     const Shape& shape = world.shapes[shapes[i]];
     if (shape.sensor) continue;
     const auto hull = polyhedron_of(shape.geometry);
-    require(hull != nullptr, "shatter: ", name_of(world, body, i),
-            " is round; boxes and hulls alone break into pieces");
-    list.push_back({shapes[i], pose_of(world, shape), hull, 1, solid_mass(hull).volume});
+    list.push_back(
+        {shapes[i], pose_of(world, shape), hull, 1, solid_mass(hull).volume, denser_of(shape.geometry, hull)});
   }
   require(!list.empty(), "shatter: ", describe(world, body),
           " has no shape that could break into pieces; without `pieces` its points become particles");
@@ -264,7 +280,7 @@ std::vector<BodyId> shatter(World& world, BodyId body, const ShatterDef& def) {
   for (const Broken& shape : shapes)
     for (const auto& cell : voronoi_cells(shape.hull, sites_in(world, shape, def, random))) {
       if (!cell) continue;
-      parts.push_back({text("piece ", parts.size() + 1), {}, {piece_of(shape.id, *cell)}});
+      parts.push_back({text("piece ", parts.size() + 1), {}, {piece_of(shape.id, *cell, shape.denser)}});
       poses.push_back(shape.pose);
     }
   for (PointId p : world.bodies[body].points) {
@@ -272,7 +288,8 @@ std::vector<BodyId> shatter(World& world, BodyId body, const ShatterDef& def) {
     for (std::size_t i = 0; i < parts.size(); i++) {
       const PartShape& shape = parts[i].shapes[0];
       const Vec3 at = world.plane.beside(position(world, p), poses[i].x);
-      nearest = std::min(nearest, {outside(*shape.piece, poses[i].to_local(at) - shape.at), i});
+      const auto& hull = std::get<std::shared_ptr<const Hull>>(*shape.piece);
+      nearest = std::min(nearest, {outside(*hull, poses[i].to_local(at) - shape.at), i});
     }
     parts[nearest.second].points.push_back(p);
   }

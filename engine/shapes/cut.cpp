@@ -1,23 +1,65 @@
 #include "shapes/cut.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
 #include "base/check.hpp"
+#include "base/functions.hpp"
 
 namespace pantin {
 
 using HullPtr = std::shared_ptr<const Hull>;
 
-HullPtr polyhedron_of(const Geometry& shape) {
-  if (const auto* hull = std::get_if<HullPtr>(&shape)) return *hull;
-  const auto* box = std::get_if<BoxShape>(&shape);
-  if (!box) return nullptr;
-  std::vector<Vec3> corners;
-  for (int i = 0; i < 8; i++)
-    corners.push_back(box->half * vec((i & 1) != 0 ? 1.0 : -1.0, (i & 2) != 0 ? 1.0 : -1.0, (i & 4) != 0 ? 1.0 : -1.0));
+namespace {
+
+constexpr int sides = 48, meridians = 24, circles = 11;
+
+/// Corners on a circle about the z axis.
+void add_circle(std::vector<Vec3>& corners, double radius, double z, int count) {
+  for (int i = 0; i < count; i++) {
+    const double angle = 2.0 * std::numbers::pi * i / count;
+    corners.push_back(vec(radius * functions::cos(angle), radius * functions::sin(angle), z));
+  }
+}
+
+/// Those of a ball whose halves are apart by 2 `half`.
+HullPtr round_hull(double radius, double half) {
+  std::vector<Vec3> corners = {vec(0, 0, half + radius), vec(0, 0, -half - radius)};
+  for (int k = 1; k <= circles; k++) {
+    const double angle = std::numbers::pi * k / (circles + 1);
+    const int side = (circles + 1) / 2 - k;  // 0: the one about the middle
+    const double r = radius * functions::sin(angle), z = side == 0 ? 0.0 : radius * functions::cos(angle);
+    if (side >= 0) add_circle(corners, r, z + half, meridians);
+    if (side < 0 || (side == 0 && half > 0.0)) add_circle(corners, r, z - half, meridians);
+  }
   return make_hull(corners);
 }
+
+struct AsHull {
+  HullPtr operator()(const BallShape& s) const { return round_hull(s.radius, 0.0); }
+  HullPtr operator()(const CapsuleShape& s) const { return round_hull(s.radius, s.half); }
+  HullPtr operator()(const BoxShape& s) const {
+    std::vector<Vec3> corners;
+    for (int i = 0; i < 8; i++)
+      corners.push_back(s.half * vec((i & 1) != 0 ? 1.0 : -1.0, (i & 2) != 0 ? 1.0 : -1.0, (i & 4) != 0 ? 1.0 : -1.0));
+    return make_hull(corners);
+  }
+  HullPtr operator()(const CylinderShape& s) const {
+    std::vector<Vec3> corners;
+    for (const double z : {s.half, -s.half}) add_circle(corners, s.radius, z, sides);
+    return make_hull(corners);
+  }
+  HullPtr operator()(const HullPtr& hull) const { return hull; }
+  template <class Other>
+  HullPtr operator()(const Other&) const {
+    return nullptr;
+  }
+};
+
+}  // namespace
+
+HullPtr polyhedron_of(const Geometry& shape) { return std::visit(AsHull{}, shape); }
 
 HullPtr behind(const HullPtr& hull, Vec3 normal, double offset) {
   const double near = 1e-12 * (hull->reach + std::fabs(offset));

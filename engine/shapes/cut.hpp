@@ -8,7 +8,9 @@
 
 namespace pantin {
 
-/// A box as a hull, or the hull that it is; null of what is round and of what does not move.
+/// A box as a hull, or the hull that it is; of what is round one whose corners are on its surface: 48 sides of a cylinder,
+/// 24 meridians and 11 circles of a ball and of the ends of a capsule, the one about its middle twice. Null of what does not
+/// move.
 std::shared_ptr<const Hull> polyhedron_of(const Geometry& shape);
 /// What of a hull lies where normal·x <= offset: all of it, or a part; null where that is nothing, or so thin that it is no
 /// hull. The part on the other side has the same corners in the plane. `normal` has unit length.

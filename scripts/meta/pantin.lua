@@ -938,7 +938,7 @@ function Scene:cylinder(options) end
 ---@param b Body
 ---@return Body
 function Scene:merge(a, b) end
----Makes a body of its own of some of a body's points, or of what of it is in front of a plane. Shapes go with the points that are in them, else with the nearest; a plane cuts boxes and hulls.
+---Makes a body of its own of some of a body's points, or of what of it is in front of a plane. Shapes go with the points that are in them, else with the nearest; a plane cuts them; what of a ball, a capsule or a cylinder is cut is a hull with its mass, of a cylinder cut across a cylinder.
 ---```lua
 ---local corner = scene:split(block, block.points[1], block.points[2], block.points[3])
 ---local top = scene:split(scene:box { size = 1, at = vec(0, 9, 0) }, { through = vec(0, 9, 0), normal = vec(1, 1, 0) })
@@ -955,7 +955,7 @@ function Scene:split(body, points, ...) end
 ---@param group Group
 ---@return Body
 function Scene:freeze(group) end
----Makes free particles of a body's points; those without mass are gone. With `pieces`, it breaks a body of boxes and hulls into that many bodies, which move on as it did.
+---Makes free particles of a body's points; those without mass are gone. With `pieces`, it breaks a body with shapes into that many bodies, hulls that have its mass and move on as it did.
 ---```lua
 ---for _, piece in ipairs(scene:shatter(block)) do piece.color = "#f40" end
 ---local plate = scene:box { size = vec(2, 0.1, 2), at = vec(0, 9, 0) }

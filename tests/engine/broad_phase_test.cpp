@@ -39,7 +39,9 @@ Pairs all_pairs(const std::vector<Entry>& entries) {
   Pairs pairs;
   for (const Entry& a : entries)
     for (const Entry& b : entries)
-      if (a.shape < b.shape && (a.moves || b.moves) && overlap(a.exact, b.exact)) pairs.push_back({a.shape, b.shape});
+      if (a.shape < b.shape && (a.moves || b.moves) && (a.owner != b.owner || a.owner == BoundsTree::none) &&
+          overlap(a.exact, b.exact))
+        pairs.push_back({a.shape, b.shape});
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
@@ -57,6 +59,7 @@ TEST_CASE("broad phase: its pairs are those among all pairs over a hundred moves
   BroadPhase broad_phase;
   for (int move = 0; move < 100; move++) {
     for (Entry& entry : entries) {
+      if (entry.moves && random.uniform() < 0.1) entry.owner = static_cast<std::uint32_t>(20.0 * random.uniform());
       if (entry.moves) {
         const Vec3 way = random_point(random, move % 10 == 0 ? 3.0 : 0.02);
         entry.exact = {entry.exact.low + way, entry.exact.high + way};
@@ -79,6 +82,14 @@ TEST_CASE("broad phase: pairs do not depend on the order in which shapes came, w
   backwards.pairs();
   for (const Entry& entry : entries) backwards.put(entry, 0.3);
   CHECK(pairs_of(forwards) == pairs_of(backwards));
+}
+
+TEST_CASE("broad phase: what is all in one place is told with the place, and once it is gone all is well") {
+  BroadPhase broad_phase;
+  for (std::uint32_t i = 0; i < 2000; i++) broad_phase.put({cube(vec(3, 0, 0), 1.0), i, true}, 0.1);
+  CHECK_THROWS_WITH(broad_phase.pairs(), Catch::Contains("too much touches in one place, about (3, 0, 0) m"));
+  for (std::uint32_t i = 2; i < 2000; i++) broad_phase.put({cube(vec(3, 4.0 * i, 0), 1.0), i, true}, 0.1);
+  CHECK(pairs_of(broad_phase) == Pairs{{0, 1}});
 }
 
 TEST_CASE("broad phase: what is taken out is in no pair, in no box and on no way") {
@@ -146,11 +157,11 @@ TEST_CASE("broad phase: a swept box meets what one of many boxes on its way meet
   CHECK(met > 30);
 }
 
-TEST_CASE("broad phase: a thousand shapes in one place are a pair each with each") {
+TEST_CASE("broad phase: six hundred shapes in one place are a pair each with each") {
   BroadPhase broad_phase;
-  for (std::uint32_t i = 0; i < 1000; i++) broad_phase.put({cube(zero3(), 1.0), i, true}, 0.1);
+  for (std::uint32_t i = 0; i < 600; i++) broad_phase.put({cube(zero3(), 1.0), i, true}, 0.1);
   const auto pairs = broad_phase.pairs();
-  CHECK(pairs.size() == 1000 * 999 / 2);
+  CHECK(pairs.size() == 600 * 599 / 2);
   CHECK(std::is_sorted(pairs.begin(), pairs.end()));
 }
 

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
 #include <set>
 
@@ -95,8 +96,20 @@ TEST_CASE("cut: positions in a hull are in the Voronoi cell of the nearest site,
   }
 }
 
-TEST_CASE("cut: what is round is no polyhedron") {
-  CHECK(polyhedron_of(BallShape{1.0}) == nullptr);
-  CHECK(polyhedron_of(CylinderShape{1.0, 1.0}) == nullptr);
-  CHECK(polyhedron_of(HalfSpaceShape{}) == nullptr);
+TEST_CASE("cut: hulls of what is round have all corners on the surface and little less volume") {
+  const auto least = [](const Geometry& shape, double part) {
+    const HullPtr hull = polyhedron_of(shape);
+    CHECK(volume(hull) < solid_mass(shape).volume);
+    CHECK(volume(hull) > part * solid_mass(shape).volume);
+    return hull;
+  };
+  for (const Vec3 v : least(BallShape{1.0}, 0.97)->vertices) CHECK(norm(v) == Approx(1.0).epsilon(1e-15));
+  for (const Vec3 v : least(CapsuleShape{1.0, 2.0}, 0.975)->vertices)
+    CHECK(norm(v - vec(0, 0, std::clamp(v[2], -2.0, 2.0))) == Approx(1.0).epsilon(1e-15));
+  for (const Vec3 v : least(CylinderShape{1.0, 2.0}, 0.997)->vertices) {
+    CHECK(std::hypot(v[0], v[1]) == Approx(1.0).epsilon(1e-15));
+    CHECK(std::fabs(v[2]) == 2.0);
+  }
 }
+
+TEST_CASE("cut: what does not move is no polyhedron") { CHECK(polyhedron_of(HalfSpaceShape{}) == nullptr); }

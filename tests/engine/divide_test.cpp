@@ -12,71 +12,10 @@
 #include "snapshot/snapshot.hpp"
 #include "step/step.hpp"
 #include "support/balance.hpp"
+#include "support/thrown.hpp"
 
 using namespace pantin;
 using Catch::Contains;
-
-namespace {
-
-ShapeDef shape(Geometry geometry, Vec3 at = zero3(), double density = 1000.0) {
-  ShapeDef def;
-  def.geometry = std::move(geometry);
-  def.at = at;
-  def.material.density = density;
-  return def;
-}
-
-BoxShape box(double x, double y, double z) { return {vec(x, y, z) * 0.5}; }
-
-PointDef point(Vec3 at, double mass = 0.0) {
-  PointDef def;
-  def.at = at;
-  def.mass = mass;
-  return def;
-}
-
-/// A body that flies and spins.
-BodyDef thrown(std::vector<ShapeDef> shapes) {
-  BodyDef def;
-  def.shapes = std::move(shapes);
-  def.at = vec(1, 2, 3);
-  def.orientation = normalised({0.8, 0.2, -0.3, 0.4});
-  def.velocity = vec(1, -2, 0.5);
-  def.spin = vec(3, -1, 2);
-  return def;
-}
-
-struct Weightless : World {
-  Weightless() { settings.gravity = zero3(); }
-};
-
-/// m/12 (b² + c²) about each axis.
-Vec3 box_moments(double mass, double x, double y, double z) {
-  return vec(y * y + z * z, z * z + x * x, x * x + y * y) * (mass / 12.0);
-}
-
-Vec3 sorted(Vec3 v) {
-  std::array<double, 3> all = {v[0], v[1], v[2]};
-  std::sort(all.begin(), all.end());
-  return vec(all[0], all[1], all[2]);
-}
-
-double kinetic(const World& world) { return energy(world).kinetic; }
-
-/// Deepest overlap of any two shapes of different bodies [m].
-double overlap_of(const World& world) {
-  const std::vector<ShapeId> ids = world.shapes.ids();
-  double deepest = 0.0;
-  for (std::size_t i = 0; i < ids.size(); i++)
-    for (std::size_t j = 0; j < i; j++) {
-      const Shape &a = world.shapes[ids[i]], &b = world.shapes[ids[j]];
-      deepest =
-          std::fmax(deepest, -separation(a.geometry, pose_of(world, a), b.geometry, pose_of(world, b), 1.0).distance);
-    }
-  return deepest;
-}
-
-}  // namespace
 
 TEST_CASE("A body of two boxes splits by its points: each box goes with the point in it, and weighs what it did") {
   Weightless world;
@@ -136,11 +75,10 @@ TEST_CASE("A plane cuts a box in halves of half its mass, whose moments are thos
   CHECK(overlap_of(world) < 1e-14);
 }
 
-TEST_CASE("A plane leaves round shapes whole where they are on one side, else it says so") {
+TEST_CASE("A plane leaves round shapes whole where they are on one side") {
   Weightless world;
   const BodyId body = add_body(world, thrown({shape(BallShape{0.5}), shape(BallShape{0.5}, vec(2, 0, 0))}));
   const Vec3 x = rotate(orientation(world, body), vec(1, 0, 0)), at = origin(world, body);
-  CHECK_THROWS_WITH(split(world, body, at, x), Contains("goes through shape 1 of body") && Contains("which is round"));
   CHECK_THROWS_WITH(split(world, body, at + x * 9.0, x), Contains("leaves all of body") && Contains("on one side"));
   CHECK_THROWS_WITH(split(world, body, at, zero3()), Contains("normal must have a length > 0"));
   CHECK_THROWS_WITH(split(world, body, vec(std::nan(""), 0, 0), x), Contains("split: through must be"));
@@ -265,7 +203,6 @@ TEST_CASE("In a plane pieces are prisms, and their moments add up") {
 
 TEST_CASE("What cannot shatter into pieces is told, and the scene is as it was") {
   Weightless world;
-  const BodyId ball = add_body(world, thrown({shape(BallShape{0.5})}));
   BodyDef def = thrown({shape(box(1, 1, 1))});
   const BodyId cube = add_body(world, def);
   def.points = {point(zero3(), 1.0), point(vec(0.1, 0, 0), 1.0)};
@@ -285,7 +222,6 @@ TEST_CASE("What cannot shatter into pieces is told, and the scene is as it was")
     } catch (const Error& error) { return std::string(error.what()); }
     return std::string("none");
   };
-  CHECK_THAT(message(ball, {5, 1, {}}), Contains("is round; boxes and hulls alone break into pieces"));
   CHECK_THAT(message(cube, {1, 1, {}}), Contains("pieces must be from 2 to 1000, got 1"));
   CHECK_THAT(message(cube, {1001, 1, {}}), Contains("pieces must be from 2 to 1000, got 1001"));
   CHECK_THAT(message(cube, {5, 1, vec(0, infinity, 0)}), Contains("shatter: at must be"));

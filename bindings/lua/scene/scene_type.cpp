@@ -120,7 +120,9 @@ std::vector<Method> making() {
       {"split", guard<scene_split>, "body: Body, points: Point|Point[]|CuttingPlane, ...: Point", "Body",
        "Makes a body of its own of some of a body's points, or of what of it is in front of a plane. Shapes go with "
        "the "
-       "points that are in them, else with the nearest; a plane cuts boxes and hulls.",
+       "points that are in them, else with the nearest; a plane cuts them; what of a ball, a capsule or a cylinder is "
+       "cut is a hull with its mass, of a cylinder cut "
+       "across a cylinder.",
        "local corner = scene:split(block, block.points[1], block.points[2], block.points[3])\n"
        "local top = scene:split(scene:box { size = 1, at = vec(0, 9, 0) }, { through = vec(0, 9, 0), normal = vec(1, "
        "1, "
@@ -129,8 +131,8 @@ std::vector<Method> making() {
        "Makes one body of the free particles and the bodies of a group.",
        "local lump = scene:freeze(scene:group(\"to be one\"):add(p, q, block))"},
       {"shatter", guard<scene_shatter>, "body: Body, options?: ShatterOptions", "Particle[]|Body[]",
-       "Makes free particles of a body's points; those without mass are gone. With `pieces`, it breaks a body of boxes "
-       "and hulls into that many bodies, which move on as it did.",
+       "Makes free particles of a body's points; those without mass are gone. With `pieces`, it breaks a body with "
+       "shapes into that many bodies, hulls that have its mass and move on as it did.",
        "for _, piece in ipairs(scene:shatter(block)) do piece.color = \"#f40\" end\n"
        "local plate = scene:box { size = vec(2, 0.1, 2), at = vec(0, 9, 0) }\n"
        "scene:on(\"touched\", plate, function(touch) scene:shatter(plate, { pieces = 30, at = touch.at }) end)"},
