@@ -12,12 +12,6 @@ namespace {
 using Use = KeyUse;
 
 std::vector<WindowKeys> make_table() {
-  const auto of_view = [](View shown, const char* key) {
-    const auto place = static_cast<std::size_t>(shown);
-    const NamedView& named = view_table()[place];
-    const bool says = std::string_view(named.help).starts_with(named.name);
-    return WindowKeys{"View", Use::view, {key}, key, says ? named.help : text(named.name, ": ", named.help), place};
-  };
   constexpr std::optional play = KeyPlace::play, replay = KeyPlace::replay;
   return {
       {"Hands", Use::told, {}, "left drag", "use the tool: pull a point, and throw it", 0, play},
@@ -76,24 +70,23 @@ std::vector<WindowKeys> make_table() {
       {"View", Use::see_front, {"i"}, "i", "from the front, without perspective"},
       {"View", Use::see_right, {"o"}, "o", "from the right side"},
       {"View", Use::see_top, {"p"}, "p", "from the top"},
-      of_view(View::bodies, "b"),
-      of_view(View::loads, "c"),
-      of_view(View::shadows, "l"),
-      of_view(View::rings, "g"),
-      of_view(View::forces, "a"),
-      of_view(View::velocities, "v"),
-      of_view(View::trails, "w"),
-      of_view(View::families, "m"),
-      of_view(View::articulates, "y"),
-      of_view(View::islands, ";"),
-      of_view(View::temperature, "t"),
-      of_view(View::errors, "e"),
-      of_view(View::cells, "k"),
-      of_view(View::contacts, "z"),
-      of_view(View::contact_forces, "/"),
-      of_view(View::asleep, "'"),
-      of_view(View::dark, "d"),
   };
+}
+
+void add_views(std::vector<WindowKeys>& table) {
+  constexpr std::pair<View, const char*> keys[] = {
+      {View::bodies, "b"},      {View::loads, "c"},      {View::shadows, "l"},        {View::rings, "g"},
+      {View::forces, "a"},      {View::velocities, "v"}, {View::trails, "w"},         {View::families, "m"},
+      {View::articulates, "y"}, {View::islands, ";"},    {View::temperature, "t"},    {View::errors, "e"},
+      {View::cells, "k"},       {View::contacts, "z"},   {View::contact_forces, "/"}, {View::asleep, "'"},
+      {View::dark, "d"},
+  };
+  for (const auto& [shown, key] : keys) {
+    const auto place = static_cast<std::size_t>(shown);
+    const NamedView& named = view_table()[place];
+    const bool says = std::string_view(named.help).starts_with(named.name);
+    table.push_back({"View", Use::view, {key}, key, says ? named.help : text(named.name, ": ", named.help), place});
+  }
 }
 
 /// Those of functions are written in capitals.
@@ -120,7 +113,11 @@ Card make_card(KeyPlace place) {
 }  // namespace
 
 const std::vector<WindowKeys>& window_keys() {
-  static const std::vector<WindowKeys> table = make_table();
+  static const std::vector<WindowKeys> table = [] {
+    std::vector<WindowKeys> all = make_table();
+    add_views(all);
+    return all;
+  }();
   return table;
 }
 

@@ -8,8 +8,10 @@
 #include "articulates/solve/state.hpp"
 #include "contacts/gather.hpp"
 #include "contacts/heat.hpp"
+#include "contacts/opening.hpp"
 #include "contacts/solve/impacts.hpp"
 #include "contacts/solve/solve.hpp"
+#include "contacts/take_back.hpp"
 
 namespace pantin {
 
@@ -155,30 +157,6 @@ void solve(Contacts& contacts, TouchIsland& island, std::size_t stage, ContactSe
   });
 }
 
-/// By how much turning alone moves a surface away along `out` [m/s²], the normal that points into its shape, at the arm r to
-/// it: n·(ω × (ω × r)) of what turns with the body there, less what a round surface has behind it.
-double opening(const IslandBody& body, Vec3 r, Vec3 out, const Roundness& round) {
-  const Vec3 w = body.w0, turning = norm2(round.axis) > 0.0 ? r : r + out * round.radius;
-  const double edge = dot(out, w) * dot(w, turning) - norm2(w) * dot(out, turning);
-  if (edge <= 0.0 || norm2(round.axis) == 0.0) return edge;
-  const Vec3 across = out - round.axis * dot(round.axis, out);
-  const double size = norm(across), turn = dot(cross(round.axis, across), cross(w, out));
-  return size > 0.0 ? std::max(0.0, edge - round.radius * turn * turn / (size * size * size)) : edge;
-}
-
-double opening(const TouchIsland& island, const IslandContact& c, const Contact& from) {
-  const std::vector<IslandBody>& bodies = island.problem.bodies;
-  const Vec3 n = c.frame[0];
-  if (is_point(from.body_a))  // its centre is where impulses act
-    return c.b < 0 ? 0.0
-                   : opening(bodies[static_cast<std::size_t>(c.b)], c.rb - n * (from.round_a.radius + from.gap),
-                             n * -1.0, from.round_b);
-  const Vec3 half = n * (0.5 * from.gap);
-  if (c.b < 0) return opening(bodies[static_cast<std::size_t>(c.a)], c.ra, n, from.round_a);
-  return opening(bodies[static_cast<std::size_t>(c.a)], c.ra + half, n, from.round_a) +
-         opening(bodies[static_cast<std::size_t>(c.b)], c.rb - half, n * -1.0, from.round_b);
-}
-
 /// Kicks gave loose points half of gravity: their velocities at the start of the step are without.
 void take_half_of_gravity(const Model& model, TouchIsland& island, const TouchSettings& settings) {
   for (std::size_t i = 0; i < island.things.size(); i++)
@@ -292,43 +270,6 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
   collect_heat(contacts, islands);
   hold_again(articulates);
 }
-
-namespace {
-
-/// Of an impulse before the drift what takes it back, at one point of both bodies: nearer to that of the lighter one, or in a free point.
-void turn_back(const Model& model, const Articulates& articulates, Placing& p, bool drifted) {
-  p.impulse = p.impulse * -1.0;
-  p.moment = p.moment * -1.0;
-  if (p.body_b < 0) return;
-  const BodyState a = state_of(model, articulates, p.body_a, drifted);
-  const BodyState b = state_of(model, articulates, static_cast<std::uint32_t>(p.body_b), drifted);
-  const double of_b = is_point(p.body_a) ? 0.0 : a.mass / (a.mass + b.mass);
-  const Vec3 at = (a.x + p.arm_a) * (1.0 - of_b) + (b.x + p.arm_b) * of_b;
-  p.arm_a = at - a.x;
-  p.arm_b = at - b.x;
-}
-
-/// Takes the impulses before the drift back. Returns the change of the kinetic energy [J].
-double take_back(Model& model, const Articulates& articulates, Contacts& contacts, bool drifted) {
-  double work = 0.0;
-  for (Placing& p : contacts.placed) turn_back(model, articulates, p, drifted);
-  HeatOf heat(model, articulates, contacts, drifted, contacts.placed, contacts.new_heat);
-  const auto add = [&](const BodyState& s, std::uint32_t thing, Vec3 arm, Vec3 impulse, Vec3 moment) {
-    const double before = kinetic_energy(model, s, thing);
-    add_momenta(model, s, thing, model.plane.along(impulse), cross(arm, impulse) + moment);
-    work += kinetic_energy(model, s, thing) - before;
-  };
-  for (const Placing& p : contacts.placed) {
-    add(state_of(model, articulates, p.body_a, drifted), p.body_a, p.arm_a, p.impulse, p.moment);
-    if (p.body_b < 0) continue;
-    const auto slot_b = static_cast<std::uint32_t>(p.body_b);
-    add(state_of(model, articulates, slot_b, drifted), slot_b, p.arm_b, p.impulse * -1.0, p.moment * -1.0);
-  }
-  heat.add(work);
-  return work;
-}
-
-}  // namespace
 
 void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
           const TouchSettings& settings, TouchReport& sum) {

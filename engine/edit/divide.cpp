@@ -70,15 +70,14 @@ struct Tie {
 };
 
 /// [m] from a part to a position of the world: from its shapes, where it has some; 0 within.
-double distance_to(const World& world, const Part& part, Vec3 at) {
+double distance_to_part(const World& world, const Part& part, Vec3 at) {
   double least = infinity;
   for (const PartShape& s : part.shapes) {
     const Shape& shape = world.shapes[s.of];
     const Geometry& geometry = s.piece ? *s.piece : shape.geometry;
     Pose pose = pose_of(world, shape);
     pose.x = pose.to_world(s.at);
-    const double tiny = 1e-9 * thickness_of(geometry);
-    least = std::min(least, std::max(0.0, separation(geometry, pose, BallShape{tiny}, {at}).distance + tiny));
+    least = std::min(least, distance_to(geometry, pose, at));
   }
   for (PointId p : part.points) least = std::min(least, norm(position(world, p) - at));
   return least;
@@ -105,7 +104,7 @@ std::vector<Tie> ties_of(const World& world, BodyId body, const std::vector<Part
       const Vec3 arm = is_a ? c.as<WeldData>().arm_a : c.as<WeldData>().arm_b;
       const Vec3 at = origin(world, body) + rotate(orientation(world, body), arm);
       const auto nearest = std::min_element(parts.begin(), parts.end(), [&](const Part& a, const Part& b) {
-        return distance_to(world, a, at) < distance_to(world, b, at);
+        return distance_to_part(world, a, at) < distance_to_part(world, b, at);
       });
       ties.push_back({id, static_cast<std::size_t>(nearest - parts.begin())});
       continue;
@@ -227,6 +226,11 @@ void keep_momenta(const Plane& plane, const Motion& whole, const std::string& ca
 }
 
 }  // namespace
+
+double distance_to(const Geometry& shape, const Pose& pose, Vec3 at) {
+  const double tiny = 1e-9 * thickness_of(shape);
+  return std::max(0.0, separation(shape, pose, BallShape{tiny}, {at}).distance + tiny);
+}
 
 PartShape piece_of(ShapeId of, const Hull& hull, double denser) {
   const Vec3 centre = solid_mass(std::make_shared<const Hull>(hull)).centre;

@@ -11,6 +11,9 @@
 
 namespace pantin::internal {
 
+/// [m] from a convex shape to a position of the world; 0 in it.
+double distance_to(const Geometry& shape, const Pose& pose, Vec3 at);
+
 /// A shape of a part: one that the body has, or a piece of it.
 struct PartShape {
   ShapeId of;

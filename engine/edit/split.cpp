@@ -23,9 +23,9 @@ constexpr double across = 1.0 - 1e-14;  // cosine of the angle at which a cylind
 
 /// By how much a hull of a shape has to be denser to weigh as much.
 double denser_of(const Geometry& shape, const std::shared_ptr<const Hull>& hull) {
-  const bool is_flat =
+  const bool is_polyhedron =
       std::holds_alternative<BoxShape>(shape) || std::holds_alternative<std::shared_ptr<const Hull>>(shape);
-  return is_flat ? 1.0 : solid_mass(shape).volume / solid_mass(hull).volume;
+  return is_polyhedron ? 1.0 : solid_mass(shape).volume / solid_mass(hull).volume;
 }
 
 /// "shape 2 of body 'car'"
@@ -50,17 +50,13 @@ std::vector<PointId> rest_of(const World& world, BodyId body, std::span<const Po
   return rest;
 }
 
-/// [m] from a shape to the nearest of some points; 0 in it.
-double distance_to(const World& world, const Shape& shape, const std::vector<PointId>& points) {
+/// [m] from a shape to the nearest of some points; 0 in it, and where that is less than it is told to.
+double distance_to_points(const World& world, const Shape& shape, const std::vector<PointId>& points) {
   const Pose pose = pose_of(world, shape);
-  const double thickness = thickness_of(shape.geometry), tiny = 1e-9 * thickness;
   double least = infinity;
-  for (PointId p : points) {
-    const Vec3 at = world.plane.beside(position(world, p), pose.x);
-    const double distance = separation(shape.geometry, pose, BallShape{tiny}, {at}).distance + tiny;
-    least = std::min(least, std::max(0.0, distance - 1e-6 * thickness));
-  }
-  return least;
+  for (PointId p : points)
+    least = std::min(least, distance_to(shape.geometry, pose, world.plane.beside(position(world, p), pose.x)));
+  return std::max(0.0, least - 1e-6 * thickness_of(shape.geometry));
 }
 
 /// A shape goes with the points that are in it, or nearest.
@@ -68,7 +64,8 @@ void assign_shapes(const World& world, BodyId body, Part& stays, Part& goes) {
   const std::vector<ShapeId>& shapes = world.bodies[body].shapes;
   for (std::size_t i = 0; i < shapes.size(); i++) {
     const Shape& shape = world.shapes[shapes[i]];
-    const double here = distance_to(world, shape, stays.points), there = distance_to(world, shape, goes.points);
+    const double here = distance_to_points(world, shape, stays.points),
+                 there = distance_to_points(world, shape, goes.points);
     require(
         shape.sensor || here > 0.0 || there > 0.0, "split: ", name_of(world, body, i),
         " has points of both parts in it, so it can go with neither; give a plane, { through = vec, normal = vec }, "

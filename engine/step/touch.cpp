@@ -67,9 +67,10 @@ void post_contacts(World& world, const TouchReport& report) {
   if (world.contacts.heat_kept) settle_heat(world, world.contacts, wrong);
 }
 
+bool goes_untouched(const World& world) { return nothing_touches(world) || !world.trouble.empty(); }
+
 /// Finds contacts where things are now. After the last stage for all of the next step, which may have fewer sub-steps.
 void find(World& world, bool drifted) {
-  if (!world.trouble.empty()) return;
   if (!world.touch_space) world.touch_space = std::make_unique<TouchSpace>();
   renew(world.contact_finder, world);
   const double h = drifted && world.stage.to >= 1.0 ? world.settings.step : world.stage.h;
@@ -78,6 +79,7 @@ void find(World& world, bool drifted) {
     find_contacts(now, *world.contact_finder, *world.workers, world.contacts);
   } catch (const Error& error) {
     world.trouble = error.what();
+    world.contacts.stale = true;
     return;
   }
   wake_touched(world);
@@ -86,10 +88,11 @@ void find(World& world, bool drifted) {
 }  // namespace
 
 void place_contacts(World& world) {
-  if (nothing_touches(world)) return;
+  if (goes_untouched(world)) return;
   const Timed timed(world.profile, Phase::place_contacts);
   const bool drifted = world.stage.index > 0;
   if (world.contacts.stale || world.places_changed) find(world, drifted);
+  if (!world.trouble.empty()) return;
   TouchReport report;
   place(*world.touch_space, *world.workers, world, world.articulates, world.contacts, settings_of(world, drifted),
         report);
@@ -100,9 +103,10 @@ void place_contacts(World& world) {
 }
 
 void find_contacts(World& world) {
-  if (nothing_touches(world)) return;
+  if (goes_untouched(world)) return;
   const Timed timed(world.profile, Phase::find_contacts);
   find(world, true);
+  if (!world.trouble.empty()) return;
   const LedgerMark before = ledger_mark(world, true);
   TouchReport report;
   push_out(*world.touch_space, *world.workers, world, world.articulates, world.contacts, settings_of(world, true),
@@ -114,7 +118,7 @@ void find_contacts(World& world) {
 }
 
 void meet_contacts(World& world) {
-  if (nothing_touches(world)) return;
+  if (goes_untouched(world)) return;
   const Timed timed(world.profile, Phase::meet_contacts);
   TouchReport report;
   meet(*world.touch_space, *world.workers, world, world.articulates, world.contacts, settings_of(world, true), report);

@@ -938,7 +938,7 @@ function Scene:cylinder(options) end
 ---@param b Body
 ---@return Body
 function Scene:merge(a, b) end
----Makes a body of its own of some of a body's points, or of what of it is in front of a plane. Shapes go with the points that are in them, else with the nearest; a plane cuts them; what of a ball, a capsule or a cylinder is cut is a hull with its mass, of a cylinder cut across a cylinder.
+---Makes a body of its own of some of a body's points, or of what of it is in front of a plane. Shapes go with the points that are in them, else with the nearest; a plane cuts them. Parts of a ball, a capsule or a cylinder are hulls with its mass; those of a cylinder cut across are cylinders.
 ---```lua
 ---local corner = scene:split(block, block.points[1], block.points[2], block.points[3])
 ---local top = scene:split(scene:box { size = 1, at = vec(0, 9, 0) }, { through = vec(0, 9, 0), normal = vec(1, 1, 0) })

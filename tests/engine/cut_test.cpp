@@ -103,10 +103,12 @@ TEST_CASE("cut: hulls of what is round have all corners on the surface and littl
     CHECK(volume(hull) > part * solid_mass(shape).volume);
     return hull;
   };
-  for (const Vec3 v : least(BallShape{1.0}, 0.97)->vertices) CHECK(norm(v) == Approx(1.0).epsilon(1e-15));
-  for (const Vec3 v : least(CapsuleShape{1.0, 2.0}, 0.975)->vertices)
+  const HullPtr ball = least(BallShape{1.0}, 0.97), capsule = least(CapsuleShape{1.0, 2.0}, 0.975),
+                cylinder = least(CylinderShape{1.0, 2.0}, 0.997);
+  for (const Vec3 v : ball->vertices) CHECK(norm(v) == Approx(1.0).epsilon(1e-15));
+  for (const Vec3 v : capsule->vertices)
     CHECK(norm(v - vec(0, 0, std::clamp(v[2], -2.0, 2.0))) == Approx(1.0).epsilon(1e-15));
-  for (const Vec3 v : least(CylinderShape{1.0, 2.0}, 0.997)->vertices) {
+  for (const Vec3 v : cylinder->vertices) {
     CHECK(std::hypot(v[0], v[1]) == Approx(1.0).epsilon(1e-15));
     CHECK(std::fabs(v[2]) == 2.0);
   }

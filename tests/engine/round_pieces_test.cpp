@@ -33,6 +33,22 @@ TEST_CASE("What is round is cut and shatters into hulls of its mass, and momenta
     }
 }
 
+TEST_CASE(
+    "Halving a ball that only spins changes its kinetic energy by 2.3 %, as its moments do, and the ledger has it") {
+  Weightless world;
+  keep_ledger(world);
+  BodyDef def = thrown({shape(BallShape{0.5})});
+  def.velocity = zero3();
+  const BodyId ball = add_body(world, def);
+  step(world);
+  const double joules = kinetic(world);
+  split(world, ball, origin(world, ball), direction(def.spin + vec(0, 0, 1)));
+  const double more = kinetic(world) - joules;
+  CHECK(more > 0.0);
+  CHECK(more < 0.024 * joules);
+  CHECK(world.ledger.given[static_cast<std::size_t>(Source::edit)] == Approx(more).epsilon(1e-9));
+}
+
 TEST_CASE("A cylinder cut across is two cylinders, with the moments of such") {
   Weightless world;
   const BodyId body = add_body(world, thrown({shape(CylinderShape{0.3, 1.0})}));

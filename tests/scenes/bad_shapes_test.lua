@@ -41,6 +41,15 @@ test("bad shapes: a hundred balls in one place part slowly, and none goes faster
   ]]
   scene:advance(0.2)
   expect(scene.energy.kinetic):below(1e-9)
+  local bodies = scene.bodies
+  for i, ball in ipairs(bodies) do
+    local nearest = math.huge
+    for j, other in ipairs(bodies) do
+      if i ~= j then nearest = math.min(nearest, (ball.position - other.position):length()) end
+    end
+    expect(nearest):above(1e-3)
+    expect(nearest):below(0.2 * 1.0)
+  end
   expect(scene.stats.contacts):above(100)
 end)
 

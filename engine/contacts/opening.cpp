@@ -1,0 +1,36 @@
+#include "contacts/opening.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pantin {
+
+namespace {
+
+/// By how much turning alone moves a surface away along `out` [m/s²], the normal that points into its shape, at the arm r to
+/// it: n·(ω × (ω × r)) of what turns with the body there, less what a round surface has behind it.
+double opening_of_side(const IslandBody& body, Vec3 r, Vec3 out, const Roundness& round) {
+  const Vec3 w = body.w0, turning = norm2(round.axis) > 0.0 ? r : r + out * round.radius;
+  const double edge = dot(out, w) * dot(w, turning) - norm2(w) * dot(out, turning);
+  if (edge <= 0.0 || norm2(round.axis) == 0.0) return edge;
+  const Vec3 across = out - round.axis * dot(round.axis, out);
+  const double size = norm(across), turn = dot(cross(round.axis, across), cross(w, out));
+  return size > 0.0 ? std::max(0.0, edge - round.radius * turn * turn / (size * size * size)) : edge;
+}
+
+}  // namespace
+
+double opening(const TouchIsland& island, const IslandContact& c, const Contact& from) {
+  const std::vector<IslandBody>& bodies = island.problem.bodies;
+  const Vec3 n = c.frame[0];
+  if (is_point(from.body_a))  // its centre is where impulses act
+    return c.b < 0 ? 0.0
+                   : opening_of_side(bodies[static_cast<std::size_t>(c.b)], c.rb - n * (from.round_a.radius + from.gap),
+                                     n * -1.0, from.round_b);
+  const Vec3 half = n * (0.5 * from.gap);
+  if (c.b < 0) return opening_of_side(bodies[static_cast<std::size_t>(c.a)], c.ra, n, from.round_a);
+  return opening_of_side(bodies[static_cast<std::size_t>(c.a)], c.ra + half, n, from.round_a) +
+         opening_of_side(bodies[static_cast<std::size_t>(c.b)], c.rb - half, n * -1.0, from.round_b);
+}
+
+}  // namespace pantin

@@ -1,0 +1,9 @@
+#pragma once
+#include "contacts/stages.hpp"
+
+namespace pantin {
+
+/// Takes the impulses of `place` back, once the drift is over. Returns the change of the kinetic energy [J].
+double take_back(Model& model, const Articulates& articulates, Contacts& contacts, bool drifted);
+
+}  // namespace pantin
