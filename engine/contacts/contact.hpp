@@ -2,6 +2,7 @@
 // What goes through time of things that touch: their contacts, with the impulses of the last step to begin with.
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -80,16 +81,18 @@ struct TouchPair {
 /// How two pressed on each other in a step, or in a stage of it.
 struct Touch {
   TouchPair pair;
-  Vec3 at = zero3();      ///< [m] mean, by impulse
-  Vec3 normal = zero3();  ///< from b to a: of unit length, or in sums times the impulse
-  double impulse = 0.0;   ///< [N s] along the normal; 0 of a sensor
-  double speed = 0.0;     ///< [m/s] with which they neared each other
+  Vec3 at = zero3();                ///< [m] mean, by impulse
+  Vec3 normal = zero3();            ///< from b to a: of unit length, or in sums times the impulse
+  double impulse = 0.0;             ///< [N s] along the normal; 0 of a sensor
+  double speed = 0.0;               ///< [m/s] with which they neared each other
+  std::optional<double> heat = {};  ///< [J] where kept: what friction and impact took of them in the step
 };
 
 /// What friction and impact took of two that touch.
 struct TouchHeat {
   TouchPair pair;     ///< none: of those of whom one is gone
   double heat = 0.0;  ///< [J] below 0: a moving surface gave
+  double last = 0.0;  ///< [J] the part of the last step
 };
 
 struct Contacts {

@@ -51,8 +51,9 @@ std::vector<TouchHeat> summed(std::vector<TouchHeat> list) {
   std::stable_sort(list.begin(), list.end(), [](const TouchHeat& x, const TouchHeat& y) { return x.pair < y.pair; });
   std::vector<TouchHeat> sums;
   for (const TouchHeat& one : list) {
-    if (sums.empty() || sums.back().pair != one.pair) sums.push_back({one.pair, 0.0});
+    if (sums.empty() || sums.back().pair != one.pair) sums.push_back({one.pair});
     sums.back().heat += one.heat;
+    sums.back().last += one.last;
   }
   return sums;
 }
@@ -68,11 +69,19 @@ void settle_heat(const Model& model, Contacts& contacts, double wrong) {
   for (const TouchHeat& one : now) given += std::max(0.0, -one.heat);
   for (TouchHeat& one : now)
     if (one.heat < 0.0) one.heat *= 1.0 - wrong / given;
+  for (TouchHeat& one : now) one.last = one.heat;
   std::vector<TouchHeat> all = std::move(contacts.heat);
   for (TouchHeat& one : all)
     if (is_gone(model, one.pair)) one.pair = {};
   all.insert(all.end(), now.begin(), now.end());
   contacts.heat = summed(std::move(all));
+}
+
+std::optional<double> heat_of(const Contacts& contacts, const TouchPair& pair) {
+  if (!contacts.heat_kept || pair == TouchPair{}) return {};
+  const auto at = std::lower_bound(contacts.heat.begin(), contacts.heat.end(), pair,
+                                   [](const TouchHeat& one, const TouchPair& p) { return one.pair < p; });
+  return at != contacts.heat.end() && at->pair == pair ? at->last : 0.0;
 }
 
 }  // namespace pantin

@@ -346,6 +346,8 @@ void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulat
     problem.rolls.clear();
     const auto overlaps = [&](std::size_t k) { return contacts.list[k].gap < -told_overlap * contacts.list[k].size; };
     if (std::none_of(island.contacts.begin(), island.contacts.end(), overlaps)) return;
+    const double before = kinetic_energy_now(model, island);
+    const bool calm = is_calm(problem, before);
     for (IslandBody& b : problem.bodies) b.v0 = b.w0 = zero3();
     for (IslandTie& t : problem.ties) t.wanted = zero3();
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
@@ -357,9 +359,8 @@ void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulat
       c.friction = 0.0;
       c.bias = vec(wanted / h, 0, 0);
     }
-    problem.tolerance *= 1e3;
-    count(solve_island(problem, true, settings.search), problem, report);
-    const double before = kinetic_energy_now(model, island);
+    problem.tolerance *= 1e2;
+    count(solve_island(problem, calm, settings.search), problem, report);
     for (std::size_t i = 0; i < island.things.size(); i++) {
       const Vec3 way = model.plane.along(problem.bodies[i].v) * h, turn = problem.bodies[i].w * h;
       const BodyLoad& pull = island.law_pulls[i];

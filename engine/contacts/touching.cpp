@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "contacts/bodies.hpp"
+#include "contacts/heat.hpp"
 
 namespace pantin {
 
@@ -126,7 +127,10 @@ TouchChanges take_changes(const Model& model, Contacts& contacts) {
 
   TouchChanges changes;
   for (const Touch& touch : felt)
-    if (!among(contacts.touching, touch.pair)) changes.touched.push_back(touch);
+    if (!among(contacts.touching, touch.pair)) {
+      changes.touched.push_back(touch);
+      changes.touched.back().heat = heat_of(contacts, touch.pair);
+    }
   for (const TouchPair& pair : contacts.touching)
     if (!among(now, pair)) changes.parted.push_back(pair);
   contacts.touching = std::move(now);

@@ -8,6 +8,7 @@
 #include "articulates/solve/state.hpp"
 #include "base/sets.hpp"
 #include "contacts/gather.hpp"
+#include "contacts/held.hpp"
 #include "contacts/resting.hpp"
 #include "forces/forces.hpp"
 
@@ -22,6 +23,8 @@ constexpr double least_steps = 256, least_steps_loose = 32;
 constexpr double swing = 4.0;        // times sqrt(length / gravity)
 constexpr double most_growth = 2.0;  // round-off grows slowly, a fall by thousands in such a time,
 constexpr double unseen = 1e-20;     // but what is so much smaller may grow
+constexpr double slow = 3e-2;  // of sqrt(length gravity): the speed of what may be stopped where contacts hold it;
+constexpr double unseen_slow = 1e-4;  // of its energy may grow
 
 /// An articulate that is awake, or a body that touches something and that nothing ties.
 struct Thing {
@@ -50,10 +53,11 @@ double watch_time(const World& world, const Thing& t) {
   return gravity > 0.0 ? std::max(least, swing * std::sqrt(length / gravity)) : least;
 }
 
-/// The speed at which its lightest part is as good as still.
+/// The speed at which its lightest part is as good as still, and that at which it is stopped where contacts hold it.
 struct Still {
-  double speed;   // [m/s]
-  double energy;  // [J] of that part
+  double speed;        // [m/s]
+  double energy;       // [J] of that part
+  double slow_energy;  // [J] of it at the other
 };
 
 Still still(const World& world, const Thing& t, double time, double tolerance) {
@@ -66,15 +70,42 @@ Still still(const World& world, const Thing& t, double time, double tolerance) {
       far = std::max(far, largest(n.x0));
     }
   const double speed = (stillness * length + round_off * far) / time + unsolved * tolerance;
-  return {speed, 0.5 * least * speed * speed};
+  return {speed, 0.5 * least * speed * speed, 0.5 * least * slow * slow * length * norm(world.settings.gravity)};
 }
 
 bool is_closed(const Thing& t) {
   return !t.articulate || (!t.articulate->fell_back && t.articulate->gaps.open <= 1e-8 * t.articulate->length);
 }
 
-/// Whether its motion has died away, at the end of a step.
-bool is_still(const World& world, const Island& island) {
+/// What laws do to bodies and points: [N], [N m].
+std::vector<BodyLoad> pulls_of_laws(const World& world) {
+  if (!world.forces) return {};
+  const std::size_t bodies = world.bodies.slots();
+  std::vector<BodyLoad> pulls(bodies + world.points.slots());
+  for (const Receiver& m : world.forces->receivers)
+    pulls[m.is_body ? m.slot : bodies + m.slot] = {m.force + m.nonconservative_force,
+                                                   m.torque + m.nonconservative_torque};
+  return pulls;
+}
+
+/// Whether contacts would hold the island if it were at rest.
+bool is_held(World& world, const Island& island) {
+  constexpr double touching = 1e-5;  // of the size
+  const std::size_t tied = world.articulates.size();
+  std::vector<std::size_t> numbers;
+  for (const Thing& t : island.things) numbers.push_back(t.number);  // rising
+  const std::vector<Contact>& list = world.contacts.list;
+  std::vector<char> used(list.size(), 0);
+  for (std::size_t k = 0; k < used.size(); k++)
+    used[k] = (list[k].gap <= touching * list[k].size || norm2(list[k].total) > 0.0) &&
+              std::binary_search(numbers.begin(), numbers.end(), island_number(world, tied, list[k].body_a));
+  const TouchSettings settings = {world.stage.h, world.settings.gravity, true, world.settings.contact};
+  return held_at_rest(*world.touch_space, *world.workers, world, world.articulates, world.contacts, settings, used,
+                      pulls_of_laws(world), numbers);
+}
+
+/// Whether its motion has died away, or is so slow that contacts may stop it, at the end of a step.
+bool is_still(World& world, const Island& island) {
   double time = 0.0;
   std::uint32_t steps = ~0u;
   for (const Thing& t : island.things) {
@@ -84,22 +115,26 @@ bool is_still(const World& world, const Island& island) {
     time = std::max(time, watch_time(world, t));
   }
   const bool over = steps * world.settings.step >= time;
-  bool calm = true, known = true, closed = true;
-  double peaks = 0.0, last_peaks = 0.0, rests = 0.0;
+  bool calm = true, known = true, closed = true, slowly = island.tolerance > 0.0;
+  double energy = 0.0, last_peaks = 0.0, rests = 0.0;
   for (const Thing& t : island.things) {
     Rest& r = *t.rest;
     r.steps = steps;
     if (!over) continue;
     const Still rest = still(world, t, time, island.tolerance);
     calm = calm && r.peak <= rest.energy;
+    const double now = kinetic_of(world, t);  // what begins to move has its largest energy now
+    slowly = slowly && r.peak <= rest.slow_energy &&
+             now <= std::max(most_growth * r.last_peak, unseen_slow * rest.slow_energy);
     known = known && r.last_peak >= 0.0;
     closed = closed && is_closed(t);
-    peaks += r.peak;
+    energy += now;
     last_peaks += r.last_peak;
     rests += rest.energy;
     r = {false, 0, 0.0, r.peak, rest.speed / time, {}, 0};
   }
-  return over && calm && known && closed && peaks <= std::max(most_growth * last_peaks, unseen * rests);
+  if (!over || !known || !closed || energy > std::max(most_growth * last_peaks, unseen * rests)) return false;
+  return calm || (slowly && is_held(world, island));
 }
 
 void stop(World& world, const Thing& t) {

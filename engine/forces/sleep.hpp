@@ -3,7 +3,8 @@
 // that touches those, and so do articulates; what stands still joins nothing. Such an island falls asleep at the end of a step
 // when the kinetic energy of each of its things stayed, for as long as gravity takes to swing it, below that of its lightest
 // part at a speed of 1e-8 of its length in that time (far from the origin a little more, in touch by what contacts are solved
-// to), and that of all did not double from one such time to the next. So nothing sleeps at a turning point, and nothing that
+// to), and that of all did not double from one such time to the next. What is slow and touches falls asleep as well where
+// contacts would hold it at rest. So nothing sleeps at a turning point, and nothing that
 // stands on its head sleeps through its fall. The energy that it still had is the ledger's line `sleep`. An edit of its
 // things wakes all of it, a target that moves, another gravity, whatever has laws pull otherwise than before, and whatever is
 // awake and has a contact with it.

@@ -23,7 +23,7 @@ bool nothing_touches(const World& world) { return world.shapes.empty() && !world
 
 void divide_for_contacts(World& world) {
   if (nothing_touches(world)) return;
-  constexpr double most_way = 0.1;  // of the thickness, in a sub-step of what may touch
+  constexpr double most_way = 0.2;  // of the thickness, in a sub-step of what may touch
   constexpr double most = 4.0;
   double wanted = 1.0;
   const auto see = [&](const Contact& c, std::uint32_t body, std::uint32_t shape) {
@@ -91,6 +91,8 @@ void place_contacts(World& world) {
   if (goes_untouched(world)) return;
   const Timed timed(world.profile, Phase::place_contacts);
   const bool drifted = world.stage.index > 0;
+  if (!drifted)
+    for (TouchHeat& one : world.contacts.heat) one.last = 0.0;
   if (world.contacts.stale || world.places_changed) find(world, drifted);
   if (!world.trouble.empty()) return;
   TouchReport report;

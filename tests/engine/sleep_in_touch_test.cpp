@@ -71,7 +71,7 @@ struct TwoTowers {
 
 }  // namespace
 
-TEST_CASE("Sleep in touch: stacks and a pyramid fall asleep within 3 s where they stand, and the ledger closes") {
+TEST_CASE("Sleep in touch: stacks and a pyramid fall asleep within 2 s where they stand, and the ledger closes") {
   const double hz = GENERATE(60.0, 240.0);
   const int rows = GENERATE(1, 2, 10, 30, -20);
   CAPTURE(hz, rows);
@@ -86,7 +86,7 @@ TEST_CASE("Sleep in touch: stacks and a pyramid fall asleep within 3 s where the
       boxes.push_back(put(world, solid(unit_box), at.back()));
     }
   keep_ledger(world);
-  step_to_sleep(world, 3.0);
+  step_to_sleep(world, 2.0);
   CHECK(sleepers(world) == boxes.size());
   CHECK(energy(world).kinetic == 0.0);
   const double line = world.ledger.given[static_cast<std::size_t>(Source::sleep)];
@@ -258,6 +258,64 @@ TEST_CASE("Sleep in touch: a box that stands on its edge does not sleep through 
   set_orientation(world, box, {std::cos(half), 0, 0, std::sin(half)});
   step_to_sleep(world, 20.0);
   CHECK(std::fabs(world.motion_of(box).x[1] - 0.5) < 1e-4);
+}
+
+TEST_CASE("Sleep in touch: a box on a slope sleeps just below the angle of friction, and slides just above it") {
+  const double hz = GENERATE(60.0, 240.0);
+  const double ratio = GENERATE(0.999, 1.001, 1.01);
+  CAPTURE(hz, ratio);
+  World world;
+  world.settings.step = 1.0 / hz;
+  const double angle = std::atan(0.5 * ratio);
+  level_ground(world);
+  world.settings.gravity = vec(9.81 * std::sin(angle), -9.81 * std::cos(angle), 0);
+  const BodyId box = put(world, solid(unit_box), vec(0, 0.5, 0));
+  advance(world, 3.0);
+  CHECK(sleeps(world, box) == (ratio < 1.0));
+  const double a = ratio < 1.0 ? 0.0 : 9.81 * (std::sin(angle) - 0.5 * std::cos(angle));
+  CHECK(std::fabs(world.motion_of(box).p[0] - 3.0 * a) < 1e-3 * 3.0 * a + 1e-9);
+}
+
+TEST_CASE("Sleep in touch: a box that leans by a millionth of its size falls when it would have fallen") {
+  const double hz = GENERATE(60.0, 240.0);
+  World world;
+  world.settings.step = 1.0 / hz;
+  level_ground(world);
+  const BodyId box = put(world, solid(unit_box), vec(0, std::sqrt(0.5), 0));
+  const double half = 0.5 * (M_PI / 4 + 1e-6);
+  set_orientation(world, box, Quat{std::cos(half), 0, 0, std::sin(half)});
+  // I = m (1/6 + 1/2), so the lean is 1e-6 cosh(t / 0.31 s): 0.5 after 4.2 s
+  while (world.motion_of(box).x[1] > 0.65 && world.time < 10.0) {
+    step(world);
+    REQUIRE(!sleeps(world, box));
+  }
+  CHECK(std::fabs(world.time - 4.2) < 0.5);
+}
+
+TEST_CASE(
+    "Sleep in touch: a ball that rolls slowly sleeps on level ground, and the ledger tells; not on a slope of a "
+    "thousandth") {
+  World world;
+  level_ground(world);
+  BodyDef def;
+  def.shapes = {solid(BallShape{0.1})};
+  def.mass = 1.0;
+  def.at = vec(0, 0.1, 0);
+  def.velocity = vec(0.02, 0, 0);  // 0.03 of what a fall through its gyration radius gives
+  keep_ledger(world);
+  const BodyId ball = add_body(world, def);
+  step_to_sleep(world, 3.0);
+  const double line = world.ledger.given[static_cast<std::size_t>(Source::sleep)];
+  CHECK(line < 0.0);
+  CHECK(line >= -0.5 * 0.02 * 0.02);
+  CHECK(closure(world) <= 1e-12);
+  world.settings.gravity = vec(0.01, -9.81, 0);  // a slope of a thousandth
+  wake(world, ball);
+  for (int i = 0; i < 480; i++) {
+    step(world);
+    REQUIRE(!sleeps(world, ball));
+  }
+  CHECK(std::fabs(world.motion_of(ball).p[0] - 5.0 / 7.0 * 0.01 * 2.0) < 1e-4);
 }
 
 TEST_CASE("Sleep in touch: a spring that changes wakes what it pulls") {

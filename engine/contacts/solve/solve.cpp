@@ -19,12 +19,6 @@ constexpr double swept_enough = 1e4;                 // of the tolerance
 constexpr std::size_t most_updates = 100;            // of blocks in a factorisation, for each contact
 constexpr std::size_t most_of_memory = 200'000'000;  // of them at all: 4 bytes each
 
-double mean_velocity(const ContactIsland& island) {
-  double mass = 0.0;
-  for (const IslandBody& b : island.bodies) mass += b.mass;
-  return std::sqrt(2.0 * kinetic_energy(island) / mass);
-}
-
 /// Puts impulses into the cone.
 void confine(ContactIsland& island) {
   for (IslandContact& c : island.contacts) {
@@ -106,6 +100,12 @@ void choose_start(ContactIsland& island) {
 
 }  // namespace
 
+bool is_calm(const ContactIsland& island, double kinetic) {
+  double mass = 0.0;
+  for (const IslandBody& b : island.bodies) mass += b.mass;
+  return std::sqrt(2.0 * kinetic / mass) <= calm * island.tolerance;
+}
+
 IslandReport solve_island(ContactIsland& island, bool exactly, ContactSearch wanted) {
   prepare(island);
   choose_start(island);
@@ -115,7 +115,7 @@ IslandReport solve_island(ContactIsland& island, bool exactly, ContactSearch wan
   const bool is_small = wanted != ContactSearch::fast && island.contacts.size() <= few;
   const bool surely = is_small || wanted == ContactSearch::exact;
   const bool exact =
-      surely || (wanted == ContactSearch::automatic && exactly && mean_velocity(island) <= calm * island.tolerance);
+      surely || (wanted == ContactSearch::automatic && exactly && is_calm(island, kinetic_energy(island)));
   if (exact && search.report.residual <= swept_enough * island.tolerance) search.newton(most_of_newton);
   if (!search.solved()) {
     search.sweeps(exact ? sweeps_before_newton : most_sweeps);

@@ -12,6 +12,9 @@ struct IslandReport {
   bool too_dense = false;  ///< since it would cost more than it is worth
 };
 
+/// Whether the mean velocity by mass is small enough at this kinetic energy [J] that an exact search is worth while.
+bool is_calm(const ContactIsland& island, double kinetic);
+
 /// Finds impulses and velocities of an island whose contacts and ties say where to begin: exactly where it is small or
 /// that is asked for, as far as that succeeds; else by sweeps. The impulses balance the momenta to round-off and are in the cone, however well
 /// the law is met; `residual` says that. `exactly` is a wish that counts where `search` leaves it open.

@@ -1,0 +1,66 @@
+#include "contacts/held.hpp"
+
+#include <algorithm>
+
+#include "contacts/solve/solve.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr double unmoved = 10.0;  // of the tolerance: speed after a step from rest
+
+/// Velocities of a step from rest without contacts and ties.
+void fall_from_rest(const Model& model, TouchIsland& island, const TouchSettings& settings,
+                    std::span<const BodyLoad> pulls) {
+  for (std::size_t i = 0; i < island.things.size(); i++) {
+    const std::uint32_t thing = island.things[i];
+    const std::size_t number = is_point(thing) ? model.bodies.slots() + slot_of(thing) : thing;
+    BodyLoad load = island.pulls[i];
+    if (number < pulls.size()) load = {load.force + pulls[number].force, load.moment + pulls[number].moment};
+    IslandBody& b = island.problem.bodies[i];
+    b.v0 = model.plane.along(settings.gravity + load.force * b.inverse_mass) * settings.h;
+    b.w0 = b.mobility * load.moment * settings.h;
+  }
+}
+
+bool is_held(const Contacts& contacts, TouchIsland& island) {
+  ContactIsland& problem = island.problem;
+  for (std::size_t k = 0; k < problem.contacts.size(); k++) {
+    const Contact& from = contacts.list[island.contacts[k]];
+    IslandContact& c = problem.contacts[k];
+    c.bias = to_frame(c, from.belt);
+    c.bias[0] = 0.0;
+    c.start = to_frame(c, from.total);
+  }
+  for (IslandRoll& r : problem.rolls) {
+    const Vec3 along = to_frame(problem.contacts[r.contact], contacts.list[island.contacts[r.contact]].total_moment);
+    for (int k = 0; k < 3; k++) r.start[k] = r.lever[k] > 0.0 ? along[k] / r.lever[k] : 0.0;
+  }
+  const double most = unmoved * problem.tolerance;
+  if (solve_island(problem, true).residual > most) return false;
+  return std::all_of(problem.bodies.begin(), problem.bodies.end(),
+                     [&](const IslandBody& b) { return norm(b.v) <= most && norm(b.w) * b.reach <= most; });
+}
+
+}  // namespace
+
+bool held_at_rest(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates,
+                  const Contacts& contacts, const TouchSettings& settings, const std::vector<char>& used,
+                  std::span<const BodyLoad> pulls, std::span<const std::size_t> things) {
+  const std::span<TouchIsland> islands = gather(space, workers, model, articulates, contacts, settings, used);
+  for (const auto& articulate : articulates)
+    for (Condition& c : articulate->conditions) c.gives_way = false;
+  std::vector<std::size_t> touching;
+  for (const TouchIsland& island : islands)
+    for (const std::uint32_t thing : island.things) touching.push_back(island_number(model, articulates.size(), thing));
+  std::sort(touching.begin(), touching.end());
+  const auto touches = [&](std::size_t thing) { return std::binary_search(touching.begin(), touching.end(), thing); };
+  return std::all_of(things.begin(), things.end(), touches) &&
+         std::all_of(islands.begin(), islands.end(), [&](TouchIsland& island) {
+           fall_from_rest(model, island, settings, pulls);
+           return is_held(contacts, island);
+         });
+}
+
+}  // namespace pantin
