@@ -36,7 +36,9 @@ std::vector<Property> properties_of_collider() {
           [](const World& w, ShapeId s) { return w.shapes[s].material.spinning; },
           [](World& w, ShapeId s, double v) { set_spinning(w, s, v); }),
       property<ShapeId>(
-          "surface_velocity", "vec", "m/s", "of its surface against its body, as of a belt (default `vec(0, 0, 0)`)",
+          "surface_velocity", "vec", "m/s",
+          "of its surface against its body, as of a belt; along the axes of the body, with which it turns, or of the "
+          "world for what stands in it (default `vec(0, 0, 0)`)",
           [](const World& w, ShapeId s) { return w.shapes[s].material.surface_velocity; },
           [](World& w, ShapeId s, Vec3 v) { set_surface_velocity(w, s, v); }),
       property<ShapeId>(

@@ -1,5 +1,6 @@
 #include "fields/contacts.hpp"
 
+#include "contacts/heat.hpp"
 #include "contacts/touching.hpp"
 #include "measure/measure.hpp"
 #include "measure/query.hpp"
@@ -26,13 +27,15 @@ void add_contact(const World& world, std::uint32_t thing, const Contact& c, bool
   if (!(first || second) || (c.gap > 0.0 && norm2(c.total) == 0.0)) return;
   const double side = first ? 1.0 : -1.0;
   const AnyId other = first ? second_of(world, c.body_b, c.key.b) : thing_of(world, c.body_a);
+  const std::optional<double> heat = heat_of(world.contacts, pair_of(world, c.body_a, c.body_b, c.key.b));
   list.push_back({"", Table{{"with", other == AnyId() ? Value() : Value(other)},
                             {"at", between(c)},
                             {"normal", c.normal * side},
                             {"force", contact_force(world, c) * side},
                             {"depth", -c.gap},
                             {"slip", slip_of(world, c) * side},
-                            {"sensor", sensor}}});
+                            {"sensor", sensor},
+                            {"heat", heat ? Value(*heat) : Value()}}});
 }
 
 }  // namespace

@@ -76,6 +76,7 @@ function quat_methods:inverse() end
 ---@field depth number [m] by which they overlap; below 0: apart
 ---@field slip vec [m/s] with which its surface slides on the other's, that of belts included
 ---@field sensor boolean whether one of the two is a sensor, which pushes nothing
+---@field heat? number [J] what friction and impact took of the two in the last step, at all their contacts; nil until scene.contact_heat is read
 
 ---What scene:on tells of two that touch; of two that part, a and b alone.
 ---@class Touch
@@ -85,6 +86,7 @@ function quat_methods:inverse() end
 ---@field normal vec [1] from b to a
 ---@field impulse number [N s] along the normal, in the step in which they touched; of a sensor 0
 ---@field speed number [m/s] with which they neared each other at its start
+---@field heat? number [J] what friction and impact took of them in it; nil until scene.contact_heat is read
 
 --- What friction and impact took of two that touch, or, without a and b, of all of whom one was removed.
 ---@class ContactHeat
@@ -655,7 +657,7 @@ local Emitter = {}
 ---@field restitution number [1] 0 to 1; of two that touch the larger counts (default `0`)
 ---@field rolling number [m] moment by normal force against rolling; of two that touch the larger counts (default `0`)
 ---@field spinning number [m] moment by normal force against spinning on the spot; of two that touch the larger counts (default `0`)
----@field surface_velocity vec [m/s] of its surface against its body, as of a belt (default `vec(0, 0, 0)`)
+---@field surface_velocity vec [m/s] of its surface against its body, as of a belt; along the axes of the body, with which it turns, or of the world for what stands in it (default `vec(0, 0, 0)`)
 ---@field layer string? that scene:collide speaks of; nil: none
 ---@field sensor boolean tells what it touches, and pushes nothing (default `false`)
 ---@field size number? [m] of a plane: across which it is drawn, though it has no end; nil: as far as is seen
@@ -801,7 +803,7 @@ function Structure:inertia(mass_in) end
 ---@field spinning number [m] moment by normal force against spinning on the spot; of two that touch the larger counts (read only)
 ---@field layer string? that scene:collide speaks of; nil: that of its body, or none (read only)
 ---@field sensor boolean tells what it touches, and pushes nothing (read only)
----@field surface_velocity vec [m/s] of its surface against its body, as of a belt (read only)
+---@field surface_velocity vec [m/s] of its surface against its body, as of a belt; along the axes of the body, with which it turns, or of the world for what stands in it (read only)
 local Shape = {}
 ---Moved in the frame of its body.
 ---```lua
@@ -1503,7 +1505,7 @@ function OpenedScene:restore(snapshot) end
 ---@field restitution? number [1] 0 to 1 (default `0`)
 ---@field rolling? number [m] moment by normal force against rolling (default `0`)
 ---@field spinning? number [m] moment by normal force against spinning on the spot (default `0`)
----@field surface_velocity? vec [m/s] of a belt (default `vec(0, 0, 0)`)
+---@field surface_velocity? vec [m/s] of a belt, along the axes of the world (default `vec(0, 0, 0)`)
 ---@field layer? string that scene:collide speaks of (default none)
 ---@field sensor? boolean tells what it touches, and pushes nothing (default `false`)
 ---@field size? number [m] across which it is drawn, though it has no end (default as far as is seen)
@@ -1760,7 +1762,7 @@ function OpenedScene:restore(snapshot) end
 ---@field restitution? number [1] 0 to 1; of two that touch the larger counts (default `0`)
 ---@field rolling? number [m] moment by normal force against rolling; of two that touch the larger counts (default `0`)
 ---@field spinning? number [m] moment by normal force against spinning on the spot; of two that touch the larger counts (default `0`)
----@field surface_velocity? vec [m/s] of its surface against its body, as of a belt (default `vec(0, 0, 0)`)
+---@field surface_velocity? vec [m/s] of its surface against its body, as of a belt; along the axes of the body, with which it turns, or of the world for what stands in it (default `vec(0, 0, 0)`)
 ---@field layer? string that scene:collide speaks of; it exists once it is named (default the body's, or none)
 ---@field sensor? boolean tells what it touches, and pushes nothing; beside others it weighs nothing (default `false`)
 

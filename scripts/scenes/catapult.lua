@@ -6,7 +6,7 @@ local distance = scene:param("distance", 14, { min = 6, max = 60, help = "of the
 
 scene.title = "Catapult"
 scene.duration = 10
-scene.camera = { at = vec(4.5, 5, 15.5), look_at = vec(6, 2.4, 0) }
+scene.camera = { at = vec(19.5, 4.5, 9.5), look_at = vec(8, 1.9, 0) }
 scene:floor { friction = 0.7, color = "#b7c39a" }
 
 -- Two trestles hold the axle and, above, the beam at which the arm stops, 15 degrees before the vertical.
@@ -50,8 +50,8 @@ scene:at(1, function() latch:remove() end)
 
 local colors = { "#b5533c", "#c9714f", "#d98e63" }
 for row = 0, 5 do
-  for column = -2, 2 do
-    scene:box { size = vec(0.5, 0.5, 0.79), density = 150, at = vec(distance, 0.25 + 0.5 * row, 0.8 * column + 0.4 * (row % 2)),
+  for column = -2, 2 - row % 2 do
+    scene:box { size = vec(0.5, 0.5, 0.79), density = 80, at = vec(distance, 0.25 + 0.5 * row, 0.8 * column + 0.4 * (row % 2)),
                   color = colors[(row + column) % 3 + 1] }
   end
 end

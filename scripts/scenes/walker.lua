@@ -57,6 +57,6 @@ for n, pin in ipairs(pins) do
     scene:hinge(lower[2], down[2])
   end
 end
-scene:floor { friction = friction }
+scene:floor { friction = friction, size = 200 }
 scene.camera = { at = vec(0.3, 1.2, 3.5), look_at = vec(0, 0.7, 0), follow = chassis }
 scene:probe("way", function() return chassis.position.x end)

@@ -113,7 +113,7 @@ TEST_CASE("in the reference every number and vec has a unit, and every option a 
     if (std::regex_search(line.type, of_number) && line.type.find("fun(") == std::string::npos && line.type != "color")
       CHECK(line.rest.starts_with("["));
     const bool of_result = line.owner == "Ledger" || line.owner == "TimelineEntry" || line.owner == "Contact" ||
-                           line.owner == "ContactHeat" || line.owner == "Hit";
+                           line.owner == "Touch" || line.owner == "ContactHeat" || line.owner == "Hit";
     if (!line.is_field || !line.name.ends_with('?') || of_result) continue;
     CHECK(line.rest.find("(default ") != std::string::npos);
     options++;

@@ -18,8 +18,8 @@ local wrong = {
   ["scene:ball { radius = 1, restitution = 2 }"] = "ball: restitution must be from 0 to 1, got 2",
   ["scene:ball { radius = 1 }.friction = 1 / 0"] = "friction must be a finite number, got infinity",
   ["scene:collide('a', 'b', { restitution = 2 })"] = "collide: restitution must be from 0 to 1, got 2",
-  ["scene:ground { shape = shape.box(1, 1, 1), velocity = vec(1, 0, 0) }"] = "ground: unknown field 'velocity'",
-  ["scene:ground { shape = shape.box(1, 1, 1) }.velocity = vec(1, 0, 0)"] = "cannot write unknown field 'velocity'",
+  ["scene:ground { shape = shape.box(1, 1, 1), velocity = vec(1, 0, 0) }"] = "ground: there is no 'velocity' here. What stands in the world does not move",
+  ["scene:ground { shape = shape.box(1, 1, 1) }.velocity = vec(1, 0, 0)"] = "collider: it has no 'velocity'. What stands in the world does not move",
 }
 
 for code, message in pairs(wrong) do

@@ -102,3 +102,33 @@ test("the ledger closes where shapes touch, and where what overlaps is pushed ou
   expect(ledger.closure):below(1e-10)
   expect(ledger.truncation.gravity):near(0, 1e-6)
 end)
+
+test("contacts and those who are told of touch know the heat of the step, once heat is asked for", function()
+  local scene = open_text [[
+    local told, heat = 0, 0
+    scene:probe("told", function() return told end)
+    scene:probe("heat", function() return heat end)
+    local floor = scene:floor { friction = 0 }
+    scene:ball { radius = 0.5, at = vec(0, 0.7, 0), mass = 2, velocity = vec(0, -3, 0), friction = 0, name = "ball" }
+    scene:box { size = 1, at = vec(5, 0.5, 0), mass = 3, velocity = vec(2, 0, 0), name = "box" }
+    scene:on("touched", scene:find "ball", function(touch)
+      told, heat = told + 1, touch.heat
+    end)
+    floor.friction = 0.5
+  ]]
+  scene:step()
+  expect(scene:find("box").contacts[1].heat):equal(nil)
+  expect(#scene.contact_heat):equal(0)
+  local slid = 0
+  for _ = 1, 60 do
+    scene:step()
+    slid = slid + scene:find("box").contacts[1].heat
+  end
+  expect(scene:read "told"):equal(1)
+  expect(scene:read "heat"):near(9 + 2 * 9.81 * 0.2, 1e-9)
+  local pair
+  for _, one in ipairs(scene.contact_heat) do if one.a == scene:find "box" then pair = one end end
+  expect(slid):near(pair.heat, 1e-12)
+  scene:advance(2)
+  expect(scene:find("box").contacts[1].heat):near(0, 1e-9)
+end)

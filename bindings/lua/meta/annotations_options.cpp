@@ -92,7 +92,7 @@ const char* const annotations_options = R"(---@class NameOptions
 ---@field restitution? number [1] 0 to 1 (default `0`)
 ---@field rolling? number [m] moment by normal force against rolling (default `0`)
 ---@field spinning? number [m] moment by normal force against spinning on the spot (default `0`)
----@field surface_velocity? vec [m/s] of a belt (default `vec(0, 0, 0)`)
+---@field surface_velocity? vec [m/s] of a belt, along the axes of the world (default `vec(0, 0, 0)`)
 ---@field layer? string that scene:collide speaks of (default none)
 ---@field sensor? boolean tells what it touches, and pushes nothing (default `false`)
 ---@field size? number [m] across which it is drawn, though it has no end (default as far as is seen)

@@ -10,7 +10,7 @@ const char* const annotations_shapes = R"(---What shapes are made of, and what t
 ---@field restitution? number [1] 0 to 1; of two that touch the larger counts (default `0`)
 ---@field rolling? number [m] moment by normal force against rolling; of two that touch the larger counts (default `0`)
 ---@field spinning? number [m] moment by normal force against spinning on the spot; of two that touch the larger counts (default `0`)
----@field surface_velocity? vec [m/s] of its surface against its body, as of a belt (default `vec(0, 0, 0)`)
+---@field surface_velocity? vec [m/s] of its surface against its body, as of a belt; along the axes of the body, with which it turns, or of the world for what stands in it (default `vec(0, 0, 0)`)
 ---@field layer? string that scene:collide speaks of; it exists once it is named (default the body's, or none)
 ---@field sensor? boolean tells what it touches, and pushes nothing; beside others it weighs nothing (default `false`)
 

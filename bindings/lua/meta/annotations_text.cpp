@@ -81,6 +81,7 @@ function quat_methods:inverse() end
 ---@field depth number [m] by which they overlap; below 0: apart
 ---@field slip vec [m/s] with which its surface slides on the other's, that of belts included
 ---@field sensor boolean whether one of the two is a sensor, which pushes nothing
+---@field heat? number [J] what friction and impact took of the two in the last step, at all their contacts; nil until scene.contact_heat is read
 
 ---What scene:on tells of two that touch; of two that part, a and b alone.
 ---@class Touch
@@ -90,6 +91,7 @@ function quat_methods:inverse() end
 ---@field normal vec [1] from b to a
 ---@field impulse number [N s] along the normal, in the step in which they touched; of a sensor 0
 ---@field speed number [m/s] with which they neared each other at its start
+---@field heat? number [J] what friction and impact took of them in it; nil until scene.contact_heat is read
 
 --- What friction and impact took of two that touch, or, without a and b, of all of whom one was removed.
 ---@class ContactHeat

@@ -125,7 +125,7 @@ bool names(const World& world, const Subscription& filter, const AnyId& thing) {
 int push_touch(lua_State* state, Script& script, const Notice& notice, bool turned) {
   const Touch& touch = notice.touch;
   const AnyId first = touch.pair.a, second = touch.pair.b;
-  lua_createtable(state, 0, 6);
+  lua_createtable(state, 0, 7);
   const auto set = [&](const char* name, const AnyId& thing) {
     push_thing(state, script, thing);
     lua_setfield(state, -2, name);
@@ -141,6 +141,10 @@ int push_touch(lua_State* state, Script& script, const Notice& notice, bool turn
   lua_setfield(state, -2, "impulse");
   lua_pushnumber(state, touch.speed);
   lua_setfield(state, -2, "speed");
+  if (touch.heat) {
+    lua_pushnumber(state, *touch.heat);
+    lua_setfield(state, -2, "heat");
+  }
   return 1;
 }
 

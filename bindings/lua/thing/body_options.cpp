@@ -113,9 +113,18 @@ BodyDef body_of(const Options& o) {
   return def;
 }
 
+/// Bodies move; other programs call what does not a body, too.
+void refuse_fixed(lua_State* state, int index, const char* what) {
+  refuse_options(
+      state, index, what, {"fixed", "static", "kinematic"},
+      "What does not move is scene:ground { shape = … } or scene:floor {}; what moves along a function of time is "
+      "a body that scene:follow and scene:orient take along");
+}
+
 }  // namespace
 
 BodyDef body_def(lua_State* state, int index) {
+  refuse_fixed(state, index, "body");
   const Options o(state, index, "body", with_names(body_options(), {"shape", "shapes", "layer"}));
   require(lua_istable(state, index), "body: needs a table, scene:body{ points = { … }, mass = 1 }");
   BodyDef def = body_of(o);
@@ -129,6 +138,7 @@ BodyDef body_def(lua_State* state, int index) {
 
 BodyDef solid_def(Script& script, lua_State* state, int index, const char* name, const char* call) {
   const ShapeKind& kind = shape_kind(name);
+  refuse_fixed(state, index, call);
   const Options o(state, index, call, with_names(with_names(kind.sizes, material_options()), body_options()));
   BodyDef def = body_of(o);
   def.shapes = {shape_of_sizes(script, kind, o).def};

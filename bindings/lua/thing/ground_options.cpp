@@ -30,7 +30,21 @@ std::vector<ShapeDef> shape_options(const Options& o, const Color& color) {
   return defs;
 }
 
+const char* const stands_still =
+    "What stands in the world does not move. A belt is { surface_velocity = vec(…) } [m/s] of its shape; what shall "
+    "move "
+    "is a body that scene:follow and scene:orient take along functions of time";
+
+namespace {
+
+void refuse_motion(lua_State* state, int index, const char* what) {
+  refuse_options(state, index, what, {"velocity", "spin"}, stands_still);
+}
+
+}  // namespace
+
 ShapeDef floor_def(Script& script, lua_State* state, int index) {
+  refuse_motion(state, index, "floor");
   const ShapeKind& kind = shape_kind("plane");
   const Options o(state, index, "floor",
                   with_names(kind.sizes, {"friction", "restitution", "rolling", "spinning", "surface_velocity", "layer",
@@ -44,6 +58,7 @@ ShapeDef floor_def(Script& script, lua_State* state, int index) {
 }
 
 std::vector<ShapeDef> ground_defs(lua_State* state, int index) {
+  refuse_motion(state, index, "ground");
   const Options o(state, index, "ground", {"shape", "shapes", "at", "orientation", "color", "layer"});
   const ShapeDef usual;
   std::vector<ShapeDef> defs = shape_options(o, o.color("color").value_or(usual.color));

@@ -12,6 +12,8 @@ struct Script;
 
 /// `shape`, or the list `shapes`; those without a colour have this one, those without a layer that of the options.
 std::vector<ShapeDef> shape_options(const Options& options, const Color& color);
+/// What to do with what shall move.
+extern const char* const stands_still;
 /// `{ height, normal, friction, restitution, rolling, spinning, surface_velocity, layer, sensor, size, color, name }`.
 ShapeDef floor_def(Script& script, lua_State* state, int index);
 /// `{ shape, shapes, at, orientation, color, layer }`.

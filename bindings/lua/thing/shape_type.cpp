@@ -91,7 +91,9 @@ Type make() {
        nullptr},
       {"sensor", "boolean", "", "tells what it touches, and pushes nothing",
        [](const Self& s) { lua_pushboolean(s.state, shape_of(s).def.sensor); }, nullptr},
-      {"surface_velocity", "vec", "m/s", "of its surface against its body, as of a belt",
+      {"surface_velocity", "vec", "m/s",
+       "of its surface against its body, as of a belt; along the axes of the body, with which it turns, or of the "
+       "world for what stands in it",
        [](const Self& s) { push(s.state, shape_of(s).def.material.surface_velocity); }, nullptr},
   };
   type.methods = {

@@ -105,6 +105,17 @@ Options::Options(lua_State* state, int index, std::string what, std::vector<std:
   throw Error(text(what_, ": unknown field '", key, "'.", suggestion(key, names), " Known are ", joined(names)));
 }
 
+void refuse_options(lua_State* state, int index, const std::string& what, std::initializer_list<const char*> names,
+                    const char* instead) {
+  if (!lua_istable(state, index)) return;
+  for (const char* name : names) {
+    lua_pushstring(state, name);
+    const bool given = lua_rawget(state, index) != LUA_TNIL;
+    lua_pop(state, 1);
+    if (given) throw Error(text(what, ": there is no '", name, "' here. ", instead));
+  }
+}
+
 bool Options::has(const char* key) const {
   if (!index_) return false;
   push(key);

@@ -54,6 +54,9 @@ class Options {
   std::string what_;
 };
 
+/// Fails with `instead`, what to do, where one of `names` is given: what one may know from elsewhere.
+void refuse_options(lua_State* state, int index, const std::string& what, std::initializer_list<const char*> names,
+                    const char* instead);
 /// " Did you mean 'mass'?" where one of the names is near, else "".
 std::string suggestion(const std::string& name, const std::vector<std::string>& names);
 /// "a, b, c"
