@@ -1,5 +1,5 @@
 // A follow with a limit: a damped spring taken at the end of the step (backward, dissipative), whose pull saturates:
-//   z = (k + d/h) d1 - (d/h) d0,   f = -z min(1, F/|z|).
+//   z = (k + d_c/h) d1 - (d_c/h) d0,   f = -z min(1, F/|z|).
 #include "constraints/geometry.hpp"
 #include "constraints/plans.hpp"
 #include "constraints/row_rule.hpp"

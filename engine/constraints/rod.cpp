@@ -15,12 +15,12 @@ double above(const Row& row, double length) {
 
 double evaluate_rod(Row& row, Condition& c, const RowContext& context) {
   const Vec3 middle = (row.d0 + row.d1) * 0.5;
-  const double reach = norm(middle);
+  const double mean_length = norm(middle);
   ConstraintFunction r{direction(middle), zero3(), 0.0, 0.0, 0.0, norm(row.d1 - row.d0)};
   const double low = c.ranged ? low_end(c) : c.length, high = c.ranged ? high_end(c) : c.length;
   const double length = (c.ranged ? std::fmin(high, std::fmax(low, norm(row.d1))) : c.length) + c.accepted;
   r.gradient = row.d1 / length;
-  r.turn_of_n = 1.0 / (2.0 * std::fmax(reach, 1e-3 * length));
+  r.turn_of_n = 1.0 / (2.0 * std::fmax(mean_length, 1e-3 * length));
   if (c.ranged) {
     r.low = low > 0.0 ? above(row, low + c.accepted) : infinity;
     r.high = above(row, high + c.accepted);

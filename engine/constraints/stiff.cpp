@@ -4,8 +4,8 @@
 // rate u = Δr/h: f·Δd = -tension Δr, of a damper -c h u², which never gives.
 //   With these alone what is damped would swing to and fro where the step is too long to follow it. So it has more
 // damping, by which its length settles about as fast as in truth, at most that of the backward rule, h k/2. And at the
-// end of the full sub-step the rate of its distance is drawn to u by an impulse -κ (rate - u). That gives κ u²/4 at most,
-// and κ <= 4 c h: spring, damper and impulse together only take energy. Both are small, of third order in h, where
+// end of the full sub-step the rate of its distance is drawn to u by an impulse -κ_s (rate - u). That gives κ_s u²/4 at most,
+// and κ_s <= 4 c h: spring, damper and impulse together only take energy. Both are small, of third order in h, where
 // ζ = h c μ and ν² = h² k μ are, μ the row's mobility.
 // Newton's row is M (change of d1) + C df = -residual with M = Σ Q 1 + e ∇Q', C = 1, all divided by what makes it metres.
 #include "constraints/stiff.hpp"
@@ -157,18 +157,18 @@ double StiffBond::settle(const Row& row, std::vector<double>& given) {
   const Vec3 e = row.d0 + row.d1, displacement = row.d1 - row.d0;
   const double least = std::sqrt(least2), r0 = std::fmax(norm(row.d0), least), r1 = std::fmax(norm(row.d1), least);
   double taken = damping * mean_rate * (r1 - r0);
-  double open = -taken, rest = dot(row.f, displacement) + taken;
+  double nonconservative = -taken, rest = dot(row.f, displacement) + taken;
   for (std::size_t i = 0; i < curves.size(); i++) {
     const double work = -pulls[i] * dot(e, displacement);
     rest -= work;
-    (curves[i].has_energy() ? given[i] : open) += work;
+    (curves[i].has_energy() ? given[i] : nonconservative) += work;
     if (!curves[i].depends_on_velocity()) continue;
     taken -= work + of_tension(curves[i], r0, r1, 0.0, infinity).Q * dot(e, displacement);
   }
   given[0] += rest;
   const double most = 4.0 * std::fmax(taken, 0.0), rate2 = mean_rate * mean_rate;
   if (settling * rate2 > most) settling = most / rate2;
-  return open;
+  return nonconservative;
 }
 
 namespace {

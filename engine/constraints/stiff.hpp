@@ -19,7 +19,7 @@ struct StiffBond {
   std::vector<double> pulls;      // (curves) [N/m] f = -Σ pull e
   bool chosen = false;            // whether these are known of the step being solved:
   double damping = 0.0;           // [N s/m] beyond that of its curves
-  double settling = 0.0;          // [kg] κ, and what it draws to:
+  double settling = 0.0;          // [kg] κ_s, and what it draws to:
   double mean_rate = 0.0;         // [m/s] of the distance over the step
 
   /// Whether it takes energy or gives it.

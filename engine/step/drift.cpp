@@ -157,7 +157,7 @@ void tell_stalled(World& world, const Articulate& a) {
 }
 
 /// Names, once, what has stayed open for some steps: constraints contradict each other, or are pulled too far.
-void tell_nonconservative(World& world, Articulate& a) {
+void tell_open(World& world, Articulate& a) {
   constexpr std::uint32_t some = 10;
   a.open_steps = a.gaps.open > world.settings.tolerance * a.length ? a.open_steps + 1 : 0;
   if (a.open_steps != some) return;
@@ -208,7 +208,7 @@ void drift_articulates(World& world, Move move) {
   for (const auto& articulate : world.articulates) {
     if (articulate->rest.asleep) continue;
     if (world.stage.to == 1.0) {
-      tell_nonconservative(world, *articulate);
+      tell_open(world, *articulate);
       tell_stalled(world, *articulate);
       tell_too_stiff(world, *articulate);
     }

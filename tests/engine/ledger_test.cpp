@@ -338,6 +338,25 @@ TEST_CASE("ledger: what a motor gives is the motor's, with halves of projections
   CHECK(closure(world) <= 1e-10);
 }
 
+TEST_CASE("ledger: what a twist gives to what is tied is told, by Euler's steps too") {
+  const Integrator integrator = GENERATE(Integrator::verlet, Integrator::euler);
+  CAPTURE(name_of(integrator));
+  World world;
+  world.settings.step = 1.0 / 1000;
+  world.settings.gravity = zero3();
+  const BodyId link = cases::add_chain(world, {.links = 1}).bodies[0];
+  set_integrator(world, integrator);
+  keep_ledger(world);
+  for (int i = 0; i < 500; i++) {
+    twist(world, link, vec(0, 0, 1));
+    step(world);
+  }
+  const double given = energy(world).kinetic;
+  CHECK(given > 0.3);
+  CHECK(line(world, Source::hand) == Approx(given).epsilon(integrator == Integrator::euler ? 1e-2 : 1e-9));
+  CHECK(closure(world) <= 1e-10);
+}
+
 TEST_CASE("ledger: in fallback steps too a motor's work is not a hand's") {
   World world;
   turn_chain(world, 1);

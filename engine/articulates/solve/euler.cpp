@@ -89,6 +89,7 @@ void drift_euler(Articulate& a, const DriftSettings& settings, DriftReport& repo
   add_work_of_rows(a, report);
   for (Node& n : a.nodes) {
     report.work += dot(n.force - settings.gravity * n.mass, n.x1 - n.x0);
+    if (n.turns) report.work += dot(n.torque, n.a);
     commit(n);
   }
   measure_gaps(a);

@@ -21,8 +21,8 @@ Mat3x4 turn_by(const Mat3x4& W, const RowEnds& end, Arms right) {
   return G;
 }
 
-/// How far a force moves the nodes, in each direction: 1/m, but 0 across a plane.
-Vec3x4 ease(const Articulate& a, const NodeBatch& n) {
+/// Of the nodes, in each direction: 1/m, but 0 across a plane.
+Vec3x4 inverse_masses(const Articulate& a, const NodeBatch& n) {
   const Vec3 d = a.plane.directions();
   return {n.inverse_mass * d[0], n.inverse_mass * d[1], n.inverse_mass * d[2]};
 }
@@ -47,7 +47,7 @@ void add(Mat3& block, bool first, const Row& row, const Articulate& a, const Mat
 void add_row_blocks(Articulate& a, std::size_t b, const Mat3x4& W, Arms right) {
   const NodeBatch& n = a.batches[b];
   const auto ends = ends_of(a, n).first(ends_with_blocks(a, b));
-  const Vec3x4 inverse_mass = ease(a, n);
+  const Vec3x4 inverse_mass = inverse_masses(a, n);
   for (std::size_t j = 0; j < ends.size(); j++) {
     const Mat3x4 G = turn_by(W, ends[j], right);
     for (std::size_t i = 0; i < ends.size(); i++) {
@@ -159,7 +159,7 @@ void add_coupled_blocks(Articulate& a, const Coupling& coupled, const System& sy
     const std::size_t batch = m.node / batch_size;
     const RowEnds &of = end_of(a, m.node, m.row), &by = end_of(a, m.node, m.column);
     const Mat3x4 G = turn_by(angular_mobility(a, batch, system), by, system.right);
-    const Mat3 k = unpack(response(of, by, G, ease(a, a.batches[batch])))[m.node % batch_size];
+    const Mat3 k = unpack(response(of, by, G, inverse_masses(a, a.batches[batch])))[m.node % batch_size];
     Mat3& block = m.column == coupled.head ? a.factor.diagonal[m.block]
                   : m.upper                ? a.factor.upper[m.block]
                                            : a.factor.lower[m.block];

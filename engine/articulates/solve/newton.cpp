@@ -335,8 +335,8 @@ void add_work_of_rows(Articulate& a, DriftReport& report) {
   for (Condition& c : a.conditions) {
     const Row& r = row(a, c);
     if (c.stiff) {
-      const double open = c.stiff->settle(r, c.given);
-      (c.stiff->is_damped() ? report.damped : report.nonconservative_work) += open;
+      const double done = c.stiff->settle(r, c.given);
+      (c.stiff->is_damped() ? report.damped : report.nonconservative_work) += done;
       c.settling = c.stiff->settling;
       c.mean_rate = c.stiff->mean_rate;
       continue;

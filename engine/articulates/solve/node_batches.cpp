@@ -71,8 +71,8 @@ Turned turned(const Articulate& a, std::size_t b) {
 }
 Quat lane_of(const Quatx4& q, std::size_t lane) { return {q.w[lane], q.x[lane], q.y[lane], q.z[lane]}; }
 
-/// In the order in which the matrix is filled.
-void find_first_impacts(Articulate& a) {
+/// Marks the row blocks that are the first to reach their block of the factor, as the matrix is filled.
+void find_first_to_reach(Articulate& a) {
   std::vector<char> diagonal(a.rows.size(), 0), lower(a.factor.below.size(), 0), upper(lower);
   const auto visit = [](char& reached) {
     const bool first = reached == 0;
@@ -113,7 +113,7 @@ void lay_out_batches(Articulate& a) {
     set_constants(a, a.batches[b], b);
   }
   a.predictor.rates.resize(a.batches.size());
-  find_first_impacts(a);
+  find_first_to_reach(a);
 }
 
 std::size_t ends_with_blocks(const Articulate& a, std::size_t batch) {

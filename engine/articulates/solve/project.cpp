@@ -356,7 +356,7 @@ ImpulseWork take_out_forbidden(Articulate& a) {
 
 /// How much of its impulse a row that holds cannot give [N s]; `time` [s] it has for it. A stop that was struck for `struck`
 /// [s] gave an impulse there, of which this may take back a part: the impact turned what it should end.
-double beyond_reach(const Articulate& a, const Condition& c, double time, double struck) {
+double impulse_beyond(const Articulate& a, const Condition& c, double time, double struck) {
   const Row& r = row(a, c);
   const Vec3 impulse = a.impulses[c.row];
   if (c.ranged) return -dot(c.held_before ? impulse : impulse + r.f * struck, stop(a, r).inward);
@@ -370,7 +370,7 @@ bool let_one_go(Articulate& a, double time, double struck, int turn) {
   double most = 0.0;
   for (Condition& c : a.conditions) {
     if (!c.held || c.stiff) continue;
-    const double beyond = beyond_reach(a, c, time, struck);
+    const double beyond = impulse_beyond(a, c, time, struck);
     if (beyond <= 1e-12 * norm(a.impulses[c.row])) continue;
     if (turn >= patience) c.held = false;
     if (beyond > most) worst = &c;

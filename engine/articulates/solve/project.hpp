@@ -3,8 +3,9 @@
 
 namespace pantin {
 
-/// Takes out of the momenta what the rows forbid, S1 Λ = -(G1 v1 - wanted), p += G1'Λ, once at the end of a full step;
-/// without it an odd-even velocity hides and grows. With `energy_return` the kinetic energy that this took is given back.
+/// Takes out of the momenta what the rows forbid, S1 Λ = -(G1 v1 - wanted), p += G1'Λ, once at the end of a full
+/// sub-step; without it an odd-even velocity hides and grows. With `energy_return` the kinetic energy that this took is
+/// given back.
 void project_velocities(Articulate& articulate, const DriftSettings& settings, DriftReport& report);
 
 /// Before a full sub-step of `full` [s]: takes out of the momenta half of what projections gave of late, p -= G0'Λ̂ with
@@ -27,8 +28,8 @@ void set_kept_matrices(Articulate& articulate);
 
 /// Makes momenta consistent (an inelastic impact), with the least compliance that gives a sane energy: anchors may be
 /// near-singular or contradict each other. Rows that hold let go where they would have to do what they cannot: a stop to
-/// pull, beyond what it gave if it was struck for the last `struck` [s], a motor to exert more than it can in `time` [s]. Arms at the nodes' ends; ends must equal starts. Returns the work
-/// of what moves by itself.
+/// pull, beyond what it gave if it was struck for the last `struck` [s], a motor to exert more than it can in `time` [s].
+/// Arms at the nodes' ends; ends must equal starts. Returns the work of what moves by itself.
 ImpulseWork make_consistent(Articulate& articulate, double time, double struck = 0.0);
 
 /// Puts rows where nodes start, at a moment `at` (0 … 1) of a step of h [s], and finds which velocities they forbid there:

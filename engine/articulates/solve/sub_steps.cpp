@@ -13,8 +13,8 @@ namespace pantin {
 namespace {
 
 constexpr std::uint16_t patience = 64, longest_wait = 64;
-constexpr double whole_turn = 1.0;  // [rad] that a body without rows turns by at once
-constexpr double faster = 1.1;      // than at the last trial: then there is another
+constexpr double most_turn = 1.0;  // [rad] that a body without rows turns by at once
+constexpr double faster = 1.1;     // than at the last trial: then there is another
 
 constexpr double second_order = 4.0, fourth_order = 16.0;  // the error falls by this much with twice as many sub-steps
 
@@ -190,8 +190,8 @@ double drift_alone_accurately(Node& node, double h, const SubStepSettings& wante
     return 0.0;
   }
   // Longer turns are cut into the same parts by one sub-step and by two, which would differ by nothing.
-  while (turn() > whole_turn && n.count < sub_step_limit) n = {static_cast<std::uint16_t>(2 * n.count)};
-  if (turn() > whole_turn) {
+  while (turn() > most_turn && n.count < sub_step_limit) n = {static_cast<std::uint16_t>(2 * n.count)};
+  if (turn() > most_turn) {
     move(node, n.count);
     return 1.0 / std::fabs(h);
   }
