@@ -101,6 +101,11 @@ void displace(Model& model, const BodyState& s, std::uint32_t thing, Vec3 way, V
   m.angular = principal;
 }
 
+Vec3 position_of(const Model& model, const BodyState& s, std::uint32_t thing) {
+  const Vec3 kept = is_point(thing) ? model.free_motion[slot_of(thing)].x : model.motion[thing].x;
+  return s.node ? model.plane.beside(s.node->x0, kept) : kept;
+}
+
 double kinetic_energy(const Model& model, const BodyState& s, std::uint32_t thing) {
   if (s.node) return kinetic_energy(*s.node);
   if (!is_point(thing)) return kinetic_energy(model.motion[thing]);

@@ -20,6 +20,10 @@ struct BodyState {
   Node* node;     ///< where it is kept, or null: in the model
 };
 
+/// Bodies by their slots, then points.
+inline std::size_t number_of(const Model& model, std::uint32_t thing) {
+  return is_point(thing) ? model.bodies.slots() + slot_of(thing) : thing;
+}
 /// A point is a body that cannot turn.
 BodyState state_of(const Model& model, const std::vector<std::unique_ptr<Articulate>>& articulates, std::uint32_t thing,
                    bool drifted);
@@ -32,6 +36,8 @@ bool sleeps_in_touch(const Contacts& contacts, std::uint32_t slot);
 void add_momenta(Model& model, const BodyState& state, std::uint32_t thing, Vec3 p, Vec3 angular);
 /// Displaces by `way` [m] and turns by a rotation vector [rad]; momenta in world axes stay.
 void displace(Model& model, const BodyState& state, std::uint32_t thing, Vec3 way, Vec3 turn);
+/// [m] The centre now, not when its state was taken.
+Vec3 position_of(const Model& model, const BodyState& state, std::uint32_t thing);
 /// [J] now, not when its state was taken.
 double kinetic_energy(const Model& model, const BodyState& state, std::uint32_t thing);
 /// Whether it is a point that nothing ties: kicks give it gravity, too.

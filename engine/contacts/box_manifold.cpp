@@ -21,10 +21,10 @@ Vec3 rotate_lanes_back(Vec3 v) { return __builtin_shufflevector(v, v, 2, 0, 1, 3
 struct BoxPair {
   const Vec3 half_a, half_b;
   const Pose &at_a, &at_b;
-  double margin, size;
-  Vec3 between;      ///< from the centre of b to that of a
-  Mat3 b_in_a;       ///< axes of b in those of a
-  Vec3 centre_in_a;  ///< `between` in axes of a
+  double margin, turning, size;  ///< [m]
+  Vec3 between;                  ///< from the centre of b to that of a
+  Mat3 b_in_a;                   ///< axes of b in those of a
+  Vec3 centre_in_a;              ///< `between` in axes of a
 };
 
 /// The axes on which the boxes are farthest apart: 0 … 5 of faces, of a then of b; 3 i + j of edges i of a and j of b.
@@ -192,8 +192,9 @@ ClipPolygon face_over(const Mat3& incident, Vec3 half, BoxFace face, Vec3 centre
   return polygon;
 }
 
-/// Adds the points of the incident face over the best face, those that overlap only where there is no edge pair.
-void add_face_points(const BoxPair& pair, int axis, bool with_edge_pair, PointList& list) {
+/// Adds the points of the incident face over the best face. Beside an edge pair that presses aslant to it those that overlap are
+/// left out: one has to go past them. `edge_normal`: of the pair, or null.
+void add_face_points(const BoxPair& pair, int axis, const Vec3* edge_normal, PointList& list) {
   const bool of_a = axis < 3;
   const int f = axis % 3, p = (f + 1) % 3, q = (f + 2) % 3;
   const Pose &reference = of_a ? pair.at_a : pair.at_b, &incident = of_a ? pair.at_b : pair.at_a;
@@ -207,24 +208,27 @@ void add_face_points(const BoxPair& pair, int axis, bool with_edge_pair, PointLi
   const double near = on_border * pair.size;
   for (std::uint32_t side = 0; side < 4; side++) clip_by_side(polygon, side, half[side < 2 ? p : q], near);
 
+  const Vec3 normal = of_a ? -outwards : outwards;
+  const double least = edge_normal && dot(normal, *edge_normal) < like_the_face ? 0.0 : -infinity;
   const std::uint32_t faces = ((of_a ? 0u : 6u) + face.number()) << 16;
   for (std::uint32_t i = 0; i < polygon.count; i++) {
     const ClipPoint& c = polygon.points[i];
-    if (c.z > pair.margin || (with_edge_pair && c.z < 0.0)) continue;
+    if (c.z > pair.margin || c.z < least) continue;
     const Vec3 on_reference = reference.x + (outwards * half[f] + reference.R[p] * c.x + reference.R[q] * c.y);
     const bool own_corner = c.name >= crossing_name(12, 12);
-    list.add({of_a ? on_reference : on_reference + outwards * c.z, of_a ? -outwards : outwards, c.z,
+    list.add({of_a ? on_reference : on_reference + outwards * c.z, normal, c.z,
               faces | (own_corner ? other.number() << 12 : 0u) | c.name});
   }
 }
 
 }  // namespace
 
-void box_on_box(const BoxShape& a, const Pose& at_a, const BoxShape& b, const Pose& at_b, double margin,
+void box_on_box(const BoxShape& a, const Pose& at_a, const BoxShape& b, const Pose& at_b, Ahead ahead,
                 SeparationCache& cache, Manifold& manifold) {
   manifold.count = 0;
-  BoxPair pair = {a.half,          b.half, at_a, at_b, margin, std::fmin(largest(a.half), largest(b.half)),
-                  at_a.x - at_b.x, {},     {}};
+  BoxPair pair = {
+      a.half,          b.half, at_a, at_b, ahead.margin, ahead.turning, std::fmin(largest(a.half), largest(b.half)),
+      at_a.x - at_b.x, {},     {}};
   pair.centre_in_a = transposed_times(at_a.R, pair.between);
   for (int j = 0; j < 3; j++) pair.b_in_a[j] = transposed_times(at_a.R, at_b.R[j]);
 
@@ -234,14 +238,14 @@ void box_on_box(const BoxShape& a, const Pose& at_a, const BoxShape& b, const Po
       best.face_gap + edge_advantage * pair.size + edge_advantage_of_gap * std::fabs(best.face_gap);
   const bool edge_pair = best.edge >= 0 && best.edge_gap > edge_threshold && add_edge_point(pair, best.edge, manifold);
   PointList list;
-  add_face_points(pair, best.face, edge_pair, list);
+  add_face_points(pair, best.face, edge_pair ? &manifold.points[0].normal : nullptr, list);
   const double gap = std::fmax(best.face_gap, best.edge_gap);
   if (!edge_pair && gap > 0.0 && least_gap(list) > gap + on_border * pair.size) {
-    const Separation nearest = separation(a, at_a, b, at_b, margin, &cache);
-    if (nearest.distance <= margin && nearest.distance < least_gap(list) - on_border * pair.size)
+    const Separation nearest = separation(a, at_a, b, at_b, pair.margin, &cache);
+    if (nearest.distance <= pair.margin && nearest.distance < least_gap(list) - on_border * pair.size)
       manifold.points[manifold.count++] = nearest_point(nearest);
   }
-  keep_points(list, pair.size, manifold);
+  keep_points(list, pair.size, pair.turning, manifold);
 }
 
 }  // namespace pantin

@@ -143,10 +143,12 @@ ManifoldPoint nearest_point(const Separation& nearest) {
 
 namespace {
 
-/// Where edges meet, a face may lie on the other shape within the step: adds what is over it, but for where they meet.
+/// Where edges meet, a face may lie on the other shape within the step: adds what is over it, but for where they meet. What
+/// overlaps is left out where the edges press aslant to it: it has to go past them.
 void add_open_points(const FeaturePair& pair, bool face_of_a, const Separation& nearest, PointList& list) {
+  const Vec3 outwards = side_of(pair, face_of_a).feature.normal, normal = face_of_a ? -outwards : outwards;
   PointList open;
-  add_face_points(pair, face_of_a, 0.0, open);
+  add_face_points(pair, face_of_a, dot(normal, nearest.normal) < like_the_face ? 0.0 : -infinity, open);
   const double near = where_edges_meet * pair.size;
   for (std::uint32_t i = 0; i < open.count; i++) {
     const Vec3 on_a = open.points[i].on_a;
@@ -164,28 +166,29 @@ void set_feature_points(const FeaturePair& pair, const Separation& nearest, Mani
   if (gap_a >= good || gap_b >= good) {
     add_face_points(pair, prefers_a(pair, gap_a >= good, gap_b >= good), -infinity, list);
     if (nearest.distance < least_gap(list) - little_gap) list.add(nearest_point(nearest));
-    keep_points(list, pair.size, manifold);
+    keep_points(list, pair.size, pair.turning, manifold);
     return;
   }
   add_points_along_lines(pair, nearest.normal, list);
   if (std::fabs(nearest.distance - least_gap(list)) > little_gap)
     manifold.points[manifold.count++] = nearest_point(nearest);
   if (pair.a.feature.is_face() || pair.b.feature.is_face()) add_open_points(pair, gap_a >= gap_b, nearest, list);
-  keep_points(list, pair.size, manifold);
+  keep_points(list, pair.size, pair.turning, manifold);
 }
 
-void convex_on_convex(const Geometry& a, const Pose& at_a, const Geometry& b, const Pose& at_b, double margin,
+void convex_on_convex(const Geometry& a, const Pose& at_a, const Geometry& b, const Pose& at_b, Ahead ahead,
                       SeparationCache& cache, Manifold& manifold) {
   manifold.count = 0;
-  const Separation nearest = separation(a, at_a, b, at_b, margin, &cache);
-  if (!(nearest.distance <= margin)) return;
+  const Separation nearest = separation(a, at_a, b, at_b, ahead.margin, &cache);
+  if (!(nearest.distance <= ahead.margin)) return;
   if (std::holds_alternative<BallShape>(a) || std::holds_alternative<BallShape>(b)) {
     manifold.points[manifold.count++] = nearest_point(nearest);
     return;
   }
   FeaturePair pair;
   pair.origin = at_b.x;
-  pair.margin = margin;
+  pair.margin = ahead.margin;
+  pair.turning = ahead.turning;
   pair.size = std::fmin(reach_of(a), reach_of(b));
   pair.a.core = core_of(a);
   pair.a.pose = {at_a.x - at_b.x, at_a.R};

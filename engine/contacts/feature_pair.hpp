@@ -14,9 +14,9 @@ struct FeatureSide {
 
 struct FeaturePair {
   FeatureSide a, b;
-  Vec3 origin;    ///< [m] world
-  double margin;  ///< [m]
-  double size;    ///< [m] of the smaller shape: what tolerances are parts of
+  Vec3 origin;             ///< [m] world
+  double margin, turning;  ///< [m]
+  double size;             ///< [m] of the smaller shape: what tolerances are parts of
 };
 
 /// How far one shape is over the face that is the other's feature [m]; -infinity where that is no face.

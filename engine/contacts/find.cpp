@@ -19,8 +19,9 @@ constexpr double still = 0.01;  // of the thickness
 
 Placed place(const Placement& p, const Shape& shape) {
   Placed placed;
-  const double size = thickness_of(shape.geometry);
-  if (std::isfinite(size)) placed.margin = still * size;
+  placed.thickness = thickness_of(shape.geometry);
+  placed.reach = reach_of(shape.geometry);
+  if (std::isfinite(placed.thickness)) placed.margin = still * placed.thickness;
   if (!shape.body) {
     placed.pose = {shape.at, matrix(shape.orientation)};
     return placed;
@@ -33,7 +34,7 @@ Placed place(const Placement& p, const Shape& shape) {
   placed.going.mass = s.mass;
   if (!placed.moves) return placed;
   placed.going = {p.drifted ? s.v - p.gravity * (0.5 * p.drift) : s.v, s.w, s.mass};
-  const double arm = norm(placed.arm) + reach_of(shape.geometry);
+  const double arm = norm(placed.arm) + placed.reach;
   placed.margin += p.h * (norm(s.v) + norm(s.w) * arm + norm(p.gravity) * p.h);
   return placed;
 }
@@ -52,10 +53,6 @@ bool may_touch(const ContactFinder& finder, const Shape& a, const Shape& b, cons
   if (rule && !rule->collide) return false;
   if (!a.body && !b.body) return false;
   return !a.body || !b.body || (a.body != b.body && !are_tied(finder, a.body.slot - 1, b.body.slot - 1));
-}
-
-std::size_t number_of(const Model& model, std::uint32_t thing) {
-  return is_point(thing) ? model.bodies.slots() + slot_of(thing) : thing;
 }
 
 /// Sets how bodies go on: less what contacts stopped in the last drift, since the end of the step does not give that back.
@@ -102,30 +99,6 @@ Travel travel(const Side& a, const Side& b, double h) {
   return {(a.going.v + cross(a.going.w, a.placed.arm) - of_b) * h, (a.going.w - b.going.w) * h};
 }
 
-/// The points of one pair.
-struct Collector final : ManifoldSink {
-  ContactKey key;
-  Contact like;
-  Vec3 x_a = zero3();
-  bool in_point = false;  // impulses act in x_a
-  std::vector<Contact>* to = nullptr;
-
-  void take(const Manifold& m, std::uint32_t part) override {
-    for (std::uint32_t i = 0; i < m.count; i++) {
-      const ManifoldPoint& p = m.points[i];
-      Contact c = like;
-      c.key = key;
-      c.key.part = part;
-      c.key.feature = p.id;
-      c.normal = p.normal;
-      c.gap = p.gap;
-      if (p.id == inner_ball_id) c.round_a = {norm(p.on_a - x_a), zero3()};
-      c.at = in_point ? x_a : c.body_b < 0 ? p.on_a : p.on_a - p.normal * (0.5 * p.gap);
-      to->push_back(c);
-    }
-  }
-};
-
 Roundness roundness_of(const Geometry& shape, const Pose& pose) {
   if (const auto* cylinder = std::get_if<CylinderShape>(&shape)) return {cylinder->radius, pose.R[2]};
   return {is_convex(shape) ? rounding_of(shape) : 0.0, zero3()};
@@ -136,6 +109,60 @@ Vec3 belt_of(const Shape& shape, const Placed& placed) {
   const Vec3 v = shape.material.surface_velocity;
   return norm2(v) == 0.0 ? v : placed.pose.R * transposed_times(matrix(shape.orientation), v);
 }
+
+/// The points of one pair.
+class Collector final : public ManifoldSink {
+ public:
+  Collector(const Side& a, const Side& b, const LayerRule* rule, const Contacts& before, double h, FoundContacts& found)
+      : a_(a), b_(b), rule_(rule), before_(before), h_(h), to_(a.sensor || b.sensor ? found.sensed : found.list) {}
+
+  void take(const Manifold& m, std::uint32_t part) override {
+    if (like_.body_a == none) set_like();
+    const bool in_point = a_.is_solid_point() && !b_.is_solid_point();
+    for (std::uint32_t i = 0; i < m.count; i++) {
+      const ManifoldPoint& p = m.points[i];
+      Contact& c = to_.emplace_back(like_);
+      c.key.part = part;
+      c.key.feature = p.id;
+      c.normal = p.normal;
+      c.gap = p.gap;
+      const Vec3 x_a = a_.placed.pose.x;
+      if (p.id == inner_ball_id) c.round_a = {norm(p.on_a - x_a), zero3()};
+      c.at = in_point ? x_a : c.body_b < 0 ? p.on_a : p.on_a - p.normal * (0.5 * p.gap);
+    }
+  }
+  Travel motion() const override { return held(before_, {a_.key, b_.key, 0, 0}) ? Travel{} : travel(a_, b_, h_); }
+
+ private:
+  static constexpr std::uint32_t none = ~0u;
+
+  void set_like() {
+    like_.key = {a_.key, b_.key, 0, 0};
+    like_.body_a = static_cast<std::uint32_t>(a_.thing);
+    like_.body_b = b_.thing;
+    like_.size = std::min(a_.placed.thickness, b_.placed.thickness);
+    like_.friction = rule_ && rule_->friction ? *rule_->friction : std::sqrt(a_.friction * b_.friction);
+    like_.restitution = rule_ && rule_->restitution ? *rule_->restitution : std::max(a_.restitution, b_.restitution);
+    if (!a_.is_solid_point()) {  // what does not turn does not roll
+      like_.rolling = std::max(a_.rolling, b_.rolling);
+      like_.spinning = std::max(a_.spinning, b_.spinning);
+    }
+    like_.round_a = roundness_of(a_.geometry, a_.placed.pose);
+    like_.round_b = roundness_of(b_.geometry, b_.placed.pose);
+    like_.belt = a_.belt - b_.belt;
+  }
+
+  const Side &a_, &b_;
+  const LayerRule* rule_;
+  const Contacts& before_;
+  double h_;
+  std::vector<Contact>& to_;
+  Contact like_ = [] {
+    Contact c;
+    c.body_a = none;
+    return c;
+  }();
+};
 
 }  // namespace
 
@@ -170,7 +197,7 @@ void drop_at_hinges(const Placement& p, const std::vector<HingedPair>& hinged, s
 void put(const Placement& p, ContactFinder& finder, std::uint32_t s) {
   const Shape& shape = p.model.shapes.at_slot(s);
   const Placed& placed = finder.placed[s] = place(p, shape);
-  const double slack = placed.moves ? placed.margin + 0.1 * thickness_of(shape.geometry) : 0.0;
+  const double slack = placed.moves ? placed.margin + 0.1 * placed.thickness : 0.0;
   const std::uint32_t owner = shape.body ? shape.body.slot : BoundsTree::none;
   finder.broad_phase.put({widened(bounds_of(shape.geometry, placed.pose), placed.margin), s, placed.moves, owner},
                          slack);
@@ -202,6 +229,7 @@ void put_all(const Placement& p, ContactFinder& finder) {
 }  // namespace
 
 void put_bounds(const Placement& p, ContactFinder& finder) {
+  finder.displaced = false;
   if (finder.changed || finder.sleep_changes != p.contacts.sleep_changes) return put_all(p, finder);
   for (const std::uint32_t s : finder.moving) put(p, finder, s);
 }
@@ -221,31 +249,25 @@ void choose_pairs(const Model& model, ContactFinder& finder) {
 
 bool by_key(const Contact& a, const Contact& b) { return a.key < b.key; }
 
+/// Whether balls about two shapes are farther apart than the margin.
+bool is_far(const Side& a, const Side& b, double margin) {
+  const Vec3 d = a.placed.pose.x - b.placed.pose.x;
+  const double reach = a.placed.reach + margin;
+  if (std::holds_alternative<HalfSpaceShape>(b.geometry)) return dot(b.placed.pose.R[2], d) > reach;
+  const double both = reach + b.placed.reach;
+  return is_convex(b.geometry) && norm2(d) > both * both;
+}
+
 void add_contacts(const Side& a, const Side& b, const LayerRule* rule, const Contacts& before, double h, double margin,
                   FoundContacts& found) {
-  Collector collector;
-  collector.to = a.sensor || b.sensor ? &found.sensed : &found.list;
-  collector.key = {a.key, b.key, 0, 0};
-  collector.x_a = a.placed.pose.x;
-  collector.in_point = a.is_solid_point() && !b.is_solid_point();
-  Contact& like = collector.like;
-  like.body_a = static_cast<std::uint32_t>(a.thing);
-  like.body_b = b.thing;
-  like.size = std::min(thickness_of(a.geometry), thickness_of(b.geometry));
-  like.friction = rule && rule->friction ? *rule->friction : std::sqrt(a.friction * b.friction);
-  like.restitution = rule && rule->restitution ? *rule->restitution : std::max(a.restitution, b.restitution);
-  if (!a.is_solid_point()) {  // what does not turn does not roll
-    like.rolling = std::max(a.rolling, b.rolling);
-    like.spinning = std::max(a.spinning, b.spinning);
-  }
-  like.round_a = roundness_of(a.geometry, a.placed.pose);
-  like.round_b = roundness_of(b.geometry, b.placed.pose);
-  like.belt = a.belt - b.belt;
+  if (is_far(a, b, margin)) return;
+  std::vector<Contact>& to = a.sensor || b.sensor ? found.sensed : found.list;
+  const auto first = static_cast<std::ptrdiff_t>(to.size());
+  Collector collector(a, b, rule, before, h, found);
   SeparationCache cache;
-  const auto first = static_cast<std::ptrdiff_t>(collector.to->size());
-  find_manifolds(a.geometry, a.placed.pose, b.geometry, b.placed.pose, margin, cache, collector,
-                 held(before, collector.key) ? Travel{} : travel(a, b, h));
-  std::sort(collector.to->begin() + first, collector.to->end(), by_key);
+  const double turning = h * norm(a.going.w - b.going.w) * std::min(a.placed.reach, b.placed.reach);
+  find_manifolds(a.geometry, a.placed.pose, b.geometry, b.placed.pose, {margin, turning}, cache, collector);
+  if (!std::is_sorted(to.begin() + first, to.end(), by_key)) std::sort(to.begin() + first, to.end(), by_key);
 }
 
 Side side_of(const Model& model, const ContactFinder& finder, std::uint32_t slot) {
@@ -317,6 +339,8 @@ void with_point(const Model& model, const ContactFinder& finder, std::size_t i, 
   const std::uint32_t thing = point_thing(point.slot);
   const Geometry ball = BallShape{point.radius};
   Placed at;
+  at.reach = point.radius;
+  at.thickness = 2.0 * point.radius;
   at.pose.x = finder.placed_points[i].x;
   use(Side{thing, static_cast<std::int32_t>(thing), ball, at, finder.going[number_of(model, thing)],
            point.touch.friction, point.touch.restitution, 0.0, 0.0, zero3(), false});

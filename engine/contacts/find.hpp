@@ -27,10 +27,11 @@ struct Going {
 /// Where a shape is now, and how far it may get.
 struct Placed {
   Pose pose;
-  Vec3 arm = zero3();   ///< [m] from the body's centre
-  Going going;          ///< of the body, with the mean velocity of the last drift
-  double margin = 0.0;  ///< [m] gaps up to the sum of two margins are contacts
-  bool moves = false;   ///< is of a body that does not sleep in touch
+  Vec3 arm = zero3();                             ///< [m] from the body's centre
+  Going going;                                    ///< of the body, with the mean velocity of the last drift
+  double margin = 0.0;                            ///< [m] gaps up to the sum of two margins are contacts
+  double reach = infinity, thickness = infinity;  ///< [m] of the shape
+  bool moves = false;                             ///< is of a body that does not sleep in touch
 };
 
 /// A solid point, in the same way.
@@ -71,6 +72,7 @@ struct ContactFinder {
   std::vector<FoundContacts> found;     ///< (blocks of pairs)
   std::uint64_t sleep_changes = 0;      ///< of the contacts, when these were found
   bool changed = true;                  ///< an edit concerned what is in there
+  bool displaced = false;               ///< shapes were, a little, since they were put there
 };
 
 /// Where things are: of what rows tie in the articulates after a drift, else in the model.

@@ -48,7 +48,7 @@ struct Builder {
   std::vector<std::int32_t>& index;
 
   std::int32_t add(TouchIsland& to, std::uint32_t thing) {
-    const std::size_t number = is_point(thing) ? model.bodies.slots() + slot_of(thing) : thing;
+    const std::size_t number = number_of(model, thing);
     if (number < index.size() && index[number] >= 0) return index[number];
     const BodyState s = state_of(model, articulates, thing, settings.drifted);
     double reach = 0.0;
@@ -134,7 +134,7 @@ std::size_t island_number(const Model& model, std::size_t articulates, std::uint
   const std::int32_t articulate =
       is_point(thing) ? model.points.at_slot(slot).articulate : model.motion[slot].articulate;
   if (articulate >= 0) return static_cast<std::size_t>(articulate);
-  return articulates + (is_point(thing) ? model.bodies.slots() : 0) + slot;
+  return articulates + number_of(model, thing);
 }
 
 void TouchIsland::clear() {
@@ -151,8 +151,9 @@ void TouchIsland::clear() {
   report = {};
 }
 
-std::span<TouchIsland> gather(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates,
-                              const Contacts& contacts, const TouchSettings& settings, const std::vector<char>& used) {
+std::span<TouchIsland> gather(std::vector<TouchIsland>& space, std::vector<std::int32_t>& index, Workers& workers,
+                              Model& model, const Articulates& articulates, const Contacts& contacts,
+                              const TouchSettings& settings, const std::vector<char>& used) {
   const std::size_t tied = articulates.size();
   const std::size_t all = model.bodies.slots() + (model.solids ? model.points.slots() : 0);
   Sets sets(tied + all);
@@ -166,20 +167,20 @@ std::span<TouchIsland> gather(TouchSpace& space, Workers& workers, Model& model,
     if (used[k]) roots.push_back(sets.find(island_number(model, tied, contacts.list[k].body_a)));
   std::sort(roots.begin(), roots.end());
   roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
-  if (space.islands.size() < roots.size()) space.islands.resize(roots.size());
-  const std::span<TouchIsland> islands = std::span(space.islands).first(roots.size());
+  if (space.size() < roots.size()) space.resize(roots.size());
+  const std::span<TouchIsland> islands = std::span(space).first(roots.size());
   for (TouchIsland& island : islands) island.clear();
   const auto island_of = [&](std::size_t number) -> TouchIsland* {
     const std::size_t root = sets.find(number);
     const auto found = std::lower_bound(roots.begin(), roots.end(), root);
     return found != roots.end() && *found == root ? &islands[static_cast<std::size_t>(found - roots.begin())] : nullptr;
   };
-  space.index.assign(all, -1);
+  index.assign(all, -1);
   for (std::uint32_t i = 0; i < tied; i++)
     if (TouchIsland* island = island_of(i)) island->articulates.push_back(i);
   for (std::size_t k = 0; k < used.size(); k++)
     if (used[k]) island_of(island_number(model, tied, contacts.list[k].body_a))->contacts.push_back(k);
-  Builder builder{model, articulates, settings, space.index};
+  Builder builder{model, articulates, settings, index};
   share_islands(workers, islands, [&](TouchIsland& island) {
     for (const std::uint32_t i : island.articulates) builder.add_articulate(island, i);
     double size = infinity;

@@ -33,10 +33,11 @@ struct TouchIsland {
   void clear();  ///< keeps memory
 };
 
-/// Islands, whose memory lasts from stage to stage.
+/// Islands of each stage, whose memory and layouts last from step to step.
 struct TouchSpace {
-  std::vector<TouchIsland> islands;
-  std::vector<std::int32_t> index;  ///< (slots of bodies, then of points where some are solid) in its island, or -1
+  std::vector<TouchIsland> placing, meeting, opening, resting;
+  std::vector<double> placing_work;  ///< (as index) [J] done to things by placing, and by taking that back
+  std::vector<std::int32_t> index;   ///< (slots of bodies, then of points where some are solid) in its island, or -1
 };
 
 /// Known by the articulate that it is in; or after these bodies by their slots, and after those points.
@@ -64,8 +65,9 @@ void share_islands(Workers& workers, std::span<TouchIsland> islands, F&& f) {
 }
 
 /// Islands of the contacts that are `used`, in the order of the smallest number of what they hold; tied things with their rows
-/// as they are now. Velocities are set, biases and starts are not.
-std::span<TouchIsland> gather(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates,
-                              const Contacts& contacts, const TouchSettings& settings, const std::vector<char>& used);
+/// as they are now, in `space`, with the index of each thing. Velocities are set, biases and starts are not.
+std::span<TouchIsland> gather(std::vector<TouchIsland>& space, std::vector<std::int32_t>& index, Workers& workers,
+                              Model& model, const Articulates& articulates, const Contacts& contacts,
+                              const TouchSettings& settings, const std::vector<char>& used);
 
 }  // namespace pantin

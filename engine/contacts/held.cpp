@@ -48,7 +48,8 @@ bool is_held(const Contacts& contacts, TouchIsland& island) {
 bool held_at_rest(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates,
                   const Contacts& contacts, const TouchSettings& settings, const std::vector<char>& used,
                   std::span<const BodyLoad> pulls, std::span<const std::size_t> things) {
-  const std::span<TouchIsland> islands = gather(space, workers, model, articulates, contacts, settings, used);
+  const std::span<TouchIsland> islands =
+      gather(space.resting, space.index, workers, model, articulates, contacts, settings, used);
   for (const auto& articulate : articulates)
     for (Condition& c : articulate->conditions) c.gives_way = false;
   std::vector<std::size_t> touching;

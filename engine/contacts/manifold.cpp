@@ -25,7 +25,8 @@ struct Pair {
   const Pose& at_a;
   const Geometry& b;
   const Pose& at_b;
-  double margin, thickness;  ///< [m]
+  Ahead ahead;
+  double thickness;  ///< [m]
   double overlap() const { return passing_overlap * thickness; }
 };
 
@@ -82,9 +83,9 @@ double way_past(const Pair& pair, const Travel& motion, const ManifoldPoint& p) 
 void set_points(const Pair& pair, const Pose& at_a, SeparationCache& cache, Manifold& manifold) {
   const auto *box_a = std::get_if<BoxShape>(&pair.a), *box_b = std::get_if<BoxShape>(&pair.b);
   if (box_a != nullptr && box_b != nullptr)
-    box_on_box(*box_a, at_a, *box_b, pair.at_b, pair.margin, cache, manifold);
+    box_on_box(*box_a, at_a, *box_b, pair.at_b, pair.ahead, cache, manifold);
   else
-    convex_on_convex(pair.a, at_a, pair.b, pair.at_b, pair.margin, cache, manifold);
+    convex_on_convex(pair.a, at_a, pair.b, pair.at_b, pair.ahead, cache, manifold);
 }
 
 void set_points_there(const Pair& pair, const Travel& motion, double part, Manifold& manifold) {
@@ -114,10 +115,10 @@ double inner_radius(const Geometry& shape) {
 /// What may go farther than its inner ball is large may turn past what a point holds: the ball is held, too.
 void add_inner_ball(const Pair& pair, Manifold& manifold) {
   const double radius = inner_radius(pair.a);
-  if (manifold.count == 0 || pair.margin < radius || std::holds_alternative<BallShape>(pair.a)) return;
+  if (manifold.count == 0 || pair.ahead.margin < radius || std::holds_alternative<BallShape>(pair.a)) return;
   const ManifoldPoint& p = manifold.points[0];
   const double gap = dot(p.normal, pair.at_a.x - p.on_a) + p.gap - radius;
-  if (!(radius > 0.0 && gap < pair.margin)) return;
+  if (!(radius > 0.0 && gap < pair.ahead.margin)) return;
   manifold.points[manifold.count++] = {pair.at_a.x - p.normal * radius, p.normal, gap, inner_ball_id};
 }
 
@@ -151,18 +152,18 @@ void foresee(const Pair& pair, Travel motion, Manifold& manifold) {
 
 }  // namespace
 
-void find_manifolds(const Geometry& a, const Pose& at_a, const Geometry& b, const Pose& at_b, double margin,
-                    SeparationCache& cache, ManifoldSink& sink, const Travel& motion) {
+void find_manifolds(const Geometry& a, const Pose& at_a, const Geometry& b, const Pose& at_b, Ahead ahead,
+                    SeparationCache& cache, ManifoldSink& sink) {
   Manifold manifold;
   if (is_convex(b)) {
-    const Pair pair{a, at_a, b, at_b, margin, std::fmin(thickness_of(a), thickness_of(b))};
+    const Pair pair{a, at_a, b, at_b, ahead, std::fmin(thickness_of(a), thickness_of(b))};
     set_points(pair, at_a, cache, manifold);
-    foresee(pair, motion, manifold);
+    if (manifold.count > 0) foresee(pair, sink.motion(), manifold);
     add_inner_ball(pair, manifold);
   } else if (std::holds_alternative<HalfSpaceShape>(b)) {
-    convex_on_plane(a, at_a, at_b, margin, manifold);
+    convex_on_plane(a, at_a, at_b, ahead.margin, manifold);
   } else {
-    return convex_on_triangles(a, at_a, b, at_b, margin, sink);
+    return convex_on_triangles(a, at_a, b, at_b, ahead.margin, sink);
   }
   if (manifold.count > 0) sink.take(manifold, 0);
 }

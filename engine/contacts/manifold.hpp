@@ -22,6 +22,13 @@ struct Manifold {
   std::array<ManifoldPoint, 6> points;
 };
 
+/// What is to be foreseen of a pair.
+struct Ahead {
+  Ahead(double gaps, double turn = 0.0) : margin(gaps), turning(turn) {}
+  double margin;   ///< [m] gaps up to this are told
+  double turning;  ///< [m] by which turns within the step may close one gap more than another
+};
+
 /// How a moves against b within the step if nothing stops it.
 struct Travel {
   Vec3 way = zero3();   ///< [m] of its origin
@@ -31,14 +38,16 @@ struct Travel {
 /// Takes the points of two shapes, most important first where there are more than are kept, with the number of a triangle.
 struct ManifoldSink {
   virtual void take(const Manifold& manifold, std::uint32_t part) = 0;
+  /// Asked where there are points.
+  virtual Travel motion() const { return {}; }
 
  protected:
   ~ManifoldSink() = default;
 };
-/// Tells the points with gaps up to `margin` [m]. a is convex; b may be any shape: of meshes and height fields there may be
+/// Tells the points. a is convex; b may be any shape: of meshes and height fields there may be
 /// more than one manifold. Of convex shapes that a would meet within the step, those of where they meet; none where it
 /// would pass over b, though one of its sides is ahead.
-void find_manifolds(const Geometry& a, const Pose& at_a, const Geometry& b, const Pose& at_b, double margin,
-                    SeparationCache& cache, ManifoldSink& sink, const Travel& motion = {});
+void find_manifolds(const Geometry& a, const Pose& at_a, const Geometry& b, const Pose& at_b, Ahead ahead,
+                    SeparationCache& cache, ManifoldSink& sink);
 
 }  // namespace pantin

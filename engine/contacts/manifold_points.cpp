@@ -58,7 +58,7 @@ double least_gap(const PointList& list) {
   return least;
 }
 
-void keep_points(const PointList& list, double size, Manifold& manifold) {
+void keep_points(const PointList& list, double size, double turning, Manifold& manifold) {
   if (list.count <= most_kept) {
     for (std::uint32_t i = 0; i < list.count; i++) append(manifold, list.points[i]);
     return;
@@ -73,8 +73,9 @@ void keep_points(const PointList& list, double size, Manifold& manifold) {
   const double least_extent = same_extent * size;
   const ManifoldPoint& first = list.points[deepest(list, order, size)];
   // What is open counts less, lest an edge that touches gives way to a corner that is farther and open.
+  const double low = half_as_low * size + turning;
   const auto counts = [&](const ManifoldPoint& point) {
-    return 1.0 / (1.0 + std::fmax(0.0, point.gap - first.gap - as_low * size) / (half_as_low * size));
+    return 1.0 / (1.0 + std::fmax(0.0, point.gap - first.gap - as_low * size) / low);
   };
   Choice far(least_extent * least_extent);
   for (auto i = order.begin(); i != end; ++i)

@@ -120,7 +120,7 @@ void set_front_points(const FeaturePair& pair, Manifold& manifold) {
   clip(loop, normal, pair.b.feature, near);
   if (loop.count > 0 && gap < least_gap(list) - near)
     list.add(nearest_point({gap, normal, pair.origin + lowest, zero3()}));
-  keep_points(list, pair.size, manifold);
+  keep_points(list, pair.size, 0.0, manifold);
 }
 
 bool overlaps_at_all(const Manifold& manifold) {
@@ -172,6 +172,7 @@ void set_triangle_points(const OnTriangles& on, const MeshTriangle& in_mesh, Man
   FeaturePair pair;
   pair.origin = on.at_b.to_world(in_mesh.corner[0]);
   pair.margin = on.margin;
+  pair.turning = 0.0;
   pair.size = on.size;
   pair.a.core = core_of(on.a);
   pair.a.pose = {on.at_a.x - pair.origin, on.at_a.R};
@@ -239,7 +240,7 @@ void tell_points(const OnTriangles& on) {
       list.points[list.count - 1].id = i;
     }
     Manifold kept;
-    keep_points(list, on.size, kept);
+    keep_points(list, on.size, 0.0, kept);
     for (std::uint32_t i = 0; i < kept.count; i++) tell_one(on, first[kept.points[i].id]);
     points.resize(rest);
   }

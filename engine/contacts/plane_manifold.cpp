@@ -110,7 +110,7 @@ void convex_on_plane(const Geometry& a, const Pose& at_a, const Pose& at_b, doub
   PointList points;
   const Lowest plane = {at_a, normal, transposed_times(at_a.R, normal), dot(normal, at_a.x - at_b.x), margin, points};
   std::visit([&](const auto& shape) { add_lowest(plane, shape); }, a);
-  if (points.count > 0) keep_points(points, reach_of(a), manifold);
+  if (points.count > 0) keep_points(points, reach_of(a), 0.0, manifold);
 }
 
 }  // namespace pantin

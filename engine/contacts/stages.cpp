@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "articulates/solve/fallback_step.hpp"
 #include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/state.hpp"
@@ -210,7 +211,9 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
   for (Contact& c : contacts.list) c.rebound = c.approach = 0.0;
   const std::vector<char> used(contacts.list.size(), 1);
   const double h = settings.h;
-  const std::span<TouchIsland> islands = gather(space, workers, model, articulates, contacts, settings, used);
+  const std::span<TouchIsland> islands =
+      gather(space.placing, space.index, workers, model, articulates, contacts, settings, used);
+  space.placing_work.assign(space.index.size(), 0.0);
   each_island(workers, islands, sum, [&](TouchIsland& island, TouchReport& report) {
     ContactIsland& problem = island.problem;
     take_half_of_gravity(model, island, settings);
@@ -257,8 +260,15 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
       for (const std::uint32_t a : island.articulates) articulates[a]->touches = true;
       std::vector<BodyLoad> loads(problem.bodies.size());
       add_contact_loads(problem, loads);
+      const auto note = [&](double sign) {
+        for (std::size_t i = 0; i < island.things.size(); i++)
+          if (const std::size_t k = number_of(model, island.things[i]); k < space.placing_work.size())
+            space.placing_work[k] += sign * kinetic_energy(model, island.states[i], island.things[i]);
+      };
+      note(-1.0);
       give(model, island, loads);
       const ImpulseWork ties = answer_of_ties(model, articulates, island, settings);
+      note(1.0);
       report.ties += ties;
       const double work = kinetic_energy_now(model, island) - before - ties.all();
       report.work += work;
@@ -273,7 +283,7 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
 
 void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
           const TouchSettings& settings, TouchReport& sum) {
-  sum.work += take_back(model, articulates, contacts, settings.drifted);
+  sum.work += take_back(model, articulates, contacts, settings.drifted, space.placing_work);
   contacts.placed.clear();
   std::vector<char> used(contacts.list.size(), 0);
   for (std::size_t k = 0; k < used.size(); k++) {
@@ -281,7 +291,8 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
     used[k] = c.gap <= (norm2(c.placing) > 0.0 ? held_gap : touching) * c.size;
     if (!used[k]) c.total = c.total_moment = zero3();
   }
-  const std::span<TouchIsland> islands = gather(space, workers, model, articulates, contacts, settings, used);
+  const std::span<TouchIsland> islands =
+      gather(space.meeting, space.index, workers, model, articulates, contacts, settings, used);
   each_island(workers, islands, sum, [&](TouchIsland& island, TouchReport& report) {
     ContactIsland& problem = island.problem;
     bool rebounds = false;
@@ -296,7 +307,13 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
       rebounds = rebounds || from.rebound > 0.0;
     }
     start_rolls(problem, contacts, island.contacts, &Contact::total_moment);
-    if (rebounds) report.iterations += resolve_impacts(problem, slow_of(settings, problem)).iterations;
+    if (rebounds) {
+      double gained = 0.0;
+      for (const std::uint32_t thing : problem.ties.empty() ? island.things : std::vector<std::uint32_t>())
+        if (const std::size_t i = number_of(model, thing); i < space.placing_work.size())
+          gained += space.placing_work[i];
+      report.iterations += resolve_impacts(problem, slow_of(settings, problem), gained).iterations;
+    }
     solve(contacts, island, 1, settings.search, report);
     keep_tie_impulses(articulates, island, 1);
     keep_rolls(problem, contacts, island.contacts, &Contact::total_moment);
@@ -328,6 +345,30 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
   hold_again(articulates);
 }
 
+namespace {
+
+/// How a thing was displaced [m], [rad], about its centre before.
+struct Displaced {
+  Vec3 x = zero3(), way = zero3(), turn = zero3();
+  Vec3 at(Vec3 point) const { return way + cross(turn, point - x); }
+};
+
+/// Takes contacts along with what was displaced a little; they are found anew where it was more.
+void follow(const Model& model, const std::vector<Displaced>& displaced, Contacts& contacts) {
+  constexpr double little = 5e-3;  // of the size: within the margin of bounds
+  for (Contact& c : contacts.list) {
+    const Vec3 of_a = displaced[number_of(model, c.body_a)].at(c.at);
+    const Vec3 of_b =
+        c.body_b < 0 ? zero3() : displaced[number_of(model, static_cast<std::uint32_t>(c.body_b))].at(c.at);
+    if (std::fmax(norm2(of_a), norm2(of_b)) > little * little * c.size * c.size) contacts.stale = true;
+    const bool in_point = is_point(c.body_a) && !(c.body_b >= 0 && is_point(static_cast<std::uint32_t>(c.body_b)));
+    c.at += c.body_b < 0 || in_point ? of_a : (of_a + of_b) * 0.5;
+    c.gap += dot(c.normal, of_a - of_b);
+  }
+}
+
+}  // namespace
+
 void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
               const TouchSettings& settings, TouchReport& sum) {
   std::vector<char> used(contacts.list.size(), 0);
@@ -335,17 +376,22 @@ void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulat
   for (std::size_t k = 0; k < used.size(); k++) {
     const Contact& c = contacts.list[k];
     used[k] = c.gap <= 0.02 * c.size;
+    if (!used[k]) contacts.list[k].pushing = 0.0;
     any = any || c.gap < -told_overlap * c.size;
   }
   if (!any) return;
-  contacts.stale = true;
   const double h = settings.h;
-  const std::span<TouchIsland> islands = gather(space, workers, model, articulates, contacts, settings, used);
+  const std::span<TouchIsland> islands =
+      gather(space.opening, space.index, workers, model, articulates, contacts, settings, used);
+  std::vector<Displaced> displaced(space.index.size());
   each_island(workers, islands, sum, [&](TouchIsland& island, TouchReport& report) {
     ContactIsland& problem = island.problem;
     problem.rolls.clear();
     const auto overlaps = [&](std::size_t k) { return contacts.list[k].gap < -told_overlap * contacts.list[k].size; };
-    if (std::none_of(island.contacts.begin(), island.contacts.end(), overlaps)) return;
+    if (std::none_of(island.contacts.begin(), island.contacts.end(), overlaps)) {
+      for (const std::size_t k : island.contacts) contacts.list[k].pushing = 0.0;
+      return;
+    }
     const double before = kinetic_energy_now(model, island);
     const bool calm = is_calm(problem, before);
     for (IslandBody& b : problem.bodies) b.v0 = b.w0 = zero3();
@@ -358,18 +404,28 @@ void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulat
                                              : std::max(from.gap, 0.0);
       c.friction = 0.0;
       c.bias = vec(wanted / h, 0, 0);
+      c.start = vec(from.pushing, 0, 0);
     }
     problem.tolerance *= 1e2;
     count(solve_island(problem, calm, settings.search), problem, report);
+    for (std::size_t k = 0; k < problem.contacts.size(); k++)
+      contacts.list[island.contacts[k]].pushing = problem.contacts[k].impulse[0];
+    for (std::size_t i = 0; i < island.things.size(); i++)
+      displace(model, island.states[i], island.things[i], model.plane.along(problem.bodies[i].v) * h,
+               problem.bodies[i].w * h);
+    for (const std::uint32_t a : island.articulates) close_displaced(*articulates[a]);
     for (std::size_t i = 0; i < island.things.size(); i++) {
-      const Vec3 way = model.plane.along(problem.bodies[i].v) * h, turn = problem.bodies[i].w * h;
+      const Vec3 way = position_of(model, island.states[i], island.things[i]) - island.states[i].x,
+                 turn = problem.bodies[i].w * h;
       const BodyLoad& pull = island.law_pulls[i];
       report.work -= dot(settings.gravity * problem.bodies[i].mass + pull.force, way) + dot(pull.moment, turn);
-      displace(model, island.states[i], island.things[i], way, turn);
+      const std::size_t number = number_of(model, island.things[i]);
+      if (number < displaced.size()) displaced[number] = {island.states[i].x, way, turn};
     }
     report.work += kinetic_energy_now(model, island) - before;
   });
   hold_again(articulates);
+  follow(model, displaced, contacts);
 }
 
 }  // namespace pantin

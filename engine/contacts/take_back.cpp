@@ -1,42 +1,158 @@
 #include "contacts/take_back.hpp"
 
+#include <algorithm>
+
+#include "articulates/solve/momenta.hpp"
+#include "base/sets.hpp"
 #include "contacts/bodies.hpp"
+#include "contacts/gather.hpp"
 #include "contacts/heat.hpp"
 
 namespace pantin {
 
 namespace {
 
-/// Of an impulse before the drift what takes it back, at one point of both bodies: nearer to that of the lighter one, or in a free point.
-void turn_back(const Model& model, const Articulates& articulates, Placing& p, bool drifted) {
-  p.impulse = p.impulse * -1.0;
-  p.moment = p.moment * -1.0;
-  if (p.body_b < 0) return;
-  const BodyState a = state_of(model, articulates, p.body_a, drifted);
-  const BodyState b = state_of(model, articulates, static_cast<std::uint32_t>(p.body_b), drifted);
-  const double of_b = is_point(p.body_a) ? 0.0 : a.mass / (a.mass + b.mass);
-  const Vec3 at = (a.x + p.arm_a) * (1.0 - of_b) + (b.x + p.arm_b) * of_b;
-  p.arm_a = at - a.x;
-  p.arm_b = at - b.x;
-}
+/// Part of the mean moment of inertia below which a turn has no meaning.
+constexpr double least_inertia = 1e-9;
+
+/// Things that pushed each other, and nothing else: their angular momentum is to stay.
+struct Group {
+  std::size_t root;
+  bool anchored = false;
+  double mass = 0.0;        ///< [kg]
+  Vec3 centre = zero3();    ///< [kg m] sum of mass times position, then [m]
+  Vec3 missing = zero3();   ///< [N m s]
+  Mat3 inertia = zero33();  ///< [kg m²] about the centre
+};
+
+/// Impulses act at one point of two bodies, and are taken back where each of them has carried it. What that changes of the
+/// angular momentum is given back as a turn of all that pushed each other, so that light things between heavy ones keep theirs.
+class Turns {
+ public:
+  Turns(Model& model, const Articulates& articulates, const Contacts& contacts, bool drifted)
+      : model_(model),
+        articulates_(articulates),
+        drifted_(drifted),
+        sets_(articulates.size() + number_of(model, point_thing(static_cast<std::uint32_t>(model.points.slots())))) {
+    for (const Placing& p : contacts.placed) {
+      things_.push_back(p.body_a);
+      if (p.body_b < 0) continue;
+      things_.push_back(static_cast<std::uint32_t>(p.body_b));
+      sets_.join(number(p.body_a), number(things_.back()));
+    }
+    add_articulates();
+    std::sort(things_.begin(), things_.end());
+    things_.erase(std::unique(things_.begin(), things_.end()), things_.end());
+    for (const std::uint32_t thing : things_) roots_.push_back(sets_.find(number(thing)));
+    groups_.reserve(roots_.size());
+    for (const std::size_t root : roots_) groups_.push_back({root});
+    std::sort(groups_.begin(), groups_.end(), [](const Group& x, const Group& y) { return x.root < y.root; });
+    const auto same = [](const Group& x, const Group& y) { return x.root == y.root; };
+    groups_.erase(std::unique(groups_.begin(), groups_.end(), same), groups_.end());
+    for (const Placing& p : contacts.placed) find_missing(p);
+    for (const auto& articulate : articulates)
+      if (articulate->touches && !is_free(*articulate)) anchor(*articulate);
+  }
+
+  /// Returns the work that it did [J].
+  double give_back() {
+    const auto needs = [](const Group& g) { return !g.anchored && norm2(g.missing) > 0.0; };
+    if (std::none_of(groups_.begin(), groups_.end(), needs)) return 0.0;
+    for_all([](Group& g, std::uint32_t, const BodyState& s) {
+      g.mass += s.mass;
+      g.centre += s.x * s.mass;
+    });
+    for (Group& g : groups_) g.centre /= g.mass;
+    for_all([](Group& g, std::uint32_t, const BodyState& s) {
+      const Vec3 r = s.x - g.centre;
+      g.inertia += own_inertia(s) + (identity33() * norm2(r) - outer(r, r)) * s.mass;
+    });
+    double work = 0.0;
+    for_all([&](Group& g, std::uint32_t thing, const BodyState& s) {
+      const double mean = trace(g.inertia) / 3.0;
+      if (!needs(g) || !(determinant(g.inertia) > least_inertia * mean * mean * mean)) return;
+      const Vec3 turn = inverse(g.inertia) * g.missing;
+      const double before = kinetic_energy(model_, s, thing);
+      add_momenta(model_, s, thing, model_.plane.along(cross(turn, s.x - g.centre)) * s.mass, own_inertia(s) * turn);
+      work += kinetic_energy(model_, s, thing) - before;
+    });
+    return work;
+  }
+
+ private:
+  static Mat3 own_inertia(const BodyState& s) {
+    Mat3 turning = zero33();
+    for (int i = 0; i < 3; i++)
+      if (s.mobility[i] > 0.0) turning += outer(s.R[i], s.R[i]) * s.inertia[i];
+    return turning;
+  }
+  static double determinant(const Mat3& m) { return dot(m[0], cross(m[1], m[2])); }
+
+  std::size_t number(std::uint32_t thing) const { return island_number(model_, articulates_.size(), thing); }
+  Group& group_of(std::uint32_t thing) {
+    const std::size_t root = sets_.find(number(thing));
+    return *std::lower_bound(groups_.begin(), groups_.end(), root,
+                             [](const Group& g, std::size_t wanted) { return g.root < wanted; });
+  }
+  static std::uint32_t thing_of(const Node& n) { return n.is_body ? n.slot : point_thing(n.slot); }
+  void add_articulates() {
+    for (const auto& articulate : articulates_)
+      if (articulate->touches)
+        for (const Node& n : articulate->nodes) things_.push_back(thing_of(n));
+  }
+  void anchor(const Articulate& articulate) { group_of(thing_of(articulate.nodes.front())).anchored = true; }
+  void find_missing(const Placing& p) {
+    Group& group = group_of(p.body_a);
+    if (p.body_b < 0) {
+      group.anchored = true;
+      return;
+    }
+    const auto at = [&](std::uint32_t thing, Vec3 arm) {
+      return state_of(model_, articulates_, thing, drifted_).x + arm;
+    };
+    group.missing += cross(at(static_cast<std::uint32_t>(p.body_b), p.arm_b) - at(p.body_a, p.arm_a), p.impulse);
+  }
+  template <class F>
+  void for_all(F&& f) {
+    for (const std::uint32_t thing : things_)
+      f(group_of(thing), thing, state_of(model_, articulates_, thing, drifted_));
+  }
+
+  Model& model_;
+  const Articulates& articulates_;
+  bool drifted_;
+  Sets sets_;
+  std::vector<std::uint32_t> things_;
+  std::vector<std::size_t> roots_;
+  std::vector<Group> groups_;  // by root
+};
 
 }  // namespace
 
-double take_back(Model& model, const Articulates& articulates, Contacts& contacts, bool drifted) {
+double take_back(Model& model, const Articulates& articulates, Contacts& contacts, bool drifted,
+                 std::vector<double>& placing_work) {
+  if (contacts.placed.empty()) return 0.0;
   double work = 0.0;
-  for (Placing& p : contacts.placed) turn_back(model, articulates, p, drifted);
+  for (Placing& p : contacts.placed) {
+    p.impulse = p.impulse * -1.0;
+    p.moment = p.moment * -1.0;
+  }
   HeatOf heat(model, articulates, contacts, drifted, contacts.placed, contacts.new_heat);
   const auto add = [&](const BodyState& s, std::uint32_t thing, Vec3 arm, Vec3 impulse, Vec3 moment) {
     const double before = kinetic_energy(model, s, thing);
     add_momenta(model, s, thing, model.plane.along(impulse), cross(arm, impulse) + moment);
-    work += kinetic_energy(model, s, thing) - before;
+    const double by = kinetic_energy(model, s, thing) - before;
+    work += by;
+    if (const std::size_t i = number_of(model, thing); i < placing_work.size()) placing_work[i] += by;
   };
+  Turns turns(model, articulates, contacts, drifted);
   for (const Placing& p : contacts.placed) {
     add(state_of(model, articulates, p.body_a, drifted), p.body_a, p.arm_a, p.impulse, p.moment);
     if (p.body_b < 0) continue;
     const auto slot_b = static_cast<std::uint32_t>(p.body_b);
     add(state_of(model, articulates, slot_b, drifted), slot_b, p.arm_b, p.impulse * -1.0, p.moment * -1.0);
   }
+  work += turns.give_back();
   heat.add(work);
   return work;
 }

@@ -13,7 +13,7 @@ namespace {
 /// With bounds that all shapes are within now, but for what is solid below height fields. Contacts are to be found anew only where an edit changed something.
 const ContactFinder& current_finder(World& world) {
   const bool edited = world.places_changed;
-  if (renew(world.contact_finder, world)) {
+  if (renew(world.contact_finder, world) || world.contact_finder->displaced) {
     put_bounds({world, world.articulates, world.contacts, false, world.settings.gravity, world.settings.step},
                *world.contact_finder);
     world.contacts.stale = world.contacts.stale || edited;
@@ -139,6 +139,10 @@ std::vector<Hit> overlapping(World& world, const Geometry& convex, const Pose& p
       world, finder, filter, [&](const BroadPhase& bounds, auto use) { bounds.in_box(bounds_of(convex, pose), use); },
       [&](const Shape& shape, const Pose& at) -> std::optional<Hit> {
         if (!overlaps(convex, pose, shape.geometry, at)) return {};
+        if (is_convex(shape.geometry)) {
+          const Separation s = separation(convex, pose, shape.geometry, at, 0.0);
+          return Hit{{}, s.on_a, s.normal, std::min(0.0, s.distance)};
+        }
         Deepest deepest;
         SeparationCache cache;
         find_manifolds(convex, pose, shape.geometry, at, 0.0, cache, deepest);

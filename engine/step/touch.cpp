@@ -23,14 +23,17 @@ bool nothing_touches(const World& world) { return world.shapes.empty() && !world
 
 void divide_for_contacts(World& world) {
   if (nothing_touches(world)) return;
-  constexpr double most_way = 0.2;  // of the thickness, in a sub-step of what may touch
+  constexpr double most_way = 0.2;   // of the thickness, in a sub-step of what may touch
+  constexpr double most_turn = 0.1;  // [rad]
   constexpr double most = 4.0;
   double wanted = 1.0;
   const auto see = [&](const Contact& c, std::uint32_t body, std::uint32_t shape) {
     if (!world.shapes.alive_at(shape)) return;
     const BodyState s = state_of(world, world.articulates, body, false);
-    const double speed = norm(s.v) + norm(s.w) * reach_of(world.shapes.at_slot(shape).geometry);
+    const Geometry& geometry = world.shapes.at_slot(shape).geometry;
+    const double spin = norm(s.w), speed = norm(s.v) + spin * reach_of(geometry);
     wanted = std::max(wanted, speed * world.settings.step / (most_way * c.size));
+    if (!std::holds_alternative<BallShape>(geometry)) wanted = std::max(wanted, spin * world.settings.step / most_turn);
   };
   for (const Contact& c : world.contacts.list) {
     if (is_point(c.body_a)) continue;  // what does not turn is not passed through
@@ -116,6 +119,7 @@ void find_contacts(World& world) {
   post(world, Source::push_out, report.work);
   if (report.work != 0.0) post_falling(world, before.falling - ledger_mark(world, true).falling);
   count(world, report);
+  world.contact_finder->displaced = world.contact_finder->displaced || report.work != 0.0;
   if (world.contacts.stale) find(world, true);
 }
 

@@ -19,6 +19,7 @@ constexpr double density = 100.0;  // [kg/m³] of what has sizes of its own
 /// Linear congruential: every engine and compiler gets the same start.
 class Chance {
  public:
+  explicit Chance(std::uint32_t seed) : state_(16 + seed) {}
   double between(double low, double high) {
     state_ = state_ * 1664525u + 1013904223u;
     return low + (high - low) * static_cast<double>(state_ >> 8) / 16777216.0;
@@ -26,14 +27,16 @@ class Chance {
   double about(double size) { return between(-size, size); }
 
  private:
-  std::uint32_t state_ = 17;
+  std::uint32_t state_;
 };
 
 Quaterniond about_axis(double angle, const Vector3d& axis) { return Quaterniond(Eigen::AngleAxisd(angle, axis)); }
 
 class Builder {
  public:
-  Builder(const std::string& name, bool in_plane) : plane_(in_plane) { made_.name = name; }
+  Builder(const std::string& name, bool in_plane, std::uint32_t seed) : chance_(seed), plane_(in_plane) {
+    made_.name = name;
+  }
 
   Mechanism finish() { return std::move(made_); }
 
@@ -58,6 +61,14 @@ class Builder {
       const double mass = heavy_one_of > 0 && (i + 1) % heavy_one_of == 0 ? 1000.0 : 1.0;
       const Vector3d at = cell(i, 0.05);
       add(Form::box, {0.2, 0.3, 0.25}, mass, at, turn());
+    }
+  }
+
+  void slabs(int n) {
+    grid(n, 1.0 * std::cbrt(n / 80.0), 0.8, 0.75);
+    for (int i = 0; i < n; i++) {
+      const Vector3d at = cell(i, 0.05);
+      add(Form::box, {0.3, 0.02, 0.2}, 1.0, at, turn());
     }
   }
 
@@ -213,11 +224,12 @@ Eigen::Vector3d moments_of(Form form, const Eigen::Vector3d& size, double mass) 
   return {across, across, along};
 }
 
-Mechanism pile(const std::string& name, bool in_plane) {
+Mechanism pile(const std::string& name, bool in_plane, std::uint32_t seed) {
   const auto wrong = [&](const char* why) {
-    return std::invalid_argument("'" + name + "' is no case: " + why +
-                                 "; cases are stack(n), pyramid(rows), boxes(n), balls(n), mixed(n), chains(n), "
-                                 "ragdolls(n) and heavy(n)");
+    return std::invalid_argument(
+        "'" + name + "' is no case: " + why +
+        "; cases are stack(n), pyramid(rows), boxes(n), balls(n), mixed(n), slabs(n), chains(n), "
+        "ragdolls(n) and heavy(n)");
   };
   const std::size_t open = name.find('(');
   const std::string kind = name.substr(0, open);
@@ -226,7 +238,7 @@ Mechanism pile(const std::string& name, bool in_plane) {
     throw wrong("it needs a number, as in boxes(100)");
   const int n = number.size() > 6 ? 0 : std::stoi(number);
   if (n < 1 || n > 10000) throw wrong("the number must be from 1 to 10000");
-  Builder builder(name, in_plane);
+  Builder builder(name, in_plane, seed);
   if (kind == "stack")
     builder.stack(n);
   else if (kind == "pyramid")
@@ -239,6 +251,8 @@ Mechanism pile(const std::string& name, bool in_plane) {
     builder.balls(n);
   else if (kind == "mixed")
     builder.mixed(n);
+  else if (kind == "slabs")
+    builder.slabs(n);
   else if (kind == "chains")
     builder.chains(n);
   else if (kind == "ragdolls")

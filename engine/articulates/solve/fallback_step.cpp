@@ -175,7 +175,7 @@ void move_freely(Articulate& a, double h, double part) {
 }
 
 /// Drifts freely, then closes the gaps as far as it can. Where that leaves more open than standing still would, the
-/// motion was too wild: again from the start half as far, and in the end not at all.
+/// motion was too wild: again from the start over a quarter of it, a sixteenth, and in the end not at all.
 void drift_and_close(Articulate& a, double h, double tolerance) {
   find_gaps(a);
   double allowed = 1e-8 * a.length;
@@ -271,6 +271,27 @@ void accept_gaps(Articulate& a, double tolerance, DriftReport& report) {
 }
 
 }  // namespace
+
+void close_displaced(Articulate& a) {
+  constexpr int most = 6;
+  for (Node& n : a.nodes) settle(n);
+  place_rows_at_start(a);
+  hold_stiff(a);
+  const std::vector<Condition> conditions = a.conditions;
+  std::vector<Vec3> angular;
+  for (const Node& n : a.nodes) angular.push_back(n.R0 * n.P0);
+  int left = most;
+  close_gaps(a, 1e-13 * a.length, left);
+  for (std::size_t i = 0; i < a.nodes.size(); i++)
+    if (a.nodes[i].turns) a.nodes[i].P0 = transposed_times(a.nodes[i].R1, angular[i]);
+  begin_at_ends(a);
+  for (std::size_t i = 0; i < conditions.size(); i++) {
+    a.conditions[i].held = conditions[i].held;
+    a.conditions[i].held_before = conditions[i].held_before;
+    a.conditions[i].angle0 = a.conditions[i].angle1;
+  }
+  release_stiff(a);
+}
 
 void fallback_step(Articulate& a, const DriftSettings& settings, double h, DriftReport& report) {
   if (!std::isfinite(kinetic_energy(a))) return;  // the end of the step tells what is beyond all numbers

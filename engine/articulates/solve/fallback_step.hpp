@@ -7,5 +7,8 @@ namespace pantin {
 /// forces, projection of velocities, free drift, then Levenberg and Marquardt on the sum of squared gaps in the mass
 /// metric, on positions only, and projection again. It ends at least squares, and only dissipates.
 void fallback_step(Articulate& articulate, const DriftSettings& settings, double h, DriftReport& report);
+/// Closes gaps of nodes that were displaced where a step starts, in the mass metric; momenta keep their world axes. What pulls
+/// by a law keeps the length that it has there.
+void close_displaced(Articulate& articulate);
 
 }  // namespace pantin

@@ -33,11 +33,10 @@ double given(const ContactIsland& island) {
   return sum;
 }
 
-/// One round, with this part of the rebounds; false if it gained energy from nowhere.
-bool strike(ContactIsland& island, const std::vector<IslandContact>& those, double part, bool first,
-            ImpactReport& report) {
+/// One round, with this part of the rebounds. Returns what it gained from nowhere [J].
+double strike(ContactIsland& island, const std::vector<IslandContact>& those, double part, bool first,
+              ImpactReport& report) {
   island.contacts = those;
-  island.factor.rows = 0;
   for (IslandContact& c : island.contacts) {
     const double back = first && c.rebound > 0.0 ? c.rebound : -c.restitution * c.u[0];
     c.bias[0] = -part * back;
@@ -47,7 +46,7 @@ bool strike(ContactIsland& island, const std::vector<IslandContact>& those, doub
   start_from_rest(island);
   const double before = kinetic_energy(island);
   report.iterations += solve_island(island, true).iterations;
-  return kinetic_energy(island) - before - std::max(0.0, given(island)) <= least_rise * before;
+  return kinetic_energy(island) - before - std::max(0.0, given(island)) - least_rise * before;
 }
 
 /// Its velocities are those that the next round begins with.
@@ -61,7 +60,7 @@ void go_on(ContactIsland& island) {
 
 }  // namespace
 
-ImpactReport resolve_impacts(ContactIsland& island, double slow) {
+ImpactReport resolve_impacts(ContactIsland& island, double slow, double gained) {
   ImpactReport report;
   std::vector<IslandContact> all;
   std::vector<IslandRoll> rolls;
@@ -82,8 +81,12 @@ ImpactReport resolve_impacts(ContactIsland& island, double slow) {
     std::vector<IslandContact> those;
     for (const std::size_t k : now) those.push_back(island.contacts[k]);
     all.swap(island.contacts);
-    for (const double part : {1.0, 0.5, 0.0})
-      if (strike(island, those, part, report.rounds == 0, report)) break;
+    double more = 0.0;
+    for (const double part : {1.0, 0.9, 0.7, 0.4, 0.0}) {
+      more = strike(island, those, part, report.rounds == 0, report);
+      if (gained + more <= 0.0) break;
+    }
+    gained += more;
     for (std::size_t i = 0; i < now.size(); i++) all[now[i]].struck += island.contacts[i].impulse;
     all.swap(island.contacts);
     go_on(island);
@@ -91,7 +94,6 @@ ImpactReport resolve_impacts(ContactIsland& island, double slow) {
   }
   rolls.swap(island.rolls);
   for (std::size_t k = 0; k < starts.size(); k++) island.ties[k].start = starts[k];
-  island.factor.rows = 0;
   return report;
 }
 

@@ -44,7 +44,6 @@ void ContactIsland::clear() {
   contacts.clear();
   rolls.clear();
   ties.clear();
-  factor.rows = 0;
 }
 
 void push(ContactIsland& island, const IslandPair& pair, Vec3 impulse) {

@@ -82,20 +82,24 @@ struct PairBlocks {
   std::array<bool, 4> a_below{};
 };
 
+/// The matrix M + Σ G' D G + Σ T' k T, or that of ties alone: rows 2i of the centre of body i and 2i + 1 of its spin.
+struct Layout {
+  std::vector<std::array<std::int32_t, 2>> pairs;  ///< of bodies, for which it was laid out
+  Factor factor;
+  std::vector<std::uint32_t> position;  ///< (2 bodies) in the order of elimination
+  std::vector<std::uint32_t> own;       ///< (bodies) block of the two rows of a body
+  std::vector<PairBlocks> contact_blocks, tie_blocks;
+  std::vector<Mat3> base_diagonal, base_lower, base_upper;  ///< of masses and ties
+  std::vector<Vec3> right_side;
+};
+
 struct ContactIsland {
   std::vector<IslandBody> bodies;
   std::vector<IslandContact> contacts;
   std::vector<IslandRoll> rolls;  ///< of some of them, in their order
   std::vector<IslandTie> ties;
   double tolerance = 1e-8;  ///< [m/s] to which velocities at contacts are solved
-  // Of the matrix M + Σ G' D G + Σ T' k T: rows 2i of the centre of body i and 2i + 1 of its spin.
-  Factor factor;
-  bool touching = false;                ///< whether it was laid out for contacts, too
-  std::vector<std::uint32_t> position;  ///< (2 bodies) in the order of elimination
-  std::vector<std::uint32_t> own;       ///< (bodies) block of the two rows of a body
-  std::vector<PairBlocks> contact_blocks, tie_blocks;
-  std::vector<Mat3> base_diagonal, base_lower, base_upper;  ///< of masses and ties
-  std::vector<Vec3> right_side;
+  Layout ties_alone, all;   ///< of the matrices that were factorised last
   SweepSpace sweep_space;
 
   void clear();  ///< keeps memory

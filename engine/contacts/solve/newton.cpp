@@ -173,7 +173,7 @@ struct Newton {
         roll_stiffness[k] += outer(along, along) * (roll * l.along_stiffness / r.wt) +
                              outer(across, across) * (roll * l.across_stiffness / r.wt);
     }
-    factorise(island, stiffness, roll_stiffness);
+    factorise(island, island.all, stiffness, roll_stiffness);
   }
   void move_rolls() {
     for (std::size_t k = 0; k < roll_laws.size(); k++) {
@@ -286,7 +286,7 @@ SearchReport newton_search(ContactIsland& island, std::uint32_t most_iterations)
     report.residual = now;
     return report;
   }
-  set_base(island, tie_stiffness);
+  set_base(island, island.all, tie_stiffness);
   const double smallest = 1e-4 * island.tolerance * island.tolerance;
   double tau = smoothing * smoothing * now * now;
   while (report.iterations < most_iterations && now > island.tolerance) {
@@ -299,7 +299,7 @@ SearchReport newton_search(ContactIsland& island, std::uint32_t most_iterations)
     newton.move_impulses();
     unbalanced(island, newton.load);
     newton.change.resize(newton.load.size());
-    solve(island, newton.load, newton.change);
+    solve(island, island.all, newton.load, newton.change);
     newton.follow_velocities();
     apply_impulses(island);  // a stiff law makes much of the round-off of velocities
     observe(island);

@@ -65,6 +65,8 @@ struct Sweeps {
     block.i22 = block.w11 / det;
     const double mean = 0.5 * (block.w11 + block.w22), off = 0.5 * (block.w11 - block.w22);
     block.wt = mean + std::sqrt(off * off + block.w12 * block.w12);
+    block.i00 = 1.0 / (block.w00 + block.compliance);
+    block.it = 1.0 / block.wt;
   }
   void add_blocks() {
     order.clear();
@@ -141,7 +143,7 @@ struct Sweeps {
   /// Coulomb's law of one contact, others as they are; returns the largest change [m/s].
   double visit(ContactBlock& c) {
     const Vec3 u = velocity(c), old = c.impulse;
-    const double n = std::fmax(0.0, old[0] - (u[0] + c.compliance * old[0]) / (c.w00 + c.compliance)), dn = n - old[0],
+    const double n = std::max(0.0, old[0] - (u[0] + c.compliance * old[0]) * c.i00), dn = n - old[0],
                  bound = c.friction * n;
     if (dn == 0.0 && n == 0.0) return 0.0;
     const double u1 = u[1] + c.w01 * dn, u2 = u[2] + c.w02 * dn;
@@ -151,18 +153,19 @@ struct Sweeps {
       t2 = old[2];
       for (int i = 0; i < 2; i++) {
         const double d1 = t1 - old[1], d2 = t2 - old[2];
-        t1 -= (u1 + c.w11 * d1 + c.w12 * d2) / c.wt;
-        t2 -= (u2 + c.w12 * d1 + c.w22 * d2) / c.wt;
+        t1 -= (u1 + c.w11 * d1 + c.w12 * d2) * c.it;
+        t2 -= (u2 + c.w12 * d1 + c.w22 * d2) * c.it;
         const double size = std::sqrt(t1 * t1 + t2 * t2);
         if (size <= bound) continue;
-        t1 *= bound / size;
-        t2 *= bound / size;
+        const double part = bound / size;
+        t1 *= part;
+        t2 *= part;
       }
     }
     c.impulse = vec(n, t1, t2);
     const Vec3 by = c.impulse - old;
     give(c, by);
-    return std::fmax(std::fabs(by[0]) * c.w00, std::fmax(std::fabs(by[1]), std::fabs(by[2])) * c.wt);
+    return std::max(std::fabs(by[0]) * c.w00, std::max(std::fabs(by[1]), std::fabs(by[2])) * c.wt);
   }
   /// All ties at once, contacts as they are.
   void hold_ties() {
@@ -179,7 +182,7 @@ struct Sweeps {
       add_load(load, t, t.u * (-tie_stiffness / t.w));
     }
     change.resize(load.size());
-    solve(island, load, change);
+    solve(island, island.ties_alone, load, change);
     for (std::size_t i = 0; i < change.size(); i++) {
       island.bodies[i].dv = change[i].force;
       island.bodies[i].dw = change[i].moment;
@@ -234,7 +237,7 @@ struct Sweeps {
       }
       const double change_here = visit(c);
       if (change_here == 0.0 && c.impulse[0] == 0.0) c.idle = idle_sweeps;
-      most = std::fmax(most, change_here);
+      most = std::max(most, change_here);
     };
     if (upward)
       for (ContactBlock& c : blocks) one(c);
@@ -247,8 +250,8 @@ struct Sweeps {
   void begin() {
     if (!island.ties.empty()) {
       lay_out_ties(island);
-      set_base(island, tie_stiffness);
-      factorise(island, {}, {});
+      set_base(island, island.ties_alone, tie_stiffness);
+      factorise(island, island.ties_alone, {}, {});
     }
     take_velocities();
     add_blocks();

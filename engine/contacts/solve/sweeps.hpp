@@ -23,6 +23,7 @@ struct ContactBlock {
   double w00 = 0.0, w01 = 0.0, w02 = 0.0, w11 = 0.0, w12 = 0.0, w22 = 0.0;  // [1/kg] J J'
   double i11 = 0.0, i12 = 0.0, i22 = 0.0;                                   // [kg] inverse of the part across n
   double wt = 0.0;                                                          // [1/kg] its largest eigenvalue
+  double i00 = 0.0, it = 0.0;                                               // [kg] 1/(w00 + compliance), 1/wt
   std::uint32_t idle = 0;
 };
 
