@@ -379,11 +379,14 @@ void points_on_points(const Placement& p, ContactFinder& finder, const Contacts&
   for (const auto& pair : finder.points.pairs()) {
     const std::uint32_t i = index[pair.first], j = index[pair.second];
     const SolidPoint &x = finder.solids[i], &y = finder.solids[j];
-    const PlacedPoint &at_x = finder.placed_points[i], &at_y = finder.placed_points[j];
-    const double margin = at_x.still + at_y.still + norm(at_x.way - at_y.way), reach = x.radius + y.radius + margin;
+    PlacedPoint &at_x = finder.placed_points[i], &at_y = finder.placed_points[j];
+    const double nearing = norm(at_x.way - at_y.way);
+    const double margin = at_x.still + at_y.still + nearing, reach = x.radius + y.radius + margin;
     if (norm2(at_x.x - at_y.x) > reach * reach) continue;
     const LayerRule* rule = p.model.layers.rule(x.touch.layer, y.touch.layer);
     if ((rule && !rule->collide) || are_tied(finder, point_thing(x.slot), point_thing(y.slot))) continue;
+    for (PlacedPoint* pushed : {&at_x, &at_y})  // one may push the other on to what it would not have met
+      pushed->margin = std::max(pushed->margin, pushed->still + norm(pushed->way) + nearing);
     with_point(p.model, finder, i, [&](const Side& a) {
       with_point(p.model, finder, j, [&](const Side& b) { add_contacts(a, b, rule, contacts, p.h, margin, found); });
     });
@@ -394,8 +397,8 @@ void points_on_points(const Placement& p, ContactFinder& finder, const Contacts&
 void find_of_points(const Placement& p, ContactFinder& finder, const Contacts& contacts, FoundContacts& found) {
   const auto first = static_cast<std::ptrdiff_t>(found.list.size()),
              first_sensed = static_cast<std::ptrdiff_t>(found.sensed.size());
-  points_on_shapes(p, finder, contacts, found);
   points_on_points(p, finder, contacts, found);
+  points_on_shapes(p, finder, contacts, found);
   std::sort(found.list.begin() + first, found.list.end(), by_key);
   std::sort(found.sensed.begin() + first_sensed, found.sensed.end(), by_key);
 }

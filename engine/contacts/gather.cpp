@@ -10,6 +10,8 @@ namespace pantin {
 
 namespace {
 
+constexpr double calm_way = 4e-3;  // of the reach, in a drift: of a calm island
+
 Mat3 in_world(const Mat3& R, Vec3 principal) {
   return times_transposed({{R[0] * principal[0], R[1] * principal[1], R[2] * principal[2]}}, R);
 }
@@ -189,6 +191,9 @@ std::span<TouchIsland> gather(std::vector<TouchIsland>& space, std::vector<std::
       size = std::min(size, contacts.list[k].size);
     }
     island.problem.tolerance = contact_tolerance * size / settings.h;
+    double mass = 0.0, reach = 0.0;
+    for (const IslandBody& b : island.problem.bodies) mass += b.mass, reach += b.mass * b.reach;
+    island.problem.calm = calm_way * std::max(size, reach / mass) / settings.h;
   });
   return islands;
 }

@@ -11,11 +11,11 @@ namespace {
 constexpr std::uint32_t most_of_newton = 10;
 constexpr std::uint32_t most_sweeps = 10, sweeps_before_newton = 30;
 constexpr std::uint32_t rounds_of_hard = 4, sweeps_of_hard = 100, newton_of_hard = 30;  // where a small island is hard
-constexpr std::size_t few = 24;                      // contacts: such an island is always solved exactly
-constexpr double calm = 1e8;                         // of the tolerance, root of the mean square of velocities
-constexpr double accepted = 100.0;                   // of the tolerance
-constexpr double swept_enough = 1e4;                 // of the tolerance
-constexpr std::size_t most_updates = 100;            // of blocks in a factorisation, for each contact
+constexpr std::size_t few = 24;            // contacts: such an island is always solved exactly
+constexpr double slower = 16.0;            // times the kinetic energy that is calm: that waits for no exact search
+constexpr double accepted = 100.0;         // of the tolerance
+constexpr double swept_enough = 1e4;       // of the tolerance
+constexpr std::size_t most_updates = 100;  // of blocks in a factorisation, for each contact
 constexpr std::size_t most_of_memory = 200'000'000;  // of them at all: 4 bytes each
 
 /// Puts impulses into the cone.
@@ -123,7 +123,7 @@ void gain_nothing(ContactIsland& island, IslandReport& report) {
 bool is_calm(const ContactIsland& island, double kinetic) {
   double mass = 0.0;
   for (const IslandBody& b : island.bodies) mass += b.mass;
-  return std::sqrt(2.0 * kinetic / mass) <= calm * island.tolerance;
+  return std::sqrt(2.0 * kinetic / mass) <= island.calm;
 }
 
 IslandReport solve_island(ContactIsland& island, bool exactly, ContactSearch wanted) {
@@ -133,9 +133,10 @@ IslandReport solve_island(ContactIsland& island, bool exactly, ContactSearch wan
   search.report.residual = residual(island);
   if (search.report.residual <= island.tolerance) return search.report;
   const bool is_small = wanted != ContactSearch::fast && island.contacts.size() <= few;
+  const double kinetic = kinetic_energy(island);
   const bool surely = is_small || wanted == ContactSearch::exact;
   const bool exact =
-      surely || (wanted == ContactSearch::automatic && exactly && is_calm(island, kinetic_energy(island)));
+      surely || (wanted == ContactSearch::automatic && is_calm(island, (exactly ? 1.0 : slower) * kinetic));
   if (exact && search.report.residual <= swept_enough * island.tolerance) search.newton(most_of_newton);
   if (!search.solved()) {
     search.sweeps(exact ? sweeps_before_newton : most_sweeps);

@@ -17,7 +17,8 @@ bool is_calm(const ContactIsland& island, double kinetic);
 
 /// Finds impulses and velocities of an island whose contacts and ties say where to begin: exactly where it is small or
 /// that is asked for, as far as that succeeds; else by sweeps. The impulses balance the momenta to round-off and are in the cone, however well
-/// the law is met; `residual` says that. `exactly` is a wish that counts where `search` leaves it open.
+/// the law is met; `residual` says that. `exactly` is a wish that counts where `search` leaves it open; what is slow
+/// enough has no wait.
 IslandReport solve_island(ContactIsland& island, bool exactly, ContactSearch search = ContactSearch::automatic);
 
 }  // namespace pantin

@@ -15,6 +15,8 @@ namespace {
 
 constexpr double tie_stiffness = 1e7;     // of 1 / w
 constexpr std::uint32_t idle_sweeps = 2;  // that leave out a contact that stays open
+constexpr double far = 1e3;               // times what is enough: that goes on,
+constexpr std::uint32_t more_sweeps = 4;  // for so many times the sweeps
 
 struct Sweeps {
   ContactIsland& island;
@@ -313,10 +315,16 @@ SearchReport sweep_search(ContactIsland& island, std::uint32_t most_sweeps, doub
   Sweeps s{island};
   s.begin();
   double last_change = 0.0;
-  while (report.iterations < most_sweeps) {
-    const bool upward = report.iterations % 2 == 0, last = ++report.iterations == most_sweeps;
+  std::uint32_t until = most_sweeps;
+  while (report.iterations < until) {
+    const bool upward = report.iterations % 2 == 0, last = ++report.iterations == until;
     s.keep();
-    if (s.sweep(upward, last) <= enough || last) break;
+    const double found = s.sweep(upward, last);
+    if (found <= enough) break;
+    if (last) {
+      if (until >= more_sweeps * most_sweeps || found < far * enough) break;
+      until += most_sweeps;
+    }
     const double change = s.change_of_sweep(), part = last_change > 0.0 ? change / last_change : 0.0;
     s.carry_on(part > 1.0 ? 0.0 : part);
     last_change = change;
