@@ -1,9 +1,9 @@
 -- Stones in a bin, and a shovel that digs in them and tips them out beside it. Press "stop" and drag it yourself.
-local count = scene:param("count", 100, { min = 1, max = 1000, step = 1, help = "stones" })
+local count = scene:param("count", 200, { min = 1, max = 1000, step = 1, help = "stones" })
 local friction = scene:param("friction", 0.5, { min = 0, max = 1.5, help = "of stones and shovel" })
 
 scene.title = "Dig"
-scene.duration = 24
+scene.duration = 27
 scene.step = 1 / 120
 scene.camera = { at = vec(2.6, 3.2, 4.6), look_at = vec(0.5, 0.4, 0) }
 scene:floor { height = -0.1, color = "#cdd5c6" }
@@ -20,8 +20,7 @@ scene:ground { color = "#8d7a63", shapes = {
 } }
 
 local function some(low, most) return low + (most - low) * math.random() end
-local colors = { "#9a8f80", "#b5a894", "#7f766a", "#c2b8a3", "#8c6f55" }
-local stones = {}
+local colors, stones = { "#9a8f80", "#b5a894", "#7f766a", "#c2b8a3", "#8c6f55" }, {}
 for i = 1, count do
   local size = some(0.1, 0.17)
   local what = i % 3 == 0 and shape.ball(size / 2, { friction = friction, density = 2000 })
@@ -34,25 +33,25 @@ end
 -- The shovel: a plate with a back and two sides, held at its handle.
 local function plate(x, y, z, at) return shape.box(x, y, z, { at = at, friction = friction, density = 3000 }) end
 local shovel = scene:body {
-  at = vec(-0.7, 1.6, 0), color = "#c2413b", name = "shovel",
+  at = vec(-0.7, 1.3, 0), color = "#c2413b", name = "shovel",
   shapes = { plate(0.6, 0.03, 0.6, vec(0.1, 0, 0)), plate(0.03, 0.3, 0.6, vec(-0.2, 0.15, 0)),
-             plate(0.5, 0.2, 0.03, vec(0.05, 0.1, 0.3)), plate(0.5, 0.2, 0.03, vec(0.05, 0.1, -0.3)) },
+             plate(0.5, 0.26, 0.03, vec(0.05, 0.13, 0.3)), plate(0.5, 0.26, 0.03, vec(0.05, 0.13, -0.3)) },
   points = { handle = { at = vec(-0.2, 0.3, 0), radius = 0.06 } },
 }
--- Every two seconds its handle is drawn to another position, and it is tipped to another angle, rad.
-local moves = { { -0.8, 1.6, -0.6 }, { -0.7, 0.55, -0.5 }, { -0.1, 0.38, 0 }, { 0.5, 0.45, 0.2 }, { 0.6, 1.5, 0.4 }, { 1.9, 1.5, 0.4 },
-                { 1.9, 1.5, -1.5 }, { 0, 1.8, -0.6 } }
-local grip = scene:follow(shovel.handle, shovel.handle.position, { time_constant = 0.4, max_force = 3000 })
-local tip = scene:orient(shovel, quat(vec(0, 0, 1), -0.6), { time_constant = 0.3 })
-local at = 0
-local digging = scene:every(2, function()
-  at = at % #moves + 1
-  grip.target, tip.to = vec(moves[at][1], moves[at][2], 0), quat(vec(0, 0, 1), moves[at][3])
-end)
-scene:button("stop", function()
-  digging:cancel()
-  if grip.alive then grip:remove() end
-end)
+-- Its handle is led from place to place, a second and a half from each to the next, and tipped: x and y [m], angle [rad].
+local moves = { { -0.9, 1.6, -0.6 }, { -0.85, 0.6, -0.5 }, { -0.75, 0.36, -0.1 }, { 0.35, 0.36, 0 }, { 0.45, 0.6, 0.8 },
+                { 0.5, 1.5, 0.7 }, { 1.7, 1.5, 0.7 }, { 1.7, 1.5, -1.5 }, { 0.3, 1.8, -0.6 } }
+local function led(k)
+  return function(t)
+    local n, u = math.modf(t / 1.5)
+    local from, to = moves[n % #moves + 1], moves[(n + 1) % #moves + 1]
+    return from[k] + (to[k] - from[k]) * (3 - 2 * u) * u * u
+  end
+end
+local x, y, tip = led(1), led(2), led(3)
+local grip = scene:follow(shovel.handle, function(t) return vec(x(t), y(t), 0) end, { max_force = 5000 })
+local turn = scene:orient(shovel, function(t) return quat(vec(0, 0, 1), tip(t)) end)
+scene:button("stop", function() if grip.alive then grip:remove() turn:remove() end end)
 scene:probe("dug out", function()
   local number = 0
   for _, one in ipairs(stones) do if one.position.x > long / 2 + thick then number = number + 1 end end
