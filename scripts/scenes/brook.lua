@@ -1,5 +1,6 @@
--- A brook: drops spring up, run over rocks, turn a wheel and rock a boat. They touch what they meet as small balls.
-local flow = scene:param("flow", 250, { min = 0, max = 2000, help = "drops per second" })
+-- A brook: drops spring up, run over rocks, turn a wheel, and splash on the floor. They touch what
+-- they meet as small balls.
+local flow = scene:param("flow", 100, { min = 0, max = 2000, help = "drops per second" })
 
 scene.title = "Brook"
 scene.step = 1 / 240
@@ -14,7 +15,8 @@ scene:interact(water, water, force.repel { stiffness = 100 })
 -- The bed falls towards +x; rocks stand in it.
 local function bed(x, z) return 1.1 - 0.3 * x + 0.4 * z * z + 0.04 * math.sin(9 * x) * math.cos(7 * z) end
 scene:ground { color = "#8b857b", shape = shape.heights { columns = 45, rows = 21, spacing = 0.1, height = bed, friction = 0.5 } }
-local rocks = {}
+scene:floor { color = "#c9c3b4", size = 16 }
+local rocks = { shape.box(0.1, 0.6, 2, { at = vec(-2.25, bed(-2.2, 0) + 0.1, 0) }) } -- and a weir, above
 for _, at in ipairs { vec(-1.1, 0, 0.12), vec(-0.5, 0, -0.3), vec(-0.3, 0, 0.4), vec(0.25, 0, 0), vec(1.5, 0, 0.3), vec(1.6, 0, -0.3) } do
   rocks[#rocks + 1] = shape.ball { radius = 0.16, at = vec(at.x, bed(at.x, at.z), at.z), friction = 0.5 }
 end
@@ -31,7 +33,7 @@ local wheel = scene:body { shapes = paddles, at = vec(0.9, bed(0.9, 0) + 0.44, 0
 scene:nail(wheel.front)
 scene:nail(wheel.back)
 
-local spring = scene:emitter { family = water, at = { vec(-2.0, 2.0, -0.2), vec(-1.9, 2.1, 0.2) }, rate = flow, velocity = vec(1, 0, 0),
-  spread = 0.3, lifetime = 5 }
+local spring = scene:emitter { family = water, at = { vec(-1.8, 1.9, -0.2), vec(-1.7, 2.0, 0.2) }, rate = flow, velocity = vec(1, 0, 0),
+  spread = 0.3, lifetime = 4 }
 scene:probe("drops", function() return spring.count end)
 scene:probe("spin of the wheel", function() return wheel.spin.z end)
