@@ -6,6 +6,7 @@ local roughness = scene:param("roughness", 0.5, { min = 0, max = 1, help = "heig
 
 scene.title = "Car on hills"
 scene.duration = 30
+scene.step = 1 / 480 -- wheels that roll over edges gain by the step
 
 local function height(x, z)
   local rise = math.min(1, math.max(0, (math.abs(x + 190) - 3) / 4)) -- level where it starts

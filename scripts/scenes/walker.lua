@@ -1,7 +1,7 @@
 -- Theo Jansen's walking mechanism: six legs on one crank, in a plane, walk on a floor. Turn its speed, or drag it by any joint.
 scene.title = "Strandbeest"
 scene.duration = 20
-scene.plane, scene.step = "xy", 1 / 240
+scene.plane, scene.step, scene.contact = "xy", 1 / 480, "exact"
 
 local speed = scene:param("speed", 2, { min = -6, max = 6, help = "of the crank, rad/s" })
 local friction = scene:param("friction", 0.8, { min = 0, max = 2, help = "of feet and floor" })
@@ -10,7 +10,7 @@ local friction = scene:param("friction", 0.8, { min = 0, max = 2, help = "of fee
 local a, b, c, d, e, f = 0.380, 0.415, 0.393, 0.401, 0.558, 0.394
 local g, h, i, j, k, l, m = 0.367, 0.657, 0.490, 0.500, 0.619, 0.078, 0.150
 
---- The place at two distances from two others, on the left of the way from the first to the second.
+--- The place at two distances from two others, left of the way between them.
 local function left(p, q, from_p, from_q)
   local way = q - p
   local n = way:length()
@@ -31,10 +31,7 @@ local function link(places, beside)
 end
 
 local pins, sides = {}, { vec(-a, -l, 0), vec(a, -l, 0) }
-for n = 1, 3 do
-  local angle = 2 * math.pi * n / 3
-  pins[n] = { at = vec(m * math.cos(angle), m * math.sin(angle), 0), mass = 0.2 }
-end
+for n = 1, 3 do pins[n] = { at = quat(vec(0, 0, 1), 2 * math.pi * n / 3):rotate(vec(m, 0, 0)), mass = 0.2 } end
 local crank = scene:body { at = crank_at, mass = 0.2, points = { vec(0, 0, 0), table.unpack(pins) }, color = "#c2413b" }
 local chassis = scene:body { at = crank_at, mass = 2, inertia = vec(0.2, 0.2, 0.2), points = { vec(0, 0, 0), sides[1], sides[2] } }
 scene:hinge(crank.points[1], chassis.points[1])
@@ -57,6 +54,6 @@ for n, pin in ipairs(pins) do
     scene:hinge(lower[2], down[2])
   end
 end
-scene:floor { friction = friction, size = 200 }
+scene:floor { friction = friction, size = 200, color = "#cfd8d3" }
 scene.camera = { at = vec(0.3, 1.2, 3.5), look_at = vec(0, 0.7, 0), follow = chassis }
 scene:probe("way", function() return chassis.position.x end)
