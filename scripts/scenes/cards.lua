@@ -18,10 +18,11 @@ local upright = shape.box(thick, long, wide, material)
 local flat = shape.box(thick, apart - 0.002, wide, material)
 
 local colors = { "#f4efe2", "#c2413b", "#f2b45c", "#2f4858" }
-local cards = scene:group "cards"
+local cards = {}
 local function put(card, x, y, angle)
-  cards:add(scene:body { shape = card, at = vec(x, y, 0), orientation = quat(vec(0, 0, 1), angle),
-                         color = colors[#cards % #colors + 1] })
+  local pose = { at = vec(x, y, 0), orientation = quat(vec(0, 0, 1), angle) }
+  cards[#cards + 1] = { pose = pose, body = scene:body { shape = card, at = pose.at, orientation = pose.orientation,
+                                                         color = colors[#cards % #colors + 1] } }
 end
 for storey = 1, storeys do
   local bottom = (storey - 1) * (height + thick)
@@ -34,13 +35,21 @@ for storey = 1, storeys do
   end
 end
 
-local function throw()
-  scene:ball { radius = 0.12, density = 1500, at = vec(-4, 0.8, 0), velocity = vec(7, 2, 0), color = "#e8833a" }
+local ball = scene:ball { radius = 0.12, density = 1500, at = vec(-4, 0.12, 0), color = "#e8833a" }
+local function move(body, at, orientation, velocity)
+  if body.alive then body.position, body.orientation, body.velocity, body.spin = at, orientation, velocity, vec(0, 0, 0) end
+end
+local function throw() move(ball, vec(-4, 0.8, 0), ball.orientation, vec(7, 2, 0)) end
+local function build() -- again, and out of the ball's way
+  move(ball, vec(-4, 0.12, 0), ball.orientation, vec(0, 0, 0))
+  for _, card in ipairs(cards) do move(card.body, card.pose.at, card.pose.orientation, vec(0, 0, 0)) end
 end
 scene:at(8, throw)
+scene:every(15, function() build() scene:after(6, throw) end)
 scene:button("throw", throw)
+scene:button("build again", build)
 scene:probe("top of the house", function()
   local top = 0
-  for one in cards:each() do top = math.max(top, one.position.y) end
+  for _, card in ipairs(cards) do top = math.max(top, card.body.alive and card.body.position.y or 0) end
   return top
 end)

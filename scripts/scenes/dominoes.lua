@@ -31,6 +31,18 @@ end
 scene:at(0.5, tap)
 scene:button("tap", tap)
 
+-- When all have lain for a while they are stood up again, and tapped.
+local places = {}
+for i, one in ipairs(dominoes) do places[i] = { one.position, one.orientation } end
+local function stand_up()
+  for i, one in ipairs(dominoes) do
+    one.position, one.orientation = places[i][1], places[i][2]
+    one.velocity, one.spin = vec(0, 0, 0), vec(0, 0, 0)
+  end
+  scene:after(1, tap)
+end
+scene:button("stand them up", stand_up)
+
 local function fallen()
   local number = 0
   for _, one in ipairs(dominoes) do
@@ -39,4 +51,7 @@ local function fallen()
   return number
 end
 scene:probe("fallen", fallen)
-scene:when(function() return fallen() == count end, function() scene:result("all fallen after", scene.time) end)
+scene:when(function() return fallen() == count end, function()
+  scene:result("all fell until", scene.time)
+  scene:after(3, stand_up)
+end, { again = true })

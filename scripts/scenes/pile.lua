@@ -5,7 +5,7 @@ local friction = scene:param("friction", 0.5, { min = 0, max = 1.5, help = "of a
 scene.title = "Pile"
 scene.duration = 8
 scene.camera = { at = vec(4.6, 4.6, 6.4), look_at = vec(0, 0.8, 0) }
-scene:floor { height = -0.2, color = "#cfd8d3" }
+scene:floor { height = -0.2, rolling = 0.01, color = "#cfd8d3" }
 
 -- A tray: a bottom and four walls.
 local wide, high, thick = 4, 0.8, 0.2
@@ -40,7 +40,9 @@ local function drop(i, height)
 end
 for i = 1, count do drop(i, 0.8 + 0.16 * i) end
 
-scene:button("pour in more", function() for i = 1, 20 do drop(i, 4 + 0.4 * i) end end)
+local function pour() for i = 1, 20 do drop(i, 3 + 0.4 * i) end end
+scene:every(10, function() if #things < 2 * count then pour() end end)
+scene:button("pour in more", pour)
 scene:probe("highest", function()
   local most = 0
   for _, one in ipairs(things) do most = math.max(most, one.position.y) end

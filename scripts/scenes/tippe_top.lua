@@ -10,7 +10,7 @@ local patch = scene:param("patch", 0.5, { min = 0, max = 3, help = "radius on wh
 scene.title = "Tippe top"
 scene.duration = 12
 scene.step = 1 / 1000
-scene:floor { friction = patch > 0 and 0 or friction, color = "#cbb894" }
+scene:floor { friction = patch > 0 and 0 or friction, size = 8, color = "#cbb894" }
 
 -- A wooden ball of 2 cm, hollowed out: what is left of it has its centre of mass 3 mm below its middle.
 local radius, below = 0.02, 0.003
@@ -42,5 +42,10 @@ local function leaning() return math.acos(math.max(-1, math.min(1, top.orientati
 scene:probe("lean", leaning)
 scene:probe("spin about the vertical", function() return top.spin.y end)
 scene:probe("height", function() return top.position.y end)
-scene:button("spin it", function() top.spin = vec(0, rate, 0) end)
+local function start()
+  top.position, top.orientation = vec(0, radius, 0) - axis * below, lean
+  top.velocity, top.spin = vec(0, 0, 0), axis * rate
+end
+scene:every(12, start)
+scene:button("spin it again", start)
 scene:when(function() return leaning() > 2.8 end, function() scene:result("turned over after", scene.time) end)

@@ -11,19 +11,19 @@ scene:floor { friction = 0.6, color = "#d9cdb8" }
 -- Three bricks a layer, each layer across the one below.
 local brick = shape.box { size = vec(1.2, 0.3, 0.4), density = 500, friction = 0.6 }
 local colors = { "#b5533c", "#c9714f", "#d98e63" }
-local tower = scene:group "tower"
+local bricks = {}
 for storey = 1, storeys do
   local turned = storey % 2 == 0
   for k = -1, 1 do
-    local aside = turned and vec(0.4 * k, 0, 0) or vec(0, 0, 0.4 * k)
-    tower:add(scene:body { shape = brick, at = aside + vec(0, 0.3 * storey - 0.15, 0),
-                           orientation = turned and quat(vec(0, 1, 0), math.pi / 2) or nil,
-                           color = colors[(storey + k) % 3 + 1] })
+    local at = (turned and vec(0.4 * k, 0, 0) or vec(0, 0, 0.4 * k)) + vec(0, 0.3 * storey - 0.15, 0)
+    local turn = quat(vec(0, 1, 0), turned and math.pi / 2 or 0)
+    local one = scene:body { shape = brick, at = at, orientation = turn, color = colors[(storey + k) % 3 + 1] }
+    bricks[#bricks + 1] = { body = one, at = at, turn = turn }
   end
 end
 
 -- The chain hangs from above, and begins stretched out to the left.
-local top, length = vec(-1.6, 6.5, 0), 0.36
+local top, length = vec(-1.6, 6, 0), 0.36
 local way = vec(-0.96, -0.28, 0)
 local link = shape.capsule { radius = 0.05, from = way * (-length / 2), to = way * (length / 2), density = 7800 }
 local chain, last = scene:group "chain", nil
@@ -39,5 +39,21 @@ local ball = scene:ball { radius = radius, mass = weight, at = top + way * (leng
                           points = { eye = way * -radius }, name = "ball" }
 scene:hinge(last.tail, ball.eye)
 
+-- Again and again a winch draws the ball back, and lets it go as soon as the tower is built again.
+local start = ball.eye.position
+local function draw_back()
+  if not ball.alive then return end
+  local from, since = ball.eye.position, scene.time
+  local function drawn(t) return from + (start - from) * math.min(1, (t - since) / 4) end
+  local winch = scene:follow(ball.eye, drawn, { max_force = 30 * weight })
+  scene:after(5, winch, function()
+    winch:remove()
+    for _, b in ipairs(bricks) do
+      if b.body.alive then b.body.position, b.body.orientation, b.body.velocity, b.body.spin = b.at, b.turn, vec(0, 0, 0), vec(0, 0, 0) end
+    end
+  end)
+end
+scene:every(11, draw_back)
+scene:button("draw the ball back", draw_back)
 scene:button("cut the chain", function() chain:cut_hinges() end)
 scene:probe("speed of the ball", function() return ball.velocity:length() end)
