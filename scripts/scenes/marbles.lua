@@ -3,10 +3,9 @@
 local count = scene:param("count", 8, { min = 1, max = 40, step = 1, help = "marbles" })
 local slope = scene:param("slope", 0.12, { min = 0.03, max = 0.3, help = "of the rails, rad" })
 
-scene.title = "Marble run"
-scene.duration = 40
+scene.title, scene.duration = "Marble run", 40
 scene.camera = { at = vec(0.7, 1.9, 3.0), look_at = vec(-0.05, 1, 0) }
-scene:floor { color = "#d9d2c4" }
+scene:floor { color = "#d9d2c4", size = 12 }
 
 -- Rails of two capsules, each pair below the end of the one before, with boards that keep marbles on them.
 local radius, gauge, long, drop, base, parts = 0.032, 0.045, 1.4, 0.26, 1.5, {}
