@@ -10,7 +10,7 @@ namespace pantin {
 
 namespace {
 
-constexpr double calm_way = 4e-3;  // of the reach, in a drift: of a calm island
+constexpr double calm_way = 2e-3;  // of the reach, in a drift: of a calm island
 
 Mat3 in_world(const Mat3& R, Vec3 principal) {
   return times_transposed({{R[0] * principal[0], R[1] * principal[1], R[2] * principal[2]}}, R);

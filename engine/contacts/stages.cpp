@@ -406,7 +406,7 @@ void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulat
       c.bias = vec(wanted / h, 0, 0);
       c.start = vec(from.pushing, 0, 0);
     }
-    problem.tolerance *= 1e2;
+    problem.tolerance *= 1e4;
     count(solve_island(problem, calm, settings.search), problem, report);
     for (std::size_t k = 0; k < problem.contacts.size(); k++)
       contacts.list[island.contacts[k]].pushing = problem.contacts[k].impulse[0];

@@ -11,12 +11,12 @@ scene.camera = { at = vec(-1.5, 2.6, 7.5), look_at = vec(1.2, 0.8, 0) }
 scene:floor { friction = 0.6, rolling = 0.01, color = "#cfd4d8" }
 
 local colors = { "#8fc1d9", "#d9b48f", "#a9d98f", "#c49bd9" }
-local broken = 0
+scene.store.broken = 0
 
 local function break_up(plate, at)
   local color = plate.color
-  for _, piece in ipairs(scene:shatter(plate, { pieces = pieces, seed = broken + 1, at = at })) do piece.color = color end
-  broken = broken + 1
+  for _, piece in ipairs(scene:shatter(plate, { pieces = pieces, seed = scene.store.broken + 1, at = at })) do piece.color = color end
+  scene.store.broken = scene.store.broken + 1
 end
 
 local function set_up()
@@ -46,5 +46,5 @@ scene:every(8, function()
   scene:after(1, throw_somewhere)
 end)
 scene:button("throw", throw_somewhere)
-scene:probe("broken plates", function() return broken end)
+scene:probe("broken plates", function() return scene.store.broken end)
 scene:probe("bodies", function() return #scene.bodies end)

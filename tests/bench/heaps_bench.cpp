@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "base/check.hpp"
-#include "bench/pantin_rig.hpp"
 #include "forces/sleep.hpp"
 #include "measure/measure.hpp"
 #include "peers/pile_trial.hpp"
@@ -14,6 +13,7 @@
 #include "player/bench.hpp"
 #include "player/machine.hpp"
 #include "step/step.hpp"
+#include "support/mechanisms.hpp"
 
 namespace pantin {
 
@@ -55,7 +55,7 @@ Fall fall(const peers::Mechanism& pile, double rate, double until) {
   world.settings.step = 1.0 / rate;
   world.settings.gravity = vec(0, -peers::gravity, 0);
   keep_ledger(world);
-  const std::vector<BodyId> bodies = add_mechanism(world, pile);
+  const std::vector<BodyId> bodies = support::add_mechanism(world, pile);
   Fall f;
   std::vector<peers::SolidState> state;
   const double start = energy_of(world);
@@ -73,7 +73,7 @@ Fall fall(const peers::Mechanism& pile, double rate, double until) {
     last = now;
     f.rise = std::max(f.rise, gain);
     f.rises += gain;
-    read_solids(world, bodies, state);
+    support::read_solids(world, bodies, state);
     f.gap = std::max(f.gap, peers::largest_separation(pile, state));
     if (i % 8 == 0) f.deepest = std::max(f.deepest, peers::deepest_overlap(pile, state));
     f.outside = std::max(f.outside, behind_walls(world, bodies, pile));

@@ -65,3 +65,19 @@ TEST_CASE("contact search: in a heap Newton's search leaves less unsolved than s
   CHECK(worlds.exact.stats.unsolved_islands < worlds.fast.stats.unsolved_islands);
   CHECK(worlds.exact.stats.contact_iterations > worlds.fast.stats.contact_iterations);
 }
+
+TEST_CASE("What strikes is not softened by how little pressed on it in the step before") {
+  ContactIsland island;
+  IslandBody body;
+  body.mass = body.inverse_mass = 1.0;
+  body.inertia = body.root = body.mobility = body.turning = identity33();
+  body.v0 = vec(0, -1, 0);
+  island.bodies = {body};
+  IslandContact contact;
+  contact.a = 0;
+  contact.frame = {{vec(0, 1, 0), vec(0, 0, 1), vec(1, 0, 0)}};
+  contact.compliance = 1e6;  // of a load that was next to nothing
+  island.contacts = {contact};
+  solve_island(island, true);
+  CHECK(island.contacts[0].impulse[0] > 0.98);
+}

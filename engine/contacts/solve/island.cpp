@@ -131,8 +131,10 @@ void observe(ContactIsland& island) {
 }
 
 void prepare(ContactIsland& island) {
+  constexpr double softest = 1e-2;  // of w: what strikes where the last loads were small is not softened by them
   for (IslandContact& c : island.contacts) {
     c.wn = mobility_along(island, c, c.frame[0]);
+    c.compliance = std::min(c.compliance, softest * c.wn);
     c.wt = std::max(mobility_along(island, c, c.frame[1]), mobility_along(island, c, c.frame[2]));
     c.impulse = c.start;
   }

@@ -8,7 +8,9 @@
 //
 // v stands for the velocity of the centre and the spin, in world axes; forces act on body a, opposite ones on b. w is the
 // diagonal of the Delassus operator G M⁻¹ G': how much a unit impulse changes its own velocity [1/kg].
+#include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "articulates/factor.hpp"
@@ -84,7 +86,8 @@ struct PairBlocks {
 
 /// The matrix M + Σ G' D G + Σ T' k T, or that of ties alone: rows 2i of the centre of body i and 2i + 1 of its spin.
 struct Layout {
-  std::vector<std::array<std::int32_t, 2>> pairs;  ///< of bodies, for which it was laid out
+  std::size_t bodies = 0;                                      ///< for which it was laid out; 0: for none,
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;  ///< and for these of them, both ways, rising
   Factor factor;
   std::vector<std::uint32_t> position;  ///< (2 bodies) in the order of elimination
   std::vector<std::uint32_t> own;       ///< (bodies) block of the two rows of a body

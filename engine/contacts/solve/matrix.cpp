@@ -22,16 +22,19 @@ void add_pairs(const Things& things, std::vector<Pair>& pairs) {
   }
 }
 
-RowLists neighbours_of_rows(const ContactIsland& island, bool touching) {
+std::vector<Pair> pairs_of(const ContactIsland& island, bool touching) {
   std::vector<Pair> pairs;
   if (touching) add_pairs(island.contacts, pairs);
   add_pairs(island.ties, pairs);
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+RowLists neighbours_of_rows(const std::vector<Pair>& pairs, std::uint32_t bodies) {
   RowLists lists;
   lists.first.push_back(0);
   std::size_t next = 0;
-  const auto bodies = static_cast<std::uint32_t>(island.bodies.size());
   for (std::uint32_t body = 0; body < bodies; body++) {
     const std::size_t first = next;
     while (next < pairs.size() && pairs[next].first == body) next++;
@@ -119,38 +122,32 @@ std::size_t updates_of(const RowLists& columns) {
   return updates;
 }
 
-/// Whether it is laid out for these pairs; else notes that it will be.
-bool is_laid_out(const ContactIsland& island, bool touching, Layout& layout) {
-  std::vector<std::array<std::int32_t, 2>> wanted = {{static_cast<std::int32_t>(island.bodies.size()), -1}};
-  const auto add = [&](const auto& things) {
-    for (const IslandPair& pair : things) wanted.push_back({pair.a, pair.b});
-  };
-  if (touching) add(island.contacts);
-  wanted.push_back({-1, -1});
-  add(island.ties);
-  if (wanted == layout.pairs) return true;
-  layout.pairs.swap(wanted);
-  return false;
-}
-
-bool lay_out_matrix(const ContactIsland& island, bool touching, std::size_t most_updates, Layout& layout) {
-  if (is_laid_out(island, touching, layout)) return true;
-  const RowLists neighbours = neighbours_of_rows(island, touching);
-  const std::size_t blocks = neighbours.rows.size() / 2, rows = 2 * island.bodies.size();
-  const bool is_dense = blocks * blocks / (2 * rows) > most_updates;  // the least that so many can be, evenly spread
-  Elimination order = is_dense ? Elimination() : minimum_degree(neighbours);
-  if (is_dense || updates_of(order.columns) > most_updates) {
-    layout.pairs.clear();
-    return false;
-  }
+/// Lays out the factor; false where it would be too dense.
+bool lay_out_factor(Layout& layout, std::vector<Pair>&& pairs, std::size_t bodies, std::size_t most_updates) {
+  const RowLists neighbours = neighbours_of_rows(pairs, static_cast<std::uint32_t>(bodies));
+  const std::size_t blocks = neighbours.rows.size() / 2, rows = 2 * bodies;
+  layout.bodies = 0;
+  if (blocks * blocks / (2 * rows) > most_updates) return false;  // the least that so many can be, evenly spread
+  Elimination order = minimum_degree(neighbours);
+  if (updates_of(order.columns) > most_updates) return false;
   layout.position.resize(rows);
   for (std::uint32_t k = 0; k < order.order.size(); k++) layout.position[order.order[k]] = k;
   layout.factor = lay_out(std::move(order.columns));
-  layout.own.resize(island.bodies.size());
-  for (std::size_t i = 0; i < layout.own.size(); i++) {
+  layout.own.resize(bodies);
+  for (std::size_t i = 0; i < bodies; i++) {
     const std::uint32_t l = layout.position[2 * i], a = layout.position[2 * i + 1];
     layout.own[i] = layout.factor.block(std::max(l, a), std::min(l, a));
   }
+  layout.pairs = std::move(pairs);
+  layout.bodies = bodies;
+  return true;
+}
+
+bool lay_out_matrix(const ContactIsland& island, bool touching, std::size_t most_updates, Layout& layout) {
+  std::vector<Pair> pairs = pairs_of(island, touching);
+  if ((layout.bodies != island.bodies.size() || layout.pairs != pairs) &&
+      !lay_out_factor(layout, std::move(pairs), island.bodies.size(), most_updates))
+    return false;
   layout.contact_blocks.clear();
   if (touching)
     for (const IslandContact& c : island.contacts) layout.contact_blocks.push_back(blocks_of(layout, c));

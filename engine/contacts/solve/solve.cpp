@@ -97,8 +97,8 @@ void choose_start(ContactIsland& island) {
   observe(island);
 }
 
-/// By Coulomb's law contacts change the kinetic energy by no more than -Σ bias·γ. Impulses that miss the law and give more
-/// are made smaller, all alike, until they do not: ties, which would then not hold, are left as they are.
+/// By Coulomb's law contacts give no kinetic energy but -Σ bias·γ, where that is above 0. Impulses that miss the law and give
+/// more are made smaller, all alike, until they do not: ties, which would then not hold, are left as they are.
 void gain_nothing(ContactIsland& island, IslandReport& report) {
   if (!island.ties.empty()) return;
   double allowed = 0.0, first = 0.0, second = 0.0, before = 0.0;
@@ -109,6 +109,7 @@ void gain_nothing(ContactIsland& island, IslandReport& report) {
     first += b.mass * dot(b.v0, dv) + dot(momentum, dw);
     second += 0.5 * (b.mass * norm2(dv) + dot(dw, b.inertia * dw));
   }
+  allowed = std::max(allowed, 0.0);
   if (first + second <= allowed + 1e-12 * (before + second)) return;
   const double part = std::clamp((allowed - first) / second, 0.0, 1.0);
   for (IslandContact& c : island.contacts) c.impulse *= part;
