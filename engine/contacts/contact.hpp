@@ -50,7 +50,6 @@ struct Contact {
   Vec3 placing = zero3();  ///< [N s] on a: of the stage before the drift, which keeps shapes from overlapping
   Vec3 total = zero3();    ///< [N s] on a: of all the step, which the velocities after it have
   Vec3 placing_moment = zero3(), total_moment = zero3();  ///< [N m s] on a: of rolling and spinning, in the same
-  double pushing = 0.0;   ///< [kg m/s] along the normal: what opened overlaps last, as an impulse
   double approach = 0.0;  ///< [m/s] along the normal at the start of the step, below 0: nearing
   double rebound = 0.0;   ///< [m/s] wanted along the normal at the end of the step
 };

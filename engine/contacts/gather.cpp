@@ -191,6 +191,7 @@ std::span<TouchIsland> gather(std::vector<TouchIsland>& space, std::vector<std::
       size = std::min(size, contacts.list[k].size);
     }
     island.problem.tolerance = contact_tolerance * size / settings.h;
+    island.problem.enough = swept_tolerance * size / settings.h;
     double mass = 0.0, reach = 0.0;
     for (const IslandBody& b : island.problem.bodies) mass += b.mass, reach += b.mass * b.reach;
     island.problem.calm = calm_way * std::max(size, reach / mass) / settings.h;

@@ -15,6 +15,8 @@ namespace pantin {
 
 /// Times the thickness of the thinnest, over the length of the drift: the speed to which contacts are solved.
 constexpr double contact_tolerance = 4e-11;
+/// The same of what a sweep may still change.
+constexpr double swept_tolerance = 4e-7;
 
 /// Where the parts of an island's problem come from.
 struct TouchIsland {

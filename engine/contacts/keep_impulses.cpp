@@ -13,7 +13,6 @@ void keep_impulses(const std::vector<Contact>& before, std::vector<Contact>& now
     c.total = from->total;
     c.placing_moment = from->placing_moment;
     c.total_moment = from->total_moment;
-    c.pushing = from->pushing;
     c.approach = from->approach;
     c.rebound = from->rebound;
     inherited[static_cast<std::size_t>(from - before.begin())] = 1;

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "contacts/solve/solve.hpp"
 #include "edit/edit.hpp"
 #include "measure/measure.hpp"
 #include "step/step.hpp"

@@ -14,7 +14,6 @@ constexpr std::uint32_t rounds_of_hard = 4, sweeps_of_hard = 100, newton_of_hard
 constexpr std::size_t few = 24;            // contacts: such an island is always solved exactly
 constexpr double slower = 16.0;            // times the kinetic energy that is calm: that waits for no exact search
 constexpr double accepted = 100.0;         // of the tolerance
-constexpr double swept_enough = 1e4;       // of the tolerance
 constexpr std::size_t most_updates = 100;  // of blocks in a factorisation, for each contact
 constexpr std::size_t most_of_memory = 200'000'000;  // of them at all: 4 bytes each
 
@@ -69,7 +68,7 @@ struct Search {
     go_on();
   }
   void sweeps(std::uint32_t most) {
-    take(sweep_search(island, most, swept_enough * island.tolerance));
+    take(sweep_search(island, most, island.enough));
     go_on();
   }
 };
@@ -138,7 +137,7 @@ IslandReport solve_island(ContactIsland& island, bool exactly, ContactSearch wan
   const bool surely = is_small || wanted == ContactSearch::exact;
   const bool exact =
       surely || (wanted == ContactSearch::automatic && is_calm(island, (exactly ? 1.0 : slower) * kinetic));
-  if (exact && search.report.residual <= swept_enough * island.tolerance) search.newton(most_of_newton);
+  if (exact && search.report.residual <= island.enough) search.newton(most_of_newton);
   if (!search.solved()) {
     search.sweeps(exact ? sweeps_before_newton : most_sweeps);
     if (exact && search.report.residual > island.tolerance) search.newton(most_of_newton);
