@@ -85,8 +85,11 @@ void hold_stops(Articulate& a) {
   hold_with_heads(a);
 }
 
+/// Which rows close their gaps: all, or not those that give way.
+enum class Closing { all, firm };
+
 /// Sets the residuals of the rows to their gaps, and M and C for a solve in the mass metric; returns Σ g² [m²].
-double find_gaps(Articulate& a) {
+double find_gaps(Articulate& a, Closing closing = Closing::all) {
   place_rows_at_end(a);
   double sum = 0.0;
   for (Row& row : a.rows) {
@@ -96,6 +99,10 @@ double find_gaps(Articulate& a) {
       if (c.ranged || !std::isinf(c.upper)) c.held = c.ranged && stop(a, row).room < 0.0;
       c.held_before = c.held_before || c.held;
       rule(row).project(row, c);
+      if (closing == Closing::firm && c.gives_way) {
+        row.residual = zero3();
+        c.kept = zero33();
+      }
     }
     sum += norm2(row.residual);
   }
@@ -126,7 +133,7 @@ void move_by_solution(Articulate& a, bool turns) {
 
 /// One step of Levenberg and Marquardt from the gaps at hand, in which nodes may turn or are only shifted. Returns Σ g²
 /// after it [m²].
-double try_to_close(Articulate& a, double epsilon, double scale, bool turns) {
+double try_to_close(Articulate& a, double epsilon, double scale, bool turns, Closing closing) {
   factorise(a, {Arms::end, epsilon, scale, -1.0, 0.0, turns});
   a.report.iterations++;
   a.report.factorisations++;
@@ -134,14 +141,14 @@ double try_to_close(Articulate& a, double epsilon, double scale, bool turns) {
   for (std::size_t k = a.rows.size(); k-- > 0;)
     a.factor.substitute_back(static_cast<std::uint32_t>(k), a.right_side.data());
   move_by_solution(a, turns);
-  return find_gaps(a);
+  return find_gaps(a, closing);
 }
 
 /// Closes the gaps of the nodes' ends as far as it can. Where turns lead no further, one shift may: without loops it
 /// closes all.
-void close_gaps(Articulate& a, double tolerance, int& left) {
+void close_gaps(Articulate& a, double tolerance, int& left, Closing closing = Closing::all) {
   const double least = std::min(1e-12, a.least_epsilon);
-  double sum = find_gaps(a), epsilon = 1e-6, scale = 0.0;
+  double sum = find_gaps(a, closing), epsilon = 1e-6, scale = 0.0;
   if (!a.all_rigid)
     for (const Row& row : a.rows) scale = std::max(scale, mobility(a, row));
   bool slow = false, shifted = false;
@@ -149,7 +156,7 @@ void close_gaps(Articulate& a, double tolerance, int& left) {
     const bool turns = epsilon <= 1e3 && !slow;
     if (!turns && shifted) break;
     shifted = shifted || !turns;
-    const double now = try_to_close(a, turns ? epsilon : least, scale, turns);
+    const double now = try_to_close(a, turns ? epsilon : least, scale, turns, closing);
     if (now < sum) {
       epsilon = turns ? std::max(least, 0.02 * epsilon) : 1e-6;
       slow = turns && epsilon == least && now > 0.998 * sum;
@@ -157,7 +164,7 @@ void close_gaps(Articulate& a, double tolerance, int& left) {
       continue;
     }
     for (Node& n : a.nodes) settle(n);
-    find_gaps(a);
+    find_gaps(a, closing);
     epsilon *= 20.0;
   }
   measure_gaps(a);
@@ -274,23 +281,27 @@ void accept_gaps(Articulate& a, double tolerance, DriftReport& report) {
 
 void close_displaced(Articulate& a) {
   constexpr int most = 6;
+  constexpr double yielded = 1e-3;  // of the length: more than a displacement opens in the second order
+  const std::vector<Row> rows = a.rows;
+  const std::vector<Condition> conditions = a.conditions;
+  const Gaps gaps = a.gaps;
   for (Node& n : a.nodes) settle(n);
   place_rows_at_start(a);
   hold_stiff(a);
-  const std::vector<Condition> conditions = a.conditions;
   std::vector<Vec3> angular;
   for (const Node& n : a.nodes) angular.push_back(n.R0 * n.P0);
-  int left = most;
-  close_gaps(a, 1e-13 * a.length, left);
-  for (std::size_t i = 0; i < a.nodes.size(); i++)
-    if (a.nodes[i].turns) a.nodes[i].P0 = transposed_times(a.nodes[i].R1, angular[i]);
-  begin_at_ends(a);
-  for (std::size_t i = 0; i < conditions.size(); i++) {
-    a.conditions[i].held = conditions[i].held;
-    a.conditions[i].held_before = conditions[i].held_before;
-    a.conditions[i].angle0 = a.conditions[i].angle1;
+  int left = std::sqrt(find_gaps(a, Closing::firm)) <= yielded * a.length ? most : 0;
+  close_gaps(a, 1e-13 * a.length, left, Closing::firm);
+  if (left < most) {
+    for (std::size_t i = 0; i < a.nodes.size(); i++)
+      if (a.nodes[i].turns) a.nodes[i].P0 = transposed_times(a.nodes[i].R1, angular[i]);
+    begin_at_ends(a);
   }
   release_stiff(a);
+  a.rows = rows;
+  a.conditions = conditions;
+  a.has_factor = false;
+  if (left == most || a.gaps.open > 1e-9 * a.length) a.gaps = gaps;  // the next drift closes what is left
 }
 
 void fallback_step(Articulate& a, const DriftSettings& settings, double h, DriftReport& report) {
