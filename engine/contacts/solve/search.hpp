@@ -13,9 +13,9 @@ struct SearchReport {
 /// Newton's iteration on a smoothed form of Coulomb's law, primal and dual at once, from the impulses at hand; what it found
 /// best is left. The factor is laid out for all. Quadratic near a solution; far from one, or for large ratios of mass, it may stall.
 SearchReport newton_search(ContactIsland& island, std::uint32_t most_iterations);
-/// So many sweeps over the contacts, or up to four times as many while they change much, up and down, one by one, with all ties at
+/// So many sweeps over the contacts, or `at_all` while they change much, up and down, one by one, with all ties at
 /// once after each; ends where a sweep changes velocities at contacts by no more than `enough` [m/s]. Never far from the law, and quick; slow for what carries far.
-SearchReport sweep_search(ContactIsland& island, std::uint32_t most_sweeps, double enough);
+SearchReport sweep_search(ContactIsland& island, std::uint32_t most_sweeps, double enough, std::uint32_t at_all = 0);
 
 /// The loads that impulses do not yet balance: Σ J' impulses - M (v - v0).
 void unbalanced(const ContactIsland& island, std::vector<BodyLoad>& load);

@@ -9,7 +9,7 @@ namespace pantin {
 namespace {
 
 constexpr std::uint32_t most_of_newton = 10;
-constexpr std::uint32_t most_sweeps = 10, sweeps_before_newton = 30;
+constexpr std::uint32_t most_sweeps = 10, more_sweeps = 40, sweeps_before_newton = 30;
 constexpr std::uint32_t rounds_of_hard = 4, sweeps_of_hard = 100, newton_of_hard = 30;  // where a small island is hard
 constexpr std::size_t few = 24;            // contacts: such an island is always solved exactly
 constexpr double slower = 16.0;            // times the kinetic energy that is calm: that waits for no exact search
@@ -67,8 +67,8 @@ struct Search {
     report.failed = !solved();
     go_on();
   }
-  void sweeps(std::uint32_t most) {
-    take(sweep_search(island, most, island.enough));
+  void sweeps(std::uint32_t most, std::uint32_t at_all = 0) {
+    take(sweep_search(island, most, island.enough, at_all));
     go_on();
   }
 };
@@ -139,7 +139,10 @@ IslandReport solve_island(ContactIsland& island, bool exactly, ContactSearch wan
       surely || (wanted == ContactSearch::automatic && is_calm(island, (exactly ? 1.0 : slower) * kinetic));
   if (exact && search.report.residual <= island.enough) search.newton(most_of_newton);
   if (!search.solved()) {
-    search.sweeps(exact ? sweeps_before_newton : most_sweeps);
+    if (exact)
+      search.sweeps(sweeps_before_newton);
+    else
+      search.sweeps(most_sweeps, more_sweeps);
     if (exact && search.report.residual > island.tolerance) search.newton(most_of_newton);
     for (std::uint32_t i = 0; surely && !search.solved() && i < rounds_of_hard; i++) {
       search.sweeps(sweeps_of_hard);

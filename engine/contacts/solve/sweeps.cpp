@@ -15,8 +15,7 @@ namespace {
 
 constexpr double tie_stiffness = 1e7;     // of 1 / w
 constexpr std::uint32_t idle_sweeps = 2;  // that leave out a contact that stays open
-constexpr double far = 1e3;               // times what is enough: that goes on,
-constexpr std::uint32_t more_sweeps = 4;  // for so many times the sweeps
+constexpr double far = 1e3;               // times what is enough: that goes on
 
 struct Sweeps {
   ContactIsland& island;
@@ -310,7 +309,7 @@ struct Sweeps {
 
 }  // namespace
 
-SearchReport sweep_search(ContactIsland& island, std::uint32_t most_sweeps, double enough) {
+SearchReport sweep_search(ContactIsland& island, std::uint32_t most_sweeps, double enough, std::uint32_t at_all) {
   SearchReport report;
   Sweeps s{island};
   s.begin();
@@ -322,7 +321,7 @@ SearchReport sweep_search(ContactIsland& island, std::uint32_t most_sweeps, doub
     const double found = s.sweep(upward, last);
     if (found <= enough) break;
     if (last) {
-      if (until >= more_sweeps * most_sweeps || found < far * enough) break;
+      if (until >= at_all || found < far * enough) break;
       until += most_sweeps;
     }
     const double change = s.change_of_sweep(), part = last_change > 0.0 ? change / last_change : 0.0;
