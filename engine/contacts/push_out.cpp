@@ -1,0 +1,92 @@
+// What overlaps all the same is opened: displacements of least mass-weighted squares, without friction.
+#include <algorithm>
+#include <cmath>
+
+#include "articulates/solve/fallback_step.hpp"
+#include "contacts/stage_parts.hpp"
+#include "contacts/stages.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr double told_overlap = 3e-4;                      // of the size: what overlaps more is pushed out,
+constexpr double left_overlap = 2e-4;                      // down to this
+constexpr double pushed_a_step = 0.2, most_a_step = 5e-3;  // of what is too much; of the size
+
+/// How a thing was displaced [m], [rad], about its centre before.
+struct Displaced {
+  Vec3 x = zero3(), way = zero3(), turn = zero3();
+  Vec3 at(Vec3 point) const { return way + cross(turn, point - x); }
+};
+
+/// Takes contacts along with what was displaced a little; they are found anew where it was more.
+void follow(const Model& model, const std::vector<Displaced>& displaced, Contacts& contacts) {
+  constexpr double little = 5e-3;  // of the size: within the margin of bounds
+  for (Contact& c : contacts.list) {
+    const Vec3 of_a = displaced[number_of(model, c.body_a)].at(c.at);
+    const Vec3 of_b =
+        c.body_b < 0 ? zero3() : displaced[number_of(model, static_cast<std::uint32_t>(c.body_b))].at(c.at);
+    if (std::fmax(norm2(of_a), norm2(of_b)) > little * little * c.size * c.size) contacts.stale = true;
+    const bool in_point = is_point(c.body_a) && !(c.body_b >= 0 && is_point(static_cast<std::uint32_t>(c.body_b)));
+    c.at += c.body_b < 0 || in_point ? of_a : (of_a + of_b) * 0.5;
+    c.gap += dot(c.normal, of_a - of_b);
+  }
+}
+
+}  // namespace
+
+void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
+              const TouchSettings& settings, TouchReport& sum) {
+  std::vector<char> used(contacts.list.size(), 0);
+  bool any = false;
+  for (std::size_t k = 0; k < used.size(); k++) {
+    const Contact& c = contacts.list[k];
+    used[k] = c.gap <= 0.02 * c.size;
+    any = any || c.gap < -told_overlap * c.size;
+  }
+  if (!any) return;
+  const double h = settings.h;
+  const std::span<TouchIsland> islands =
+      gather(space.opening, space.index, workers, model, articulates, contacts, settings, used);
+  std::vector<Displaced> displaced(space.index.size());
+  each_island(workers, islands, sum, [&](TouchIsland& island, TouchReport& report) {
+    ContactIsland& problem = island.problem;
+    problem.rolls.clear();
+    const auto overlaps = [&](std::size_t k) { return contacts.list[k].gap < -told_overlap * contacts.list[k].size; };
+    if (std::none_of(island.contacts.begin(), island.contacts.end(), overlaps)) return;
+    const double before = kinetic_energy_now(model, island);
+    const bool calm = is_calm(problem, before);
+    for (IslandBody& b : problem.bodies) b.v0 = b.w0 = zero3();
+    for (IslandTie& t : problem.ties) t.wanted = zero3();
+    for (std::size_t k = 0; k < problem.contacts.size(); k++) {
+      const Contact& from = contacts.list[island.contacts[k]];
+      IslandContact& c = problem.contacts[k];
+      const double left = left_overlap * from.size;
+      const double wanted = from.gap < -left ? std::max(pushed_a_step * (from.gap + left), -most_a_step * from.size)
+                                             : std::max(from.gap, 0.0);
+      c.friction = 0.0;
+      c.bias = vec(wanted / h, 0, 0);
+    }
+    problem.tolerance *= 1e4;
+    problem.enough *= 1e2;
+    count(solve_island(problem, calm, settings.search), problem, report);
+    for (std::size_t i = 0; i < island.things.size(); i++)
+      displace(model, island.states[i], island.things[i], model.plane.along(problem.bodies[i].v) * h,
+               problem.bodies[i].w * h);
+    for (const std::uint32_t a : island.articulates) close_displaced(*articulates[a]);
+    for (std::size_t i = 0; i < island.things.size(); i++) {
+      const Vec3 way = position_of(model, island.states[i], island.things[i]) - island.states[i].x,
+                 turn = problem.bodies[i].w * h;
+      const BodyLoad& pull = island.law_pulls[i];
+      report.work -= dot(settings.gravity * problem.bodies[i].mass + pull.force, way) + dot(pull.moment, turn);
+      const std::size_t number = number_of(model, island.things[i]);
+      if (number < displaced.size()) displaced[number] = {island.states[i].x, way, turn};
+    }
+    report.work += kinetic_energy_now(model, island) - before;
+  });
+  hold_again(articulates);
+  follow(model, displaced, contacts);
+}
+
+}  // namespace pantin

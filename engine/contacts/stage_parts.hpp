@@ -1,0 +1,38 @@
+#pragma once
+// What the stages of touch have in common.
+#include <span>
+
+#include "contacts/gather.hpp"
+#include "contacts/solve/solve.hpp"
+
+namespace pantin {
+
+/// [J] of all that is in it.
+inline double kinetic_energy_now(const Model& model, const TouchIsland& island) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < island.things.size(); i++)
+    sum += kinetic_energy(model, island.states[i], island.things[i]);
+  return sum;
+}
+
+/// Rows of limited force, which gave way to contacts, hold as before.
+inline void hold_again(const Articulates& articulates) {
+  for (const auto& articulate : articulates)
+    for (Condition& c : articulate->conditions) c.gives_way = false;
+}
+
+inline void count(const IslandReport& found, const ContactIsland& problem, TouchReport& report) {
+  report.islands++;
+  report.contacts += static_cast<std::uint32_t>(problem.contacts.size());
+  report.iterations += found.iterations;
+  if (found.residual > problem.enough) report.unsolved++;
+}
+
+/// Does it to each island, with a report of its own, and adds these up in the order of the islands.
+template <class F>
+void each_island(Workers& workers, std::span<TouchIsland> islands, TouchReport& report, F&& f) {
+  share_islands(workers, islands, [&](TouchIsland& island) { f(island, island.report); });
+  for (const TouchIsland& island : islands) report += island.report;
+}
+
+}  // namespace pantin
