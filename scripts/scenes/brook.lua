@@ -28,7 +28,7 @@ for i = 0, 7 do
   local turn = quat(vec(0, 0, 1), math.pi / 4 * i)
   paddles[#paddles + 1] = shape.box(0.4, 0.03, 0.7, { at = turn:rotate(vec(0.2, 0, 0)), orientation = turn, density = 300, color = "#a67c4e" })
 end
-local wheel = scene:body { shapes = paddles, at = vec(0.9, bed(0.9, 0) + 0.44, 0), name = "wheel",
+local wheel = scene:body { shapes = paddles, at = vec(0.9, bed(0.9, 0) + 0.5, 0), name = "wheel",
   points = { front = vec(0, 0, 0.4), back = vec(0, 0, -0.4) } }
 scene:nail(wheel.front)
 scene:nail(wheel.back)
