@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "contacts/solve/solve.hpp"
+#include "contacts/stage_parts.hpp"
 
 namespace pantin {
 
@@ -33,10 +33,7 @@ bool is_held(const Contacts& contacts, TouchIsland& island) {
     c.bias[0] = 0.0;
     c.start = to_frame(c, from.total);
   }
-  for (IslandRoll& r : problem.rolls) {
-    const Vec3 along = to_frame(problem.contacts[r.contact], contacts.list[island.contacts[r.contact]].total_moment);
-    for (int k = 0; k < 3; k++) r.start[k] = r.lever[k] > 0.0 ? along[k] / r.lever[k] : 0.0;
-  }
+  start_rolls(problem, contacts, island.contacts, &Contact::total_moment);
   const double most = unmoved * problem.tolerance;
   if (solve_island(problem, true).residual > most) return false;
   return std::all_of(problem.bodies.begin(), problem.bodies.end(),
@@ -50,8 +47,7 @@ bool held_at_rest(TouchSpace& space, Workers& workers, Model& model, const Artic
                   std::span<const BodyLoad> pulls, std::span<const std::size_t> things) {
   const std::span<TouchIsland> islands =
       gather(space.resting, space.index, workers, model, articulates, contacts, settings, used);
-  for (const auto& articulate : articulates)
-    for (Condition& c : articulate->conditions) c.gives_way = false;
+  hold_again(articulates);
   std::vector<std::size_t> touching;
   for (const TouchIsland& island : islands)
     for (const std::uint32_t thing : island.things) touching.push_back(island_number(model, articulates.size(), thing));

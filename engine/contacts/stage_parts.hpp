@@ -15,6 +15,15 @@ inline double kinetic_energy_now(const Model& model, const TouchIsland& island) 
   return sum;
 }
 
+/// Begins the search of rolls with these moments of their contacts.
+inline void start_rolls(ContactIsland& island, const Contacts& contacts, const std::vector<std::size_t>& from,
+                        Vec3 Contact::*moment) {
+  for (IslandRoll& r : island.rolls) {
+    const Vec3 along = to_frame(island.contacts[r.contact], contacts.list[from[r.contact]].*moment);
+    for (int k = 0; k < 3; k++) r.start[k] = r.lever[k] > 0.0 ? along[k] / r.lever[k] : 0.0;
+  }
+}
+
 /// Rows of limited force, which gave way to contacts, hold as before.
 inline void hold_again(const Articulates& articulates) {
   for (const auto& articulate : articulates)

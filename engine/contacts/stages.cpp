@@ -65,14 +65,6 @@ double rebound_of(const Contact& c, const TouchSettings& settings, double slow) 
   return c.restitution * std::sqrt(std::max(0.0, c.approach * c.approach + 2.0 * fall * std::max(0.0, c.gap)));
 }
 
-void start_rolls(ContactIsland& island, const Contacts& contacts, const std::vector<std::size_t>& from,
-                 Vec3 Contact::*moment) {
-  for (IslandRoll& r : island.rolls) {
-    const Vec3 along = to_frame(island.contacts[r.contact], contacts.list[from[r.contact]].*moment);
-    for (int k = 0; k < 3; k++) r.start[k] = r.lever[k] > 0.0 ? along[k] / r.lever[k] : 0.0;
-  }
-}
-
 void keep_rolls(const ContactIsland& island, Contacts& contacts, const std::vector<std::size_t>& to,
                 Vec3 Contact::*moment) {
   for (const IslandRoll& r : island.rolls) contacts.list[to[r.contact]].*moment = moment_of(island, r, r.impulse);
