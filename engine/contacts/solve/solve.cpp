@@ -142,7 +142,7 @@ IslandReport solve_island(ContactIsland& island, bool exactly, ContactSearch wan
     if (exact)
       search.sweeps(sweeps_before_newton);
     else
-      search.sweeps(most_sweeps, more_sweeps);
+      search.sweeps(most_sweeps, island.ties.empty() ? more_sweeps : most_sweeps);  // with ties more may diverge
     if (exact && search.report.residual > island.tolerance) search.newton(most_of_newton);
     for (std::uint32_t i = 0; surely && !search.solved() && i < rounds_of_hard; i++) {
       search.sweeps(sweeps_of_hard);
