@@ -64,7 +64,7 @@ void add_momenta(Model& model, const BodyState& s, std::uint32_t thing, Vec3 p, 
       model.free_motion[slot_of(thing)].v += p / s.mass;
     return;
   }
-  const Vec3 principal = turning_part(model.motion[thing], angular);
+  const Vec3 principal = turning_part(model.motion[thing], s.q, angular);
   if (s.node) {
     s.node->p0 += p;
     s.node->P0 += principal;

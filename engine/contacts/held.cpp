@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "contacts/solve/ties.hpp"
 #include "contacts/stage_parts.hpp"
 
 namespace pantin {
@@ -34,6 +35,7 @@ bool is_held(const Contacts& contacts, TouchIsland& island) {
     c.start = to_frame(c, from.total);
   }
   start_rolls(problem, contacts, island.contacts, &Contact::total_moment);
+  hold_ties(problem);
   const double most = unmoved * problem.tolerance;
   if (solve_island(problem, true).residual > most) return false;
   return std::all_of(problem.bodies.begin(), problem.bodies.end(),

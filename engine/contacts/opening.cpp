@@ -20,17 +20,22 @@ double opening_of_side(const IslandBody& body, Vec3 r, Vec3 out, const Roundness
 
 }  // namespace
 
-double opening(const TouchIsland& island, const IslandContact& c, const Contact& from) {
-  const std::vector<IslandBody>& bodies = island.problem.bodies;
+double curving(Vec3 spin, double h) {
+  const double half = 0.5 * norm(spin) * h, part = half > 1e-4 ? std::sin(half) / half : 1.0 - half * half / 6.0;
+  return 0.5 * h * part * part;
+}
+
+double opening(const TouchIsland& island, const IslandContact& c, const Contact& from, double h) {
+  const auto side = [&](std::int32_t number, Vec3 r, Vec3 out, const Roundness& round) {
+    const IslandBody& body = island.problem.bodies[static_cast<std::size_t>(number)];
+    return curving(body.w0, h) * opening_of_side(body, r, out, round);
+  };
   const Vec3 n = c.frame[0];
   if (is_point(from.body_a))  // its centre is where impulses act
-    return c.b < 0 ? 0.0
-                   : opening_of_side(bodies[static_cast<std::size_t>(c.b)], c.rb - n * (from.round_a.radius + from.gap),
-                                     n * -1.0, from.round_b);
+    return c.b < 0 ? 0.0 : side(c.b, c.rb - n * (from.round_a.radius + from.gap), n * -1.0, from.round_b);
   const Vec3 half = n * (0.5 * from.gap);
-  if (c.b < 0) return opening_of_side(bodies[static_cast<std::size_t>(c.a)], c.ra, n, from.round_a);
-  return opening_of_side(bodies[static_cast<std::size_t>(c.a)], c.ra + half, n, from.round_a) +
-         opening_of_side(bodies[static_cast<std::size_t>(c.b)], c.rb - half, n * -1.0, from.round_b);
+  if (c.b < 0) return side(c.a, c.ra, n, from.round_a);
+  return side(c.a, c.ra + half, n, from.round_a) + side(c.b, c.rb - half, n * -1.0, from.round_b);
 }
 
 }  // namespace pantin

@@ -13,12 +13,24 @@ namespace {
 constexpr double told_overlap = 3e-4;                      // of the size: what overlaps more is pushed out,
 constexpr double left_overlap = 2e-4;                      // down to this
 constexpr double pushed_a_step = 0.2, most_a_step = 5e-3;  // of what is too much; of the size
+constexpr double farthest = 10.0;                          // times the largest opening: displaced no more than this
 
 /// How a thing was displaced [m], [rad], about its centre before.
 struct Displaced {
   Vec3 x = zero3(), way = zero3(), turn = zero3();
   Vec3 at(Vec3 point) const { return way + cross(turn, point - x); }
 };
+
+/// Where light things would have to go far to let heavy ones go a little, all go less far: opened is then a part.
+void limit_displacements(ContactIsland& island, double most) {
+  double fastest = 0.0;
+  for (const IslandBody& b : island.bodies) fastest = std::fmax(fastest, norm(b.v) + norm(b.w) * b.reach);
+  if (!(fastest > most)) return;
+  for (IslandBody& b : island.bodies) {
+    b.v *= most / fastest;
+    b.w *= most / fastest;
+  }
+}
 
 /// Takes contacts along with what was displaced a little; they are found anew where it was more.
 void follow(const Model& model, const std::vector<Displaced>& displaced, Contacts& contacts) {
@@ -59,6 +71,7 @@ void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulat
     const bool calm = is_calm(problem, before);
     for (IslandBody& b : problem.bodies) b.v0 = b.w0 = zero3();
     for (IslandTie& t : problem.ties) t.wanted = zero3();
+    double largest = 0.0;
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
       const Contact& from = contacts.list[island.contacts[k]];
       IslandContact& c = problem.contacts[k];
@@ -67,10 +80,12 @@ void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulat
                                              : std::max(from.gap, 0.0);
       c.friction = 0.0;
       c.bias = vec(wanted / h, 0, 0);
+      largest = std::fmax(largest, -wanted / h);
     }
     problem.tolerance *= 1e4;
     problem.enough *= 1e2;
     count(solve_island(problem, calm, settings.search), problem, report);
+    limit_displacements(problem, farthest * largest);
     for (std::size_t i = 0; i < island.things.size(); i++)
       displace(model, island.states[i], island.things[i], model.plane.along(problem.bodies[i].v) * h,
                problem.bodies[i].w * h);

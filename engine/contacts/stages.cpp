@@ -11,6 +11,7 @@
 #include "contacts/opening.hpp"
 #include "contacts/solve/impacts.hpp"
 #include "contacts/solve/solve.hpp"
+#include "contacts/solve/ties.hpp"
 #include "contacts/stage_parts.hpp"
 #include "contacts/take_back.hpp"
 
@@ -188,19 +189,20 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
       from.approach = dot(from.normal, relative(c, problem.bodies, &IslandBody::v0, &IslandBody::w0));
       const double gap = std::max(from.gap / h, -c.compliance * std::max(0.0, dot(from.placing, from.normal)));
       c.bias = to_frame(c, from.belt);
-      c.bias[0] = gap + 0.5 * h * opening(island, c, from);
+      c.bias[0] = gap + opening(island, c, from, h);
       c.start = to_frame(c, from.placing);
     }
     for (IslandTie& t : problem.ties) {
       if (t.lever > 0.0) continue;
       const auto turned = [&](std::int32_t body, Vec3 r) {
         const Vec3 w = problem.bodies[static_cast<std::size_t>(body)].w0;
-        return cross(w, cross(w, r));
+        return cross(w, cross(w, r)) * curving(w, h);
       };
-      t.wanted -= (turned(t.a, t.ra) - (t.b < 0 ? zero3() : turned(t.b, t.rb))) * (0.5 * h);
+      t.wanted -= turned(t.a, t.ra) - (t.b < 0 ? zero3() : turned(t.b, t.rb));
     }
     report.gravity += gravity_in_step(island, contacts, settings);
     foresee_forces(model, island, settings);
+    hold_ties(problem);
     start_rolls(problem, contacts, island.contacts, &Contact::placing_moment);
     solve(contacts, island, 0, settings.search, report);
     keep_tie_impulses(articulates, island, 0);
@@ -268,6 +270,7 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
       rebounds = rebounds || from.rebound > 0.0;
     }
     start_rolls(problem, contacts, island.contacts, &Contact::total_moment);
+    hold_ties(problem);
     if (rebounds) {
       double gained = 0.0;
       for (const std::uint32_t thing : problem.ties.empty() ? island.things : std::vector<std::uint32_t>())

@@ -337,9 +337,11 @@ double size_of(const Model& model, PointId point) {
   return size;
 }
 
-Vec3 turning_part(const Motion& motion, Vec3 v) {
+Vec3 turning_part(const Motion& motion, Vec3 v) { return turning_part(motion, motion.q, v); }
+
+Vec3 turning_part(const Motion& motion, Quat q, Vec3 v) {
   if (motion.freedom == Freedom::point) return zero3();
-  Vec3 part = rotate(conjugate(motion.q), v);
+  Vec3 part = rotate(conjugate(q), v);
   if (motion.freedom == Freedom::line) part[0] = 0.0;
   for (int i = 0; i < 3; i++)
     if (motion.inertia[i] == 0.0) part[i] = 0.0;

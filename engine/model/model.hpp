@@ -112,6 +112,8 @@ double size_of(const Model& model, PointId point);
 /// A spin, torque or moment in world axes, in principal axes: less its part along the line of a body that cannot turn
 /// about it, or but that about the normal of a plane; 0 for one that cannot turn at all.
 Vec3 turning_part(const Motion& motion, Vec3 v);
+/// The same of one that has this orientation by now.
+Vec3 turning_part(const Motion& motion, Quat q, Vec3 v);
 /// By how much the smallest is larger than its own [kg m²].
 double lift(const Model& m, BodyId body);
 

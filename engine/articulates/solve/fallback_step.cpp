@@ -281,10 +281,10 @@ void accept_gaps(Articulate& a, double tolerance, DriftReport& report) {
 
 void close_displaced(Articulate& a) {
   constexpr int most = 6;
-  constexpr double yielded = 1e-3;  // of the length: more than a displacement opens in the second order
+  constexpr double yielded = 2e-2;  // of the length: more than a displacement opens in the second order
   const std::vector<Row> rows = a.rows;
   const std::vector<Condition> conditions = a.conditions;
-  const Gaps gaps = a.gaps;
+  const double open_before = a.gaps.open;
   for (Node& n : a.nodes) settle(n);
   place_rows_at_start(a);
   hold_stiff(a);
@@ -301,7 +301,7 @@ void close_displaced(Articulate& a) {
   a.rows = rows;
   a.conditions = conditions;
   a.has_factor = false;
-  if (left == most || a.gaps.open > 1e-9 * a.length) a.gaps = gaps;  // the next drift closes what is left
+  if (left == most || a.gaps.open > 1e-9 * a.length) a.gaps.open = open_before;  // the next drift closes what is told
 }
 
 void fallback_step(Articulate& a, const DriftSettings& settings, double h, DriftReport& report) {

@@ -67,12 +67,6 @@ ImpactReport resolve_impacts(ContactIsland& island, double slow, double gained) 
   rolls.swap(island.rolls);
   std::vector<Vec3> starts;
   for (const IslandTie& t : island.ties) starts.push_back(t.start);
-  if (!island.ties.empty()) {
-    all.swap(island.contacts);
-    report.iterations += solve_island(island, true).iterations;
-    all.swap(island.contacts);
-    go_on(island);
-  }
   while (report.rounds < most_rounds) {
     start_from_rest(island);
     observe(island);

@@ -44,6 +44,7 @@ void ContactIsland::clear() {
   contacts.clear();
   rolls.clear();
   ties.clear();
+  ties_prepared = false;
 }
 
 void push(ContactIsland& island, const IslandPair& pair, Vec3 impulse) {
@@ -150,10 +151,12 @@ void prepare(ContactIsland& island) {
     r.wt = mobility(1) + mobility(2);
     r.impulse = r.start;
   }
-  for (IslandTie& t : island.ties) {
-    t.w = mean_mobility(island, t);
-    t.impulse = t.start;
-  }
+  weigh_ties(island);
+  for (IslandTie& t : island.ties) t.impulse = t.start;
+}
+
+void weigh_ties(ContactIsland& island) {
+  for (IslandTie& t : island.ties) t.w = mean_mobility(island, t);
 }
 
 namespace {

@@ -70,7 +70,7 @@ struct IslandTie : IslandPair {
   Vec3 start = zero3();    ///< [N s]
   Vec3 impulse = zero3();  ///< [N s] μ
   Vec3 u = zero3();        ///< [m/s] kept (T v - wanted)
-  Vec3 struck = zero3();   ///< [N s] of impacts
+  Vec3 struck = zero3();   ///< [N s] before contacts were solved: what holds ties alone, and of impacts
 };
 
 /// What impulses do to a body: [N s], [N m s] about its centre, world axes.
@@ -105,6 +105,8 @@ struct ContactIsland {
   double enough = 1e-4;     ///< [m/s] change of velocities by a sweep after which there is no other
   double calm = infinity;   ///< [m/s] mean velocity below which an exact search is worth while
   Layout ties_alone, all;   ///< of the matrices that were factorised last
+  bool ties_prepared = false;        ///< the first of them is of these ties
+  std::vector<BodyLoad> tie_change;  ///< [m/s], [rad/s] scratch of what ties answer
   SweepSpace sweep_space;
 
   void clear();  ///< keeps memory
@@ -150,6 +152,8 @@ void apply_impulses(ContactIsland& island);
 void observe(ContactIsland& island);
 /// Sets wn, wt and w, and begins the search where last time's impulses are.
 void prepare(ContactIsland& island);
+/// Sets w of ties alone.
+void weigh_ties(ContactIsland& island);
 
 /// How far a contact is from Coulomb's law with impulse γ at velocity u [m/s]: with x = w γ, the distance of x from the
 /// projection of x - u on what is allowed.

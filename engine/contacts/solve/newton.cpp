@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "contacts/solve/search.hpp"
+#include "contacts/solve/ties.hpp"
 
 namespace pantin {
 
 namespace {
 
-constexpr double tie_stiffness = 1e7;                          // of 1 / w
 constexpr double least_stiffness = 1e3, most_stiffness = 1e8;  // of contacts, of 1 / w
 constexpr double smoothing = 0.1;                              // √τ of the residual
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contacts/solve/search.hpp"
+#include "contacts/solve/ties.hpp"
 
 namespace pantin {
 namespace {
@@ -73,11 +74,24 @@ struct Search {
   }
 };
 
-/// How near impulses and their velocities are: ½ |v|²_M + bias·γ, least in the solution among what the cone allows.
+/// How near impulses and their velocities are: ½ |v|²_M + bias·γ - wanted·μ, least in the solution among what the cone allows.
 double dual(const ContactIsland& island) {
   double sum = kinetic_energy(island);
   for (const IslandContact& c : island.contacts) sum += dot(c.bias, c.impulse);
+  for (const IslandTie& t : island.ties) sum -= dot(t.kept * t.wanted, t.impulse);
   return sum;
+}
+
+/// Of contacts at these impulses, with what ties answer.
+double dual_of(ContactIsland& island, Vec3 IslandContact::*start) {
+  for (IslandContact& c : island.contacts) c.impulse = c.*start;
+  apply_impulses(island);
+  if (!island.ties.empty()) {
+    std::vector<BodyLoad> loads;
+    answer_of_ties(island, loads);
+    apply_impulses(island);
+  }
+  return dual(island);
 }
 
 void choose_start(ContactIsland& island) {
@@ -86,31 +100,44 @@ void choose_start(ContactIsland& island) {
   const auto has_other = [](const IslandContact& c) { return norm2(c.other_start) > 0.0; };
   if (std::none_of(island.contacts.begin(), island.contacts.end(), has_other) || residual(island) <= island.tolerance)
     return;
-  const double first = dual(island);
-  for (IslandContact& c : island.contacts) c.impulse = c.other_start;
-  apply_impulses(island);
-  if (dual(island) < first)
+  const double first = dual_of(island, &IslandContact::start);
+  const std::vector<IslandTie> ties = island.ties;
+  if (dual_of(island, &IslandContact::other_start) < first) {
     for (IslandContact& c : island.contacts) c.start = c.other_start;
-  for (IslandContact& c : island.contacts) c.impulse = c.start;
-  apply_impulses(island);
+  } else {
+    island.ties = ties;
+    for (IslandContact& c : island.contacts) c.impulse = c.start;
+    apply_impulses(island);
+  }
   observe(island);
 }
 
-/// By Coulomb's law contacts give no kinetic energy but -Σ bias·γ, where that is above 0. Impulses that miss the law and give
-/// more are made smaller, all alike, until they do not: ties, which would then not hold, are left as they are.
-void gain_nothing(ContactIsland& island, IslandReport& report) {
-  if (!island.ties.empty()) return;
-  double allowed = 0.0, first = 0.0, second = 0.0, before = 0.0;
-  for (const IslandContact& c : island.contacts) allowed -= dot(c.bias, c.impulse);
+/// How impulses change the kinetic energy [J]: by how much to first and second order of all of them, and what the law allows.
+struct Gain {
+  double before = 0.0, first = 0.0, second = 0.0, allowed = 0.0;
+  bool is_too_much() const { return !(first + second <= allowed + 1e-12 * (before + second)); }
+};
+
+/// By Coulomb's law contacts give no kinetic energy but -Σ bias·γ, where that is above 0; ties what they move by.
+Gain gain_of(const ContactIsland& island) {
+  Gain g;
+  for (const IslandContact& c : island.contacts) g.allowed -= dot(c.bias, c.impulse);
+  for (const IslandTie& t : island.ties) g.allowed += dot(t.kept * t.wanted, t.impulse);
+  g.allowed = std::max(g.allowed, 0.0);
   for (const IslandBody& b : island.bodies) {
     const Vec3 dv = b.v - b.v0, dw = b.w - b.w0, momentum = b.inertia * b.w0;
-    before += 0.5 * (b.mass * norm2(b.v0) + dot(b.w0, momentum));
-    first += b.mass * dot(b.v0, dv) + dot(momentum, dw);
-    second += 0.5 * (b.mass * norm2(dv) + dot(dw, b.inertia * dw));
+    g.before += 0.5 * (b.mass * norm2(b.v0) + dot(b.w0, momentum));
+    g.first += b.mass * dot(b.v0, dv) + dot(momentum, dw);
+    g.second += 0.5 * (b.mass * norm2(dv) + dot(dw, b.inertia * dw));
   }
-  allowed = std::max(allowed, 0.0);
-  if (first + second <= allowed + 1e-12 * (before + second)) return;
-  const double part = std::clamp((allowed - first) / second, 0.0, 1.0);
+  return g;
+}
+
+/// Impulses that miss the law and give more than it allows are made smaller, all alike, until they do not.
+void gain_nothing(ContactIsland& island, IslandReport& report) {
+  const Gain g = gain_of(island);
+  if (!g.is_too_much()) return;
+  const double part = std::clamp((g.allowed - g.first) / g.second, 0.0, 1.0);
   for (IslandContact& c : island.contacts) c.impulse *= part;
   for (IslandRoll& r : island.rolls) r.impulse *= part;
   apply_impulses(island);
@@ -151,7 +178,10 @@ IslandReport solve_island(ContactIsland& island, bool exactly, ContactSearch wan
   }
   confine(island);
   apply_impulses(island);
-  gain_nothing(island, search.report);
+  if (island.ties.empty())
+    gain_nothing(island, search.report);
+  else if (gain_of(island).is_too_much())  // ties would not hold made smaller: sweeps gain nothing
+    search.sweeps(most_sweeps);
   return search.report;
 }
 

@@ -8,12 +8,12 @@
 #include <cmath>
 
 #include "contacts/solve/search.hpp"
+#include "contacts/solve/ties.hpp"
 
 namespace pantin {
 
 namespace {
 
-constexpr double tie_stiffness = 1e7;     // of 1 / w
 constexpr std::uint32_t idle_sweeps = 2;  // that leave out a contact that stays open
 constexpr double far = 1e3;               // times what is enough: that goes on
 
@@ -24,7 +24,7 @@ struct Sweeps {
   std::vector<ContactBlock>& blocks = space.blocks;
   std::vector<std::uint32_t>& order = space.order;
   std::vector<RollBlock>& rolls = space.rolls;
-  std::vector<BodyLoad> load = {}, change = {};
+  std::vector<BodyLoad> loads = {};
 
   void take_velocities() {
     free.assign(island.bodies.size() + 1, {});
@@ -176,28 +176,10 @@ struct Sweeps {
       b.v = y[i].centre * std::sqrt(b.inverse_mass);
       b.w = b.root * y[i].spin;
     }
-    load.assign(island.bodies.size(), {});
-    std::vector<IslandTie>& ties = island.ties;
-    for (IslandTie& t : ties) {
-      t.u = velocity_of(t, island.bodies, &IslandBody::v, &IslandBody::w) - t.kept * t.wanted;
-      add_load(load, t, t.u * (-tie_stiffness / t.w));
-    }
-    change.resize(load.size());
-    solve(island, island.ties_alone, load, change);
-    for (std::size_t i = 0; i < change.size(); i++) {
-      island.bodies[i].dv = change[i].force;
-      island.bodies[i].dw = change[i].moment;
-      load[i] = {};
-    }
-    for (IslandTie& t : ties) {
-      const Vec3 du = velocity_of(t, island.bodies, &IslandBody::dv, &IslandBody::dw);
-      const Vec3 impulse = (t.u + du) * (-tie_stiffness / t.w);
-      t.impulse += impulse;
-      add_load(load, t, t.kept * impulse);
-    }
-    for (std::size_t i = 0; i < load.size(); i++) {
-      y[i].centre += load[i].force * std::sqrt(island.bodies[i].inverse_mass);
-      y[i].spin += transposed_times(island.bodies[i].root, load[i].moment);
+    answer_of_ties(island, loads);
+    for (std::size_t i = 0; i < loads.size(); i++) {
+      y[i].centre += loads[i].force * std::sqrt(island.bodies[i].inverse_mass);
+      y[i].spin += transposed_times(island.bodies[i].root, loads[i].moment);
     }
   }
   double square(const std::vector<Scaled>& of) const {
@@ -205,7 +187,8 @@ struct Sweeps {
     for (const Scaled& s : of) sum += s.centre * s.centre + s.spin * s.spin;
     return sum[0] + sum[1] + sum[2];
   }
-  /// Starts from what is nearest to the solution among multiples of the impulses at hand, from none to all of them.
+  /// Starts from what is nearest to the solution among multiples of the impulses at hand and what ties answer to them, from none
+  /// to all of them.
   void start() {
     double constant = 0.0, soft = 0.0;
     for (const ContactBlock& c : blocks) {
@@ -215,6 +198,9 @@ struct Sweeps {
       soft += c.compliance * c.impulse[0] * c.impulse[0];
     }
     for (const RollBlock& r : rolls) give(r, r.impulse);
+    for (IslandTie& t : island.ties) t.impulse = zero3();
+    hold_ties();
+    for (const IslandTie& t : island.ties) constant -= dot(t.kept * t.wanted, t.impulse);
     for (std::size_t i = 0; i < y.size(); i++) {
       y[i].centre -= free[i].centre;
       y[i].spin -= free[i].spin;
@@ -223,6 +209,7 @@ struct Sweeps {
     const double whole = square(y) + soft, part = whole > 0.0 ? std::clamp(-constant / whole, 0.0, 1.0) : 0.0;
     for (ContactBlock& c : blocks) c.impulse *= part;
     for (RollBlock& r : rolls) r.impulse *= part;
+    for (IslandTie& t : island.ties) t.impulse *= part;
     for (std::size_t i = 0; i < y.size(); i++) {
       y[i].centre = free[i].centre + y[i].centre * part;
       y[i].spin = free[i].spin + y[i].spin * part;
@@ -249,17 +236,10 @@ struct Sweeps {
     return most;
   }
   void begin() {
-    if (!island.ties.empty()) {
-      lay_out_ties(island);
-      set_base(island, island.ties_alone, tie_stiffness);
-      factorise(island, island.ties_alone, {}, {});
-    }
     take_velocities();
     add_blocks();
     add_rolls();
-    for (IslandTie& t : island.ties) t.impulse = zero3();
     start();
-    hold_ties();
     space.way.assign(y.size(), {});
     space.tie_way.assign(island.ties.size(), zero3());
   }
