@@ -70,7 +70,7 @@ struct Builder {
     Articulate& a = *articulates[number];
     if (!settings.drifted) load(a, model, settings.gravity);
     for (Condition& c : a.conditions) c.gives_way = is_limited(c);
-    find_forbidden(a, settings.h, settings.drifted ? 1.0 : 0.0);
+    find_forbidden(a, settings.h, settings.at);
     std::vector<std::int32_t> places;
     for (const Node& n : a.nodes) places.push_back(add(to, n.is_body ? n.slot : point_thing(n.slot)));
     std::vector<IslandTie> ties;
@@ -100,10 +100,8 @@ struct Builder {
         if (row.kind == RowKind::stiff) add_load(to.law_pulls, ties[k], row.f);
       }
     }
-    const std::vector<Vec3>& last = a.touched[settings.drifted ? 1 : 0];
     for (std::uint32_t k = 0; k < ties.size(); k++) {
       if (trace(ties[k].kept) == 0.0 || a.rows[k].kind == RowKind::coupled) continue;
-      if (last.size() == ties.size()) ties[k].start = ties[k].kept * last[k];
       to.problem.ties.push_back(ties[k]);
       to.rows.push_back({number, k});
     }

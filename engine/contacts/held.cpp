@@ -25,7 +25,7 @@ void fall_from_rest(const Model& model, TouchIsland& island, const TouchSettings
   }
 }
 
-bool is_held(const Contacts& contacts, TouchIsland& island) {
+bool is_held(const Contacts& contacts, const Articulates& articulates, TouchIsland& island) {
   ContactIsland& problem = island.problem;
   for (std::size_t k = 0; k < problem.contacts.size(); k++) {
     const Contact& from = contacts.list[island.contacts[k]];
@@ -35,6 +35,7 @@ bool is_held(const Contacts& contacts, TouchIsland& island) {
     c.start = to_frame(c, from.total);
   }
   start_rolls(problem, contacts, island.contacts, &Contact::total_moment);
+  start_ties(island, articulates, 1);
   hold_ties(problem);
   const double most = unmoved * problem.tolerance;
   if (solve_island(problem, true).residual > most) return false;
@@ -58,7 +59,7 @@ bool held_at_rest(TouchSpace& space, Workers& workers, Model& model, const Artic
   return std::all_of(things.begin(), things.end(), touches) &&
          std::all_of(islands.begin(), islands.end(), [&](TouchIsland& island) {
            fall_from_rest(model, island, settings, pulls);
-           return is_held(contacts, island);
+           return is_held(contacts, articulates, island);
          });
 }
 

@@ -13,7 +13,7 @@ namespace {
 constexpr double told_overlap = 3e-4;                      // of the size: what overlaps more is pushed out,
 constexpr double left_overlap = 2e-4;                      // down to this
 constexpr double pushed_a_step = 0.2, most_a_step = 5e-3;  // of what is too much; of the size
-constexpr double farthest = 10.0;                          // times the largest opening: displaced no more than this
+constexpr double farthest = 10.0;                          // times the largest opening: what ties hold goes no farther
 
 /// How a thing was displaced [m], [rad], about its centre before.
 struct Displaced {
@@ -21,8 +21,9 @@ struct Displaced {
   Vec3 at(Vec3 point) const { return way + cross(turn, point - x); }
 };
 
-/// Where light things would have to go far to let heavy ones go a little, all go less far: opened is then a part.
+/// Where light things that are tied would have to go far to let heavy ones go a little, all go less far: opened is then a part.
 void limit_displacements(ContactIsland& island, double most) {
+  if (island.ties.empty()) return;
   double fastest = 0.0;
   for (const IslandBody& b : island.bodies) fastest = std::fmax(fastest, norm(b.v) + norm(b.w) * b.reach);
   if (!(fastest > most)) return;

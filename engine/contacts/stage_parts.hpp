@@ -24,6 +24,15 @@ inline void start_rolls(ContactIsland& island, const Contacts& contacts, const s
   }
 }
 
+/// Begins the search of ties with what they bore in this stage (0: `place`, 1: `meet`) of the last step.
+inline void start_ties(TouchIsland& island, const Articulates& articulates, std::size_t stage) {
+  for (std::size_t k = 0; k < island.rows.size(); k++) {
+    const Articulate& a = *articulates[island.rows[k][0]];
+    IslandTie& t = island.problem.ties[k];
+    if (a.touched[stage].size() == a.rows.size()) t.start = t.kept * a.touched[stage][island.rows[k][1]];
+  }
+}
+
 /// Rows of limited force, which gave way to contacts, hold as before.
 inline void hold_again(const Articulates& articulates) {
   for (const auto& articulate : articulates)

@@ -204,6 +204,7 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
     foresee_forces(model, island, settings);
     hold_ties(problem);
     start_rolls(problem, contacts, island.contacts, &Contact::placing_moment);
+    start_ties(island, articulates, 0);
     solve(contacts, island, 0, settings.search, report);
     keep_tie_impulses(articulates, island, 0);
     keep_rolls(problem, contacts, island.contacts, &Contact::placing_moment);
@@ -270,6 +271,7 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
       rebounds = rebounds || from.rebound > 0.0;
     }
     start_rolls(problem, contacts, island.contacts, &Contact::total_moment);
+    start_ties(island, articulates, 1);
     hold_ties(problem);
     if (rebounds) {
       double gained = 0.0;

@@ -15,6 +15,7 @@ struct TouchSettings {
   double h;      ///< [s] of the drift
   Vec3 gravity;  ///< [m/s²]
   bool drifted;  ///< what rows tie has its state in the articulates
+  double at;     ///< (0 … 1) of the step: when the state is
   ContactSearch search = ContactSearch::automatic;
 };
 

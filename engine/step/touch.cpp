@@ -48,8 +48,8 @@ namespace phases {
 
 namespace {
 
-TouchSettings settings_of(const World& world, bool drifted) {
-  return {world.stage.h, world.settings.gravity, drifted, world.settings.contact};
+TouchSettings settings_of(const World& world, bool drifted, double at) {
+  return {world.stage.h, world.settings.gravity, drifted, at, world.settings.contact};
 }
 
 void count(World& world, const TouchReport& report) {
@@ -99,8 +99,8 @@ void place_contacts(World& world) {
   if (world.contacts.stale || world.places_changed) find(world, drifted);
   if (!world.trouble.empty()) return;
   TouchReport report;
-  place(*world.touch_space, *world.workers, world, world.articulates, world.contacts, settings_of(world, drifted),
-        report);
+  place(*world.touch_space, *world.workers, world, world.articulates, world.contacts,
+        settings_of(world, drifted, world.stage.from), report);
   world.contacts.work = report.work;
   // In a scene at rest there is no other energy to hold errors against.
   world.largest_kinetic = std::max(world.largest_kinetic, report.gravity);
@@ -114,8 +114,8 @@ void find_contacts(World& world) {
   if (!world.trouble.empty()) return;
   const LedgerMark before = ledger_mark(world, true);
   TouchReport report;
-  push_out(*world.touch_space, *world.workers, world, world.articulates, world.contacts, settings_of(world, true),
-           report);
+  push_out(*world.touch_space, *world.workers, world, world.articulates, world.contacts,
+           settings_of(world, true, world.stage.to), report);
   post(world, Source::push_out, report.work);
   if (report.work != 0.0) post_falling(world, before.falling - ledger_mark(world, true).falling);
   count(world, report);
@@ -127,7 +127,8 @@ void meet_contacts(World& world) {
   if (goes_untouched(world)) return;
   const Timed timed(world.profile, Phase::meet_contacts);
   TouchReport report;
-  meet(*world.touch_space, *world.workers, world, world.articulates, world.contacts, settings_of(world, true), report);
+  meet(*world.touch_space, *world.workers, world, world.articulates, world.contacts,
+       settings_of(world, true, world.stage.to), report);
   post_contacts(world, report);
   count(world, report);
   if (world.contacts.watched) feel(world, world.articulates, world.contacts);

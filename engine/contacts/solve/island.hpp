@@ -101,10 +101,10 @@ struct ContactIsland {
   std::vector<IslandContact> contacts;
   std::vector<IslandRoll> rolls;  ///< of some of them, in their order
   std::vector<IslandTie> ties;
-  double tolerance = 1e-8;  ///< [m/s] to which velocities at contacts are solved
-  double enough = 1e-4;     ///< [m/s] change of velocities by a sweep after which there is no other
-  double calm = infinity;   ///< [m/s] mean velocity below which an exact search is worth while
-  Layout ties_alone, all;   ///< of the matrices that were factorised last
+  double tolerance = 1e-8;           ///< [m/s] to which velocities at contacts are solved
+  double enough = 1e-4;              ///< [m/s] change of velocities by a sweep after which there is no other
+  double calm = infinity;            ///< [m/s] mean velocity below which an exact search is worth while
+  Layout ties_alone, all;            ///< of the matrices that were factorised last
   bool ties_prepared = false;        ///< the first of them is of these ties
   std::vector<BodyLoad> tie_change;  ///< [m/s], [rad/s] scratch of what ties answer
   SweepSpace sweep_space;
