@@ -47,6 +47,20 @@ ImpulseWork answer_of_ties(Model& model, const Articulates& articulates, const T
   return work;
 }
 
+/// What kicks at both ends of the drift do less [J] than their forces do over the way that it has by these impulses: work at
+/// contacts is change of the energy, not of the kinetic one alone.
+double work_beside_kicks(const Model& model, const TouchIsland& island, const std::vector<BodyLoad>& impulses,
+                         const TouchSettings& settings, std::span<const BodyLoad> kicks) {
+  if (kicks.empty()) return 0.0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < impulses.size(); i++) {
+    const BodyLoad& kick = kicks[number_of(model, island.things[i])];
+    const IslandBody& b = island.problem.bodies[i];
+    sum += dot(kick.force, impulses[i].force) * b.inverse_mass + dot(kick.moment, b.mobility * impulses[i].moment);
+  }
+  return 0.5 * settings.h * sum;
+}
+
 /// What ties that move give by impulses at the end of the step.
 ImpulseWork work_of_ties(const ContactIsland& island) {
   ImpulseWork work;
@@ -165,7 +179,7 @@ void TouchReport::operator+=(const TouchReport& more) {
 }
 
 void place(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
-           const TouchSettings& settings, TouchReport& sum) {
+           const TouchSettings& settings, std::span<const BodyLoad> kicks, TouchReport& sum) {
   contacts.placed.clear();
   contacts.bodies.resize(model.bodies.slots());
   if (model.solids) contacts.points.resize(model.points.slots());
@@ -234,7 +248,8 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
       const ImpulseWork ties = answer_of_ties(model, articulates, island, settings);
       note(1.0);
       report.ties += ties;
-      const double work = kinetic_energy_now(model, island) - before - ties.all();
+      const double work = kinetic_energy_now(model, island) - before - ties.all() -
+                          work_beside_kicks(model, island, loads, settings, kicks);
       report.work += work;
       heat.add(work);
     }

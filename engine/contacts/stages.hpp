@@ -2,6 +2,7 @@
 // Touch in a step: `place` before a drift and `meet` after it solve the same problem, for velocities that do not bring
 // shapes into each other and for velocities with all impulses of the step; `push_out` opens what overlaps all the same.
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "articulates/articulate.hpp"
@@ -21,6 +22,7 @@ struct TouchSettings {
 
 struct TouchSpace;
 class Workers;
+struct BodyLoad;
 
 struct TouchReport {
   double work = 0.0;     ///< [J] change of the kinetic energy by contacts
@@ -35,9 +37,10 @@ struct TouchReport {
 
 using Articulates = std::vector<std::unique_ptr<Articulate>>;
 
-/// Impulses with which the drift of h ends without new overlaps: 0 ≤ γ_n ⊥ G v̄ + gap/h ≥ 0 of its mean velocities v̄.
+/// Impulses with which the drift of h ends without new overlaps: 0 ≤ γ_n ⊥ G v̄ + gap/h ≥ 0 of its mean velocities v̄. `kicks` are
+/// the forces with energies that kicked things before and after it [N], [N m]: by slots of bodies, then of points, or none.
 void place(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
-           const TouchSettings& settings, TouchReport& report);
+           const TouchSettings& settings, std::span<const BodyLoad> kicks, TouchReport& report);
 /// Takes these impulses back and gives those of the whole step, with which velocities part or stay:
 /// 0 ≤ γ_n ⊥ G v - rebound ≥ 0.
 void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,

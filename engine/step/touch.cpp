@@ -52,6 +52,24 @@ TouchSettings settings_of(const World& world, bool drifted, double at) {
   return {world.stage.h, world.settings.gravity, drifted, at, world.settings.contact};
 }
 
+/// Forces with energies that kick what nothing ties; none where there are none.
+std::vector<BodyLoad> kicks_of(const World& world) {
+  if (!world.forces && !world.solids) return {};
+  const std::size_t bodies = world.bodies.slots();
+  std::vector<BodyLoad> kicks(bodies + world.points.slots());
+  if (world.forces) {
+    const Forces& f = *world.forces;
+    for (const Receiver& r : f.receivers)
+      if (r.articulate < 0) kicks[r.is_body ? r.slot : bodies + r.slot] = {r.force, r.torque};
+    for (std::size_t i = 0; i < f.sites.n; i++)
+      if (f.point[i] != Forces::none) kicks[bodies + f.point[i]].force = f.sites.force[i];
+  }
+  for (std::uint32_t slot = 0; slot < world.points.slots(); slot++)
+    if (world.points.alive_at(slot) && world.points.at_slot(slot).articulate < 0)
+      kicks[bodies + slot].force += world.plane.along(world.settings.gravity) * world.points.at_slot(slot).mass;
+  return kicks;
+}
+
 void count(World& world, const TouchReport& report) {
   post(world, Source::hand, report.ties.ends);
   post(world, Source::motor, report.ties.turns);
@@ -99,8 +117,9 @@ void place_contacts(World& world) {
   if (world.contacts.stale || world.places_changed) find(world, drifted);
   if (!world.trouble.empty()) return;
   TouchReport report;
+  const std::vector<BodyLoad> kicks = kicks_of(world);
   place(*world.touch_space, *world.workers, world, world.articulates, world.contacts,
-        settings_of(world, drifted, world.stage.from), report);
+        settings_of(world, drifted, world.stage.from), kicks, report);
   world.contacts.work = report.work;
   // In a scene at rest there is no other energy to hold errors against.
   world.largest_kinetic = std::max(world.largest_kinetic, report.gravity);
