@@ -8,7 +8,7 @@
 #include "articulates/solve/state.hpp"
 #include "contacts/gather.hpp"
 #include "contacts/heat.hpp"
-#include "contacts/opening.hpp"
+#include "contacts/turning_apart.hpp"
 #include "contacts/solve/impacts.hpp"
 #include "contacts/solve/solve.hpp"
 #include "contacts/solve/ties.hpp"
@@ -203,7 +203,8 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
       from.approach = dot(from.normal, relative(c, problem.bodies, &IslandBody::v0, &IslandBody::w0));
       const double gap = std::max(from.gap / h, -c.compliance * std::max(0.0, dot(from.placing, from.normal)));
       c.bias = to_frame(c, from.belt);
-      c.bias[0] = gap + opening(island, c, from, h);
+      c.bias[0] = gap;
+      c.bias += turning_apart(island, c, from, h);
       c.start = to_frame(c, from.placing);
     }
     for (IslandTie& t : problem.ties) {

@@ -1,4 +1,4 @@
-#include "contacts/opening.hpp"
+#include "contacts/turning_apart.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,17 +25,26 @@ double curving(Vec3 spin, double h) {
   return 0.5 * h * part * part;
 }
 
-double opening(const TouchIsland& island, const IslandContact& c, const Contact& from, double h) {
+Vec3 turning_apart(const TouchIsland& island, const IslandContact& c, const Contact& from, double h) {
   const auto side = [&](std::int32_t number, Vec3 r, Vec3 out, const Roundness& round) {
     const IslandBody& body = island.problem.bodies[static_cast<std::size_t>(number)];
-    return curving(body.w0, h) * opening_of_side(body, r, out, round);
+    Vec3 way = zero3();
+    if (norm2(round.axis) == 0.0) {
+      way = cross(body.w0, cross(body.w0, r + out * round.radius));
+      way -= out * dot(out, way);
+    }
+    return (way + out * opening_of_side(body, r, out, round)) * curving(body.w0, h);
   };
   const Vec3 n = c.frame[0];
-  if (is_point(from.body_a))  // its centre is where impulses act
-    return c.b < 0 ? 0.0 : side(c.b, c.rb - n * (from.round_a.radius + from.gap), n * -1.0, from.round_b);
+  Vec3 apart = zero3();
+  if (is_point(from.body_a)) {  // its centre is where impulses act
+    if (c.b >= 0) apart -= side(c.b, c.rb - n * (from.round_a.radius + from.gap), n * -1.0, from.round_b);
+    return to_frame(c, apart);
+  }
   const Vec3 half = n * (0.5 * from.gap);
-  if (c.b < 0) return side(c.a, c.ra, n, from.round_a);
-  return side(c.a, c.ra + half, n, from.round_a) + side(c.b, c.rb - half, n * -1.0, from.round_b);
+  apart += c.b < 0 ? side(c.a, c.ra, n, from.round_a) : side(c.a, c.ra + half, n, from.round_a);
+  if (c.b >= 0) apart -= side(c.b, c.rb - half, n * -1.0, from.round_b);
+  return to_frame(c, apart);
 }
 
 }  // namespace pantin
