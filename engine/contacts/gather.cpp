@@ -147,6 +147,7 @@ void TouchIsland::clear() {
   pulls.clear();
   law_pulls.clear();
   placed.clear();
+  answers.clear();
   heat.clear();
   report = {};
 }

@@ -8,12 +8,12 @@
 #include "articulates/solve/state.hpp"
 #include "contacts/gather.hpp"
 #include "contacts/heat.hpp"
-#include "contacts/turning_apart.hpp"
 #include "contacts/solve/impacts.hpp"
 #include "contacts/solve/solve.hpp"
 #include "contacts/solve/ties.hpp"
 #include "contacts/stage_parts.hpp"
 #include "contacts/take_back.hpp"
+#include "contacts/turning_apart.hpp"
 
 namespace pantin {
 
@@ -59,6 +59,26 @@ double work_beside_kicks(const Model& model, const TouchIsland& island, const st
     sum += dot(kick.force, impulses[i].force) * b.inverse_mass + dot(kick.moment, b.mobility * impulses[i].moment);
   }
   return 0.5 * settings.h * sum;
+}
+
+/// The same, and what each of them got by it.
+ImpulseWork note_answers_of_ties(Model& model, const Articulates& articulates, TouchIsland& island,
+                                 const TouchSettings& settings) {
+  std::vector<std::size_t> tied;
+  std::vector<BodyState> before;
+  for (std::size_t i = 0; i < island.things.size(); i++) {
+    if (island_number(model, articulates.size(), island.things[i]) >= articulates.size()) continue;
+    tied.push_back(i);
+    before.push_back(state_of(model, articulates, island.things[i], settings.drifted));
+  }
+  const ImpulseWork work = answer_of_ties(model, articulates, island, settings);
+  for (std::size_t k = 0; k < tied.size(); k++) {
+    const IslandBody& b = island.problem.bodies[tied[k]];
+    const std::uint32_t thing = island.things[tied[k]];
+    const BodyState after = state_of(model, articulates, thing, settings.drifted);
+    island.answers.push_back({thing, (after.v - before[k].v) * b.mass, b.inertia * (after.w - before[k].w)});
+  }
+  return work;
 }
 
 /// What ties that move give by impulses at the end of the step.
@@ -246,7 +266,7 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
       };
       note(-1.0);
       give(model, island, loads);
-      const ImpulseWork ties = answer_of_ties(model, articulates, island, settings);
+      const ImpulseWork ties = note_answers_of_ties(model, articulates, island, settings);
       note(1.0);
       report.ties += ties;
       const double work = kinetic_energy_now(model, island) - before - ties.all() -
@@ -255,15 +275,23 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
       heat.add(work);
     }
   });
-  for (const TouchIsland& island : islands)
+  space.answers.clear();
+  space.answered = sum.ties;
+  for (const TouchIsland& island : islands) {
     contacts.placed.insert(contacts.placed.end(), island.placed.begin(), island.placed.end());
+    space.answers.insert(space.answers.end(), island.answers.begin(), island.answers.end());
+  }
   collect_heat(contacts, islands);
   hold_again(articulates);
 }
 
 void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
           const TouchSettings& settings, TouchReport& sum) {
-  sum.work += take_back(model, articulates, contacts, settings.drifted, space.placing_work);
+  sum.work += take_back(space, model, articulates, contacts, settings.drifted);
+  sum.ties.ends -= space.answered.ends;
+  sum.ties.turns -= space.answered.turns;
+  space.answers.clear();
+  space.answered = {};
   contacts.placed.clear();
   std::vector<char> used(contacts.list.size(), 0);
   for (std::size_t k = 0; k < used.size(); k++) {

@@ -29,7 +29,8 @@ struct Group {
 /// angular momentum is given back as a turn of all that pushed each other, so that light things between heavy ones keep theirs.
 class Turns {
  public:
-  Turns(Model& model, const Articulates& articulates, const Contacts& contacts, bool drifted)
+  Turns(Model& model, const Articulates& articulates, const Contacts& contacts, const std::vector<Answer>& answers,
+        bool drifted)
       : model_(model),
         articulates_(articulates),
         drifted_(drifted),
@@ -50,6 +51,10 @@ class Turns {
     const auto same = [](const Group& x, const Group& y) { return x.root == y.root; };
     groups_.erase(std::unique(groups_.begin(), groups_.end(), same), groups_.end());
     for (const Placing& p : contacts.placed) find_missing(p);
+    for (const Answer& a : answers) {
+      const Vec3 x = state_of(model_, articulates_, a.thing, drifted_).x;
+      group_of(a.thing).missing += cross(x, a.impulse) + a.moment;
+    }
     for (const auto& articulate : articulates)
       if (articulate->touches && !is_free(*articulate)) anchor(*articulate);
   }
@@ -129,8 +134,7 @@ class Turns {
 
 }  // namespace
 
-double take_back(Model& model, const Articulates& articulates, Contacts& contacts, bool drifted,
-                 std::vector<double>& placing_work) {
+double take_back(TouchSpace& space, Model& model, const Articulates& articulates, Contacts& contacts, bool drifted) {
   if (contacts.placed.empty()) return 0.0;
   double work = 0.0;
   for (Placing& p : contacts.placed) {
@@ -138,21 +142,24 @@ double take_back(Model& model, const Articulates& articulates, Contacts& contact
     p.moment = p.moment * -1.0;
   }
   HeatOf heat(model, articulates, contacts, drifted, contacts.placed, contacts.new_heat);
-  const auto add = [&](const BodyState& s, std::uint32_t thing, Vec3 arm, Vec3 impulse, Vec3 moment) {
+  const auto add = [&](const BodyState& s, std::uint32_t thing, Vec3 impulse, Vec3 moment) {
     const double before = kinetic_energy(model, s, thing);
-    add_momenta(model, s, thing, model.plane.along(impulse), cross(arm, impulse) + moment);
+    add_momenta(model, s, thing, model.plane.along(impulse), moment);
     const double by = kinetic_energy(model, s, thing) - before;
     work += by;
-    if (const std::size_t i = number_of(model, thing); i < placing_work.size()) placing_work[i] += by;
+    if (const std::size_t i = number_of(model, thing); i < space.placing_work.size()) space.placing_work[i] += by;
   };
-  Turns turns(model, articulates, contacts, drifted);
+  Turns turns(model, articulates, contacts, space.answers, drifted);
   for (const Placing& p : contacts.placed) {
-    add(state_of(model, articulates, p.body_a, drifted), p.body_a, p.arm_a, p.impulse, p.moment);
+    add(state_of(model, articulates, p.body_a, drifted), p.body_a, p.impulse, cross(p.arm_a, p.impulse) + p.moment);
     if (p.body_b < 0) continue;
     const auto slot_b = static_cast<std::uint32_t>(p.body_b);
-    add(state_of(model, articulates, slot_b, drifted), slot_b, p.arm_b, p.impulse * -1.0, p.moment * -1.0);
+    add(state_of(model, articulates, slot_b, drifted), slot_b, p.impulse * -1.0,
+        (cross(p.arm_b, p.impulse) + p.moment) * -1.0);
   }
-  work += turns.give_back();
+  for (const Answer& a : space.answers)
+    add(state_of(model, articulates, a.thing, drifted), a.thing, a.impulse * -1.0, a.moment * -1.0);
+  work += turns.give_back() + space.answered.all();
   heat.add(work);
   return work;
 }

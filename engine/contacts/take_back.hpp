@@ -3,9 +3,8 @@
 
 namespace pantin {
 
-/// Takes the impulses of `place` back, once the drift is over. Returns the change of the kinetic energy [J],
-/// and adds that of each thing, by number_of.
-double take_back(Model& model, const Articulates& articulates, Contacts& contacts, bool drifted,
-                 std::vector<double>& placing_work);
+/// Takes the impulses of `place` back, and what ties answered to them, once the drift is over. Returns the change of the kinetic
+/// energy by contacts [J], and adds that of each thing to `placing_work`.
+double take_back(TouchSpace& space, Model& model, const Articulates& articulates, Contacts& contacts, bool drifted);
 
 }  // namespace pantin

@@ -90,3 +90,97 @@ test("a marble with friction against rolling comes to rest", function()
   expect(scene:find("marble").velocity:length()):below(1e-8)
   expect(scene:find("marble").position.x):near(0.5 / (5 / 7 * 9.81 * 0.02 / 0.2), 1e-2)
 end)
+
+test("boxes of up to three million times a link's mass fall on a chain: its hinges hold, and no energy comes from nowhere", function()
+  for _, search in ipairs { "auto", "exact", "fast" } do
+    for _, density in ipairs { 10, 1e3, 1e5 } do
+      local scene = open_text(("local density = %g\n"):format(density) .. [[
+        scene:floor {}
+        chain = {}
+        for i = 1, 12 do
+          chain[i] = scene:body { shape = shape.box(0.05, 0.012, 0.012, { density = 1 }), at = vec(0.05 * i - 0.3, 0.3, 0),
+            points = { a = vec(-0.025, 0, 0), b = vec(0.025, 0, 0) } }
+          if i > 1 then scene:hinge(chain[i - 1].b, chain[i].a) end
+        end
+        for i = 1, 6 do
+          scene:body { shape = shape.box(0.06, 0.06, 0.06, { density = density }), at = vec(0.07 * i - 0.24, 0.6 + 0.08 * i, 0.005 * i) }
+        end
+        scene.contact = "]] .. search .. '"')
+      local open = 0
+      while scene.time < 1 do
+        scene:advance(1 / 240)
+        for i = 2, 12 do open = math.max(open, (scene.bodies[i - 1].b.position - scene.bodies[i].a.position):length()) end
+      end
+      expect(open):below(1e-12)
+      expect(scene.error.worst_energy):below(5e-3)
+    end
+  end
+end)
+
+test("things on hinges that turn and meet keep the angular momentum of all", function()
+  for _, rate in ipairs { 60, 240 } do
+    local scene = open_text(("scene.step = 1 / %d"):format(rate) .. [[
+
+      scene.gravity = vec(0, 0, 0)
+      local box = shape.box(0.4, 0.2, 0.3)
+      local one = scene:body { shape = box, spin = vec(3, 5, 7), velocity = vec(1, 0, 0), points = { tip = vec(0.25, 0, 0) } }
+      local two = scene:body { shape = box, at = vec(0.5, 0, 0), spin = vec(-2, 6, 1), points = { tip = vec(-0.25, 0, 0) } }
+      scene:hinge(one.tip, two.tip)
+      scene:body { shape = box, at = vec(1.2, 0.05, 0.02), velocity = vec(-3, 0, 0) }
+    ]])
+    scene:advance(1 / rate)
+    local start, met = scene.angular_momentum, 0
+    while scene.time < 0.5 do
+      scene:advance(1 / rate)
+      met = met + scene.stats.contacts
+    end
+    expect(met):above(0)
+    expect((scene.angular_momentum - start):length()):below(1e-11 * start:length())
+  end
+end)
+
+test("a paddle that is turned among balls turns as it is told, in sub-steps too", function()
+  local scene = open_text [[
+    scene.step = 1 / 60
+    scene:floor {}
+    for i = 0, 19 do scene:ball { radius = 0.1, at = vec(0.3 + 0.21 * (i % 5), 0.1, 0.21 * (i // 5) - 0.3) } end
+    local paddle = scene:body { shape = shape.box(2, 0.2, 0.05), at = vec(0, 0.12, 0), points = { axle = vec(0, 0, 0) }, name = "paddle" }
+    scene:nail(paddle.axle)
+    scene:orient(paddle, function(t) return quat(vec(0, 1, 0), 2 * t) end)
+  ]]
+  local paddle, most = scene:find "paddle", 0
+  for _ = 1, 90 do
+    scene:advance(1 / 60)
+    local wanted = quat(vec(0, 1, 0), 2 * scene.time)
+    most = math.max(most, (paddle.orientation:rotate(vec(1, 0, 0)) - wanted:rotate(vec(1, 0, 0))):length())
+  end
+  expect(most):below(1e-12)
+  expect(scene.error.worst_energy):below(1e-2)
+end)
+
+test("drops that fall on a floor keep their books to round-off, with gravity and a law between them", function()
+  local scene = open_text [[
+    local drops = scene:family("drops", { solid = true, restitution = 0.3, mass = 0.02, radius = 0.04 })
+    scene:floor {}
+    for i = 1, 40 do scene:particle { family = drops, at = vec(0.1 * i, 0.3 + 0.013 * i, 0), velocity = vec(0.3, 0, 0) } end
+  ]]
+  scene:advance(2)
+  expect(scene.error.worst_energy):below(1e-13)
+end)
+
+test("what tips over an edge stays on it: its corner creeps in the second order of the step", function()
+  local function creep(rate)
+    local scene = open_text(("scene.step = 1 / %d"):format(rate) .. [[
+
+      scene:floor { friction = 1 }
+      scene:body { shape = shape.box { size = vec(0.2, 1, 0.2), friction = 1 }, at = vec(0, 0.5, 0), spin = vec(0, 0, -1.6),
+        velocity = vec(0.8, 0.16, 0), points = { corner = vec(0.1, -0.5, 0) } }
+    ]])
+    local start = scene.bodies[1].corner.position
+    scene:advance(1 / 3)
+    return (scene.bodies[1].corner.position - start):length()
+  end
+  local coarse, fine = creep(240), creep(960)
+  expect(coarse):below(1e-5)
+  expect(coarse / fine):above(12)
+end)
