@@ -9,14 +9,12 @@ namespace pantin {
 
 namespace {
 
-constexpr std::uint32_t none = Forces::none;
-
 std::uint32_t receiver_of(const World& world, Forces& f, PointId centre) {
   const BodyId body = world.points[centre].body;
   std::vector<std::uint32_t>& known = body ? f.receiver_of_body : f.receiver_of_point;
   const std::uint32_t slot = (body ? body.slot : centre.slot) - 1;
-  if (known.size() <= slot) known.resize(slot + 1, none);
-  if (known[slot] == none) {
+  if (known.size() <= slot) known.resize(slot + 1, Forces::none);
+  if (known[slot] == Forces::none) {
     known[slot] = static_cast<std::uint32_t>(f.receivers.size());
     Receiver m;
     m.slot = slot;
@@ -63,12 +61,12 @@ void bind_site(const World& world, Forces& f, std::uint32_t site, ParticleId id,
   Sites& s = f.sites;
   s.particle[site] = id.slot - 1;
   s.serial[site] = particle.serial;
-  s.family[site] = particle.family ? particle.family.slot - 1 : none;
+  s.family[site] = particle.family ? particle.family.slot - 1 : Forces::none;
   s.kin[site] = kin_of(world, f, particle);
   s.force[site] = s.nonconservative_force[site] = zero3();
   f.site_of[id.slot - 1] = site;
   f.image[site] = zero3();
-  f.point[site] = f.attached_of[site] = none;
+  f.point[site] = f.attached_of[site] = Forces::none;
   f.inverse_mass[site] = 0.0;
   const PointId centre = star(world, id);
   const Point& p = world.points[centre];
@@ -88,16 +86,16 @@ void bind_site(const World& world, Forces& f, std::uint32_t site, ParticleId id,
 
 void unbind_site(Forces& f, std::uint32_t site) {
   const std::uint32_t at = f.attached_of[site];
-  f.point[site] = f.attached_of[site] = none;
-  if (at == none) return;
+  f.point[site] = f.attached_of[site] = Forces::none;
+  if (at == Forces::none) return;
   f.attached[at] = f.attached.back();
   f.attached_of[f.attached[at].site] = at;
-  f.attached_of[site] = none;
+  f.attached_of[site] = Forces::none;
   f.attached.pop_back();
 }
 
 void number_attached(Forces& f) {
-  f.attached_of.assign(f.sites.n, none);
+  f.attached_of.assign(f.sites.n, Forces::none);
   for (std::size_t k = 0; k < f.attached.size(); k++) f.attached_of[f.attached[k].site] = static_cast<std::uint32_t>(k);
 }
 
@@ -105,15 +103,15 @@ namespace {
 
 /// Takes out receivers to which nothing is bound any more; the last take their places.
 void drop_receivers(Forces& f) {
-  std::vector<std::uint32_t> now(f.receivers.size(), none), unused;
+  std::vector<std::uint32_t> now(f.receivers.size(), Forces::none), unused;
   for (const Attached& a : f.attached) now[a.receiver] = a.receiver;
   const auto known = [&](const Receiver& m) -> std::uint32_t& {
     return (m.is_body ? f.receiver_of_body : f.receiver_of_point)[m.slot];
   };
   for (std::uint32_t k = 0; k < now.size(); k++) {
-    if (now[k] != none) continue;
+    if (now[k] != Forces::none) continue;
     unused.push_back(k);
-    known(f.receivers[k]) = none;
+    known(f.receivers[k]) = Forces::none;
   }
   if (unused.empty()) return;
   std::size_t size = f.receivers.size();

@@ -10,7 +10,6 @@ namespace pantin {
 
 namespace {
 
-constexpr std::uint32_t none = Forces::none;
 constexpr double slow = 0.1;    // of the reach of a law: who moves less in a part passes nobody in it
 constexpr double nearer = 0.7;  // than at both ends: an encounter
 
@@ -36,7 +35,7 @@ class Finder {
  private:
   Vec3 start(std::uint32_t site) const {
     const std::uint32_t slot = f_.sites.particle[site];
-    return slot == none ? f_.sites.x[site] : f_.notes.position[slot] - f_.image[site];
+    return slot == Forces::none ? f_.sites.x[site] : f_.notes.position[slot] - f_.image[site];
   }
   void consider(std::uint32_t a, std::uint32_t b, std::size_t tie) {
     const Vec3 d0 = box_.nearest(start(b) - start(a)), d1 = box_.nearest(f_.sites.x[b] - f_.sites.x[a]);
@@ -111,9 +110,9 @@ class Finder {
   }
 
   double mobility(std::uint32_t site) const {
-    if (f_.point[site] != none) return f_.inverse_mass[site];
+    if (f_.point[site] != Forces::none) return f_.inverse_mass[site];
     const std::uint32_t at = f_.attached_of[site];
-    if (at == none) return 0.0;
+    if (at == Forces::none) return 0.0;
     const Receiver& m = f_.receivers[f_.attached[at].receiver];
     return 1.0 / (m.is_body ? world_.motion[m.slot].mass : world_.points.at_slot(m.slot).mass);
   }

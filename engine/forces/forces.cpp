@@ -15,7 +15,6 @@ namespace pantin {
 
 namespace {
 
-constexpr std::uint32_t none = Forces::none;
 /// Laws over no more pairs than this tell their energy in every step, others in every sixteenth.
 constexpr std::size_t few_pairs = 4096;
 
@@ -67,7 +66,7 @@ void refresh_ages(const World& world, Forces& f, double time) {
   for (std::size_t c = 0; c < s.names.size(); c++) {
     if (s.names[c] == "age")
       for (std::size_t i = 0; i < s.n; i++)
-        if (s.particle[i] != none)
+        if (s.particle[i] != Forces::none)
           s.attributes[c][i] = std::fmax(0.0, time - world.particles.at_slot(s.particle[i]).born);
     double* const column = s.attributes[c].data();
     if (f.followed[c]) follow_curves(world, s.names[c], time, s.particle, {&column, 1});

@@ -32,15 +32,13 @@ std::optional<double> attribute(const World& world, ParticleId id, std::string_v
 
 namespace {
 
-constexpr std::uint32_t none = Forces::none;
-
 /// Throws where a law would read what one of its particles, in the role `who`, has not.
 void require_attributes(const World& world, const Sites& sites, const Law& law, std::span<const std::uint32_t> where,
                         std::size_t who) {
   for (const Input& input : inputs_of(law)) {
     if (input.role != Role::attribute || input.who != who) continue;
     for (std::uint32_t site : where) {
-      require(sites.particle[site] != none, law.name, ": it reads '", input.name, "', which the position ",
+      require(sites.particle[site] != Forces::none, law.name, ": it reads '", input.name, "', which the position ",
               internal::to_text(sites.x[site]),
               " m of the world has not; tie a particle, or make it a parameter of the law");
       if (law.called) continue;  // it tells by itself what it reads
@@ -66,7 +64,7 @@ void fill_attributes(const World& world, Forces& forces, std::span<const std::ui
   for (std::size_t c = 0; c < sites.names.size(); c++)
     for (std::uint32_t i : some) {
       sites.attributes[c][i] = std::numeric_limits<double>::quiet_NaN();
-      if (sites.particle[i] == none) continue;
+      if (sites.particle[i] == Forces::none) continue;
       const auto value = stored_attribute(world, world.particles.id_at(sites.particle[i]), sites.names[c]);
       if (value) sites.attributes[c][i] = *value;
       const Curves* curves = world.particles.at_slot(sites.particle[i]).curves.get();

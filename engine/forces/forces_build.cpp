@@ -11,8 +11,6 @@ namespace pantin {
 
 namespace {
 
-constexpr std::uint32_t none = Forces::none;
-
 template <class Row>
 std::vector<Handle<Row>> enabled(const Store<Row>& rows) {
   std::vector<Handle<Row>> list = rows.ids();
@@ -69,18 +67,18 @@ struct Builder {
     Sites& sites = forces.sites;
     sites.resize(slots.size() + positions.size());
     sites.clear_forces();
-    forces.point.assign(sites.n, none);
-    forces.attached_of.assign(sites.n, none);
+    forces.point.assign(sites.n, Forces::none);
+    forces.attached_of.assign(sites.n, Forces::none);
     forces.inverse_mass.assign(sites.n, 0.0);
     forces.image.assign(sites.n, zero3());
-    forces.site_of.assign(world.particles.slots(), none);
+    forces.site_of.assign(world.particles.slots(), Forces::none);
     for (std::uint32_t i = 0; i < slots.size(); i++)
       bind_site(world, forces, i, world.particles.id_at(slots[i]), how[slots[i]]);
     for (std::size_t k = 0; k < positions.size(); k++) {
       const std::size_t i = slots.size() + k;
       sites.x[i] = positions[k];
       sites.v[i] = zero3();
-      sites.particle[i] = sites.family[i] = none;
+      sites.particle[i] = sites.family[i] = Forces::none;
       sites.kin[i] = {};
       sites.serial[i] = 0;
     }

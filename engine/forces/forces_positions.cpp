@@ -8,8 +8,6 @@ namespace pantin {
 
 namespace {
 
-constexpr std::uint32_t none = Forces::none;
-
 /// State of a receiver: after a drift as the articulate that holds it has it, before as the model has it.
 struct ReceiverState {
   Vec3 x, v, spin;
@@ -33,7 +31,7 @@ Box box_of(const World& world) { return {world.settings.box.value_or(zero3())}; 
 
 void read_velocities(const World& world, Forces& f, bool drifted) {
   for (std::size_t i = 0; i < f.sites.n; i++)
-    if (f.point[i] != none) f.sites.v[i] = world.free_motion[f.point[i]].v;
+    if (f.point[i] != Forces::none) f.sites.v[i] = world.free_motion[f.point[i]].v;
   for (Attached& a : f.attached) {
     const ReceiverState state = state_of(world, f.receivers[a.receiver], drifted);
     f.sites.v[a.site] = state.v + cross(state.spin, a.r);
@@ -42,7 +40,7 @@ void read_velocities(const World& world, Forces& f, bool drifted) {
 
 void read_positions(const World& world, Forces& f, bool drifted) {
   for (std::size_t i = 0; i < f.sites.n; i++)
-    if (f.point[i] != none) f.sites.x[i] = world.free_motion[f.point[i]].x - f.image[i];
+    if (f.point[i] != Forces::none) f.sites.x[i] = world.free_motion[f.point[i]].x - f.image[i];
   for (Attached& a : f.attached) {
     const ReceiverState state = state_of(world, f.receivers[a.receiver], drifted);
     a.r = rotate(state.q, a.arm);
@@ -76,7 +74,7 @@ void put_in_order(const World& world, Forces& f, std::span<const std::uint32_t> 
   for (Attached& a : f.attached) a.site = now[a.site];
   number_attached(f);
   for (std::uint32_t& site : f.site_of)
-    if (site != none) site = now[site];
+    if (site != Forces::none) site = now[site];
   for (ActingInteraction& a : f.interactions) a.bonded = renumbered(a.bonded, now, s.n);
   for (ActingConnections& c : f.connections)
     for (std::uint32_t& site : c.bond_list.sites) site = now[site];

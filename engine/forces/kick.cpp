@@ -13,8 +13,6 @@ namespace pantin {
 
 namespace {
 
-constexpr std::uint32_t none = Forces::none;
-
 /// Work of laws without energy [J].
 struct NonconservativeWork {
   double damper = 0.0;  // of those that depend on velocities
@@ -54,7 +52,7 @@ NonconservativeWork kick_points(World& world, Forces& f, double half) {
   double with_gravity = 0.0;
   FreeMotion* motion = world.free_motion.data();
   for (std::size_t i = 0; i < f.sites.n; i++) {
-    if (f.point[i] == none) continue;
+    if (f.point[i] == Forces::none) continue;
     Vec3& v = motion[f.point[i]].v;
     if (!f.nonconservative) {
       v += f.sites.force[i] * (f.inverse_mass[i] * half);
@@ -110,7 +108,7 @@ AlignedVector<Vec3> site_velocities(World& world, Forces& f, bool drifted) {
   if (!world.ledger.kept) return list;
   list.assign(f.sites.n, zero3());
   for (std::size_t i = 0; i < f.sites.n; i++)
-    if (f.point[i] != none) list[i] = world.free_motion[f.point[i]].v;
+    if (f.point[i] != Forces::none) list[i] = world.free_motion[f.point[i]].v;
   for (const Attached& a : f.attached) {
     const ReceiverMomenta s = momenta_of(world, f.receivers[a.receiver], drifted);
     list[a.site] = s.velocity() + cross(s.spin(), a.r);

@@ -16,7 +16,6 @@ namespace pantin {
 
 namespace {
 
-constexpr std::uint32_t none = Forces::none;
 constexpr std::array<double, 3> unknown = {infinity, infinity, infinity};
 constexpr double once_around = 6.3, half_around = 3.1;  // [rad]
 
@@ -44,7 +43,7 @@ double mass_of(const World& world, const Receiver& m) {
 }
 
 Vec3 acceleration(const World& world, const Forces& f, std::size_t site) {
-  if (f.attached_of[site] != none) {
+  if (f.attached_of[site] != Forces::none) {
     const Receiver& m = f.receivers[f.attached[f.attached_of[site]].receiver];
     return (m.force + m.nonconservative_force) / mass_of(world, m);
   }
@@ -57,7 +56,7 @@ Vec3 position(const Forces& f, std::size_t site) { return f.sites.x[site] + f.im
 
 /// Whether what a site is on is tied by rows: it has a length of its own.
 const Articulate* articulate_of(const World& world, const Forces& f, std::size_t site) {
-  if (f.attached_of[site] == none) return nullptr;
+  if (f.attached_of[site] == Forces::none) return nullptr;
   const Receiver& m = f.receivers[f.attached[f.attached_of[site]].receiver];
   return m.articulate < 0 ? nullptr : world.articulates[static_cast<std::size_t>(m.articulate)].get();
 }
@@ -85,7 +84,7 @@ void begin_notes(World& world, Forces& f) {
   bool young = false;
   for (std::size_t i = 0; i < f.sites.n; i++) {
     const std::uint32_t slot = f.sites.particle[i];
-    if (slot == none) continue;
+    if (slot == Forces::none) continue;
     if (n.swing[slot].serial != f.sites.serial[i]) {
       n.swing[slot] = {.serial = f.sites.serial[i]};
       n.jerk[slot] = unknown;
@@ -112,7 +111,7 @@ void note_kicks(World& world) {
   without_noise(world, f, [&] {
     for (std::size_t i = 0; i < f.sites.n; i++) {
       const std::uint32_t slot = f.sites.particle[i];
-      if (slot == none) continue;
+      if (slot == Forces::none) continue;
       f.notes.acceleration[slot] = acceleration(world, f, i);
       f.notes.position[slot] = position(f, i);
     }
@@ -136,7 +135,7 @@ void note_swings(World& world) {
   const double time = time_within(world, fraction_of(world.steps));
   for (std::size_t i = 0; i < f.sites.n; i++) {
     const std::uint32_t slot = f.sites.particle[i];
-    if (slot == none || slot >= n.swing.size() || n.swing[slot].serial == 0) continue;
+    if (slot == Forces::none || slot >= n.swing.size() || n.swing[slot].serial == 0) continue;
     Swing& swing = n.swing[slot];
     if (std::isfinite(n.jerk[slot][0])) swing.jerk = std::max(swing.jerk, n.jerk[slot][0]);
     swing.acceleration = std::max(swing.acceleration, norm(acceleration(world, f, i)));
@@ -160,7 +159,7 @@ class Judge {
       if (!c.solved) judge_ties(c.bond_list);
     if (!f_.interactions.empty()) judge_partners();
     for (std::size_t i = 0; i < f_.sites.n; i++)
-      if (f_.sites.particle[i] != none) judge_site(i);
+      if (f_.sites.particle[i] != Forces::none) judge_site(i);
   }
 
   void judge(const Encounter& met) {
@@ -185,7 +184,7 @@ class Judge {
     const bool seen = is_seen();
     for (std::size_t i = 0; i < f_.sites.n; i++) {
       const std::uint32_t slot = f_.sites.particle[i];
-      if (slot == none) continue;
+      if (slot == Forces::none) continue;
       const Vec3 now = position(f_, i);
       n_.moved[i] = now - n_.position[slot];
       n_.change[i] = acceleration(world_, f_, i) - n_.acceleration[slot];
@@ -287,9 +286,9 @@ class Judge {
   void judge_partners() {
     for (std::uint32_t i = 0; i < f_.sites.n; i++) {
       const std::uint32_t slot = f_.sites.particle[i];
-      if (slot == none || slot >= n_.partner.size() || n_.partner[slot] == none) continue;
+      if (slot == Forces::none || slot >= n_.partner.size() || n_.partner[slot] == Forces::none) continue;
       const std::uint32_t j = f_.site_of[n_.partner[slot]];
-      if (j != none) judge_pair(i, j);
+      if (j != Forces::none) judge_pair(i, j);
     }
   }
 
@@ -302,7 +301,7 @@ class Judge {
     if (change == 0.0 && jump == 0.0) return;
     if (articulate) return see(i, change, articulate->length, true);
     double size = std::isfinite(n_.near[i]) ? n_.near[i] : 0.0;
-    if (f_.attached_of[i] != none)
+    if (f_.attached_of[i] != Forces::none)
       size = std::max(size, reach_of(world_, f_.receivers[f_.attached[f_.attached_of[i]].receiver]));
     const bool small = change * h_ <= 6.0 * std::min(worst_, n_.told) * size, soft = jump * h_ <= 4.0 * n_.jump * size;
     if (small && soft && n_.untold[slot] == 0.0) return;

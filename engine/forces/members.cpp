@@ -9,12 +9,10 @@ namespace pantin {
 
 namespace {
 
-constexpr std::uint32_t none = Forces::none;
-
 void resize(Forces& f, std::size_t n) {
   f.sites.resize(n);
-  f.point.resize(n, none);
-  f.attached_of.resize(n, none);
+  f.point.resize(n, Forces::none);
+  f.attached_of.resize(n, Forces::none);
   f.inverse_mass.resize(n, 0.0);
   f.image.resize(n, zero3());
 }
@@ -32,10 +30,10 @@ void move(Forces& f, std::uint32_t from, std::uint32_t to) {
   for (auto& column : s.attributes) column[to] = column[from];
   f.point[to] = f.point[from];
   f.attached_of[to] = f.attached_of[from];
-  if (f.attached_of[to] != none) f.attached[f.attached_of[to]].site = to;
+  if (f.attached_of[to] != Forces::none) f.attached[f.attached_of[to]].site = to;
   f.inverse_mass[to] = f.inverse_mass[from];
   f.image[to] = f.image[from];
-  if (s.particle[to] != none) f.site_of[s.particle[to]] = to;
+  if (s.particle[to] != Forces::none) f.site_of[s.particle[to]] = to;
 }
 
 /// What names sites by their numbers is told the new ones: `now` of each old one, none of what is gone.
@@ -74,10 +72,10 @@ struct Turnover {
       const Wanted how = world.particles[id].asleep_in ? Wanted::not_at_all : wanted(world, f, id);
       std::uint32_t& site = f.site_of[id.slot - 1];
       if (how != Wanted::not_at_all) {
-        (site == none ? born : kept).push_back({id, how});
-      } else if (site != none) {
+        (site == Forces::none ? born : kept).push_back({id, how});
+      } else if (site != Forces::none) {
         f.gone.push_back(site);
-        site = none;
+        site = Forces::none;
       }
     }
   }
@@ -90,7 +88,7 @@ std::vector<std::uint32_t> replace(const World& world, Forces& f, const std::vec
   std::vector<std::uint32_t> now(are_named(f) ? before : 0);
   std::iota(now.begin(), now.end(), 0u);
   if (!now.empty())
-    for (std::uint32_t site : f.gone) now[site] = none;
+    for (std::uint32_t site : f.gone) now[site] = Forces::none;
   if (after > before) resize(f, after);
   std::vector<std::uint32_t> fresh;
   for (std::size_t k = 0; k < born.size(); k++) {
@@ -138,7 +136,7 @@ bool can_change_members(const World& world, const Forces& f) {
 std::vector<std::uint32_t> change_members(const World& world, Forces& f) {
   f.velocity.known = false;
   const std::vector<ParticleId> changed = living(world, std::move(f.changed));
-  f.site_of.resize(world.particles.slots(), none);
+  f.site_of.resize(world.particles.slots(), Forces::none);
   const Turnover turnover(world, f, changed);
   std::sort(f.gone.begin(), f.gone.end());
   for (std::uint32_t site : f.gone) unbind_site(f, site);

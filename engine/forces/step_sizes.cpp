@@ -7,15 +7,9 @@
 
 namespace pantin {
 
-namespace {
-
-constexpr std::uint32_t none = Forces::none;
-
-}  // namespace
-
 void find_partners(World& world, Forces& f) {
   const Box box = box_of(world);
-  f.notes.partner.assign(world.particles.slots(), none);
+  f.notes.partner.assign(world.particles.slots(), Forces::none);
   std::vector<double> least(f.sites.n, infinity);
   const auto meet = [&](std::uint32_t i, std::uint32_t j, double square) {
     if (!(square < least[i])) return;

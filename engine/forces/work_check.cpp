@@ -11,7 +11,6 @@ namespace pantin {
 
 namespace {
 
-constexpr std::uint32_t none = Forces::none;
 constexpr double one_in = 192.0;  // parts that are looked at
 constexpr double much = 0.3;      // of the largest kinetic energy
 
@@ -34,9 +33,9 @@ bool is_drawn(const World& world) {
 double undamped_part(const Forces& f, std::size_t site) {
   const VelocityForces& k = f.velocity;
   const std::uint32_t attached = f.attached_of[site];
-  const std::size_t at = attached == none ? site : f.sites.n + f.attached[attached].receiver;
+  const std::size_t at = attached == Forces::none ? site : f.sites.n + f.attached[attached].receiver;
   if (!f.velocity_dependent || at >= k.strength.size() || site >= k.theta.size()) return 1.0;
-  const double theta = attached == none ? k.theta[site] : k.carriers[at - f.sites.n].theta;
+  const double theta = attached == Forces::none ? k.theta[site] : k.carriers[at - f.sites.n].theta;
   return 1.0 / (1.0 + theta * k.strength[at]);
 }
 
@@ -53,7 +52,7 @@ Unkept unkept(const World& world, const Forces& f) {
     double mobility = f.inverse_mass[i];
     const std::uint32_t at = f.attached_of[i];
     bool tied = false;
-    if (at != none) {
+    if (at != Forces::none) {
       const Receiver& m = f.receivers[f.attached[at].receiver];
       mobility = 1.0 / (m.is_body ? world.motion[m.slot].mass : world.points.at_slot(m.slot).mass);
       tied = m.articulate >= 0;
@@ -96,7 +95,7 @@ void note_nonconservative_forces(World& world) {
   check.kick = std::max(check.kick, now.kick);
   f.open_from.resize(world.particles.slots());
   for (std::size_t i = 0; i < f.sites.n; i++)
-    if (f.sites.particle[i] != none) f.open_from[f.sites.particle[i]] = f.sites.x[i] + f.image[i];
+    if (f.sites.particle[i] != Forces::none) f.open_from[f.sites.particle[i]] = f.sites.x[i] + f.image[i];
 }
 
 void check_work(World& world) {
@@ -110,13 +109,13 @@ void check_work(World& world) {
   const KeptForces kept(f.sites);
   std::vector<Vec3> displacements(f.sites.n, zero3());
   for (std::size_t i = 0; i < f.sites.n; i++)
-    if (f.sites.particle[i] != none) displacements[i] = x[i] + f.image[i] - f.open_from[f.sites.particle[i]];
+    if (f.sites.particle[i] != Forces::none) displacements[i] = x[i] + f.image[i] - f.open_from[f.sites.particle[i]];
   const auto from = forces_on_displacement(world, f, x, displacements, 0.0),
              middle = forces_on_displacement(world, f, x, displacements, 0.5),
              to = forces_on_displacement(world, f, x, displacements, 1.0);
   double missed = 0.0, all = 0.0;
   for (std::size_t i = 0; i < f.sites.n; i++) {
-    if (f.sites.particle[i] == none) continue;
+    if (f.sites.particle[i] == Forces::none) continue;
     const Vec3 ends = (from[i] + to[i]) * 0.5;
     missed += 2.0 / 3.0 * dot(displacements[i], middle[i] - ends);
     all += std::fabs(dot(displacements[i], ends));

@@ -13,7 +13,7 @@
 namespace pantin::lua {
 namespace {
 
-constexpr std::size_t samples = 4;
+constexpr std::size_t sample_count = 4;
 using Together = std::vector<End>;  // what one evaluation of a law sees
 
 Vec3 place(const World& world, const End& end) { return end.particle ? position(world, end.particle) : end.position; }
@@ -25,7 +25,7 @@ Vec3 apart(const World& world, const End& a, const End& b) {
 /// Particles here and there in a list.
 std::vector<ParticleId> some(const World& world, const std::vector<ParticleId>& list) {
   std::vector<ParticleId> chosen;
-  for (std::size_t k = 0; k < std::min(samples, list.size()); k++)
+  for (std::size_t k = 0; k < std::min(sample_count, list.size()); k++)
     chosen.push_back(list[(k * 7919 + world.steps * 104729) % list.size()]);
   return chosen;
 }
@@ -44,7 +44,7 @@ std::vector<Together> pairs_of(const World& world, InteractionId id) {
     for (const Slab& slab : phase)
       if (!slab.rows.empty()) slabs.push_back(&slab);
   const auto particle = [&](std::uint32_t site) { return world.particles.id_at(sites.particle[site]); };
-  for (std::size_t k = 0; k < samples && !slabs.empty(); k++) {
+  for (std::size_t k = 0; k < sample_count && !slabs.empty(); k++) {
     const std::size_t number = k * 7919 + world.steps * 104729;
     const Slab& slab = *slabs[number % slabs.size()];
     const NeighbourRow& row = slab.rows[number % slab.rows.size()];

@@ -12,7 +12,7 @@
 namespace pantin::lua {
 namespace {
 
-const char* const parts[] = {"xx", "yy", "zz", "xy", "xz", "yz"};
+const char* const inertia_parts[] = {"xx", "yy", "zz", "xy", "xz", "yz"};
 
 void check_point_name(const std::string& call, const std::string& name) {
   require(!name.empty(), call, ": a point's name must not be empty");
@@ -157,12 +157,12 @@ Mat3 check_inertia(lua_State* state, int index, const std::string& what) {
             ": inertia must have six numbers, xx, yy, zz, xy, xz, yz [kg m²], got ", lua_rawlen(state, index));
     for (int i = 0; i < 6; i++) {
       lua_rawgeti(state, index, i + 1);
-      v[i] = check_number(state, -1, what, text("inertia's ", parts[i]), "kg m²");
+      v[i] = check_number(state, -1, what, text("inertia's ", inertia_parts[i]), "kg m²");
       lua_pop(state, 1);
     }
   } else {
     const Options o(state, index, what + ": inertia", {"xx", "yy", "zz", "xy", "xz", "yz"});
-    for (int i = 0; i < 6; i++) v[i] = o.number(parts[i], "kg m²").value_or(0.0);
+    for (int i = 0; i < 6; i++) v[i] = o.number(inertia_parts[i], "kg m²").value_or(0.0);
   }
   return {{vec(v[0], v[3], v[4]), vec(v[3], v[1], v[5]), vec(v[4], v[5], v[2])}};
 }
@@ -173,7 +173,7 @@ void push_inertia(lua_State* state, const Mat3& m) {
   lua_createtable(state, 0, 6);
   for (int i = 0; i < 6; i++) {
     lua_pushnumber(state, v[i]);
-    lua_setfield(state, -2, parts[i]);
+    lua_setfield(state, -2, inertia_parts[i]);
   }
 }
 
