@@ -61,7 +61,7 @@ TEST_CASE("snapshot: every scene that ships goes on to the same bits") {
   }
 }
 
-TEST_CASE("snapshot: every scene that ships goes on to the same bits, for a second", "[slow]") {
+TEST_CASE("snapshot: every scene that ships goes on to the same bits, for a second", "[slow][shipped]") {
   for (const std::string& name : shipped_scenes()) {
     CAPTURE(name);
     const auto scene = shipped(name, 2);

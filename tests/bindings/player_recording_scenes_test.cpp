@@ -42,7 +42,7 @@ TEST_CASE("recording: shipped scenes in which somebody does anything are played 
     play_and_check(play, 11);
 }
 
-TEST_CASE("recording: minutes of anything in shipped scenes are played again to the bit", "[slow]") {
+TEST_CASE("recording: minutes of anything in shipped scenes are played again to the bit", "[slow][shipped]") {
   for (const char* name : {"chain", "bridge"}) play_and_check({name, 120}, 3);
   for (const char* name : {"cloth", "membrane"}) play_and_check({name, 5}, 4);
 }
