@@ -1,6 +1,7 @@
 #include "contacts/gather.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/state.hpp"
@@ -10,7 +11,8 @@ namespace pantin {
 
 namespace {
 
-constexpr double calm_way = 2e-3;  // of the reach, in a drift: of a calm island
+constexpr double calm_way = 2e-3;   // of the reach, in a drift: of a calm island
+constexpr double calm_speed = 0.1;  // of what falls by about its reach
 
 Mat3 in_world(const Mat3& R, Vec3 principal) {
   return times_transposed({{R[0] * principal[0], R[1] * principal[1], R[2] * principal[2]}}, R);
@@ -193,7 +195,9 @@ std::span<TouchIsland> gather(std::vector<TouchIsland>& space, std::vector<std::
     island.problem.enough = swept_tolerance * size / settings.h;
     double mass = 0.0, reach = 0.0;
     for (const IslandBody& b : island.problem.bodies) mass += b.mass, reach += b.mass * b.reach;
-    island.problem.calm = calm_way * std::max(size, reach / mass) / settings.h;
+    const double length = std::max(size, reach / mass);
+    island.problem.calm =
+        std::max(calm_way * length / settings.h, calm_speed * std::sqrt(norm(settings.gravity) * length));
   });
   return islands;
 }

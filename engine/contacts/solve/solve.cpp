@@ -9,7 +9,7 @@
 namespace pantin {
 namespace {
 
-constexpr std::uint32_t most_of_newton = 10;
+constexpr std::uint32_t most_of_newton = 30;
 constexpr std::uint32_t most_sweeps = 10, more_sweeps = 40, sweeps_before_newton = 30;
 constexpr std::uint32_t rounds_of_hard = 4, sweeps_of_hard = 100, newton_of_hard = 30;  // where a small island is hard
 constexpr std::size_t few = 24;            // contacts: such an island is always solved exactly
@@ -160,17 +160,20 @@ IslandReport solve_island(ContactIsland& island, bool exactly, ContactSearch wan
   search.report.residual = residual(island);
   if (search.report.residual <= island.tolerance) return search.report;
   const bool is_small = wanted != ContactSearch::fast && island.contacts.size() <= few;
-  const double kinetic = kinetic_energy(island);
   const bool surely = is_small || wanted == ContactSearch::exact;
-  const bool exact =
-      surely || (wanted == ContactSearch::automatic && is_calm(island, (exactly ? 1.0 : slower) * kinetic));
+  const auto deserves = [&] {
+    return surely ||
+           (wanted == ContactSearch::automatic && is_calm(island, (exactly ? 1.0 : slower) * kinetic_energy(island)));
+  };
+  const bool exact = deserves();
   if (exact && search.report.residual <= island.enough) search.newton(most_of_newton);
   if (!search.solved()) {
     if (exact)
       search.sweeps(sweeps_before_newton);
     else
-      search.sweeps(most_sweeps, island.ties.empty() ? more_sweeps : most_sweeps);  // with ties more may diverge
-    if (exact && search.report.residual > island.tolerance) search.newton(most_of_newton);
+      search.sweeps(most_sweeps, island.ties.empty() ? more_sweeps : most_sweeps);
+    const bool worth = exact || deserves();  // impulses to begin with may have been far off
+    if (worth && search.report.residual > island.tolerance) search.newton(most_of_newton);
     for (std::uint32_t i = 0; surely && !search.solved() && i < rounds_of_hard; i++) {
       search.sweeps(sweeps_of_hard);
       search.newton(newton_of_hard);
