@@ -185,6 +185,58 @@ void foresee_forces(const Model& model, TouchIsland& island, const TouchSettings
   }
 }
 
+/// What `place` wants: no gap closed by more than it is open, by the drift and by turning.
+void want_no_overlaps(TouchIsland& island, Contacts& contacts, double h) {
+  ContactIsland& problem = island.problem;
+  double largest = 0.0;
+  for (const std::size_t k : island.contacts)
+    largest = std::max(largest, dot(contacts.list[k].placing, contacts.list[k].normal));
+  for (std::size_t k = 0; k < problem.contacts.size(); k++) {
+    Contact& from = contacts.list[island.contacts[k]];
+    IslandContact& c = problem.contacts[k];
+    c.compliance = largest > 0.0 ? soft_overlap * from.size / (h * largest) : 0.0;
+    from.approach = dot(from.normal, relative(c, problem.bodies, &IslandBody::v0, &IslandBody::w0));
+    const double gap = std::max(from.gap / h, -c.compliance * std::max(0.0, dot(from.placing, from.normal)));
+    c.bias = to_frame(c, from.belt);
+    c.bias[0] = gap;
+    c.bias += turning_apart(island, c, from, h);
+    c.start = to_frame(c, from.placing);
+  }
+  for (IslandTie& t : problem.ties) {
+    if (t.lever > 0.0) continue;
+    const auto turned = [&](std::int32_t body, Vec3 r) {
+      const Vec3 w = problem.bodies[static_cast<std::size_t>(body)].w0;
+      return cross(w, cross(w, r)) * curving(w, h);
+    };
+    t.wanted -= turned(t.a, t.ra) - (t.b < 0 ? zero3() : turned(t.b, t.rb));
+  }
+}
+
+/// Gives what was found, and what ties answer; notes what each thing got of both.
+void give_placing(TouchSpace& space, Model& model, const Articulates& articulates, const Contacts& contacts,
+                  const TouchSettings& settings, std::span<const BodyLoad> kicks, TouchIsland& island,
+                  TouchReport& report) {
+  const double before = kinetic_energy_now(model, island);
+  HeatOf heat(model, articulates, contacts, settings.drifted, island.placed, island.heat);
+  for (const std::uint32_t a : island.articulates) articulates[a]->touches = true;
+  std::vector<BodyLoad> loads(island.things.size());
+  add_contact_loads(island.problem, loads);
+  const auto note = [&](double sign) {
+    for (std::size_t i = 0; i < island.things.size(); i++)
+      if (const std::size_t k = number_of(model, island.things[i]); k < space.placing_work.size())
+        space.placing_work[k] += sign * kinetic_energy(model, island.states[i], island.things[i]);
+  };
+  note(-1.0);
+  give(model, island, loads);
+  const ImpulseWork ties = note_answers_of_ties(model, articulates, island, settings);
+  note(1.0);
+  report.ties += ties;
+  const double work = kinetic_energy_now(model, island) - before - ties.all() -
+                      work_beside_kicks(model, island, loads, settings, kicks);
+  report.work += work;
+  heat.add(work);
+}
+
 }  // namespace
 
 void TouchReport::operator+=(const TouchReport& more) {
@@ -213,28 +265,7 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
   each_island(workers, islands, sum, [&](TouchIsland& island, TouchReport& report) {
     ContactIsland& problem = island.problem;
     take_half_of_gravity(model, island, settings);
-    double largest = 0.0;
-    for (const std::size_t k : island.contacts)
-      largest = std::max(largest, dot(contacts.list[k].placing, contacts.list[k].normal));
-    for (std::size_t k = 0; k < problem.contacts.size(); k++) {
-      Contact& from = contacts.list[island.contacts[k]];
-      IslandContact& c = problem.contacts[k];
-      c.compliance = largest > 0.0 ? soft_overlap * from.size / (h * largest) : 0.0;
-      from.approach = dot(from.normal, relative(c, problem.bodies, &IslandBody::v0, &IslandBody::w0));
-      const double gap = std::max(from.gap / h, -c.compliance * std::max(0.0, dot(from.placing, from.normal)));
-      c.bias = to_frame(c, from.belt);
-      c.bias[0] = gap;
-      c.bias += turning_apart(island, c, from, h);
-      c.start = to_frame(c, from.placing);
-    }
-    for (IslandTie& t : problem.ties) {
-      if (t.lever > 0.0) continue;
-      const auto turned = [&](std::int32_t body, Vec3 r) {
-        const Vec3 w = problem.bodies[static_cast<std::size_t>(body)].w0;
-        return cross(w, cross(w, r)) * curving(w, h);
-      };
-      t.wanted -= turned(t.a, t.ra) - (t.b < 0 ? zero3() : turned(t.b, t.rb));
-    }
+    want_no_overlaps(island, contacts, h);
     report.gravity += gravity_in_step(island, contacts, settings);
     foresee_forces(model, island, settings);
     hold_ties(problem);
@@ -243,7 +274,6 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
     solve(contacts, island, 0, settings.search, report);
     keep_tie_impulses(articulates, island, 0);
     keep_rolls(problem, contacts, island.contacts, &Contact::placing_moment);
-    const double before = kinetic_energy_now(model, island);
     const double slow = slow_of(settings, problem);
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
       Contact& to = contacts.list[island.contacts[k]];
@@ -254,26 +284,7 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
       if (norm2(to.placing) == 0.0) continue;
       island.placed.push_back({to.body_a, to.body_b, to.key.b, to.placing, to.placing_moment, c.ra, c.rb});
     }
-    if (!island.placed.empty()) {
-      HeatOf heat(model, articulates, contacts, settings.drifted, island.placed, island.heat);
-      for (const std::uint32_t a : island.articulates) articulates[a]->touches = true;
-      std::vector<BodyLoad> loads(problem.bodies.size());
-      add_contact_loads(problem, loads);
-      const auto note = [&](double sign) {
-        for (std::size_t i = 0; i < island.things.size(); i++)
-          if (const std::size_t k = number_of(model, island.things[i]); k < space.placing_work.size())
-            space.placing_work[k] += sign * kinetic_energy(model, island.states[i], island.things[i]);
-      };
-      note(-1.0);
-      give(model, island, loads);
-      const ImpulseWork ties = note_answers_of_ties(model, articulates, island, settings);
-      note(1.0);
-      report.ties += ties;
-      const double work = kinetic_energy_now(model, island) - before - ties.all() -
-                          work_beside_kicks(model, island, loads, settings, kicks);
-      report.work += work;
-      heat.add(work);
-    }
+    if (!island.placed.empty()) give_placing(space, model, articulates, contacts, settings, kicks, island, report);
   });
   space.answers.clear();
   space.answered = sum.ties;
