@@ -149,7 +149,7 @@ void TouchIsland::clear() {
   pulls.clear();
   law_pulls.clear();
   placed.clear();
-  answers.clear();
+  given.clear();
   heat.clear();
   report = {};
 }

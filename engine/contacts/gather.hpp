@@ -18,8 +18,8 @@ constexpr double contact_tolerance = 4e-11;
 /// The same of what a sweep may still change.
 constexpr double swept_tolerance = 4e-7;
 
-/// What ties answered one thing when impulses were given before a drift, world axes.
-struct Answer {
+/// What one thing was given before a drift, by contacts and by what ties answered, world axes.
+struct Given {
   std::uint32_t thing;
   Vec3 impulse, moment;  ///< [N s], [N m s] about its centre
 };
@@ -35,7 +35,7 @@ struct TouchIsland {
   std::vector<BodyLoad> pulls;                     ///< (bodies) [N], [N m] of soft rows in the last step
   std::vector<BodyLoad> law_pulls;                 ///< (bodies) what of that is of laws
   std::vector<Placing> placed;                     ///< what `place` gave in it
-  std::vector<Answer> answers;                     ///< of ties to these
+  std::vector<Given> given;                        ///< to each of its things by that
   std::vector<TouchHeat> heat;                     ///< of the stage, where it is kept
   TouchReport report;                              ///< of the stage, of it alone
 
@@ -45,8 +45,8 @@ struct TouchIsland {
 /// Islands of each stage, whose memory and layouts last from step to step.
 struct TouchSpace {
   std::vector<TouchIsland> placing, meeting, opening, resting;
-  std::vector<Answer> answers;       ///< of ties to placing
-  ImpulseWork answered;              ///< what ties that move gave with these
+  std::vector<Given> given;          ///< by placing
+  ImpulseWork answered;              ///< what ties that move gave of that
   std::vector<double> placing_work;  ///< (as index) [J] done to things by placing, and by taking that back
   std::vector<std::int32_t> index;   ///< (slots of bodies, then of points where some are solid) in its island, or -1
 };

@@ -61,24 +61,19 @@ double work_beside_kicks(const Model& model, const TouchIsland& island, const st
   return 0.5 * settings.h * sum;
 }
 
-/// The same, and what each of them got by it.
-ImpulseWork note_answers_of_ties(Model& model, const Articulates& articulates, TouchIsland& island,
-                                 const TouchSettings& settings) {
-  std::vector<std::size_t> tied;
-  std::vector<BodyState> before;
+/// Notes what each thing got by these impulses, and by what ties answered them.
+void note_given(const Model& model, const Articulates& articulates, TouchIsland& island,
+                const std::vector<BodyLoad>& impulses, bool drifted) {
   for (std::size_t i = 0; i < island.things.size(); i++) {
-    if (island_number(model, articulates.size(), island.things[i]) >= articulates.size()) continue;
-    tied.push_back(i);
-    before.push_back(state_of(model, articulates, island.things[i], settings.drifted));
+    const std::uint32_t thing = island.things[i];
+    Given given = {thing, model.plane.along(impulses[i].force), impulses[i].moment};
+    if (island_number(model, articulates.size(), thing) < articulates.size()) {
+      const BodyState before = island.states[i], after = state_of(model, articulates, thing, drifted);
+      given.impulse = (after.v - before.v) * before.mass;
+      given.moment = island.problem.bodies[i].inertia * (after.w - before.w);
+    }
+    if (norm2(given.impulse) + norm2(given.moment) > 0.0) island.given.push_back(given);
   }
-  const ImpulseWork work = answer_of_ties(model, articulates, island, settings);
-  for (std::size_t k = 0; k < tied.size(); k++) {
-    const IslandBody& b = island.problem.bodies[tied[k]];
-    const std::uint32_t thing = island.things[tied[k]];
-    const BodyState after = state_of(model, articulates, thing, settings.drifted);
-    island.answers.push_back({thing, (after.v - before[k].v) * b.mass, b.inertia * (after.w - before[k].w)});
-  }
-  return work;
 }
 
 /// What ties that move give by impulses at the end of the step.
@@ -228,7 +223,8 @@ void give_placing(TouchSpace& space, Model& model, const Articulates& articulate
   };
   note(-1.0);
   give(model, island, loads);
-  const ImpulseWork ties = note_answers_of_ties(model, articulates, island, settings);
+  const ImpulseWork ties = answer_of_ties(model, articulates, island, settings);
+  note_given(model, articulates, island, loads, settings.drifted);
   note(1.0);
   report.ties += ties;
   const double work = kinetic_energy_now(model, island) - before - ties.all() -
@@ -286,11 +282,11 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
     }
     if (!island.placed.empty()) give_placing(space, model, articulates, contacts, settings, kicks, island, report);
   });
-  space.answers.clear();
+  space.given.clear();
   space.answered = sum.ties;
   for (const TouchIsland& island : islands) {
     contacts.placed.insert(contacts.placed.end(), island.placed.begin(), island.placed.end());
-    space.answers.insert(space.answers.end(), island.answers.begin(), island.answers.end());
+    space.given.insert(space.given.end(), island.given.begin(), island.given.end());
   }
   collect_heat(contacts, islands);
   hold_again(articulates);
@@ -301,7 +297,7 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
   sum.work += take_back(space, model, articulates, contacts, settings.drifted);
   sum.ties.ends -= space.answered.ends;
   sum.ties.turns -= space.answered.turns;
-  space.answers.clear();
+  space.given.clear();
   space.answered = {};
   contacts.placed.clear();
   std::vector<char> used(contacts.list.size(), 0);

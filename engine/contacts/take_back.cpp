@@ -29,7 +29,7 @@ struct Group {
 /// angular momentum is given back as a turn of all that pushed each other, so that light things between heavy ones keep theirs.
 class Turns {
  public:
-  Turns(Model& model, const Articulates& articulates, const Contacts& contacts, const std::vector<Answer>& answers,
+  Turns(Model& model, const Articulates& articulates, const Contacts& contacts, const std::vector<Given>& given,
         bool drifted)
       : model_(model),
         articulates_(articulates),
@@ -50,10 +50,11 @@ class Turns {
     std::sort(groups_.begin(), groups_.end(), [](const Group& x, const Group& y) { return x.root < y.root; });
     const auto same = [](const Group& x, const Group& y) { return x.root == y.root; };
     groups_.erase(std::unique(groups_.begin(), groups_.end(), same), groups_.end());
-    for (const Placing& p : contacts.placed) find_missing(p);
-    for (const Answer& a : answers) {
-      const Vec3 x = state_of(model_, articulates_, a.thing, drifted_).x;
-      group_of(a.thing).missing += cross(x, a.impulse) + a.moment;
+    for (const Placing& p : contacts.placed)
+      if (p.body_b < 0) group_of(p.body_a).anchored = true;
+    for (const Given& g : given) {
+      const Vec3 x = state_of(model_, articulates_, g.thing, drifted_).x;
+      group_of(g.thing).missing += cross(x, g.impulse) + g.moment;
     }
     for (const auto& articulate : articulates)
       if (articulate->touches && !is_free(*articulate)) anchor(*articulate);
@@ -106,17 +107,6 @@ class Turns {
         for (const Node& n : articulate->nodes) things_.push_back(thing_of(n));
   }
   void anchor(const Articulate& articulate) { group_of(thing_of(articulate.nodes.front())).anchored = true; }
-  void find_missing(const Placing& p) {
-    Group& group = group_of(p.body_a);
-    if (p.body_b < 0) {
-      group.anchored = true;
-      return;
-    }
-    const auto at = [&](std::uint32_t thing, Vec3 arm) {
-      return state_of(model_, articulates_, thing, drifted_).x + arm;
-    };
-    group.missing += cross(at(static_cast<std::uint32_t>(p.body_b), p.arm_b) - at(p.body_a, p.arm_a), p.impulse);
-  }
   template <class F>
   void for_all(F&& f) {
     for (const std::uint32_t thing : things_)
@@ -142,23 +132,15 @@ double take_back(TouchSpace& space, Model& model, const Articulates& articulates
     p.moment = p.moment * -1.0;
   }
   HeatOf heat(model, articulates, contacts, drifted, contacts.placed, contacts.new_heat);
-  const auto add = [&](const BodyState& s, std::uint32_t thing, Vec3 impulse, Vec3 moment) {
-    const double before = kinetic_energy(model, s, thing);
-    add_momenta(model, s, thing, model.plane.along(impulse), moment);
-    const double by = kinetic_energy(model, s, thing) - before;
+  Turns turns(model, articulates, contacts, space.given, drifted);
+  for (const Given& g : space.given) {
+    const BodyState s = state_of(model, articulates, g.thing, drifted);
+    const double before = kinetic_energy(model, s, g.thing);
+    add_momenta(model, s, g.thing, g.impulse * -1.0, g.moment * -1.0);
+    const double by = kinetic_energy(model, s, g.thing) - before;
     work += by;
-    if (const std::size_t i = number_of(model, thing); i < space.placing_work.size()) space.placing_work[i] += by;
-  };
-  Turns turns(model, articulates, contacts, space.answers, drifted);
-  for (const Placing& p : contacts.placed) {
-    add(state_of(model, articulates, p.body_a, drifted), p.body_a, p.impulse, cross(p.arm_a, p.impulse) + p.moment);
-    if (p.body_b < 0) continue;
-    const auto slot_b = static_cast<std::uint32_t>(p.body_b);
-    add(state_of(model, articulates, slot_b, drifted), slot_b, p.impulse * -1.0,
-        (cross(p.arm_b, p.impulse) + p.moment) * -1.0);
+    if (const std::size_t i = number_of(model, g.thing); i < space.placing_work.size()) space.placing_work[i] += by;
   }
-  for (const Answer& a : space.answers)
-    add(state_of(model, articulates, a.thing, drifted), a.thing, a.impulse * -1.0, a.moment * -1.0);
   work += turns.give_back() + space.answered.all();
   heat.add(work);
   return work;

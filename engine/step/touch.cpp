@@ -8,6 +8,7 @@
 #include "contacts/heat.hpp"
 #include "contacts/stages.hpp"
 #include "contacts/touching.hpp"
+#include "forces/forces.hpp"
 #include "forces/sleep.hpp"
 #include "step/ledger_posts.hpp"
 #include "step/phases.hpp"
@@ -29,9 +30,9 @@ void divide_for_contacts(World& world) {
   double wanted = 1.0;
   const auto see = [&](const Contact& c, std::uint32_t body, std::uint32_t shape) {
     if (!world.shapes.alive_at(shape)) return;
-    const BodyState s = state_of(world, world.articulates, body, false);
+    const Motion& m = world.motion[body];
     const Geometry& geometry = world.shapes.at_slot(shape).geometry;
-    const double spin = norm(s.w), speed = norm(s.v) + spin * reach_of(geometry);
+    const double spin = norm(m.angular * inverse_inertia(m)), speed = norm(m.p) / m.mass + spin * reach_of(geometry);
     wanted = std::max(wanted, speed * world.settings.step / (most_way * c.size));
     if (!std::holds_alternative<BallShape>(geometry)) wanted = std::max(wanted, spin * world.settings.step / most_turn);
   };
