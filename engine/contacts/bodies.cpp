@@ -43,6 +43,15 @@ BodyState state_of(const Model& model, const std::vector<std::unique_ptr<Articul
   return s;
 }
 
+Vec3 centre_of(const Model& model, const std::vector<std::unique_ptr<Articulate>>& articulates, std::uint32_t thing,
+               bool drifted) {
+  if (is_point(thing)) return state_of_point(model, articulates, slot_of(thing), drifted).x;
+  const Motion& m = model.motion[thing];
+  if (!drifted || m.articulate < 0) return m.x;
+  const Articulate& a = *articulates[static_cast<std::size_t>(m.articulate)];
+  return model.plane.beside(a.nodes[static_cast<std::size_t>(m.node)].x0, m.x);
+}
+
 bool asleep(const Model& model, const std::vector<std::unique_ptr<Articulate>>& articulates, const Contacts& contacts,
             std::uint32_t thing) {
   const std::uint32_t slot = slot_of(thing);

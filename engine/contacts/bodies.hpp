@@ -40,6 +40,9 @@ void displace(Model& model, const BodyState& state, std::uint32_t thing, Vec3 wa
 Vec3 position_of(const Model& model, const BodyState& state, std::uint32_t thing);
 /// [J] now, not when its state was taken.
 double kinetic_energy(const Model& model, const BodyState& state, std::uint32_t thing);
+/// [m] Its centre of mass, as in state_of.
+Vec3 centre_of(const Model& model, const std::vector<std::unique_ptr<Articulate>>& articulates, std::uint32_t thing,
+               bool drifted);
 /// Whether it is a point that nothing ties: kicks give it gravity, too.
 bool is_loose_point(const Model& model, std::uint32_t thing);
 

@@ -50,8 +50,9 @@ struct Contact {
   Vec3 placing = zero3();  ///< [N s] on a: of the stage before the drift, which keeps shapes from overlapping
   Vec3 total = zero3();    ///< [N s] on a: of all the step, which the velocities after it have
   Vec3 placing_moment = zero3(), total_moment = zero3();  ///< [N m s] on a: of rolling and spinning, in the same
-  double approach = 0.0;  ///< [m/s] along the normal at the start of the step, below 0: nearing
-  double rebound = 0.0;   ///< [m/s] wanted along the normal at the end of the step
+  std::int32_t placed = -1;  ///< its index in Contacts::placed, in the step, as long as it lasts
+  double approach = 0.0;     ///< [m/s] along the normal at the start of the step, below 0: nearing
+  double rebound = 0.0;      ///< [m/s] wanted along the normal at the end of the step
 };
 
 /// An impulse that was given before a drift.
@@ -62,6 +63,8 @@ struct Placing {
   Vec3 impulse;           ///< [N s] on a
   Vec3 moment;            ///< [N m s] on a, of rolling and spinning
   Vec3 arm_a, arm_b;      ///< [m] then, world axes
+  Vec3 normal;            ///< then
+  bool solved;            ///< with all of its island: may be taken along with what touches
 };
 
 /// What is known of a body that touches, from step to step.
@@ -71,6 +74,9 @@ struct TouchedBody {
   Rest rest;                 ///< of one that nothing ties
   std::int32_t island = -1;  ///< while it sleeps in touch: the same number in all that sleep with it
 };
+
+/// Part of the size: a gap that is as good as closed.
+constexpr double closed_gap = 1e-5;
 
 /// Two that touch: particles before bodies before shapes of the world.
 struct TouchPair {

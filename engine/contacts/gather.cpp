@@ -150,6 +150,7 @@ void TouchIsland::clear() {
   law_pulls.clear();
   placed.clear();
   given.clear();
+  answered = {};
   heat.clear();
   report = {};
 }

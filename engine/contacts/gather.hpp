@@ -35,7 +35,8 @@ struct TouchIsland {
   std::vector<BodyLoad> pulls;                     ///< (bodies) [N], [N m] of soft rows in the last step
   std::vector<BodyLoad> law_pulls;                 ///< (bodies) what of that is of laws
   std::vector<Placing> placed;                     ///< what `place` gave in it
-  std::vector<Given> given;                        ///< to each of its things by that
+  std::vector<Given> given;                        ///< to each of its things by that, where it is not solved
+  ImpulseWork answered;                            ///< what ties that move gave of that
   std::vector<TouchHeat> heat;                     ///< of the stage, where it is kept
   TouchReport report;                              ///< of the stage, of it alone
 
@@ -45,7 +46,7 @@ struct TouchIsland {
 /// Islands of each stage, whose memory and layouts last from step to step.
 struct TouchSpace {
   std::vector<TouchIsland> placing, meeting, opening, resting;
-  std::vector<Given> given;          ///< by placing
+  std::vector<Given> given;          ///< by placing, where it is not solved
   ImpulseWork answered;              ///< what ties that move gave of that
   std::vector<double> placing_work;  ///< (as index) [J] done to things by placing, and by taking that back
   std::vector<std::int32_t> index;   ///< (slots of bodies, then of points where some are solid) in its island, or -1

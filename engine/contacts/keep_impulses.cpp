@@ -19,10 +19,12 @@ void keep_impulses(const std::vector<Contact>& before, std::vector<Contact>& now
   };
   for (std::size_t i = 0; i < now.size(); i++) {
     while (old != before.end() && old->key < now[i].key) old++;
-    if (old != before.end() && old->key == now[i].key)
+    if (old != before.end() && old->key == now[i].key) {
       inherit(now[i], old);
-    else
+      now[i].placed = old->placed;
+    } else {
       orphans.push_back(i);
+    }
   }
   constexpr double near = 0.3;  // of the size
   for (const std::size_t i : orphans) {

@@ -19,9 +19,9 @@ namespace pantin {
 
 namespace {
 
-constexpr double touching = 1e-5;      // of the size: a gap that is as good as closed
-constexpr double held_gap = 1e-2;      // of the size: that may be left of one that was to be closed
-constexpr double soft_overlap = 1e-8;  // of the size: what the largest load of an island makes
+constexpr double exact_enough = 100.0;  // tolerances
+constexpr double held_gap = 1e-2;       // of the size: that may be left of one that was to be closed
+constexpr double soft_overlap = 1e-8;   // of the size: what the largest load of an island makes
 
 void give(Model& model, const TouchIsland& island, const std::vector<BodyLoad>& loads) {
   for (std::size_t i = 0; i < loads.size(); i++)
@@ -120,8 +120,9 @@ void collect_heat(Contacts& contacts, std::span<TouchIsland> islands) {
     contacts.new_heat.insert(contacts.new_heat.end(), island.heat.begin(), island.heat.end());
 }
 
-/// Solves it, exactly if its bodies are not waiting: where that failed some times in a row it is tried now and then.
-void solve(Contacts& contacts, TouchIsland& island, std::size_t stage, ContactSearch search, TouchReport& report) {
+/// Solves it, exactly if its bodies are not waiting: where that failed some times in a row it is tried now and then. Whether it
+/// is solved as exactly as can be.
+bool solve(Contacts& contacts, TouchIsland& island, std::size_t stage, ContactSearch search, TouchReport& report) {
   constexpr std::uint8_t waits_after = 4, wait_of_failure = 7, wait_of_dense = 100;
   std::uint8_t failures = 0, wait = 0;
   const auto all = [&](auto use) {
@@ -147,6 +148,7 @@ void solve(Contacts& contacts, TouchIsland& island, std::size_t stage, ContactSe
     body.failures[stage] = failures;
     body.wait[stage] = wait;
   });
+  return found.residual <= exact_enough * island.problem.tolerance;
 }
 
 /// Kicks gave loose points half of gravity: their velocities at the start of the step are without.
@@ -224,7 +226,10 @@ void give_placing(TouchSpace& space, Model& model, const Articulates& articulate
   note(-1.0);
   give(model, island, loads);
   const ImpulseWork ties = answer_of_ties(model, articulates, island, settings);
-  note_given(model, articulates, island, loads, settings.drifted);
+  if (!island.placed.front().solved) {
+    note_given(model, articulates, island, loads, settings.drifted);
+    island.answered = ties;
+  }
   note(1.0);
   report.ties += ties;
   const double work = kinetic_energy_now(model, island) - before - ties.all() -
@@ -267,7 +272,7 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
     hold_ties(problem);
     start_rolls(problem, contacts, island.contacts, &Contact::placing_moment);
     start_ties(island, articulates, 0);
-    solve(contacts, island, 0, settings.search, report);
+    const bool solved = solve(contacts, island, 0, settings.search, report);
     keep_tie_impulses(articulates, island, 0);
     keep_rolls(problem, contacts, island.contacts, &Contact::placing_moment);
     const double slow = slow_of(settings, problem);
@@ -278,14 +283,19 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
       to.placing = to_world(c, c.impulse);
       to.rebound = rebound_of(to, settings, slow);
       if (norm2(to.placing) == 0.0) continue;
-      island.placed.push_back({to.body_a, to.body_b, to.key.b, to.placing, to.placing_moment, c.ra, c.rb});
+      island.placed.push_back(
+          {to.body_a, to.body_b, to.key.b, to.placing, to.placing_moment, c.ra, c.rb, to.normal, solved});
     }
     if (!island.placed.empty()) give_placing(space, model, articulates, contacts, settings, kicks, island, report);
   });
   space.given.clear();
-  space.answered = sum.ties;
+  space.answered = {};
   for (const TouchIsland& island : islands) {
+    auto next = static_cast<std::int32_t>(contacts.placed.size());
+    for (const std::size_t k : island.contacts)
+      contacts.list[k].placed = norm2(contacts.list[k].placing) > 0.0 ? next++ : -1;
     contacts.placed.insert(contacts.placed.end(), island.placed.begin(), island.placed.end());
+    space.answered += island.answered;
     space.given.insert(space.given.end(), island.given.begin(), island.given.end());
   }
   collect_heat(contacts, islands);
@@ -303,7 +313,8 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
   std::vector<char> used(contacts.list.size(), 0);
   for (std::size_t k = 0; k < used.size(); k++) {
     Contact& c = contacts.list[k];
-    used[k] = c.gap <= (norm2(c.placing) > 0.0 ? held_gap : touching) * c.size;
+    c.placed = -1;
+    used[k] = c.gap <= (norm2(c.placing) > 0.0 ? held_gap : closed_gap) * c.size;
     if (!used[k]) c.total = c.total_moment = zero3();
   }
   const std::span<TouchIsland> islands =
@@ -343,7 +354,7 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
       report.belts -= dot(to.total, to.belt - to.normal * dot(to.normal, to.belt));
       if (contacts.heat_kept)
         given.push_back({to.body_a, to.body_b, to.key.b, to.total, to.total_moment, problem.contacts[k].ra,
-                         problem.contacts[k].rb});
+                         problem.contacts[k].rb, to.normal, true});
     }
     HeatOf heat(model, articulates, contacts, settings.drifted, given, island.heat);
     std::vector<BodyLoad> loads(problem.bodies.size());

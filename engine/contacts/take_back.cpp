@@ -122,6 +122,49 @@ class Turns {
   std::vector<Group> groups_;  // by root
 };
 
+/// An impulse of one frame in the frame of another normal, by the smallest turn between them.
+Vec3 turned_with(Vec3 from, Vec3 to, Vec3 impulse) {
+  const Vec3 axis = cross(from, to);
+  const double cosine = dot(from, to);
+  return cosine > 0.0 ? impulse + cross(axis, impulse) + cross(axis, cross(axis, impulse)) / (1.0 + cosine) : impulse;
+}
+
+/// What contacts of solved islands gave: as they gave it, or, where they touch still, as they would give it now.
+void add_contacts(const Model& model, const Articulates& articulates, const Contacts& contacts, bool drifted,
+                  std::vector<Given>& as_then, std::vector<Given>& as_now) {
+  std::vector<const Contact*> now(contacts.placed.size(), nullptr);
+  for (const Contact& c : contacts.list)
+    if (c.placed >= 0 && c.gap <= closed_gap * c.size) now[static_cast<std::size_t>(c.placed)] = &c;
+  for (std::size_t k = 0; k < now.size(); k++) {
+    const Placing& p = contacts.placed[k];
+    if (!p.solved) continue;
+    const Vec3 impulse = now[k] ? turned_with(p.normal, now[k]->normal, p.impulse) : p.impulse,
+               moment = now[k] ? turned_with(p.normal, now[k]->normal, p.moment) : p.moment;
+    std::vector<Given>& to = now[k] ? as_now : as_then;
+    const auto add = [&](std::uint32_t thing, Vec3 arm_then, double sign) {
+      const Vec3 arm = now[k] ? now[k]->at - centre_of(model, articulates, thing, drifted) : arm_then;
+      to.push_back({thing, model.plane.along(impulse) * -sign, (cross(arm, impulse) + moment) * -sign});
+    };
+    add(p.body_a, p.arm_a, 1.0);
+    if (p.body_b >= 0) add(static_cast<std::uint32_t>(p.body_b), p.arm_b, -1.0);
+  }
+}
+
+/// One of each thing, rising.
+std::vector<Given> by_thing(std::vector<Given> list) {
+  std::stable_sort(list.begin(), list.end(), [](const Given& x, const Given& y) { return x.thing < y.thing; });
+  std::vector<Given> sums;
+  for (const Given& g : list) {
+    if (sums.empty() || sums.back().thing != g.thing) {
+      sums.push_back(g);
+      continue;
+    }
+    sums.back().impulse += g.impulse;
+    sums.back().moment += g.moment;
+  }
+  return sums;
+}
+
 }  // namespace
 
 double take_back(TouchSpace& space, Model& model, const Articulates& articulates, Contacts& contacts, bool drifted) {
@@ -132,8 +175,11 @@ double take_back(TouchSpace& space, Model& model, const Articulates& articulates
     p.moment = p.moment * -1.0;
   }
   HeatOf heat(model, articulates, contacts, drifted, contacts.placed, contacts.new_heat);
-  Turns turns(model, articulates, contacts, space.given, drifted);
-  for (const Given& g : space.given) {
+  std::vector<Given> as_then = space.given, as_now;
+  add_contacts(model, articulates, contacts, drifted, as_then, as_now);
+  Turns turns(model, articulates, contacts, as_then, drifted);
+  as_then.insert(as_then.end(), as_now.begin(), as_now.end());
+  for (const Given& g : by_thing(std::move(as_then))) {
     const BodyState s = state_of(model, articulates, g.thing, drifted);
     const double before = kinetic_energy(model, s, g.thing);
     add_momenta(model, s, g.thing, g.impulse * -1.0, g.moment * -1.0);

@@ -9,7 +9,7 @@ namespace pantin {
 namespace {
 
 constexpr std::uint32_t most_rounds = 40;
-constexpr double least_rise = 1e-12;  // of the kinetic energy: what is no round-off
+constexpr double least_rise = 1e-12, least_of_tied = 1e-8;  // of the kinetic energy: what the search does not leave
 
 /// Those that near each other, by index; none if nothing of it rebounds.
 std::vector<std::size_t> striking(const ContactIsland& island, double slow) {
@@ -46,7 +46,8 @@ double strike(ContactIsland& island, const std::vector<IslandContact>& those, do
   start_from_rest(island);
   const double before = kinetic_energy(island);
   report.iterations += solve_island(island, true).iterations;
-  return kinetic_energy(island) - before - std::max(0.0, given(island)) - least_rise * before;
+  return kinetic_energy(island) - before - std::max(0.0, given(island)) -
+         (island.ties.empty() ? least_rise : least_of_tied) * before;
 }
 
 /// Its velocities are those that the next round begins with.
