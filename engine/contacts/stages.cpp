@@ -120,8 +120,19 @@ void collect_heat(Contacts& contacts, std::span<TouchIsland> islands) {
     contacts.new_heat.insert(contacts.new_heat.end(), island.heat.begin(), island.heat.end());
 }
 
+/// Whether no body is much lighter than another: what acts on heavy ones would throw it about, were it not the same to the last digit.
+bool is_even(const ContactIsland& island) {
+  constexpr double most = 100.0;
+  double lightest = infinity, heaviest = 0.0;
+  for (const IslandBody& b : island.bodies) {
+    lightest = std::min(lightest, b.mass);
+    heaviest = std::max(heaviest, b.mass);
+  }
+  return heaviest <= most * lightest;
+}
+
 /// Solves it, exactly if its bodies are not waiting: where that failed some times in a row it is tried now and then. Whether it
-/// is solved as exactly as can be.
+/// is solved as exactly as can be, among bodies of like masses.
 bool solve(Contacts& contacts, TouchIsland& island, std::size_t stage, ContactSearch search, TouchReport& report) {
   constexpr std::uint8_t waits_after = 4, wait_of_failure = 7, wait_of_dense = 100;
   std::uint8_t failures = 0, wait = 0;
@@ -148,7 +159,7 @@ bool solve(Contacts& contacts, TouchIsland& island, std::size_t stage, ContactSe
     body.failures[stage] = failures;
     body.wait[stage] = wait;
   });
-  return found.residual <= exact_enough * island.problem.tolerance;
+  return found.residual <= exact_enough * island.problem.tolerance && is_even(island.problem);
 }
 
 /// Kicks gave loose points half of gravity: their velocities at the start of the step are without.
@@ -329,7 +340,7 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
       c.bias[0] = 0.0;
       c.start = to_frame(c, from.total);
       c.other_start = to_frame(c, from.placing);
-      c.rebound = from.body_b < 0 ? from.rebound : 0.0;
+      c.rebound = from.body_b < 0 && problem.ties.empty() ? from.rebound : 0.0;
       rebounds = rebounds || from.rebound > 0.0;
     }
     start_rolls(problem, contacts, island.contacts, &Contact::total_moment);

@@ -18,6 +18,14 @@ double opening_of_side(const IslandBody& body, Vec3 r, Vec3 out, const Roundness
   return size > 0.0 ? std::max(0.0, edge - round.radius * turn * turn / (size * size * size)) : edge;
 }
 
+/// From the surface to what turns with the body, where that rolls: not on the flat end of a cylinder.
+Vec3 to_core(Vec3 out, const Roundness& round) {
+  constexpr double flat = 0.1;  // sine of the angle between the axis and the normal
+  const Vec3 across = out - round.axis * dot(round.axis, out);
+  const double size = norm(across);
+  return size > flat ? across * (round.radius / size) : zero3();
+}
+
 }  // namespace
 
 double curving(Vec3 spin, double h) {
@@ -28,11 +36,8 @@ double curving(Vec3 spin, double h) {
 Vec3 turning_apart(const TouchIsland& island, const IslandContact& c, const Contact& from, double h) {
   const auto side = [&](std::int32_t number, Vec3 r, Vec3 out, const Roundness& round) {
     const IslandBody& body = island.problem.bodies[static_cast<std::size_t>(number)];
-    Vec3 way = zero3();
-    if (norm2(round.axis) == 0.0) {
-      way = cross(body.w0, cross(body.w0, r + out * round.radius));
-      way -= out * dot(out, way);
-    }
+    Vec3 way = cross(body.w0, cross(body.w0, r + to_core(out, round)));
+    way -= out * dot(out, way);
     return (way + out * opening_of_side(body, r, out, round)) * curving(body.w0, h);
   };
   const Vec3 n = c.frame[0];

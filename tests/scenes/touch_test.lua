@@ -209,3 +209,34 @@ test("what tips over an edge turns as its equation says: in the second order of 
   expect(math.abs(coarse + rate)):below(1e-4)
   expect(math.abs(fine + rate)):below(2e-5)
 end)
+
+test("a box on a turntable stays where friction holds it, and hinged links rebound with all of their energy", function()
+  local scene = open_text [[
+    local post = scene:body { mass = 1, inertia = vec(1, 1, 1), points = { c = vec(0, 0, 0) } }
+    local table_ = scene:body { shape = shape.cylinder { radius = 2, length = 0.2, axis = vec(0, 1, 0), friction = 0.4 }, mass = 50, points = { c = vec(0, 0, 0) } }
+    scene:nail(post.c) scene:orient(post)
+    scene:hinge(table_.c, post.c, { axis = vec(0, 1, 0) })
+    scene:motor(table_, post, { axis = vec(0, 1, 0), speed = 1 })
+    scene:box { size = 0.2, mass = 1, at = vec(1, 0.2, 0), friction = 0.4, velocity = vec(0, 0, -1), spin = vec(0, 1, 0), name = "box" }
+  ]]
+  local box = scene:find "box"
+  local function radius() return math.sqrt(box.position.x ^ 2 + box.position.z ^ 2) end
+  scene:advance(0.5)
+  local start = radius()
+  scene:advance(2)
+  expect(math.abs(radius() - start)):below(1e-6)
+
+  local links = open_text [[
+    scene.gravity = vec(0, 0, 0)
+    scene:floor { friction = 0, restitution = 1 }
+    local a = scene:body { shape = shape.capsule { radius = 0.05, from = vec(-0.5, 0, 0), to = vec(0.5, 0, 0), friction = 0 }, mass = 1,
+      inertia = vec(0.1, 0.1, 0.1), at = vec(0, 1.2, 0), orientation = quat(vec(0, 0, 1), 0.3), velocity = vec(0, -2, 0), points = { r = vec(0.5, 0, 0) } }
+    local b = scene:body { mass = 1, inertia = vec(0.1, 0.1, 0.1), at = a.r.position, velocity = vec(0, -2, 0), points = { l = vec(0, 0, 0) } }
+    scene:hinge(a.r, b.l)
+  ]]
+  links:step()
+  local whole = links.energy.kinetic
+  links:advance(0.8)
+  expect(links.bodies[1].velocity.y):above(0)
+  expect(links.energy.kinetic / whole):near(1, 2e-3)
+end)
