@@ -157,7 +157,7 @@ struct ArticulateState {
   std::vector<Vec3> exerted;    // (rows) [N s] in all, in a full sub-step that is cut into parts or strikes a row
   double exerted_time = 0.0;    // [s] for which that is the sum; 0: the rows' forces tell all
   std::vector<Vec3> expected;   // (rows) [N] in the coming step, where laws of velocity ask for it; none, or not finite
-  std::vector<Vec3> reaction;   // (rows) [N] what they bore of laws of velocity in the last step; none: nothing
+  std::vector<Vec3> reaction;   // (rows) [N] what they bore of laws of velocity and of contacts in the last step
   std::vector<double> loads;    // (rows) [N] that they bore in the last step, where some may break; none: not known
   std::vector<Vec3> symmetric;  // (rows) [N s] half of them, see `project_symmetrically`
   double symmetric_h = 0.0;     // [s] of the sub-steps after which they serve; 0: none

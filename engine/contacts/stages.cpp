@@ -114,6 +114,16 @@ void keep_tie_impulses(const Articulates& articulates, const TouchIsland& island
         island.problem.ties[k].impulse;
 }
 
+/// Adds what ties bear by these impulses to what their rows tell.
+void tell_reactions(const Articulates& articulates, const TouchIsland& island, double step) {
+  for (std::size_t k = 0; k < island.rows.size(); k++) {
+    Articulate& a = *articulates[island.rows[k][0]];
+    a.reaction.resize(a.rows.size(), zero3());
+    const IslandTie& t = island.problem.ties[k];
+    a.reaction[island.rows[k][1]] += t.kept * t.impulse / step;
+  }
+}
+
 void collect_heat(Contacts& contacts, std::span<TouchIsland> islands) {
   if (!contacts.heat_kept) return;
   for (TouchIsland& island : islands)
@@ -237,7 +247,9 @@ void give_placing(TouchSpace& space, Model& model, const Articulates& articulate
   note(-1.0);
   give(model, island, loads);
   const ImpulseWork ties = answer_of_ties(model, articulates, island, settings);
-  if (!island.placed.front().solved) {
+  if (island.placed.front().solved) {
+    tell_reactions(articulates, island, settings.step);
+  } else {
     note_given(model, articulates, island, loads, settings.drifted);
     island.answered = ties;
   }
@@ -372,6 +384,7 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
     add_contact_loads(problem, loads);
     for (IslandTie& t : problem.ties) t.impulse += t.struck;
     add_tie_loads(problem, loads);
+    tell_reactions(articulates, island, settings.step);
     give(model, island, loads);
     ImpulseWork ties = work_of_ties(problem);
     if (has_couplings(articulates, island)) ties += answer_of_ties(model, articulates, island, settings);

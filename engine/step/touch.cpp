@@ -50,7 +50,7 @@ namespace phases {
 namespace {
 
 TouchSettings settings_of(const World& world, bool drifted, double at) {
-  return {world.stage.h, world.settings.gravity, drifted, at, world.settings.contact};
+  return {world.stage.h, world.settings.gravity, drifted, at, world.settings.step, world.settings.contact};
 }
 
 /// Forces with energies that kick what nothing ties; none where there are none.

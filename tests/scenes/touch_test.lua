@@ -240,3 +240,22 @@ test("a box on a turntable stays where friction holds it, and hinged links rebou
   expect(links.bodies[1].velocity.y):above(0)
   expect(links.energy.kinetic / whole):near(1, 2e-3)
 end)
+
+test("ties tell what they bear of contacts, and break by it", function()
+  local function hung(breaks_at)
+    local scene = open_text(("scene.step = 1 / 240 local most = %g"):format(breaks_at) .. [[
+
+      local plate = scene:box { size = vec(1, 0.1, 1), mass = 2, name = "plate", points = { c = vec(0, 0, 0) } }
+      scene:orient(plate)
+      scene:box { size = 0.5, mass = 20, at = vec(0, 0.3, 0) }
+      local rod = scene:rod(plate.c, vec(0, 3, 0))
+      rod.breaks_at = { force = most }
+      scene:probe("tension", function() return rod.alive and rod.force or 0 end)
+    ]])
+    scene:advance(0.5)
+    return scene
+  end
+  local scene = hung(300)
+  expect(scene:read "tension"):near(22 * 9.81, 1e-6)
+  expect(hung(200):find("plate").position.y):below(-0.5)
+end)
