@@ -53,7 +53,7 @@ class Turns {
     for (const Placing& p : contacts.placed)
       if (p.body_b < 0) group_of(p.body_a).anchored = true;
     for (const Given& g : given) {
-      const Vec3 x = state_of(model_, articulates_, g.thing, drifted_).x;
+      const Vec3 x = centre_of(model_, articulates_, g.thing, drifted_);
       group_of(g.thing).missing += cross(x, g.impulse) + g.moment;
     }
     for (const auto& articulate : articulates)

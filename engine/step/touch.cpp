@@ -55,7 +55,7 @@ TouchSettings settings_of(const World& world, bool drifted, double at) {
 
 /// Forces with energies that kick what nothing ties; none where there are none.
 std::vector<BodyLoad> kicks_of(const World& world) {
-  if (!world.forces && !world.solids) return {};
+  if (world.contacts.list.empty() || (!world.forces && !world.solids)) return {};
   const std::size_t bodies = world.bodies.slots();
   std::vector<BodyLoad> kicks(bodies + world.points.slots());
   if (world.forces) {
