@@ -153,7 +153,9 @@ struct ArticulateState {
   std::vector<Condition> conditions;
   std::vector<Vec3> impulses;  // (rows) [N s] of the last projection of velocities
   std::array<std::vector<Vec3>, 2>
-      touched;                  // (rows) [N s] with what it touches, before and after the last drift; none: nothing
+      touched;  // (rows) [N s] with what it touches, before and after the last drift; none: nothing
+  std::array<std::vector<double>, 2>
+      touched_scalars;          // (rows) the same of scalar rows, at the row that they are known by
   std::vector<Vec3> exerted;    // (rows) [N s] in all, in a full sub-step that is cut into parts or strikes a row
   double exerted_time = 0.0;    // [s] for which that is the sum; 0: the rows' forces tell all
   std::vector<Vec3> expected;   // (rows) [N] in the coming step, where laws of velocity ask for it; none, or not finite
@@ -238,9 +240,13 @@ inline const Condition& condition(const Articulate& a, const Row& row) {
 
 inline const Row& row(const Articulate& a, const Condition& c) { return a.rows[c.row]; }
 
+/// What row k exerted in the last drift, on average [N].
+inline Vec3 force_in_drift(const Articulate& a, std::size_t k) {
+  return a.exerted_time > 0.0 ? a.exerted[k] / a.exerted_time : a.rows[k].f;
+}
 /// What row k exerted in the last step, on average [N].
 inline Vec3 exerted_force(const Articulate& a, std::size_t k) {
-  const Vec3 f = a.exerted_time > 0.0 ? a.exerted[k] / a.exerted_time : a.rows[k].f;
+  const Vec3 f = force_in_drift(a, k);
   return a.reaction.empty() ? f : f + a.reaction[k];
 }
 /// It moves again, or is not to fall asleep before its motion was looked at anew.

@@ -71,7 +71,7 @@ struct Builder {
   void add_articulate(TouchIsland& to, std::uint32_t number) {
     Articulate& a = *articulates[number];
     if (!settings.drifted) load(a, model, settings.gravity);
-    for (Condition& c : a.conditions) c.gives_way = is_limited(c);
+    for (Condition& c : a.conditions) c.gives_way = is_bounded(c);
     find_forbidden(a, settings.h, settings.at);
     std::vector<std::int32_t> places;
     for (const Node& n : a.nodes) places.push_back(add(to, n.is_body ? n.slot : point_thing(n.slot)));
@@ -97,7 +97,7 @@ struct Builder {
         }
     for (std::uint32_t k = 0; k < ties.size(); k++) {
       const Row& row = a.rows[k];
-      if (is_soft(row) || (row.condition >= 0 && condition(a, row).gives_way)) {
+      if (is_soft(row)) {
         add_load(to.pulls, ties[k], row.f);
         if (row.kind == RowKind::stiff) add_load(to.law_pulls, ties[k], row.f);
       }
@@ -106,6 +106,15 @@ struct Builder {
       if (trace(ties[k].kept) == 0.0 || a.rows[k].kind == RowKind::coupled) continue;
       to.problem.ties.push_back(ties[k]);
       to.rows.push_back({number, k});
+    }
+    for (ScalarRow& row : scalar_rows(a)) {
+      IslandScalar& s = to.problem.scalars.emplace_back();
+      s.first_end = static_cast<std::uint32_t>(to.problem.ends.size());
+      for (const ScalarRow::End& end : row.ends)
+        to.problem.ends.push_back(
+            {static_cast<std::uint32_t>(places[static_cast<std::size_t>(end.node)]), end.force, end.moment});
+      s.last_end = static_cast<std::uint32_t>(to.problem.ends.size());
+      to.scalars.push_back({number, std::move(row)});
     }
   }
   void add_contact(TouchIsland& to, const Contact& from) {
@@ -146,6 +155,8 @@ void TouchIsland::clear() {
   contacts.clear();
   articulates.clear();
   rows.clear();
+  scalars.clear();
+  held.clear();
   pulls.clear();
   law_pulls.clear();
   placed.clear();

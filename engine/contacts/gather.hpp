@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "articulates/solve/scalar_rows.hpp"
 #include "base/parallel.hpp"
 #include "base/subnormals.hpp"
 #include "contacts/bodies.hpp"
@@ -24,6 +25,13 @@ struct Given {
   Vec3 impulse, moment;  ///< [N s], [N m s] about its centre
 };
 
+/// A scalar of an island, and what it gave before the drift.
+struct TouchScalar {
+  std::uint32_t articulate;
+  ScalarRow row;
+  double given = 0.0;  ///< [N s]
+};
+
 /// Where the parts of an island's problem come from.
 struct TouchIsland {
   ContactIsland problem;
@@ -32,10 +40,12 @@ struct TouchIsland {
   std::vector<std::size_t> contacts;               ///< (contacts) index in Contacts::list
   std::vector<std::uint32_t> articulates;          ///< that are in it
   std::vector<std::array<std::uint32_t, 2>> rows;  ///< (ties) articulate and its row
+  std::vector<TouchScalar> scalars;                ///< (scalars)
   std::vector<BodyLoad> pulls;                     ///< (bodies) [N], [N m] of soft rows in the last step
   std::vector<BodyLoad> law_pulls;                 ///< (bodies) what of that is of laws
   std::vector<Placing> placed;                     ///< what `place` gave in it
   std::vector<Given> given;                        ///< to each of its things by that, where it is not solved
+  std::vector<TouchScalar> held;                   ///< what scalars within bounds gave, wherever it is
   ImpulseWork answered;                            ///< what ties that move gave of that
   std::vector<TouchHeat> heat;                     ///< of the stage, where it is kept
   TouchReport report;                              ///< of the stage, of it alone
@@ -47,6 +57,7 @@ struct TouchIsland {
 struct TouchSpace {
   std::vector<TouchIsland> placing, meeting, opening, resting;
   std::vector<Given> given;          ///< by placing, where it is not solved
+  std::vector<TouchScalar> held;     ///< scalars within bounds, by placing
   ImpulseWork answered;              ///< what ties that move gave of that
   std::vector<double> placing_work;  ///< (as index) [J] done to things by placing, and by taking that back
   std::vector<std::int32_t> index;   ///< (slots of bodies, then of points where some are solid) in its island, or -1

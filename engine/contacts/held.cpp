@@ -25,7 +25,7 @@ void fall_from_rest(const Model& model, TouchIsland& island, const TouchSettings
   }
 }
 
-bool is_held(const Contacts& contacts, const Articulates& articulates, TouchIsland& island) {
+bool is_held(const Contacts& contacts, const Articulates& articulates, TouchIsland& island, double h) {
   ContactIsland& problem = island.problem;
   for (std::size_t k = 0; k < problem.contacts.size(); k++) {
     const Contact& from = contacts.list[island.contacts[k]];
@@ -36,6 +36,7 @@ bool is_held(const Contacts& contacts, const Articulates& articulates, TouchIsla
   }
   start_rolls(problem, contacts, island.contacts, &Contact::total_moment);
   start_ties(island, articulates, 1);
+  set_scalars(island, articulates, h, h);
   hold_ties(problem);
   const double most = unmoved * problem.tolerance;
   if (solve_island(problem, true).residual > most) return false;
@@ -59,7 +60,7 @@ bool held_at_rest(TouchSpace& space, Workers& workers, Model& model, const Artic
   return std::all_of(things.begin(), things.end(), touches) &&
          std::all_of(islands.begin(), islands.end(), [&](TouchIsland& island) {
            fall_from_rest(model, island, settings, pulls);
-           return is_held(contacts, articulates, island);
+           return is_held(contacts, articulates, island, settings.h);
          });
 }
 

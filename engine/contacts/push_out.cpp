@@ -23,7 +23,7 @@ struct Displaced {
 
 /// Where light things that are tied would have to go far to let heavy ones go a little, all go less far: opened is then a part.
 void limit_displacements(ContactIsland& island, double most) {
-  if (island.ties.empty()) return;
+  if (!island.is_tied()) return;
   double fastest = 0.0;
   for (const IslandBody& b : island.bodies) fastest = std::fmax(fastest, norm(b.v) + norm(b.w) * b.reach);
   if (!(fastest > most)) return;
@@ -72,6 +72,8 @@ void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulat
     const bool calm = is_calm(problem, before);
     for (IslandBody& b : problem.bodies) b.v0 = b.w0 = zero3();
     for (IslandTie& t : problem.ties) t.wanted = zero3();
+    set_scalars(island, articulates, h, 0.0);
+    for (std::size_t k = 0; k < problem.scalars.size(); k++) problem.scalars[k].bias += island.scalars[k].row.wanted;
     double largest = 0.0;
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
       const Contact& from = contacts.list[island.contacts[k]];

@@ -31,6 +31,29 @@ inline void start_ties(TouchIsland& island, const Articulates& articulates, std:
     IslandTie& t = island.problem.ties[k];
     if (a.touched[stage].size() == a.rows.size()) t.start = t.kept * a.touched[stage][island.rows[k][1]];
   }
+  for (std::size_t k = 0; k < island.scalars.size(); k++) {
+    const Articulate& a = *articulates[island.scalars[k].articulate];
+    if (a.touched_scalars[stage].size() == a.rows.size())
+      island.problem.scalars[k].start = a.touched_scalars[stage][island.scalars[k].row.row()];
+  }
+}
+
+/// Sets what scalars want in a drift of h [s], with what their forces may give in `time` [s] beside `drifted` of it, in which they
+/// had the forces of the last drift.
+inline void set_scalars(TouchIsland& island, const Articulates& articulates, double h, double time,
+                        double drifted = 0.0) {
+  for (std::size_t k = 0; k < island.scalars.size(); k++) {
+    const ScalarRow& row = island.scalars[k].row;
+    IslandScalar& s = island.problem.scalars[k];
+    s.bias = std::max(0.0, row.room) / h - row.wanted;
+    if (!row.is_bounded()) continue;
+    const Vec3 along = row.parts.front().along;
+    const Articulate& a = *articulates[island.scalars[k].articulate];
+    const double force = dot(force_in_drift(a, row.row()), along) / norm2(along);
+    const auto impulse = [&](double bound) { return std::isinf(bound) ? bound : bound * time - force * drifted; };
+    s.low = std::min(0.0, impulse(row.low));
+    s.high = std::max(0.0, impulse(row.high));
+  }
 }
 
 /// Rows of limited force, which gave way to contacts, hold as before.

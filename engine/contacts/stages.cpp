@@ -76,10 +76,17 @@ void note_given(const Model& model, const Articulates& articulates, TouchIsland&
   }
 }
 
+void add_work(ImpulseWork& work, const Articulates& articulates, const TouchScalar& s, double impulse) {
+  (s.row.turns(*articulates[s.articulate]) ? work.turns : work.ends) += impulse * s.row.wanted;
+}
+
 /// What ties that move give by impulses at the end of the step.
-ImpulseWork work_of_ties(const ContactIsland& island) {
+ImpulseWork work_of_ties(const Articulates& articulates, const TouchIsland& island) {
   ImpulseWork work;
-  for (const IslandTie& t : island.ties) (t.lever > 0.0 ? work.turns : work.ends) += dot(t.kept * t.impulse, t.wanted);
+  for (const IslandTie& t : island.problem.ties)
+    (t.lever > 0.0 ? work.turns : work.ends) += dot(t.kept * t.impulse, t.wanted);
+  for (std::size_t k = 0; k < island.scalars.size(); k++)
+    add_work(work, articulates, island.scalars[k], island.problem.scalars[k].impulse);
   return work;
 }
 
@@ -100,27 +107,34 @@ void keep_rolls(const ContactIsland& island, Contacts& contacts, const std::vect
   for (const IslandRoll& r : island.rolls) contacts.list[to[r.contact]].*moment = moment_of(island, r, r.impulse);
 }
 
-/// Couplings hold more than two things each: they answer once the rest is solved.
-bool has_couplings(const Articulates& articulates, const TouchIsland& island) {
-  return std::any_of(island.articulates.begin(), island.articulates.end(),
-                     [&](std::uint32_t a) { return !articulates[a]->couplings.empty(); });
-}
-
 void keep_tie_impulses(const Articulates& articulates, const TouchIsland& island, int stage) {
   for (const std::uint32_t a : island.articulates)
     articulates[a]->touched[static_cast<std::size_t>(stage)].assign(articulates[a]->rows.size(), zero3());
   for (std::size_t k = 0; k < island.rows.size(); k++)
     articulates[island.rows[k][0]]->touched[static_cast<std::size_t>(stage)][island.rows[k][1]] =
         island.problem.ties[k].impulse;
+  for (const std::uint32_t a : island.articulates)
+    if (!island.scalars.empty())
+      articulates[a]->touched_scalars[static_cast<std::size_t>(stage)].assign(articulates[a]->rows.size(), 0.0);
+  for (std::size_t k = 0; k < island.scalars.size(); k++)
+    articulates[island.scalars[k].articulate]
+        ->touched_scalars[static_cast<std::size_t>(stage)][island.scalars[k].row.row()] =
+        island.problem.scalars[k].impulse;
 }
 
-/// Adds what ties bear by these impulses to what their rows tell.
-void tell_reactions(const Articulates& articulates, const TouchIsland& island, double step) {
+/// Adds what ties bear by these impulses to what their rows tell; scalars within bounds where that is `bounded`.
+void tell_reactions(const Articulates& articulates, const TouchIsland& island, double step, bool bounded) {
+  for (const std::uint32_t a : island.articulates)
+    articulates[a]->reaction.resize(articulates[a]->rows.size(), zero3());
   for (std::size_t k = 0; k < island.rows.size(); k++) {
-    Articulate& a = *articulates[island.rows[k][0]];
-    a.reaction.resize(a.rows.size(), zero3());
     const IslandTie& t = island.problem.ties[k];
-    a.reaction[island.rows[k][1]] += t.kept * t.impulse / step;
+    articulates[island.rows[k][0]]->reaction[island.rows[k][1]] += t.kept * t.impulse / step;
+  }
+  for (std::size_t k = 0; k < island.scalars.size(); k++) {
+    const TouchScalar& s = island.scalars[k];
+    if (s.row.is_bounded() && !bounded) continue;
+    for (const ScalarRow::Part& part : s.row.parts)
+      articulates[s.articulate]->reaction[part.row] += part.along * (island.problem.scalars[k].impulse / step);
   }
 }
 
@@ -230,6 +244,20 @@ void want_no_overlaps(TouchIsland& island, Contacts& contacts, double h) {
   }
 }
 
+/// Adds what scalars within bounds answer to contacts, and notes it. Where one reached a bound the drift, which asks for that force
+/// again, gives it.
+ImpulseWork hold_scalars(const Articulates& articulates, TouchIsland& island, std::vector<BodyLoad>& loads) {
+  for (std::size_t k = 0; k < island.scalars.size(); k++) {
+    const IslandScalar& s = island.problem.scalars[k];
+    if (!s.is_bounded() || s.is_at_bound()) continue;
+    add_load(island.problem, loads, s, s.impulse);
+    add_work(island.answered, articulates, island.scalars[k], s.impulse);
+    island.held.push_back(island.scalars[k]);
+    island.held.back().given = s.impulse;
+  }
+  return island.answered;
+}
+
 /// Gives what was found, and what ties answer; notes what each thing got of both.
 void give_placing(TouchSpace& space, Model& model, const Articulates& articulates, const Contacts& contacts,
                   const TouchSettings& settings, std::span<const BodyLoad> kicks, TouchIsland& island,
@@ -239,6 +267,7 @@ void give_placing(TouchSpace& space, Model& model, const Articulates& articulate
   for (const std::uint32_t a : island.articulates) articulates[a]->touches = true;
   std::vector<BodyLoad> loads(island.things.size());
   add_contact_loads(island.problem, loads);
+  ImpulseWork ties = hold_scalars(articulates, island, loads);
   const auto note = [&](double sign) {
     for (std::size_t i = 0; i < island.things.size(); i++)
       if (const std::size_t k = number_of(model, island.things[i]); k < space.placing_work.size())
@@ -246,12 +275,14 @@ void give_placing(TouchSpace& space, Model& model, const Articulates& articulate
   };
   note(-1.0);
   give(model, island, loads);
-  const ImpulseWork ties = answer_of_ties(model, articulates, island, settings);
+  const ImpulseWork answered = answer_of_ties(model, articulates, island, settings);
+  ties += answered;
   if (island.placed.front().solved) {
-    tell_reactions(articulates, island, settings.step);
+    tell_reactions(articulates, island, settings.step, false);
   } else {
+    island.held.clear();
     note_given(model, articulates, island, loads, settings.drifted);
-    island.answered = ties;
+    island.answered += answered;
   }
   note(1.0);
   report.ties += ties;
@@ -292,9 +323,10 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
     want_no_overlaps(island, contacts, h);
     report.gravity += gravity_in_step(island, contacts, settings);
     foresee_forces(model, island, settings);
-    hold_ties(problem);
     start_rolls(problem, contacts, island.contacts, &Contact::placing_moment);
     start_ties(island, articulates, 0);
+    set_scalars(island, articulates, h, 0.5 * h);
+    hold_ties(problem);
     const bool solved = solve(contacts, island, 0, settings.search, report);
     keep_tie_impulses(articulates, island, 0);
     keep_rolls(problem, contacts, island.contacts, &Contact::placing_moment);
@@ -312,7 +344,9 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
     if (!island.placed.empty()) give_placing(space, model, articulates, contacts, settings, kicks, island, report);
   });
   space.given.clear();
+  space.held.clear();
   space.answered = {};
+  space.held.clear();
   for (const TouchIsland& island : islands) {
     auto next = static_cast<std::int32_t>(contacts.placed.size());
     for (const std::size_t k : island.contacts)
@@ -320,19 +354,37 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
     contacts.placed.insert(contacts.placed.end(), island.placed.begin(), island.placed.end());
     space.answered += island.answered;
     space.given.insert(space.given.end(), island.given.begin(), island.given.end());
+    space.held.insert(space.held.end(), island.held.begin(), island.held.end());
   }
   collect_heat(contacts, islands);
   hold_again(articulates);
 }
 
+namespace {
+
+/// Those that are far from acting are nothing to velocities; of the rest, none is open.
+void close_scalars(TouchIsland& island, const Articulates& articulates) {
+  for (std::size_t k = 0; k < island.scalars.size(); k++) {
+    TouchScalar& scalar = island.scalars[k];
+    IslandScalar& s = island.problem.scalars[k];
+    s.bias = -scalar.row.wanted;
+    const Articulate& a = *articulates[scalar.articulate];
+    const bool held = a.touched_scalars[0].size() == a.rows.size() && a.touched_scalars[0][scalar.row.row()] != 0.0;
+    if (scalar.row.room > (held ? held_gap : closed_gap) * a.length) s.low = s.high = 0.0;
+  }
+}
+
+}  // namespace
+
 void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
           const TouchSettings& settings, TouchReport& sum) {
-  sum.work += take_back(space, model, articulates, contacts, settings.drifted);
+  sum.work += take_back(space, model, articulates, contacts, settings);
   sum.ties.ends -= space.answered.ends;
   sum.ties.turns -= space.answered.turns;
   space.given.clear();
   space.answered = {};
   contacts.placed.clear();
+  const double h = settings.h;
   std::vector<char> used(contacts.list.size(), 0);
   for (std::size_t k = 0; k < used.size(); k++) {
     Contact& c = contacts.list[k];
@@ -352,15 +404,17 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
       c.bias[0] = 0.0;
       c.start = to_frame(c, from.total);
       c.other_start = to_frame(c, from.placing);
-      c.rebound = from.body_b < 0 && problem.ties.empty() ? from.rebound : 0.0;
+      c.rebound = from.body_b < 0 && !problem.is_tied() ? from.rebound : 0.0;
       rebounds = rebounds || from.rebound > 0.0;
     }
     start_rolls(problem, contacts, island.contacts, &Contact::total_moment);
     start_ties(island, articulates, 1);
+    set_scalars(island, articulates, h, h, h);
+    close_scalars(island, articulates);
     hold_ties(problem);
     if (rebounds) {
       double gained = 0.0;
-      for (const std::uint32_t thing : problem.ties.empty() ? island.things : std::vector<std::uint32_t>())
+      for (const std::uint32_t thing : !problem.is_tied() ? island.things : std::vector<std::uint32_t>())
         if (const std::size_t i = number_of(model, thing); i < space.placing_work.size())
           gained += space.placing_work[i];
       report.iterations += resolve_impacts(problem, slow_of(settings, problem), gained).iterations;
@@ -383,11 +437,11 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
     std::vector<BodyLoad> loads(problem.bodies.size());
     add_contact_loads(problem, loads);
     for (IslandTie& t : problem.ties) t.impulse += t.struck;
+    for (IslandScalar& s : problem.scalars) s.impulse += s.struck;
     add_tie_loads(problem, loads);
-    tell_reactions(articulates, island, settings.step);
+    tell_reactions(articulates, island, settings.step, true);
     give(model, island, loads);
-    ImpulseWork ties = work_of_ties(problem);
-    if (has_couplings(articulates, island)) ties += answer_of_ties(model, articulates, island, settings);
+    const ImpulseWork ties = work_of_ties(articulates, island);
     report.ties += ties;
     const double work = kinetic_energy_now(model, island) - before - ties.all();
     report.work += work;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "articulates/solve/momenta.hpp"
+#include "articulates/solve/project.hpp"
 #include "base/sets.hpp"
 #include "contacts/bodies.hpp"
 #include "contacts/gather.hpp"
@@ -14,6 +15,8 @@ namespace {
 
 /// Part of the mean moment of inertia below which a turn has no meaning.
 constexpr double least_inertia = 1e-9;
+
+std::uint32_t thing_of(const Node& n) { return n.is_body ? n.slot : point_thing(n.slot); }
 
 /// Things that pushed each other, and nothing else: their angular momentum is to stay.
 struct Group {
@@ -100,7 +103,6 @@ class Turns {
     return *std::lower_bound(groups_.begin(), groups_.end(), root,
                              [](const Group& g, std::size_t wanted) { return g.root < wanted; });
   }
-  static std::uint32_t thing_of(const Node& n) { return n.is_body ? n.slot : point_thing(n.slot); }
   void add_articulates() {
     for (const auto& articulate : articulates_)
       if (articulate->touches)
@@ -150,6 +152,27 @@ void add_contacts(const Model& model, const Articulates& articulates, const Cont
   }
 }
 
+/// What scalars within bounds gave, as they would give it now.
+void add_scalars(const Model& model, const Articulates& articulates, const TouchSpace& space,
+                 const TouchSettings& settings, std::vector<Given>& given) {
+  for (std::size_t k = 0; k < space.held.size();) {
+    const std::uint32_t number = space.held[k].articulate;
+    Articulate& a = *articulates[number];
+    find_forbidden(a, settings.h, settings.at);
+    const std::vector<ScalarRow> now = scalar_rows(a);
+    for (; k < space.held.size() && space.held[k].articulate == number; k++) {
+      const TouchScalar& then = space.held[k];
+      const auto same = std::find_if(now.begin(), now.end(), [&](const ScalarRow& row) {
+        return row.row() == then.row.row() && dot(row.parts.front().along, then.row.parts.front().along) > 0.0;
+      });
+      for (const ScalarRow::End& end : same == now.end() ? then.row.ends : same->ends) {
+        const std::uint32_t thing = thing_of(a.nodes[static_cast<std::size_t>(end.node)]);
+        given.push_back({thing, model.plane.along(end.force) * then.given, end.moment * then.given});
+      }
+    }
+  }
+}
+
 /// One of each thing, rising.
 std::vector<Given> by_thing(std::vector<Given> list) {
   std::stable_sort(list.begin(), list.end(), [](const Given& x, const Given& y) { return x.thing < y.thing; });
@@ -167,7 +190,9 @@ std::vector<Given> by_thing(std::vector<Given> list) {
 
 }  // namespace
 
-double take_back(TouchSpace& space, Model& model, const Articulates& articulates, Contacts& contacts, bool drifted) {
+double take_back(TouchSpace& space, Model& model, const Articulates& articulates, Contacts& contacts,
+                 const TouchSettings& settings) {
+  const bool drifted = settings.drifted;
   if (contacts.placed.empty()) return 0.0;
   double work = 0.0;
   for (Placing& p : contacts.placed) {
@@ -177,6 +202,7 @@ double take_back(TouchSpace& space, Model& model, const Articulates& articulates
   HeatOf heat(model, articulates, contacts, drifted, contacts.placed, contacts.new_heat);
   std::vector<Given> as_then = space.given, as_now;
   add_contacts(model, articulates, contacts, drifted, as_then, as_now);
+  add_scalars(model, articulates, space, settings, as_now);
   Turns turns(model, articulates, contacts, as_then, drifted);
   as_then.insert(as_then.end(), as_now.begin(), as_now.end());
   for (const Given& g : by_thing(std::move(as_then))) {

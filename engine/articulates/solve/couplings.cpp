@@ -240,7 +240,7 @@ void project_couplings(Articulate& a) {
   for (const Coupling& coupling : a.couplings) {
     const Row& head = a.rows[coupling.head];
     const Condition& of_head = condition(a, head);
-    const bool held = of_head.held;
+    const bool held = of_head.held && !of_head.gives_way;
     const Slope along_head = slope(a, coupling, head, of_head);
     for (std::uint32_t k : coupling.rows) {
       Condition& c = condition(a, a.rows[k]);
@@ -253,6 +253,17 @@ void project_couplings(Articulate& a) {
       if (held && k == coupling.head) c.wanted = along.n * (c.length_rate / (c.weight1 * along.size));
     }
   }
+}
+
+std::vector<std::pair<std::uint32_t, Vec3>> coupling_gradient(const Articulate& a, const Coupling& coupling) {
+  const double of_head = condition(a, a.rows[coupling.head]).weight1;
+  std::vector<std::pair<std::uint32_t, Vec3>> gradient;
+  for (const std::uint32_t k : coupling.rows) {
+    const Condition& c = condition(a, a.rows[k]);
+    const Slope along = slope(a, coupling, a.rows[k], c);
+    gradient.emplace_back(k, along.n * (along.size * c.weight1 / of_head));
+  }
+  return gradient;
 }
 
 Stop coupling_stop(const Articulate& a, const Row& row) {

@@ -1,6 +1,9 @@
 #pragma once
 // Couplings: rows whose values, times weights, add up to one number. Each has a force of its own; one of them, the head,
 // has the equation of the sum, the others that their force is as the head's.
+#include <utility>
+#include <vector>
+
 #include "articulates/solve/newton.hpp"
 #include "constraints/row_rule.hpp"
 
@@ -17,6 +20,8 @@ void project_couplings(Articulate& articulate);
 void hold_with_heads(Articulate& articulate);
 /// What keeps a head from making its sum larger than it may be.
 Stop coupling_stop(const Articulate& articulate, const Row& row);
+/// By how much its sum, in metres of the head, changes with the velocities of each of its rows.
+std::vector<std::pair<std::uint32_t, Vec3>> coupling_gradient(const Articulate& articulate, const Coupling& coupling);
 /// How far the thing that would have to move least to close a head's gap is from where it should be, by that gap [1].
 double told_by_head(const Articulate& articulate, const Row& row);
 /// By how much the sum is wrong: of a head, along itself; else 0, [m].

@@ -99,7 +99,7 @@ double find_gaps(Articulate& a, Closing closing = Closing::all) {
       if (c.ranged || !std::isinf(c.upper)) c.held = c.ranged && stop(a, row).room < 0.0;
       c.held_before = c.held_before || c.held;
       rule(row).project(row, c);
-      if (closing == Closing::firm && c.gives_way) {
+      if (closing == Closing::firm && c.gives_way && !c.ranged) {
         row.residual = zero3();
         c.kept = zero33();
       }

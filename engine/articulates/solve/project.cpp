@@ -40,10 +40,14 @@ Vec3 forbidden_of_coupling(const Articulate& a, std::uint32_t k) {
 void find_kept(Articulate& a) {
   for (Condition& c : a.conditions) c.wanted = c.velocity;
   if (a.all_rigid) return;
-  for (Row& row : a.rows)
-    if (row.kind != RowKind::rigid) rule(row).project(row, condition(a, row));
-  for (Condition& c : a.conditions)
-    if (c.gives_way) c.kept = zero33();
+  for (Row& row : a.rows) {
+    if (row.kind == RowKind::rigid) continue;
+    Condition& c = condition(a, row);
+    const bool held = c.held;
+    c.held = held && !c.gives_way;
+    rule(row).project(row, c);
+    c.held = held;
+  }
   project_couplings(a);
 }
 

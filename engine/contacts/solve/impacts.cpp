@@ -30,6 +30,7 @@ double given(const ContactIsland& island) {
   double sum = 0.0;
   for (const IslandContact& c : island.contacts) sum -= c.bias[1] * c.impulse[1] + c.bias[2] * c.impulse[2];
   for (const IslandTie& t : island.ties) sum += dot(t.kept * t.impulse, t.wanted);
+  for (const IslandScalar& s : island.scalars) sum -= s.bias * s.impulse;
   return sum;
 }
 
@@ -43,16 +44,23 @@ double strike(ContactIsland& island, const std::vector<IslandContact>& those, do
     c.start = c.other_start = zero3();
   }
   for (IslandTie& t : island.ties) t.start = zero3();
+  for (IslandScalar& s : island.scalars) s.start = 0.0;
   start_from_rest(island);
   const double before = kinetic_energy(island);
   report.iterations += solve_island(island, true).iterations;
   return kinetic_energy(island) - before - std::max(0.0, given(island)) -
-         (island.ties.empty() ? least_rise : least_of_tied) * before;
+         (!island.is_tied() ? least_rise : least_of_tied) * before;
 }
 
 /// Its velocities are those that the next round begins with.
 void go_on(ContactIsland& island) {
   for (IslandTie& t : island.ties) t.struck += t.kept * t.impulse;
+  for (IslandScalar& s : island.scalars) {
+    s.struck += s.impulse;
+    if (s.high == infinity) continue;  // what only pushes does not take an earlier blow back
+    s.low -= s.impulse;
+    s.high -= s.impulse;
+  }
   for (IslandBody& b : island.bodies) {
     b.v0 = b.v;
     b.w0 = b.w;
@@ -67,7 +75,9 @@ ImpactReport resolve_impacts(ContactIsland& island, double slow, double gained) 
   std::vector<IslandRoll> rolls;
   rolls.swap(island.rolls);
   std::vector<Vec3> starts;
+  std::vector<double> scalar_starts;
   for (const IslandTie& t : island.ties) starts.push_back(t.start);
+  for (const IslandScalar& s : island.scalars) scalar_starts.push_back(s.start);
   while (report.rounds < most_rounds) {
     start_from_rest(island);
     observe(island);
@@ -89,6 +99,7 @@ ImpactReport resolve_impacts(ContactIsland& island, double slow, double gained) 
   }
   rolls.swap(island.rolls);
   for (std::size_t k = 0; k < starts.size(); k++) island.ties[k].start = starts[k];
+  for (std::size_t k = 0; k < scalar_starts.size(); k++) island.scalars[k].start = scalar_starts[k];
   return report;
 }
 

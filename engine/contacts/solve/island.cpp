@@ -44,6 +44,8 @@ void ContactIsland::clear() {
   contacts.clear();
   rolls.clear();
   ties.clear();
+  scalars.clear();
+  ends.clear();
   ties_prepared = false;
 }
 
@@ -69,6 +71,14 @@ void push(ContactIsland& island, const IslandRoll& roll, Vec3 impulse) {
   if (c.b < 0) return;
   IslandBody& b = island.bodies[static_cast<std::size_t>(c.b)];
   b.w -= b.mobility * moment;
+}
+
+void push(ContactIsland& island, const IslandScalar& scalar, double impulse) {
+  for (const ScalarEnd& end : ends_of(island, scalar)) {
+    IslandBody& b = island.bodies[end.body];
+    b.v += end.force * (impulse * b.inverse_mass);
+    b.w += b.mobility * end.moment * impulse;
+  }
 }
 
 namespace {
@@ -97,6 +107,14 @@ void add_contact_loads(const ContactIsland& island, std::vector<BodyLoad>& loads
 
 void add_tie_loads(const ContactIsland& island, std::vector<BodyLoad>& loads) {
   for (const IslandTie& t : island.ties) add_load(loads, t, t.kept * t.impulse);
+  for (const IslandScalar& s : island.scalars) add_load(island, loads, s, s.impulse);
+}
+
+void add_load(const ContactIsland& island, std::vector<BodyLoad>& loads, const IslandScalar& s, double impulse) {
+  for (const ScalarEnd& end : ends_of(island, s)) {
+    loads[end.body].force += end.force * impulse;
+    loads[end.body].moment += end.moment * impulse;
+  }
 }
 
 void add_load(std::vector<BodyLoad>& loads, const IslandTie& t, Vec3 impulse) {
@@ -117,6 +135,7 @@ void apply_impulses(ContactIsland& island) {
   for (const IslandContact& c : island.contacts) push(island, c, to_world(c, c.impulse));
   for (const IslandRoll& r : island.rolls) push(island, r, r.impulse);
   for (const IslandTie& t : island.ties) push(island, t, t.kept * t.impulse);
+  for (const IslandScalar& s : island.scalars) push(island, s, s.impulse);
 }
 
 void observe(ContactIsland& island) {
@@ -129,6 +148,7 @@ void observe(ContactIsland& island) {
   }
   for (IslandTie& t : island.ties)
     t.u = velocity_of(t, island.bodies, &IslandBody::v, &IslandBody::w) - t.kept * t.wanted;
+  for (IslandScalar& s : island.scalars) s.u = velocity_of(island, s, &IslandBody::v, &IslandBody::w) + s.bias;
 }
 
 void prepare(ContactIsland& island) {
@@ -153,10 +173,18 @@ void prepare(ContactIsland& island) {
   }
   weigh_ties(island);
   for (IslandTie& t : island.ties) t.impulse = t.start;
+  for (IslandScalar& s : island.scalars) s.impulse = std::clamp(s.start, s.low, s.high);
 }
 
 void weigh_ties(ContactIsland& island) {
   for (IslandTie& t : island.ties) t.w = mean_mobility(island, t);
+  for (IslandScalar& s : island.scalars) {
+    s.w = 0.0;
+    for (const ScalarEnd& end : ends_of(island, s)) {
+      const IslandBody& b = island.bodies[end.body];
+      s.w += norm2(end.force) * b.inverse_mass + dot(end.moment, b.mobility * end.moment);
+    }
+  }
 }
 
 namespace {
@@ -177,6 +205,11 @@ double coulomb_residual(const IslandContact& c) {
   return std::fmax(normal, disc_residual(c.impulse[1] * c.wt, c.impulse[2] * c.wt, c.u[1], c.u[2], bound));
 }
 
+double scalar_residual(const IslandScalar& s) {
+  const double x = s.impulse * s.w;
+  return std::fabs(x - std::clamp(x - s.u, s.low * s.w, s.high * s.w));
+}
+
 double roll_residual(const ContactIsland& island, const IslandRoll& r) {
   const double most = std::fmax(0.0, island.contacts[r.contact].impulse[0]);
   return std::fmax(disc_residual(r.impulse[0] * r.wn, 0.0, r.u[0], 0.0, most * r.wn),
@@ -188,6 +221,7 @@ double residual(const ContactIsland& island) {
   for (const IslandContact& c : island.contacts) most = std::fmax(most, coulomb_residual(c));
   for (const IslandRoll& r : island.rolls) most = std::fmax(most, roll_residual(island, r));
   for (const IslandTie& t : island.ties) most = std::fmax(most, norm(t.u));
+  for (const IslandScalar& s : island.scalars) most = std::fmax(most, scalar_residual(s));
   return most;
 }
 

@@ -5,11 +5,13 @@
 //   contacts:  u = G v + bias in the frame (n, t1, t2);  0 ≤ γ_n ⊥ u_n ≥ 0;  |γ_t| ≤ friction γ_n, against u_t where it slides
 //   rolls:     |lever (ω_a - ω_b)'s moment| ≤ γ_n of their contact, about n and across it, against the turn
 //   ties:      kept (T v - wanted) = 0, as articulates have them
+//   scalars:   u = Σ J v + bias over any number of bodies; low ≤ μ ≤ high, u = 0 between, ≥ 0 at low, ≤ 0 at high
 //
 // v stands for the velocity of the centre and the spin, in world axes; forces act on body a, opposite ones on b. w is the
 // diagonal of the Delassus operator G M⁻¹ G': how much a unit impulse changes its own velocity [1/kg].
 #include <array>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -73,6 +75,25 @@ struct IslandTie : IslandPair {
   Vec3 struck = zero3();   ///< [N s] before contacts were solved: what holds ties alone, and of impacts
 };
 
+/// What a unit impulse of a scalar does to one body [1], [m], about its centre, world axes.
+struct ScalarEnd {
+  std::uint32_t body;
+  Vec3 force = zero3(), moment = zero3();
+};
+
+/// One number of velocities: of a coupling over several bodies, or of what holds within bounds.
+struct IslandScalar {
+  std::uint32_t first_end = 0, last_end = 0;   ///< in ContactIsland::ends, each of another body
+  double low = -infinity, high = infinity;     ///< [N s] bounds of the impulse
+  double bias = 0.0;                           ///< [m/s]
+  double w = 0.0;                              ///< [1/kg]
+  double start = 0.0, impulse = 0.0, u = 0.0;  ///< [N s], [N s], [m/s]
+  double struck = 0.0;                         ///< [N s] before contacts were solved, as of ties
+
+  bool is_bounded() const { return low > -infinity || high < infinity; }
+  bool is_at_bound() const { return is_bounded() && (impulse <= low || impulse >= high); }
+};
+
 /// What impulses do to a body: [N s], [N m s] about its centre, world axes.
 struct BodyLoad {
   Vec3 force = zero3(), moment = zero3();
@@ -92,6 +113,7 @@ struct Layout {
   std::vector<std::uint32_t> position;  ///< (2 bodies) in the order of elimination
   std::vector<std::uint32_t> own;       ///< (bodies) block of the two rows of a body
   std::vector<PairBlocks> contact_blocks, tie_blocks;
+  std::vector<PairBlocks> scalar_blocks;                    ///< of each two ends of each scalar
   std::vector<Mat3> base_diagonal, base_lower, base_upper;  ///< of masses and ties
   std::vector<Vec3> right_side;
 };
@@ -101,6 +123,8 @@ struct ContactIsland {
   std::vector<IslandContact> contacts;
   std::vector<IslandRoll> rolls;  ///< of some of them, in their order
   std::vector<IslandTie> ties;
+  std::vector<IslandScalar> scalars;
+  std::vector<ScalarEnd> ends;       ///< of the scalars
   double tolerance = 1e-8;           ///< [m/s] to which velocities at contacts are solved
   double enough = 1e-4;              ///< [m/s] change of velocities by a sweep after which there is no other
   double calm = infinity;            ///< [m/s] mean velocity below which an exact search is worth while
@@ -110,6 +134,7 @@ struct ContactIsland {
   SweepSpace sweep_space;
 
   void clear();  ///< keeps memory
+  bool is_tied() const { return !ties.empty() || !scalars.empty(); }
 };
 
 inline Vec3 to_frame(const IslandContact& c, Vec3 world) { return transposed_times(c.frame, world); }
@@ -137,14 +162,29 @@ inline Vec3 velocity_of(const IslandTie& t, const std::vector<IslandBody>& bodie
   return t.kept * (t.lever > 0.0 ? relative_spin(t, bodies, w) : relative(t, bodies, v, w));
 }
 
+inline std::span<const ScalarEnd> ends_of(const ContactIsland& island, const IslandScalar& s) {
+  return std::span(island.ends).subspan(s.first_end, s.last_end - s.first_end);
+}
+inline double velocity_of(const ContactIsland& island, const IslandScalar& s, Vec3 IslandBody::*v,
+                          Vec3 IslandBody::*w) {
+  double sum = 0.0;
+  for (const ScalarEnd& end : ends_of(island, s)) {
+    const IslandBody& b = island.bodies[end.body];
+    sum += dot(end.force, b.*v) + dot(end.moment, b.*w);
+  }
+  return sum;
+}
+
 /// Adds an impulse [N s] (world axes, on a) to the velocities.
 void push(ContactIsland& island, const IslandPair& pair, Vec3 impulse);
 void push(ContactIsland& island, const IslandTie& tie, Vec3 impulse);
 void push(ContactIsland& island, const IslandRoll& roll, Vec3 impulse);  ///< in the contact's frame
-/// Adds what impulses do to the bodies: of contacts and rolls, of ties.
+void push(ContactIsland& island, const IslandScalar& scalar, double impulse);
+/// Adds what impulses do to the bodies: of contacts and rolls, of ties and scalars.
 void add_contact_loads(const ContactIsland& island, std::vector<BodyLoad>& loads);
 void add_tie_loads(const ContactIsland& island, std::vector<BodyLoad>& loads);
 void add_load(std::vector<BodyLoad>& loads, const IslandTie& tie, Vec3 impulse);  ///< world axes
+void add_load(const ContactIsland& island, std::vector<BodyLoad>& loads, const IslandScalar& scalar, double impulse);
 /// Velocities without impulses, and with those at hand.
 void start_from_rest(ContactIsland& island);
 void apply_impulses(ContactIsland& island);
@@ -152,12 +192,14 @@ void apply_impulses(ContactIsland& island);
 void observe(ContactIsland& island);
 /// Sets wn, wt and w, and begins the search where last time's impulses are.
 void prepare(ContactIsland& island);
-/// Sets w of ties alone.
+/// Sets w of ties and scalars alone.
 void weigh_ties(ContactIsland& island);
 
 /// How far a contact is from Coulomb's law with impulse γ at velocity u [m/s]: with x = w γ, the distance of x from the
 /// projection of x - u on what is allowed.
 double coulomb_residual(const IslandContact& contact);
+/// The same of a scalar's law.
+double scalar_residual(const IslandScalar& scalar);
 /// The same of friction against spins.
 double roll_residual(const ContactIsland& island, const IslandRoll& roll);
 /// Largest of all contacts, and of what ties should forbid [m/s].

@@ -26,6 +26,10 @@ std::vector<Pair> pairs_of(const ContactIsland& island, bool touching) {
   std::vector<Pair> pairs;
   if (touching) add_pairs(island.contacts, pairs);
   add_pairs(island.ties, pairs);
+  for (const IslandScalar& s : island.scalars)
+    for (const ScalarEnd& one : ends_of(island, s))
+      for (const ScalarEnd& other : ends_of(island, s))
+        if (one.body != other.body) pairs.emplace_back(one.body, other.body);
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
@@ -113,6 +117,31 @@ void add_turns(Sums to, const IslandPair& t, const PairBlocks& blocks, const Mat
   to.add(blocks.block[3], blocks.a_below[3], both, transpose(both));
 }
 
+/// The same of a stiffness of one number of velocities; `blocks` of each two of its ends.
+void add_scalar(Sums to, std::span<const ScalarEnd> ends, std::span<const PairBlocks> blocks, double stiffness) {
+  std::size_t pair = 0;
+  for (std::size_t i = 0; i < ends.size(); i++) {
+    const auto turned = [&](const ScalarEnd& end) { return to.island.bodies[end.body].turning * end.moment; };
+    const Vec3 f = ends[i].force * stiffness, m = turned(ends[i]) * stiffness;
+    const Vec3 own = turned(ends[i]);
+    add_own(to, static_cast<std::int32_t>(ends[i].body), outer(f, ends[i].force), outer(m, ends[i].force),
+            outer(f, own), outer(m, own));
+    for (std::size_t j = i + 1; j < ends.size(); j++, pair++) {
+      const Vec3 of[2] = {f, m}, with[2] = {ends[j].force, turned(ends[j])};
+      for (std::size_t k = 0; k < 4; k++) {
+        const Mat3 entry = outer(of[k / 2], with[k % 2]);
+        to.add(blocks[pair].block[k], blocks[pair].a_below[k], entry, transpose(entry));
+      }
+    }
+  }
+}
+
+std::span<const PairBlocks> blocks_of(const Layout& layout, std::size_t& next, const IslandScalar& s) {
+  const std::size_t ends = s.last_end - s.first_end, first = next;
+  next += ends * (ends - 1) / 2;
+  return std::span(layout.scalar_blocks).subspan(first, next - first);
+}
+
 std::size_t updates_of(const RowLists& columns) {
   std::size_t updates = 0;
   for (std::size_t k = 0; k + 1 < columns.first.size(); k++) {
@@ -153,6 +182,14 @@ bool lay_out_matrix(const ContactIsland& island, bool touching, std::size_t most
     for (const IslandContact& c : island.contacts) layout.contact_blocks.push_back(blocks_of(layout, c));
   layout.tie_blocks.clear();
   for (const IslandTie& t : island.ties) layout.tie_blocks.push_back(blocks_of(layout, t));
+  layout.scalar_blocks.clear();
+  for (const IslandScalar& s : island.scalars) {
+    const std::span<const ScalarEnd> ends = ends_of(island, s);
+    for (std::size_t i = 0; i < ends.size(); i++)
+      for (std::size_t j = i + 1; j < ends.size(); j++)
+        layout.scalar_blocks.push_back(blocks_of(layout, IslandPair{static_cast<std::int32_t>(ends[i].body),
+                                                                    static_cast<std::int32_t>(ends[j].body)}));
+  }
   return true;
 }
 
@@ -183,10 +220,15 @@ void set_base(const ContactIsland& island, Layout& layout, double tie_stiffness)
     else
       add_points(base, t, layout.tie_blocks[k], K);
   }
+  std::size_t next = 0;
+  for (const IslandScalar& s : island.scalars) {
+    const std::span<const PairBlocks> blocks = blocks_of(layout, next, s);
+    if (!s.is_bounded()) add_scalar(base, ends_of(island, s), blocks, tie_stiffness / s.w);
+  }
 }
 
 void factorise(const ContactIsland& island, Layout& layout, std::span<const Mat3> stiffness,
-               std::span<const Mat3> roll_stiffness) {
+               std::span<const Mat3> roll_stiffness, std::span<const double> scalar_stiffness) {
   Factor& f = layout.factor;
   std::copy(layout.base_diagonal.begin(), layout.base_diagonal.end(), f.diagonal.begin());
   std::copy(layout.base_lower.begin(), layout.base_lower.end(), f.lower.begin());
@@ -197,6 +239,12 @@ void factorise(const ContactIsland& island, Layout& layout, std::span<const Mat3
   for (std::size_t k = 0; k < roll_stiffness.size(); k++) {
     const std::uint32_t c = island.rolls[k].contact;
     add_turns(sums, island.contacts[c], layout.contact_blocks[c], roll_stiffness[k]);
+  }
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < scalar_stiffness.size(); k++) {
+    const IslandScalar& s = island.scalars[k];
+    const std::span<const PairBlocks> blocks = blocks_of(layout, next, s);
+    if (s.is_bounded()) add_scalar(sums, ends_of(island, s), blocks, scalar_stiffness[k]);
   }
   for (std::size_t i = 0; i < f.diagonal.size(); i++)
     f.whole[i] = vec(f.diagonal[i][0][0], f.diagonal[i][1][1], f.diagonal[i][2][2]);

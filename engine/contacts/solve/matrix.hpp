@@ -12,9 +12,10 @@ bool lay_out_all(ContactIsland& island, std::size_t most_updates);
 void lay_out_ties(ContactIsland& island);
 /// Sets the part of masses and ties, with stiffness `tie_stiffness` / w of each tie [kg].
 void set_base(const ContactIsland& island, Layout& layout, double tie_stiffness);
-/// Factorises the base with stiffnesses in world axes, by index, or none at all: of contacts [kg], of rolls [kg m²].
+/// Factorises the base with stiffnesses in world axes, by index, or none at all: of contacts [kg], of rolls [kg m²], of scalars
+/// within bounds [kg].
 void factorise(const ContactIsland& island, Layout& layout, std::span<const Mat3> stiffness,
-               std::span<const Mat3> roll_stiffness);
+               std::span<const Mat3> roll_stiffness, std::span<const double> scalar_stiffness);
 /// Solves for the change of velocities [m/s], [rad/s] that these make.
 void solve(const ContactIsland& island, Layout& layout, std::span<const BodyLoad> load, std::span<BodyLoad> change);
 

@@ -69,6 +69,16 @@ struct Linear {
   double follows = 0.0;       // change of the impulse along the slip by that of the normal one
 };
 
+/// Of a scalar's law, at the nearer of its bounds.
+Slope linearise(const IslandScalar& s, double tau) {
+  const double g = s.impulse * s.w, x = g - s.u, softness = 1.0 / tie_stiffness;
+  if (!s.is_bounded()) return {-tie_stiffness * s.u, tie_stiffness};
+  if (s.high == infinity || x - s.low * s.w < s.high * s.w - x) return smoothed(g - s.low * s.w, s.u, tau, softness);
+  Slope at_high = smoothed(s.high * s.w - g, -s.u, tau, softness);
+  at_high.offset *= -1.0;
+  return at_high;
+}
+
 /// The same of friction against spins; that it follows the normal impulse is left to the next iteration.
 struct LinearRoll {
   Slip spin, roll;
@@ -105,6 +115,8 @@ struct Newton {
   std::vector<Linear> laws, used = {};
   std::vector<LinearRoll> roll_laws = {}, roll_used = {};
   std::vector<Mat3> stiffness = {}, roll_stiffness = {};
+  std::vector<Slope> scalar_laws = {}, scalars_used = {};
+  std::vector<double> scalar_stiffness = {};
   std::vector<BodyLoad> load = {}, change = {};
 
   /// With stiffnesses such that what is left [m/s] asks for no more than the impulses that there are: where rigid bodies hold each
@@ -116,27 +128,29 @@ struct Newton {
     for (std::size_t k = 0; k < laws.size(); k++) laws[k] = linearise(island.contacts[k], tau, stiffest);
     roll_laws.clear();
     for (const IslandRoll& r : island.rolls) roll_laws.push_back(linearise(island, r, tau, stiffest));
+    scalar_laws.clear();
+    for (const IslandScalar& s : island.scalars) scalar_laws.push_back(linearise(s, tau));
   }
+  static bool differs(double a, double b) { return std::fabs(a - b) > 0.02 * std::fmax(a, b) + 1e-4; }
   bool changed(const Slip& now, const Slip& then) const {
-    const auto differs = [](double a, double b) { return std::fabs(a - b) > 0.02 * std::fmax(a, b) + 1e-4; };
     return differs(now.along_stiffness, then.along_stiffness) || differs(now.across_stiffness, then.across_stiffness) ||
            std::fabs(now.d1 * then.d2 - now.d2 * then.d1) > 1e-3;
   }
   bool changed(const Linear& now, const Linear& then) const {
-    for (int j = 0; j < 3; j++) {
-      const double a = now.stiffness[j], b = then.stiffness[j];
-      if (std::fabs(a - b) > 0.02 * std::fmax(a, b) + 1e-4) return true;
-    }
+    for (int j = 0; j < 3; j++)
+      if (differs(now.stiffness[j], then.stiffness[j])) return true;
     if (std::fabs(now.follows - then.follows) > 0.02) return true;
     const bool turns = std::fabs(now.stiffness[1] - now.stiffness[2]) > 1e-3 * now.stiffness[2];
     return turns && std::fabs(now.d1 * then.d2 - now.d2 * then.d1) > 1e-3;
   }
   bool factor_serves() const {
-    if (used.size() != laws.size()) return false;
+    if (used.size() != laws.size() || scalars_used.size() != scalar_laws.size()) return false;
     for (std::size_t k = 0; k < laws.size(); k++)
       if (changed(laws[k], used[k])) return false;
     for (std::size_t k = 0; k < roll_laws.size(); k++)
       if (changed(roll_laws[k].spin, roll_used[k].spin) || changed(roll_laws[k].roll, roll_used[k].roll)) return false;
+    for (std::size_t k = 0; k < scalar_laws.size(); k++)
+      if (differs(scalar_laws[k].stiffness, scalars_used[k].stiffness)) return false;
     return true;
   }
   void factorise_law() {
@@ -174,7 +188,13 @@ struct Newton {
         roll_stiffness[k] += outer(along, along) * (roll * l.along_stiffness / r.wt) +
                              outer(across, across) * (roll * l.across_stiffness / r.wt);
     }
-    factorise(island, island.all, stiffness, roll_stiffness);
+    scalars_used = scalar_laws;
+    scalar_stiffness.clear();
+    for (std::size_t k = 0; k < scalars_used.size(); k++) {
+      if (scalars_used[k].stiffness < 1e-12) scalars_used[k].stiffness = 0.0;
+      scalar_stiffness.push_back(scalars_used[k].stiffness / island.scalars[k].w);
+    }
+    factorise(island, island.all, stiffness, roll_stiffness, scalar_stiffness);
   }
   void move_rolls() {
     for (std::size_t k = 0; k < roll_laws.size(); k++) {
@@ -213,6 +233,8 @@ struct Newton {
     }
     move_rolls();
     for (IslandTie& t : island.ties) t.impulse -= t.u * (tie_stiffness / t.w);
+    for (std::size_t k = 0; k < scalar_laws.size(); k++)
+      island.scalars[k].impulse += scalar_laws[k].offset / island.scalars[k].w;
   }
   void follow_velocities() {
     for (std::size_t i = 0; i < island.bodies.size(); i++) {
@@ -238,6 +260,10 @@ struct Newton {
       const Vec3 du = velocity_of(t, island.bodies, &IslandBody::dv, &IslandBody::dw);
       t.impulse -= du * (tie_stiffness / t.w);
     }
+    for (std::size_t k = 0; k < scalars_used.size(); k++) {
+      IslandScalar& s = island.scalars[k];
+      s.impulse -= velocity_of(island, s, &IslandBody::dv, &IslandBody::dw) * scalars_used[k].stiffness / s.w;
+    }
   }
 };
 
@@ -245,19 +271,23 @@ struct Newton {
 struct Best {
   double residual = infinity;
   std::vector<Vec3> contacts, rolls, ties;
+  std::vector<double> scalars;
   void keep(const ContactIsland& island, double now) {
     residual = now;
     contacts.clear();
     rolls.clear();
     ties.clear();
+    scalars.clear();
     for (const IslandContact& c : island.contacts) contacts.push_back(c.impulse);
     for (const IslandRoll& r : island.rolls) rolls.push_back(r.impulse);
     for (const IslandTie& t : island.ties) ties.push_back(t.impulse);
+    for (const IslandScalar& s : island.scalars) scalars.push_back(s.impulse);
   }
   void put_back(ContactIsland& island) const {
     for (std::size_t k = 0; k < contacts.size(); k++) island.contacts[k].impulse = contacts[k];
     for (std::size_t k = 0; k < rolls.size(); k++) island.rolls[k].impulse = rolls[k];
     for (std::size_t k = 0; k < ties.size(); k++) island.ties[k].impulse = ties[k];
+    for (std::size_t k = 0; k < scalars.size(); k++) island.scalars[k].impulse = scalars[k];
     apply_impulses(island);
     observe(island);
   }

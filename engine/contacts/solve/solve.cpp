@@ -39,6 +39,7 @@ void confine(ContactIsland& island) {
     r.impulse[1] *= most / t;
     r.impulse[2] *= most / t;
   }
+  for (IslandScalar& s : island.scalars) s.impulse = std::clamp(s.impulse, s.low, s.high);
 }
 
 struct Search {
@@ -59,6 +60,7 @@ struct Search {
     for (IslandContact& c : island.contacts) c.start = c.impulse;
     for (IslandRoll& r : island.rolls) r.start = r.impulse;
     for (IslandTie& t : island.ties) t.start = t.impulse;
+    for (IslandScalar& s : island.scalars) s.start = s.impulse;
   }
   /// Not where the factor would cost more than it is worth.
   void newton(std::uint32_t most) {
@@ -79,6 +81,7 @@ double dual(const ContactIsland& island) {
   double sum = kinetic_energy(island);
   for (const IslandContact& c : island.contacts) sum += dot(c.bias, c.impulse);
   for (const IslandTie& t : island.ties) sum -= dot(t.kept * t.wanted, t.impulse);
+  for (const IslandScalar& s : island.scalars) sum += s.bias * s.impulse;
   return sum;
 }
 
@@ -86,7 +89,7 @@ double dual(const ContactIsland& island) {
 double dual_of(ContactIsland& island, Vec3 IslandContact::*start) {
   for (IslandContact& c : island.contacts) c.impulse = c.*start;
   apply_impulses(island);
-  if (!island.ties.empty()) {
+  if (island.is_tied()) {
     std::vector<BodyLoad> loads;
     answer_of_ties(island, loads);
     apply_impulses(island);
@@ -102,10 +105,12 @@ void choose_start(ContactIsland& island) {
     return;
   const double first = dual_of(island, &IslandContact::start);
   const std::vector<IslandTie> ties = island.ties;
+  const std::vector<IslandScalar> scalars = island.scalars;
   if (dual_of(island, &IslandContact::other_start) < first) {
     for (IslandContact& c : island.contacts) c.start = c.other_start;
   } else {
     island.ties = ties;
+    island.scalars = scalars;
     for (IslandContact& c : island.contacts) c.impulse = c.start;
     apply_impulses(island);
   }
@@ -123,6 +128,7 @@ Gain gain_of(const ContactIsland& island) {
   Gain g;
   for (const IslandContact& c : island.contacts) g.allowed -= dot(c.bias, c.impulse);
   for (const IslandTie& t : island.ties) g.allowed += dot(t.kept * t.wanted, t.impulse);
+  for (const IslandScalar& s : island.scalars) g.allowed -= s.bias * s.impulse;
   g.allowed = std::max(g.allowed, 0.0);
   for (const IslandBody& b : island.bodies) {
     const Vec3 dv = b.v - b.v0, dw = b.w - b.w0, momentum = b.inertia * b.w0;
@@ -171,7 +177,7 @@ IslandReport solve_island(ContactIsland& island, bool exactly, ContactSearch wan
     if (exact)
       search.sweeps(sweeps_before_newton);
     else
-      search.sweeps(most_sweeps, island.ties.empty() ? more_sweeps : most_sweeps);
+      search.sweeps(most_sweeps, !island.is_tied() ? more_sweeps : most_sweeps);
     const bool worth = exact || deserves();  // impulses to begin with may have been far off
     if (worth && search.report.residual > island.tolerance) search.newton(most_of_newton);
     for (std::uint32_t i = 0; surely && !search.solved() && i < rounds_of_hard; i++) {
@@ -181,7 +187,7 @@ IslandReport solve_island(ContactIsland& island, bool exactly, ContactSearch wan
   }
   confine(island);
   apply_impulses(island);
-  if (island.ties.empty())
+  if (!island.is_tied())
     gain_nothing(island, search.report);
   else if (gain_of(island).is_too_much())  // ties would not hold made smaller: sweeps gain nothing
     search.sweeps(most_sweeps);

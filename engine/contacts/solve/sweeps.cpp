@@ -125,6 +125,34 @@ struct Sweeps {
     r.impulse = now;
   }
 
+  void add_scalars() {
+    space.scalars.clear();
+    for (const ScalarEnd& end : island.ends) {
+      const IslandBody& b = island.bodies[end.body];
+      space.scalars.push_back({end.body, end.force * std::sqrt(b.inverse_mass), transposed_times(b.root, end.moment)});
+    }
+    for (IslandScalar& s : island.scalars) s.impulse = s.is_bounded() ? std::clamp(s.start, s.low, s.high) : 0.0;
+  }
+  void give(const IslandScalar& s, double impulse) {
+    for (std::uint32_t k = s.first_end; k < s.last_end; k++) {
+      const ScalarBlock& end = space.scalars[k];
+      y[end.body].centre += end.centre * impulse;
+      y[end.body].spin += end.spin * impulse;
+    }
+  }
+  /// One within bounds, others as they are; returns the change [m/s].
+  double visit(IslandScalar& s) {
+    double u = s.bias;
+    for (std::uint32_t k = s.first_end; k < s.last_end; k++) {
+      const ScalarBlock& end = space.scalars[k];
+      u += dot(end.centre, y[end.body].centre) + dot(end.spin, y[end.body].spin);
+    }
+    const double by = std::clamp(s.impulse - u / s.w, s.low, s.high) - s.impulse;
+    give(s, by);
+    s.impulse += by;
+    return std::fabs(by) * s.w;
+  }
+
   Vec3 velocity(const ContactBlock& c) const {
     const Scaled &a = y[c.a], &b = y[c.b];
     const Vec3 centre = a.centre * c.by_a - b.centre * c.by_b;
@@ -170,7 +198,7 @@ struct Sweeps {
   }
   /// All ties at once, contacts as they are.
   void hold_ties() {
-    if (island.ties.empty()) return;
+    if (!island.is_tied()) return;
     for (std::size_t i = 0; i < island.bodies.size(); i++) {
       IslandBody& b = island.bodies[i];
       b.v = y[i].centre * std::sqrt(b.inverse_mass);
@@ -198,9 +226,11 @@ struct Sweeps {
       soft += c.compliance * c.impulse[0] * c.impulse[0];
     }
     for (const RollBlock& r : rolls) give(r, r.impulse);
+    for (const IslandScalar& s : island.scalars) give(s, s.impulse);
     for (IslandTie& t : island.ties) t.impulse = zero3();
     hold_ties();
     for (const IslandTie& t : island.ties) constant -= dot(t.kept * t.wanted, t.impulse);
+    for (const IslandScalar& s : island.scalars) constant += s.bias * s.impulse;
     for (std::size_t i = 0; i < y.size(); i++) {
       y[i].centre -= free[i].centre;
       y[i].spin -= free[i].spin;
@@ -210,6 +240,7 @@ struct Sweeps {
     for (ContactBlock& c : blocks) c.impulse *= part;
     for (RollBlock& r : rolls) r.impulse *= part;
     for (IslandTie& t : island.ties) t.impulse *= part;
+    for (IslandScalar& s : island.scalars) s.impulse *= part;
     for (std::size_t i = 0; i < y.size(); i++) {
       y[i].centre = free[i].centre + y[i].centre * part;
       y[i].spin = free[i].spin + y[i].spin * part;
@@ -232,6 +263,8 @@ struct Sweeps {
     else
       for (std::size_t k = blocks.size(); k-- > 0;) one(blocks[k]);
     for (RollBlock& r : rolls) visit(r);
+    for (IslandScalar& s : island.scalars)
+      if (s.is_bounded()) most = std::max(most, visit(s));
     hold_ties();
     return most;
   }
@@ -239,15 +272,19 @@ struct Sweeps {
     take_velocities();
     add_blocks();
     add_rolls();
+    add_scalars();
     start();
     space.way.assign(y.size(), {});
     space.tie_way.assign(island.ties.size(), zero3());
+    space.scalar_way.assign(island.scalars.size(), 0.0);
   }
   /// Notes where a sweep starts.
   void keep() {
     space.before = y;
     space.tie_before.clear();
     for (const IslandTie& t : island.ties) space.tie_before.push_back(t.impulse);
+    space.scalar_before.clear();
+    for (const IslandScalar& s : island.scalars) space.scalar_before.push_back(s.impulse);
   }
   double change_of_sweep() const {
     double sum = 0.0;
@@ -258,6 +295,11 @@ struct Sweeps {
     for (const RollBlock& r : rolls) {
       const Vec3 d = r.impulse - r.before;
       sum += d[0] * d[0] * r.wn + (d[1] * d[1] + d[2] * d[2]) * r.wt;
+    }
+    for (std::size_t k = 0; k < island.scalars.size(); k++) {
+      const IslandScalar& s = island.scalars[k];
+      const double d = s.is_bounded() ? s.impulse - space.scalar_before[k] : 0.0;
+      sum += d * d * s.w;
     }
     return sum;
   }
@@ -277,6 +319,11 @@ struct Sweeps {
       const Vec3 on = space.tie_way[k] * part;
       space.tie_way[k] = island.ties[k].impulse - space.tie_before[k] + on;
       island.ties[k].impulse += on;
+    }
+    for (std::size_t k = 0; k < island.scalars.size(); k++) {
+      const double on = space.scalar_way[k] * part;
+      space.scalar_way[k] = island.scalars[k].impulse - space.scalar_before[k] + on;
+      island.scalars[k].impulse += on;
     }
     for (std::size_t k = 0; k < y.size(); k++) {
       const Vec3 centre = space.way[k].centre * part, spin = space.way[k].spin * part;

@@ -35,12 +35,20 @@ struct RollBlock {
   double wn = 0.0, wt = 0.0;  // [1/kg]
 };
 
+/// What a scalar reads of a body, and gives it.
+struct ScalarBlock {
+  std::uint32_t body = 0;
+  Vec3 centre = zero3(), spin = zero3();
+};
+
 struct SweepSpace {
   std::vector<Scaled> free, y, before, way;  ///< (bodies and, last, the world, which stays 0)
   std::vector<ContactBlock> blocks;          ///< from the lowest up
   std::vector<std::uint32_t> order;          ///< (blocks) index of the contact
   std::vector<RollBlock> rolls;
   std::vector<Vec3> tie_before, tie_way;
+  std::vector<ScalarBlock> scalars;  ///< (ends of the island's scalars)
+  std::vector<double> scalar_before, scalar_way;
 };
 
 }  // namespace pantin

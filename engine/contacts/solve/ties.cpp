@@ -1,6 +1,10 @@
 #include "contacts/solve/ties.hpp"
 
+#include <algorithm>
+#include <limits>
+
 #include "contacts/solve/matrix.hpp"
+#include "contacts/solve/search.hpp"
 
 namespace pantin {
 
@@ -8,13 +12,18 @@ void answer_of_ties(ContactIsland& island, std::vector<BodyLoad>& loads) {
   if (!island.ties_prepared) {
     lay_out_ties(island);
     set_base(island, island.ties_alone, tie_stiffness);
-    factorise(island, island.ties_alone, {}, {});
+    factorise(island, island.ties_alone, {}, {}, {});
     island.ties_prepared = true;
   }
   loads.assign(island.bodies.size(), {});
   for (IslandTie& t : island.ties) {
     t.u = velocity_of(t, island.bodies, &IslandBody::v, &IslandBody::w) - t.kept * t.wanted;
     add_load(loads, t, t.u * (-tie_stiffness / t.w));
+  }
+  for (IslandScalar& s : island.scalars) {
+    if (s.is_bounded()) continue;
+    s.u = velocity_of(island, s, &IslandBody::v, &IslandBody::w) + s.bias;
+    add_load(island, loads, s, s.u * (-tie_stiffness / s.w));
   }
   std::vector<BodyLoad>& change = island.tie_change;
   change.resize(loads.size());
@@ -30,15 +39,21 @@ void answer_of_ties(ContactIsland& island, std::vector<BodyLoad>& loads) {
     t.impulse += impulse;
     add_load(loads, t, t.kept * impulse);
   }
+  for (IslandScalar& s : island.scalars) {
+    if (s.is_bounded()) continue;
+    const double du = velocity_of(island, s, &IslandBody::dv, &IslandBody::dw),
+                 impulse = (s.u + du) * (-tie_stiffness / s.w);
+    s.impulse += impulse;
+    add_load(island, loads, s, impulse);
+  }
 }
 
-void hold_ties(ContactIsland& island) {
-  if (island.ties.empty()) return;
+namespace {
+
+/// Ties and couplings alone: a linear problem.
+void hold_linear(ContactIsland& island) {
   constexpr int rounds = 2;  // each leaves some 1e-7 of what the one before did
-  weigh_ties(island);
-  start_from_rest(island);
   std::vector<BodyLoad> loads;
-  for (IslandTie& t : island.ties) t.impulse = zero3();
   for (int round = 0; round < rounds; round++) {
     answer_of_ties(island, loads);
     for (std::size_t i = 0; i < loads.size(); i++) {
@@ -47,11 +62,47 @@ void hold_ties(ContactIsland& island) {
       b.w += b.mobility * loads[i].moment;
     }
   }
+}
+
+/// With what holds within bounds: contacts are set aside.
+void hold_within_bounds(ContactIsland& island) {
+  constexpr std::uint32_t most_iterations = 50;
+  std::vector<IslandContact> contacts;
+  std::vector<IslandRoll> rolls;
+  contacts.swap(island.contacts);
+  rolls.swap(island.rolls);
+  std::swap(island.all, island.ties_alone);
+  lay_out_all(island, std::numeric_limits<std::size_t>::max());
+  newton_search(island, most_iterations);
+  std::swap(island.all, island.ties_alone);
+  island.ties_prepared = false;
+  contacts.swap(island.contacts);
+  rolls.swap(island.rolls);
+}
+
+}  // namespace
+
+void hold_ties(ContactIsland& island) {
+  if (!island.is_tied()) return;
+  weigh_ties(island);
+  start_from_rest(island);
+  for (IslandTie& t : island.ties) t.impulse = zero3();
+  for (IslandScalar& s : island.scalars) s.impulse = std::clamp(0.0, s.low, s.high);
+  const auto bounded = [](const IslandScalar& s) { return s.is_bounded(); };
+  if (std::any_of(island.scalars.begin(), island.scalars.end(), bounded))
+    hold_within_bounds(island);
+  else
+    hold_linear(island);
   for (IslandBody& b : island.bodies) {
     b.v0 = b.v;
     b.w0 = b.w;
   }
   for (IslandTie& t : island.ties) t.struck += t.kept * t.impulse;
+  for (IslandScalar& s : island.scalars) {
+    s.struck += s.impulse;
+    s.low -= s.impulse;
+    s.high -= s.impulse;
+  }
 }
 
 }  // namespace pantin

@@ -1,0 +1,109 @@
+#include "articulates/solve/scalar_rows.hpp"
+
+#include <algorithm>
+
+#include "articulates/solve/couplings.hpp"
+#include "articulates/solve/row_gaps.hpp"
+
+namespace pantin {
+
+namespace {
+
+/// The unit vector n of the projection n n'; 0 of none.
+Vec3 axis_of(const Mat3& projection) {
+  Vec3 longest = zero3();
+  for (int i = 0; i < 3; i++)
+    if (norm2(projection[i]) > norm2(longest)) longest = projection[i];
+  return direction(longest);
+}
+
+ScalarRow row_of(const Articulate& a, const Coupling& coupling) {
+  const Row& head = a.rows[coupling.head];
+  const Condition& c = condition(a, head);
+  ScalarRow s;
+  s.wanted = c.length_rate / c.weight1;
+  s.low = -infinity;
+  s.high = infinity;
+  double sign = 1.0;
+  if (c.ranged) {
+    sign = -1.0;
+    s.wanted *= -1.0;
+    s.low = 0.0;
+    s.room = coupling_stop(a, head).room;
+  }
+  for (const auto& [k, along] : coupling_gradient(a, coupling)) s.parts.push_back({k, along * sign});
+  const auto first = std::find_if(s.parts.begin(), s.parts.end(),
+                                  [&](const ScalarRow::Part& part) { return part.row == coupling.head; });
+  std::iter_swap(s.parts.begin(), first);
+  return s;
+}
+
+/// Of a limit or an end of a path, as it would hold.
+ScalarRow row_of_stop(const Row& row, Condition c, Stop stop) {
+  c.held = true;
+  c.wanted = c.velocity;
+  rule(row).project(row, c);
+  ScalarRow s;
+  s.parts.push_back({c.row, stop.inward});
+  s.wanted = dot(c.wanted, stop.inward);
+  s.room = stop.room;
+  s.high = infinity;
+  return s;
+}
+
+ScalarRow row_of_motor(const Row& row, Condition c) {
+  c.held = true;
+  c.wanted = zero3();
+  rule(row).project(row, c);
+  ScalarRow s;
+  s.parts.push_back({c.row, axis_of(c.kept)});
+  s.wanted = dot(c.wanted, s.parts.front().along);
+  s.low = c.lower;
+  s.high = c.upper;
+  return s;
+}
+
+void add_end(std::vector<ScalarRow::End>& ends, std::int32_t node, Vec3 force, Vec3 moment) {
+  if (node < 0) return;
+  auto at = std::find_if(ends.begin(), ends.end(), [&](const ScalarRow::End& end) { return end.node == node; });
+  if (at == ends.end()) at = ends.insert(at, {node});
+  at->force += force;
+  at->moment += moment;
+}
+
+void find_ends(const Articulate& a, ScalarRow& s) {
+  for (const ScalarRow::Part& part : s.parts) {
+    const Row& r = a.rows[part.row];
+    const auto add = [&](std::int32_t node, Vec3 l, Vec3 along) {
+      if (node < 0) return;
+      const Mat3& R = a.nodes[static_cast<std::size_t>(node)].R1;
+      if (r.lever > 0.0)
+        add_end(s.ends, node, zero3(), along * r.lever);
+      else
+        add_end(s.ends, node, along, cross(R * l, along));
+    };
+    add(r.a, r.la, part.along);
+    add(r.b, r.lb, part.along * -1.0);
+  }
+}
+
+}  // namespace
+
+std::vector<ScalarRow> scalar_rows(Articulate& a) {
+  std::vector<ScalarRow> all;
+  for (const Coupling& coupling : a.couplings) all.push_back(row_of(a, coupling));
+  for (const Condition& c : a.conditions) {
+    const Row& r = row(a, c);
+    if (c.stiff || r.kind == RowKind::coupled || r.kind == RowKind::rigid || !is_bounded(c)) continue;
+    if (!c.ranged) {
+      all.push_back(row_of_motor(r, c));
+      continue;
+    }
+    const Stop end = stop(a, r);
+    if (std::isfinite(end.room)) all.push_back(row_of_stop(r, c, end));
+  }
+  for (ScalarRow& s : all) find_ends(a, s);
+  return all;
+}
+
+}  // namespace pantin

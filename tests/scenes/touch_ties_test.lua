@@ -1,0 +1,129 @@
+-- Couplings, limits and motors among what touches.
+local g = 9.81
+
+local function scene_at(rate, text)
+  return open_text(("scene.step = 1 / %d\nlocal x, y, z = vec(1, 0, 0), vec(0, 1, 0), vec(0, 0, 1)\n"):format(rate) .. text)
+end
+
+for _, rate in ipairs { 60, 240 } do
+  local at_rate = " at " .. rate .. " Hz"
+
+  test("strings carry a load that rests on the plate that they hold" .. at_rate, function()
+    local scene = scene_at(rate, [[
+      local plate = scene:box { size = vec(1, 0.1, 1), mass = 1, at = vec(0, 1, 0), points = { l = vec(-0.5, 0.05, 0), r = vec(0.5, 0.05, 0) } }
+      scene:align(plate, z, nil, z)
+      scene:string({ plate.l, vec(-0.5, 4, 0) }, { name = "left" })
+      scene:string { plate.r, vec(0.5, 4, 0) }
+      scene:box { size = 0.4, mass = 10, at = vec(0, 1.25, 0), name = "load" }
+    ]])
+    scene:advance(5)
+    expect(scene:find("load").position.y):near(1.25, 1e-8)
+    expect(scene:find("left").force):near(5.5 * g, 1e-4)
+    expect(scene.error.worst_penetration):below(1e-8)
+    expect(scene.error.worst_energy):below(1e-7)
+  end)
+
+  test("a load on one side of a pulley lifts the other side" .. at_rate, function()
+    local scene = scene_at(rate, [[
+      local plate = scene:box { size = vec(1, 0.1, 1), mass = 1, at = vec(0, 1, 0), points = { p = vec(0, 0.05, 0) } }
+      local weight = scene:box { size = 0.4, mass = 2, at = vec(3, 1, 0), points = { p = vec(0, 0.2, 0) } }
+      scene:pulley(plate.p, vec(0, 6, 0), vec(3, 6, 0), weight.p, { name = "pulley" })
+      scene:orient(plate)
+      scene:orient(weight)
+      scene:box { size = 0.4, mass = 10, at = vec(0, 1.25, 0), name = "load" }
+    ]])
+    scene:advance(0.5)
+    local acceleration = (11 - 2) / 13 * g
+    expect(scene:find("load").position.y):near(1.25 - 0.125 * acceleration, 1e-8)
+    expect(scene:find("pulley").force):near(2 * (g + acceleration), 1e-5)
+  end)
+
+  test("a rack turns its wheel under a load that rests on it" .. at_rate, function()
+    local scene = scene_at(rate, [[
+      local wheel = scene:body { mass = 1, inertia = vec(0.1, 0.1, 0.1), at = vec(0, 3, 0), points = { hub = vec(0, 0, 0) } }
+      scene:nail(wheel.hub)
+      scene:align(wheel, z, nil, z)
+      local rod = scene:box { size = vec(1, 0.1, 1), mass = 1, at = vec(-0.5, 1, 0), points = { p = vec(0, 0.05, 0) } }
+      scene:orient(rod)
+      scene:on_plane(rod.p, { normal = x })
+      scene:on_plane(rod.p, { normal = z })
+      scene:rack(wheel, rod.p, { radius = 0.5, axis = z, along = y })
+      scene:box { size = 0.4, mass = 10, at = vec(-0.5, 1.25, 0), name = "load" }
+    ]])
+    scene:advance(0.5)
+    expect(scene:find("load").position.y):near(1.25 - 0.125 * 11 * g / (11 + 0.1 / 0.25), 1e-5)
+    expect(scene.error.worst_energy):below(1e-7)
+  end)
+
+  for _, most in ipairs { 200, 1e4 } do
+    test(("a motor of at most %g N m holds a beam that carries a box"):format(most) .. at_rate, function()
+      local scene = scene_at(rate, ([[
+        local beam = scene:box { size = vec(2, 0.1, 0.5), mass = 1, at = vec(1, 1, 0), points = { hub = vec(-1, 0, 0) }, name = "beam" }
+        scene:nail(beam.hub)
+        scene:align(beam, z, nil, z)
+        scene:motor(beam, { axis = z, speed = 0, max_torque = %g, name = "motor" })
+        scene:box { size = 0.4, mass = 10, at = vec(1.5, 1.25, 0) }
+      ]]):format(most))
+      scene:advance(1)
+      expect(scene:find("beam").position.y):near(1, 1e-11)
+      expect(scene:find("motor").torque.z):near(g + 10 * g * 1.5, 1e-3)
+      expect(scene.error.worst_energy):below(1e-6)
+    end)
+  end
+
+  test("a motor that is too weak for a load by contact gives what it can" .. at_rate, function()
+    local scene = scene_at(rate, [[
+      local beam = scene:box { size = vec(2, 0.1, 0.5), mass = 1, at = vec(1, 1, 0), points = { hub = vec(-1, 0, 0) }, name = "beam" }
+      scene:nail(beam.hub)
+      scene:align(beam, z, nil, z)
+      scene:motor(beam, { axis = z, speed = 0, max_torque = 60, name = "motor" })
+      scene:ball { radius = 0.1, mass = 10, at = vec(1.5, 1.15, 0), friction = 0 }
+    ]])
+    scene:advance(0.1)
+    local inertia = (4 + 0.01) / 12 + 1 + 10 * 1.5 ^ 2
+    local acceleration = (g + 10 * g * 1.5 - 60) / inertia
+    expect(scene:find("beam").spin.z):near(-acceleration * 0.1, 2e-3 * acceleration * 0.1)
+    expect(scene:find("motor").torque.z):near(60, 1e-9)
+  end)
+
+  test("a limit stops a blow towards it and lets one from it go" .. at_rate, function()
+    local function after_blow(way)
+      local scene = scene_at(rate, ([[
+        scene.gravity = vec(0, 0, 0)
+        local bar = scene:box { size = vec(2, 0.1, 0.5), mass = 1, at = vec(1, 0, 0), points = { hub = vec(-1, 0, 0) }, name = "bar" }
+        scene:nail(bar.hub)
+        scene:align(bar, z, nil, z)
+        scene:limit(bar, { axis = z, min = 0, max = 1 })
+        scene:ball { radius = 0.2, mass = 1, at = vec(1.5, %g, 0), velocity = vec(0, %g, 0), name = "ball", restitution = 1, friction = 0 }
+      ]]):format(-0.3 * way, 2 * way))
+      scene:advance(0.1)
+      return scene:find("bar").spin.z, scene:find("ball").velocity.y
+    end
+    local spin, speed = after_blow(-1)
+    expect(spin):near(0, 1e-12)
+    expect(speed):near(2, 1e-8)
+    spin, speed = after_blow(1)
+    local inertia = (4 + 0.01) / 12 + 1
+    expect(spin):near(2 * 2 * 1.5 / (inertia + 1.5 ^ 2), 1e-9)
+    expect(speed):near(2 - 2 * 2 * inertia / (inertia + 1.5 ^ 2), 1e-9)
+  end)
+
+  test("a string at its end stops a blow that would stretch it and lets one that slackens it go" .. at_rate, function()
+    local function after_blow(way)
+      local scene = scene_at(rate, ([[
+        scene.gravity = vec(0, 0, 0)
+        local box = scene:box { size = 0.4, mass = 1, at = vec(0, 0, 0), points = { p = vec(0, 0, 0) }, name = "box" }
+        scene:string { box.p, vec(0, 3, 0) }
+        scene:ball { radius = 0.2, mass = 1, at = vec(0, %g, 0), velocity = vec(0, %g, 0), name = "ball", restitution = 1 }
+      ]]):format(-0.6 * way, 2 * way))
+      scene:advance(0.3)
+      return scene:find("box").velocity.y, scene:find("ball").velocity.y
+    end
+    local box, ball = after_blow(-1)
+    expect(box):near(0, 1e-12)
+    expect(ball):near(2, 1e-9)
+    box, ball = after_blow(1)
+    expect(box):near(2, 1e-12)
+    expect(ball):near(0, 1e-12)
+  end)
+end
