@@ -151,8 +151,11 @@ void TiedKick::hold(Condition& c, bool held) {
   c.held = held;
 }
 
-void TiedKick::start(const std::vector<Vec3>& forces, bool alone) {
+void TiedKick::start(const std::vector<Vec3>& forces, bool alone, const std::vector<BodyLoad>& pressing) {
   forces_on_sites_ = forces;
+  pressing_.clear();
+  for (const Node& n : a_->nodes)
+    if (!pressing.empty()) pressing_.push_back(pressing[n.is_body ? n.slot : world_.bodies.slots() + n.slot]);
   alone_ = alone;
   for (const Condition& c : a_->conditions) held_.push_back(c.held);
   find_known();
@@ -217,6 +220,8 @@ void TiedKick::find_known() {
     }
   }
   if (!side_.before) pantin::add(first, other, -1.0);  // the drift had it
+  for (std::size_t i = 0; i < pressing_.size(); i++)
+    pantin::push(other[i / batch_size], i % batch_size, pressing_[i].force, world_.plane.about(pressing_[i].moment));
   for (const Soft& s : soft_) add(other, s, s.force * dt_);
   for (std::size_t s = 0; s < sites.size(); s++) add(other, sites[s], forces_on_sites_[s] * dt_);
   const bool is_allowed = side_.before && !copy_ && (world_.stage.first || !ties_);

@@ -14,6 +14,7 @@
 
 #include "articulates/articulate.hpp"
 #include "articulates/solve/motions.hpp"
+#include "contacts/pressing.hpp"
 #include "forces/forces.hpp"
 
 namespace pantin {
@@ -52,7 +53,7 @@ class TiedKick {
   std::size_t articulate() const { return index_; }
   /// Takes the forces that do not depend on velocities: those on its sites [N], and unless the laws act `alone` what the
   /// drift applies, gravity, pushes and twists.
-  void start(const std::vector<Vec3>& forces, bool alone);
+  void start(const std::vector<Vec3>& forces, bool alone, const std::vector<BodyLoad>& pressing);
   /// Finds what goes by `theta` and the rows that hold anew.
   void find_known();
   /// Where what acts on single sites is too fast for a step of dt: `too_fast` is the bound of dt |∂a/∂v|. What is light is
@@ -114,6 +115,7 @@ class TiedKick {
   std::vector<Vec3> wanted_;          // (conditions) [m/s]
   std::vector<Soft> soft_;
   std::vector<Vec3> forces_on_sites_, told_;
+  std::vector<BodyLoad> pressing_;  // (nodes) [N s], [N m s] of contacts in the kick; none: nothing presses
   bool alone_ = false, at_rest_ = false;
   double epsilon_ = 0.0;                                // compliance of the rows that they need
   Motions pushes_, v0_, driven_, others_, w_, change_;  // driven_: the least motion that what moves by itself asks for

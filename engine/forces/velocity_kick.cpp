@@ -156,6 +156,7 @@ void VelocityKick::put_forces() {
     f_.undamped[i] = f_.still[i];
     if (moves(i)) f_.undamped[i] += spared_force(f_, k_, i, velocity_of(i));
     f_.sites.nonconservative_force[i] = f_.still[i] + k_.told[i];
+    if (f_.point[i] != none) k_.v[i] -= pressing_on(false, f_.point[i]).force * f_.inverse_mass[i];
   }
   for (std::size_t k = 0; k < k_.pairs.size(); k++) {
     const VelocityPair& p = k_.pairs[k];

@@ -102,8 +102,9 @@ void VelocityKick::start_carriers() {
   }
   for (std::size_t m = 0; m < k_.carriers.size(); m++) {
     Carrier& c = k_.carriers[m];
-    c.base += c.v0;
-    c.spun += c.spin0;
+    const BodyLoad pressing = pressing_on(f_.receivers[m].is_body, f_.receivers[m].slot);
+    c.base += c.v0 + pressing.force * c.inverse_mass;
+    c.spun += c.spin0 + c.mobility * world_.plane.about(pressing.moment);
     if (f_.receivers[m].is_body) {  // its drift has gravity's part of the kick
       if (side_.before)
         c.base += gravity_change();
@@ -121,13 +122,15 @@ void VelocityKick::start() {
   k_.start.assign(n, zero3());
   k_.base.assign(n, zero3());
   k_.theta.assign(n, 0.5);
+  if (!thermal_) pressing_ = pressing_impulses(world_, world_.articulates, world_.contacts, side_.drifted);
   for (std::size_t i = 0; i < n; i++) {
     if (f_.point[i] == none) continue;
     const Vec3 v = world_.free_motion[f_.point[i]].v;
     Vec3 had = thermal_ ? zero3() : world_.settings.gravity * dt_;
     if (world_.pushed && !thermal_) had += world_.points.at_slot(f_.point[i]).force * (f_.inverse_mass[i] * dt_);
     k_.start[i] = v - had;
-    k_.base[i] = v + other_force(i) * (f_.inverse_mass[i] * dt_);
+    k_.base[i] =
+        v + other_force(i) * (f_.inverse_mass[i] * dt_) + pressing_on(false, f_.point[i]).force * f_.inverse_mass[i];
     speed_ = std::max({speed_, norm(k_.start[i]), norm(k_.base[i])});
   }
   k_.v = k_.base;
@@ -308,7 +311,7 @@ void VelocityKick::start_tied() {
   for (const auto& tied : k_.tied) {
     forces.clear();
     for (const TiedKick::NodeSite& s : tied->sites) forces.push_back(other_force(s.site));
-    tied->start(forces, thermal_);
+    tied->start(forces, thermal_, pressing_);
     tied->choose_rule(kicks::too_fast);
     for (std::size_t m = 0; m < f_.receivers.size(); m++)
       if (tied_to(m) == tied.get()) k_.carriers[m].theta = tied->theta;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "contacts/pressing.hpp"
 #include "forces/forces_parts.hpp"
 #include "forces/integrator.hpp"
 #include "forces/receiver_momenta.hpp"
@@ -97,6 +98,10 @@ class VelocityKick {
   bool is_tied(std::size_t receiver) const {
     return f_.receivers[receiver].articulate >= 0 && rule_of(world_).conserves;
   }
+  /// Of contacts in the kick; none where nothing presses.
+  BodyLoad pressing_on(bool is_body, std::uint32_t slot) const {
+    return pressing_.empty() ? BodyLoad{} : pressing_[is_body ? slot : world_.bodies.slots() + slot];
+  }
   double mobility_of(std::size_t site) const;
   Mat3 mobility_matrix(std::size_t site) const;
   double theta_of(std::size_t site) const;
@@ -111,6 +116,7 @@ class VelocityKick {
   Instant instant_;
   SideOfDrift side_;
   std::vector<TiedKick*> tied_of_;  // (articulates), null where no law of velocity acts; empty: nowhere
+  std::vector<BodyLoad> pressing_;  // [N s], [N m s] by slots of bodies, then of points; empty: nothing presses
   std::vector<char> inner_;         // (pairs) whether both ends are solved together
   bool amplifies_ = false;
   std::vector<char> from_rest_;  // (sites) whether their law is asked at rest next

@@ -382,3 +382,26 @@ test("a tippe top is turned over by the patch it rubs on as its equations say, a
   point:advance(5)
   expect(point:read "lean"):below(0.1)
 end)
+
+for _, rate in ipairs { 60, 240 } do
+  for _, tied in ipairs { false, true } do
+    test(("drag lets %s that rests press with its weight at %d Hz"):format(tied and "a hinged box" or "a box", rate), function()
+      local scene = open_text(([[
+        scene.step = 1 / %d
+        scene:floor {}
+        local box = scene:box { size = 0.4, mass = 2, at = vec(0, 0.2, 0), name = "box", points = { p = vec(0.3, 0, 0) } }
+        if %s then
+          local other = scene:box { size = 0.4, mass = 2, at = vec(0.6, 0.2, 0), points = { p = vec(-0.3, 0, 0) } }
+          scene:hinge(box.p, other.p)
+        end
+        scene:field(scene, force.drag { linear = 100 })
+      ]]):format(rate, tostring(tied)))
+      scene:advance(0.3)
+      local damped, force = scene.ledger.damper, 0
+      for _, contact in ipairs(scene:find("box").contacts) do force = force + contact.force.y end
+      expect(force):near(2 * 9.81, 0.01)
+      scene:advance(0.6)
+      expect(scene.ledger.damper):near(damped, 1e-4)
+    end)
+  end
+end
