@@ -6,13 +6,30 @@
 
 namespace pantin {
 
+namespace {
+
+bool same_things(const Contact& x, const Contact& y) { return x.body_a == y.body_a && x.body_b == y.body_b; }
+
+/// Of what two things gave each other to be kept apart, as much as does not exceed half of the last step's: of a blow nothing.
+double lasting(const std::vector<Contact>& list, std::size_t first) {
+  double last = 0.0, placed = 0.0;
+  for (std::size_t k = first; k < list.size() && same_things(list[k], list[first]); k++) {
+    last += 0.5 * dot(list[k].total, list[k].normal);
+    placed += dot(list[k].placing, list[k].normal);
+  }
+  return placed > 0.0 ? std::clamp(last / placed, 0.0, 1.0) : 0.0;
+}
+
+}  // namespace
+
 std::vector<BodyLoad> pressing_impulses(const Model& model, const Articulates& articulates, const Contacts& contacts,
                                         bool drifted) {
   if (contacts.list.empty()) return {};
+  double share = 0.0;
   std::vector<BodyLoad> loads(model.bodies.slots() + model.points.slots());
-  for (const Contact& c : contacts.list) {
-    const double last = 0.5 * dot(c.total, c.normal), placed = dot(c.placing, c.normal);
-    const double share = !drifted ? 0.5 : placed > 0.0 ? std::clamp(last / placed, 0.0, 1.0) : 0.0;
+  for (std::size_t k = 0; k < contacts.list.size(); k++) {
+    const Contact& c = contacts.list[k];
+    if (k == 0 || !same_things(c, contacts.list[k - 1])) share = drifted ? lasting(contacts.list, k) : 0.5;
     const Vec3 impulse = (drifted ? c.placing : c.total) * share,
                moment = (drifted ? c.placing_moment : c.total_moment) * share;
     const auto add = [&](std::uint32_t thing, double sign) {
