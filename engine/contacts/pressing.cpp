@@ -10,11 +10,12 @@ namespace {
 
 bool same_things(const Contact& x, const Contact& y) { return x.body_a == y.body_a && x.body_b == y.body_b; }
 
-/// Of what two things gave each other to be kept apart, as much as does not exceed half of the last step's: of a blow nothing.
+/// Of what two things gave each other to be kept apart, as much as does not exceed all of the last step's: of a blow nothing. That
+/// is twice what goes on to press, since how things share a load may differ.
 double lasting(const std::vector<Contact>& list, std::size_t first) {
   double last = 0.0, placed = 0.0;
   for (std::size_t k = first; k < list.size() && same_things(list[k], list[first]); k++) {
-    last += 0.5 * dot(list[k].total, list[k].normal);
+    last += dot(list[k].total, list[k].normal);
     placed += dot(list[k].placing, list[k].normal);
   }
   return placed > 0.0 ? std::clamp(last / placed, 0.0, 1.0) : 0.0;

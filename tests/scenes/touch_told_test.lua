@@ -401,7 +401,7 @@ for _, rate in ipairs { 60, 240 } do
       for _, body in ipairs(scene.bodies) do
         for _, contact in ipairs(body.contacts) do force = force + contact.force.y end
       end
-      expect(force):near(#scene.bodies * 2 * 9.81, 0.05)
+      expect(force):near(#scene.bodies * 2 * 9.81, 0.01)
       scene:advance(0.6)
       expect(scene.ledger.damper):near(damped, 1e-4)
     end)
