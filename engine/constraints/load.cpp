@@ -34,7 +34,7 @@ void load_angular_row(Condition& condition, const Row& row, const Model& model, 
   condition.length_rate = row.lever * (c.number.rate + c.attract.excess_rate);
   condition.low = row.lever * c.low;
   condition.high = row.lever * c.high;
-  condition.upper = c.max_torque / row.lever;
+  condition.upper = condition.jammed > 0.0 ? 0.0 : std::fmin(c.max_torque / row.lever, condition.strongest);
   const double given = norm(row.f), driven_back = std::fmin(1.001 * condition.stalled, condition.upper);
   if (given < 0.5 * condition.stalled || given > driven_back) condition.stalled = infinity;
   condition.lower = -condition.upper;

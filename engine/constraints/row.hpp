@@ -75,9 +75,11 @@ struct Condition {
   // Of rows of one dimension: the range that its value is kept in, [m], and the range of its force, [N].
   double low = 0.0, high = 0.0;
   double lower = -infinity, upper = infinity;
-  double stalled = infinity;  // [N] of a motor that stalls: what it exerts if nothing moves, and
-  double yielding = 0.0;      // [m/N] by how much it yields to that
-  bool ranged = false;        // low < high
+  double stalled = infinity;    // [N] of a motor that stalls: what it exerts if nothing moves, and
+  double yielding = 0.0;        // [m/N] by how much it yields to that
+  double strongest = infinity;  // [N] of a motor without a limit that is among what touches
+  double jammed = 0.0;          // [N] of a motor that contacts stop: it presses on them with that, and not in the drift
+  bool ranged = false;          // low < high
   Bent bent = Bent::nothing;
   bool by_speed = false;    // of a motor: its turn in a part is what a body of its speed turns by then
   double start_rate = 0.0;  // [m/s] of such a motor: `length_rate` at the start of the step

@@ -6,6 +6,7 @@
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/state.hpp"
 #include "base/sets.hpp"
+#include "contacts/motor_bounds.hpp"
 
 namespace pantin {
 
@@ -48,6 +49,7 @@ Mat3 frame_of(Vec3 n) {
 struct Builder {
   Model& model;
   const Articulates& articulates;
+  const Contacts& contacts;
   const TouchSettings& settings;
   std::vector<std::int32_t>& index;
 
@@ -70,7 +72,10 @@ struct Builder {
   }
   void add_articulate(TouchIsland& to, std::uint32_t number) {
     Articulate& a = *articulates[number];
-    if (!settings.drifted) load(a, model, settings.gravity);
+    if (!settings.drifted) {
+      bound_motors(a, model, articulates, contacts.list, to.contacts, settings);
+      load(a, model, settings.gravity);
+    }
     for (Condition& c : a.conditions) c.gives_way = is_bounded(c);
     find_forbidden(a, settings.h, settings.at);
     std::vector<std::int32_t> places;
@@ -195,7 +200,7 @@ std::span<TouchIsland> gather(std::vector<TouchIsland>& space, std::vector<std::
     if (TouchIsland* island = island_of(i)) island->articulates.push_back(i);
   for (std::size_t k = 0; k < used.size(); k++)
     if (used[k]) island_of(island_number(model, tied, contacts.list[k].body_a))->contacts.push_back(k);
-  Builder builder{model, articulates, settings, index};
+  Builder builder{model, articulates, contacts, settings, index};
   share_islands(workers, islands, [&](TouchIsland& island) {
     for (const std::uint32_t i : island.articulates) builder.add_articulate(island, i);
     double size = infinity;

@@ -8,6 +8,7 @@
 #include "articulates/solve/state.hpp"
 #include "contacts/gather.hpp"
 #include "contacts/heat.hpp"
+#include "contacts/motor_bounds.hpp"
 #include "contacts/solve/impacts.hpp"
 #include "contacts/solve/solve.hpp"
 #include "contacts/solve/ties.hpp"
@@ -76,8 +77,11 @@ void note_given(const Model& model, const Articulates& articulates, TouchIsland&
   }
 }
 
-void add_work(ImpulseWork& work, const Articulates& articulates, const TouchScalar& s, double impulse) {
-  (s.row.turns(*articulates[s.articulate]) ? work.turns : work.ends) += impulse * s.row.wanted;
+/// What a scalar gives that moves with `velocity`, as far as it wants to: a motor that is stopped gives nothing.
+void add_work(ImpulseWork& work, const Articulates& articulates, const TouchScalar& s, double impulse,
+              double velocity) {
+  const double by = std::clamp(velocity, std::min(0.0, s.row.wanted), std::max(0.0, s.row.wanted));
+  (s.row.turns(*articulates[s.articulate]) ? work.turns : work.ends) += impulse * by;
 }
 
 /// What ties that move give by impulses at the end of the step.
@@ -85,8 +89,10 @@ ImpulseWork work_of_ties(const Articulates& articulates, const TouchIsland& isla
   ImpulseWork work;
   for (const IslandTie& t : island.problem.ties)
     (t.lever > 0.0 ? work.turns : work.ends) += dot(t.kept * t.impulse, t.wanted);
-  for (std::size_t k = 0; k < island.scalars.size(); k++)
-    add_work(work, articulates, island.scalars[k], island.problem.scalars[k].impulse);
+  for (std::size_t k = 0; k < island.scalars.size(); k++) {
+    const IslandScalar& s = island.problem.scalars[k];
+    add_work(work, articulates, island.scalars[k], s.impulse, s.u - s.bias);
+  }
   return work;
 }
 
@@ -244,16 +250,29 @@ void want_no_overlaps(TouchIsland& island, Contacts& contacts, double h) {
   }
 }
 
+/// Whether contacts stop a motor that has no limit but that of what touches.
+bool is_jammed(const IslandScalar& s, const ScalarRow& row, const Condition& c) {
+  constexpr double moves = 1e-2;  // of the wanted velocity
+  if (std::isinf(c.strongest) || !s.is_at_bound()) return false;
+  return (s.u - s.bias) * row.wanted <= moves * row.wanted * row.wanted;
+}
+
 /// Adds what scalars within bounds answer to contacts, and notes it. Where one reached a bound the drift, which asks for that force
-/// again, gives it.
+/// again, gives it; not where it is jammed: what then holds it must not be taken back alone.
 ImpulseWork hold_scalars(const Articulates& articulates, TouchIsland& island, std::vector<BodyLoad>& loads) {
   for (std::size_t k = 0; k < island.scalars.size(); k++) {
     const IslandScalar& s = island.problem.scalars[k];
-    if (!s.is_bounded() || s.is_at_bound()) continue;
-    add_load(island.problem, loads, s, s.impulse);
-    add_work(island.answered, articulates, island.scalars[k], s.impulse);
-    island.held.push_back(island.scalars[k]);
-    island.held.back().given = s.impulse;
+    const TouchScalar& from = island.scalars[k];
+    Articulate& a = *articulates[from.articulate];
+    Condition& c = condition(a, a.rows[from.row.row()]);
+    const bool jams = is_jammed(s, from.row, c);
+    if (!s.is_bounded() || (s.is_at_bound() && !jams)) continue;
+    const double impulse = s.impulse + (jams ? s.struck : 0.0);
+    if (jams) jam(c);
+    add_load(island.problem, loads, s, impulse);
+    add_work(island.answered, articulates, from, impulse, jams ? 0.0 : from.row.wanted);
+    island.held.push_back(from);
+    island.held.back().given = impulse;
   }
   return island.answered;
 }
@@ -310,7 +329,13 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
   contacts.placed.clear();
   contacts.bodies.resize(model.bodies.slots());
   if (model.solids) contacts.points.resize(model.points.slots());
-  for (const auto& articulate : articulates) articulate->touches = false;
+  for (const auto& articulate : articulates) {
+    if (articulate->touches)
+      end_jams(*articulate);
+    else
+      free_motors(*articulate);
+    articulate->touches = false;
+  }
   for (Contact& c : contacts.list) c.rebound = c.approach = 0.0;
   const std::vector<char> used(contacts.list.size(), 1);
   const double h = settings.h;

@@ -127,3 +127,20 @@ for _, rate in ipairs { 60, 240 } do
     expect(ball):near(0, 1e-12)
   end)
 end
+
+for _, rate in ipairs { 60, 240 } do
+  test("a motor without a limit that jams gives no energy without end at " .. rate .. " Hz", function()
+    local scene = scene_at(rate, [[
+      scene:floor { friction = 0.5 }
+      local last
+      for i = 1, 3 do
+        local link = scene:box { size = vec(1, 0.2, 0.3), mass = 2, at = vec(i, 0.1, 0), points = { l = vec(-0.5, 0, 0), r = vec(0.5, 0, 0) } }
+        if last then scene:hinge(last.r, link.l, { axis = z }) end
+        if i == 2 then scene:motor(link, last, { axis = z, speed = 3 }) end
+        last = link
+      end
+    ]])
+    scene:advance(3)
+    expect(math.abs(scene.ledger.motor)):below(1e6)
+  end)
+end

@@ -58,8 +58,8 @@ ScalarRow row_of_motor(const Row& row, Condition c) {
   ScalarRow s;
   s.parts.push_back({c.row, axis_of(c.kept)});
   s.wanted = dot(c.wanted, s.parts.front().along);
-  s.low = c.lower;
-  s.high = c.upper;
+  s.high = c.jammed > 0.0 ? c.jammed : c.upper;
+  s.low = -s.high;
   return s;
 }
 
