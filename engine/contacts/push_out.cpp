@@ -3,8 +3,10 @@
 #include <cmath>
 
 #include "articulates/solve/fallback_step.hpp"
+#include "articulates/solve/momenta.hpp"
 #include "contacts/stage_parts.hpp"
 #include "contacts/stages.hpp"
+#include "contacts/turn_back.hpp"
 
 namespace pantin {
 
@@ -31,6 +33,14 @@ void limit_displacements(ContactIsland& island, double most) {
     b.v *= most / fastest;
     b.w *= most / fastest;
   }
+}
+
+/// Whether nothing holds or touches the world.
+bool is_alone(const TouchIsland& island, const Articulates& articulates, const Contacts& contacts) {
+  return std::none_of(island.contacts.begin(), island.contacts.end(),
+                      [&](std::size_t k) { return contacts.list[k].body_b < 0; }) &&
+         std::all_of(island.articulates.begin(), island.articulates.end(),
+                     [&](std::uint32_t a) { return is_free(*articulates[a]); });
 }
 
 /// Takes contacts along with what was displaced a little; they are found anew where it was more.
@@ -70,6 +80,7 @@ void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulat
     if (std::none_of(island.contacts.begin(), island.contacts.end(), overlaps)) return;
     const double before = kinetic_energy_now(model, island);
     const bool calm = is_calm(problem, before);
+    const Vec3 turning = angular_momentum(model, articulates, island.things, settings.drifted);
     for (IslandBody& b : problem.bodies) b.v0 = b.w0 = zero3();
     for (IslandTie& t : problem.ties) t.wanted = zero3();
     set_scalars(island, articulates, h, 0.0);
@@ -101,6 +112,9 @@ void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulat
       const std::size_t number = number_of(model, island.things[i]);
       if (number < displaced.size()) displaced[number] = {island.states[i].x, way, turn};
     }
+    if (is_alone(island, articulates, contacts))
+      turn_as_one(model, articulates, island.things,
+                  turning - angular_momentum(model, articulates, island.things, settings.drifted), settings.drifted);
     report.work += kinetic_energy_now(model, island) - before;
   });
   hold_again(articulates);

@@ -8,13 +8,11 @@
 #include "contacts/bodies.hpp"
 #include "contacts/gather.hpp"
 #include "contacts/heat.hpp"
+#include "contacts/turn_back.hpp"
 
 namespace pantin {
 
 namespace {
-
-/// Part of the mean moment of inertia below which a turn has no meaning.
-constexpr double least_inertia = 1e-9;
 
 std::uint32_t thing_of(const Node& n) { return n.is_body ? n.slot : point_thing(n.slot); }
 
@@ -22,10 +20,8 @@ std::uint32_t thing_of(const Node& n) { return n.is_body ? n.slot : point_thing(
 struct Group {
   std::size_t root;
   bool anchored = false;
-  double mass = 0.0;        ///< [kg]
-  Vec3 centre = zero3();    ///< [kg m] sum of mass times position, then [m]
-  Vec3 missing = zero3();   ///< [N m s]
-  Mat3 inertia = zero33();  ///< [kg m²] about the centre
+  Vec3 missing = zero3();  ///< [N m s]
+  std::vector<std::uint32_t> things = {};
 };
 
 /// Impulses act at one point of two bodies, and are taken back where each of them has carried it. What that changes of the
@@ -67,36 +63,14 @@ class Turns {
   double give_back() {
     const auto needs = [](const Group& g) { return !g.anchored && norm2(g.missing) > 0.0; };
     if (std::none_of(groups_.begin(), groups_.end(), needs)) return 0.0;
-    for_all([](Group& g, std::uint32_t, const BodyState& s) {
-      g.mass += s.mass;
-      g.centre += s.x * s.mass;
-    });
-    for (Group& g : groups_) g.centre /= g.mass;
-    for_all([](Group& g, std::uint32_t, const BodyState& s) {
-      const Vec3 r = s.x - g.centre;
-      g.inertia += own_inertia(s) + (identity33() * norm2(r) - outer(r, r)) * s.mass;
-    });
+    for (const std::uint32_t thing : things_) group_of(thing).things.push_back(thing);
     double work = 0.0;
-    for_all([&](Group& g, std::uint32_t thing, const BodyState& s) {
-      const double mean = trace(g.inertia) / 3.0;
-      if (!needs(g) || !(determinant(g.inertia) > least_inertia * mean * mean * mean)) return;
-      const Vec3 turn = inverse(g.inertia) * g.missing;
-      const double before = kinetic_energy(model_, s, thing);
-      add_momenta(model_, s, thing, model_.plane.along(cross(turn, s.x - g.centre)) * s.mass, own_inertia(s) * turn);
-      work += kinetic_energy(model_, s, thing) - before;
-    });
+    for (const Group& g : groups_)
+      if (needs(g)) work += turn_as_one(model_, articulates_, g.things, g.missing, drifted_);
     return work;
   }
 
  private:
-  static Mat3 own_inertia(const BodyState& s) {
-    Mat3 turning = zero33();
-    for (int i = 0; i < 3; i++)
-      if (s.mobility[i] > 0.0) turning += outer(s.R[i], s.R[i]) * s.inertia[i];
-    return turning;
-  }
-  static double determinant(const Mat3& m) { return dot(m[0], cross(m[1], m[2])); }
-
   std::size_t number(std::uint32_t thing) const { return island_number(model_, articulates_.size(), thing); }
   Group& group_of(std::uint32_t thing) {
     const std::size_t root = sets_.find(number(thing));
@@ -109,12 +83,6 @@ class Turns {
         for (const Node& n : articulate->nodes) things_.push_back(thing_of(n));
   }
   void anchor(const Articulate& articulate) { group_of(thing_of(articulate.nodes.front())).anchored = true; }
-  template <class F>
-  void for_all(F&& f) {
-    for (const std::uint32_t thing : things_)
-      f(group_of(thing), thing, state_of(model_, articulates_, thing, drifted_));
-  }
-
   Model& model_;
   const Articulates& articulates_;
   bool drifted_;

@@ -139,3 +139,15 @@ test("in a plane wheels turn about its normal, and a screw has no way", function
   expect(function() open_text(code .. "scene:gear(a, b, { ratio = 1, axis = vec(1, 0, 0) })") end):fails "must be along z"
   expect(function() open_text(code .. "scene:screw(a.hub, b.hub, { lead = 1, axis = vec(0, 0, 1) })") end):fails "must have no z"
 end)
+
+test("a string that is wound in works by hand", function()
+  local scene = open_text [[
+    scene.step = 1 / 240
+    local p = scene:particle { at = vec(0, 0, 0), mass = 3 }
+    scene:string({ p, vec(0, 3, 0) }, { length = function(t) return 3 - 0.5 * t * t end })
+  ]]
+  local before, _ = scene.energy.total, scene.ledger
+  scene:advance(1)
+  expect(scene.ledger.hand):near(scene.energy.total - before, 1e-3)
+  expect(scene.ledger.limit):near(0, 1e-3)
+end)

@@ -407,3 +407,32 @@ for _, rate in ipairs { 60, 240 } do
     end)
   end
 end
+
+for _, rate in ipairs { 60, 240 } do
+  test("opening overlaps keeps the angular momentum of what nothing holds at " .. rate .. " Hz", function()
+    local scene = open_text(([[
+      scene.step = 1 / %d
+      scene.gravity = vec(0, 0, 0)
+      local last
+      for i = 1, 10 do
+        local box = scene:box { size = vec(0.6, 0.3, 0.3), mass = i, at = vec((i %% 5) * 1.3, (i // 5) * 1.5, 0.1 * i),
+          velocity = vec(6 - 3 * (i %% 5), 4 - 4 * (i // 5), 0), spin = vec(i %% 3, 2, i %% 4),
+          points = { l = vec(-0.35, 0, 0), r = vec(0.35, 0, 0) } }
+        if i %% 2 == 0 then
+          box.position = box.position + (last.r.position - box.l.position)
+          scene:hinge(last.r, box.l)
+        end
+        last = box
+      end
+    ]]):format(rate))
+    local _ = scene.ledger
+    scene:step()
+    local before, opened = scene.angular_momentum, 0
+    for _ = 1, rate do
+      scene:step()
+      opened = math.max(opened, math.abs(scene.ledger.push_out))
+    end
+    expect(opened):above(0)
+    expect((scene.angular_momentum - before):length()):below(1e-11 * before:length())
+  end)
+end

@@ -343,7 +343,8 @@ void add_work_of_rows(Articulate& a, DriftReport& report) {
     }
     if ((r.b < 0 || r.kind == RowKind::attract) && r.lever == 0.0) report.work += dot(r.f, c.position1 - c.position0);
     if (!c.works) continue;
-    double& line = c.ranged ? report.limit : r.lever > 0.0 ? report.motor : report.work;
+    const bool still = c.whole_length0 == c.whole_length1;
+    double& line = c.ranged && still ? report.limit : r.lever > 0.0 ? report.motor : report.work;
     line += r.lever > 0.0 ? work_of_angular_row(a, r) : dot(r.f, r.d1 - r.d0);
   }
 }

@@ -1,0 +1,62 @@
+#include "contacts/turn_back.hpp"
+
+#include <vector>
+
+namespace pantin {
+
+namespace {
+
+/// Part of the mean moment of inertia below which a turn has no meaning.
+constexpr double least_for_turn = 1e-9;
+
+Mat3 own_inertia(const BodyState& s) {
+  Mat3 turning = zero33();
+  for (int i = 0; i < 3; i++)
+    if (s.mobility[i] > 0.0) turning += outer(s.R[i], s.R[i]) * s.inertia[i];
+  return turning;
+}
+
+double determinant(const Mat3& m) { return dot(m[0], cross(m[1], m[2])); }
+
+}  // namespace
+
+Vec3 angular_momentum(const Model& model, const Articulates& articulates, std::span<const std::uint32_t> things,
+                      bool drifted) {
+  Vec3 sum = zero3();
+  for (const std::uint32_t thing : things) {
+    const BodyState s = state_of(model, articulates, thing, drifted);
+    sum += cross(s.x, s.v * s.mass) + own_inertia(s) * s.w;
+  }
+  return sum;
+}
+
+double turn_as_one(Model& model, const Articulates& articulates, std::span<const std::uint32_t> things, Vec3 missing,
+                   bool drifted) {
+  std::vector<BodyState> states;
+  double mass = 0.0;
+  Vec3 centre = zero3();
+  for (const std::uint32_t thing : things) {
+    const BodyState& s = states.emplace_back(state_of(model, articulates, thing, drifted));
+    mass += s.mass;
+    centre += s.x * s.mass;
+  }
+  centre /= mass;
+  Mat3 inertia = zero33();
+  for (const BodyState& s : states) {
+    const Vec3 r = s.x - centre;
+    inertia += own_inertia(s) + (identity33() * norm2(r) - outer(r, r)) * s.mass;
+  }
+  const double mean = trace(inertia) / 3.0;
+  if (!(determinant(inertia) > least_for_turn * mean * mean * mean)) return 0.0;
+  const Vec3 turn = inverse(inertia) * missing;
+  double work = 0.0;
+  for (std::size_t i = 0; i < states.size(); i++) {
+    const BodyState& s = states[i];
+    work -= kinetic_energy(model, s, things[i]);
+    add_momenta(model, s, things[i], model.plane.along(cross(turn, s.x - centre)) * s.mass, own_inertia(s) * turn);
+    work += kinetic_energy(model, s, things[i]);
+  }
+  return work;
+}
+
+}  // namespace pantin
