@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/project.hpp"
@@ -30,22 +31,38 @@ void give(Model& model, const TouchIsland& island, const std::vector<BodyLoad>& 
 }
 
 /// What ties answer to impulses of contacts alone, exactly: those of gravity and of turning belong to the drift.
-ImpulseWork answer_of_ties(Model& model, const Articulates& articulates, const TouchIsland& island,
-                           const TouchSettings& settings) {
-  ImpulseWork work;
-  for (const std::uint32_t number : island.articulates) {
-    Articulate& a = *articulates[number];
-    if (!settings.drifted) load(a, model, settings.gravity);
-    a.exact = false;
-    begin_answers(a, 0.0);
-    for (std::size_t b = 0; b < a.batches.size(); b++) read_momenta(a, b);
-    work += answer(a);
-    for (std::size_t b = 0; b < a.batches.size(); b++) tell_momenta(a, b);
-    a.exact = false;
-    if (settings.drifted) continue;
+ImpulseWork answer_of_ties(Articulate& a, Model& model, const TouchSettings& settings) {
+  if (!settings.drifted) load(a, model, settings.gravity);
+  a.exact = false;
+  begin_answers(a, 0.0);
+  for (std::size_t b = 0; b < a.batches.size(); b++) read_momenta(a, b);
+  const ImpulseWork work = answer(a);
+  for (std::size_t b = 0; b < a.batches.size(); b++) tell_momenta(a, b);
+  a.exact = false;
+  if (!settings.drifted)
     for (const Node& n : a.nodes) store(n, model);
-  }
   return work;
+}
+
+/// The same of what got impulses before the drift and touches nothing after it: what ties answered then ends with them.
+void answer_where_nothing_touches(Model& model, const Articulates& articulates, std::span<const TouchIsland> islands,
+                                  const TouchSettings& settings, TouchReport& report) {
+  std::vector<char> touches(articulates.size(), 0);
+  for (const TouchIsland& island : islands)
+    for (const std::uint32_t number : island.articulates) touches[number] = 1;
+  for (std::size_t k = 0; k < touches.size(); k++) {
+    Articulate& a = *articulates[k];
+    if (touches[k] || !a.touches) continue;
+    for (Condition& c : a.conditions) c.gives_way = is_bounded(c);
+    const auto kinetic = [&] {
+      return std::accumulate(a.nodes.begin(), a.nodes.end(), 0.0,
+                             [](double sum, const Node& n) { return sum + kinetic_energy(n); });
+    };
+    const double before = kinetic();
+    const ImpulseWork ties = answer_of_ties(a, model, settings);
+    report.ties += ties;
+    report.work += kinetic() - before - ties.all();
+  }
 }
 
 /// What kicks at both ends of the drift do less [J] than their forces do over the way that it has by these impulses: work at
@@ -294,7 +311,8 @@ void give_placing(TouchSpace& space, Model& model, const Articulates& articulate
   };
   note(-1.0);
   give(model, island, loads);
-  const ImpulseWork answered = answer_of_ties(model, articulates, island, settings);
+  ImpulseWork answered;
+  for (const std::uint32_t a : island.articulates) answered += answer_of_ties(*articulates[a], model, settings);
   ties += answered;
   if (island.placed.front().solved) {
     tell_reactions(articulates, island, settings.step, false);
@@ -472,6 +490,7 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
     report.work += work;
     heat.add(work);
   });
+  answer_where_nothing_touches(model, articulates, islands, settings, sum);
   collect_heat(contacts, islands);
   hold_again(articulates);
 }

@@ -20,9 +20,11 @@ end)
 
 test("walker: it walks, upright and in its plane", function()
   local walker = open("scenes/walker.lua")
+  local _ = walker.energy
   walker:advance(5)
   expect(walker:read "way"):below(-1.2)
   expect(walker.error.worst_hinge_gap):below(1e-10)
+  expect(walker.error.worst_energy):below(3e-3)
   for _, body in ipairs(walker.bodies) do expect(body.position.z):equal(0) end
 end)
 
