@@ -1,0 +1,46 @@
+-- What stands by friction alone, on both sides of the least friction that it stands with.
+local function stands(text, friction, rate, name)
+  local scene = open_text(("scene.step = 1 / %d\nlocal friction = %.17g\nscene:floor { friction = friction }\n"):format(rate, friction) .. text)
+  local before = scene:find(name).position.y
+  scene:advance(5)
+  expect(scene.error.worst_energy):below(1e-6)
+  return math.abs(scene:find(name).position.y - before) < 1e-6
+end
+
+-- Seven equal stones of half a ring. A joint at the angle φ bears V = (3.5 − j) w of the stones above and the thrust H, at the angle
+-- |atan(V/H) + φ − 90°| to its normal: the least friction is the least over H of the largest over j = 0 … 3, φ = j 180°/7.
+local arch_limit = 0.298171
+local arch = [[
+  for i = 0, 6 do
+    local points = {}
+    for _, r in ipairs { 1, 1.4 } do
+      for _, angle in ipairs { i * math.pi / 7, (i + 1) * math.pi / 7 } do
+        for _, z in ipairs { -0.25, 0.25 } do points[#points + 1] = vec(r * math.cos(angle), r * math.sin(angle), z) end
+      end
+    end
+    scene:body { shape = shape.hull { points = points, friction = friction, density = 1000 }, name = "stone " .. i }
+  end
+]]
+
+-- A ladder at θ to a smooth wall: the wall gives H = w (tan θ − thickness/length)/2.
+local lean, thickness = 0.4, 0.05
+local ladder_limit = 0.5 * (math.tan(lean) - thickness)
+local ladder = ([[
+  local lean, a, b = %.17g, 0.5 * %.17g, 0.5
+  scene:floor { normal = vec(-1, 0, 0), friction = 0 }
+  scene:box { size = vec(2 * a, 2 * b, 0.6), mass = 1, friction = friction, name = "ladder",
+    at = vec(-a * math.cos(lean) - b * math.sin(lean), a * math.sin(lean) + b * math.cos(lean), 0),
+    orientation = quat(vec(0, 0, 1), -lean) }
+]]):format(lean, thickness)
+
+for _, rate in ipairs { 60, 240 } do
+  test("an arch of seven stones stands with 2 % more than its least friction, and falls with 2 % less, at " .. rate .. " Hz", function()
+    expect(stands(arch, 1.02 * arch_limit, rate, "stone 3")):equal(true)
+    expect(stands(arch, 0.98 * arch_limit, rate, "stone 3")):equal(false)
+  end)
+
+  test("a ladder at a smooth wall stands with 2 % more than its least friction, and slips with 2 % less, at " .. rate .. " Hz", function()
+    expect(stands(ladder, 1.02 * ladder_limit, rate, "ladder")):equal(true)
+    expect(stands(ladder, 0.98 * ladder_limit, rate, "ladder")):equal(false)
+  end)
+end
