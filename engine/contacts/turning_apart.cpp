@@ -1,44 +1,59 @@
 #include "contacts/turning_apart.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "base/functions.hpp"
 
 namespace pantin {
 
 namespace {
 
-/// By how much turning alone moves a surface away along `out` [m/s²], the normal that points into its shape, at the arm r to
-/// it: n·(ω × (ω × r)) of what turns with the body there, less what a round surface has behind it.
-double opening_of_side(const IslandBody& body, Vec3 r, Vec3 out, const Roundness& round) {
-  const Vec3 w = body.w0, turning = norm2(round.axis) > 0.0 ? r : r + out * round.radius;
-  const double edge = dot(out, w) * dot(w, turning) - norm2(w) * dot(out, turning);
-  if (edge <= 0.0 || norm2(round.axis) == 0.0) return edge;
-  const Vec3 across = out - round.axis * dot(round.axis, out);
-  const double size = norm(across), turn = dot(cross(round.axis, across), cross(w, out));
-  return size > 0.0 ? std::max(0.0, edge - round.radius * turn * turn / (size * size * size)) : edge;
+constexpr double flat =
+    0.02;  // sine of the angle between a cylinder's axis and the normal, below which it lies on its end
+
+/// The direction from where a cylinder's edge touches to its axis, and its sine.
+struct Edge {
+  Vec3 inward;
+  double sine;
+};
+Edge edge_of(Vec3 axis, Vec3 out) {
+  const Vec3 across = out - axis * dot(axis, out);
+  const double sine = norm(across);
+  return {sine > 0.0 ? across / sine : zero3(), sine};
 }
 
-/// From the surface to what turns with the body, where that rolls: not on the flat end of a cylinder.
-Vec3 to_core(Vec3 out, const Roundness& round) {
-  constexpr double flat = 0.1;  // sine of the angle between the axis and the normal
-  const Vec3 across = out - round.axis * dot(round.axis, out);
-  const double size = norm(across);
-  return size > flat ? across * (round.radius / size) : zero3();
+Vec3 turned(Vec3 v, Vec3 by) {
+  const double angle = norm(by);
+  if (angle == 0.0) return v;
+  const Vec3 n = by / angle;
+  const double c = functions::cos(angle);
+  return v * c + cross(n, v) * functions::sin(angle) + n * (dot(n, v) * (1.0 - c));
+}
+
+/// By how much turning takes what touches off its tangent, as a velocity over h: a cylinder's edge touches with another of its
+/// points by then, so that only its axis turns with the body.
+Vec3 off_tangent(const IslandBody& body, Vec3 r, Vec3 out, const Roundness& round, double h) {
+  const Vec3 w = body.w0;
+  const auto core = [&](Vec3 arm) { return cross(w, cross(w, arm)) * curving(w, h); };
+  if (norm2(round.axis) == 0.0) return core(r + out * round.radius);
+  const Edge now = edge_of(round.axis, out), then = edge_of(turned(round.axis, w * h), out);
+  if (now.sine < flat || then.sine < flat) return core(r);
+  const double along = dot(round.axis, out), rate = -along * dot(out, cross(w, round.axis)) / now.sine;
+  const Vec3 slip = cross(w, then.inward - now.inward) * 0.5;
+  return core(r + now.inward * round.radius) -
+         (slip + out * ((then.sine - now.sine) / h - rate - dot(out, slip))) * round.radius;
 }
 
 }  // namespace
 
 double curving(Vec3 spin, double h) {
-  const double half = 0.5 * norm(spin) * h, part = half > 1e-4 ? std::sin(half) / half : 1.0 - half * half / 6.0;
+  const double half = 0.5 * norm(spin) * h, part = half > 1e-4 ? functions::sin(half) / half : 1.0 - half * half / 6.0;
   return 0.5 * h * part * part;
 }
 
 Vec3 turning_apart(const TouchIsland& island, const IslandContact& c, const Contact& from, double h) {
   const auto side = [&](std::int32_t number, Vec3 r, Vec3 out, const Roundness& round) {
-    const IslandBody& body = island.problem.bodies[static_cast<std::size_t>(number)];
-    Vec3 way = cross(body.w0, cross(body.w0, r + to_core(out, round)));
-    way -= out * dot(out, way);
-    return (way + out * opening_of_side(body, r, out, round)) * curving(body.w0, h);
+    return off_tangent(island.problem.bodies[static_cast<std::size_t>(number)], r, out, round, h);
   };
   const Vec3 n = c.frame[0];
   Vec3 apart = zero3();

@@ -7,7 +7,7 @@ namespace pantin {
 double curving(Vec3 spin, double h);
 
 /// With which velocity [m/s], in the contact's frame, turning alone moves the surfaces of a contact apart, on the mean over a
-/// drift h: ω × (ω × r) of both sides; along the normal less what round surfaces have behind them.
+/// drift h: ω × (ω × r) of both sides, r to what turns with the body.
 Vec3 turning_apart(const TouchIsland& island, const IslandContact& contact, const Contact& from, double h);
 
 }  // namespace pantin

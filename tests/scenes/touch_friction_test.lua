@@ -44,3 +44,35 @@ for _, rate in ipairs { 60, 240 } do
     expect(stands(ladder, 0.98 * ladder_limit, rate, "ladder")):equal(false)
   end)
 end
+
+-- A thin disc that lies at α rolls round on its edge with its centre at rest, at Ω² sin α = 4 g/R (Euler's disc).
+local function rolls_round(angle, rate)
+  local radius, thickness = 0.5, 0.02
+  local pitch = math.sqrt(4 * 9.81 / (radius * math.sin(angle)))
+  local scene = open_text(([[
+    scene.step = 1 / %d
+    scene:floor { friction = 1 }
+    local angle, pitch, radius, thickness = %.17g, %.17g, %.17g, %.17g
+    scene:body { shape = shape.cylinder { radius = radius, length = thickness, density = 1000, friction = 1 }, name = "disc",
+      at = vec(0, radius * math.sin(angle) + 0.5 * thickness * math.cos(angle), 0), orientation = quat(vec(0, 0, 1), -angle),
+      spin = vec(math.cos(angle), -math.sin(angle), 0) * (-pitch * math.sin(angle)) }
+  ]]):format(rate, angle, pitch, radius, thickness))
+  local disc, before, kinetic = scene:find("disc"), scene.energy.total, scene.energy.kinetic
+  local _, last, turned = scene.ledger, 0, 0
+  while scene.time < 2 do
+    scene:step()
+    local face = disc.orientation:rotate(vec(0, 1, 0))
+    local at = math.atan(face.z, face.x)
+    turned, last = turned + (at - last + math.pi) % (2 * math.pi) - math.pi, at
+  end
+  return turned / -2 / pitch, (before - scene.energy.total) / kinetic, scene.ledger.push_out
+end
+
+for _, angle in ipairs { 0.06, 0.3, 1 } do
+  test(("a disc that lies at %g rad rolls round on its edge and loses nothing"):format(angle), function()
+    local pitch, lost, pushed = rolls_round(angle, 960)
+    expect(pitch):near(1, 0.01)
+    expect(lost):below(1e-3)
+    expect(pushed):near(0, 1e-6)
+  end)
+end
