@@ -15,9 +15,11 @@ std::uint32_t number(std::int32_t body) { return static_cast<std::uint32_t>(body
 /// Each pair of bodies once, both ways, sorted.
 template <class Things>
 void add_pairs(const Things& things, std::vector<Pair>& pairs) {
+  Pair last{};
   for (const auto& t : things) {
-    if (t.b < 0) continue;
-    pairs.emplace_back(number(t.a), number(t.b));
+    if (t.b < 0 || last == Pair{number(t.a), number(t.b)}) continue;
+    last = {number(t.a), number(t.b)};
+    pairs.push_back(last);
     pairs.emplace_back(number(t.b), number(t.a));
   }
 }
@@ -35,25 +37,31 @@ std::vector<Pair> pairs_of(const ContactIsland& island, bool touching) {
   return pairs;
 }
 
-RowLists neighbours_of_rows(const std::vector<Pair>& pairs, std::uint32_t bodies) {
+RowLists neighbours_of(const std::vector<Pair>& pairs, std::uint32_t bodies) {
   RowLists lists;
   lists.first.push_back(0);
   std::size_t next = 0;
   for (std::uint32_t body = 0; body < bodies; body++) {
-    const std::size_t first = next;
-    while (next < pairs.size() && pairs[next].first == body) next++;
-    for (std::uint32_t part = 0; part < 2; part++) {
-      bool own = false;
-      for (std::size_t i = first; i < next; i++) {
-        if (!own && pairs[i].second > body) lists.rows.push_back(2 * body + 1 - part), own = true;
-        lists.rows.push_back(2 * pairs[i].second);
-        lists.rows.push_back(2 * pairs[i].second + 1);
-      }
-      if (!own) lists.rows.push_back(2 * body + 1 - part);
-      lists.first.push_back(static_cast<std::uint32_t>(lists.rows.size()));
-    }
+    for (; next < pairs.size() && pairs[next].first == body; next++) lists.rows.push_back(pairs[next].second);
+    lists.first.push_back(static_cast<std::uint32_t>(lists.rows.size()));
   }
   return lists;
+}
+
+/// Of both rows of each body, one after the other, from the columns of bodies.
+RowLists columns_of_rows(const RowLists& bodies) {
+  RowLists columns;
+  columns.first.push_back(0);
+  for (std::uint32_t k = 0; k + 1 < bodies.first.size(); k++)
+    for (std::uint32_t part = 0; part < 2; part++) {
+      if (part == 0) columns.rows.push_back(2 * k + 1);
+      for (const std::uint32_t below : bodies[k]) {
+        columns.rows.push_back(2 * below);
+        columns.rows.push_back(2 * below + 1);
+      }
+      columns.first.push_back(static_cast<std::uint32_t>(columns.rows.size()));
+    }
+  return columns;
 }
 
 PairBlocks blocks_of(const Layout& layout, const IslandPair& pair) {
@@ -153,15 +161,16 @@ std::size_t updates_of(const RowLists& columns) {
 
 /// Lays out the factor; false where it would be too dense.
 bool lay_out_factor(Layout& layout, std::vector<Pair>&& pairs, std::size_t bodies, std::size_t most_updates) {
-  const RowLists neighbours = neighbours_of_rows(pairs, static_cast<std::uint32_t>(bodies));
-  const std::size_t blocks = neighbours.rows.size() / 2, rows = 2 * bodies;
+  const std::size_t rows = 2 * bodies, blocks = bodies + 2 * pairs.size();
   layout.bodies = 0;
   if (blocks * blocks / (2 * rows) > most_updates) return false;  // the least that so many can be, evenly spread
-  Elimination order = minimum_degree(neighbours);
-  if (updates_of(order.columns) > most_updates) return false;
+  const Elimination order = minimum_degree(neighbours_of(pairs, static_cast<std::uint32_t>(bodies)));
+  RowLists columns = columns_of_rows(order.columns);
+  if (updates_of(columns) > most_updates) return false;
   layout.position.resize(rows);
-  for (std::uint32_t k = 0; k < order.order.size(); k++) layout.position[order.order[k]] = k;
-  layout.factor = lay_out(std::move(order.columns));
+  for (std::uint32_t k = 0; k < order.order.size(); k++)
+    for (std::uint32_t part = 0; part < 2; part++) layout.position[2 * order.order[k] + part] = 2 * k + part;
+  layout.factor = lay_out(std::move(columns));
   layout.own.resize(bodies);
   for (std::size_t i = 0; i < bodies; i++) {
     const std::uint32_t l = layout.position[2 * i], a = layout.position[2 * i + 1];
