@@ -1,5 +1,9 @@
 #pragma once
 // Four 3-vectors at a time, one to a lane: no lane idles and nothing is summed across lanes.
+#ifdef __AVX__
+#include <immintrin.h>
+#endif
+
 #include <array>
 
 #include "base/lanes.hpp"
@@ -16,7 +20,23 @@ inline Lanes larger(Lanes a, Lanes b) { return a > b ? a : b; }
 inline double sum(Lanes a) { return a[0] + a[1] + a[2] + a[3]; }
 inline double largest_lane(Lanes a) { return std::fmax(std::fmax(a[0], a[1]), std::fmax(a[2], a[3])); }
 
-inline Lanes square_root(Lanes a) { return Lanes{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])}; }
+/// Whether a comparison holds in any lane.
+template <class Mask>
+bool any(Mask m) {
+#ifdef __AVX__
+  return _mm256_movemask_pd(reinterpret_cast<__m256d>(m)) != 0;
+#else
+  return (m[0] | m[1] | m[2] | m[3]) != 0;
+#endif
+}
+
+inline Lanes square_root(Lanes a) {
+#ifdef __AVX__
+  return _mm256_sqrt_pd(a);
+#else
+  return Lanes{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
+#endif
+}
 
 struct Vec3x4 {
   Lanes x, y, z;

@@ -1,4 +1,4 @@
-// ContactBlock coordinate descent on the dual of a stage's problem,
+// Block coordinate descent on the dual of a stage's problem,
 //
 //   Φ(γ, μ) = ½ |y0 + J'γ + T'μ|² + bias·γ,   γ_n ≥ 0,  |γ_t| ≤ friction γ_n,  μ free,
 //
@@ -14,17 +14,17 @@ namespace pantin {
 
 namespace {
 
-constexpr std::uint32_t idle_sweeps = 2;  // that leave out a contact that stays open
-constexpr double far = 1e3;               // times what is enough: that goes on
+constexpr double far = 1e3;  // times what is enough: that goes on
 
 struct Sweeps {
   ContactIsland& island;
   SweepSpace& space = island.sweep_space;
   std::vector<Scaled>&free = space.free, &y = space.y;
-  std::vector<ContactBlock>& blocks = space.blocks;
-  std::vector<std::uint32_t>& order = space.order;
+  std::vector<ContactBatch>& batches = space.batches;
+  std::vector<std::uint32_t>& place = space.place;
   std::vector<RollBlock>& rolls = space.rolls;
   std::vector<BodyLoad> loads = {};
+  double change_of_contacts = 0.0;  // [J] of the last sweep
 
   void take_velocities() {
     free.assign(island.bodies.size() + 1, {});
@@ -34,61 +34,106 @@ struct Sweeps {
     }
     y = free;
   }
-  void add_side(ContactBlock& block, const IslandContact& c, std::int32_t body, Vec3 arm, double& by, Mat3& spin,
-                std::uint32_t& number) {
-    spin = zero33();
-    number = static_cast<std::uint32_t>(island.bodies.size());
-    if (body < 0) return;
-    number = static_cast<std::uint32_t>(body);
-    const IslandBody& b = island.bodies[number];
-    by = std::sqrt(b.inverse_mass);
-    for (int k = 0; k < 3; k++) spin[k] = transposed_times(b.root, cross(arm, c.frame[k]));
-    const auto add = [&](double& w, int i, int j) { w += (i == j ? by * by : 0.0) + dot(spin[i], spin[j]); };
-    add(block.w00, 0, 0);
-    add(block.w01, 0, 1);
-    add(block.w02, 0, 2);
-    add(block.w11, 1, 1);
-    add(block.w12, 1, 2);
-    add(block.w22, 2, 2);
+  /// Puts contacts, from the lowest up, each into the first batch with room after all that have its bodies.
+  void arrange() {
+    const auto world = static_cast<std::uint32_t>(island.bodies.size());
+    const auto number = [&](std::int32_t body) { return body < 0 ? world : static_cast<std::uint32_t>(body); };
+    std::vector<std::uint32_t>&next = space.next_batch, &room = space.with_room, &occupied = space.occupied;
+    space.by_height.clear();
+    for (std::uint32_t k = 0; k < island.contacts.size(); k++)
+      space.by_height.emplace_back(island.contacts[k].height, k);
+    std::sort(space.by_height.begin(), space.by_height.end());
+    next.assign(island.bodies.size() + 1, 0);
+    room.assign(1, 0);
+    occupied.clear();
+    batches.clear();
+    place.resize(island.contacts.size());
+    for (const auto& [height, k] : space.by_height) {
+      const IslandContact& c = island.contacts[k];
+      std::uint32_t i = c.b < 0 ? next[number(c.a)] : std::max(next[number(c.a)], next[number(c.b)]);
+      while (room[i] != i) i = room[i] = room[room[i]];
+      if (i == batches.size()) {
+        batches.emplace_back().a.fill(world);
+        batches.back().b.fill(world);
+        occupied.push_back(0);
+        room.push_back(i + 1);
+      }
+      const std::uint32_t lane = occupied[i]++;
+      batches[i].a[lane] = number(c.a);
+      batches[i].b[lane] = number(c.b);
+      if (occupied[i] == batch_size) room[i] = i + 1;
+      place[k] = static_cast<std::uint32_t>(batch_size) * i + lane;
+      next[number(c.a)] = i + 1;
+      if (c.b >= 0) next[number(c.b)] = i + 1;
+    }
   }
-  void add_block(const IslandContact& c) {
-    ContactBlock& block = blocks.emplace_back();
-    block.frame = c.frame;
-    block.friction = c.friction;
-    block.compliance = c.compliance;
-    block.bias = c.bias;
-    block.impulse = c.start[0] > 0.0 ? c.start : zero3();
-    add_side(block, c, c.a, c.ra, block.by_a, block.spin_a, block.a);
-    add_side(block, c, c.b, c.rb, block.by_b, block.spin_b, block.b);
-    const double det = block.w11 * block.w22 - block.w12 * block.w12;
-    block.i11 = block.w22 / det;
-    block.i12 = -block.w12 / det;
-    block.i22 = block.w11 / det;
-    const double mean = 0.5 * (block.w11 + block.w22), off = 0.5 * (block.w11 - block.w22);
-    block.wt = mean + std::sqrt(off * off + block.w12 * block.w12);
-    block.i00 = 1.0 / (block.w00 + block.compliance);
-    block.it = 1.0 / block.wt;
+  void fill_lane(ContactBatch& batch, std::size_t lane, const IslandContact& c) {
+    for (int k = 0; k < 3; k++) {
+      set_lane(batch.frame[k], lane, c.frame[k]);
+      set_lane(batch.spin_a[k], lane, cross(c.ra, c.frame[k]));
+      if (c.b >= 0) set_lane(batch.spin_b[k], lane, cross(c.rb, c.frame[k]));
+    }
+    batch.friction[lane] = c.friction;
+    batch.compliance[lane] = c.compliance;
+    set_lane(batch.bias, lane, c.bias);
+    if (c.start[0] > 0.0) set_lane(batch.impulse, lane, c.start);
   }
-  void add_blocks() {
-    order.clear();
-    for (std::uint32_t k = 0; k < island.contacts.size(); k++) order.push_back(k);
-    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
-      return island.contacts[i].height < island.contacts[j].height;
-    });
-    blocks.clear();
-    blocks.reserve(order.size());
-    for (const std::uint32_t k : order) add_block(island.contacts[k]);
+  /// From moments to what rows read of spins.
+  void scale_side(const std::array<std::uint32_t, batch_size>& numbers, Lanes& by, Mat3x4& spin) {
+    static const IslandBody world = [] {
+      IslandBody body;
+      body.inverse_mass = 0.0;
+      return body;
+    }();
+    std::array<const IslandBody*, batch_size> bodies;
+    for (std::size_t lane = 0; lane < batch_size; lane++) {
+      bodies[lane] = numbers[lane] < island.bodies.size() ? &island.bodies[numbers[lane]] : &world;
+      by[lane] = bodies[lane]->inverse_mass;
+    }
+    by = square_root(by);
+    Mat3x4 root;
+    for (int k = 0; k < 3; k++)
+      root[k] = pack(bodies[0]->root[k], bodies[1]->root[k], bodies[2]->root[k], bodies[3]->root[k]);
+    for (int k = 0; k < 3; k++) spin[k] = transposed_times(root, spin[k]);
+  }
+  void weigh(ContactBatch& c, std::uint32_t count) {
+    const Lanes own = c.by_a * c.by_a + c.by_b * c.by_b;
+    const auto w = [&](int i, int j) { return dot(c.spin_a[i], c.spin_a[j]) + dot(c.spin_b[i], c.spin_b[j]); };
+    c.w00 = own + w(0, 0);
+    c.w01 = w(0, 1);
+    c.w02 = w(0, 2);
+    c.w11 = own + w(1, 1);
+    c.w12 = w(1, 2);
+    c.w22 = own + w(2, 2);
+    for (std::size_t lane = count; lane < batch_size; lane++) c.w00[lane] = c.w11[lane] = c.w22[lane] = 1.0;
+    const Lanes by = 1.0 / (c.w11 * c.w22 - c.w12 * c.w12);
+    c.i11 = c.w22 * by;
+    c.i12 = -c.w12 * by;
+    c.i22 = c.w11 * by;
+    const Lanes mean = 0.5 * (c.w11 + c.w22), off = 0.5 * (c.w11 - c.w22);
+    c.wt = mean + square_root(off * off + c.w12 * c.w12);
+    c.i00 = 1.0 / (c.w00 + c.compliance);
+    c.it = 1.0 / c.wt;
+  }
+  void add_batches() {
+    arrange();
+    for (std::size_t k = 0; k < island.contacts.size(); k++)
+      fill_lane(batches[place[k] / batch_size], place[k] % batch_size, island.contacts[k]);
+    for (std::size_t i = 0; i < batches.size(); i++) {
+      ContactBatch& batch = batches[i];
+      scale_side(batch.a, batch.by_a, batch.spin_a);
+      scale_side(batch.b, batch.by_b, batch.spin_b);
+      weigh(batch, space.occupied[i]);
+    }
   }
 
   void add_rolls() {
     rolls.clear();
     if (island.rolls.empty()) return;
-    std::vector<std::uint32_t> block_of(order.size());
-    for (std::uint32_t k = 0; k < order.size(); k++) block_of[order[k]] = k;
     for (const IslandRoll& r : island.rolls) {
       const IslandContact& c = island.contacts[r.contact];
       RollBlock& block = rolls.emplace_back();
-      block.contact = block_of[r.contact];
+      block.contact = place[r.contact];
       const auto rows = [&](std::int32_t body, Mat3& spin) {
         spin = zero33();
         if (body < 0) return;
@@ -102,17 +147,18 @@ struct Sweeps {
       block.wt = r.wt;
     }
   }
+  std::uint32_t body_a(const RollBlock& r) const { return batches[r.contact / batch_size].a[r.contact % batch_size]; }
+  std::uint32_t body_b(const RollBlock& r) const { return batches[r.contact / batch_size].b[r.contact % batch_size]; }
   void give(const RollBlock& r, Vec3 impulse) {
-    y[blocks[r.contact].a].spin += r.spin_a * impulse;
-    y[blocks[r.contact].b].spin -= r.spin_b * impulse;
+    y[body_a(r)].spin += r.spin_a * impulse;
+    y[body_b(r)].spin -= r.spin_b * impulse;
   }
   /// Its law, others as they are.
   void visit(RollBlock& r) {
-    const double most = blocks[r.contact].impulse[0];
+    const double most = batches[r.contact / batch_size].impulse.x[r.contact % batch_size];
     r.before = r.impulse;
     if (most == 0.0 && norm2(r.impulse) == 0.0) return;
-    const Vec3 u = transposed_times(r.spin_a, y[blocks[r.contact].a].spin) -
-                   transposed_times(r.spin_b, y[blocks[r.contact].b].spin);
+    const Vec3 u = transposed_times(r.spin_a, y[body_a(r)].spin) - transposed_times(r.spin_b, y[body_b(r)].spin);
     Vec3 now = zero3();
     if (r.wn > 0.0) now[0] = std::clamp(r.impulse[0] - u[0] / r.wn, -most, most);
     if (r.wt > 0.0) {
@@ -153,48 +199,57 @@ struct Sweeps {
     return std::fabs(by) * s.w;
   }
 
-  Vec3 velocity(const ContactBlock& c) const {
-    const Scaled &a = y[c.a], &b = y[c.b];
-    const Vec3 centre = a.centre * c.by_a - b.centre * c.by_b;
-    Mat3 rows;
-    for (int k = 0; k < 3; k++) rows[k] = c.frame[k] * centre + c.spin_a[k] * a.spin - c.spin_b[k] * b.spin;
-    rows = transpose(rows);
-    return rows[0] + rows[1] + rows[2] + c.bias;
+  Vec3x4 packed(const std::array<std::uint32_t, batch_size>& of, Vec3 Scaled::*part) const {
+    return pack(y[of[0]].*part, y[of[1]].*part, y[of[2]].*part, y[of[3]].*part);
   }
-  void give(const ContactBlock& c, Vec3 impulse) {
-    Scaled &a = y[c.a], &b = y[c.b];
-    const Vec3 p = c.frame * impulse;
-    a.centre += p * c.by_a;
-    b.centre -= p * c.by_b;
-    a.spin += c.spin_a * impulse;
-    b.spin -= c.spin_b * impulse;
+  void add(const std::array<std::uint32_t, batch_size>& to, Vec3 Scaled::*part, const Vec3x4& change) {
+    const std::array<Vec3, batch_size> each = unpack(change);
+    for (std::size_t lane = 0; lane < batch_size; lane++) y[to[lane]].*part += each[lane];
   }
-  /// Coulomb's law of one contact, others as they are; returns the largest change [m/s].
-  double visit(ContactBlock& c) {
-    const Vec3 u = velocity(c), old = c.impulse;
-    const double n = std::max(0.0, old[0] - (u[0] + c.compliance * old[0]) * c.i00), dn = n - old[0],
-                 bound = c.friction * n;
-    if (dn == 0.0 && n == 0.0) return 0.0;
-    const double u1 = u[1] + c.w01 * dn, u2 = u[2] + c.w02 * dn;
-    double t1 = old[1] - (c.i11 * u1 + c.i12 * u2), t2 = old[2] - (c.i12 * u1 + c.i22 * u2);
-    if (t1 * t1 + t2 * t2 > bound * bound) {
-      t1 = old[1];
-      t2 = old[2];
-      for (int i = 0; i < 2; i++) {
-        const double d1 = t1 - old[1], d2 = t2 - old[2];
-        t1 -= (u1 + c.w11 * d1 + c.w12 * d2) * c.it;
-        t2 -= (u2 + c.w12 * d1 + c.w22 * d2) * c.it;
-        const double size = std::sqrt(t1 * t1 + t2 * t2);
-        if (size <= bound) continue;
-        const double part = bound / size;
-        t1 *= part;
-        t2 *= part;
-      }
+  Vec3x4 velocity(const ContactBatch& c) const {
+    const Vec3x4 centre = packed(c.a, &Scaled::centre) * c.by_a - packed(c.b, &Scaled::centre) * c.by_b;
+    return transposed_times(c.frame, centre) + transposed_times(c.spin_a, packed(c.a, &Scaled::spin)) -
+           transposed_times(c.spin_b, packed(c.b, &Scaled::spin)) + c.bias;
+  }
+  void give(const ContactBatch& c, const Vec3x4& impulse) {
+    const Vec3x4 p = c.frame * impulse;
+    add(c.a, &Scaled::centre, p * c.by_a);
+    add(c.a, &Scaled::spin, c.spin_a * impulse);
+    add(c.b, &Scaled::centre, p * -c.by_b);
+    add(c.b, &Scaled::spin, c.spin_b * (impulse * -1.0));
+  }
+  /// From t towards where the law wants it, others as they are, within the bound: two projected steps.
+  static void project(const ContactBatch& c, Lanes u1, Lanes u2, Lanes bound, Lanes& t1, Lanes& t2) {
+    const Lanes old1 = t1, old2 = t2;
+    for (int i = 0; i < 2; i++) {
+      const Lanes d1 = t1 - old1, d2 = t2 - old2;
+      t1 -= (u1 + c.w11 * d1 + c.w12 * d2) * c.it;
+      t2 -= (u2 + c.w12 * d1 + c.w22 * d2) * c.it;
+      const Lanes size = square_root(t1 * t1 + t2 * t2), part = size > bound ? bound / size : lanes(1.0);
+      t1 *= part;
+      t2 *= part;
     }
-    c.impulse = vec(n, t1, t2);
-    const Vec3 by = c.impulse - old;
+  }
+  /// Coulomb's law of four contacts, others as they are.
+  void visit(ContactBatch& c, Lanes& most, Lanes& change) {
+    const Vec3x4 u = velocity(c), old = c.impulse;
+    const Lanes zero = lanes(0.0), n = larger(old.x - (u.x + c.compliance * old.x) * c.i00, zero), dn = n - old.x,
+                bound = c.friction * n;
+    if (!any((n > zero) | (old.x != zero))) return;
+    const Lanes u1 = u.y + c.w01 * dn, u2 = u.z + c.w02 * dn;
+    Lanes t1 = old.y - (c.i11 * u1 + c.i12 * u2), t2 = old.z - (c.i12 * u1 + c.i22 * u2);
+    const auto slides = t1 * t1 + t2 * t2 > bound * bound;
+    if (any(slides)) {
+      Lanes s1 = old.y, s2 = old.z;
+      project(c, u1, u2, bound, s1, s2);
+      t1 = slides ? s1 : t1;
+      t2 = slides ? s2 : t2;
+    }
+    c.impulse = {n, t1, t2};
+    const Vec3x4 by = c.impulse - old, square = by * by;
     give(c, by);
-    return std::max(std::fabs(by[0]) * c.w00, std::max(std::fabs(by[1]), std::fabs(by[2])) * c.wt);
+    most = larger(most, larger(square.x * c.w00 * c.w00, larger(square.y, square.z) * c.wt * c.wt));
+    change += square.x * c.w00 + (square.y + square.z) * c.wt;
   }
   /// All ties at once, contacts as they are.
   void hold_ties() {
@@ -218,13 +273,13 @@ struct Sweeps {
   /// Starts from what is nearest to the solution among multiples of the impulses at hand and what ties answer to them, from none
   /// to all of them.
   void start() {
-    double constant = 0.0, soft = 0.0;
-    for (const ContactBlock& c : blocks) {
-      if (c.impulse[0] == 0.0) continue;
+    Lanes by_bias = lanes(0.0), by_compliance = lanes(0.0);
+    for (const ContactBatch& c : batches) {
       give(c, c.impulse);
-      constant += dot(c.bias, c.impulse);
-      soft += c.compliance * c.impulse[0] * c.impulse[0];
+      by_bias += dot(c.bias, c.impulse);
+      by_compliance += c.compliance * c.impulse.x * c.impulse.x;
     }
+    double constant = sum(by_bias);
     for (const RollBlock& r : rolls) give(r, r.impulse);
     for (const IslandScalar& s : island.scalars) give(s, s.impulse);
     for (IslandTie& t : island.ties) t.impulse = zero3();
@@ -236,8 +291,9 @@ struct Sweeps {
       y[i].spin -= free[i].spin;
       constant += dot(free[i].centre, y[i].centre) + dot(free[i].spin, y[i].spin);
     }
-    const double whole = square(y) + soft, part = whole > 0.0 ? std::clamp(-constant / whole, 0.0, 1.0) : 0.0;
-    for (ContactBlock& c : blocks) c.impulse *= part;
+    const double whole = square(y) + sum(by_compliance),
+                 part = whole > 0.0 ? std::clamp(-constant / whole, 0.0, 1.0) : 0.0;
+    for (ContactBatch& c : batches) c.impulse = c.impulse * part;
     for (RollBlock& r : rolls) r.impulse *= part;
     for (IslandTie& t : island.ties) t.impulse *= part;
     for (IslandScalar& s : island.scalars) s.impulse *= part;
@@ -246,31 +302,28 @@ struct Sweeps {
       y[i].spin = free[i].spin + y[i].spin * part;
     }
   }
-  double sweep(bool upward, bool all) {
-    double most = 0.0;
-    const auto one = [&](ContactBlock& c) {
+  /// Largest change of a velocity at a contact [m/s].
+  double sweep(bool upward) {
+    Lanes most = lanes(0.0), change = lanes(0.0);
+    const auto one = [&](ContactBatch& c) {
       c.before = c.impulse;
-      if (c.idle > 0 && !all) {
-        c.idle--;
-        return;
-      }
-      const double change_here = visit(c);
-      if (change_here == 0.0 && c.impulse[0] == 0.0) c.idle = idle_sweeps;
-      most = std::max(most, change_here);
+      visit(c, most, change);
     };
     if (upward)
-      for (ContactBlock& c : blocks) one(c);
+      for (ContactBatch& c : batches) one(c);
     else
-      for (std::size_t k = blocks.size(); k-- > 0;) one(blocks[k]);
+      for (std::size_t k = batches.size(); k-- > 0;) one(batches[k]);
+    change_of_contacts = sum(change);
     for (RollBlock& r : rolls) visit(r);
+    double found = std::sqrt(largest_lane(most));
     for (IslandScalar& s : island.scalars)
-      if (s.is_bounded()) most = std::max(most, visit(s));
+      if (s.is_bounded()) found = std::max(found, visit(s));
     hold_ties();
-    return most;
+    return found;
   }
   void begin() {
     take_velocities();
-    add_blocks();
+    add_batches();
     add_rolls();
     add_scalars();
     start();
@@ -287,11 +340,7 @@ struct Sweeps {
     for (const IslandScalar& s : island.scalars) space.scalar_before.push_back(s.impulse);
   }
   double change_of_sweep() const {
-    double sum = 0.0;
-    for (const ContactBlock& c : blocks) {
-      const Vec3 d = c.impulse - c.before;
-      sum += d[0] * d[0] * c.w00 + (d[1] * d[1] + d[2] * d[2]) * c.wt;
-    }
+    double sum = change_of_contacts;
     for (const RollBlock& r : rolls) {
       const Vec3 d = r.impulse - r.before;
       sum += d[0] * d[0] * r.wn + (d[1] * d[1] + d[2] * d[2]) * r.wt;
@@ -305,8 +354,8 @@ struct Sweeps {
   }
   /// Goes on by a part of the last direction; what the sweep changed and that is the next one.
   void carry_on(double part) {
-    for (ContactBlock& c : blocks) {
-      const Vec3 on = c.way * part;
+    for (ContactBatch& c : batches) {
+      const Vec3x4 on = c.way * part;
       c.way = c.impulse - c.before + on;
       c.impulse += on;
     }
@@ -345,7 +394,7 @@ SearchReport sweep_search(ContactIsland& island, std::uint32_t most_sweeps, doub
   while (report.iterations < until) {
     const bool upward = report.iterations % 2 == 0, last = ++report.iterations == until;
     s.keep();
-    const double found = s.sweep(upward, last);
+    const double found = s.sweep(upward);
     if (found <= enough) break;
     if (last) {
       if (until >= at_all || found < far * enough) break;
@@ -356,7 +405,8 @@ SearchReport sweep_search(ContactIsland& island, std::uint32_t most_sweeps, doub
     last_change = change;
   }
   s.hold_ties();
-  for (std::size_t k = 0; k < s.blocks.size(); k++) island.contacts[s.order[k]].impulse = s.blocks[k].impulse;
+  for (std::size_t k = 0; k < s.place.size(); k++)
+    island.contacts[k].impulse = lane_of(s.batches[s.place[k] / batch_size].impulse, s.place[k] % batch_size);
   for (std::size_t k = 0; k < s.rolls.size(); k++) island.rolls[k].impulse = s.rolls[k].impulse;
   apply_impulses(island);
   observe(island);

@@ -1,9 +1,11 @@
 #pragma once
 // What sweeps over contacts work on; see sweeps.cpp.
+#include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
-#include "base/lanes.hpp"
+#include "base/vectors4.hpp"
 
 namespace pantin {
 
@@ -12,25 +14,25 @@ struct Scaled {
   Vec3 centre = zero3(), spin = zero3();
 };
 
-/// One contact, with its rows of J: (columns) what they read of spins; of centres it is the frame times `by`.
-struct ContactBlock {
-  Mat3 frame, spin_a, spin_b;
-  double by_a = 0.0, by_b = 0.0;  // [kg^-½]
-  std::uint32_t a = 0, b = 0;
-  Vec3 impulse = zero3(), bias = zero3();
-  Vec3 before = zero3(), way = zero3();  // [N s] before this sweep; conjugate direction
-  double friction = 0.0, compliance = 0.0;
-  double w00 = 0.0, w01 = 0.0, w02 = 0.0, w11 = 0.0, w12 = 0.0, w22 = 0.0;  // [1/kg] J J'
-  double i11 = 0.0, i12 = 0.0, i22 = 0.0;                                   // [kg] inverse of the part across n
-  double wt = 0.0;                                                          // [1/kg] its largest eigenvalue
-  double i00 = 0.0, it = 0.0;                                               // [kg] 1/(w00 + compliance), 1/wt
-  std::uint32_t idle = 0;
+/// Four contacts of which no two share a body, with their rows of J: (columns) what they read of spins; of centres it is the
+/// frame times `by`. A lane without a contact has zeros, and the world for bodies.
+struct ContactBatch {
+  Mat3x4 frame, spin_a, spin_b;
+  Lanes by_a, by_b;  // [kg^-½]
+  std::array<std::uint32_t, batch_size> a, b;
+  Vec3x4 impulse, bias;
+  Vec3x4 before, way;  // [N s] before this sweep; conjugate direction
+  Lanes friction, compliance;
+  Lanes w00, w01, w02, w11, w12, w22;  // [1/kg] J J'
+  Lanes i11, i12, i22;                 // [kg] inverse of the part across n
+  Lanes wt;                            // [1/kg] its largest eigenvalue
+  Lanes i00, it;                       // [kg] 1/(w00 + compliance), 1/wt
 };
 
 /// Friction against spins at one of them: (columns) what it reads of spins.
 struct RollBlock {
   Mat3 spin_a, spin_b;
-  std::uint32_t contact = 0;  // index of the block
+  std::uint32_t contact = 0;  // its place
   Vec3 impulse = zero3(), before = zero3(), way = zero3();
   double wn = 0.0, wt = 0.0;  // [1/kg]
 };
@@ -42,9 +44,12 @@ struct ScalarBlock {
 };
 
 struct SweepSpace {
-  std::vector<Scaled> free, y, before, way;  ///< (bodies and, last, the world, which stays 0)
-  std::vector<ContactBlock> blocks;          ///< from the lowest up
-  std::vector<std::uint32_t> order;          ///< (blocks) index of the contact
+  std::vector<Scaled> free, y, before, way;                 ///< (bodies and, last, the world, which stays 0)
+  std::vector<ContactBatch> batches;                        ///< from the lowest up
+  std::vector<std::uint32_t> place;                         ///< (contacts) batch times four, and lane
+  std::vector<std::pair<double, std::uint32_t>> by_height;  ///< contacts
+  std::vector<std::uint32_t> next_batch;                    ///< (bodies and world) after those with it
+  std::vector<std::uint32_t> with_room, occupied;           ///< (batches) itself or a later one with room; lanes
   std::vector<RollBlock> rolls;
   std::vector<Vec3> tie_before, tie_way;
   std::vector<ScalarBlock> scalars;  ///< (ends of the island's scalars)
