@@ -76,4 +76,29 @@ void each_island(Workers& workers, std::span<TouchIsland> islands, TouchReport& 
   for (const TouchIsland& island : islands) report += island.report;
 }
 
+void give(Model& model, const TouchIsland& island, const std::vector<BodyLoad>& loads);
+
+/// What ties answer to impulses of contacts alone, exactly: those of gravity and of turning belong to the drift.
+ImpulseWork answer_of_ties(Articulate& a, Model& model, const TouchSettings& settings);
+
+/// What a scalar gives that moves with `velocity`, as far as it wants to: a motor that is stopped gives nothing.
+void add_work(ImpulseWork& work, const Articulates& articulates, const TouchScalar& s, double impulse, double velocity);
+
+/// Where impacts of all that nears each other faster than this rebound [m/s].
+double slow_of(const TouchSettings& settings, const ContactIsland& island);
+
+void keep_rolls(const ContactIsland& island, Contacts& contacts, const std::vector<std::size_t>& to,
+                Vec3 Contact::*moment);
+
+void keep_tie_impulses(const Articulates& articulates, const TouchIsland& island, int stage);
+
+/// Adds what ties bear by these impulses to what their rows tell; scalars within bounds where that is `bounded`.
+void tell_reactions(const Articulates& articulates, const TouchIsland& island, double step, bool bounded);
+
+void collect_heat(Contacts& contacts, std::span<TouchIsland> islands);
+
+/// Solves it, exactly if its bodies are not waiting: where that failed some times in a row it is tried now and then. Whether it
+/// is solved as exactly as can be, among bodies of like masses.
+bool solve_stage(Contacts& contacts, TouchIsland& island, std::size_t stage, ContactSearch search, TouchReport& report);
+
 }  // namespace pantin

@@ -196,8 +196,8 @@ bool lay_out_matrix(const ContactIsland& island, bool touching, std::size_t most
     const std::span<const ScalarEnd> ends = ends_of(island, s);
     for (std::size_t i = 0; i < ends.size(); i++)
       for (std::size_t j = i + 1; j < ends.size(); j++)
-        layout.scalar_blocks.push_back(blocks_of(layout, IslandPair{static_cast<std::int32_t>(ends[i].body),
-                                                                    static_cast<std::int32_t>(ends[j].body)}));
+        layout.scalar_blocks.push_back(blocks_of(
+            layout, IslandPair{static_cast<std::int32_t>(ends[i].body), static_cast<std::int32_t>(ends[j].body)}));
   }
   return true;
 }

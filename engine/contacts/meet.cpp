@@ -1,0 +1,139 @@
+#include <algorithm>
+#include <numeric>
+
+#include "contacts/heat.hpp"
+#include "contacts/solve/impacts.hpp"
+#include "contacts/solve/ties.hpp"
+#include "contacts/stage_parts.hpp"
+#include "contacts/take_back.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr double held_gap = 1e-2;  // of the size: that may be left of one that was to be closed
+
+/// The same of what got impulses before the drift and touches nothing after it: what ties answered then ends with them.
+void answer_where_nothing_touches(Model& model, const Articulates& articulates, std::span<const TouchIsland> islands,
+                                  const TouchSettings& settings, TouchReport& report) {
+  std::vector<char> touches(articulates.size(), 0);
+  for (const TouchIsland& island : islands)
+    for (const std::uint32_t number : island.articulates) touches[number] = 1;
+  for (std::size_t k = 0; k < touches.size(); k++) {
+    Articulate& a = *articulates[k];
+    if (touches[k] || !a.touches) continue;
+    for (Condition& c : a.conditions) c.gives_way = is_bounded(c);
+    const auto kinetic = [&] {
+      return std::accumulate(a.nodes.begin(), a.nodes.end(), 0.0,
+                             [](double sum, const Node& n) { return sum + kinetic_energy(n); });
+    };
+    const double before = kinetic();
+    const ImpulseWork ties = answer_of_ties(a, model, settings);
+    report.ties += ties;
+    report.work += kinetic() - before - ties.all();
+  }
+}
+
+/// What ties that move give by impulses at the end of the step.
+ImpulseWork work_of_ties(const Articulates& articulates, const TouchIsland& island) {
+  ImpulseWork work;
+  for (const IslandTie& t : island.problem.ties)
+    (t.lever > 0.0 ? work.turns : work.ends) += dot(t.kept * t.impulse, t.wanted);
+  for (std::size_t k = 0; k < island.scalars.size(); k++) {
+    const IslandScalar& s = island.problem.scalars[k];
+    add_work(work, articulates, island.scalars[k], s.impulse, s.u - s.bias);
+  }
+  return work;
+}
+
+/// Those that are far from acting are nothing to velocities; of the rest, none is open.
+void close_scalars(TouchIsland& island, const Articulates& articulates) {
+  for (std::size_t k = 0; k < island.scalars.size(); k++) {
+    TouchScalar& scalar = island.scalars[k];
+    IslandScalar& s = island.problem.scalars[k];
+    s.bias = -scalar.row.wanted;
+    const Articulate& a = *articulates[scalar.articulate];
+    const bool held = a.touched_scalars[0].size() == a.rows.size() && a.touched_scalars[0][scalar.row.row()] != 0.0;
+    if (scalar.row.room > (held ? held_gap : closed_gap) * a.length) s.low = s.high = 0.0;
+  }
+}
+
+}  // namespace
+
+void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
+          const TouchSettings& settings, TouchReport& sum) {
+  sum.work += take_back(space, model, articulates, contacts, settings);
+  sum.ties.ends -= space.answered.ends;
+  sum.ties.turns -= space.answered.turns;
+  space.given.clear();
+  space.answered = {};
+  contacts.placed.clear();
+  const double h = settings.h;
+  std::vector<char> used(contacts.list.size(), 0);
+  for (std::size_t k = 0; k < used.size(); k++) {
+    Contact& c = contacts.list[k];
+    c.placed = -1;
+    used[k] = c.gap <= (norm2(c.placing) > 0.0 ? held_gap : closed_gap) * c.size;
+    if (!used[k]) c.total = c.total_moment = zero3();
+  }
+  const std::span<TouchIsland> islands =
+      gather(space.meeting, space.index, workers, model, articulates, contacts, settings, used);
+  each_island(workers, islands, sum, [&](TouchIsland& island, TouchReport& report) {
+    ContactIsland& problem = island.problem;
+    bool rebounds = false;
+    for (std::size_t k = 0; k < problem.contacts.size(); k++) {
+      const Contact& from = contacts.list[island.contacts[k]];
+      IslandContact& c = problem.contacts[k];
+      c.bias = to_frame(c, from.belt);
+      c.bias[0] = 0.0;
+      c.start = to_frame(c, from.total);
+      c.other_start = to_frame(c, from.placing);
+      c.rebound = from.body_b < 0 && !problem.is_tied() ? from.rebound : 0.0;
+      rebounds = rebounds || from.rebound > 0.0;
+    }
+    start_rolls(problem, contacts, island.contacts, &Contact::total_moment);
+    start_ties(island, articulates, 1);
+    set_scalars(island, articulates, h, h, h);
+    close_scalars(island, articulates);
+    hold_ties(problem);
+    if (rebounds) {
+      double gained = 0.0;
+      for (const std::uint32_t thing : !problem.is_tied() ? island.things : std::vector<std::uint32_t>())
+        if (const std::size_t i = number_of(model, thing); i < space.placing_work.size())
+          gained += space.placing_work[i];
+      report.iterations += resolve_impacts(problem, slow_of(settings, problem), gained).iterations;
+    }
+    solve_stage(contacts, island, 1, settings.search, report);
+    keep_tie_impulses(articulates, island, 1);
+    keep_rolls(problem, contacts, island.contacts, &Contact::total_moment);
+    const double before = kinetic_energy_now(model, island);
+    std::vector<Placing> given;  // where heat is kept
+    for (std::size_t k = 0; k < problem.contacts.size(); k++) {
+      Contact& to = contacts.list[island.contacts[k]];
+      problem.contacts[k].impulse += problem.contacts[k].struck;
+      to.total = to_world(problem.contacts[k], problem.contacts[k].impulse);
+      report.belts -= dot(to.total, to.belt - to.normal * dot(to.normal, to.belt));
+      if (contacts.heat_kept)
+        given.push_back({to.body_a, to.body_b, to.key.b, to.total, to.total_moment, problem.contacts[k].ra,
+                         problem.contacts[k].rb, to.normal, true});
+    }
+    HeatOf heat(model, articulates, contacts, settings.drifted, given, island.heat);
+    std::vector<BodyLoad> loads(problem.bodies.size());
+    add_contact_loads(problem, loads);
+    for (IslandTie& t : problem.ties) t.impulse += t.struck;
+    for (IslandScalar& s : problem.scalars) s.impulse += s.struck;
+    add_tie_loads(problem, loads);
+    tell_reactions(articulates, island, settings.step, true);
+    give(model, island, loads);
+    const ImpulseWork ties = work_of_ties(articulates, island);
+    report.ties += ties;
+    const double work = kinetic_energy_now(model, island) - before - ties.all();
+    report.work += work;
+    heat.add(work);
+  });
+  answer_where_nothing_touches(model, articulates, islands, settings, sum);
+  collect_heat(contacts, islands);
+  hold_again(articulates);
+}
+
+}  // namespace pantin

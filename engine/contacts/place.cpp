@@ -1,0 +1,235 @@
+#include <algorithm>
+#include <cmath>
+
+#include "contacts/heat.hpp"
+#include "contacts/motor_bounds.hpp"
+#include "contacts/solve/ties.hpp"
+#include "contacts/stage_parts.hpp"
+#include "contacts/turning_apart.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr double soft_overlap = 1e-8;  // of the size: what the largest load of an island makes
+
+/// What kicks at both ends of the drift do less [J] than their forces do over the way that it has by these impulses: work at
+/// contacts is change of the energy, not of the kinetic one alone.
+double work_beside_kicks(const Model& model, const TouchIsland& island, const std::vector<BodyLoad>& impulses,
+                         const TouchSettings& settings, std::span<const BodyLoad> kicks) {
+  if (kicks.empty()) return 0.0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < impulses.size(); i++) {
+    const BodyLoad& kick = kicks[number_of(model, island.things[i])];
+    const IslandBody& b = island.problem.bodies[i];
+    sum += dot(kick.force, impulses[i].force) * b.inverse_mass + dot(kick.moment, b.mobility * impulses[i].moment);
+  }
+  return 0.5 * settings.h * sum;
+}
+
+/// Notes what each thing got by these impulses, and by what ties answered them.
+void note_given(const Model& model, const Articulates& articulates, TouchIsland& island,
+                const std::vector<BodyLoad>& impulses, bool drifted) {
+  for (std::size_t i = 0; i < island.things.size(); i++) {
+    const std::uint32_t thing = island.things[i];
+    Given given = {thing, model.plane.along(impulses[i].force), impulses[i].moment};
+    if (island_number(model, articulates.size(), thing) < articulates.size()) {
+      const BodyState before = island.states[i], after = state_of(model, articulates, thing, drifted);
+      given.impulse = (after.v - before.v) * before.mass;
+      given.moment = island.problem.bodies[i].inertia * (after.w - before.w);
+    }
+    if (norm2(given.impulse) + norm2(given.moment) > 0.0) island.given.push_back(given);
+  }
+}
+
+/// Speed [m/s] with which it leaves what it meets in this step: as if it had met it at the surface; 0 where it is too slow.
+double rebound_of(const Contact& c, const TouchSettings& settings, double slow) {
+  if (c.restitution == 0.0 || c.approach >= -slow) return 0.0;
+  const double fall = c.body_b < 0 ? -dot(c.normal, settings.gravity) : 0.0;
+  return c.restitution * std::sqrt(std::max(0.0, c.approach * c.approach + 2.0 * fall * std::max(0.0, c.gap)));
+}
+
+/// Kicks gave loose points half of gravity: their velocities at the start of the step are without.
+void take_half_of_gravity(const Model& model, TouchIsland& island, const TouchSettings& settings) {
+  for (std::size_t i = 0; i < island.things.size(); i++)
+    if (is_loose_point(model, island.things[i]))
+      island.problem.bodies[i].v0 -= model.plane.along(settings.gravity) * (0.5 * settings.h);
+}
+
+/// [J] It gives to an island from rest in a step, or over a way that is nothing to what touches.
+double gravity_in_step(const TouchIsland& island, const Contacts& contacts, const TouchSettings& settings) {
+  constexpr double nothing = 1e-6;  // of the size
+  double mass = 0.0, size = 0.0;
+  for (const IslandBody& b : island.problem.bodies) mass += b.mass;
+  for (const std::size_t k : island.contacts) size = std::fmax(size, contacts.list[k].size);
+  const double g = norm(settings.gravity);
+  return mass * g * std::fmax(0.5 * g * settings.h * settings.h, nothing * size);
+}
+
+/// Forces that the drift will have beside contacts: gravity, pushes, and what soft rows pulled with last.
+void foresee_forces(const Model& model, TouchIsland& island, const TouchSettings& settings) {
+  const double half = 0.5 * settings.h;
+  for (std::size_t i = 0; i < island.things.size(); i++) {
+    IslandBody& b = island.problem.bodies[i];
+    b.v0 += (model.plane.along(settings.gravity) + island.pulls[i].force * b.inverse_mass) * half;
+    b.w0 += b.mobility * island.pulls[i].moment * half;
+    if (is_point(island.things[i])) continue;
+    const Motion& m = model.motion[island.things[i]];
+    b.v0 += m.force * (half * b.inverse_mass);
+    b.w0 += b.mobility * m.torque * half;
+  }
+}
+
+/// What `place` wants: no gap closed by more than it is open, by the drift and by turning.
+void want_no_overlaps(TouchIsland& island, Contacts& contacts, double h) {
+  ContactIsland& problem = island.problem;
+  double largest = 0.0;
+  for (const std::size_t k : island.contacts)
+    largest = std::max(largest, dot(contacts.list[k].placing, contacts.list[k].normal));
+  for (std::size_t k = 0; k < problem.contacts.size(); k++) {
+    Contact& from = contacts.list[island.contacts[k]];
+    IslandContact& c = problem.contacts[k];
+    c.compliance = largest > 0.0 ? soft_overlap * from.size / (h * largest) : 0.0;
+    from.approach = dot(from.normal, relative(c, problem.bodies, &IslandBody::v0, &IslandBody::w0));
+    const double gap = std::max(from.gap / h, -c.compliance * std::max(0.0, dot(from.placing, from.normal)));
+    c.bias = to_frame(c, from.belt);
+    c.bias[0] = gap;
+    c.bias += turning_apart(island, c, from, h);
+    c.start = to_frame(c, from.placing);
+  }
+  for (IslandTie& t : problem.ties) {
+    if (t.lever > 0.0) continue;
+    const auto turned = [&](std::int32_t body, Vec3 r) {
+      const Vec3 w = problem.bodies[static_cast<std::size_t>(body)].w0;
+      return cross(w, cross(w, r)) * curving(w, h);
+    };
+    t.wanted -= turned(t.a, t.ra) - (t.b < 0 ? zero3() : turned(t.b, t.rb));
+  }
+}
+
+/// Whether contacts stop a motor that has no limit but that of what touches.
+bool is_jammed(const IslandScalar& s, const ScalarRow& row, const Condition& c) {
+  constexpr double moves = 1e-2;  // of the wanted velocity
+  if (std::isinf(c.strongest) || !s.is_at_bound()) return false;
+  return (s.u - s.bias) * row.wanted <= moves * row.wanted * row.wanted;
+}
+
+/// Adds what scalars within bounds answer to contacts, and notes it. Where one reached a bound the drift, which asks for that force
+/// again, gives it; not where it is jammed: what then holds it must not be taken back alone.
+ImpulseWork hold_scalars(const Articulates& articulates, TouchIsland& island, std::vector<BodyLoad>& loads) {
+  for (std::size_t k = 0; k < island.scalars.size(); k++) {
+    const IslandScalar& s = island.problem.scalars[k];
+    const TouchScalar& from = island.scalars[k];
+    Articulate& a = *articulates[from.articulate];
+    Condition& c = condition(a, a.rows[from.row.row()]);
+    const bool jams = is_jammed(s, from.row, c);
+    if (!s.is_bounded() || (s.is_at_bound() && !jams)) continue;
+    const double impulse = s.impulse + (jams ? s.struck : 0.0);
+    if (jams) jam(c);
+    add_load(island.problem, loads, s, impulse);
+    add_work(island.answered, articulates, from, impulse, jams ? 0.0 : from.row.wanted);
+    island.held.push_back(from);
+    island.held.back().given = impulse;
+  }
+  return island.answered;
+}
+
+/// Gives what was found, and what ties answer; notes what each thing got of both.
+void give_placing(TouchSpace& space, Model& model, const Articulates& articulates, const Contacts& contacts,
+                  const TouchSettings& settings, std::span<const BodyLoad> kicks, TouchIsland& island,
+                  TouchReport& report) {
+  const double before = kinetic_energy_now(model, island);
+  HeatOf heat(model, articulates, contacts, settings.drifted, island.placed, island.heat);
+  for (const std::uint32_t a : island.articulates) articulates[a]->touches = true;
+  std::vector<BodyLoad> loads(island.things.size());
+  add_contact_loads(island.problem, loads);
+  ImpulseWork ties = hold_scalars(articulates, island, loads);
+  const auto note = [&](double sign) {
+    for (std::size_t i = 0; i < island.things.size(); i++)
+      if (const std::size_t k = number_of(model, island.things[i]); k < space.placing_work.size())
+        space.placing_work[k] += sign * kinetic_energy(model, island.states[i], island.things[i]);
+  };
+  note(-1.0);
+  give(model, island, loads);
+  ImpulseWork answered;
+  for (const std::uint32_t a : island.articulates) answered += answer_of_ties(*articulates[a], model, settings);
+  ties += answered;
+  if (island.placed.front().solved) {
+    tell_reactions(articulates, island, settings.step, false);
+  } else {
+    island.held.clear();
+    note_given(model, articulates, island, loads, settings.drifted);
+    island.answered += answered;
+  }
+  note(1.0);
+  report.ties += ties;
+  const double work = kinetic_energy_now(model, island) - before - ties.all() -
+                      work_beside_kicks(model, island, loads, settings, kicks);
+  report.work += work;
+  heat.add(work);
+}
+
+}  // namespace
+
+void place(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
+           const TouchSettings& settings, std::span<const BodyLoad> kicks, TouchReport& sum) {
+  contacts.placed.clear();
+  contacts.bodies.resize(model.bodies.slots());
+  if (model.solids) contacts.points.resize(model.points.slots());
+  for (const auto& articulate : articulates) {
+    if (articulate->touches)
+      end_jams(*articulate);
+    else
+      free_motors(*articulate);
+    articulate->touches = false;
+  }
+  for (Contact& c : contacts.list) c.rebound = c.approach = 0.0;
+  const std::vector<char> used(contacts.list.size(), 1);
+  const double h = settings.h;
+  const std::span<TouchIsland> islands =
+      gather(space.placing, space.index, workers, model, articulates, contacts, settings, used);
+  space.placing_work.assign(space.index.size(), 0.0);
+  each_island(workers, islands, sum, [&](TouchIsland& island, TouchReport& report) {
+    ContactIsland& problem = island.problem;
+    take_half_of_gravity(model, island, settings);
+    want_no_overlaps(island, contacts, h);
+    report.gravity += gravity_in_step(island, contacts, settings);
+    foresee_forces(model, island, settings);
+    start_rolls(problem, contacts, island.contacts, &Contact::placing_moment);
+    start_ties(island, articulates, 0);
+    set_scalars(island, articulates, h, 0.5 * h);
+    hold_ties(problem);
+    const bool solved = solve_stage(contacts, island, 0, settings.search, report);
+    keep_tie_impulses(articulates, island, 0);
+    keep_rolls(problem, contacts, island.contacts, &Contact::placing_moment);
+    const double slow = slow_of(settings, problem);
+    for (std::size_t k = 0; k < problem.contacts.size(); k++) {
+      Contact& to = contacts.list[island.contacts[k]];
+      IslandContact& c = problem.contacts[k];
+      if (c.impulse[0] * c.wn <= problem.tolerance) c.impulse = zero3();  // round-off, which holds nothing
+      to.placing = to_world(c, c.impulse);
+      to.rebound = rebound_of(to, settings, slow);
+      if (norm2(to.placing) == 0.0) continue;
+      island.placed.push_back(
+          {to.body_a, to.body_b, to.key.b, to.placing, to.placing_moment, c.ra, c.rb, to.normal, solved});
+    }
+    if (!island.placed.empty()) give_placing(space, model, articulates, contacts, settings, kicks, island, report);
+  });
+  space.given.clear();
+  space.held.clear();
+  space.answered = {};
+  space.held.clear();
+  for (const TouchIsland& island : islands) {
+    auto next = static_cast<std::int32_t>(contacts.placed.size());
+    for (const std::size_t k : island.contacts)
+      contacts.list[k].placed = norm2(contacts.list[k].placing) > 0.0 ? next++ : -1;
+    contacts.placed.insert(contacts.placed.end(), island.placed.begin(), island.placed.end());
+    space.answered += island.answered;
+    space.given.insert(space.given.end(), island.given.begin(), island.given.end());
+    space.held.insert(space.held.end(), island.held.begin(), island.held.end());
+  }
+  collect_heat(contacts, islands);
+  hold_again(articulates);
+}
+
+}  // namespace pantin

@@ -1,0 +1,139 @@
+#include "contacts/stage_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "articulates/solve/node_batches.hpp"
+#include "articulates/solve/project.hpp"
+#include "articulates/solve/state.hpp"
+
+namespace pantin {
+
+void TouchReport::operator+=(const TouchReport& more) {
+  work += more.work;
+  belts += more.belts;
+  gravity += more.gravity;
+  ties += more.ties;
+  islands += more.islands;
+  contacts += more.contacts;
+  iterations += more.iterations;
+  unsolved += more.unsolved;
+}
+
+void give(Model& model, const TouchIsland& island, const std::vector<BodyLoad>& loads) {
+  for (std::size_t i = 0; i < loads.size(); i++)
+    add_momenta(model, island.states[i], island.things[i], model.plane.along(loads[i].force), loads[i].moment);
+}
+
+ImpulseWork answer_of_ties(Articulate& a, Model& model, const TouchSettings& settings) {
+  if (!settings.drifted) load(a, model, settings.gravity);
+  a.exact = false;
+  begin_answers(a, 0.0);
+  for (std::size_t b = 0; b < a.batches.size(); b++) read_momenta(a, b);
+  const ImpulseWork work = answer(a);
+  for (std::size_t b = 0; b < a.batches.size(); b++) tell_momenta(a, b);
+  a.exact = false;
+  if (!settings.drifted)
+    for (const Node& n : a.nodes) store(n, model);
+  return work;
+}
+
+void add_work(ImpulseWork& work, const Articulates& articulates, const TouchScalar& s, double impulse,
+              double velocity) {
+  const double by = std::clamp(velocity, std::min(0.0, s.row.wanted), std::max(0.0, s.row.wanted));
+  (s.row.turns(*articulates[s.articulate]) ? work.turns : work.ends) += impulse * by;
+}
+
+double slow_of(const TouchSettings& settings, const ContactIsland& island) {
+  return std::max(2.0 * norm(settings.gravity) * settings.h, 1e4 * island.tolerance);
+}
+
+void keep_rolls(const ContactIsland& island, Contacts& contacts, const std::vector<std::size_t>& to,
+                Vec3 Contact::*moment) {
+  for (const IslandRoll& r : island.rolls) contacts.list[to[r.contact]].*moment = moment_of(island, r, r.impulse);
+}
+
+void keep_tie_impulses(const Articulates& articulates, const TouchIsland& island, int stage) {
+  for (const std::uint32_t a : island.articulates)
+    articulates[a]->touched[static_cast<std::size_t>(stage)].assign(articulates[a]->rows.size(), zero3());
+  for (std::size_t k = 0; k < island.rows.size(); k++)
+    articulates[island.rows[k][0]]->touched[static_cast<std::size_t>(stage)][island.rows[k][1]] =
+        island.problem.ties[k].impulse;
+  for (const std::uint32_t a : island.articulates)
+    if (!island.scalars.empty())
+      articulates[a]->touched_scalars[static_cast<std::size_t>(stage)].assign(articulates[a]->rows.size(), 0.0);
+  for (std::size_t k = 0; k < island.scalars.size(); k++)
+    articulates[island.scalars[k].articulate]
+        ->touched_scalars[static_cast<std::size_t>(stage)][island.scalars[k].row.row()] =
+        island.problem.scalars[k].impulse;
+}
+
+void tell_reactions(const Articulates& articulates, const TouchIsland& island, double step, bool bounded) {
+  for (const std::uint32_t a : island.articulates)
+    articulates[a]->reaction.resize(articulates[a]->rows.size(), zero3());
+  for (std::size_t k = 0; k < island.rows.size(); k++) {
+    const IslandTie& t = island.problem.ties[k];
+    articulates[island.rows[k][0]]->reaction[island.rows[k][1]] += t.kept * t.impulse / step;
+  }
+  for (std::size_t k = 0; k < island.scalars.size(); k++) {
+    const TouchScalar& s = island.scalars[k];
+    if (s.row.is_bounded() && !bounded) continue;
+    for (const ScalarRow::Part& part : s.row.parts)
+      articulates[s.articulate]->reaction[part.row] += part.along * (island.problem.scalars[k].impulse / step);
+  }
+}
+
+void collect_heat(Contacts& contacts, std::span<TouchIsland> islands) {
+  if (!contacts.heat_kept) return;
+  for (TouchIsland& island : islands)
+    contacts.new_heat.insert(contacts.new_heat.end(), island.heat.begin(), island.heat.end());
+}
+
+namespace {
+
+constexpr double exact_enough = 100.0;  // tolerances
+
+/// Whether no body is much lighter than another: what acts on heavy ones would throw it about, were it not the same to the last digit.
+bool is_even(const ContactIsland& island) {
+  constexpr double most = 100.0;
+  double lightest = infinity, heaviest = 0.0;
+  for (const IslandBody& b : island.bodies) {
+    lightest = std::min(lightest, b.mass);
+    heaviest = std::max(heaviest, b.mass);
+  }
+  return heaviest <= most * lightest;
+}
+
+}  // namespace
+
+bool solve_stage(Contacts& contacts, TouchIsland& island, std::size_t stage, ContactSearch search,
+                 TouchReport& report) {
+  constexpr std::uint8_t waits_after = 4, wait_of_failure = 7, wait_of_dense = 100;
+  std::uint8_t failures = 0, wait = 0;
+  const auto all = [&](auto use) {
+    for (const std::uint32_t thing : island.things)
+      if (const std::uint32_t slot = slot_of(thing); !is_point(thing))
+        use(contacts.bodies[slot]);
+      else if (slot < contacts.points.size())
+        use(contacts.points[slot]);
+  };
+  all([&](const TouchedBody& body) {
+    failures = std::max(failures, body.failures[stage]);
+    wait = std::max(wait, body.wait[stage]);
+  });
+  const IslandReport found = solve_island(island.problem, wait == 0, search);
+  count(found, island.problem, report);
+  if (wait > 0) {
+    wait--;
+  } else {
+    failures = found.failed ? std::min<std::uint8_t>(failures + 1, waits_after) : 0;
+    wait = found.too_dense ? wait_of_dense : failures < waits_after ? 0 : wait_of_failure;
+  }
+  all([&](TouchedBody& body) {
+    body.failures[stage] = failures;
+    body.wait[stage] = wait;
+  });
+  return found.residual <= exact_enough * island.problem.tolerance && is_even(island.problem);
+}
+
+}  // namespace pantin
