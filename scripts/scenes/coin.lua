@@ -1,6 +1,5 @@
 -- A coin spun on its edge: it slows down, lies down, and the lower it lies the faster the point on which it rolls goes round, until
--- it rings and stops (Euler's disc). The mark on its face turns ever slower meanwhile. Rolling and spinning friction alone take its
--- energy; what the coin touches the table with slips only at the start.
+-- it rings and stops (Euler's disc). Rolling and spinning friction take its energy; it slips only at the start.
 local rate = scene:param("spin", 40, { min = 5, max = 80, help = "about the vertical at the start, rad/s" })
 local rolling = scene:param("rolling", 0.2, { min = 0, max = 2, help = "friction against rolling, mm" }) / 1000
 local spinning = scene:param("spinning", 1, { min = 0, max = 5, help = "friction against spinning, mm" }) / 1000
