@@ -6,6 +6,7 @@
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/state.hpp"
 #include "base/sets.hpp"
+#include "constraints/stiff.hpp"
 #include "contacts/motor_bounds.hpp"
 
 namespace pantin {
@@ -102,10 +103,11 @@ struct Builder {
         }
     for (std::uint32_t k = 0; k < ties.size(); k++) {
       const Row& row = a.rows[k];
-      if (is_soft(row)) {
-        add_load(to.pulls, ties[k], row.f);
-        if (row.kind == RowKind::stiff) add_load(to.law_pulls, ties[k], row.f);
-      }
+      if (!is_soft(row)) continue;
+      const bool is_new = row.kind == RowKind::stiff && norm2(row.f) == 0.0;
+      const Vec3 pull = is_new ? pull_at(*condition(a, row).stiff, row.d1).f : row.f;
+      add_load(to.pulls, ties[k], pull);
+      if (row.kind == RowKind::stiff) add_load(to.law_pulls, ties[k], pull);
     }
     for (std::uint32_t k = 0; k < ties.size(); k++) {
       if (trace(ties[k].kept) == 0.0 || a.rows[k].kind == RowKind::coupled) continue;

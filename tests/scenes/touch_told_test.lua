@@ -436,3 +436,22 @@ for _, rate in ipairs { 60, 240 } do
     expect((scene.angular_momentum - before):length()):below(1e-11 * before:length())
   end)
 end
+
+for _, rate in ipairs { 60, 240 } do
+  test("a damped spring that is solved presses what rests by what it is compressed at " .. rate .. " Hz", function()
+    local scene = open_text(([[
+      scene.step = 1 / %d
+      scene.integrator = "implicit"
+      scene:floor {}
+      local box = scene:box { size = 0.4, mass = 2, at = vec(0, 0.2, 0), name = "box", points = { c = vec(0, 0, 0) } }
+      local post = scene:particle { at = vec(0, 2, 0), mass = 1 }
+      scene:nail(post)
+      scene:connect(box.c, post, force.spring { stiffness = 1000, length = 2.2, damping = 200 })
+    ]]):format(rate))
+    scene:advance(1)
+    local force = 0
+    for _, contact in ipairs(scene:find("box").contacts) do force = force + contact.force.y end
+    expect(force):near(2 * 9.81 + 1000 * (2.2 - (2 - scene:find("box").position.y)), 1e-6)
+    expect(scene.error.worst_energy):below(1e-3)
+  end)
+end

@@ -23,7 +23,7 @@ double work_of_settling(const Articulate& a) {
 }  // namespace
 
 bool is_to_settle(const Articulate& a) {
-  return a.nonconservative && !a.fell_back &&
+  return a.nonconservative && !a.fell_back && !a.touches &&
          std::any_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) { return c.settling > 0.0; });
 }
 
