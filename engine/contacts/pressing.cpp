@@ -10,16 +10,25 @@ namespace {
 
 bool same_things(const Contact& x, const Contact& y) { return x.body_a == y.body_a && x.body_b == y.body_b; }
 
-/// Of what two things gave each other to be kept apart, as much as does not exceed all of the last step's: of a blow nothing. That
-/// is twice what goes on to press, since how things share a load may differ.
-double lasting(const std::vector<Contact>& list, std::size_t first) {
-  double last = 0.0, placed = 0.0;
+/// Along their normals [N s], of all contacts of two things.
+struct Pressing {
+  double last = 0.0, placed = 0.0;  ///< in the last step; to keep them apart in the drift before
+};
+Pressing pressing_of(const std::vector<Contact>& list, std::size_t first) {
+  Pressing p;
   for (std::size_t k = first; k < list.size() && same_things(list[k], list[first]); k++) {
-    last += dot(list[k].total, list[k].normal);
-    placed += dot(list[k].placing, list[k].normal);
+    p.last += dot(list[k].total, list[k].normal);
+    p.placed += dot(list[k].placing, list[k].normal);
   }
-  return placed > 0.0 ? std::clamp(last / placed, 0.0, 1.0) : 0.0;
+  return p;
 }
+
+/// What presses got half of its impulse before the drift, a blow all: the rest, up to half, goes on.
+double share_of_last(const Pressing& p) { return p.last > 0.0 ? std::clamp(1.0 - p.placed / p.last, 0.0, 0.5) : 0.0; }
+
+/// Of what was placed, as much as does not exceed all of the last step's: of a blow nothing. That is twice what goes on to press,
+/// since how things share a load may differ.
+double share_of_placed(const Pressing& p) { return p.placed > 0.0 ? std::clamp(p.last / p.placed, 0.0, 1.0) : 0.0; }
 
 }  // namespace
 
@@ -30,7 +39,10 @@ std::vector<BodyLoad> pressing_impulses(const Model& model, const Articulates& a
   std::vector<BodyLoad> loads(model.bodies.slots() + model.points.slots());
   for (std::size_t k = 0; k < contacts.list.size(); k++) {
     const Contact& c = contacts.list[k];
-    if (k == 0 || !same_things(c, contacts.list[k - 1])) share = drifted ? lasting(contacts.list, k) : 0.5;
+    if (k == 0 || !same_things(c, contacts.list[k - 1])) {
+      const Pressing pressing = pressing_of(contacts.list, k);
+      share = drifted ? share_of_placed(pressing) : share_of_last(pressing);
+    }
     const Vec3 impulse = (drifted ? c.placing : c.total) * share,
                moment = (drifted ? c.placing_moment : c.total_moment) * share;
     const auto add = [&](std::uint32_t thing, double sign) {
