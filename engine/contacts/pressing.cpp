@@ -23,8 +23,12 @@ Pressing pressing_of(const std::vector<Contact>& list, std::size_t first) {
   return p;
 }
 
-/// What presses got half of its impulse before the drift, a blow all: the rest, up to half, goes on.
-double share_of_last(const Pressing& p) { return p.last > 0.0 ? std::clamp(1.0 - p.placed / p.last, 0.0, 0.5) : 0.0; }
+/// What presses got about half of its impulse before the drift, as things share loads, and the rest goes on; a blow got all of it
+/// before the drift, or all after it.
+double share_of_last(const Pressing& p) {
+  constexpr double least = 0.25;
+  return p.placed > least * p.last ? std::max(0.0, 1.0 - p.placed / p.last) : 0.0;
+}
 
 /// Of what was placed, as much as does not exceed all of the last step's: of a blow nothing. That is twice what goes on to press,
 /// since how things share a load may differ.
