@@ -27,15 +27,7 @@ void fall_from_rest(const Model& model, TouchIsland& island, const TouchSettings
 
 bool is_held(const Contacts& contacts, const Articulates& articulates, TouchIsland& island, double h) {
   ContactIsland& problem = island.problem;
-  for (std::size_t k = 0; k < problem.contacts.size(); k++) {
-    const Contact& from = contacts.list[island.contacts[k]];
-    IslandContact& c = problem.contacts[k];
-    c.bias = to_frame(c, from.belt);
-    c.bias[0] = 0.0;
-    c.start = to_frame(c, from.total);
-  }
-  start_rolls(problem, contacts, island.contacts, &Contact::total_moment);
-  start_ties(island, articulates, 1);
+  start_meeting(island, contacts, articulates);
   set_scalars(island, articulates, h, h);
   hold_ties(problem);
   const double most = unmoved * problem.tolerance;

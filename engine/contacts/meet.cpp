@@ -80,19 +80,15 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
       gather(space.meeting, space.index, workers, model, articulates, contacts, settings, used);
   each_island(workers, islands, sum, [&](TouchIsland& island, TouchReport& report) {
     ContactIsland& problem = island.problem;
+    start_meeting(island, contacts, articulates);
     bool rebounds = false;
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
       const Contact& from = contacts.list[island.contacts[k]];
       IslandContact& c = problem.contacts[k];
-      c.bias = to_frame(c, from.belt);
-      c.bias[0] = 0.0;
-      c.start = to_frame(c, from.total);
       c.other_start = to_frame(c, from.placing);
       c.rebound = from.body_b < 0 && !problem.is_tied() ? from.rebound : 0.0;
       rebounds = rebounds || from.rebound > 0.0;
     }
-    start_rolls(problem, contacts, island.contacts, &Contact::total_moment);
-    start_ties(island, articulates, 1);
     set_scalars(island, articulates, h, h, h);
     close_scalars(island, articulates);
     hold_ties(problem);

@@ -38,6 +38,20 @@ inline void start_ties(TouchIsland& island, const Articulates& articulates, std:
   }
 }
 
+/// Begins a search for velocities with which contacts part or stay, from the impulses of the last step.
+inline void start_meeting(TouchIsland& island, const Contacts& contacts, const Articulates& articulates) {
+  ContactIsland& problem = island.problem;
+  for (std::size_t k = 0; k < problem.contacts.size(); k++) {
+    const Contact& from = contacts.list[island.contacts[k]];
+    IslandContact& c = problem.contacts[k];
+    c.bias = to_frame(c, from.belt);
+    c.bias[0] = 0.0;
+    c.start = to_frame(c, from.total);
+  }
+  start_rolls(problem, contacts, island.contacts, &Contact::total_moment);
+  start_ties(island, articulates, 1);
+}
+
 /// Sets what scalars want in a drift of h [s], with what their forces may give in `time` [s] beside `drifted` of it, in which they
 /// had the forces of the last drift.
 inline void set_scalars(TouchIsland& island, const Articulates& articulates, double h, double time,

@@ -6,6 +6,7 @@
 #include "contacts/find.hpp"
 #include "contacts/gather.hpp"
 #include "contacts/heat.hpp"
+#include "contacts/motor_bounds.hpp"
 #include "contacts/stages.hpp"
 #include "contacts/touching.hpp"
 #include "forces/forces.hpp"
@@ -89,6 +90,17 @@ void post_contacts(World& world, const TouchReport& report) {
   if (world.contacts.heat_kept) settle_heat(world, world.contacts, wrong);
 }
 
+/// The last that could touch is gone: nothing goes on to press, and no motor has a bound.
+void forget_touch(World& world) {
+  world.touch_space.reset();
+  world.contacts.list.clear();
+  for (const auto& articulate : world.articulates) {
+    articulate->touches = false;
+    end_jams(*articulate);
+    free_motors(*articulate);
+  }
+}
+
 bool goes_untouched(const World& world) { return nothing_touches(world) || !world.trouble.empty(); }
 
 /// Finds contacts where things are now. After the last stage for all of the next step, which may have fewer sub-steps.
@@ -110,6 +122,7 @@ void find(World& world, bool drifted) {
 }  // namespace
 
 void place_contacts(World& world) {
+  if (nothing_touches(world) && world.touch_space) forget_touch(world);
   if (goes_untouched(world)) return;
   const Timed timed(world.profile, Phase::place_contacts);
   const bool drifted = world.stage.index > 0;
