@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -48,8 +49,10 @@ struct Elimination {
   RowLists columns;                  // (positions) positions of the blocks below the diagonal, rising
 };
 /// Greedy minimum-degree order of a graph, first in first out among equals, so that a chain is eliminated from both ends.
-/// `neighbours` (rows): rising, without the row itself. The `late` last rows come after all others, as they are.
-Elimination minimum_degree(const RowLists& neighbours, std::uint32_t late = 0);
+/// `neighbours` (rows): rising, without the row itself. The `late` last rows come after all others, as they are. Empty where the
+/// squares of the columns' blocks would add up to more than `most`.
+Elimination minimum_degree(const RowLists& neighbours, std::uint32_t late = 0,
+                           std::size_t most = std::numeric_limits<std::size_t>::max());
 /// Lays out a factor for an elimination.
 Factor lay_out(RowLists columns);
 

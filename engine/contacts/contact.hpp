@@ -69,8 +69,8 @@ struct Placing {
 
 /// What is known of a body that touches, from step to step.
 struct TouchedBody {
-  std::array<std::uint8_t, 2> failures{},
-      wait{};                ///< of `place`, `meet`: in a row of exact searches; solves until the next
+  std::array<std::uint8_t, 3> failures{},
+      wait{};                ///< of `place`, `meet`, `push_out`: in a row of exact searches; solves until the next
   Rest rest;                 ///< of one that nothing ties
   std::int32_t island = -1;  ///< while it sleeps in touch: the same number in all that sleep with it
 };

@@ -31,7 +31,7 @@ bool is_held(const Contacts& contacts, const Articulates& articulates, TouchIsla
   set_scalars(island, articulates, h, h);
   hold_ties(problem);
   const double most = unmoved * problem.tolerance;
-  if (solve_island(problem, true).residual > most) return false;
+  if (solve_island(problem).residual > most) return false;
   return std::all_of(problem.bodies.begin(), problem.bodies.end(),
                      [&](const IslandBody& b) { return norm(b.v) <= most && norm(b.w) * b.reach <= most; });
 }

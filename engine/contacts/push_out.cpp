@@ -15,6 +15,7 @@ namespace {
 constexpr double told_overlap = 3e-4;                      // of the size: what overlaps more is pushed out,
 constexpr double left_overlap = 2e-4;                      // down to this
 constexpr double pushed_a_step = 0.2, most_a_step = 5e-3;  // of what is too much; of the size
+constexpr double moved = 1e-3;                             // of the size: who is pushed so far is not at rest
 constexpr double farthest = 10.0;                          // times the largest opening: what ties hold goes no farther
 
 /// How a thing was displaced [m], [rad], about its centre before.
@@ -23,16 +24,28 @@ struct Displaced {
   Vec3 at(Vec3 point) const { return way + cross(turn, point - x); }
 };
 
+double fastest(const ContactIsland& island) {
+  double most = 0.0;
+  for (const IslandBody& b : island.bodies) most = std::fmax(most, norm(b.v) + norm(b.w) * b.reach);
+  return most;
+}
+
 /// Where light things that are tied would have to go far to let heavy ones go a little, all go less far: opened is then a part.
 void limit_displacements(ContactIsland& island, double most) {
   if (!island.is_tied()) return;
-  double fastest = 0.0;
-  for (const IslandBody& b : island.bodies) fastest = std::fmax(fastest, norm(b.v) + norm(b.w) * b.reach);
-  if (!(fastest > most)) return;
+  const double now = fastest(island);
+  if (!(now > most)) return;
   for (IslandBody& b : island.bodies) {
-    b.v *= most / fastest;
-    b.w *= most / fastest;
+    b.v *= most / now;
+    b.w *= most / now;
   }
+}
+
+/// Whether they rest is asked from now on.
+void watch_anew(const Model& model, const Articulates& articulates, Contacts& contacts, const TouchIsland& island) {
+  for (const std::uint32_t a : island.articulates) articulates[a]->rest = {};
+  for (const std::uint32_t thing : island.things)
+    if (!is_point(thing) && model.motion[thing].articulate < 0) contacts.bodies[thing].rest = {};
 }
 
 /// Whether nothing holds or touches the world.
@@ -79,13 +92,13 @@ void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulat
     const auto overlaps = [&](std::size_t k) { return contacts.list[k].gap < -told_overlap * contacts.list[k].size; };
     if (std::none_of(island.contacts.begin(), island.contacts.end(), overlaps)) return;
     const double before = kinetic_energy_now(model, island);
-    const bool calm = is_calm(problem, before);
+    problem.calm = is_calm(problem, before) ? infinity : -infinity;
     const Vec3 turning = angular_momentum(model, articulates, island.things, settings.drifted);
     for (IslandBody& b : problem.bodies) b.v0 = b.w0 = zero3();
     for (IslandTie& t : problem.ties) t.wanted = zero3();
     set_scalars(island, articulates, h, 0.0);
     for (std::size_t k = 0; k < problem.scalars.size(); k++) problem.scalars[k].bias += island.scalars[k].row.wanted;
-    double largest = 0.0;
+    double largest = 0.0, size = infinity;
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
       const Contact& from = contacts.list[island.contacts[k]];
       IslandContact& c = problem.contacts[k];
@@ -95,15 +108,17 @@ void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulat
       c.friction = 0.0;
       c.bias = vec(wanted / h, 0, 0);
       largest = std::fmax(largest, -wanted / h);
+      size = std::fmin(size, from.size);
     }
     problem.tolerance *= 1e4;
     problem.enough *= 1e2;
-    count(solve_island(problem, calm, settings.search), problem, report);
+    solve_stage(contacts, island, 2, settings.search, report);
     limit_displacements(problem, farthest * largest);
     for (std::size_t i = 0; i < island.things.size(); i++)
       displace(model, island.states[i], island.things[i], model.plane.along(problem.bodies[i].v) * h,
                problem.bodies[i].w * h);
     for (const std::uint32_t a : island.articulates) close_displaced(*articulates[a]);
+    if (fastest(problem) * h > moved * size) watch_anew(model, articulates, contacts, island);
     for (std::size_t i = 0; i < island.things.size(); i++) {
       const Vec3 way = position_of(model, island.states[i], island.things[i]) - island.states[i].x,
                  turn = problem.bodies[i].w * h;

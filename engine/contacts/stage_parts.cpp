@@ -108,7 +108,7 @@ bool is_even(const ContactIsland& island) {
 
 bool solve_stage(Contacts& contacts, TouchIsland& island, std::size_t stage, ContactSearch search,
                  TouchReport& report) {
-  constexpr std::uint8_t waits_after = 4, wait_of_failure = 7, wait_of_dense = 100;
+  constexpr std::uint8_t waits_after = 4, longest_wait = 7, dense = 255;
   std::uint8_t failures = 0, wait = 0;
   const auto all = [&](auto use) {
     for (const std::uint32_t thing : island.things)
@@ -121,13 +121,17 @@ bool solve_stage(Contacts& contacts, TouchIsland& island, std::size_t stage, Con
     failures = std::max(failures, body.failures[stage]);
     wait = std::max(wait, body.wait[stage]);
   });
-  const IslandReport found = solve_island(island.problem, wait == 0, search);
+  const SearchEffort effort = wait == 0           ? SearchEffort::all
+                              : failures == dense ? SearchEffort::sweeps
+                                                  : SearchEffort::rounds;
+  const IslandReport found = solve_island(island.problem, effort, search);
   count(found, island.problem, report);
   if (wait > 0) {
     wait--;
   } else {
-    failures = found.failed ? std::min<std::uint8_t>(failures + 1, waits_after) : 0;
-    wait = found.too_dense ? wait_of_dense : failures < waits_after ? 0 : wait_of_failure;
+    const std::uint8_t again = failures < waits_after ? failures + 1 : waits_after;
+    failures = found.too_dense ? dense : found.failed ? again : 0;
+    wait = failures < waits_after ? 0 : longest_wait;
   }
   all([&](TouchedBody& body) {
     body.failures[stage] = failures;

@@ -13,7 +13,7 @@ TEST_CASE("Impulses of two hundred random islands obey Coulomb's law") {
   for (int i = 0; i < 200; i++) {
     ContactIsland island = support::random_island(chance, ratio);
     const support::DenseProblem problem(island);
-    solve_island(island, true, ContactSearch::exact);
+    solve_island(island, SearchEffort::all, ContactSearch::exact);
     Eigen::VectorXd impulses(problem.q.size());
     for (Eigen::Index k = 0; k < impulses.size(); k++)
       impulses(k) = island.contacts[static_cast<std::size_t>(k / 3)].impulse[static_cast<int>(k % 3)];

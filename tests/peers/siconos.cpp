@@ -82,7 +82,7 @@ void judge(double ratio) {
       options->dparam[SICONOS_DPARAM_TOL] = tolerance;
       const auto start = Clock::now();
       if (column.solver == 0) {
-        solve_island(island, true, ContactSearch::exact);
+        solve_island(island, SearchEffort::all, ContactSearch::exact);
         for (std::size_t k = 0; k < island.contacts.size(); k++)
           for (std::size_t row = 0; row < 3; row++)
             impulses[3 * k + row] = island.contacts[k].impulse[static_cast<int>(row)];

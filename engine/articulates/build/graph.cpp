@@ -78,7 +78,7 @@ class ChangingLists {
 
 }  // namespace
 
-Elimination minimum_degree(const RowLists& given, std::uint32_t late) {
+Elimination minimum_degree(const RowLists& given, std::uint32_t late, std::size_t most) {
   const auto n = static_cast<std::uint32_t>(given.first.size() - 1), early = n - late;
   ChangingLists neighbours(given);
   Elimination e;
@@ -89,11 +89,14 @@ Elimination minimum_degree(const RowLists& given, std::uint32_t late) {
   std::vector<std::uint32_t> position(n), clique, merged;
   Queues queues(n);
   for (std::uint32_t i = 0; i < early; i++) queues.put(i, given.first[i + 1] - given.first[i]);
+  std::size_t squares = 0;
   for (std::uint32_t k = 0; k < n; k++) {
     const std::uint32_t row = k < early ? queues.take() : k;
     e.order[k] = row;
     position[row] = k;
     clique.assign(neighbours[row].begin(), neighbours[row].end());
+    squares += clique.size() * clique.size();
+    if (squares > most) return {};
     for (std::uint32_t w : clique) {
       merged.clear();
       std::set_union(neighbours[w].begin(), neighbours[w].end(), clique.begin(), clique.end(),

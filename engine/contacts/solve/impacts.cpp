@@ -47,7 +47,7 @@ double strike(ContactIsland& island, const std::vector<IslandContact>& those, do
   for (IslandScalar& s : island.scalars) s.start = 0.0;
   start_from_rest(island);
   const double before = kinetic_energy(island);
-  report.iterations += solve_island(island, true).iterations;
+  report.iterations += solve_island(island).iterations;
   return kinetic_energy(island) - before - std::max(0.0, given(island)) -
          (!island.is_tied() ? least_rise : least_of_tied) * before;
 }

@@ -164,7 +164,9 @@ bool lay_out_factor(Layout& layout, std::vector<Pair>&& pairs, std::size_t bodie
   const std::size_t rows = 2 * bodies, blocks = bodies + 2 * pairs.size();
   layout.bodies = 0;
   if (blocks * blocks / (2 * rows) > most_updates) return false;  // the least that so many can be, evenly spread
-  const Elimination order = minimum_degree(neighbours_of(pairs, static_cast<std::uint32_t>(bodies)));
+  const Elimination order =
+      minimum_degree(neighbours_of(pairs, static_cast<std::uint32_t>(bodies)), 0, most_updates / 4);
+  if (order.order.empty()) return false;
   RowLists columns = columns_of_rows(order.columns);
   if (updates_of(columns) > most_updates) return false;
   layout.position.resize(rows);

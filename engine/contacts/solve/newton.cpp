@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contacts/solve/best_impulses.hpp"
 #include "contacts/solve/search.hpp"
 #include "contacts/solve/ties.hpp"
 
@@ -267,32 +268,6 @@ struct Newton {
   }
 };
 
-/// What to come back to.
-struct Best {
-  double residual = infinity;
-  std::vector<Vec3> contacts, rolls, ties;
-  std::vector<double> scalars;
-  void keep(const ContactIsland& island, double now) {
-    residual = now;
-    contacts.clear();
-    rolls.clear();
-    ties.clear();
-    scalars.clear();
-    for (const IslandContact& c : island.contacts) contacts.push_back(c.impulse);
-    for (const IslandRoll& r : island.rolls) rolls.push_back(r.impulse);
-    for (const IslandTie& t : island.ties) ties.push_back(t.impulse);
-    for (const IslandScalar& s : island.scalars) scalars.push_back(s.impulse);
-  }
-  void put_back(ContactIsland& island) const {
-    for (std::size_t k = 0; k < contacts.size(); k++) island.contacts[k].impulse = contacts[k];
-    for (std::size_t k = 0; k < rolls.size(); k++) island.rolls[k].impulse = rolls[k];
-    for (std::size_t k = 0; k < ties.size(); k++) island.ties[k].impulse = ties[k];
-    for (std::size_t k = 0; k < scalars.size(); k++) island.scalars[k].impulse = scalars[k];
-    apply_impulses(island);
-    observe(island);
-  }
-};
-
 }  // namespace
 
 void unbalanced(const ContactIsland& island, std::vector<BodyLoad>& load) {
@@ -311,7 +286,7 @@ SearchReport newton_search(ContactIsland& island, std::uint32_t most_iterations)
   apply_impulses(island);
   observe(island);
   double now = residual(island);
-  Best best;
+  BestImpulses best;
   best.keep(island, now);
   if (now <= island.tolerance) {
     report.residual = now;

@@ -1,5 +1,5 @@
 #pragma once
-// The two searches for the impulses of an island.
+// The three searches for the impulses of an island.
 #include "contacts/solve/island.hpp"
 #include "contacts/solve/matrix.hpp"
 
@@ -13,6 +13,9 @@ struct SearchReport {
 /// Newton's iteration on a smoothed form of Coulomb's law, primal and dual at once, from the impulses at hand; what it found
 /// best is left. The factor is laid out for all. Quadratic near a solution; far from one, or for large ratios of mass, it may stall.
 SearchReport newton_search(ContactIsland& island, std::uint32_t most_iterations);
+/// Rounds of convex problems, from the impulses at hand, to 0.02 of the fastest body's speed, at most 100 times
+/// `enough` [m/s], or the tolerance if that is more; what it found best is left. The factor is laid out for all. Dear, but each round has an end, wherever it begins.
+SearchReport proximal_search(ContactIsland& island, std::uint32_t most_rounds);
 /// So many sweeps over the contacts, or `at_all` while they change much, up and down, one by one, with all ties at
 /// once after each; ends where a sweep changes velocities at contacts by no more than `enough` [m/s]. Never far from the law, and quick; slow for what carries far.
 SearchReport sweep_search(ContactIsland& island, std::uint32_t most_sweeps, double enough, std::uint32_t at_all = 0);

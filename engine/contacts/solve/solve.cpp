@@ -12,10 +12,10 @@ namespace {
 constexpr std::uint32_t most_of_newton = 30;
 constexpr std::uint32_t most_sweeps = 10, more_sweeps = 40, sweeps_before_newton = 30;
 constexpr std::uint32_t rounds_of_hard = 4, sweeps_of_hard = 100, newton_of_hard = 30;  // where a small island is hard
-constexpr std::size_t few = 24;            // contacts: such an island is always solved exactly
-constexpr double slower = 16.0;            // times the kinetic energy that is calm: that waits for no exact search
-constexpr double accepted = 100.0;         // of the tolerance
-constexpr std::size_t most_updates = 100;  // of blocks in a factorisation, for each contact
+constexpr std::size_t few = 24;                      // contacts: such an island is always solved exactly
+constexpr std::uint32_t most_rounds = 8;             // of proximal steps
+constexpr double accepted = 100.0;                   // of the tolerance
+constexpr std::size_t most_updates = 100;            // of blocks in a factorisation, for each contact
 constexpr std::size_t most_of_memory = 200'000'000;  // of them at all: 4 bytes each
 
 /// Puts impulses into the cone.
@@ -63,10 +63,19 @@ struct Search {
     for (IslandScalar& s : island.scalars) s.start = s.impulse;
   }
   /// Not where the factor would cost more than it is worth.
-  void newton(std::uint32_t most) {
+  bool lay_out() {
     report.too_dense = !lay_out_all(island, at_any_cost ? most_of_memory : most_updates * island.contacts.size());
-    if (report.too_dense) return;
+    return !report.too_dense;
+  }
+  void newton(std::uint32_t most) {
+    if (!lay_out()) return;
     take(newton_search(island, most));
+    report.failed = !solved();
+    go_on();
+  }
+  void proximal() {
+    if (!lay_out()) return;
+    take(proximal_search(island, most_rounds));
     report.failed = !solved();
     go_on();
   }
@@ -159,7 +168,30 @@ bool is_calm(const ContactIsland& island, double kinetic) {
   return std::sqrt(2.0 * kinetic / mass) <= island.calm;
 }
 
-IslandReport solve_island(ContactIsland& island, bool exactly, ContactSearch wanted) {
+namespace {
+
+/// As exactly as a small island can be, or any.
+void search_surely(Search& search) {
+  search.newton(most_of_newton);
+  for (std::uint32_t i = 0; !search.solved() && i < rounds_of_hard; i++) {
+    search.sweeps(sweeps_of_hard);
+    search.newton(newton_of_hard);
+  }
+}
+
+void search_calm(Search& search, SearchEffort effort) {
+  if (effort == SearchEffort::all) search.newton(most_of_newton);
+  if (search.solved()) return;
+  const bool failed = search.report.failed;
+  search.proximal();
+  const double left = search.report.residual;
+  if (left > search.island.tolerance && left <= search.island.enough) search.newton(most_of_newton);
+  search.report.failed = failed || search.report.failed;
+}
+
+}  // namespace
+
+IslandReport solve_island(ContactIsland& island, SearchEffort effort, ContactSearch wanted) {
   prepare(island);
   choose_start(island);
   Search search{island, wanted == ContactSearch::exact};
@@ -168,21 +200,21 @@ IslandReport solve_island(ContactIsland& island, bool exactly, ContactSearch wan
   const bool is_small = wanted != ContactSearch::fast && island.contacts.size() <= few;
   const bool surely = is_small || wanted == ContactSearch::exact;
   const auto deserves = [&] {
-    return surely ||
-           (wanted == ContactSearch::automatic && is_calm(island, (exactly ? 1.0 : slower) * kinetic_energy(island)));
+    return surely || (wanted == ContactSearch::automatic && is_calm(island, kinetic_energy(island)));
   };
   const bool exact = deserves();
-  if (exact && search.report.residual <= island.enough) search.newton(most_of_newton);
+  if (exact && effort != SearchEffort::sweeps && search.report.residual <= island.enough) search.newton(most_of_newton);
   if (!search.solved()) {
     if (exact)
       search.sweeps(sweeps_before_newton);
     else
       search.sweeps(most_sweeps, !island.is_tied() ? more_sweeps : most_sweeps);
-    const bool worth = exact || deserves();  // impulses to begin with may have been far off
-    if (worth && search.report.residual > island.tolerance) search.newton(most_of_newton);
-    for (std::uint32_t i = 0; surely && !search.solved() && i < rounds_of_hard; i++) {
-      search.sweeps(sweeps_of_hard);
-      search.newton(newton_of_hard);
+    if (search.report.residual > island.tolerance &&
+        (exact || deserves())) {  // impulses to begin with may have been far off
+      if (surely)
+        search_surely(search);
+      else if (effort != SearchEffort::sweeps)
+        search_calm(search, effort);
     }
   }
   confine(island);

@@ -15,10 +15,13 @@ struct IslandReport {
 /// Whether the mean velocity by mass is small enough at this kinetic energy [J] that an exact search is worth while.
 bool is_calm(const ContactIsland& island, double kinetic);
 
+/// How far the search for a large island that is calm may go: to sweeps, to proximal rounds, to Newton's iteration after them.
+enum class SearchEffort { sweeps, rounds, all };
+
 /// Finds impulses and velocities of an island whose contacts and ties say where to begin: exactly where it is small or
-/// that is asked for, as far as that succeeds; else by sweeps. The impulses balance the momenta to round-off and are in the cone, however well
-/// the law is met; `residual` says that. `exactly` is a wish that counts where `search` leaves it open; what is slow
-/// enough has no wait.
-IslandReport solve_island(ContactIsland& island, bool exactly, ContactSearch search = ContactSearch::automatic);
+/// that is asked for, as far as that succeeds, and where it is calm, as far as `effort` goes; else by sweeps. The impulses balance
+/// the momenta to round-off and are in the cone, however well the law is met; `residual` says that.
+IslandReport solve_island(ContactIsland& island, SearchEffort effort = SearchEffort::all,
+                          ContactSearch search = ContactSearch::automatic);
 
 }  // namespace pantin

@@ -1,0 +1,217 @@
+// Proximal steps: with impulses γ at hand and R = ρ diag(wn, wt, wt), velocities are those of least
+//
+//   ½ |v - v0|²_M + Σ ½ |P(γ - R⁻¹(u + s n))|²_R,   s = friction |u_t| + c γ_n as they were,
+//
+// P the projection on the cone of friction in the norm of R; then γ = P. With the shift s the law of the cone is Coulomb's
+// (De Saxcé 1992; Acary, Cadoux 2013). Each problem is strictly convex, its slope linear by parts: Newton's steps with a search
+// along the line always come to its end.
+#include <algorithm>
+#include <cmath>
+
+#include "contacts/solve/best_impulses.hpp"
+#include "contacts/solve/search.hpp"
+#include "contacts/solve/ties.hpp"
+
+namespace pantin {
+
+namespace {
+
+constexpr double softest = 2.5e-2, least_hard = 1e-3, hardest = 1e-5;  // ρ: at first, and of even and uneven masses
+constexpr double harder = 0.2, falls = 0.25;            // ρ times that where the residual does not fall to this
+constexpr std::uint32_t most_steps = 60, patience = 3;  // of one problem; rounds in which the residual may not halve
+constexpr double part_of_motion = 0.02,
+                 loosest = 100.0;  // of the fastest body's speed; of what is enough: that may be left
+constexpr int most_on_line = 12;
+
+double size_of(double a, double b) { return std::sqrt(a * a + b * b); }
+
+struct Proximal {
+  ContactIsland& island;
+  double rho = softest;
+  BestImpulses from = {};  // γ
+  std::vector<double> shift = {}, most_roll = {};
+  std::vector<Mat3> slopes = {}, roll_slopes = {};  // -dP/du, world axes
+  std::vector<double> scalar_slopes = {};
+  std::vector<BodyLoad> load = {}, change = {};
+
+  void begin_round() {
+    from.keep(island);
+    shift.clear();
+    most_roll.clear();
+    for (const IslandContact& c : island.contacts)
+      shift.push_back(c.friction * size_of(c.u[1], c.u[2]) + c.compliance * c.impulse[0]);
+    for (const IslandRoll& r : island.rolls) most_roll.push_back(std::fmax(0.0, island.contacts[r.contact].impulse[0]));
+  }
+
+  void project(IslandContact& c, Vec3 g, double s, Mat3& slope) const {
+    const double rn = rho * c.wn, rt = rho * c.wt, other = c.friction * rt / rn;
+    const double yn = g[0] - (c.u[0] + s) / rn, y1 = g[1] - c.u[1] / rt, y2 = g[2] - c.u[2] / rt, yt = size_of(y1, y2);
+    if (yt <= c.friction * yn) {
+      c.impulse = vec(yn, y1, y2);
+      slope = outer(c.frame[0], c.frame[0]) * (1.0 / rn) +
+              (outer(c.frame[1], c.frame[1]) + outer(c.frame[2], c.frame[2])) * (1.0 / rt);
+    } else if (yn > -other * yt) {
+      const double f = 1.0 / (1.0 + c.friction * other), n = f * (yn + other * yt), t = c.friction * n;
+      const double d1 = y1 / yt, d2 = y2 / yt;
+      c.impulse = vec(n, t * d1, t * d2);
+      const Vec3 way = c.frame[0] + (c.frame[1] * d1 + c.frame[2] * d2) * c.friction,
+                 across = c.frame[2] * d1 - c.frame[1] * d2;
+      slope = outer(way, way) * (f / rn) + outer(across, across) * (t / (yt * rt));
+    } else {
+      c.impulse = zero3();
+      slope = zero33();
+    }
+  }
+  /// Its bound as the round found it.
+  void project(IslandRoll& r, Vec3 g, double most, Mat3& slope) const {
+    const Mat3& frame = island.contacts[r.contact].frame;
+    r.impulse = zero3();
+    slope = zero33();
+    if (r.wn > 0.0) {
+      const double by = 1.0 / (rho * r.wn), y = g[0] - r.u[0] * by;
+      r.impulse[0] = std::clamp(y, -most, most);
+      if (std::fabs(y) < most) slope += outer(frame[0], frame[0]) * (r.lever[0] * r.lever[0] * by);
+    }
+    if (r.wt == 0.0) return;
+    const double by = 1.0 / (rho * r.wt), y1 = g[1] - r.u[1] * by, y2 = g[2] - r.u[2] * by, y = size_of(y1, y2);
+    const double part = y > most ? most / y : 1.0, stiffness = r.lever[1] * r.lever[1] * part * by;
+    r.impulse[1] = y1 * part;
+    r.impulse[2] = y2 * part;
+    const Vec3 along = y > 0.0 ? (frame[1] * y1 + frame[2] * y2) * (1.0 / y) : frame[1],
+               across = cross(frame[0], along);
+    slope += outer(across, across) * stiffness;
+    if (y <= most) slope += outer(along, along) * stiffness;
+  }
+  /// Impulses at the velocities at hand, and how they change with these.
+  void project_all() {
+    observe(island);
+    for (std::size_t k = 0; k < slopes.size(); k++) project(island.contacts[k], from.contacts[k], shift[k], slopes[k]);
+    for (std::size_t k = 0; k < roll_slopes.size(); k++)
+      project(island.rolls[k], from.rolls[k], most_roll[k], roll_slopes[k]);
+    for (std::size_t k = 0; k < from.ties.size(); k++) {
+      IslandTie& t = island.ties[k];
+      t.impulse = from.ties[k] - t.u * (tie_stiffness / t.w);
+    }
+    for (std::size_t k = 0; k < scalar_slopes.size(); k++) {
+      IslandScalar& s = island.scalars[k];
+      const double by = s.is_bounded() ? 1.0 / (rho * s.w) : tie_stiffness / s.w, y = from.scalars[k] - s.u * by;
+      s.impulse = std::clamp(y, s.low, s.high);
+      scalar_slopes[k] = s.is_bounded() && y > s.low && y < s.high ? by : 0.0;
+    }
+    unbalanced(island, load);
+  }
+
+  /// Of what is least, along the change.
+  double slope_along() const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < load.size(); i++)
+      sum -= dot(load[i].force, change[i].force) + dot(load[i].moment, change[i].moment);
+    return sum;
+  }
+  void go(double part) {
+    for (std::size_t i = 0; i < change.size(); i++) {
+      island.bodies[i].v += change[i].force * part;
+      island.bodies[i].w += change[i].moment * part;
+    }
+    project_all();
+  }
+  /// To where the slope along the change vanishes: it rises all the way.
+  void search_line(double first) {
+    double at = 0.0, low = 0.0, low_slope = first, high = infinity, high_slope = 0.0, next = 1.0;
+    for (int i = 0; i < most_on_line; i++) {
+      go(next - at);
+      at = next;
+      const double slope = slope_along();
+      if (std::fabs(slope) <= 1e-2 * std::fabs(first)) return;
+      (slope < 0.0 ? low : high) = at;
+      (slope < 0.0 ? low_slope : high_slope) = slope;
+      if (high == infinity) {
+        next = 2.0 * at;
+        continue;
+      }
+      const double width = high - low, secant = low - low_slope * width / (high_slope - low_slope);
+      next = i % 3 == 2 ? low + 0.5 * width : std::clamp(secant, low + 0.01 * width, high - 0.01 * width);
+    }
+  }
+  /// [m/s] Largest speed that loads not yet balanced would give.
+  double unmoved() const {
+    double most = 0.0;
+    for (std::size_t i = 0; i < load.size(); i++) {
+      const IslandBody& b = island.bodies[i];
+      most = std::fmax(most, norm(load[i].force) * b.inverse_mass + norm(b.mobility * load[i].moment) * b.reach);
+    }
+    return most;
+  }
+  /// One convex problem, to speeds of `enough`. Returns how many steps it took.
+  std::uint32_t solve_round(double enough) {
+    slopes.resize(island.contacts.size());
+    roll_slopes.resize(island.rolls.size());
+    scalar_slopes.resize(island.scalars.size());
+    change.resize(island.bodies.size());
+    project_all();
+    for (std::uint32_t step = 0; step < most_steps; step++) {
+      if (unmoved() <= enough) return step;
+      factorise(island, island.all, slopes, roll_slopes, scalar_slopes);
+      solve(island, island.all, load, change);
+      const double first = slope_along();
+      if (!(first < 0.0)) return step;
+      search_line(first);
+    }
+    return most_steps;
+  }
+};
+
+double least_rho(const ContactIsland& island) {
+  double lightest = infinity, heaviest = 0.0;
+  for (const IslandBody& b : island.bodies) {
+    lightest = std::fmin(lightest, b.mass);
+    heaviest = std::fmax(heaviest, b.mass);
+  }
+  return std::clamp(lightest / heaviest, hardest, least_hard);
+}
+
+double fastest(const ContactIsland& island) {
+  double most = 0.0;
+  for (const IslandBody& b : island.bodies) most = std::fmax(most, norm(b.v));
+  return most;
+}
+
+}  // namespace
+
+SearchReport proximal_search(ContactIsland& island, std::uint32_t most_rounds) {
+  SearchReport report;
+  apply_impulses(island);
+  observe(island);
+  double now = residual(island), mark = now;
+  BestImpulses best;
+  best.keep(island, now);
+  std::uint32_t marked = 0;
+  Proximal proximal{island};
+  const double least = least_rho(island);
+  set_base(island, island.all, tie_stiffness);
+  const auto enough = [&] {
+    return std::fmax(island.tolerance, std::fmin(loosest * island.enough, part_of_motion * fastest(island)));
+  };
+  while (report.iterations < most_rounds && now > enough()) {
+    report.iterations++;
+    proximal.begin_round();
+    report.factorisations += proximal.solve_round(std::fmax(0.1 * island.tolerance, 0.1 * now));
+    apply_impulses(island);
+    observe(island);
+    const double before = now;
+    now = residual(island);
+    if (!std::isfinite(now)) break;
+    if (now < best.residual) best.keep(island, now);
+    if (now < 0.5 * mark) {
+      mark = now;
+      marked = report.iterations;
+    }
+    if (report.iterations - marked > patience) break;
+    if (now > falls * before) proximal.rho = std::fmax(least, harder * proximal.rho);
+  }
+  if (!(now <= best.residual)) best.put_back(island);
+  report.residual = best.residual;
+  return report;
+}
+
+}  // namespace pantin
