@@ -19,7 +19,7 @@ namespace {
 constexpr double stillness = 1e-8;   // of its length; the square, an energy, is lost in the round-off of its weight's
 constexpr double round_off = 4e-11;  // of its distance from the origin, which positions are rounded to
 constexpr double unsolved = 10.0;    // times what contacts are solved to: where the search for their impulses may end
-constexpr double least_steps = 256, least_steps_loose = 32;
+constexpr double least_steps = 256, least_steps_in_touch = 32;
 constexpr double swing = 4.0;        // times sqrt(length / gravity)
 constexpr double most_growth = 2.0;  // round-off grows slowly, a fall by thousands in such a time,
 constexpr double unseen = 1e-20;     // but what is so much smaller may grow
@@ -45,10 +45,10 @@ double kinetic_of(const World& world, const Thing& t) {
   return t.articulate ? t.articulate->totals.kinetic : kinetic_energy(world.motion[t.slot]);
 }
 
-/// How long its motion is looked at [s].
-double watch_time(const World& world, const Thing& t) {
+/// How long its motion is looked at [s]. Where it touches something a step from rest tells that nothing moves it.
+double watch_time(const World& world, const Thing& t, bool touches) {
   const double gravity = norm(world.settings.gravity);
-  const double least = (t.articulate ? least_steps : least_steps_loose) * world.settings.step;
+  const double least = (touches ? least_steps_in_touch : least_steps) * world.settings.step;
   const double length = t.articulate ? t.articulate->length : gyration(world.motion[t.slot]);
   return gravity > 0.0 ? std::max(least, swing * std::sqrt(length / gravity)) : least;
 }
@@ -107,16 +107,17 @@ bool is_held(World& world, const Island& island) {
 
 /// Whether its motion has died away, or is so slow that contacts may stop it, at the end of a step.
 bool is_still(World& world, const Island& island) {
+  const bool touches = island.tolerance > 0.0;
   double time = 0.0;
   std::uint32_t steps = ~0u;
   for (const Thing& t : island.things) {
     Rest& r = *t.rest;
     r.peak = std::max(r.peak, kinetic_of(world, t));
     steps = std::min(steps, ++r.steps);
-    time = std::max(time, watch_time(world, t));
+    time = std::max(time, watch_time(world, t, touches));
   }
   const bool over = steps * world.settings.step >= time;
-  bool calm = true, known = true, closed = true, slowly = island.tolerance > 0.0;
+  bool calm = true, known = true, closed = true, slowly = touches, tied = false;
   double energy = 0.0, last_peaks = 0.0, rests = 0.0;
   for (const Thing& t : island.things) {
     Rest& r = *t.rest;
@@ -129,13 +130,15 @@ bool is_still(World& world, const Island& island) {
              now <= std::max(most_growth * r.last_peak, unseen_slow * rest.slow_energy);
     known = known && r.last_peak >= 0.0;
     closed = closed && is_closed(t);
+    tied = tied || t.articulate;
     energy += now;
     last_peaks += r.last_peak;
     rests += rest.energy;
     r = {false, 0, 0.0, r.peak, rest.speed / time, {}, 0};
   }
   if (!over || !known || !closed || energy > std::max(most_growth * last_peaks, unseen * rests)) return false;
-  return calm || (slowly && is_held(world, island));
+  if (calm && !(touches && tied)) return true;
+  return (calm || slowly) && is_held(world, island);
 }
 
 void stop(World& world, const Thing& t) {

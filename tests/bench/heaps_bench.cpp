@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/check.hpp"
+#include "edit/edit.hpp"
 #include "forces/sleep.hpp"
 #include "measure/measure.hpp"
 #include "peers/pile_trial.hpp"
@@ -50,12 +51,16 @@ double behind_walls(const World& world, const std::vector<BodyId>& bodies, const
   return most;
 }
 
-Fall fall(const peers::Mechanism& pile, double rate, double until) {
+Fall fall(const peers::Mechanism& pile, double rate, double until, double lever) {
   World world;
   world.settings.step = 1.0 / rate;
   world.settings.gravity = vec(0, -peers::gravity, 0);
   keep_ledger(world);
   const std::vector<BodyId> bodies = support::add_mechanism(world, pile);
+  for (const ShapeId shape : world.shapes.ids()) {
+    set_rolling(world, shape, lever);
+    set_spinning(world, shape, lever);
+  }
   Fall f;
   std::vector<peers::SolidState> state;
   const double start = energy_of(world);
@@ -96,7 +101,7 @@ void print(const std::string& pile, std::uint32_t seed, double rate, const Fall&
 void bench_heaps(const player::BenchOptions& options) {
   std::vector<std::string> piles = {"boxes(100)", "balls(100)", "slabs(80)", "mixed(100)", "chains(12)", "heavy(80)"};
   std::uint32_t seeds = 5;
-  double until = 15.0;
+  double until = 15.0, lever = 0.0;
   std::vector<double> rates = {60.0, 240.0};
   std::vector<std::string> named;
   for (const std::string& argument : options.arguments) {
@@ -104,6 +109,8 @@ void bench_heaps(const player::BenchOptions& options) {
       seeds = static_cast<std::uint32_t>(std::stoul(argument.substr(6)));
     else if (argument.starts_with("until="))
       until = std::stod(argument.substr(6));
+    else if (argument.starts_with("rolling="))
+      lever = std::stod(argument.substr(8));
     else if (argument.starts_with("rate="))
       rates = {std::stod(argument.substr(5))};
     else
@@ -121,7 +128,7 @@ void bench_heaps(const player::BenchOptions& options) {
   for (const std::string& name : piles)
     for (const double rate : rates)
       for (std::uint32_t seed = 1; seed <= seeds; seed++)
-        print(name, seed, rate, fall(peers::pile(name, false, seed), rate, until));
+        print(name, seed, rate, fall(peers::pile(name, false, seed), rate, until, lever));
 }
 
 const player::Register registered(
