@@ -201,7 +201,7 @@ void Tints::by_error(const World& world, double size) {
   for (const auto& articulate : world.articulates) {
     const Color open = color(articulate->gaps.open);
     for (const Row& row : articulate->rows) {
-      if (row.condition >= 0 || is_soft(row) || !world.points.alive(row.member)) continue;
+      if (row.condition >= 0 || !world.points.alive(row.member)) continue;
       Color& ring = particles_[world.points[row.member].particle.slot - 1];
       const Color now = color(norm(row.d1));
       if (!(ring.a > 0.0f) || now.r > ring.r) ring = now;

@@ -65,8 +65,7 @@ void each_force(const World& world, const Views& views, Visit visit) {
   const auto visit_point = [&](PointId id, Vec3 force) { visit(shown_place(world, id), force, force_color); };
   for (const auto& articulate : world.articulates)
     for (const Row& row : articulate->rows)
-      if (row.condition < 0 && row.kind != RowKind::stiff && world.points.alive(row.member))
-        visit_point(row.member, row.f);
+      if (row.condition < 0 && world.points.alive(row.member)) visit_point(row.member, row.f);
   for (std::uint32_t s = 0; s < world.constraints.slots(); s++) {
     if (!world.constraints.alive_at(s)) continue;
     const Constraint& c = world.constraints.at_slot(s);

@@ -76,7 +76,7 @@ double gap(const Model& model, const Constraint& c) {
 }
 
 std::vector<RowPlan> rows(const Model&, const Constraint& c) {
-  return {angular_row(c, c.number.now == 0.0 ? RowKind::axis : RowKind::align)};
+  return {angular_row(c, c.number.now == 0.0 ? axis_row : align_row)};
 }
 
 std::vector<PlaneNeed> in_plane(const Model& model, const Constraint& c) {

@@ -23,11 +23,19 @@ void project_axis(const Row& row, Condition& c) {
   c.kept = identity33() - outer(n, n);
 }
 
+void read_axes(Row& row, Condition&, const Orientations&) { row.d1 = cross(row.rb1, row.ra1) * row.lever; }
+
 Vec3 axis_gap(const Row& row, const Condition&) { return row.d1 - row.offset; }
 
 }  // namespace
 
-const RowRule axis_row = {.offsets_gap = true, .evaluate = evaluate_axis, .project = project_axis, .gap = axis_gap};
+const RowRule axis_row = {.leaves_turn = true,
+                          .forbids_as_newton = true,
+                          .offsets_gap = true,
+                          .read_turn = read_axes,
+                          .evaluate = evaluate_axis,
+                          .project = project_axis,
+                          .gap = axis_gap};
 
 namespace {
 
@@ -36,7 +44,7 @@ double gap(const Model& model, const Constraint& c) {
          norm(cross(direction_of(model, c.body_a, c.axis_a), direction_of(model, c.body_b, c.axis_b)));
 }
 
-std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {angular_row(c, RowKind::axis)}; }
+std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {angular_row(c, axis_row)}; }
 
 std::vector<PlaneNeed> in_plane(const Model& model, const Constraint& c) {
   return {{"axis", direction_of(model, c.body_a, c.axis_a), true}};
@@ -45,7 +53,7 @@ std::vector<PlaneNeed> in_plane(const Model& model, const Constraint& c) {
 }  // namespace
 
 void load_axis(Condition& condition, const Row& row, const Model& model, const Constraint& c) {
-  if (row.kind != RowKind::axis) return;
+  if (row.rule != &axis_row) return;
   const Quat to_b = c.body_b ? conjugate(model.bodies[c.body_b].axes) : Quat{};
   condition.velocity = c.attract.away_rate * row.lever;
   if (c.body_b) condition.velocity = rotate(orientation(model, c.body_b), condition.velocity);

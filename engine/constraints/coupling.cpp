@@ -39,8 +39,8 @@ double gyration(const Model& model, BodyId body) {
 
 }  // namespace
 
-// Coupled rows are done together, once all rows are placed.
-const RowRule coupled_row = {.evaluate = [](Row&, Condition&, const RowContext&) { return 0.0; }};
+const RowRule coupled_row = {
+    .coupled = true, .read_turn = count_angle, .evaluate = [](Row&, Condition&, const RowContext&) { return 0.0; }};
 
 double weight_of(const Constraint& c, const CoupledValue& v) {
   return v.fixed + v.by_ratio * (0.5 * (c.number.previous + c.number.now));
@@ -92,12 +92,12 @@ std::vector<RowPlan> coupling_rows(const Model&, const Constraint& c) {
   for (std::uint32_t i = 0; i < c.coupled().size(); i++) {
     const CoupledValue& v = c.coupled()[i];
     if (v.body_a) {
-      plans.push_back({RowKind::coupled, true, {}, {}, v.body_a, v.body_b, v.axis_a, v.axis_b, i});
+      plans.push_back({&coupled_row, true, {}, {}, v.body_a, v.body_b, v.axis_a, v.axis_b, i});
       continue;
     }
     const BodyId second = v.point_b ? BodyId{} : v.body_b;
-    plans.push_back({RowKind::coupled, false, v.point_a, v.point_b, {}, second, zero3(), v.position, i});
-    if (v.body_b) plans.push_back({RowKind::coupled, true, {}, {}, v.body_b, {}, v.axis_b, zero3(), i});
+    plans.push_back({&coupled_row, false, v.point_a, v.point_b, {}, second, zero3(), v.position, i});
+    if (v.body_b) plans.push_back({&coupled_row, true, {}, {}, v.body_b, {}, v.axis_b, zero3(), i});
   }
   return plans;
 }

@@ -25,11 +25,20 @@ double evaluate_soft(Row& row, Condition& c, const RowContext& context) {
   return norm(row.residual) / secant;
 }
 
+/// By the start of the step, softened as a backward step would.
+Vec3 soft_pull(const Row& row, const Condition& c, const RowContext& context) {
+  const double give = 1.0 + context.h * (context.h * c.stiffness + c.damping) * context.mobility;
+  const Vec3 z = row.d0 * (-c.stiffness / give);
+  const double pull = norm(z);
+  return pull > c.max_force ? z * (c.max_force / pull) : z;
+}
+
 void project_soft(const Row&, Condition& c) { c.kept = zero33(); }
 
 }  // namespace
 
-const RowRule soft_row = {.evaluate = evaluate_soft, .project = project_soft};
+const RowRule soft_row = {
+    .soft = true, .over_gap = true, .evaluate = evaluate_soft, .project = project_soft, .pull = soft_pull};
 
 namespace {
 
@@ -42,7 +51,7 @@ double gap(const Model& model, const Constraint& c) {
 }
 
 std::vector<RowPlan> rows(const Model&, const Constraint& c) {
-  return {between_points(c, c.pins() ? RowKind::rigid : RowKind::soft)};
+  return {between_points(c, c.pins() ? rigid_row : soft_row)};
 }
 
 }  // namespace

@@ -1,20 +1,19 @@
-// Hinge, nail, rigid follow, weld and orient: two points, or two orientations, stay together. M = 1 and C = 0 are left out
-// of the products.
+// Hinge, nail, rigid follow, weld and orient: two points, or two orientations, stay together.
 #include "constraints/row_rule.hpp"
 
 namespace pantin {
 
 namespace {
 
-double evaluate_rigid(Row& row, Condition&, const RowContext&) {
-  row.residual = row.d1 - row.offset;
-  return norm(row.residual);
+/// The chord of the rotation, world axes: 2 sin(θ/2) along its axis, whose change is the small rotation itself.
+void read_chord(Row& row, Condition& condition, const Orientations& nodes) {
+  const Quat violation = nodes.violation(condition.turn1);
+  const double sign = violation.w < 0.0 ? -2.0 : 2.0;
+  row.d1 = nodes.R * vec(violation.x * sign, violation.y * sign, violation.z * sign) * row.lever;
 }
-
-Vec3 rigid_gap(const Row& row, const Condition&) { return row.d1 - row.offset; }
 
 }  // namespace
 
-const RowRule rigid_row = {.offsets_gap = true, .evaluate = evaluate_rigid, .gap = rigid_gap};
+const RowRule rigid_row = {.rigid = true, .forbids_as_newton = true, .offsets_gap = true, .read_turn = read_chord};
 
 }  // namespace pantin

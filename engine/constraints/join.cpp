@@ -20,8 +20,12 @@ Vec3 attract_gap(const Row& row, const Condition& c) { return row.d1 - c.positio
 
 }  // namespace
 
-const RowRule attract_row = {
-    .offsets_gap = true, .evaluate = evaluate_attract, .project = project_attract, .gap = attract_gap};
+const RowRule attract_row = {.over_gap = true,
+                             .keeps_apart = true,
+                             .offsets_gap = true,
+                             .evaluate = evaluate_attract,
+                             .project = project_attract,
+                             .gap = attract_gap};
 
 namespace {
 
@@ -36,7 +40,7 @@ double gap(const Model& model, const Constraint& c) {
 }
 
 std::vector<RowPlan> rows(const Model&, const Constraint& c) {
-  return {between_points(c, std::isfinite(c.max_force) ? RowKind::soft : RowKind::attract)};
+  return {between_points(c, std::isfinite(c.max_force) ? soft_row : attract_row)};
 }
 
 }  // namespace

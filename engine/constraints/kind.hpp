@@ -19,7 +19,7 @@ struct FreedomsTaken {
 
 /// A row that a constraint wants, and which of its things and positions it ties; null b: the world.
 struct RowPlan {
-  RowKind kind = RowKind::rigid;
+  const RowRule* rule = &rigid_row;
   bool angular = false;
   PointId point_a, point_b;
   BodyId body_a, body_b;                  // where no points are given

@@ -29,7 +29,7 @@ double gap(const Model& model, const Constraint& c) {
 }
 
 std::vector<RowPlan> rows(const Model&, const Constraint& c) {
-  return {c.a ? between_points(c, RowKind::rod) : angular_row(c, RowKind::turn)};
+  return {c.a ? between_points(c, rod_row) : angular_row(c, turn_row)};
 }
 
 std::vector<PlaneNeed> in_plane(const Model& model, const Constraint& c) {

@@ -3,6 +3,7 @@
 #include "base/functions.hpp"
 #include "constraints/coupling.hpp"
 #include "constraints/kind.hpp"
+#include "constraints/row_rule.hpp"
 #include "model/path.hpp"
 
 namespace pantin {
@@ -71,7 +72,7 @@ void load(Condition& condition, const Row& row, const Model& model, double total
   condition.high = c.high;
   condition.normal = model.plane.axis(c.axis_a);
   if (rule_of(c).load != nullptr) rule_of(c).load(condition, row, model, c);
-  condition.works = row.kind == RowKind::soft || condition.ranged || condition.whole_length1 != condition.whole_length0;
+  condition.works = is_soft(row) || condition.ranged || condition.whole_length1 != condition.whole_length0;
   condition.max_force = c.max_force;
   condition.stiffness = total_mass / (c.time_constant * c.time_constant);  // critically damped for all that hangs at it
   condition.damping = 2.0 * total_mass / c.time_constant;

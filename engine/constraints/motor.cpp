@@ -14,7 +14,7 @@ void start(const Model& model, Constraint& c, double tolerance) {
   start_number(c, c.angle - c.number.now, dot(axis, relative_spin(model, c)), tolerance);
 }
 
-std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {angular_row(c, RowKind::turn)}; }
+std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {angular_row(c, turn_row)}; }
 
 void load(Condition& condition, const Row&, const Model&, const Constraint&) { condition.works = true; }
 

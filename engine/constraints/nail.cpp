@@ -12,7 +12,7 @@ void start(const Model& model, Constraint& c, double tolerance) {
 
 double gap(const Model& model, const Constraint& c) { return norm(from_position(model, c) - c.attract.away); }
 
-std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {between_points(c, RowKind::rigid)}; }
+std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {between_points(c, rigid_row)}; }
 
 }  // namespace
 

@@ -70,8 +70,13 @@ Vec3 path_gap(const Row& row, const Condition& c) {
 
 }  // namespace
 
-const RowRule path_row = {
-    .offsets_gap = true, .evaluate = evaluate_path, .project = project_path, .gap = path_gap, .stop = stop_of_path};
+const RowRule path_row = {.held_at_end = true,
+                          .guides = true,
+                          .offsets_gap = true,
+                          .evaluate = evaluate_path,
+                          .project = project_path,
+                          .gap = path_gap,
+                          .stop = stop_of_path};
 
 namespace {
 
@@ -91,7 +96,7 @@ double gap(const Model& model, const Constraint& c) {
   return norm(at - path_of(c).position(path_of(c).nearest(at, c.as<PathData>().along)));
 }
 
-std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {between_points(c, RowKind::path)}; }
+std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {between_points(c, path_row)}; }
 
 void load(Condition& condition, const Row&, const Model& model, const Constraint& c) {
   condition.path = &path_of(c);

@@ -18,7 +18,7 @@ Vec3 plane_gap(const Row& row, const Condition& c) { return c.normal * (dot(c.no
 
 }  // namespace
 
-const RowRule plane_row = {.evaluate = evaluate_plane, .project = project_plane, .gap = plane_gap};
+const RowRule plane_row = {.guides = true, .evaluate = evaluate_plane, .project = project_plane, .gap = plane_gap};
 
 namespace {
 
@@ -31,7 +31,7 @@ double gap(const Model& model, const Constraint& c) {
   return std::fabs(dot(c.axis_a, from_position(model, c) - c.attract.away));
 }
 
-std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {between_points(c, RowKind::plane)}; }
+std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {between_points(c, plane_row)}; }
 
 }  // namespace
 

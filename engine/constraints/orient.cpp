@@ -18,7 +18,7 @@ double gap(const Model& model, const Constraint& c) {
   return lever(model, c) * norm(present_turn(model, c) - c.attract.away);
 }
 
-std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {angular_row(c, RowKind::rigid)}; }
+std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {angular_row(c, rigid_row)}; }
 
 void load(Condition& condition, const Row& row, const Model& model, const Constraint& c) {
   condition.whole_turn0 = quaternion_of(model.plane.about(c.attract.previous_away)) * condition.whole_turn0;

@@ -1,14 +1,15 @@
 #pragma once
 // What entries of the table have in common.
 #include "constraints/kind.hpp"
+#include "constraints/row_rule.hpp"
 
 namespace pantin {
 
-inline RowPlan between_points(const Constraint& c, RowKind kind) {
-  return {kind, false, c.a, c.b, {}, {}, zero3(), zero3(), 0};
+inline RowPlan between_points(const Constraint& c, const RowRule& rule) {
+  return {&rule, false, c.a, c.b, {}, {}, zero3(), zero3(), 0};
 }
-inline RowPlan angular_row(const Constraint& c, RowKind kind) {
-  return {kind, true, {}, {}, c.body_a, c.body_b, c.axis_a, c.axis_b, 0};
+inline RowPlan angular_row(const Constraint& c, const RowRule& rule) {
+  return {&rule, true, {}, {}, c.body_a, c.body_b, c.axis_a, c.axis_b, 0};
 }
 
 inline std::array<Vec3, 3> no_direction(const Constraint&) { return {zero3(), zero3(), zero3()}; }

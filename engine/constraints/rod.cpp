@@ -57,7 +57,7 @@ double gap(const Model& model, const Constraint& c) {
   return std::fabs(end_distance(model, c) - c.number.now - c.attract.excess);
 }
 
-std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {between_points(c, RowKind::rod)}; }
+std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {between_points(c, rod_row)}; }
 
 }  // namespace
 

@@ -16,21 +16,15 @@
 
 namespace pantin {
 
-/// What a row wants: rigid keeps two points together; soft draws one to a position with a force up to a limit; rod
-/// keeps a distance or keeps it in a range; plane keeps a point on a plane; coupled is one of several
-/// rows whose values add up: a segment of a string, a turn of a gear; path keeps
-/// a point on a path; stiff pulls by a law; attract has two points approach each other. Of angular rows, rigid keeps an
-/// orientation, axis keeps two axes together, align keeps the angle between them, turn drives the angle about an axis
-/// or keeps it in a range.
-enum class RowKind : std::uint8_t { rigid, soft, rod, plane, axis, align, turn, coupled, path, stiff, attract };
-
+struct RowRule;
 struct StiffBond;
+extern const RowRule rigid_row;
 
 /// Ties a point of node a to a point of node b, or to a position of the world (b = -1), by one force.
 struct alignas(64) Row {
   std::int32_t a = 0, b = -1;
   std::int32_t condition = -1;  // of a row that a constraint made; a hinge has none
-  RowKind kind = RowKind::rigid;
+  const RowRule* rule = &rigid_row;
   double lever = 0.0;  // [m] of an angular row; 0: ties points
   Vec3 f = zero3();
   Vec3 residual = zero3();
@@ -101,9 +95,6 @@ struct Condition {
   double settling = 0.0, mean_rate = 0.0;  // [kg], [m/s] those of `stiff`, in the last stage of the step
   bool settles = false;                    // now
 };
-
-/// Whether a row forbids no motion, and only pulls.
-inline bool is_soft(const Row& row) { return row.kind == RowKind::soft || row.kind == RowKind::stiff; }
 
 /// Whether its force has an end either way, as that of a motor with a largest torque.
 inline bool is_limited(const Condition& c) { return std::isfinite(c.lower) && std::isfinite(c.upper); }

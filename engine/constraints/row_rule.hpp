@@ -1,8 +1,7 @@
 #pragma once
-// What each kind of row asks for. A kind is one file that fills one entry of the table: the residual of the row at the
-// end of a step with its derivative, its part in the velocity projection, and the gap that the fallback step closes.
-#include <array>
-
+// What each kind of row asks for. A kind is one file that fills one RowRule: what it is to the solver, the residual of the row
+// at the end of a step with its derivative, its part in the velocity projection, and the gap that the fallback step closes.
+// How to add one: assets/pages/house.md.
 #include "constraints/row.hpp"
 
 namespace pantin {
@@ -18,26 +17,65 @@ struct Stop {
   double room = infinity;  ///< [m] to the end; below 0 it is passed
 };
 
-/// What is left out is nothing.
+/// Of the two nodes of an angular row, at the end of a step; the world is not turned.
+struct Orientations {
+  Quat first, second;
+  const Mat3& R;  ///< of the first
+
+  /// Rotation of the first against where the second would have it by `turn`, in the first's principal axes.
+  Quat violation(const Quat& turn) const { return conjugate(second * turn) * first; }
+};
+
+/// What is left out is not so, or nothing.
 struct RowRule {
-  bool offsets_gap = false;  ///< a gap that cannot be closed is its offset; else it changes what it keeps
-  /// Sets residual, M and C from d0, d1 and f; returns the size of the residual in metres.
+  bool rigid = false;              ///< d1 is to be `offset`: M and `kept` are 1, C is 0, and left out of products
+  bool soft = false;               ///< forbids no motion, and only pulls
+  bool by_law = false;             ///< pulls by the law of a connection: no constraint made it
+  bool coupled = false;            ///< its value is one of several that add up, evaluated together by its articulate
+  bool about_axis = false;         ///< an angular one about its axis alone; where it has no range a motor
+  bool over_gap = false;           ///< pulls along a gap in any direction, and so may twist what is free
+  bool keeps_apart = false;        ///< d1 is to be `position1`, also where that is of no position of the world
+  bool held_at_end = false;        ///< `held` is of an end of its range, which a step finds out; within it holds, too
+  bool guides = false;             ///< a point that the world holds by it moves along something, and keeps no momentum
+  bool leaves_turn = false;        ///< the world leaves the turn about its second axis free
+  bool forbids_as_newton = false;  ///< Newton's matrix forbids the velocities that projections do
+  bool offsets_gap = false;        ///< a gap that cannot be closed is its offset; else it changes what it keeps
+  /// Of an angular row: sets d1, or the angle, at the end of the step.
+  void (*read_turn)(Row& row, Condition& condition, const Orientations& orientations) = [](Row&, Condition&,
+                                                                                           const Orientations&) {};
+  /// Sets residual, M and C from d0, d1 and f; returns the size of the residual in metres. Not asked where `rigid`.
   double (*evaluate)(Row& row, Condition& condition, const RowContext& context) = nullptr;
   /// Sets `kept`, and adds to `wanted` what changes by prescription.
   void (*project)(const Row& row, Condition& condition) = [](const Row&, Condition&) {};
-  /// What is still to be closed at the end of the step, [m], as a change of d1.
+  /// What is still to be closed at the end of the step, [m], as a change of d1. Not asked where `rigid` or `coupled`.
   Vec3 (*gap)(const Row& row, const Condition& condition) = [](const Row&, const Condition&) { return zero3(); };
-  /// Of a row that stops something, at the end of the step.
+  /// Of a row that stops something, at the end of the step. Not asked where `coupled`.
   Stop (*stop)(const Row& row, const Condition& condition) = [](const Row&, const Condition&) { return Stop{zero3()}; };
+  /// Of a soft one that no law pulls: its force in a fallback step [N].
+  Vec3 (*pull)(const Row& row, const Condition& condition, const RowContext& context) = nullptr;
 };
 
-// Each in the file of a kind that makes such rows; a hinge's and a stiff connection's in their own.
-extern const RowRule rigid_row, soft_row, rod_row, plane_row, axis_row, align_row, turn_row, coupled_row, path_row,
-    stiff_row, attract_row;
+// Each in the file of a kind that makes such rows: rigid_row in hinge.cpp, soft_row in follow.cpp, turn_row in turn.cpp.
+extern const RowRule rigid_row;    ///< keeps two points together, or an orientation
+extern const RowRule soft_row;     ///< draws a point to a position, or to a point, with a force up to a limit
+extern const RowRule rod_row;      ///< keeps a distance, or keeps it in a range
+extern const RowRule plane_row;    ///< keeps a point on a plane
+extern const RowRule path_row;     ///< keeps a point on a path
+extern const RowRule attract_row;  ///< has two points approach each other
+extern const RowRule axis_row;     ///< keeps two axes together
+extern const RowRule align_row;    ///< keeps the angle between them
+extern const RowRule turn_row;     ///< drives the angle about an axis, or keeps it in a range
+extern const RowRule coupled_row;  ///< a segment of a string, a turn of a gear
+extern const RowRule stiff_row;    ///< pulls by a law
 
-/// (kinds) in the order of RowKind
-extern const std::array<const RowRule*, 11> row_rules;
-inline const RowRule& rule(const Row& row) { return *row_rules[static_cast<std::size_t>(row.kind)]; }
+inline bool is_rigid(const Row& row) { return row.rule->rigid; }
+inline bool is_soft(const Row& row) { return row.rule->soft; }
+inline bool is_coupled(const Row& row) { return row.rule->coupled; }
+inline bool pulls_by_law(const Row& row) { return row.rule->by_law; }
+inline bool is_motor(const Row& row, const Condition& c) { return row.rule->about_axis && !c.ranged; }
+
+/// Sets the angle by which a row is turned about its axis, turns counted.
+void count_angle(Row& row, Condition& condition, const Orientations& orientations);
 
 /// A row of one dimension reads a value, held in a range by a force along n.
 struct ConstraintFunction {

@@ -36,6 +36,10 @@ void make_stiff(const Model& model, ConnectionId id, Row& row, Condition& condit
 /// Reads the start of a step of h [s] from d0; `approach` is d0 · the velocity of d0 [m²/s].
 void start_stiff(StiffBond& bond, const Row& row, double approach);
 
+/// Its row keeps the length of the start of the step instead, and with it the energy of the bond.
+void hold_length(Row& row, Condition& condition);
+void pull_again(Row& row);
+
 /// What a bond pulls its first point with at d [m], at rest [N], and how d [N/m] and its rate [N s/m] change that, where it
 /// draws back.
 struct StiffPull {

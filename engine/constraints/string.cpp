@@ -56,7 +56,7 @@ std::vector<RowPlan> rows(const Model& model, const Constraint& c) {
     PointId from = c.passages()[i].point, to = c.passages()[i + 1].point;
     if (is_fixed(model, c.passages()[i], c.passages()[i + 1])) continue;
     if (!from) std::swap(from, to);
-    plans.push_back({RowKind::coupled, false, from, to, {}, {}, zero3(), zero3(), i});
+    plans.push_back({&coupled_row, false, from, to, {}, {}, zero3(), zero3(), i});
   }
   return plans;
 }

@@ -1,4 +1,5 @@
 // A motor or a limit: the angle about an axis, driven to a value or kept in a range.
+#include "base/functions.hpp"
 #include "constraints/row_rule.hpp"
 
 namespace pantin {
@@ -43,6 +44,18 @@ Vec3 turn_gap(const Row& row, const Condition& c) {
 
 }  // namespace
 
-const RowRule turn_row = {.evaluate = evaluate_turn, .project = project_turn, .gap = turn_gap, .stop = stop_of_turn};
+const RowRule turn_row = {.about_axis = true,
+                          .read_turn = count_angle,
+                          .evaluate = evaluate_turn,
+                          .project = project_turn,
+                          .gap = turn_gap,
+                          .stop = stop_of_turn};
+
+void count_angle(Row& row, Condition& c, const Orientations& nodes) {
+  constexpr double pi = 3.14159265358979323846;
+  const Quat violation = nodes.violation(c.turn1);
+  const double angle = 2.0 * functions::atan2(dot(vec(violation.x, violation.y, violation.z), row.la), violation.w);
+  c.angle1 = angle - 2.0 * pi * std::nearbyint((angle - c.angle0) / (2.0 * pi));
+}
 
 }  // namespace pantin

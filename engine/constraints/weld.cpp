@@ -13,8 +13,8 @@ double gap(const Model& model, const Constraint& c) {
 }
 
 std::vector<RowPlan> rows(const Model&, const Constraint& c) {
-  return {{RowKind::rigid, false, {}, {}, c.body_a, c.body_b, c.as<WeldData>().arm_a, c.as<WeldData>().arm_b, 0},
-          angular_row(c, RowKind::rigid)};
+  return {{&rigid_row, false, {}, {}, c.body_a, c.body_b, c.as<WeldData>().arm_a, c.as<WeldData>().arm_b, 0},
+          angular_row(c, rigid_row)};
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ struct Builder {
       t.lever = row.lever;
       if (row.condition >= 0) {
         const Condition& c = condition(a, row);
-        t.kept = row.kind == RowKind::rigid ? identity33() : c.kept;
+        t.kept = is_rigid(row) ? identity33() : c.kept;
         t.wanted = c.wanted;
       }
     }
@@ -104,13 +104,13 @@ struct Builder {
     for (std::uint32_t k = 0; k < ties.size(); k++) {
       const Row& row = a.rows[k];
       if (!is_soft(row)) continue;
-      const bool is_new = row.kind == RowKind::stiff && norm2(row.f) == 0.0;
+      const bool is_new = pulls_by_law(row) && norm2(row.f) == 0.0;
       const Vec3 pull = is_new ? pull_at(*condition(a, row).stiff, row.d1).f : row.f;
       add_load(to.pulls, ties[k], pull);
-      if (row.kind == RowKind::stiff) add_load(to.law_pulls, ties[k], pull);
+      if (pulls_by_law(row)) add_load(to.law_pulls, ties[k], pull);
     }
     for (std::uint32_t k = 0; k < ties.size(); k++) {
-      if (trace(ties[k].kept) == 0.0 || a.rows[k].kind == RowKind::coupled) continue;
+      if (trace(ties[k].kept) == 0.0 || is_coupled(a.rows[k])) continue;
       to.problem.ties.push_back(ties[k]);
       to.rows.push_back({number, k});
     }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "articulates/solve/conditions.hpp"
+#include "constraints/row_rule.hpp"
 
 namespace pantin {
 
@@ -15,7 +16,7 @@ struct Turned {
 };
 
 bool drives_without_limit(const Model& model, const Row& row, const Condition& c) {
-  if (row.kind != RowKind::turn || c.ranged) return false;
+  if (!is_motor(row, c)) return false;
   const Constraint& of = model.constraints[c.constraint];
   return std::isinf(of.max_torque) && (of.number.rate != 0.0 || of.number.now != of.number.previous);
 }

@@ -5,6 +5,7 @@
 #include "articulates/solve/state.hpp"
 #include "constraints/coupling.hpp"
 #include "constraints/kind.hpp"
+#include "constraints/row_rule.hpp"
 #include "edit/common.hpp"
 #include "edit/constrain.hpp"
 
@@ -51,7 +52,7 @@ double time_since(const World& world, double before, double load, double borne) 
 void find_overloads(const World& world, const Articulate& a, Overloads& found) {
   for (std::size_t k = 0; k < a.rows.size(); k++) {
     const Row& row = a.rows[k];
-    if (row.kind == RowKind::stiff) continue;  // connections break by themselves
+    if (pulls_by_law(row)) continue;  // connections break by themselves
     const bool angular = row.lever > 0.0;
     const double load = norm(exerted_force(a, k)) * (angular ? row.lever : 1.0);
     const auto since = [&](double borne) {
@@ -89,7 +90,7 @@ double broken_since(const World& world, const Articulate& a, const Row& row, con
     const auto at = std::find(list.begin(), list.end(), id);
     return at == list.end() ? 0.0 : at->since;
   };
-  if (row.kind == RowKind::stiff) return 0.0;
+  if (pulls_by_law(row)) return 0.0;
   if (row.condition < 0) return time(found.hinges, world.points[row.member].particle);
   const ConstraintId id = condition(a, row).constraint;
   const ParticleId ring = world.constraints[id].ring();

@@ -103,7 +103,7 @@ std::vector<Hold> holds(const Articulate& articulate) {
   for (const Row& row : articulate.rows) {
     if (is_soft(row)) continue;
     const auto a = static_cast<std::size_t>(row.a);
-    const bool nails = row.b < 0 && row.kind == RowKind::rigid && !articulate.nodes[a].turns;
+    const bool nails = row.b < 0 && is_rigid(row) && !articulate.nodes[a].turns;
     if (list[a] != Hold::nailed) list[a] = nails ? Hold::nailed : Hold::held;
     if (row.b >= 0) list[static_cast<std::size_t>(row.b)] = std::max(list[static_cast<std::size_t>(row.b)], Hold::held);
   }

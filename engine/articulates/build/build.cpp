@@ -46,7 +46,7 @@ RowPairs pairs_in_couplings(const std::vector<Edge>& edges, const RowLists& on) 
   RowPairs pairs;
   std::vector<std::uint32_t> coupled;
   for (std::uint32_t k = 0; k < edges.size(); k++)
-    if (edges[k].kind == RowKind::coupled) coupled.push_back(k);
+    if (edges[k].rule->coupled) coupled.push_back(k);
   for (std::uint32_t i : coupled)
     for (std::uint32_t j : coupled) {
       if (edges[i].constraint != edges[j].constraint) continue;
@@ -71,7 +71,7 @@ std::vector<std::uint32_t> find_hubs(const std::vector<Edge>& edges, const RowLi
       const std::int32_t other = edges[k].a == static_cast<std::int32_t>(n) ? edges[k].b : edges[k].a;
       return other >= 0 && rows(static_cast<std::size_t>(other)) <= few;
     };
-    const auto is_coupled = [&](std::uint32_t k) { return edges[k].kind == RowKind::coupled; };
+    const auto is_coupled = [&](std::uint32_t k) { return edges[k].rule->coupled; };
     const auto list = on[n];
     if (std::count_if(list.begin(), list.end(), leads_to_few) > few &&
         std::none_of(list.begin(), list.end(), is_coupled))
@@ -165,7 +165,7 @@ Condition make_condition(const Model& model, const Edge& edge, Row& row) {
   const Constraint& c = model.constraints[edge.constraint];
   condition.length = c.number.now;
   condition.turns_axis = edge.angular && !c.coupled().empty() && c.coupled()[edge.index].point_a;
-  condition.held = condition.held_before = !has_range(c) && !c.is<PathData>() && std::isinf(c.max_torque);
+  condition.held = condition.held_before = !has_range(c) && !edge.rule->held_at_end && std::isinf(c.max_torque);
   row.f = condition.turns_axis ? zero3() : edge.angular ? c.torque / row.lever : c.force;
   return condition;
 }
@@ -183,7 +183,7 @@ void hand_on(const History::Before& before, Row& row, Condition* condition) {
 bool add_row(Articulate& a, const Model& model, const Edge& edge, const std::vector<std::int32_t>& position,
              const History& history) {
   Row row;
-  row.kind = edge.kind;
+  row.rule = edge.rule;
   row.a = position[static_cast<std::size_t>(edge.a)];
   if (edge.b >= 0) row.b = position[static_cast<std::size_t>(edge.b)];
   row.la = edge.la;
@@ -262,7 +262,7 @@ bool weighs_as_built(const Model& model, const Node& node) {
 }  // namespace
 
 bool is_row_of(const Articulate& a, const Row& row, const Edge& edge) {
-  if (row.kind != edge.kind || row.member != edge.member || row.centre != edge.centre || !same(row.la, edge.la) ||
+  if (row.rule != edge.rule || row.member != edge.member || row.centre != edge.centre || !same(row.la, edge.la) ||
       !same(row.lb, edge.lb))
     return false;
   if (edge.member) return true;

@@ -60,11 +60,11 @@ std::vector<double> lengths_of(const Articulate& a, const Model& model) {
   std::vector<double> lengths;
   lengths.reserve(2 * a.rows.size());
   for (const Row& row : a.rows) {
-    if (row.condition >= 0 && row.kind != RowKind::stiff) {
+    if (row.condition >= 0 && !pulls_by_law(row)) {
       const Constraint& c = model.constraints[condition(a, row).constraint];
       if (rule_of(c).size != nullptr) lengths.push_back(rule_of(c).size(c));
     }
-    if (row.kind == RowKind::stiff) lengths.push_back(1e12 * std::sqrt(condition(a, row).stiff->least2));
+    if (pulls_by_law(row)) lengths.push_back(1e12 * std::sqrt(condition(a, row).stiff->least2));
     if (row.lever > 0.0) {
       lengths.push_back(row.lever);
       continue;
@@ -104,13 +104,12 @@ void find_reaches(Articulate& a) {
 
 void find_dimensions(Articulate& a, const Model& model) {
   for (const Row& row : a.rows) {
-    a.all_rigid = a.all_rigid && row.kind == RowKind::rigid;
+    a.all_rigid = a.all_rigid && is_rigid(row);
     a.turns = a.turns || row.lever > 0.0;
-    a.soft = a.soft || row.kind == RowKind::soft;
-    if (row.kind == RowKind::stiff)
-      a.nonconservative = a.nonconservative || condition(a, row).stiff->is_nonconservative();
+    a.soft = a.soft || (is_soft(row) && !pulls_by_law(row));
+    if (pulls_by_law(row)) a.nonconservative = a.nonconservative || condition(a, row).stiff->is_nonconservative();
   }
-  const auto draws = [](const Row& row) { return row.kind == RowKind::attract || row.kind == RowKind::soft; };
+  const auto draws = [](const Row& row) { return row.rule->over_gap; };
   a.attracts = std::any_of(a.rows.begin(), a.rows.end(), draws) && is_free(a);
   a.yields = std::all_of(a.rows.begin(), a.rows.end(), is_soft);
   a.length = length_of(a, model);

@@ -4,6 +4,7 @@
 
 #include "articulates/solve/conditions.hpp"
 #include "constraints/kind.hpp"
+#include "constraints/row_rule.hpp"
 
 namespace pantin {
 
@@ -91,7 +92,7 @@ class Finder {
     if (!c.enabled || !wanted(listed_here) || found([&](const Edge& edge) { return edge.constraint == id; })) return;
     for (const RowPlan& plan : rule_of(c).rows(model_, c)) {
       Edge row;
-      row.kind = plan.kind;
+      row.rule = plan.rule;
       row.angular = plan.angular;
       row.may_break = c.breaks_at.possible();
       row.index = plan.index;
@@ -111,7 +112,7 @@ class Finder {
     const ParticleId a = c.particles[swapped ? 1 : 0], b = c.particles[swapped ? 0 : 1];
     if (b && owner(model_, star(model_, a)) == owner(model_, star(model_, b))) return;  // nothing can move
     Edge edge;
-    edge.kind = RowKind::stiff;
+    edge.rule = &stiff_row;
     edge.connection = id;
     edge.solve = c.solve;
     edge_a(edge, star(model_, a));

@@ -9,7 +9,7 @@ namespace pantin {
 
 /// A row that a hinge, a constraint or a solved connection wants; its nodes as the model tells them at present.
 struct Edge {
-  RowKind kind = RowKind::rigid;
+  const RowRule* rule = &rigid_row;
   bool angular = false;
   bool may_break = false;
   std::uint32_t index = 0;      // which row of its constraint

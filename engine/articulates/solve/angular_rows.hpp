@@ -4,9 +4,9 @@
 
 namespace pantin {
 
-/// Sets axes, angle and d of an angular row at the start of the step, from the nodes' starts.
+/// Sets the axes of an angular row at the start of the step, from the nodes' starts.
 void place_angular_row_at_start(Articulate& articulate, Row& row);
-/// The same at the end.
+/// Axes at the end, with d1 or the angle.
 void place_angular_row_at_end(Articulate& articulate, Row& row);
 
 /// Work of an angular row in the step just solved on both nodes [J].

@@ -5,6 +5,7 @@
 #include "articulates/solve/newton.hpp"
 #include "base/functions.hpp"
 #include "constraints/load.hpp"
+#include "constraints/row_rule.hpp"
 
 namespace pantin {
 
@@ -15,8 +16,6 @@ double inertia_about(const Articulate& a, Vec3 position) {
 }
 
 namespace {
-
-bool is_motor(const Row& row, const Condition& c) { return row.kind == RowKind::turn && !c.ranged; }
 
 double displacement_of(const Condition& c) { return c.whole_length1 - c.whole_length0; }
 
@@ -78,7 +77,7 @@ void set_conditions(Articulate& a, double h, double from, double to) {
       c.turn0 = quaternion_of(c.bend.at(from)) * c.turn0;
       c.turn1 = quaternion_of(c.bend.at(to)) * c.turn1;
     }
-    if (r.kind != RowKind::axis) continue;
+    if (norm2(c.whole0) + norm2(c.whole1) == 0.0) continue;  // no axis is drawn in
     c.axis0 = rotate(quaternion_of(c.position0), c.axis);
     c.axis1 = rotate(quaternion_of(c.position1), c.axis);
   }

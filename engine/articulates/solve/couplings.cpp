@@ -201,7 +201,7 @@ void find_coupled_blocks(const Articulate& a, Coupling& coupling, std::uint32_t 
 void find_couplings(Articulate& a) {
   for (std::uint32_t k = 0; k < a.rows.size(); k++) {
     const Row& row = a.rows[k];
-    if (row.kind != RowKind::coupled) continue;
+    if (!is_coupled(row)) continue;
     const ConstraintId id = condition(a, row).constraint;
     const auto same = std::find_if(a.couplings.begin(), a.couplings.end(),
                                    [&](const Coupling& s) { return condition(a, a.rows[s.head]).constraint == id; });

@@ -211,7 +211,7 @@ FirstImpact meet(Articulate& a, double h, double at) {
   stand_still(a, h, at);
   measure_gaps(a);
   for (Condition& c : a.conditions)  // of motors and ends of paths the step finds out
-    c.held = !c.ranged && std::isinf(c.upper) && row(a, c).kind != RowKind::path;
+    c.held = !c.ranged && std::isinf(c.upper) && !row(a, c).rule->held_at_end;
   a.torn = a.gaps.open > 1e-8 * a.length;
   if (a.torn) return {};
   const WantedVelocities wanted(a, h, at);

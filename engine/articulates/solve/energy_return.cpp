@@ -3,6 +3,7 @@
 
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/state.hpp"
+#include "constraints/row_rule.hpp"
 
 namespace pantin {
 
@@ -59,11 +60,10 @@ Anchors anchors(const Articulate& a) {
   for (const Condition& c : a.conditions) {
     const Row& r = row(a, c);
     if (r.b >= 0 || c.turns_axis) continue;
-    const bool guided = r.kind == RowKind::plane || r.kind == RowKind::path ||
-                        (r.kind == RowKind::coupled && r.lever == 0.0 && norm2(c.axis) > 0.0);
+    const bool guided = r.rule->guides || (r.lever == 0.0 && norm2(c.axis) > 0.0);
     if (c.stiff || guided) return {Anchorage::fixed, c.whole1, zero3()};  // no momentum is kept
     if (r.lever > 0.0) {
-      axis = !turned && r.kind == RowKind::axis ? r.rb1 : zero3();
+      axis = !turned && r.rule->leaves_turn ? r.rb1 : zero3();
       turned = true;
       continue;
     }

@@ -26,37 +26,26 @@ double mechanical_energy(const Articulate& a, Vec3 gravity) {
   return energy;
 }
 
-/// What pulls by a law keeps its length in a fallback step, and with it its energy.
+/// What pulls by a law keeps its length in a fallback step.
 void hold_stiff(Articulate& a) {
-  for (Row& row : a.rows) {
-    if (row.kind != RowKind::stiff) continue;
-    Condition& c = condition(a, row);
-    c.length = norm(row.d0);
-    c.accepted = 0.0;
-    row.offset = zero3();
-    row.kind = norm2(row.d0) > c.stiff->least2 ? RowKind::rod : RowKind::rigid;
-  }
+  for (Row& row : a.rows)
+    if (pulls_by_law(row)) hold_length(row, condition(a, row));
   a.yields = false;
 }
 void release_stiff(Articulate& a) {
   for (Row& row : a.rows)
-    if (row.condition >= 0 && condition(a, row).stiff) row.kind = RowKind::stiff;
+    if (row.condition >= 0 && condition(a, row).stiff) pull_again(row);
   a.yields = std::all_of(a.rows.begin(), a.rows.end(), is_soft);
   measure_gaps(a);
 }
 
-/// Forces of soft rows at the start of the step, softened as a backward step would, pushes and twists; tells what they
-/// give. Then gravity.
+/// Forces of soft rows, pushes and twists; tells what they give. Then gravity.
 void kick(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   const double before = kinetic_energy(a);
   for (Row& row : a.rows) {
     row.f = zero3();
-    if (row.kind != RowKind::soft) continue;
-    const Condition& c = condition(a, row);
-    const double give = 1.0 + h * (h * c.stiffness + c.damping) * mobility(a, row);
-    const Vec3 z = row.d0 * (-c.stiffness / give);
-    const double pull = norm(z);
-    row.f = pull > c.max_force ? z * (c.max_force / pull) : z;
+    if (!is_soft(row)) continue;
+    row.f = row.rule->pull(row, condition(a, row), {h, mobility(a, row)});
     const auto pull_node = [&](std::int32_t node, Vec3 arm, Vec3 f) {
       Node& n = a.nodes[static_cast<std::size_t>(node)];
       n.p0 += f * h;
@@ -94,11 +83,11 @@ double find_gaps(Articulate& a, Closing closing = Closing::all) {
   double sum = 0.0;
   for (Row& row : a.rows) {
     row.residual = gap(a, row);
-    if (row.kind != RowKind::rigid) {
+    if (!is_rigid(row)) {
       Condition& c = condition(a, row);
       if (c.ranged || !std::isinf(c.upper)) c.held = c.ranged && stop(a, row).room < 0.0;
       c.held_before = c.held_before || c.held;
-      rule(row).project(row, c);
+      row.rule->project(row, c);
       if (closing == Closing::firm && c.gives_way && !c.ranged) {
         row.residual = zero3();
         c.kept = zero33();
@@ -271,7 +260,7 @@ class OnlyDissipates {
 void accept_gaps(Articulate& a, double tolerance, DriftReport& report) {
   if (a.tree || !is_still(a) || a.gaps.open <= 1e-8 * a.length || a.gaps.open > tolerance * a.length) return;
   for (Row& row : a.rows)
-    if (row.kind != RowKind::soft) accept_gap(a, row);
+    if (!is_soft(row)) accept_gap(a, row);
   a.offsets = true;
   report.offsets++;
   measure_gaps(a);
@@ -334,7 +323,7 @@ void fallback_step(Articulate& a, const DriftSettings& settings, double h, Drift
   }
   energy.tell();
   for (Row& row : a.rows)
-    if (row.kind != RowKind::soft) row.f = zero3();
+    if (!is_soft(row)) row.f = zero3();
   for (Condition& c : a.conditions) c.angle0 = c.angle1;
   release_stiff(a);
   a.last_h = 0.0;

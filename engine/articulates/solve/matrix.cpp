@@ -5,6 +5,7 @@
 #include "articulates/solve/midpoint.hpp"
 #include "articulates/solve/newton.hpp"
 #include "articulates/solve/node_batches.hpp"
+#include "constraints/row_rule.hpp"
 
 namespace pantin {
 
@@ -39,7 +40,7 @@ Mat3x4 response(const RowEnds& of, const RowEnds& by, const Mat3x4& G, const Vec
 }
 
 void add(Mat3& block, bool first, const Row& row, const Articulate& a, const Mat3& k) {
-  const Mat3 part = row.kind == RowKind::rigid ? k : condition(a, row).M * k;
+  const Mat3 part = is_rigid(row) ? k : condition(a, row).M * k;
   block = first ? part : block + part;
 }
 
@@ -99,7 +100,7 @@ void finish_diagonal(Articulate& a, std::uint32_t k, const System& system) {
   const Row& row = a.rows[k];
   Mat3& d = a.factor.diagonal[k];
   const double own = trace(d) / 3.0;
-  if (row.kind != RowKind::rigid) d += condition(a, row).C * system.scale;
+  if (!is_rigid(row)) d += condition(a, row).C * system.scale;
   double compliance = system.epsilon * trace(d) / 3.0;
   if (!a.hubs.empty()) {
     // A hub gives nothing to the diagonal. A row between hubs has the compliance for a pivot: less would lose more digits.
@@ -129,8 +130,8 @@ void set_right_side(Articulate& a, std::uint32_t k, const System& system) {
   const Row& row = a.rows[k];
   Vec3 side = row.residual;
   if (system.right == Arms::mean) {
-    side += row.kind == RowKind::rigid ? handed_over(a, k) : condition(a, row).M * handed_over(a, k);
-    if (row.kind == RowKind::coupled)
+    side += is_rigid(row) ? handed_over(a, k) : condition(a, row).M * handed_over(a, k);
+    if (is_coupled(row))
       if (const Coupling* coupled = coupling_of_head(a, k))
         side += into_head(a, *coupled, [&](const Row& other) { return handed_over(a, condition(a, other).row); });
   }
@@ -212,7 +213,7 @@ bool factorise(Articulate& a, const System& system) {
       for (; hub != a.hubs.end() && hub->node / batch_size == done.batches; ++hub) add_hub(a, *hub, W, system.right);
     }
     for (; done.rows < tile.rows; done.rows++) {
-      if (a.rows[done.rows].kind == RowKind::coupled)
+      if (is_coupled(a.rows[done.rows]))
         if (const Coupling* coupled = coupling_of_head(a, done.rows)) add_coupled_blocks(a, *coupled, system);
       finish_diagonal(a, done.rows, system);
       set_right_side(a, done.rows, system);
@@ -247,7 +248,7 @@ double mobility(const Articulate& a, const Row& row) {
   if (row.lever > 0.0) {
     const auto turning = [&](std::int32_t node, Vec3 axis) {
       const Vec3 inverse = a.nodes[static_cast<std::size_t>(node)].inverse_inertia;
-      return row.kind == RowKind::turn ? dot(inverse, axis * axis) : trace(diagonal(inverse)) / 3.0;
+      return row.rule->about_axis ? dot(inverse, axis * axis) : trace(diagonal(inverse)) / 3.0;
     };
     const double first = turning(row.a, row.la);
     return (row.b < 0 ? first : first + turning(row.b, row.lb)) * row.lever * row.lever;

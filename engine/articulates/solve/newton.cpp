@@ -63,7 +63,7 @@ class Evaluation {
   void row(std::size_t k) {
     Row& row = a_.rows[k];
     place_row_at_end(a_, k);
-    if (row.kind != RowKind::rigid) return count(worst_, residual(a_, row, h_));
+    if (!is_rigid(row)) return count(worst_, residual(a_, row, h_));
     row.residual = a_.offsets ? row.d1 - row.offset : row.d1;
     count(worst2_, norm2(row.residual));
   }
@@ -266,6 +266,9 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   return e <= 100.0 * tolerance;
 }
 
+/// Whether the position of its condition, which may move, says where its first point is to be.
+bool keeps_to_position(const Row& row) { return row.b < 0 || row.rule->keeps_apart; }
+
 /// Velocity of a point at the start, [m/s].
 Vec3 start_velocity(const Node& n, Vec3 l) {
   return n.p0 * n.inverse_mass + (n.turns ? n.R0 * cross(n.O0, l) : zero3());
@@ -288,7 +291,7 @@ void place_rows_at_start(Articulate& a) {
       continue;
     }
     row.d0 = a.at_ends[2 * k] - (row.b >= 0 ? a.at_ends[2 * k + 1] : condition(a, row).position0);
-    if (row.kind != RowKind::stiff) continue;
+    if (!pulls_by_law(row)) continue;
     Vec3 v = start_velocity(first(a, row), row.la);
     if (row.b >= 0) v -= start_velocity(second(a, row), row.lb);
     start_stiff(*condition(a, row).stiff, row, dot(row.d0, v));
@@ -313,13 +316,12 @@ void add_unsolved_work(const Articulate& a, double h, DriftReport& report) {
     const double size = std::max(largest(first(a, r).x0), norm(r.d1));
     report.round_off += std::numeric_limits<double>::epsilon() * norm(r.f) * size;
     const bool told = r.condition >= 0 && condition(a, r).works;
-    if (r.kind == RowKind::stiff || (told && r.lever > 0.0)) continue;
+    if (pulls_by_law(r) || (told && r.lever > 0.0)) continue;
     if (r.lever > 0.0) {
       report.unsolved += work_of_angular_row(a, r);
       continue;
     }
-    const Vec3 position =
-        r.b < 0 || r.kind == RowKind::attract ? condition(a, r).position1 - condition(a, r).position0 : zero3();
+    const Vec3 position = keeps_to_position(r) ? condition(a, r).position1 - condition(a, r).position0 : zero3();
     const Vec3 by = moved(r.a, r.la) - (r.b >= 0 ? moved(r.b, r.lb) : zero3()) - position;
     report.unsolved += dot(r.f, told ? by - (r.d1 - r.d0) : by);
   }
@@ -341,7 +343,7 @@ void add_work_of_rows(Articulate& a, DriftReport& report) {
       c.mean_rate = c.stiff->mean_rate;
       continue;
     }
-    if ((r.b < 0 || r.kind == RowKind::attract) && r.lever == 0.0) report.work += dot(r.f, c.position1 - c.position0);
+    if (keeps_to_position(r) && r.lever == 0.0) report.work += dot(r.f, c.position1 - c.position0);
     if (!c.works) continue;
     const bool still = c.whole_length0 == c.whole_length1;
     double& line = c.ranged && still ? report.limit : r.lever > 0.0 ? report.motor : report.work;

@@ -24,7 +24,7 @@ void find_forbidden_velocity(Articulate& a, std::size_t k) {
   if (row.condition < 0) return;
   const Condition& c = condition(a, row);
   row.residual -= c.wanted;
-  if (row.kind != RowKind::rigid) row.residual = c.kept * row.residual;
+  if (!is_rigid(row)) row.residual = c.kept * row.residual;
 }
 
 /// Of a coupling's head that of the sum; of its other rows 0, which have the head's impulse.
@@ -41,11 +41,11 @@ void find_kept(Articulate& a) {
   for (Condition& c : a.conditions) c.wanted = c.velocity;
   if (a.all_rigid) return;
   for (Row& row : a.rows) {
-    if (row.kind == RowKind::rigid) continue;
+    if (is_rigid(row)) continue;
     Condition& c = condition(a, row);
     const bool held = c.held;
     c.held = held && !c.gives_way;
-    rule(row).project(row, c);
+    row.rule->project(row, c);
     c.held = held;
   }
   project_couplings(a);
@@ -80,7 +80,7 @@ Velocities find_velocities(Articulate& a, From from, bool serves = false) {
     for (; done.rows < tile.rows; done.rows++) {
       Row& row = a.rows[done.rows];
       find_forbidden_velocity(a, done.rows);
-      if (row.kind == RowKind::coupled) row.residual = forbidden_of_coupling(a, done.rows);
+      if (is_coupled(row)) row.residual = forbidden_of_coupling(a, done.rows);
       v.forbidden = std::max(v.forbidden, norm2(row.residual));
       a.right_side[done.rows] = row.residual * -1.0;
     }
@@ -136,7 +136,7 @@ ImpulseWork work_of_impulses(const Articulate& a, const Velocities& v) {
 
 /// The solved impulse of a row, along what it may forbid.
 Vec3 solved_impulse(const Articulate& a, std::uint32_t k) {
-  if (a.rows[k].kind == RowKind::rigid) return a.right_side[k];
+  if (is_rigid(a.rows[k])) return a.right_side[k];
   return condition(a, a.rows[k]).kept * a.right_side[k];
 }
 
@@ -172,9 +172,8 @@ void factorise_exactly(Articulate& a, double epsilon) {
 
 /// Whether the rows of Newton's matrix forbid the velocities that projections do.
 bool forbids_as_newton(const Articulate& a) {
-  return a.all_rigid || std::all_of(a.rows.begin(), a.rows.end(), [](const Row& row) {
-           return row.kind == RowKind::rigid || row.kind == RowKind::axis;
-         });
+  return a.all_rigid ||
+         std::all_of(a.rows.begin(), a.rows.end(), [](const Row& row) { return row.rule->forbids_as_newton; });
 }
 
 /// Whether the step's own factor, a cheap approximation of S1, may serve.
@@ -207,8 +206,7 @@ void carry_half(Articulate& a, double h) {
   for (std::size_t k = 0; k < a.rows.size(); k++) a.symmetric[k] = (a.symmetric[k] + a.impulses[k]) * 0.5;
   a.symmetric_work = {};
   for (const Condition& c : a.conditions)
-    if (row(a, c).kind != RowKind::rigid)
-      a.symmetric[c.row] = c.kept * a.symmetric[c.row];  // earlier ones were along others
+    if (!is_rigid(row(a, c))) a.symmetric[c.row] = c.kept * a.symmetric[c.row];  // earlier ones were along others
   for (const Coupling& coupled : a.couplings)
     for (std::uint32_t k : coupled.rows)
       if (k != coupled.head) a.symmetric[k] = condition(a, a.rows[k]).from_head * a.symmetric[coupled.head] * -1.0;
@@ -231,7 +229,7 @@ bool is_one_sided(const Articulate& a) {
 
 void set_kept_matrices(Articulate& a) {
   for (Row& row : a.rows) {
-    if (row.kind == RowKind::rigid) continue;
+    if (is_rigid(row)) continue;
     Condition& c = condition(a, row);
     c.M = c.kept;
     c.C = identity33() - c.kept;

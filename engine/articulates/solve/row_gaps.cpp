@@ -6,26 +6,26 @@
 namespace pantin {
 
 double residual(Articulate& a, Row& row, double h) {
-  if (row.kind == RowKind::rigid) {
+  if (is_rigid(row)) {
     row.residual = row.d1 - row.offset;
     return norm(row.residual);
   }
-  return rule(row).evaluate(row, condition(a, row), {h, mobility(a, row)});
+  return row.rule->evaluate(row, condition(a, row), {h, mobility(a, row)});
 }
 
 Vec3 gap(const Articulate& a, const Row& row) {
-  if (row.kind == RowKind::rigid) return row.d1 - row.offset;
-  if (row.kind == RowKind::coupled) return coupling_gap_of(a, row);
-  return rule(row).gap(row, condition(a, row));
+  if (is_rigid(row)) return row.d1 - row.offset;
+  if (is_coupled(row)) return coupling_gap_of(a, row);
+  return row.rule->gap(row, condition(a, row));
 }
 
 Stop stop(const Articulate& a, const Row& row) {
-  return row.kind == RowKind::coupled ? coupling_stop(a, row) : rule(row).stop(row, condition(a, row));
+  return is_coupled(row) ? coupling_stop(a, row) : row.rule->stop(row, condition(a, row));
 }
 
 void accept_gap(Articulate& a, Row& row) {
   const Vec3 open = gap(a, row);
-  if (rule(row).offsets_gap) {
+  if (row.rule->offsets_gap) {
     row.offset += open;
     return;
   }

@@ -42,7 +42,7 @@ ScalarRow row_of(const Articulate& a, const Coupling& coupling) {
 ScalarRow row_of_stop(const Row& row, Condition c, Stop stop) {
   c.held = true;
   c.wanted = c.velocity;
-  rule(row).project(row, c);
+  row.rule->project(row, c);
   ScalarRow s;
   s.parts.push_back({c.row, stop.inward});
   s.wanted = dot(c.wanted, stop.inward);
@@ -54,7 +54,7 @@ ScalarRow row_of_stop(const Row& row, Condition c, Stop stop) {
 ScalarRow row_of_motor(const Row& row, Condition c) {
   c.held = true;
   c.wanted = zero3();
-  rule(row).project(row, c);
+  row.rule->project(row, c);
   ScalarRow s;
   s.parts.push_back({c.row, axis_of(c.kept)});
   s.wanted = dot(c.wanted, s.parts.front().along);
@@ -94,7 +94,7 @@ std::vector<ScalarRow> scalar_rows(Articulate& a) {
   for (const Coupling& coupling : a.couplings) all.push_back(row_of(a, coupling));
   for (const Condition& c : a.conditions) {
     const Row& r = row(a, c);
-    if (c.stiff || r.kind == RowKind::coupled || r.kind == RowKind::rigid || !is_bounded(c)) continue;
+    if (c.stiff || is_coupled(r) || is_rigid(r) || !is_bounded(c)) continue;
     if (!c.ranged) {
       all.push_back(row_of_motor(r, c));
       continue;

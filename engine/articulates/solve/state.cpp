@@ -68,7 +68,7 @@ void store(const Articulate& a, Model& model) {
     if (row.centre) model.points[row.centre].row_force = zero3();
   for (std::size_t k = 0; k < a.rows.size(); k++) {
     const Row& row = a.rows[k];
-    if (row.kind == RowKind::stiff) continue;
+    if (pulls_by_law(row)) continue;
     const Vec3 f = exerted_force(a, k);
     if (row.condition >= 0) {
       if (!model.constraints.alive(condition(a, row).constraint)) continue;  // it broke in this step
@@ -94,7 +94,7 @@ void add_forces_exerted(Articulate& a, double h) {
 
 void tell_tensions(const Articulate& a, Model& model) {
   for (const Row& row : a.rows)
-    if (row.kind == RowKind::stiff)
+    if (pulls_by_law(row))
       model.connections[condition(a, row).stiff->connection].tension = -dot(row.f, direction(row.d1));
 }
 
@@ -120,7 +120,7 @@ namespace {
 
 double told_gap(const Articulate& a, const Row& row, double open) {
   const double all = open + norm(row.offset) + std::fabs(condition(a, row).accepted);
-  return row.kind == RowKind::coupled ? all * told_by_head(a, row) : all;
+  return is_coupled(row) ? all * told_by_head(a, row) : all;
 }
 
 }  // namespace
@@ -131,7 +131,7 @@ void measure_gaps(Articulate& a) {
     if (is_soft(row)) continue;
     const double open = norm(gap(a, row));
     a.gaps.open = std::max(a.gaps.open, open);
-    if (row.kind == RowKind::rigid && row.lever == 0.0)
+    if (is_rigid(row) && row.lever == 0.0)
       a.gaps.points = std::max(a.gaps.points, norm(row.d1));
     else
       a.gaps.rods = std::max(a.gaps.rods, told_gap(a, row, open));
