@@ -19,7 +19,7 @@ using Catch::Contains;
 
 TEST_CASE("A body of two boxes splits by its points: each box goes with the point in it, and weighs what it did") {
   Weightless world;
-  BodyDef def = thrown({shape(box(1, 1, 1)), shape(box(1, 2, 3), vec(3, 0, 0), 500)});
+  BodyDef def = thrown({thrown_shape(box(1, 1, 1)), thrown_shape(box(1, 2, 3), vec(3, 0, 0), 500)});
   def.points = {point(zero3()), point(vec(3, 0, 0))};
   const BodyId body = add_body(world, def);
   const ShapeId first = world.bodies[body].shapes[0], second = world.bodies[body].shapes[1];
@@ -40,7 +40,7 @@ TEST_CASE("A body of two boxes splits by its points: each box goes with the poin
 
 TEST_CASE("A shape with points of both parts in it, or without mass for a part, is told and nothing is changed") {
   Weightless world;
-  BodyDef def = thrown({shape(box(4, 1, 1))});
+  BodyDef def = thrown({thrown_shape(box(4, 1, 1))});
   def.points = {point(zero3()), point(vec(1, 0, 0))};
   def.name = "plank";
   const BodyId body = add_body(world, def);
@@ -58,7 +58,7 @@ TEST_CASE("A shape with points of both parts in it, or without mass for a part, 
 
 TEST_CASE("A plane cuts a box in halves of half its mass, whose moments are those of boxes") {
   Weightless world;
-  BodyDef def = thrown({shape(box(2, 1, 1))});
+  BodyDef def = thrown({thrown_shape(box(2, 1, 1))});
   def.mass = 6;
   const BodyId body = add_body(world, def);
   const Vec3 normal = rotate(def.orientation, vec(1, 0, 0));
@@ -77,7 +77,8 @@ TEST_CASE("A plane cuts a box in halves of half its mass, whose moments are thos
 
 TEST_CASE("A plane leaves round shapes whole where they are on one side") {
   Weightless world;
-  const BodyId body = add_body(world, thrown({shape(BallShape{0.5}), shape(BallShape{0.5}, vec(2, 0, 0))}));
+  const BodyId body =
+      add_body(world, thrown({thrown_shape(BallShape{0.5}), thrown_shape(BallShape{0.5}, vec(2, 0, 0))}));
   const Vec3 x = rotate(orientation(world, body), vec(1, 0, 0)), at = origin(world, body);
   CHECK_THROWS_WITH(split(world, body, at + x * 9.0, x), Contains("leaves all of body") && Contains("on one side"));
   CHECK_THROWS_WITH(split(world, body, at, zero3()), Contains("normal must have a length > 0"));
@@ -89,7 +90,7 @@ TEST_CASE("A plane leaves round shapes whole where they are on one side") {
 
 TEST_CASE("Merging and splitting again gives what there was, with given masses, too") {
   Weightless world;
-  BodyDef def = thrown({shape(box(1, 2, 1))});
+  BodyDef def = thrown({thrown_shape(box(1, 2, 1))});
   def.mass = 3;
   def.points = {point(zero3())};
   const BodyId a = add_body(world, def);
@@ -114,7 +115,7 @@ TEST_CASE("Two cubes that freeze side by side are a box of both") {
   const GroupId group = add_group(world, "both");
   for (double x : {-0.5, 0.5}) {
     BodyDef def;
-    def.shapes = {shape(box(1, 1, 1))};
+    def.shapes = {thrown_shape(box(1, 1, 1))};
     def.at = vec(x, 0, 0);
     add_to_group(world, group, add_body(world, def));
   }
@@ -131,8 +132,8 @@ TEST_CASE("What shatters keeps mass, centre, momenta and kinetic energy; its pie
   for (int i = 0; i < 30; i++) corners.push_back(make.place(1.0));
   const auto hull = make_hull(corners);
   for (const std::vector<ShapeDef>& shapes :
-       {std::vector{shape(box(2, 0.1, 2))}, std::vector{shape(hull)},
-        std::vector{shape(box(1, 1, 1)), shape(box(0.5, 2, 0.5), vec(0, 1.5, 0), 7000)}})
+       {std::vector{thrown_shape(box(2, 0.1, 2))}, std::vector{thrown_shape(hull)},
+        std::vector{thrown_shape(box(1, 1, 1)), thrown_shape(box(0.5, 2, 0.5), vec(0, 1.5, 0), 7000)}})
     for (std::size_t pieces : {2u, 5u, 40u})
       for (const bool near : {false, true}) {
         Weightless world;
@@ -157,7 +158,7 @@ TEST_CASE("What shatters keeps mass, centre, momenta and kinetic energy; its pie
 TEST_CASE("Points, and hinges that hold them, go with the piece that they are in") {
   Weightless world;
   BodyDef def;
-  def.shapes = {shape(box(2, 0.2, 2))};
+  def.shapes = {thrown_shape(box(2, 0.2, 2))};
   def.mass = 100;
   for (double x : {-1.0, 1.0}) def.points.push_back(point(vec(x, 0.1, 1), 0.5));
   const BodyId plate = add_body(world, def);
@@ -182,7 +183,7 @@ TEST_CASE("In a plane pieces are prisms, and their moments add up") {
   Weightless world;
   set_plane(world, Plane{2});
   BodyDef def;
-  def.shapes = {shape(box(2, 1, 1))};
+  def.shapes = {thrown_shape(box(2, 1, 1))};
   def.at = vec(3, 1, 0);
   def.spin = vec(0, 0, 2);
   def.velocity = vec(1, 0, 0);
@@ -203,16 +204,16 @@ TEST_CASE("In a plane pieces are prisms, and their moments add up") {
 
 TEST_CASE("What cannot shatter into pieces is told, and the scene is as it was") {
   Weightless world;
-  BodyDef def = thrown({shape(box(1, 1, 1))});
+  BodyDef def = thrown({thrown_shape(box(1, 1, 1))});
   const BodyId cube = add_body(world, def);
   def.points = {point(zero3(), 1.0), point(vec(0.1, 0, 0), 1.0)};
   const BodyId weighed = add_body(world, def);
   def.points.clear();
   def.inertia = diagonal(vec(300, 300, 300));
   const BodyId odd = add_body(world, def);
-  const BodyId two = add_body(
-      world, thrown({shape(box(1, 1, 1)), shape(box(1, 1, 1), vec(1, 0, 0)), shape(box(1, 1, 1), vec(2, 0, 0))}));
-  BodyDef sensing = thrown({shape(box(1, 1, 1))});
+  const BodyId two = add_body(world, thrown({thrown_shape(box(1, 1, 1)), thrown_shape(box(1, 1, 1), vec(1, 0, 0)),
+                                             thrown_shape(box(1, 1, 1), vec(2, 0, 0))}));
+  BodyDef sensing = thrown({thrown_shape(box(1, 1, 1))});
   sensing.shapes[0].sensor = true;
   const BodyId sensor = add_body(world, sensing);
   const std::uint64_t before = state_hash(world);
@@ -235,7 +236,7 @@ TEST_CASE("What cannot shatter into pieces is told, and the scene is as it was")
 namespace {
 
 void add_ground(World& world) {
-  ShapeDef floor = shape(HalfSpaceShape{});
+  ShapeDef floor = thrown_shape(HalfSpaceShape{});
   const double up = -M_PI / 4;
   floor.orientation = {std::cos(up), std::sin(up), 0, 0};
   add_shape(world, floor);
@@ -247,7 +248,7 @@ struct Heap : World {
     add_ground(*this);
     for (int i = 0; i < 12; i++) {
       BodyDef def;
-      def.shapes = {shape(box(1, 0.5, 0.7))};
+      def.shapes = {thrown_shape(box(1, 0.5, 0.7))};
       def.at = vec(0.3 * (i % 3), 0.4 + 0.6 * i, 0.2 * (i % 2));
       def.spin = vec(0.1 * i, 1, 0);
       add_body(*this, def);
@@ -292,7 +293,7 @@ TEST_CASE("A cube at rest that shatters where it stands gains no energy, and not
   World world;
   add_ground(world);
   BodyDef def;
-  def.shapes = {shape(box(1, 1, 1))};
+  def.shapes = {thrown_shape(box(1, 1, 1))};
   def.at = vec(0, 0.5, 0);
   const BodyId cube = add_body(world, def);
   for (int i = 0; i < 30; i++) step(world);

@@ -16,7 +16,7 @@ TEST_CASE("What is round is cut and shatters into hulls of its mass, and momenta
   for (const Geometry& geometry : round)
     for (const bool breaks : {false, true}) {
       Weightless world;
-      const BodyId body = add_body(world, thrown({shape(geometry)}));
+      const BodyId body = add_body(world, thrown({thrown_shape(geometry)}));
       const double joules = kinetic(world);
       expect_balances_kept(world, [&] {
         if (breaks)
@@ -37,7 +37,7 @@ TEST_CASE(
     "Halving a ball that only spins changes its kinetic energy by 2.3 %, as its moments do, and the ledger has it") {
   Weightless world;
   keep_ledger(world);
-  BodyDef def = thrown({shape(BallShape{0.5})});
+  BodyDef def = thrown({thrown_shape(BallShape{0.5})});
   def.velocity = zero3();
   const BodyId ball = add_body(world, def);
   step(world);
@@ -51,7 +51,7 @@ TEST_CASE(
 
 TEST_CASE("A cylinder cut across is two cylinders, with the moments of such") {
   Weightless world;
-  const BodyId body = add_body(world, thrown({shape(CylinderShape{0.3, 1.0})}));
+  const BodyId body = add_body(world, thrown({thrown_shape(CylinderShape{0.3, 1.0})}));
   const Vec3 axis = rotate(orientation(world, body), vec(0, 0, 1));
   const double joules = kinetic(world), mass = world.motion_of(body).mass;
   BodyId front;
@@ -64,14 +64,14 @@ TEST_CASE("A cylinder cut across is two cylinders, with the moments of such") {
 
 TEST_CASE("Welds and motors go with the part that has their anchor; what no part has ends, and the log says so") {
   Weightless world;
-  BodyDef def = thrown({shape(box(4, 1, 1))});
+  BodyDef def = thrown({thrown_shape(box(4, 1, 1))});
   def.spin = zero3();
   def.velocity = zero3();
   def.points = {point(vec(2, 0, 0))};
   const BodyId plank = add_body(world, def);
   const auto at = [&](double x) { return def.at + rotate(def.orientation, vec(x, 0, 0)); };
   BodyDef cube = def;
-  cube.shapes = {shape(box(1, 1, 1))};
+  cube.shapes = {thrown_shape(box(1, 1, 1))};
   cube.points = {point(vec(-0.5, 0, 0))};
   cube.at = at(2.5);
   const BodyId wheel = add_body(world, cube);

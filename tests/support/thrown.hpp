@@ -11,7 +11,7 @@
 
 namespace pantin {
 
-inline ShapeDef shape(Geometry geometry, Vec3 at = zero3(), double density = 1000.0) {
+inline ShapeDef thrown_shape(Geometry geometry, Vec3 at = zero3(), double density = 1000.0) {
   ShapeDef def;
   def.geometry = std::move(geometry);
   def.at = at;
