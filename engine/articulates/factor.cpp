@@ -29,10 +29,13 @@ Mat3 inverse_ldu(const Mat3& a, Vec3 whole, double redundant, bool& weak) {
 
 }  // namespace
 
-bool Factor::eliminate(std::uint32_t k, const std::uint32_t*& to, double redundant) {
+template <bool symmetric>
+bool Factor::eliminate_column(std::uint32_t k, const std::uint32_t*& to, double redundant) {
   bool weak_pivot = false;
   const Mat3 pivot = diagonal[k] = inverse_ldu(diagonal[k], whole[k], redundant, weak_pivot);
   const std::uint32_t begin = first[k], count = first[k + 1] - begin;
+  if (symmetric)
+    for (std::uint32_t i = 0; i < count; i++) upper[begin + i] = transpose(lower[begin + i]);
   if (count == 1) {  // chains and trees
     const Mat3 l = lower[begin] * pivot;
     diagonal[*to++ & ~on_diagonal] -= l * upper[begin];
@@ -50,13 +53,20 @@ bool Factor::eliminate(std::uint32_t k, const std::uint32_t*& to, double redunda
       }
       if (t & is_first) lower[block] = upper[block] = zero33();
       lower[block] -= scratch[i] * upper[begin + j];
-      upper[block] -= scratch[j] * upper[begin + i];
+      if (!symmetric) upper[block] -= scratch[j] * upper[begin + i];
     }
   for (std::uint32_t i = 0; i < count; i++) {
     lower[begin + i] = scratch[i];
     upper[begin + i] = pivot * upper[begin + i];
   }
   return weak_pivot;
+}
+
+bool Factor::eliminate(std::uint32_t k, const std::uint32_t*& to, double redundant) {
+  return eliminate_column<false>(k, to, redundant);
+}
+bool Factor::eliminate_symmetric(std::uint32_t k, const std::uint32_t*& to, double redundant) {
+  return eliminate_column<true>(k, to, redundant);
 }
 
 void Factor::substitute_forward(std::uint32_t k, Vec3* y) const {

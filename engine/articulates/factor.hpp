@@ -28,9 +28,15 @@ struct Factor {
   /// Eliminates one column, all before it being done. `to` runs along `target`. A pivot below
   /// `redundant` of the whole is of a redundant row: its inverse is 0. Returns whether a pivot is weak.
   bool eliminate(std::uint32_t column, const std::uint32_t*& to, double redundant);
+  /// The same where all is symmetric: `upper` need not be set.
+  bool eliminate_symmetric(std::uint32_t column, const std::uint32_t*& to, double redundant);
   /// The parts of a solution in place, `y` (rows): columns rising, then columns falling.
   void substitute_forward(std::uint32_t column, Vec3* y) const;
   void substitute_back(std::uint32_t column, Vec3* y) const;
+
+ private:
+  template <bool symmetric>
+  bool eliminate_column(std::uint32_t column, const std::uint32_t*& to, double redundant);
 };
 
 /// Lists of rows, one after the other.

@@ -29,11 +29,12 @@ IslandBody body_of(const BodyState& s, Vec3 velocity, double reach) {
     if (s.mobility[i] > 0.0) continue;
     inertia[i] = s.mass;  // of no effect
     turning[i] = 0.0;
+    b.turns_anyhow = false;
   }
   b.inertia = in_world(s.R, inertia);
   for (int i = 0; i < 3; i++) b.root[i] = s.R[i] * std::sqrt(s.mobility[i]);
   b.mobility = times_transposed(b.root, b.root);
-  b.turning = in_world(s.R, turning);
+  if (!b.turns_anyhow) b.turning = in_world(s.R, turning);
   b.reach = reach;
   b.v0 = velocity;
   b.w0 = s.w;

@@ -26,7 +26,8 @@ struct IslandBody {
   Mat3 inertia = identity33(),
        mobility = zero33();         ///< [kg m²] and its inverse, world axes; mobility 0 where it cannot turn
   Mat3 root = zero33();             ///< mobility = root root'
-  Mat3 turning = identity33();      ///< projects on the axes that it can turn about
+  Mat3 turning = identity33();      ///< projects on the axes that it can turn about:
+  bool turns_anyhow = true;         ///< on all
   double reach = 0.0;               ///< [m] makes a speed of a spin, where residuals are measured
   Vec3 v0 = zero3(), w0 = zero3();  ///< [m/s], [rad/s] without impulses
   Vec3 v = zero3(), w = zero3();

@@ -84,11 +84,12 @@ struct Sums {
   const ContactIsland& island;
   const Layout& layout;
   std::vector<Mat3>&diagonal, &lower, &upper;
+  bool symmetric = false;  // nothing is put above the diagonal
 
   /// Adds the entry (row, column) and its opposite, which share a block of the pattern.
   void add(std::uint32_t block, bool below, const Mat3& entry, const Mat3& opposite) {
     lower[block] += below ? entry : opposite;
-    upper[block] += below ? opposite : entry;
+    if (!symmetric) upper[block] += below ? opposite : entry;
   }
 };
 
@@ -100,16 +101,24 @@ void add_own(Sums to, std::int32_t body, const Mat3& ll, const Mat3& al, const M
   to.add(to.layout.own[number(body)], a > l, al, la);
 }
 
-/// Adds J' K J of a stiffness between two points: of a body with J = [1, -r^ T], T its `turning`. K need not be symmetric.
+/// Adds J' K J of a stiffness between two points: of a body with J = [1, -r^ T], T its `turning`.
 void add_points(Sums to, const IslandPair& p, const PairBlocks& blocks, const Mat3& K) {
-  const auto before = [](const Mat3& T, Vec3 r, const Mat3& k) { return T * turned_by(r, k); };  // T r^ k
-  const auto behind = [&](const Mat3& k, Vec3 r, const Mat3& T) { return transpose(before(T, r, transpose(k))); };
-  const Mat3 &Ta = to.island.bodies[number(p.a)].turning, Ka = before(Ta, p.ra, K), aK = behind(K, p.ra, Ta);
-  add_own(to, p.a, K, Ka, aK, behind(Ka, p.ra, Ta));
+  const auto before = [](const IslandBody& b, Vec3 r, const Mat3& k) {  // T r^ k
+    return b.turns_anyhow ? turned_by(r, k) : b.turning * turned_by(r, k);
+  };
+  const auto behind = [&](const Mat3& k, Vec3 r, const IslandBody& b) { return transpose(before(b, r, transpose(k))); };
+  const auto opposite = [&](const Mat3& entry, Vec3 r, const IslandBody& b) {
+    return to.symmetric ? transpose(entry) : behind(K, r, b);
+  };
+  const IslandBody& a = to.island.bodies[number(p.a)];
+  const Mat3 Ka = before(a, p.ra, K), aK = opposite(Ka, p.ra, a);
+  add_own(to, p.a, K, Ka, aK, behind(Ka, p.ra, a));
   if (p.b < 0) return;
-  const Mat3 &Tb = to.island.bodies[number(p.b)].turning, Kb = before(Tb, p.rb, K), bK = behind(K, p.rb, Tb);
-  add_own(to, p.b, K, Kb, bK, behind(Kb, p.rb, Tb));
-  const Mat3 entries[4] = {K, bK, Ka, behind(Ka, p.rb, Tb)}, opposites[4] = {K, Kb, aK, behind(Kb, p.ra, Ta)};
+  const IslandBody& b = to.island.bodies[number(p.b)];
+  const Mat3 Kb = before(b, p.rb, K), bK = opposite(Kb, p.rb, b), both = behind(Ka, p.rb, b);
+  add_own(to, p.b, K, Kb, bK, behind(Kb, p.rb, b));
+  const Mat3 entries[4] = {K, bK, Ka, both},
+             opposites[4] = {K, Kb, aK, to.symmetric ? transpose(both) : behind(Kb, p.ra, a)};
   for (std::size_t i = 0; i < 4; i++)
     to.add(blocks.block[i], blocks.a_below[i], entries[i] * -1.0, opposites[i] * -1.0);
 }
@@ -239,12 +248,12 @@ void set_base(const ContactIsland& island, Layout& layout, double tie_stiffness)
 }
 
 void factorise(const ContactIsland& island, Layout& layout, std::span<const Mat3> stiffness,
-               std::span<const Mat3> roll_stiffness, std::span<const double> scalar_stiffness) {
+               std::span<const Mat3> roll_stiffness, std::span<const double> scalar_stiffness, bool symmetric) {
   Factor& f = layout.factor;
   std::copy(layout.base_diagonal.begin(), layout.base_diagonal.end(), f.diagonal.begin());
   std::copy(layout.base_lower.begin(), layout.base_lower.end(), f.lower.begin());
-  std::copy(layout.base_upper.begin(), layout.base_upper.end(), f.upper.begin());
-  const Sums sums{island, layout, f.diagonal, f.lower, f.upper};
+  if (!symmetric) std::copy(layout.base_upper.begin(), layout.base_upper.end(), f.upper.begin());
+  const Sums sums{island, layout, f.diagonal, f.lower, f.upper, symmetric};
   for (std::size_t k = 0; k < stiffness.size(); k++)
     add_points(sums, island.contacts[k], layout.contact_blocks[k], stiffness[k]);
   for (std::size_t k = 0; k < roll_stiffness.size(); k++) {
@@ -260,7 +269,10 @@ void factorise(const ContactIsland& island, Layout& layout, std::span<const Mat3
   for (std::size_t i = 0; i < f.diagonal.size(); i++)
     f.whole[i] = vec(f.diagonal[i][0][0], f.diagonal[i][1][1], f.diagonal[i][2][2]);
   const std::uint32_t* to = f.target.data();
-  for (std::uint32_t k = 0; k < f.rows; k++) f.eliminate(k, to, 0.0);
+  if (symmetric)
+    for (std::uint32_t k = 0; k < f.rows; k++) f.eliminate_symmetric(k, to, 0.0);
+  else
+    for (std::uint32_t k = 0; k < f.rows; k++) f.eliminate(k, to, 0.0);
 }
 
 void solve(const ContactIsland& island, Layout& layout, std::span<const BodyLoad> load, std::span<BodyLoad> change) {

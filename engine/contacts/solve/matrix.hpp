@@ -13,9 +13,9 @@ void lay_out_ties(ContactIsland& island);
 /// Sets the part of masses and ties, with stiffness `tie_stiffness` / w of each tie [kg].
 void set_base(const ContactIsland& island, Layout& layout, double tie_stiffness);
 /// Factorises the base with stiffnesses in world axes, by index, or none at all: of contacts [kg], of rolls [kg m²], of scalars
-/// within bounds [kg].
+/// within bounds [kg]. Where these are symmetric that takes some half of the time.
 void factorise(const ContactIsland& island, Layout& layout, std::span<const Mat3> stiffness,
-               std::span<const Mat3> roll_stiffness, std::span<const double> scalar_stiffness);
+               std::span<const Mat3> roll_stiffness, std::span<const double> scalar_stiffness, bool symmetric);
 /// Solves for the change of velocities [m/s], [rad/s] that these make.
 void solve(const ContactIsland& island, Layout& layout, std::span<const BodyLoad> load, std::span<BodyLoad> change);
 

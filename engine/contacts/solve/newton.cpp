@@ -195,7 +195,8 @@ struct Newton {
       if (scalars_used[k].stiffness < 1e-12) scalars_used[k].stiffness = 0.0;
       scalar_stiffness.push_back(scalars_used[k].stiffness / island.scalars[k].w);
     }
-    factorise(island, island.all, stiffness, roll_stiffness, scalar_stiffness);
+    const bool symmetric = std::none_of(used.begin(), used.end(), [](const Linear& l) { return l.follows != 0.0; });
+    factorise(island, island.all, stiffness, roll_stiffness, scalar_stiffness, symmetric);
   }
   void move_rolls() {
     for (std::size_t k = 0; k < roll_laws.size(); k++) {

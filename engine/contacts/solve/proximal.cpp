@@ -151,7 +151,7 @@ struct Proximal {
     project_all();
     for (std::uint32_t step = 0; step < most_steps; step++) {
       if (unmoved() <= enough) return step;
-      factorise(island, island.all, slopes, roll_slopes, scalar_slopes);
+      factorise(island, island.all, slopes, roll_slopes, scalar_slopes, true);
       solve(island, island.all, load, change);
       const double first = slope_along();
       if (!(first < 0.0)) return step;

@@ -12,7 +12,7 @@ void answer_of_ties(ContactIsland& island, std::vector<BodyLoad>& loads) {
   if (!island.ties_prepared) {
     lay_out_ties(island);
     set_base(island, island.ties_alone, tie_stiffness);
-    factorise(island, island.ties_alone, {}, {}, {});
+    factorise(island, island.ties_alone, {}, {}, {}, true);
     island.ties_prepared = true;
   }
   loads.assign(island.bodies.size(), {});
