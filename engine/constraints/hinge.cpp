@@ -14,6 +14,6 @@ void read_chord(Row& row, Condition& condition, const Orientations& nodes) {
 
 }  // namespace
 
-const RowRule rigid_row = {.rigid = true, .forbids_as_newton = true, .offsets_gap = true, .read_turn = read_chord};
+const RowRule rigid_row = {.forbids_as_newton = true, .offsets_gap = true, .read_turn = read_chord};
 
 }  // namespace pantin

@@ -28,7 +28,6 @@ struct Orientations {
 
 /// What is left out is not so, or nothing.
 struct RowRule {
-  bool rigid = false;              ///< d1 is to be `offset`: M and `kept` are 1, C is 0, and left out of products
   bool soft = false;               ///< forbids no motion, and only pulls
   bool by_law = false;             ///< pulls by the law of a connection: no constraint made it
   bool coupled = false;            ///< its value is one of several that add up, evaluated together by its articulate
@@ -43,13 +42,13 @@ struct RowRule {
   /// Of an angular row: sets d1, or the angle, at the end of the step.
   void (*read_turn)(Row& row, Condition& condition, const Orientations& orientations) = [](Row&, Condition&,
                                                                                            const Orientations&) {};
-  /// Sets residual, M and C from d0, d1 and f; returns the size of the residual in metres. Not asked where `rigid`.
+  /// Sets residual, M and C from d0, d1 and f; returns the size of the residual in metres. Not asked of rigid rows.
   double (*evaluate)(Row& row, Condition& condition, const RowContext& context) = nullptr;
   /// Sets `kept`, and adds to `wanted` what changes by prescription.
   void (*project)(const Row& row, Condition& condition) = [](const Row&, Condition&) {};
-  /// What is still to be closed at the end of the step, [m], as a change of d1. Not asked where `rigid` or `coupled`.
+  /// What is still to be closed at the end of the step, [m], as a change of d1. Not asked of rigid and coupled rows.
   Vec3 (*gap)(const Row& row, const Condition& condition) = [](const Row&, const Condition&) { return zero3(); };
-  /// Of a row that stops something, at the end of the step. Not asked where `coupled`.
+  /// Of a row that stops something, at the end of the step. Not asked of coupled ones.
   Stop (*stop)(const Row& row, const Condition& condition) = [](const Row&, const Condition&) { return Stop{zero3()}; };
   /// Of a soft one that no law pulls: its force in a fallback step [N].
   Vec3 (*pull)(const Row& row, const Condition& condition, const RowContext& context) = nullptr;
@@ -68,7 +67,8 @@ extern const RowRule turn_row;     ///< drives the angle about an axis, or keeps
 extern const RowRule coupled_row;  ///< a segment of a string, a turn of a gear
 extern const RowRule stiff_row;    ///< pulls by a law
 
-inline bool is_rigid(const Row& row) { return row.rule->rigid; }
+/// Whether d1 is to be `offset`, in all directions: M and `kept` are 1 and C is 0, so that products leave them out.
+inline bool is_rigid(const Row& row) { return row.rule == &rigid_row; }
 inline bool is_soft(const Row& row) { return row.rule->soft; }
 inline bool is_coupled(const Row& row) { return row.rule->coupled; }
 inline bool pulls_by_law(const Row& row) { return row.rule->by_law; }
