@@ -3,39 +3,16 @@
 #include <regex>
 #include <sstream>
 
-#include "lua/scene/open.hpp"
+#include "bindings/exported.hpp"
 #include "player/animation.hpp"
-#include "player/trajectory.hpp"
-#include "scene/scene.hpp"
 #include "support/process.hpp"
 
 using namespace pantin;
+using namespace pantin::exported;
 using namespace pantin::player;
 using support::Folder;
 
 namespace {
-
-std::unique_ptr<Scene> opened(const std::string& source) { return lua::open_scene_text(source, "test.lua", ".", {}); }
-
-// A rod that flies and turns by 90 degrees in a second, and a mote that lives for half of it.
-std::unique_ptr<Scene> thrown_rod() {
-  return opened(R"(
-    scene.gravity = vec(0, 0, 0)
-    local fireflies = scene:family("fire flies", { color = "#f00", radius = 0.25 })
-    scene:body { name = "thrown", mass = 1, inertia = vec(1, 1, 1), at = vec(1, 2, 3), velocity = vec(1, 0, 0),
-                 spin = vec(0, 0, math.pi / 2), points = { vec(0, 0, 0), vec(1, 0, 0) } }
-    scene:particle { name = "mote", family = fireflies, mass = 2, at = vec(0, 5, 0), velocity = vec(0, 0, 2),
-                     lifetime = 0.5 })");
-}
-
-template <class Frames>
-void run(Scene& scene, double until, Frames& frames) {
-  frames.add_frames(scene.world());
-  while (scene.world().time < until - 0.5 * scene.world().settings.step) {
-    scene.step();
-    frames.add_frames(scene.world());
-  }
-}
 
 /// The numbers of the last key of a node's list in assimp's dump.
 std::vector<double> last_key(const std::string& dump, const std::string& node, const std::string& list) {
@@ -46,13 +23,6 @@ std::vector<double> last_key(const std::string& dump, const std::string& node, c
   std::vector<double> numbers;
   for (double x; rest >> x;) numbers.push_back(x);
   return numbers;
-}
-
-std::vector<std::string> lines(const std::string& text) {
-  std::vector<std::string> list;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) list.push_back(line);
-  return list;
 }
 
 }  // namespace
@@ -105,35 +75,8 @@ TEST_CASE("animation: what never moves has no channel, and one frame no animatio
   CHECK(std::regex_search(info, std::regex("thrown")));
 }
 
-TEST_CASE("trajectory: another program reads each frame") {
-  const Folder folder;
-  const auto scene = thrown_rod();
-  {
-    Trajectory trajectory(folder / "a.xyz", 4.0, 1.0);
-    run(*scene, 1.0, trajectory);
-    trajectory.finish();
-  }
-  const auto converted = support::finish({{"obabel", "-ixyz", folder / "a.xyz", "-oxyz"}, {}, {}});
-  CHECK(converted.err.find("5 molecules converted") != std::string::npos);
-  const std::vector<std::string> read = lines(converted.out);
-  REQUIRE(read.size() == 3 * 5 + 2 * 4);  // three particles in three frames, two in two
-  CHECK(std::regex_search(read[4], std::regex(R"(0\.0+ +5\.0+ +0\.0+$)")));
-  CHECK(std::regex_search(read.back(), std::regex(R"(2\.0000\d +3\.0+ +3\.0+$)")));  // the rod's far end
-}
-
-TEST_CASE("trajectory: a row has species, place, velocity, mass, radius, color and id") {
-  const auto scene = thrown_rod();
-  const std::vector<std::string> frame = lines(xyz_frame(scene->world()));
-  CHECK(frame[0] == "3");
-  CHECK(frame[1] == "Properties=species:S:1:pos:R:3:velo:R:3:mass:R:1:radius:R:1:color:R:3:id:I:1 Time=0");
-  CHECK(frame[4].starts_with("fire_flies 0 5 0 0 0 2 2 0.25 1 0 0 "));
-  CHECK(frame[2].starts_with("point 1 2 3 1 0 0 0 "));
-}
-
-TEST_CASE("exports: radii and colors that follow the age do so") {
-  const auto scene = opened(R"(
-    scene.gravity = vec(0, 0, 0)
-    scene:particle { radius = function(age) return 0.1 + age end, color = function(age) return { age, 1, 0, 1 } end })");
+TEST_CASE("animation: a radius that follows the age does so") {
+  const auto scene = growing_mote();
   Animation animation(scene->world(), 2.0, 1.0);
   run(*scene, 1.0, animation);
   const Folder folder;
@@ -142,17 +85,4 @@ TEST_CASE("exports: radii and colors that follow the age do so") {
   const std::vector<double> size = last_key(support::read_file(folder / "a.assxml"), "particle 1", "Scaling");
   REQUIRE(size.size() == 3);
   CHECK(size[0] == Approx(1.1).epsilon(1e-5));
-  CHECK(lines(xyz_frame(scene->world()))[2].starts_with("particle 0 0 0 0 0 0 1 1.1 1 1 0 "));
-}
-
-TEST_CASE("trajectory: in a periodic box its edges are told and places are in it") {
-  const auto scene =
-      opened("scene.gravity = vec(0, 0, 0) scene.box = vec(2, 3, 4) scene:particle { at = vec(2.5, -1, 1) }");
-  const std::vector<std::string> frame = lines(xyz_frame(scene->world()));
-  CHECK(frame[1].starts_with("Lattice=\"2 0 0 0 3 0 0 0 4\" pbc=\"T T T\" Properties="));
-  CHECK(frame[2].starts_with("particle 0.5 2 1 "));
-}
-
-TEST_CASE("trajectory: a place that cannot be written to is an error") {
-  CHECK_THROWS_WITH(Trajectory("/nowhere/a.xyz", 60.0, 1.0), Catch::Contains("/nowhere/a.xyz"));
 }
