@@ -10,7 +10,7 @@
 #include "base/check.hpp"
 
 // The same bits whatever the width: SLEEF's variants without contraction differ
-// in nothing else (machine_test).
+// in nothing else.
 #if defined(__AVX512F__)
 #define PANTIN_LANES 8
 #define PANTIN_SLEEF(name, kind) Sleef_cinz_##name##d8_##kind##avx512fnofma
