@@ -14,7 +14,7 @@ double inverse_pivot(double pivot, double whole, double redundant, bool& weak) {
 }
 
 /// Inverse by LDU without interchanges.
-Mat3 inverse_ldu(const Mat3& a, Vec3 whole, double redundant, bool& weak) {
+[[gnu::always_inline]] inline Mat3 inverse_ldu(const Mat3& a, Vec3 whole, double redundant, bool& weak) {
   const double i0 = inverse_pivot(a[0][0], whole[0], redundant, weak);
   const double l10 = a[0][1] * i0, l20 = a[0][2] * i0, u01 = a[1][0] * i0, u02 = a[2][0] * i0;
   const double i1 = inverse_pivot(a[1][1] - l10 * a[1][0], whole[1], redundant, weak);
