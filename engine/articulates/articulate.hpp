@@ -153,16 +153,18 @@ struct ArticulateState {
   std::vector<Condition> conditions;
   std::vector<Vec3> impulses;  // (rows) [N s] of the last projection of velocities
   std::array<std::vector<Vec3>, 2>
-      touched;  // (rows) [N s] with what it touches, before and after the last drift; none: nothing
+      touched;  // (rows) [N s] impulses of the contact searches, before and after the last drift, where the next begin; none: nothing touches
   std::array<std::vector<double>, 2>
-      touched_scalars;          // (rows) the same of scalar rows, at the row that they are known by
-  std::vector<Vec3> exerted;    // (rows) [N s] in all, in a full sub-step that is cut into parts or strikes a row
-  double exerted_time = 0.0;    // [s] for which that is the sum; 0: the rows' forces tell all
-  std::vector<Vec3> expected;   // (rows) [N] in the coming step, where laws of velocity ask for it; none, or not finite
-  std::vector<Vec3> reaction;   // (rows) [N] what they bore of laws of velocity and of contacts in the last step
-  std::vector<double> loads;    // (rows) [N] that they bore in the last step, where some may break; none: not known
-  std::vector<Vec3> symmetric;  // (rows) [N s] half of them, see `project_symmetrically`
-  double symmetric_h = 0.0;     // [s] of the sub-steps after which they serve; 0: none
+      touched_scalars;        // (rows) the same of scalar rows, at the row that they are known by
+  std::vector<Vec3> exerted;  // (rows) [N s] in all, in a full sub-step that is cut into parts or strikes a row
+  double exerted_time = 0.0;  // [s] for which that is the sum; 0: the rows' forces tell all
+  std::vector<Vec3>
+      expected;  // (rows) [N] forces foreseen by a kick that solves laws of velocity, where Newton begins; none, or not finite: as they were
+  std::vector<Vec3>
+      reaction;  // (rows) [N] beyond the drift's force: what they bore in kicks by laws of velocity and at contacts in the last step
+  std::vector<double> loads;      // (rows) [N] that they bore in the last step, where some may break; none: not known
+  std::vector<Vec3> symmetric;    // (rows) [N s] half of them, see `project_symmetrically`
+  double symmetric_h = 0.0;       // [s] of the sub-steps after which they serve; 0: none
   double symmetric_energy = 0.0;  // [J] that taking them gave
   ImpulseWork symmetric_work;     // of them
   Vec3 turned = zero3();          // [kg m²/s] by forces over gaps, which the end of the full sub-step gives back

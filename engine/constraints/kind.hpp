@@ -46,6 +46,7 @@ inline constexpr KeptNumber kept_length{"length", "m", KeptNumber::Range::positi
 struct ConstraintRule {
   KeptNumber keeps = {};
   bool joins_points = false;      ///< its gap is one between points, as a hinge's
+  bool parts_points = false;      ///< keeps its two points apart: they cannot be hinged together
   bool ends_at_position = false;  ///< its second end, where that is no point, is a position of the world
   bool orients = false;           ///< keeps an orientation in the world
 

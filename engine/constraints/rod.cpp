@@ -63,6 +63,7 @@ std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {between_p
 
 const ConstraintRule rod_rule = {
     .keeps = kept_length,
+    .parts_points = true,
     .ends_at_position = true,
     .freedoms =
         [](const Constraint&) {

@@ -54,7 +54,8 @@ struct Condition {
   double whole_length0 = 0.0, whole_length1 = 0.0;  // [m] at the start and end of the whole step
   double length_rate = 0.0;                         // [m/s]
   Bend bend;  // [m] of what is prescribed, [rad] of a turn; of a length, or [m/s] of a speed, the first component
-  double accepted = 0.0;                  // [m] what a rod is longer than that because no motion can make it shorter
+  double accepted =
+      0.0;  // [m] what a value is beyond what it is kept at since no motion can close it; of rows without `offsets_gap`
   double stiffness = 0.0, damping = 0.0;  // [N/m], [N s/m] of a soft row
   double max_force = 0.0;                 // [N]
   // Of angular rows: principal axes of the second node, or the world, turned by `turn` are those of the first; `axis` is b's,
@@ -69,11 +70,13 @@ struct Condition {
   // Of rows of one dimension: the range that its value is kept in, [m], and the range of its force, [N].
   double low = 0.0, high = 0.0;
   double lower = -infinity, upper = infinity;
-  double stalled = infinity;    // [N] of a motor that stalls: what it exerts if nothing moves, and
-  double yielding = 0.0;        // [m/N] by how much it yields to that
-  double strongest = infinity;  // [N] of a motor without a limit that is among what touches
-  double jammed = 0.0;          // [N] of a motor that contacts stop: it presses on them with that, and not in the drift
-  bool ranged = false;          // low < high
+  double stalled = infinity;  // [N] of a motor that stalls: what it exerts if nothing moves, and
+  double yielding = 0.0;      // [m/N] by how much it yields to that
+  double strongest =
+      infinity;  // [N] bound of a motor without `max_torque` while its articulate touches something: of its torque over its lever
+  double jammed =
+      0.0;  // [N] what such a motor gives at its bound while contacts stop it; it gives nothing in the drift then
+  bool ranged = false;  // low < high
   Bent bent = Bent::nothing;
   bool by_speed = false;    // of a motor: its turn in a part is what a body of its speed turns by then
   double start_rate = 0.0;  // [m/s] of such a motor: `length_rate` at the start of the step

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "constraints/kind.hpp"
 #include "edit/common.hpp"
 #include "edit/edit.hpp"
 #include "laws/curve.hpp"
@@ -68,7 +69,7 @@ void require_one_holder(const World& world, const std::vector<Member>& members) 
   for (const Member& m : members)
     for (ConstraintId id : world.points[m.point].constraints) {
       const Constraint& c = world.constraints[id];
-      if (c.kind == ConstraintKind::rod)
+      if (rule_of(c).parts_points)
         require(!c.b || !std::binary_search(all.begin(), all.end(), c.a == m.point ? c.b : c.a),
                 "hinge: ", describe(world, id), " keeps two of these points apart; remove it first");
       else if (c.pins()) {
