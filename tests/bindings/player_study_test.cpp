@@ -106,7 +106,7 @@ TEST_CASE("report: where shorter steps show nothing new longer ones are tried st
     scene:particle { at = vec(3, 0, 0), velocity = vec(1, 0, 0) }
     scene:field(scene, force.point { force = function(p) return vec(0, 1, 0) end })
   )",
-                                 1.0);
+                                 1.0, 100.0);
   CHECK(run_of(study, "verlet", 1.0 / 60).error < 1e-9);
   CHECK(run_of(study, "verlet", 1.0 / 480).error < 1e-9);
   CHECK_THROWS(run_of(study, "verlet", 1.0 / 960));

@@ -9,13 +9,14 @@
 
 namespace pantin::player {
 
-inline Study study_text(const std::string& source, double until) {
+/// Within `budget` [s] of processor time.
+inline Study study_text(const std::string& source, double until, double budget = 5.0) {
   const support::Folder folder;
   support::write_file(folder / "scene.lua", source);
   RunOptions options;
   options.scene = folder / "scene.lua";
   options.until = until;
-  return study(options, folder.path, 5.0, [](const std::string&, double) {});
+  return study(options, folder.path, budget, [](const std::string&, double) {});
 }
 
 inline const StudyRun& run_of(const Study& study, const std::string& integrator, double step) {
