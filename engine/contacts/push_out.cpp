@@ -42,8 +42,8 @@ void limit_displacements(ContactIsland& island, double most) {
 }
 
 /// Whether they rest is asked from now on.
-void watch_anew(const Model& model, const Articulates& articulates, Contacts& contacts, const TouchIsland& island) {
-  for (const std::uint32_t a : island.articulates) articulates[a]->rest = {};
+void keep_awake(const Model& model, const Articulates& articulates, Contacts& contacts, const TouchIsland& island) {
+  for (const std::uint32_t a : island.articulates) wake(*articulates[a]);
   for (const std::uint32_t thing : island.things)
     if (!is_point(thing) && model.motion[thing].articulate < 0) contacts.bodies[thing].rest = {};
 }
@@ -118,7 +118,7 @@ void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulat
       displace(model, island.states[i], island.things[i], model.plane.along(problem.bodies[i].v) * h,
                problem.bodies[i].w * h);
     for (const std::uint32_t a : island.articulates) close_displaced(*articulates[a]);
-    if (std::fmin(largest, fastest(problem)) * h > moved * size) watch_anew(model, articulates, contacts, island);
+    if (std::fmin(largest, fastest(problem)) * h > moved * size) keep_awake(model, articulates, contacts, island);
     for (std::size_t i = 0; i < island.things.size(); i++) {
       const Vec3 way = position_of(model, island.states[i], island.things[i]) - island.states[i].x,
                  turn = problem.bodies[i].w * h;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double least_stiffness = 1e3, most_stiffness = 1e8;  // of contacts, of 1 / w
 constexpr double smoothing = 0.1;                              // √τ of the residual
-constexpr std::uint32_t patience = 10;                         // iterations in which it may not halve
+constexpr std::uint32_t most_patience = 10;                    // iterations in which it may not halve
 
 /// dγ = offset - stiffness ds makes the smoothed law hold to first order.
 struct Slope {
@@ -295,8 +295,8 @@ SearchReport newton_search(ContactIsland& island, std::uint32_t most_iterations)
   }
   set_base(island, island.all, tie_stiffness);
   const double smallest = 1e-4 * island.tolerance * island.tolerance;
-  double tau = smoothing * smoothing * now * now, mark = now;
-  std::uint32_t marked = 0;
+  double tau = smoothing * smoothing * now * now;
+  Patience patience{most_patience, now};
   while (report.iterations < most_iterations && now > island.tolerance) {
     report.iterations++;
     newton.linearise_all(tau, now);
@@ -315,11 +315,7 @@ SearchReport newton_search(ContactIsland& island, std::uint32_t most_iterations)
     now = residual(island);
     if (!std::isfinite(now)) break;
     if (now < best.residual) best.keep(island, now);
-    if (now < 0.5 * mark) {
-      mark = now;
-      marked = report.iterations;
-    }
-    if (report.iterations - marked > patience) break;
+    if (patience.ends(now)) break;
     if (best.residual <= 10.0 * island.tolerance && now > 0.5 * before) break;
     tau = std::fmin(0.1 * tau, smoothing * smoothing * now * now);
     if (tau < smallest) tau = 0.0;

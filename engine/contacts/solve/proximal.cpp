@@ -17,8 +17,9 @@ namespace pantin {
 namespace {
 
 constexpr double softest = 2.5e-2, least_hard = 1e-3, hardest = 1e-5;  // ρ: at first, and of even and uneven masses
-constexpr double harder = 0.2, falls = 0.25;            // ρ times that where the residual does not fall to this
-constexpr std::uint32_t most_steps = 60, patience = 3;  // of one problem; rounds in which the residual may not halve
+constexpr double harder = 0.2, falls = 0.25;  // ρ times that where the residual does not fall to this
+constexpr std::uint32_t most_steps = 60,
+                        most_patience = 3;  // of one problem; rounds in which the residual may not halve
 constexpr double part_of_motion = 0.02,
                  loosest = 100.0;  // of the fastest body's speed; of what is enough: that may be left
 constexpr int most_on_line = 12;
@@ -182,10 +183,10 @@ SearchReport proximal_search(ContactIsland& island, std::uint32_t most_rounds) {
   SearchReport report;
   apply_impulses(island);
   observe(island);
-  double now = residual(island), mark = now;
+  double now = residual(island);
   BestImpulses best;
   best.keep(island, now);
-  std::uint32_t marked = 0;
+  Patience patience{most_patience, now};
   Proximal proximal{island};
   const double least = least_rho(island);
   set_base(island, island.all, tie_stiffness);
@@ -202,11 +203,7 @@ SearchReport proximal_search(ContactIsland& island, std::uint32_t most_rounds) {
     now = residual(island);
     if (!std::isfinite(now)) break;
     if (now < best.residual) best.keep(island, now);
-    if (now < 0.5 * mark) {
-      mark = now;
-      marked = report.iterations;
-    }
-    if (report.iterations - marked > patience) break;
+    if (patience.ends(now)) break;
     if (now > falls * before) proximal.rho = std::fmax(least, harder * proximal.rho);
   }
   if (!(now <= best.residual)) best.put_back(island);

@@ -10,6 +10,23 @@ struct SearchReport {
   std::uint32_t iterations = 0, factorisations = 0;
 };
 
+/// A search stalls where its residual did not halve in more than so many iterations.
+struct Patience {
+  std::uint32_t most;
+  double mark;  ///< [m/s] the residual when it last halved
+  std::uint32_t waited = 0;
+
+  bool ends(double residual) {
+    if (residual < 0.5 * mark) {
+      mark = residual;
+      waited = 0;
+    } else {
+      waited++;
+    }
+    return waited > most;
+  }
+};
+
 /// Newton's iteration on a smoothed form of Coulomb's law, primal and dual at once, from the impulses at hand; what it found
 /// best is left. The factor is laid out for all. Quadratic near a solution; far from one, or for large ratios of mass, it may stall.
 SearchReport newton_search(ContactIsland& island, std::uint32_t most_iterations);
