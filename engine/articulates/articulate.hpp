@@ -29,7 +29,7 @@ struct alignas(64) Node {
   bool is_body;
   bool turns;  // has a rotation; a point mass has not
   Mat3 R0;
-  Vec3 coupled;  // 1 or 0 per principal axis: 0 about an axis of symmetry that all arms lie on, where spin is its own
+  Vec3 felt_axes;  // 1 for a principal axis about which rows feel the spin; 0 for one of symmetry that all arms lie on
   Vec3 force, torque;  // [N], [N m] constant in the step, world axes
   Vec3 inertia, inverse_inertia;
   // seldom asked for, or only where a step is not the midpoint's

@@ -19,20 +19,20 @@ void each_end(Articulate& a, Visit visit) {
   }
 }
 
-/// Clears `coupled` about the axis of symmetry that all arms lie on.
+/// Clears `felt_axes` about the axis of symmetry that all arms lie on.
 void find_free_axes(Articulate& a) {
-  for (Node& n : a.nodes) n.coupled = zero3();
+  for (Node& n : a.nodes) n.felt_axes = zero3();
   each_end(a, [](Node& n, Vec3 arm) {
     const Vec3 l = vec(std::fabs(arm[0]), std::fabs(arm[1]), std::fabs(arm[2]));
     const double least = 1e-9 * n.reach;
     for (int axis = 0; axis < 3; axis++)
-      if (std::fmax(l[(axis + 1) % 3], l[(axis + 2) % 3]) > least) n.coupled[axis] = 1.0;
+      if (std::fmax(l[(axis + 1) % 3], l[(axis + 2) % 3]) > least) n.felt_axes[axis] = 1.0;
   });
   for (Node& n : a.nodes) {
-    if (!n.turns) n.coupled = zero3();
+    if (!n.turns) n.felt_axes = zero3();
     for (int axis = 0; axis < 3 && n.turns; axis++) {
       const double x = n.inertia[(axis + 1) % 3], y = n.inertia[(axis + 2) % 3];
-      if (std::fabs(x - y) > 1e-9 * std::fmax(x, y)) n.coupled[axis] = 1.0;
+      if (std::fabs(x - y) > 1e-9 * std::fmax(x, y)) n.felt_axes[axis] = 1.0;
     }
   }
 }

@@ -30,15 +30,15 @@ void find_row_blocks(Articulate& a) {
     a.first_row_block.push_back(static_cast<std::uint32_t>(a.row_blocks.size()));
   }
   find_couplings(a);
-  for (Coupling& coupled : a.couplings) {
+  for (Coupling& coupling : a.couplings) {
     const auto clear = [&](std::uint32_t block) {
       if (reached[block]) return;
       reached[block] = 1;
-      coupled.cleared.push_back(block);
+      coupling.cleared.push_back(block);
     };
-    for (const CoupledBlock& m : coupled.blocks)
-      if (m.column != coupled.head) clear(m.block);
-    for (const HeadBlock& link : coupled.links) clear(link.block);
+    for (const CoupledBlock& m : coupling.blocks)
+      if (m.column != coupling.head) clear(m.block);
+    for (const HeadBlock& link : coupling.links) clear(link.block);
   }
   for (std::uint32_t& t : a.factor.target) {
     if (t & Factor::on_diagonal || reached[t]) continue;
@@ -58,8 +58,9 @@ void find_tiles(Articulate& a) {
       last_row[batch] = k;
       last_batch[k] = std::max(last_batch[k], batch);
     }
-  for (const Coupling& coupled : a.couplings)
-    for (std::uint32_t k : coupled.rows) last_batch[coupled.head] = std::max(last_batch[coupled.head], last_batch[k]);
+  for (const Coupling& coupling : a.couplings)
+    for (std::uint32_t k : coupling.rows)
+      last_batch[coupling.head] = std::max(last_batch[coupling.head], last_batch[k]);
   // Of rows; the variables of hubs come after them and wait for nothing.
   const auto last_below = [&](std::uint32_t column) {
     std::uint32_t i = a.factor.first[column + 1];

@@ -24,7 +24,7 @@ Moments moments_about(const Articulate& a, Vec3 X) {
     m.angular += cross(d, n.p0);
     m.kinetic += kinetic_energy(n);
     if (!n.turns) continue;
-    const Vec3 i = n.inertia * n.coupled, P = n.P0 * n.coupled;
+    const Vec3 i = n.inertia * n.felt_axes, P = n.P0 * n.felt_axes;
     m.inertia += times_transposed(Mat3{{n.R0[0] * i[0], n.R0[1] * i[1], n.R0[2] * i[2]}}, n.R0);
     m.angular += n.R0 * P;
     m.single += 0.5 * dot(n.P0 - P, n.O0);
@@ -139,7 +139,7 @@ double change_relative_motion(Articulate& a, const RigidMotion& rigid, double ch
     const Vec3 p = (rigid.V + cross(rigid.w, n.x0 - rigid.X)) * n.mass;
     n.p0 = p + (n.p0 - p) * factor;
     if (!n.turns) continue;
-    n.P0 += (n.P0 - n.inertia * transposed_times(n.R0, rigid.w)) * n.coupled * (factor - 1.0);
+    n.P0 += (n.P0 - n.inertia * transposed_times(n.R0, rigid.w)) * n.felt_axes * (factor - 1.0);
     n.O0 = n.inverse_inertia * n.P0;
   }
   return (factor * factor - 1.0) * rigid.relative;

@@ -219,7 +219,7 @@ void stay(Articulate& a, double h, bool free, const Momenta& kept) {
   if (free) shift_to(a, centre_of_mass(a) + kept.p * (h / a.total_mass));
   for (Node& n : a.nodes) {
     n.p0 = zero3();
-    n.P0 = n.P0 - n.P0 * n.coupled;
+    n.P0 = n.P0 - n.P0 * n.felt_axes;
     n.O0 = n.inverse_inertia * n.P0;
     settle(n);
   }

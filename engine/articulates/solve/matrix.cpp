@@ -121,8 +121,8 @@ void move_ends(Articulate& a, const NodeBatch& n) {
   for (const RowEnds& end : ends_of(a, n)) hand_over(a, end, cross(turn, end.r1) * end.sign + turn * end.lever);
 }
 const Coupling* coupling_of_head(const Articulate& a, std::uint32_t k) {
-  for (const Coupling& coupled : a.couplings)
-    if (coupled.head == k) return &coupled;
+  for (const Coupling& coupling : a.couplings)
+    if (coupling.head == k) return &coupling;
   return nullptr;
 }
 
@@ -132,8 +132,8 @@ void set_right_side(Articulate& a, std::uint32_t k, const System& system) {
   if (system.right == Arms::mean) {
     side += is_rigid(row) ? handed_over(a, k) : condition(a, row).M * handed_over(a, k);
     if (is_coupled(row))
-      if (const Coupling* coupled = coupling_of_head(a, k))
-        side += into_head(a, *coupled, [&](const Row& other) { return handed_over(a, condition(a, other).row); });
+      if (const Coupling* coupling = coupling_of_head(a, k))
+        side += into_head(a, *coupling, [&](const Row& other) { return handed_over(a, condition(a, other).row); });
   }
   a.right_side[k] = side * system.right_scale;
 }
@@ -154,20 +154,20 @@ const RowEnds& end_of(const Articulate& a, std::size_t node, std::uint32_t row) 
 
 /// The parts of a coupling's head that its other rows make, once all their
 /// nodes are known.
-void add_coupled_blocks(Articulate& a, const Coupling& coupled, const System& system) {
-  for (std::uint32_t block : coupled.cleared) a.factor.lower[block] = a.factor.upper[block] = zero33();
-  for (const CoupledBlock& m : coupled.blocks) {
+void add_coupled_blocks(Articulate& a, const Coupling& coupling, const System& system) {
+  for (std::uint32_t block : coupling.cleared) a.factor.lower[block] = a.factor.upper[block] = zero33();
+  for (const CoupledBlock& m : coupling.blocks) {
     const std::size_t batch = m.node / batch_size;
     const RowEnds &of = end_of(a, m.node, m.row), &by = end_of(a, m.node, m.column);
     const Mat3x4 G = turn_by(angular_mobility(a, batch, system), by, system.right);
     const Mat3 k = unpack(response(of, by, G, inverse_masses(a, a.batches[batch])))[m.node % batch_size];
-    Mat3& block = m.column == coupled.head ? a.factor.diagonal[m.block]
-                  : m.upper                ? a.factor.upper[m.block]
-                                           : a.factor.lower[m.block];
+    Mat3& block = m.column == coupling.head ? a.factor.diagonal[m.block]
+                  : m.upper                 ? a.factor.upper[m.block]
+                                            : a.factor.lower[m.block];
     block += condition(a, a.rows[m.row]).into_head * k;
   }
-  for (const HeadBlock& link : coupled.links) {
-    Mat3& block = link.row > coupled.head ? a.factor.lower[link.block] : a.factor.upper[link.block];
+  for (const HeadBlock& link : coupling.links) {
+    Mat3& block = link.row > coupling.head ? a.factor.lower[link.block] : a.factor.upper[link.block];
     block += condition(a, a.rows[link.row]).from_head * system.scale;
   }
 }
@@ -214,7 +214,7 @@ bool factorise(Articulate& a, const System& system) {
     }
     for (; done.rows < tile.rows; done.rows++) {
       if (is_coupled(a.rows[done.rows]))
-        if (const Coupling* coupled = coupling_of_head(a, done.rows)) add_coupled_blocks(a, *coupled, system);
+        if (const Coupling* coupling = coupling_of_head(a, done.rows)) add_coupled_blocks(a, *coupling, system);
       finish_diagonal(a, done.rows, system);
       set_right_side(a, done.rows, system);
     }

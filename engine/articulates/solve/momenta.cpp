@@ -15,7 +15,7 @@ Mat3 inertia_of_all(const Articulate& a, Vec3 X) {
     const Vec3 d = n.x0 - X;
     inertia += (identity33() * norm2(d) - outer(d, d)) * n.mass;
     if (!n.turns) continue;
-    const Vec3 i = n.inertia * n.coupled;
+    const Vec3 i = n.inertia * n.felt_axes;
     inertia += times_transposed(Mat3{{n.R0[0] * i[0], n.R0[1] * i[1], n.R0[2] * i[2]}}, n.R0);
   }
   return inertia;
@@ -42,7 +42,7 @@ void add_rigid_motion(Articulate& a, Vec3 X, Vec3 velocity, Vec3 spin) {
   for (Node& n : a.nodes) {
     n.p0 += (velocity + cross(spin, n.x0 - X)) * n.mass;
     if (!n.turns) continue;
-    n.P0 += n.inertia * transposed_times(n.R0, spin) * n.coupled;
+    n.P0 += n.inertia * transposed_times(n.R0, spin) * n.felt_axes;
     n.O0 = n.inverse_inertia * n.P0;
   }
 }

@@ -29,10 +29,10 @@ void find_forbidden_velocity(Articulate& a, std::size_t k) {
 
 /// Of a coupling's head that of the sum; of its other rows 0, which have the head's impulse.
 Vec3 forbidden_of_coupling(const Articulate& a, std::uint32_t k) {
-  for (const Coupling& coupled : a.couplings) {
-    if (coupled.head != k) continue;
+  for (const Coupling& coupling : a.couplings) {
+    if (coupling.head != k) continue;
     return a.rows[k].residual +
-           into_head(a, coupled, [&](const Row& row) { return handed_over(a, condition(a, row).row); });
+           into_head(a, coupling, [&](const Row& row) { return handed_over(a, condition(a, row).row); });
   }
   return zero3();
 }
@@ -207,9 +207,9 @@ void carry_half(Articulate& a, double h) {
   a.symmetric_work = {};
   for (const Condition& c : a.conditions)
     if (!is_rigid(row(a, c))) a.symmetric[c.row] = c.kept * a.symmetric[c.row];  // earlier ones were along others
-  for (const Coupling& coupled : a.couplings)
-    for (std::uint32_t k : coupled.rows)
-      if (k != coupled.head) a.symmetric[k] = condition(a, a.rows[k]).from_head * a.symmetric[coupled.head] * -1.0;
+  for (const Coupling& coupling : a.couplings)
+    for (std::uint32_t k : coupling.rows)
+      if (k != coupling.head) a.symmetric[k] = condition(a, a.rows[k]).from_head * a.symmetric[coupling.head] * -1.0;
   for (const Condition& c : a.conditions) add_work(a.symmetric_work, a, c, a.symmetric[c.row]);
 }
 
@@ -234,9 +234,9 @@ void set_kept_matrices(Articulate& a) {
     c.M = c.kept;
     c.C = identity33() - c.kept;
   }
-  for (const Coupling& coupled : a.couplings)
-    for (std::uint32_t k : coupled.rows) {
-      if (k == coupled.head) continue;
+  for (const Coupling& coupling : a.couplings)
+    for (std::uint32_t k : coupling.rows) {
+      if (k == coupling.head) continue;
       condition(a, a.rows[k]).M = zero33();
       condition(a, a.rows[k]).C = identity33();
     }
