@@ -228,7 +228,7 @@ struct Articulate : ArticulateState {
   bool breakable = false;        // has constraints that may break
   bool nonconservative = false;  // has rows that take energy or give it
   bool attracts = false;         // is free, and rows draw points together over a gap
-  bool yields = false;           // has no row but soft ones: its velocities are free
+  bool all_soft = false;         // has no row but soft ones: its velocities are free
   bool pulled = false;           // laws act on it: its kinetic energy is no longer gravity's alone
   std::uint64_t serial = 0;      // smallest of its things
 };

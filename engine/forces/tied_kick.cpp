@@ -28,7 +28,7 @@ double size_of(const Mat3& m) { return std::sqrt(norm2(m[0]) + norm2(m[1]) + nor
 bool wants_motion(const Condition& c) { return norm2(c.wanted) > 0.0; }
 
 /// Whether the rows of an articulate say which velocities are allowed.
-bool forbids(const Articulate& a) { return !a.yields && !a.fell_back && !a.torn && a.gaps.open <= 1e-8 * a.length; }
+bool forbids(const Articulate& a) { return !a.all_soft && !a.fell_back && !a.torn && a.gaps.open <= 1e-8 * a.length; }
 
 }  // namespace
 

@@ -111,7 +111,7 @@ void find_dimensions(Articulate& a, const Model& model) {
   }
   const auto draws = [](const Row& row) { return row.rule->over_gap; };
   a.attracts = std::any_of(a.rows.begin(), a.rows.end(), draws) && is_free(a);
-  a.yields = std::all_of(a.rows.begin(), a.rows.end(), is_soft);
+  a.all_soft = std::all_of(a.rows.begin(), a.rows.end(), is_soft);
   a.length = length_of(a, model);
   for (const Node& node : a.nodes) a.total_mass += node.mass;
   find_reaches(a);

@@ -30,12 +30,12 @@ double mechanical_energy(const Articulate& a, Vec3 gravity) {
 void hold_stiff(Articulate& a) {
   for (Row& row : a.rows)
     if (pulls_by_law(row)) hold_length(row, condition(a, row));
-  a.yields = false;
+  a.all_soft = false;
 }
 void release_stiff(Articulate& a) {
   for (Row& row : a.rows)
     if (row.condition >= 0 && condition(a, row).stiff) pull_again(row);
-  a.yields = std::all_of(a.rows.begin(), a.rows.end(), is_soft);
+  a.all_soft = std::all_of(a.rows.begin(), a.rows.end(), is_soft);
   measure_gaps(a);
 }
 
@@ -270,7 +270,7 @@ void accept_gaps(Articulate& a, double tolerance, DriftReport& report) {
 
 void close_displaced(Articulate& a) {
   constexpr int most = 6;
-  constexpr double yielded = 2e-2;  // of the length: more than a displacement opens in the second order
+  constexpr double most_open = 2e-2;  // of the length: more than a displacement opens in the second order
   const std::vector<Row> rows = a.rows;
   const std::vector<Condition> conditions = a.conditions;
   const double open_before = a.gaps.open;
@@ -279,7 +279,7 @@ void close_displaced(Articulate& a) {
   hold_stiff(a);
   std::vector<Vec3> angular;
   for (const Node& n : a.nodes) angular.push_back(n.R0 * n.P0);
-  int left = std::sqrt(find_gaps(a, Closing::firm)) <= yielded * a.length ? most : 0;
+  int left = std::sqrt(find_gaps(a, Closing::firm)) <= most_open * a.length ? most : 0;
   close_gaps(a, 1e-13 * a.length, left, Closing::firm);
   if (left < most) {
     for (std::size_t i = 0; i < a.nodes.size(); i++)

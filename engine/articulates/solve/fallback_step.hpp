@@ -8,7 +8,7 @@ namespace pantin {
 /// metric, on positions only, and projection again. It ends at least squares, and only dissipates.
 void fallback_step(Articulate& articulate, const DriftSettings& settings, double h, DriftReport& report);
 /// Closes gaps of nodes that were displaced where a step starts, in the mass metric; momenta keep their world axes. What pulls
-/// by a law keeps the length that it has there, and what gives way is left open; so is all where rows yielded by more than a
+/// by a law keeps the length that it has there, and what gives way is left open; so is all where rows came open by more than a
 /// displacement opens in the second order.
 void close_displaced(Articulate& articulate);
 

@@ -285,7 +285,7 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   const bool over_gaps = acts_over_gaps(a);
   Momenta kept = over_gaps ? momenta_of(a) : Momenta{};
   kept.angular -= std::exchange(a.turned, zero3());
-  if (a.fell_back || a.yields) {
+  if (a.fell_back || a.all_soft) {
     if (over_gaps) report.work += restore_momenta(a, kept);
     return;
   }
@@ -388,7 +388,7 @@ bool let_one_go(Articulate& a, double time, double struck, int turn) {
 
 ImpulseWork make_consistent(Articulate& a, double time, double struck) {
   std::fill(a.impulses.begin(), a.impulses.end(), zero3());
-  if (a.yields) return {};
+  if (a.all_soft) return {};
   ImpulseWork work = take_out_forbidden(a);
   for (int turn = 0; let_one_go(a, time, struck, turn); turn++) work = take_out_forbidden(a);
   tell_momenta(a);
