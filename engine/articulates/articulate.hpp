@@ -190,6 +190,7 @@ struct ArticulateState {
   bool touches = false;           // contacts gave it impulses before the last drift
   bool weak = false;              // the last factor had weak pivots: its multipliers are not all determined
   SubSteps sub_steps;             // in each stage of a step
+  float error_by_jerk = 0.0F;     // error of sub-steps by h² |jerk|, at the last trials; 0: none
   std::vector<MeanMotion> means;  // (nodes) where `accuracy` asks
   double means_span = 0.0;        // [s] from stage to stage
   std::uint8_t means_known = 0;   // 1: velocities are known, 2: accelerations too

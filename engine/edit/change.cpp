@@ -232,7 +232,10 @@ void set_accuracy(World& world, std::optional<double> accuracy) {
   world.mean_error = world.error_span = 0.0;
   if (accuracy) return;
   world.sub_steps = {};
-  for (const auto& articulate : world.articulates) articulate->sub_steps = {};
+  for (const auto& articulate : world.articulates) {
+    articulate->sub_steps = {};
+    articulate->error_by_jerk = 0.0F;
+  }
   for (std::uint32_t s = 0; s < world.bodies.slots(); s++) world.motion[s].sub_steps = {};
 }
 

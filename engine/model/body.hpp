@@ -41,8 +41,7 @@ struct SubSteps {
   std::uint16_t quiet = 0;  ///< steps since half as many would not have done
   std::uint16_t wait = 1;   ///< steps between trials: 1 after a change, doubled at each that changes nothing
   std::uint16_t left = 0;   ///< steps until the next
-  /// At the last trials: of what is tied, its error by h² |jerk|; of a body alone, its turn in a sub-step [rad]; 0: none.
-  float seen = 0.0F;
+  float turn = 0.0F;        ///< [rad] of a body alone in a sub-step, at the last trial; 0: none
 };
 
 /// What the solver reads and writes of a body each sub-step; at the same slot as its Body.

@@ -28,7 +28,7 @@ bool is_due(SubSteps& n, const SubStepSettings& wanted) {
   if (!wanted.trials) return false;
   if (n.left > 0) n.left--;
   if (n.left > 0) return false;
-  if (n.quiet >= patience) n = {static_cast<std::uint16_t>(n.count / 2), 0, 1, 0, n.seen};
+  if (n.quiet >= patience) n = {static_cast<std::uint16_t>(n.count / 2), 0, 1, 0, n.turn};
   return true;
 }
 
@@ -85,7 +85,7 @@ void keep_means(Articulate& a, std::vector<MeanMotion>& means, double span) {
   a.means_known = std::min<std::uint8_t>(2, static_cast<std::uint8_t>(a.means_known + 1));
 }
 
-/// The error of a part by h² |jerk|, after a trial; that of trials before is forgotten slowly.
+/// The error of sub-steps by h² |jerk|, after a trial; that of trials before is forgotten slowly.
 float error_by_jerk(float before, double rate, double by_jerk) {
   constexpr double most = 1.0, least = 1e-4, kept = 0.7;
   const double now = rate < most * by_jerk ? rate / by_jerk : most;
@@ -109,7 +109,7 @@ Tried double_sub_steps(Thing& thing, const Thing& start, Thing& other, SubSteps&
     move(other, 2u * n.count);
     const double rate = gain / (gain - 1.0) * differ(thing, other) / std::fabs(h);
     if (rate > accuracy && n.count < sub_step_limit) {
-      n = {static_cast<std::uint16_t>(2 * n.count), 0, 1, 0, n.seen};
+      n = {static_cast<std::uint16_t>(2 * n.count), 0, 1, 0, n.turn};
       std::swap(thing, other);
       continue;
     }
@@ -151,7 +151,10 @@ void drift_accurately(Articulate& a, const DriftSettings& settings, const SubSte
     drift(x, settings, x.report);
   };
   const double h = settings.h * (settings.to - settings.from);
-  if (a.edited) a.sub_steps = {a.sub_steps.count};
+  if (a.edited) {
+    a.sub_steps = {a.sub_steps.count};
+    a.error_by_jerk = 0.0F;
+  }
   if (a.edited || a.fell_back) a.means_known = 0;
   if (a.fell_back) return move(a, 1);  // what it cannot do it cannot do better by parts
   SubSteps n = a.sub_steps;
@@ -161,11 +164,11 @@ void drift_accurately(Articulate& a, const DriftSettings& settings, const SubSte
   double jerk = 0.0;
   if (wanted.span != 0.0) jerk = find_means(a, trial.start, h, wanted.span, trial.means);
   const auto by_jerk = [&] { return h * h / (1.0 * n.count * n.count) * jerk / a.length; };
-  due = due || is_halved(a.report) || static_cast<double>(n.seen) * by_jerk() > wanted.accuracy;
+  due = due || is_halved(a.report) || static_cast<double>(a.error_by_jerk) * by_jerk() > wanted.accuracy;
   if (due) {
     const Tried tried =
         double_sub_steps(a, trial.start, trial.other, n, h, wanted.accuracy, second_order, move, difference);
-    n.seen = error_by_jerk(n.seen, tried.rate, by_jerk());
+    a.error_by_jerk = error_by_jerk(a.error_by_jerk, tried.rate, by_jerk());
     a.report.unreached = std::max(tried.reached ? 0.0 : tried.rate, bend_error(a, trial, wanted, h, n.count, move));
     if (wanted.span != 0.0) find_means(a, trial.start, h, wanted.span, trial.means);
   }
@@ -185,7 +188,7 @@ double drift_alone_accurately(Node& node, double h, const SubStepSettings& wante
     move(node, n.count);
     return 0.0;
   }
-  if (!is_due(n, wanted) && turn() <= faster * static_cast<double>(n.seen)) {
+  if (!is_due(n, wanted) && turn() <= faster * static_cast<double>(n.turn)) {
     move(node, n.count);
     return 0.0;
   }
@@ -200,7 +203,7 @@ double drift_alone_accurately(Node& node, double h, const SubStepSettings& wante
   move(node, n.count);
   const Tried tried = double_sub_steps(node, start, other, n, h, wanted.accuracy, gain, move,
                                        [](const Node& a, const Node& b) { return turn_between(a.R0, b.R0); });
-  n.seen = static_cast<float>(norm(start.O0) * std::fabs(h) / n.count);
+  n.turn = static_cast<float>(norm(start.O0) * std::fabs(h) / n.count);
   return tried.reached ? 0.0 : tried.rate;
 }
 
