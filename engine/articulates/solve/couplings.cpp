@@ -18,12 +18,12 @@ namespace pantin {
 namespace {
 
 struct Value {
-  Vec3 n;               // direction of the force
-  Vec3 gradient;        // of w v at the end of the step, by d1
-  double value;         // w v [m]
-  double share;         // w |e|
-  double turn_of_n;     // by how much n turns with a change of d1, [1/m]
-  double displacement;  // [m] of d in the step
+  Vec3 n;                  // direction of the force
+  Vec3 gradient;           // of w v at the end of the step, by d1
+  double value;            // w v [m]
+  double force_by_lambda;  // [1] w |e|: its force is λ times that, along n
+  double turn_of_n;        // by how much n turns with a change of d1, [1/m]
+  double displacement;     // [m] of d in the step
 };
 
 struct Axis {
@@ -64,8 +64,8 @@ double turn_by_work(const Articulate& a, const Row& row, Vec3 n, double turned, 
 
 Value value_of_angle(const Articulate& a, const Row& row, const Condition& c, double w) {
   const Vec3 n = mean_axis(row);
-  const double share = turn_by_work(a, row, n, c.angle1 - c.angle0, c.angle1);
-  return {n, twist_gradient(row) * w, c.angle1 * row.lever * w, share * w, 0.0, 0.0};
+  const double e = turn_by_work(a, row, n, c.angle1 - c.angle0, c.angle1);
+  return {n, twist_gradient(row) * w, c.angle1 * row.lever * w, e * w, 0.0, 0.0};
 }
 
 /// Of the angular row that turns the axis of a distance.
@@ -154,12 +154,12 @@ double evaluate_head(Articulate& a, Row& row, const Value& v, double over, doubl
 
 double evaluate_other(Articulate& a, Row& row, const Value& v, const Row& head, const Value& of_head, double kappa) {
   Condition& c = condition(a, row);
-  const Vec3 wrong = row.f - v.n * (dot(head.f, of_head.n) / of_head.share * v.share);
+  const Vec3 wrong = row.f - v.n * (dot(head.f, of_head.n) / of_head.force_by_lambda * v.force_by_lambda);
   row.residual = wrong * kappa;
   c.M = (identity33() - outer(v.n, v.n)) * (-kappa * dot(row.f, v.n) * v.turn_of_n);
   c.C = identity33() * kappa;
   c.into_head = outer(of_head.n, v.gradient);
-  c.from_head = outer(v.n, of_head.n) * (-kappa * v.share / of_head.share);
+  c.from_head = outer(v.n, of_head.n) * (-kappa * v.force_by_lambda / of_head.force_by_lambda);
   return weighted(wrong, row, v, kappa);
 }
 
@@ -168,7 +168,7 @@ double evaluate_coupling(Articulate& a, const Coupling& coupling, double h) {
   const Condition& c = condition(a, head);
   const Value of_head = value(a, coupling, head, c, 1.0);
   const double kappa = 0.5 * h * h * mobility(a, head), over = sum_of(a, coupling) - c.length / c.weight - c.accepted;
-  const bool held = !c.ranged || dot(head.f, of_head.n) / of_head.share * kappa < over;
+  const bool held = !c.ranged || dot(head.f, of_head.n) / of_head.force_by_lambda * kappa < over;
   double worst = 0.0;
   for (std::uint32_t k : coupling.rows) {
     Row& row = a.rows[k];
@@ -245,11 +245,11 @@ void project_couplings(Articulate& a) {
     for (std::uint32_t k : coupling.rows) {
       Condition& c = condition(a, a.rows[k]);
       const Slope along = slope(a, coupling, a.rows[k], c);
-      const double share = c.weight1 * along.size / (of_head.weight1 * along_head.size);
+      const double ratio = c.weight1 * along.size / (of_head.weight1 * along_head.size);
       c.wanted = zero3();
       c.kept = held ? outer(along.n, along.n) : zero33();
-      c.into_head = held ? outer(along_head.n, along.n) * share : zero33();
-      c.from_head = held ? outer(along.n, along_head.n) * -share : zero33();
+      c.into_head = held ? outer(along_head.n, along.n) * ratio : zero33();
+      c.from_head = held ? outer(along.n, along_head.n) * -ratio : zero33();
       if (held && k == coupling.head) c.wanted = along.n * (c.length_rate / (c.weight1 * along.size));
     }
   }
