@@ -49,7 +49,7 @@ struct RowBlock {
   bool first_lower, first_upper;  // the first to reach its block
 };
 
-/// A row that meets one of a coupling's at a node: a part of the block of that row and the coupling's head.
+/// A row that meets one of a coupling's at a node: it adds to the block of that row and the coupling's head.
 struct CoupledBlock {
   std::uint32_t row, column, node, block;
   bool upper;
@@ -184,7 +184,7 @@ struct ArticulateState {
   bool edited = true;             // new: velocities are still to be made consistent
   bool torn = false;              // by an edit, and still open
   std::uint32_t open_steps = 0;   // in a row that ended with a gap beyond the tolerance
-  double arrived = 0.0;           // part of the full sub-step that a fallback step has already moved over
+  double arrived = 0.0;           // (0 … 1) of the step, up to which a fallback step has already moved
   bool smooth = true;             // no part of the full sub-step was halved or a fallback step
   bool cut = false;               // the full sub-step has more than one part
   bool touches = false;           // contacts gave it impulses before the last drift

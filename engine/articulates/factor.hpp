@@ -30,7 +30,7 @@ struct Factor {
   bool eliminate(std::uint32_t column, const std::uint32_t*& to, double redundant);
   /// The same where all is symmetric: `upper` need not be set.
   bool eliminate_symmetric(std::uint32_t column, const std::uint32_t*& to, double redundant);
-  /// The parts of a solution in place, `y` (rows): columns rising, then columns falling.
+  /// The two sweeps of a solution in place, `y` (rows): columns rising, then columns falling.
   void substitute_forward(std::uint32_t column, Vec3* y) const;
   void substitute_back(std::uint32_t column, Vec3* y) const;
 

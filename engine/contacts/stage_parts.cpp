@@ -78,8 +78,8 @@ void tell_reactions(const Articulates& articulates, const TouchIsland& island, d
   for (std::size_t k = 0; k < island.scalars.size(); k++) {
     const TouchScalar& s = island.scalars[k];
     if (s.row.is_bounded() && !bounded) continue;
-    for (const ScalarRow::Part& part : s.row.parts)
-      articulates[s.articulate]->reaction[part.row] += part.along * (island.problem.scalars[k].impulse / step);
+    for (const ScalarRow::Term& term : s.row.terms)
+      articulates[s.articulate]->reaction[term.row] += term.along * (island.problem.scalars[k].impulse / step);
   }
 }
 

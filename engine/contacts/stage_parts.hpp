@@ -61,7 +61,7 @@ inline void set_scalars(TouchIsland& island, const Articulates& articulates, dou
     IslandScalar& s = island.problem.scalars[k];
     s.bias = std::max(0.0, row.room) / h - row.wanted;
     if (!row.is_bounded()) continue;
-    const Vec3 along = row.parts.front().along;
+    const Vec3 along = row.terms.front().along;
     const Articulate& a = *articulates[island.scalars[k].articulate];
     const double force = dot(force_in_drift(a, row.row()), along) / norm2(along);
     const auto impulse = [&](double bound) { return std::isinf(bound) ? bound : bound * time - force * drifted; };

@@ -131,7 +131,7 @@ void add_scalars(const Model& model, const Articulates& articulates, const Touch
     for (; k < space.held.size() && space.held[k].articulate == number; k++) {
       const TouchScalar& then = space.held[k];
       const auto same = std::find_if(now.begin(), now.end(), [&](const ScalarRow& row) {
-        return row.row() == then.row.row() && dot(row.parts.front().along, then.row.parts.front().along) > 0.0;
+        return row.row() == then.row.row() && dot(row.terms.front().along, then.row.terms.front().along) > 0.0;
       });
       for (const ScalarRow::End& end : same == now.end() ? then.row.ends : same->ends) {
         const std::uint32_t thing = thing_of(a.nodes[static_cast<std::size_t>(end.node)]);

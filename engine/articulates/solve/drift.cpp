@@ -129,7 +129,7 @@ void begin_cut(Articulate& a, const DriftSettings& settings, double at, DriftRep
   a.symmetric_energy += given;
 }
 
-/// Whether the drift is a part of its full sub-step, as beside thermostats, and something may strike in it.
+/// Whether the drift is less than its full sub-step, as beside thermostats, and something may strike in it.
 bool halves_what_stops(const Articulate& a, const DriftSettings& settings) {
   if (settings.backwards || (settings.to - settings.from) * settings.h > 0.75 * settings.full) return false;
   return std::any_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) { return c.ranged; });
@@ -275,10 +275,10 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   }
   const std::uint32_t count = a.sub_steps.count, spare = a.effort.spare;
   const bool open = a.gaps.open > 1e-8 * a.length;
-  const double part = (settings.to - settings.from) / count;
+  const double sub_step = (settings.to - settings.from) / count;  // of the step
   for (std::uint32_t i = 0; i < count; i++) {
-    const double to = i + 1 == count ? settings.to : settings.from + part * (i + 1);
-    drift_part(a, settings, {settings.from + part * i, to, to, 0}, report);
+    const double to = i + 1 == count ? settings.to : settings.from + sub_step * (i + 1);
+    drift_part(a, settings, {settings.from + sub_step * i, to, to, 0}, report);
   }
   end_effort(a, spare, open, report);
   if (a.torn) report.met += std::exchange(report.dissipated, 0.0);  // drawing together what an edit tore apart

@@ -159,14 +159,14 @@ void close_gaps(Articulate& a, double tolerance, int& left, Closing closing = Cl
   measure_gaps(a);
 }
 
-/// Moves the nodes freely over a part of h [s].
-void move_freely(Articulate& a, double h, double part) {
+/// Moves the nodes freely over a fraction (0 … 1) of h [s].
+void move_freely(Articulate& a, double h, double fraction) {
   for (Node& n : a.nodes) {
     const Vec3 P = n.P0;
-    n.x0 += n.p0 * (h * part * n.inverse_mass);
-    if (n.turns && part > 0.0) turn_freely(n, h * part);
+    n.x0 += n.p0 * (h * fraction * n.inverse_mass);
+    if (n.turns && fraction > 0.0) turn_freely(n, h * fraction);
     settle(n);
-    if (part < 1.0) n.P0 = P;
+    if (fraction < 1.0) n.P0 = P;
   }
 }
 
@@ -177,11 +177,11 @@ void drift_and_close(Articulate& a, double h, double tolerance) {
   double allowed = 1e-8 * a.length;
   for (const Row& row : a.rows) allowed = std::max(allowed, 1.01 * norm(row.residual));
   const int most = a.torn ? 60 : a.fell_back ? 36 : 12;  // the next step goes on
-  for (double part = 1.0;; part = part > 0.2 ? 0.25 * part : 0.0) {
-    move_freely(a, h, part);
-    int left = part == 1.0 ? most : 4;
+  for (double fraction = 1.0;; fraction = fraction > 0.2 ? 0.25 * fraction : 0.0) {
+    move_freely(a, h, fraction);
+    int left = fraction == 1.0 ? most : 4;
     close_gaps(a, tolerance, left);
-    if (a.gaps.open <= allowed || part == 0.0) return;
+    if (a.gaps.open <= allowed || fraction == 0.0) return;
     a.nodes = a.saved;
   }
 }

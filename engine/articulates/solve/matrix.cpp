@@ -40,8 +40,8 @@ Mat3x4 response(const RowEnds& of, const RowEnds& by, const Mat3x4& G, const Vec
 }
 
 void add(Mat3& block, bool first, const Row& row, const Articulate& a, const Mat3& k) {
-  const Mat3 part = is_rigid(row) ? k : condition(a, row).M * k;
-  block = first ? part : block + part;
+  const Mat3 own = is_rigid(row) ? k : condition(a, row).M * k;
+  block = first ? own : block + own;
 }
 
 /// The blocks of the rows that meet at the nodes of a batch.
@@ -108,10 +108,11 @@ void finish_diagonal(Articulate& a, std::uint32_t k, const System& system) {
     compliance = all * (own < 1e-8 * all ? std::max(system.epsilon, 1e-8) : system.epsilon);
   }
   if (is_soft(row)) compliance = 0.0;
-  const double part = is_soft(row) ? 1e-12 / redundant(a, system) : 1.0;  // a law tells its force however stiff it is
+  const double counted =
+      is_soft(row) ? 1e-12 / redundant(a, system) : 1.0;  // a law tells its force however stiff it is
   for (int i = 0; i < 3; i++) {
     d[i][i] += compliance;
-    a.factor.whole[k][i] = std::fabs(d[i][i]) * part;
+    a.factor.whole[k][i] = std::fabs(d[i][i]) * counted;
   }
 }
 
@@ -152,7 +153,7 @@ const RowEnds& end_of(const Articulate& a, std::size_t node, std::uint32_t row) 
   return *found;
 }
 
-/// The parts of a coupling's head that its other rows make, once all their
+/// What its other rows add to the blocks of a coupling's head, once all their
 /// nodes are known.
 void add_coupled_blocks(Articulate& a, const Coupling& coupling, const System& system) {
   for (std::uint32_t block : coupling.cleared) a.factor.lower[block] = a.factor.upper[block] = zero33();

@@ -25,8 +25,8 @@ Mat3 inertia_of_all(const Articulate& a, Vec3 X) {
 Vec3 spin_for(const Articulate& a, Vec3 X, Vec3 angular, double most) {
   const Mat3 inertia = inertia_of_all(a, X);
   const auto about = [&](Vec3 axis, double moment) {
-    const double part = dot(axis, angular);
-    return part * part <= 2.0 * most * moment && moment > 0.0 ? axis * (part / moment) : zero3();
+    const double along = dot(axis, angular);
+    return along * along <= 2.0 * most * moment && moment > 0.0 ? axis * (along / moment) : zero3();
   };
   if (a.plane.flat()) {
     const Vec3 normal = direction(a.plane.about(vec(1, 1, 1)));

@@ -31,10 +31,10 @@ ScalarRow row_of(const Articulate& a, const Coupling& coupling) {
     s.low = 0.0;
     s.room = coupling_stop(a, head).room;
   }
-  for (const auto& [k, along] : coupling_gradient(a, coupling)) s.parts.push_back({k, along * sign});
-  const auto first = std::find_if(s.parts.begin(), s.parts.end(),
-                                  [&](const ScalarRow::Part& part) { return part.row == coupling.head; });
-  std::iter_swap(s.parts.begin(), first);
+  for (const auto& [k, along] : coupling_gradient(a, coupling)) s.terms.push_back({k, along * sign});
+  const auto first = std::find_if(s.terms.begin(), s.terms.end(),
+                                  [&](const ScalarRow::Term& term) { return term.row == coupling.head; });
+  std::iter_swap(s.terms.begin(), first);
   return s;
 }
 
@@ -44,7 +44,7 @@ ScalarRow row_of_stop(const Row& row, Condition c, Stop stop) {
   c.wanted = c.velocity;
   row.rule->project(row, c);
   ScalarRow s;
-  s.parts.push_back({c.row, stop.inward});
+  s.terms.push_back({c.row, stop.inward});
   s.wanted = dot(c.wanted, stop.inward);
   s.room = stop.room;
   s.high = infinity;
@@ -56,8 +56,8 @@ ScalarRow row_of_motor(const Row& row, Condition c) {
   c.wanted = zero3();
   row.rule->project(row, c);
   ScalarRow s;
-  s.parts.push_back({c.row, axis_of(c.kept)});
-  s.wanted = dot(c.wanted, s.parts.front().along);
+  s.terms.push_back({c.row, axis_of(c.kept)});
+  s.wanted = dot(c.wanted, s.terms.front().along);
   s.high = c.jammed > 0.0 ? c.jammed : c.upper;
   s.low = -s.high;
   return s;
@@ -72,8 +72,8 @@ void add_end(std::vector<ScalarRow::End>& ends, std::int32_t node, Vec3 force, V
 }
 
 void find_ends(const Articulate& a, ScalarRow& s) {
-  for (const ScalarRow::Part& part : s.parts) {
-    const Row& r = a.rows[part.row];
+  for (const ScalarRow::Term& term : s.terms) {
+    const Row& r = a.rows[term.row];
     const auto add = [&](std::int32_t node, Vec3 l, Vec3 along) {
       if (node < 0) return;
       const Mat3& R = a.nodes[static_cast<std::size_t>(node)].R1;
@@ -82,8 +82,8 @@ void find_ends(const Articulate& a, ScalarRow& s) {
       else
         add_end(s.ends, node, along, cross(R * l, along));
     };
-    add(r.a, r.la, part.along);
-    add(r.b, r.lb, part.along * -1.0);
+    add(r.a, r.la, term.along);
+    add(r.b, r.lb, term.along * -1.0);
   }
 }
 

@@ -9,7 +9,7 @@ namespace pantin {
 
 /// Σ along·(velocity of its row) >= wanted - room/time, by a force along these between the bounds; = wanted where it has none.
 struct ScalarRow {
-  struct Part {
+  struct Term {
     std::uint32_t row;
     Vec3 along;  ///< [1]
   };
@@ -18,13 +18,13 @@ struct ScalarRow {
     std::int32_t node;
     Vec3 force = zero3(), moment = zero3();
   };
-  std::vector<Part> parts;       ///< the first is of the row that it is known by
+  std::vector<Term> terms;       ///< the first is of the row that it is known by
   std::vector<End> ends;         ///< each of another node
   double wanted = 0.0;           ///< [m/s]
   double room = 0.0;             ///< [m] until it acts
   double low = 0.0, high = 0.0;  ///< [N] bounds of its force
 
-  std::uint32_t row() const { return parts.front().row; }
+  std::uint32_t row() const { return terms.front().row; }
   bool turns(const Articulate& a) const { return a.rows[row()].lever > 0.0; }
   bool is_bounded() const { return std::isfinite(low) || std::isfinite(high); }
 };
