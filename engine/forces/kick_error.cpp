@@ -119,7 +119,7 @@ void note_kicks(World& world) {
   });
 }
 
-void forget_attempt(World& world) {
+void forget_rejected(World& world) {
   if (!world.forces || world.forces->notes.swing.empty()) return;
   KickNotes& n = world.forces->notes;
   n.jerk = n.kept_jerk;

@@ -15,8 +15,8 @@ void note_kicks(World& world);
 /// each other is asked where it was nearest; and forces of time once between the ends. Noise is left out. Infinite where it
 /// is not a number.
 double kick_error(World& world);
-/// A step is to be done again: what was noted of it is not so.
-void forget_attempt(World& world);
+/// A step was rejected and is to be done again: what was noted of it is not so.
+void forget_rejected(World& world);
 /// A step is done: notes how things swing.
 void note_swings(World& world);
 /// The law that moves most what had the largest error in `kick_error`, as messages name it.

@@ -14,9 +14,9 @@
 #include "constraints/stiff.hpp"
 #include "forces/forces.hpp"
 #include "forces/integrator.hpp"
-#include "step/attempt.hpp"
 #include "step/ledger_posts.hpp"
 #include "step/phases.hpp"
+#include "step/reject.hpp"
 #include "step/rk4.hpp"
 #include "step/share.hpp"
 

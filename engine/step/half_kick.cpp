@@ -7,9 +7,9 @@
 #include "forces/kick_error.hpp"
 #include "forces/sleep.hpp"
 #include "forces/work_check.hpp"
-#include "step/attempt.hpp"
 #include "step/ledger_posts.hpp"
 #include "step/phases.hpp"
+#include "step/reject.hpp"
 
 namespace pantin::phases {
 

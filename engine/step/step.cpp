@@ -4,8 +4,8 @@
 #include "choreography/choreography.hpp"
 #include "forces/integrator.hpp"
 #include "forces/sleep.hpp"
-#include "step/attempt.hpp"
 #include "step/phases.hpp"
+#include "step/reject.hpp"
 #include "step/touch.hpp"
 
 namespace pantin {

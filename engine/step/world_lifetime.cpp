@@ -4,7 +4,7 @@
 #include "contacts/find.hpp"
 #include "contacts/gather.hpp"
 #include "forces/forces.hpp"
-#include "step/attempt.hpp"
+#include "step/reject.hpp"
 #include "world/world.hpp"
 
 namespace pantin {

@@ -32,7 +32,7 @@ void evaluate_euler(Node& n, double h) {
 }
 
 /// State and residuals for the present forces; returns the largest residual [m].
-double attempt_euler(Articulate& a, double h) {
+double evaluate_euler(Articulate& a, double h) {
   for (Node& n : a.nodes) n.row_force = n.row_torque = zero3();
   for (const Row& row : a.rows) {
     Node& first = a.nodes[static_cast<std::size_t>(row.a)];
@@ -55,7 +55,7 @@ double attempt_euler(Articulate& a, double h) {
 /// Newton with line backtracking on the positions at the end; false where it finds no better ones.
 bool solve_euler(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   const double tolerance = 1e-11 * a.length + 1e-10 * h * std::sqrt(norm(gravity) * a.length);
-  double e = attempt_euler(a, h);
+  double e = evaluate_euler(a, h);
   for (int i = 0; i < 40 && e > tolerance; i++) {
     factorise(a, {Arms::start, 1e-10, 1.0 / (h * h), -1.0 / (h * h)});
     report.factorisations++;
@@ -67,7 +67,7 @@ bool solve_euler(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
     double fraction = 1.0, e1 = infinity;
     for (int halvings = 0; halvings <= 8; halvings++, fraction *= 0.5) {
       for (std::size_t k = 0; k < a.rows.size(); k++) a.rows[k].f = a.f_saved[k] + a.right_side[k] * fraction;
-      e1 = attempt_euler(a, h);
+      e1 = evaluate_euler(a, h);
       report.iterations++;
       if (e1 < e * (1.0 - 0.1 * fraction) || e1 <= tolerance) break;
     }

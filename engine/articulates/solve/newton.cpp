@@ -101,8 +101,8 @@ double evaluate(Articulate& a, double h, SetRow set_row, SetBatch set_batch) {
 }
 
 /// Moves the unknowns from their saved values by a fraction of the direction: forces in `right_side`, rotations in
-/// `change`.
-double attempt(Articulate& a, double h, double fraction) {
+/// `change`. Returns the largest residual there [m].
+double evaluate_along(Articulate& a, double h, double fraction) {
   return evaluate(
       a, h, [&](std::size_t k) { a.rows[k].f = a.f_saved[k] + a.right_side[k] * fraction; },
       [&](std::size_t b) { a.batches[b].a = a.batches[b].a_saved + a.batches[b].change * fraction; });
@@ -197,7 +197,7 @@ Search search_line(Articulate& a, double h, double e, double tolerance, bool fre
   const WholeStep whole = take_direction(a, h);
   double fraction = std::min(1.0, 1.0 / whole.largest_turn);
   for (std::uint32_t halvings = 0;; halvings++) {
-    const double e1 = fraction == 1.0 ? whole.residual : attempt(a, h, fraction);
+    const double e1 = fraction == 1.0 ? whole.residual : evaluate_along(a, h, fraction);
     report.iterations++;
     const bool accepted = e1 < e * (1.0 - 0.1 * fraction) || e1 <= tolerance;
     if (accepted || halvings >= most_halvings || cost(report) > last || (!fresh && halvings == 0))
@@ -243,7 +243,7 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
       continue;
     }
     if (!(e1 < e)) {
-      e = attempt(a, h, 0.0);
+      e = evaluate_along(a, h, 0.0);
       gain = 1.0;
       if (!fresh) continue;
       if (e < 1e-4 * a.length && e > 100.0 * tolerance && a.epsilon > a.least_epsilon) {

@@ -1,5 +1,5 @@
 #pragma once
-// A step whose error is above `scene.accuracy` is done again with more sub-steps, from the state kept at its start.
+// A step whose error is above `scene.accuracy` is rejected: done again with more sub-steps, from the state kept at its start.
 #include "articulates/articulate.hpp"
 #include "world/world.hpp"
 

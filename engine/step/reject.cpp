@@ -1,4 +1,4 @@
-#include "step/attempt.hpp"
+#include "step/reject.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,7 @@ void keep(const Articulate& a, ArticulateStart& to) {
   }
 }
 
-/// The factor, and what was predicted of the forces, is of the attempt.
+/// The factor, and what was predicted of the forces, is of the step that was rejected.
 void put_back(const ArticulateStart& from, Articulate& a) {
   static_cast<ArticulateState&>(a) = from.state;
   if (!from.nodes.empty()) a.nodes = from.nodes;
@@ -112,7 +112,7 @@ void begin_again(World& world) {
   world.instant = s.instant;
   world.trouble.clear();
   world.kick_error = 0.0;
-  forget_attempt(world);
+  forget_rejected(world);
   begin_stage(world, 0);
   find_forces_again(world);
 }
