@@ -1,0 +1,53 @@
+#pragma once
+// The steps of finding contacts, each in a file of its own, and what they have in common.
+#include <algorithm>
+#include <utility>
+
+#include "contacts/find.hpp"
+
+namespace pantin {
+
+/// Part of the thickness that the margin of what rests is.
+inline constexpr double still_margin = 0.01;
+
+inline Bounds widened(Bounds b, double margin) {
+  const Vec3 by = vec(margin, margin, margin);
+  return {b.low - by, b.high + by};
+}
+
+/// Whether they are never to collide.
+inline bool are_tied(const ContactFinder& finder, std::uint32_t x, std::uint32_t y) {
+  return std::binary_search(finder.tied.begin(), finder.tied.end(), std::pair(std::min(x, y), std::max(x, y)));
+}
+
+/// One of two that may touch.
+struct ContactSide {
+  std::uint32_t key;
+  std::int32_t thing;  // or -1: the world
+  const Geometry& geometry;
+  const Placed& placed;
+  const Going& going;
+  double friction, restitution, rolling, spinning;
+  Vec3 belt;  // [m/s]
+  bool sensor;
+  bool is_solid_point() const { return thing >= 0 && is_point(static_cast<std::uint32_t>(thing)); }
+};
+
+/// Adds what is found of a pair, gaps up to `margin` [m], by key. `rule`: of their layers, or null; `before`: the contacts of the
+/// last step; the coming one is of h [s].
+void add_contacts(const ContactSide& a, const ContactSide& b, const LayerRule* rule, const Contacts& before, double h,
+                  double margin, FoundContacts& found);
+
+inline bool by_key(const Contact& a, const Contact& b) { return a.key < b.key; }
+
+/// With the shape in this slot.
+ContactSide side_of(const Model& model, const ContactFinder& finder, std::uint32_t slot);
+/// Those of all pairs of shapes, by key, into the first of `found`.
+void find_of_shapes(const Placement& placement, ContactFinder& finder, const Contacts& contacts, Workers& workers);
+
+/// Places solid points and tells how they go on.
+void place_points(const Placement& placement, ContactFinder& finder);
+/// Adds those of solid points; their keys are above those of shapes.
+void find_of_points(const Placement& placement, ContactFinder& finder, const Contacts& contacts, FoundContacts& found);
+
+}  // namespace pantin

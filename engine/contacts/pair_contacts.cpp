@@ -1,0 +1,110 @@
+// Contacts of a pair that may touch: two shapes, or a solid point and another or a shape.
+#include <algorithm>
+#include <cmath>
+
+#include "contacts/find_parts.hpp"
+
+namespace pantin {
+
+namespace {
+
+/// Whether one of these shapes kept the other out in the last drift: they touch, and neither passes the other by.
+bool held(const Contacts& contacts, const ContactKey& key) {
+  const auto before = [](const Contact& c, const ContactKey& k) {
+    return std::pair(c.key.a, c.key.b) < std::pair(k.a, k.b);
+  };
+  auto c = std::lower_bound(contacts.list.begin(), contacts.list.end(), key, before);
+  for (; c != contacts.list.end() && c->key.same_shapes(key); c++)
+    if (norm2(c->placing) > 0.0) return true;
+  return false;
+}
+
+Travel travel(const ContactSide& a, const ContactSide& b, double h) {
+  const Vec3 of_b = b.going.v + cross(b.going.w, a.placed.pose.x - b.placed.pose.x + b.placed.arm);
+  return {(a.going.v + cross(a.going.w, a.placed.arm) - of_b) * h, (a.going.w - b.going.w) * h};
+}
+
+Roundness roundness_of(const Geometry& shape, const Pose& pose) {
+  if (const auto* cylinder = std::get_if<CylinderShape>(&shape)) return {cylinder->radius, pose.R[2]};
+  return {is_convex(shape) ? rounding_of(shape) : 0.0, zero3()};
+}
+
+/// The points of one pair.
+class Collector final : public ManifoldSink {
+ public:
+  Collector(const ContactSide& a, const ContactSide& b, const LayerRule* rule, const Contacts& before, double h,
+            FoundContacts& found)
+      : a_(a), b_(b), rule_(rule), before_(before), h_(h), to_(a.sensor || b.sensor ? found.sensed : found.list) {}
+
+  void take(const Manifold& m, std::uint32_t part) override {
+    if (like_.body_a == none) set_like();
+    const bool in_point = a_.is_solid_point() && !b_.is_solid_point();
+    for (std::uint32_t i = 0; i < m.count; i++) {
+      const ManifoldPoint& p = m.points[i];
+      Contact& c = to_.emplace_back(like_);
+      c.key.part = part;
+      c.key.feature = p.id;
+      c.normal = p.normal;
+      c.gap = p.gap;
+      const Vec3 x_a = a_.placed.pose.x;
+      if (p.id == inner_ball_id) c.round_a = {norm(p.on_a - x_a), zero3()};
+      c.at = in_point ? x_a : c.body_b < 0 ? p.on_a : p.on_a - p.normal * (0.5 * p.gap);
+    }
+  }
+  Travel motion() const override { return held(before_, {a_.key, b_.key, 0, 0}) ? Travel{} : travel(a_, b_, h_); }
+
+ private:
+  static constexpr std::uint32_t none = ~0u;
+
+  void set_like() {
+    like_.key = {a_.key, b_.key, 0, 0};
+    like_.body_a = static_cast<std::uint32_t>(a_.thing);
+    like_.body_b = b_.thing;
+    like_.size = std::min(a_.placed.thickness, b_.placed.thickness);
+    like_.friction = rule_ && rule_->friction ? *rule_->friction : std::sqrt(a_.friction * b_.friction);
+    like_.restitution = rule_ && rule_->restitution ? *rule_->restitution : std::max(a_.restitution, b_.restitution);
+    if (!a_.is_solid_point()) {  // what does not turn does not roll
+      like_.rolling = std::max(a_.rolling, b_.rolling);
+      like_.spinning = std::max(a_.spinning, b_.spinning);
+    }
+    like_.round_a = roundness_of(a_.geometry, a_.placed.pose);
+    like_.round_b = roundness_of(b_.geometry, b_.placed.pose);
+    like_.belt = a_.belt - b_.belt;
+  }
+
+  const ContactSide &a_, &b_;
+  const LayerRule* rule_;
+  const Contacts& before_;
+  double h_;
+  std::vector<Contact>& to_;
+  Contact like_ = [] {
+    Contact c;
+    c.body_a = none;
+    return c;
+  }();
+};
+
+/// Whether balls about two shapes are farther apart than the margin.
+bool is_far(const ContactSide& a, const ContactSide& b, double margin) {
+  const Vec3 d = a.placed.pose.x - b.placed.pose.x;
+  const double reach = a.placed.reach + margin;
+  if (std::holds_alternative<HalfSpaceShape>(b.geometry)) return dot(b.placed.pose.R[2], d) > reach;
+  const double both = reach + b.placed.reach;
+  return is_convex(b.geometry) && norm2(d) > both * both;
+}
+
+}  // namespace
+
+void add_contacts(const ContactSide& a, const ContactSide& b, const LayerRule* rule, const Contacts& before, double h,
+                  double margin, FoundContacts& found) {
+  if (is_far(a, b, margin)) return;
+  std::vector<Contact>& to = a.sensor || b.sensor ? found.sensed : found.list;
+  const auto first = static_cast<std::ptrdiff_t>(to.size());
+  Collector collector(a, b, rule, before, h, found);
+  SeparationCache cache;
+  const double turning = h * norm(a.going.w - b.going.w) * std::min(a.placed.reach, b.placed.reach);
+  find_manifolds(a.geometry, a.placed.pose, b.geometry, b.placed.pose, {margin, turning}, cache, collector);
+  if (!std::is_sorted(to.begin() + first, to.end(), by_key)) std::sort(to.begin() + first, to.end(), by_key);
+}
+
+}  // namespace pantin

@@ -1,0 +1,98 @@
+// Contacts of solid points, with shapes and with each other.
+#include <algorithm>
+
+#include "contacts/bodies.hpp"
+#include "contacts/crowd.hpp"
+#include "contacts/find_parts.hpp"
+
+namespace pantin {
+
+namespace {
+
+/// Calls use(side) with one of the solid points.
+template <class Use>
+void with_point(const Model& model, const ContactFinder& finder, std::size_t i, Use use) {
+  const SolidPoint& point = finder.solids[i];
+  const std::uint32_t thing = point_thing(point.slot);
+  const Geometry ball = BallShape{point.radius};
+  Placed at;
+  at.reach = point.radius;
+  at.thickness = 2.0 * point.radius;
+  at.pose.x = finder.placed_points[i].x;
+  use(ContactSide{thing, static_cast<std::int32_t>(thing), ball, at, finder.going[number_of(model, thing)],
+                  point.touch.friction, point.touch.restitution, 0.0, 0.0, zero3(), false});
+}
+
+void points_on_shapes(const Placement& p, const ContactFinder& finder, const Contacts& contacts, FoundContacts& found) {
+  for (std::size_t i = 0; i < finder.solids.size(); i++) {
+    const SolidPoint& point = finder.solids[i];
+    const PlacedPoint& at = finder.placed_points[i];
+    finder.broad_phase.in_box(widened({at.x, at.x}, point.radius + at.margin), [&](std::uint32_t slot) {
+      const Shape& shape = p.model.shapes.at_slot(slot);
+      const Placed& placed = finder.placed[slot];
+      const LayerRule* rule = p.model.layers.rule(point.touch.layer, shape.layer);
+      if ((rule && !rule->collide) || !(at.moves || placed.moves)) return;
+      if (shape.body && are_tied(finder, point_thing(point.slot), shape.body.slot - 1)) return;
+      with_point(p.model, finder, i, [&](const ContactSide& a) {
+        add_contacts(a, side_of(p.model, finder, slot), rule, contacts, p.h, at.margin + placed.margin, found);
+      });
+      require_no_crowd(found.list.size(), finder.solids.size() + finder.placed.size(), {at.x, at.x});
+    });
+  }
+}
+
+void points_on_points(const Placement& p, ContactFinder& finder, const Contacts& contacts, FoundContacts& found) {
+  std::vector<std::uint32_t> index(p.model.points.slots());
+  for (std::uint32_t i = 0; i < finder.solids.size(); i++) {
+    const SolidPoint& point = finder.solids[i];
+    if (!point.among_others) continue;
+    const PlacedPoint& at = finder.placed_points[i];
+    index[point.slot] = i;
+    Bounds bounds;
+    bounds.add(at.x);
+    bounds.add(at.x + at.way);
+    finder.points.put({widened(bounds, point.radius + at.still), point.slot, at.moves}, 0.2 * point.radius);
+  }
+  for (const auto& pair : finder.points.pairs()) {
+    const std::uint32_t i = index[pair.first], j = index[pair.second];
+    const SolidPoint &x = finder.solids[i], &y = finder.solids[j];
+    PlacedPoint &at_x = finder.placed_points[i], &at_y = finder.placed_points[j];
+    const double nearing = norm(at_x.way - at_y.way);
+    const double margin = at_x.still + at_y.still + nearing, reach = x.radius + y.radius + margin;
+    if (norm2(at_x.x - at_y.x) > reach * reach) continue;
+    const LayerRule* rule = p.model.layers.rule(x.touch.layer, y.touch.layer);
+    if ((rule && !rule->collide) || are_tied(finder, point_thing(x.slot), point_thing(y.slot))) continue;
+    for (PlacedPoint* pushed : {&at_x, &at_y})  // one may push the other on to what it would not have met
+      pushed->margin = std::max(pushed->margin, pushed->still + norm(pushed->way) + nearing);
+    with_point(p.model, finder, i, [&](const ContactSide& a) {
+      with_point(p.model, finder, j,
+                 [&](const ContactSide& b) { add_contacts(a, b, rule, contacts, p.h, margin, found); });
+    });
+  }
+}
+
+}  // namespace
+
+void place_points(const Placement& p, ContactFinder& finder) {
+  finder.placed_points.clear();
+  for (const SolidPoint& point : finder.solids) {
+    const std::uint32_t thing = point_thing(point.slot);
+    const BodyState s = state_of(p.model, p.articulates, thing, p.drifted);
+    const bool falls = p.drifted && !is_loose_point(p.model, thing);
+    finder.going[number_of(p.model, thing)] = {falls ? s.v - p.gravity * (0.5 * p.drift) : s.v, zero3(), s.mass};
+    const double rest = still_margin * 2.0 * point.radius + norm(p.gravity) * p.h * p.h;
+    finder.placed_points.push_back(
+        {s.x, s.v * p.h, rest, rest + norm(s.v) * p.h, !asleep(p.model, p.articulates, p.contacts, thing)});
+  }
+}
+
+void find_of_points(const Placement& p, ContactFinder& finder, const Contacts& contacts, FoundContacts& found) {
+  const auto first = static_cast<std::ptrdiff_t>(found.list.size()),
+             first_sensed = static_cast<std::ptrdiff_t>(found.sensed.size());
+  points_on_points(p, finder, contacts, found);
+  points_on_shapes(p, finder, contacts, found);
+  std::sort(found.list.begin() + first, found.list.end(), by_key);
+  std::sort(found.sensed.begin() + first_sensed, found.sensed.end(), by_key);
+}
+
+}  // namespace pantin
