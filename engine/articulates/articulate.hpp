@@ -139,8 +139,8 @@ inline constexpr std::uint16_t most_failed = 4;
 struct Effort {
   double usual = 4.0;        // of a step that is solved at once
   std::uint32_t spare = 0;   // left of this drift, for attempts that fail
-  std::uint16_t failed = 0;  // attempts in a row that did not solve a step, at most `most_failed`,
-  std::uint16_t pause = 0;   // and for how many more none is to be tried
+  std::uint16_t failed = 0;  // drifts in a row whose attempts did not solve all, at most `most_failed`,
+  std::uint16_t pause = 0;   // and in how many more none is to be made
 };
 
 /// How two points of a node moved on average over the last stage of a step [m/s], and how that changed [m/s²].
@@ -176,7 +176,7 @@ struct ArticulateState {
   /// loop are never redundant.
   double least_epsilon = 1e-10, most_epsilon = 1e-6, epsilon = most_epsilon;
   std::uint32_t good_steps = 0, wait = 20, projection_wait = 0;
-  bool lowered = false;           // epsilon was lowered in this step
+  bool lowered = false;           // epsilon was lowered in the last attempt
   bool has_factor = false;        // the factor is of a Newton matrix
   bool exact = false;             // the factor is of what the rows forbid, at the nodes' starts
   bool fell_back = false;         // the last step was a fallback step

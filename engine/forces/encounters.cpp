@@ -10,14 +10,14 @@ namespace pantin {
 
 namespace {
 
-constexpr double slow = 0.1;    // of the reach of a law: who moves less in a part passes nobody in it
+constexpr double slow = 0.1;    // of the reach of a law: who moves less in a stage passes nobody in it
 constexpr double nearer = 0.7;  // than at both ends: an encounter
 
 /// How a pair passed, if it did.
 struct Passing {
   std::uint32_t a = 0, b = 0;
   Vec3 d = zero3();             // [m] from a to b where they were nearest
-  Vec3 displacement = zero3();  // [m] by which that changed over the part
+  Vec3 displacement = zero3();  // [m] by which that changed over the stage
   std::size_t tie = 0;          // number of the connection
 };
 

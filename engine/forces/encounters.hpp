@@ -13,7 +13,7 @@ struct Encounter {
   double displacement = 0.0;  ///< [m] by which the two moved against each other
 };
 
-/// Those whose distance was least within the part, and there well below what it was at the ends. Places at the start are
+/// Those whose distance was least within the stage, and there well below what it was at the ends. Places at the start are
 /// KickNotes::position; `fastest` [m] is the longest displacement of a site in the stage, `nearest` [m] the least distance of two now.
 std::vector<Encounter> find_encounters(const World& world, Forces& forces, double fastest, double nearest);
 

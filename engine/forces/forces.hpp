@@ -49,21 +49,21 @@ struct KickNotes {
   std::vector<Vec3> acceleration;  ///< (slots of particles) [m/s²] in the kick that began a stage of the step
   std::vector<Vec3> position;      ///< (slots of particles) [m] then
   std::vector<Vec3> seen;          ///< (slots of particles) [m] somewhere within the step
-  /// (slots of particles) [m/s³] in the last parts, the latest first; infinite: unknown. Now, and at the start of the step.
+  /// (slots of particles) [m/s³] in the last stages, the latest first; infinite: unknown. Now, and at the start of the step.
   std::vector<std::array<double, 3>> jerk, kept_jerk;
   /// (slots of particles) [m] errors of what was too young for a size to be relative to. Now, and at the start of the step.
   std::vector<double> untold, kept_untold;
   std::vector<Swing> swing, kept_swing;  ///< (slots of particles) now; at the start of the step where some are young
   std::vector<std::uint32_t> partner;  ///< (slots of particles) that of the nearest of those it interacts with, or none
-  std::vector<Vec3> change, moved;     ///< (sites) [m/s²], [m] over the part
+  std::vector<Vec3> change, moved;     ///< (sites) [m/s²], [m] over the stage
   std::vector<double> turning,
       near;  ///< (sites) [m/s²] of a body's far end; [m] to the nearest thing it interacts with
-  double told = 0.0, told_in_step = 0.0;  ///< [1/s] what is told where it is too much: of the last part, of the step
+  double told = 0.0, told_in_step = 0.0;  ///< [1/s] what is told where it is too much: of the last stage, of the step
   bool told_late = false;                 ///< some of that is of steps before
-  double jump = 0.0;  ///< [1/s] of the jumps of forces in the last part, the largest: what it adds from then on
+  double jump = 0.0;  ///< [1/s] of the jumps of forces in the last stage, the largest: what it adds from then on
   double jumps_in_step = 0.0;  ///< [1/s²] squares of these over the step
   double jumps = 0.0;          ///< [1/s²] over the time that errors are asked for: their signs are by chance
-  std::size_t worst_site = 0;  ///< with the largest error in the last part
+  std::size_t worst_site = 0;  ///< with the largest error in the last stage
 };
 
 struct Forces {
@@ -105,7 +105,7 @@ struct Forces {
   std::vector<Vec3>
       noise;        ///< (sites) [N] of the non-conservative forces what is noise, where `accuracy` leaves it out
   KickNotes notes;  ///< of errors, where `accuracy` asks
-  AlignedVector<Vec3> kicked_from;  ///< (sites) [m/s] before the kick at the end of a part, where the ledger is kept
+  AlignedVector<Vec3> kicked_from;  ///< (sites) [m/s] before the kick at the end of a stage, where the ledger is kept
   double energy = 0.0;              ///< [J] of all laws, when it was last told
   bool told = false;                ///< in the last step
 

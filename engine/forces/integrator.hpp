@@ -45,7 +45,7 @@ std::string try_accuracy(const World& world);
 
 /// Stages of the coming step.
 std::uint32_t stage_count(const World& world);
-/// Sets World::part to one of them.
+/// Sets World::stage to one of them.
 void begin_stage(World& world, std::uint32_t stage);
 /// Time at a fraction of the step that is being done [s].
 double time_within(const World& world, double fraction);

@@ -68,7 +68,7 @@ double reach_of(const World& world, const Receiver& m) {
   return std::sqrt(largest(motion.inertia) / motion.mass);
 }
 
-/// Looked at in all parts of a step, not once a step.
+/// Looked at in all stages of a step, not once a step.
 bool is_young(const Swing& swing) { return swing.n < 4.0; }
 void begin_notes(World& world, Forces& f) {
   KickNotes& n = f.notes;
@@ -191,7 +191,7 @@ class Judge {
       fastest2_ = std::max(fastest2_, norm2(n_.moved[i]));
       Swing& swing = n_.swing[slot];
       if (!n_.kept_swing.empty() && is_young(n_.kept_swing[slot])) {
-        if (!swing.seen) swing.add(n_.position[slot], time_within(world_, world_.stage.from), 1e-9);
+        if (!swing.begun) swing.add(n_.position[slot], time_within(world_, world_.stage.from), 1e-9);
         swing.add(now, time_within(world_, world_.stage.to), 1.0 / world_.sub_steps.count);
       }
       if (seen) n_.seen[slot] = now - n_.moved[i] * (1.0 - within_);
@@ -226,7 +226,7 @@ class Judge {
     return result;
   }
 
-  /// A force whose period divides the part is the same at both of its ends.
+  /// A force whose period divides the stage is the same at both of its ends.
   void add_changes_of_time() {
     if (!is_seen()) return;
     const auto force = f_.sites.force, open = f_.sites.nonconservative_force;
@@ -250,7 +250,7 @@ class Judge {
   }
 
   /// Adds up the errors of the most sub-steps until there is a size that they are relative to, which then tells them in the
-  /// present part.
+  /// present stage.
   void tell_later(double& untold, double change, double size, bool known) {
     if (!known) {
       if (world_.sub_steps.count == sub_step_limit) untold += change * h_ * h_ / 6.0;
@@ -327,13 +327,13 @@ class Judge {
   /// By how much it has swung since it was first seen [rad]: by the stiffness that it meets, or by how fast its acceleration
   /// changes beside its size.
   double turns(std::size_t i, const Swing& swing, double stiffness, double jerk) const {
-    if (!swing.seen) return 0.0;
+    if (!swing.begun) return 0.0;
     const double a = std::max(swing.acceleration, norm(acceleration(world_, f_, i))), j = std::max(swing.jerk, jerk);
     const double by_displacement = std::isfinite(stiffness) ? std::sqrt(stiffness) : 0.0;
     return (time_within(world_, world_.stage.to) - swing.since) * std::max(by_displacement, a > 0.0 ? j / a : 0.0);
   }
 
-  /// How far it swings if its force changes on as in this part; where laws of velocity act no farther than until they have
+  /// How far it swings if its force changes on as in this stage; where laws of velocity act no farther than until they have
   /// stopped or turned it [m].
   double first_swing(std::size_t i, double stiffness) const {
     const double swing = swing_by(stiffness, n_.change[i], n_.moved[i], h_);
@@ -349,7 +349,7 @@ class Judge {
     return all > 0.0 && norm(f_.sites.nonconservative_force[i] - f_.still[i]) > 0.1 * all;
   }
 
-  /// Change of the acceleration by its time [m/s³], where it jumped in the part before, or in the two; 0 where it changed as it
+  /// Change of the acceleration by its time [m/s³], where it jumped in the stage before, or in the two; 0 where it changed as it
   /// does before and after.
   double jump_before(std::uint32_t slot, double jerk) const {
     const auto [last, before, first] = n_.jerk[slot];
@@ -365,7 +365,7 @@ class Judge {
   Box box_;
   double h_;                             // [s]
   double worst_ = 0.0, fastest2_ = 0.0;  // [1/s], [m²]
-  double within_ = 0.0;                  // where between the ends of the part things are looked at
+  double within_ = 0.0;                  // where between the ends of the stage things are looked at
 };
 
 }  // namespace

@@ -6,8 +6,8 @@
 namespace pantin {
 
 void Swing::add(Vec3 position, double time, double weight) {
-  if (!seen) {
-    seen = true;
+  if (!begun) {
+    begun = true;
     first = position;
     since = time;
   }

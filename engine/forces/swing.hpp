@@ -11,7 +11,7 @@ struct Swing {
   std::uint64_t serial = 0;  ///< of the particle; 0: none yet
   Vec3 first = zero3();      ///< [m]
   double since = 0.0;        ///< [s]
-  bool seen = false;
+  bool begun = false;
   double acceleration = 0.0, jerk = 0.0;  ///< [m/s²], [m/s³] the largest at ends of steps
   double n = 0.0, t = 0.0, tt = 0.0;      ///< steps
   Vec3 x = zero3(), xt = zero3();

@@ -11,7 +11,7 @@ namespace pantin {
 
 namespace {
 
-constexpr double one_in = 192.0;  // parts that are looked at
+constexpr double one_in = 192.0;  // stages that are looked at
 constexpr double much = 0.3;      // of the largest kinetic energy
 
 bool is_checked(const World& world) {
@@ -23,7 +23,7 @@ double done_by_nonconservative_laws(const World& world) {
   return world.nonconservative_work + world.ledger.given[static_cast<std::size_t>(Source::damper)];
 }
 
-/// A function of the part alone, so that a run is repeated.
+/// A function of the stage alone, so that a run is repeated.
 bool is_drawn(const World& world) {
   Random random{world.settings.seed, world.instant};
   return random.uniform() < 1.0 / one_in;
@@ -134,7 +134,7 @@ void check_work(World& world) {
 
 double missed_work(const World& world) {
   const WorkCheck& c = world.work_check;
-  const bool some = c.sizes > 2.0 * std::sqrt(c.drawn);  // not one part alone that stands for many
+  const bool some = c.sizes > 2.0 * std::sqrt(c.drawn);  // not one stage alone that stands for many
   const bool one_sign = std::fabs(c.missed) > 4.0 * std::sqrt(c.squares), large = some && c.sizes > 0.1 * c.done;
   return (one_sign || large ? c.missed : 0.0) - (c.unkept - c.unkept_at_first);
 }

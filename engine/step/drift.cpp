@@ -196,7 +196,7 @@ void tell_too_stiff(World& world, const Articulate& a) {
                 " s cannot be solved, and in fallback steps its length is held as it is; a rod keeps a length"));
 }
 
-/// Moves every articulate by `move(articulate, worker)`; a first part begins with the state of the model.
+/// Moves every articulate by `move(articulate, worker)`; a first stage begins with the state of the model.
 template <class Move>
 void drift_articulates(World& world, Move move) {
   share_articulates(world, [&](Articulate& articulate, int worker) {

@@ -33,7 +33,7 @@ void keep_start(World& world);
 void note_error(World& world);
 /// Whether the error is above what is wanted, and more sub-steps may be had.
 bool misses_accuracy(const World& world);
-/// After the parts of a step: whether it is to be done again; all is then as it was at its start, with more sub-steps. Else
+/// After the stages of a step: whether it is to be done again; all is then as it was at its start, with more sub-steps. Else
 /// chooses those of the next step, and tells where not even the most are enough.
 bool is_to_be_done_again(World& world);
 

@@ -124,7 +124,7 @@ struct Stats {
 /// that it stands for [J].
 struct WorkCheck {
   double missed = 0.0;                         ///< that less what was given
-  double squares = 0.0;                        ///< [J²] of the parts
+  double squares = 0.0;                        ///< [J²] of the stages
   double drawn = 0.0;                          ///< [J²] of those of them that stand for others
   double sizes = 0.0;                          ///< magnitudes
   double done = 0.0;                           ///< magnitudes of the work
