@@ -131,21 +131,21 @@ void start_from_rest(ContactIsland& island) {
 }
 
 void apply_impulses(ContactIsland& island) {
-  start_from_rest(island);
-  for (const IslandContact& c : island.contacts) push(island, c, to_world(c, c.impulse));
-  for (const IslandRoll& r : island.rolls) push(island, r, r.impulse);
-  for (const IslandTie& t : island.ties) push(island, t, t.kept * t.impulse);
-  for (const IslandScalar& s : island.scalars) push(island, s, s.impulse);
+  std::vector<BodyLoad>& loads = island.applied;
+  loads.assign(island.bodies.size(), {});
+  add_contact_loads(island, loads);
+  add_tie_loads(island, loads);
+  for (std::size_t i = 0; i < loads.size(); i++) {
+    IslandBody& b = island.bodies[i];
+    b.v = b.v0 + loads[i].force * b.inverse_mass;
+    b.w = b.w0 + b.mobility * loads[i].moment;
+  }
 }
 
 void observe(ContactIsland& island) {
   for (IslandContact& c : island.contacts)
     c.u = to_frame(c, relative(c, island.bodies, &IslandBody::v, &IslandBody::w)) + c.bias;
-  for (IslandRoll& r : island.rolls) {
-    const IslandContact& c = island.contacts[r.contact];
-    const Vec3 wa = island.bodies[static_cast<std::size_t>(c.a)].w;
-    r.u = r.lever * to_frame(c, c.b < 0 ? wa : wa - island.bodies[static_cast<std::size_t>(c.b)].w);
-  }
+  for (IslandRoll& r : island.rolls) r.u = velocity_of(island, r, &IslandBody::w);
   for (IslandTie& t : island.ties)
     t.u = velocity_of(t, island.bodies, &IslandBody::v, &IslandBody::w) - t.kept * t.wanted;
   for (IslandScalar& s : island.scalars) s.u = velocity_of(island, s, &IslandBody::v, &IslandBody::w) + s.bias;

@@ -132,6 +132,7 @@ struct ContactIsland {
   Layout ties_alone, all;            ///< of the matrices that were factorised last
   bool ties_prepared = false;        ///< the first of them is of these ties
   std::vector<BodyLoad> tie_change;  ///< [m/s], [rad/s] scratch of what ties answer
+  std::vector<BodyLoad> applied;     ///< scratch of what impulses do
   SweepSpace sweep_space;
 
   void clear();  ///< keeps memory
@@ -174,6 +175,12 @@ inline double velocity_of(const ContactIsland& island, const IslandScalar& s, Ve
     sum += dot(end.force, b.*v) + dot(end.moment, b.*w);
   }
   return sum;
+}
+
+inline Vec3 velocity_of(const ContactIsland& island, const IslandRoll& r, Vec3 IslandBody::*w) {
+  const IslandContact& c = island.contacts[r.contact];
+  const Vec3 wa = island.bodies[static_cast<std::size_t>(c.a)].*w;
+  return r.lever * to_frame(c, c.b < 0 ? wa : wa - island.bodies[static_cast<std::size_t>(c.b)].*w);
 }
 
 /// Adds an impulse [N s] (world axes, on a) to the velocities.

@@ -101,26 +101,70 @@ void add_own(Sums to, std::int32_t body, const Mat3& ll, const Mat3& al, const M
   to.add(to.layout.own[number(body)], a > l, al, la);
 }
 
-/// Adds J' K J of a stiffness between two points: of a body with J = [1, -r^ T], T its `turning`.
-void add_points(Sums to, const IslandPair& p, const PairBlocks& blocks, const Mat3& K) {
-  const auto before = [](const IslandBody& b, Vec3 r, const Mat3& k) {  // T r^ k
-    return b.turns_anyhow ? turned_by(r, k) : b.turning * turned_by(r, k);
-  };
-  const auto behind = [&](const Mat3& k, Vec3 r, const IslandBody& b) { return transpose(before(b, r, transpose(k))); };
-  const auto opposite = [&](const Mat3& entry, Vec3 r, const IslandBody& b) {
-    return to.symmetric ? transpose(entry) : behind(K, r, b);
-  };
+/// Stiffnesses between points of one pair of bodies, all together: with arms r from a's centre, J = [1, -r^] of a.
+struct PairSums {
+  Mat3 ll = zero33(), al = zero33(), la = zero33(), aa = zero33();  // Σ K, Σ r^ K, Σ K r^', Σ r^ K r^'
+
+  void add(Vec3 r, const Mat3& K, bool symmetric) {
+    const Mat3 rK = turned_by(r, K);
+    ll += K;
+    al += rK;
+    if (!symmetric) la += transpose(turned_by(r, transpose(K)));
+    aa += transpose(turned_by(r, transpose(rK)));
+  }
+};
+
+/// Adds J' K J of all stiffnesses of a pair, whose arms of b are `between` [m] longer than those of a.
+void add_sums(Sums to, const IslandPair& p, const PairBlocks& blocks, PairSums s) {
+  Vec3 between = p.rb - p.ra;
+  if (to.symmetric) s.la = transpose(s.al);
+  const auto before = [](const IslandBody& b, const Mat3& m) { return b.turns_anyhow ? m : b.turning * m; };
+  const auto behind = [](const Mat3& m, const IslandBody& b) { return b.turns_anyhow ? m : m * b.turning; };
+  const auto longer = [&](const Mat3& m) { return transpose(turned_by(between, transpose(m))); };
   const IslandBody& a = to.island.bodies[number(p.a)];
-  const Mat3 Ka = before(a, p.ra, K), aK = opposite(Ka, p.ra, a);
-  add_own(to, p.a, K, Ka, aK, behind(Ka, p.ra, a));
+  const Mat3 al = before(a, s.al), la = behind(s.la, a);
+  add_own(to, p.a, s.ll, al, la, behind(before(a, s.aa), a));
   if (p.b < 0) return;
   const IslandBody& b = to.island.bodies[number(p.b)];
-  const Mat3 Kb = before(b, p.rb, K), bK = opposite(Kb, p.rb, b), both = behind(Ka, p.rb, b);
-  add_own(to, p.b, K, Kb, bK, behind(Kb, p.rb, b));
-  const Mat3 entries[4] = {K, bK, Ka, both},
-             opposites[4] = {K, Kb, aK, to.symmetric ? transpose(both) : behind(Kb, p.ra, a)};
+  const Mat3 bl = s.al + turned_by(between, s.ll), lb = s.la + longer(s.ll);
+  const Mat3 ab = s.aa + longer(s.al), ba = s.aa + turned_by(between, s.la), bb = ab + turned_by(between, lb);
+  const Mat3 of_b = before(b, bl), to_b = behind(lb, b);
+  add_own(to, p.b, s.ll, of_b, to_b, behind(before(b, bb), b));
+  const Mat3 entries[4] = {s.ll, to_b, al, behind(before(a, ab), b)},
+             opposites[4] = {s.ll, of_b, la, behind(before(b, ba), a)};
   for (std::size_t i = 0; i < 4; i++)
     to.add(blocks.block[i], blocks.a_below[i], entries[i] * -1.0, opposites[i] * -1.0);
+}
+
+/// The same of one stiffness.
+void add_points(Sums to, const IslandPair& p, const PairBlocks& blocks, const Mat3& K) {
+  PairSums sums;
+  sums.add(p.ra, K, to.symmetric);
+  add_sums(to, p, blocks, sums);
+}
+
+/// Whether both are of one pair of bodies at one place.
+bool are_alike(const IslandPair& one, const IslandPair& other) {
+  if (one.a != other.a || one.b != other.b) return false;
+  const Vec3 between = one.rb - one.ra;
+  return one.b < 0 || norm2(other.rb - other.ra - between) <= 1e-16 * norm2(between);
+}
+
+/// The same of stiffnesses of contacts, those of a pair that follow each other at once; what is open has none.
+void add_contacts(Sums to, std::span<const PairBlocks> blocks, std::span<const Mat3> stiffness) {
+  const std::vector<IslandContact>& contacts = to.island.contacts;
+  for (std::size_t k = 0; k < stiffness.size();) {
+    PairSums sums;
+    bool any = false;
+    const std::size_t first = k;
+    for (; k < stiffness.size() && are_alike(contacts[first], contacts[k]); k++) {
+      const Mat3& K = stiffness[k];
+      if (K[0][0] + K[1][1] + K[2][2] == 0.0) continue;
+      sums.add(contacts[k].ra, K, to.symmetric);
+      any = true;
+    }
+    if (any) add_sums(to, contacts[first], blocks[first], sums);
+  }
 }
 
 /// The same of a stiffness between two spins.
@@ -254,8 +298,7 @@ void factorise(const ContactIsland& island, Layout& layout, std::span<const Mat3
   std::copy(layout.base_lower.begin(), layout.base_lower.end(), f.lower.begin());
   if (!symmetric) std::copy(layout.base_upper.begin(), layout.base_upper.end(), f.upper.begin());
   const Sums sums{island, layout, f.diagonal, f.lower, f.upper, symmetric};
-  for (std::size_t k = 0; k < stiffness.size(); k++)
-    add_points(sums, island.contacts[k], layout.contact_blocks[k], stiffness[k]);
+  add_contacts(sums, layout.contact_blocks, stiffness);
   for (std::size_t k = 0; k < roll_stiffness.size(); k++) {
     const std::uint32_t c = island.rolls[k].contact;
     add_turns(sums, island.contacts[c], layout.contact_blocks[c], roll_stiffness[k]);

@@ -211,9 +211,7 @@ struct Newton {
   void follow_spins() {
     for (std::size_t k = 0; k < roll_laws.size(); k++) {
       IslandRoll& r = island.rolls[k];
-      const IslandContact& c = island.contacts[r.contact];
-      const Vec3 wa = island.bodies[static_cast<std::size_t>(c.a)].dw;
-      const Vec3 du = r.lever * to_frame(c, c.b < 0 ? wa : wa - island.bodies[static_cast<std::size_t>(c.b)].dw);
+      const Vec3 du = velocity_of(island, r, &IslandBody::dw);
       const LinearRoll& l = roll_used[k];
       const double along = (du[1] * l.roll.d1 + du[2] * l.roll.d2) * l.roll.along_stiffness,
                    across = (du[2] * l.roll.d1 - du[1] * l.roll.d2) * l.roll.across_stiffness;

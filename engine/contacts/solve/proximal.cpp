@@ -23,6 +23,7 @@ constexpr std::uint32_t most_steps = 60,
 constexpr double part_of_motion = 0.02,
                  loosest = 100.0;  // of the fastest body's speed; of what is enough: that may be left
 constexpr int most_on_line = 12;
+constexpr double flat = 0.1;  // of the first slope: where the search along a line ends
 
 double size_of(double a, double b) { return std::sqrt(a * a + b * b); }
 
@@ -34,6 +35,8 @@ struct Proximal {
   std::vector<Mat3> slopes = {}, roll_slopes = {};  // -dP/du, world axes
   std::vector<double> scalar_slopes = {};
   std::vector<BodyLoad> load = {}, change = {};
+  std::vector<Vec3> du = {}, roll_du = {};  // by the change, as u
+  std::vector<double> scalar_du = {};
 
   void begin_round() {
     from.keep(island);
@@ -44,86 +47,136 @@ struct Proximal {
     for (const IslandRoll& r : island.rolls) most_roll.push_back(std::fmax(0.0, island.contacts[r.contact].impulse[0]));
   }
 
-  void project(IslandContact& c, Vec3 g, double s, Mat3& slope) const {
+  /// The impulse of a contact at velocity u [m/s], and its slope where that is asked for.
+  Vec3 project(const IslandContact& c, Vec3 u, Vec3 g, double s, Mat3* slope) const {
     const double rn = rho * c.wn, rt = rho * c.wt, other = c.friction * rt / rn;
-    const double yn = g[0] - (c.u[0] + s) / rn, y1 = g[1] - c.u[1] / rt, y2 = g[2] - c.u[2] / rt, yt = size_of(y1, y2);
+    const double yn = g[0] - (u[0] + s) / rn, y1 = g[1] - u[1] / rt, y2 = g[2] - u[2] / rt, yt = size_of(y1, y2);
     if (yt <= c.friction * yn) {
-      c.impulse = vec(yn, y1, y2);
-      slope = outer(c.frame[0], c.frame[0]) * (1.0 / rn) +
-              (outer(c.frame[1], c.frame[1]) + outer(c.frame[2], c.frame[2])) * (1.0 / rt);
-    } else if (yn > -other * yt) {
-      const double f = 1.0 / (1.0 + c.friction * other), n = f * (yn + other * yt), t = c.friction * n;
-      const double d1 = y1 / yt, d2 = y2 / yt;
-      c.impulse = vec(n, t * d1, t * d2);
+      if (slope)
+        *slope = outer(c.frame[0], c.frame[0]) * (1.0 / rn) +
+                 (outer(c.frame[1], c.frame[1]) + outer(c.frame[2], c.frame[2])) * (1.0 / rt);
+      return vec(yn, y1, y2);
+    }
+    if (!(yn > -other * yt)) {
+      if (slope) *slope = zero33();
+      return zero3();
+    }
+    const double f = 1.0 / (1.0 + c.friction * other), n = f * (yn + other * yt), t = c.friction * n;
+    const double d1 = y1 / yt, d2 = y2 / yt;
+    if (slope) {
       const Vec3 way = c.frame[0] + (c.frame[1] * d1 + c.frame[2] * d2) * c.friction,
                  across = c.frame[2] * d1 - c.frame[1] * d2;
-      slope = outer(way, way) * (f / rn) + outer(across, across) * (t / (yt * rt));
-    } else {
-      c.impulse = zero3();
-      slope = zero33();
+      *slope = outer(way, way) * (f / rn) + outer(across, across) * (t / (yt * rt));
     }
+    return vec(n, t * d1, t * d2);
   }
-  /// Its bound as the round found it.
-  void project(IslandRoll& r, Vec3 g, double most, Mat3& slope) const {
+  /// The same of a roll, its bound as the round found it.
+  Vec3 project(const IslandRoll& r, Vec3 u, Vec3 g, double most, Mat3* slope) const {
     const Mat3& frame = island.contacts[r.contact].frame;
-    r.impulse = zero3();
-    slope = zero33();
+    Vec3 impulse = zero3();
+    if (slope) *slope = zero33();
     if (r.wn > 0.0) {
-      const double by = 1.0 / (rho * r.wn), y = g[0] - r.u[0] * by;
-      r.impulse[0] = std::clamp(y, -most, most);
-      if (std::fabs(y) < most) slope += outer(frame[0], frame[0]) * (r.lever[0] * r.lever[0] * by);
+      const double by = 1.0 / (rho * r.wn), y = g[0] - u[0] * by;
+      impulse[0] = std::clamp(y, -most, most);
+      if (slope && std::fabs(y) < most) *slope += outer(frame[0], frame[0]) * (r.lever[0] * r.lever[0] * by);
     }
-    if (r.wt == 0.0) return;
-    const double by = 1.0 / (rho * r.wt), y1 = g[1] - r.u[1] * by, y2 = g[2] - r.u[2] * by, y = size_of(y1, y2);
+    if (r.wt == 0.0) return impulse;
+    const double by = 1.0 / (rho * r.wt), y1 = g[1] - u[1] * by, y2 = g[2] - u[2] * by, y = size_of(y1, y2);
     const double part = y > most ? most / y : 1.0, stiffness = r.lever[1] * r.lever[1] * part * by;
-    r.impulse[1] = y1 * part;
-    r.impulse[2] = y2 * part;
+    impulse[1] = y1 * part;
+    impulse[2] = y2 * part;
+    if (!slope) return impulse;
     const Vec3 along = y > 0.0 ? (frame[1] * y1 + frame[2] * y2) * (1.0 / y) : frame[1],
                across = cross(frame[0], along);
-    slope += outer(across, across) * stiffness;
-    if (y <= most) slope += outer(along, along) * stiffness;
+    *slope += outer(across, across) * stiffness;
+    if (y <= most) *slope += outer(along, along) * stiffness;
+    return impulse;
+  }
+  double project(const IslandScalar& s, double u, double from_impulse, double& slope) const {
+    const double by = s.is_bounded() ? 1.0 / (rho * s.w) : tie_stiffness / s.w, y = from_impulse - u * by;
+    slope = s.is_bounded() && y > s.low && y < s.high ? by : 0.0;
+    return std::clamp(y, s.low, s.high);
   }
   /// Impulses at the velocities at hand, and how they change with these.
   void project_all() {
     observe(island);
-    for (std::size_t k = 0; k < slopes.size(); k++) project(island.contacts[k], from.contacts[k], shift[k], slopes[k]);
-    for (std::size_t k = 0; k < roll_slopes.size(); k++)
-      project(island.rolls[k], from.rolls[k], most_roll[k], roll_slopes[k]);
+    for (std::size_t k = 0; k < slopes.size(); k++) {
+      IslandContact& c = island.contacts[k];
+      c.impulse = project(c, c.u, from.contacts[k], shift[k], &slopes[k]);
+    }
+    for (std::size_t k = 0; k < roll_slopes.size(); k++) {
+      IslandRoll& r = island.rolls[k];
+      r.impulse = project(r, r.u, from.rolls[k], most_roll[k], &roll_slopes[k]);
+    }
     for (std::size_t k = 0; k < from.ties.size(); k++) {
       IslandTie& t = island.ties[k];
       t.impulse = from.ties[k] - t.u * (tie_stiffness / t.w);
     }
     for (std::size_t k = 0; k < scalar_slopes.size(); k++) {
       IslandScalar& s = island.scalars[k];
-      const double by = s.is_bounded() ? 1.0 / (rho * s.w) : tie_stiffness / s.w, y = from.scalars[k] - s.u * by;
-      s.impulse = std::clamp(y, s.low, s.high);
-      scalar_slopes[k] = s.is_bounded() && y > s.low && y < s.high ? by : 0.0;
+      s.impulse = project(s, s.u, from.scalars[k], scalar_slopes[k]);
     }
     unbalanced(island, load);
   }
 
-  /// Of what is least, along the change.
-  double slope_along() const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < load.size(); i++)
-      sum -= dot(load[i].force, change[i].force) + dot(load[i].moment, change[i].moment);
+  void read_changes() {
+    for (std::size_t i = 0; i < change.size(); i++) {
+      island.bodies[i].dv = change[i].force;
+      island.bodies[i].dw = change[i].moment;
+    }
+    for (std::size_t k = 0; k < du.size(); k++) {
+      const IslandContact& c = island.contacts[k];
+      du[k] = to_frame(c, relative(c, island.bodies, &IslandBody::dv, &IslandBody::dw));
+    }
+    for (std::size_t k = 0; k < roll_du.size(); k++) roll_du[k] = velocity_of(island, island.rolls[k], &IslandBody::dw);
+    for (std::size_t k = 0; k < scalar_du.size(); k++)
+      scalar_du[k] = velocity_of(island, island.scalars[k], &IslandBody::dv, &IslandBody::dw);
+  }
+  /// [J] Slope along the change of what is least, so far along it. Masses and ties have straight ones.
+  double slope_at(double part, double start, double bend) const {
+    double sum = start + bend * part;
+    for (std::size_t k = 0; k < du.size(); k++) {
+      const IslandContact& c = island.contacts[k];
+      sum -= dot(project(c, c.u + du[k] * part, from.contacts[k], shift[k], nullptr), du[k]);
+    }
+    for (std::size_t k = 0; k < roll_du.size(); k++) {
+      const IslandRoll& r = island.rolls[k];
+      sum -= dot(project(r, r.u + roll_du[k] * part, from.rolls[k], most_roll[k], nullptr), roll_du[k]);
+    }
+    double unused = 0.0;
+    for (std::size_t k = 0; k < scalar_du.size(); k++) {
+      const IslandScalar& s = island.scalars[k];
+      sum -= project(s, s.u + scalar_du[k] * part, from.scalars[k], unused) * scalar_du[k];
+    }
     return sum;
   }
   void go(double part) {
-    for (std::size_t i = 0; i < change.size(); i++) {
-      island.bodies[i].v += change[i].force * part;
-      island.bodies[i].w += change[i].moment * part;
+    for (IslandBody& b : island.bodies) {
+      b.v += b.dv * part;
+      b.w += b.dw * part;
     }
     project_all();
   }
-  /// To where the slope along the change vanishes: it rises all the way.
-  void search_line(double first) {
+  /// To where the slope along the change vanishes: it rises all the way. Returns how far that is; 0 where it falls nowhere.
+  double search_line() const {
+    double start = 0.0, bend = 0.0, first = 0.0;
+    for (std::size_t i = 0; i < load.size(); i++) {
+      const IslandBody& b = island.bodies[i];
+      start += b.mass * dot(b.v - b.v0, b.dv) + dot(b.w - b.w0, b.inertia * b.dw);
+      bend += b.mass * norm2(b.dv) + dot(b.dw, b.inertia * b.dw);
+      first -= dot(load[i].force, b.dv) + dot(load[i].moment, b.dw);
+    }
+    for (const IslandTie& t : island.ties) {
+      const Vec3 by = velocity_of(t, island.bodies, &IslandBody::dv, &IslandBody::dw);
+      start -= dot(t.impulse, by);
+      bend += norm2(by) * (tie_stiffness / t.w);
+    }
+    if (!(first < 0.0)) return 0.0;
     double at = 0.0, low = 0.0, low_slope = first, high = infinity, high_slope = 0.0, next = 1.0;
     for (int i = 0; i < most_on_line; i++) {
-      go(next - at);
       at = next;
-      const double slope = slope_along();
-      if (std::fabs(slope) <= 1e-2 * std::fabs(first)) return;
+      const double slope = slope_at(at, start, bend);
+      if (std::fabs(slope) <= flat * std::fabs(first)) break;
       (slope < 0.0 ? low : high) = at;
       (slope < 0.0 ? low_slope : high_slope) = slope;
       if (high == infinity) {
@@ -133,6 +186,7 @@ struct Proximal {
       const double width = high - low, secant = low - low_slope * width / (high_slope - low_slope);
       next = i % 3 == 2 ? low + 0.5 * width : std::clamp(secant, low + 0.01 * width, high - 0.01 * width);
     }
+    return at;
   }
   /// [m/s] Largest speed that loads not yet balanced would give.
   double unmoved() const {
@@ -149,14 +203,18 @@ struct Proximal {
     roll_slopes.resize(island.rolls.size());
     scalar_slopes.resize(island.scalars.size());
     change.resize(island.bodies.size());
+    du.resize(island.contacts.size());
+    roll_du.resize(island.rolls.size());
+    scalar_du.resize(island.scalars.size());
     project_all();
     for (std::uint32_t step = 0; step < most_steps; step++) {
       if (unmoved() <= enough) return step;
       factorise(island, island.all, slopes, roll_slopes, scalar_slopes, true);
       solve(island, island.all, load, change);
-      const double first = slope_along();
-      if (!(first < 0.0)) return step;
-      search_line(first);
+      read_changes();
+      const double part = search_line();
+      if (part == 0.0) return step;
+      go(part);
     }
     return most_steps;
   }
