@@ -41,13 +41,6 @@ Vec3 way_of(const Travel& motion, const Pose& at_a, Vec3 on_a) {
   return motion.way + cross(motion.turn, on_a - at_a.x);
 }
 
-/// Turning about its axis moves no surface of what is round.
-Vec3 turn_of(const Geometry& shape, const Pose& pose, Vec3 turn) {
-  if (std::holds_alternative<BallShape>(shape)) return zero3();
-  const bool round = std::holds_alternative<CapsuleShape>(shape) || std::holds_alternative<CylinderShape>(shape);
-  return round ? turn - pose.R[2] * dot(pose.R[2], turn) : turn;
-}
-
 struct Meeting {
   double part;
   Vec3 normal;

@@ -124,6 +124,11 @@ bool is_convex(const Geometry& shape) {
 
 Bounds bounds_of(const Geometry& shape, const Pose& pose) { return std::visit(BoundsOf{pose}, shape); }
 double reach_of(const Geometry& shape) { return std::visit(ReachOf{}, shape); }
+Vec3 turn_of(const Geometry& shape, const Pose& pose, Vec3 turn) {
+  if (std::holds_alternative<BallShape>(shape)) return zero3();
+  const bool round = std::holds_alternative<CapsuleShape>(shape) || std::holds_alternative<CylinderShape>(shape);
+  return round ? turn - pose.R[2] * dot(pose.R[2], turn) : turn;
+}
 double thickness_of(const Geometry& shape) { return std::visit(ThicknessOf{}, shape); }
 void check_shape(const Geometry& shape) { std::visit(CheckShape{}, shape); }
 double rounding_of(const Geometry& convex) { return core_of(convex).rounding; }

@@ -55,6 +55,9 @@ double reach_of(const Geometry& shape);
 /// meshes and height fields, which are as solid behind their fronts as what meets them is thick.
 double thickness_of(const Geometry& shape);
 
+/// What of a turn or spin, in the world's axes, moves its surface: none of a ball's, none about the axis of what is round.
+Vec3 turn_of(const Geometry& shape, const Pose& pose, Vec3 turn);
+
 /// Throws Error where a length is not within 1e-12 m … 1e12 m, or a shared shape is missing.
 void check_shape(const Geometry& shape);
 

@@ -33,9 +33,12 @@ void divide_for_contacts(World& world) {
     if (!world.shapes.alive_at(shape)) return;
     const Motion& m = world.motion[body];
     const Geometry& geometry = world.shapes.at_slot(shape).geometry;
-    const double spin = norm(m.angular * inverse_inertia(m)), speed = norm(m.p) / m.mass + spin * reach_of(geometry);
-    wanted = std::max(wanted, speed * world.settings.step / (most_way * c.size));
-    if (!std::holds_alternative<BallShape>(geometry)) wanted = std::max(wanted, spin * world.settings.step / most_turn);
+    const Pose pose = pose_of(world, world.shapes.at_slot(shape));
+    const Vec3 spin = angular_velocity(m);
+    const double turning = norm(turn_of(geometry, pose, spin)),
+                 speed = norm(m.p / m.mass + cross(spin, pose.x - m.x)) + turning * reach_of(geometry);
+    wanted = std::max(
+        {wanted, speed * world.settings.step / (most_way * c.size), turning * world.settings.step / most_turn});
   };
   for (const Contact& c : world.contacts.list) {
     if (is_point(c.body_a)) continue;  // what does not turn is not passed through
