@@ -202,14 +202,15 @@ Task task_of(const std::vector<std::string>& arguments) {
   return task;
 }
 
-/// Random islands, whose impulses another program judges.
-void judge_islands() {
-  for (const PeerProgram& judge : peer_programs({"siconos"}, "contacts", "islands"))
+/// Random islands or pairs of shapes, which another program judges.
+void judge(const std::string& program, const std::string& what) {
+  for (const PeerProgram& judge : peer_programs({program}, "contacts", what))
     for (const std::string& line : judge.settings) std::printf("%s\n", line.c_str());
 }
 
 void bench_contacts(const player::BenchOptions& options) {
-  if (options.arguments == std::vector<std::string>{"islands"}) return judge_islands();
+  if (options.arguments == std::vector<std::string>{"islands"}) return judge("siconos", "islands");
+  if (options.arguments == std::vector<std::string>{"shapes"}) return judge("libccd", "shapes");
   const Task task = task_of(options.arguments);
   const std::vector<Contender> contenders = contenders_of(options, task.grows);
   std::printf(
@@ -235,7 +236,7 @@ void bench_contacts(const player::BenchOptions& options) {
 const player::Register registered(
     {"contacts",
      "cost and rest of what touches; with --peers, other engines too; arguments: cases, as "
-     "boxes(300), or all, or growth, or islands (random ones, judged by Siconos)",
+     "boxes(300), or all, or growth, or islands or shapes (random ones, judged by Siconos and by libccd)",
      bench_contacts});
 
 }  // namespace

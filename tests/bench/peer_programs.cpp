@@ -14,9 +14,9 @@ namespace pantin {
 
 std::vector<PeerProgram> peer_programs(const std::vector<std::string>& names, const std::string& bench,
                                        const std::string& list_command) {
-  static const std::map<std::string, std::string> labels = {{"bullet", "Bullet"},   {"ode", "ODE"},
-                                                            {"simbody", "Simbody"}, {"mujoco", "MuJoCo"},
-                                                            {"box2d", "Box2D"},     {"siconos", "Siconos"}};
+  static const std::map<std::string, std::string> labels = {
+      {"bullet", "Bullet"}, {"ode", "ODE"},         {"simbody", "Simbody"}, {"mujoco", "MuJoCo"},
+      {"box2d", "Box2D"},   {"siconos", "Siconos"}, {"libccd", "libccd"}};
   std::vector<PeerProgram> list;
   const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   for (const std::string& name : names) {

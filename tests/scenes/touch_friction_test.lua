@@ -33,7 +33,28 @@ local ladder = ([[
     orientation = quat(vec(0, 0, 1), -lean) }
 ]]):format(lean, thickness)
 
+-- Two cards with round ends, ℓ between the centres of these, lean at each other at θ from the upright: each gives the other
+-- H = w ℓ sin θ / 2 (r + ℓ cos θ).
+local apart, rounding = 1, 0.02
+local house_limit = 0.5 * apart * math.sin(lean) / (rounding + apart * math.cos(lean))
+local house = ([[
+  local lean, l, r = %.17g, %.17g, %.17g
+  for _, side in ipairs { -1, 1 } do
+    scene:body { name = side < 0 and "card" or nil,
+      at = vec(side * (r + 0.5 * l * math.sin(lean)), r + 0.5 * l * math.cos(lean), 0), orientation = quat(vec(0, 0, 1), side * lean),
+      shapes = {
+        shape.box { size = vec(2 * r, l, 0.6), friction = friction },
+        shape.cylinder { radius = r, length = 0.6, axis = vec(0, 0, 1), at = vec(0, -0.5 * l, 0), friction = friction },
+        shape.cylinder { radius = r, length = 0.6, axis = vec(0, 0, 1), at = vec(0, 0.5 * l, 0), friction = friction } } }
+  end
+]]):format(lean, apart, rounding)
+
 for _, rate in ipairs { 60, 240 } do
+  test("two cards that lean at each other stand with 2 % more than their least friction, and fall with 2 % less, at " .. rate .. " Hz", function()
+    expect(stands(house, 1.02 * house_limit, rate, "card")):equal(true)
+    expect(stands(house, 0.98 * house_limit, rate, "card")):equal(false)
+  end)
+
   test("an arch of seven stones stands with 2 % more than its least friction, and falls with 2 % less, at " .. rate .. " Hz", function()
     expect(stands(arch, 1.02 * arch_limit, rate, "stone 3")):equal(true)
     expect(stands(arch, 0.98 * arch_limit, rate, "stone 3")):equal(false)
