@@ -32,15 +32,23 @@ void divide_for_contacts(World& world) {
   const auto see = [&](const Contact& c, std::uint32_t body, std::uint32_t shape) {
     if (!world.shapes.alive_at(shape)) return;
     const Motion& m = world.motion[body];
-    const Geometry& geometry = world.shapes.at_slot(shape).geometry;
-    const Pose pose = pose_of(world, world.shapes.at_slot(shape));
-    const Vec3 spin = angular_velocity(m);
-    const double turning = norm(turn_of(geometry, pose, spin)),
-                 speed = norm(m.p / m.mass + cross(spin, pose.x - m.x)) + turning * reach_of(geometry);
-    wanted = std::max(
-        {wanted, speed * world.settings.step / (most_way * c.size), turning * world.settings.step / most_turn});
+    const Shape& of = world.shapes.at_slot(shape);
+    const double reach = reach_of(of.geometry), spin = norm(m.angular * inverse_inertia(m)), speed = norm(m.p) / m.mass;
+    const auto ask = [&](double moves, double turns) {
+      return std::max(
+          {wanted, moves * world.settings.step / (most_way * c.size), turns * world.settings.step / most_turn});
+    };
+    const double arm = norm(of.at - world.bodies.at_slot(body).centre);
+    if (ask(speed + spin * (arm + reach), spin) <= wanted) return;
+    const Pose pose = pose_of(world, of);
+    const Vec3 turn = angular_velocity(m);
+    const double turning = norm(turn_of(of.geometry, pose, turn));
+    wanted = ask(norm(m.p / m.mass + cross(turn, pose.x - m.x)) + turning * reach, turning);
   };
+  const Contact* last = nullptr;
   for (const Contact& c : world.contacts.list) {
+    if (last && c.key.same_shapes(last->key)) continue;
+    last = &c;
     if (is_point(c.body_a)) continue;  // what does not turn is not passed through
     see(c, c.body_a, c.key.a);
     if (c.body_b >= 0) see(c, static_cast<std::uint32_t>(c.body_b), c.key.b);
