@@ -25,7 +25,7 @@ struct alignas(64) Node {
   Vec3 x0, p0, P0, O0;
   Quat q0;
   double mass, inverse_mass;
-  std::uint32_t slot;  // where it comes from
+  std::uint32_t slot;  // of the body or point in the model
   bool is_body;
   bool turns;  // has a rotation; a point mass has not
   Mat3 R0;
@@ -33,9 +33,9 @@ struct alignas(64) Node {
   Vec3 force, torque;  // [N], [N m] constant in the step, world axes
   Vec3 inertia, inverse_inertia;
   // seldom asked for, or only where a step is not the midpoint's
-  std::uint32_t first_row;
-  double reach;  // [m] turns a rotation into a displacement in the residual
-  Vec3 a;        // where angular rows ask for it, world axes; with `euler` the rotation vector
+  std::uint32_t first_row;  // the smallest that it is in
+  double reach;             // [m] turns a rotation into a displacement in the residual
+  Vec3 a;                   // where angular rows ask for it, world axes; with `euler` the rotation vector
   Vec3 x1, p1, P1;
   Quat q1;
   Mat3 R1;
@@ -46,10 +46,10 @@ struct alignas(64) Node {
 /// (1, 1), (2, 0) …
 struct RowBlock {
   std::uint32_t block;            // of the factor; diagonal where the two are one
-  bool first_lower, first_upper;  // the first to reach its block
+  bool first_lower, first_upper;  // the first to write its block: it sets, later ones add
 };
 
-/// A row that meets one of a coupling's at a node: it adds to the block of that row and the coupling's head.
+/// A coupling's `row` and another, the `column`, that share a node: adds to the `block` of the column and the coupling's head.
 struct CoupledBlock {
   std::uint32_t row, column, node, block;
   bool upper;
@@ -76,8 +76,8 @@ struct Tile {
 
 /// Largest distances that rows should have closed, [m].
 struct Gaps {
-  double points = 0.0;  ///< of hinges, nails and rigid follows
-  double rods = 0.0;    ///< of a rod's length
+  double points = 0.0;  ///< of rigid rows between points
+  double rods = 0.0;    ///< of all other rigid rows: lengths, planes, turns, couplings
   double open = 0.0;    ///< of all, but for offsets that were accepted
   double all() const { return std::fmax(points, rods); }
 };

@@ -37,9 +37,9 @@ BodyState state_of(const Model& model, const std::vector<std::unique_ptr<Articul
   s.R = matrix(s.q);
   s.mass = m.mass;
   s.inertia = m.inertia;
-  s.mobility = inverse_inertia(m);
+  s.inverse_inertia = inverse_inertia(m);
   s.v = (node ? node->p0 : m.p) / m.mass;
-  s.w = s.R * ((node ? node->P0 : m.angular) * s.mobility);
+  s.w = s.R * ((node ? node->P0 : m.angular) * s.inverse_inertia);
   return s;
 }
 

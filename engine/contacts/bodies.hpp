@@ -10,14 +10,14 @@
 namespace pantin {
 
 struct BodyState {
-  Vec3 x;         ///< [m] centre
-  Quat q;         ///< principal axes to the world
-  Mat3 R;         ///< its matrix
-  Vec3 v, w;      ///< [m/s], [rad/s] world axes
-  double mass;    ///< [kg]
-  Vec3 inertia;   ///< [kg m²] principal
-  Vec3 mobility;  ///< [1/(kg m²)] principal, 0 where it cannot turn
-  Node* node;     ///< where it is kept, or null: in the model
+  Vec3 x;                ///< [m] centre
+  Quat q;                ///< principal axes to the world
+  Mat3 R;                ///< its matrix
+  Vec3 v, w;             ///< [m/s], [rad/s] world axes
+  double mass;           ///< [kg]
+  Vec3 inertia;          ///< [kg m²] principal
+  Vec3 inverse_inertia;  ///< [1/(kg m²)] principal, 0 where it cannot turn
+  Node* node;            ///< where it is kept, or null: in the model
 };
 
 /// Bodies by their slots, then points.

@@ -52,7 +52,7 @@ struct Contact {
   Vec3 placing_moment = zero3(), total_moment = zero3();  ///< [N m s] on a: of rolling and spinning, in the same
   std::int32_t placed = -1;  ///< its index in Contacts::placed, in the step, as long as it lasts
   double approach = 0.0;     ///< [m/s] along the normal at the start of the step, below 0: nearing
-  double rebound = 0.0;      ///< [m/s] wanted along the normal at the end of the step
+  double rebound = 0.0;      ///< [m/s] after the first impact (solve/impacts.hpp); 0: by restitution
 };
 
 /// An impulse that was given before a drift.
@@ -64,7 +64,7 @@ struct Placing {
   Vec3 moment;            ///< [N m s] on a, of rolling and spinning
   Vec3 arm_a, arm_b;      ///< [m] then, world axes
   Vec3 normal;            ///< then
-  bool solved;            ///< with all of its island: may be taken along with what touches
+  bool solved;  ///< all of its island, to 100 tolerances, masses within 1 : 100: taken back as its contact is now
 };
 
 /// What is known of a body that touches, from step to step.
@@ -88,7 +88,7 @@ struct TouchPair {
 struct Touch {
   TouchPair pair;
   Vec3 at = zero3();                ///< [m] mean, by impulse
-  Vec3 normal = zero3();            ///< from b to a: of unit length, or in sums times the impulse
+  Vec3 normal = zero3();            ///< from b to a: of unit length
   double impulse = 0.0;             ///< [N s] along the normal; 0 of a sensor
   double speed = 0.0;               ///< [m/s] with which they neared each other
   std::optional<double> heat = {};  ///< [J] where kept: what friction and impact took of them in the step
@@ -102,13 +102,13 @@ struct TouchHeat {
 };
 
 struct Contacts {
-  std::vector<Contact> list;            ///< by key
-  std::vector<Contact> sensed;          ///< by key: those of sensors, which the stages do not know
-  std::vector<Placing> placed;          ///< in this step
-  std::vector<TouchedBody> bodies;      ///< (slots of bodies)
-  std::vector<TouchedBody> points;      ///< (slots of points) of those that are solid; they sleep in no touch
-  double work = 0.0;                    ///< [J] of those, with what ties answered: told with the rest of the step
-  std::vector<Contact> resting;         ///< by key: between things of which none is awake. They are in no other list,
+  std::vector<Contact> list;        ///< by key
+  std::vector<Contact> sensed;      ///< by key: those of sensors, which the stages do not know
+  std::vector<Placing> placed;      ///< in this step
+  std::vector<TouchedBody> bodies;  ///< (slots of bodies)
+  std::vector<TouchedBody> points;  ///< (slots of points) of those that are solid; they sleep in no touch
+  double work = 0.0;                ///< [J] done by `placed`, with what ties answered: told with the rest of the step
+  std::vector<Contact> resting;     ///< by key: between things of which none is awake. They are in no other list,
   std::vector<Contact> resting_sensed;  ///< nor are those of sensors
   std::vector<std::uint32_t> sleepers;  ///< slots of bodies that sleep in touch, rising
   std::uint64_t sleep_changes = 0;      ///< how often those became others

@@ -13,7 +13,7 @@ namespace {
 void find_going(const Model& model, ContactFinder& finder, const Contacts& contacts) {
   constexpr double least_stop = 1e-6;  // part of the speed: less is round-off
   std::vector<Going>& going = finder.going;
-  for (const std::uint32_t s : finder.moving) going[model.shapes.at_slot(s).body.slot - 1] = finder.placed[s].going;
+  for (const std::uint32_t s : finder.moving) going[model.shapes.at_slot(s).body.slot - 1] = finder.shapes_now[s].going;
   for (const Contact& c : contacts.list) {
     Going world, &a = going[number_of(model, c.body_a)],
                  &b = c.body_b < 0 ? world : going[number_of(model, static_cast<std::uint32_t>(c.body_b))];
@@ -25,7 +25,7 @@ void find_going(const Model& model, ContactFinder& finder, const Contacts& conta
 }
 
 /// Leaves out contacts where a hinge is: it keeps these together, so that impulses there would have no bound.
-void drop_at_hinges(const Placement& p, const std::vector<HingedPair>& hinged, std::vector<Contact>& list) {
+void drop_at_hinges(const ThingsNow& p, const std::vector<HingedPair>& hinged, std::vector<Contact>& list) {
   constexpr double near = 0.05;  // of the size
   if (hinged.empty()) return;
   const auto is_before = [](const HingedPair& h, const std::pair<std::uint32_t, std::uint32_t>& bodies) {
@@ -46,7 +46,7 @@ void drop_at_hinges(const Placement& p, const std::vector<HingedPair>& hinged, s
 
 }  // namespace
 
-void find_contacts(const Placement& p, ContactFinder& finder, Workers& workers, Contacts& contacts) {
+void find_contacts(const ThingsNow& p, ContactFinder& finder, Workers& workers, Contacts& contacts) {
   put_bounds(p, finder);
   place_points(p, finder);
   find_going(p.model, finder, contacts);

@@ -25,7 +25,7 @@ struct Going {
 };
 
 /// Where a shape is now, and how far it may get.
-struct Placed {
+struct ShapeNow {
   Pose pose;
   Vec3 arm = zero3();                             ///< [m] from the body's centre
   Going going;                                    ///< of the body, with the mean velocity of the last drift
@@ -35,9 +35,9 @@ struct Placed {
 };
 
 /// A solid point, in the same way.
-struct PlacedPoint {
+struct PointNow {
   Vec3 x = zero3();                  ///< [m]
-  Vec3 way = zero3();                ///< [m] over the coming step
+  Vec3 displacement = zero3();       ///< [m] over the coming step
   double still = 0.0, margin = 0.0;  ///< [m] of the margin what its speed has no part in
   bool moves = false;
 };
@@ -64,8 +64,8 @@ struct ContactFinder {
   std::vector<std::uint64_t> serials;                         ///< (slots of shapes) of what is in there; 0: nothing
   std::vector<std::pair<std::uint32_t, std::uint32_t>> tied;  ///< (smaller, larger) things that do not collide
   std::vector<HingedPair> hinged;                             ///< rising
-  std::vector<Placed> placed;                                 ///< (slots of shapes) when they moved last
-  std::vector<PlacedPoint> placed_points;                     ///< (solids)
+  std::vector<ShapeNow> shapes_now;                           ///< (slots of shapes) when they moved last
+  std::vector<PointNow> points_now;                           ///< (solids)
   std::vector<std::uint32_t> moving;                          ///< slots of shapes that move
   std::vector<Going> going;             ///< (slots of bodies, then of points where some are solid)
   std::vector<BroadPhase::Pair> pairs;  ///< of shapes that may touch
@@ -76,7 +76,7 @@ struct ContactFinder {
 };
 
 /// Where things are: of what rows tie in the articulates after a drift, else in the model.
-struct Placement {
+struct ThingsNow {
   const Model& model;
   const std::vector<std::unique_ptr<Articulate>>& articulates;
   const Contacts& contacts;  ///< know who sleeps
@@ -89,9 +89,9 @@ struct Placement {
 /// Makes a finder where there is none, and tells it what edits changed of who may touch. Whether its bounds are to be put anew.
 bool renew(std::unique_ptr<ContactFinder>& finder, Model& model);
 /// Puts the bounds of all shapes where they are.
-void put_bounds(const Placement& placement, ContactFinder& finder);
+void put_bounds(const ThingsNow& where, ContactFinder& finder);
 /// Finds all contacts anew; those that were there before keep their impulses.
-void find_contacts(const Placement& placement, ContactFinder& finder, Workers& workers, Contacts& contacts);
+void find_contacts(const ThingsNow& where, ContactFinder& finder, Workers& workers, Contacts& contacts);
 /// Gives contacts the impulses of those that were there before: the same features, else the nearest of the same shapes.
 void keep_impulses(const std::vector<Contact>& before, std::vector<Contact>& now);
 /// A body's shape in the world.

@@ -25,7 +25,7 @@ struct ContactSide {
   std::uint32_t key;
   std::int32_t thing;  // or -1: the world
   const Geometry& geometry;
-  const Placed& placed;
+  const ShapeNow& now;
   const Going& going;
   double friction, restitution, rolling, spinning;
   Vec3 belt;  // [m/s]
@@ -43,11 +43,11 @@ inline bool by_key(const Contact& a, const Contact& b) { return a.key < b.key; }
 /// With the shape in this slot.
 ContactSide side_of(const Model& model, const ContactFinder& finder, std::uint32_t slot);
 /// Those of all pairs of shapes, by key, into the first of `found`.
-void find_of_shapes(const Placement& placement, ContactFinder& finder, const Contacts& contacts, Workers& workers);
+void find_of_shapes(const ThingsNow& where, ContactFinder& finder, const Contacts& contacts, Workers& workers);
 
 /// Places solid points and tells how they go on.
-void place_points(const Placement& placement, ContactFinder& finder);
+void place_points(const ThingsNow& where, ContactFinder& finder);
 /// Adds those of solid points; their keys are above those of shapes.
-void find_of_points(const Placement& placement, ContactFinder& finder, const Contacts& contacts, FoundContacts& found);
+void find_of_points(const ThingsNow& where, ContactFinder& finder, const Contacts& contacts, FoundContacts& found);
 
 }  // namespace pantin

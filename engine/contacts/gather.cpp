@@ -26,15 +26,15 @@ IslandBody body_of(const BodyState& s, Vec3 velocity, double reach) {
   b.inverse_mass = 1.0 / s.mass;
   Vec3 inertia = s.inertia, turning = vec(1, 1, 1);
   for (int i = 0; i < 3; i++) {
-    if (s.mobility[i] > 0.0) continue;
+    if (s.inverse_inertia[i] > 0.0) continue;
     inertia[i] = s.mass;  // of no effect
     turning[i] = 0.0;
-    b.turns_anyhow = false;
+    b.turns_about_all = false;
   }
   b.inertia = in_world(s.R, inertia);
-  for (int i = 0; i < 3; i++) b.root[i] = s.R[i] * std::sqrt(s.mobility[i]);
-  b.mobility = times_transposed(b.root, b.root);
-  if (!b.turns_anyhow) b.turning = in_world(s.R, turning);
+  for (int i = 0; i < 3; i++) b.root[i] = s.R[i] * std::sqrt(s.inverse_inertia[i]);
+  b.inverse_inertia = times_transposed(b.root, b.root);
+  if (!b.turns_about_all) b.turning = in_world(s.R, turning);
   b.reach = reach;
   b.v0 = velocity;
   b.w0 = s.w;

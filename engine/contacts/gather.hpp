@@ -44,23 +44,25 @@ struct TouchIsland {
   std::vector<BodyLoad> pulls;                     ///< (bodies) [N], [N m] of soft rows in the last step
   std::vector<BodyLoad> law_pulls;                 ///< (bodies) what of that is of laws
   std::vector<Placing> placed;                     ///< what `place` gave in it
-  std::vector<Given> given;                        ///< to each of its things by that, where it is not solved
-  std::vector<TouchScalar> held;                   ///< what scalars within bounds gave, wherever it is
-  ImpulseWork answered;                            ///< what ties that move gave of that
-  std::vector<TouchHeat> heat;                     ///< of the stage, where it is kept
-  TouchReport report;                              ///< of the stage, of it alone
+  std::vector<Given> given;       ///< what each thing got from `place` and its ties, where the search did not reach
+                                  ///< 100 tolerances or masses differ 100-fold
+  std::vector<TouchScalar> held;  ///< what scalars within bounds gave in `place`
+  ImpulseWork answered;           ///< what ties that move gave of that
+  std::vector<TouchHeat> heat;    ///< of the stage, where it is kept
+  TouchReport report;             ///< of the stage, of it alone
 
   void clear();  ///< keeps memory
 };
 
 /// Islands of each stage, whose memory and layouts last from step to step.
 struct TouchSpace {
-  std::vector<TouchIsland> placing, meeting, opening, resting;
-  std::vector<Given> given;          ///< by placing, where it is not solved
-  std::vector<TouchScalar> held;     ///< scalars within bounds, by placing
-  ImpulseWork answered;              ///< what ties that move gave of that
-  std::vector<double> placing_work;  ///< (as index) [J] done to things by placing, and by taking that back
-  std::vector<std::int32_t> index;   ///< (slots of bodies, then of points where some are solid) in its island, or -1
+  std::vector<TouchIsland> placing, meeting;  ///< of `place`, `meet`
+  std::vector<TouchIsland> opening, resting;  ///< of `push_out`, `held_at_rest`
+  std::vector<Given> given;                   ///< of all islands, as there
+  std::vector<TouchScalar> held;              ///< scalars within bounds, by placing
+  ImpulseWork answered;                       ///< what ties that move gave of that
+  std::vector<double> placing_work;           ///< (as index) [J] done to things by placing, and by taking that back
+  std::vector<std::int32_t> index;  ///< (slots of bodies, then of points where some are solid) in its island, or -1
 };
 
 /// Known by the articulate that it is in; or after these bodies by their slots, and after those points.

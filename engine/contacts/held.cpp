@@ -21,7 +21,7 @@ void fall_from_rest(const Model& model, TouchIsland& island, const TouchSettings
     if (number < pulls.size()) load = {load.force + pulls[number].force, load.moment + pulls[number].moment};
     IslandBody& b = island.problem.bodies[i];
     b.v0 = model.plane.along(settings.gravity + load.force * b.inverse_mass) * settings.h;
-    b.w0 = b.mobility * load.moment * settings.h;
+    b.w0 = b.inverse_inertia * load.moment * settings.h;
   }
 }
 

@@ -32,13 +32,13 @@ struct Pair {
 
 Pose moved(const Pose& pose, const Travel& motion, double part) {
   const double angle = norm(motion.turn) * part;
-  if (!(angle > 0.0)) return {pose.x + motion.way * part, pose.R};
+  if (!(angle > 0.0)) return {pose.x + motion.displacement * part, pose.R};
   const Vec3 u = motion.turn * (part * functions::sin(0.5 * angle) / angle);
-  return {pose.x + motion.way * part, matrix(Quat{functions::cos(0.5 * angle), u[0], u[1], u[2]}) * pose.R};
+  return {pose.x + motion.displacement * part, matrix(Quat{functions::cos(0.5 * angle), u[0], u[1], u[2]}) * pose.R};
 }
 
 Vec3 way_of(const Travel& motion, const Pose& at_a, Vec3 on_a) {
-  return motion.way + cross(motion.turn, on_a - at_a.x);
+  return motion.displacement + cross(motion.turn, on_a - at_a.x);
 }
 
 struct Meeting {
@@ -118,7 +118,7 @@ void add_inner_ball(const Pair& pair, Manifold& manifold) {
 /// A motion that would go past the plane of a point is tried: where it meets b it has the points of there, and none where it
 /// only passes by. One that goes hardly past is tried as if something pressed.
 void foresee(const Pair& pair, Travel motion, Manifold& manifold) {
-  const double farthest = norm(motion.way) + norm(motion.turn) * reach_of(pair.a);
+  const double farthest = norm(motion.displacement) + norm(motion.turn) * reach_of(pair.a);
   if (!(farthest > no_approach * pair.thickness)) return;
   double most = 0.0, least = infinity;
   Vec3 normal = zero3();
@@ -133,7 +133,7 @@ void foresee(const Pair& pair, Travel motion, Manifold& manifold) {
   motion.turn = turn_of(pair.a, pair.at_a, motion.turn);
   if (norm(motion.turn) > most_turn) return;
   const double deep = 2.0 * pair.overlap();
-  if (most < deep) motion.way -= normal * (deep - most);
+  if (most < deep) motion.displacement -= normal * (deep - most);
   const std::optional<Meeting> meeting = first_meeting(pair, motion);
   if (!meeting) {
     manifold.count = 0;

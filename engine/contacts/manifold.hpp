@@ -1,5 +1,5 @@
 #pragma once
-// Where two shapes touch, or soon may: up to four points with a normal and gaps.
+// Where two shapes touch, or soon may: up to six points with a normal and gaps: four, one where edges meet, the inner ball.
 #include <array>
 
 #include "shapes/distance.hpp"
@@ -31,8 +31,8 @@ struct Ahead {
 
 /// How a moves against b within the step if nothing stops it.
 struct Travel {
-  Vec3 way = zero3();   ///< [m] of its origin
-  Vec3 turn = zero3();  ///< [rad] about its origin, world axes
+  Vec3 displacement = zero3();  ///< [m] of its origin
+  Vec3 turn = zero3();          ///< [rad] about its origin, world axes
 };
 
 /// Takes the points of two shapes, most important first where there are more than are kept, with the number of a triangle.

@@ -106,7 +106,7 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
     std::vector<Placing> given;  // where heat is kept
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
       Contact& to = contacts.list[island.contacts[k]];
-      problem.contacts[k].impulse += problem.contacts[k].struck;
+      problem.contacts[k].impulse += problem.contacts[k].before_contacts;
       to.total = to_world(problem.contacts[k], problem.contacts[k].impulse);
       report.belts -= dot(to.total, to.belt - to.normal * dot(to.normal, to.belt));
       if (contacts.heat_kept)
@@ -116,8 +116,8 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
     HeatOf heat(model, articulates, contacts, settings.drifted, given, island.heat);
     std::vector<BodyLoad> loads(problem.bodies.size());
     add_contact_loads(problem, loads);
-    for (IslandTie& t : problem.ties) t.impulse += t.struck;
-    for (IslandScalar& s : problem.scalars) s.impulse += s.struck;
+    for (IslandTie& t : problem.ties) t.impulse += t.before_contacts;
+    for (IslandScalar& s : problem.scalars) s.impulse += s.before_contacts;
     add_tie_loads(problem, loads);
     tell_reactions(articulates, island, settings.step, true);
     give(model, island, loads);

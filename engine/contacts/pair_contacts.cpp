@@ -20,8 +20,8 @@ bool held(const Contacts& contacts, const ContactKey& key) {
 }
 
 Travel travel(const ContactSide& a, const ContactSide& b, double h) {
-  const Vec3 of_b = b.going.v + cross(b.going.w, a.placed.pose.x - b.placed.pose.x + b.placed.arm);
-  return {(a.going.v + cross(a.going.w, a.placed.arm) - of_b) * h, (a.going.w - b.going.w) * h};
+  const Vec3 of_b = b.going.v + cross(b.going.w, a.now.pose.x - b.now.pose.x + b.now.arm);
+  return {(a.going.v + cross(a.going.w, a.now.arm) - of_b) * h, (a.going.w - b.going.w) * h};
 }
 
 Roundness roundness_of(const Geometry& shape, const Pose& pose) {
@@ -46,7 +46,7 @@ class Collector final : public ManifoldSink {
       c.key.feature = p.id;
       c.normal = p.normal;
       c.gap = p.gap;
-      const Vec3 x_a = a_.placed.pose.x;
+      const Vec3 x_a = a_.now.pose.x;
       if (p.id == inner_ball_id) c.round_a = {norm(p.on_a - x_a), zero3()};
       c.at = in_point ? x_a : c.body_b < 0 ? p.on_a : p.on_a - p.normal * (0.5 * p.gap);
     }
@@ -60,15 +60,15 @@ class Collector final : public ManifoldSink {
     like_.key = {a_.key, b_.key, 0, 0};
     like_.body_a = static_cast<std::uint32_t>(a_.thing);
     like_.body_b = b_.thing;
-    like_.size = std::min(a_.placed.thickness, b_.placed.thickness);
+    like_.size = std::min(a_.now.thickness, b_.now.thickness);
     like_.friction = rule_ && rule_->friction ? *rule_->friction : std::sqrt(a_.friction * b_.friction);
     like_.restitution = rule_ && rule_->restitution ? *rule_->restitution : std::max(a_.restitution, b_.restitution);
     if (!a_.is_solid_point()) {  // what does not turn does not roll
       like_.rolling = std::max(a_.rolling, b_.rolling);
       like_.spinning = std::max(a_.spinning, b_.spinning);
     }
-    like_.round_a = roundness_of(a_.geometry, a_.placed.pose);
-    like_.round_b = roundness_of(b_.geometry, b_.placed.pose);
+    like_.round_a = roundness_of(a_.geometry, a_.now.pose);
+    like_.round_b = roundness_of(b_.geometry, b_.now.pose);
     like_.belt = a_.belt - b_.belt;
   }
 
@@ -86,10 +86,10 @@ class Collector final : public ManifoldSink {
 
 /// Whether balls about two shapes are farther apart than the margin.
 bool is_far(const ContactSide& a, const ContactSide& b, double margin) {
-  const Vec3 d = a.placed.pose.x - b.placed.pose.x;
-  const double reach = a.placed.reach + margin;
-  if (std::holds_alternative<HalfSpaceShape>(b.geometry)) return dot(b.placed.pose.R[2], d) > reach;
-  const double both = reach + b.placed.reach;
+  const Vec3 d = a.now.pose.x - b.now.pose.x;
+  const double reach = a.now.reach + margin;
+  if (std::holds_alternative<HalfSpaceShape>(b.geometry)) return dot(b.now.pose.R[2], d) > reach;
+  const double both = reach + b.now.reach;
   return is_convex(b.geometry) && norm2(d) > both * both;
 }
 
@@ -102,8 +102,8 @@ void add_contacts(const ContactSide& a, const ContactSide& b, const LayerRule* r
   const auto first = static_cast<std::ptrdiff_t>(to.size());
   Collector collector(a, b, rule, before, h, found);
   SeparationCache cache;
-  const double turning = h * norm(a.going.w - b.going.w) * std::min(a.placed.reach, b.placed.reach);
-  find_manifolds(a.geometry, a.placed.pose, b.geometry, b.placed.pose, {margin, turning}, cache, collector);
+  const double turning = h * norm(a.going.w - b.going.w) * std::min(a.now.reach, b.now.reach);
+  find_manifolds(a.geometry, a.now.pose, b.geometry, b.now.pose, {margin, turning}, cache, collector);
   if (!std::is_sorted(to.begin() + first, to.end(), by_key)) std::sort(to.begin() + first, to.end(), by_key);
 }
 

@@ -22,7 +22,8 @@ double work_beside_kicks(const Model& model, const TouchIsland& island, const st
   for (std::size_t i = 0; i < impulses.size(); i++) {
     const BodyLoad& kick = kicks[number_of(model, island.things[i])];
     const IslandBody& b = island.problem.bodies[i];
-    sum += dot(kick.force, impulses[i].force) * b.inverse_mass + dot(kick.moment, b.mobility * impulses[i].moment);
+    sum +=
+        dot(kick.force, impulses[i].force) * b.inverse_mass + dot(kick.moment, b.inverse_inertia * impulses[i].moment);
   }
   return 0.5 * settings.h * sum;
 }
@@ -72,11 +73,11 @@ void foresee_forces(const Model& model, TouchIsland& island, const TouchSettings
   for (std::size_t i = 0; i < island.things.size(); i++) {
     IslandBody& b = island.problem.bodies[i];
     b.v0 += (model.plane.along(settings.gravity) + island.pulls[i].force * b.inverse_mass) * half;
-    b.w0 += b.mobility * island.pulls[i].moment * half;
+    b.w0 += b.inverse_inertia * island.pulls[i].moment * half;
     if (is_point(island.things[i])) continue;
     const Motion& m = model.motion[island.things[i]];
     b.v0 += m.force * (half * b.inverse_mass);
-    b.w0 += b.mobility * m.torque * half;
+    b.w0 += b.inverse_inertia * m.torque * half;
   }
 }
 
@@ -124,7 +125,7 @@ ImpulseWork hold_scalars(const Articulates& articulates, TouchIsland& island, st
     Condition& c = condition(a, a.rows[from.row.row()]);
     const bool jams = is_jammed(s, from.row, c);
     if (!s.is_bounded() || (s.is_at_bound() && !jams)) continue;
-    const double impulse = s.impulse + (jams ? s.struck : 0.0);
+    const double impulse = s.impulse + (jams ? s.before_contacts : 0.0);
     if (jams) jam(c);
     add_load(island.problem, loads, s, impulse);
     add_work(island.answered, articulates, from, impulse, jams ? 0.0 : from.row.wanted);
@@ -218,7 +219,6 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
   space.given.clear();
   space.held.clear();
   space.answered = {};
-  space.held.clear();
   for (const TouchIsland& island : islands) {
     auto next = static_cast<std::int32_t>(contacts.placed.size());
     for (const std::size_t k : island.contacts)

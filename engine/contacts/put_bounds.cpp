@@ -13,40 +13,39 @@ Pose in_principal_axes(const Body& body, const Shape& shape) {
   return {rotate(to_axes, shape.at - body.centre), matrix(to_axes * shape.orientation)};
 }
 
-Placed place(const Placement& p, const Shape& shape) {
-  Placed placed;
-  placed.thickness = thickness_of(shape.geometry);
-  placed.reach = reach_of(shape.geometry);
-  if (std::isfinite(placed.thickness)) placed.margin = still_margin * placed.thickness;
+ShapeNow place(const ThingsNow& p, const Shape& shape) {
+  ShapeNow now;
+  now.thickness = thickness_of(shape.geometry);
+  now.reach = reach_of(shape.geometry);
+  if (std::isfinite(now.thickness)) now.margin = still_margin * now.thickness;
   if (!shape.body) {
-    placed.pose = {shape.at, matrix(shape.orientation)};
-    return placed;
+    now.pose = {shape.at, matrix(shape.orientation)};
+    return now;
   }
   const std::uint32_t slot = shape.body.slot - 1;
   const BodyState s = state_of(p.model, p.articulates, slot, p.drifted);
-  placed.moves = !sleeps_in_touch(p.contacts, slot);
-  placed.pose = Pose{s.x, s.R} * in_principal_axes(p.model.bodies[shape.body], shape);
-  placed.arm = placed.pose.x - s.x;
-  placed.going.mass = s.mass;
-  if (!placed.moves) return placed;
-  placed.going = {p.drifted ? s.v - p.gravity * (0.5 * p.drift) : s.v, s.w, s.mass};
-  const double arm = norm(placed.arm) + placed.reach;
-  placed.margin += p.h * (norm(s.v) + norm(s.w) * arm + norm(p.gravity) * p.h);
-  return placed;
+  now.moves = !sleeps_in_touch(p.contacts, slot);
+  now.pose = Pose{s.x, s.R} * in_principal_axes(p.model.bodies[shape.body], shape);
+  now.arm = now.pose.x - s.x;
+  now.going.mass = s.mass;
+  if (!now.moves) return now;
+  now.going = {p.drifted ? s.v - p.gravity * (0.5 * p.drift) : s.v, s.w, s.mass};
+  const double arm = norm(now.arm) + now.reach;
+  now.margin += p.h * (norm(s.v) + norm(s.w) * arm + norm(p.gravity) * p.h);
+  return now;
 }
 
-void put(const Placement& p, ContactFinder& finder, std::uint32_t s) {
+void put(const ThingsNow& p, ContactFinder& finder, std::uint32_t s) {
   const Shape& shape = p.model.shapes.at_slot(s);
-  const Placed& placed = finder.placed[s] = place(p, shape);
-  const double slack = placed.moves ? placed.margin + 0.1 * placed.thickness : 0.0;
+  const ShapeNow& now = finder.shapes_now[s] = place(p, shape);
+  const double slack = now.moves ? now.margin + 0.1 * now.thickness : 0.0;
   const std::uint32_t owner = shape.body ? shape.body.slot : BoundsTree::none;
-  finder.broad_phase.put({widened(bounds_of(shape.geometry, placed.pose), placed.margin), s, placed.moves, owner},
-                         slack);
+  finder.broad_phase.put({widened(bounds_of(shape.geometry, now.pose), now.margin), s, now.moves, owner}, slack);
 }
 
-void put_all(const Placement& p, ContactFinder& finder) {
+void put_all(const ThingsNow& p, ContactFinder& finder) {
   const Store<Shape>& shapes = p.model.shapes;
-  finder.placed.resize(shapes.slots());
+  finder.shapes_now.resize(shapes.slots());
   finder.serials.resize(shapes.slots(), 0);
   finder.going.assign(p.model.bodies.slots() + (p.model.solids ? p.model.points.slots() : 0), Going{});
   finder.height_fields.clear();
@@ -60,8 +59,8 @@ void put_all(const Placement& p, ContactFinder& finder) {
     const Shape& shape = shapes.at_slot(s);
     if (std::holds_alternative<std::shared_ptr<const HeightField>>(shape.geometry)) finder.height_fields.push_back(s);
     put(p, finder, s);
-    if (finder.placed[s].moves) finder.moving.push_back(s);
-    if (shape.body) finder.going[shape.body.slot - 1] = finder.placed[s].going;
+    if (finder.shapes_now[s].moves) finder.moving.push_back(s);
+    if (shape.body) finder.going[shape.body.slot - 1] = finder.shapes_now[s].going;
   }
   finder.changed = false;
   finder.sleep_changes = p.contacts.sleep_changes;
@@ -75,7 +74,7 @@ Pose pose_of(const Model& m, const Shape& shape) {
   return Pose{motion.x, matrix(motion.q)} * in_principal_axes(m.bodies[shape.body], shape);
 }
 
-void put_bounds(const Placement& p, ContactFinder& finder) {
+void put_bounds(const ThingsNow& p, ContactFinder& finder) {
   finder.displaced = false;
   if (finder.changed || finder.sleep_changes != p.contacts.sleep_changes) return put_all(p, finder);
   for (const std::uint32_t s : finder.moving) put(p, finder, s);

@@ -27,24 +27,24 @@ void choose_pairs(const Model& model, ContactFinder& finder) {
 }
 
 /// How its surface moves on it [m/s], world axes.
-Vec3 belt_of(const Shape& shape, const Placed& placed) {
+Vec3 belt_of(const Shape& shape, const ShapeNow& now) {
   const Vec3 v = shape.material.surface_velocity;
-  return norm2(v) == 0.0 ? v : placed.pose.R * transposed_times(matrix(shape.orientation), v);
+  return norm2(v) == 0.0 ? v : now.pose.R * transposed_times(matrix(shape.orientation), v);
 }
 
-void find_of_pair(const Placement& p, const ContactFinder& finder, const Contacts& contacts, BroadPhase::Pair pair,
+void find_of_pair(const ThingsNow& p, const ContactFinder& finder, const Contacts& contacts, BroadPhase::Pair pair,
                   FoundContacts& found) {
   const auto [a, b] = pair;
   const LayerRule* rule = p.model.layers.rule(p.model.shapes.at_slot(a).layer, p.model.shapes.at_slot(b).layer);
   add_contacts(side_of(p.model, finder, a), side_of(p.model, finder, b), rule, contacts, p.h,
-               finder.placed[a].margin + finder.placed[b].margin, found);
+               finder.shapes_now[a].margin + finder.shapes_now[b].margin, found);
 }
 
 }  // namespace
 
 ContactSide side_of(const Model& model, const ContactFinder& finder, std::uint32_t slot) {
   const Shape& s = model.shapes.at_slot(slot);
-  const Placed& at = finder.placed[slot];
+  const ShapeNow& at = finder.shapes_now[slot];
   return {slot,
           s.body ? static_cast<std::int32_t>(s.body.slot - 1) : -1,
           s.geometry,
@@ -58,7 +58,7 @@ ContactSide side_of(const Model& model, const ContactFinder& finder, std::uint32
           s.sensor};
 }
 
-void find_of_shapes(const Placement& p, ContactFinder& finder, const Contacts& contacts, Workers& workers) {
+void find_of_shapes(const ThingsNow& p, ContactFinder& finder, const Contacts& contacts, Workers& workers) {
   choose_pairs(p.model, finder);
   constexpr std::size_t enough = 24;  // some 20 us of work: a thread is slow to wake
   const std::size_t count = finder.pairs.size();

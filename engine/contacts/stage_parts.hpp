@@ -98,7 +98,7 @@ ImpulseWork answer_of_ties(Articulate& a, Model& model, const TouchSettings& set
 /// What a scalar gives that moves with `velocity`, as far as it wants to: a motor that is stopped gives nothing.
 void add_work(ImpulseWork& work, const Articulates& articulates, const TouchScalar& s, double impulse, double velocity);
 
-/// Where impacts of all that nears each other faster than this rebound [m/s].
+/// [m/s] What nears faster rebounds.
 double slow_of(const TouchSettings& settings, const ContactIsland& island);
 
 void keep_rolls(const ContactIsland& island, Contacts& contacts, const std::vector<std::size_t>& to,

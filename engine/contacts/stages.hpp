@@ -42,8 +42,8 @@ using Articulates = std::vector<std::unique_ptr<Articulate>>;
 /// the forces with energies that kicked things before and after it [N], [N m]: by slots of bodies, then of points, or none.
 void place(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
            const TouchSettings& settings, std::span<const BodyLoad> kicks, TouchReport& report);
-/// Takes these impulses back and gives those of the whole step, with which velocities part or stay:
-/// 0 ≤ γ_n ⊥ G v - rebound ≥ 0.
+/// Takes these impulses back and gives those of the whole step, with which velocities part or stay, after
+/// impacts, which rebound: 0 ≤ γ_n ⊥ n·v ≥ 0.
 void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
           const TouchSettings& settings, TouchReport& report);
 /// Displaces what overlaps by more than a little, momenta kept; `work` is that of displacing it.

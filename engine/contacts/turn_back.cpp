@@ -12,7 +12,7 @@ constexpr double least_for_turn = 1e-9;
 Mat3 own_inertia(const BodyState& s) {
   Mat3 turning = zero33();
   for (int i = 0; i < 3; i++)
-    if (s.mobility[i] > 0.0) turning += outer(s.R[i], s.R[i]) * s.inertia[i];
+    if (s.inverse_inertia[i] > 0.0) turning += outer(s.R[i], s.R[i]) * s.inertia[i];
   return turning;
 }
 

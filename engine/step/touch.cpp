@@ -119,7 +119,7 @@ void find(World& world, bool drifted) {
   if (!world.touch_space) world.touch_space = std::make_unique<TouchSpace>();
   renew(world.contact_finder, world);
   const double h = drifted && world.stage.to >= 1.0 ? world.settings.step : world.stage.h;
-  const Placement now{world, world.articulates, world.contacts, drifted, world.settings.gravity, h, world.stage.h};
+  const ThingsNow now{world, world.articulates, world.contacts, drifted, world.settings.gravity, h, world.stage.h};
   try {
     find_contacts(now, *world.contact_finder, *world.workers, world.contacts);
   } catch (const Error& error) {

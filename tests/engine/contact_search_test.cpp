@@ -71,7 +71,7 @@ TEST_CASE("What strikes is not softened by how little pressed on it in the step 
   ContactIsland island;
   IslandBody body;
   body.mass = body.inverse_mass = 1.0;
-  body.inertia = body.root = body.mobility = body.turning = identity33();
+  body.inertia = body.root = body.inverse_inertia = body.turning = identity33();
   body.v0 = vec(0, -1, 0);
   island.bodies = {body};
   IslandContact contact;

@@ -33,11 +33,11 @@ inline IslandBody random_body(Chance& chance, double ratio) {
   b.inverse_mass = 1.0 / b.mass;
   const Vec3 axis = chance.direction(), other = direction(cross(axis, chance.direction()));
   const Mat3 R = {{axis, other, cross(axis, other)}};
-  b.inertia = b.mobility = b.root = zero33();
+  b.inertia = b.inverse_inertia = b.root = zero33();
   for (int i = 0; i < 3; i++) {
     const double moment = b.mass * chance.between(0.05, 0.2);
     b.inertia += outer(R[i], R[i]) * moment;
-    b.mobility += outer(R[i], R[i]) * (1.0 / moment);
+    b.inverse_inertia += outer(R[i], R[i]) * (1.0 / moment);
     b.root[i] = R[i] * std::sqrt(1.0 / moment);
   }
   b.reach = 0.5;

@@ -275,7 +275,7 @@ Stop coupling_stop(const Articulate& a, const Row& row) {
   return {zero3()};
 }
 
-double told_by_head(const Articulate& a, const Row& row) {
+double share_told(const Articulate& a, const Row& row) {
   for (const Coupling& coupling : a.couplings) {
     if (&a.rows[coupling.head] != &row) continue;
     double most = 0.0;

@@ -23,7 +23,7 @@ namespace {
 constexpr int most_halvings = 5;
 
 /// The unknowns have no history but the forces of the last step.
-void forget_curve(Articulate& a) {
+void forget_history(Articulate& a) {
   a.last_h = 0.0;
   for (std::size_t k = 0; k < a.rows.size(); k++) a.rows[k].f = a.predictor.forces[k][0];
 }
@@ -151,7 +151,7 @@ bool try_part(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   const std::uint32_t before = cost(report);
   if (solve_step(a, h, gravity, report)) return true;
   a.effort.spare -= std::min(a.effort.spare, std::max(1u, cost(report) - before));
-  forget_curve(a);
+  forget_history(a);
   return false;
 }
 

@@ -13,7 +13,7 @@ namespace {
 struct Moments {
   Mat3 inertia = zero33();             // [kg m²]
   Vec3 angular = zero3();              // [kg m²/s]
-  double kinetic = 0.0, single = 0.0;  // [J] of all; of spin that nothing couples to
+  double kinetic = 0.0, unfelt = 0.0;  // [J] of all; of spin that nothing couples to
 };
 
 Moments moments_about(const Articulate& a, Vec3 X) {
@@ -27,7 +27,7 @@ Moments moments_about(const Articulate& a, Vec3 X) {
     const Vec3 i = n.inertia * n.felt_axes, P = n.P0 * n.felt_axes;
     m.inertia += times_transposed(Mat3{{n.R0[0] * i[0], n.R0[1] * i[1], n.R0[2] * i[2]}}, n.R0);
     m.angular += n.R0 * P;
-    m.single += 0.5 * dot(n.P0 - P, n.O0);
+    m.unfelt += 0.5 * dot(n.P0 - P, n.O0);
   }
   return m;
 }
@@ -37,7 +37,7 @@ Vec3 locked_spin(const Moments& m, Vec3 axis) {
   return inertia > 0.0 ? axis * (dot(axis, m.angular) / inertia) : zero3();
 }
 
-/// Spin of the locked articulate: J⁻¹ L, or 0 where J is singular (all on a line).
+/// Spin of the articulate if all were one rigid body: J⁻¹ L, or 0 where J is singular (all on a line).
 Vec3 locked_spin(const Moments& m, const Plane& plane) {
   if (plane.flat()) return locked_spin(m, plane.about(vec(1, 1, 1)));
   const Mat3& J = m.inertia;
@@ -92,7 +92,7 @@ struct RigidMotion {
 };
 
 RigidMotion rigid_motion(const Moments& m, Vec3 X, Vec3 w, Vec3 V = zero3(), double mass = 0.0) {
-  return {X, V, w, m.kinetic, m.kinetic - m.single - 0.5 * (mass * norm2(V) + dot(w, m.angular))};
+  return {X, V, w, m.kinetic, m.kinetic - m.unfelt - 0.5 * (mass * norm2(V) + dot(w, m.angular))};
 }
 
 /// Anchors leave rigid motions free: none: all six; one position: the turn about it, of which gravity keeps only the part

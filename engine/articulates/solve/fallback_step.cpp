@@ -135,13 +135,13 @@ double try_to_close(Articulate& a, double epsilon, double scale, bool turns, Clo
 
 /// Closes the gaps of the nodes' ends as far as it can. Where turns lead no further, one shift may: without loops it
 /// closes all.
-void close_gaps(Articulate& a, double tolerance, int& left, Closing closing = Closing::all) {
+void close_gaps(Articulate& a, double tolerance, int& trials_left, Closing closing = Closing::all) {
   const double least = std::min(1e-12, a.least_epsilon);
   double sum = find_gaps(a, closing), epsilon = 1e-6, scale = 0.0;
   if (!a.all_rigid)
     for (const Row& row : a.rows) scale = std::max(scale, mobility(a, row));
   bool slow = false, shifted = false;
-  for (; left > 0 && sum > tolerance * tolerance; left--) {
+  for (; trials_left > 0 && sum > tolerance * tolerance; trials_left--) {
     const bool turns = epsilon <= 1e3 && !slow;
     if (!turns && shifted) break;
     shifted = shifted || !turns;
@@ -179,8 +179,8 @@ void drift_and_close(Articulate& a, double h, double tolerance) {
   const int most = a.torn ? 60 : a.fell_back ? 36 : 12;  // the next step goes on
   for (double fraction = 1.0;; fraction = fraction > 0.2 ? 0.25 * fraction : 0.0) {
     move_freely(a, h, fraction);
-    int left = fraction == 1.0 ? most : 4;
-    close_gaps(a, tolerance, left);
+    int trials_left = fraction == 1.0 ? most : 4;
+    close_gaps(a, tolerance, trials_left);
     if (a.gaps.open <= allowed || fraction == 0.0) return;
     a.nodes = a.saved;
   }
@@ -279,9 +279,9 @@ void close_displaced(Articulate& a) {
   hold_stiff(a);
   std::vector<Vec3> angular;
   for (const Node& n : a.nodes) angular.push_back(n.R0 * n.P0);
-  int left = std::sqrt(find_gaps(a, Closing::firm)) <= most_open * a.length ? most : 0;
-  close_gaps(a, 1e-13 * a.length, left, Closing::firm);
-  if (left < most) {
+  int trials_left = std::sqrt(find_gaps(a, Closing::firm)) <= most_open * a.length ? most : 0;
+  close_gaps(a, 1e-13 * a.length, trials_left, Closing::firm);
+  if (trials_left < most) {
     for (std::size_t i = 0; i < a.nodes.size(); i++)
       if (a.nodes[i].turns) a.nodes[i].P0 = transposed_times(a.nodes[i].R1, angular[i]);
     begin_at_ends(a);
@@ -290,7 +290,8 @@ void close_displaced(Articulate& a) {
   a.rows = rows;
   a.conditions = conditions;
   a.has_factor = false;
-  if (left == most || a.gaps.open > 1e-9 * a.length) a.gaps.open = open_before;  // the next drift closes what is told
+  if (trials_left == most || a.gaps.open > 1e-9 * a.length)
+    a.gaps.open = open_before;  // the next drift closes what is told
 }
 
 void fallback_step(Articulate& a, const DriftSettings& settings, double h, DriftReport& report) {

@@ -77,7 +77,7 @@ Turn find_turn(const Node& n, Vec3 P, double h) {
   return turn;
 }
 
-void settle_turn(Node& n) {
+void renormalise(Node& n) {
   n.q0 = normalised(n.q0);
   n.R0 = matrix(n.q0);
   n.O0 = n.inverse_inertia * n.P0;
@@ -138,7 +138,7 @@ void turn(Node& n, Vec3 torque, double h, int depth) {
   }
   n.P0 = kicked;
   one.found ? turn_by(n, one.b) : turn_as_symmetric(n, h);
-  settle_turn(n);
+  renormalise(n);
   n.P0 += transposed_times(n.R0, torque) * (0.5 * h);
   n.O0 = n.inverse_inertia * n.P0;
 }

@@ -108,8 +108,9 @@ void finish_diagonal(Articulate& a, std::uint32_t k, const System& system) {
     compliance = all * (own < 1e-8 * all ? std::max(system.epsilon, 1e-8) : system.epsilon);
   }
   if (is_soft(row)) compliance = 0.0;
-  const double counted =
-      is_soft(row) ? 1e-12 / redundant(a, system) : 1.0;  // a law tells its force however stiff it is
+  const double counted = is_soft(row)
+                             ? 1e-12 / redundant(a, system)
+                             : 1.0;  // so that a soft row is redundant below 1e-12, whatever the limit of others
   for (int i = 0; i < 3; i++) {
     d[i][i] += compliance;
     a.factor.whole[k][i] = std::fabs(d[i][i]) * counted;

@@ -29,7 +29,7 @@ void push(BatchMotion& to, std::size_t lane, Vec3 impulse, Vec3 twist) {
 }
 
 /// Leaves what is new in a direction; its size.
-double MotionSpace::take_apart(Motions& direction) const {
+double MotionSpace::orthogonalise(Motions& direction) const {
   for (int again = 0; again < 2; again++)
     for (const Motions& q : directions) add(direction, q, -product(q, direction));
   return size_of(direction);
@@ -38,12 +38,12 @@ double MotionSpace::take_apart(Motions& direction) const {
 double MotionSpace::add_direction(Motions direction, double whole,
                                   const std::function<Motions(const Motions&)>& allowed) {
   constexpr double left = 1e-7, little = 1e-3, most = 0.5;
-  const double found = take_apart(direction);
+  const double found = orthogonalise(direction);
   if (!(found > left * whole)) return 0.0;
   double size = found;
   if (found < little * whole) {
     direction = allowed(direction);
-    size = take_apart(direction);
+    size = orthogonalise(direction);
     if (!(size > most * found)) return 0.0;
   }
   Motions unit(direction.size());

@@ -35,7 +35,7 @@ struct MotionSpace {
   void add_work(const std::vector<Motions>& felt);
 
  private:
-  double take_apart(Motions& direction) const;
+  double orthogonalise(Motions& direction) const;  // Gram and Schmidt
 };
 
 }  // namespace pantin

@@ -178,8 +178,8 @@ WholeStep take_direction(Articulate& a, double h) {
   return {std::sqrt(largest_lane(largest_turn)), evaluation.end()};
 }
 
-void lower_epsilon(Articulate& a, bool far) {
-  a.epsilon = far ? a.least_epsilon : std::max(a.least_epsilon, 0.1 * a.epsilon);
+void lower_epsilon(Articulate& a, bool at_once) {
+  a.epsilon = at_once ? a.least_epsilon : std::max(a.least_epsilon, 0.1 * a.epsilon);
   a.good_steps = 0;
   if (!a.lowered) a.wait = std::min(2 * a.wait, 2000u);
   a.lowered = true;

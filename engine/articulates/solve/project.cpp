@@ -115,8 +115,8 @@ double driven_energy(const Articulate& a) {
   return energy;
 }
 
-/// Work of the impulses on what moves by itself. Where rows contradict each other their impulses may have no bound, but what
-/// all of them do at the velocities that they got has: it is then that of anchors, or where none moves of angular rows.
+/// Work of the impulses on what moves by itself. Where rows contradict each other their impulses may have no bound; the work at
+/// the velocities after has one, and is told instead: to anchors, or to angular rows where none moves.
 ImpulseWork work_of_impulses(const Articulate& a, const Velocities& v) {
   constexpr double bound = 10.0;  // of what moves and drives
   ImpulseWork work;

@@ -7,7 +7,7 @@
 
 namespace pantin {
 
-/// Σ along·(velocity of its row) >= wanted - room/time, by a force along these between the bounds; = wanted where it has none.
+/// Σ along·(velocity of its row) >= wanted - room/h, h of the drift, by a force along these between the bounds; = wanted where it has none.
 struct ScalarRow {
   struct Term {
     std::uint32_t row;

@@ -120,7 +120,7 @@ namespace {
 
 double told_gap(const Articulate& a, const Row& row, double open) {
   const double all = open + norm(row.offset) + std::fabs(condition(a, row).accepted);
-  return is_coupled(row) ? all * told_by_head(a, row) : all;
+  return is_coupled(row) ? all * share_told(a, row) : all;
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ inline constexpr std::uint16_t sub_step_limit = 256;
 struct SubStepSettings {
   double accuracy = 0.0;  ///< [1/s] largest error of a point per second, relative to the thing's length; 0: fixed steps
   bool trials = true;     ///< this is the first stage of a step
-  double span = 0.0;      ///< [s] from the stage before that is like this one; 0: there is none in each step
+  double span = 0.0;      ///< [s] between like stages, to difference mean motions; 0: this stage takes no jerk
 };
 
 /// Where trials happen.

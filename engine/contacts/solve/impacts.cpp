@@ -54,9 +54,9 @@ double strike(ContactIsland& island, const std::vector<IslandContact>& those, do
 
 /// Its velocities are those that the next round begins with.
 void go_on(ContactIsland& island) {
-  for (IslandTie& t : island.ties) t.struck += t.kept * t.impulse;
+  for (IslandTie& t : island.ties) t.before_contacts += t.kept * t.impulse;
   for (IslandScalar& s : island.scalars) {
-    s.struck += s.impulse;
+    s.before_contacts += s.impulse;
     if (s.high == infinity) continue;  // what only pushes does not take an earlier blow back
     s.low -= s.impulse;
     s.high -= s.impulse;
@@ -92,7 +92,7 @@ ImpactReport resolve_impacts(ContactIsland& island, double slow, double gained) 
       if (gained + more <= 0.0) break;
     }
     gained += more;
-    for (std::size_t i = 0; i < now.size(); i++) all[now[i]].struck += island.contacts[i].impulse;
+    for (std::size_t i = 0; i < now.size(); i++) all[now[i]].before_contacts += island.contacts[i].impulse;
     all.swap(island.contacts);
     go_on(island);
     report.rounds++;

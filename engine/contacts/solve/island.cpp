@@ -9,13 +9,13 @@ namespace {
 
 void push_body(IslandBody& body, Vec3 arm, Vec3 impulse) {
   body.v += impulse * body.inverse_mass;
-  body.w += body.mobility * cross(arm, impulse);
+  body.w += body.inverse_inertia * cross(arm, impulse);
 }
 
 /// How much a unit impulse along `way` changes the velocity of its point along it [1/kg].
 double mobility_along(const IslandBody& body, Vec3 arm, Vec3 way) {
   const Vec3 moment = cross(arm, way);
-  return body.inverse_mass + dot(moment, body.mobility * moment);
+  return body.inverse_mass + dot(moment, body.inverse_inertia * moment);
 }
 
 double mobility_along(const ContactIsland& island, const IslandPair& p, Vec3 way) {
@@ -31,8 +31,9 @@ double mean_mobility(const ContactIsland& island, const IslandTie& t) {
       sum += mobility_along(island, t, axis);
       continue;
     }
-    sum += t.lever * t.lever * dot(axis, island.bodies[static_cast<std::size_t>(t.a)].mobility * axis);
-    if (t.b >= 0) sum += t.lever * t.lever * dot(axis, island.bodies[static_cast<std::size_t>(t.b)].mobility * axis);
+    sum += t.lever * t.lever * dot(axis, island.bodies[static_cast<std::size_t>(t.a)].inverse_inertia * axis);
+    if (t.b >= 0)
+      sum += t.lever * t.lever * dot(axis, island.bodies[static_cast<std::size_t>(t.b)].inverse_inertia * axis);
   }
   return sum / 3.0;
 }
@@ -57,27 +58,27 @@ void push(ContactIsland& island, const IslandPair& pair, Vec3 impulse) {
 void push(ContactIsland& island, const IslandTie& tie, Vec3 impulse) {
   if (tie.lever == 0.0) return push(island, static_cast<const IslandPair&>(tie), impulse);
   IslandBody& a = island.bodies[static_cast<std::size_t>(tie.a)];
-  a.w += a.mobility * (impulse * tie.lever);
+  a.w += a.inverse_inertia * (impulse * tie.lever);
   if (tie.b < 0) return;
   IslandBody& b = island.bodies[static_cast<std::size_t>(tie.b)];
-  b.w -= b.mobility * (impulse * tie.lever);
+  b.w -= b.inverse_inertia * (impulse * tie.lever);
 }
 
 void push(ContactIsland& island, const IslandRoll& roll, Vec3 impulse) {
   const IslandContact& c = island.contacts[roll.contact];
   const Vec3 moment = moment_of(island, roll, impulse);
   IslandBody& a = island.bodies[static_cast<std::size_t>(c.a)];
-  a.w += a.mobility * moment;
+  a.w += a.inverse_inertia * moment;
   if (c.b < 0) return;
   IslandBody& b = island.bodies[static_cast<std::size_t>(c.b)];
-  b.w -= b.mobility * moment;
+  b.w -= b.inverse_inertia * moment;
 }
 
 void push(ContactIsland& island, const IslandScalar& scalar, double impulse) {
   for (const ScalarEnd& end : ends_of(island, scalar)) {
     IslandBody& b = island.bodies[end.body];
     b.v += end.force * (impulse * b.inverse_mass);
-    b.w += b.mobility * end.moment * impulse;
+    b.w += b.inverse_inertia * end.moment * impulse;
   }
 }
 
@@ -138,7 +139,7 @@ void apply_impulses(ContactIsland& island) {
   for (std::size_t i = 0; i < loads.size(); i++) {
     IslandBody& b = island.bodies[i];
     b.v = b.v0 + loads[i].force * b.inverse_mass;
-    b.w = b.w0 + b.mobility * loads[i].moment;
+    b.w = b.w0 + b.inverse_inertia * loads[i].moment;
   }
 }
 
@@ -163,7 +164,8 @@ void prepare(ContactIsland& island) {
     const IslandContact& c = island.contacts[r.contact];
     const auto mobility = [&](int k) {
       const auto of = [&](std::int32_t body) {
-        return body < 0 ? 0.0 : dot(c.frame[k], island.bodies[static_cast<std::size_t>(body)].mobility * c.frame[k]);
+        return body < 0 ? 0.0
+                        : dot(c.frame[k], island.bodies[static_cast<std::size_t>(body)].inverse_inertia * c.frame[k]);
       };
       return r.lever[k] * r.lever[k] * (of(c.a) + of(c.b));
     };
@@ -182,7 +184,7 @@ void weigh_ties(ContactIsland& island) {
     s.w = 0.0;
     for (const ScalarEnd& end : ends_of(island, s)) {
       const IslandBody& b = island.bodies[end.body];
-      s.w += norm2(end.force) * b.inverse_mass + dot(end.moment, b.mobility * end.moment);
+      s.w += norm2(end.force) * b.inverse_mass + dot(end.moment, b.inverse_inertia * end.moment);
     }
   }
 }

@@ -3,7 +3,7 @@
 //
 //   M (v - v0) = Σ G' γ + Σ T' μ
 //   contacts:  u = G v + bias in the frame (n, t1, t2);  0 ≤ γ_n ⊥ u_n ≥ 0;  |γ_t| ≤ friction γ_n, against u_t where it slides
-//   rolls:     |lever (ω_a - ω_b)'s moment| ≤ γ_n of their contact, about n and across it, against the turn
+//   rolls:     impulse r, moment lever r, slip lever (ω_a - ω_b): |r_n| ≤ γ_n and |r_t| ≤ γ_n of their contact, against the slip
 //   ties:      kept (T v - wanted) = 0, as articulates have them
 //   scalars:   u = Σ J v + bias over any number of bodies; low ≤ μ ≤ high, u = 0 between, ≥ 0 at low, ≤ 0 at high
 //
@@ -24,10 +24,10 @@ namespace pantin {
 struct IslandBody {
   double mass = 1.0, inverse_mass = 1.0;
   Mat3 inertia = identity33(),
-       mobility = zero33();         ///< [kg m²] and its inverse, world axes; mobility 0 where it cannot turn
-  Mat3 root = zero33();             ///< mobility = root root'
+       inverse_inertia = zero33();  ///< [kg m²] and its inverse, world axes; 0 where it cannot turn
+  Mat3 root = zero33();             ///< inverse_inertia = root root'
   Mat3 turning = identity33();      ///< projects on the axes that it can turn about:
-  bool turns_anyhow = true;         ///< on all
+  bool turns_about_all = true;      ///< on all
   double reach = 0.0;               ///< [m] makes a speed of a spin, where residuals are measured
   Vec3 v0 = zero3(), w0 = zero3();  ///< [m/s], [rad/s] without impulses
   Vec3 v = zero3(), w = zero3();
@@ -43,24 +43,24 @@ struct IslandPair {
 struct IslandContact : IslandPair {
   Mat3 frame;  ///< columns n (from b to a), t1, t2
   double friction = 0.0;
-  double wn = 0.0, wt = 0.0;  ///< [1/kg]
+  double wn = 0.0, wt = 0.0;  ///< [1/kg] w along n; the larger of those along t1 and t2
   double compliance = 0.0;  ///< [1/kg] u_n in the law counts with compliance γ_n: loads of rigid bodies become unique
-  double height = 0.0;      ///< against gravity: sweeps go up and down
+  double height = 0.0;      ///< [m²/s²] -g·x: sweeps go up and down
   Vec3 bias = zero3();      ///< [m/s] in the frame, as all that follow
   Vec3 start = zero3();     ///< [N s] where the search for γ begins
   Vec3 other_start = zero3();  ///< [N s] taken instead of it, of all contacts, where that is nearer
   Vec3 impulse = zero3();      ///< [N s] γ
   Vec3 u = zero3();            ///< [m/s]
   double restitution = 0.0;
-  double rebound = 0.0;   ///< [m/s] of the first impact, where that is known; else 0
-  Vec3 struck = zero3();  ///< [N s] of impacts
+  double rebound = 0.0;            ///< [m/s] of the first impact, where that is known; else 0
+  Vec3 before_contacts = zero3();  ///< [N s] of impacts
 };
 
 /// Friction at a contact against spins: an impulse of 1 N s turns with its lever, and slip is lever × spin.
 struct IslandRoll {
   std::uint32_t contact = 0;
   Vec3 lever = zero3();                     ///< [m] of spinning about n, of rolling about t1 and t2: the same of both
-  double wn = 0.0, wt = 0.0;                ///< [1/kg]
+  double wn = 0.0, wt = 0.0;                ///< [1/kg] about n; the sum of those about t1 and t2
   Vec3 start = zero3(), impulse = zero3();  ///< [N s] in the contact's frame
   Vec3 u = zero3();                         ///< [m/s]
 };
@@ -68,12 +68,12 @@ struct IslandRoll {
 struct IslandTie : IslandPair {
   double lever = 0.0;  ///< [m] of an angular one, which sees spins alone; 0: ties points
   Mat3 kept = identity33();
-  double w = 0.0;          ///< [1/kg]
-  Vec3 wanted = zero3();   ///< [m/s] world axes, as all that follow
-  Vec3 start = zero3();    ///< [N s]
-  Vec3 impulse = zero3();  ///< [N s] μ
-  Vec3 u = zero3();        ///< [m/s] kept (T v - wanted)
-  Vec3 struck = zero3();   ///< [N s] before contacts were solved: what holds ties alone, and of impacts
+  double w = 0.0;                  ///< [1/kg]
+  Vec3 wanted = zero3();           ///< [m/s] world axes, as all that follow
+  Vec3 start = zero3();            ///< [N s]
+  Vec3 impulse = zero3();          ///< [N s] μ
+  Vec3 u = zero3();                ///< [m/s] kept (T v - wanted)
+  Vec3 before_contacts = zero3();  ///< [N s] given before contacts are solved: by ties alone, by impacts
 };
 
 /// What a unit impulse of a scalar does to one body [1], [m], about its centre, world axes.
@@ -89,7 +89,7 @@ struct IslandScalar {
   double bias = 0.0;                           ///< [m/s]
   double w = 0.0;                              ///< [1/kg]
   double start = 0.0, impulse = 0.0, u = 0.0;  ///< [N s], [N s], [m/s]
-  double struck = 0.0;                         ///< [N s] before contacts were solved, as of ties
+  double before_contacts = 0.0;                ///< [N s] as of ties
 
   bool is_bounded() const { return low > -infinity || high < infinity; }
   bool is_at_bound() const { return is_bounded() && (impulse <= low || impulse >= high); }
@@ -103,7 +103,7 @@ struct BodyLoad {
 /// Where blocks of a pair are in the factor: (row of a, row of b) for linear and angular parts.
 struct PairBlocks {
   std::array<std::uint32_t, 4> block{};
-  std::array<bool, 4> a_below{};
+  std::array<bool, 4> a_below{};  ///< a's row comes after b's in the elimination
 };
 
 /// The matrix M + Σ G' D G + Σ T' k T, or that of ties alone: rows 2i of the centre of body i and 2i + 1 of its spin.

@@ -118,8 +118,8 @@ struct PairSums {
 void add_sums(Sums to, const IslandPair& p, const PairBlocks& blocks, PairSums s) {
   Vec3 between = p.rb - p.ra;
   if (to.symmetric) s.la = transpose(s.al);
-  const auto before = [](const IslandBody& b, const Mat3& m) { return b.turns_anyhow ? m : b.turning * m; };
-  const auto behind = [](const Mat3& m, const IslandBody& b) { return b.turns_anyhow ? m : m * b.turning; };
+  const auto before = [](const IslandBody& b, const Mat3& m) { return b.turns_about_all ? m : b.turning * m; };
+  const auto behind = [](const Mat3& m, const IslandBody& b) { return b.turns_about_all ? m : m * b.turning; };
   const auto longer = [&](const Mat3& m) { return transpose(turned_by(between, transpose(m))); };
   const IslandBody& a = to.island.bodies[number(p.a)];
   const Mat3 al = before(a, s.al), la = behind(s.la, a);

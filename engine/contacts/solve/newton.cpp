@@ -1,5 +1,5 @@
 // 0 ≤ γ ⊥ s ≥ 0 as γ + s - √((γ - s)² + 4τ) = 0 with τ towards 0 (Fischer 1992; Kanzow 1996), of the normal impulse with the
-// normal speed, and of the slack µγ_n - |γ_t| with the speed of slip. Impulses count times w here, so that all are speeds.
+// normal speed, and of the slack friction γ_n - |γ_t| with the speed of slip. Impulses count times w here, so that all are speeds.
 #include <algorithm>
 #include <cmath>
 

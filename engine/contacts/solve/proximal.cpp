@@ -16,7 +16,8 @@ namespace pantin {
 
 namespace {
 
-constexpr double softest = 2.5e-2, least_hard = 1e-3, hardest = 1e-5;  // ρ: at first, and of even and uneven masses
+constexpr double rho_at_first = 2.5e-2, rho_of_even = 1e-3,
+                 rho_of_uneven = 1e-5;        // ρ: at first, and of even and uneven masses
 constexpr double harder = 0.2, falls = 0.25;  // ρ times that where the residual does not fall to this
 constexpr std::uint32_t most_steps = 60,
                         most_patience = 3;  // of one problem; rounds in which the residual may not halve
@@ -29,7 +30,7 @@ double size_of(double a, double b) { return std::sqrt(a * a + b * b); }
 
 struct Proximal {
   ContactIsland& island;
-  double rho = softest;
+  double rho = rho_at_first;
   BestImpulses from = {};  // γ
   std::vector<double> shift = {}, most_roll = {};
   std::vector<Mat3> slopes = {}, roll_slopes = {};  // -dP/du, world axes
@@ -193,7 +194,7 @@ struct Proximal {
     double most = 0.0;
     for (std::size_t i = 0; i < load.size(); i++) {
       const IslandBody& b = island.bodies[i];
-      most = std::fmax(most, norm(load[i].force) * b.inverse_mass + norm(b.mobility * load[i].moment) * b.reach);
+      most = std::fmax(most, norm(load[i].force) * b.inverse_mass + norm(b.inverse_inertia * load[i].moment) * b.reach);
     }
     return most;
   }
@@ -226,7 +227,7 @@ double least_rho(const ContactIsland& island) {
     lightest = std::fmin(lightest, b.mass);
     heaviest = std::fmax(heaviest, b.mass);
   }
-  return std::clamp(lightest / heaviest, hardest, least_hard);
+  return std::clamp(lightest / heaviest, rho_of_uneven, rho_of_even);
 }
 
 double fastest(const ContactIsland& island) {

@@ -33,9 +33,10 @@ SearchReport newton_search(ContactIsland& island, std::uint32_t most_iterations)
 /// Rounds of convex problems, from the impulses at hand, to 0.02 of the fastest body's speed, at most 100 times
 /// `enough` [m/s], or the tolerance if that is more; what it found best is left. The factor is laid out for all. Dear, but each round has an end, wherever it begins.
 SearchReport proximal_search(ContactIsland& island, std::uint32_t most_rounds);
-/// So many sweeps over the contacts, or `at_all` while they change much, up and down, one by one, with all ties at
+/// So many sweeps over the contacts, or `most_of_all` while one changes more than 1e3 `enough`, up and down, one by one, with all ties at
 /// once after each; ends where a sweep changes velocities at contacts by no more than `enough` [m/s]. Never far from the law, and quick; slow for what carries far.
-SearchReport sweep_search(ContactIsland& island, std::uint32_t most_sweeps, double enough, std::uint32_t at_all = 0);
+SearchReport sweep_search(ContactIsland& island, std::uint32_t most_sweeps, double enough,
+                          std::uint32_t most_of_all = 0);
 
 /// The loads that impulses do not yet balance: Σ J' impulses - M (v - v0).
 void unbalanced(const ContactIsland& island, std::vector<BodyLoad>& load);

@@ -79,8 +79,8 @@ struct Search {
     report.failed = !solved();
     go_on();
   }
-  void sweeps(std::uint32_t most, std::uint32_t at_all = 0) {
-    take(sweep_search(island, most, island.enough, at_all));
+  void sweeps(std::uint32_t most, std::uint32_t most_of_all = 0) {
+    take(sweep_search(island, most, island.enough, most_of_all));
     go_on();
   }
 };

@@ -21,7 +21,7 @@ struct Sweeps {
   SweepSpace& space = island.sweep_space;
   std::vector<Scaled>&free = space.free, &y = space.y;
   std::vector<ContactBatch>& batches = space.batches;
-  std::vector<std::uint32_t>& place = space.place;
+  std::vector<std::uint32_t>& position = space.position;
   std::vector<RollBlock>& rolls = space.rolls;
   std::vector<BodyLoad> loads = {};
   double change_of_contacts = 0.0;  // [J] of the last sweep
@@ -47,7 +47,7 @@ struct Sweeps {
     room.assign(1, 0);
     occupied.clear();
     batches.clear();
-    place.resize(island.contacts.size());
+    position.resize(island.contacts.size());
     for (const auto& [height, k] : space.by_height) {
       const IslandContact& c = island.contacts[k];
       std::uint32_t i = c.b < 0 ? next[number(c.a)] : std::max(next[number(c.a)], next[number(c.b)]);
@@ -62,7 +62,7 @@ struct Sweeps {
       batches[i].a[lane] = number(c.a);
       batches[i].b[lane] = number(c.b);
       if (occupied[i] == batch_size) room[i] = i + 1;
-      place[k] = static_cast<std::uint32_t>(batch_size) * i + lane;
+      position[k] = static_cast<std::uint32_t>(batch_size) * i + lane;
       next[number(c.a)] = i + 1;
       if (c.b >= 0) next[number(c.b)] = i + 1;
     }
@@ -118,7 +118,7 @@ struct Sweeps {
   void add_batches() {
     arrange();
     for (std::size_t k = 0; k < island.contacts.size(); k++)
-      fill_lane(batches[place[k] / batch_size], place[k] % batch_size, island.contacts[k]);
+      fill_lane(batches[position[k] / batch_size], position[k] % batch_size, island.contacts[k]);
     for (std::size_t i = 0; i < batches.size(); i++) {
       ContactBatch& batch = batches[i];
       scale_side(batch.a, batch.by_a, batch.spin_a);
@@ -133,7 +133,7 @@ struct Sweeps {
     for (const IslandRoll& r : island.rolls) {
       const IslandContact& c = island.contacts[r.contact];
       RollBlock& block = rolls.emplace_back();
-      block.contact = place[r.contact];
+      block.contact = position[r.contact];
       const auto rows = [&](std::int32_t body, Mat3& spin) {
         spin = zero33();
         if (body < 0) return;
@@ -327,9 +327,9 @@ struct Sweeps {
     add_rolls();
     add_scalars();
     start();
-    space.way.assign(y.size(), {});
-    space.tie_way.assign(island.ties.size(), zero3());
-    space.scalar_way.assign(island.scalars.size(), 0.0);
+    space.conjugate.assign(y.size(), {});
+    space.tie_conjugate.assign(island.ties.size(), zero3());
+    space.scalar_conjugate.assign(island.scalars.size(), 0.0);
   }
   /// Notes where a sweep starts.
   void keep() {
@@ -355,28 +355,28 @@ struct Sweeps {
   /// Goes on by a part of the last direction; what the sweep changed and that is the next one.
   void carry_on(double part) {
     for (ContactBatch& c : batches) {
-      const Vec3x4 on = c.way * part;
-      c.way = c.impulse - c.before + on;
+      const Vec3x4 on = c.conjugate * part;
+      c.conjugate = c.impulse - c.before + on;
       c.impulse += on;
     }
     for (RollBlock& r : rolls) {
-      const Vec3 on = r.way * part;
-      r.way = r.impulse - r.before + on;
+      const Vec3 on = r.conjugate * part;
+      r.conjugate = r.impulse - r.before + on;
       r.impulse += on;
     }
     for (std::size_t k = 0; k < island.ties.size(); k++) {
-      const Vec3 on = space.tie_way[k] * part;
-      space.tie_way[k] = island.ties[k].impulse - space.tie_before[k] + on;
+      const Vec3 on = space.tie_conjugate[k] * part;
+      space.tie_conjugate[k] = island.ties[k].impulse - space.tie_before[k] + on;
       island.ties[k].impulse += on;
     }
     for (std::size_t k = 0; k < island.scalars.size(); k++) {
-      const double on = space.scalar_way[k] * part;
-      space.scalar_way[k] = island.scalars[k].impulse - space.scalar_before[k] + on;
+      const double on = space.scalar_conjugate[k] * part;
+      space.scalar_conjugate[k] = island.scalars[k].impulse - space.scalar_before[k] + on;
       island.scalars[k].impulse += on;
     }
     for (std::size_t k = 0; k < y.size(); k++) {
-      const Vec3 centre = space.way[k].centre * part, spin = space.way[k].spin * part;
-      space.way[k] = {y[k].centre - space.before[k].centre + centre, y[k].spin - space.before[k].spin + spin};
+      const Vec3 centre = space.conjugate[k].centre * part, spin = space.conjugate[k].spin * part;
+      space.conjugate[k] = {y[k].centre - space.before[k].centre + centre, y[k].spin - space.before[k].spin + spin};
       y[k].centre += centre;
       y[k].spin += spin;
     }
@@ -385,7 +385,7 @@ struct Sweeps {
 
 }  // namespace
 
-SearchReport sweep_search(ContactIsland& island, std::uint32_t most_sweeps, double enough, std::uint32_t at_all) {
+SearchReport sweep_search(ContactIsland& island, std::uint32_t most_sweeps, double enough, std::uint32_t most_of_all) {
   SearchReport report;
   Sweeps s{island};
   s.begin();
@@ -397,7 +397,7 @@ SearchReport sweep_search(ContactIsland& island, std::uint32_t most_sweeps, doub
     const double found = s.sweep(upward);
     if (found <= enough) break;
     if (last) {
-      if (until >= at_all || found < far * enough) break;
+      if (until >= most_of_all || found < far * enough) break;
       until += most_sweeps;
     }
     const double change = s.change_of_sweep(), part = last_change > 0.0 ? change / last_change : 0.0;
@@ -405,8 +405,8 @@ SearchReport sweep_search(ContactIsland& island, std::uint32_t most_sweeps, doub
     last_change = change;
   }
   s.hold_ties();
-  for (std::size_t k = 0; k < s.place.size(); k++)
-    island.contacts[k].impulse = lane_of(s.batches[s.place[k] / batch_size].impulse, s.place[k] % batch_size);
+  for (std::size_t k = 0; k < s.position.size(); k++)
+    island.contacts[k].impulse = lane_of(s.batches[s.position[k] / batch_size].impulse, s.position[k] % batch_size);
   for (std::size_t k = 0; k < s.rolls.size(); k++) island.rolls[k].impulse = s.rolls[k].impulse;
   apply_impulses(island);
   observe(island);

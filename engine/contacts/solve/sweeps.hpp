@@ -21,7 +21,7 @@ struct ContactBatch {
   Lanes by_a, by_b;  // [kg^-½]
   std::array<std::uint32_t, batch_size> a, b;
   Vec3x4 impulse, bias;
-  Vec3x4 before, way;  // [N s] before this sweep; conjugate direction
+  Vec3x4 before, conjugate;  // [N s] before this sweep; conjugate direction
   Lanes friction, compliance;
   Lanes w00, w01, w02, w11, w12, w22;  // [1/kg] J J'
   Lanes i11, i12, i22;                 // [kg] inverse of the part across n
@@ -32,8 +32,8 @@ struct ContactBatch {
 /// Friction against spins at one of them: (columns) what it reads of spins.
 struct RollBlock {
   Mat3 spin_a, spin_b;
-  std::uint32_t contact = 0;  // its place
-  Vec3 impulse = zero3(), before = zero3(), way = zero3();
+  std::uint32_t contact = 0;  // its position
+  Vec3 impulse = zero3(), before = zero3(), conjugate = zero3();
   double wn = 0.0, wt = 0.0;  // [1/kg]
 };
 
@@ -44,16 +44,17 @@ struct ScalarBlock {
 };
 
 struct SweepSpace {
-  std::vector<Scaled> free, y, before, way;                 ///< (bodies and, last, the world, which stays 0)
+  std::vector<Scaled> free, y, before, conjugate;           ///< (bodies and, last, the world, which stays 0)
   std::vector<ContactBatch> batches;                        ///< from the lowest up
-  std::vector<std::uint32_t> place;                         ///< (contacts) batch times four, and lane
+  std::vector<std::uint32_t> position;                      ///< (contacts) batch times four, and lane
   std::vector<std::pair<double, std::uint32_t>> by_height;  ///< contacts
-  std::vector<std::uint32_t> next_batch;                    ///< (bodies and world) after those with it
-  std::vector<std::uint32_t> with_room, occupied;           ///< (batches) itself or a later one with room; lanes
+  std::vector<std::uint32_t> next_batch;                    ///< (bodies and world) the first after the last that has it
+  std::vector<std::uint32_t> with_room,
+      occupied;  ///< (batches) union-find: the first from here with a free lane; lanes in use
   std::vector<RollBlock> rolls;
-  std::vector<Vec3> tie_before, tie_way;
+  std::vector<Vec3> tie_before, tie_conjugate;
   std::vector<ScalarBlock> scalars;  ///< (ends of the island's scalars)
-  std::vector<double> scalar_before, scalar_way;
+  std::vector<double> scalar_before, scalar_conjugate;
 };
 
 }  // namespace pantin

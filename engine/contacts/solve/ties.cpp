@@ -59,7 +59,7 @@ void hold_linear(ContactIsland& island) {
     for (std::size_t i = 0; i < loads.size(); i++) {
       IslandBody& b = island.bodies[i];
       b.v += loads[i].force * b.inverse_mass;
-      b.w += b.mobility * loads[i].moment;
+      b.w += b.inverse_inertia * loads[i].moment;
     }
   }
 }
@@ -97,9 +97,9 @@ void hold_ties(ContactIsland& island) {
     b.v0 = b.v;
     b.w0 = b.w;
   }
-  for (IslandTie& t : island.ties) t.struck += t.kept * t.impulse;
+  for (IslandTie& t : island.ties) t.before_contacts += t.kept * t.impulse;
   for (IslandScalar& s : island.scalars) {
-    s.struck += s.impulse;
+    s.before_contacts += s.impulse;
     s.low -= s.impulse;
     s.high -= s.impulse;
   }
