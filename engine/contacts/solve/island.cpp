@@ -7,11 +7,6 @@ namespace pantin {
 
 namespace {
 
-void push_body(IslandBody& body, Vec3 arm, Vec3 impulse) {
-  body.v += impulse * body.inverse_mass;
-  body.w += body.inverse_inertia * cross(arm, impulse);
-}
-
 /// How much a unit impulse along `way` changes the velocity of its point along it [1/kg].
 double mobility_along(const IslandBody& body, Vec3 arm, Vec3 way) {
   const Vec3 moment = cross(arm, way);
@@ -48,38 +43,6 @@ void ContactIsland::clear() {
   scalars.clear();
   ends.clear();
   ties_prepared = false;
-}
-
-void push(ContactIsland& island, const IslandPair& pair, Vec3 impulse) {
-  push_body(island.bodies[static_cast<std::size_t>(pair.a)], pair.ra, impulse);
-  if (pair.b >= 0) push_body(island.bodies[static_cast<std::size_t>(pair.b)], pair.rb, impulse * -1.0);
-}
-
-void push(ContactIsland& island, const IslandTie& tie, Vec3 impulse) {
-  if (tie.lever == 0.0) return push(island, static_cast<const IslandPair&>(tie), impulse);
-  IslandBody& a = island.bodies[static_cast<std::size_t>(tie.a)];
-  a.w += a.inverse_inertia * (impulse * tie.lever);
-  if (tie.b < 0) return;
-  IslandBody& b = island.bodies[static_cast<std::size_t>(tie.b)];
-  b.w -= b.inverse_inertia * (impulse * tie.lever);
-}
-
-void push(ContactIsland& island, const IslandRoll& roll, Vec3 impulse) {
-  const IslandContact& c = island.contacts[roll.contact];
-  const Vec3 moment = moment_of(island, roll, impulse);
-  IslandBody& a = island.bodies[static_cast<std::size_t>(c.a)];
-  a.w += a.inverse_inertia * moment;
-  if (c.b < 0) return;
-  IslandBody& b = island.bodies[static_cast<std::size_t>(c.b)];
-  b.w -= b.inverse_inertia * moment;
-}
-
-void push(ContactIsland& island, const IslandScalar& scalar, double impulse) {
-  for (const ScalarEnd& end : ends_of(island, scalar)) {
-    IslandBody& b = island.bodies[end.body];
-    b.v += end.force * (impulse * b.inverse_mass);
-    b.w += b.inverse_inertia * end.moment * impulse;
-  }
 }
 
 namespace {

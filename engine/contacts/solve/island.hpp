@@ -183,11 +183,6 @@ inline Vec3 velocity_of(const ContactIsland& island, const IslandRoll& r, Vec3 I
   return r.lever * to_frame(c, c.b < 0 ? wa : wa - island.bodies[static_cast<std::size_t>(c.b)].*w);
 }
 
-/// Adds an impulse [N s] (world axes, on a) to the velocities.
-void push(ContactIsland& island, const IslandPair& pair, Vec3 impulse);
-void push(ContactIsland& island, const IslandTie& tie, Vec3 impulse);
-void push(ContactIsland& island, const IslandRoll& roll, Vec3 impulse);  ///< in the contact's frame
-void push(ContactIsland& island, const IslandScalar& scalar, double impulse);
 /// Adds what impulses do to the bodies: of contacts and rolls, of ties and scalars.
 void add_contact_loads(const ContactIsland& island, std::vector<BodyLoad>& loads);
 void add_tie_loads(const ContactIsland& island, std::vector<BodyLoad>& loads);
