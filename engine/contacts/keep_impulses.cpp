@@ -1,26 +1,66 @@
 #include <algorithm>
+#include <span>
 
 #include "contacts/find.hpp"
 
 namespace pantin {
 
+namespace {
+
+/// Those of the same two shapes as this one.
+template <class Contacts>
+auto of_shapes(Contacts& list, const Contact& contact) {
+  const ContactKey first{contact.key.a, contact.key.b, 0, 0};
+  const auto begin = std::lower_bound(list.begin(), list.end(), first,
+                                      [](const Contact& c, const ContactKey& k) { return c.key < k; });
+  auto end = begin;
+  while (end != list.end() && end->key.same_shapes(first)) end++;
+  return std::span(begin, end);
+}
+
+/// Shares out the impulses of a point that is gone among those of the same two shapes, so that they act where it was, if that
+/// is between them: by the weights that are nearest to equal ones.
+void share_out(const Contact& from, std::span<Contact> points) {
+  constexpr double flat = 1e-3;  // of the spread: that across them is not nothing
+  const auto count = static_cast<double>(points.size());
+  Vec3 centre = zero3();
+  for (const Contact& c : points) centre += c.at / count;
+  Mat3 spread = zero33();
+  for (const Contact& c : points) spread += outer(c.at - centre, c.at - centre);
+  spread += identity33() * (flat * trace(spread) + 1e-12 * from.size * from.size);
+  const Vec3 slope = inverse(spread) * (from.at - centre);
+  const auto weight = [&](const Contact& c) { return std::max(0.0, 1.0 / count + dot(slope, c.at - centre)); };
+  double all = 0.0;
+  for (const Contact& c : points) all += weight(c);
+  for (Contact& c : points) {
+    const double part = weight(c) / all;
+    c.placing += from.placing * part;
+    c.total += from.total * part;
+    c.placing_moment += from.placing_moment * part;
+    c.total_moment += from.total_moment * part;
+  }
+}
+
+}  // namespace
+
 void keep_impulses(const std::vector<Contact>& before, std::vector<Contact>& now) {
   auto old = before.begin();
   std::vector<char> inherited(before.size(), 0);
   std::vector<std::size_t> orphans;
-  const auto inherit = [&](Contact& c, std::vector<Contact>::const_iterator from) {
-    c.placing = from->placing;
-    c.total = from->total;
-    c.placing_moment = from->placing_moment;
-    c.total_moment = from->total_moment;
-    c.approach = from->approach;
-    c.rebound = from->rebound;
-    inherited[static_cast<std::size_t>(from - before.begin())] = 1;
+  const auto index_of = [&](const Contact& c) { return static_cast<std::size_t>(&c - before.data()); };
+  const auto inherit = [&](Contact& c, const Contact& from) {
+    c.placing = from.placing;
+    c.total = from.total;
+    c.placing_moment = from.placing_moment;
+    c.total_moment = from.total_moment;
+    c.approach = from.approach;
+    c.rebound = from.rebound;
+    inherited[index_of(from)] = 1;
   };
   for (std::size_t i = 0; i < now.size(); i++) {
     while (old != before.end() && old->key < now[i].key) old++;
     if (old != before.end() && old->key == now[i].key) {
-      inherit(now[i], old);
+      inherit(now[i], *old);
       now[i].placed = old->placed;
     } else {
       orphans.push_back(i);
@@ -28,19 +68,19 @@ void keep_impulses(const std::vector<Contact>& before, std::vector<Contact>& now
   }
   constexpr double near = 0.3;  // of the size
   for (const std::size_t i : orphans) {
-    const ContactKey first{now[i].key.a, now[i].key.b, 0, 0};
-    auto best = before.end();
+    const Contact* best = nullptr;
     double least = near * now[i].size;
-    for (auto it = std::lower_bound(before.begin(), before.end(), first,
-                                    [](const Contact&c, const ContactKey&k) { return c.key < k; });
-         it != before.end() && it->key.same_shapes(first); it++) {
-      if (inherited[static_cast<std::size_t>(it - before.begin())]) continue;
-      const double distance = norm(it->at - now[i].at);
-      if (distance >= least) continue;
+    for (const Contact& c : of_shapes(before, now[i])) {
+      const double distance = norm(c.at - now[i].at);
+      if (inherited[index_of(c)] || distance >= least) continue;
       least = distance;
-      best = it;
+      best = &c;
     }
-    if (best != before.end()) inherit(now[i], best);
+    if (best != nullptr) inherit(now[i], *best);
+  }
+  for (const Contact& c : before) {
+    if (c.body_b < 0 || inherited[index_of(c)] || norm2(c.placing) + norm2(c.total) == 0.0) continue;
+    if (const std::span<Contact> points = of_shapes(now, c); !points.empty()) share_out(c, points);
   }
 }
 
