@@ -1,7 +1,5 @@
 #include "fields/constraint.hpp"
 
-#include <iterator>
-
 #include "edit/constrain.hpp"
 
 namespace pantin::fields {
@@ -52,13 +50,16 @@ Property torque_property() {
       [](const World& w, ConstraintId c) { return w.constraints[c].torque; });
 }
 
+/// An axis is of a hinge, and no thing of its own.
+const Type& axis_type() { return any_constraint_type(); }
+
 const Type& constraint_type(ConstraintKind kind) {
   using Maker = const Type& (*)();
-  // (kinds) in the order of ConstraintKind; an axis is of a hinge, and no thing of its own
-  constexpr Maker types[] = {nail_type,  follow_type, rod_type,   any_constraint_type, weld_type,   orient_type,
-                             align_type, motor_type,  limit_type, on_plane_type,       string_type, on_path_type,
-                             join_type,  gear_type,   rack_type,  pulley_type,         screw_type};
-  static_assert(std::size(types) == constraint_names.size());
+  // (kinds)
+  constexpr Maker types[] = {
+#define CONSTRAINT_KIND(name) name##_type,
+#include "model/constraint_kinds.hpp"
+  };
   return types[static_cast<std::size_t>(kind)]();
 }
 

@@ -33,7 +33,9 @@ const Type& on_plane_type() {
                           property<ConstraintId>(
                               "normal", "vec", "1", "across the plane, of unit length",
                               [](const World& w, ConstraintId c) { return constraint_row(w, c).axis_a; },
-                              [](World& w, ConstraintId c, Vec3 normal) { set_normal(w, c, normal); }),
+                              [](World& w, ConstraintId c, Vec3 normal) {
+                                change_constraint(w, c, "normal", [&](Constraint& plane) { plane.axis_a = normal; });
+                              }),
                           force_property()});
   return type;
 }

@@ -189,35 +189,32 @@ void draw_screw(const World& world, const Constraint& c, const Stage& stage, Con
 bool always(const Constraint&) { return true; }
 double none(const Constraint&) { return 0.0; }
 
-constexpr ConstraintDrawing unseen;
+// (kinds)
+constexpr const ConstraintDrawing* drawings[] = {
+#define CONSTRAINT_KIND(name) &name##_drawing,
+#include "model/constraint_kinds.hpp"
+};
 
 }  // namespace
 
-// (kinds) in the order of ConstraintKind
-constexpr std::array drawings = {
-    /* nail */ ConstraintDrawing{"nail", "nails", draw_nail, always, none},
-    /* follow */ ConstraintDrawing{"tie", "ties", draw_nail, always, none},
-    /* rod */ ConstraintDrawing{"rod", "rods", draw_rod, always, [](const Constraint& c) { return c.number.now; }},
-    /* axis */ unseen,
-    /* weld */ unseen,
-    /* orient */ unseen,
-    /* align */ unseen,
-    /* motor */ unseen,
-    /* limit */
-    ConstraintDrawing{"tie", "ties", draw_thread, [](const Constraint& c) { return static_cast<bool>(c.a); },
-                      [](const Constraint& c) { return c.high; }},
-    /* on_plane */ ConstraintDrawing{"tie", "ties", draw_plane},
-    /* string */ ConstraintDrawing{"string", "strings", draw_string, always},
-    /* on_path */ ConstraintDrawing{"tie", "ties", draw_path},
-    /* join */ ConstraintDrawing{"tie", "ties", draw_thread, always},
-    /* gear */ ConstraintDrawing{"gear", "gears", draw_gear, always},
-    /* rack */ ConstraintDrawing{"rack", "racks", draw_rack, always},
-    /* pulley */ ConstraintDrawing{"pulley", "pulleys", draw_pulley, always},
-    /* screw */ ConstraintDrawing{"screw", "screws", draw_screw, always},
-};
-static_assert(drawings.size() == constraint_names.size());
+const ConstraintDrawing nail_drawing = {"nail", "nails", draw_nail, always, none};
+const ConstraintDrawing follow_drawing = {"tie", "ties", draw_nail, always, none};
+const ConstraintDrawing rod_drawing = {"rod", "rods", draw_rod, always,
+                                       [](const Constraint& c) { return c.number.now; }};
+const ConstraintDrawing axis_drawing, weld_drawing, orient_drawing, align_drawing, motor_drawing;  // not to be seen
+const ConstraintDrawing limit_drawing = {"tie", "ties", draw_thread,
+                                         [](const Constraint& c) { return static_cast<bool>(c.a); },
+                                         [](const Constraint& c) { return c.high; }};
+const ConstraintDrawing on_plane_drawing = {"tie", "ties", draw_plane};
+const ConstraintDrawing string_drawing = {"string", "strings", draw_string, always};
+const ConstraintDrawing on_path_drawing = {"tie", "ties", draw_path};
+const ConstraintDrawing join_drawing = {"tie", "ties", draw_thread, always};
+const ConstraintDrawing gear_drawing = {"gear", "gears", draw_gear, always};
+const ConstraintDrawing rack_drawing = {"rack", "racks", draw_rack, always};
+const ConstraintDrawing pulley_drawing = {"pulley", "pulleys", draw_pulley, always};
+const ConstraintDrawing screw_drawing = {"screw", "screws", draw_screw, always};
 
-const ConstraintDrawing& drawing_of(const Constraint& c) { return drawings[static_cast<std::size_t>(c.kind)]; }
+const ConstraintDrawing& drawing_of(const Constraint& c) { return *drawings[static_cast<std::size_t>(c.kind)]; }
 
 void find_look(const World& world, const Constraint& c, const Stage& stage, ConstraintLook& look) {
   look.lines.clear();

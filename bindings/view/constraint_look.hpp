@@ -1,5 +1,5 @@
 #pragma once
-// How constraints look: one entry per kind, which whoever draws, exports, frames or cuts them asks.
+// How constraints look: a drawing per kind, which whoever draws, exports, frames or cuts them asks.
 #include <optional>
 #include <vector>
 
@@ -35,6 +35,10 @@ struct ConstraintDrawing {
   /// How far from its other end its point stays [m]; null: it may go anywhere.
   double (*reach)(const Constraint& constraint) = nullptr;
 };
+
+// Of each kind.
+#define CONSTRAINT_KIND(name) extern const ConstraintDrawing name##_drawing;
+#include "model/constraint_kinds.hpp"
 
 const ConstraintDrawing& drawing_of(const Constraint& constraint);
 /// Sets `look` to what is seen now; nothing of what is off, or of what a hand holds by.

@@ -1,5 +1,6 @@
 // A follow with a limit: a damped spring taken at the end of the step (backward, dissipative), whose pull saturates:
 //   z = (k + d_c/h) d1 - (d_c/h) d0,   f = -z min(1, F/|z|).
+#include "base/check_values.hpp"
 #include "constraints/geometry.hpp"
 #include "constraints/plans.hpp"
 #include "constraints/row_rule.hpp"
@@ -42,6 +43,11 @@ const RowRule soft_row = {
 
 namespace {
 
+void check(const Model&, Constraint& c) {
+  internal::require_positive_or_infinite("follow", "max_force", c.max_force, "N");
+  internal::require_finite("follow", "target", c.position.now, "m");
+}
+
 void start(const Model& model, Constraint& c, double tolerance) {
   if (c.pins()) start_point(model, c, from_position(model, c), velocity(model, c.a), tolerance);
 }
@@ -59,6 +65,7 @@ std::vector<RowPlan> rows(const Model&, const Constraint& c) {
 const ConstraintRule follow_rule = {
     .joins_points = true,
     .ends_at_position = true,
+    .check = check,
     .freedoms =
         [](const Constraint& c) {
           return c.pins() ? FreedomsTaken{3, 2} : FreedomsTaken{};

@@ -1,5 +1,8 @@
 #include "constraints/geometry.hpp"
 
+#include "base/check.hpp"
+#include "base/check_values.hpp"
+
 namespace pantin {
 
 namespace {
@@ -31,6 +34,16 @@ Vec3 present_turn(const Model& model, const Constraint& c) {
 double lever(const Model& model, const Constraint& c) {
   const double a = gyration(model, c.body_a);
   return c.body_b ? std::fmin(a, gyration(model, c.body_b)) : a;
+}
+
+void require_two_ends(const Model& model, const Constraint& c, std::string_view hint) {
+  const std::string_view call = kind_name(c.kind);
+  if (!c.b) return internal::require_finite(call, "position", c.position.now, "m");
+  const Point &first = model.points[c.a], &second = model.points[c.b];
+  require(first.particle != second.particle, call, ": its ends are one particle, ", describe(model, first.particle),
+          hint);
+  require(!first.body || first.body != second.body, call, ": both ends belong to ", describe(model, first.body),
+          ", which is rigid already");
 }
 
 void start_number(Constraint& c, double excess, double rate, double allowed) {

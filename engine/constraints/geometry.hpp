@@ -1,6 +1,7 @@
 #pragma once
 // Where the ends of constraints are now.
 #include <cmath>
+#include <string_view>
 
 #include "base/functions.hpp"
 #include "model/model.hpp"
@@ -30,6 +31,10 @@ inline Vec3 relative_spin(const Model& model, const Constraint& c) {
 Vec3 present_turn(const Model& model, const Constraint& constraint);
 /// Least radius of gyration of the bodies whose rotation a constraint ties [m]: turns an angle into a distance.
 double lever(const Model& model, const Constraint& constraint);
+
+/// Throws Error, which begins with the kind's name, unless its second end is another particle than the first, not of one body
+/// with it, or a finite position; `hint` ends what is said of one particle.
+void require_two_ends(const Model& model, const Constraint& constraint, std::string_view hint = "");
 
 /// Notes what is far: `value` is `excess` beyond what it is to be, and grows by `rate`; `size` says what is far.
 void start_number(Constraint& c, double excess, double rate, double allowed);

@@ -1,4 +1,6 @@
 // A join: two points are `position1` apart at the end of the step, which goes to 0 as step/targets.cpp says.
+#include "base/check.hpp"
+#include "base/check_values.hpp"
 #include "constraints/geometry.hpp"
 #include "constraints/plans.hpp"
 #include "constraints/row_rule.hpp"
@@ -18,8 +20,6 @@ void project_attract(const Row&, Condition& c) { c.kept = identity33(); }
 
 Vec3 attract_gap(const Row& row, const Condition& c) { return row.d1 - c.position1 - row.offset; }
 
-}  // namespace
-
 const RowRule attract_row = {.over_gap = true,
                              .keeps_apart = true,
                              .offsets_gap = true,
@@ -27,7 +27,15 @@ const RowRule attract_row = {.over_gap = true,
                              .project = project_attract,
                              .gap = attract_gap};
 
-namespace {
+void check(const Model& model, Constraint& c) {
+  const Point &first = model.points[c.a], &second = model.points[c.b];
+  require(c.a != c.b, "join: both are ", describe(model, c.a), "; it needs two points");
+  require(!first.body || first.body != second.body, "join: both points belong to ", describe(model, first.body),
+          "; it joins different bodies");
+  require(first.particle != second.particle, "join: these points are joined already, in ",
+          describe(model, first.particle));
+  internal::require_positive_or_infinite("join", "max_force", c.max_force, "N");
+}
 
 void start(const Model& model, Constraint& c, double) {
   if (std::isfinite(c.max_force)) return;
@@ -46,6 +54,7 @@ std::vector<RowPlan> rows(const Model&, const Constraint& c) {
 }  // namespace
 
 const ConstraintRule join_rule = {
+    .check = check,
     .freedoms =
         [](const Constraint& c) {
           return std::isfinite(c.max_force) ? FreedomsTaken{} : FreedomsTaken{3, 2};

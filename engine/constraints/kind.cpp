@@ -4,12 +4,11 @@ namespace pantin {
 
 namespace {
 
-// (kinds) in the order of ConstraintKind
-constexpr const ConstraintRule* rules[] = {&nail_rule,   &follow_rule,  &rod_rule,   &axis_rule,  &weld_rule,
-                                           &orient_rule, &align_rule,   &motor_rule, &limit_rule, &on_plane_rule,
-                                           &string_rule, &on_path_rule, &join_rule,  &gear_rule,  &rack_rule,
-                                           &pulley_rule, &screw_rule};
-static_assert(std::size(rules) == constraint_names.size());
+// (kinds)
+constexpr const ConstraintRule* rules[] = {
+#define CONSTRAINT_KIND(name) &name##_rule,
+#include "model/constraint_kinds.hpp"
+};
 
 }  // namespace
 

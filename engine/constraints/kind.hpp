@@ -1,7 +1,6 @@
 #pragma once
 // What the engine knows of a kind of constraint: one file of this folder fills one entry of the table, and whoever deals
-// with constraints asks the table. Its name stands beside the enumerator in model/constraint.hpp. How to add one:
-// assets/pages/house.md.
+// with constraints asks the table. Their list is model/constraint_kinds.hpp. How to add one: assets/pages/house.md.
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -50,6 +49,10 @@ struct ConstraintRule {
   bool ends_at_position = false;  ///< its second end, where that is no point, is a position of the world
   bool orients = false;           ///< keeps an orientation in the world
 
+  /// Throws Error, which begins with the kind's name, where it cannot be what it was given; may bring that into form, as a
+  /// direction to unit length. That what it ties lives, its time constant and the number that it keeps are checked of all
+  /// kinds. Null: no more is checked.
+  void (*check)(const Model& model, Constraint& constraint) = nullptr;
   FreedomsTaken (*freedoms)(const Constraint& constraint) = nullptr;
   /// Directions in which it holds its point in the world; zero: none.
   std::array<Vec3, 3> (*directions)(const Constraint& constraint) = nullptr;
@@ -89,7 +92,7 @@ inline double present_value(const Model& model, const Constraint& c) { return ru
 void start_constraint(const Model& model, Constraint& constraint, double tolerance);
 
 // The kinds, each in the file of its name.
-extern const ConstraintRule nail_rule, follow_rule, rod_rule, axis_rule, weld_rule, orient_rule, align_rule, motor_rule,
-    limit_rule, on_plane_rule, string_rule, on_path_rule, join_rule, gear_rule, rack_rule, pulley_rule, screw_rule;
+#define CONSTRAINT_KIND(name) extern const ConstraintRule name##_rule;
+#include "model/constraint_kinds.hpp"
 
 }  // namespace pantin

@@ -1,10 +1,21 @@
 // A limit: a distance or an angle stays between two, by the row of a rod or of a motor with a range.
+#include "base/check.hpp"
+#include "base/check_values.hpp"
 #include "constraints/geometry.hpp"
 #include "constraints/plans.hpp"
 
 namespace pantin {
 
 namespace {
+
+void check(const Model& model, Constraint& c) {
+  if (!c.a) return internal::require_range("limit", c.low, c.high, "rad");
+  require_two_ends(model, c);
+  require(c.low >= 0.0 || std::isinf(c.low), "limit: min must be >= 0 m, got ", c.low);
+  c.low = std::fmax(c.low, 0.0);
+  require(c.high > 0.0 && c.low < c.high, "limit: min must be below max, got ", c.low, " and ", c.high, " m");
+  require(std::isfinite(c.high) || c.low > 0.0, "limit: min or max must be given");
+}
 
 /// How far a value is outside the range.
 double outside(const Constraint& c, double value) {
@@ -41,6 +52,7 @@ std::vector<PlaneNeed> in_plane(const Model& model, const Constraint& c) {
 
 const ConstraintRule limit_rule = {
     .ends_at_position = true,
+    .check = check,
     .freedoms = [](const Constraint&) { return FreedomsTaken{}; },
     .directions = no_direction,
     .start = start,

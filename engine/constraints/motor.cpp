@@ -1,4 +1,5 @@
 // A motor: turns a body about an axis, by a row of the angle.
+#include "base/check_values.hpp"
 #include "constraints/geometry.hpp"
 #include "constraints/plans.hpp"
 
@@ -26,6 +27,8 @@ std::vector<PlaneNeed> in_plane(const Model& model, const Constraint& c) {
 
 const ConstraintRule motor_rule = {
     .keeps = kept_angle,
+    .check = [](const Model&,
+                Constraint& c) { internal::require_positive_or_infinite("motor", "max_torque", c.max_torque, "N m"); },
     .freedoms =
         [](const Constraint& c) {
           return std::isfinite(c.max_torque) ? FreedomsTaken{} : FreedomsTaken{1, 1};

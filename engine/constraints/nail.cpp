@@ -1,4 +1,5 @@
 // A nail: a point stays at a position of the world, by a rigid row.
+#include "base/check_values.hpp"
 #include "constraints/geometry.hpp"
 #include "constraints/plans.hpp"
 
@@ -19,6 +20,7 @@ std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {between_p
 const ConstraintRule nail_rule = {
     .joins_points = true,
     .ends_at_position = true,
+    .check = [](const Model&, Constraint& c) { internal::require_finite("nail", "at", c.position.now, "m"); },
     .freedoms =
         [](const Constraint&) {
           return FreedomsTaken{3, 2};

@@ -1,4 +1,5 @@
 // A point on a plane: n·(y - c) = 0 by a force along n. Linear, so that the force does no work.
+#include "base/check_values.hpp"
 #include "constraints/geometry.hpp"
 #include "constraints/plans.hpp"
 #include "constraints/row_rule.hpp"
@@ -16,11 +17,12 @@ void project_plane(const Row&, Condition& c) { project_function(c, c.normal); }
 
 Vec3 plane_gap(const Row& row, const Condition& c) { return c.normal * (dot(c.normal, row.d1) - c.accepted); }
 
-}  // namespace
-
 const RowRule plane_row = {.guides = true, .evaluate = evaluate_plane, .project = project_plane, .gap = plane_gap};
 
-namespace {
+void check(const Model&, Constraint& c) {
+  internal::require_finite("on_plane", "through", c.position.now, "m");
+  c.axis_a = internal::unit_vector("on_plane", "normal", c.axis_a);
+}
 
 void start(const Model& model, Constraint& c, double tolerance) {
   const Vec3 n = c.axis_a;
@@ -36,6 +38,7 @@ std::vector<RowPlan> rows(const Model&, const Constraint& c) { return {between_p
 }  // namespace
 
 const ConstraintRule on_plane_rule = {
+    .check = check,
     .freedoms =
         [](const Constraint&) {
           return FreedomsTaken{1, 1};

@@ -65,6 +65,7 @@ const ConstraintRule rod_rule = {
     .keeps = kept_length,
     .parts_points = true,
     .ends_at_position = true,
+    .check = [](const Model& model, Constraint& c) { require_two_ends(model, c, "; a rod ties two"); },
     .freedoms =
         [](const Constraint&) {
           return FreedomsTaken{1, 1};

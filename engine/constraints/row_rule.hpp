@@ -54,15 +54,12 @@ struct RowRule {
   Vec3 (*pull)(const Row& row, const Condition& condition, const RowContext& context) = nullptr;
 };
 
-// Each in the file of a kind that makes such rows: rigid_row in hinge.cpp, soft_row in follow.cpp, turn_row in turn.cpp.
+// Those that several files name, each in the file of a kind that makes such rows: rigid_row in hinge.cpp, soft_row in
+// follow.cpp, turn_row in turn.cpp.
 extern const RowRule rigid_row;    ///< keeps two points together, or an orientation
 extern const RowRule soft_row;     ///< draws a point to a position, or to a point, with a force up to a limit
 extern const RowRule rod_row;      ///< keeps a distance, or keeps it in a range
-extern const RowRule plane_row;    ///< keeps a point on a plane
-extern const RowRule path_row;     ///< keeps a point on a path
-extern const RowRule attract_row;  ///< has two points approach each other
 extern const RowRule axis_row;     ///< keeps two axes together
-extern const RowRule align_row;    ///< keeps the angle between them
 extern const RowRule turn_row;     ///< drives the angle about an axis, or keeps it in a range
 extern const RowRule coupled_row;  ///< a segment of a string, a turn of a gear
 extern const RowRule stiff_row;    ///< pulls by a law

@@ -1,5 +1,7 @@
 // A string: at most so long along its points and positions, slides through the inner ones; a row for each segment, whose
 // equations the solver does together.
+#include "base/check.hpp"
+#include "base/check_values.hpp"
 #include "constraints/geometry.hpp"
 #include "constraints/plans.hpp"
 
@@ -8,6 +10,24 @@ namespace pantin {
 namespace {
 
 Vec3 position_of(const Model& model, const Passage& p) { return p.point ? position(model, p.point) : p.position; }
+
+void check(const Model& model, Constraint& c) {
+  const std::span<const Passage> passages = c.passages();
+  require(passages.size() >= 2, "string: needs two points or more, got ", passages.size());
+  double fixed = 0.0;
+  for (std::size_t i = 0; i < passages.size(); i++) {
+    const Passage& p = passages[i];
+    if (!p.point) internal::require_finite("string", "a position", p.position, "m");
+    for (std::size_t j = 0; j < i && p.point; j++)
+      require(!passages[j].point || model.points[passages[j].point].particle != model.points[p.point].particle,
+              "string: points ", j + 1, " and ", i + 1, " are one particle");
+    if (i > 0 && !p.point && !passages[i - 1].point) fixed += norm(p.position - passages[i - 1].position);
+  }
+  require(static_cast<bool>(c.a), "string: it goes through positions only; one must be a point or a particle");
+  internal::require_positive("string", "length", c.number.now, "m");
+  require(c.number.now > fixed, "string: its positions are ", fixed, " m apart, so it cannot be ", c.number.now,
+          " m long");
+}
 
 double value(const Model& model, const Constraint& c) {
   double sum = 0.0;
@@ -74,6 +94,7 @@ void load(Condition& condition, const Row&, const Model& model, const Constraint
 
 const ConstraintRule string_rule = {
     .keeps = kept_length,
+    .check = check,
     .freedoms = [](const Constraint&) { return FreedomsTaken{}; },
     .directions = no_direction,
     .start = start,

@@ -38,7 +38,14 @@ void require_solid_radius(std::string_view call, const Family& family, double ra
 inline void start_constraint(const World& world, Constraint& constraint) {
   pantin::start_constraint(world, constraint, world.settings.tolerance);
 }
-/// Puts a constraint into the world. Throws Error where it does not fit into the world's plane.
+void require_point(const World& world, std::string_view call, PointId point);
+/// A body that has an orientation.
+void require_turning(const World& world, std::string_view call, BodyId body);
+/// A direction of the world in a body's frame; null: in the world's.
+Vec3 in_frame(const World& world, BodyId body, Vec3 v);
+/// Throws Error where a constraint cannot be what it was given; brings that into form. `same`: what it is to replace.
+void check_constraint(const World& world, Constraint& constraint, ConstraintId same = {});
+/// Puts a constraint into the world as it is. Throws Error where it does not fit into the world's plane.
 ConstraintId insert_constraint(World& world, Constraint constraint);
 /// Takes a constraint out of the rows of what it ties, and of the world.
 void take_out_constraint(World& world, ConstraintId constraint, Obituary obituary);

@@ -9,7 +9,11 @@
 
 namespace pantin {
 
-constexpr double usual_time_constant = 0.1;  // [s]
+/// Makes a constraint of any kind: of what it ties, what it keeps and its time constant, as its file in `constraints` says.
+ConstraintId add_constraint(World& world, Constraint constraint);
+/// Changes what it was given but for what it ties, by `change`; `call` begins messages. It has the same rows as before.
+void change_constraint(World& world, ConstraintId id, std::string_view call,
+                       const std::function<void(Constraint&)>& change);
 
 /// Keeps two bodies in their present relative position and orientation; it tells its load, and may break.
 ConstraintId add_weld(World& world, BodyId a, BodyId b);
@@ -76,8 +80,7 @@ ConstraintId add_on_path(World& world, PointId point, std::shared_ptr<const Path
 void set_length(World& world, ConstraintId constraint, double value, std::function<double(double)> function = {});
 void set_attitude(World& world, ConstraintId orient, const Quat& to, std::function<Quat(double)> target = {});
 void set_range(World& world, ConstraintId limit, double min, double max);  ///< [rad] or [m]
-void set_normal(World& world, ConstraintId on_plane, Vec3 normal);
-void set_max_torque(World& world, ConstraintId motor, double torque);  ///< [N m] > 0
+void set_max_torque(World& world, ConstraintId motor, double torque);      ///< [N m] > 0
 void set_breaks_at(World& world, ConstraintId constraint, const Breaking& breaks_at);
 void set_breaks_at(World& world, ParticleId hinge, const Breaking& breaks_at);
 /// Whether the points of a hinge stay together. They must be together when they are to stay so again.

@@ -13,22 +13,6 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-Vec3 unit_vector(const char* call, const char* name, Vec3 v) {
-  require_finite(call, name, v, "");
-  require(norm(v) > 0.0, call, ": ", name, " must not be vec(0, 0, 0)");
-  return v / norm(v);
-}
-
-void require_turning(const World& world, const char* call, BodyId body) {
-  require(world.bodies.alive(body), call, ": ", world.bodies.story(body));
-  require(world.motion_of(body).freedom != Freedom::point, call, ": ", describe(world, body),
-          " has all its mass at one position, so it has no orientation; give it an inertia");
-}
-
-Vec3 in_frame(const World& world, BodyId body, Vec3 v) {
-  return body ? rotate(conjugate(orientation(world, body)), v) : v;
-}
-
 /// The angle of a body against a carrier, 0 now.
 CoupledValue angle_of(const World& world, const char* call, BodyId body, BodyId carrier, Vec3 axis) {
   require_turning(world, call, body);
@@ -44,27 +28,24 @@ CoupledValue angle_of(const World& world, const char* call, BodyId body, BodyId 
   return v;
 }
 
-ConstraintId insert(World& world, ConstraintKind kind, std::vector<CoupledValue> values, const Ratio& ratio,
-                    std::optional<double> length = {}, double time_constant = usual_time_constant) {
+ConstraintId add_coupling(World& world, ConstraintKind kind, std::vector<CoupledValue> values, const Ratio& ratio,
+                          std::optional<double> length = {}, double time_constant = usual_time_constant) {
   Constraint c;
   c.kind = kind;
-  c.number.now = c.number.previous = ratio.value;
+  c.number.now = ratio.value;
   c.number.of_time = ratio.function;
-  require_kept(kind_name(kind), c, ratio.value);
   for (const CoupledValue& v : values)
     if (!c.body_a && v.body_a) c.body_a = v.body_a;
   if (!values[0].body_a) c.a = values[0].point_a;
   c.own = CouplingData{std::move(values)};
   c.as<CouplingData>().total = length.value_or(0.0);
   c.time_constant = time_constant;
-  require_in_plane(world, c);
-  start_constraint(world, c);
-  return insert_constraint(world, std::move(c));
+  return add_constraint(world, std::move(c));
 }
 
 CoupledValue distance(const World& world, const char* call, PointId point, const Passage& to) {
-  require(world.points.alive(point), call, ": ", world.points.story(point));
-  if (to.point) require(world.points.alive(to.point), call, ": ", world.points.story(to.point));
+  require_point(world, call, point);
+  if (to.point) require_point(world, call, to.point);
   if (!to.point) require_finite(call, "an anchor", to.position, "m");
   const BodyId body = world.points[point].body;
   require(!to.point || to.point != point, call, ": ", describe(world, world.points[point].particle),
@@ -88,7 +69,6 @@ void count_along(const World& world, CoupledValue& v, BodyId body, Vec3 axis) {
 }  // namespace
 
 ConstraintId add_gear(World& world, BodyId a, BodyId b, const GearDef& def) {
-  require_unlocked(world, "gear");
   const Vec3 axis_a = unit_vector("gear", "axis", def.axis_a),
              axis_b = def.axis_b ? unit_vector("gear", "the second axis", *def.axis_b) : axis_a;
   require(a != b, "gear: both are ", describe(world, a), "; it needs two bodies");
@@ -96,13 +76,12 @@ ConstraintId add_gear(World& world, BodyId a, BodyId b, const GearDef& def) {
                                       angle_of(world, "gear", b, def.carrier, axis_b)};
   values[1].fixed = 0.0;
   values[1].by_ratio = -1.0;
-  return insert(world, ConstraintKind::gear, std::move(values), def.ratio);
+  return add_coupling(world, ConstraintKind::gear, std::move(values), def.ratio);
 }
 
 ConstraintId add_rack(World& world, BodyId wheel, PointId rack, const RackDef& def) {
-  require_unlocked(world, "rack");
   const Vec3 axis = unit_vector("rack", "axis", def.axis), along = unit_vector("rack", "along", def.along);
-  require(world.points.alive(rack), "rack: ", world.points.story(rack));
+  require_point(world, "rack", rack);
   require(world.points[rack].body != wheel, "rack: its point belongs to the wheel, ", describe(world, wheel));
   require(!def.carrier || world.points[rack].body != def.carrier, "rack: its point belongs to the carrier, ",
           describe(world, def.carrier));
@@ -111,18 +90,16 @@ ConstraintId add_rack(World& world, BodyId wheel, PointId rack, const RackDef& d
   values[0].fixed = 0.0;
   values[0].by_ratio = -1.0;
   count_along(world, values[1], def.carrier, along);
-  return insert(world, ConstraintKind::rack, std::move(values), def.radius);
+  return add_coupling(world, ConstraintKind::rack, std::move(values), def.radius);
 }
 
 ConstraintId add_pulley(World& world, PointId a, const Passage& over_a, PointId b, const Passage& over_b,
                         const PulleyDef& def) {
-  require_unlocked(world, "pulley");
   if (def.length) require_positive("pulley", "length", *def.length, "m");
-  require_positive("pulley", "time_constant", def.time_constant, "s");
   std::vector<CoupledValue> values = {distance(world, "pulley", a, over_a), distance(world, "pulley", b, over_b)};
   values[1].fixed = 0.0;
   values[1].by_ratio = 1.0;
-  return insert(world, ConstraintKind::pulley, std::move(values), def.ratio, def.length, def.time_constant);
+  return add_coupling(world, ConstraintKind::pulley, std::move(values), def.ratio, def.length, def.time_constant);
 }
 
 void set_rope_length(World& world, ConstraintId id, double length) {
@@ -133,9 +110,8 @@ void set_rope_length(World& world, ConstraintId id, double length) {
 }
 
 ConstraintId add_screw(World& world, PointId a, PointId b, const ScrewDef& def) {
-  require_unlocked(world, "screw");
   const Vec3 axis = unit_vector("screw", "axis", def.axis);
-  for (PointId p : {a, b}) require(world.points.alive(p), "screw: ", world.points.story(p));
+  for (PointId p : {a, b}) require_point(world, "screw", p);
   const BodyId first = world.points[a].body, second = world.points[b].body;
   require(first && second, "screw: both of its points must be of bodies");
   std::vector<CoupledValue> values = {angle_of(world, "screw", first, second, axis),
@@ -143,7 +119,7 @@ ConstraintId add_screw(World& world, PointId a, PointId b, const ScrewDef& def) 
   values[0].fixed = 0.0;
   values[0].by_ratio = -1.0 / (2.0 * pi);
   count_along(world, values[1], second, axis);
-  return insert(world, ConstraintKind::screw, std::move(values), def.lead);
+  return add_coupling(world, ConstraintKind::screw, std::move(values), def.lead);
 }
 
 }  // namespace pantin

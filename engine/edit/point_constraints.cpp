@@ -1,6 +1,6 @@
 #include "constraints/kind.hpp"
 #include "edit/common.hpp"
-#include "edit/edit.hpp"
+#include "edit/constrain.hpp"
 #include "forces/sleep.hpp"
 
 namespace pantin {
@@ -9,22 +9,16 @@ using namespace internal;
 
 namespace {
 
-void require_point(const World& world, const char* call, PointId point) {
-  require(world.points.alive(point), call, ": ", world.points.story(point));
-}
-
 ConstraintId add_rod_row(World& world, Constraint c, Vec3 far_end, std::optional<double> length) {
   const double distance = norm(position(world, c.a) - far_end);
   c.kind = ConstraintKind::rod;
-  c.time_constant = 0.1;
   c.number.now = length.value_or(distance);
-  if (!length)
-    require(distance > 0.0, "rod: its ends are at one position, so it has no length; a length must be > 0 m");
-  require_positive("rod", "length", c.number.now, "m");
-  c.number.previous = c.number.before = c.number.now;
+  rule_of(c).check(world, c);
+  require(length || distance > 0.0, "rod: its ends are at one position, so it has no length; a length must be > 0 m");
+  check_constraint(world, c);
   require(std::fabs(distance - c.number.now) <= world.settings.tolerance * c.number.now, "rod: its ends are ", distance,
           " m apart, but its length is given as ", c.number.now, " m; move them first, or set the length afterwards");
-  return insert_constraint(world, std::move(c));
+  return add_constraint(world, std::move(c));
 }
 
 Constraint& of_kind(World& world, ConstraintId id, ConstraintKind kind, const char* call) {
@@ -38,26 +32,26 @@ Constraint& of_kind(World& world, ConstraintId id, ConstraintKind kind, const ch
 }  // namespace
 
 ConstraintId add_nail(World& world, PointId point, std::optional<Vec3> at, double time_constant) {
-  require_unlocked(world, "nail");
   require_point(world, "nail", point);
-  if (at) require_finite("nail", "at", *at, "m");
-  require_positive("nail", "time_constant", time_constant, "s");
-  require_free_of_holders(world, "nail", point);
   Constraint c;
   c.kind = ConstraintKind::nail;
   c.a = point;
   c.time_constant = time_constant;
   c.position.now = at ? *at : position(world, point);
-  start_constraint(world, c);
-  return insert_constraint(world, std::move(c));
+  return add_constraint(world, std::move(c));
 }
 
 ConstraintId add_follow(World& world, PointId point, const FollowDef& def) {
-  require_unlocked(world, "follow");
+  Constraint c;
+  c.kind = ConstraintKind::follow;
+  c.a = point;
+  c.max_force = def.max_force;
+  c.time_constant = def.time_constant;
+  c.hand = def.hand;
+  if (def.hand < 0) c.position.of_time = def.target;
   require_point(world, "follow", point);
-  require_positive_or_infinite("follow", "max_force", def.max_force, "N");
-  require_positive("follow", "time_constant", def.time_constant, "s");
-  if (!std::isfinite(def.max_force)) require_free_of_holders(world, "follow", point);
+  c.position.now = position(world, point);
+  check_constraint(world, c);
   Vec3 at = def.at;
   if (def.hand >= 0) {
     const auto hand = static_cast<std::size_t>(def.hand);
@@ -67,29 +61,13 @@ ConstraintId add_follow(World& world, PointId point, const FollowDef& def) {
   } else if (def.target) {
     at = present(world, def.target);
   }
-  require_finite("follow", "target", at, "m");
-  if (def.hand >= 0 || def.target) at = world.plane.beside(at, position(world, point));
-  Constraint c;
-  c.kind = ConstraintKind::follow;
-  c.a = point;
-  c.max_force = def.max_force;
-  c.time_constant = def.time_constant;
-  c.hand = def.hand;
-  if (def.hand < 0) c.position.of_time = def.target;
+  if ((def.hand >= 0 || def.target) && finite(at)) at = world.plane.beside(at, position(world, point));
   c.position.now = at;
-  start_constraint(world, c);
-  return insert_constraint(world, std::move(c));
+  return add_constraint(world, std::move(c));
 }
 
 ConstraintId add_rod(World& world, PointId a, PointId b, std::optional<double> length) {
-  require_unlocked(world, "rod");
-  require_point(world, "rod", a);
-  require_point(world, "rod", b);
-  const Point &pa = world.points[a], &pb = world.points[b];
-  require(pa.particle != pb.particle, "rod: its ends are one particle, ", describe(world, pa.particle),
-          "; a rod ties two");
-  require(!pa.body || pa.body != pb.body, "rod: both ends belong to ", describe(world, pa.body),
-          ", which is rigid already");
+  for (PointId point : {a, b}) require_point(world, "rod", point);
   Constraint c;
   c.a = a;
   c.b = b;
@@ -97,12 +75,10 @@ ConstraintId add_rod(World& world, PointId a, PointId b, std::optional<double> l
 }
 
 ConstraintId add_rod(World& world, PointId a, Vec3 position, std::optional<double> length) {
-  require_unlocked(world, "rod");
   require_point(world, "rod", a);
-  require_finite("rod", "position", position, "m");
   Constraint c;
   c.a = a;
-  c.position.now = c.position.previous = c.position.before = position;
+  c.position.now = position;
   return add_rod_row(world, std::move(c), position, length);
 }
 

@@ -13,40 +13,23 @@ using namespace internal;
 
 namespace {
 
-void require_turning(const World& world, const char* call, BodyId body) {
-  require(world.bodies.alive(body), call, ": ", world.bodies.story(body));
-  require(world.motion_of(body).freedom != Freedom::point, call, ": ", describe(world, body),
-          " has all its mass at one position, so it has no orientation; give it an inertia");
-}
-
-void require_two(const World& world, const char* call, BodyId a, BodyId b) {
-  require_turning(world, call, a);
-  if (!b) return;
-  require_turning(world, call, b);
-  require(a != b, call, ": both are ", describe(world, a), "; it needs two bodies");
-}
-
-/// An axis at unit length; throws Error where it has none.
-Vec3 unit_axis(const char* call, const char* name, Vec3 axis) {
-  require_finite(call, name, axis, "");
-  require(norm(axis) > 0.0, call, ": ", name, " must not be vec(0, 0, 0)");
-  return axis / norm(axis);
-}
-
-Vec3 in_frame(const World& world, BodyId body, Vec3 v) {
-  return body ? rotate(conjugate(orientation(world, body)), v) : v;
-}
-
+/// As the two are now.
 Constraint tie_of(const World& world, ConstraintKind kind, BodyId a, BodyId b) {
   Constraint c;
   c.kind = kind;
   c.body_a = a;
   c.body_b = b;
-  c.time_constant = usual_time_constant;
   c.turn.now = orientation(world, a);
   if (b) c.turn.now = normalised(conjugate(orientation(world, b)) * c.turn.now);
   c.turn.previous = c.turn.now;
   return c;
+}
+
+/// The same of what was given.
+Constraint tie_of_given(const World& world, ConstraintKind kind, BodyId a, BodyId b) {
+  require_turning(world, kind_name(kind), a);
+  if (b) require_turning(world, kind_name(kind), b);
+  return tie_of(world, kind, a, b);
 }
 
 void set_axis(const World& world, Constraint& c, Vec3 axis) {
@@ -54,29 +37,19 @@ void set_axis(const World& world, Constraint& c, Vec3 axis) {
   c.axis_b = in_frame(world, c.body_b, axis);
 }
 
-void require_range(const char* call, double min, double max, const char* unit) {
-  require(!std::isnan(min) && !std::isnan(max), call, ": min and max must be numbers [", unit, "]");
-  require(min < max, call, ": min must be below max, got ", min, " and ", max, " ", unit);
-  require(std::isfinite(min) || std::isfinite(max), call, ": min or max must be finite");
-}
-
 }  // namespace
 
 ConstraintId add_weld(World& world, BodyId a, BodyId b) {
-  require_unlocked(world, "weld");
   for (BodyId body : {a, b}) require(world.bodies.alive(body), "weld: ", world.bodies.story(body));
-  require_two(world, "weld", a, b);
-  Constraint c = tie_of(world, ConstraintKind::weld, a, b);
+  Constraint c = tie_of_given(world, ConstraintKind::weld, a, b);
   const Vec3 middle = 0.5 * (world.motion_of(a).x + world.motion_of(b).x);
   c.own = WeldData{in_frame(world, a, middle - origin(world, a)), in_frame(world, b, middle - origin(world, b))};
-  return insert_constraint(world, std::move(c));
+  return add_constraint(world, std::move(c));
 }
 
 ConstraintId add_orient(World& world, BodyId body, const OrientDef& def) {
   require_unlocked(world, "orient");
-  require_turning(world, "orient", body);
-  require_positive("orient", "time_constant", def.time_constant, "s");
-  Constraint c = tie_of(world, ConstraintKind::orient, body, {});
+  Constraint c = tie_of_given(world, ConstraintKind::orient, body, {});
   c.time_constant = def.time_constant;
   if (def.to) c.turn.now = unit("orient", *def.to);
   if (def.target) {
@@ -84,55 +57,38 @@ ConstraintId add_orient(World& world, BodyId body, const OrientDef& def) {
     c.turn.now = turned_in_plane(world, body, unit("orient", def.target(world.time)));
   }
   c.turn.of_time = def.target;
-  start_constraint(world, c);
-  return insert_constraint(world, std::move(c));
+  return add_constraint(world, std::move(c));
 }
 
 ConstraintId add_align(World& world, BodyId a, BodyId b, const AlignDef& def) {
-  require_unlocked(world, "align");
-  require_two(world, "align", a, b);
-  require_positive("align", "time_constant", def.time_constant, "s");
-  Constraint c = tie_of(world, ConstraintKind::align, a, b);
+  Constraint c = tie_of_given(world, ConstraintKind::align, a, b);
   c.time_constant = def.time_constant;
-  c.axis_a = unit_axis("align", "the first axis", def.axis_a);
-  c.axis_b = unit_axis("align", "the second axis", def.axis_b);
+  c.axis_a = unit_vector("align", "the first axis", def.axis_a);
+  c.axis_b = unit_vector("align", "the second axis", def.axis_b);
   rule_of(c).set(c, "align", def.angle.value_or(present_value(world, c)));
-  start_constraint(world, c);
-  return insert_constraint(world, std::move(c));
+  return add_constraint(world, std::move(c));
 }
 
 ConstraintId add_motor(World& world, BodyId a, BodyId b, const MotorDef& def) {
-  require_unlocked(world, "motor");
-  require_two(world, "motor", a, b);
+  Constraint c = tie_of_given(world, ConstraintKind::motor, a, b);
   require(def.speed.has_value() != def.angle.has_value(), "motor: needs either speed [rad/s] or angle [rad]");
-  require_positive_or_infinite("motor", "max_torque", def.max_torque, "N m");
-  require_positive("motor", "time_constant", def.time_constant, "s");
-  if (def.speed) require_finite("motor", "speed", *def.speed, "rad/s");
-  if (def.angle) require_finite("motor", "angle", *def.angle, "rad");
-  Constraint c = tie_of(world, ConstraintKind::motor, a, b);
   c.time_constant = def.time_constant;
   c.max_torque = def.max_torque;
-  set_axis(world, c, unit_axis("motor", "axis", def.axis));
+  set_axis(world, c, unit_vector("motor", "axis", def.axis));
   c.by_speed = def.speed.has_value();
   c.number.of_time = def.number;
   c.number.now = def.angle.value_or(0.0);
   c.number.rate = def.speed.value_or(0.0);
-  start_constraint(world, c);
-  return insert_constraint(world, std::move(c));
+  return add_constraint(world, std::move(c));
 }
 
 ConstraintId add_limit(World& world, BodyId a, BodyId b, Vec3 axis, const LimitDef& def) {
-  require_unlocked(world, "limit");
-  require_two(world, "limit", a, b);
-  require_range("limit", def.min, def.max, "rad");
-  require_positive("limit", "time_constant", def.time_constant, "s");
-  Constraint c = tie_of(world, ConstraintKind::limit, a, b);
+  Constraint c = tie_of_given(world, ConstraintKind::limit, a, b);
   c.time_constant = def.time_constant;
   c.low = def.min;
   c.high = def.max;
-  set_axis(world, c, unit_axis("limit", "axis", axis));
-  start_constraint(world, c);
-  return insert_constraint(world, std::move(c));
+  set_axis(world, c, unit_vector("limit", "axis", axis));
+  return add_constraint(world, std::move(c));
 }
 
 void set_length(World& world, ConstraintId id, double value, std::function<double(double)> function) {
@@ -213,7 +169,7 @@ void take_over_axes(World& world, ParticleId from, ParticleId to) {
 }
 
 void require_axis(const World& world, std::span<const BodyId> bodies, Vec3 axis) {
-  require_about_normal(world, "hinge", "axis", unit_axis("hinge", "axis", axis), "");
+  require_about_normal(world, "hinge", "axis", unit_vector("hinge", "axis", axis), "");
   require(bodies.size() >= 2, "hinge: axis needs two bodies; a free particle has no orientation");
   for (BodyId body : bodies) require_turning(world, "hinge", body);
 }

@@ -20,38 +20,19 @@
 
 namespace pantin {
 
-/// nail: a point stays at a position of the world. follow: a point keeps to a moving target; with a finite `max_force` it
-/// is a spring that never pulls harder. rod: two points, or a point and a position, keep their distance. axis: a hinge's,
-/// two bodies turn about one axis only. weld: two bodies keep their relative position and orientation. orient: a body
-/// keeps an orientation. align: an axis of a body keeps its angle to one of another, or of the world. motor: turns a
-/// body about an axis, relative to another or to the world. limit: an angle about an axis stays between two, or a
-/// distance. on_plane: a point stays on a plane. string: at most so long along its points, slides through the inner
-/// ones. on_path: a point stays on a path. join: two points are drawn together, to become a hinge; with a finite
-/// `max_force` by a spring that never pulls harder.
 enum class ConstraintKind : std::uint8_t {
-  nail,
-  follow,
-  rod,
-  axis,
-  weld,
-  orient,
-  align,
-  motor,
-  limit,
-  on_plane,
-  string,
-  on_path,
-  join,
-  gear,
-  rack,
-  pulley,
-  screw
+#define CONSTRAINT_KIND(name) name,
+#include "model/constraint_kinds.hpp"
 };
 /// (kinds) as messages and scripts call them
-inline constexpr std::array<std::string_view, 17> constraint_names = {
-    "nail",  "follow", "rod",   "axis of a hinge", "weld",   "orient",
-    "align", "motor",  "limit", "on_plane",        "string", "on_path",
-    "join",  "gear",   "rack",  "pulley",          "screw"};
+inline constexpr auto constraint_names = [] {
+  std::array names = {
+#define CONSTRAINT_KIND(name) std::string_view(#name),
+#include "model/constraint_kinds.hpp"
+  };
+  names[static_cast<std::size_t>(ConstraintKind::axis)] = "axis of a hinge";
+  return names;
+}();
 
 /// A point, or a position of the world, that a string goes through.
 struct Passage {
@@ -77,6 +58,8 @@ struct CoupledValue {
 
 class Path;
 struct JoinProgress;
+
+constexpr double usual_time_constant = 0.1;  // [s]
 
 /// What a constraint wants of a value: what it is at the end of the step, and was before.
 template <class T, class Rate = T>
@@ -137,7 +120,7 @@ struct Constraint {
   Bend bend;                    ///< of what moves, in this step: [m], [rad]; of a number the first component
   std::uint32_t moves = 0;      ///< samples of what moves since it last jumped
   Attraction attract;
-  double time_constant = 0.0;  ///< [s] of that, and of how fast a soft follow answers; > 0
+  double time_constant = usual_time_constant;  ///< [s] of that, and of how fast a soft follow answers; > 0
 
   Vec3 axis_a = zero3();         ///< unit vector in the frame of body_a; of an on_plane its normal
   Vec3 axis_b = zero3();         ///< the same in body_b's frame, or the world's

@@ -6,34 +6,8 @@
 
 namespace pantin::internal {
 
-namespace {
-
-std::string spaced(std::string_view unit) { return unit.empty() ? std::string() : text(" ", unit); }
-
-}  // namespace
-
 void require_unlocked(const World& world, std::string_view call) {
   require(!world.locked, call, ": the world cannot be edited while it steps; edit in an event or a step callback");
-}
-
-std::string to_text(Vec3 v) {
-  return text("(", static_cast<double>(v[0]), ", ", static_cast<double>(v[1]), ", ", static_cast<double>(v[2]), ")");
-}
-
-void require_finite(std::string_view call, std::string_view name, Vec3 v, std::string_view unit) {
-  if (!finite(v)) throw Error(text(call, ": ", name, " must be finite, got ", to_text(v), " ", unit));
-}
-void require_finite(std::string_view call, std::string_view name, double x, std::string_view unit) {
-  require(std::isfinite(x), call, ": ", name, " must be finite, got ", x, " ", unit);
-}
-void require_positive(std::string_view call, std::string_view name, double x, std::string_view unit) {
-  require(x > 0.0 && std::isfinite(x), call, ": ", name, " must be > 0", spaced(unit), " and finite, got ", x);
-}
-void require_positive_or_infinite(std::string_view call, std::string_view name, double x, std::string_view unit) {
-  require(x > 0.0, call, ": ", name, " must be > 0", spaced(unit), ", got ", x);
-}
-void require_not_negative(std::string_view call, std::string_view name, double x, std::string_view unit) {
-  require(x >= 0.0 && std::isfinite(x), call, ": ", name, " must be >= 0", spaced(unit), " and finite, got ", x);
 }
 
 void require_inertia(std::string_view call, const Mat3& inertia) {
