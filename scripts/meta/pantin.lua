@@ -1155,6 +1155,15 @@ function Scene:string(points, options) end
 ---@param options? PathOptions
 ---@return OnPath
 function Scene:on_path(point, path, options) end
+---Draws two points together, at a position or on their way to each other, and makes the hinge when they are within a tenth of scene.tolerance of their size, some 20 time constants later. Without at, momentum is kept on the way, and so is angular momentum: they come together on a straight line, and what that takes goes into the turning of all that hangs on them. Two free particles alone have nothing to turn, and lose theirs.
+---```lua
+---scene:join(p, q, { max_force = 50, on_met = function(hinge) print(hinge) end })
+---```
+---@param a Point|Particle
+---@param b Point|Particle
+---@param options? JoinOptions
+---@return Join
+function Scene:join(a, b, options) end
 ---Turns a `ratio` times as far as b, each about an axis of a carrier or of the world. It keeps neither on its axis: hinges with an axis do.
 ---```lua
 ---local gear = scene:gear(arm, block, { ratio = -2, axis = vec(0, 0, 1) })
@@ -1194,15 +1203,6 @@ function Scene:pulley(a, over_a, over_b, b, options) end
 ---@param options ScrewOptions
 ---@return Screw
 function Scene:screw(a, b, options) end
----Draws two points together, at a position or on their way to each other, and makes the hinge when they are within a tenth of scene.tolerance of their size, some 20 time constants later. Without at, momentum is kept on the way, and so is angular momentum: they come together on a straight line, and what that takes goes into the turning of all that hangs on them. Two free particles alone have nothing to turn, and lose theirs.
----```lua
----scene:join(p, q, { max_force = 50, on_met = function(hinge) print(hinge) end })
----```
----@param a Point|Particle
----@param b Point|Particle
----@param options? JoinOptions
----@return Join
-function Scene:join(a, b, options) end
 ---Ties two particles by a law; or a list of two, three or four.
 ---```lua
 ---local tie = scene:connect(p, q, spring, { name = "tie", length = 1 })
@@ -1552,72 +1552,8 @@ function OpenedScene:restore(snapshot) end
 ---@field collide? boolean its bodies touch each other, too (default `false`)
 ---@field breaks_at? Breaking (default `{}`)
 
----@class TieOptions: NameOptions
----@field time_constant? number [s] with which what is far is drawn there, critically damped (default `0.1`)
-
----@class FollowOptions: NameOptions
----@field time_constant? number [s] with which what is far is drawn there, critically damped (default `0.05`)
----@field max_force? number [N] it never pulls harder (default `math.huge`)
-
 ---@class ConstraintOptions: NameOptions
 ---@field breaks_at? Breaking (default `{}`)
-
----@class OrientOptions: ConstraintOptions
----@field time_constant? number [s] with which what is far is drawn there, critically damped (default `0.1`)
-
----@class AlignOptions: OrientOptions
----@field angle? number|fun(t: number): number [rad] of 0 to π (default the present one)
-
----One of speed and angle must be given.
----@class MotorOptions: OrientOptions
----@field axis? vec [1] world axes; it stays fixed in a (default the normal of scene.plane; without one it must be given)
----@field speed? number|fun(t: number): number [rad/s] of a against b (default none)
----@field angle? number|fun(t: number): number [rad] of a against b, 0 where it is now (default none)
----@field max_torque? number [N m] it never pushes harder (default `math.huge`)
-
----@class LimitOptions: OrientOptions
----@field axis? vec [1] of an angle; world axes (default the normal of scene.plane; without one it must be given)
----@field min? number [rad or m] (default `-math.huge`; of a distance 0)
----@field max? number [rad or m] (default `math.huge`)
----@field length? number [m] of a distance, the same as max (default none)
-
----@class GearOptions: ConstraintOptions
----@field ratio number|fun(t: number): number [1] turns of a for one of b, in the sense of their axes; not 0, below 0 they turn against each other, as wheels do that mesh from outside
----@field axis? vec [1] of a, world axes; it stays fixed in a (default the normal of scene.plane; without one it must be given)
----@field axis_b? vec [1] of b (default `axis`)
----@field carrier? Body against which both turn, as the arm of a planetary gear (default the world)
-
----@class RackOptions: ConstraintOptions
----@field radius number|fun(t: number): number [m] how far the point moves for a turn of 1 rad; not 0
----@field axis? vec [1] of the wheel, world axes (default the normal of scene.plane; without one it must be given)
----@field along vec [1] in which the point moves when the wheel turns about the axis, world axes; it stays fixed in the carrier
----@field carrier? Body against which the wheel turns and the point moves (default the world)
-
----@class PulleyOptions: OrientOptions
----@field ratio? number|fun(t: number): number [1] how many times b's side counts, > 0 (default `1`)
----@field length? number [m] the most that a's side and ratio times b's add up to (default the present one)
-
----@class ScrewOptions: ConstraintOptions
----@field lead number|fun(t: number): number [m] by which the first point goes along the axis for a turn of its body about it; not 0
----@field axis vec [1] world axes; it stays fixed in both bodies
-
----@class StringOptions: OrientOptions
----@field length? number|fun(t: number): number [m] the most that it is long (default the present one)
-
----@class PathOptions: OrientOptions
----@field smooth? boolean a spline with continuous curvature; else straight pieces (default `false`)
----@field closed? boolean its end is its beginning (default `false`)
-
----@class PlaneOptions: OrientOptions
----@field through? vec [m] a position on the plane (default where the point is)
----@field normal? vec [1] across the plane, world axes (default `vec(0, 1, 0)`)
-
----@class JoinOptions
----@field at? vec [m] where they meet (default on their way to each other)
----@field time_constant? number [s] with which they are drawn together (default `0.05`)
----@field max_force? number [N] it never pulls harder, until they are near (default `math.huge`)
----@field on_met? fun(hinge: Particle) called in the step after (default none)
----@field name? string of the hinge (default `""`)
 
 ---@class HandOptions
 ---@field path? fun(t: number): vec [m] its position at a time [s] (default none)
@@ -1754,6 +1690,70 @@ function OpenedScene:restore(snapshot) end
 ---@field vertices vec[] [m] positions
 ---@field edges? integer[][] pairs of numbers of vertices; those of faces need not be given (default `{}`)
 ---@field faces? integer[][] lists of numbers of vertices, counter-clockwise seen from outside (default `{}`)
+
+---@class TieOptions: NameOptions
+---@field time_constant? number [s] with which what is far is drawn there, critically damped (default `0.1`)
+
+---@class FollowOptions: NameOptions
+---@field time_constant? number [s] with which what is far is drawn there, critically damped (default `0.05`)
+---@field max_force? number [N] it never pulls harder (default `math.huge`)
+
+---@class OrientOptions: ConstraintOptions
+---@field time_constant? number [s] with which what is far is drawn there, critically damped (default `0.1`)
+
+---@class AlignOptions: OrientOptions
+---@field angle? number|fun(t: number): number [rad] of 0 to π (default the present one)
+
+---One of speed and angle must be given.
+---@class MotorOptions: OrientOptions
+---@field axis? vec [1] world axes; it stays fixed in a (default the normal of scene.plane; without one it must be given)
+---@field speed? number|fun(t: number): number [rad/s] of a against b (default none)
+---@field angle? number|fun(t: number): number [rad] of a against b, 0 where it is now (default none)
+---@field max_torque? number [N m] it never pushes harder (default `math.huge`)
+
+---@class LimitOptions: OrientOptions
+---@field axis? vec [1] of an angle; world axes (default the normal of scene.plane; without one it must be given)
+---@field min? number [rad or m] (default `-math.huge`; of a distance 0)
+---@field max? number [rad or m] (default `math.huge`)
+---@field length? number [m] of a distance, the same as max (default none)
+
+---@class PlaneOptions: OrientOptions
+---@field through? vec [m] a position on the plane (default where the point is)
+---@field normal? vec [1] across the plane, world axes (default `vec(0, 1, 0)`)
+
+---@class StringOptions: OrientOptions
+---@field length? number|fun(t: number): number [m] the most that it is long (default the present one)
+
+---@class PathOptions: OrientOptions
+---@field smooth? boolean a spline with continuous curvature; else straight pieces (default `false`)
+---@field closed? boolean its end is its beginning (default `false`)
+
+---@class JoinOptions
+---@field at? vec [m] where they meet (default on their way to each other)
+---@field time_constant? number [s] with which they are drawn together (default `0.05`)
+---@field max_force? number [N] it never pulls harder, until they are near (default `math.huge`)
+---@field on_met? fun(hinge: Particle) called in the step after (default none)
+---@field name? string of the hinge (default `""`)
+
+---@class GearOptions: ConstraintOptions
+---@field ratio number|fun(t: number): number [1] turns of a for one of b, in the sense of their axes; not 0, below 0 they turn against each other, as wheels do that mesh from outside
+---@field axis? vec [1] of a, world axes; it stays fixed in a (default the normal of scene.plane; without one it must be given)
+---@field axis_b? vec [1] of b (default `axis`)
+---@field carrier? Body against which both turn, as the arm of a planetary gear (default the world)
+
+---@class RackOptions: ConstraintOptions
+---@field radius number|fun(t: number): number [m] how far the point moves for a turn of 1 rad; not 0
+---@field axis? vec [1] of the wheel, world axes (default the normal of scene.plane; without one it must be given)
+---@field along vec [1] in which the point moves when the wheel turns about the axis, world axes; it stays fixed in the carrier
+---@field carrier? Body against which the wheel turns and the point moves (default the world)
+
+---@class PulleyOptions: OrientOptions
+---@field ratio? number|fun(t: number): number [1] how many times b's side counts, > 0 (default `1`)
+---@field length? number [m] the most that a's side and ratio times b's add up to (default the present one)
+
+---@class ScrewOptions: ConstraintOptions
+---@field lead number|fun(t: number): number [m] by which the first point goes along the axis for a turn of its body about it; not 0
+---@field axis vec [1] world axes; it stays fixed in both bodies
 
 ---What shapes are made of, and what they touch.
 ---@class MaterialOptions

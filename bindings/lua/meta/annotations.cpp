@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lua/meta/force_annotations.hpp"
+#include "lua/thing/constraint_options.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/shape_type.hpp"
 #include "lua/thing/structure_type.hpp"
@@ -128,7 +129,10 @@ std::string annotations() {
   out << annotations_head << alias_of_things();
   for (const Type* type : base_types()) write_type(out, *type);
   for (const Type* type : all_types()) write_type(out, *type);
-  out << annotations_options << annotations_shapes;
+  out << annotations_options;
+  for (const ConstraintCall* call : constraint_calls())
+    if (*call->options) out << call->options << "\n";
+  out << annotations_shapes;
   out << force_annotations();
   out << "structure = {}\n";
   for (const Method& maker : structure_makers()) write_method(out, "structure.", maker);

@@ -11,7 +11,7 @@ std::string reference();
 /// What one wants to do, and the entries that do it: "Scene:nail", "Scene.gravity" or a type.
 struct ReferenceTask {
   const char* wanted;
-  std::vector<const char*> entries;
+  std::vector<std::string> entries;
 };
 struct ReferenceTasks {
   const char* title;

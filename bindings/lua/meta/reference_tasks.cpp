@@ -1,6 +1,11 @@
 // What the reference begins with: tasks, and what its examples have.
 #include "lua/meta/reference.hpp"
 
+#include <algorithm>
+#include <string_view>
+
+#include "lua/thing/constraint_options.hpp"
+
 namespace pantin::lua {
 
 const char* const example_scene = R"(local p = scene:particle { at = vec(-2, 1, 0), name = "p" }
@@ -26,6 +31,8 @@ const char* const example_test = R"(local opened = open_text [[
 
 namespace {
 
+constexpr std::string_view of_constraints = "Tie them";
+
 const std::vector<ReferenceTasks> all = {
     {"Make things",
      {{"a free particle", {"Scene:particle", "ParticleOptions"}},
@@ -38,15 +45,8 @@ const std::vector<ReferenceTasks> all = {
       {"a named set of things", {"Scene:group", "Group:add"}},
       {"how they look", {"LookOptions", "Look", "color", "Curve"}},
       {"positions and rotations", {"vec", "quat"}}}},
-    {"Tie them",
+    {of_constraints.data(),
      {{"points of bodies to one position, free to turn", {"Scene:hinge", "HingeOptions"}},
-      {"a point to a position or to something that moves", {"Scene:nail", "Scene:follow"}},
-      {"a distance: kept, in a range, or along a string", {"Scene:rod", "Scene:limit", "Scene:string"}},
-      {"a point to a plane or to a path", {"Scene:on_plane", "Scene:on_path"}},
-      {"two bodies, or how a body is turned", {"Scene:weld", "Scene:orient", "Scene:align"}},
-      {"an angle or a speed by a motor", {"Scene:motor", "MotorOptions"}},
-      {"gears, racks, pulleys and screws", {"Scene:gear", "Scene:rack", "Scene:pulley", "Scene:screw"}},
-      {"what is still apart", {"Scene:join"}},
       {"what breaks under load", {"Breaking", "AnyConstraint.breaks_at"}}}},
     {"Forces",
      {{"weight", {"Scene.gravity"}},
@@ -119,8 +119,26 @@ const std::vector<ReferenceTasks> all = {
       {"expect something", {"expect", "Expectation:near", "Expectation:below", "Expectation:fails"}}}},
 };
 
+/// With the calls that make constraints, before what is said of all.
+std::vector<ReferenceTasks> with_constraints(std::vector<ReferenceTasks> titles) {
+  std::vector<ReferenceTask>& tasks = std::find_if(titles.begin(), titles.end(), [](const ReferenceTasks& t) {
+                                        return t.title == of_constraints;
+                                      })->tasks;
+  for (const ConstraintCall* call : constraint_calls()) {
+    auto task = std::find_if(tasks.begin(), tasks.end(),
+                             [&](const ReferenceTask& t) { return call->wanted == std::string_view(t.wanted); });
+    if (task == tasks.end()) task = tasks.insert(tasks.end() - 1, {call->wanted, {}});
+    task->entries.push_back(text("Scene:", call->method.name));
+    if (*call->further) task->entries.push_back(call->further);
+  }
+  return titles;
+}
+
 }  // namespace
 
-const std::vector<ReferenceTasks>& reference_tasks() { return all; }
+const std::vector<ReferenceTasks>& reference_tasks() {
+  static const std::vector<ReferenceTasks> tasks = with_constraints(all);
+  return tasks;
+}
 
 }  // namespace pantin::lua

@@ -11,19 +11,17 @@
 #include "lua/thing/assemble.hpp"
 #include "lua/thing/body_options.hpp"
 #include "lua/thing/build_options.hpp"
-#include "lua/thing/coupling_constraint_options.hpp"
+#include "lua/thing/constraint_options.hpp"
 #include "lua/thing/emitter_options.hpp"
 #include "lua/thing/family_options.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/force_element_options.hpp"
-#include "lua/thing/guide_constraint_options.hpp"
 #include "lua/thing/look_options.hpp"
 #include "lua/thing/point_constraint_options.hpp"
 #include "lua/thing/script.hpp"
 #include "lua/thing/shape_type.hpp"
 #include "lua/thing/structure_type.hpp"
 #include "lua/thing/targets.hpp"
-#include "lua/thing/turn_constraint_options.hpp"
 #include "lua/value/arguments.hpp"
 #include "lua/vm/guard.hpp"
 
@@ -158,82 +156,14 @@ std::vector<Method> making() {
 }
 
 std::vector<Method> constraining() {
-  return {
+  std::vector<Method> methods = {
       {"hinge", guard<scene_hinge>, "a: Point|Particle, b: Point|Particle, ...: Point|Particle|HingeOptions",
        "Particle", "Joins points of two or more bodies, or free particles, into one particle.",
        "local foot = scene:body { at = leg.tail.position, mass = 1, inertia = vec(1, 1, 1), points = { heel = vec(0, "
        "0, 0) } }\n"
-       "scene:hinge(leg.tail, foot.heel, { name = \"ankle\", breaks_at = { force = 1000 } })"},
-      {"nail", guard<scene_nail>, "point: Point|Particle, at?: vec|TieOptions [m], options?: TieOptions", "Nail",
-       "Keeps a point at a position, or where it is.",
-       "scene:nail(arm.head)\n"
-       "scene:nail(p, vec(0, 2, 0), { time_constant = 0.2 })"},
-      {"follow", guard<scene_follow>,
-       "point: Point|Particle, target: vec|Hand|fun(t: number): vec [m], options?: FollowOptions", "Follow",
-       "Keeps a point to a target: a position [m], a function of time [s] or a hand.",
-       "scene:follow(p, function(t) return vec(math.cos(t), math.sin(t), 0) end, { max_force = 100 })"},
-      {"rod", guard<scene_rod>,
-       "a: Point|Particle|vec [m], b: Point|Particle|vec [m], length?: number|fun(t: number): number [m]", "Rod",
-       "Keeps two points, or a point and a position, at a distance, or at their present one.",
-       "scene:rod(p, q)\n"
-       "scene:rod(p, vec(-2, 4, 0), function(t) return 3 + 0.1 * math.sin(t) end)"},
-      {"weld", guard<scene_weld>, "a: Body, b: Body, options?: ConstraintOptions", "Weld",
-       "Keeps two bodies in their present relative position and orientation; it tells its load, and may break.",
-       "local weld = scene:weld(arm, block, { breaks_at = { force = 500, torque = 100 } })"},
-      {"orient", guard<scene_orient>,
-       "body: Body, to?: quat|OrientOptions|fun(t: number): quat, options?: OrientOptions", "Orient",
-       "Keeps the orientation of a body, or its present one.",
-       "scene:orient(block, quat(vec(0, 0, 1), math.pi / 4), { time_constant = 0.5 })"},
-      {"align", guard<scene_align>,
-       "a: Body, axis_a: vec [1], b?: Body|vec [1], axis_b?: vec|AlignOptions [1], options?: AlignOptions", "Align",
-       "Keeps the angle between an axis of a and one of b, each in its body's frame; without b, one of the world.",
-       "scene:align(arm, vec(1, 0, 0), block, vec(0, 1, 0))\n"
-       "scene:align(block, vec(0, 1, 0), vec(0, 1, 0), { angle = 0 })"},
-      {"motor", guard<scene_motor>, "a: Body, b?: Body|MotorOptions, options?: MotorOptions", "Motor",
-       "Turns a about an axis (world axes) against b, or without b against the world.",
-       "scene:motor(arm, leg, { axis = vec(0, 0, 1), speed = 2, max_torque = 5 })\n"
-       "scene:motor(block, { axis = vec(0, 1, 0), angle = function(t) return 0.5 * t end })"},
-      {"limit", guard<scene_limit>,
-       "a: Body|Point|Particle, b?: Body|Point|Particle|vec|LimitOptions [m], options?: LimitOptions", "Limit",
-       "Keeps the angle of a against b about an axis, 0 where it is now, or the distance of two points, in a range.",
-       "scene:limit(arm, leg, { axis = vec(0, 0, 1), min = -0.5, max = 0.5 })\n"
-       "scene:limit(p, q, { length = 3 })"},
-      {"on_plane", guard<scene_on_plane>, "point: Point|Particle, options?: PlaneOptions", "OnPlane",
-       "Keeps a point on a plane.", "scene:on_plane(p, { through = vec(0, 1, 0), normal = vec(0, 1, 0) })"},
-      {"string", guard<scene_string>, "points: (Point|Particle|vec)[] [m], options?: StringOptions", "String",
-       "Is at most so long along its points and positions, slides through the inner ones, and may go slack.",
-       "local string = scene:string({ p, vec(0, 4, 0), q })\n"
-       "string.length = 0.9 * string.length"},
-      {"on_path", guard<scene_on_path>, "point: Point|Particle, path: vec[] [m], options?: PathOptions", "OnPath",
-       "Keeps a point on a path through positions; at the end of an open one it stops.",
-       "scene:on_path(p, { p.position, vec(0, 3, 0), vec(2, 3, 0) }, { smooth = true })"},
-      {"gear", guard<scene_gear>, "a: Body, b: Body, options: GearOptions", "Gear",
-       "Turns a `ratio` times as far as b, each about an axis of a carrier or of the world. It keeps neither on its "
-       "axis: "
-       "hinges with an axis do.",
-       "local gear = scene:gear(arm, block, { ratio = -2, axis = vec(0, 0, 1) })\n"
-       "gear.ratio = -3"},
-      {"rack", guard<scene_rack>, "wheel: Body, point: Point|Particle, options: RackOptions", "Rack",
-       "Moves a point along a direction as far as the rim of a wheel turns.",
-       "scene:rack(block, p, { radius = 0.5, axis = vec(0, 0, 1), along = vec(1, 0, 0) })"},
-      {"pulley", guard<scene_pulley>,
-       "a: Point|Particle, over_a: Point|Particle|vec [m], over_b: Point|Particle|vec [m], b: Point|Particle, "
-       "options?: "
-       "PulleyOptions",
-       "Pulley",
-       "A rope from a over two anchors to b, at most so long; as in a tackle b's side may count several times.",
-       "scene:pulley(p, vec(0, 5, 0), vec(1, 5, 0), q, { ratio = 2 })"},
-      {"screw", guard<scene_screw>, "a: Point, b: Point, options: ScrewOptions", "Screw",
-       "Moves a along an axis of b's body by `lead` for each turn of a's body about it.",
-       "scene:screw(block.points[1], arm.head, { lead = 0.01, axis = vec(0, 1, 0) })"},
-      {"join", guard<scene_join>, "a: Point|Particle, b: Point|Particle, options?: JoinOptions", "Join",
-       "Draws two points together, at a position or on their way to each other, and makes the hinge when they are "
-       "within "
-       "a tenth of scene.tolerance of their size, some 20 time constants later. Without at, momentum is kept on the "
-       "way, and so is angular momentum: they come together on a straight line, and what that takes goes into the "
-       "turning of all that hangs on them. Two free particles alone have nothing to turn, and lose theirs.",
-       "scene:join(p, q, { max_force = 50, on_met = function(hinge) print(hinge) end })"},
-  };
+       "scene:hinge(leg.tail, foot.heel, { name = \"ankle\", breaks_at = { force = 1000 } })"}};
+  for (const ConstraintCall* call : constraint_calls()) methods.push_back(call->method);
+  return methods;
 }
 
 std::vector<Method> forcing() {

@@ -104,28 +104,6 @@ int scene_shatter(lua_State* state) {
   return 1;
 }
 
-int scene_join(lua_State* state) {
-  const Self self = check_self(state, Kind::scene, "join");
-  const PointId a = check_point(state, 2, "join", argument(1)), b = check_point(state, 3, "join", argument(2));
-  const Options o(state, 4, "join", {"at", "time_constant", "max_force", "on_met", "name"});
-  JoinDef def;
-  def.at = o.vector("at", "m");
-  def.time_constant = o.number("time_constant", "s").value_or(def.time_constant);
-  def.max_force = o.number_or_infinity("max_force", "N").value_or(def.max_force);
-  def.name = o.string("name").value_or("");
-  if (const auto on_met = o.function("on_met"))
-    def.on_met = [on_met = *on_met, &script = self.script](ParticleId hinge) {
-      try {
-        on_met.call([&](lua_State* s) {
-          push_thing(s, script, hinge);
-          return 1;
-        });
-      } catch (const StaleHandle& error) { log_line(script.world, "dropped", error.what()); }
-    };
-  push_thing(state, self.script, add_join(self.world, a, b, def));
-  return 1;
-}
-
 int scene_connect_within(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "connect_within");
   lua_settop(state, 5);

@@ -8,7 +8,6 @@ int scene_merge(lua_State* state);
 int scene_split(lua_State* state);
 int scene_freeze(lua_State* state);
 int scene_shatter(lua_State* state);
-int scene_join(lua_State* state);
 int scene_connect_within(lua_State* state);
 int group_break_connections(lua_State* state);
 int group_heat(lua_State* state);

@@ -4,6 +4,17 @@
 
 namespace pantin::lua {
 
+const ConstraintCall axis_call = {};
+
+std::vector<const ConstraintCall*> constraint_calls() {
+  std::vector<const ConstraintCall*> calls = {
+#define CONSTRAINT_KIND(name) &name##_call,
+#include "model/constraint_kinds.hpp"
+  };
+  std::erase(calls, &axis_call);
+  return calls;
+}
+
 std::vector<std::string> with_common(std::vector<std::string> names) {
   names.insert(names.end(), {"name", "breaks_at"});
   return names;

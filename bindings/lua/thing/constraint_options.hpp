@@ -1,9 +1,23 @@
 #pragma once
-// What the makers of constraints have in common.
+// How scripts make constraints: the calls, and what they have in common.
 #include "lua/thing/constraint_values.hpp"
 #include "lua/value/arguments.hpp"
 
 namespace pantin::lua {
+
+/// How scripts make a kind of constraint, and what the annotations and the reference say of that.
+struct ConstraintCall {
+  Method method;             ///< of the scene
+  const char* wanted;        ///< its task in the reference, which several kinds may share
+  const char* options = "";  ///< annotations of the options that it is the first to have
+  const char* further = "";  ///< entry that its task names beside the call
+};
+// Of each kind.
+#define CONSTRAINT_KIND(name) extern const ConstraintCall name##_call;
+#include "model/constraint_kinds.hpp"
+
+/// In the order of the kinds, without the axis, which comes with a hinge.
+std::vector<const ConstraintCall*> constraint_calls();
 
 /// These options, and those that all constraints have.
 std::vector<std::string> with_common(std::vector<std::string> names);

@@ -1,5 +1,4 @@
-#include "lua/thing/coupling_constraint_options.hpp"
-
+// scene:gear, rack, pulley and screw.
 #include "edit/coupling_constraints.hpp"
 #include "lua/thing/constraint_options.hpp"
 #include "lua/thing/targets.hpp"
@@ -20,8 +19,6 @@ Ratio check_ratio(const Self& self, const Options& o, const char* name, const ch
 BodyId carrier_option(const Self& self, const Options& o) {
   return o.has("carrier") ? check_body(self.state, o.push("carrier"), o.what(), "carrier") : BodyId{};
 }
-
-}  // namespace
 
 int scene_gear(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "gear");
@@ -73,5 +70,56 @@ int scene_screw(lua_State* state) {
   def.axis = *o.vector("axis", "");
   return finish(self, add_screw(self.world, a, b, def), o);
 }
+
+}  // namespace
+
+const ConstraintCall gear_call = {
+    {"gear", guard<scene_gear>, "a: Body, b: Body, options: GearOptions", "Gear",
+     "Turns a `ratio` times as far as b, each about an axis of a carrier or of the world. It keeps neither on its "
+     "axis: "
+     "hinges with an axis do.",
+     "local gear = scene:gear(arm, block, { ratio = -2, axis = vec(0, 0, 1) })\n"
+     "gear.ratio = -3"},
+    "gears, racks, pulleys and screws",
+    R"(---@class GearOptions: ConstraintOptions
+---@field ratio number|fun(t: number): number [1] turns of a for one of b, in the sense of their axes; not 0, below 0 they turn against each other, as wheels do that mesh from outside
+---@field axis? vec [1] of a, world axes; it stays fixed in a (default the normal of scene.plane; without one it must be given)
+---@field axis_b? vec [1] of b (default `axis`)
+---@field carrier? Body against which both turn, as the arm of a planetary gear (default the world)
+)"};
+
+const ConstraintCall rack_call = {
+    {"rack", guard<scene_rack>, "wheel: Body, point: Point|Particle, options: RackOptions", "Rack",
+     "Moves a point along a direction as far as the rim of a wheel turns.",
+     "scene:rack(block, p, { radius = 0.5, axis = vec(0, 0, 1), along = vec(1, 0, 0) })"},
+    "gears, racks, pulleys and screws",
+    R"(---@class RackOptions: ConstraintOptions
+---@field radius number|fun(t: number): number [m] how far the point moves for a turn of 1 rad; not 0
+---@field axis? vec [1] of the wheel, world axes (default the normal of scene.plane; without one it must be given)
+---@field along vec [1] in which the point moves when the wheel turns about the axis, world axes; it stays fixed in the carrier
+---@field carrier? Body against which the wheel turns and the point moves (default the world)
+)"};
+
+const ConstraintCall pulley_call = {
+    {"pulley", guard<scene_pulley>,
+     "a: Point|Particle, over_a: Point|Particle|vec [m], over_b: Point|Particle|vec [m], b: Point|Particle, "
+     "options?: "
+     "PulleyOptions",
+     "Pulley", "A rope from a over two anchors to b, at most so long; as in a tackle b's side may count several times.",
+     "scene:pulley(p, vec(0, 5, 0), vec(1, 5, 0), q, { ratio = 2 })"},
+    "gears, racks, pulleys and screws",
+    R"(---@class PulleyOptions: OrientOptions
+---@field ratio? number|fun(t: number): number [1] how many times b's side counts, > 0 (default `1`)
+---@field length? number [m] the most that a's side and ratio times b's add up to (default the present one)
+)"};
+
+const ConstraintCall screw_call = {{"screw", guard<scene_screw>, "a: Point, b: Point, options: ScrewOptions", "Screw",
+                                    "Moves a along an axis of b's body by `lead` for each turn of a's body about it.",
+                                    "scene:screw(block.points[1], arm.head, { lead = 0.01, axis = vec(0, 1, 0) })"},
+                                   "gears, racks, pulleys and screws",
+                                   R"(---@class ScrewOptions: ConstraintOptions
+---@field lead number|fun(t: number): number [m] by which the first point goes along the axis for a turn of its body about it; not 0
+---@field axis vec [1] world axes; it stays fixed in both bodies
+)"};
 
 }  // namespace pantin::lua

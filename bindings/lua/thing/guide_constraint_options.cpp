@@ -1,5 +1,4 @@
-#include "lua/thing/guide_constraint_options.hpp"
-
+// scene:on_plane, string and on_path.
 #include "edit/constrain.hpp"
 #include "lua/thing/constraint_options.hpp"
 #include "lua/thing/script.hpp"
@@ -8,6 +7,7 @@
 #include "model/path.hpp"
 
 namespace pantin::lua {
+namespace {
 
 int scene_on_plane(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "on_plane");
@@ -60,5 +60,36 @@ int scene_on_path(lua_State* state) {
   const double time_constant = o.number("time_constant", "s").value_or(usual_time_constant);
   return finish(self, add_on_path(self.world, point, std::move(path), time_constant), o);
 }
+
+}  // namespace
+
+const ConstraintCall on_plane_call = {
+    {"on_plane", guard<scene_on_plane>, "point: Point|Particle, options?: PlaneOptions", "OnPlane",
+     "Keeps a point on a plane.", "scene:on_plane(p, { through = vec(0, 1, 0), normal = vec(0, 1, 0) })"},
+    "a point to a plane or to a path",
+    R"(---@class PlaneOptions: OrientOptions
+---@field through? vec [m] a position on the plane (default where the point is)
+---@field normal? vec [1] across the plane, world axes (default `vec(0, 1, 0)`)
+)"};
+
+const ConstraintCall string_call = {
+    {"string", guard<scene_string>, "points: (Point|Particle|vec)[] [m], options?: StringOptions", "String",
+     "Is at most so long along its points and positions, slides through the inner ones, and may go slack.",
+     "local string = scene:string({ p, vec(0, 4, 0), q })\n"
+     "string.length = 0.9 * string.length"},
+    "a distance: kept, in a range, or along a string",
+    R"(---@class StringOptions: OrientOptions
+---@field length? number|fun(t: number): number [m] the most that it is long (default the present one)
+)"};
+
+const ConstraintCall on_path_call = {
+    {"on_path", guard<scene_on_path>, "point: Point|Particle, path: vec[] [m], options?: PathOptions", "OnPath",
+     "Keeps a point on a path through positions; at the end of an open one it stops.",
+     "scene:on_path(p, { p.position, vec(0, 3, 0), vec(2, 3, 0) }, { smooth = true })"},
+    "a point to a plane or to a path",
+    R"(---@class PathOptions: OrientOptions
+---@field smooth? boolean a spline with continuous curvature; else straight pieces (default `false`)
+---@field closed? boolean its end is its beginning (default `false`)
+)"};
 
 }  // namespace pantin::lua

@@ -1,6 +1,8 @@
 #include "lua/thing/point_constraint_options.hpp"
 
+#include "edit/assemble.hpp"
 #include "edit/constrain.hpp"
+#include "lua/thing/constraint_options.hpp"
 #include "lua/thing/constraint_values.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/script.hpp"
@@ -52,6 +54,8 @@ int scene_hinge(lua_State* state) {
   push_thing(state, self.script, hinge);
   return 1;
 }
+
+namespace {
 
 int scene_nail(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "nail");
@@ -119,5 +123,75 @@ int scene_rod(lua_State* state) {
   push_thing(state, self.script, rod);
   return 1;
 }
+
+int scene_join(lua_State* state) {
+  const Self self = check_self(state, Kind::scene, "join");
+  const PointId a = check_point(state, 2, "join", argument(1)), b = check_point(state, 3, "join", argument(2));
+  const Options o(state, 4, "join", {"at", "time_constant", "max_force", "on_met", "name"});
+  JoinDef def;
+  def.at = o.vector("at", "m");
+  def.time_constant = o.number("time_constant", "s").value_or(def.time_constant);
+  def.max_force = o.number_or_infinity("max_force", "N").value_or(def.max_force);
+  def.name = o.string("name").value_or("");
+  if (const auto on_met = o.function("on_met"))
+    def.on_met = [on_met = *on_met, &script = self.script](ParticleId hinge) {
+      try {
+        on_met.call([&](lua_State* s) {
+          push_thing(s, script, hinge);
+          return 1;
+        });
+      } catch (const StaleHandle& error) { log_line(script.world, "dropped", error.what()); }
+    };
+  push_thing(state, self.script, add_join(self.world, a, b, def));
+  return 1;
+}
+
+}  // namespace
+
+const ConstraintCall nail_call = {
+    {"nail", guard<scene_nail>, "point: Point|Particle, at?: vec|TieOptions [m], options?: TieOptions", "Nail",
+     "Keeps a point at a position, or where it is.",
+     "scene:nail(arm.head)\n"
+     "scene:nail(p, vec(0, 2, 0), { time_constant = 0.2 })"},
+    "a point to a position or to something that moves",
+    R"(---@class TieOptions: NameOptions
+---@field time_constant? number [s] with which what is far is drawn there, critically damped (default `0.1`)
+)"};
+
+const ConstraintCall follow_call = {
+    {"follow", guard<scene_follow>,
+     "point: Point|Particle, target: vec|Hand|fun(t: number): vec [m], options?: FollowOptions", "Follow",
+     "Keeps a point to a target: a position [m], a function of time [s] or a hand.",
+     "scene:follow(p, function(t) return vec(math.cos(t), math.sin(t), 0) end, { max_force = 100 })"},
+    "a point to a position or to something that moves",
+    R"(---@class FollowOptions: NameOptions
+---@field time_constant? number [s] with which what is far is drawn there, critically damped (default `0.05`)
+---@field max_force? number [N] it never pulls harder (default `math.huge`)
+)"};
+
+const ConstraintCall rod_call = {
+    {"rod", guard<scene_rod>,
+     "a: Point|Particle|vec [m], b: Point|Particle|vec [m], length?: number|fun(t: number): number [m]", "Rod",
+     "Keeps two points, or a point and a position, at a distance, or at their present one.",
+     "scene:rod(p, q)\n"
+     "scene:rod(p, vec(-2, 4, 0), function(t) return 3 + 0.1 * math.sin(t) end)"},
+    "a distance: kept, in a range, or along a string"};
+
+const ConstraintCall join_call = {
+    {"join", guard<scene_join>, "a: Point|Particle, b: Point|Particle, options?: JoinOptions", "Join",
+     "Draws two points together, at a position or on their way to each other, and makes the hinge when they are "
+     "within "
+     "a tenth of scene.tolerance of their size, some 20 time constants later. Without at, momentum is kept on the "
+     "way, and so is angular momentum: they come together on a straight line, and what that takes goes into the "
+     "turning of all that hangs on them. Two free particles alone have nothing to turn, and lose theirs.",
+     "scene:join(p, q, { max_force = 50, on_met = function(hinge) print(hinge) end })"},
+    "what is still apart",
+    R"(---@class JoinOptions
+---@field at? vec [m] where they meet (default on their way to each other)
+---@field time_constant? number [s] with which they are drawn together (default `0.05`)
+---@field max_force? number [N] it never pulls harder, until they are near (default `math.huge`)
+---@field on_met? fun(hinge: Particle) called in the step after (default none)
+---@field name? string of the hinge (default `""`)
+)"};
 
 }  // namespace pantin::lua

@@ -1,5 +1,5 @@
 #pragma once
-// scene:hinge, nail, follow and rod.
+// scene:hinge, and functions of time that give a position.
 #include <functional>
 #include <lua.hpp>
 #include <string>
@@ -12,8 +12,5 @@ namespace pantin::lua {
 std::function<Vec3(double)> position_of_time(Callback function, std::string what);
 
 int scene_hinge(lua_State* state);
-int scene_nail(lua_State* state);
-int scene_follow(lua_State* state);
-int scene_rod(lua_State* state);
 
 }  // namespace pantin::lua

@@ -1,5 +1,4 @@
-#include "lua/thing/turn_constraint_options.hpp"
-
+// scene:weld, orient, align, motor and limit.
 #include "lua/thing/constraint_options.hpp"
 #include "lua/thing/script.hpp"
 #include "lua/thing/targets.hpp"
@@ -17,8 +16,6 @@ BodyId second_body(lua_State* state, int& index, const char* call) {
   }
   return {};
 }
-
-}  // namespace
 
 int scene_weld(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "weld");
@@ -116,5 +113,62 @@ int scene_limit(lua_State* state) {
         self, place ? add_limit(self.world, point_a, *place, def) : add_limit(self.world, point_a, point_b, def), o);
   return finish(self, add_limit(self.world, body_a, body_b, axis_option(self, o), def), o);
 }
+
+}  // namespace
+
+const ConstraintCall weld_call = {
+    {"weld", guard<scene_weld>, "a: Body, b: Body, options?: ConstraintOptions", "Weld",
+     "Keeps two bodies in their present relative position and orientation; it tells its load, and may break.",
+     "local weld = scene:weld(arm, block, { breaks_at = { force = 500, torque = 100 } })"},
+    "two bodies, or how a body is turned"};
+
+const ConstraintCall orient_call = {
+    {"orient", guard<scene_orient>, "body: Body, to?: quat|OrientOptions|fun(t: number): quat, options?: OrientOptions",
+     "Orient", "Keeps the orientation of a body, or its present one.",
+     "scene:orient(block, quat(vec(0, 0, 1), math.pi / 4), { time_constant = 0.5 })"},
+    "two bodies, or how a body is turned",
+    R"(---@class OrientOptions: ConstraintOptions
+---@field time_constant? number [s] with which what is far is drawn there, critically damped (default `0.1`)
+)"};
+
+const ConstraintCall align_call = {
+    {"align", guard<scene_align>,
+     "a: Body, axis_a: vec [1], b?: Body|vec [1], axis_b?: vec|AlignOptions [1], options?: AlignOptions", "Align",
+     "Keeps the angle between an axis of a and one of b, each in its body's frame; without b, one of the world.",
+     "scene:align(arm, vec(1, 0, 0), block, vec(0, 1, 0))\n"
+     "scene:align(block, vec(0, 1, 0), vec(0, 1, 0), { angle = 0 })"},
+    "two bodies, or how a body is turned",
+    R"(---@class AlignOptions: OrientOptions
+---@field angle? number|fun(t: number): number [rad] of 0 to π (default the present one)
+)"};
+
+const ConstraintCall motor_call = {
+    {"motor", guard<scene_motor>, "a: Body, b?: Body|MotorOptions, options?: MotorOptions", "Motor",
+     "Turns a about an axis (world axes) against b, or without b against the world.",
+     "scene:motor(arm, leg, { axis = vec(0, 0, 1), speed = 2, max_torque = 5 })\n"
+     "scene:motor(block, { axis = vec(0, 1, 0), angle = function(t) return 0.5 * t end })"},
+    "an angle or a speed by a motor",
+    R"(---One of speed and angle must be given.
+---@class MotorOptions: OrientOptions
+---@field axis? vec [1] world axes; it stays fixed in a (default the normal of scene.plane; without one it must be given)
+---@field speed? number|fun(t: number): number [rad/s] of a against b (default none)
+---@field angle? number|fun(t: number): number [rad] of a against b, 0 where it is now (default none)
+---@field max_torque? number [N m] it never pushes harder (default `math.huge`)
+)",
+    "MotorOptions"};
+
+const ConstraintCall limit_call = {
+    {"limit", guard<scene_limit>,
+     "a: Body|Point|Particle, b?: Body|Point|Particle|vec|LimitOptions [m], options?: LimitOptions", "Limit",
+     "Keeps the angle of a against b about an axis, 0 where it is now, or the distance of two points, in a range.",
+     "scene:limit(arm, leg, { axis = vec(0, 0, 1), min = -0.5, max = 0.5 })\n"
+     "scene:limit(p, q, { length = 3 })"},
+    "a distance: kept, in a range, or along a string",
+    R"(---@class LimitOptions: OrientOptions
+---@field axis? vec [1] of an angle; world axes (default the normal of scene.plane; without one it must be given)
+---@field min? number [rad or m] (default `-math.huge`; of a distance 0)
+---@field max? number [rad or m] (default `math.huge`)
+---@field length? number [m] of a distance, the same as max (default none)
+)"};
 
 }  // namespace pantin::lua
