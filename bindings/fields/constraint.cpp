@@ -38,6 +38,14 @@ Property point_property() {
                                 [](const World& w, ConstraintId c) { return w.constraints[c].a; });
 }
 
+Property kept_property(const char* name, const char* unit, const char* doc) {
+  return property<ConstraintId>(
+      name, "number", unit, doc, [](const World& w, ConstraintId c) { return constraint_row(w, c).number.now; },
+      [](World& w, ConstraintId c, const OfTime<double>& given) {
+        set_length(w, c, now(w, given), function_of(given));
+      });
+}
+
 Property force_property() {
   return property<ConstraintId>("force", "vec", "N", "what it exerted on its first point in the last step",
                                 [](const World& w, ConstraintId c) { return w.constraints[c].force; });

@@ -10,15 +10,6 @@ namespace {
 const CoupledValue& first(const World& world, ConstraintId id) { return constraint_row(world, id).coupled()[0]; }
 const CoupledValue& second(const World& world, ConstraintId id) { return constraint_row(world, id).coupled()[1]; }
 
-/// The number by which one value counts against the other.
-Property proportion(const char* name, const char* unit, const char* doc) {
-  return property<ConstraintId>(
-      name, "number", unit, doc, [](const World& w, ConstraintId c) { return constraint_row(w, c).number.now; },
-      [](World& w, ConstraintId c, const OfTime<double>& given) {
-        set_length(w, c, now(w, given), function_of(given));
-      });
-}
-
 Property carrier() {
   return property<ConstraintId>("carrier", "Body?", "", "against which it turns, or nil for the world",
                                 [](const World& w, ConstraintId c) { return first(w, c).body_b; });
@@ -40,7 +31,7 @@ const Type& gear_type() {
        property<ConstraintId>("b", "Body", "", "its second body",
                               [](const World& w, ConstraintId c) { return second(w, c).body_a; }),
        carrier(),
-       proportion(
+       kept_property(
            "ratio", "1",
            "turns of a for one of b, in the sense of their axes; below 0 they turn against each other, as wheels do "
            "that mesh from outside; written as a number or a function of time [s], the wheels mesh anew"),
@@ -56,7 +47,7 @@ const Type& rack_type() {
        property<ConstraintId>("point", "Point", "", "the point that moves",
                               [](const World& w, ConstraintId c) { return second(w, c).point_a; }),
        carrier(),
-       proportion(
+       kept_property(
            "radius", "m",
            "how far the point moves for a turn of 1 rad; written as a number or a function of time [s], the teeth "
            "mesh anew"),
@@ -72,9 +63,9 @@ const Type& pulley_type() {
                               [](const World& w, ConstraintId c) { return first(w, c).point_a; }),
        property<ConstraintId>("b", "Point", "", "the point at its second end",
                               [](const World& w, ConstraintId c) { return second(w, c).point_a; }),
-       proportion("ratio", "1",
-                  "how many times the second side counts, > 0; written as a number or a function of time [s]; "
-                  "a rope that then is too short attracts what it ties"),
+       kept_property("ratio", "1",
+                     "how many times the second side counts, > 0; written as a number or a function of time [s]; "
+                     "a rope that then is too short attracts what it ties"),
        property<ConstraintId>(
            "length", "number", "m",
            "the most that a's side and ratio times b's add up to; one that is too short attracts what it ties",
@@ -94,10 +85,11 @@ const Type& screw_type() {
                               [](const World& w, ConstraintId c) { return second(w, c).point_a; }),
        property<ConstraintId>("b", "Point", "", "its second point",
                               [](const World& w, ConstraintId c) { return second(w, c).point_b; }),
-       proportion("lead", "m",
-                  "by which a goes along the axis in a turn of its body about it; written as a number or a function of "
-                  "time [s], the thread begins "
-                  "anew"),
+       kept_property(
+           "lead", "m",
+           "by which a goes along the axis in a turn of its body about it; written as a number or a function of "
+           "time [s], the thread begins "
+           "anew"),
        turned("the angle of the first body against the second, since it was made, turns counted"), force_property(),
        torque_property()});
   return type;

@@ -72,12 +72,7 @@ const Type& rod_type() {
       "Rod", "rod", "Keeps two points, or a point and a position, at a distance.",
       {first_point("its first point"), second_point("Point?", "its second point, or nil where that end is a position"),
        end_of_rod(),
-       property<ConstraintId>(
-           "length", "number", "m", "the distance that it keeps; written as a number or a function of time [s]",
-           [](const World& w, ConstraintId c) { return constraint_row(w, c).number.now; },
-           [](World& w, ConstraintId c, const OfTime<double>& given) {
-             set_length(w, c, now(w, given), function_of(given));
-           }),
+       kept_property("length", "m", "the distance that it keeps; written as a number or a function of time [s]"),
        property<ConstraintId>("force", "number", "N", "tension in the last step, > 0 when it pulls",
                               [](const World& w, ConstraintId c) { return constraint_row(w, c).tension; })});
   return type;

@@ -57,14 +57,6 @@ ConstraintId add_limit(World& world, BodyId a, BodyId b, Vec3 axis, const LimitD
 ConstraintId add_limit(World& world, PointId a, PointId b, const LimitDef& def);
 ConstraintId add_limit(World& world, PointId a, Vec3 position, const LimitDef& def);
 
-struct PlaneDef {
-  std::optional<Vec3> through;                 ///< [m] a position on the plane; not given: the point's
-  Vec3 normal = vec(0, 1, 0);                  ///< of any length but 0
-  double time_constant = usual_time_constant;  ///< [s] > 0
-};
-/// Keeps a point on a plane.
-ConstraintId add_on_plane(World& world, PointId point, const PlaneDef& def = {});
-
 struct StringDef {
   std::optional<double> length;                ///< [m] > 0; not given: the present one
   double time_constant = usual_time_constant;  ///< [s] > 0

@@ -1,4 +1,4 @@
-// Constraints that guide points: on_plane, on_path, string, and limits of length.
+// Constraints that guide points: on_path, string, and limits of length.
 #include "constraints/kind.hpp"
 #include "edit/common.hpp"
 #include "edit/constrain.hpp"
@@ -40,17 +40,6 @@ ConstraintId add_limit(World& world, PointId a, Vec3 position, const LimitDef& d
   c.a = a;
   c.position.now = position;
   return add_length_limit(world, std::move(c), def);
-}
-
-ConstraintId add_on_plane(World& world, PointId point, const PlaneDef& def) {
-  require_point(world, "on_plane", point);
-  Constraint c;
-  c.kind = ConstraintKind::on_plane;
-  c.a = point;
-  c.time_constant = def.time_constant;
-  c.position.now = def.through.value_or(position(world, point));
-  c.axis_a = def.normal;
-  return add_constraint(world, std::move(c));
 }
 
 ConstraintId add_string(World& world, std::vector<Passage> passages, const StringDef& def) {

@@ -116,7 +116,7 @@ void set_position(World& world, ConstraintId id, Vec3 position) {
     require(!c.b, who, ": both its ends are points; move those");
     touch(world, c);
   }
-  if (c.kind != ConstraintKind::on_plane) require_height(world, who, "position", position, c.position.now);
+  if (rule_of(c).ends_at_position) require_height(world, who, "position", position, c.position.now);
   wake(world, c);
   c.position.of_time = nullptr;
   c.position.now = position;

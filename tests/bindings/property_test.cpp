@@ -14,6 +14,7 @@
 #include "laws/library.hpp"
 #include "lua/thing/fields.hpp"
 #include "model/path.hpp"
+#include "support/cases.hpp"
 
 using namespace pantin;
 using fields::Value;
@@ -83,7 +84,7 @@ class Zoo {
     things["Follow"] = add_follow(world, point(), {});
     things["Rod"] = add_rod(world, point(), point());
     things["rod to a position"] = add_rod(world, point(), vec(0, 5, 0));
-    things["OnPlane"] = add_on_plane(world, point());
+    things["OnPlane"] = cases::add_on_plane(world, point());
     things["String"] = add_string(world, {{point()}, {{}, vec(0, 9, 0)}});
     const auto path = std::make_shared<const Path>(std::vector<Vec3>{vec(0, 0, 0), vec(900, 0, 0)}, false, false);
     things["OnPath"] = add_on_path(world, point(), path);

@@ -54,9 +54,7 @@ TEST_CASE("a point on an inclined plane slides down it at g sin") {
   const double slope = 0.5;
   const Vec3 normal = vec(std::sin(slope), std::cos(slope), 0), down = vec(std::cos(slope), -std::sin(slope), 0);
   const PointId point = mass_at(world, zero3(), 2.0);
-  PlaneDef def;
-  def.normal = 3.0 * normal;
-  const ConstraintId plane = add_on_plane(world, point, def);
+  const ConstraintId plane = cases::add_on_plane(world, point, 3.0 * normal);
   advance(world, 2.0);
   CHECK(norm(position(world, point) - down * (0.5 * g * std::sin(slope) * 4.0)) < 1e-10);
   CHECK(norm(world.constraints[plane].force - normal * (2.0 * g * std::cos(slope))) < 1e-8);
@@ -179,14 +177,11 @@ TEST_CASE(
   World world;
   world.settings.gravity = zero3();
   const double tau = 0.15;
-  PlaneDef plane;
-  plane.through = vec(0, -2, 0);
-  plane.time_constant = tau;
   StringDef def;
   def.length = 1.0;
   def.time_constant = tau;
   const PointId a = mass_at(world, zero3()), b = mass_at(world, vec(0, 2, 0)), c = mass_at(world, vec(3, 0, 0));
-  add_on_plane(world, a, plane);
+  cases::add_on_plane(world, a, vec(0, 1, 0), vec(0, -2, 0), tau);
   const auto line = std::make_shared<const Path>(std::vector<Vec3>{vec(-9, 0, 0), vec(9, 0, 0)}, false, false);
   add_on_path(world, b, line, tau);
   add_string(world, {through(c), place(zero3())}, def);
@@ -211,8 +206,6 @@ TEST_CASE("guides say what is wrong with what they are given") {
                     Contains("its positions are 2 m apart, so it cannot be 1 m long"));
   CHECK_THROWS_WITH(add_string(world, {place(zero3()), place(vec(0, 1, 0))}), Contains("positions only"));
   CHECK_THROWS_WITH(add_limit(world, a, b, {2.0, 1.0, 0.1}), Contains("min must be below max, got 2 and 1 m"));
-  PlaneDef plane;
-  plane.normal = zero3();
-  CHECK_THROWS_WITH(add_on_plane(world, a, plane), Contains("normal must not be"));
+  CHECK_THROWS_WITH(cases::add_on_plane(world, a, zero3()), Contains("normal must not be"));
   CHECK(world.constraints.empty());
 }

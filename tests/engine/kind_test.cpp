@@ -58,7 +58,7 @@ PointId add_everything(World& world, double ratio) {
   StringDef string;
   string.length = 4.0;
   add_string(world, {through(stone), through(slider), place(vec(2, 3, 0)), through(tail(4))}, string);
-  add_on_plane(world, stone);
+  cases::add_on_plane(world, stone);
   return tail(4);
 }
 

@@ -135,9 +135,7 @@ TEST_CASE("plane: every kind of row is solved in it, and the ledger closes") {
     motor.max_torque = 5.0;
     add_motor(world, bodies[3], bodies[2], motor);
     add_rod(world, tail(3), head(4));
-    PlaneDef guide;
-    guide.normal = world.plane.along(turned(2, 3));
-    add_on_plane(world, tail(4), guide);
+    cases::add_on_plane(world, tail(4), world.plane.along(turned(2, 3)));
     StringDef string;
     string.length = 3.0;
     add_string(world, {{head(2), zero3()}, {tail(4), zero3()}}, string);

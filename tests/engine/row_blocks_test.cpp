@@ -149,9 +149,7 @@ TEST_CASE("hub: rows of all kinds on it hold") {
   drive.speed = 2.0;
   const ConstraintId motor = add_motor(world, driven, wheel.hub, drive);
   add_limit(world, wheel.edge[10], vec(-1, 3, 0), {.max = 3.2});
-  PlaneDef across;
-  across.normal = vec(1, 0, 0);
-  const ConstraintId plane = add_on_plane(world, wheel.centre, across);
+  const ConstraintId plane = cases::add_on_plane(world, wheel.centre, vec(1, 0, 0));
   FollowDef follow;
   follow.at = vec(0, 1, 0);
   follow.max_force = 500;

@@ -53,7 +53,7 @@ TEST_CASE("approach: points to a nail, a position on a rod, a plane and a path")
     world.constraints[rod].time_constant = tau;
     set_length(world, rod, 1.0);
   }
-  if (kind == 2) add_on_plane(world, point, {vec(3, 0, 0), vec(0, 2, 0), tau});
+  if (kind == 2) cases::add_on_plane(world, point, vec(0, 2, 0), vec(3, 0, 0), tau);
   if (kind == 3)
     add_on_path(world, point, std::make_shared<const Path>(std::vector<Vec3>{zero3(), vec(1, 0, 0)}, false, false),
                 tau);

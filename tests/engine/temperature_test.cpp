@@ -135,9 +135,7 @@ TEST_CASE("what slides along a plane or a path together is not hot, and what mov
   };
   std::vector<PointId> points;
   for (int i = 0; i < 5; i++) points.push_back(add(vec(i, 0, i * i), vec(3, 0, -4)));
-  PlaneDef plane;
-  plane.normal = vec(0, 1, 0);
-  for (PointId p : points) add_on_plane(world, p, plane);
+  for (PointId p : points) cases::add_on_plane(world, p);
   CHECK(freedoms(world) == 5 * 2 - 2);
   CHECK(temperature(world, everything(world)) == Approx(0.0).margin(1e-12));
   set_velocity(world, points[0], vec(3, 0, -3));

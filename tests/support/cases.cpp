@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/functions.hpp"
+#include "edit/constrain.hpp"
 
 namespace pantin::cases {
 
@@ -142,6 +143,16 @@ BodyId add_top(World& world) {
   top.spin = vec(0.01, 1, 0.01);
   top.name = "top";
   return add_body(world, top);
+}
+
+ConstraintId add_on_plane(World& world, PointId point, Vec3 normal, std::optional<Vec3> through, double time_constant) {
+  Constraint c;
+  c.kind = ConstraintKind::on_plane;
+  c.a = point;
+  c.position.now = through.value_or(position(world, point));
+  c.axis_a = normal;
+  c.time_constant = time_constant;
+  return add_constraint(world, std::move(c));
 }
 
 PointId point_of(const World& world, ParticleId particle) { return world.particles[particle].points.front(); }

@@ -1,6 +1,7 @@
 #pragma once
 // Scenes that the tests share, made through the public interface. SI units, gravity along -y, everything at rest in the
 // plane z = 0. A rod is a box of length × 0.1 length × 0.1 length, along x in its own frame.
+#include <optional>
 #include <vector>
 
 #include "edit/edit.hpp"
@@ -55,6 +56,10 @@ struct DoublePendulum {
 DoublePendulum add_double_pendulum(World& world);
 /// A body of moments (1, 2, 3) kg m² that spins nearly about its middle axis, without gravity.
 BodyId add_top(World& world);
+
+/// Keeps a point on a plane, or on that through it.
+ConstraintId add_on_plane(World& world, PointId point, Vec3 normal = vec(0, 1, 0), std::optional<Vec3> through = {},
+                          double time_constant = 0.1);
 
 /// The one point of a free particle.
 PointId point_of(const World& world, ParticleId particle);

@@ -1,4 +1,4 @@
-// scene:on_plane, string and on_path.
+// scene:string and on_path.
 #include "edit/constrain.hpp"
 #include "lua/thing/constraint_options.hpp"
 #include "lua/thing/script.hpp"
@@ -8,17 +8,6 @@
 
 namespace pantin::lua {
 namespace {
-
-int scene_on_plane(lua_State* state) {
-  const Self self = check_self(state, Kind::scene, "on_plane");
-  const PointId point = check_point(state, 2, "on_plane", argument(1));
-  const Options o(state, 3, "on_plane", with_common({"through", "normal", "time_constant"}));
-  PlaneDef def;
-  def.through = o.vector("through", "m");
-  def.normal = o.vector("normal", "").value_or(def.normal);
-  read_time_constant(o, def);
-  return finish(self, add_on_plane(self.world, point, def), o);
-}
 
 int scene_string(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "string");
@@ -62,15 +51,6 @@ int scene_on_path(lua_State* state) {
 }
 
 }  // namespace
-
-const ConstraintCall on_plane_call = {
-    {"on_plane", guard<scene_on_plane>, "point: Point|Particle, options?: PlaneOptions", "OnPlane",
-     "Keeps a point on a plane.", "scene:on_plane(p, { through = vec(0, 1, 0), normal = vec(0, 1, 0) })"},
-    "a point to a plane or to a path",
-    R"(---@class PlaneOptions: OrientOptions
----@field through? vec [m] a position on the plane (default where the point is)
----@field normal? vec [1] across the plane, world axes (default `vec(0, 1, 0)`)
-)"};
 
 const ConstraintCall string_call = {
     {"string", guard<scene_string>, "points: (Point|Particle|vec)[] [m], options?: StringOptions", "String",
