@@ -38,6 +38,7 @@ IslandBody body_of(const BodyState& s, Vec3 velocity, double reach) {
   b.reach = reach;
   b.v0 = velocity;
   b.w0 = s.w;
+  b.x = s.x;
   return b;
 }
 
@@ -211,6 +212,7 @@ std::span<TouchIsland> gather(std::vector<TouchIsland>& space, std::vector<std::
       builder.add_contact(island, contacts.list[k]);
       size = std::min(size, contacts.list[k].size);
     }
+    island.problem.workers = &workers;
     island.problem.tolerance = contact_tolerance * size / settings.h;
     island.problem.enough = swept_tolerance * size / settings.h;
     double mass = 0.0, reach = 0.0;

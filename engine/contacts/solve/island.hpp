@@ -21,6 +21,8 @@
 
 namespace pantin {
 
+class Workers;
+
 struct IslandBody {
   double mass = 1.0, inverse_mass = 1.0;
   Mat3 inertia = identity33(),
@@ -32,6 +34,7 @@ struct IslandBody {
   Vec3 v0 = zero3(), w0 = zero3();  ///< [m/s], [rad/s] without impulses
   Vec3 v = zero3(), w = zero3();
   Vec3 dv = zero3(), dw = zero3();  ///< of a search: its next step
+  Vec3 x = zero3();                 ///< [m] of the centre: large islands are swept in two halves
 };
 
 /// Between a body and another, or the world (b = -1).
@@ -134,6 +137,7 @@ struct ContactIsland {
   std::vector<BodyLoad> tie_change;  ///< [m/s], [rad/s] scratch of what ties answer
   std::vector<BodyLoad> applied;     ///< scratch of what impulses do
   SweepSpace sweep_space;
+  Workers* workers = nullptr;  ///< who share the sweeps of many contacts; null: nobody
 
   void clear();  ///< keeps memory
   bool is_tied() const { return !ties.empty() || !scalars.empty(); }

@@ -12,10 +12,13 @@ namespace {
 constexpr std::uint32_t most_of_newton = 30;
 constexpr std::uint32_t most_sweeps = 10, more_sweeps = 40, sweeps_before_newton = 30;
 constexpr std::uint32_t rounds_of_hard = 4, sweeps_of_hard = 100, newton_of_hard = 30;  // where a small island is hard
-constexpr std::size_t few = 24;                      // contacts: such an island is always solved exactly
-constexpr std::uint32_t most_rounds = 8;             // of proximal steps
-constexpr double accepted = 100.0;                   // of the tolerance
-constexpr std::size_t most_updates = 100;            // of blocks in a factorisation, for each contact
+constexpr std::size_t few = 24;               // contacts: such an island is always solved exactly
+constexpr std::size_t many = 1000;            // contacts: a factorisation of such an island costs as much as 20 sweeps
+constexpr std::uint32_t sweeps_of_many = 60;  // more, where it is calm
+constexpr double very_calm = 0.1;             // of the speed of a calm island: one of many is solved exactly
+constexpr std::uint32_t most_rounds = 8;      // of proximal steps
+constexpr double accepted = 100.0;            // of the tolerance
+constexpr std::size_t most_updates = 100;     // of blocks in a factorisation, for each contact
 constexpr std::size_t most_of_memory = 200'000'000;  // of them at all: 4 bytes each
 
 /// Puts impulses into the cone.
@@ -162,10 +165,10 @@ void gain_nothing(ContactIsland& island, IslandReport& report) {
 
 }  // namespace
 
-bool is_calm(const ContactIsland& island, double kinetic) {
+bool is_calm(const ContactIsland& island, double kinetic, double part) {
   double mass = 0.0;
   for (const IslandBody& b : island.bodies) mass += b.mass;
-  return std::sqrt(2.0 * kinetic / mass) <= island.calm;
+  return std::sqrt(2.0 * kinetic / mass) <= part * island.calm;
 }
 
 namespace {
@@ -180,13 +183,17 @@ void search_surely(Search& search) {
 }
 
 void search_calm(Search& search, SearchEffort effort) {
+  const bool is_many = search.island.contacts.size() > many;
+  if (is_many && (effort != SearchEffort::all || !is_calm(search.island, kinetic_energy(search.island), very_calm)))
+    return search.sweeps(sweeps_of_many);
+  const double first = search.report.residual;
   if (effort == SearchEffort::all) search.newton(most_of_newton);
   if (search.solved()) return;
   const bool failed = search.report.failed;
   search.proximal();
   const double left = search.report.residual;
   if (left > search.island.tolerance && left <= search.island.enough) search.newton(most_of_newton);
-  search.report.failed = failed || search.report.failed;
+  search.report.failed = is_many ? left > 0.1 * first : failed || search.report.failed;
 }
 
 }  // namespace

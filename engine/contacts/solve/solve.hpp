@@ -13,7 +13,7 @@ struct IslandReport {
 };
 
 /// Whether the mean velocity by mass is small enough at this kinetic energy [J] that an exact search is worth while.
-bool is_calm(const ContactIsland& island, double kinetic);
+bool is_calm(const ContactIsland& island, double kinetic, double part = 1.0);
 
 /// How far the search for a large island that is calm may go: to sweeps, to proximal rounds, to Newton's iteration after them.
 enum class SearchEffort { sweeps, rounds, all };

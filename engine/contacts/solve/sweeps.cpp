@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.hpp"
+#include "base/subnormals.hpp"
 #include "contacts/solve/search.hpp"
 #include "contacts/solve/ties.hpp"
 
@@ -15,6 +17,7 @@ namespace pantin {
 namespace {
 
 constexpr double far = 1e3;  // times what is enough: that goes on
+constexpr std::uint8_t between = 2, parts = 3, worlds = 2;
 
 struct Sweeps {
   ContactIsland& island;
@@ -27,30 +30,58 @@ struct Sweeps {
   double change_of_contacts = 0.0;  // [J] of the last sweep
 
   void take_velocities() {
-    free.assign(island.bodies.size() + 1, {});
+    free.assign(island.bodies.size() + worlds, {});
     for (std::size_t i = 0; i < island.bodies.size(); i++) {
       const IslandBody& b = island.bodies[i];
       free[i] = {b.v0 * std::sqrt(b.mass), transposed_times(b.root, b.inertia * b.w0)};
     }
     y = free;
   }
-  /// Puts contacts, from the lowest up, each into the first batch with room after all that have its bodies.
-  void arrange() {
-    const auto world = static_cast<std::uint32_t>(island.bodies.size());
-    const auto number = [&](std::int32_t body) { return body < 0 ? world : static_cast<std::uint32_t>(body); };
+  /// Of islands of many contacts, halves that two threads can sweep: by the way that they are widest.
+  void divide() {
+    constexpr std::size_t many = 1000;
+    space.half.assign(island.bodies.size(), 0);
+    if (island.contacts.size() < many) return;
+    Vec3 low = vec(infinity, infinity, infinity), high = low * -1.0;
+    for (const IslandBody& b : island.bodies)
+      for (int k = 0; k < 3; k++) {
+        low[k] = std::min(low[k], b.x[k]);
+        high[k] = std::max(high[k], b.x[k]);
+      }
+    int axis = 0;
+    for (int k = 1; k < 3; k++)
+      if (high[k] - low[k] > high[axis] - low[axis]) axis = k;
+    std::vector<double>& along = space.along;
+    along.clear();
+    for (const IslandBody& b : island.bodies) along.push_back(b.x[axis]);
+    const auto median = along.begin() + static_cast<std::ptrdiff_t>(along.size() / 2);
+    std::nth_element(along.begin(), median, along.end());
+    for (std::size_t i = 0; i < along.size(); i++) space.half[i] = island.bodies[i].x[axis] < *median ? 0 : 1;
+    const auto lie_between = std::count_if(island.contacts.begin(), island.contacts.end(),
+                                           [&](const IslandContact& c) { return part_of(c) == between; });
+    if (4 * static_cast<std::size_t>(lie_between) > island.contacts.size()) space.half.assign(along.size(), 0);
+  }
+  std::uint32_t number(std::int32_t body) const { return static_cast<std::uint32_t>(body); }
+  /// 0 or 1, the half that it is in; 2: between them.
+  std::uint8_t part_of(const IslandContact& c) const {
+    const std::uint8_t half = space.half[number(c.a)];
+    return c.b < 0 || space.half[number(c.b)] == half ? half : between;
+  }
+  /// Puts contacts of a part, from the lowest up, each into the first batch with room after all that have its bodies. Each half
+  /// has a world of its own, which stays 0.
+  void arrange(std::uint8_t part) {
+    const auto base = static_cast<std::uint32_t>(batches.size());
+    const auto bodies = static_cast<std::uint32_t>(island.bodies.size());
+    const std::uint32_t world = bodies + part % between;
+    const auto number_of = [&](std::int32_t body) { return body < 0 ? bodies : number(body); };
     std::vector<std::uint32_t>&next = space.next_batch, &room = space.with_room, &occupied = space.occupied;
-    space.by_height.clear();
-    for (std::uint32_t k = 0; k < island.contacts.size(); k++)
-      space.by_height.emplace_back(island.contacts[k].height, k);
-    std::sort(space.by_height.begin(), space.by_height.end());
-    next.assign(island.bodies.size() + 1, 0);
-    room.assign(1, 0);
-    occupied.clear();
-    batches.clear();
-    position.resize(island.contacts.size());
+    next.assign(bodies + 1, base);
+    room.resize(base);
+    room.push_back(base);
     for (const auto& [height, k] : space.by_height) {
       const IslandContact& c = island.contacts[k];
-      std::uint32_t i = c.b < 0 ? next[number(c.a)] : std::max(next[number(c.a)], next[number(c.b)]);
+      if (part_of(c) != part) continue;
+      std::uint32_t i = c.b < 0 ? next[number_of(c.a)] : std::max(next[number_of(c.a)], next[number_of(c.b)]);
       while (room[i] != i) i = room[i] = room[room[i]];
       if (i == batches.size()) {
         batches.emplace_back().a.fill(world);
@@ -60,12 +91,25 @@ struct Sweeps {
       }
       const std::uint32_t lane = occupied[i]++;
       batches[i].a[lane] = number(c.a);
-      batches[i].b[lane] = number(c.b);
+      batches[i].b[lane] = c.b < 0 ? world : number(c.b);
       if (occupied[i] == batch_size) room[i] = i + 1;
       position[k] = static_cast<std::uint32_t>(batch_size) * i + lane;
-      next[number(c.a)] = i + 1;
-      if (c.b >= 0) next[number(c.b)] = i + 1;
+      next[number_of(c.a)] = i + 1;
+      if (c.b >= 0) next[number_of(c.b)] = i + 1;
     }
+    space.end[part] = batches.size();
+  }
+  void arrange() {
+    space.by_height.clear();
+    for (std::uint32_t k = 0; k < island.contacts.size(); k++)
+      space.by_height.emplace_back(island.contacts[k].height, k);
+    std::sort(space.by_height.begin(), space.by_height.end());
+    divide();
+    space.occupied.clear();
+    space.with_room.clear();
+    batches.clear();
+    position.resize(island.contacts.size());
+    for (std::uint8_t part = 0; part < parts; part++) arrange(part);
   }
   void fill_lane(ContactBatch& batch, std::size_t lane, const IslandContact& c) {
     for (int k = 0; k < 3; k++) {
@@ -293,7 +337,7 @@ struct Sweeps {
     }
     const double whole = square(y) + sum(by_compliance),
                  part = whole > 0.0 ? std::clamp(-constant / whole, 0.0, 1.0) : 0.0;
-    for (ContactBatch& c : batches) c.impulse = c.impulse * part;
+    for (ContactBatch& c : batches) c.before = c.impulse = c.impulse * part;
     for (RollBlock& r : rolls) r.impulse *= part;
     for (IslandTie& t : island.ties) t.impulse *= part;
     for (IslandScalar& s : island.scalars) s.impulse *= part;
@@ -302,20 +346,44 @@ struct Sweeps {
       y[i].spin = free[i].spin + y[i].spin * part;
     }
   }
-  /// Largest change of a velocity at a contact [m/s].
-  double sweep(bool upward) {
+  struct Swept {
     Lanes most = lanes(0.0), change = lanes(0.0);
-    const auto one = [&](ContactBatch& c) {
+  };
+  /// Of one part; each contact first goes on by a part of its last direction.
+  Swept sweep(std::uint8_t part, bool upward, double on) {
+    Swept swept;
+    const std::size_t first = part == 0 ? 0 : space.end[part - 1u], last = space.end[part];
+    for (std::size_t k = first; k < last; k++) {
+      ContactBatch& c = batches[upward ? k : first + last - 1 - k];
+      const Vec3x4 by = c.conjugate * on;
+      c.conjugate = c.impulse - c.before + by;
+      c.impulse += by;
       c.before = c.impulse;
-      visit(c, most, change);
+      visit(c, swept.most, swept.change);
+    }
+    return swept;
+  }
+  /// Largest change of a velocity at a contact [m/s].
+  double sweep(bool upward, double on) {
+    std::array<Swept, parts> swept;
+    if (!upward) swept[between] = sweep(between, upward, on);
+    const auto half = [&](std::size_t part, int) {
+      const SubnormalsAreZero subnormals_are_zero;
+      swept[part] = sweep(static_cast<std::uint8_t>(part), upward, on);
     };
-    if (upward)
-      for (ContactBatch& c : batches) one(c);
+    if (island.workers != nullptr && space.end[1] > space.end[0])
+      island.workers->run(between, half);
     else
-      for (std::size_t k = batches.size(); k-- > 0;) one(batches[k]);
-    change_of_contacts = sum(change);
+      for (const std::size_t part : {0u, 1u}) half(part, 0);
+    if (upward) swept[between] = sweep(between, upward, on);
+    Swept all = swept[0];
+    for (const Swept& s : {swept[1], swept[between]}) {
+      all.most = larger(all.most, s.most);
+      all.change += s.change;
+    }
+    change_of_contacts = sum(all.change);
     for (RollBlock& r : rolls) visit(r);
-    double found = std::sqrt(largest_lane(most));
+    double found = std::sqrt(largest_lane(all.most));
     for (IslandScalar& s : island.scalars)
       if (s.is_bounded()) found = std::max(found, visit(s));
     hold_ties();
@@ -352,13 +420,8 @@ struct Sweeps {
     }
     return sum;
   }
-  /// Goes on by a part of the last direction; what the sweep changed and that is the next one.
+  /// Goes on by a part of the last direction, but for contacts; what the sweep changed and that is the next one.
   void carry_on(double part) {
-    for (ContactBatch& c : batches) {
-      const Vec3x4 on = c.conjugate * part;
-      c.conjugate = c.impulse - c.before + on;
-      c.impulse += on;
-    }
     for (RollBlock& r : rolls) {
       const Vec3 on = r.conjugate * part;
       r.conjugate = r.impulse - r.before + on;
@@ -389,19 +452,20 @@ SearchReport sweep_search(ContactIsland& island, std::uint32_t most_sweeps, doub
   SearchReport report;
   Sweeps s{island};
   s.begin();
-  double last_change = 0.0;
+  double last_change = 0.0, on = 0.0;
   std::uint32_t until = most_sweeps;
   while (report.iterations < until) {
     const bool upward = report.iterations % 2 == 0, last = ++report.iterations == until;
     s.keep();
-    const double found = s.sweep(upward);
+    const double found = s.sweep(upward, on);
     if (found <= enough) break;
     if (last) {
       if (until >= most_of_all || found < far * enough) break;
       until += most_sweeps;
     }
     const double change = s.change_of_sweep(), part = last_change > 0.0 ? change / last_change : 0.0;
-    s.carry_on(part > 1.0 ? 0.0 : part);
+    on = part > 1.0 ? 0.0 : part;
+    s.carry_on(on);
     last_change = change;
   }
   s.hold_ties();

@@ -44,9 +44,12 @@ struct ScalarBlock {
 };
 
 struct SweepSpace {
-  std::vector<Scaled> free, y, before, conjugate;           ///< (bodies and, last, the world, which stays 0)
-  std::vector<ContactBatch> batches;                        ///< from the lowest up
-  std::vector<std::uint32_t> position;                      ///< (contacts) batch times four, and lane
+  std::vector<Scaled> free, y, before, conjugate;  ///< (bodies and, last, a world for each half, which stays 0)
+  std::vector<ContactBatch> batches;    ///< of the halves and of what is between them, each from the lowest up
+  std::array<std::size_t, 3> end = {};  ///< where the batches of each part end
+  std::vector<std::uint8_t> half;       ///< (bodies)
+  std::vector<double> along;            ///< (bodies) [m] scratch
+  std::vector<std::uint32_t> position;  ///< (contacts) batch times four, and lane
   std::vector<std::pair<double, std::uint32_t>> by_height;  ///< contacts
   std::vector<std::uint32_t> next_batch;                    ///< (bodies and world) the first after the last that has it
   std::vector<std::uint32_t> with_room,
