@@ -92,7 +92,8 @@ bool renew(std::unique_ptr<ContactFinder>& finder, Model& model);
 void put_bounds(const ThingsNow& where, ContactFinder& finder);
 /// Finds all contacts anew; those that were there before keep their impulses.
 void find_contacts(const ThingsNow& where, ContactFinder& finder, Workers& workers, Contacts& contacts);
-/// Gives contacts the impulses of those that were there before: the same features, else the nearest of the same shapes.
+/// Gives contacts the impulses of those that were there before: the same features, else the nearest of the same shapes; what
+/// points of two bodies had that are gone is shared out among those that the two have now.
 void keep_impulses(const std::vector<Contact>& before, std::vector<Contact>& now);
 /// A body's shape in the world.
 Pose pose_of(const Model& model, const Shape& shape);
