@@ -48,7 +48,7 @@ void require_two_ends(const Model& model, const Constraint& c, std::string_view 
 
 void start_number(Constraint& c, double excess, double rate, double allowed) {
   if (std::fabs(excess) <= allowed) return;
-  c.attract.excess = excess;
+  c.attract.excess = c.attract.first_excess = excess;
   c.attract.excess_rate = rate;
 }
 

@@ -20,7 +20,7 @@ void start_constraint(const Model& model, Constraint& c, double tolerance) {
   c.turn.previous = c.turn.now;
   c.position.rate = c.attract.away = c.attract.away_rate = c.attract.previous_away = c.turn.rate =
       c.turn.previous_rate = zero3();
-  c.attract.excess = c.attract.excess_rate = c.attract.previous_excess = 0.0;
+  c.attract.excess = c.attract.excess_rate = c.attract.previous_excess = c.attract.first_excess = 0.0;
   if (!c.by_speed) c.number.rate = 0.0;
   c.moves = 0;
   if (rule_of(c).start != nullptr) rule_of(c).start(model, c, tolerance);

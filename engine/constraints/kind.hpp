@@ -81,6 +81,11 @@ inline const ConstraintRule& rule_of(const Constraint& constraint) { return rule
 
 /// Whether it keeps its value in a range: a limit, a string, a path with ends.
 inline bool has_range(const Constraint& c) { return rule_of(c).has_range != nullptr && rule_of(c).has_range(c); }
+/// Whether a number that was beyond its range at first is on its way in: until 1e-4 of that is left it is held on both sides,
+/// so that it comes in as smoothly as it is to.
+inline bool is_drawn_in(const Constraint& c) {
+  return std::fabs(c.attract.previous_excess) > 1e-4 * std::fabs(c.attract.first_excess);
+}
 /// What a constraint misses now, but for what it still attracts [m].
 inline double present_gap(const Model& model, const Constraint& c) {
   return rule_of(c).gap == nullptr ? 0.0 : rule_of(c).gap(model, c);

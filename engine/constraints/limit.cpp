@@ -43,6 +43,13 @@ std::vector<RowPlan> rows(const Model&, const Constraint& c) {
   return {c.a ? between_points(c, rod_row) : angular_row(c, turn_row)};
 }
 
+void load(Condition& condition, const Row& row, const Model&, const Constraint& c) {
+  if (!is_drawn_in(c)) return;
+  const double end = (c.a ? 1.0 : row.lever) * (c.attract.first_excess > 0.0 ? c.high : c.low);
+  condition.whole_length0 += end;
+  condition.whole_length1 += end;
+}
+
 std::vector<PlaneNeed> in_plane(const Model& model, const Constraint& c) {
   if (c.a) return {};
   return {{"axis", direction_of(model, c.body_a, c.axis_a), true}};
@@ -59,6 +66,7 @@ const ConstraintRule limit_rule = {
     .gap = gap,
     .value = value,
     .rows = rows,
+    .load = load,
     .has_range = [](const Constraint&) { return true; },
     .in_plane = in_plane,
 };

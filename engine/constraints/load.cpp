@@ -56,7 +56,7 @@ void load_angular_row(Condition& condition, const Row& row, const Model& model, 
 
 void load(Condition& condition, const Row& row, const Model& model, double total_mass) {
   const Constraint& c = model.constraints[condition.constraint];
-  condition.ranged = has_range(c);
+  condition.ranged = has_range(c) && !is_drawn_in(c);
   condition.held_before = condition.held;
   if (!c.coupled().empty()) return load_coupling(condition, row, model, c);
   if (row.lever > 0.0) return load_angular_row(condition, row, model, c);

@@ -77,6 +77,7 @@ struct Attraction {
   double excess = 0.0;           ///< [m] or [rad] by which its number is beyond
   double excess_rate = 0.0;      ///< [1/s]
   double previous_excess = 0.0;  ///< one step ago
+  double first_excess = 0.0;     ///< where it began
   Vec3 away = zero3();           ///< [m], [rad] of an orient: how far its point or body is
   Vec3 away_rate = zero3();      ///< [1/s]
   Vec3 previous_away = zero3();  ///< one step ago

@@ -57,8 +57,8 @@ TEST_CASE("One with new features has those of the nearest that is gone, where th
 
 TEST_CASE("What points had that are gone acts where it did, by those that the pair has now") {
   const std::vector<Contact> before = square(1.0);
-  std::vector<Contact> now = {point_of_pair(11, vec(-0.5, 0, 0.4)), point_of_pair(12, vec(0.5, 0, -0.5)),
-                              point_of_pair(13, vec(1.6, 0, 1.6)), point_of_pair(14, vec(0.4, 0, 1.7))};
+  std::vector<Contact> now = {point_of_pair(11, vec(-0.5, 0, -0.5)), point_of_pair(12, vec(1.5, 0, -0.5)),
+                              point_of_pair(13, vec(-0.5, 0, 1.5)), point_of_pair(14, vec(1.5, 0, 1.5))};
   keep_impulses(before, now);
   for (const auto impulse : {&Contact::total, &Contact::placing}) {
     const Wrench had = wrench(before, impulse), has = wrench(now, impulse);
