@@ -5,7 +5,7 @@
 namespace pantin::fields {
 namespace {
 
-std::vector<Property> common() {
+std::vector<Property> of_any_constraint() {
   return {
       of_parts({"force", "torque", "length"},
                property<ConstraintId>(
@@ -25,7 +25,8 @@ std::vector<Property> common() {
 }  // namespace
 
 const Type& any_constraint_type() {
-  static const Type type = {"AnyConstraint", "constraint", "What every constraint has.", common(), &any_thing_type()};
+  static const Type type = {"AnyConstraint", "constraint", "What every constraint has.", of_any_constraint(),
+                            &any_thing_type()};
   return type;
 }
 

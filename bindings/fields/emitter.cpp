@@ -29,7 +29,7 @@ double most(const World& world, EmitterId id) {
                                                           : static_cast<double>(max);
 }
 
-std::vector<Property> settings() {
+std::vector<Property> emission() {
   return {
       property<EmitterId>(
           "at", "vec|vec[]|Point|Particle", "m",
@@ -82,7 +82,7 @@ std::uint64_t most_of_number(double max) {
 }
 
 const Type& emitter_type() {
-  static const Type type = {"Emitter", "emitter", "Makes particles at a rate.", settings(), &any_thing_type()};
+  static const Type type = {"Emitter", "emitter", "Makes particles at a rate.", emission(), &any_thing_type()};
   return type;
 }
 

@@ -29,7 +29,7 @@ Table parameters(const World& world, const AnyId& thing) {
   });
 }
 
-std::vector<Property> common() {
+std::vector<Property> of_any_element() {
   return {
       property<AnyId>("parameters", "table<string, number>", "each its own", "of its law: read and written by name",
                       [](const World& w, const AnyId& thing) { return parameters(w, thing); }),
@@ -80,7 +80,7 @@ std::vector<Property> properties_of_connection() {
 
 const Type& any_force_element_type() {
   static const Type type = {"AnyForceElement", "force element", "What every connection, interaction and field has.",
-                            common(), &any_thing_type()};
+                            of_any_element(), &any_thing_type()};
   return type;
 }
 

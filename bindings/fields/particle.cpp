@@ -24,7 +24,7 @@ std::vector<BodyId> bodies_of(const World& world, ParticleId particle) {
   return bodies;
 }
 
-std::vector<Property> motion() {
+std::vector<Property> motion_and_mass() {
   return {
       property<ParticleId>(
           "position", "vec", "m", "position in the world; written only of a free particle",
@@ -125,7 +125,7 @@ std::vector<Property> of_hinges() {
 
 std::vector<Property> properties_of_particle() {
   std::vector<Property> all;
-  for (const auto& some : {motion(), family_and_life(), looks(), of_hinges()})
+  for (const auto& some : {motion_and_mass(), family_and_life(), looks(), of_hinges()})
     all.insert(all.end(), some.begin(), some.end());
   return all;
 }

@@ -7,7 +7,7 @@
 namespace pantin::fields {
 namespace {
 
-std::vector<Property> measures() {
+std::vector<Property> of_any_set() {
   return {
       property<AnyId>("energy", "Energy", "J", "of its things",
                       [](const World& w, const AnyId& set) { return table_of(energy(w, things_of(w, set))); }),
@@ -100,7 +100,7 @@ std::vector<Property> properties_of_family() {
 }  // namespace
 
 const Type& any_set_type() {
-  static const Type type = {"AnySet", "set of things", "What groups and families tell of their things.", measures(),
+  static const Type type = {"AnySet", "set of things", "What groups and families tell of their things.", of_any_set(),
                             &any_thing_type()};
   return type;
 }

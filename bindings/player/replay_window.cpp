@@ -22,9 +22,9 @@
 namespace pantin::player {
 namespace {
 
-constexpr std::chrono::milliseconds shortest_frame{12};  // where no screen sets the pace
-constexpr std::chrono::milliseconds longest_seek{50};    // in a frame
-constexpr std::chrono::seconds told_for{4};
+constexpr std::chrono::milliseconds shortest_picture{12};  // where no screen sets the pace
+constexpr std::chrono::milliseconds longest_seek{50};      // in a frame
+constexpr std::chrono::seconds shown_for{4};
 constexpr const char* no_hands = "this is recorded: hands do nothing here";
 constexpr const char* no_undo = "this is recorded: nothing is undone here; a step back (,) or the slider goes back";
 
@@ -80,7 +80,7 @@ bool ReplayWindow::frame() {
   renderer_.draw(replay_.scene().world(), camera_, shown);
   window_.present(renderer_);
   status_.frame(replay_.scene().world());
-  std::this_thread::sleep_until(now + shortest_frame);
+  std::this_thread::sleep_until(now + shortest_picture);
   const World& world = replay_.scene().world();
   return !(options_.until && world.time >= *options_.until - 0.5 * world.settings.step);
 }
@@ -134,7 +134,7 @@ void ReplayWindow::tell(const std::string& what) {
   told_at_ = Clock::now();
 }
 
-std::string ReplayWindow::told() const { return Clock::now() < told_at_ + told_for ? told_ : std::string(); }
+std::string ReplayWindow::told() const { return Clock::now() < told_at_ + shown_for ? told_ : std::string(); }
 
 void ReplayWindow::run_or_pause() {
   paused_ = !paused_;

@@ -23,7 +23,7 @@ struct Best {
   }
 };
 
-struct Line {
+struct Sight {
   const World& world;
   const Stage& stage;
   const Camera& camera;
@@ -44,7 +44,7 @@ struct Line {
 
 PointId pick_point(const World& world, const Stage& stage, const Camera& camera, double x, double y, int width,
                    int height, double reach) {
-  const Line line{world, stage, camera, x, y, width, height, reach};
+  const Sight sight{world, stage, camera, x, y, width, height, reach};
   Best best;
   PointId found;
   for (std::uint32_t s = 0; s < world.particles.slots(); s++) {
@@ -53,7 +53,7 @@ PointId pick_point(const World& world, const Stage& stage, const Camera& camera,
     const bool hinge = particle.is_hinge(), of_body = static_cast<bool>(world.points[particle.points[0]].body);
     const double radius = hinge || of_body ? 0.05 * stage.unit : drawn_radius(world, particle.points[0], stage);
     const ParticleId id = world.particles.id_at(s);
-    if (line.rate(best, shown_place(world, particle.points[0]), radius, hinge ? hinge_bonus : 0.0))
+    if (sight.rate(best, shown_place(world, particle.points[0]), radius, hinge ? hinge_bonus : 0.0))
       found = hinge ? star(world, id) : particle.points[0];
   }
   return found;
@@ -61,13 +61,13 @@ PointId pick_point(const World& world, const Stage& stage, const Camera& camera,
 
 ParticleId pick_hinge(const World& world, const Stage& stage, const Camera& camera, double x, double y, int width,
                       int height, double reach) {
-  const Line line{world, stage, camera, x, y, width, height, reach};
+  const Sight sight{world, stage, camera, x, y, width, height, reach};
   Best best;
   ParticleId found;
   for (std::uint32_t s = 0; s < world.particles.slots(); s++) {
     if (!world.particles.alive_at(s) || !world.particles.at_slot(s).is_hinge()) continue;
     const ParticleId id = world.particles.id_at(s);
-    if (line.rate(best, shown_place(world, star(world, id)), 0.05 * stage.unit, 0.0)) found = id;
+    if (sight.rate(best, shown_place(world, star(world, id)), 0.05 * stage.unit, 0.0)) found = id;
   }
   return found;
 }

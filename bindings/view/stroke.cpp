@@ -16,20 +16,22 @@ namespace {
 constexpr double click_reach = 24.0, tie_reach = 9.0, stroke_reach = 6.0,
                  reach_on_shape = 14.0;  // [px]
 
-struct Spot {
+struct StrokeSpot {
   double x = 0.0, y = 0.0;  // [px]
 };
 
-double across(Spot o, Spot a, Spot b) { return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x); }
+double across(StrokeSpot o, StrokeSpot a, StrokeSpot b) {
+  return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
+}
 
-double distance(Spot p, Spot a, Spot b) {
+double distance(StrokeSpot p, StrokeSpot a, StrokeSpot b) {
   const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
   const double t = square > 0.0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0) : 0.0;
   return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
 }
 
 /// Of two lines; 0 where they cross.
-double distance(Spot a, Spot b, Spot c, Spot d) {
+double distance(StrokeSpot a, StrokeSpot b, StrokeSpot c, StrokeSpot d) {
   const bool cross = across(a, b, c) * across(a, b, d) < 0.0 && across(c, d, a) * across(c, d, b) < 0.0;
   if (cross) return 0.0;
   return std::min({distance(a, c, d), distance(b, c, d), distance(c, a, b), distance(d, a, b)});
@@ -69,12 +71,13 @@ double distance_to(const Viewport& viewport, const AnyId& thing, const Stroke& s
 }
 
 /// Pixels of the pixel from the body's outline, 0 within: of the hull of its points and centre as they are seen.
-double distance_to_outline(std::vector<Spot>& spots, Spot at) {
-  std::sort(spots.begin(), spots.end(), [](Spot a, Spot b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
-  std::vector<Spot> hull;  // Andrew's monotone chain
+double distance_to_outline(std::vector<StrokeSpot>& spots, StrokeSpot at) {
+  std::sort(spots.begin(), spots.end(),
+            [](StrokeSpot a, StrokeSpot b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  std::vector<StrokeSpot> hull;  // Andrew's monotone chain
   for (int side = 0; side < 2; side++) {
     const std::size_t start = hull.size();
-    for (const Spot& p : spots) {
+    for (const StrokeSpot& p : spots) {
       while (hull.size() >= start + 2 && across(hull[hull.size() - 2], hull.back(), p) <= 0.0) hull.pop_back();
       hull.push_back(p);
     }
@@ -85,7 +88,7 @@ double distance_to_outline(std::vector<Spot>& spots, Spot at) {
   bool inside = hull.size() > 2;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < hull.size(); i++) {
-    const Spot a = hull[i], b = hull[(i + 1) % hull.size()];
+    const StrokeSpot a = hull[i], b = hull[(i + 1) % hull.size()];
     inside = inside && across(a, b, at) >= 0.0;
     least = std::min(least, distance(at, a, b));
   }
@@ -166,7 +169,7 @@ namespace {
 BodyId pick_outline(const Viewport& viewport, double x, double y, double reach) {
   BodyId found;
   double best = reach, depth = std::numeric_limits<double>::infinity();
-  std::vector<Spot> spots;
+  std::vector<StrokeSpot> spots;
   for (std::uint32_t s = 0; s < viewport.world.bodies.slots(); s++) {
     if (!viewport.world.bodies.alive_at(s)) continue;
     const BodyId id = viewport.world.bodies.id_at(s);

@@ -18,8 +18,6 @@ std::vector<MassPoint> masses_of(const World& world, const std::vector<PointId>&
   return masses;
 }
 
-OwnMass own_of(const Body& body) { return {body.own_mass, body.own_inertia, body.own_position}; }
-
 /// What weighs of some shapes of a body: sensors only where it has nothing else.
 std::vector<Filled> filled(const World& world, BodyId body, const std::vector<PartShape>& shapes) {
   const std::vector<ShapeId>& all = world.bodies[body].shapes;
@@ -42,7 +40,7 @@ std::vector<OwnMass> own_masses(const World& world, BodyId body, const std::vect
       parts[0].shapes.size() == all.size() && std::none_of(parts[0].shapes.begin(), parts[0].shapes.end(),
                                                            [](const PartShape& s) { return s.piece.has_value(); });
   if (first_has_all || !is_filled(world, body)) {
-    list[0] = own_of(world.bodies[body]);
+    list[0] = own_mass_of(world.bodies[body]);
     return list;
   }
   for (std::size_t i = 0; i < parts.size(); i++)

@@ -151,8 +151,7 @@ PointId add_point(World& world, BodyId body, const PointDef& def) {
   for (PointId p : world.bodies[body].points) masses.push_back({world.points[p].position, world.points[p].mass});
   masses.push_back({def.at, def.mass});
   const Body& row = world.bodies[body];
-  weigh(describe(world, body), masses, {row.own_mass, row.own_inertia, row.own_position}, row.axes,
-        normal_in(world, orientation(world, body)));
+  weigh(describe(world, body), masses, own_mass_of(row), row.axes, normal_in(world, orientation(world, body)));
 
   const Color usual = row.points.empty() ? BodyDef{}.color : world.points[row.points[0]].color;
   const double before = energy_of(world, body);

@@ -23,8 +23,6 @@ Mat3 about_other_position(const OwnMass& own, Vec3 position) {
   return own.inertia + (identity33() * norm2(r) - outer(r, r)) * own.mass;
 }
 
-OwnMass own_of(const Body& body) { return {body.own_mass, body.own_inertia, body.own_position}; }
-
 OwnMass together(const OwnMass& a, const OwnMass& b) {
   OwnMass both;
   both.mass = a.mass + b.mass;
@@ -182,12 +180,12 @@ void merge(World& world, BodyId a, BodyId b) {
   merge_rotations(world, a, b, frame);
   take_points(world, a, b, frame);
   take_shapes(world, a, b, frame);
-  OwnMass own_b = own_of(world.bodies[b]);
+  OwnMass own_b = own_mass_of(world.bodies[b]);
   const Mat3 R = matrix(frame.turn);
   own_b.position = frame.place(own_b.position);
   own_b.inertia = times_transposed(R * own_b.inertia, R);
   Body& body = world.bodies[a];
-  const OwnMass own = together(own_of(body), own_b);
+  const OwnMass own = together(own_mass_of(body), own_b);
   body.own_mass = own.mass;
   body.own_inertia = own.inertia;
   body.own_position = own.position;

@@ -8,7 +8,7 @@ namespace pantin {
 
 namespace {
 
-const Input distance2{Role::distance2, 0, 0, {}};
+const Input of_pair{Role::distance2, 0, 0, {}};
 
 /// A called law that is asked for its pairs' distances too.
 class CalledWithin : public Called {
@@ -32,7 +32,7 @@ class CalledWithin : public Called {
 
 void cut_expressions(Law& law) {
   Expressions& g = law.graph;
-  const Expr near = g.apply(Function::less, g.input(distance2), g.constant(law.cutoff * law.cutoff));
+  const Expr near = g.apply(Function::less, g.input(of_pair), g.constant(law.cutoff * law.cutoff));
   const Expr none = g.constant(0.0);
   std::vector<Expr> outputs = law.force;
   const std::size_t forces = outputs.size();
@@ -51,7 +51,7 @@ std::shared_ptr<const Law> cut(const Law& law) {
   auto made = std::make_shared<Law>(law);
   if (law.called) {
     made->called = std::make_shared<CalledWithin>(law.called, law.cutoff);
-    made->inputs_wanted.push_back(distance2);
+    made->inputs_wanted.push_back(of_pair);
   } else {
     cut_expressions(*made);
   }

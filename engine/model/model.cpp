@@ -184,7 +184,7 @@ void update_mass(Model& m, BodyId id) {
   const std::string who = body.name.empty() ? "body" : describe(m, id);
   const Quat frame = orientation(m, id);
   const Quat near = m.plane.flat() ? conjugate(frame) * m.plane.about(motion.q) : body.axes;
-  const Weighed w = weigh(who, points, {body.own_mass, body.own_inertia, body.own_position}, near, normal_in(m, frame));
+  const Weighed w = weigh(who, points, own_mass_of(body), near, normal_in(m, frame));
 
   const Vec3 from = origin(m, id), spin = angular_velocity(motion);
   const Vec3 x = from + rotate(frame, w.centre);

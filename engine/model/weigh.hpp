@@ -33,6 +33,7 @@ struct OwnMass {
   Mat3 inertia = zero33();  ///< [kg m²] about `position`
   Vec3 position = zero3();  ///< [m] in the body's frame
 };
+inline OwnMass own_mass_of(const Body& body) { return {body.own_mass, body.own_inertia, body.own_position}; }
 
 /// Weighs points together with a body's own mass. Axes come near to `near`. Throws Error, beginning with `who`, where
 /// there is no mass, or mass at one position only and points elsewhere. With a unit vector `normal` in the frame, an axis of

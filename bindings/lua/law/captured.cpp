@@ -17,9 +17,9 @@ std::uint64_t mixed(std::uint64_t a, std::uint64_t b) {
 
 std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x); }
 
-class Reader {
+class CapturedReader {
  public:
-  explicit Reader(lua_State* state) : state_(state) {}
+  explicit CapturedReader(lua_State* state) : state_(state) {}
 
   /// Of the value at the top.
   std::uint64_t value() {
@@ -85,7 +85,7 @@ std::uint64_t captured_values(const Callback& function) {
   lua_State* state = function.runtime().active();
   if (!lua_checkstack(state, 8)) return 0;
   function.push(state);
-  const std::uint64_t all = Reader(state).value();
+  const std::uint64_t all = CapturedReader(state).value();
   lua_pop(state, 1);
   return all;
 }

@@ -143,7 +143,7 @@ std::vector<double> parameter_values(const Law& law, const LawArguments& argumen
 }
 
 /// Upvalues: the law of the library, the laws that were made so far.
-int make(lua_State* state) {
+int make_law(lua_State* state) {
   const auto& law = *static_cast<const LibraryLaw*>(lua_touserdata(state, lua_upvalueindex(1)));
   Known& known = *static_cast<Known*>(lua_touserdata(state, lua_upvalueindex(2)));
   LawSpec spec;
@@ -177,7 +177,7 @@ void add_library_laws(lua_State* state) {
   for (const LibraryLaw& law : library()) {
     lua_pushlightuserdata(state, const_cast<LibraryLaw*>(&law));
     lua_pushvalue(state, -2);
-    lua_pushcclosure(state, guard<make>, 2);
+    lua_pushcclosure(state, guard<make_law>, 2);
     lua_setfield(state, -3, law.name);
   }
   lua_pop(state, 1);

@@ -56,9 +56,9 @@ std::string name_of(const Input& input, const LawFunction& law) {
 }
 
 /// Values of inputs in a block.
-class Reader {
+class InputReader {
  public:
-  Reader(const CalledLaw& called, const Called::Block& block)
+  InputReader(const CalledLaw& called, const Called::Block& block)
       : law_(called.law()), wanted_(called.inputs_wanted()), block_(block) {}
   double operator()(const Input& input, std::size_t k) const {
     if (input.role == Role::time) return block_.time;
@@ -169,7 +169,7 @@ Called::Block Samples::block() {
 
 Outcome outcome(CalledLaw& called, const Law* law, const Called::Block& block) {
   Outcome result;
-  const Reader read(called, block);
+  const InputReader read(called, block);
   const auto value = [&](const Input& input, int k) { return read(input, static_cast<std::size_t>(k)); };
   if (law) {
     result.computed = run_expressions(law->graph, outputs_of(*law), block.n, value);
@@ -193,7 +193,7 @@ bool depends_on_time(CalledLaw& called, std::span<const double> times) {
 }
 
 std::string disagreement(CalledLaw& called, const Law& law, const Called::Block& block) {
-  const Reader read(called, block);
+  const InputReader read(called, block);
   const Outcome tried = outcome(called, &law, block);
   for (std::size_t i = 0; i < tried.computed.size(); i++)
     for (std::size_t k = 0; k < tried.failures.size(); k++) {
@@ -232,7 +232,7 @@ std::string asymmetry(CalledLaw& called, const Law* law, double time) {
       if (law) inputs = law->graph.inputs_of(outputs_of(*law));
       samples.exchange();
       return text("within one family a law must be the same with a and b exchanged, and this one gives ", a,
-                  " and then ", b, " at ", Reader(called, samples.block()).describe(inputs, k),
+                  " and then ", b, " at ", InputReader(called, samples.block()).describe(inputs, k),
                   "; with one_sided = true each feels only what it is given as a");
     }
   return "";

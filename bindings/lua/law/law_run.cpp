@@ -88,7 +88,7 @@ int list_index(lua_State* state) {
                           "], which has no '", key_text(state), "'"));
 }
 
-int refuse_change(lua_State* state) {
+int refuse_write(lua_State* state) {
   running(state).mistake(state, "a law reads its arguments and returns; it cannot write to them");
 }
 
@@ -96,7 +96,7 @@ void push_metatable(lua_State* state, const void* key, const char* name, lua_CFu
   if (lua_rawgetp(state, LUA_REGISTRYINDEX, key) != LUA_TNIL) return;
   lua_pop(state, 1);
   lua_newtable(state);
-  const luaL_Reg functions[] = {{"__index", index}, {"__newindex", guard<refuse_change>}, {nullptr, nullptr}};
+  const luaL_Reg functions[] = {{"__index", index}, {"__newindex", guard<refuse_write>}, {nullptr, nullptr}};
   luaL_setfuncs(state, functions, 0);
   for (const char* field : {"__name", "__metatable"}) {
     lua_pushstring(state, name);
