@@ -1,6 +1,9 @@
 #include "articulates/factor.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "base/check.hpp"
 
 namespace pantin {
 
@@ -28,6 +31,13 @@ double inverse_pivot(double pivot, double whole, double redundant, bool& weak) {
 }
 
 }  // namespace
+
+std::uint32_t Factor::block(std::uint32_t row, std::uint32_t column) const {
+  const auto begin = below.begin() + first[column], end = below.begin() + first[column + 1];
+  const auto found = std::lower_bound(begin, end, row);
+  assume(found != end && *found == row);
+  return static_cast<std::uint32_t>(found - below.begin());
+}
 
 template <bool symmetric>
 bool Factor::eliminate_column(std::uint32_t k, const std::uint32_t*& to, double redundant) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "articulates/build/elimination.hpp"
 #include "articulates/build/history.hpp"
 #include "articulates/solve/conditions.hpp"
 #include "articulates/solve/node_batches.hpp"

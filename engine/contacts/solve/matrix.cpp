@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "articulates/build/elimination.hpp"
+
 namespace pantin {
 
 namespace {

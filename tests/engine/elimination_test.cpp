@@ -4,7 +4,7 @@
 #include <set>
 #include <vector>
 
-#include "articulates/factor.hpp"
+#include "articulates/build/elimination.hpp"
 
 using namespace pantin;
 

@@ -1,7 +1,6 @@
-#include <algorithm>
+#include "articulates/build/elimination.hpp"
 
-#include "articulates/factor.hpp"
-#include "base/check.hpp"
+#include <algorithm>
 
 namespace pantin {
 
@@ -137,13 +136,6 @@ Factor lay_out(RowLists columns) {
   f.whole.resize(f.rows);
   f.scratch.resize(tallest);
   return f;
-}
-
-std::uint32_t Factor::block(std::uint32_t row, std::uint32_t column) const {
-  const auto begin = below.begin() + first[column], end = below.begin() + first[column + 1];
-  const auto found = std::lower_bound(begin, end, row);
-  assume(found != end && *found == row);
-  return static_cast<std::uint32_t>(found - below.begin());
 }
 
 }  // namespace pantin
