@@ -44,11 +44,11 @@ struct Attached {
   Vec3 r = zero3();    ///< [m] the same in the world
 };
 
-/// What the local errors of kicks come of, see step_error.hpp.
+/// What the local errors of kicks come of, see kick_error.hpp.
 struct KickNotes {
   std::vector<Vec3> acceleration;  ///< (slots of particles) [m/s²] in the kick that began a stage of the step
   std::vector<Vec3> position;      ///< (slots of particles) [m] then
-  std::vector<Vec3> seen;          ///< (slots of particles) [m] somewhere within the step
+  std::vector<Vec3> within;        ///< (slots of particles) [m] at a moment within the step, another in each
   /// (slots of particles) [m/s³] in the last stages, the latest first; infinite: unknown. Now, and at the start of the step.
   std::vector<std::array<double, 3>> jerk, kept_jerk;
   /// (slots of particles) [m] errors of what was too young for a size to be relative to. Now, and at the start of the step.

@@ -76,7 +76,7 @@ void begin_notes(World& world, Forces& f) {
   const bool grown = n.swing.size() < slots;
   n.acceleration.resize(slots, zero3());
   n.position.resize(slots, zero3());
-  n.seen.resize(slots, zero3());
+  n.within.resize(slots, zero3());
   n.jerk.resize(slots, unknown);
   n.untold.resize(slots, 0.0);
   n.swing.resize(slots);
@@ -139,7 +139,7 @@ void note_swings(World& world) {
     Swing& swing = n.swing[slot];
     if (std::isfinite(n.jerk[slot][0])) swing.jerk = std::max(swing.jerk, n.jerk[slot][0]);
     swing.acceleration = std::max(swing.acceleration, norm(acceleration(world, f, i)));
-    if (n.kept_swing.empty() || !is_young(n.kept_swing[slot])) swing.add(n.seen[slot], time, 1.0);
+    if (n.kept_swing.empty() || !is_young(n.kept_swing[slot])) swing.add(n.within[slot], time, 1.0);
   }
 }
 
@@ -181,7 +181,7 @@ class Judge {
     n_.change.assign(f_.sites.n, zero3());
     n_.moved.assign(f_.sites.n, zero3());
     n_.turning.assign(f_.sites.n, 0.0);
-    const bool seen = is_seen();
+    const bool looked_at = is_looked_at();
     for (std::size_t i = 0; i < f_.sites.n; i++) {
       const std::uint32_t slot = f_.sites.particle[i];
       if (slot == Forces::none) continue;
@@ -194,7 +194,7 @@ class Judge {
         if (!swing.begun) swing.add(n_.position[slot], time_within(world_, world_.stage.from), 1e-9);
         swing.add(now, time_within(world_, world_.stage.to), 1.0 / world_.sub_steps.count);
       }
-      if (seen) n_.seen[slot] = now - n_.moved[i] * (1.0 - within_);
+      if (looked_at) n_.within[slot] = now - n_.moved[i] * (1.0 - within_);
     }
     for (const Attached& a : f_.attached) {
       const Receiver& m = f_.receivers[a.receiver];
@@ -205,7 +205,7 @@ class Judge {
   }
 
   /// Whether this is the stage of the step in which positions are noted and forces of time are asked between its ends.
-  bool is_seen() {
+  bool is_looked_at() {
     const double at = fraction_of(world_.steps) * world_.sub_steps.count;
     within_ = at - std::floor(at);
     return static_cast<std::uint32_t>(at) == world_.stage.index;
@@ -228,7 +228,7 @@ class Judge {
 
   /// A force whose period divides the stage is the same at both of its ends.
   void add_changes_of_time() {
-    if (!is_seen()) return;
+    if (!is_looked_at()) return;
     const auto force = f_.sites.force, open = f_.sites.nonconservative_force;
     const StepStage& p = world_.stage;
     const auto from = accelerations_at(p.from), to = accelerations_at(p.to),

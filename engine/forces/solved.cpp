@@ -96,16 +96,16 @@ struct Give {
 };
 
 /// What rows that are not soft do to a node: nothing, hold it, or nail a point, which then does not move.
-enum class Hold : std::uint8_t { none, held, nailed };
+enum class Grip : std::uint8_t { none, held, nailed };
 
-std::vector<Hold> holds(const Articulate& articulate) {
-  std::vector<Hold> list(articulate.nodes.size(), Hold::none);
+std::vector<Grip> grips(const Articulate& articulate) {
+  std::vector<Grip> list(articulate.nodes.size(), Grip::none);
   for (const Row& row : articulate.rows) {
     if (is_soft(row)) continue;
     const auto a = static_cast<std::size_t>(row.a);
     const bool nails = row.b < 0 && is_rigid(row) && !articulate.nodes[a].turns;
-    if (list[a] != Hold::nailed) list[a] = nails ? Hold::nailed : Hold::held;
-    if (row.b >= 0) list[static_cast<std::size_t>(row.b)] = std::max(list[static_cast<std::size_t>(row.b)], Hold::held);
+    if (list[a] != Grip::nailed) list[a] = nails ? Grip::nailed : Grip::held;
+    if (row.b >= 0) list[static_cast<std::size_t>(row.b)] = std::max(list[static_cast<std::size_t>(row.b)], Grip::held);
   }
   return list;
 }
@@ -113,14 +113,14 @@ std::vector<Hold> holds(const Articulate& articulate) {
 std::vector<Give> gives(const World& world, const Forces& f) {
   std::vector<Give> list(f.sites.n);
   for (std::size_t i = 0; i < f.sites.n; i++) list[i].mobility = f.inverse_mass[i];
-  std::vector<std::vector<Hold>> on;
-  for (const auto& articulate : world.articulates) on.push_back(holds(*articulate));
+  std::vector<std::vector<Grip>> on;
+  for (const auto& articulate : world.articulates) on.push_back(grips(*articulate));
   for (const Attached& a : f.attached) {
     const Receiver& m = f.receivers[a.receiver];
     Give& give = list[a.site];
-    const Hold hold = m.articulate < 0 ? Hold::none : on[static_cast<std::size_t>(m.articulate)][m.node];
-    if (hold == Hold::nailed) continue;
-    give.held = hold == Hold::held;
+    const Grip grip = m.articulate < 0 ? Grip::none : on[static_cast<std::size_t>(m.articulate)][m.node];
+    if (grip == Grip::nailed) continue;
+    give.held = grip == Grip::held;
     if (!m.is_body) {
       give.mobility = 1.0 / world.points.at_slot(m.slot).mass;
       continue;

@@ -47,7 +47,7 @@ struct Unkept {
 
 Unkept unkept(const World& world, const Forces& f) {
   Unkept sum;
-  const double share = world.stage.h * world.stage.h / 8.0;
+  const double eighth = world.stage.h * world.stage.h / 8.0;  // [s²]
   for (std::size_t i = 0; i < f.sites.n; i++) {
     double mobility = f.inverse_mass[i];
     const std::uint32_t at = f.attached_of[i];
@@ -59,9 +59,9 @@ Unkept unkept(const World& world, const Forces& f) {
     }
     const Vec3 force = f.sites.nonconservative_force[i],
                spared = f.velocity_dependent && f.velocity.known ? f.undamped[i] : force;
-    sum.kick += norm2(force) * mobility * share;
+    sum.kick += norm2(force) * mobility * eighth;
     const double part = undamped_part(f, i);
-    if (!tied) sum.spared += norm2(spared) * (part * part * mobility * share);
+    if (!tied) sum.spared += norm2(spared) * (part * part * mobility * eighth);
   }
   return sum;
 }

@@ -128,7 +128,7 @@ Vec3 turn_to(const Quat& to, const Quat& from) {
   return vec(q.x, q.y, q.z) * (q.w < 0.0 ? -2.0 : 2.0);
 }
 
-void move_attitude(const World& world, ConstraintId id, Constraint& c, double time, double h) {
+void move_orientation(const World& world, ConstraintId id, Constraint& c, double time, double h) {
   const auto target = [&](double t) {
     return turned_in_plane(world, c.body_a, unit(describe(world, id), c.turn.of_time(t)));
   };
@@ -170,7 +170,7 @@ void sample_targets(World& world) {
     Constraint& c = world.constraints.at_slot(s);
     if (c.kind == ConstraintKind::follow) move_position(world, id, c, time, h);
     if (c.number.of_time || c.by_speed) move_length(world, id, c, time, h);
-    if (c.turn.of_time) move_attitude(world, id, c, time, h);
+    if (c.turn.of_time) move_orientation(world, id, c, time, h);
     draw_in(world, c, h);
     if (moves(c)) wake(world, c);
   }
