@@ -77,9 +77,9 @@ struct Tile {
 /// Largest distances that rows should have closed, [m].
 struct Gaps {
   double points = 0.0;  ///< of rigid rows between points
-  double rods = 0.0;    ///< of all other rigid rows: lengths, planes, turns, couplings
+  double others = 0.0;  ///< of all other rows that forbid motion: lengths, planes, turns, couplings
   double open = 0.0;    ///< of all, but for offsets that were accepted
-  double all() const { return std::fmax(points, rods); }
+  double all() const { return std::fmax(points, others); }
 };
 
 /// Work [J] of impulses on what moves by itself: anchors and lengths, and the turns of angular rows.
@@ -223,7 +223,7 @@ struct Articulate : ArticulateState {
   double length = 0.0;      // [m] median arm: every length in a criterion is a multiple of it
   double total_mass = 0.0;  // [kg]
   bool all_rigid = true;
-  bool turns = false;            // has angular rows
+  bool angular = false;          // has angular rows
   bool tree = false;             // its rows make no loop: all are independent
   bool soft = false;             // has soft rows
   bool breakable = false;        // has constraints that may break

@@ -49,8 +49,10 @@ struct Condition {
   Mat3 kept = zero33();                           // projects on the directions in which velocities are forbidden,
   Vec3 wanted = zero3();                          // [m/s] but for this one of d1
   Mat3 M = zero33(),
-       C = zero33();    // the row of Newton's matrix: M (change of d1) + C df = -residual; rigid: M = 1, C = 0
-  double length = 0.0;  // [m] of a rod, at the end of the step being solved
+       C = zero33();  // the row of Newton's matrix: M (change of d1) + C df = -residual; rigid: M = 1, C = 0
+  // [m] what the value of a row of one dimension is kept at, at the end of the step being solved; of a range, by how much it
+  // is still beyond that (`low_end`, `high_end`). `whole_…` and `length_rate` are of the same.
+  double length = 0.0;
   double whole_length0 = 0.0, whole_length1 = 0.0;  // [m] at the start and end of the whole step
   double length_rate = 0.0;                         // [m/s]
   Bend bend;  // [m] of what is prescribed, [rad] of a turn; of a length, or [m/s] of a speed, the first component
@@ -59,7 +61,8 @@ struct Condition {
   double stiffness = 0.0, damping = 0.0;  // [N/m], [N s/m] of a soft row
   double max_force = 0.0;                 // [N]
   // Of angular rows: principal axes of the second node, or the world, turned by `turn` are those of the first; `axis` is b's,
-  // at the ends of a step while it is drawn in.
+  // at the ends of a step while it is drawn in. Of a coupled row between points `axis` is what its distance counts along, in the
+  // same frame; 0: it is a length.
   Quat turn0, turn1, whole_turn0, whole_turn1;
   Vec3 axis = zero3(), axis0 = zero3(), axis1 = zero3();
   // [rad] of a turn at the start and end, turns counted; of a point on a path, its parameter there.
@@ -71,7 +74,7 @@ struct Condition {
   double low = 0.0, high = 0.0;
   double lower = -infinity, upper = infinity;
   double stalled = infinity;  // [N] of a motor that stalls: what it exerts if nothing moves, and
-  double yielding = 0.0;      // [m/N] by how much it yields to that
+  double yields_by = 0.0;     // [m/N] how far it yields per force
   double strongest =
       infinity;  // [N] bound of a motor without `max_torque` while its articulate touches something: of its torque over its lever
   double jammed =

@@ -156,17 +156,18 @@ bool StiffBond::is_damped() const {
 double StiffBond::settle(const Row& row, std::vector<double>& given) {
   const Vec3 e = row.d0 + row.d1, displacement = row.d1 - row.d0;
   const double least = std::sqrt(least2), r0 = std::fmax(norm(row.d0), least), r1 = std::fmax(norm(row.d1), least);
-  double taken = damping * mean_rate * (r1 - r0);
-  double nonconservative = -taken, rest = dot(row.f, displacement) + taken;
+  double damped = damping * mean_rate * (r1 - r0);  // [J] that dampers took
+  double nonconservative = -damped;
+  double unexplained = dot(row.f, displacement) + damped;  // [J] what no curve gives: told as the first one's
   for (std::size_t i = 0; i < curves.size(); i++) {
     const double work = -pulls[i] * dot(e, displacement);
-    rest -= work;
+    unexplained -= work;
     (curves[i].has_energy() ? given[i] : nonconservative) += work;
     if (!curves[i].depends_on_velocity()) continue;
-    taken -= work + of_tension(curves[i], r0, r1, 0.0, infinity).Q * dot(e, displacement);
+    damped -= work + of_tension(curves[i], r0, r1, 0.0, infinity).Q * dot(e, displacement);
   }
-  given[0] += rest;
-  const double most = 4.0 * std::fmax(taken, 0.0), rate2 = mean_rate * mean_rate;
+  given[0] += unexplained;
+  const double most = 4.0 * std::fmax(damped, 0.0), rate2 = mean_rate * mean_rate;
   if (settling * rate2 > most) settling = most / rate2;
   return nonconservative;
 }

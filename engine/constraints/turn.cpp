@@ -8,11 +8,11 @@ namespace {
 
 /// A motor that stalls: its force grows with what it misses.
 double evaluate_yielding(Row& row, Condition& c, const ConstraintFunction& r, const RowContext& context) {
-  const double kappa = 0.5 * context.h * context.h * context.mobility, weight = kappa / (1.0 + kappa / c.yielding);
-  const double wanted = -r.low / c.yielding, given = std::fmin(c.upper, std::fmax(c.lower, wanted));
+  const double kappa = 0.5 * context.h * context.h * context.mobility, weight = kappa / (1.0 + kappa / c.yields_by);
+  const double wanted = -r.low / c.yields_by, given = std::fmin(c.upper, std::fmax(c.lower, wanted));
   c.held = false;
   row.residual = (row.f - r.n * given) * weight;
-  c.M = given == wanted ? outer(r.n, r.gradient) * (weight / c.yielding) : zero33();
+  c.M = given == wanted ? outer(r.n, r.gradient) * (weight / c.yields_by) : zero33();
   c.C = identity33() * weight;
   return norm(row.residual);
 }

@@ -8,7 +8,7 @@
 
 #include "articulates/solve/couplings.hpp"
 #include "articulates/solve/drift.hpp"
-#include "articulates/solve/newton.hpp"
+#include "articulates/solve/matrix.hpp"
 #include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/row_gaps.hpp"
@@ -88,7 +88,7 @@ Motions TiedKick::allowed(const Motions& impulses) {
   return allowed(impulses);
 }
 
-Motions TiedKick::felt(const Motions& by) const {
+Motions TiedKick::forces_of_laws(const Motions& by) const {
   Motions to(by.size());
   for (const NodeSite& s : sites) add(to, s, laws_.fields.slope[s.site] * velocity_at(by, s));
   for (const Pair& p : pairs) {
@@ -100,9 +100,9 @@ Motions TiedKick::felt(const Motions& by) const {
   return to;
 }
 
-Motions TiedKick::felt_with_soft_rows(const Motions& by) const {
-  Motions to = felt(by);
-  add_felt_of_soft_rows(to, by, 1.0);
+Motions TiedKick::forces_of_laws_and_soft_rows(const Motions& by) const {
+  Motions to = forces_of_laws(by);
+  add_forces_of_soft_rows(to, by, 1.0);
   return to;
 }
 
@@ -139,7 +139,7 @@ void TiedKick::add(Motions& to, const Soft& soft, Vec3 impulse) const {
 }
 
 /// What their forces change by with velocities.
-void TiedKick::add_felt_of_soft_rows(Motions& to, const Motions& by, double times) const {
+void TiedKick::add_forces_of_soft_rows(Motions& to, const Motions& by, double times) const {
   for (const Soft& s : soft_) {
     const Vec3 u = velocity_at(by, s.a) - (s.two ? velocity_at(by, s.b) : zero3());
     add(to, s, s.slope * u * times);
@@ -172,7 +172,7 @@ double TiedKick::fastest_damping() {
   const auto again = [&](const Motions& motions) { return allowed(motions); };
   space.add_direction(right, size_of(right), again);
   while (all.size() < space.directions.size()) {
-    all.push_back(felt(space.directions.back()));
+    all.push_back(forces_of_laws(space.directions.back()));
     space.add_work(all);
     const Eigen::MatrixXd working = 0.5 * (space.work + space.work.transpose());
     fastest = -Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(working, Eigen::EigenvaluesOnly).eigenvalues()(0);
@@ -246,7 +246,7 @@ void TiedKick::solve() {
     add(known, sites[p.a], impulse);
     if (!law.one_sided) add(known, sites[p.b], impulse * -1.0);
   }
-  pantin::add(known, felt_with_soft_rows(driven_), dt_);
+  pantin::add(known, forces_of_laws_and_soft_rows(driven_), dt_);
   Motions right = v0_;
   pantin::add(right, driven_, -1.0);
   pantin::add(right, others_, theta);
@@ -259,7 +259,7 @@ void TiedKick::solve() {
   std::vector<Motions> all;
   Eigen::VectorXd y;
   while (!space.directions.empty()) {
-    all.push_back(felt_with_soft_rows(space.directions.back()));
+    all.push_back(forces_of_laws_and_soft_rows(space.directions.back()));
     space.add_work(all);
     const auto n = static_cast<Eigen::Index>(space.directions.size());
     const Eigen::MatrixXd A = Eigen::MatrixXd::Identity(n, n) - factor * space.work;
@@ -295,7 +295,7 @@ bool TiedKick::finish(const std::vector<Vec3>& told) {
   pantin::add(change_, others_, -1.0);
   if (!soft_.empty()) {
     Motions soft(w_.size());
-    add_felt_of_soft_rows(soft, w_, -dt_);
+    add_forces_of_soft_rows(soft, w_, -dt_);
     pantin::add(change_, allowed(soft), 1.0);
     Articulate& own = *world_.articulates[index_];
     own.expected.assign(own.rows.size(), vec(infinity, 0.0, 0.0));

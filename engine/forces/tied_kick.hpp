@@ -90,8 +90,8 @@ class TiedKick {
   bool let_go();
   Motions allowed(const Motions& impulses);
   /// Forces that velocities make: of the laws; and of them and soft rows.
-  Motions felt(const Motions& by) const;
-  Motions felt_with_soft_rows(const Motions& by) const;
+  Motions forces_of_laws(const Motions& by) const;
+  Motions forces_of_laws_and_soft_rows(const Motions& by) const;
   Motions told_impulses(const std::vector<Vec3>& told) const;
   double scale_to(double given);
   void change_momenta(Node& node, Vec3 v, Vec3 p, Vec3 L);
@@ -101,7 +101,7 @@ class TiedKick {
   double fastest_damping();      // [1/s] by laws, through all rows, from below
   double fastest_swing() const;  // [1/s] at most, of soft rows
   void add(Motions& to, const Soft& soft, Vec3 impulse) const;
-  void add_felt_of_soft_rows(Motions& to, const Motions& by, double times) const;
+  void add_forces_of_soft_rows(Motions& to, const Motions& by, double times) const;
 
   World& world_;
   VelocityForces& laws_;

@@ -7,6 +7,7 @@
 #include "articulates/solve/midpoint.hpp"
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/row_gaps.hpp"
+#include "articulates/solve/settle.hpp"
 #include "articulates/solve/state.hpp"
 #include "articulates/solve/sub_steps.hpp"
 #include "base/check.hpp"

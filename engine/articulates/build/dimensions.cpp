@@ -105,7 +105,7 @@ void find_reaches(Articulate& a) {
 void find_dimensions(Articulate& a, const Model& model) {
   for (const Row& row : a.rows) {
     a.all_rigid = a.all_rigid && is_rigid(row);
-    a.turns = a.turns || row.lever > 0.0;
+    a.angular = a.angular || row.lever > 0.0;
     a.soft = a.soft || (is_soft(row) && !pulls_by_law(row));
     if (pulls_by_law(row)) a.nonconservative = a.nonconservative || condition(a, row).stiff->is_nonconservative();
   }

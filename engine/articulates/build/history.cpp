@@ -12,8 +12,8 @@ void copy_lane(Vec3x4& to, std::size_t lane, const Vec3x4& from, std::size_t of)
   to.z[lane] = from.z[of];
 }
 
-/// Of articulates that differ only what is true of both.
-void hand_on_course(const Predictor& from, Predictor& to, bool first) {
+/// Of articulates that differ only what is true of both: as many last steps as the one that knows least, of other lengths one.
+void hand_on_predictor(const Predictor& from, Predictor& to, bool first) {
   const bool same = first || (from.since == to.since && from.scale == to.scale);
   to.known = std::min({first ? Predictor::levels : to.known, from.known, same ? Predictor::levels : std::size_t{1}});
   to.rough = to.rough || from.rough;
@@ -59,7 +59,7 @@ void History::hand_on(Articulate& to) const {
     if (origin.articulate == last || origin.articulate == nullptr) continue;
     const Articulate& from = *origin.articulate;
     to.last_h = last == nullptr || from.last_h == to.last_h ? from.last_h : 0.0;
-    hand_on_course(from.predictor, to.predictor, last == nullptr);
+    hand_on_predictor(from.predictor, to.predictor, last == nullptr);
     to.wait = last == nullptr ? from.wait : std::max(to.wait, from.wait);
     to.sub_steps.count = std::max(to.sub_steps.count, from.sub_steps.count);
     to.weak = to.weak || from.weak;
@@ -73,7 +73,7 @@ void History::hand_on(Articulate& to) const {
     if (from.epsilon < from.most_epsilon) to.epsilon = std::min(to.epsilon, from.epsilon);
     to.projection_wait = std::max(to.projection_wait, from.projection_wait);
     to.gaps.points = std::fmax(to.gaps.points, from.gaps.points);
-    to.gaps.rods = std::fmax(to.gaps.rods, from.gaps.rods);
+    to.gaps.others = std::fmax(to.gaps.others, from.gaps.others);
     to.gaps.open = std::fmax(to.gaps.open, from.gaps.open);
     last = &from;
   }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "articulates/solve/newton.hpp"
+#include "articulates/solve/matrix.hpp"
 #include "base/functions.hpp"
 #include "constraints/load.hpp"
 #include "constraints/row_rule.hpp"
@@ -32,7 +32,7 @@ bool stall_motors(Articulate& a, double h) {
     if (!is_motor(r, c) || !yields || std::isfinite(c.stalled) || displacement == 0.0) continue;
     const double inertia = inertia_about(a, a.nodes[static_cast<std::size_t>(r.a)].x0) / (r.lever * r.lever);
     c.stalled = std::fmin(c.upper, 2.0 * norm(r.f) + 0.01 * inertia * displacement / (h * h));
-    c.yielding = displacement / c.stalled;
+    c.yields_by = displacement / c.stalled;
     stalled = true;
   }
   return stalled;
@@ -47,7 +47,7 @@ void strengthen_stalled(Articulate& a, double h) {
     const double more = std::fmin(std::fmin(10.0 * c.stalled, c.upper), enough);
     if (!(more > c.stalled)) continue;
     c.stalled = more;
-    c.yielding = displacement / more;
+    c.yields_by = displacement / more;
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 
+#include "articulates/solve/matrix.hpp"
 #include "constraints/row_rule.hpp"
 
 namespace pantin {

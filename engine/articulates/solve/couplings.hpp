@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "articulates/solve/newton.hpp"
+#include "articulates/articulate.hpp"
 #include "constraints/row_rule.hpp"
 
 namespace pantin {

@@ -110,14 +110,14 @@ void stand_still(Articulate& a, double h, double at) {
 /// sign of what is forbidden, which over several parts no row of one side bears. Returns what this gave beyond the work of
 /// what moves by itself [J].
 double make_consistent_at(Articulate& a, const DriftSettings& settings, double at, DriftReport& report,
-                          double struck = 0.0) {
+                          double struck_for = 0.0) {
   const double before = kinetic_energy(a);
   stand_still(a, settings.h, at);
   const WantedVelocities wanted(a, settings.h, at);
   const bool over_gaps = acts_over_gaps(a);
-  const Momenta kept = over_gaps ? momenta_of(a) : Momenta{};
-  const ImpulseWork work = make_consistent(a, 0.5 * settings.full, struck);
-  if (over_gaps) restore_momenta(a, kept);
+  const Momenta momenta = over_gaps ? momenta_of(a) : Momenta{};
+  const ImpulseWork work = make_consistent(a, 0.5 * settings.full, struck_for);
+  if (over_gaps) restore_momenta(a, momenta);
   report.tell(work);
   return kinetic_energy(a) - before - work.all();
 }
@@ -216,14 +216,14 @@ FirstImpact meet(Articulate& a, double h, double at) {
   if (a.torn) return {};
   const WantedVelocities wanted(a, h, at);
   const bool free = is_free(a);
-  const Momenta kept = free ? momenta_of(a) : Momenta{};
+  const Momenta momenta = free ? momenta_of(a) : Momenta{};
   const double before = kinetic_energy(a);
   make_consistent(a, 0.0);
   const double between = kinetic_energy(a);
   for (Condition& c : a.conditions) c.held = c.held || stop(a, row(a, c)).room < 1e-9 * a.length;
   hold_with_heads(a);
   const ImpulseWork work = make_consistent(a, 0.0);
-  if (free) restore_momenta(a, kept);
+  if (free) restore_momenta(a, momenta);
   const double stopped = kinetic_energy(a) - between - work.all();
   return {between - before + work.all(), stopped};
 }

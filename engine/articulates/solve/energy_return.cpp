@@ -1,7 +1,8 @@
 // Energy return: what the projection took out of the kinetic energy is given back to the motion that no symmetry keeps.
+#include "articulates/solve/energy_return.hpp"
+
 #include <algorithm>
 
-#include "articulates/solve/project.hpp"
 #include "articulates/solve/state.hpp"
 #include "constraints/row_rule.hpp"
 
@@ -47,7 +48,7 @@ Vec3 locked_spin(const Moments& m, const Plane& plane) {
 }
 
 /// Anchors on the world: none; of orientation only; of one position; of positions on a line; others.
-enum class Anchorage : std::uint8_t { none, attitude, position, line, fixed };
+enum class Anchorage : std::uint8_t { none, orientation, position, line, fixed };
 struct Anchors {
   Anchorage kind = Anchorage::none;
   Vec3 position = zero3(), axis = zero3();
@@ -60,8 +61,9 @@ Anchors anchors(const Articulate& a) {
   for (const Condition& c : a.conditions) {
     const Row& r = row(a, c);
     if (r.b >= 0 || c.turns_axis) continue;
-    const bool guided = r.rule->guides || (r.lever == 0.0 && norm2(c.axis) > 0.0);
-    if (c.stiff || guided) return {Anchorage::fixed, c.whole1, zero3()};  // no momentum is kept
+    // A distance along an axis (of a rack, a screw) is kept along that alone: it guides its point, too.
+    const bool guides = r.rule->guides || (r.lever == 0.0 && norm2(c.axis) > 0.0);
+    if (c.stiff || guides) return {Anchorage::fixed, c.whole1, zero3()};  // no momentum is kept
     if (r.lever > 0.0) {
       axis = !turned && r.rule->leaves_turn ? r.rb1 : zero3();
       turned = true;
@@ -78,7 +80,7 @@ Anchors anchors(const Articulate& a) {
     found.axis = u;
   }
   if (!turned) return found;
-  if (found.kind == Anchorage::none) return {Anchorage::attitude, zero3(), zero3()};
+  if (found.kind == Anchorage::none) return {Anchorage::orientation, zero3(), zero3()};
   if (found.kind == Anchorage::position && norm2(axis) > 0.0) return {Anchorage::line, found.position, axis};
   if (found.kind == Anchorage::line && norm2(axis) > 0.0 && norm(cross(axis, found.axis)) <= 1e-9) return found;
   return {Anchorage::fixed, found.position, zero3()};
@@ -99,7 +101,7 @@ RigidMotion rigid_motion(const Moments& m, Vec3 X, Vec3 w, Vec3 V = zero3(), dou
 /// about its own direction; a line: the turn about that line, if gravity is along it; else none.
 RigidMotion kept_motion(const Articulate& a, Vec3 gravity) {
   const Anchors held = anchors(a);
-  if (held.kind == Anchorage::none || held.kind == Anchorage::attitude) {
+  if (held.kind == Anchorage::none || held.kind == Anchorage::orientation) {
     Vec3 X = zero3(), V = zero3();
     for (const Node& n : a.nodes) {
       X += n.x0 * n.mass;

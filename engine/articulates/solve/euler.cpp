@@ -5,6 +5,7 @@
 #include "articulates/solve/couplings.hpp"
 #include "articulates/solve/drift.hpp"
 #include "articulates/solve/fallback_step.hpp"
+#include "articulates/solve/matrix.hpp"
 #include "articulates/solve/midpoint.hpp"
 #include "articulates/solve/newton.hpp"
 #include "articulates/solve/row_gaps.hpp"

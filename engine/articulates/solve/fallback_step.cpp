@@ -4,7 +4,9 @@
 
 #include "articulates/solve/angular_rows.hpp"
 #include "articulates/solve/couplings.hpp"
+#include "articulates/solve/energy_return.hpp"
 #include "articulates/solve/loose.hpp"
+#include "articulates/solve/matrix.hpp"
 #include "articulates/solve/midpoint.hpp"
 #include "articulates/solve/momenta.hpp"
 #include "articulates/solve/newton.hpp"
@@ -100,7 +102,7 @@ double find_gaps(Articulate& a, Closing closing = Closing::all) {
   return std::isfinite(sum) ? sum : infinity;
 }
 
-void move_by_solution(Articulate& a, bool turns) {
+void move_by_solution(Articulate& a, bool may_turn) {
   for (std::size_t b = 0; b < a.batches.size(); b++) {
     NodeBatch& n = a.batches[b];
     n.p = n.L = zero3x4();
@@ -112,7 +114,7 @@ void move_by_solution(Articulate& a, bool turns) {
       node.q0 = node.q1;
       node.R0 = node.R1;
       node.x1 = node.x0 + straight[lane] * node.inverse_mass;
-      if (!node.turns || !turns) continue;
+      if (!node.turns || !may_turn) continue;
       const Vec3 u = inverse_inertia(node, node.R0) * turning[lane] * 0.5;
       node.q1 = normalised(Quat{1.0, u[0], u[1], u[2]} * node.q0);
       node.R1 = matrix(node.q1);
@@ -122,33 +124,33 @@ void move_by_solution(Articulate& a, bool turns) {
 
 /// One step of Levenberg and Marquardt from the gaps at hand, in which nodes may turn or are only shifted. Returns Σ g²
 /// after it [m²].
-double try_to_close(Articulate& a, double epsilon, double scale, bool turns, Closing closing) {
-  factorise(a, {Arms::end, epsilon, scale, -1.0, 0.0, turns});
+double try_to_close(Articulate& a, double epsilon, double scale, bool may_turn, Closing closing) {
+  factorise(a, {Arms::end, epsilon, scale, -1.0, 0.0, may_turn});
   a.report.iterations++;
   a.report.factorisations++;
   solve_hubs(a);
   for (std::size_t k = a.rows.size(); k-- > 0;)
     a.factor.substitute_back(static_cast<std::uint32_t>(k), a.right_side.data());
-  move_by_solution(a, turns);
+  move_by_solution(a, may_turn);
   return find_gaps(a, closing);
 }
 
 /// Closes the gaps of the nodes' ends as far as it can. Where turns lead no further, one shift may: without loops it
 /// closes all.
-void close_gaps(Articulate& a, double tolerance, int& trials_left, Closing closing = Closing::all) {
+void close_gaps(Articulate& a, double tolerance, int& tries_left, Closing closing = Closing::all) {
   const double least = std::min(1e-12, a.least_epsilon);
   double sum = find_gaps(a, closing), epsilon = 1e-6, scale = 0.0;
   if (!a.all_rigid)
     for (const Row& row : a.rows) scale = std::max(scale, mobility(a, row));
   bool slow = false, shifted = false;
-  for (; trials_left > 0 && sum > tolerance * tolerance; trials_left--) {
-    const bool turns = epsilon <= 1e3 && !slow;
-    if (!turns && shifted) break;
-    shifted = shifted || !turns;
-    const double now = try_to_close(a, turns ? epsilon : least, scale, turns, closing);
+  for (; tries_left > 0 && sum > tolerance * tolerance; tries_left--) {
+    const bool may_turn = epsilon <= 1e3 && !slow;
+    if (!may_turn && shifted) break;
+    shifted = shifted || !may_turn;
+    const double now = try_to_close(a, may_turn ? epsilon : least, scale, may_turn, closing);
     if (now < sum) {
-      epsilon = turns ? std::max(least, 0.02 * epsilon) : 1e-6;
-      slow = turns && epsilon == least && now > 0.998 * sum;
+      epsilon = may_turn ? std::max(least, 0.02 * epsilon) : 1e-6;
+      slow = may_turn && epsilon == least && now > 0.998 * sum;
       sum = now;
       continue;
     }
@@ -179,8 +181,8 @@ void drift_and_close(Articulate& a, double h, double tolerance) {
   const int most = a.torn ? 60 : a.fell_back ? 36 : 12;  // the next step goes on
   for (double fraction = 1.0;; fraction = fraction > 0.2 ? 0.25 * fraction : 0.0) {
     move_freely(a, h, fraction);
-    int trials_left = fraction == 1.0 ? most : 4;
-    close_gaps(a, tolerance, trials_left);
+    int tries_left = fraction == 1.0 ? most : 4;
+    close_gaps(a, tolerance, tries_left);
     if (a.gaps.open <= allowed || fraction == 0.0) return;
     a.nodes = a.saved;
   }
@@ -214,9 +216,9 @@ bool is_still(const Articulate& a) {
 }
 
 /// Nothing has moved but all as one, and so it goes on: whatever else moved is at rest.
-void stay(Articulate& a, double h, bool free, const Momenta& kept) {
+void stay(Articulate& a, double h, bool free, const Momenta& momenta) {
   a.nodes = a.saved;
-  if (free) shift_to(a, centre_of_mass(a) + kept.p * (h / a.total_mass));
+  if (free) shift_to(a, centre_of_mass(a) + momenta.p * (h / a.total_mass));
   for (Node& n : a.nodes) {
     n.p0 = zero3();
     n.P0 = n.P0 - n.P0 * n.felt_axes;
@@ -225,7 +227,7 @@ void stay(Articulate& a, double h, bool free, const Momenta& kept) {
   }
   find_gaps(a);
   measure_gaps(a);
-  if (free) restore_momenta(a, kept);
+  if (free) restore_momenta(a, momenta);
 }
 
 /// Energy that forces and pulls do not explain is taken out of the motion again, and so is what was carried over from the
@@ -279,9 +281,9 @@ void close_displaced(Articulate& a) {
   hold_stiff(a);
   std::vector<Vec3> angular;
   for (const Node& n : a.nodes) angular.push_back(n.R0 * n.P0);
-  int trials_left = std::sqrt(find_gaps(a, Closing::firm)) <= most_open * a.length ? most : 0;
-  close_gaps(a, 1e-13 * a.length, trials_left, Closing::firm);
-  if (trials_left < most) {
+  int tries_left = std::sqrt(find_gaps(a, Closing::firm)) <= most_open * a.length ? most : 0;
+  close_gaps(a, 1e-13 * a.length, tries_left, Closing::firm);
+  if (tries_left < most) {
     for (std::size_t i = 0; i < a.nodes.size(); i++)
       if (a.nodes[i].turns) a.nodes[i].P0 = transposed_times(a.nodes[i].R1, angular[i]);
     begin_at_ends(a);
@@ -290,7 +292,7 @@ void close_displaced(Articulate& a) {
   a.rows = rows;
   a.conditions = conditions;
   a.has_factor = false;
-  if (trials_left == most || a.gaps.open > 1e-9 * a.length)
+  if (tries_left == most || a.gaps.open > 1e-9 * a.length)
     a.gaps.open = open_before;  // the next drift closes what is told
 }
 
@@ -302,8 +304,8 @@ void fallback_step(Articulate& a, const DriftSettings& settings, double h, Drift
   for (Node& n : a.nodes) settle(n);
   kick(a, h, settings.gravity, report);
   const bool free = is_free(a);
-  const Momenta kept = momenta_of(a);
-  const Vec3 centre = centre_of_mass(a) + kept.p * (h / a.total_mass);
+  const Momenta momenta = momenta_of(a);
+  const Vec3 centre = centre_of_mass(a) + momenta.p * (h / a.total_mass);
   place_rows_at_end(a);
   hold_stops(a);
   report.tell(make_consistent(a, h));
@@ -315,10 +317,10 @@ void fallback_step(Articulate& a, const DriftSettings& settings, double h, Drift
   accept_gaps(a, settings.tolerance, report);
   for (Condition& c : a.conditions) c.held = c.held_before;
   report.tell(make_consistent(a, h));
-  if (free) restore_momenta(a, kept);
+  if (free) restore_momenta(a, momenta);
   if (!energy.take_out() && !a.torn) {
     if (is_still(a))
-      stay(a, h, free, kept);
+      stay(a, h, free, momenta);
     else
       report.work += energy.change();
   }

@@ -1,9 +1,10 @@
 // The matrix S of the rows: blocks Σ over shared nodes of s_i s_j (1/m - r_i^ W r̄_j^).
+#include "articulates/solve/matrix.hpp"
+
 #include <algorithm>
 
 #include "articulates/solve/couplings.hpp"
 #include "articulates/solve/midpoint.hpp"
-#include "articulates/solve/newton.hpp"
 #include "articulates/solve/node_batches.hpp"
 #include "constraints/row_rule.hpp"
 
@@ -141,7 +142,7 @@ void set_right_side(Articulate& a, std::uint32_t k, const System& system) {
 }
 
 Mat3x4 angular_mobility(const Articulate& a, std::size_t b, const System& system) {
-  if (!system.turns) return congruent(rotations(a, b, &Node::R0), zero3x4());
+  if (!system.may_turn) return congruent(rotations(a, b, &Node::R0), zero3x4());
   if (system.right == Arms::mean) return angular_mobility(a.batches[b], system.h);
   const Mat3x4 R = rotations(a, b, system.right == Arms::start ? &Node::R0 : &Node::R1);
   return congruent(R, a.batches[b].inverse_inertia);

@@ -31,8 +31,8 @@ struct MotionSpace {
   /// forbidden, of a motion of size `whole` [J^½]; how much of it was new. Where that is little, `allowed` takes out of it
   /// what was left so, which else would be most of it.
   double add_direction(Motions direction, double whole, const std::function<Motions(const Motions&)>& allowed);
-  /// The work of the impulses that the last direction makes, the last of `felt` (directions), and that along it.
-  void add_work(const std::vector<Motions>& felt);
+  /// The work of the impulses that the last direction makes, the last of `impulses` (directions), and that along it.
+  void add_work(const std::vector<Motions>& impulses);
 
  private:
   double orthogonalise(Motions& direction) const;  // Gram and Schmidt

@@ -8,6 +8,7 @@
 
 #include "articulates/solve/angular_rows.hpp"
 #include "articulates/solve/couplings.hpp"
+#include "articulates/solve/matrix.hpp"
 #include "articulates/solve/midpoint.hpp"
 #include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/row_gaps.hpp"
@@ -44,7 +45,7 @@ Lanes place_batch(Articulate& a, std::size_t b, double h) {
     add_load(load, end, fetch(end, [&](std::uint32_t k) { return a.rows[k].f; }), mean_arm(end));
   const Lanes size2 = evaluate(n, load, h);
   for (const RowEnds& end : ends) hand_over(a, end, n.x1 + end.r1);
-  if (a.turns) tell_positions(a, b);
+  if (a.angular) tell_positions(a, b);  // angular rows are placed from the nodes, not from what ends hand over
   return size2;
 }
 
@@ -144,8 +145,8 @@ Lanes find_change(Articulate& a, NodeBatch& n, double h) {
   return norm2(n.change);
 }
 
-/// Whether the batches of a row are all from b on.
-bool is_from(const Row& row, std::size_t b) {
+/// Whether all nodes of a row are in batch b or later ones, through which a sweep against the order has been.
+bool lies_from(const Row& row, std::size_t b) {
   const std::int32_t earlier = row.b < 0 ? row.a : std::min(row.a, row.b);
   return static_cast<std::size_t>(earlier) >= b * batch_size;
 }
@@ -173,7 +174,7 @@ WholeStep take_direction(Articulate& a, double h) {
       n.a += n.change;
       evaluation.batch(b - 1);
     }
-    for (; placed > 0 && is_from(a.rows[placed - 1], b); placed--) evaluation.row(placed - 1);
+    for (; placed > 0 && lies_from(a.rows[placed - 1], b); placed--) evaluation.row(placed - 1);
   }
   return {std::sqrt(largest_lane(largest_turn)), evaluation.end()};
 }
@@ -192,7 +193,7 @@ struct Search {
 };
 
 /// One damped Newton step along the direction in the nodes and rows.
-Search search_line(Articulate& a, double h, double e, double tolerance, bool fresh, std::uint32_t last,
+Search search_line(Articulate& a, double h, double e, double tolerance, bool fresh, std::uint32_t most_cost,
                    DriftReport& report) {
   const WholeStep whole = take_direction(a, h);
   double fraction = std::min(1.0, 1.0 / whole.largest_turn);
@@ -200,7 +201,7 @@ Search search_line(Articulate& a, double h, double e, double tolerance, bool fre
     const double e1 = fraction == 1.0 ? whole.residual : evaluate_along(a, h, fraction);
     report.iterations++;
     const bool accepted = e1 < e * (1.0 - 0.1 * fraction) || e1 <= tolerance;
-    if (accepted || halvings >= most_halvings || cost(report) > last || (!fresh && halvings == 0))
+    if (accepted || halvings >= most_halvings || cost(report) > most_cost || (!fresh && halvings == 0))
       return {e1, accepted};
     fraction *= 0.5;
   }
@@ -209,9 +210,10 @@ Search search_line(Articulate& a, double h, double e, double tolerance, bool fre
 /// From predicted unknowns; false where it does not converge, or costs more than may be spent.
 bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   a.lowered = false;
-  const std::uint32_t last = cost(report) + a.effort.spare;
+  const std::uint32_t most_cost = cost(report) + a.effort.spare;  // above it, it gives up
   Goal goal{};
-  double e = start_iteration(a, h, gravity, goal), gain = 1.0;
+  double e = start_iteration(a, h, gravity, goal);
+  double left = 1.0;  // of the residual, by the last iteration
   const auto [tolerance, round_off] = goal;
   a.predictor.rough = e > 0.03 * a.length;
   bool have_factor = false, fresh = false;
@@ -219,9 +221,9 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   // A prediction must be better than what an iteration leaves: what rests is to stay at rest.
   const double good_prediction = std::max(0.01 * tolerance, round_off);
   for (std::uint32_t i = 0; e > (i == 0 ? good_prediction : tolerance) && i < most_iterations; i++) {
-    if (cost(report) > last) return e <= 100.0 * tolerance;
+    if (cost(report) > most_cost) return e <= 100.0 * tolerance;
     // Near the end an old factor often gains nothing at first, and much the next time.
-    const bool serves = gain <= 0.1 || (gain <= 0.5 && old_uses < 2) || (gain < 1.0 && e * gain <= tolerance);
+    const bool serves = left <= 0.1 || (left <= 0.5 && old_uses < 2) || (left < 1.0 && e * left <= tolerance);
     old_uses++;
     const System system{Arms::mean, a.epsilon, 2.0 / (h * h), -2.0 / (h * h), h};
     if (!have_factor || !serves) {
@@ -232,19 +234,19 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
     } else {
       reuse_factor(a, system);
     }
-    const auto [e1, found] = search_line(a, h, e, tolerance, fresh, last, report);
-    gain = e1 / e;
+    const auto [e1, found] = search_line(a, h, e, tolerance, fresh, most_cost, report);
+    left = e1 / e;
     lost = found ? 0 : lost + fresh;
-    slow = gain > 0.9 ? slow + fresh : 0;
+    slow = left > 0.9 ? slow + fresh : 0;
     if ((lost == most_lost || (a.lowered && slow == most_lost)) && e1 > 100.0 * tolerance) return false;
-    if (!fresh && old_uses == 1 && gain < 4.0 && e < 1e-6 * a.length) {
-      gain = std::min(gain, 0.5);
+    if (!fresh && old_uses == 1 && left < 4.0 && e < 1e-6 * a.length) {
+      left = std::min(left, 0.5);
       e = e1;
       continue;
     }
     if (!(e1 < e)) {
       e = evaluate_along(a, h, 0.0);
-      gain = 1.0;
+      left = 1.0;
       if (!fresh) continue;
       if (e < 1e-4 * a.length && e > 100.0 * tolerance && a.epsilon > a.least_epsilon) {
         lower_epsilon(a, !found);
@@ -254,10 +256,10 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
       }
       return e < 100.0 * tolerance;
     }
-    if (fresh && gain > 0.2 && e1 < 10.0 * round_off) return true;
-    if (fresh && gain > 0.2 && e < 1e-4 * a.length && a.epsilon > a.least_epsilon) {
+    if (fresh && left > 0.2 && e1 < 10.0 * round_off) return true;
+    if (fresh && left > 0.2 && e < 1e-4 * a.length && a.epsilon > a.least_epsilon) {
       lower_epsilon(a, !found);
-      gain = 1.0;
+      left = 1.0;
       lost = 0;
     }
     fresh = false;
@@ -267,7 +269,7 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
 }
 
 /// Whether the position of its condition, which may move, says where its first point is to be.
-bool keeps_to_position(const Row& row) { return row.b < 0 || row.rule->keeps_apart; }
+bool keeps_to_position(const Row& row) { return row.b < 0 || row.rule->keeps_separation; }
 
 /// Velocity of a point at the start, [m/s].
 Vec3 start_velocity(const Node& n, Vec3 l) {
@@ -277,13 +279,13 @@ Vec3 start_velocity(const Node& n, Vec3 l) {
 }  // namespace
 
 void find_solved_gaps(Articulate& a) {
-  if (!a.all_rigid || a.turns || a.offsets) return measure_gaps(a);
+  if (!a.all_rigid || a.angular || a.offsets) return measure_gaps(a);
   a.gaps = {a.residual, 0.0, a.residual};
 }
 
 void place_rows_at_start(Articulate& a) {
   for (std::size_t b = 0; b < a.batches.size(); b++) place_at_start(a, b);
-  if (a.all_rigid && !a.turns) return;
+  if (a.all_rigid && !a.angular) return;
   for (std::size_t k = 0; k < a.rows.size(); k++) {
     Row& row = a.rows[k];
     if (row.lever > 0.0) {
@@ -352,7 +354,7 @@ void add_work_of_rows(Articulate& a, DriftReport& report) {
 }
 
 bool solve_step(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
-  if (!a.all_rigid || a.turns) place_rows_at_start(a);
+  if (!a.all_rigid || a.angular) place_rows_at_start(a);
   if (!iterate(a, h, gravity, report)) return false;
   Lanes pushed = lanes(0.0);
   for (std::size_t b = 0; b < a.batches.size(); b++) pushed += commit(a, b, h, gravity);

@@ -5,6 +5,8 @@
 
 #include "articulates/solve/conditions.hpp"
 #include "articulates/solve/couplings.hpp"
+#include "articulates/solve/energy_return.hpp"
+#include "articulates/solve/matrix.hpp"
 #include "articulates/solve/midpoint.hpp"
 #include "articulates/solve/momenta.hpp"
 #include "articulates/solve/newton.hpp"
@@ -283,10 +285,10 @@ void find_overdriven(Articulate& a, double h) {
 void project_velocities(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   a.symmetric_h = 0.0;
   const bool over_gaps = acts_over_gaps(a);
-  Momenta kept = over_gaps ? momenta_of(a) : Momenta{};
-  kept.angular -= std::exchange(a.turned, zero3());
+  Momenta momenta = over_gaps ? momenta_of(a) : Momenta{};
+  momenta.angular -= std::exchange(a.turned, zero3());
   if (a.fell_back || a.all_soft) {
-    if (over_gaps) report.work += restore_momenta(a, kept);
+    if (over_gaps) report.work += restore_momenta(a, momenta);
     return;
   }
   if (a.touches) find_overdriven(a, settings.full);
@@ -312,7 +314,7 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   }
   tell_momenta(a);
   if (over_gaps) {
-    const double given = restore_momenta(a, kept);
+    const double given = restore_momenta(a, momenta);
     report.work += a.attracts ? kinetic_energy(a) - before.kinetic - (report.outside() - outside) : given;
   }
   const bool one_sided = is_one_sided(a);
@@ -356,25 +358,25 @@ ImpulseWork take_out_forbidden(Articulate& a) {
   }
 }
 
-/// How much of its impulse a row that holds cannot give [N s]; `time` [s] it has for it. A stop that was struck for `struck`
+/// How much of its impulse a row that holds cannot give [N s]; `time` [s] it has for it. A stop that was struck for `struck_for`
 /// [s] gave an impulse there, of which this may take back a part: the impact turned what it should end.
-double impulse_beyond(const Articulate& a, const Condition& c, double time, double struck) {
+double impulse_beyond(const Articulate& a, const Condition& c, double time, double struck_for) {
   const Row& r = row(a, c);
   const Vec3 impulse = a.impulses[c.row];
-  if (c.ranged) return -dot(c.held_before ? impulse : impulse + r.f * struck, stop(a, r).inward);
+  if (c.ranged) return -dot(c.held_before ? impulse : impulse + r.f * struck_for, stop(a, r).inward);
   return std::isinf(c.upper) ? 0.0 : norm(impulse) - c.upper * time;
 }
 
-/// Has the row that can give its impulse least let go, or after some turns all that cannot; false where all can.
-bool let_one_go(Articulate& a, double time, double struck, int turn) {
-  constexpr int patience = 8;
+/// Has the row that can give its impulse least let go, or, once as many as `gone` have, all that cannot; false where all can.
+bool let_one_go(Articulate& a, double time, double struck_for, int gone) {
+  constexpr int one_by_one = 8;
   Condition* worst = nullptr;
   double most = 0.0;
   for (Condition& c : a.conditions) {
     if (!c.held || c.stiff) continue;
-    const double beyond = impulse_beyond(a, c, time, struck);
+    const double beyond = impulse_beyond(a, c, time, struck_for);
     if (beyond <= 1e-12 * norm(a.impulses[c.row])) continue;
-    if (turn >= patience) c.held = false;
+    if (gone >= one_by_one) c.held = false;
     if (beyond > most) worst = &c;
     most = std::max(most, beyond);
   }
@@ -386,11 +388,11 @@ bool let_one_go(Articulate& a, double time, double struck, int turn) {
 
 }  // namespace
 
-ImpulseWork make_consistent(Articulate& a, double time, double struck) {
+ImpulseWork make_consistent(Articulate& a, double time, double struck_for) {
   std::fill(a.impulses.begin(), a.impulses.end(), zero3());
   if (a.all_soft) return {};
   ImpulseWork work = take_out_forbidden(a);
-  for (int turn = 0; let_one_go(a, time, struck, turn); turn++) work = take_out_forbidden(a);
+  for (int gone = 0; let_one_go(a, time, struck_for, gone); gone++) work = take_out_forbidden(a);
   tell_momenta(a);
   a.has_factor = false;
   if (a.cut) add_impulses_exerted(a);

@@ -15,22 +15,14 @@ void project_velocities(Articulate& articulate, const DriftSettings& settings, D
 /// or with multipliers that are not all determined.
 bool project_symmetrically(Articulate& articulate, double full, DriftReport& report);
 
-/// Makes the kinetic energy `kinetic` again [J], as far as speeds 1.2 times as large do; nothing is given back where an
-/// anchor moves or a pull is limited. Returns what it gave [J].
-double return_energy(Articulate& articulate, double kinetic, Vec3 gravity);
-
-/// Scales the motion relative to the rigid motion that the anchors leave free, by `most` at most, to change the kinetic
-/// energy by `change` [J]. Spin that nothing couples to stays as it is. Returns by how much it changed [J].
-double change_kinetic_energy(Articulate& articulate, double change, double most, Vec3 gravity);
-
 /// Sets M and C of the rows for projections, from what velocities are forbidden: M = kept, C = 1 - M.
 void set_kept_matrices(Articulate& articulate);
 
 /// Makes momenta consistent (an inelastic impact), with the least compliance that gives a sane energy: anchors may be
 /// near-singular or contradict each other. Rows that hold let go where they would have to do what they cannot: a stop to
-/// pull, beyond what it gave if it was struck for the last `struck` [s], a motor to exert more than it can in `time` [s].
+/// pull, beyond what it gave if it was struck in the last `struck_for` [s], a motor to exert more than it can in `time` [s].
 /// Arms at the nodes' ends; ends must equal starts. Returns the work of what moves by itself.
-ImpulseWork make_consistent(Articulate& articulate, double time, double struck = 0.0);
+ImpulseWork make_consistent(Articulate& articulate, double time, double struck_for = 0.0);
 
 /// Puts rows where nodes start, at a moment `at` (0 … 1) of a step of h [s], and finds which velocities they forbid there:
 /// Condition::kept and wanted, RowEnds::r1.
@@ -42,10 +34,5 @@ void begin_answers(Articulate& articulate, double epsilon);
 /// Takes out of the batches' momenta what the rows forbid; Articulate::impulses are those of it. Returns the work of what
 /// moves by itself.
 ImpulseWork answer(Articulate& articulate);
-
-/// Whether damped rows that were solved are to settle, see stiff.cpp.
-bool is_to_settle(const Articulate& articulate);
-/// Has them, at the end of a full sub-step, once no velocity is left that the rows forbid, and without any such.
-void settle_velocities(Articulate& articulate, DriftReport& report);
 
 }  // namespace pantin

@@ -1,7 +1,7 @@
 #include "articulates/solve/row_gaps.hpp"
 
 #include "articulates/solve/couplings.hpp"
-#include "articulates/solve/newton.hpp"
+#include "articulates/solve/matrix.hpp"
 
 namespace pantin {
 

@@ -25,7 +25,7 @@ struct ScalarRow {
   double low = 0.0, high = 0.0;  ///< [N] bounds of its force
 
   std::uint32_t row() const { return terms.front().row; }
-  bool turns(const Articulate& a) const { return a.rows[row()].lever > 0.0; }
+  bool is_angular(const Articulate& a) const { return a.rows[row()].lever > 0.0; }
   bool is_bounded() const { return std::isfinite(low) || std::isfinite(high); }
 };
 

@@ -1,4 +1,6 @@
 // Damped rows that were solved settle, by impulses that are solved with those of all that forbids velocities.
+#include "articulates/solve/settle.hpp"
+
 #include <algorithm>
 
 #include "articulates/solve/node_batches.hpp"

@@ -134,7 +134,7 @@ void measure_gaps(Articulate& a) {
     if (is_rigid(row) && row.lever == 0.0)
       a.gaps.points = std::max(a.gaps.points, norm(row.d1));
     else
-      a.gaps.rods = std::max(a.gaps.rods, told_gap(a, row, open));
+      a.gaps.others = std::max(a.gaps.others, told_gap(a, row, open));
   }
 }
 

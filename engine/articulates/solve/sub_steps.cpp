@@ -12,15 +12,16 @@ namespace pantin {
 
 namespace {
 
-constexpr std::uint16_t patience = 64, longest_wait = 64;
+constexpr std::uint16_t long_quiet = 64;  // steps after which half as many sub-steps are tried
+constexpr std::uint16_t longest_wait = 64;
 constexpr double most_turn = 1.0;  // [rad] that a body without rows turns by at once
 constexpr double faster = 1.1;     // than at the last trial: then there is another
 
 constexpr double second_order = 4.0, fourth_order = 16.0;  // the error falls by this much with twice as many sub-steps
 
-/// An error so small counts as quiet: half as many sub-steps have `gain` times as much, and need some room.
-bool is_quiet(const SubSteps& n, double rate, double accuracy, double gain) {
-  return n.count > 1 && 2.0 * gain * rate <= accuracy;
+/// An error so small counts as quiet: half as many sub-steps have `fall` times as much, and need some room.
+bool is_quiet(const SubSteps& n, double rate, double accuracy, double fall) {
+  return n.count > 1 && 2.0 * fall * rate <= accuracy;
 }
 
 /// Whether a trial is due by time. Where a number has been quiet for long, half of it is tried.
@@ -28,7 +29,7 @@ bool is_due(SubSteps& n, const SubStepSettings& wanted) {
   if (!wanted.trials) return false;
   if (n.left > 0) n.left--;
   if (n.left > 0) return false;
-  if (n.quiet >= patience) n = {static_cast<std::uint16_t>(n.count / 2), 0, 1, 0, n.turn};
+  if (n.quiet >= long_quiet) n = {static_cast<std::uint16_t>(n.count / 2), 0, 1, 0, n.turn};
   return true;
 }
 
@@ -87,9 +88,9 @@ void keep_means(Articulate& a, std::vector<MeanMotion>& means, double span) {
 
 /// The error of sub-steps by h² |jerk|, after a trial; that of trials before is forgotten slowly.
 float error_by_jerk(float before, double rate, double by_jerk) {
-  constexpr double most = 1.0, least = 1e-4, kept = 0.7;
+  constexpr double most = 1.0, least = 1e-4, remembered = 0.7;
   const double now = rate < most * by_jerk ? rate / by_jerk : most;
-  return static_cast<float>(std::max({now, kept * static_cast<double>(before), least}));
+  return static_cast<float>(std::max({now, remembered * static_cast<double>(before), least}));
 }
 
 /// How a trial ended: the last error over h [s] [1/s], and whether it is small enough.
@@ -98,22 +99,23 @@ struct Tried {
   bool reached = true;
 };
 
-/// After a `thing` was moved from `start` by n sub-steps: doubles them until the error over h [s] is small enough.
+/// After a `thing` was moved from `start` by n sub-steps: doubles them until the error over h [s] is small enough. With twice as
+/// many it falls `fall` times.
 template <class Thing, class Move, class Difference>
 Tried double_sub_steps(Thing& thing, const Thing& start, Thing& other, SubSteps& n, double h, double accuracy,
-                       double gain, Move move, Difference differ) {
+                       double fall, Move move, Difference differ) {
   const auto passed = static_cast<std::uint16_t>(n.wait - n.left);
   n.wait = std::min<std::uint16_t>(longest_wait, static_cast<std::uint16_t>(2 * n.wait));
   for (;;) {
     other = start;
     move(other, 2u * n.count);
-    const double rate = gain / (gain - 1.0) * differ(thing, other) / std::fabs(h);
+    const double rate = fall / (fall - 1.0) * differ(thing, other) / std::fabs(h);
     if (rate > accuracy && n.count < sub_step_limit) {
       n = {static_cast<std::uint16_t>(2 * n.count), 0, 1, 0, n.turn};
       std::swap(thing, other);
       continue;
     }
-    n.quiet = is_quiet(n, rate, accuracy, gain) ? static_cast<std::uint16_t>(n.quiet + passed) : std::uint16_t{0};
+    n.quiet = is_quiet(n, rate, accuracy, fall) ? static_cast<std::uint16_t>(n.quiet + passed) : std::uint16_t{0};
     n.left = n.wait;
     return {rate, !(rate > accuracy)};
   }
@@ -122,11 +124,11 @@ Tried double_sub_steps(Thing& thing, const Thing& start, Thing& other, SubSteps&
 /// The error [1/s] that what moves as it wants has between the moments at which it is asked: what it is seen to be off there,
 /// of which what is tied to it keeps a part, since it is right again at the next of them.
 double error_between(const Articulate& a, double h) {
-  constexpr double kept = 0.125;  // of a pivot that begins to move at once; it was 0.04 at most
+  constexpr double passed_on = 0.125;  // of a pivot that begins to move at once; it was 0.04 at most
   double worst = 0.0;
   for (const Condition& c : a.conditions)
     if (c.bent != Bent::nothing) worst = std::max(worst, c.bend.missed * (c.by_speed ? std::fabs(h) : 1.0));
-  return kept * worst / (a.length * std::fabs(h));
+  return passed_on * worst / (a.length * std::fabs(h));
 }
 
 /// The same, if it is too large: how much the finest of these moments still changes.
@@ -198,10 +200,10 @@ double drift_alone_accurately(Node& node, double h, const SubStepSettings& wante
     move(node, n.count);
     return 1.0 / std::fabs(h);
   }
-  const double gain = norm2(node.torque) > 0.0 ? second_order : fourth_order;
+  const double fall = norm2(node.torque) > 0.0 ? second_order : fourth_order;
   Node start = node, other;
   move(node, n.count);
-  const Tried tried = double_sub_steps(node, start, other, n, h, wanted.accuracy, gain, move,
+  const Tried tried = double_sub_steps(node, start, other, n, h, wanted.accuracy, fall, move,
                                        [](const Node& a, const Node& b) { return turn_between(a.R0, b.R0); });
   n.turn = static_cast<float>(norm(start.O0) * std::fabs(h) / n.count);
   return tried.reached ? 0.0 : tried.rate;
@@ -217,7 +219,7 @@ bool adapt(SubSteps& n, double rate, double accuracy) {
     return !(rate > accuracy);
   }
   n.quiet = is_quiet(n, rate, accuracy, second_order) ? static_cast<std::uint16_t>(n.quiet + 1) : std::uint16_t{0};
-  if (n.quiet >= patience) n = {static_cast<std::uint16_t>(n.count / 2)};
+  if (n.quiet >= long_quiet) n = {static_cast<std::uint16_t>(n.count / 2)};
   return true;
 }
 
