@@ -108,7 +108,7 @@ struct DriftReport {
   double round_off = 0.0;  // [J] of the work of rows; the same
   double returned = 0.0;   // [J] given back of what the projection took
 
-  double outside() const { return work + motor; }
+  double outside() const { return work + motor; }  // [J] from outside the scene: anchors, and what turns
   void tell(const ImpulseWork& done, double sign = 1.0) {
     work += done.ends * sign;
     motor += done.turns * sign;
@@ -175,25 +175,26 @@ struct ArticulateState {
   /// the answer. Redundant loops that change shape want much, large mass ratios and long chains little. Rows without a
   /// loop are never redundant.
   double least_epsilon = 1e-10, most_epsilon = 1e-6, epsilon = most_epsilon;
-  std::uint32_t good_steps = 0, wait = 20, projection_wait = 0;
-  bool lowered = false;           // epsilon was lowered in the last attempt
-  bool has_factor = false;        // the factor is of a Newton matrix
-  bool exact = false;             // the factor is of what the rows forbid, at the nodes' starts
-  bool fell_back = false;         // the last step was a fallback step
-  bool offsets = false;           // gaps of rows were accepted
-  bool edited = true;             // new: velocities are still to be made consistent
-  bool torn = false;              // by an edit, and still open
-  std::uint32_t open_steps = 0;   // in a row that ended with a gap beyond the tolerance
-  double arrived = 0.0;           // (0 … 1) of the step, up to which a fallback step has already moved
-  bool smooth = true;             // no part of the full sub-step was halved or a fallback step
-  bool cut = false;               // the full sub-step has more than one part
-  bool touches = false;           // contacts gave it impulses before the last drift
-  bool weak = false;              // the last factor had weak pivots: its multipliers are not all determined
-  SubSteps sub_steps;             // in each stage of a step
-  float error_by_jerk = 0.0F;     // error of sub-steps by h² |jerk|, at the last trials; 0: none
-  std::vector<MeanMotion> means;  // (nodes) where `accuracy` asks
-  double means_span = 0.0;        // [s] from stage to stage
-  std::uint8_t means_known = 0;   // 1: velocities are known, 2: accelerations too
+  std::uint32_t good_steps = 0, wait = 20;  // since epsilon was lowered; after which it is raised
+  std::uint32_t projection_wait = 0;        // projections until one tries the factor of Newton's matrix again
+  bool lowered = false;                     // epsilon was lowered in the last attempt
+  bool has_factor = false;                  // the factor is of a Newton matrix
+  bool exact = false;                       // the factor is of what the rows forbid, at the nodes' starts
+  bool fell_back = false;                   // the last step was a fallback step
+  bool offsets = false;                     // gaps of rows were accepted
+  bool edited = true;                       // new: velocities are still to be made consistent
+  bool torn = false;                        // by an edit, and still open
+  std::uint32_t open_steps = 0;             // in a row that ended with a gap beyond the tolerance
+  double arrived = 0.0;                     // (0 … 1) of the step, up to which a fallback step has already moved
+  bool smooth = true;                       // no part of the full sub-step was halved or a fallback step
+  bool cut = false;                         // the full sub-step has more than one part
+  bool touches = false;                     // contacts gave it impulses before the last drift
+  bool weak = false;                        // the last factor had weak pivots: its multipliers are not all determined
+  SubSteps sub_steps;                       // in each stage of a step
+  float error_by_jerk = 0.0F;               // error of sub-steps by h² |jerk|, at the last trials; 0: none
+  std::vector<MeanMotion> means;            // (nodes) where `accuracy` asks
+  double means_span = 0.0;                  // [s] from stage to stage
+  std::uint8_t means_known = 0;             // 1: velocities are known, 2: accelerations too
   Effort effort;
   DriftReport report;  // of the last phase
   NodeTotals totals;   // at the end of the last step

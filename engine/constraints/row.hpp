@@ -43,11 +43,12 @@ enum class Bent : std::uint8_t { nothing, position, length, turn };
 
 /// What the row of a constraint has beyond a hinge's: a world end, a matrix of its own, limits.
 struct Condition {
-  Vec3 position0 = zero3(), position1 = zero3();  // [m] world end, at the start and end of the step being solved
-  Vec3 whole0 = zero3(), whole1 = zero3();        // [m] the same of the whole step, where that is halved
-  Vec3 velocity = zero3();                        // [m/s] of the world end at the end of the step
-  Mat3 kept = zero33();                           // projects on the directions in which velocities are forbidden,
-  Vec3 wanted = zero3();                          // [m/s] but for this one of d1
+  Vec3 position0 = zero3(),
+       position1 = zero3();  // [m] world end, at the start and end of the step being solved, or a separation
+  Vec3 whole0 = zero3(), whole1 = zero3();  // [m] the same of the whole step, where that is halved
+  Vec3 velocity = zero3();                  // [m/s] of the world end at the end of the step
+  Mat3 kept = zero33();                     // projects on the directions in which velocities are forbidden,
+  Vec3 wanted = zero3();                    // [m/s] but for this one of d1
   Mat3 M = zero33(),
        C = zero33();  // the row of Newton's matrix: M (change of d1) + C df = -residual; rigid: M = 1, C = 0
   // [m] what the value of a row of one dimension is kept at, at the end of the step being solved; of a range, by how much it
@@ -90,7 +91,7 @@ struct Condition {
   Mat3 into_head = zero33(), from_head = zero33();
   double extent = 0.0;      // [m] of the largest number that its gap is found from, whose round-off it has
   bool held = true;         // the range, or the limit of the force, lets it act as a constraint
-  bool held_before = true;  // at the end of the last stage of a step
+  bool held_before = true;  // before the part of a step that is being solved: what began to hold in it is struck
   bool works = false;       // its force may do work
   bool gives_way = false;   // now: impulses do not find it, since its force has an end
   std::uint32_t row = 0;
