@@ -151,3 +151,20 @@ test("a string that is wound in works by hand", function()
   expect(scene.ledger.hand):near(scene.energy.total - before, 1e-3)
   expect(scene.ledger.limit):near(0, 1e-3)
 end)
+
+test("couplings: what is drawn into a string or a pulley that is too short comes in smoothly, and its work is told", function()
+  local scene = open_text [[
+    local a = scene:particle { name = "a", at = vec(0, -2, 0) }
+    scene:string({ vec(0, 0, 0), a }, { length = 1 })
+    local l = scene:particle { name = "l", at = vec(10, -2, 0) }
+    local r = scene:particle { name = "r", at = vec(12, -2, 0) }
+    scene:pulley(l, vec(10, 0, 0), vec(12, 0, 0), r, { length = 3 })
+  ]]
+  scene:advance(0.2)
+  local left = 3 * math.exp(-2)  -- (1 + t/τ) exp(-t/τ) of 1 m, after two time constants
+  expect(-scene:find("a").position.y - 1):near(left, 1e-2)
+  expect(-scene:find("l").position.y - scene:find("r").position.y - 3):near(left, 1e-2)
+  scene:advance(2.8)
+  expect(scene:find("a").velocity:length()):below(1e-3)
+  expect(scene.error.worst_energy):below(1e-5)
+end)

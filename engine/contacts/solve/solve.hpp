@@ -12,7 +12,8 @@ struct IslandReport {
   bool too_dense = false;  ///< since it would cost more than it is worth
 };
 
-/// Whether the mean velocity by mass is small enough at this kinetic energy [J] that an exact search is worth while.
+/// Whether the mean velocity by mass is small enough at this kinetic energy [J] that an exact search is worth
+/// while; within a `part` of that.
 bool is_calm(const ContactIsland& island, double kinetic, double part = 1.0);
 
 /// How far the search for a large island that is calm may go: to sweeps, to proximal rounds, to Newton's iteration after them.

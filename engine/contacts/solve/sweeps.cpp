@@ -73,15 +73,14 @@ struct Sweeps {
     const auto base = static_cast<std::uint32_t>(batches.size());
     const auto bodies = static_cast<std::uint32_t>(island.bodies.size());
     const std::uint32_t world = bodies + part % between;
-    const auto number_of = [&](std::int32_t body) { return body < 0 ? bodies : number(body); };
     std::vector<std::uint32_t>&next = space.next_batch, &room = space.with_room, &occupied = space.occupied;
-    next.assign(bodies + 1, base);
+    next.assign(bodies, base);
     room.resize(base);
     room.push_back(base);
     for (const auto& [height, k] : space.by_height) {
       const IslandContact& c = island.contacts[k];
       if (part_of(c) != part) continue;
-      std::uint32_t i = c.b < 0 ? next[number_of(c.a)] : std::max(next[number_of(c.a)], next[number_of(c.b)]);
+      std::uint32_t i = c.b < 0 ? next[number(c.a)] : std::max(next[number(c.a)], next[number(c.b)]);
       while (room[i] != i) i = room[i] = room[room[i]];
       if (i == batches.size()) {
         batches.emplace_back().a.fill(world);
@@ -94,8 +93,8 @@ struct Sweeps {
       batches[i].b[lane] = c.b < 0 ? world : number(c.b);
       if (occupied[i] == batch_size) room[i] = i + 1;
       position[k] = static_cast<std::uint32_t>(batch_size) * i + lane;
-      next[number_of(c.a)] = i + 1;
-      if (c.b >= 0) next[number_of(c.b)] = i + 1;
+      next[number(c.a)] = i + 1;
+      if (c.b >= 0) next[number(c.b)] = i + 1;
     }
     space.end[part] = batches.size();
   }

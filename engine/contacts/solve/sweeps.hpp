@@ -51,7 +51,7 @@ struct SweepSpace {
   std::vector<double> along;            ///< (bodies) [m] scratch
   std::vector<std::uint32_t> position;  ///< (contacts) batch times four, and lane
   std::vector<std::pair<double, std::uint32_t>> by_height;  ///< contacts
-  std::vector<std::uint32_t> next_batch;                    ///< (bodies and world) the first after the last that has it
+  std::vector<std::uint32_t> next_batch;                    ///< (bodies) the first after the last that has it
   std::vector<std::uint32_t> with_room,
       occupied;  ///< (batches) union-find: the first from here with a free lane; lanes in use
   std::vector<RollBlock> rolls;
