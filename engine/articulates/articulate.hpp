@@ -162,15 +162,15 @@ struct ArticulateState {
       expected;  // (rows) [N] forces foreseen by a kick that solves laws of velocity, where Newton begins; none, or not finite: as they were
   std::vector<Vec3>
       reaction;  // (rows) [N] beyond the drift's force: what they bore in kicks by laws of velocity and at contacts in the last step
-  std::vector<double> loads;      // (rows) [N] that they bore in the last step, where some may break; none: not known
-  std::vector<Vec3> symmetric;    // (rows) [N s] half of them, see `project_symmetrically`
-  double symmetric_h = 0.0;       // [s] of the sub-steps after which they serve; 0: none
-  double symmetric_energy = 0.0;  // [J] that taking them gave
-  ImpulseWork symmetric_work;     // of them
-  Vec3 turned = zero3();          // [kg m²/s] by forces over gaps, which the end of the full sub-step gives back
-  Gaps gaps;                      // at the start of the next step
-  double residual = 0.0;          // [m] largest of the rigid rows where the solver placed them last
-  double last_h = 0.0;            // [s] of the last good step; 0: no history
+  std::vector<double> loads;  // (rows) [N] that they bore in the last step, where some may break; none: not known
+  std::vector<Vec3> symmetric_impulses;  // (rows) [N s] half of them, see `project_symmetrically`
+  double symmetric_h = 0.0;              // [s] of the sub-steps after which they serve; 0: none
+  double symmetric_energy = 0.0;         // [J] that taking them gave
+  ImpulseWork symmetric_work;            // of them
+  Vec3 turned = zero3();  // [kg m²/s] by forces over gaps, which the end of the full sub-step gives back
+  Gaps gaps;              // at the start of the next step
+  double residual = 0.0;  // [m] largest of the rigid rows where the solver placed them last
+  double last_h = 0.0;    // [s] of the last good step; 0: no history
   /// Relative compliance of the factor, between `least_epsilon` and `most_epsilon`: sets the speed of convergence, never
   /// the answer. Redundant loops that change shape want much, large mass ratios and long chains little. Rows without a
   /// loop are never redundant.

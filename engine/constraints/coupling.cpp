@@ -124,7 +124,7 @@ void load_coupling(Condition& condition, const Row& row, const Model& model, con
   condition.whole_length0 = c.as<CouplingData>().total + c.attract.previous_excess;
   condition.whole_length1 = c.as<CouplingData>().total + c.attract.excess;
   condition.length_rate = c.attract.excess_rate;
-  condition.works = condition.ranged || condition.whole_length0 != condition.whole_length1;
+  condition.may_do_work = condition.ranged || condition.whole_length0 != condition.whole_length1;
   condition.bent = Bent::nothing;
   condition.velocity = zero3();
   condition.whole0 = condition.whole1 = row.lever > 0.0 || v.body_b ? zero3() : model.plane.along(v.position);

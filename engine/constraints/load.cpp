@@ -46,10 +46,11 @@ void load_angular_row(Condition& condition, const Row& row, const Model& model, 
   condition.bent = c.bend.straight() ? Bent::nothing : c.turn.of_time ? Bent::turn : Bent::length;
   condition.bend =
       c.bend.mapped(row.lever, [&](Vec3 v) { return c.turn.of_time ? model.plane.about(v) : v * row.lever; });
-  condition.works = false;
+  condition.may_do_work = false;
   if (rule_of(c).load != nullptr) rule_of(c).load(condition, row, model, c);
-  condition.works = condition.works || condition.ranged || condition.whole_length0 != condition.whole_length1 ||
-                    !equal(condition.whole_turn0, condition.whole_turn1) || !same(condition.whole0, condition.whole1);
+  condition.may_do_work =
+      condition.may_do_work || condition.ranged || condition.whole_length0 != condition.whole_length1 ||
+      !equal(condition.whole_turn0, condition.whole_turn1) || !same(condition.whole0, condition.whole1);
 }
 
 }  // namespace
@@ -72,7 +73,7 @@ void load(Condition& condition, const Row& row, const Model& model, double total
   condition.high = c.high;
   condition.normal = model.plane.axis(c.axis_a);
   if (rule_of(c).load != nullptr) rule_of(c).load(condition, row, model, c);
-  condition.works = is_soft(row) || condition.ranged || condition.whole_length1 != condition.whole_length0;
+  condition.may_do_work = is_soft(row) || condition.ranged || condition.whole_length1 != condition.whole_length0;
   condition.max_force = c.max_force;
   condition.stiffness = total_mass / (c.time_constant * c.time_constant);  // critically damped for all that hangs at it
   condition.damping = 2.0 * total_mass / c.time_constant;

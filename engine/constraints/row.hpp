@@ -89,16 +89,17 @@ struct Condition {
   double weight = 1.0, weight0 = 1.0, weight1 = 1.0;
   bool turns_axis = false;  // an angular one that turns the axis along which another's distance counts
   Mat3 into_head = zero33(), from_head = zero33();
-  double extent = 0.0;      // [m] of the largest number that its gap is found from, whose round-off it has
-  bool held = true;         // the range, or the limit of the force, lets it act as a constraint
-  bool held_before = true;  // before the part of a step that is being solved: what began to hold in it is struck
-  bool works = false;       // its force may do work
-  bool gives_way = false;   // now: impulses do not find it, since its force has an end
+  double extent = 0.0;       // [m] of the largest number that its gap is found from, whose round-off it has
+  bool held = true;          // the range, or the limit of the force, lets it act as a constraint
+  bool held_before = true;   // before the part of a step that is being solved: what began to hold in it is struck
+  bool may_do_work = false;  // its force
+  bool gives_way = false;    // now: impulses do not find it, since its force has an end
   std::uint32_t row = 0;
   ConstraintId constraint;  // null of a stiff row
   std::shared_ptr<StiffBond>
-      stiff;                  // of a stiff row; copies of an articulate share it, so it keeps nothing between steps
-  std::vector<double> given;  // (its curves) [J] what their energies gave to the motion in this stage of the step
+      stiff;  // of a stiff row; copies of an articulate share it, so it keeps nothing between steps
+  std::vector<double>
+      energy_given;  // (its curves) [J] what their energies gave to the motion in this stage of the step
   double settling = 0.0, mean_rate = 0.0;  // [kg], [m/s] those of `stiff`, in the last stage of the step
   bool settles = false;                    // now
 };

@@ -87,7 +87,7 @@ void make_stiff(const Model& model, ConnectionId id, Row& row, Condition& condit
   const Vec3 d = position(model, bond.a) - (bond.b ? position(model, bond.b) : condition.whole1);
   bond.least2 = 1e-24 * (norm2(d) > 0.0 ? norm2(d) : 1.0);
   for (auto law = c.law; law; law = law->also) bond.curves.emplace_back(*law);
-  for (auto* column : {&bond.energy0, &bond.pulls, &condition.given}) column->resize(bond.curves.size());
+  for (auto* column : {&bond.energy0, &bond.pulls, &condition.energy_given}) column->resize(bond.curves.size());
   row.f = direction(d) * -c.tension;
 }
 
@@ -153,7 +153,7 @@ bool StiffBond::is_damped() const {
          std::any_of(curves.begin(), curves.end(), [](const PairCurve& curve) { return curve.depends_on_velocity(); });
 }
 
-double StiffBond::settle(const Row& row, std::vector<double>& given) {
+double StiffBond::take_work(const Row& row, std::vector<double>& energy_given) {
   const Vec3 e = row.d0 + row.d1, displacement = row.d1 - row.d0;
   const double least = std::sqrt(least2), r0 = std::fmax(norm(row.d0), least), r1 = std::fmax(norm(row.d1), least);
   double damped = damping * mean_rate * (r1 - r0);  // [J] that dampers took
@@ -162,11 +162,11 @@ double StiffBond::settle(const Row& row, std::vector<double>& given) {
   for (std::size_t i = 0; i < curves.size(); i++) {
     const double work = -pulls[i] * dot(e, displacement);
     unexplained -= work;
-    (curves[i].has_energy() ? given[i] : nonconservative) += work;
+    (curves[i].has_energy() ? energy_given[i] : nonconservative) += work;
     if (!curves[i].depends_on_velocity()) continue;
     damped -= work + of_tension(curves[i], r0, r1, 0.0, infinity).Q * dot(e, displacement);
   }
-  given[0] += unexplained;
+  energy_given[0] += unexplained;
   const double most = 4.0 * std::fmax(damped, 0.0), rate2 = mean_rate * mean_rate;
   if (settling * rate2 > most) settling = most / rate2;
   return nonconservative;

@@ -26,9 +26,9 @@ struct StiffBond {
   bool is_nonconservative() const;
   /// Whether it takes energy by its nature: it depends on velocities, or swallows at the end of the step.
   bool is_damped() const;
-  /// Once a step is solved: adds what the curves' energies gave to the motion to `given` (curves) [J], bounds `settling`
+  /// Once a step is solved: adds what the curves' energies gave to the motion to `energy_given` (curves) [J], bounds `settling`
   /// by what dampers took, and returns the work of laws without energy and of `damping`, [J].
-  double settle(const Row& row, std::vector<double>& given);
+  double take_work(const Row& row, std::vector<double>& energy_given);
 };
 
 /// Makes the bond of a connection, with the force that it had; `row` and `condition` are its.

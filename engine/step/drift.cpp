@@ -98,7 +98,7 @@ void post_solved_laws(World& world, const Articulate& articulate) {
   for (const Condition& c : articulate.conditions) {
     if (!c.stiff) continue;
     std::shared_ptr<const Law> law = world.connections[c.stiff->connection].law;
-    for (double given : c.given) {
+    for (double given : c.energy_given) {
       ledger.laws += given;
       ledger.kicks[law->name] += given;
       ledger.posted += std::fabs(given);

@@ -240,7 +240,7 @@ std::unique_ptr<Articulate> build_articulate(Model& model, std::span<const Thing
   a.right_side.resize(a.factor.rows);
   a.f_saved.resize(a.rows.size());
   a.impulses.resize(a.rows.size());
-  a.symmetric.resize(a.rows.size());
+  a.symmetric_impulses.resize(a.rows.size());
   find_row_blocks(a);
   find_dimensions(a, model);
   lay_out_batches(a);

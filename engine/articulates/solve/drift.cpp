@@ -33,7 +33,7 @@ void cut(Articulate& a) {
   const double sign = a.sub_steps.count == 1 ? -1.0 : 1.0;
   a.cut = true;
   begin_exerted(a);
-  for (std::size_t k = 0; k < a.rows.size(); k++) a.exerted[k] = a.symmetric[k] * sign;
+  for (std::size_t k = 0; k < a.rows.size(); k++) a.exerted[k] = a.symmetric_impulses[k] * sign;
 }
 
 /// From … to (0 … 1) of a step, by so many halvings from a part that ends at `end`.
@@ -102,7 +102,7 @@ class WantedVelocities {
 /// Puts the ends of nodes and rows where they start, at a moment of the step.
 void stand_still(Articulate& a, double h, double at) {
   set_conditions(a, h, at, at);
-  for (Node& n : a.nodes) settle(n);
+  for (Node& n : a.nodes) rest_at_start(n);
   place_rows_at_end(a);
 }
 

@@ -89,7 +89,7 @@ inline Mat3x4 angular_mobility(const NodeBatch& n, double h) {
 inline Vec3x4 rotation(const NodeBatch& n, const Vec3x4& da) { return (da + cross(n.a, da) * 0.5) * n.c; }
 
 /// Puts the start of the step in the place of its end, but for momenta.
-inline void settle(Node& n) {
+inline void rest_at_start(Node& n) {
   n.x1 = n.x0;
   n.q1 = n.q0;
   n.R1 = n.R0;

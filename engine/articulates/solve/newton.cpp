@@ -223,10 +223,10 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   for (std::uint32_t i = 0; e > (i == 0 ? good_prediction : tolerance) && i < most_iterations; i++) {
     if (cost(report) > most_cost) return e <= 100.0 * tolerance;
     // Near the end an old factor often gains nothing at first, and much the next time.
-    const bool serves = left <= 0.1 || (left <= 0.5 && old_uses < 2) || (left < 1.0 && e * left <= tolerance);
+    const bool gains_enough = left <= 0.1 || (left <= 0.5 && old_uses < 2) || (left < 1.0 && e * left <= tolerance);
     old_uses++;
     const System system{Arms::mean, a.epsilon, 2.0 / (h * h), -2.0 / (h * h), h};
-    if (!have_factor || !serves) {
+    if (!have_factor || !gains_enough) {
       old_uses = 0;
       a.weak = factorise(a, system) && !a.tree;
       a.has_factor = have_factor = fresh = true;
@@ -317,15 +317,15 @@ void add_unsolved_work(const Articulate& a, double h, DriftReport& report) {
   for (const Row& r : a.rows) {
     const double size = std::max(largest(first(a, r).x0), norm(r.d1));
     report.round_off += std::numeric_limits<double>::epsilon() * norm(r.f) * size;
-    const bool told = r.condition >= 0 && condition(a, r).works;
-    if (pulls_by_law(r) || (told && r.lever > 0.0)) continue;
+    const bool does_work = r.condition >= 0 && condition(a, r).may_do_work;
+    if (pulls_by_law(r) || (does_work && r.lever > 0.0)) continue;
     if (r.lever > 0.0) {
       report.unsolved += work_of_angular_row(a, r);
       continue;
     }
     const Vec3 position = keeps_to_position(r) ? condition(a, r).position1 - condition(a, r).position0 : zero3();
     const Vec3 by = moved(r.a, r.la) - (r.b >= 0 ? moved(r.b, r.lb) : zero3()) - position;
-    report.unsolved += dot(r.f, told ? by - (r.d1 - r.d0) : by);
+    report.unsolved += dot(r.f, does_work ? by - (r.d1 - r.d0) : by);
   }
   for (std::size_t i = 0; i < a.nodes.size(); i++) {
     const Node &n = a.nodes[i], &start_of = a.saved[i];
@@ -339,14 +339,14 @@ void add_work_of_rows(Articulate& a, DriftReport& report) {
   for (Condition& c : a.conditions) {
     const Row& r = row(a, c);
     if (c.stiff) {
-      const double done = c.stiff->settle(r, c.given);
+      const double done = c.stiff->take_work(r, c.energy_given);
       (c.stiff->is_damped() ? report.damped : report.nonconservative_work) += done;
       c.settling = c.stiff->settling;
       c.mean_rate = c.stiff->mean_rate;
       continue;
     }
     if (keeps_to_position(r) && r.lever == 0.0) report.work += dot(r.f, c.position1 - c.position0);
-    if (!c.works) continue;
+    if (!c.may_do_work) continue;
     const bool still = c.whole_length0 == c.whole_length1;
     double& line = c.ranged && still ? report.limit : r.lever > 0.0 ? report.motor : report.work;
     line += r.lever > 0.0 ? work_of_angular_row(a, r) : dot(r.f, r.d1 - r.d0);

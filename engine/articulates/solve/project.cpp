@@ -63,8 +63,8 @@ struct Velocities {
 enum class From : std::uint8_t { batches, nodes };
 
 /// Sets the rows' residuals to their forbidden velocities, and takes these through the first half of a solution on the
-/// factor at hand if that `serves`.
-Velocities find_velocities(Articulate& a, From from, bool serves = false) {
+/// factor at hand if asked for by `reuse`.
+Velocities find_velocities(Articulate& a, From from, bool reuse = false) {
   Velocities v;
   Lanes kinetic = lanes(0.0), fastest2 = lanes(0.0);
   Tile done;
@@ -86,7 +86,7 @@ Velocities find_velocities(Articulate& a, From from, bool serves = false) {
       v.forbidden = std::max(v.forbidden, norm2(row.residual));
       a.right_side[done.rows] = row.residual * -1.0;
     }
-    for (; serves && done.columns < tile.columns; done.columns++)
+    for (; reuse && done.columns < tile.columns; done.columns++)
       a.factor.substitute_forward(done.columns, a.right_side.data());
   }
   v.kinetic = sum(kinetic);
@@ -163,7 +163,7 @@ void tell_momenta(Articulate& a) {
 
 void factorise_exactly(Articulate& a, double epsilon) {
   set_kept_matrices(a);
-  for (Node& n : a.nodes) settle(n);
+  for (Node& n : a.nodes) rest_at_start(n);
   double scale = 0.0;
   if (!a.all_rigid)
     for (const Row& row : a.rows) scale = std::max(scale, mobility(a, row));
@@ -205,14 +205,17 @@ bool project_with_newton_factor(Articulate& a, const Velocities& before, DriftRe
 
 void carry_half(Articulate& a, double h) {
   a.symmetric_h = h;
-  for (std::size_t k = 0; k < a.rows.size(); k++) a.symmetric[k] = (a.symmetric[k] + a.impulses[k]) * 0.5;
+  for (std::size_t k = 0; k < a.rows.size(); k++)
+    a.symmetric_impulses[k] = (a.symmetric_impulses[k] + a.impulses[k]) * 0.5;
   a.symmetric_work = {};
   for (const Condition& c : a.conditions)
-    if (!is_rigid(row(a, c))) a.symmetric[c.row] = c.kept * a.symmetric[c.row];  // earlier ones were along others
+    if (!is_rigid(row(a, c)))
+      a.symmetric_impulses[c.row] = c.kept * a.symmetric_impulses[c.row];  // earlier ones were along others
   for (const Coupling& coupling : a.couplings)
     for (std::uint32_t k : coupling.rows)
-      if (k != coupling.head) a.symmetric[k] = condition(a, a.rows[k]).from_head * a.symmetric[coupling.head] * -1.0;
-  for (const Condition& c : a.conditions) add_work(a.symmetric_work, a, c, a.symmetric[c.row]);
+      if (k != coupling.head)
+        a.symmetric_impulses[k] = condition(a, a.rows[k]).from_head * a.symmetric_impulses[coupling.head] * -1.0;
+  for (const Condition& c : a.conditions) add_work(a.symmetric_work, a, c, a.symmetric_impulses[c.row]);
 }
 
 /// Whether what was struck is a stop, and no motor that reached its speed.
@@ -247,7 +250,7 @@ void set_kept_matrices(Articulate& a) {
 bool project_symmetrically(Articulate& a, double full, DriftReport& report) {
   a.symmetric_energy = 0.0;
   if (a.symmetric_h != full / a.sub_steps.count) {
-    std::fill(a.symmetric.begin(), a.symmetric.end(), zero3());
+    std::fill(a.symmetric_impulses.begin(), a.symmetric_impulses.end(), zero3());
     return false;
   }
   const double sign = a.sub_steps.count == 1 ? -1.0 : 1.0;
@@ -257,7 +260,7 @@ bool project_symmetrically(Articulate& a, double full, DriftReport& report) {
     NodeBatch& n = a.batches[b];
     read_momenta(a, b);
     const Lanes before = kinetic_energy(n);
-    add_impulses(a, n, [&](std::uint32_t k) { return a.symmetric[k] * sign; });
+    add_impulses(a, n, [&](std::uint32_t k) { return a.symmetric_impulses[k] * sign; });
     tell_momenta(a, b);
     gained += kinetic_energy(n) - before;
   }
@@ -294,10 +297,10 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   if (a.touches) find_overdriven(a, settings.full);
   std::fill(a.impulses.begin(), a.impulses.end(), zero3());
   find_kept(a);
-  const bool serves = may_use_newton_factor(a);
-  const Velocities before = find_velocities(a, From::nodes, serves);
+  const bool reuse = may_use_newton_factor(a);
+  const Velocities before = find_velocities(a, From::nodes, reuse);
   const double outside = report.outside();
-  if (!serves || !project_with_newton_factor(a, before, report)) {
+  if (!reuse || !project_with_newton_factor(a, before, report)) {
     report.projections++;
     a.has_factor = false;
     if (a.exact)
@@ -401,14 +404,14 @@ ImpulseWork make_consistent(Articulate& a, double time, double struck_for) {
 
 void find_forbidden(Articulate& a, double h, double at) {
   set_conditions(a, h, at, at);
-  for (Node& n : a.nodes) settle(n);
+  for (Node& n : a.nodes) rest_at_start(n);
   place_rows_at_end(a);
   find_kept(a);
 }
 
 void begin_answers(Articulate& a, double epsilon) {
   if (!a.exact) {
-    for (Node& n : a.nodes) settle(n);
+    for (Node& n : a.nodes) rest_at_start(n);
     place_rows_at_end(a);
   }
   find_kept(a);

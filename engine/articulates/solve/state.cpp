@@ -53,7 +53,7 @@ void load(Articulate& a, const Model& model, Vec3 gravity) {
 
 void begin_report(Articulate& a) {
   a.report = {};
-  for (Condition& c : a.conditions) std::fill(c.given.begin(), c.given.end(), 0.0);
+  for (Condition& c : a.conditions) std::fill(c.energy_given.begin(), c.energy_given.end(), 0.0);
 }
 
 void disturb(Articulate& a) {
