@@ -50,21 +50,21 @@ struct Contact {
   Vec3 placing = zero3();  ///< [N s] on a: of the stage before the drift, which keeps shapes from overlapping
   Vec3 total = zero3();    ///< [N s] on a: of all the step, which the velocities after it have
   Vec3 placing_moment = zero3(), total_moment = zero3();  ///< [N m s] on a: of rolling and spinning, in the same
-  std::int32_t placed = -1;  ///< its index in Contacts::placed, in the step, as long as it lasts
+  std::int32_t placed = -1;  ///< its number among what `place` gave, in the stage, as long as it lasts; -1: nothing
   double approach = 0.0;     ///< [m/s] along the normal at the start of the step, below 0: nearing
   double rebound = 0.0;      ///< [m/s] after the first impact (solve/impacts.hpp); 0: by restitution
 };
 
 /// An impulse that was given before a drift.
 struct Placing {
-  std::uint32_t body_a;
-  std::int32_t body_b;
+  std::uint32_t body_a;   ///< thing
+  std::int32_t body_b;    ///< thing, or -1: the world
   std::uint32_t shape_b;  ///< slot
   Vec3 impulse;           ///< [N s] on a
   Vec3 moment;            ///< [N m s] on a, of rolling and spinning
   Vec3 arm_a, arm_b;      ///< [m] then, world axes
   Vec3 normal;            ///< then
-  bool solved;  ///< all of its island, to 100 tolerances, masses within 1 : 100: taken back as its contact is now
+  std::int32_t a, b;      ///< the bodies in their island; -1: the world
 };
 
 /// What is known of a body that touches, from step to step.
@@ -104,10 +104,9 @@ struct TouchHeat {
 struct Contacts {
   std::vector<Contact> list;        ///< by key
   std::vector<Contact> sensed;      ///< by key: those of sensors, which the stages do not know
-  std::vector<Placing> placed;      ///< in this step
   std::vector<TouchedBody> bodies;  ///< (slots of bodies)
   std::vector<TouchedBody> points;  ///< (slots of points) of those that are solid; they sleep in no touch
-  double work = 0.0;                ///< [J] done by `placed`, with what ties answered: told with the rest of the step
+  double work = 0.0;                ///< [J] done by `place`, with what ties answered: told with the rest of the step
   std::vector<Contact> resting;     ///< by key: between things of which none is awake. They are in no other list,
   std::vector<Contact> resting_sensed;  ///< nor are those of sensors
   std::vector<std::uint32_t> sleepers;  ///< slots of bodies that sleep in touch, rising

@@ -82,6 +82,7 @@ struct Builder {
     for (Condition& c : a.conditions) c.gives_way = is_bounded(c);
     find_forbidden(a, settings.h, settings.at);
     std::vector<std::int32_t> places;
+    to.first_nodes.push_back(static_cast<std::uint32_t>(to.things.size()));
     for (const Node& n : a.nodes) places.push_back(add(to, n.is_body ? n.slot : point_thing(n.slot)));
     std::vector<IslandTie> ties;
     for (const Row& row : a.rows) {
@@ -127,7 +128,7 @@ struct Builder {
     }
   }
   void add_contact(TouchIsland& to, const Contact& from) {
-    IslandContact c;
+    IslandContact& c = to.problem.contacts.emplace_back();
     c.a = add(to, from.body_a);
     c.ra = from.at - to.states[static_cast<std::size_t>(c.a)].x;
     if (from.body_b >= 0) {
@@ -140,10 +141,9 @@ struct Builder {
     c.restitution = from.restitution;
     if (from.rolling > 0.0 || from.spinning > 0.0) {
       IslandRoll& roll = to.problem.rolls.emplace_back();
-      roll.contact = static_cast<std::uint32_t>(to.problem.contacts.size());
+      roll.contact = static_cast<std::uint32_t>(to.problem.contacts.size() - 1);
       roll.lever = vec(from.spinning, from.rolling, from.rolling);
     }
-    to.problem.contacts.push_back(c);
   }
 };
 
@@ -163,12 +163,14 @@ void TouchIsland::clear() {
   states.clear();
   contacts.clear();
   articulates.clear();
+  first_nodes.clear();
   rows.clear();
   scalars.clear();
   held.clear();
   pulls.clear();
   law_pulls.clear();
   placed.clear();
+  solved = false;
   given.clear();
   answered = {};
   heat.clear();

@@ -21,7 +21,7 @@ constexpr double swept_tolerance = 4e-7;
 
 /// What one thing was given before a drift, by contacts and by what ties answered, world axes.
 struct Given {
-  std::uint32_t thing;
+  std::uint32_t body;    ///< in its island
   Vec3 impulse, moment;  ///< [N s], [N m s] about its centre
 };
 
@@ -38,14 +38,16 @@ struct TouchIsland {
   std::vector<std::uint32_t> things;               ///< (bodies)
   std::vector<BodyState> states;                   ///< (bodies)
   std::vector<std::size_t> contacts;               ///< (contacts) index in Contacts::list
-  std::vector<std::uint32_t> articulates;          ///< that are in it
+  std::vector<std::uint32_t> articulates;          ///< that are in it, rising
+  std::vector<std::uint32_t> first_nodes;          ///< (articulates) body of the first node; the others follow it
   std::vector<std::array<std::uint32_t, 2>> rows;  ///< (ties) articulate and its row
   std::vector<TouchScalar> scalars;                ///< (scalars)
   std::vector<BodyLoad> pulls;                     ///< (bodies) [N], [N m] of soft rows in the last step
   std::vector<BodyLoad> law_pulls;                 ///< (bodies) what of that is of laws
   std::vector<Placing> placed;                     ///< what `place` gave in it
-  std::vector<Given> given;       ///< what each thing got from `place` and its ties, where the search did not reach
-                                  ///< 100 tolerances or masses differ 100-fold
+  std::size_t first_placed = 0;                    ///< number of the first of that in the stage
+  bool solved = false;       ///< to 100 tolerances, masses within 1 : 100: that is taken back as its contact is now
+  std::vector<Given> given;  ///< what bodies got of that, and of ties, that is taken back as it was given
   std::vector<TouchScalar> held;  ///< what scalars within bounds gave in `place`
   ImpulseWork answered;           ///< what ties that move gave of that
   std::vector<TouchHeat> heat;    ///< of the stage, where it is kept
@@ -58,8 +60,7 @@ struct TouchIsland {
 struct TouchSpace {
   std::vector<TouchIsland> placing, meeting;  ///< of `place`, `meet`
   std::vector<TouchIsland> opening, resting;  ///< of `push_out`, `held_at_rest`
-  std::vector<Given> given;                   ///< of all islands, as there
-  std::vector<TouchScalar> held;              ///< scalars within bounds, by placing
+  std::size_t placed = 0;                     ///< how many islands of `placing` there are in this stage
   ImpulseWork answered;                       ///< what ties that move gave of that
   std::vector<double> placing_work;           ///< (as index) [J] done to things by placing, and by taking that back
   std::vector<std::int32_t> index;  ///< (slots of bodies, then of points where some are solid) in its island, or -1

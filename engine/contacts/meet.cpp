@@ -62,12 +62,7 @@ void close_scalars(TouchIsland& island, const Articulates& articulates) {
 
 void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
           const TouchSettings& settings, TouchReport& sum) {
-  sum.work += take_back(space, model, articulates, contacts, settings);
-  sum.ties.ends -= space.answered.ends;
-  sum.ties.turns -= space.answered.turns;
-  space.given.clear();
-  space.answered = {};
-  contacts.placed.clear();
+  take_back(space, workers, model, articulates, contacts, settings, sum);
   const double h = settings.h;
   std::vector<char> used(contacts.list.size(), 0);
   for (std::size_t k = 0; k < used.size(); k++) {
@@ -106,12 +101,12 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
     std::vector<Placing> given;  // where heat is kept
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
       Contact& to = contacts.list[island.contacts[k]];
-      problem.contacts[k].impulse += problem.contacts[k].before_contacts;
-      to.total = to_world(problem.contacts[k], problem.contacts[k].impulse);
+      IslandContact& c = problem.contacts[k];
+      c.impulse += c.before_contacts;
+      to.total = to_world(c, c.impulse);
       report.belts -= dot(to.total, to.belt - to.normal * dot(to.normal, to.belt));
       if (contacts.heat_kept)
-        given.push_back({to.body_a, to.body_b, to.key.b, to.total, to.total_moment, problem.contacts[k].ra,
-                         problem.contacts[k].rb, to.normal, true});
+        given.push_back({to.body_a, to.body_b, to.key.b, to.total, to.total_moment, c.ra, c.rb, to.normal, c.a, c.b});
     }
     HeatOf heat(model, articulates, contacts, settings.drifted, given, island.heat);
     std::vector<BodyLoad> loads(problem.bodies.size());

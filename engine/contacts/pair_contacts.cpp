@@ -1,6 +1,9 @@
 // Contacts of a pair that may touch: two shapes, or a solid point and another or a shape.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
+#include <tuple>
 
 #include "contacts/find_parts.hpp"
 
@@ -39,8 +42,13 @@ class Collector final : public ManifoldSink {
   void take(const Manifold& m, std::uint32_t part) override {
     if (like_.body_a == none) set_like();
     const bool in_point = a_.is_solid_point() && !b_.is_solid_point();
+    std::array<std::uint32_t, std::tuple_size_v<decltype(m.points)>> order;
+    std::iota(order.begin(), order.end(), 0u);
+    const auto end = order.begin() + m.count;
+    std::partial_sort(order.begin(), end, end,
+                      [&](std::uint32_t i, std::uint32_t j) { return m.points[i].id < m.points[j].id; });
     for (std::uint32_t i = 0; i < m.count; i++) {
-      const ManifoldPoint& p = m.points[i];
+      const ManifoldPoint& p = m.points[order[i]];
       Contact& c = to_.emplace_back(like_);
       c.key.part = part;
       c.key.feature = p.id;

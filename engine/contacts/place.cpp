@@ -33,7 +33,7 @@ void note_given(const Model& model, const Articulates& articulates, TouchIsland&
                 const std::vector<BodyLoad>& impulses, bool drifted) {
   for (std::size_t i = 0; i < island.things.size(); i++) {
     const std::uint32_t thing = island.things[i];
-    Given given = {thing, model.plane.along(impulses[i].force), impulses[i].moment};
+    Given given = {static_cast<std::uint32_t>(i), model.plane.along(impulses[i].force), impulses[i].moment};
     if (island_number(model, articulates.size(), thing) < articulates.size()) {
       const BodyState before = island.states[i], after = state_of(model, articulates, thing, drifted);
       given.impulse = (after.v - before.v) * before.mass;
@@ -155,7 +155,7 @@ void give_placing(TouchSpace& space, Model& model, const Articulates& articulate
   ImpulseWork answered;
   for (const std::uint32_t a : island.articulates) answered += answer_of_ties(*articulates[a], model, settings);
   ties += answered;
-  if (island.placed.front().solved) {
+  if (island.solved) {
     tell_reactions(articulates, island, settings.step, false);
   } else {
     island.held.clear();
@@ -174,7 +174,6 @@ void give_placing(TouchSpace& space, Model& model, const Articulates& articulate
 
 void place(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
            const TouchSettings& settings, std::span<const BodyLoad> kicks, TouchReport& sum) {
-  contacts.placed.clear();
   contacts.bodies.resize(model.bodies.slots());
   if (model.solids) contacts.points.resize(model.points.slots());
   for (const auto& articulate : articulates) {
@@ -200,7 +199,7 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
     start_ties(island, articulates, 0);
     set_scalars(island, articulates, h, 0.5 * h);
     hold_ties(problem);
-    const bool solved = solve_stage(contacts, island, 0, settings.search, report);
+    island.solved = solve_stage(contacts, island, 0, settings.search, report);
     keep_tie_impulses(articulates, island, 0);
     keep_rolls(problem, contacts, island.contacts, &Contact::placing_moment);
     const double slow = slow_of(settings, problem);
@@ -212,21 +211,16 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
       to.rebound = rebound_of(to, settings, slow);
       if (norm2(to.placing) == 0.0) continue;
       island.placed.push_back(
-          {to.body_a, to.body_b, to.key.b, to.placing, to.placing_moment, c.ra, c.rb, to.normal, solved});
+          {to.body_a, to.body_b, to.key.b, to.placing, to.placing_moment, c.ra, c.rb, to.normal, c.a, c.b});
     }
     if (!island.placed.empty()) give_placing(space, model, articulates, contacts, settings, kicks, island, report);
   });
-  space.given.clear();
-  space.held.clear();
-  space.answered = {};
-  for (const TouchIsland& island : islands) {
-    auto next = static_cast<std::int32_t>(contacts.placed.size());
+  space.placed = islands.size();
+  std::int32_t next = 0;
+  for (TouchIsland& island : islands) {
+    island.first_placed = static_cast<std::size_t>(next);
     for (const std::size_t k : island.contacts)
       contacts.list[k].placed = norm2(contacts.list[k].placing) > 0.0 ? next++ : -1;
-    contacts.placed.insert(contacts.placed.end(), island.placed.begin(), island.placed.end());
-    space.answered += island.answered;
-    space.given.insert(space.given.end(), island.given.begin(), island.given.end());
-    space.held.insert(space.held.end(), island.held.begin(), island.held.end());
   }
   collect_heat(contacts, islands);
   hold_again(articulates);

@@ -8,89 +8,12 @@
 #include "contacts/bodies.hpp"
 #include "contacts/gather.hpp"
 #include "contacts/heat.hpp"
+#include "contacts/stage_parts.hpp"
 #include "contacts/turn_back.hpp"
 
 namespace pantin {
 
 namespace {
-
-std::uint32_t thing_of(const Node& n) { return n.is_body ? n.slot : point_thing(n.slot); }
-
-/// Things that pushed each other, and nothing else: their angular momentum is to stay.
-struct Group {
-  std::size_t root;
-  bool anchored = false;
-  Vec3 missing = zero3();  ///< [N m s]
-  std::vector<std::uint32_t> things = {};
-};
-
-/// Impulses act at one point of two bodies, and are taken back where each of them has carried it. What that changes of the
-/// angular momentum is given back as a turn of all that pushed each other, so that light things between heavy ones keep theirs.
-class Turns {
- public:
-  Turns(Model& model, const Articulates& articulates, const Contacts& contacts, const std::vector<Given>& given,
-        bool drifted)
-      : model_(model),
-        articulates_(articulates),
-        drifted_(drifted),
-        sets_(articulates.size() + number_of(model, point_thing(static_cast<std::uint32_t>(model.points.slots())))) {
-    for (const Placing& p : contacts.placed) {
-      things_.push_back(p.body_a);
-      if (p.body_b < 0) continue;
-      things_.push_back(static_cast<std::uint32_t>(p.body_b));
-      sets_.join(number(p.body_a), number(things_.back()));
-    }
-    add_articulates();
-    std::sort(things_.begin(), things_.end());
-    things_.erase(std::unique(things_.begin(), things_.end()), things_.end());
-    for (const std::uint32_t thing : things_) roots_.push_back(sets_.find(number(thing)));
-    groups_.reserve(roots_.size());
-    for (const std::size_t root : roots_) groups_.push_back({root});
-    std::sort(groups_.begin(), groups_.end(), [](const Group& x, const Group& y) { return x.root < y.root; });
-    const auto same = [](const Group& x, const Group& y) { return x.root == y.root; };
-    groups_.erase(std::unique(groups_.begin(), groups_.end(), same), groups_.end());
-    for (const Placing& p : contacts.placed)
-      if (p.body_b < 0) group_of(p.body_a).anchored = true;
-    for (const Given& g : given) {
-      const Vec3 x = centre_of(model_, articulates_, g.thing, drifted_);
-      group_of(g.thing).missing += cross(x, g.impulse) + g.moment;
-    }
-    for (const auto& articulate : articulates)
-      if (articulate->touches && !is_free(*articulate)) anchor(*articulate);
-  }
-
-  /// Returns the work that it did [J].
-  double give_back() {
-    const auto needs = [](const Group& g) { return !g.anchored && norm2(g.missing) > 0.0; };
-    if (std::none_of(groups_.begin(), groups_.end(), needs)) return 0.0;
-    for (const std::uint32_t thing : things_) group_of(thing).things.push_back(thing);
-    double work = 0.0;
-    for (const Group& g : groups_)
-      if (needs(g)) work += turn_as_one(model_, articulates_, g.things, g.missing, drifted_);
-    return work;
-  }
-
- private:
-  std::size_t number(std::uint32_t thing) const { return island_number(model_, articulates_.size(), thing); }
-  Group& group_of(std::uint32_t thing) {
-    const std::size_t root = sets_.find(number(thing));
-    return *std::lower_bound(groups_.begin(), groups_.end(), root,
-                             [](const Group& g, std::size_t wanted) { return g.root < wanted; });
-  }
-  void add_articulates() {
-    for (const auto& articulate : articulates_)
-      if (articulate->touches)
-        for (const Node& n : articulate->nodes) things_.push_back(thing_of(n));
-  }
-  void anchor(const Articulate& articulate) { group_of(thing_of(articulate.nodes.front())).anchored = true; }
-  Model& model_;
-  const Articulates& articulates_;
-  bool drifted_;
-  Sets sets_;
-  std::vector<std::uint32_t> things_;
-  std::vector<std::size_t> roots_;
-  std::vector<Group> groups_;  // by root
-};
 
 /// An impulse of one frame in the frame of another normal, by the smallest turn between them.
 Vec3 turned_with(Vec3 from, Vec3 to, Vec3 impulse) {
@@ -99,91 +22,182 @@ Vec3 turned_with(Vec3 from, Vec3 to, Vec3 impulse) {
   return cosine > 0.0 ? impulse + cross(axis, impulse) + cross(axis, cross(axis, impulse)) / (1.0 + cosine) : impulse;
 }
 
-/// What contacts of solved islands gave: as they gave it, or, where they touch still, as they would give it now.
-void add_contacts(const Model& model, const Articulates& articulates, const Contacts& contacts, bool drifted,
-                  std::vector<Given>& as_then, std::vector<Given>& as_now) {
-  std::vector<const Contact*> now(contacts.placed.size(), nullptr);
+/// (by number of what `place` gave) Contacts that touch still; null where they do not.
+std::vector<const Contact*> still_touching(const Contacts& contacts, std::span<const TouchIsland> islands) {
+  std::size_t count = 0;
+  for (const TouchIsland& island : islands) count += island.placed.size();
+  std::vector<const Contact*> now(count, nullptr);
   for (const Contact& c : contacts.list)
     if (c.placed >= 0 && c.gap <= closed_gap * c.size) now[static_cast<std::size_t>(c.placed)] = &c;
-  for (std::size_t k = 0; k < now.size(); k++) {
-    const Placing& p = contacts.placed[k];
-    if (!p.solved) continue;
-    const Vec3 impulse = now[k] ? turned_with(p.normal, now[k]->normal, p.impulse) : p.impulse,
-               moment = now[k] ? turned_with(p.normal, now[k]->normal, p.moment) : p.moment;
-    std::vector<Given>& to = now[k] ? as_now : as_then;
-    const auto add = [&](std::uint32_t thing, Vec3 arm_then, double sign) {
-      const Vec3 arm = now[k] ? now[k]->at - centre_of(model, articulates, thing, drifted) : arm_then;
-      to.push_back({thing, model.plane.along(impulse) * -sign, (cross(arm, impulse) + moment) * -sign});
-    };
-    add(p.body_a, p.arm_a, 1.0);
-    if (p.body_b >= 0) add(static_cast<std::uint32_t>(p.body_b), p.arm_b, -1.0);
-  }
+  return now;
 }
 
-/// What scalars within bounds gave, as they would give it now.
-void add_scalars(const Model& model, const Articulates& articulates, const TouchSpace& space,
-                 const TouchSettings& settings, std::vector<Given>& given) {
-  for (std::size_t k = 0; k < space.held.size();) {
-    const std::uint32_t number = space.held[k].articulate;
-    Articulate& a = *articulates[number];
-    find_forbidden(a, settings.h, settings.at);
-    const std::vector<ScalarRow> now = scalar_rows(a);
-    for (; k < space.held.size() && space.held[k].articulate == number; k++) {
-      const TouchScalar& then = space.held[k];
-      const auto same = std::find_if(now.begin(), now.end(), [&](const ScalarRow& row) {
-        return row.row() == then.row.row() && dot(row.terms.front().along, then.row.terms.front().along) > 0.0;
-      });
-      for (const ScalarRow::End& end : same == now.end() ? then.row.ends : same->ends) {
-        const std::uint32_t thing = thing_of(a.nodes[static_cast<std::size_t>(end.node)]);
-        given.push_back({thing, model.plane.along(end.force) * then.given, end.moment * then.given});
+/// Takes back what `place` gave in an island.
+class TakeBack {
+ public:
+  /// `now` (placed): its contacts that touch still, else null.
+  TakeBack(TouchIsland& island, std::span<const Contact* const> now, TouchSpace& space, Model& model,
+           const Articulates& articulates, const TouchSettings& settings)
+      : island_(island),
+        now_(now),
+        space_(space),
+        model_(model),
+        articulates_(articulates),
+        settings_(settings),
+        losses_(island.things.size()) {}
+
+  /// Returns the change of the kinetic energy [J].
+  double run() {
+    if (island_.solved) lose_as_then();
+    for (const Given& g : island_.given) lose(g);
+    if (island_.solved) lose_as_now();
+    lose_scalars();
+    double work = 0.0;
+    for (std::size_t i = 0; i < losses_.size(); i++)
+      if (norm2(losses_[i].force) + norm2(losses_[i].moment) > 0.0) work += take(i);
+    return work + turn_back();
+  }
+
+ private:
+  void lose(const Given& g) {
+    losses_[g.body].force += g.impulse;
+    losses_[g.body].moment += g.moment;
+  }
+  Vec3 centre(std::size_t body) const {
+    return centre_of(model_, articulates_, island_.things[body], settings_.drifted);
+  }
+  /// Calls f with what both bodies of a contact were given where this impulse and moment on a, at these arms, take it back.
+  template <class F>
+  void each_given(const Placing& p, Vec3 impulse, Vec3 moment, Vec3 arm_a, Vec3 arm_b, F&& f) {
+    const auto one = [&](std::int32_t body, Vec3 arm, double sign) {
+      f(Given{static_cast<std::uint32_t>(body), model_.plane.along(impulse) * sign,
+              (cross(arm, impulse) + moment) * sign});
+    };
+    one(p.a, arm_a, -1.0);
+    if (p.b >= 0) one(p.b, arm_b, 1.0);
+  }
+  /// What contacts gave that touch no more: as they gave it.
+  void lose_as_then() {
+    for (std::size_t k = 0; k < now_.size(); k++) {
+      const Placing& p = island_.placed[k];
+      if (!now_[k])
+        each_given(p, p.impulse, p.moment, p.arm_a, p.arm_b, [&](const Given& g) { island_.given.push_back(g); });
+    }
+  }
+  /// What contacts gave that touch still: as they would give it now.
+  void lose_as_now() {
+    for (std::size_t k = 0; k < now_.size(); k++) {
+      if (!now_[k]) continue;
+      const Placing& p = island_.placed[k];
+      const Vec3 normal = now_[k]->normal;
+      const auto arm = [&](std::int32_t body) {
+        return body < 0 ? zero3() : now_[k]->at - centre(static_cast<std::size_t>(body));
+      };
+      each_given(p, turned_with(p.normal, normal, p.impulse), turned_with(p.normal, normal, p.moment), arm(p.a),
+                 arm(p.b), [&](const Given& g) { lose(g); });
+    }
+  }
+  /// What scalars within bounds gave, as they would give it now.
+  void lose_scalars() {
+    for (std::size_t k = 0; k < island_.held.size();) {
+      const std::uint32_t number = island_.held[k].articulate;
+      Articulate& a = *articulates_[number];
+      find_forbidden(a, settings_.h, settings_.at);
+      const std::vector<ScalarRow> now = scalar_rows(a);
+      for (; k < island_.held.size() && island_.held[k].articulate == number; k++) {
+        const TouchScalar& then = island_.held[k];
+        const auto same = std::find_if(now.begin(), now.end(), [&](const ScalarRow& row) {
+          return row.row() == then.row.row() && dot(row.terms.front().along, then.row.terms.front().along) > 0.0;
+        });
+        for (const ScalarRow::End& end : same == now.end() ? then.row.ends : same->ends)
+          lose({first_node(number) + static_cast<std::uint32_t>(end.node), model_.plane.along(end.force) * then.given,
+                end.moment * then.given});
       }
     }
   }
-}
-
-/// One of each thing, rising.
-std::vector<Given> by_thing(std::vector<Given> list) {
-  std::stable_sort(list.begin(), list.end(), [](const Given& x, const Given& y) { return x.thing < y.thing; });
-  std::vector<Given> sums;
-  for (const Given& g : list) {
-    if (sums.empty() || sums.back().thing != g.thing) {
-      sums.push_back(g);
-      continue;
-    }
-    sums.back().impulse += g.impulse;
-    sums.back().moment += g.moment;
+  std::uint32_t first_node(std::uint32_t articulate) const {
+    const auto found = std::lower_bound(island_.articulates.begin(), island_.articulates.end(), articulate);
+    return island_.first_nodes[static_cast<std::size_t>(found - island_.articulates.begin())];
   }
-  return sums;
-}
+  double take(std::size_t body) {
+    const std::uint32_t thing = island_.things[body];
+    const BodyState s = state_of(model_, articulates_, thing, settings_.drifted);
+    const double before = kinetic_energy(model_, s, thing);
+    add_momenta(model_, s, thing, losses_[body].force * -1.0, losses_[body].moment * -1.0);
+    const double by = kinetic_energy(model_, s, thing) - before;
+    if (const std::size_t i = number_of(model_, thing); i < space_.placing_work.size()) space_.placing_work[i] += by;
+    return by;
+  }
+  /// Impulses acted at one point of two bodies, and are taken back where each of them has carried it. What that changes of the
+  /// angular momentum is given back as a turn of all that pushed each other, so that light things between heavy ones keep
+  /// theirs. Returns the work of it [J].
+  double turn_back() {
+    if (island_.given.empty()) return 0.0;
+    const std::size_t count = island_.things.size();
+    Sets sets(count);
+    std::vector<char> anchored(count, 0);
+    std::vector<Vec3> missing(count, zero3());  // [N m s], of the first of each set
+    for (const Placing& p : island_.placed)
+      if (p.b >= 0) sets.join(static_cast<std::size_t>(p.a), static_cast<std::size_t>(p.b));
+    each_articulate([&](const Articulate& a, std::size_t first) {
+      for (std::size_t i = 1; i < a.nodes.size(); i++) sets.join(first, first + i);
+    });
+    for (const Placing& p : island_.placed)
+      if (p.b < 0) anchored[sets.find(static_cast<std::size_t>(p.a))] = 1;
+    each_articulate([&](const Articulate& a, std::size_t first) {
+      if (!is_free(a)) anchored[sets.find(first)] = 1;
+    });
+    for (const Given& g : island_.given) missing[sets.find(g.body)] += cross(centre(g.body), g.impulse) + g.moment;
+    const auto is_to_turn = [&](std::size_t root) { return !anchored[root] && norm2(missing[root]) > 0.0; };
+    std::vector<std::vector<std::uint32_t>> things(count);  // of each set that is to turn
+    for (std::size_t i = 0; i < count; i++)
+      if (const std::size_t root = sets.find(i); is_to_turn(root)) things[root].push_back(island_.things[i]);
+    double work = 0.0;
+    for (std::size_t root = 0; root < count; root++) {
+      if (things[root].empty()) continue;
+      std::sort(things[root].begin(), things[root].end());
+      work += turn_as_one(model_, articulates_, things[root], missing[root], settings_.drifted);
+    }
+    return work;
+  }
+  template <class F>
+  void each_articulate(F&& f) {
+    for (std::size_t k = 0; k < island_.articulates.size(); k++)
+      f(*articulates_[island_.articulates[k]], island_.first_nodes[k]);
+  }
+
+  TouchIsland& island_;
+  std::span<const Contact* const> now_;
+  TouchSpace& space_;
+  Model& model_;
+  const Articulates& articulates_;
+  const TouchSettings& settings_;
+  std::vector<BodyLoad> losses_;  // (bodies) [N s], [N m s]
+};
 
 }  // namespace
 
-double take_back(TouchSpace& space, Model& model, const Articulates& articulates, Contacts& contacts,
-                 const TouchSettings& settings) {
-  const bool drifted = settings.drifted;
-  if (contacts.placed.empty()) return 0.0;
-  double work = 0.0;
-  for (Placing& p : contacts.placed) {
-    p.impulse = p.impulse * -1.0;
-    p.moment = p.moment * -1.0;
-  }
-  HeatOf heat(model, articulates, contacts, drifted, contacts.placed, contacts.new_heat);
-  std::vector<Given> as_then = space.given, as_now;
-  add_contacts(model, articulates, contacts, drifted, as_then, as_now);
-  add_scalars(model, articulates, space, settings, as_now);
-  Turns turns(model, articulates, contacts, as_then, drifted);
-  as_then.insert(as_then.end(), as_now.begin(), as_now.end());
-  for (const Given& g : by_thing(std::move(as_then))) {
-    const BodyState s = state_of(model, articulates, g.thing, drifted);
-    const double before = kinetic_energy(model, s, g.thing);
-    add_momenta(model, s, g.thing, g.impulse * -1.0, g.moment * -1.0);
-    const double by = kinetic_energy(model, s, g.thing) - before;
-    work += by;
-    if (const std::size_t i = number_of(model, g.thing); i < space.placing_work.size()) space.placing_work[i] += by;
-  }
-  work += turns.give_back() + space.answered.all();
-  heat.add(work);
-  return work;
+void take_back(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
+               const TouchSettings& settings, TouchReport& sum) {
+  const std::span<TouchIsland> islands = std::span(space.placing).first(space.placed);
+  const std::vector<const Contact*> now = still_touching(contacts, islands);
+  each_island(workers, islands, sum, [&](TouchIsland& island, TouchReport& report) {
+    report = {};
+    island.heat.clear();
+    if (island.placed.empty()) return;
+    for (Placing& p : island.placed) {
+      p.impulse = p.impulse * -1.0;
+      p.moment = p.moment * -1.0;
+    }
+    HeatOf heat(model, articulates, contacts, settings.drifted, island.placed, island.heat);
+    const std::span of_island = std::span(now).subspan(island.first_placed, island.placed.size());
+    report.work = TakeBack(island, of_island, space, model, articulates, settings).run() + island.answered.all();
+    report.ties.ends -= island.answered.ends;
+    report.ties.turns -= island.answered.turns;
+    heat.add(report.work);
+  });
+  collect_heat(contacts, islands);
+  space.placed = 0;
 }
 
 }  // namespace pantin
