@@ -68,7 +68,7 @@ struct Coupling {
 };
 
 /// How far a sweep in the order of elimination may go in each kind of work, one after the other, so that all it needs
-/// is done and what it reads is still in the cache: batches whose rows are all below `forces`, rows whose batches are all
+/// is done and what it reads is still in the cache: rows below `forces` whose force is set, batches whose rows are all below it, rows whose batches are all
 /// below `batches`, columns of the factor that reach only rows below `rows`.
 struct Tile {
   std::uint32_t forces = 0, batches = 0, rows = 0, columns = 0;
@@ -82,7 +82,7 @@ struct Gaps {
   double all() const { return std::fmax(points, others); }
 };
 
-/// Work [J] of impulses on what moves by itself: anchors and lengths, and the turns of angular rows.
+/// Work [J] of impulses on what is prescribed: anchors and lengths, and the turns of angular rows.
 struct ImpulseWork {
   double ends = 0.0, turns = 0.0;
   double all() const { return ends + turns; }
@@ -98,7 +98,7 @@ struct DriftReport {
   double unreached = 0.0;             // [1/s] the error where not even the most sub-steps give the wanted accuracy
   double nonconservative_work = 0.0;  // [J] of solved laws without energy that do not depend on velocities
   double damped = 0.0;                // [J] of those that do, of what settles, and of what is swallowed
-  double work = 0.0;                  // [J] of the world ends, changing lengths, pushes and twists
+  double work = 0.0;                  // [J] of the anchors, changing lengths, pushes and torques
   double motor = 0.0;                 // [J] of motors, and of turns and angles that follow a function of time
   double limit = 0.0;                 // [J] of limits, and of all rows where one is struck
   double met = 0.0;                   // [J] of making velocities consistent after an edit
@@ -159,18 +159,19 @@ struct ArticulateState {
   std::vector<Vec3> exerted;  // (rows) [N s] in all, in a full sub-step that is cut into parts or strikes a row
   double exerted_time = 0.0;  // [s] for which that is the sum; 0: the rows' forces tell all
   std::vector<Vec3>
-      expected;  // (rows) [N] forces foreseen by a kick that solves laws of velocity, where Newton begins; none, or not finite: as they were
+      expected;  // (rows) [N] forces foreseen by a kick that solves laws of velocity, where Newton begins; none, or not finite: as predicted
   std::vector<Vec3>
       reaction;  // (rows) [N] beyond the drift's force: what they bore in kicks by laws of velocity and at contacts in the last step
   std::vector<double> loads;  // (rows) [N] that they bore in the last step, where some may break; none: not known
-  std::vector<Vec3> symmetric_impulses;  // (rows) [N s] half of them, see `project_symmetrically`
-  double symmetric_h = 0.0;              // [s] of the sub-steps after which they serve; 0: none
-  double symmetric_energy = 0.0;         // [J] that taking them gave
-  ImpulseWork symmetric_work;            // of them
-  Vec3 turned = zero3();  // [kg m²/s] by forces over gaps, which the end of the full sub-step gives back
-  Gaps gaps;              // at the start of the next step
-  double residual = 0.0;  // [m] largest of the rigid rows where the solver placed them last
-  double last_h = 0.0;    // [s] of the last good step; 0: no history
+  std::vector<Vec3>
+      symmetric_impulses;          // (rows) [N s] running mean of those of projections, see `project_symmetrically`
+  double symmetric_h = 0.0;        // [s] of the sub-steps after which they serve; 0: none
+  double symmetric_energy = 0.0;   // [J] that taking them gave
+  ImpulseWork symmetric_work;      // of them
+  Vec3 angular_of_gaps = zero3();  // [kg m²/s] by forces over gaps, which the end of the full sub-step gives back
+  Gaps gaps;                       // at the start of the next step
+  double residual = 0.0;           // [m] largest of the rigid rows where the solver placed them last
+  double last_h = 0.0;             // [s] of the last good step; 0: no history
   /// Relative compliance of the factor, between `least_epsilon` and `most_epsilon`: sets the speed of convergence, never
   /// the answer. Redundant loops that change shape want much, large mass ratios and long chains little. Rows without a
   /// loop are never redundant.
@@ -187,7 +188,7 @@ struct ArticulateState {
   std::uint32_t open_steps = 0;             // in a row that ended with a gap beyond the tolerance
   double arrived = 0.0;                     // (0 … 1) of the step, up to which a fallback step has already moved
   bool smooth = true;                       // no part of the full sub-step was halved or a fallback step
-  bool cut = false;                         // the full sub-step has more than one part
+  bool cut = false;                         // the full sub-step has more than one part, or something in it may stop
   bool touches = false;                     // contacts gave it impulses before the last drift
   bool weak = false;                        // the last factor had weak pivots: its multipliers are not all determined
   SubSteps sub_steps;                       // in each stage of a step
@@ -226,11 +227,11 @@ struct Articulate : ArticulateState {
   bool all_rigid = true;
   bool angular = false;          // has angular rows
   bool tree = false;             // its rows make no loop: all are independent
-  bool soft = false;             // has soft rows
+  bool soft_constraint = false;  // has a soft row of a constraint, as a follow: not of a law
   bool breakable = false;        // has constraints that may break
   bool nonconservative = false;  // has rows that take energy or give it
   bool attracts = false;         // is free, and rows draw points together over a gap
-  bool all_soft = false;         // has no row but soft ones: its velocities are free
+  bool forbids_nothing = false;  // has no row but soft ones, of laws too: its velocities are free
   bool pulled = false;           // laws act on it: its kinetic energy is no longer gravity's alone
   std::uint64_t serial = 0;      // smallest of its things
 };

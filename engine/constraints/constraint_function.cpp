@@ -15,14 +15,14 @@ struct Hold {
 
 Hold hold(const Condition& c, const ConstraintFunction& r, double along, double kappa) {
   if (c.ranged) {
-    if (along * kappa < r.high) return {true, r.high, 0.0};
-    if (along * kappa > r.low) return {true, r.low, 0.0};
+    if (along * kappa < r.above_high) return {true, r.above_high, 0.0};
+    if (along * kappa > r.above_low) return {true, r.above_low, 0.0};
     return {false, 0.0, 0.0};
   }
-  const double wanted = along - r.low / kappa;
+  const double wanted = along - r.above_low / kappa;
   if (wanted < c.lower) return {false, 0.0, c.lower};
   if (wanted > c.upper) return {false, 0.0, c.upper};
-  return {true, r.low, 0.0};
+  return {true, r.above_low, 0.0};
 }
 
 }  // namespace

@@ -22,10 +22,10 @@ double evaluate_rod(Row& row, Condition& c, const RowContext& context) {
   r.gradient = row.d1 / length;
   r.turn_of_n = 1.0 / (2.0 * std::fmax(mean_length, 1e-3 * length));
   if (c.ranged) {
-    r.low = low > 0.0 ? above(row, low + c.accepted) : infinity;
-    r.high = above(row, high + c.accepted);
+    r.above_low = low > 0.0 ? above(row, low + c.accepted) : infinity;
+    r.above_high = above(row, high + c.accepted);
   } else {
-    r.low = above(row, length);
+    r.above_low = above(row, length);
   }
   return evaluate_function(row, c, r, context);
 }

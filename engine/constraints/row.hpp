@@ -41,12 +41,14 @@ struct alignas(64) Row {
 /// What of a condition leaves the straight line between the ends of a step.
 enum class Bent : std::uint8_t { nothing, position, length, turn };
 
-/// What the row of a constraint has beyond a hinge's: a world end, a matrix of its own, limits.
+/// What the row of a constraint has beyond a hinge's: an anchor, a matrix of its own, limits.
 struct Condition {
-  Vec3 position0 = zero3(),
-       position1 = zero3();  // [m] world end, at the start and end of the step being solved, or a separation
-  Vec3 whole0 = zero3(), whole1 = zero3();  // [m] the same of the whole step, where that is halved
-  Vec3 velocity = zero3();                  // [m/s] of the world end at the end of the step
+  Vec3
+      position0 = zero3(),
+      position1 =
+          zero3();  // [m] anchor, [rad] rotation of a turn prescribed, at the start and end of the step being solved; or a separation
+  Vec3 whole0 = zero3(), whole1 = zero3();  // the same at the start and end of the scene's step
+  Vec3 velocity = zero3();                  // [m/s] of the anchor at the end of the step
   Mat3 kept = zero33();                     // projects on the directions in which velocities are forbidden,
   Vec3 wanted = zero3();                    // [m/s] but for this one of d1
   Mat3 M = zero33(),
@@ -111,7 +113,7 @@ inline bool is_limited(const Condition& c) { return std::isfinite(c.lower) && st
 inline Vec3 mean_axis(const Row& row) { return direction(row.ra0 + row.rb0 + row.ra1 + row.rb1); }
 
 /// Of the angle of an angular row about its axis, by the small rotation.
-inline Vec3 twist_gradient(const Row& row) {
+inline Vec3 angle_gradient(const Row& row) {
   return (row.ra1 + row.rb1) / std::fmax(1.0 + dot(row.ra1, row.rb1), 1e-9);
 }
 

@@ -76,11 +76,11 @@ void count_angle(Row& row, Condition& condition, const Orientations& orientation
 
 /// A row of one dimension reads a value, held in a range by a force along n.
 struct ConstraintFunction {
-  Vec3 n;                     ///< of unit length; a force along it does work on the value exactly
-  Vec3 gradient;              ///< of the value at the end of the step, by d1
-  double low, high;           ///< [m] how far the value is above the ends of the range
-  double turn_of_n = 0.0;     ///< [1/m] by how much n turns, across itself, with a change of d1
-  double displacement = 0.0;  ///< [m] how far d moves in the step: a force across n does work on that
+  Vec3 n;                        ///< of unit length; a force along it does work on the value exactly
+  Vec3 gradient;                 ///< of the value at the end of the step, by d1
+  double above_low, above_high;  ///< [m] how far the value is above the ends of the range
+  double turn_of_n = 0.0;        ///< [1/m] by how much n turns, across itself, with a change of d1
+  double displacement = 0.0;     ///< [m] how far d moves in the step: a force across n does work on that
 };
 /// Sets residual, M, C and `held`; returns the size of the residual [m]. Held, the force along n is what keeps the value
 /// at the end of its range; else it is 0, or the limit that it would exceed. Which, is told by where the force would go

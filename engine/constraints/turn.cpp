@@ -9,7 +9,7 @@ namespace {
 /// A motor that stalls: its force grows with what it misses.
 double evaluate_yielding(Row& row, Condition& c, const ConstraintFunction& r, const RowContext& context) {
   const double kappa = 0.5 * context.h * context.h * context.mobility, weight = kappa / (1.0 + kappa / c.yields_by);
-  const double wanted = -r.low / c.yields_by, given = std::fmin(c.upper, std::fmax(c.lower, wanted));
+  const double wanted = -r.above_low / c.yields_by, given = std::fmin(c.upper, std::fmax(c.lower, wanted));
   c.held = false;
   row.residual = (row.f - r.n * given) * weight;
   c.M = given == wanted ? outer(r.n, r.gradient) * (weight / c.yields_by) : zero33();
@@ -20,25 +20,25 @@ double evaluate_yielding(Row& row, Condition& c, const ConstraintFunction& r, co
 double evaluate_turn(Row& row, Condition& c, const RowContext& context) {
   const double value = c.angle1 * row.lever - c.accepted;
   const double low = c.ranged ? low_end(c) : c.length, high = c.ranged ? high_end(c) : c.length;
-  const ConstraintFunction function{mean_axis(row), twist_gradient(row), value - low, value - high};
+  const ConstraintFunction function{mean_axis(row), angle_gradient(row), value - low, value - high};
   if (std::isfinite(c.stalled)) return evaluate_yielding(row, c, function, context);
   return evaluate_function(row, c, function, context);
 }
 
 void project_turn(const Row& row, Condition& c) {
-  const Vec3 gradient = twist_gradient(row);
+  const Vec3 gradient = angle_gradient(row);
   project_function(c, gradient,
                    std::fmax(1.0, norm(gradient)));  // less only where the axes are opposite, and it has none
 }
 
 Stop stop_of_turn(const Row& row, const Condition& c) {
   const double value = c.angle1 * row.lever - c.accepted;
-  return nearer_end(direction(twist_gradient(row)), value - low_end(c), value - high_end(c));
+  return nearer_end(direction(angle_gradient(row)), value - low_end(c), value - high_end(c));
 }
 
 Vec3 turn_gap(const Row& row, const Condition& c) {
   const double value = c.angle1 * row.lever - c.accepted;
-  return direction(twist_gradient(row)) *
+  return direction(angle_gradient(row)) *
          missing(c, value - (c.ranged ? low_end(c) : c.length), value - (c.ranged ? high_end(c) : c.length));
 }
 

@@ -65,8 +65,8 @@ inline void set_scalars(TouchIsland& island, const Articulates& articulates, dou
     const Articulate& a = *articulates[island.scalars[k].articulate];
     const double force = dot(force_in_drift(a, row.row()), along) / norm2(along);
     const auto impulse = [&](double bound) { return std::isinf(bound) ? bound : bound * time - force * drifted; };
-    s.low = std::min(0.0, impulse(row.low));
-    s.high = std::max(0.0, impulse(row.high));
+    s.low = std::min(0.0, impulse(row.lower));
+    s.high = std::max(0.0, impulse(row.upper));
   }
 }
 

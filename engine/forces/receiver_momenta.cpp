@@ -5,13 +5,13 @@
 
 namespace pantin {
 
-void ReceiverMomenta::add(Vec3 impulse, Vec3 twist) {
+void ReceiverMomenta::add(Vec3 impulse, Vec3 angular) {
   if (v)
     *v += impulse * inverse_mass;
   else
     *p += impulse;
   if (!P) return;
-  Vec3 turn = rotate(conjugate(q), twist);
+  Vec3 turn = rotate(conjugate(q), angular);
   if (line) turn[0] = 0.0;
   *P += turn;
   if (node) node->O0 = inverse_inertia * *P;

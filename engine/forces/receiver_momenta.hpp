@@ -19,7 +19,7 @@ struct ReceiverMomenta {
 
   Vec3 velocity() const { return v ? *v : *p * inverse_mass; }
   Vec3 spin() const { return P ? rotate(q, *P * inverse_inertia) : zero3(); }
-  void add(Vec3 impulse, Vec3 twist);
+  void add(Vec3 impulse, Vec3 angular);
 };
 
 ReceiverMomenta momenta_of(World& world, const Receiver& receiver, bool drifted);

@@ -28,7 +28,9 @@ double size_of(const Mat3& m) { return std::sqrt(norm2(m[0]) + norm2(m[1]) + nor
 bool wants_motion(const Condition& c) { return norm2(c.wanted) > 0.0; }
 
 /// Whether the rows of an articulate say which velocities are allowed.
-bool forbids(const Articulate& a) { return !a.all_soft && !a.fell_back && !a.torn && a.gaps.open <= 1e-8 * a.length; }
+bool forbids(const Articulate& a) {
+  return !a.forbids_nothing && !a.fell_back && !a.torn && a.gaps.open <= 1e-8 * a.length;
+}
 
 }  // namespace
 
@@ -48,8 +50,8 @@ TiedKick::TiedKick(World& world, VelocityForces& laws, std::size_t articulate, d
 
 TiedKick::~TiedKick() = default;
 
-void TiedKick::push(std::size_t node, Vec3 impulse, Vec3 twist) {
-  pantin::push(pushes_[node / batch_size], node % batch_size, impulse, twist);
+void TiedKick::push(std::size_t node, Vec3 impulse, Vec3 angular) {
+  pantin::push(pushes_[node / batch_size], node % batch_size, impulse, angular);
 }
 
 void TiedKick::add(Motions& to, const NodeSite& site, Vec3 impulse) const {

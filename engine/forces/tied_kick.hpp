@@ -22,7 +22,7 @@ namespace pantin {
 /// What a kick gave [J].
 struct TiedWork {
   double damper = 0.0, rest = 0.0;  ///< by laws of velocity: those that take, and those that do no work by it
-  ImpulseWork rows;                 ///< by what moves by itself
+  ImpulseWork rows;                 ///< by what is prescribed
 };
 
 class TiedKick {
@@ -62,7 +62,7 @@ class TiedKick {
   void choose_rule(double too_fast);
   /// Forgets impulses of other pairs; takes one on a node [N s], [N m s].
   void clear_pushes() { pushes_.assign(a_->batches.size(), {}); }
-  void push(std::size_t node, Vec3 impulse, Vec3 twist);
+  void push(std::size_t node, Vec3 impulse, Vec3 angular);
   /// Solves for w, with what laws give near to the velocities that they were asked at.
   void solve();
   /// w of a node [m/s], [rad/s].
@@ -118,7 +118,7 @@ class TiedKick {
   std::vector<BodyLoad> pressing_;  // (nodes) [N s], [N m s] of contacts in the kick; none: nothing presses
   bool alone_ = false, at_rest_ = false;
   double epsilon_ = 0.0;                                // compliance of the rows that they need
-  Motions pushes_, v0_, driven_, others_, w_, change_;  // driven_: the least motion that what moves by itself asks for
+  Motions pushes_, v0_, driven_, others_, w_, change_;  // driven_: the least motion that what is prescribed asks for
   double asked_ = 0.0;       // [J^½] size of the last motion that was made allowed, before it was
   std::vector<Vec3> borne_;  // (rows) [N s]
 };

@@ -92,7 +92,7 @@ void meet_edited(World& world) {
   for (const auto& articulate : world.articulates) {
     if (!articulate->edited || articulate->rest.asleep) continue;
     load(*articulate, world, world.settings.gravity);
-    const FirstImpact met = meet(*articulate, world.settings.step, 0.0);
+    const EnergyOfMeeting met = meet(*articulate, world.settings.step, 0.0);
     post(world, Source::edit, met.tied);
     post(world, Source::limit, met.stopped);
     for (const Node& n : articulate->nodes) store(n, world);

@@ -76,6 +76,10 @@ local random_scene = [[
       function() scene:on_path(point(body()), { some(1), some(1), some(2) }) end,
       function() scene:string({ point(body()), some(2), point(body()) }, { length = 1 + random() }) end,
       function() scene:weld(body(), body()) end,
+      function() scene:gear(body(), body(), { ratio = -2, axis = some(1) }) end,
+      function() scene:screw(point(body()), point(body()), { lead = 0.1, axis = some(1) }) end,
+      function() scene:rack(body(), point(body()), { radius = 0.3, axis = some(1), along = some(1) }) end,
+      function() scene:pulley(point(body()), some(2), some(2), point(body())) end,
       function() scene:join(point(body()), point(body()), { time_constant = 0.05 }) end,
     }
     for _ = 1, 2 + random(6) do pcall(ties[random(#ties)]) end

@@ -106,12 +106,12 @@ void find_dimensions(Articulate& a, const Model& model) {
   for (const Row& row : a.rows) {
     a.all_rigid = a.all_rigid && is_rigid(row);
     a.angular = a.angular || row.lever > 0.0;
-    a.soft = a.soft || (is_soft(row) && !pulls_by_law(row));
+    a.soft_constraint = a.soft_constraint || (is_soft(row) && !pulls_by_law(row));
     if (pulls_by_law(row)) a.nonconservative = a.nonconservative || condition(a, row).stiff->is_nonconservative();
   }
   const auto draws = [](const Row& row) { return row.rule->over_gap; };
   a.attracts = std::any_of(a.rows.begin(), a.rows.end(), draws) && is_free(a);
-  a.all_soft = std::all_of(a.rows.begin(), a.rows.end(), is_soft);
+  a.forbids_nothing = std::all_of(a.rows.begin(), a.rows.end(), is_soft);
   a.length = length_of(a, model);
   for (const Node& node : a.nodes) a.total_mass += node.mass;
   find_reaches(a);

@@ -1,5 +1,5 @@
 #pragma once
-// Between constraints and the rows they make.
+// What is prescribed for a part of a step, and motors that stall.
 #include <vector>
 
 #include "articulates/articulate.hpp"
@@ -12,7 +12,8 @@ double inertia_about(const Articulate& articulate, Vec3 position);
 /// motors yield by the step's way to what would stop them; until they give less than half of it, or are driven back. False
 /// where that changes nothing.
 bool stall_motors(Articulate& articulate, double h);
-/// Motors of limited torque that stall exert ten times as much in each step of h [s], up to what they can.
+/// Motors of limited torque that stall exert ten times as much in each full sub-step, up to what they can; `h` [s] is the
+/// scene's step.
 void strengthen_stalled(Articulate& articulate, double h);
 /// What a motor by speed wants at a moment `at` (0 … 1) of the step, [m/s].
 double speed(const Condition& condition, double at);

@@ -1,4 +1,4 @@
-// Several values add up to one, Σ w v = L: lengths of a string's segments, turns of gears, heights of racks. What makes
+// Several values add up to one, Σ w v = L: lengths of a string's segments, turns of gears, ways along an axis of racks. What makes
 // force times displacement exact for a value is its discrete gradient e: of a length (d0 + d1)/(|d0| + |d1|), of a height
 // its direction, of an angle that turns by φ the axis n times φ/(n·(a_a - a_b)), for that is what a torque does work on. So the
 // forces are λ w e with one λ for all: what the coupling gives on one side it takes on the other, without work.
@@ -58,15 +58,16 @@ double turn_by_work(const Articulate& a, const Row& row, Vec3 n, double turned, 
   // What is small has the round-off of all turns that were counted; its limit then is off by φ².
   const bool small = std::fabs(turned * turned * turned) < 1e-14 * (1.0 + std::fabs(counted));
   if (!small && std::fabs(work) > 0.1 * std::fabs(turned)) return turned / work;
-  const double apart =
+  const double one_plus_cosine =
       1.0 + dot(direction(row.ra0 + row.ra1), direction(row.rb0 + row.rb1));  // 2 cos² of half the angle
-  return std::sqrt(2.0 / std::fmax(apart, 1e-9)) * (1.0 - turned * turned / 12.0) / (1.0 + 0.25 * of_a * of_b);
+  return std::sqrt(2.0 / std::fmax(one_plus_cosine, 1e-9)) * (1.0 - turned * turned / 12.0) /
+         (1.0 + 0.25 * of_a * of_b);
 }
 
 Value value_of_angle(const Articulate& a, const Row& row, const Condition& c, double w) {
   const Vec3 n = mean_axis(row);
   const double e = turn_by_work(a, row, n, c.angle1 - c.angle0, c.angle1);
-  return {n, twist_gradient(row) * w, c.angle1 * row.lever * w, e * w, 0.0, 0.0};
+  return {n, angle_gradient(row) * w, c.angle1 * row.lever * w, e * w, 0.0, 0.0};
 }
 
 /// Of the angular row that turns the axis of a distance.
@@ -109,7 +110,7 @@ Slope slope(const Articulate& a, const Coupling& coupling, const Row& row, const
     return {direction(gradient), norm(gradient)};
   }
   if (row.lever > 0.0) {
-    const Vec3 gradient = twist_gradient(row);
+    const Vec3 gradient = angle_gradient(row);
     return {direction(gradient), std::fmax(1.0, norm(gradient))};
   }
   return {counts_along_axis(row, c) ? axis_of(a, row.b, c).at_end : direction(row.d1), 1.0};
@@ -129,7 +130,7 @@ double sum_of(const Articulate& a, const Coupling& coupling) {
   return sum;
 }
 
-double weighted(const Vec3& across, const Row& row, const Value& v, double kappa) {
+double size_across(const Vec3& across, const Row& row, const Value& v, double kappa) {
   return norm(across) * std::fmax(kappa, v.displacement / std::fmax(norm(row.f), 1e-3 * v.displacement / kappa));
 }
 
@@ -150,7 +151,7 @@ double evaluate_head(Articulate& a, Row& row, const Value& v, double over, doubl
   row.residual = v.n * over + across * kappa;
   c.M = outer(v.n, v.gradient) - P * (kappa * along * v.turn_of_n);
   c.C = P * kappa;
-  return std::fmax(std::fabs(over), weighted(across, row, v, kappa));
+  return std::fmax(std::fabs(over), size_across(across, row, v, kappa));
 }
 
 double evaluate_other(Articulate& a, Row& row, const Value& v, const Row& head, const Value& of_head, double kappa) {
@@ -161,7 +162,7 @@ double evaluate_other(Articulate& a, Row& row, const Value& v, const Row& head, 
   c.C = identity33() * kappa;
   c.into_head = outer(of_head.n, v.gradient);
   c.from_head = outer(v.n, of_head.n) * (-kappa * v.force_by_lambda / of_head.force_by_lambda);
-  return weighted(wrong, row, v, kappa);
+  return size_across(wrong, row, v, kappa);
 }
 
 double evaluate_coupling(Articulate& a, const Coupling& coupling, double h) {

@@ -108,7 +108,7 @@ void stand_still(Articulate& a, double h, double at) {
 
 /// Makes velocities consistent at a moment of the step, where a row is struck or a cut step begins: a solved part turns the
 /// sign of what is forbidden, which over several parts no row of one side bears. Returns what this gave beyond the work of
-/// what moves by itself [J].
+/// what is prescribed [J].
 double make_consistent_at(Articulate& a, const DriftSettings& settings, double at, DriftReport& report,
                           double struck_for = 0.0) {
   const double before = kinetic_energy(a);
@@ -130,7 +130,7 @@ void begin_cut(Articulate& a, const DriftSettings& settings, double at, DriftRep
 }
 
 /// Whether the drift is less than its full sub-step, as beside thermostats, and something may strike in it.
-bool halves_what_stops(const Articulate& a, const DriftSettings& settings) {
+bool is_part_that_may_strike(const Articulate& a, const DriftSettings& settings) {
   if (settings.backwards || (settings.to - settings.from) * settings.h > 0.75 * settings.full) return false;
   return std::any_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) { return c.ranged; });
 }
@@ -170,7 +170,7 @@ bool solve_part(Articulate& a, const DriftSettings& settings, double h, DriftRep
     return false;
   }
   if (settings.ledger) add_unsolved_work(a, h, report);
-  if (acts_over_gaps(a)) a.turned += turned_over_gaps(a, h);
+  if (acts_over_gaps(a)) a.angular_of_gaps += turned_over_gaps(a, h);
   for (Condition& c : a.conditions) c.angle0 = c.angle1;
   find_solved_gaps(a);
   a.last_h = h;
@@ -206,7 +206,7 @@ void drift_part(Articulate& a, const DriftSettings& settings, const Part& part, 
 
 }  // namespace
 
-FirstImpact meet(Articulate& a, double h, double at) {
+EnergyOfMeeting meet(Articulate& a, double h, double at) {
   a.edited = a.cut = false;
   stand_still(a, h, at);
   measure_gaps(a);
@@ -258,7 +258,7 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   a.exact = false;
   begin_effort(a);
   if (a.edited) {
-    const FirstImpact met = meet(a, settings.h, settings.from);
+    const EnergyOfMeeting met = meet(a, settings.h, settings.from);
     report.met += met.tied;
     report.limit += met.stopped;
   }
@@ -270,7 +270,7 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
     a.cut = false;
     a.exerted_time = 0.0;
     const bool open = a.gaps.open > 1e-8 * a.length;
-    if ((a.sub_steps.count > 1 || halves_what_stops(a, settings)) && !open)
+    if ((a.sub_steps.count > 1 || is_part_that_may_strike(a, settings)) && !open)
       symmetric ? cut(a) : begin_cut(a, settings, settings.from, report);
   }
   const std::uint32_t count = a.sub_steps.count, spare = a.effort.spare;

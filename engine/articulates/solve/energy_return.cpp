@@ -57,7 +57,7 @@ struct Anchors {
 Anchors anchors(const Articulate& a) {
   Anchors found;
   Vec3 axis = zero3();
-  bool turned = false;
+  bool orientation_tied = false;
   for (const Condition& c : a.conditions) {
     const Row& r = row(a, c);
     if (r.b >= 0 || c.turns_axis) continue;
@@ -65,8 +65,8 @@ Anchors anchors(const Articulate& a) {
     const bool guides = r.rule->guides || (r.lever == 0.0 && norm2(c.axis) > 0.0);
     if (c.stiff || guides) return {Anchorage::fixed, c.whole1, zero3()};  // no momentum is kept
     if (r.lever > 0.0) {
-      axis = !turned && r.rule->leaves_turn ? r.rb1 : zero3();
-      turned = true;
+      axis = !orientation_tied && r.rule->leaves_turn ? r.rb1 : zero3();
+      orientation_tied = true;
       continue;
     }
     const Vec3 position = c.whole1;
@@ -79,7 +79,7 @@ Anchors anchors(const Articulate& a) {
     found.kind = Anchorage::line;
     found.axis = u;
   }
-  if (!turned) return found;
+  if (!orientation_tied) return found;
   if (found.kind == Anchorage::none) return {Anchorage::orientation, zero3(), zero3()};
   if (found.kind == Anchorage::position && norm2(axis) > 0.0) return {Anchorage::line, found.position, axis};
   if (found.kind == Anchorage::line && norm2(axis) > 0.0 && norm(cross(axis, found.axis)) <= 1e-9) return found;
@@ -126,7 +126,7 @@ RigidMotion kept_motion(const Articulate& a, Vec3 gravity) {
 
 bool may_return(const Articulate& a) {
   if (a.pulled || a.touches) return false;
-  if (a.fell_back || a.soft || a.nonconservative) return false;
+  if (a.fell_back || a.soft_constraint || a.nonconservative) return false;
   return !struck(a) && std::none_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) {
     return norm2(c.velocity) > 0.0 || c.length_rate != 0.0 || (c.may_do_work && !c.ranged);
   });

@@ -3,8 +3,9 @@
 
 namespace pantin {
 
-/// Makes the kinetic energy `kinetic` again [J], as far as speeds 1.2 times as large do; nothing is given back where an
-/// anchor moves or a pull is limited. Returns what it gave [J].
+/// Makes the kinetic energy `kinetic` again [J], as far as speeds 1.2 times as large do; nothing is given back where
+/// something else than gravity may do work: where an anchor moves, a motor, a law or a soft row acts, something touches or was
+/// struck, and after a fallback step. Returns what it gave [J].
 double return_energy(Articulate& articulate, double kinetic, Vec3 gravity);
 
 /// Scales the motion relative to the rigid motion that the anchors leave free, by `most` at most, to change the kinetic

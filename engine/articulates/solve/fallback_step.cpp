@@ -32,12 +32,12 @@ double mechanical_energy(const Articulate& a, Vec3 gravity) {
 void hold_stiff(Articulate& a) {
   for (Row& row : a.rows)
     if (pulls_by_law(row)) hold_length(row, condition(a, row));
-  a.all_soft = false;
+  a.forbids_nothing = false;
 }
 void release_stiff(Articulate& a) {
   for (Row& row : a.rows)
     if (row.condition >= 0 && condition(a, row).stiff) pull_again(row);
-  a.all_soft = std::all_of(a.rows.begin(), a.rows.end(), is_soft);
+  a.forbids_nothing = std::all_of(a.rows.begin(), a.rows.end(), is_soft);
   measure_gaps(a);
 }
 

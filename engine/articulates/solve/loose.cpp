@@ -48,21 +48,21 @@ Turn find_turn(const Node& n, Vec3 P, double h) {
   const Vec3 spin = P * n.inverse_inertia;
   Turn turn;
   if (!(norm2(spin) * h * h <= most_turn * most_turn)) return turn;
-  const auto [I, inverse_I] = preprocessed(n, spin, h);
-  const Vec3 right = P * inverse_I * (0.5 * h), skew = vec(I[2] - I[1], I[0] - I[2], I[1] - I[0]) * inverse_I;
+  const auto [J, inverse_J] = preprocessed(n, spin, h);
+  const Vec3 right = P * inverse_J * (0.5 * h), skew = vec(J[2] - J[1], J[0] - J[2], J[1] - J[0]) * inverse_J;
   Vec3& b = turn.b;
   b = right;
   double last = infinity;
   for (int i = 0; i < 20; i++) {
     const Vec3 error = b + skew * vec(b[1] * b[2], b[2] * b[0], b[0] * b[1]) - right * (1.0 + norm2(b));
-    Mat3 J = outer(right, b) * -2.0;
+    Mat3 slope = outer(right, b) * -2.0;
     for (int k = 0; k < 3; k++) {
       const int l = (k + 1) % 3, m = (k + 2) % 3;
-      J[k][k] += 1.0;
-      J[k][l] += skew[l] * b[m];  // column k
-      J[k][m] += skew[m] * b[l];
+      slope[k][k] += 1.0;
+      slope[k][l] += skew[l] * b[m];  // column k
+      slope[k][m] += skew[m] * b[l];
     }
-    const Vec3 db = inverse(J) * error;
+    const Vec3 db = inverse(slope) * error;
     const double size = norm(db);
     if (!(size <= 1.0)) return turn;
     if (size >= last) {  // round-off
@@ -115,15 +115,16 @@ void turn_about(Node& n, int axis, double angle) {
 /// (Touma and Wisdom 1994); it always answers.
 void turn_as_symmetric(Node& n, double h) {
   const int axis = most_distinct(n.inertia), j = (axis + 1) % 3, k = (axis + 2) % 3;
-  const Vec3 O = n.inverse_inertia;
+  const Vec3 inverse = n.inverse_inertia;
   const auto correct = [&] {
-    if (O[k] != O[j]) turn_about(n, k, n.P0[k] * (O[k] - O[j]) * (0.5 * h));
+    if (inverse[k] != inverse[j]) turn_about(n, k, n.P0[k] * (inverse[k] - inverse[j]) * (0.5 * h));
   };
   correct();
-  const double size = norm(n.P0), angle = size * O[j] * h;  // of a symmetric top, about its angular momentum
+  const double size = norm(n.P0), angle = size * inverse[j] * h;  // of a symmetric top, about its angular momentum
   const Vec3 u = direction(n.P0) * functions::sin(0.5 * angle);
   n.q0 = n.q0 * Quat{functions::cos(0.5 * angle), u[0], u[1], u[2]};
-  if (O[axis] != O[j]) turn_about(n, axis, n.P0[axis] * (O[axis] - O[j]) * h);  // and about itself
+  if (inverse[axis] != inverse[j])
+    turn_about(n, axis, n.P0[axis] * (inverse[axis] - inverse[j]) * h);  // and about itself
   correct();
 }
 

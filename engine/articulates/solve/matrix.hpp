@@ -16,13 +16,14 @@ struct System {
   double epsilon, scale, right_scale, h = 0.0;
   bool may_turn = true;  ///< the nodes; else they are only shifted
 };
-/// Fills and factorises the matrix and takes its right side through the first half of the solution, whose second half is
+/// Fills and factorises the matrix and takes its right side through the forward substitution, which ends with
 /// `Factor::substitute_back`. Returns whether a pivot is weak.
 bool factorise(Articulate& articulate, const System& system);
-/// Call before a right side is taken through the first half of a solution, and at the beginning of the second half.
+/// Before the forward substitution of a right side.
 void clear_hubs(Articulate& articulate);
+/// Between that and the backward substitution.
 void solve_hubs(Articulate& articulate);
-/// The same for another right side on the factor of Newton's matrix at hand.
+/// As `factorise` for another right side, on the factor of Newton's matrix at hand.
 void reuse_factor(Articulate& articulate, const System& system);
 /// R I⁻¹ R' with the rotation at the start or end of the step.
 Mat3 inverse_inertia(const Node& node, const Mat3& R);

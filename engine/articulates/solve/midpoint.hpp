@@ -45,7 +45,7 @@ inline Lanes evaluate(NodeBatch& n, const RowLoad& load, double h) {
 
 /// J = dE/da, inverted, with B = Σ r̄ ±f':
 ///   J = (1 + a^/2) R0 (2/h) I R0' - (Π + L1)^/2 - (1 - a^/2) h dτ/da,
-///   dτ/da = c/2 (B - tr(B) 1 - a τ'/2 - (B a)^/2 + a^ B' a^/4),  τ = axial(B).
+///   dτ/da = c/2 (B - tr(B) 1 - a τ_B'/2 - (B a)^/2 + a^ B' a^/4),  τ_B = axial(B).
 inline void invert_jacobian(NodeBatch& n, const Mat3x4& B, double h) {
   const Vec3x4 tau = axial(B);
   const Mat3x4 a_hat = hat(n.a), Ba_hat = hat(B * n.a), sum_hat = hat(n.sum);
@@ -53,8 +53,8 @@ inline void invert_jacobian(NodeBatch& n, const Mat3x4& B, double h) {
   const Lanes of_tau[3] = {tau.x, tau.y, tau.z};
   Mat3x4 J;
   for (int k = 0; k < 3; k++) {
-    const Vec3x4 quartic = cross(n.a, transposed_times(B, a_hat[k]));
-    Vec3x4 dtau = (B[k] - n.a * (of_tau[k] * 0.5) - Ba_hat[k] * 0.5 + quartic * 0.25) * s;
+    const Vec3x4 quadratic = cross(n.a, transposed_times(B, a_hat[k]));
+    Vec3x4 dtau = (B[k] - n.a * (of_tau[k] * 0.5) - Ba_hat[k] * 0.5 + quadratic * 0.25) * s;
     (k == 0 ? dtau.x : k == 1 ? dtau.y : dtau.z) -= tr;
     const Vec3x4& d = n.inertia_rate[k];
     J[k] = d - dtau - sum_hat[k] * 0.5 + cross(n.a, d + dtau) * 0.5;
@@ -64,7 +64,7 @@ inline void invert_jacobian(NodeBatch& n, const Mat3x4& B, double h) {
 }
 
 /// The same in a plane, where all rotations are about its normal k: of J and its inverse only J_kk counts,
-///   J_kk = (2/h) I_kk - h c/2 (B_kk - tr(B) - a_k τ_k/2).
+///   J_kk = (2/h) I_kk - h c/2 (B_kk - tr(B) - a_k τ_Bk/2).
 inline void invert_flat_jacobian(NodeBatch& n, const Mat3x4& B, double h, int k) {
   const auto normal = [k](const Vec3x4& v) { return k == 0 ? v.x : k == 1 ? v.y : v.z; };
   const Lanes dtau = (normal(B[k]) - trace(B) - normal(n.a) * normal(axial(B)) * 0.5) * (n.c * (0.5 * h));
@@ -75,7 +75,7 @@ inline void invert_flat_jacobian(NodeBatch& n, const Mat3x4& B, double h, int k)
   n.da = n.J_inverse * n.E * -1.0;
 }
 
-/// W = (2/h) c (1 + a^/2) J⁻¹ (1 - a^/2): the rotation at the end that a moment of unit force makes, times 2/h².
+/// W = (2/h) c (1 + a^/2) J⁻¹ (1 - a^/2): the rotation at the end that a unit moment makes, times 2/h².
 inline Mat3x4 angular_mobility(const NodeBatch& n, double h) {
   Mat3x4 W = times_hat(n.J_inverse, n.a);
   for (int k = 0; k < 3; k++) {

@@ -23,9 +23,9 @@ void add(Motions& to, const Motions& more, double times) {
   }
 }
 
-void push(BatchMotion& to, std::size_t lane, Vec3 impulse, Vec3 twist) {
+void push(BatchMotion& to, std::size_t lane, Vec3 impulse, Vec3 angular) {
   set_lane(to.p, lane, lane_of(to.p, lane) + impulse);
-  set_lane(to.L, lane, lane_of(to.L, lane) + twist);
+  set_lane(to.L, lane, lane_of(to.L, lane) + angular);
 }
 
 /// Leaves what is new in a direction; its size.
@@ -35,16 +35,16 @@ double MotionSpace::orthogonalise(Motions& direction) const {
   return size_of(direction);
 }
 
-double MotionSpace::add_direction(Motions direction, double whole,
+double MotionSpace::add_direction(Motions direction, double size_of_all,
                                   const std::function<Motions(const Motions&)>& allowed) {
-  constexpr double left = 1e-7, little = 1e-3, most = 0.5;
+  constexpr double negligible = 1e-7, small = 1e-3, least_kept = 0.5;
   const double found = orthogonalise(direction);
-  if (!(found > left * whole)) return 0.0;
+  if (!(found > negligible * size_of_all)) return 0.0;
   double size = found;
-  if (found < little * whole) {
+  if (found < small * size_of_all) {
     direction = allowed(direction);
     size = orthogonalise(direction);
-    if (!(size > most * found)) return 0.0;
+    if (!(size > least_kept * found)) return 0.0;
   }
   Motions unit(direction.size());
   add(unit, direction, 1.0 / size);

@@ -20,7 +20,7 @@ double product(const Motions& a, const Motions& b);
 double size_of(const Motions& motions);  ///< [J^½]
 void add(Motions& to, const Motions& more, double times);
 /// Adds impulses [N s], [N m s] to the momenta in a lane.
-void push(BatchMotion& to, std::size_t lane, Vec3 impulse, Vec3 twist);
+void push(BatchMotion& to, std::size_t lane, Vec3 impulse, Vec3 angular);
 
 /// A basis that grows, orthonormal, with the work that the impulses which each direction makes do along all.
 struct MotionSpace {
@@ -28,9 +28,9 @@ struct MotionSpace {
   Eigen::MatrixXd work;  ///< [1/s] of the impulses of the column along the row
 
   /// Takes a direction apart from the others, and adds it unless it is hardly more than what answers leave of what was
-  /// forbidden, of a motion of size `whole` [J^½]; how much of it was new. Where that is little, `allowed` takes out of it
+  /// forbidden, of a motion of size `size_of_all` [J^½]; how much of it was new. Where that is little, `allowed` takes out of it
   /// what was left so, which else would be most of it.
-  double add_direction(Motions direction, double whole, const std::function<Motions(const Motions&)>& allowed);
+  double add_direction(Motions direction, double size_of_all, const std::function<Motions(const Motions&)>& allowed);
   /// The work of the impulses that the last direction makes, the last of `impulses` (directions), and that along it.
   void add_work(const std::vector<Motions>& impulses);
 

@@ -64,20 +64,20 @@ class Evaluation {
   void row(std::size_t k) {
     Row& row = a_.rows[k];
     place_row_at_end(a_, k);
-    if (!is_rigid(row)) return count(worst_, residual(a_, row, h_));
+    if (!is_rigid(row)) return raise(worst_, residual(a_, row, h_));
     row.residual = a_.offsets ? row.d1 - row.offset : row.d1;
-    count(worst2_, norm2(row.residual));
+    raise(worst2_, norm2(row.residual));
   }
   /// Once all are; returns the largest residual [m].
   double end() {
-    if (!a_.couplings.empty()) count(worst_, evaluate_couplings(a_, h_));
+    if (!a_.couplings.empty()) raise(worst_, evaluate_couplings(a_, h_));
     a_.residual = std::sqrt(worst2_);
     if (!(largest_lane(unsound_) == 0.0)) return infinity;
     return std::max(worst_, std::sqrt(std::max(worst2_, largest_lane(largest2_))));
   }
 
  private:
-  static void count(double& worst, double r) { worst = r <= worst ? worst : std::isfinite(r) ? r : infinity; }
+  static void raise(double& worst, double r) { worst = r <= worst ? worst : std::isfinite(r) ? r : infinity; }
 
   Articulate& a_;
   double h_;
@@ -146,19 +146,19 @@ Lanes find_change(Articulate& a, NodeBatch& n, double h) {
 }
 
 /// Whether all nodes of a row are in batch b or later ones, through which a sweep against the order has been.
-bool lies_from(const Row& row, std::size_t b) {
+bool is_swept(const Row& row, std::size_t b) {
   const std::int32_t earlier = row.b < 0 ? row.a : std::min(row.a, row.b);
   return static_cast<std::size_t>(earlier) >= b * batch_size;
 }
 
 /// Of a direction, and the residual [m] after all of it.
-struct WholeStep {
+struct FullNewtonStep {
   double largest_turn, residual;
 };
 
 /// Finishes the direction from the half solved right side, forces in `right_side` and rotations in `change`, and moves the
 /// unknowns along it, from values that it saves: all in one sweep against the order of elimination.
-WholeStep take_direction(Articulate& a, double h) {
+FullNewtonStep take_direction(Articulate& a, double h) {
   Lanes largest_turn = lanes(0.0);
   Evaluation evaluation(a, h);
   std::size_t b = a.batches.size(), placed = a.rows.size();
@@ -174,7 +174,7 @@ WholeStep take_direction(Articulate& a, double h) {
       n.a += n.change;
       evaluation.batch(b - 1);
     }
-    for (; placed > 0 && lies_from(a.rows[placed - 1], b); placed--) evaluation.row(placed - 1);
+    for (; placed > 0 && is_swept(a.rows[placed - 1], b); placed--) evaluation.row(placed - 1);
   }
   return {std::sqrt(largest_lane(largest_turn)), evaluation.end()};
 }
@@ -195,10 +195,10 @@ struct Search {
 /// One damped Newton step along the direction in the nodes and rows.
 Search search_line(Articulate& a, double h, double e, double tolerance, bool fresh, std::uint32_t most_cost,
                    DriftReport& report) {
-  const WholeStep whole = take_direction(a, h);
-  double fraction = std::min(1.0, 1.0 / whole.largest_turn);
+  const FullNewtonStep full = take_direction(a, h);
+  double fraction = std::min(1.0, 1.0 / full.largest_turn);
   for (std::uint32_t halvings = 0;; halvings++) {
-    const double e1 = fraction == 1.0 ? whole.residual : evaluate_along(a, h, fraction);
+    const double e1 = fraction == 1.0 ? full.residual : evaluate_along(a, h, fraction);
     report.iterations++;
     const bool accepted = e1 < e * (1.0 - 0.1 * fraction) || e1 <= tolerance;
     if (accepted || halvings >= most_halvings || cost(report) > most_cost || (!fresh && halvings == 0))
@@ -216,7 +216,7 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
   double left = 1.0;  // of the residual, by the last iteration
   const auto [tolerance, round_off] = goal;
   a.predictor.rough = e > 0.03 * a.length;
-  bool have_factor = false, fresh = false;
+  bool factor_of_attempt = false, fresh = false;
   int old_uses = 0, lost = 0, slow = 0;
   // A prediction must be better than what an iteration leaves: what rests is to stay at rest.
   const double good_prediction = std::max(0.01 * tolerance, round_off);
@@ -226,10 +226,10 @@ bool iterate(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
     const bool gains_enough = left <= 0.1 || (left <= 0.5 && old_uses < 2) || (left < 1.0 && e * left <= tolerance);
     old_uses++;
     const System system{Arms::mean, a.epsilon, 2.0 / (h * h), -2.0 / (h * h), h};
-    if (!have_factor || !gains_enough) {
+    if (!factor_of_attempt || !gains_enough) {
       old_uses = 0;
       a.weak = factorise(a, system) && !a.tree;
-      a.has_factor = have_factor = fresh = true;
+      a.has_factor = factor_of_attempt = fresh = true;
       report.factorisations++;
     } else {
       reuse_factor(a, system);

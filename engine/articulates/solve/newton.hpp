@@ -10,7 +10,7 @@ bool solve_step(Articulate& articulate, double h, Vec3 gravity, DriftReport& rep
 /// Finds the gaps that a solved step leaves: those of hinges alone are at hand.
 void find_solved_gaps(Articulate& articulate);
 
-/// Tells the work of world ends that move, of limited pulls, of lengths that change, of motors and limits, in the step just solved.
+/// Tells the work of anchors that move, of limited pulls, of lengths that change, of motors and limits, in the step just solved.
 void add_work_of_rows(Articulate& articulate, DriftReport& report);
 /// Work in the step just solved, of h [s], that is none when it is solved exactly: of forces on gaps, and of moments on
 /// what rotations miss; and what round-off of the positions makes of the work of all rows. Articulate::saved: the nodes before.

@@ -55,7 +55,7 @@ void find_kept(Articulate& a) {
 
 struct Velocities {
   double kinetic = 0.0;    // [J]
-  double fastest = 0.0;    // [m/s] of nodes' centres and world ends
+  double fastest = 0.0;    // [m/s] of nodes' centres and anchors
   double forbidden = 0.0;  // [m/s] largest of the rows
 };
 
@@ -97,13 +97,13 @@ Velocities find_velocities(Articulate& a, From from, bool reuse = false) {
   return v;
 }
 
-/// Adds the work of the impulse of a row on what moves by itself.
+/// Adds the work of the impulse of a row on what is prescribed.
 void add_work(ImpulseWork& work, const Articulate& a, const Condition& c, Vec3 impulse) {
   if (c.stiff) return;
   (row(a, c).lever > 0.0 ? work.turns : work.ends) += dot(impulse, c.wanted);
 }
 
-/// Energy that what moves by itself may give, if all moves as fast, or for a turn ten times as much, since a crank may turn
+/// Energy that what is prescribed may give, if all moves as fast, or for a turn ten times as much, since a crank may turn
 /// others faster than itself [J].
 double driven_energy(const Articulate& a) {
   double energy = 0.0;
@@ -117,7 +117,7 @@ double driven_energy(const Articulate& a) {
   return energy;
 }
 
-/// Work of the impulses on what moves by itself. Where rows contradict each other their impulses may have no bound; the work at
+/// Work of the impulses on what is prescribed. Where rows contradict each other their impulses may have no bound; the work at
 /// the velocities after has one, and is told instead: to anchors, or to angular rows where none moves.
 ImpulseWork work_of_impulses(const Articulate& a, const Velocities& v) {
   constexpr double bound = 10.0;  // of what moves and drives
@@ -203,7 +203,7 @@ bool project_with_newton_factor(Articulate& a, const Velocities& before, DriftRe
   return false;
 }
 
-void carry_half(Articulate& a, double h) {
+void average_impulses(Articulate& a, double h) {
   a.symmetric_h = h;
   for (std::size_t k = 0; k < a.rows.size(); k++)
     a.symmetric_impulses[k] = (a.symmetric_impulses[k] + a.impulses[k]) * 0.5;
@@ -289,8 +289,8 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   a.symmetric_h = 0.0;
   const bool over_gaps = acts_over_gaps(a);
   Momenta momenta = over_gaps ? momenta_of(a) : Momenta{};
-  momenta.angular -= std::exchange(a.turned, zero3());
-  if (a.fell_back || a.all_soft) {
+  momenta.angular -= std::exchange(a.angular_of_gaps, zero3());
+  if (a.fell_back || a.forbids_nothing) {
     if (over_gaps) report.work += restore_momenta(a, momenta);
     return;
   }
@@ -330,14 +330,14 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   const double speed = std::max(before.fastest, std::sqrt(norm(settings.gravity) * a.length));
   const bool noise = before.forbidden <= 1e-9 * speed;  // as large as what the solver leaves
   if (a.smooth && !a.weak && !noise && !over_gaps && !one_sided && !a.touches)
-    carry_half(a, settings.full / a.sub_steps.count);
+    average_impulses(a, settings.full / a.sub_steps.count);
   if (settings.energy_return)
     report.returned += return_energy(a, before.kinetic - a.symmetric_energy, settings.gravity);
 }
 
 namespace {
 
-/// Takes out what the rows that hold forbid; returns the work of what moves by itself.
+/// Takes out what the rows that hold forbid; returns the work of what is prescribed.
 ImpulseWork take_out_forbidden(Articulate& a) {
   find_kept(a);
   const double driven = driven_energy(a);
@@ -393,7 +393,7 @@ bool let_one_go(Articulate& a, double time, double struck_for, int gone) {
 
 ImpulseWork make_consistent(Articulate& a, double time, double struck_for) {
   std::fill(a.impulses.begin(), a.impulses.end(), zero3());
-  if (a.all_soft) return {};
+  if (a.forbids_nothing) return {};
   ImpulseWork work = take_out_forbidden(a);
   for (int gone = 0; let_one_go(a, time, struck_for, gone); gone++) work = take_out_forbidden(a);
   tell_momenta(a);

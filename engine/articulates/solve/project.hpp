@@ -4,12 +4,12 @@
 namespace pantin {
 
 /// Takes out of the momenta what the rows forbid, S1 Λ = -(G1 v1 - wanted), p += G1'Λ, once at the end of a full
-/// sub-step; without it an odd-even velocity hides and grows. With `energy_return` the kinetic energy that this took is
+/// sub-step; without it a velocity that changes its sign each step hides and grows. With `energy_return` the kinetic energy that this took is
 /// given back.
 void project_velocities(Articulate& articulate, const DriftSettings& settings, DriftReport& report);
 
-/// Before a full sub-step of `full` [s]: takes out of the momenta half of what projections gave of late, p -= G0'Λ̂ with
-/// Λ̂ = ½ (Λ̂ + Λ) of the last. A solved step turns the sign of a velocity that the rows forbid, so with this it and its
+/// Before a full sub-step of `full` [s]: takes out of the momenta a running mean of what projections gave, p -= G0'Λ̂ with
+/// Λ̂ = ½ (Λ̂ + Λ) after each: with the projection at the end, two equal halves. A solved step turns the sign of a velocity that the rows forbid, so with this it and its
 /// projection are nearly reversible together (symmetric projection: Hairer 2000), and energy drifts less; where their
 /// number is even, p += G0'Λ̂. Nothing, and false, where the last one was another: edited, halved, a fallback, of another length,
 /// or with multipliers that are not all determined.
@@ -21,7 +21,7 @@ void set_kept_matrices(Articulate& articulate);
 /// Makes momenta consistent (an inelastic impact), with the least compliance that gives a sane energy: anchors may be
 /// near-singular or contradict each other. Rows that hold let go where they would have to do what they cannot: a stop to
 /// pull, beyond what it gave if it was struck in the last `struck_for` [s], a motor to exert more than it can in `time` [s].
-/// Arms at the nodes' ends; ends must equal starts. Returns the work of what moves by itself.
+/// Arms at the nodes' ends; ends must equal starts. Returns the work of what is prescribed.
 ImpulseWork make_consistent(Articulate& articulate, double time, double struck_for = 0.0);
 
 /// Puts rows where nodes start, at a moment `at` (0 … 1) of a step of h [s], and finds which velocities they forbid there:
@@ -32,7 +32,7 @@ void find_forbidden(Articulate& articulate, double h, double at);
 /// their factor with a compliance `epsilon` at least, unless the articulate has one.
 void begin_answers(Articulate& articulate, double epsilon);
 /// Takes out of the batches' momenta what the rows forbid; Articulate::impulses are those of it. Returns the work of what
-/// moves by itself.
+/// is prescribed.
 ImpulseWork answer(Articulate& articulate);
 
 }  // namespace pantin

@@ -22,13 +22,13 @@ ScalarRow row_of(const Articulate& a, const Coupling& coupling) {
   const Condition& c = condition(a, head);
   ScalarRow s;
   s.wanted = c.length_rate / c.weight1;
-  s.low = -infinity;
-  s.high = infinity;
+  s.lower = -infinity;
+  s.upper = infinity;
   double sign = 1.0;
   if (c.ranged) {
     sign = -1.0;
     s.wanted *= -1.0;
-    s.low = 0.0;
+    s.lower = 0.0;
     s.room = coupling_stop(a, head).room;
   }
   for (const auto& [k, along] : coupling_gradient(a, coupling)) s.terms.push_back({k, along * sign});
@@ -47,7 +47,7 @@ ScalarRow row_of_stop(const Row& row, Condition c, Stop stop) {
   s.terms.push_back({c.row, stop.inward});
   s.wanted = dot(c.wanted, stop.inward);
   s.room = stop.room;
-  s.high = infinity;
+  s.upper = infinity;
   return s;
 }
 
@@ -58,8 +58,8 @@ ScalarRow row_of_motor(const Row& row, Condition c) {
   ScalarRow s;
   s.terms.push_back({c.row, axis_of(c.kept)});
   s.wanted = dot(c.wanted, s.terms.front().along);
-  s.high = c.jammed > 0.0 ? c.jammed : c.upper;
-  s.low = -s.high;
+  s.upper = c.jammed > 0.0 ? c.jammed : c.upper;
+  s.lower = -s.upper;
   return s;
 }
 

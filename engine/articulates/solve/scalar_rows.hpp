@@ -18,15 +18,15 @@ struct ScalarRow {
     std::int32_t node;
     Vec3 force = zero3(), moment = zero3();
   };
-  std::vector<Term> terms;       ///< the first is of the row that it is known by
-  std::vector<End> ends;         ///< each of another node
-  double wanted = 0.0;           ///< [m/s]
-  double room = 0.0;             ///< [m] until it acts
-  double low = 0.0, high = 0.0;  ///< [N] bounds of its force
+  std::vector<Term> terms;          ///< the first is of the row that it is known by
+  std::vector<End> ends;            ///< each of another node
+  double wanted = 0.0;              ///< [m/s]
+  double room = 0.0;                ///< [m] until it acts
+  double lower = 0.0, upper = 0.0;  ///< [N] bounds of its force
 
   std::uint32_t row() const { return terms.front().row; }
   bool is_angular(const Articulate& a) const { return a.rows[row()].lever > 0.0; }
-  bool is_bounded() const { return std::isfinite(low) || std::isfinite(high); }
+  bool is_bounded() const { return std::isfinite(lower) || std::isfinite(upper); }
 };
 
 /// Whether contacts meet a condition as a scalar row within bounds, not as a tie.

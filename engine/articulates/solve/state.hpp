@@ -4,7 +4,7 @@
 
 namespace pantin {
 
-/// Copies the model's state into the nodes, with constant forces: gravity [m/s²], pushes and twists; and the world ends
+/// Copies the model's state into the nodes, with constant forces: gravity [m/s²], pushes and torques; and the anchors
 /// and limits of the rows from their constraints. In a plane all is taken to height 0, so that no row sees the normal.
 void load(Articulate& articulate, const Model& model, Vec3 gravity);
 /// Copies the state of one thing into a node.

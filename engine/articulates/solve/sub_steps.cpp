@@ -26,7 +26,7 @@ bool is_quiet(const SubSteps& n, double rate, double accuracy, double fall) {
 
 /// Whether a trial is due by time. Where a number has been quiet for long, half of it is tried.
 bool is_due(SubSteps& n, const SubStepSettings& wanted) {
-  if (!wanted.trials) return false;
+  if (!wanted.may_try) return false;
   if (n.left > 0) n.left--;
   if (n.left > 0) return false;
   if (n.quiet >= long_quiet) n = {static_cast<std::uint16_t>(n.count / 2), 0, 1, 0, n.turn};
@@ -49,7 +49,7 @@ double distance(const Node& a, const Node& b) {
   return a.turns ? moved + extent(a) * turn_between(a.R0, b.R0) : moved;
 }
 
-/// Whether it was halved into what may be the parts of others.
+/// Whether it was halved: its parts may be the other's sub-steps, and the difference 0.
 bool is_halved(const DriftReport& report) { return report.halved > 0 && report.fallbacks == 0; }
 
 double difference(const Articulate& a, const Articulate& b) {
@@ -124,7 +124,7 @@ Tried double_sub_steps(Thing& thing, const Thing& start, Thing& other, SubSteps&
 /// The error [1/s] that what moves as it wants has between the moments at which it is asked: what it is seen to be off there,
 /// of which what is tied to it keeps a part, since it is right again at the next of them.
 double error_between(const Articulate& a, double h) {
-  constexpr double passed_on = 0.125;  // of a pivot that begins to move at once; it was 0.04 at most
+  constexpr double passed_on = 0.125;  // of an anchor that begins to move at once; it was 0.04 at most
   double worst = 0.0;
   for (const Condition& c : a.conditions)
     if (c.bent != Bent::nothing) worst = std::max(worst, c.bend.missed * (c.by_speed ? std::fabs(h) : 1.0));
@@ -174,7 +174,7 @@ void drift_accurately(Articulate& a, const DriftSettings& settings, const SubSte
     a.report.unreached = std::max(tried.reached ? 0.0 : tried.rate, bend_error(a, trial, wanted, h, n.count, move));
     if (wanted.span != 0.0) find_means(a, trial.start, h, wanted.span, trial.means);
   }
-  if (wanted.trials)
+  if (wanted.may_try)
     if (const double between = error_between(a, settings.h); between > wanted.accuracy)
       a.report.unreached = std::max(a.report.unreached, between);
   a.sub_steps = n;

@@ -11,8 +11,8 @@ inline constexpr std::uint16_t sub_step_limit = 256;
 
 struct SubStepSettings {
   double accuracy = 0.0;  ///< [1/s] largest error of a point per second, relative to the thing's length; 0: fixed steps
-  bool trials = true;     ///< this is the first stage of a step
-  double span = 0.0;      ///< [s] between like stages, to difference mean motions; 0: this stage takes no jerk
+  bool may_try = true;    ///< this is the first stage of a step
+  double span = 0.0;      ///< [s] between like stages, to difference mean motions; 0: this stage looks for no jerk
 };
 
 /// Where trials happen.
