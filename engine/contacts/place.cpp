@@ -98,14 +98,36 @@ void want_no_overlaps(TouchIsland& island, Contacts& contacts, double h) {
     c.bias += turning_apart(island, c, from, h);
     c.start = to_frame(c, from.placing);
   }
+}
+
+/// Makes velocities what ties want, with what turning alone takes their ends off their tangents. Not with that where they would
+/// have to move a body far to make up for it, as the links of a linkage that is almost straight.
+void hold_turning_ties(TouchIsland& island, double h) {
+  constexpr double most = 0.1;  // of the kinetic energy, that turning may give for the drift
+  ContactIsland& problem = island.problem;
+  if (!problem.is_tied()) return;
   for (IslandTie& t : problem.ties) {
     if (t.lever > 0.0) continue;
     const auto turned = [&](std::int32_t body, Vec3 r) {
       const Vec3 w = problem.bodies[static_cast<std::size_t>(body)].w0;
       return cross(w, cross(w, r)) * curving(w, h);
     };
-    t.wanted -= turned(t.a, t.ra) - (t.b < 0 ? zero3() : turned(t.b, t.rb));
+    t.turning = turned(t.a, t.ra) - (t.b < 0 ? zero3() : turned(t.b, t.rb));
+    t.wanted -= t.turning;
   }
+  std::vector<std::array<Vec3, 2>> free;
+  for (const IslandBody& b : problem.bodies) free.push_back({b.v0, b.w0});
+  start_from_rest(problem);
+  const double before = kinetic_energy(problem);
+  hold_ties(problem);
+  if (kinetic_energy(problem) - before <= most * before + work_of_ties(problem)) return;
+  for (std::size_t i = 0; i < free.size(); i++) {
+    problem.bodies[i].v0 = free[i][0];
+    problem.bodies[i].w0 = free[i][1];
+  }
+  forget_held(problem);
+  forget_turning(problem);
+  hold_ties(problem);
 }
 
 /// Whether contacts stop a motor that has no limit but that of what touches.
@@ -198,7 +220,7 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
     start_rolls(problem, contacts, island.contacts, &Contact::placing_moment);
     start_ties(island, articulates, 0);
     set_scalars(island, articulates, h, 0.5 * h);
-    hold_ties(problem);
+    hold_turning_ties(island, h);
     island.solved = solve_stage(contacts, island, 0, settings.search, report);
     keep_tie_impulses(articulates, island, 0);
     keep_rolls(problem, contacts, island.contacts, &Contact::placing_moment);

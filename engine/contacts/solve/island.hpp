@@ -73,6 +73,7 @@ struct IslandTie : IslandPair {
   Mat3 kept = identity33();
   double w = 0.0;                  ///< [1/kg]
   Vec3 wanted = zero3();           ///< [m/s] world axes, as all that follow
+  Vec3 turning = zero3();          ///< [m/s] what of it, of the opposite sign, makes up for turning and does no work
   Vec3 start = zero3();            ///< [N s]
   Vec3 impulse = zero3();          ///< [N s] μ
   Vec3 u = zero3();                ///< [m/s] kept (T v - wanted)

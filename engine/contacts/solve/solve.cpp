@@ -139,9 +139,7 @@ struct Gain {
 Gain gain_of(const ContactIsland& island) {
   Gain g;
   for (const IslandContact& c : island.contacts) g.allowed -= dot(c.bias, c.impulse);
-  for (const IslandTie& t : island.ties) g.allowed += dot(t.kept * t.wanted, t.impulse);
-  for (const IslandScalar& s : island.scalars) g.allowed -= s.bias * s.impulse;
-  g.allowed = std::max(g.allowed, 0.0);
+  g.allowed = std::max(g.allowed + work_of_ties(island), 0.0);
   for (const IslandBody& b : island.bodies) {
     const Vec3 dv = b.v - b.v0, dw = b.w - b.w0, momentum = b.inertia * b.w0;
     g.before += 0.5 * (b.mass * norm2(b.v0) + dot(b.w0, momentum));
@@ -228,8 +226,10 @@ IslandReport solve_island(ContactIsland& island, SearchEffort effort, ContactSea
   apply_impulses(island);
   if (!island.is_tied())
     gain_nothing(island, search.report);
-  else if (gain_of(island).is_too_much())  // ties would not hold made smaller: sweeps gain nothing
+  else if (gain_of(island).is_too_much()) {  // ties would not hold made smaller: sweeps gain nothing
+    forget_turning(island);
     search.sweeps(most_sweeps);
+  }
   return search.report;
 }
 

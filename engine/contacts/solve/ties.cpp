@@ -82,6 +82,29 @@ void hold_within_bounds(ContactIsland& island) {
 
 }  // namespace
 
+double work_of_ties(const ContactIsland& island) {
+  double sum = 0.0;
+  for (const IslandTie& t : island.ties) sum += dot(t.kept * (t.wanted + t.turning), t.impulse);
+  for (const IslandScalar& s : island.scalars) sum -= s.bias * s.impulse;
+  return sum;
+}
+
+void forget_turning(ContactIsland& island) {
+  for (IslandTie& t : island.ties) {
+    t.wanted += t.turning;
+    t.turning = zero3();
+  }
+}
+
+void forget_held(ContactIsland& island) {
+  for (IslandTie& t : island.ties) t.before_contacts -= t.kept * t.impulse;
+  for (IslandScalar& s : island.scalars) {
+    s.before_contacts -= s.impulse;
+    s.low += s.impulse;
+    s.high += s.impulse;
+  }
+}
+
 void hold_ties(ContactIsland& island) {
   if (!island.is_tied()) return;
   weigh_ties(island);

@@ -11,6 +11,12 @@ constexpr double tie_stiffness = 1e7;
 /// Prepares the island's matrix of ties where that was not done.
 void answer_of_ties(ContactIsland& island, std::vector<BodyLoad>& loads);
 
+/// [J] What ends that move, motors and couplings give by these impulses.
+double work_of_ties(const ContactIsland& island);
+/// Ties want what they want without turning.
+void forget_turning(ContactIsland& island);
+/// Undoes `hold_ties` in ties and scalars: v0, w0 are set by the caller.
+void forget_held(ContactIsland& island);
 /// Lets ties answer v0, w0, which become the velocities that contacts begin with; the impulses go to `struck` of the ties. What
 /// contacts then give or take is held against velocities that ties allow.
 void hold_ties(ContactIsland& island);
