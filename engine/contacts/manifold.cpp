@@ -105,16 +105,6 @@ double inner_radius(const Geometry& shape) {
   return std::fmax(0.0, radius);
 }
 
-/// What may go farther than its inner ball is large may turn past what a point holds: the ball is held, too.
-void add_inner_ball(const Pair& pair, Manifold& manifold) {
-  const double radius = inner_radius(pair.a);
-  if (manifold.count == 0 || pair.ahead.margin < radius || std::holds_alternative<BallShape>(pair.a)) return;
-  const ManifoldPoint& p = manifold.points[0];
-  const double gap = dot(p.normal, pair.at_a.x - p.on_a) + p.gap - radius;
-  if (!(radius > 0.0 && gap < pair.ahead.margin)) return;
-  manifold.points[manifold.count++] = {pair.at_a.x - p.normal * radius, p.normal, gap, inner_ball_id};
-}
-
 /// A motion that would go past the plane of a point is tried: where it meets b it has the points of there, and none where it
 /// only passes by. One that goes hardly past is tried as if something pressed.
 void foresee(const Pair& pair, Travel motion, Manifold& manifold) {
@@ -143,6 +133,23 @@ void foresee(const Pair& pair, Travel motion, Manifold& manifold) {
     set_points_there(pair, motion, meeting->part, manifold);
 }
 
+/// What may go farther than its inner ball is large may turn past what a point holds: the ball is held, too, where it would meet
+/// b itself.
+void add_inner_ball(const Pair& pair, const ManifoldSink& sink, Manifold& manifold) {
+  const double radius = inner_radius(pair.a);
+  if (manifold.count == 0 || pair.ahead.margin < radius || std::holds_alternative<BallShape>(pair.a)) return;
+  if (!(radius > 0.0)) return;
+  const Geometry ball = BallShape{radius};
+  Manifold of_ball;
+  SeparationCache cache;
+  const Pair inner{ball, pair.at_a, pair.b, pair.at_b, pair.ahead, std::fmin(2.0 * radius, thickness_of(pair.b))};
+  set_points(inner, inner.at_a, cache, of_ball);
+  if (of_ball.count > 0) foresee(inner, {sink.motion_even_if_held().displacement, zero3()}, of_ball);
+  if (of_ball.count == 0) return;
+  manifold.points[manifold.count] = of_ball.points[0];
+  manifold.points[manifold.count++].id = inner_ball_id;
+}
+
 }  // namespace
 
 void find_manifolds(const Geometry& a, const Pose& at_a, const Geometry& b, const Pose& at_b, Ahead ahead,
@@ -151,8 +158,10 @@ void find_manifolds(const Geometry& a, const Pose& at_a, const Geometry& b, cons
   if (is_convex(b)) {
     const Pair pair{a, at_a, b, at_b, ahead, std::fmin(thickness_of(a), thickness_of(b))};
     set_points(pair, at_a, cache, manifold);
-    if (manifold.count > 0) foresee(pair, sink.motion(), manifold);
-    add_inner_ball(pair, manifold);
+    if (manifold.count > 0) {
+      foresee(pair, sink.motion(), manifold);
+      add_inner_ball(pair, sink, manifold);
+    }
   } else if (std::holds_alternative<HalfSpaceShape>(b)) {
     convex_on_plane(a, at_a, at_b, ahead.margin, manifold);
   } else {

@@ -38,8 +38,9 @@ struct Travel {
 /// Takes the points of two shapes, most important first where there are more than are kept, with the number of a triangle.
 struct ManifoldSink {
   virtual void take(const Manifold& manifold, std::uint32_t part) = 0;
-  /// Asked where there are points.
+  /// Asked where there are points: none of two that hold each other already, and of those, too.
   virtual Travel motion() const { return {}; }
+  virtual Travel motion_even_if_held() const { return motion(); }
 
  protected:
   ~ManifoldSink() = default;

@@ -59,7 +59,8 @@ class Collector final : public ManifoldSink {
       c.at = in_point ? x_a : c.body_b < 0 ? p.on_a : p.on_a - p.normal * (0.5 * p.gap);
     }
   }
-  Travel motion() const override { return held(before_, {a_.key, b_.key, 0, 0}) ? Travel{} : travel(a_, b_, h_); }
+  Travel motion() const override { return held(before_, {a_.key, b_.key, 0, 0}) ? Travel{} : motion_even_if_held(); }
+  Travel motion_even_if_held() const override { return travel(a_, b_, h_); }
 
  private:
   static constexpr std::uint32_t none = ~0u;
