@@ -53,6 +53,10 @@ struct Contact {
   std::int32_t placed = -1;  ///< its number among what `place` gave, in the stage, as long as it lasts; -1: nothing
   double approach = 0.0;     ///< [m/s] along the normal at the start of the step, below 0: nearing
   double rebound = 0.0;      ///< [m/s] after the first impact (solve/impacts.hpp); 0: by restitution
+  bool foreseen = false;     ///< it is where a motion will meet the other within the step: impulses act at
+  Vec3 arm_a = zero3(), arm_b = zero3();  ///< [m] these arms then
+  bool past =
+      false;  ///< foreseen, and held in the drift that is over: `meet` takes it for those that its shapes have now
 };
 
 /// An impulse that was given before a drift.
@@ -64,6 +68,8 @@ struct Placing {
   Vec3 moment;            ///< [N m s] on a, of rolling and spinning
   Vec3 arm_a, arm_b;      ///< [m] then, world axes
   Vec3 normal;            ///< then
+  bool foreseen;          ///< its contact was: taken back as it was given
+  Vec3 turned;            ///< [N m s] by how much it changed the angular momentum of both, where it was foreseen
   std::int32_t a, b;      ///< the bodies in their island; -1: the world
 };
 

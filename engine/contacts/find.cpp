@@ -44,6 +44,31 @@ void drop_at_hinges(const ThingsNow& p, const std::vector<HingedPair>& hinged, s
   });
 }
 
+/// Those that were foreseen before the drift that is over and held in it.
+std::vector<Contact> held_ahead(const std::vector<Contact>& list) {
+  std::vector<Contact> held;
+  for (const Contact& c : list) {
+    if (!c.foreseen || c.placed < 0) continue;
+    held.push_back(c);
+    held.back().past = true;
+    held.back().gap = 0.0;
+  }
+  return held;
+}
+
+/// Adds them by key; those that their shapes have now are not what was held.
+void add_past(const std::vector<Contact>& past, std::vector<Contact>& list) {
+  if (past.empty()) return;
+  const auto is_before = [](const Contact& x, const Contact& y) {
+    return std::pair(x.key.a, x.key.b) < std::pair(y.key.a, y.key.b);
+  };
+  for (Contact& c : list)
+    if (std::binary_search(past.begin(), past.end(), c, is_before)) c.placed = -1;
+  const auto middle = static_cast<std::ptrdiff_t>(list.size());
+  list.insert(list.end(), past.begin(), past.end());
+  std::inplace_merge(list.begin(), list.begin() + middle, list.end(), by_key);
+}
+
 }  // namespace
 
 void find_contacts(const ThingsNow& p, ContactFinder& finder, Workers& workers, Contacts& contacts) {
@@ -54,7 +79,10 @@ void find_contacts(const ThingsNow& p, ContactFinder& finder, Workers& workers, 
   FoundContacts& found = finder.found[0];
   if (!finder.solids.empty()) find_of_points(p, finder, contacts, found);
   drop_at_hinges(p, finder.hinged, found.list);
+  const std::vector<Contact> past = held_ahead(contacts.list);
+  std::erase_if(contacts.list, [](const Contact& c) { return c.past; });
   keep_impulses(contacts.list, found.list);
+  add_past(past, found.list);
   contacts.list.swap(found.list);
   contacts.sensed.swap(found.sensed);
   contacts.stale = false;

@@ -14,6 +14,8 @@ namespace {
 constexpr double passing_overlap = 5e-4;
 /// Part of the thickness below which nothing nears.
 constexpr double no_approach = 1e-6;
+/// Part of the thickness: what nears by more in the step strikes, and the blow acts where it is met.
+constexpr double blow = 0.02;
 /// [rad] past which a turn is not foreseen.
 constexpr double most_turn = 0.5;
 /// Part of the cosine up to which two normals are the same.
@@ -46,15 +48,15 @@ struct Meeting {
   Vec3 normal;
 };
 
-/// When a motion first makes shapes overlap as none do that pass, by Newton's method: of straight motion the distance is
-/// convex, and no step goes too far.
-std::optional<Meeting> first_meeting(const Pair& pair, const Travel& motion) {
+/// When a motion first makes shapes overlap by so much [m], by Newton's method: of straight motion the distance is convex, and no
+/// step goes too far.
+std::optional<Meeting> first_overlap(const Pair& pair, const Travel& motion, double overlap) {
   SeparationCache cache;
   double part = 0.0;
   for (int round = 0; round < most_rounds; round++) {
     const Pose pose = moved(pair.at_a, motion, part);
     const Separation gap = separation(pair.a, pose, pair.b, pair.at_b, infinity, &cache);
-    const double left = gap.distance + pair.overlap();
+    const double left = gap.distance + overlap;
     if (left <= 1e-3 * pair.overlap()) return Meeting{part, gap.normal};
     const double nearing = -dot(gap.normal, way_of(motion, pose, gap.on_a));
     if (nearing * (1.0 - part) >= left) {
@@ -65,6 +67,14 @@ std::optional<Meeting> first_meeting(const Pair& pair, const Travel& motion) {
     part = 1.0;
   }
   return Meeting{part, zero3()};
+}
+
+/// When a motion first makes shapes touch that come to overlap as none do that pass.
+std::optional<Meeting> first_meeting(const Pair& pair, const Travel& motion) {
+  const std::optional<Meeting> meets = first_overlap(pair, motion, pair.overlap());
+  if (!meets || meets->part == 0.0 || norm2(meets->normal) == 0.0) return meets;
+  const std::optional<Meeting> touches = first_overlap(pair, motion, 0.0);
+  return touches && norm2(touches->normal) > 0.0 ? touches : meets;
 }
 
 /// How far a motion takes a past the plane of a point [m].
@@ -88,6 +98,8 @@ void set_points_there(const Pair& pair, const Travel& motion, double part, Manif
   set_points(pair, pose, cache, there);
   if (there.count == 0) return;
   manifold = there;
+  const ManifoldPoint& first = there.points[0];
+  if (-dot(first.normal, way_of(motion, pose, first.on_a)) > blow * pair.thickness) manifold.meeting = pose;
   for (std::uint32_t i = 0; i < manifold.count; i++) {
     ManifoldPoint& p = manifold.points[i];
     const Vec3 now = pair.at_a.to_world(pose.to_local(p.on_a));

@@ -1,6 +1,7 @@
 #pragma once
 // Where two shapes touch, or soon may: up to six points with a normal and gaps: four, one where edges meet, the inner ball.
 #include <array>
+#include <optional>
 
 #include "shapes/distance.hpp"
 #include "shapes/shape.hpp"
@@ -20,6 +21,7 @@ inline constexpr std::uint32_t inner_ball_id = 0x7fffffffu;
 struct Manifold {
   std::uint32_t count = 0;
   std::array<ManifoldPoint, 6> points;
+  std::optional<Pose> meeting;  ///< where a motion within the step takes a to b, for whose points these are
 };
 
 /// What is to be foreseen of a pair.

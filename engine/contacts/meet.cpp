@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "contacts/heat.hpp"
@@ -6,6 +7,7 @@
 #include "contacts/solve/ties.hpp"
 #include "contacts/stage_parts.hpp"
 #include "contacts/take_back.hpp"
+#include "contacts/turn_back.hpp"
 
 namespace pantin {
 
@@ -58,6 +60,37 @@ void close_scalars(TouchIsland& island, const Articulates& articulates) {
   }
 }
 
+/// What was foreseen acts where it is met, at two points by now: with what `place` gave there, and was taken back, that hardly
+/// changes the angular momentum. What it does is given back.
+void turn_where_foreseen(Model& model, const Articulates& articulates, const Contacts& contacts,
+                         const std::vector<Vec3>& turned, bool drifted, const TouchIsland& island) {
+  std::vector<Vec3> missing;
+  std::vector<std::array<std::int32_t, 2>> pushed;
+  for (std::size_t k = 0; k < island.contacts.size(); k++) {
+    const Contact& from = contacts.list[island.contacts[k]];
+    const IslandContact& c = island.problem.contacts[k];
+    if (from.past || norm2(c.impulse) > 0.0) pushed.push_back({c.a, c.b});
+    if (!from.past || c.b < 0) continue;
+    if (missing.empty()) missing.assign(island.things.size(), zero3());
+    const auto end = [&](std::int32_t body, Vec3 arm) {
+      return centre_of(model, articulates, island.things[static_cast<std::size_t>(body)], drifted) + arm;
+    };
+    missing[static_cast<std::size_t>(c.a)] -= cross(end(c.a, c.ra) - end(c.b, c.rb), from.total);
+  }
+  if (missing.empty()) return;
+  for (std::size_t i = 0; i < missing.size(); i++) missing[i] -= turned[number_of(model, island.things[i])];
+  turn_back(model, articulates, island, drifted, pushed, missing);
+}
+
+/// Where shapes have contacts of before the drift, those of now are not used.
+void leave_to_past(const std::vector<Contact>& list, std::vector<char>& used) {
+  for (std::size_t first = 0, last = 0; first < list.size(); first = last) {
+    bool past = false;
+    for (; last < list.size() && list[last].key.same_shapes(list[first].key); last++) past = past || list[last].past;
+    for (std::size_t k = first; past && k < last; k++) used[k] = list[k].past;
+  }
+}
+
 }  // namespace
 
 void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& articulates, Contacts& contacts,
@@ -68,13 +101,16 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
   for (std::size_t k = 0; k < used.size(); k++) {
     Contact& c = contacts.list[k];
     c.placed = -1;
-    used[k] = c.gap <= (norm2(c.placing) > 0.0 ? held_gap : closed_gap) * c.size;
-    if (!used[k]) c.total = c.total_moment = zero3();
+    used[k] = c.past || c.gap <= (norm2(c.placing) > 0.0 ? held_gap : closed_gap) * c.size;
   }
+  leave_to_past(contacts.list, used);
+  for (std::size_t k = 0; k < used.size(); k++)
+    if (!used[k]) contacts.list[k].total = contacts.list[k].total_moment = zero3();
   const std::span<TouchIsland> islands =
       gather(space.meeting, space.index, workers, model, articulates, contacts, settings, used);
   each_island(workers, islands, sum, [&](TouchIsland& island, TouchReport& report) {
     ContactIsland& problem = island.problem;
+    act_where_met(island, contacts, true);
     start_meeting(island, contacts, articulates);
     bool rebounds = false;
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
@@ -106,7 +142,8 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
       to.total = to_world(c, c.impulse);
       report.belts -= dot(to.total, to.belt - to.normal * dot(to.normal, to.belt));
       if (contacts.heat_kept)
-        given.push_back({to.body_a, to.body_b, to.key.b, to.total, to.total_moment, c.ra, c.rb, to.normal, c.a, c.b});
+        given.push_back({to.body_a, to.body_b, to.key.b, to.total, to.total_moment, c.ra, c.rb, to.normal, to.foreseen,
+                         zero3(), c.a, c.b});
     }
     HeatOf heat(model, articulates, contacts, settings.drifted, given, island.heat);
     std::vector<BodyLoad> loads(problem.bodies.size());
@@ -116,6 +153,7 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
     add_tie_loads(problem, loads);
     tell_reactions(articulates, island, settings.step, true);
     give(model, island, loads);
+    turn_where_foreseen(model, articulates, contacts, space.turned, settings.drifted, island);
     const ImpulseWork ties = work_of_ties(articulates, island);
     report.ties += ties;
     const double work = kinetic_energy_now(model, island) - before - ties.all();

@@ -57,6 +57,7 @@ class Collector final : public ManifoldSink {
       const Vec3 x_a = a_.now.pose.x;
       if (p.id == inner_ball_id) c.round_a = {norm(p.on_a - x_a), zero3()};
       c.at = in_point ? x_a : c.body_b < 0 ? p.on_a : p.on_a - p.normal * (0.5 * p.gap);
+      if (m.meeting && p.id != inner_ball_id) foresee(c, p, *m.meeting, in_point);
     }
   }
   Travel motion() const override { return held(before_, {a_.key, b_.key, 0, 0}) ? Travel{} : motion_even_if_held(); }
@@ -65,6 +66,16 @@ class Collector final : public ManifoldSink {
  private:
   static constexpr std::uint32_t none = ~0u;
 
+  /// Where it will be once a is there, b not moved.
+  void foresee(Contact& c, const ManifoldPoint& p, const Pose& there, bool in_point) const {
+    const Pose& now = a_.now.pose;
+    const Vec3 on_a = there.to_world(now.to_local(p.on_a));
+    const double gap = p.gap - dot(p.normal, p.on_a - on_a);
+    const Vec3 at = in_point ? there.x : on_a - p.normal * (0.5 * gap);
+    c.foreseen = true;
+    c.arm_a = at - there.x + there.R * transposed_times(now.R, a_.now.arm);
+    c.arm_b = at - b_.now.pose.x + b_.now.arm;
+  }
   void set_like() {
     like_.key = {a_.key, b_.key, 0, 0};
     like_.body_a = static_cast<std::uint32_t>(a_.thing);

@@ -50,6 +50,13 @@ double rebound_of(const Contact& c, const TouchSettings& settings, double slow) 
   return c.restitution * std::sqrt(std::max(0.0, c.approach * c.approach + 2.0 * fall * std::max(0.0, c.gap)));
 }
 
+/// [N m s] By how much an impulse with two ends apart changes the angular momentum.
+Vec3 turned_by(const TouchIsland& island, const Contact& contact, const IslandContact& c) {
+  if (!contact.foreseen || c.b < 0) return zero3();
+  const auto end = [&](std::int32_t body, Vec3 arm) { return island.states[static_cast<std::size_t>(body)].x + arm; };
+  return cross(end(c.a, c.ra) - end(c.b, c.rb), contact.placing);
+}
+
 /// Kicks gave loose points half of gravity: their velocities at the start of the step are without.
 void take_half_of_gravity(const Model& model, TouchIsland& island, const TouchSettings& settings) {
   for (std::size_t i = 0; i < island.things.size(); i++)
@@ -82,8 +89,9 @@ void foresee_forces(const Model& model, TouchIsland& island, const TouchSettings
 }
 
 /// What `place` wants: no gap closed by more than it is open, by the drift and by turning.
-void want_no_overlaps(TouchIsland& island, Contacts& contacts, double h) {
+void want_no_overlaps(TouchIsland& island, Contacts& contacts, double h, double slow) {
   ContactIsland& problem = island.problem;
+  const bool alone = problem.bodies.size() == 2 && !problem.is_tied();
   double largest = 0.0;
   for (const std::size_t k : island.contacts)
     largest = std::max(largest, dot(contacts.list[k].placing, contacts.list[k].normal));
@@ -92,7 +100,9 @@ void want_no_overlaps(TouchIsland& island, Contacts& contacts, double h) {
     IslandContact& c = problem.contacts[k];
     c.compliance = largest > 0.0 ? soft_overlap * from.size / (h * largest) : 0.0;
     from.approach = dot(from.normal, relative(c, problem.bodies, &IslandBody::v0, &IslandBody::w0));
-    const double gap = std::max(from.gap / h, -c.compliance * std::max(0.0, dot(from.placing, from.normal)));
+    double gap = std::max(from.gap / h, -c.compliance * std::max(0.0, dot(from.placing, from.normal)));
+    if (alone && from.foreseen && c.b >= 0 && from.approach < -slow)  // they part again for the rest of the drift
+      gap -= from.restitution * std::max(0.0, -from.approach - gap);
     c.bias = to_frame(c, from.belt);
     c.bias[0] = gap;
     c.bias += turning_apart(island, c, from, h);
@@ -205,16 +215,20 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
       free_motors(*articulate);
     articulate->touches = false;
   }
+  std::erase_if(contacts.list, [](const Contact& c) { return c.past; });
   for (Contact& c : contacts.list) c.rebound = c.approach = 0.0;
   const std::vector<char> used(contacts.list.size(), 1);
   const double h = settings.h;
   const std::span<TouchIsland> islands =
       gather(space.placing, space.index, workers, model, articulates, contacts, settings, used);
   space.placing_work.assign(space.index.size(), 0.0);
+  space.turned.assign(model.bodies.slots() + model.points.slots(), zero3());
   each_island(workers, islands, sum, [&](TouchIsland& island, TouchReport& report) {
     ContactIsland& problem = island.problem;
+    const double slow = slow_of(settings, problem);
+    act_where_met(island, contacts, false);
     take_half_of_gravity(model, island, settings);
-    want_no_overlaps(island, contacts, h);
+    want_no_overlaps(island, contacts, h, slow);
     report.gravity += gravity_in_step(island, contacts, settings);
     foresee_forces(model, island, settings);
     start_rolls(problem, contacts, island.contacts, &Contact::placing_moment);
@@ -224,7 +238,6 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
     island.solved = solve_stage(contacts, island, 0, settings.search, report);
     keep_tie_impulses(articulates, island, 0);
     keep_rolls(problem, contacts, island.contacts, &Contact::placing_moment);
-    const double slow = slow_of(settings, problem);
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
       Contact& to = contacts.list[island.contacts[k]];
       IslandContact& c = problem.contacts[k];
@@ -232,8 +245,8 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
       to.placing = to_world(c, c.impulse);
       to.rebound = rebound_of(to, settings, slow);
       if (norm2(to.placing) == 0.0) continue;
-      island.placed.push_back(
-          {to.body_a, to.body_b, to.key.b, to.placing, to.placing_moment, c.ra, c.rb, to.normal, c.a, c.b});
+      island.placed.push_back({to.body_a, to.body_b, to.key.b, to.placing, to.placing_moment, c.ra, c.rb, to.normal,
+                               to.foreseen, turned_by(island, to, c), c.a, c.b});
     }
     if (!island.placed.empty()) give_placing(space, model, articulates, contacts, settings, kicks, island, report);
   });

@@ -38,6 +38,17 @@ inline void start_ties(TouchIsland& island, const Articulates& articulates, std:
   }
 }
 
+/// Impulses of contacts that were foreseen act where they are met: before the drift of all, after it of those that it held.
+inline void act_where_met(TouchIsland& island, const Contacts& contacts, bool after) {
+  for (std::size_t k = 0; k < island.contacts.size(); k++) {
+    const Contact& from = contacts.list[island.contacts[k]];
+    if (!from.foreseen || from.past != after) continue;
+    IslandContact& c = island.problem.contacts[k];
+    c.ra = from.arm_a;
+    if (c.b >= 0) c.rb = from.arm_b;
+  }
+}
+
 /// Begins a search for velocities with which contacts part or stay, from the impulses of the last step.
 inline void start_meeting(TouchIsland& island, const Contacts& contacts, const Articulates& articulates) {
   ContactIsland& problem = island.problem;

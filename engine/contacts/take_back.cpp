@@ -1,10 +1,10 @@
 #include "contacts/take_back.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "articulates/solve/momenta.hpp"
 #include "articulates/solve/project.hpp"
-#include "base/sets.hpp"
 #include "contacts/bodies.hpp"
 #include "contacts/gather.hpp"
 #include "contacts/heat.hpp"
@@ -28,7 +28,7 @@ std::vector<const Contact*> still_touching(const Contacts& contacts, std::span<c
   for (const TouchIsland& island : islands) count += island.placed.size();
   std::vector<const Contact*> now(count, nullptr);
   for (const Contact& c : contacts.list)
-    if (c.placed >= 0 && c.gap <= closed_gap * c.size) now[static_cast<std::size_t>(c.placed)] = &c;
+    if (c.placed >= 0 && !c.past && c.gap <= closed_gap * c.size) now[static_cast<std::size_t>(c.placed)] = &c;
   return now;
 }
 
@@ -55,7 +55,7 @@ class TakeBack {
     double work = 0.0;
     for (std::size_t i = 0; i < losses_.size(); i++)
       if (norm2(losses_[i].force) + norm2(losses_[i].moment) > 0.0) work += take(i);
-    return work + turn_back();
+    return work + give_turns_back();
   }
 
  private:
@@ -80,8 +80,13 @@ class TakeBack {
   void lose_as_then() {
     for (std::size_t k = 0; k < now_.size(); k++) {
       const Placing& p = island_.placed[k];
-      if (!now_[k])
-        each_given(p, p.impulse, p.moment, p.arm_a, p.arm_b, [&](const Given& g) { island_.given.push_back(g); });
+      if (now_[k]) continue;
+      each_given(p, p.impulse, p.moment, p.arm_a, p.arm_b, [&](const Given& g) {
+        if (p.foreseen)
+          lose(g);
+        else
+          island_.given.push_back(g);
+      });
     }
   }
   /// What contacts gave that touch still: as they would give it now.
@@ -128,43 +133,29 @@ class TakeBack {
     if (const std::size_t i = number_of(model_, thing); i < space_.placing_work.size()) space_.placing_work[i] += by;
     return by;
   }
-  /// Impulses acted at one point of two bodies, and are taken back where each of them has carried it. What that changes of the
-  /// angular momentum is given back as a turn of all that pushed each other, so that light things between heavy ones keep
-  /// theirs. Returns the work of it [J].
-  double turn_back() {
-    if (island_.given.empty()) return 0.0;
-    const std::size_t count = island_.things.size();
-    Sets sets(count);
-    std::vector<char> anchored(count, 0);
-    std::vector<Vec3> missing(count, zero3());  // [N m s], of the first of each set
-    for (const Placing& p : island_.placed)
-      if (p.b >= 0) sets.join(static_cast<std::size_t>(p.a), static_cast<std::size_t>(p.b));
-    each_articulate([&](const Articulate& a, std::size_t first) {
-      for (std::size_t i = 1; i < a.nodes.size(); i++) sets.join(first, first + i);
-    });
-    for (const Placing& p : island_.placed)
-      if (p.b < 0) anchored[sets.find(static_cast<std::size_t>(p.a))] = 1;
-    each_articulate([&](const Articulate& a, std::size_t first) {
-      if (!is_free(a)) anchored[sets.find(first)] = 1;
-    });
-    for (const Given& g : island_.given) missing[sets.find(g.body)] += cross(centre(g.body), g.impulse) + g.moment;
-    const auto is_to_turn = [&](std::size_t root) { return !anchored[root] && norm2(missing[root]) > 0.0; };
-    std::vector<std::vector<std::uint32_t>> things(count);  // of each set that is to turn
-    for (std::size_t i = 0; i < count; i++)
-      if (const std::size_t root = sets.find(i); is_to_turn(root)) things[root].push_back(island_.things[i]);
-    double work = 0.0;
-    for (std::size_t root = 0; root < count; root++) {
-      if (things[root].empty()) continue;
-      std::sort(things[root].begin(), things[root].end());
-      work += turn_as_one(model_, articulates_, things[root], missing[root], settings_.drifted);
+  /// Impulses acted at one point of two bodies, and are taken back where each of them has carried it: what that changes of the
+  /// angular momentum is given back. Of those that were foreseen it is noted: `meet` gives them where they are met.
+  double give_turns_back() {
+    const bool any_foreseen = std::any_of(island_.placed.begin(), island_.placed.end(),
+                                          [](const Placing& p) { return p.foreseen && p.b >= 0; });
+    if (island_.given.empty() && !any_foreseen) return 0.0;
+    std::vector<Vec3> missing(island_.things.size(), zero3());  // [N m s]
+    for (const Given& g : island_.given) missing[g.body] += angular(g);
+    std::vector<std::array<std::int32_t, 2>> pushed;
+    for (const Placing& p : island_.placed) {
+      pushed.push_back({p.a, p.b});
+      if (!p.foreseen || p.b < 0) continue;
+      Vec3 lost = zero3();
+      each_given(p, p.impulse, p.moment, p.arm_a, p.arm_b, [&](const Given& g) {
+        lost += angular(g);
+        if (!island_.solved) missing[g.body] -= angular(g);
+      });
+      space_.turned[number_of(model_, p.body_a)] += p.turned - lost;
     }
-    return work;
+    return turn_back(model_, articulates_, island_, settings_.drifted, pushed, missing);
   }
-  template <class F>
-  void each_articulate(F&& f) {
-    for (std::size_t k = 0; k < island_.articulates.size(); k++)
-      f(*articulates_[island_.articulates[k]], island_.first_nodes[k]);
-  }
+  /// About the origin [N m s].
+  Vec3 angular(const Given& g) const { return cross(centre(g.body), g.impulse) + g.moment; }
 
   TouchIsland& island_;
   std::span<const Contact* const> now_;

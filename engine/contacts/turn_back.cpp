@@ -1,6 +1,10 @@
 #include "contacts/turn_back.hpp"
 
-#include <vector>
+#include <algorithm>
+
+#include "articulates/solve/momenta.hpp"
+#include "base/sets.hpp"
+#include "contacts/gather.hpp"
 
 namespace pantin {
 
@@ -55,6 +59,41 @@ double turn_as_one(Model& model, const Articulates& articulates, std::span<const
     work -= kinetic_energy(model, s, things[i]);
     add_momenta(model, s, things[i], model.plane.along(cross(turn, s.x - centre)) * s.mass, own_inertia(s) * turn);
     work += kinetic_energy(model, s, things[i]);
+  }
+  return work;
+}
+
+double turn_back(Model& model, const Articulates& articulates, const TouchIsland& island, bool drifted,
+                 std::span<const std::array<std::int32_t, 2>> pushed, std::span<const Vec3> missing) {
+  const std::size_t count = island.things.size();
+  Sets sets(count);
+  std::vector<char> anchored(count, 0);
+  const auto index = [](std::int32_t body) { return static_cast<std::size_t>(body); };
+  const auto each_articulate = [&](auto f) {
+    for (std::size_t k = 0; k < island.articulates.size(); k++)
+      f(*articulates[island.articulates[k]], island.first_nodes[k]);
+  };
+  for (const auto& [a, b] : pushed)
+    if (b >= 0) sets.join(index(a), index(b));
+  each_articulate([&](const Articulate& a, std::size_t first) {
+    for (std::size_t i = 1; i < a.nodes.size(); i++) sets.join(first, first + i);
+  });
+  for (const auto& [a, b] : pushed)
+    if (b < 0) anchored[sets.find(index(a))] = 1;
+  each_articulate([&](const Articulate& a, std::size_t first) {
+    if (!is_free(a)) anchored[sets.find(first)] = 1;
+  });
+  std::vector<Vec3> sums(count, zero3());  // of the first of each set
+  for (std::size_t i = 0; i < count; i++) sums[sets.find(i)] += missing[i];
+  std::vector<std::vector<std::uint32_t>> things(count);  // of each set that is to turn
+  for (std::size_t i = 0; i < count; i++)
+    if (const std::size_t root = sets.find(i); !anchored[root] && norm2(sums[root]) > 0.0)
+      things[root].push_back(island.things[i]);
+  double work = 0.0;
+  for (std::size_t root = 0; root < count; root++) {
+    if (things[root].empty()) continue;
+    std::sort(things[root].begin(), things[root].end());
+    work += turn_as_one(model, articulates, things[root], sums[root], drifted);
   }
   return work;
 }

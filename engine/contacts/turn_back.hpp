@@ -1,6 +1,10 @@
 #pragma once
 #include <span>
 
+#include <array>
+#include <cstdint>
+#include <vector>
+
 #include "contacts/bodies.hpp"
 #include "contacts/stages.hpp"
 
@@ -13,5 +17,13 @@ Vec3 angular_momentum(const Model& model, const Articulates& articulates, std::s
 /// Nothing where they are all on a line. Returns the work of it [J].
 double turn_as_one(Model& model, const Articulates& articulates, std::span<const std::uint32_t> things, Vec3 missing,
                    bool drifted);
+
+struct TouchIsland;
+
+/// Gives angular momentum back to all in an island that pushed each other (pairs of its bodies; -1: the world) as a turn of each
+/// such group as one, so that light things between heavy ones keep theirs: `missing` (bodies) [kg m²/s]. Not to what the world
+/// holds or pushed. Returns the work of it [J].
+double turn_back(Model& model, const Articulates& articulates, const TouchIsland& island, bool drifted,
+                 std::span<const std::array<std::int32_t, 2>> pushed, std::span<const Vec3> missing);
 
 }  // namespace pantin

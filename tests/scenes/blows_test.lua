@@ -1,0 +1,84 @@
+-- Single blows at any phase of the step, against closed forms: they act where and when the two meet.
+
+local function scene_of(text, ...) return open_text(text:format(...)) end
+
+for _, rate in ipairs { 60, 240 } do
+  for _, e in ipairs { 0, 1 } do
+    test(("a ball that is struck aslant flies along the line of centres, at %d Hz, restitution %g"):format(rate, e), function()
+      local radius, speed, off = 0.03, 5, 0.04
+      local out = math.asin(off / (2 * radius))                   -- of the line of centres
+      local along = speed * math.cos(out) * (1 + e) / 2           -- of the struck one, along it
+      for phase = 0, 9 do
+        local scene = scene_of([[
+          scene.step = 1 / %d
+          scene.gravity = vec(0, 0, 0)
+          scene:ball { name = "cue", radius = 0.03, at = vec(%.17g, %.17g, 0), velocity = vec(5, 0, 0), friction = 0, restitution = %g }
+          scene:ball { name = "other", radius = 0.03, friction = 0, restitution = %g }
+        ]], rate, -0.5 - 0.013 * phase, off, e, e)
+        scene:advance(0.3)
+        local cue, other = scene:find "cue", scene:find "other"
+        expect(other.velocity.x):near(along * math.cos(out), 1e-4 * speed)
+        expect(other.velocity.y):near(-along * math.sin(out), 1e-4 * speed)
+        expect(cue.velocity.x):near(speed - along * math.cos(out), 1e-4 * speed)
+        expect(math.max(cue.spin:length(), other.spin:length())):below(1e-2)
+      end
+    end)
+
+    test(("a box that flies aslant into a ball does not spin it without friction, at %d Hz, restitution %g"):format(rate, e), function()
+      for phase = 0, 4 do
+        for _, first in ipairs { "box", "ball" } do
+          local t = 0.1 + 0.003 * phase
+          local box = ('scene:box { name = "box", size = 1, mass = 1, at = vec(%.17g, %.17g, 0), velocity = vec(20, 20, 0), friction = 0, restitution = %g }\n')
+            :format(-20 * t, -0.5 - 20 * t, e)
+          local ball = ('scene:ball { name = "ball", mass = 1, radius = 0.05, at = vec(0, 0.05, 0), friction = 0, restitution = %g }\n'):format(e)
+          local scene = open_text(("scene.step = 1 / %d\nscene.gravity = vec(0, 0, 0)\n"):format(rate) ..
+            (first == "box" and box .. ball or ball .. box))
+          scene:advance(0.4)
+          expect(scene:find("ball").velocity.y):near(10 * (1 + e), 1e-2)
+          expect(scene:find("ball").spin:length()):below(1e-2)
+        end
+      end
+    end)
+  end
+
+  test(("a bar whose tip meets a post turns about it and flies on, at %d Hz"):format(rate), function()
+    for _, speed in ipairs { 5, 20, 60 } do
+      for phase = 0, 3 do
+        local scene = scene_of([[
+          scene.step = 1 / %d
+          scene.gravity = vec(0, 0, 0)
+          scene:ground { shape = shape.ball(0.05, { friction = 0 }), at = vec(0.95, -0.05, 0) }
+          scene:box { name = "bar", size = vec(2, 0.05, 0.05), mass = 1, at = vec(0, %.17g, 0), velocity = vec(0, %g, 0), friction = 0 }
+        ]], rate, 1 + 0.3 * phase * speed / rate, -speed)
+        scene:advance(2 / speed + 0.05)
+        local inertia = (4 + 0.05 ^ 2) / 12
+        local impulse = speed / (1 + 0.95 ^ 2 / inertia)
+        local bar = scene:find "bar"
+        expect(-bar.velocity.y):near(speed - impulse, 5e-3 * speed)
+        expect(bar.spin.z):near(impulse * 0.95 / inertia, 2e-2 * speed)
+      end
+    end
+  end)
+end
+
+test("a taut linkage that is struck gains nothing, however near it is to straight", function()
+  for _, slack in ipairs { 0, 1e-3 } do
+    for _, rate in ipairs { 60, 240 } do
+      local scene = scene_of([[
+        scene.step = 1 / %d
+        local function plank(x) return scene:box { size = vec(1, 0.1, 1), density = 600, at = vec(x, -0.05, 0), points = { l = vec(-0.5, 0, 0), r = vec(0.5, 0, 0) } } end
+        local a, b = plank(-0.5), plank(0.5)
+        scene:hinge(a.r, b.l)
+        scene:nail(a.l)
+        scene:nail(b.r, b.r.position - vec(%g, 0, 0))
+        scene:box { size = 0.5, density = 500, at = vec(0, 0.75, 0) }
+      ]], rate, slack)
+      local start, most = scene.energy.total, -math.huge
+      for _ = 1, rate do
+        scene:step()
+        most = math.max(most, scene.energy.total - start)
+      end
+      expect(most):below(0.05 * 302)
+    end
+  end
+end)
