@@ -88,10 +88,15 @@ void foresee_forces(const Model& model, TouchIsland& island, const TouchSettings
   }
 }
 
+/// Of several that rebound at once none knows when it is met: they are met where they are after the drift.
+void meet_several_at_end(const TouchIsland& island, Contacts& contacts) {
+  for (const std::size_t k : island.contacts)
+    if (Contact& c = contacts.list[k]; c.body_b >= 0 && c.restitution > 0.0) c.foreseen = false;
+}
+
 /// What `place` wants: no gap closed by more than it is open, by the drift and by turning.
 void want_no_overlaps(TouchIsland& island, Contacts& contacts, double h, double slow) {
   ContactIsland& problem = island.problem;
-  const bool alone = problem.bodies.size() == 2 && !problem.is_tied();
   double largest = 0.0;
   for (const std::size_t k : island.contacts)
     largest = std::max(largest, dot(contacts.list[k].placing, contacts.list[k].normal));
@@ -101,7 +106,7 @@ void want_no_overlaps(TouchIsland& island, Contacts& contacts, double h, double 
     c.compliance = largest > 0.0 ? soft_overlap * from.size / (h * largest) : 0.0;
     from.approach = dot(from.normal, relative(c, problem.bodies, &IslandBody::v0, &IslandBody::w0));
     double gap = std::max(from.gap / h, -c.compliance * std::max(0.0, dot(from.placing, from.normal)));
-    if (alone && from.foreseen && c.b >= 0 && from.approach < -slow)  // they part again for the rest of the drift
+    if (from.foreseen && c.b >= 0 && from.approach < -slow)  // they part again for the rest of the drift
       gap -= from.restitution * std::max(0.0, -from.approach - gap);
     c.bias = to_frame(c, from.belt);
     c.bias[0] = gap;
@@ -226,6 +231,7 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
   each_island(workers, islands, sum, [&](TouchIsland& island, TouchReport& report) {
     ContactIsland& problem = island.problem;
     const double slow = slow_of(settings, problem);
+    if (problem.bodies.size() != 2 || problem.is_tied()) meet_several_at_end(island, contacts);
     act_where_met(island, contacts, false);
     take_half_of_gravity(model, island, settings);
     want_no_overlaps(island, contacts, h, slow);
