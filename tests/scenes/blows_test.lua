@@ -82,3 +82,17 @@ test("a taut linkage that is struck gains nothing, however near it is to straigh
     end
   end
 end)
+
+for _, rate in ipairs { 60, 240 } do
+  test(("what loses nothing at a blow keeps its energy whatever its shape, at %d Hz"):format(rate), function()
+    for _, body in ipairs {
+      "scene:box { size = 1, at = vec(0, 3, 0), orientation = quat(vec(1, 2, 3):normalized(), 0.7), restitution = 1, friction = 0 }",
+      "scene:capsule { radius = 0.2, length = 1, at = vec(0, 3, 0), orientation = quat(vec(0, 0, 1), 1.2), restitution = 1, friction = 0 }",
+    } do
+      local scene = scene_of("scene.step = 1 / %d\nscene:floor { friction = 0, restitution = 1 }\n%s", rate, body)
+      local start = scene.energy.total
+      scene:advance(5.9)
+      expect(scene.energy.total):near(start, 0.02 * start)
+    end
+  end)
+end

@@ -52,6 +52,31 @@ double strike(ContactIsland& island, const std::vector<IslandContact>& those, do
          (!island.is_tied() ? least_rise : least_of_tied) * before;
 }
 
+/// Strikes with the largest part of the rebounds that gains nothing beyond -`before` [J], or with none. Returns all that was gained.
+template <class Strike>
+double strike_without_gain(const ContactIsland& island, double before, Strike&& strike) {
+  constexpr int refinements = 4;
+  constexpr double enough = 1e-6;  // of the kinetic energy, lost for a part that is too small
+  double bad = 1.0, gain_of_bad = before + strike(bad);
+  if (gain_of_bad <= 0.0) return gain_of_bad;
+  double good = 1.0, gain = gain_of_bad;
+  for (const double part : {0.9, 0.7, 0.4, 0.0}) {
+    good = part;
+    gain = before + strike(part);
+    if (gain <= 0.0 || part == 0.0) break;
+    bad = part;
+    gain_of_bad = gain;
+  }
+  double last = good;
+  for (int i = 0; i < refinements && gain < -enough * kinetic_energy(island); i++) {
+    last = good + (bad - good) * std::clamp(gain / (gain - gain_of_bad), 0.05, 0.95);
+    const double of_last = before + strike(last);
+    (of_last <= 0.0 ? good : bad) = last;
+    (of_last <= 0.0 ? gain : gain_of_bad) = of_last;
+  }
+  return last == good ? gain : before + strike(good);
+}
+
 /// Its velocities are those that the next round begins with.
 void go_on(ContactIsland& island) {
   for (IslandTie& t : island.ties) t.before_contacts += t.kept * t.impulse;
@@ -86,12 +111,8 @@ ImpactReport resolve_impacts(ContactIsland& island, double slow, double gained) 
     std::vector<IslandContact> those;
     for (const std::size_t k : now) those.push_back(island.contacts[k]);
     all.swap(island.contacts);
-    double more = 0.0;
-    for (const double part : {1.0, 0.9, 0.7, 0.4, 0.0}) {
-      more = strike(island, those, part, report.rounds == 0, report);
-      if (gained + more <= 0.0) break;
-    }
-    gained += more;
+    gained = strike_without_gain(island, gained,
+                                 [&](double part) { return strike(island, those, part, report.rounds == 0, report); });
     for (std::size_t i = 0; i < now.size(); i++) all[now[i]].before_contacts += island.contacts[i].impulse;
     all.swap(island.contacts);
     go_on(island);
