@@ -15,6 +15,7 @@ namespace {
 
 constexpr double calm_way = 2e-3;   // of the reach, in a drift: of a calm island
 constexpr double calm_speed = 0.1;  // of what falls by about its reach
+constexpr double calm_fall = 0.2;   // of the speed of a drift's fall, which is farther than tiny things are large
 
 Mat3 in_world(const Mat3& R, Vec3 principal) {
   return times_transposed({{R[0] * principal[0], R[1] * principal[1], R[2] * principal[2]}}, R);
@@ -220,8 +221,9 @@ std::span<TouchIsland> gather(std::vector<TouchIsland>& space, std::vector<std::
     double mass = 0.0, reach = 0.0;
     for (const IslandBody& b : island.problem.bodies) mass += b.mass, reach += b.mass * b.reach;
     const double length = std::max(size, reach / mass);
+    const double g = norm(settings.gravity);
     island.problem.calm =
-        std::max(calm_way * length / settings.h, calm_speed * std::sqrt(norm(settings.gravity) * length));
+        std::max({calm_way * length / settings.h, calm_speed * std::sqrt(g * length), calm_fall * g * settings.h});
   });
   return islands;
 }

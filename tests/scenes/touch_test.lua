@@ -251,3 +251,11 @@ test("ties tell what they bear of contacts, and break by it", function()
   expect(scene:read "tension"):near(22 * 9.81, 1e-6)
   expect(hung(200):find("plate").position.y):below(-0.5)
 end)
+
+test("a stack of five stands, of any size from 10 um to 1 km", function()
+  for _, size in ipairs { 1e-5, 1e-4, 1e-2, 1, 1e3 } do
+    local scene = open_text(("scene.step = 1 / 60\nscene:floor {}\nfor i = 1, 5 do scene:box { size = %g, at = vec(0, %g * (i - 0.5), 0) } end"):format(size, size))
+    scene:advance(1)
+    for i, box in ipairs(scene.bodies) do expect((box.position - vec(0, size * (i - 0.5), 0)):length()):below(1e-6 * size) end
+  end
+end)
