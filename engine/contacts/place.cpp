@@ -250,6 +250,7 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
       if (c.impulse[0] * c.wn <= problem.tolerance) c.impulse = zero3();  // round-off, which holds nothing
       to.placing = to_world(c, c.impulse);
       to.rebound = rebound_of(to, settings, slow);
+      to.sure = island.solved && problem.is_tied();
       if (norm2(to.placing) == 0.0) continue;
       island.placed.push_back({to.body_a, to.body_b, to.key.b, to.placing, to.placing_moment, c.ra, c.rb, to.normal,
                                to.foreseen, turned_by(island, to, c), c.a, c.b});
