@@ -17,7 +17,9 @@ struct TouchSettings {
   Vec3 gravity;  ///< [m/s²]
   bool drifted;  ///< what rows tie has its state in the articulates
   double at;     ///< (0 … 1) of the step: when the state is
-  double step;   ///< [s] length of the whole step
+  double
+      wanted_at;  ///< (0 … 1) of the step: when anchors move as they are to, in the middle of a drift that is to come
+  double step;    ///< [s] length of the whole step
   ContactSearch search = ContactSearch::automatic;
 };
 

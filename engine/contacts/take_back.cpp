@@ -107,7 +107,7 @@ class TakeBack {
     for (std::size_t k = 0; k < island_.held.size();) {
       const std::uint32_t number = island_.held[k].articulate;
       Articulate& a = *articulates_[number];
-      find_forbidden(a, settings_.h, settings_.at);
+      find_forbidden(a, settings_.step, settings_.at, settings_.wanted_at);
       const std::vector<ScalarRow> now = scalar_rows(a);
       for (; k < island_.held.size() && island_.held[k].articulate == number; k++) {
         const TouchScalar& then = island_.held[k];

@@ -99,8 +99,8 @@ bool is_held(World& world, const Island& island) {
   for (std::size_t k = 0; k < used.size(); k++)
     used[k] = (list[k].gap <= touching * list[k].size || norm2(list[k].total) > 0.0) &&
               std::binary_search(numbers.begin(), numbers.end(), island_number(world, tied, list[k].body_a));
-  const TouchSettings settings = {world.stage.h, world.settings.gravity, true,
-                                  1.0,           world.settings.step,    world.settings.contact};
+  const TouchSettings settings = {world.stage.h,       world.settings.gravity, true, 1.0, 1.0,
+                                  world.settings.step, world.settings.contact};
   return held_at_rest(*world.touch_space, *world.workers, world, world.articulates, world.contacts, settings, used,
                       pulls_of_laws(world), numbers);
 }

@@ -1,4 +1,7 @@
 // Targets and violations of constraints at the end of the coming step.
+#include <algorithm>
+#include <utility>
+
 #include "base/functions.hpp"
 #include "choreography/hands.hpp"
 #include "constraints/kind.hpp"
@@ -45,11 +48,25 @@ void draw_in(const World& world, Constraint& c, double h) {
   approach(c.attract.excess, c.attract.excess_rate, h, c.time_constant, least);
 }
 
-/// Of something known at the end of this step and the two before it, h apart [s]: its rate at the end.
+double product(double x, double y) { return x * y; }
+double product(Vec3 x, Vec3 y) { return dot(x, y); }
+
+/// The rate at the end of a step of what is known at the ends of steps, by its mean rates in them: they go on to change as in the
+/// last step, where they did so in the one before as well. At a kink they do not.
 template <class Value>
-Value rate_at_end(Value now, Value last, Value before, double h, std::uint32_t moves) {
-  if (!(h > 0.0)) return Value{};
-  return moves >= 2 ? (3.0 * now - 4.0 * last + before) / (2.0 * h) : (now - last) / h;
+Value rate_at_end(Value mean, Value last_mean, Value& change, std::uint32_t moves) {
+  if (moves < 2) return mean;
+  const Value before = std::exchange(change, mean - last_mean);
+  const double square = product(change, change);
+  if (moves == 2 || square == 0.0) return mean + change * 0.5;
+  return mean + change * (0.5 * std::clamp(product(before, change) / square, 0.0, 1.0));
+}
+
+/// The same of positions or numbers, moved on by now.
+template <class Value, class Rate>
+Rate rate_at_end(Prescribed<Value, Rate>& of, double h, std::uint32_t moves) {
+  if (!(h > 0.0)) return Rate{};
+  return rate_at_end<Rate>((of.now - of.previous) / h, (of.previous - of.before) / h, of.change, moves);
 }
 
 /// Whether steps are divided finely enough to tell the way between their ends from a straight one.
@@ -87,7 +104,7 @@ void move_position(const World& world, ConstraintId id, Constraint& c, double ti
   c.position.previous = c.position.now;
   c.position.now = next;
   c.moves++;
-  c.position.rate = c.bend.straight() ? rate_at_end(c.position.now, c.position.previous, c.position.before, h, c.moves)
+  c.position.rate = c.bend.straight() ? rate_at_end(c.position, h, c.moves)
                                       : (c.position.now - c.position.previous + c.bend.rate(1.0)) / h;
 }
 
@@ -118,7 +135,7 @@ void move_length(const World& world, ConstraintId id, Constraint& c, double time
   c.number.now = next;
   c.moves++;
   if (rule_of(c).follow != nullptr) rule_of(c).follow(world, c, middle);
-  c.number.rate = c.bend.straight() ? rate_at_end(c.number.now, c.number.previous, c.number.before, h, c.moves)
+  c.number.rate = c.bend.straight() ? rate_at_end(c.number, h, c.moves)
                                     : (c.number.now - c.number.previous + c.bend.rate(1.0)[0]) / h;
 }
 
@@ -141,7 +158,7 @@ void move_orientation(const World& world, ConstraintId id, Constraint& c, double
   c.turn.now = next;
   const Vec3 mean = turn_to(c.turn.now, c.turn.previous) / h;
   c.moves++;
-  c.turn.rate = c.moves >= 2 ? mean * 1.5 - c.turn.previous_rate * 0.5 : mean;
+  c.turn.rate = rate_at_end(mean, c.turn.previous_rate, c.turn.change, c.moves);
   if (!c.bend.straight()) c.turn.rate = mean + c.bend.rate(1.0) / h;
   c.turn.previous_rate = mean;
 }

@@ -64,8 +64,8 @@ namespace phases {
 
 namespace {
 
-TouchSettings settings_of(const World& world, bool drifted, double at) {
-  return {world.stage.h, world.settings.gravity, drifted, at, world.settings.step, world.settings.contact};
+TouchSettings settings_of(const World& world, bool drifted, double at, double wanted_at) {
+  return {world.stage.h, world.settings.gravity, drifted, at, wanted_at, world.settings.step, world.settings.contact};
 }
 
 /// Forces with energies that kick what nothing ties; none where there are none.
@@ -147,7 +147,7 @@ void place_contacts(World& world) {
   TouchReport report;
   const std::vector<BodyLoad> kicks = kicks_of(world);
   place(*world.touch_space, *world.workers, world, world.articulates, world.contacts,
-        settings_of(world, drifted, world.stage.from), kicks, report);
+        settings_of(world, drifted, world.stage.from, 0.5 * (world.stage.from + world.stage.to)), kicks, report);
   world.contacts.work = report.work;
   // In a scene at rest there is no other energy to hold errors against.
   world.largest_kinetic = std::max(world.largest_kinetic, report.gravity);
@@ -162,7 +162,7 @@ void find_contacts(World& world) {
   const LedgerMark before = ledger_mark(world, true);
   TouchReport report;
   push_out(*world.touch_space, *world.workers, world, world.articulates, world.contacts,
-           settings_of(world, true, world.stage.to), report);
+           settings_of(world, true, world.stage.to, world.stage.to), report);
   post(world, Source::push_out, report.work);
   if (report.work != 0.0) post_falling(world, before.falling - ledger_mark(world, true).falling);
   count(world, report);
@@ -175,7 +175,7 @@ void meet_contacts(World& world) {
   const Timed timed(world.profile, Phase::meet_contacts);
   TouchReport report;
   meet(*world.touch_space, *world.workers, world, world.articulates, world.contacts,
-       settings_of(world, true, world.stage.to), report);
+       settings_of(world, true, world.stage.to, world.stage.to), report);
   post_contacts(world, report);
   count(world, report);
   if (world.contacts.watched) feel(world, world.articulates, world.contacts);

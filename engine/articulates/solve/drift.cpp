@@ -14,6 +14,7 @@
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/row_gaps.hpp"
 #include "articulates/solve/state.hpp"
+#include "articulates/solve/wanted_velocities.hpp"
 #include "constraints/row_rule.hpp"
 
 namespace pantin {
@@ -53,51 +54,6 @@ void arrive_by_fallback(Articulate& a, const DriftSettings& settings, const Part
   fallback_step(a, settings, h, report);
   add_forces_exerted(a, h);
 }
-
-/// Velocities that conditions want at a moment `at` (0 … 1) of the step, by what they want at its end and on the way; at
-/// the end again when this goes.
-class WantedVelocities {
- public:
-  WantedVelocities(Articulate& a, double h, double at) : a_(a) {
-    for (const Condition& c : a.conditions) at_end_.push_back({c.velocity, c.length_rate, c.weight1});
-    for (const Row& row : a.rows)
-      if (row.condition >= 0) want(a.conditions[static_cast<std::size_t>(row.condition)], row.lever, h, at);
-  }
-  ~WantedVelocities() {
-    for (std::size_t k = 0; k < a_.conditions.size(); k++)
-      std::tie(a_.conditions[k].velocity, a_.conditions[k].length_rate, a_.conditions[k].weight1) = at_end_[k];
-  }
-  WantedVelocities(const WantedVelocities&) = delete;
-  WantedVelocities& operator=(const WantedVelocities&) = delete;
-
- private:
-  static void want(Condition& c, double lever, double h, double at) {
-    c.weight1 = c.weight0 + (c.weight1 - c.weight0) * at;
-    if (c.by_speed) {
-      c.length_rate = speed(c, at);
-      return;
-    }
-    add_bend(c, lever, -1.0 / h, 1.0);
-    if (lever == 0.0) {
-      const Vec3 start = (c.whole1 - c.whole0) / h * 2.0 - c.velocity;
-      const double start_rate = (c.whole_length1 - c.whole_length0) / h * 2.0 - c.length_rate;
-      c.velocity = start + (c.velocity - start) * at;
-      c.length_rate = start_rate + (c.length_rate - start_rate) * at;
-    }
-    add_bend(c, lever, 1.0 / h, at);
-  }
-  static void add_bend(Condition& c, double lever, double times, double at) {
-    if (c.bent == Bent::nothing) return;
-    const Vec3 rate = c.bend.rate(at) * times;
-    if (c.bent == Bent::length)
-      c.length_rate += rate[0];
-    else
-      c.velocity += c.bent == Bent::turn ? rate * lever : rate;
-  }
-
-  Articulate& a_;
-  std::vector<std::tuple<Vec3, double, double>> at_end_;
-};
 
 /// Puts the ends of nodes and rows where they start, at a moment of the step.
 void stand_still(Articulate& a, double h, double at) {

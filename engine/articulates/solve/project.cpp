@@ -13,6 +13,7 @@
 #include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/row_gaps.hpp"
 #include "articulates/solve/state.hpp"
+#include "articulates/solve/wanted_velocities.hpp"
 #include "constraints/row_rule.hpp"
 
 namespace pantin {
@@ -402,8 +403,9 @@ ImpulseWork make_consistent(Articulate& a, double time, double struck_for) {
   return work;
 }
 
-void find_forbidden(Articulate& a, double h, double at) {
+void find_forbidden(Articulate& a, double h, double at, double wanted_at) {
   set_conditions(a, h, at, at);
+  const WantedVelocities wanted(a, h, wanted_at);
   for (Node& n : a.nodes) rest_at_start(n);
   place_rows_at_end(a);
   find_kept(a);

@@ -1,0 +1,47 @@
+#include "articulates/solve/wanted_velocities.hpp"
+
+#include "articulates/solve/conditions.hpp"
+
+namespace pantin {
+
+namespace {
+
+void add_bend(Condition& c, double lever, double times, double at) {
+  if (c.bent == Bent::nothing) return;
+  const Vec3 rate = c.bend.rate(at) * times;
+  if (c.bent == Bent::length)
+    c.length_rate += rate[0];
+  else
+    c.velocity += c.bent == Bent::turn ? rate * lever : rate;
+}
+
+void want(Condition& c, double lever, double h, double at) {
+  c.weight1 = c.weight0 + (c.weight1 - c.weight0) * at;
+  if (c.by_speed) {
+    c.length_rate = speed(c, at);
+    return;
+  }
+  add_bend(c, lever, -1.0 / h, 1.0);
+  if (lever == 0.0) {
+    const Vec3 start = (c.whole1 - c.whole0) / h * 2.0 - c.velocity;
+    const double start_rate = (c.whole_length1 - c.whole_length0) / h * 2.0 - c.length_rate;
+    c.velocity = start + (c.velocity - start) * at;
+    c.length_rate = start_rate + (c.length_rate - start_rate) * at;
+  }
+  add_bend(c, lever, 1.0 / h, at);
+}
+
+}  // namespace
+
+WantedVelocities::WantedVelocities(Articulate& articulate, double h, double at) : a_(articulate) {
+  for (const Condition& c : a_.conditions) at_end_.push_back({c.velocity, c.length_rate, c.weight1});
+  for (const Row& row : a_.rows)
+    if (row.condition >= 0) want(a_.conditions[static_cast<std::size_t>(row.condition)], row.lever, h, at);
+}
+
+WantedVelocities::~WantedVelocities() {
+  for (std::size_t k = 0; k < a_.conditions.size(); k++)
+    std::tie(a_.conditions[k].velocity, a_.conditions[k].length_rate, a_.conditions[k].weight1) = at_end_[k];
+}
+
+}  // namespace pantin
