@@ -232,7 +232,7 @@ struct Articulate : ArticulateState {
   bool nonconservative = false;  // has rows that take energy or give it
   bool attracts = false;         // is free, and rows draw points together over a gap
   bool forbids_nothing = false;  // has no row but soft ones, of laws too: its velocities are free
-  bool pulled = false;           // laws act on it: its kinetic energy is no longer gravity's alone
+  bool pulled = false;           // explicit force elements but laws of velocity act on it: no energy return
   std::uint64_t serial = 0;      // smallest of its things
 };
 
@@ -260,7 +260,7 @@ inline void wake(Articulate& articulate) { articulate.rest = {}; }
 inline double kinetic_energy(const Node& n) { return 0.5 * (norm2(n.p0) * n.inverse_mass + dot(n.P0, n.O0)); }
 /// What a drift needs to know of the world.
 struct DriftSettings {
-  double h;          ///< [s] length of the step
+  double step;       ///< [s] length of the scene's step
   Vec3 gravity;      ///< [m/s²]
   double tolerance;  ///< of a gap that cannot be closed, relative to the articulate's length
   bool energy_return;

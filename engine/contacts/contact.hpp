@@ -57,7 +57,7 @@ struct Contact {
   Vec3 arm_a = zero3(), arm_b = zero3();  ///< [m] these arms then
   bool sure = false;  ///< `place` solved its island, with what is tied in it: the drift tells how well it foresaw
   double missed =
-      0.0;  ///< of the size, by how much more than was foreseen it was closed in the last drift, where that was sure
+      0.0;  ///< of the size, by how much more than was foreseen it was closed in a drift of the last step, where that was sure
   bool past =
       false;  ///< foreseen, and held in the drift that is over: `meet` takes it for those that its shapes have now
 };

@@ -61,7 +61,6 @@ struct TouchSpace {
   std::vector<TouchIsland> placing, meeting;  ///< of `place`, `meet`
   std::vector<TouchIsland> opening, resting;  ///< of `push_out`, `held_at_rest`
   std::size_t placed = 0;                     ///< how many islands of `placing` there are in this stage
-  ImpulseWork answered;                       ///< what ties that move gave of that
   std::vector<Vec3> turned;                   ///< (as index) [N m s] what taking back left of what was foreseen
   std::vector<double> placing_work;           ///< (as index) [J] done to things by placing, and by taking that back
   std::vector<std::int32_t> index;  ///< (slots of bodies, then of points where some are solid) in its island, or -1

@@ -55,7 +55,9 @@ void keep_impulses(const std::vector<Contact>& before, std::vector<Contact>& now
     c.total_moment = from.total_moment;
     c.approach = from.approach;
     c.rebound = from.rebound;
-    if (from.sure && norm2(from.placing) > 0.0) c.missed = std::max(0.0, std::min(0.0, from.gap) - c.gap) / c.size;
+    c.missed = std::max(c.missed, from.missed);
+    if (from.sure && norm2(from.placing) > 0.0)
+      c.missed = std::max(c.missed, (std::min(0.0, from.gap) - c.gap) / c.size);
     inherited[index_of(from)] = 1;
   };
   for (std::size_t i = 0; i < now.size(); i++) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double held_gap = 1e-2;  // of the size: that may be left of one that was to be closed
 
-/// The same of what got impulses before the drift and touches nothing after it: what ties answered then ends with them.
+/// Takes out what ties answered to impulses of `place`, in articulates that touch nothing after the drift.
 void answer_where_nothing_touches(Model& model, const Articulates& articulates, std::span<const TouchIsland> islands,
                                   const TouchSettings& settings, TouchReport& report) {
   std::vector<char> touches(articulates.size(), 0);

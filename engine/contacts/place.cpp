@@ -221,7 +221,10 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
     articulate->touches = false;
   }
   std::erase_if(contacts.list, [](const Contact& c) { return c.past; });
-  for (Contact& c : contacts.list) c.rebound = c.approach = 0.0;
+  for (Contact& c : contacts.list) {
+    c.rebound = c.approach = 0.0;
+    if (settings.at == 0.0) c.missed = 0.0;
+  }
   const std::vector<char> used(contacts.list.size(), 1);
   const double h = settings.h;
   const std::span<TouchIsland> islands =

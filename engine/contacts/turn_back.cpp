@@ -10,7 +10,7 @@ namespace pantin {
 
 namespace {
 
-/// Part of the mean moment of inertia below which a turn has no meaning.
+/// Part of all moments of inertia below which a turn about an axis has no meaning.
 constexpr double least_for_turn = 1e-9;
 
 Mat3 own_inertia(const BodyState& s) {
@@ -20,7 +20,20 @@ Mat3 own_inertia(const BodyState& s) {
   return turning;
 }
 
-double determinant(const Mat3& m) { return dot(m[0], cross(m[1], m[2])); }
+/// The spin with this angular momentum, about the axes that it can have one about.
+Vec3 turn_for(const Model& model, const Mat3& inertia, Vec3 angular) {
+  if (model.plane.flat()) {
+    const Vec3 normal = direction(model.plane.about(vec(1, 1, 1)));
+    const double moment = dot(normal, inertia * normal);
+    return moment > 0.0 ? normal * (dot(normal, angular) / moment) : zero3();
+  }
+  const Principal principal = principal_axes(inertia, identity33());
+  Vec3 turn = zero3();
+  for (int i = 0; i < 3; i++)
+    if (principal.moments[i] > least_for_turn * trace(inertia))
+      turn += principal.axes[i] * (dot(principal.axes[i], angular) / principal.moments[i]);
+  return turn;
+}
 
 }  // namespace
 
@@ -50,9 +63,7 @@ double turn_as_one(Model& model, const Articulates& articulates, std::span<const
     const Vec3 r = s.x - centre;
     inertia += own_inertia(s) + (identity33() * norm2(r) - outer(r, r)) * s.mass;
   }
-  const double mean = trace(inertia) / 3.0;
-  if (!(determinant(inertia) > least_for_turn * mean * mean * mean)) return 0.0;
-  const Vec3 turn = inverse(inertia) * missing;
+  const Vec3 turn = turn_for(model, inertia, missing);
   double work = 0.0;
   for (std::size_t i = 0; i < states.size(); i++) {
     const BodyState& s = states[i];

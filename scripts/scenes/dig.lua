@@ -25,7 +25,7 @@ for i = 1, count do
   local size = some(0.1, 0.17)
   local what = i % 3 == 0 and shape.ball(size / 2, { friction = friction, density = 2000 })
     or i % 3 == 1 and shape.box(size, some(0.7, 1) * size, some(0.7, 1) * size, { friction = friction, density = 2000 })
-    or shape.hull(structure.dodecahedron { edge = 0.36 * size }, { friction = friction, density = 2000 })
+    or shape.hull(structure.dodecahedron { edge = 0.29 * size }, { friction = friction, density = 2000 })
   stones[i] = scene:body { shape = what, color = colors[i % #colors + 1], orientation = quat(vec(some(-1, 1), 1, some(-1, 1)), some(0, 3)),
                            at = vec(0.2 * (i % 10) - 0.9, 0.1 + 0.19 * (i // 60), 0.2 * (i // 10 % 6) - 0.5) }
 end
@@ -39,7 +39,7 @@ local shovel = scene:body {
   points = { handle = { at = vec(-0.2, 0.3, 0), radius = 0.06 } },
 }
 -- Its handle is led from place to place, a second and a half from each to the next, and tipped: x and y [m], angle [rad].
-local moves = { { -0.9, 1.6, -0.6 }, { -0.85, 0.6, -0.5 }, { -0.75, 0.36, -0.1 }, { 0.35, 0.36, 0 }, { 0.45, 0.6, 0.8 },
+local moves = { { -0.9, 1.6, -0.6 }, { -0.85, 0.6, -0.5 }, { -0.75, 0.29, -0.1 }, { 0.35, 0.29, 0 }, { 0.45, 0.6, 0.8 },
                 { 0.5, 1.5, 0.7 }, { 1.7, 1.5, 0.7 }, { 1.7, 1.5, -1.5 }, { 0.3, 1.8, -0.6 } }
 local function led(k)
   return function(t)

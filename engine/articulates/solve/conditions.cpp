@@ -21,7 +21,7 @@ double displacement_of(const Condition& c) { return c.whole_length1 - c.whole_le
 
 }  // namespace
 
-bool stall_motors(Articulate& a, double h) {
+bool stall_motors(Articulate& a, double step) {
   const bool limits =
       std::any_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) { return c.ranged; });
   bool stalled = false;
@@ -31,19 +31,19 @@ bool stall_motors(Articulate& a, double h) {
     const bool yields = limits || std::isfinite(c.upper);
     if (!is_motor(r, c) || !yields || std::isfinite(c.stalled) || displacement == 0.0) continue;
     const double inertia = inertia_about(a, a.nodes[static_cast<std::size_t>(r.a)].x0) / (r.lever * r.lever);
-    c.stalled = std::fmin(c.upper, 2.0 * norm(r.f) + 0.01 * inertia * displacement / (h * h));
+    c.stalled = std::fmin(c.upper, 2.0 * norm(r.f) + 0.01 * inertia * displacement / (step * step));
     c.yields_by = displacement / c.stalled;
     stalled = true;
   }
   return stalled;
 }
 
-void strengthen_stalled(Articulate& a, double h) {
+void strengthen_stalled(Articulate& a, double step) {
   constexpr double most_needed = 1e4;  // more would leave few digits to what else there is
   for (Condition& c : a.conditions) {
     if (std::isinf(c.stalled) || std::isinf(c.upper)) continue;
     const double displacement = std::fabs(displacement_of(c)),
-                 enough = most_needed * displacement / (h * h * mobility(a, row(a, c)));
+                 enough = most_needed * displacement / (step * step * mobility(a, row(a, c)));
     const double more = std::fmin(std::fmin(10.0 * c.stalled, c.upper), enough);
     if (!(more > c.stalled)) continue;
     c.stalled = more;
@@ -55,7 +55,7 @@ double speed(const Condition& c, double at) {
   return c.start_rate + (c.length_rate - c.start_rate) * at + c.bend.at(at)[0];
 }
 
-void set_conditions(Articulate& a, double h, double from, double to) {
+void set_conditions(Articulate& a, double step, double from, double to) {
   for (Condition& c : a.conditions) {
     const Vec3 displacement = c.whole1 - c.whole0;
     c.position0 = c.whole0 + displacement * from;
@@ -69,8 +69,8 @@ void set_conditions(Articulate& a, double h, double from, double to) {
     const Row& r = row(a, c);
     if (r.lever == 0.0) continue;
     if (c.by_speed)
-      c.length =
-          r.lever * (c.angle0 + 2.0 * functions::atan(0.5 * h * (to - from) * speed(c, 0.5 * (from + to)) / r.lever));
+      c.length = r.lever *
+                 (c.angle0 + 2.0 * functions::atan(0.5 * step * (to - from) * speed(c, 0.5 * (from + to)) / r.lever));
     c.turn0 = between(c.whole_turn0, c.whole_turn1, from);
     c.turn1 = between(c.whole_turn0, c.whole_turn1, to);
     if (c.bent == Bent::turn) {

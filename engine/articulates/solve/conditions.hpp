@@ -8,16 +8,17 @@ namespace pantin {
 
 /// Inertia of all nodes about a position, as if they were one, [kg m²].
 double inertia_about(const Articulate& articulate, Vec3 position);
-/// Limits are stronger than motors, and all else than motors of limited torque: where a step of h [s] cannot be solved,
-/// motors yield by the step's way to what would stop them; until they give less than half of it, or are driven back. False
+/// Limits are stronger than motors, and all else than motors of limited torque: where a step of `step` [s] cannot be solved,
+/// motors may miss their targets by as far as they were to move in it; until they give less than half of `stalled`, or are driven
+/// back. False
 /// where that changes nothing.
-bool stall_motors(Articulate& articulate, double h);
-/// Motors of limited torque that stall exert ten times as much in each full sub-step, up to what they can; `h` [s] is the
+bool stall_motors(Articulate& articulate, double step);
+/// Motors of limited torque that stall exert ten times as much in each full sub-step, up to what they can; `step` [s] is the
 /// scene's step.
-void strengthen_stalled(Articulate& articulate, double h);
+void strengthen_stalled(Articulate& articulate, double step);
 /// What a motor by speed wants at a moment `at` (0 … 1) of the step, [m/s].
 double speed(const Condition& condition, double at);
-/// Sets what is prescribed for the part from … to (0 … 1) of a step of h [s].
-void set_conditions(Articulate& articulate, double h, double from, double to);
+/// Sets what is prescribed for the part from … to (0 … 1) of a step of `step` [s].
+void set_conditions(Articulate& articulate, double step, double from, double to);
 
 }  // namespace pantin

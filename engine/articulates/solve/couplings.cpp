@@ -1,6 +1,6 @@
 // Several values add up to one, Σ w v = L: lengths of a string's segments, turns of gears, ways along an axis of racks. What makes
-// force times displacement exact for a value is its discrete gradient e: of a length (d0 + d1)/(|d0| + |d1|), of a height
-// its direction, of an angle that turns by φ the axis n times φ/(n·(a_a - a_b)), for that is what a torque does work on. So the
+// force times displacement exact for a value is its discrete gradient e: of a length (d0 + d1)/(|d0| + |d1|), of a way
+// along an axis the mean of that axis, of an angle that turns by φ the axis n times φ/(n·(a_a - a_b)), for that is what a torque does work on. So the
 // forces are λ w e with one λ for all: what the coupling gives on one side it takes on the other, without work.
 //   head:   n (Σ w v - L) + κ P f = 0, or f = 0 where it is one-sided and slack;   n = e/|e|, P = 1 - n n'
 //   others: κ (f - λ w e) = 0

@@ -49,15 +49,15 @@ void arrive_by_fallback(Articulate& a, const DriftSettings& settings, const Part
   a.smooth = false;
   a.arrived = settings.backwards ? 1.0 : a.effort.spare == 0 ? settings.to : part.end;
   if (!a.cut) cut(a);
-  set_conditions(a, settings.h, part.from, a.arrived);
-  const double h = settings.h * (a.arrived - part.from);
+  set_conditions(a, settings.step, part.from, a.arrived);
+  const double h = settings.step * (a.arrived - part.from);
   fallback_step(a, settings, h, report);
   add_forces_exerted(a, h);
 }
 
 /// Puts the ends of nodes and rows where they start, at a moment of the step.
-void stand_still(Articulate& a, double h, double at) {
-  set_conditions(a, h, at, at);
+void stand_still(Articulate& a, double step, double at) {
+  set_conditions(a, step, at, at);
   for (Node& n : a.nodes) rest_at_start(n);
   place_rows_at_end(a);
 }
@@ -68,8 +68,8 @@ void stand_still(Articulate& a, double h, double at) {
 double make_consistent_at(Articulate& a, const DriftSettings& settings, double at, DriftReport& report,
                           double struck_for = 0.0) {
   const double before = kinetic_energy(a);
-  stand_still(a, settings.h, at);
-  const WantedVelocities wanted(a, settings.h, at);
+  stand_still(a, settings.step, at);
+  const WantedVelocities wanted(a, settings.step, at);
   const bool over_gaps = acts_over_gaps(a);
   const Momenta momenta = over_gaps ? momenta_of(a) : Momenta{};
   const ImpulseWork work = make_consistent(a, 0.5 * settings.full, struck_for);
@@ -87,7 +87,7 @@ void begin_cut(Articulate& a, const DriftSettings& settings, double at, DriftRep
 
 /// Whether the drift is less than its full sub-step, as beside thermostats, and something may strike in it.
 bool is_part_that_may_strike(const Articulate& a, const DriftSettings& settings) {
-  if (settings.backwards || (settings.to - settings.from) * settings.h > 0.75 * settings.full) return false;
+  if (settings.backwards || (settings.to - settings.from) * settings.step > 0.75 * settings.full) return false;
   return std::any_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) { return c.ranged; });
 }
 
@@ -117,7 +117,7 @@ bool solve_part(Articulate& a, const DriftSettings& settings, double h, DriftRep
   for (Condition& c : a.conditions) c.held_before = c.held;
   bool solved = try_part(a, h, settings.gravity, report);
   if (!solved && a.lowered) solved = try_part(a, h, settings.gravity, report);  // not from where a softer factor led
-  if (!solved && stall_motors(a, settings.h)) {
+  if (!solved && stall_motors(a, settings.step)) {
     a.effort.spare = all_spare(a);  // it is another step now
     solved = try_part(a, h, settings.gravity, report);
   }
@@ -140,8 +140,8 @@ bool solve_part(Articulate& a, const DriftSettings& settings, double h, DriftRep
 
 void drift_part(Articulate& a, const DriftSettings& settings, const Part& part, DriftReport& report) {
   if (part.from < a.arrived) return;
-  const double h = settings.h * (part.to - part.from);
-  set_conditions(a, settings.h, part.from, part.to);
+  const double h = settings.step * (part.to - part.from);
+  set_conditions(a, settings.step, part.from, part.to);
   if (a.gaps.open > 1e-8 * a.length) return arrive_by_fallback(a, settings, part, report);
   if (solve_part(a, settings, h, report)) {
     if (!a.cut) return;
@@ -162,15 +162,15 @@ void drift_part(Articulate& a, const DriftSettings& settings, const Part& part, 
 
 }  // namespace
 
-EnergyOfMeeting meet(Articulate& a, double h, double at) {
+EnergyOfMeeting meet(Articulate& a, double step, double at) {
   a.edited = a.cut = false;
-  stand_still(a, h, at);
+  stand_still(a, step, at);
   measure_gaps(a);
   for (Condition& c : a.conditions)  // of motors and ends of paths the step finds out
     c.held = !c.ranged && std::isinf(c.upper) && !row(a, c).rule->held_at_end;
   a.torn = a.gaps.open > 1e-8 * a.length;
   if (a.torn) return {};
-  const WantedVelocities wanted(a, h, at);
+  const WantedVelocities wanted(a, step, at);
   const bool free = is_free(a);
   const Momenta momenta = free ? momenta_of(a) : Momenta{};
   const double before = kinetic_energy(a);
@@ -214,12 +214,12 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   a.exact = false;
   begin_effort(a);
   if (a.edited) {
-    const EnergyOfMeeting met = meet(a, settings.h, settings.from);
+    const EnergyOfMeeting met = meet(a, settings.step, settings.from);
     report.met += met.tied;
     report.limit += met.stopped;
   }
   if (settings.first) {
-    strengthen_stalled(a, settings.h);
+    strengthen_stalled(a, settings.step);
     const bool symmetric = project_symmetrically(a, settings.full, report);
     a.smooth = true;
     a.arrived = 0.0;

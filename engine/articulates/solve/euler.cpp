@@ -81,12 +81,13 @@ bool solve_euler(Articulate& a, double h, Vec3 gravity, DriftReport& report) {
 }  // namespace
 
 void drift_euler(Articulate& a, const DriftSettings& settings, DriftReport& report) {
-  set_conditions(a, settings.h, 0.0, 1.0);
+  set_conditions(a, settings.step, 0.0, 1.0);
   place_rows_at_start(a);
   a.last_h = 0.0;
   a.has_factor = a.cut = false;
   a.exerted_time = 0.0;
-  if (!solve_euler(a, settings.h, settings.gravity, report)) return fallback_step(a, settings, settings.h, report);
+  if (!solve_euler(a, settings.step, settings.gravity, report))
+    return fallback_step(a, settings, settings.step, report);
   add_work_of_rows(a, report);
   for (Node& n : a.nodes) {
     report.work += dot(n.force - settings.gravity * n.mass, n.x1 - n.x0);

@@ -403,9 +403,9 @@ ImpulseWork make_consistent(Articulate& a, double time, double struck_for) {
   return work;
 }
 
-void find_forbidden(Articulate& a, double h, double at, double wanted_at) {
-  set_conditions(a, h, at, at);
-  const WantedVelocities wanted(a, h, wanted_at);
+void find_forbidden(Articulate& a, double step, double at, double wanted_at) {
+  set_conditions(a, step, at, at);
+  const WantedVelocities wanted(a, step, wanted_at);
   for (Node& n : a.nodes) rest_at_start(n);
   place_rows_at_end(a);
   find_kept(a);

@@ -24,9 +24,9 @@ void set_kept_matrices(Articulate& articulate);
 /// Arms at the nodes' ends; ends must equal starts. Returns the work of what is prescribed.
 ImpulseWork make_consistent(Articulate& articulate, double time, double struck_for = 0.0);
 
-/// Puts rows where nodes start, at a moment `at` (0 … 1) of the scene's step of h [s], and finds which velocities they forbid
+/// Puts rows where nodes start, at a moment `at` (0 … 1) of the scene's step, `step` [s], and finds which velocities they forbid
 /// there, if anchors move as at `wanted_at`: Condition::kept and wanted, RowEnds::r1.
-void find_forbidden(Articulate& articulate, double h, double at, double wanted_at);
+void find_forbidden(Articulate& articulate, double step, double at, double wanted_at);
 
 /// Gets an articulate ready for `answer`: finds what the rows that hold forbid at the nodes' starts, Condition::wanted, and
 /// their factor with a compliance `epsilon` at least, unless the articulate has one.

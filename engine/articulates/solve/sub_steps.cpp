@@ -152,7 +152,7 @@ void drift_accurately(Articulate& a, const DriftSettings& settings, const SubSte
     begin_report(x);
     drift(x, settings, x.report);
   };
-  const double h = settings.h * (settings.to - settings.from);
+  const double h = settings.step * (settings.to - settings.from);
   if (a.edited) {
     a.sub_steps = {a.sub_steps.count};
     a.error_by_jerk = 0.0F;
@@ -175,7 +175,7 @@ void drift_accurately(Articulate& a, const DriftSettings& settings, const SubSte
     if (wanted.span != 0.0) find_means(a, trial.start, h, wanted.span, trial.means);
   }
   if (wanted.may_try)
-    if (const double between = error_between(a, settings.h); between > wanted.accuracy)
+    if (const double between = error_between(a, settings.step); between > wanted.accuracy)
       a.report.unreached = std::max(a.report.unreached, between);
   a.sub_steps = n;
   if (wanted.span != 0.0) keep_means(a, trial.means, wanted.span);

@@ -15,28 +15,28 @@ void add_bend(Condition& c, double lever, double times, double at) {
     c.velocity += c.bent == Bent::turn ? rate * lever : rate;
 }
 
-void want(Condition& c, double lever, double h, double at) {
+void want(Condition& c, double lever, double step, double at) {
   c.weight1 = c.weight0 + (c.weight1 - c.weight0) * at;
   if (c.by_speed) {
     c.length_rate = speed(c, at);
     return;
   }
-  add_bend(c, lever, -1.0 / h, 1.0);
+  add_bend(c, lever, -1.0 / step, 1.0);
   if (lever == 0.0) {
-    const Vec3 start = (c.whole1 - c.whole0) / h * 2.0 - c.velocity;
-    const double start_rate = (c.whole_length1 - c.whole_length0) / h * 2.0 - c.length_rate;
+    const Vec3 start = (c.whole1 - c.whole0) / step * 2.0 - c.velocity;
+    const double start_rate = (c.whole_length1 - c.whole_length0) / step * 2.0 - c.length_rate;
     c.velocity = start + (c.velocity - start) * at;
     c.length_rate = start_rate + (c.length_rate - start_rate) * at;
   }
-  add_bend(c, lever, 1.0 / h, at);
+  add_bend(c, lever, 1.0 / step, at);
 }
 
 }  // namespace
 
-WantedVelocities::WantedVelocities(Articulate& articulate, double h, double at) : a_(articulate) {
+WantedVelocities::WantedVelocities(Articulate& articulate, double step, double at) : a_(articulate) {
   for (const Condition& c : a_.conditions) at_end_.push_back({c.velocity, c.length_rate, c.weight1});
   for (const Row& row : a_.rows)
-    if (row.condition >= 0) want(a_.conditions[static_cast<std::size_t>(row.condition)], row.lever, h, at);
+    if (row.condition >= 0) want(a_.conditions[static_cast<std::size_t>(row.condition)], row.lever, step, at);
 }
 
 WantedVelocities::~WantedVelocities() {

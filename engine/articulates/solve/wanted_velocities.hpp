@@ -6,11 +6,11 @@
 
 namespace pantin {
 
-/// Velocities that conditions want at a moment `at` (0 … 1) of a step of h [s], by what they want at its end and on the way; at
+/// Velocities that conditions want at a moment `at` (0 … 1) of a step of `step` [s], by what they want at its end and on the way; at
 /// the end again when this goes.
 class WantedVelocities {
  public:
-  WantedVelocities(Articulate& articulate, double h, double at);
+  WantedVelocities(Articulate& articulate, double step, double at);
   ~WantedVelocities();
   WantedVelocities(const WantedVelocities&) = delete;
   WantedVelocities& operator=(const WantedVelocities&) = delete;
