@@ -78,7 +78,8 @@ void turn_where_foreseen(Model& model, const Articulates& articulates, const Con
     missing[static_cast<std::size_t>(c.a)] -= cross(end(c.a, c.ra) - end(c.b, c.rb), from.total);
   }
   if (missing.empty()) return;
-  for (std::size_t i = 0; i < missing.size(); i++) missing[i] -= turned[number_of(model, island.things[i])];
+  for (std::size_t i = 0; i < missing.size(); i++)
+    if (const std::size_t k = number_of(model, island.things[i]); k < turned.size()) missing[i] -= turned[k];
   turn_back(model, articulates, island, drifted, pushed, missing);
 }
 

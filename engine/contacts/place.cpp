@@ -230,7 +230,7 @@ void place(TouchSpace& space, Workers& workers, Model& model, const Articulates&
   const std::span<TouchIsland> islands =
       gather(space.placing, space.index, workers, model, articulates, contacts, settings, used);
   space.placing_work.assign(space.index.size(), 0.0);
-  space.turned.assign(model.bodies.slots() + model.points.slots(), zero3());
+  space.turned.assign(space.index.size(), zero3());
   each_island(workers, islands, sum, [&](TouchIsland& island, TouchReport& report) {
     ContactIsland& problem = island.problem;
     const double slow = slow_of(settings, problem);
