@@ -40,6 +40,8 @@ void add_contacts(const ContactSide& a, const ContactSide& b, const LayerRule* r
 
 inline bool by_key(const Contact& a, const Contact& b) { return a.key < b.key; }
 
+/// Whether two shapes may; `rule`: of their layers, or null.
+bool may_touch(const ContactFinder& finder, const Shape& a, const Shape& b, const LayerRule* rule);
 /// With the shape in this slot.
 ContactSide side_of(const Model& model, const ContactFinder& finder, std::uint32_t slot);
 /// Those of all pairs of shapes, by key, into the first of `found`.

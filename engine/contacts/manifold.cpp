@@ -108,15 +108,6 @@ void set_points_there(const Pair& pair, const Travel& motion, double part, Manif
   }
 }
 
-/// Of the ball about the origin that is within a convex shape [m]; 0 where the origin is outside.
-double inner_radius(const Geometry& shape) {
-  const auto* hull = std::get_if<std::shared_ptr<const Hull>>(&shape);
-  if (hull == nullptr) return 0.5 * thickness_of(shape);
-  double radius = infinity;
-  for (const Hull::Face& face : (*hull)->faces) radius = std::fmin(radius, face.offset);
-  return std::fmax(0.0, radius);
-}
-
 /// A motion that would go past the plane of a point is tried: where it meets b it has the points of there, and none where it
 /// only passes by. One that goes hardly past is tried as if something pressed.
 void foresee(const Pair& pair, Travel motion, Manifold& manifold) {
@@ -163,6 +154,14 @@ void add_inner_ball(const Pair& pair, const ManifoldSink& sink, Manifold& manifo
 }
 
 }  // namespace
+
+double inner_radius(const Geometry& shape) {
+  const auto* hull = std::get_if<std::shared_ptr<const Hull>>(&shape);
+  if (hull == nullptr) return 0.5 * thickness_of(shape);
+  double radius = infinity;
+  for (const Hull::Face& face : (*hull)->faces) radius = std::fmin(radius, face.offset);
+  return std::fmax(0.0, radius);
+}
 
 void find_manifolds(const Geometry& a, const Pose& at_a, const Geometry& b, const Pose& at_b, Ahead ahead,
                     SeparationCache& cache, ManifoldSink& sink) {

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "contacts/find_parts.hpp"
+#include "shapes/ray.hpp"
 
 namespace pantin {
 
@@ -113,11 +114,37 @@ bool is_far(const ContactSide& a, const ContactSide& b, double margin) {
   return is_convex(b.geometry) && norm2(d) > both * both;
 }
 
+/// One of two as it may be within the step: what turns far is any turn of itself about its body's centre.
+struct Swept {
+  Geometry geometry;
+  Pose pose;
+  bool turns = false;
+};
+
+Swept swept(const ContactSide& side, double h) {
+  constexpr double far = 0.5;  // [rad]
+  const ShapeNow& now = side.now;
+  const bool central = norm2(now.arm) == 0.0;
+  const Vec3 turn = central ? turn_of(side.geometry, now.pose, side.going.w) : side.going.w;
+  if (!(norm2(turn) * h * h > far * far)) return {side.geometry, now.pose};
+  return {BallShape{norm(now.arm) + now.reach}, {now.pose.x - now.arm, now.pose.R}, true};
+}
+
+/// Whether one turns so far in the step that its points go anywhere, and yet the two cannot meet.
+bool only_turns(const ContactSide& a, const ContactSide& b, double h) {
+  const Swept of_a = swept(a, h), of_b = swept(b, h);
+  if (!of_a.turns && !of_b.turns) return false;
+  const auto way = [&](const ContactSide& side, bool turns) {
+    return (turns ? side.going.v : side.going.v + cross(side.going.w, side.now.arm)) * h;
+  };
+  return !cast(of_a.geometry, of_a.pose, way(a, of_a.turns) - way(b, of_b.turns), of_b.geometry, of_b.pose);
+}
+
 }  // namespace
 
 void add_contacts(const ContactSide& a, const ContactSide& b, const LayerRule* rule, const Contacts& before, double h,
                   double margin, FoundContacts& found) {
-  if (is_far(a, b, margin)) return;
+  if (is_far(a, b, margin) || only_turns(a, b, h)) return;
   std::vector<Contact>& to = a.sensor || b.sensor ? found.sensed : found.list;
   const auto first = static_cast<std::ptrdiff_t>(to.size());
   Collector collector(a, b, rule, before, h, found);

@@ -8,13 +8,6 @@ namespace pantin {
 
 namespace {
 
-/// `rule`: of their layers, or null.
-bool may_touch(const ContactFinder& finder, const Shape& a, const Shape& b, const LayerRule* rule) {
-  if (rule && !rule->collide) return false;
-  if (!a.body && !b.body) return false;
-  return !a.body || !b.body || (a.body != b.body && !are_tied(finder, a.body.slot - 1, b.body.slot - 1));
-}
-
 /// Pairs that may touch, first the slot of a contact's shape a, in the order of their keys.
 void choose_pairs(const Model& model, ContactFinder& finder) {
   finder.pairs.clear();
@@ -41,6 +34,12 @@ void find_of_pair(const ThingsNow& p, const ContactFinder& finder, const Contact
 }
 
 }  // namespace
+
+bool may_touch(const ContactFinder& finder, const Shape& a, const Shape& b, const LayerRule* rule) {
+  if (rule && !rule->collide) return false;
+  if (!a.body && !b.body) return false;
+  return !a.body || !b.body || (a.body != b.body && !are_tied(finder, a.body.slot - 1, b.body.slot - 1));
+}
 
 ContactSide side_of(const Model& model, const ContactFinder& finder, std::uint32_t slot) {
   const Shape& s = model.shapes.at_slot(slot);

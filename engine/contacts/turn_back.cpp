@@ -1,6 +1,7 @@
 #include "contacts/turn_back.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "articulates/solve/momenta.hpp"
 #include "base/sets.hpp"
@@ -12,6 +13,8 @@ namespace {
 
 /// Part of all moments of inertia below which a turn about an axis has no meaning.
 constexpr double least_for_turn = 1e-9;
+/// Part of the energy of their motion about their centre that turning things as one may have.
+constexpr double most_for_turn = 1e-2;
 
 Mat3 own_inertia(const BodyState& s) {
   Mat3 turning = zero33();
@@ -35,6 +38,16 @@ Vec3 turn_for(const Model& model, const Mat3& inertia, Vec3 angular) {
   return turn;
 }
 
+/// [J]
+double energy_about_centre(const std::vector<BodyState>& states, double mass) {
+  Vec3 momentum = zero3();
+  for (const BodyState& s : states) momentum += s.v * s.mass;
+  double sum = 0.0;
+  for (const BodyState& s : states)
+    sum += 0.5 * (s.mass * norm2(s.v - momentum / mass) + dot(s.w, own_inertia(s) * s.w));
+  return sum;
+}
+
 }  // namespace
 
 Vec3 angular_momentum(const Model& model, const Articulates& articulates, std::span<const std::uint32_t> things,
@@ -48,7 +61,7 @@ Vec3 angular_momentum(const Model& model, const Articulates& articulates, std::s
 }
 
 double turn_as_one(Model& model, const Articulates& articulates, std::span<const std::uint32_t> things, Vec3 missing,
-                   bool drifted) {
+                   bool drifted, double most) {
   std::vector<BodyState> states;
   double mass = 0.0;
   Vec3 centre = zero3();
@@ -63,7 +76,9 @@ double turn_as_one(Model& model, const Articulates& articulates, std::span<const
     const Vec3 r = s.x - centre;
     inertia += own_inertia(s) + (identity33() * norm2(r) - outer(r, r)) * s.mass;
   }
-  const Vec3 turn = turn_for(model, inertia, missing);
+  Vec3 turn = turn_for(model, inertia, missing);
+  const double of_turn = 0.5 * dot(turn, inertia * turn), limit = most * energy_about_centre(states, mass);
+  if (of_turn > limit) turn *= std::sqrt(limit / of_turn);
   double work = 0.0;
   for (std::size_t i = 0; i < states.size(); i++) {
     const BodyState& s = states[i];
@@ -104,7 +119,7 @@ double turn_back(Model& model, const Articulates& articulates, const TouchIsland
   for (std::size_t root = 0; root < count; root++) {
     if (things[root].empty()) continue;
     std::sort(things[root].begin(), things[root].end());
-    work += turn_as_one(model, articulates, things[root], sums[root], drifted);
+    work += turn_as_one(model, articulates, things[root], sums[root], drifted, most_for_turn);
   }
   return work;
 }

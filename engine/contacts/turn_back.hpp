@@ -14,15 +14,16 @@ namespace pantin {
 Vec3 angular_momentum(const Model& model, const Articulates& articulates, std::span<const std::uint32_t> things,
                       bool drifted);
 /// Turns them as if they were one body, so that they have `missing` [kg m²/s] more angular momentum, and the same momentum.
-/// Not about a line that they are all on. Returns the work of it [J].
+/// Not about a line that they are all on, and with no
+/// more energy than `most`, a part of that of their motion about their centre. Returns the work of it [J].
 double turn_as_one(Model& model, const Articulates& articulates, std::span<const std::uint32_t> things, Vec3 missing,
-                   bool drifted);
+                   bool drifted, double most = infinity);
 
 struct TouchIsland;
 
 /// Gives angular momentum back to all in an island that pushed each other (pairs of its bodies; -1: the world) as a turn of each
 /// such group as one, so that light things between heavy ones keep theirs: `missing` (bodies) [kg m²/s]. Not to what the world
-/// holds or pushed. Returns the work of it [J].
+/// holds or pushed, and no more than a small part of their energy: what is light and near each other would whirl about. Returns the work of it [J].
 double turn_back(Model& model, const Articulates& articulates, const TouchIsland& island, bool drifted,
                  std::span<const std::array<std::int32_t, 2>> pushed, std::span<const Vec3> missing);
 

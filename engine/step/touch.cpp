@@ -7,6 +7,7 @@
 #include "contacts/gather.hpp"
 #include "contacts/heat.hpp"
 #include "contacts/motor_bounds.hpp"
+#include "contacts/passed.hpp"
 #include "contacts/stages.hpp"
 #include "contacts/touching.hpp"
 #include "forces/forces.hpp"
@@ -117,14 +118,27 @@ void forget_touch(World& world) {
 
 bool goes_untouched(const World& world) { return nothing_touches(world) || !world.trouble.empty(); }
 
+ThingsNow things_now(const World& world, bool drifted) {
+  const double h = drifted && world.stage.to >= 1.0 ? world.settings.step : world.stage.h;
+  return {world, world.articulates, world.contacts, drifted, world.settings.gravity, h, world.stage.h};
+}
+
+/// What a drift took through something goes back to where they met.
+void put_passed_back(World& world) {
+  if (!world.touch_space) world.touch_space = std::make_unique<TouchSpace>();
+  renew(world.contact_finder, world);
+  const double work = put_back_passed(things_now(world, true), *world.contact_finder, world, world.contacts);
+  if (work == 0.0) return;
+  post(world, Source::push_out, work);
+  post_falling(world, -work);
+}
+
 /// Finds contacts where things are now. After the last stage for all of the next step, which may have fewer sub-steps.
 void find(World& world, bool drifted) {
   if (!world.touch_space) world.touch_space = std::make_unique<TouchSpace>();
   renew(world.contact_finder, world);
-  const double h = drifted && world.stage.to >= 1.0 ? world.settings.step : world.stage.h;
-  const ThingsNow now{world, world.articulates, world.contacts, drifted, world.settings.gravity, h, world.stage.h};
   try {
-    find_contacts(now, *world.contact_finder, *world.workers, world.contacts);
+    find_contacts(things_now(world, drifted), *world.contact_finder, *world.workers, world.contacts);
   } catch (const Error& error) {
     world.trouble = error.what();
     world.contacts.stale = true;
@@ -157,6 +171,7 @@ void place_contacts(World& world) {
 void find_contacts(World& world) {
   if (goes_untouched(world)) return;
   const Timed timed(world.profile, Phase::find_contacts);
+  put_passed_back(world);
   find(world, true);
   if (!world.trouble.empty()) return;
   const LedgerMark before = ledger_mark(world, true);

@@ -1,0 +1,74 @@
+-- Nothing goes through a wall, whatever it struck on the way, and what whirls beside one is left alone.
+
+local shots = [[
+  local count, speeds, wall = 200, { 10, 1000 }, shape.box(0.01, 4000, 4000)
+  scene.step, scene.gravity = 1 / 60, vec(0, 0, 0)
+  local function some(a, b) return a + (b - a) * math.random() end
+  local shapes = { shape.ball(0.005), shape.box(0.01, 0.01, 0.01), shape.capsule(0.0025, 0.005), shape.cylinder(0.005, 0.01) }
+  local shot = {}
+  for i = 1, count do
+    local slant, about, speed = some(0, 1.2), some(0, 6.28), speeds[1] * (speeds[2] / speeds[1]) ^ some(0, 1)
+    local along = vec(math.cos(slant), math.sin(slant) * math.cos(about), math.sin(slant) * math.sin(about))
+    local aim = vec(0, (i % 20 - 10) * 1.5, (i // 20 - 5) * 1.5)
+    shot[i] = make(shapes[i % 4 + 1], aim - along * (some(0.05, 1) * speed / 60 + 0.02), along * speed,
+                   quat(vec(some(-1, 1), some(-1, 1), some(0.1, 1)), some(0, 3)))
+  end
+  scene:probe("passed", function()
+    local passed = 0
+    for _, one in ipairs(shot) do passed = passed + (one.position.x > 0.0049 and 1 or 0) end
+    return passed
+  end)
+]]
+local body = [[
+  local function make(shape, at, velocity, orientation)
+    return scene:body { shape = shape, at = at, velocity = velocity, orientation = orientation }
+  end
+]]
+local grain = [[
+  local grains = scene:family("grains", { solid = true, radius = 0.005, mass = 0.001 })
+  local function make(_, at, velocity) return scene:particle { family = grains, at = at, velocity = velocity } end
+]]
+
+test("shots that strike each other do not pass a wall of 1 cm", function()
+  for seed = 1, 4 do
+    local scene = open_text(("scene.seed = %d\n"):format(seed) .. body .. shots .. "scene:ground { shape = wall }")
+    scene:advance(1)
+    expect(scene:read("passed")):equal(0)
+    expect(scene.error.worst_energy):below(5e-3)
+  end
+end)
+
+test("nor a wall that is free to move", function()
+  local scene = open_text(body .. shots .. "scene:body { shape = wall, mass = 1e6 }")
+  scene:advance(0.5)
+  expect(scene:read("passed")):equal(0)
+end)
+
+test("nor a triangle mesh", function()
+  local scene = open_text(body .. shots .. [[
+    local far = 2000
+    scene:ground { shape = shape.mesh({ vec(0, -far, -far), vec(0, far, -far), vec(0, far, far), vec(0, -far, far) }, { { 1, 3, 2 }, { 1, 4, 3 } }) }
+  ]])
+  scene:advance(0.5)
+  expect(scene:read("passed")):equal(0)
+end)
+
+test("grains that slide and strike each other on a heavy wall gain nothing", function()
+  local scene = open_text(grain .. shots .. "scene:body { shape = wall, mass = 1e6 }")
+  scene:advance(0.3)
+  expect(scene:read("passed")):equal(0)
+  expect(scene.error.worst_energy):below(1e-9)
+end)
+
+test("what whirls by more than a turn in a step is not pushed by a wall that it does not reach", function()
+  for _, wall in ipairs { "scene:ground { shape = shape.box(0.1, 10, 10) }", "scene:body { shape = shape.box(0.1, 10, 10), mass = 1000 }",
+                          "scene:ground { shape = shape.plane(), at = vec(0.05, 0, 0), orientation = quat(vec(0, 0, 1), -math.pi / 2) }" } do
+    local scene = open_text("scene.step, scene.gravity = 1 / 60, vec(0, 0, 0)\n" .. wall .. [[
+
+      whirls = scene:body { shape = shape.box(0.02, 0.01, 0.01), at = vec(0.3, 0, 0), velocity = vec(0, 1, 0), spin = vec(0, 0, 5000) }
+      scene:probe("x", function() return whirls.position.x end)
+    ]])
+    scene:advance(1)
+    expect(scene:read("x")):near(0.3, 1e-9)
+  end
+end)
