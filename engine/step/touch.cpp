@@ -29,16 +29,21 @@ void divide_for_contacts(World& world) {
   constexpr double most_way = 0.2;   // of the thickness, in a sub-step of what may touch
   constexpr double most_turn = 0.1;  // [rad]
   constexpr double most = 4.0;
-  double wanted = 1.0;
+  constexpr double most_whirl = 0.4;      // [rad] in a sub-step of what is tied, where it turns that fast,
+  constexpr double most_whirling = 16.0;  // in no more of them
+  double wanted = 1.0, whirling = 1.0;
   const auto see = [&](const Contact& c, std::uint32_t body, std::uint32_t shape) {
     if (!world.shapes.alive_at(shape)) return;
     const Motion& m = world.motion[body];
     const Shape& of = world.shapes.at_slot(shape);
+    const double step = world.settings.step;
     const double reach = reach_of(of.geometry), spin = norm(m.angular * inverse_inertia(m)), speed = norm(m.p) / m.mass;
     const auto ask = [&](double moves, double turns) {
-      return std::max(
-          {wanted, moves * world.settings.step / (most_way * c.size), turns * world.settings.step / most_turn});
+      return std::max({wanted, moves * step / (most_way * c.size), turns * step / most_turn});
     };
+    if (m.articulate >= 0 && spin * step > most_whirl * whirling)
+      whirling =
+          std::max(whirling, norm(turn_of(of.geometry, pose_of(world, of), angular_velocity(m))) * step / most_whirl);
     const double arm = norm(of.at - world.bodies.at_slot(body).centre);
     if (ask(speed + spin * (arm + reach), spin) <= wanted) return;
     const Pose pose = pose_of(world, of);
@@ -57,7 +62,8 @@ void divide_for_contacts(World& world) {
     see(c, c.body_a, c.key.a);
     if (c.body_b >= 0) see(c, static_cast<std::uint32_t>(c.body_b), c.key.b);
   }
-  const auto count = static_cast<std::uint16_t>(std::ceil(std::min(wanted, most)));
+  const auto count =
+      static_cast<std::uint16_t>(std::ceil(std::max(std::min(wanted, most), std::min(whirling, most_whirling))));
   world.sub_steps.count = world.settings.accuracy ? std::max(world.sub_steps.count, count) : count;
 }
 
