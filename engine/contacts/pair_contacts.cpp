@@ -114,30 +114,27 @@ bool is_far(const ContactSide& a, const ContactSide& b, double margin) {
   return is_convex(b.geometry) && norm2(d) > both * both;
 }
 
-/// One of two as it may be within the step: what turns far is any turn of itself about its body's centre.
-struct Swept {
-  Geometry geometry;
-  Pose pose;
-  bool turns = false;
-};
-
-Swept swept(const ContactSide& side, double h) {
+bool turns_far(const ContactSide& side, double h) {
   constexpr double far = 0.5;  // [rad]
-  const ShapeNow& now = side.now;
-  const bool central = norm2(now.arm) == 0.0;
-  const Vec3 turn = central ? turn_of(side.geometry, now.pose, side.going.w) : side.going.w;
-  if (!(norm2(turn) * h * h > far * far)) return {side.geometry, now.pose};
-  return {BallShape{norm(now.arm) + now.reach}, {now.pose.x - now.arm, now.pose.R}, true};
+  const double far_in_step = far * far / (h * h);
+  if (!(norm2(side.going.w) > far_in_step)) return false;
+  const bool central = norm2(side.now.arm) == 0.0;
+  return !central || norm2(turn_of(side.geometry, side.now.pose, side.going.w)) > far_in_step;
 }
 
-/// Whether one turns so far in the step that its points go anywhere, and yet the two cannot meet.
+/// Whether one turns so far in the step that its points go anywhere, and yet the two cannot meet: what turns far is any turn of
+/// itself about its body's centre.
 bool only_turns(const ContactSide& a, const ContactSide& b, double h) {
-  const Swept of_a = swept(a, h), of_b = swept(b, h);
-  if (!of_a.turns && !of_b.turns) return false;
+  const bool a_turns = turns_far(a, h), b_turns = turns_far(b, h);
+  if (!a_turns && !b_turns) return false;
+  const auto ball = [](const ShapeNow& now) { return BallShape{norm(now.arm) + now.reach}; };
+  const auto centre = [](const ShapeNow& now) { return Pose{now.pose.x - now.arm, now.pose.R}; };
   const auto way = [&](const ContactSide& side, bool turns) {
     return (turns ? side.going.v : side.going.v + cross(side.going.w, side.now.arm)) * h;
   };
-  return !cast(of_a.geometry, of_a.pose, way(a, of_a.turns) - way(b, of_b.turns), of_b.geometry, of_b.pose);
+  return !cast(a_turns ? ball(a.now) : a.geometry, a_turns ? centre(a.now) : a.now.pose,
+               way(a, a_turns) - way(b, b_turns), b_turns ? ball(b.now) : b.geometry,
+               b_turns ? centre(b.now) : b.now.pose);
 }
 
 }  // namespace
