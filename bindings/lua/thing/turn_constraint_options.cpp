@@ -50,7 +50,7 @@ int scene_align(lua_State* state) {
   const Options o(state, next + 1, "align", with_common({"angle", "time_constant"}));
   NumberOrFunction angle;
   if (o.has("angle")) {
-    angle = check_number_of_time(self, o.push("angle"), "align", "angle", "rad");
+    angle = check_number_of_time(self, o.push("angle"), "align", "angle", "rad", ConstraintKind::align);
     def.angle = angle.value;
   }
   read_time_constant(o, def);
@@ -71,7 +71,8 @@ int scene_motor(lua_State* state) {
   for (const char* name : {"speed", "angle"}) {
     if (!o.has(name)) continue;
     const bool of_speed = name[0] == 's';
-    NumberOrFunction given = check_number_of_time(self, o.push(name), "motor", name, of_speed ? "rad/s" : "rad");
+    NumberOrFunction given =
+        check_number_of_time(self, o.push(name), "motor", name, of_speed ? "rad/s" : "rad", ConstraintKind::motor);
     (of_speed ? def.speed : def.angle) = given.value;
     def.number = std::move(given.function);
   }
