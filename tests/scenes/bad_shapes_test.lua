@@ -17,6 +17,11 @@ local wrong = {
   ["scene:ball { radius = 1, friction = 1e300 }"] = "friction must be at most 1e100, got 1e+300",
   ["scene:ball { radius = 1, restitution = 2 }"] = "ball: restitution must be from 0 to 1, got 2",
   ["scene:ball { radius = 1 }.friction = 1 / 0"] = "friction must be a finite number, got infinity",
+  ["shape.hull(structure.cube {}:scale(vec(1, 1e-9, 1)))"] = "hull: A shape of 1 m is 1e-09 m thick; it must be 1e-7 of its extent or more, 1e-07 m.",
+  ["shape.box { size = vec(1e-9, 2, 1) }"] = "box: A shape of 2 m is 1e-09 m thick",
+  ["shape.cylinder(1, 1e-8)"] = "cylinder: A shape of 2 m is 1e-08 m thick",
+  ["shape.capsule(1e-8, 10)"] = "capsule: A shape of 10 m is 2e-08 m thick",
+  ["shape.polygon({ vec(0, 0, 0), vec(1, 0, 0), vec(0, 1, 0) }, 1e-9)"] = "polygon: A shape of 1 m is 1e-09 m thick",
   ["scene:collide('a', 'b', { restitution = 2 })"] = "collide: restitution must be from 0 to 1, got 2",
   ["scene:ground { shape = shape.box(1, 1, 1), velocity = vec(1, 0, 0) }"] = "ground: there is no 'velocity' here. What stands in the world does not move",
   ["scene:ground { shape = shape.box(1, 1, 1) }.velocity = vec(1, 0, 0)"] = "collider: it has no 'velocity'. What stands in the world does not move",
@@ -28,6 +33,14 @@ for code, message in pairs(wrong) do
     expect(function() open_text("\n" .. code) end):fails(message)
   end)
 end
+
+test("bad shapes: what is thin for 1 m is a thing of its own at 1e-6 m", function()
+  local scene = open_text [[
+    scene:body { shape = shape.hull(structure.cube {}:scale(vec(1e-6, 2e-13, 1e-6))), mass = 1 }
+    scene:body { shape = shape.box(1, 1e-6, 1), mass = 1, at = vec(0, 5, 0) }
+  ]]
+  scene:advance(0.1)
+end)
 
 test("bad shapes: a thousand balls in one place are told with the place", function()
   local scene = open_text "for i = 1, 1000 do scene:ball { radius = 0.1, at = vec(1, 2, 3) } end"
