@@ -411,3 +411,29 @@ for _, rate in ipairs { 60, 240 } do
     expect((scene.angular_momentum - before):length()):below(1e-11 * before:length())
   end)
 end
+
+--- Warnings of a scene after some steps.
+local function warnings(code, steps)
+  local scene = open_text(code)
+  scene:advance((steps or 2) / 240)
+  local list = {}
+  for _, line in ipairs(scene.log) do
+    if line.kind == "warning" then list[#list + 1] = line.text end
+  end
+  return table.concat(list, "\n"), #list
+end
+
+test("a lever that is nailed within a wall is named with the depth, once; with a rule of layers it is not", function()
+  local code = [[
+    scene:ground { shape = shape.box { size = vec(0.1, 1, 1), name = "wall", layer = "wall" } }
+    local lever = scene:box { size = vec(0.4, 0.08, 0.08), at = vec(0.23, 0, 0), points = { pivot = vec(-0.2, 0, 0) },
+      name = "lever", layer = "lever" }
+    scene:nail(lever.pivot)
+  ]]
+  local told, count = warnings(code, 480)
+  expect(count):equal(1)
+  expect(told:find("'lever' overlaps ground 'wall' by 0.02 m since it was put there", 1, true)):above(0)
+  expect(told:find("scene:collide", 1, true)):above(0)
+  expect(select(2, warnings(code .. "scene:collide('lever', 'wall', false)", 480))):equal(0)
+end)
+
