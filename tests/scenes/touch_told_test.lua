@@ -437,3 +437,31 @@ test("a lever that is nailed within a wall is named with the depth, once; with a
   expect(select(2, warnings(code .. "scene:collide('lever', 'wall', false)", 480))):equal(0)
 end)
 
+test("layers that nothing has are told, with their line, where another is spelt nearly so", function()
+  local function tells(code, message)
+    local told, count = warnings("scene:box { size = 1, layer = 'ghost' }\n" .. code)
+    expect(count):equal(1)
+    expect(told):equal(message)
+  end
+  tells("scene:collide('gohst', 'floor', false)",
+    "text.lua:2: collide: nothing has the layer 'gohst'. Did you mean 'ghost'?")
+  tells("scene:on('touched', 'ghsot', print)", "text.lua:2: on: nothing has the layer 'ghsot'. Did you mean 'ghost'?")
+  tells("scene:on('parted', 'ghosts', print)", "text.lua:2: on: nothing has the layer 'ghosts'. Did you mean 'ghost'?")
+  tells("for _ = 1, 3 do scene:ray { from = vec(0, 5, 0), to = vec(0, 0, 0), layers = { 'ghost', 'gost' } } end",
+    "text.lua:2: ray: nothing has the layer 'gost'. Did you mean 'ghost'?")
+  tells("scene:family('sand', { solid = true, radius = 0.1, layer = 'sand' })\nscene:collide('sand', 'sandd', false)",
+    "text.lua:3: collide: nothing has the layer 'sandd'. Did you mean 'sand'?")
+  -- What is made later may have it.
+  expect(select(2, warnings [[
+    scene:box { size = 1, layer = "ghost" }
+    scene:collide("ghost", "bullet", false)
+    scene:on("touched", "shot", print)
+  ]])):equal(0)
+end)
+
+test("an action before its filter is told", function()
+  fails("local b = scene:ball { radius = 1 } scene:on('touched', function() end, b)",
+    'text.lua:1: on: the filter comes before the function, scene:on("touched", filter, function(touch) … end)')
+  fails("scene:on('touched', 'a', print, print)", "on: the filter comes before the function")
+end)
+

@@ -5,6 +5,7 @@
 
 #include "choreography/hands.hpp"
 #include "contacts/touching.hpp"
+#include "lua/scene/layers.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/point_constraint_options.hpp"
 #include "lua/thing/script.hpp"
@@ -200,6 +201,7 @@ int subscribe_touch(lua_State* state, const Self& self, const std::string& name)
     if (lua_type(state, 3) == LUA_TSTRING) {
       subscription.layer = check_text(state, 3, "on", filter);
       require(!subscription.layer.empty(), "on: ", filter, " must not be an empty layer");
+      speak_of_layer(self.script, state, "on", subscription.layer);
     } else {
       const Ref* ref = to_ref(state, 3);
       constexpr std::array kinds = {Kind::body, Kind::particle, Kind::collider, Kind::group, Kind::family};
@@ -213,6 +215,8 @@ int subscribe_touch(lua_State* state, const Self& self, const std::string& name)
                 " is a shape of a body; bodies are told of, so name that one");
     }
   }
+  require(lua_isnoneornil(state, action + 1), "on: the filter comes before the function, scene:on(\"", name,
+          "\", filter, function(touch) … end)");
   subscription.function = check_function(state, action, "on", argument(action - 1));
   return subscribe(state, self.script, std::move(subscription));
 }

@@ -1,6 +1,7 @@
 #include "lua/scene/touch_methods.hpp"
 
 #include "edit/edit.hpp"
+#include "lua/scene/layers.hpp"
 #include "lua/thing/ground_options.hpp"
 #include "lua/thing/script.hpp"
 #include "lua/value/arguments.hpp"
@@ -44,6 +45,7 @@ int scene_collide(lua_State* state) {
     rule.restitution = o.number("restitution", "");
   }
   set_rule(self.world, a, b, rule);
+  for (const std::string& layer : {a, b}) speak_of_layer(self.script, state, "collide", layer);
   return 0;
 }
 
