@@ -22,6 +22,8 @@ local wrong = {
   ["shape.cylinder(1, 1e-8)"] = "cylinder: A shape of 2 m is 1e-08 m thick",
   ["shape.capsule(1e-8, 10)"] = "capsule: A shape of 10 m is 2e-08 m thick",
   ["shape.polygon({ vec(0, 0, 0), vec(1, 0, 0), vec(0, 1, 0) }, 1e-9)"] = "polygon: A shape of 1 m is 1e-09 m thick",
+  ["scene:ball { radius = 1, mass = 2, density = 500 }"] = "ball: takes mass or density, not both: with a mass of 2 kg the density of 500 kg/m³ has no effect; leave one out",
+  ["scene:body { shape = shape.box { size = 1, density = 500 }, mass = 2 }"] = "body: takes mass or density, not both",
   ["scene:collide('a', 'b', { restitution = 2 })"] = "collide: restitution must be from 0 to 1, got 2",
   ["scene:ground { shape = shape.box(1, 1, 1), velocity = vec(1, 0, 0) }"] = "ground: there is no 'velocity' here. What stands in the world does not move",
   ["scene:ground { shape = shape.box(1, 1, 1) }.velocity = vec(1, 0, 0)"] = "collider: it has no 'velocity'. What stands in the world does not move",
@@ -33,6 +35,15 @@ for code, message in pairs(wrong) do
     expect(function() open_text("\n" .. code) end):fails(message)
   end)
 end
+
+test("bad shapes: with a mass, densities of several shapes are its proportions", function()
+  local scene = open_text [[
+    scene:body { name = "club", mass = 4, shapes = {
+      shape.box { size = 1, density = 3000 }, shape.box { size = 1, density = 1000, at = vec(4, 0, 0) } } }
+  ]]
+  expect(scene:find("club").mass):equal(4)
+  expect(scene:find("club").position):near(vec(1, 0, 0), 1e-12)
+end)
 
 test("bad shapes: what is thin for 1 m is a thing of its own at 1e-6 m", function()
   local scene = open_text [[

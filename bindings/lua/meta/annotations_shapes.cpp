@@ -5,7 +5,7 @@ namespace pantin::lua {
 
 const char* const annotations_shapes = R"(---What shapes are made of, and what they touch.
 ---@class MaterialOptions
----@field density? number [kg/m³] of a body whose mass is not given (default `1000`)
+---@field density? number [kg/m³] of a body whose mass is not given; of one with several shapes and a mass, in which proportion it is theirs (default `1000`)
 ---@field friction? number [1] of two that touch the root of the product counts (default `0.5`)
 ---@field restitution? number [1] 0 to 1; of two that touch the larger counts (default `0`)
 ---@field rolling? number [m] moment by normal force against rolling; of two that touch the larger counts (default `0`)
