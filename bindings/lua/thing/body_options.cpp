@@ -134,6 +134,7 @@ void check_density(const Options& o, const BodyDef& def, const std::vector<Shape
 
 BodyDef body_def(lua_State* state, int index) {
   refuse_fixed(state, index, "body");
+  refuse_material(state, index, "body");
   const Options o(state, index, "body", with_names(body_options(), {"shape", "shapes", "layer"}));
   require(lua_istable(state, index), "body: needs a table, scene:body{ points = { … }, mass = 1 }");
   BodyDef def = body_of(o);

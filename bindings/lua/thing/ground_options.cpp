@@ -66,6 +66,9 @@ ShapeDef floor_def(Script& script, lua_State* state, int index) {
 
 std::vector<ShapeDef> ground_defs(lua_State* state, int index) {
   refuse_motion(state, index, "ground");
+  refuse_material(state, index, "ground");
+  refuse_options(state, index, "ground", {"name"},
+                 "Each of its shapes has one: shape = shape.box { size = 1, name = \"step\" }");
   const Options o(state, index, "ground", {"shape", "shapes", "at", "orientation", "color", "layer"});
   const ShapeDef usual;
   std::vector<ShapeDef> defs;
