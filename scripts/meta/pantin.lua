@@ -1808,9 +1808,10 @@ function OpenedScene:restore(snapshot) end
 ---@field points vec[] [m] three or more, in the scene's plane, else in that of x and y
 ---@field thickness? number [m] across that plane (default `1`)
 
+---One-sided: its front is on the left of who walks from point to point; through its back things pass.
 ---@class LineShapeOptions: ShapeOptions
----@field points vec[] [m] two or more, in the scene's plane, else in that of x and y
----@field closed? boolean the last one is joined to the first (default `false`)
+---@field points vec[] [m] two or more, in the scene's plane, else in that of x and y; from left to right the front is above
+---@field closed? boolean the last one is joined to the first; anticlockwise the front is inside (default `false`)
 ---@field thickness? number [m] across that plane; what touches it may be deeper (default `2`)
 
 ---@class PlaneShapeOptions: ShapeOptions
@@ -2353,8 +2354,9 @@ function shape.hull(points, options) end
 ---@param options? PolygonShapeOptions
 ---@return Shape
 function shape.polygon(points, thickness, options) end
----A line through points in the scene's plane, else in that of x and y, and what lies before and behind it. Its front is on the left of who walks along it. It does not move, so no body can have it.
+---A line through points in the scene's plane, else in that of x and y, and what lies before and behind it. It is one-sided: its front, on the left of who walks along it, bears things; through its back they pass. Points from left to right have their front above, as of ground; from right to left below, as of a ceiling. A closed line whose points go round anticlockwise holds things in, clockwise it keeps them out. For both sides give two lines, polygon. It does not move, so no body can have it.
 ---```lua
+----- things rest on it:   1 -> 2 -> 3   and come through from below
 ---scene:ground { shape = shape.line({ vec(-5, -9, 0), vec(0, -9.5, 0), vec(5, -9, 0) }) }
 ---```
 ---@param points vec[]|LineShapeOptions [m]
@@ -2368,7 +2370,7 @@ function shape.line(points, options) end
 ---@param options? PlaneShapeOptions
 ---@return Shape
 function shape.plane(options) end
----Triangles, whose front is where their corners run counter-clockwise. It does not move, so no body can have it.
+---Triangles, one-sided: their front is where their corners run counter-clockwise; from behind things come through. It does not move, so no body can have it.
 ---```lua
 ---scene:ground { shape = shape.mesh(structure.sheet { columns = 4, rows = 4 }) }
 ---```

@@ -56,9 +56,10 @@ const char* const annotations_shapes = R"(---What shapes are made of, and what t
 ---@field points vec[] [m] three or more, in the scene's plane, else in that of x and y
 ---@field thickness? number [m] across that plane (default `1`)
 
+---One-sided: its front is on the left of who walks from point to point; through its back things pass.
 ---@class LineShapeOptions: ShapeOptions
----@field points vec[] [m] two or more, in the scene's plane, else in that of x and y
----@field closed? boolean the last one is joined to the first (default `false`)
+---@field points vec[] [m] two or more, in the scene's plane, else in that of x and y; from left to right the front is above
+---@field closed? boolean the last one is joined to the first; anticlockwise the front is inside (default `false`)
 ---@field thickness? number [m] across that plane; what touches it may be deeper (default `2`)
 
 ---@class PlaneShapeOptions: ShapeOptions
