@@ -1040,7 +1040,7 @@ function Scene:ground(options) end
 ---@param b string
 ---@param how boolean|PairOptions
 function Scene:collide(a, b, how) end
----Joins points of two or more bodies, or free particles, into one particle.
+---Joins points of two or more bodies, or free particles, into one particle. Bodies that share a hinge pass through each other, unless it says collide = true; each touches everything else: the world, and bodies further along a chain. What shall not touch those either gets a layer, and scene:collide(layer, other, false).
 ---```lua
 ---local foot = scene:body { at = leg.tail.position, mass = 1, inertia = vec(1, 1, 1), points = { heel = vec(0, 0, 0) } }
 ---scene:hinge(leg.tail, foot.heel, { name = "ankle", breaks_at = { force = 1000 } })
@@ -1079,7 +1079,7 @@ function Scene:follow(point, target, options) end
 ---@param length? number|fun(t: number): number [m]
 ---@return Rod
 function Scene:rod(a, b, length) end
----Keeps two bodies in their present relative position and orientation; it tells its load, and may break.
+---Keeps two bodies in their present relative position and orientation; it tells its load, and may break. The two pass through each other, and touch everything else.
 ---```lua
 ---local weld = scene:weld(arm, block, { breaks_at = { force = 500, torque = 100 } })
 ---```
@@ -1549,7 +1549,7 @@ function OpenedScene:restore(snapshot) end
 ---@field lifetime? number [s] after which it is cut (default `math.huge`)
 ---@field family? Family (default the first point's)
 ---@field axis? vec [1] the bodies given here turn about it only, against each other; world axes (default none: about any)
----@field collide? boolean its bodies touch each other, too (default `false`)
+---@field collide? boolean its bodies touch each other, as all else; not right at the hinge, which holds them together (default `false`)
 ---@field breaks_at? Breaking (default `{}`)
 
 ---@class ConstraintOptions: NameOptions

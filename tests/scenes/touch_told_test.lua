@@ -465,3 +465,36 @@ test("an action before its filter is told", function()
   fails("scene:on('touched', 'a', print, print)", "on: the filter comes before the function")
 end)
 
+test("what shares a hinge passes through each other, and touches all else: next but one, and a wall that its nail is in", function()
+  local chain = [[
+    scene.gravity = vec(0, 0, 0)
+    local function link(x, name)
+      return scene:box { size = vec(1, 0.2, 0.2), at = vec(x, 0, 0), mass = 1, name = name, layer = "link",
+        points = { head = vec(-0.4, 0, 0), tail = vec(0.4, 0, 0) } }
+    end
+    local a, b, c = link(0, "a"), link(0.8, "b"), link(1.6, "c")
+    scene:hinge(a.tail, b.head, { name = "ab" })
+    scene:hinge(b.tail, c.head)
+    scene:nail(a.head)
+    scene:box { size = 0.1, at = vec(1.1, 0, 0), name = "inside", mass = 1 }
+    scene:ground { shape = shape.box { size = 0.1, layer = "wall", name = "wall" }, at = vec(-0.5, 0, 0) }
+  ]]
+  --- Pairs that touch, by name.
+  local function touching(code)
+    local scene = open_text(code)
+    scene:step()
+    local pairs_of = {}
+    for _, name in ipairs { "a", "b", "c" } do
+      for _, contact in ipairs(scene:find(name).contacts) do pairs_of[name .. " " .. contact.with.name] = true end
+    end
+    return pairs_of
+  end
+  local usual = touching(chain)
+  expect(usual["a b"]):equal(nil)
+  expect(usual["b c"]):equal(nil)
+  expect(usual["b inside"]):is_true()
+  expect(usual["a wall"]):is_true()
+  expect(touching(chain .. "scene:find('ab').collide = true")["a b"]):is_true()
+  expect(touching(chain .. "scene:find('ab').collide = true scene:collide('link', 'link', false)")["a b"]):equal(nil)
+  expect(touching(chain .. "scene:collide('link', 'wall', false)")["a wall"]):equal(nil)
+end)

@@ -119,7 +119,9 @@ int scene_limit(lua_State* state) {
 
 const ConstraintCall weld_call = {
     {"weld", guard<scene_weld>, "a: Body, b: Body, options?: ConstraintOptions", "Weld",
-     "Keeps two bodies in their present relative position and orientation; it tells its load, and may break.",
+     "Keeps two bodies in their present relative position and orientation; it tells its load, and may break. The two "
+     "pass "
+     "through each other, and touch everything else.",
      "local weld = scene:weld(arm, block, { breaks_at = { force = 500, torque = 100 } })"},
     "two bodies, or how a body is turned"};
 
