@@ -874,7 +874,7 @@ local Snapshot = {}
 ---@field integrator string "verlet" (2nd order), "implicit" (the same with connections of any stiffness), "suzuki4" (4th order, where nothing dissipates), "rk4" (4th order, no constraints), "euler" (1st order, semi-implicit; free particles as with "verlet") (default `"verlet"`)
 ---@field energy_return boolean give back what the velocity projection took (default `true`)
 ---@field contact string how what touches is solved: "exact" by Newton's search, however long it takes, "fast" by sweeps alone, which leave slips and loads unfinished, "auto" by the size and the motion of an island (default `"auto"`)
----@field box vec? [m] edges of the periodic box (default none: open space)
+---@field box vec? [m] edges of the periodic box, through whose sides laws reach, but not what touches (default none: open space)
 ---@field plane string? "xy", "xz" or "yz": everything stays in that plane, and forces across it do nothing; set it before things are made (default none: in space)
 ---@field tolerance number [1] points of a new hinge may be this far apart, relative to the size of their bodies (default `1e-6`)
 ---@field seed integer of math.random (default `1`)

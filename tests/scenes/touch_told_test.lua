@@ -465,6 +465,29 @@ test("an action before its filter is told", function()
   fails("scene:on('touched', 'a', print, print)", "on: the filter comes before the function")
 end)
 
+test("a filter that nothing can touch, and a periodic box with what touches, are told", function()
+  local function tells(code, message)
+    local told, count = warnings(code)
+    expect(count):equal(1)
+    expect(told):equal(message)
+  end
+  tells("local b = scene:body { mass = 1, inertia = vec(1, 1, 1), name = 'b' }\nscene:on('touched', b, print)",
+    "text.lua:2: on: body 'b' has no shape, so that nothing touches it")
+  tells("scene:on('parted', scene:family('dust', {}), print)",
+    "text.lua:1: on: family 'dust' is not solid, so that nothing touches it")
+  tells("scene:on('touched', scene:particle { name = 'p' }, print)",
+    "text.lua:1: on: particle 'p' is of no solid family, so that nothing touches it")
+  tells("scene.box = vec(9, 9, 9)\nscene:ball { radius = 1 }",
+    "scene.box: laws reach through its sides, but what touches does so within it alone")
+  expect(select(2, warnings [[
+    scene:on("touched", scene:ball { radius = 1 }, print)
+    local sand = scene:family("sand", { solid = true, radius = 0.1 })
+    scene:on("touched", sand, print)
+    scene:on("touched", scene:particle { family = sand, at = vec(5, 0, 0) }, print)
+    scene:on("touched", scene:group "later", print)
+  ]])):equal(0)
+end)
+
 test("what shares a hinge passes through each other, and touches all else: next but one, and a wall that its nail is in", function()
   local chain = [[
     scene.gravity = vec(0, 0, 0)

@@ -52,6 +52,7 @@ void refuse_motion(lua_State* state, int index, const char* what) {
 
 ShapeDef floor_def(Script& script, lua_State* state, int index) {
   refuse_motion(state, index, "floor");
+  refuse_options(state, index, "floor", {"at"}, "It has no end; height [m] says how far along its normal it lies");
   const ShapeKind& kind = shape_kind("plane");
   const Options o(state, index, "floor",
                   with_names(kind.sizes, {"friction", "restitution", "rolling", "spinning", "surface_velocity", "layer",
