@@ -61,7 +61,7 @@ bool is_zero(Vec3 rate) { return norm2(rate) == 0.0; }
 
 template <class Prescribed>
 bool moves(const Prescribed& p) {
-  return !is_zero(p.rate) || !is_zero(p.previous_rate) || !stays(p.now, p.previous);
+  return !is_zero(p.rate) || !is_zero(p.previous_rate) || !is_zero(p.change) || !stays(p.now, p.previous);
 }
 
 }  // namespace

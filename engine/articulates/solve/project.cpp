@@ -100,10 +100,15 @@ Velocities find_velocities(Articulate& a, From from, bool reuse = false) {
 }
 
 /// What is driven was moved by the drift as fast as its residual says, and is as it is to be after: no tie that does not give
-/// loses energy where a prescribed velocity jumps.
-void work_at_means(Articulate& a) {
-  for (Condition& c : a.conditions)
-    if (c.driven) c.worked_at += row(a, c).residual * 0.5;
+/// loses energy where a prescribed velocity jumps. Returns by how much the fastest does [m/s].
+double work_at_means(Articulate& a) {
+  double jump = 0.0;
+  for (Condition& c : a.conditions) {
+    if (!c.driven || !c.held_before) continue;
+    c.worked_at = c.wanted + row(a, c).residual * 0.5;
+    jump = std::max(jump, norm(row(a, c).residual));
+  }
+  return jump;
 }
 
 /// Adds the work of the impulse of a row on what is prescribed.
@@ -128,17 +133,18 @@ double driven_energy(const Articulate& a) {
 
 /// Work of the impulses on what is prescribed. Where rows contradict each other their impulses may have no bound; the work at
 /// the velocities after has one, and is told instead: to anchors, or to angular rows where none moves.
-ImpulseWork work_of_impulses(const Articulate& a, const Velocities& v) {
+ImpulseWork work_of_impulses(const Articulate& a, const Velocities& before, const Velocities& after) {
   constexpr double bound = 10.0;  // of what moves and drives
   ImpulseWork work;
   for (const Condition& c : a.conditions) add_work(work, a, c, a.impulses[c.row]);
-  if (v.forbidden <= 1e-6 * v.fastest || std::fabs(work.all()) <= bound * (v.kinetic + driven_energy(a))) return work;
+  const bool solved = after.forbidden <= 1e-6 * std::max(after.fastest, before.forbidden);
+  if (solved || std::fabs(work.all()) <= bound * (after.kinetic + driven_energy(a))) return work;
   work = {};
   bool anchors = false;
   double all = 0.0;
   for (std::size_t k = 0; k < a.rows.size(); k++) all += dot(a.impulses[k], a.rows[k].residual);
   for (const Condition& c : a.conditions) {
-    all += dot(a.impulses[c.row], c.worked_at);
+    all += dot(a.impulses[c.row], c.wanted);
     anchors = anchors || (row(a, c).lever == 0.0 && norm2(c.wanted) > 0.0);
   }
   (anchors ? work.ends : work.turns) = all;
@@ -306,9 +312,13 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   if (a.touches) find_overdriven(a, settings.full);
   std::fill(a.impulses.begin(), a.impulses.end(), zero3());
   find_kept(a);
-  const bool reuse = may_use_newton_factor(a);
+  bool reuse = may_use_newton_factor(a);
   const Velocities before = find_velocities(a, From::nodes, reuse);
-  work_at_means(a);
+  const double speed = std::max(before.fastest, std::sqrt(norm(settings.gravity) * a.length));
+  constexpr double smooth =
+      1e-2;  // part of the speed: what jumps by more is taken out exactly, and has no half that is carried
+  const bool jumps = work_at_means(a) > smooth * speed;
+  if (jumps && std::exchange(reuse, false)) find_velocities(a, From::nodes);
   const double outside = report.outside();
   if (!reuse || !project_with_newton_factor(a, before, report)) {
     report.projections++;
@@ -320,7 +330,7 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
     const bool worked = apply_projection(a).all() != 0.0, strikes = struck(a);
     if (worked || strikes) {
       const Velocities after = find_velocities(a, From::batches);
-      const ImpulseWork work = work_of_impulses(a, after);
+      const ImpulseWork work = work_of_impulses(a, before, after);
       report.tell(work);
       if (strikes) (is_stopped(a) ? report.limit : report.motor) += after.kinetic - before.kinetic - work.all();
     }
@@ -337,9 +347,8 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
     a.cut = true;
   }
   if (a.cut) add_impulses_exerted(a);
-  const double speed = std::max(before.fastest, std::sqrt(norm(settings.gravity) * a.length));
   const bool noise = before.forbidden <= 1e-9 * speed;  // as large as what the solver leaves
-  if (a.smooth && !a.weak && !noise && !over_gaps && !one_sided && !a.touches)
+  if (a.smooth && !jumps && !a.weak && !noise && !over_gaps && !one_sided && !a.touches)
     average_impulses(a, settings.full / a.sub_steps.count);
   if (settings.energy_return)
     report.returned += return_energy(a, before.kinetic - a.symmetric_energy, settings.gravity);
@@ -355,6 +364,8 @@ ImpulseWork take_out_forbidden(Articulate& a) {
   for (double epsilon = a.least_epsilon;; epsilon *= 100.0) {
     std::fill(a.impulses.begin(), a.impulses.end(), zero3());
     Velocities v = find_velocities(a, From::nodes);
+    const Velocities before = v;
+    work_at_means(a);
     if (v.forbidden <= 1e-13 * v.fastest) return work;
     const double sane = std::max(1.001 * v.kinetic, driven);
     factorise_exactly(a, epsilon);
@@ -366,7 +377,7 @@ ImpulseWork take_out_forbidden(Articulate& a) {
       v = find_velocities(a, From::batches, true);
       if (v.forbidden > 0.5 * last) break;
     }
-    work = work_of_impulses(a, v);
+    work = work_of_impulses(a, before, v);
     if (v.kinetic <= sane || epsilon > 1e-3) return work;
   }
 }
