@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "articulates/build/islands.hpp"
+#include "articulates/build/tied_things.hpp"
 #include "articulates/solve/drift.hpp"
 #include "articulates/solve/state.hpp"
 #include "edit/common.hpp"

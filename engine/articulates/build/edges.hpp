@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "articulates/articulate.hpp"
-#include "articulates/build/islands.hpp"
+#include "articulates/build/tied_things.hpp"
 
 namespace pantin {
 

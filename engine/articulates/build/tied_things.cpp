@@ -1,4 +1,4 @@
-#include "articulates/build/islands.hpp"
+#include "articulates/build/tied_things.hpp"
 
 #include <algorithm>
 
