@@ -152,10 +152,10 @@ struct MeanMotion {
 struct ArticulateState {
   std::vector<Condition> conditions;
   std::vector<Vec3> impulses;  // (rows) [N s] of the last projection of velocities
-  std::array<std::vector<Vec3>, 2>
-      touched;  // (rows) [N s] impulses of the contact searches, before and after the last drift, where the next begin; none: nothing touches
-  std::array<std::vector<double>, 2>
-      touched_scalars;        // (rows) the same of scalar rows, at the row that they are known by
+  // (rows) [N s] what they gave in the searches for contacts before and after the last drift: where the next begin. Of ties,
+  // and of scalar rows at the row that they are known by; none: nothing touches.
+  std::array<std::vector<Vec3>, 2> tie_impulses;
+  std::array<std::vector<double>, 2> scalar_impulses;
   std::vector<Vec3> exerted;  // (rows) [N s] in all, in a full sub-step that is cut into parts or strikes a row
   double exerted_time = 0.0;  // [s] for which that is the sum; 0: the rows' forces tell all
   std::vector<Vec3>

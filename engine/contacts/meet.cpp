@@ -55,7 +55,7 @@ void close_scalars(TouchIsland& island, const Articulates& articulates) {
     IslandScalar& s = island.problem.scalars[k];
     s.bias = -scalar.row.wanted;
     const Articulate& a = *articulates[scalar.articulate];
-    const bool held = a.touched_scalars[0].size() == a.rows.size() && a.touched_scalars[0][scalar.row.row()] != 0.0;
+    const bool held = a.scalar_impulses[0].size() == a.rows.size() && a.scalar_impulses[0][scalar.row.row()] != 0.0;
     if (scalar.row.room > (held ? held_gap : closed_gap) * a.length) s.low = s.high = 0.0;
   }
 }

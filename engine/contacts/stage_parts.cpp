@@ -55,16 +55,16 @@ void keep_rolls(const ContactIsland& island, Contacts& contacts, const std::vect
 
 void keep_tie_impulses(const Articulates& articulates, const TouchIsland& island, int stage) {
   for (const std::uint32_t a : island.articulates)
-    articulates[a]->touched[static_cast<std::size_t>(stage)].assign(articulates[a]->rows.size(), zero3());
+    articulates[a]->tie_impulses[static_cast<std::size_t>(stage)].assign(articulates[a]->rows.size(), zero3());
   for (std::size_t k = 0; k < island.rows.size(); k++)
-    articulates[island.rows[k][0]]->touched[static_cast<std::size_t>(stage)][island.rows[k][1]] =
+    articulates[island.rows[k][0]]->tie_impulses[static_cast<std::size_t>(stage)][island.rows[k][1]] =
         island.problem.ties[k].impulse;
   for (const std::uint32_t a : island.articulates)
     if (!island.scalars.empty())
-      articulates[a]->touched_scalars[static_cast<std::size_t>(stage)].assign(articulates[a]->rows.size(), 0.0);
+      articulates[a]->scalar_impulses[static_cast<std::size_t>(stage)].assign(articulates[a]->rows.size(), 0.0);
   for (std::size_t k = 0; k < island.scalars.size(); k++)
     articulates[island.scalars[k].articulate]
-        ->touched_scalars[static_cast<std::size_t>(stage)][island.scalars[k].row.row()] =
+        ->scalar_impulses[static_cast<std::size_t>(stage)][island.scalars[k].row.row()] =
         island.problem.scalars[k].impulse;
 }
 

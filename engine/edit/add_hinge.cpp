@@ -145,7 +145,7 @@ ParticleId add_hinge(World& world, std::span<const PointId> points, const HingeD
     point.row_force = zero3();
     world.particles[point.own].asleep_in = hinge;
   }
-  touch(world, hinge);
+  mark_edited(world, hinge);
   if (def.axis) add_axes(world, hinge, bodies, *def.axis);
   return hinge;
 }

@@ -56,7 +56,7 @@ void wake(World& world, PointId id, const Particle& shared) {
 
 void end_ring(World& world, ParticleId hinge, std::string who) {
   disturb_sites(world);
-  touch(world, hinge);
+  mark_edited(world, hinge);
   drop_axes(world, hinge, {});
   const Particle shared = world.particles[hinge];
   for (ConnectionId c : shared.connections) remove(world, c);
@@ -71,7 +71,7 @@ void leave_ring(World& world, PointId point, const std::string& who) {
   if (hinge == world.points[point].own) return;
   if (world.particles[hinge].points.size() <= 2) return end_ring(world, hinge, who);
   disturb_sites(world);
-  touch(world, hinge);
+  mark_edited(world, hinge);
   drop_axes(world, hinge, world.points[point].body);
   wake(world, point, world.particles[hinge]);
   std::erase(world.particles[hinge].points, point);

@@ -64,13 +64,13 @@ ConstraintId insert_constraint(World& world, Constraint c) {
     world.bodies[body].constraints.push_back(id);
     if (world.motion_of(body).freedom == Freedom::line) update_mass(world, body);
   });
-  touch(world, row);
+  mark_edited(world, row);
   return id;
 }
 
 void take_out_constraint(World& world, ConstraintId id, Obituary obituary) {
   const Constraint& c = world.constraints[id];
-  touch(world, c);
+  mark_edited(world, c);
   c.each_point([&](PointId point) { std::erase(world.points[point].constraints, id); });
   c.each_body([&](BodyId body) { std::erase(world.bodies[body].constraints, id); });
   if (c.ring() && world.particles.alive(c.ring())) std::erase(world.particles[c.ring()].axes, id);

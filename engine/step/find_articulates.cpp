@@ -36,8 +36,8 @@ bool is_tied(const World& world, PointId id) {
 
 /// Whether something is to be found anew that was or is tied, or a body: not where free points were only born or have gone.
 bool ties_changed(const World& world) {
-  return std::any_of(world.touched.begin(), world.touched.end(),
-                     [&](const Touched& t) { return t.body || t.articulate >= 0 || is_tied(world, t.point); });
+  return std::any_of(world.edited_things.begin(), world.edited_things.end(),
+                     [&](const EditedThing& t) { return t.body || t.articulate >= 0 || is_tied(world, t.point); });
 }
 
 std::string lift_of(const World& world, BodyId id) {
@@ -75,7 +75,7 @@ void find_changed(World& world) {
   const std::size_t count = world.articulates.size();
   world.unchecked = world.unchecked || topology_changed || world.force_elements_changed;
   if (topology_changed && ties_changed(world)) internal::disturb_sites(world);
-  internal::note_touched_sites(world);
+  internal::note_edited_sites(world);
   if (world.force_elements_changed) choose_solved(world);
   const Settled settled = pantin::find_articulates(world, world.articulates, world.loose_bodies, world.loose_points);
   post(world, Source::edit, settled.energy);
