@@ -148,6 +148,13 @@ struct MeanMotion {
   std::array<Vec3, 2> velocity{}, acceleration{};
 };
 
+/// What the factor at hand is of, where it may serve again.
+enum class FactorOf : std::uint8_t {
+  none,
+  newton,     ///< Newton's matrix of the last attempt
+  projection  ///< what the rows forbid, at the nodes' starts
+};
+
 /// What steps change beside nodes and rows; a step that is done again starts from it.
 struct ArticulateState {
   std::vector<Condition> conditions;
@@ -164,14 +171,15 @@ struct ArticulateState {
       reaction;  // (rows) [N] beyond the drift's force: what they bore in kicks by laws of velocity and at contacts in the last step
   std::vector<double> loads;  // (rows) [N] that they bore in the last step, where some may break; none: not known
   std::vector<Vec3>
-      symmetric_impulses;          // (rows) [N s] running mean of those of projections, see `project_symmetrically`
-  double symmetric_h = 0.0;        // [s] of the sub-steps after which they serve; 0: none
-  double symmetric_energy = 0.0;   // [J] that taking them gave
-  ImpulseWork symmetric_work;      // of them
-  Vec3 angular_of_gaps = zero3();  // [kg m²/s] by forces over gaps, which the end of the full sub-step gives back
-  Gaps gaps;                       // at the start of the next step
-  double residual = 0.0;           // [m] largest of the rigid rows where the solver placed them last
-  double last_h = 0.0;             // [s] of the last good step; 0: no history
+      symmetric_impulses;         // (rows) [N s] running mean of those of projections, see `project_symmetrically`
+  double symmetric_h = 0.0;       // [s] of the sub-steps after which they serve; 0: none
+  double symmetric_energy = 0.0;  // [J] that taking them gave
+  ImpulseWork symmetric_work;     // of them
+  Vec3 angular_at_distance =
+      zero3();            // [kg m²/s] by forces at a distance, which the end of the full sub-step gives back
+  Gaps gaps;              // at the start of the next step
+  double residual = 0.0;  // [m] largest of the rigid rows where the solver placed them last
+  double last_h = 0.0;    // [s] of the last good step; 0: no history
   /// Relative compliance of the factor, between `least_epsilon` and `most_epsilon`: sets the speed of convergence, never
   /// the answer. Redundant loops that change shape want much, large mass ratios and long chains little. Rows without a
   /// loop are never redundant.
@@ -179,23 +187,23 @@ struct ArticulateState {
   std::uint32_t good_steps = 0, wait = 20;  // since epsilon was lowered; after which it is raised
   std::uint32_t projection_wait = 0;        // projections until one tries the factor of Newton's matrix again
   bool lowered = false;                     // epsilon was lowered in the last attempt
-  bool has_factor = false;                  // the factor is of a Newton matrix
-  bool exact = false;                       // the factor is of what the rows forbid, at the nodes' starts
-  bool fell_back = false;                   // the last step was a fallback step
-  bool offsets = false;                     // gaps of rows were accepted
-  bool edited = true;                       // new: velocities are still to be made consistent
-  bool torn = false;                        // by an edit, and still open
-  std::uint32_t open_steps = 0;             // in a row that ended with a gap beyond the tolerance
-  double arrived = 0.0;                     // (0 … 1) of the step, up to which a fallback step has already moved
-  bool smooth = true;                       // no part of the full sub-step was halved or a fallback step
-  bool cut = false;                         // the full sub-step has more than one part, or something in it may stop
-  bool touches = false;                     // contacts gave it impulses before the last drift
-  bool weak = false;                        // the last factor had weak pivots: its multipliers are not all determined
-  SubSteps sub_steps;                       // in each stage of a step
-  float error_by_jerk = 0.0F;               // error of sub-steps by h² |jerk|, at the last trials; 0: none
-  std::vector<MeanMotion> means;            // (nodes) where `accuracy` asks
-  double means_span = 0.0;                  // [s] from stage to stage
-  std::uint8_t means_known = 0;             // 1: velocities are known, 2: accelerations too
+  FactorOf factor_of = FactorOf::none;
+  bool fell_back = false;        // the last step was a fallback step
+  bool offsets = false;          // gaps of rows were accepted
+  bool edited = true;            // new: velocities are still to be made consistent
+  bool torn = false;             // by an edit, and still open
+  std::uint32_t open_steps = 0;  // in a row that ended with a gap beyond the tolerance
+  double arrived = 0.0;          // (0 … 1) of the step, up to which a fallback step has already moved
+  bool smooth = true;            // no part of the full sub-step was halved or a fallback step
+  bool sums_impulses =
+      false;  // `exerted` is summed up: the full sub-step has more than one part, or something in it may stop
+  bool touches = false;           // contacts gave it impulses before the last drift
+  bool weak = false;              // the last factor had weak pivots: its multipliers are not all determined
+  SubSteps sub_steps;             // in each stage of a step
+  float error_by_jerk = 0.0F;     // error of sub-steps by h² |jerk|, at the last trials; 0: none
+  std::vector<MeanMotion> means;  // (nodes) where `accuracy` asks
+  double means_span = 0.0;        // [s] from stage to stage
+  std::uint8_t means_known = 0;   // 1: velocities are known, 2: accelerations too
   Effort effort;
   DriftReport report;  // of the last phase
   NodeTotals totals;   // at the end of the last step
@@ -253,6 +261,10 @@ inline Vec3 force_in_drift(const Articulate& a, std::size_t k) {
 inline Vec3 exerted_force(const Articulate& a, std::size_t k) {
   const Vec3 f = force_in_drift(a, k);
   return a.reaction.empty() ? f : f + a.reaction[k];
+}
+/// The factor at hand, where it is of that, is so no more.
+inline void drop_factor(Articulate& a, FactorOf of) {
+  if (a.factor_of == of) a.factor_of = FactorOf::none;
 }
 /// It moves again, or is not to fall asleep before its motion was looked at anew.
 inline void wake(Articulate& articulate) { articulate.rest = {}; }

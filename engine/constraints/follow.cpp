@@ -39,7 +39,7 @@ void project_soft(const Row&, Condition& c) { c.kept = zero33(); }
 }  // namespace
 
 const RowRule soft_row = {
-    .soft = true, .over_gap = true, .evaluate = evaluate_soft, .project = project_soft, .pull = soft_pull};
+    .soft = true, .at_distance = true, .evaluate = evaluate_soft, .project = project_soft, .pull = soft_pull};
 
 namespace {
 

@@ -32,7 +32,7 @@ struct RowRule {
   bool by_law = false;             ///< pulls by the law of a connection: no constraint made it
   bool coupled = false;            ///< its value is one of several that add up, evaluated together by its articulate
   bool about_axis = false;         ///< an angular one about its axis alone; where it has no range a motor
-  bool over_gap = false;           ///< pulls along a gap in any direction, and so may twist what is free
+  bool at_distance = false;        ///< pulls at points that are apart, in any direction, and so may twist what is free
   bool keeps_separation = false;   ///< between two points, too, d1 is to be `position1`
   bool held_at_end = false;        ///< `held` is of an end of its range, which a step finds out; within it holds, too
   bool guides = false;             ///< a point that the world holds by it moves along something, and keeps no momentum

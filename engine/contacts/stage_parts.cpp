@@ -27,12 +27,12 @@ void give(Model& model, const TouchIsland& island, const std::vector<BodyLoad>& 
 
 ImpulseWork answer_of_ties(Articulate& a, Model& model, const TouchSettings& settings) {
   if (!settings.drifted) load(a, model, settings.gravity);
-  a.exact = false;
+  drop_factor(a, FactorOf::projection);
   begin_answers(a, 0.0);
   for (std::size_t b = 0; b < a.batches.size(); b++) read_momenta(a, b);
   const ImpulseWork work = answer(a);
   for (std::size_t b = 0; b < a.batches.size(); b++) tell_momenta(a, b);
-  a.exact = false;
+  drop_factor(a, FactorOf::projection);
   if (!settings.drifted)
     for (const Node& n : a.nodes) store(n, model);
   return work;

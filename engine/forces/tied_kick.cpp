@@ -83,7 +83,7 @@ Motions TiedKick::allowed(const Motions& impulses) {
   const bool wants = std::any_of(a_->conditions.begin(), a_->conditions.end(), wants_motion);
   if (!ties_ || wants || size_of(all) <= (1.0 + 1e-9) * asked_ || epsilon_ > 1e-5) return all;
   epsilon_ = 100.0 * std::max(epsilon_, a_->least_epsilon);
-  a_->exact = false;
+  drop_factor(*a_, FactorOf::projection);
   begin_answers(*a_, epsilon_);
   if (at_rest_)
     for (Condition& c : a_->conditions) c.wanted = zero3();
@@ -149,7 +149,7 @@ void TiedKick::add_forces_of_soft_rows(Motions& to, const Motions& by, double ti
 }
 
 void TiedKick::hold(Condition& c, bool held) {
-  if (c.held != held) a_->exact = false;
+  if (c.held != held) drop_factor(*a_, FactorOf::projection);
   c.held = held;
 }
 

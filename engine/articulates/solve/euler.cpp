@@ -84,7 +84,8 @@ void drift_euler(Articulate& a, const DriftSettings& settings, DriftReport& repo
   set_conditions(a, settings.step, 0.0, 1.0);
   place_rows_at_start(a);
   a.last_h = 0.0;
-  a.has_factor = a.cut = false;
+  drop_factor(a, FactorOf::newton);
+  a.sums_impulses = false;
   a.exerted_time = 0.0;
   if (!solve_euler(a, settings.step, settings.gravity, report))
     return fallback_step(a, settings, settings.step, report);

@@ -291,7 +291,7 @@ void close_displaced(Articulate& a) {
   release_stiff(a);
   a.rows = rows;
   a.conditions = conditions;
-  a.has_factor = false;
+  drop_factor(a, FactorOf::newton);
   if (tries_left == most || a.gaps.open > 1e-9 * a.length)
     a.gaps.open = open_before;  // the next drift closes what is told
 }

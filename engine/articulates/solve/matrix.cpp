@@ -197,7 +197,7 @@ Mat3 inverse_inertia(const Node& n, const Mat3& R) {
 
 bool factorise(Articulate& a, const System& system) {
   bool weak = false;
-  a.exact = false;
+  drop_factor(a, FactorOf::projection);
   const double least = redundant(a, system);
   Tile done;
   clear_hubs(a);
