@@ -76,18 +76,18 @@ struct Tile {
 
 /// Largest distances that rows should have closed, [m].
 struct Gaps {
-  double points = 0.0;  ///< of rigid rows between points
-  double others = 0.0;  ///< of all other rows that forbid motion: lengths, planes, turns, couplings
-  double open = 0.0;    ///< of all, but for offsets that were accepted
+  double points = 0.0;      ///< of rigid rows between points
+  double others = 0.0;      ///< of all other rows that forbid motion: lengths, planes, turns, couplings
+  double unaccepted = 0.0;  ///< of all, less what of them was accepted
   double all() const { return std::fmax(points, others); }
 };
 
-/// Work [J] of impulses on what is prescribed: anchors and lengths, and the turns of angular rows.
+/// Work [J] of impulses on what is prescribed: on anchors and lengths, and on the turns of angular rows.
 struct ImpulseWork {
-  double ends = 0.0, turns = 0.0;
-  double all() const { return ends + turns; }
+  double anchors = 0.0, turns = 0.0;
+  double all() const { return anchors + turns; }
   void operator+=(const ImpulseWork& more) {
-    ends += more.ends;
+    anchors += more.anchors;
     turns += more.turns;
   }
 };
@@ -110,7 +110,7 @@ struct DriftReport {
 
   double outside() const { return work + motor; }  // [J] from outside the scene: anchors, and what turns
   void tell(const ImpulseWork& done, double sign = 1.0) {
-    work += done.ends * sign;
+    work += done.anchors * sign;
     motor += done.turns * sign;
   }
 };
@@ -223,7 +223,7 @@ struct Articulate : ArticulateState {
   std::vector<Hub> hubs;
   std::vector<Node> saved;                     // as they were: where a fallback step goes back to, and for the ledger
   std::vector<std::uint32_t> first_row_block;  // (nodes + 1); hubs have none
-  RowLists on;                                 // (nodes) the rows that a node is in, rising
+  RowLists rows_on;                            // (nodes) the rows that a node is in, rising
   std::vector<Tile> tiles;                     // ends of the stretches; the last reaches all
   Factor factor;
   std::vector<Vec3> right_side;  // (rows of the factor)

@@ -91,8 +91,8 @@ double evaluate_function(Row& row, Condition& condition, const ConstraintFunctio
 /// value changes with d along that.
 void project_function(Condition& condition, Vec3 gradient, double slope = 1.0);
 /// Ends of a range, which is wider while what is outside is drawn in, [m].
-inline double low_end(const Condition& c) { return c.low + std::fmin(0.0, c.length); }
-inline double high_end(const Condition& c) { return c.high + std::fmax(0.0, c.length); }
+inline double low_end(const Condition& c) { return c.low + std::fmin(0.0, c.kept_value); }
+inline double high_end(const Condition& c) { return c.high + std::fmax(0.0, c.kept_value); }
 /// Of a value along a unit vector, by how far it is above the ends of its range [m].
 inline Stop nearer_end(Vec3 along, double low, double high) {
   return -high < low ? Stop{along * -1.0, -high} : Stop{along, low};

@@ -227,7 +227,7 @@ void project_stiff(const Row& row, Condition& c) {
 const RowRule stiff_row = {.soft = true, .by_law = true, .evaluate = evaluate_stiff, .project = project_stiff};
 
 void hold_length(Row& row, Condition& c) {
-  c.length = norm(row.d0);
+  c.kept_value = norm(row.d0);
   c.accepted = 0.0;
   row.offset = zero3();
   row.rule = norm2(row.d0) > c.stiff->least2 ? &rod_row : &rigid_row;

@@ -41,7 +41,7 @@ ImpulseWork answer_of_ties(Articulate& a, Model& model, const TouchSettings& set
 void add_work(ImpulseWork& work, const Articulates& articulates, const TouchScalar& s, double impulse,
               double velocity) {
   const double by = std::clamp(velocity, std::min(0.0, s.row.wanted), std::max(0.0, s.row.wanted));
-  (s.row.is_angular(*articulates[s.articulate]) ? work.turns : work.ends) += impulse * by;
+  (s.row.is_angular(*articulates[s.articulate]) ? work.turns : work.anchors) += impulse * by;
 }
 
 double slow_of(const TouchSettings& settings, const ContactIsland& island) {

@@ -183,7 +183,7 @@ void take_back(TouchSpace& space, Workers& workers, Model& model, const Articula
     HeatOf heat(model, articulates, contacts, settings.drifted, island.placed, island.heat);
     const std::span of_island = std::span(now).subspan(island.first_placed, island.placed.size());
     report.work = TakeBack(island, of_island, space, model, articulates, settings).run() + island.answered.all();
-    report.ties.ends -= island.answered.ends;
+    report.ties.anchors -= island.answered.anchors;
     report.ties.turns -= island.answered.turns;
     heat.add(report.work);
   });

@@ -29,7 +29,7 @@ bool wants_motion(const Condition& c) { return norm2(c.wanted) > 0.0; }
 
 /// Whether the rows of an articulate say which velocities are allowed.
 bool forbids(const Articulate& a) {
-  return !a.forbids_nothing && !a.fell_back && !a.torn && a.gaps.open <= 1e-8 * a.length;
+  return !a.forbids_nothing && !a.fell_back && !a.torn && a.gaps.unaccepted <= 1e-8 * a.length;
 }
 
 }  // namespace
@@ -385,7 +385,7 @@ TiedWork TiedKick::apply(const std::vector<Vec3>& spared, double full) {
   for (std::size_t s = 0; s < sites.size(); s++) work.rest += dot(spared[s], velocity_at(mean, sites[s])) * dt_;
   for (std::size_t k = 0; k < wanted_.size(); k++) {
     const Condition& c = a_->conditions[k];
-    (row(*a_, c).lever > 0.0 ? work.rows.turns : work.rows.ends) += dot(borne_[c.row], wanted_[k]);
+    (row(*a_, c).lever > 0.0 ? work.rows.turns : work.rows.anchors) += dot(borne_[c.row], wanted_[k]);
   }
   const double by_laws = scale_to(product(mean, change_)) - work.rows.all();
   if (damps) work.damper = by_laws - work.rest;

@@ -164,7 +164,7 @@ Condition make_condition(const Model& model, const Edge& edge, Row& row) {
     return condition;
   }
   const Constraint& c = model.constraints[edge.constraint];
-  condition.length = c.number.now;
+  condition.kept_value = c.number.now;
   condition.turns_axis = edge.angular && !c.coupled().empty() && c.coupled()[edge.index].point_a;
   condition.held = condition.held_before = !has_range(c) && !edge.rule->held_at_end && std::isinf(c.max_torque);
   row.f = condition.turns_axis ? zero3() : edge.angular ? c.torque / row.lever : c.force;
@@ -190,7 +190,7 @@ bool add_row(Articulate& a, const Model& model, const Edge& edge, const std::vec
   row.la = edge.la;
   row.lb = edge.lb;
   row.member = edge.member;
-  row.centre = edge.centre;
+  row.star_point = edge.star_point;
   if (edge.angular) row.lever = lever(a, row);
   if (edge.member) {
     row.f = model.points[edge.member].row_force;
@@ -263,8 +263,8 @@ bool weighs_as_built(const Model& model, const Node& node) {
 }  // namespace
 
 bool is_row_of(const Articulate& a, const Row& row, const Edge& edge) {
-  if (row.rule != edge.rule || row.member != edge.member || row.centre != edge.centre || !same(row.la, edge.la) ||
-      !same(row.lb, edge.lb))
+  if (row.rule != edge.rule || row.member != edge.member || row.star_point != edge.star_point ||
+      !same(row.la, edge.la) || !same(row.lb, edge.lb))
     return false;
   if (edge.member) return true;
   const Condition& c = condition(a, row);
@@ -281,12 +281,12 @@ bool is_as_built(const Model& model, const Articulate& a, Thing t) {
   std::erase_if(edges, [&](const Edge& edge) { return edge.a != node && edge.b != node; });
   const auto there = [&](const Edge& edge) {
     if (edge.may_break && !a.breakable) return false;
-    const auto rows = a.on[index];
+    const auto rows = a.rows_on[index];
     return std::any_of(rows.begin(), rows.end(), [&](std::uint32_t k) {
       return a.rows[k].a == edge.a && a.rows[k].b == edge.b && is_row_of(a, a.rows[k], edge);
     });
   };
-  return edges.size() == a.on[index].size() && std::all_of(edges.begin(), edges.end(), there);
+  return edges.size() == a.rows_on[index].size() && std::all_of(edges.begin(), edges.end(), there);
 }
 
 }  // namespace pantin

@@ -42,7 +42,7 @@ History::Before History::row(const Edge& edge) const {
   const Origin& a = nodes_[static_cast<std::size_t>(edge.a)];
   const Origin& b = edge.b >= 0 ? nodes_[static_cast<std::size_t>(edge.b)] : a;
   if (a.articulate == nullptr || a.articulate != b.articulate) return {};
-  const auto on_a = a.articulate->on[a.index], on_b = b.articulate->on[b.index];
+  const auto on_a = a.articulate->rows_on[a.index], on_b = b.articulate->rows_on[b.index];
   for (std::uint32_t k : on_a.size() < on_b.size() ? on_a : on_b) {
     const Row& row = a.articulate->rows[k];
     const bool same_ends =
@@ -74,7 +74,7 @@ void History::hand_on(Articulate& to) const {
     to.projection_wait = std::max(to.projection_wait, from.projection_wait);
     to.gaps.points = std::fmax(to.gaps.points, from.gaps.points);
     to.gaps.others = std::fmax(to.gaps.others, from.gaps.others);
-    to.gaps.open = std::fmax(to.gaps.open, from.gaps.open);
+    to.gaps.unaccepted = std::fmax(to.gaps.unaccepted, from.gaps.unaccepted);
     last = &from;
   }
   to.edited = to.edited || last == nullptr;

@@ -142,7 +142,7 @@ void drift_part(Articulate& a, const DriftSettings& settings, const Part& part, 
   if (part.from < a.arrived) return;
   const double h = settings.step * (part.to - part.from);
   set_conditions(a, settings.step, part.from, part.to);
-  if (a.gaps.open > 1e-8 * a.length) return arrive_by_fallback(a, settings, part, report);
+  if (a.gaps.unaccepted > 1e-8 * a.length) return arrive_by_fallback(a, settings, part, report);
   if (solve_part(a, settings, h, report)) {
     if (!a.sums_impulses) return;
     add_forces_exerted(a, h);
@@ -168,7 +168,7 @@ EnergyOfMeeting meet(Articulate& a, double step, double at) {
   measure_gaps(a);
   for (Condition& c : a.conditions)  // of motors and ends of paths the step finds out
     c.held = !c.ranged && std::isinf(c.upper) && !row(a, c).rule->held_at_end;
-  a.torn = a.gaps.open > 1e-8 * a.length;
+  a.torn = a.gaps.unaccepted > 1e-8 * a.length;
   if (a.torn) return {};
   const WantedVelocities wanted(a, step, at);
   const bool free = is_free(a);
@@ -225,12 +225,12 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
     a.arrived = 0.0;
     a.sums_impulses = false;
     a.exerted_time = 0.0;
-    const bool open = a.gaps.open > 1e-8 * a.length;
+    const bool open = a.gaps.unaccepted > 1e-8 * a.length;
     if ((a.sub_steps.count > 1 || is_part_that_may_strike(a, settings)) && !open)
       symmetric ? cut(a) : begin_cut(a, settings, settings.from, report);
   }
   const std::uint32_t count = a.sub_steps.count, spare = a.effort.spare;
-  const bool open = a.gaps.open > 1e-8 * a.length;
+  const bool open = a.gaps.unaccepted > 1e-8 * a.length;
   const double sub_step = (settings.to - settings.from) / count;  // of the step
   for (std::uint32_t i = 0; i < count; i++) {
     const double to = i + 1 == count ? settings.to : settings.from + sub_step * (i + 1);
@@ -238,7 +238,7 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   }
   end_effort(a, spare, open, report);
   if (a.torn) report.met += std::exchange(report.dissipated, 0.0);  // drawing together what an edit tore apart
-  a.torn = a.torn && a.gaps.open > 1e-8 * a.length;
+  a.torn = a.torn && a.gaps.unaccepted > 1e-8 * a.length;
 }
 
 }  // namespace pantin

@@ -128,7 +128,7 @@ bool may_return(const Articulate& a) {
   if (a.pulled || a.touches) return false;
   if (a.fell_back || a.soft_constraint || a.nonconservative) return false;
   return !struck(a) && std::none_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) {
-    return norm2(c.velocity) > 0.0 || c.length_rate != 0.0 || (c.may_do_work && !c.ranged);
+    return norm2(c.velocity) > 0.0 || c.value_rate != 0.0 || (c.works_along_d && !c.ranged);
   });
 }
 

@@ -318,7 +318,7 @@ void add_unsolved_work(const Articulate& a, double h, DriftReport& report) {
   for (const Row& r : a.rows) {
     const double size = std::max(largest(first(a, r).x0), norm(r.d1));
     report.round_off += std::numeric_limits<double>::epsilon() * norm(r.f) * size;
-    const bool does_work = r.condition >= 0 && condition(a, r).may_do_work;
+    const bool does_work = r.condition >= 0 && condition(a, r).works_along_d;
     if (pulls_by_law(r) || (does_work && r.lever > 0.0)) continue;
     if (r.lever > 0.0) {
       report.unsolved += work_of_angular_row(a, r);
@@ -347,8 +347,8 @@ void add_work_of_rows(Articulate& a, DriftReport& report) {
       continue;
     }
     if (keeps_to_position(r) && r.lever == 0.0) report.work += dot(r.f, c.position1 - c.position0);
-    if (!c.may_do_work) continue;
-    const bool still = c.whole_length0 == c.whole_length1;
+    if (!c.works_along_d) continue;
+    const bool still = c.whole_value0 == c.whole_value1;
     double& line = c.ranged && still ? report.limit : r.lever > 0.0 ? report.motor : report.work;
     line += r.lever > 0.0 ? work_of_angular_row(a, r) : dot(r.f, r.d1 - r.d0);
   }

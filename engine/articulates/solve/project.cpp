@@ -101,7 +101,7 @@ Velocities find_velocities(Articulate& a, From from, bool reuse = false) {
 /// Adds the work of the impulse of a row on what is prescribed.
 void add_work(ImpulseWork& work, const Articulate& a, const Condition& c, Vec3 impulse) {
   if (c.stiff) return;
-  (row(a, c).lever > 0.0 ? work.turns : work.ends) += dot(impulse, c.wanted);
+  (row(a, c).lever > 0.0 ? work.turns : work.anchors) += dot(impulse, c.wanted);
 }
 
 /// Energy that what is prescribed may give, if all moves as fast, or for a turn ten times as much, since a crank may turn
@@ -133,7 +133,7 @@ ImpulseWork work_of_impulses(const Articulate& a, const Velocities& v) {
     all += dot(a.impulses[c.row], c.wanted);
     anchors = anchors || (row(a, c).lever == 0.0 && norm2(c.wanted) > 0.0);
   }
-  (anchors ? work.ends : work.turns) = all;
+  (anchors ? work.anchors : work.turns) = all;
   return work;
 }
 
