@@ -58,12 +58,12 @@ struct CoupledBlock {
 struct HeadBlock {
   std::uint32_t row, block;
 };
-/// Rows whose values add up to one: segments of a string, turns of gears.
+/// Rows whose values add up to one number: segments of a string, turns of gears.
 struct Coupling {
   std::uint32_t head;
   std::vector<std::uint32_t> rows;  // the head among them
   std::vector<CoupledBlock> blocks;
-  std::vector<HeadBlock> links;
+  std::vector<HeadBlock> links;        // of each of its other rows
   std::vector<std::uint32_t> cleared;  // blocks that nothing else sets
 };
 
@@ -101,7 +101,7 @@ struct DriftReport {
   double work = 0.0;                  // [J] of the anchors, changing lengths, pushes and torques
   double motor = 0.0;                 // [J] of motors, and of turns and angles that follow a function of time
   double limit = 0.0;                 // [J] of limits, and of all rows where one is struck
-  double met = 0.0;                   // [J] of making velocities consistent after an edit
+  double after_edit = 0.0;            // [J] of making velocities consistent after an edit
   double projected = 0.0;             // [J] of the symmetric projection
   double dissipated = 0.0;            // [J] change of the energy in fallback steps that nothing from outside made
   double unsolved = 0.0;   // [J] of forces on gaps that the iteration left open; only where the ledger is kept

@@ -95,7 +95,7 @@ struct Condition {
   bool held = true;            // the range, or the limit of the force, lets it act as a constraint
   bool held_before = true;     // before the part of a step that is being solved: what began to hold in it is struck
   bool works_along_d = false;  // its force may do work f·Δd: it stops, pulls, or keeps what is prescribed
-  bool gives_way = false;      // now: impulses do not find it, since its force has an end
+  bool gives_way = false;      // while impulses are found in which it has no part, since its force has an end
   std::uint32_t row = 0;
   ConstraintId constraint;  // null of a stiff row
   std::shared_ptr<StiffBond>
@@ -103,7 +103,7 @@ struct Condition {
   std::vector<double>
       energy_given;  // (its curves) [J] what their energies gave to the motion in this stage of the step
   double settling = 0.0, mean_rate = 0.0;  // [kg], [m/s] those of `stiff`, in the last stage of the step
-  bool settles = false;                    // now
+  bool settles = false;                    // while `settle_velocities` solves
 };
 
 /// Whether its force has an end either way, as that of a motor with a largest torque.

@@ -40,7 +40,7 @@ TiedKick::TiedKick(World& world, VelocityForces& laws, std::size_t articulate, d
     copy_ = std::make_unique<Articulate>(*a_);
     a_ = copy_.get();
     load(*a_, world, world.settings.gravity);
-    meet(*a_, world.settings.step, world.stage.from);
+    make_consistent_after_edit(*a_, world.settings.step, world.stage.from);
   } else if (!side.drifted) {
     for (Node& n : a_->nodes) load(n, world, world.settings.gravity);
   }

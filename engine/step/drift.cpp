@@ -126,7 +126,7 @@ void count(World& world, const Articulate& articulate) {
   world.nonconservative_work += report.nonconservative_work;
   world.ledger.posted += std::fabs(report.nonconservative_work);
   post_work(world, report);
-  post(world, Source::edit, report.met);
+  post(world, Source::edit, report.after_edit);
   post_report(world, report);
   if (report.offsets > 0)
     log_line(world, "notice", "a gap that no motion can close was taken as a constant offset of its hinges");

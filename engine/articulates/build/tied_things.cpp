@@ -161,17 +161,17 @@ void update_loose(Model& model, const std::vector<Thing>& things, bool bodies, s
 }
 
 /// Bodies move with the inertia that they have loose or tied.
-void settle(Model& model, const std::vector<Thing>& found, bool tied, Settled& settled) {
+void take_inertia(Model& model, const std::vector<Thing>& found, bool tied, InertiaChanges& changes) {
   for (Thing t : found) {
     if (!t.is_body) continue;
     const BodyId body = model.bodies.id_at(t.slot);
-    settled.energy += settle_inertia(model, body, tied);
-    if (lift(model, body) > 0.0) settled.lifted.push_back(body);
+    changes.energy += settle_inertia(model, body, tied);
+    if (lift(model, body) > 0.0) changes.lifted.push_back(body);
   }
 }
 
 /// Finds what the given things are tied to; appends whatever else that is to them. Returns the new articulates.
-Articulates gather(Model& model, const Articulates& before, std::vector<Thing>& things, Settled& settled) {
+Articulates gather(Model& model, const Articulates& before, std::vector<Thing>& things, InertiaChanges& changes) {
   Articulates made;
   std::vector<Thing> loose;
   Search search(model);
@@ -182,7 +182,7 @@ Articulates gather(Model& model, const Articulates& before, std::vector<Thing>& 
     bool constrained = false;
     std::vector<Thing> found = search.from(t, constrained);
     things.insert(things.end(), found.begin(), found.end());
-    settle(model, found, constrained, settled);
+    take_inertia(model, found, constrained, changes);
     if (!constrained) {
       loose.insert(loose.end(), found.begin(), found.end());
       continue;
@@ -197,24 +197,24 @@ Articulates gather(Model& model, const Articulates& before, std::vector<Thing>& 
 
 }  // namespace
 
-Settled find_articulates(Model& model, std::vector<std::unique_ptr<Articulate>>& articulates,
-                         std::vector<std::uint32_t>& loose_bodies, std::vector<std::uint32_t>& loose_points) {
-  Settled settled;
+InertiaChanges find_articulates(Model& model, std::vector<std::unique_ptr<Articulate>>& articulates,
+                                std::vector<std::uint32_t>& loose_bodies, std::vector<std::uint32_t>& loose_points) {
+  InertiaChanges changes;
   for (std::int32_t i : model.disturbed) disturb(*articulates[static_cast<std::size_t>(i)]);
   model.disturbed.clear();
-  if (!model.topology_changed) return settled;
+  if (!model.topology_changed) return changes;
   for (const EditedThing& t : model.edited_things)
     if (t.articulate >= 0) wake(*articulates[static_cast<std::size_t>(t.articulate)]);
   const std::vector<char> changed = changed_articulates(model, articulates);
   std::vector<Thing> things = things_to_gather(model, articulates, changed);
   model.edited_things.clear();
   model.topology_changed = false;
-  if (things.empty()) return settled;
-  Articulates made = gather(model, articulates, things, settled);
+  if (things.empty()) return changes;
+  Articulates made = gather(model, articulates, things, changes);
   replace(model, articulates, changed, made);
   update_loose(model, things, true, loose_bodies);
   update_loose(model, things, false, loose_points);
-  return settled;
+  return changes;
 }
 
 }  // namespace pantin

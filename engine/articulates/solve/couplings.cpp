@@ -278,7 +278,7 @@ Stop coupling_stop(const Articulate& a, const Row& row) {
   return {zero3()};
 }
 
-double share_told(const Articulate& a, const Row& row) {
+double motion_per_gap(const Articulate& a, const Row& row) {
   for (const Coupling& coupling : a.couplings) {
     if (&a.rows[coupling.head] != &row) continue;
     double most = 0.0;

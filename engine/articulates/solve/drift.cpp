@@ -162,7 +162,7 @@ void drift_part(Articulate& a, const DriftSettings& settings, const Part& part, 
 
 }  // namespace
 
-EnergyOfMeeting meet(Articulate& a, double step, double at) {
+EnergyOfConsistency make_consistent_after_edit(Articulate& a, double step, double at) {
   a.edited = a.sums_impulses = false;
   stand_still(a, step, at);
   measure_gaps(a);
@@ -214,9 +214,9 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
   drop_factor(a, FactorOf::projection);
   begin_effort(a);
   if (a.edited) {
-    const EnergyOfMeeting met = meet(a, settings.step, settings.from);
-    report.met += met.tied;
-    report.limit += met.stopped;
+    const EnergyOfConsistency gave = make_consistent_after_edit(a, settings.step, settings.from);
+    report.after_edit += gave.tied;
+    report.limit += gave.stopped;
   }
   if (settings.first) {
     strengthen_stalled(a, settings.step);
@@ -237,7 +237,7 @@ void drift(Articulate& a, const DriftSettings& settings, DriftReport& report) {
     drift_part(a, settings, {settings.from + sub_step * i, to, to, 0}, report);
   }
   end_effort(a, spare, open, report);
-  if (a.torn) report.met += std::exchange(report.dissipated, 0.0);  // drawing together what an edit tore apart
+  if (a.torn) report.after_edit += std::exchange(report.dissipated, 0.0);  // drawing together what an edit tore apart
   a.torn = a.torn && a.gaps.unaccepted > 1e-8 * a.length;
 }
 

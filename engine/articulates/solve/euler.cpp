@@ -37,10 +37,10 @@ double evaluate_euler(Articulate& a, double h) {
   for (Node& n : a.nodes) n.row_force = n.row_torque = zero3();
   for (const Row& row : a.rows) {
     Node& first = a.nodes[static_cast<std::size_t>(row.a)];
-    pull(first, row, first.R0 * row.la, row.f);
+    add_row_force(first, row, first.R0 * row.la, row.f);
     if (row.b < 0) continue;
     Node& second = a.nodes[static_cast<std::size_t>(row.b)];
-    pull(second, row, second.R0 * row.lb, row.f * -1.0);
+    add_row_force(second, row, second.R0 * row.lb, row.f * -1.0);
   }
   for (Node& n : a.nodes) evaluate_euler(n, h);
   place_rows_at_end(a);

@@ -36,7 +36,7 @@ void hold_stiff(Articulate& a) {
 }
 void release_stiff(Articulate& a) {
   for (Row& row : a.rows)
-    if (row.condition >= 0 && condition(a, row).stiff) pull_again(row);
+    if (row.condition >= 0 && condition(a, row).stiff) pull_again(row);  // its rule is not by a law now
   a.forbids_nothing = std::all_of(a.rows.begin(), a.rows.end(), is_soft);
   measure_gaps(a);
 }
@@ -208,8 +208,8 @@ void begin_at_ends(Articulate& a) {
   }
 }
 
-/// Whether no anchor moves, and no length changes.
-bool is_still(const Articulate& a) {
+/// Whether no anchor moves, and no value that a row keeps changes.
+bool nothing_driven(const Articulate& a) {
   return std::all_of(a.conditions.begin(), a.conditions.end(), [](const Condition& c) {
     return norm2(c.velocity) == 0.0 && c.value_rate == 0.0 && same(c.whole0, c.whole1);
   });
@@ -260,7 +260,7 @@ class OnlyDissipates {
 /// A small gap that stays (a loop built a little too long) becomes the row's constant offset: not one that is passing, nor
 /// one of rows without loops, which can always be closed.
 void accept_gaps(Articulate& a, double tolerance, DriftReport& report) {
-  if (a.tree || !is_still(a) || a.gaps.unaccepted <= 1e-8 * a.length || a.gaps.unaccepted > tolerance * a.length)
+  if (a.tree || !nothing_driven(a) || a.gaps.unaccepted <= 1e-8 * a.length || a.gaps.unaccepted > tolerance * a.length)
     return;
   for (Row& row : a.rows)
     if (!is_soft(row)) accept_gap(a, row);
@@ -320,7 +320,7 @@ void fallback_step(Articulate& a, const DriftSettings& settings, double h, Drift
   report.tell(make_consistent(a, h));
   if (free) restore_momenta(a, momenta);
   if (!energy.take_out() && !a.torn) {
-    if (is_still(a))
+    if (nothing_driven(a))
       stay(a, h, free, momenta);
     else
       report.work += energy.change();

@@ -44,7 +44,7 @@ Lanes place_batch(Articulate& a, std::size_t b, double h) {
   for (const RowEnds& end : ends)
     add_load(load, end, fetch(end, [&](std::uint32_t k) { return a.rows[k].f; }), mean_arm(end));
   const Lanes size2 = evaluate(n, load, h);
-  for (const RowEnds& end : ends) hand_over(a, end, n.x1 + end.r1);
+  for (const RowEnds& end : ends) scatter_to_rows(a, end, n.x1 + end.r1);
   if (a.angular) tell_positions(a, b);  // angular rows are placed from the nodes, not from what ends hand over
   return size2;
 }

@@ -155,7 +155,7 @@ void place_at_start(Articulate& a, std::size_t b) {
   const Vec3x4 x0 = pack_nodes(a, b, [](const Node& node) { return node.x0; });
   for (RowEnds& end : ends_of(a, a.batches[b])) {
     end.r0 = R0 * end.l;
-    hand_over(a, end, x0 + end.r0);
+    scatter_to_rows(a, end, x0 + end.r0);
   }
 }
 
@@ -164,7 +164,7 @@ void place_at_end(Articulate& a, std::size_t b) {
   const Vec3x4 x1 = pack_nodes(a, b, [](const Node& node) { return node.x1; });
   for (RowEnds& end : ends_of(a, a.batches[b])) {
     end.r1 = R1 * end.l;
-    hand_over(a, end, x1 + end.r1);
+    scatter_to_rows(a, end, x1 + end.r1);
   }
 }
 

@@ -23,7 +23,7 @@ namespace {
 /// Sets the residual of a row to its forbidden velocity.
 void find_forbidden_velocity(Articulate& a, std::size_t k) {
   Row& row = a.rows[k];
-  row.residual = handed_over(a, k);
+  row.residual = gather_for_row(a, k);
   if (row.condition < 0) return;
   const Condition& c = condition(a, row);
   row.residual -= c.wanted;
@@ -35,7 +35,7 @@ Vec3 forbidden_of_coupling(const Articulate& a, std::uint32_t k) {
   for (const Coupling& coupling : a.couplings) {
     if (coupling.head != k) continue;
     return a.rows[k].residual +
-           into_head(a, coupling, [&](const Row& row) { return handed_over(a, condition(a, row).row); });
+           into_head(a, coupling, [&](const Row& row) { return gather_for_row(a, condition(a, row).row); });
   }
   return zero3();
 }
@@ -78,7 +78,7 @@ Velocities find_velocities(Articulate& a, From from, bool reuse = false) {
       kinetic += (dot(velocity, n.p) + dot(spin, n.L)) * 0.5;
       fastest2 = larger(norm2(velocity), fastest2);
       for (const RowEnds& end : ends_of(a, n))
-        hand_over(a, end, (velocity + cross(spin, end.r1)) * end.sign + spin * end.lever);
+        scatter_to_rows(a, end, (velocity + cross(spin, end.r1)) * end.sign + spin * end.lever);
     }
     for (; done.rows < tile.rows; done.rows++) {
       Row& row = a.rows[done.rows];

@@ -118,9 +118,9 @@ NodeTotals totals_of(const Articulate& a) {
 
 namespace {
 
-double told_gap(const Articulate& a, const Row& row, double open) {
+double gap_with_accepted(const Articulate& a, const Row& row, double open) {
   const double all = open + norm(row.offset) + std::fabs(condition(a, row).accepted);
-  return is_coupled(row) ? all * share_told(a, row) : all;
+  return is_coupled(row) ? all * motion_per_gap(a, row) : all;
 }
 
 }  // namespace
@@ -134,7 +134,7 @@ void measure_gaps(Articulate& a) {
     if (is_rigid(row) && row.lever == 0.0)
       a.gaps.points = std::max(a.gaps.points, norm(row.d1));
     else
-      a.gaps.others = std::max(a.gaps.others, told_gap(a, row, open));
+      a.gaps.others = std::max(a.gaps.others, gap_with_accepted(a, row, open));
   }
 }
 
