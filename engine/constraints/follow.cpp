@@ -43,21 +43,24 @@ const RowRule soft_row = {
 
 namespace {
 
+/// Whether it holds its point as a nail does.
+bool is_rigid(const Constraint& c) { return !std::isfinite(c.max_force); }
+
 void check(const Model&, Constraint& c) {
   internal::require_positive_or_infinite("follow", "max_force", c.max_force, "N");
   internal::require_finite("follow", "target", c.position.now, "m");
 }
 
 void start(const Model& model, Constraint& c, double tolerance) {
-  if (c.pins()) start_point(model, c, from_position(model, c), velocity(model, c.a), tolerance);
+  if (is_rigid(c)) start_point(model, c, from_position(model, c), velocity(model, c.a), tolerance);
 }
 
 double gap(const Model& model, const Constraint& c) {
-  return c.pins() ? norm(from_position(model, c) - c.attract.away) : 0.0;
+  return is_rigid(c) ? norm(from_position(model, c) - c.attract.away) : 0.0;
 }
 
 std::vector<RowPlan> rows(const Model&, const Constraint& c) {
-  return {between_points(c, c.pins() ? rigid_row : soft_row)};
+  return {between_points(c, is_rigid(c) ? rigid_row : soft_row)};
 }
 
 }  // namespace
@@ -68,8 +71,9 @@ const ConstraintRule follow_rule = {
     .check = check,
     .freedoms =
         [](const Constraint& c) {
-          return c.pins() ? FreedomsTaken{3, 2} : FreedomsTaken{};
+          return is_rigid(c) ? FreedomsTaken{3, 2} : FreedomsTaken{};
         },
+    .pins = [](const Constraint& c) { return is_rigid(c) ? "held by a follow without max_force" : nullptr; },
     .directions = all_directions,
     .start = start,
     .gap = gap,

@@ -50,7 +50,7 @@ void check_constraint(const World& world, Constraint& c, ConstraintId same) {
   require_positive(call, "time_constant", c.time_constant, "s");
   if (rule.check != nullptr) rule.check(world, c);
   if (rule.keeps.name != nullptr) require_kept(call, c, c.by_speed ? c.number.rate : c.number.now);
-  if (c.pins()) require_free_of_holders(world, call, c.a, same);
+  if (pins(c)) require_free_of_holders(world, call, c.a, same);
   require_in_plane(world, c);
 }
 
