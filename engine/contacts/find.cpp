@@ -73,7 +73,7 @@ void add_past(const std::vector<Contact>& past, std::vector<Contact>& list) {
 
 void find_contacts(const ThingsNow& p, ContactFinder& finder, Workers& workers, Contacts& contacts) {
   put_bounds(p, finder);
-  place_points(p, finder);
+  locate_points(p, finder);
   find_going(p.model, finder, contacts);
   find_of_shapes(p, finder, contacts, workers);
   FoundContacts& found = finder.found[0];

@@ -125,11 +125,11 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
     close_scalars(island, articulates);
     hold_ties(problem);
     if (rebounds) {
-      double gained = 0.0;
+      double done_before = 0.0;
       for (const std::uint32_t thing : !problem.is_tied() ? island.things : std::vector<std::uint32_t>())
         if (const std::size_t i = number_of(model, thing); i < space.placing_work.size())
-          gained += space.placing_work[i];
-      report.iterations += resolve_impacts(problem, slow_of(settings, problem), gained).iterations;
+          done_before += space.placing_work[i];
+      report.iterations += resolve_impacts(problem, slow_of(settings, problem), done_before).iterations;
     }
     solve_stage(contacts, island, 1, settings.search, report);
     keep_tie_impulses(articulates, island, 1);
@@ -139,7 +139,7 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
       Contact& to = contacts.list[island.contacts[k]];
       IslandContact& c = problem.contacts[k];
-      c.impulse += c.before_contacts;
+      c.impulse += c.impact_impulse;
       to.total = to_world(c, c.impulse);
       report.belts -= dot(to.total, to.belt - to.normal * dot(to.normal, to.belt));
       if (contacts.heat_kept)
@@ -149,8 +149,8 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
     HeatOf heat(model, articulates, contacts, settings.drifted, given, island.heat);
     std::vector<BodyLoad> loads(problem.bodies.size());
     add_contact_loads(problem, loads);
-    for (IslandTie& t : problem.ties) t.impulse += t.before_contacts;
-    for (IslandScalar& s : problem.scalars) s.impulse += s.before_contacts;
+    for (IslandTie& t : problem.ties) t.impulse += t.earlier_impulse;
+    for (IslandScalar& s : problem.scalars) s.impulse += s.earlier_impulse;
     add_tie_loads(problem, loads);
     tell_reactions(articulates, island, settings.step, true);
     give(model, island, loads);

@@ -33,7 +33,7 @@ void note_given(const Model& model, const Articulates& articulates, TouchIsland&
                 const std::vector<BodyLoad>& impulses, bool drifted) {
   for (std::size_t i = 0; i < island.things.size(); i++) {
     const std::uint32_t thing = island.things[i];
-    Given given = {static_cast<std::uint32_t>(i), model.plane.along(impulses[i].force), impulses[i].moment};
+    BodyImpulse given = {static_cast<std::uint32_t>(i), model.plane.along(impulses[i].force), impulses[i].moment};
     if (island_number(model, articulates.size(), thing) < articulates.size()) {
       const BodyState before = island.states[i], after = state_of(model, articulates, thing, drifted);
       given.impulse = (after.v - before.v) * before.mass;
@@ -132,7 +132,7 @@ void hold_turning_ties(TouchIsland& island, double h) {
   }
   std::vector<std::array<Vec3, 2>> free;
   for (const IslandBody& b : problem.bodies) free.push_back({b.v0, b.w0});
-  start_from_rest(problem);
+  start_without_impulses(problem);
   const double before = kinetic_energy(problem);
   hold_ties(problem);
   if (kinetic_energy(problem) - before <= most * before + work_of_ties(problem)) return;
@@ -162,7 +162,7 @@ ImpulseWork hold_scalars(const Articulates& articulates, TouchIsland& island, st
     Condition& c = condition(a, a.rows[from.row.row()]);
     const bool jams = is_jammed(s, from.row, c);
     if (!s.is_bounded() || (s.is_at_bound() && !jams)) continue;
-    const double impulse = s.impulse + (jams ? s.before_contacts : 0.0);
+    const double impulse = s.impulse + (jams ? s.earlier_impulse : 0.0);
     if (jams) jam(c);
     add_load(island.problem, loads, s, impulse);
     add_work(island.answered, articulates, from, impulse, jams ? 0.0 : from.row.wanted);
