@@ -69,8 +69,8 @@ void turn_where_foreseen(Model& model, const Articulates& articulates, const Con
   for (std::size_t k = 0; k < island.contacts.size(); k++) {
     const Contact& from = contacts.list[island.contacts[k]];
     const IslandContact& c = island.problem.contacts[k];
-    if (from.past || norm2(c.impulse) > 0.0) pushed.push_back({c.a, c.b});
-    if (!from.past || c.b < 0) continue;
+    if (from.from_before || norm2(c.impulse) > 0.0) pushed.push_back({c.a, c.b});
+    if (!from.from_before || c.b < 0) continue;
     if (missing.empty()) missing.assign(island.things.size(), zero3());
     const auto end = [&](std::int32_t body, Vec3 arm) {
       return centre_of(model, articulates, island.things[static_cast<std::size_t>(body)], drifted) + arm;
@@ -87,8 +87,9 @@ void turn_where_foreseen(Model& model, const Articulates& articulates, const Con
 void leave_to_past(const std::vector<Contact>& list, std::vector<char>& used) {
   for (std::size_t first = 0, last = 0; first < list.size(); first = last) {
     bool past = false;
-    for (; last < list.size() && list[last].key.same_shapes(list[first].key); last++) past = past || list[last].past;
-    for (std::size_t k = first; past && k < last; k++) used[k] = list[k].past;
+    for (; last < list.size() && list[last].key.same_shapes(list[first].key); last++)
+      past = past || list[last].from_before;
+    for (std::size_t k = first; past && k < last; k++) used[k] = list[k].from_before;
   }
 }
 
@@ -101,8 +102,8 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
   std::vector<char> used(contacts.list.size(), 0);
   for (std::size_t k = 0; k < used.size(); k++) {
     Contact& c = contacts.list[k];
-    c.placed = -1;
-    used[k] = c.past || c.gap <= (norm2(c.placing) > 0.0 ? held_gap : closed_gap) * c.size;
+    c.place_index = -1;
+    used[k] = c.from_before || c.gap <= (norm2(c.place_impulse) > 0.0 ? held_gap : closed_gap) * c.size;
   }
   leave_to_past(contacts.list, used);
   for (std::size_t k = 0; k < used.size(); k++)
@@ -117,7 +118,7 @@ void meet(TouchSpace& space, Workers& workers, Model& model, const Articulates& 
     for (std::size_t k = 0; k < problem.contacts.size(); k++) {
       const Contact& from = contacts.list[island.contacts[k]];
       IslandContact& c = problem.contacts[k];
-      c.other_start = to_frame(c, from.placing);
+      c.other_start = to_frame(c, from.place_impulse);
       c.rebound = from.body_b < 0 && !problem.is_tied() ? from.rebound : 0.0;
       rebounds = rebounds || from.rebound > 0.0;
     }

@@ -78,7 +78,7 @@ void push_out(TouchSpace& space, Workers& workers, Model& model, const Articulat
   bool any = false;
   for (std::size_t k = 0; k < used.size(); k++) {
     const Contact& c = contacts.list[k];
-    used[k] = !c.past && c.gap <= 0.02 * c.size;
+    used[k] = !c.from_before && c.gap <= 0.02 * c.size;
     any = any || c.gap < -told_overlap * c.size;
   }
   if (!any) return;

@@ -42,7 +42,7 @@ inline void start_ties(TouchIsland& island, const Articulates& articulates, std:
 inline void act_where_met(TouchIsland& island, const Contacts& contacts, bool after) {
   for (std::size_t k = 0; k < island.contacts.size(); k++) {
     const Contact& from = contacts.list[island.contacts[k]];
-    if (!from.foreseen || from.past != after) continue;
+    if (!from.foreseen || from.from_before != after) continue;
     IslandContact& c = island.problem.contacts[k];
     c.ra = from.arm_a;
     if (c.b >= 0) c.rb = from.arm_b;

@@ -28,7 +28,8 @@ std::vector<const Contact*> still_touching(const Contacts& contacts, std::span<c
   for (const TouchIsland& island : islands) count += island.placed.size();
   std::vector<const Contact*> now(count, nullptr);
   for (const Contact& c : contacts.list)
-    if (c.placed >= 0 && !c.past && c.gap <= closed_gap * c.size) now[static_cast<std::size_t>(c.placed)] = &c;
+    if (c.place_index >= 0 && !c.from_before && c.gap <= closed_gap * c.size)
+      now[static_cast<std::size_t>(c.place_index)] = &c;
   return now;
 }
 
