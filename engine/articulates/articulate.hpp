@@ -165,13 +165,13 @@ struct ArticulateState {
   std::array<std::vector<double>, 2> scalar_impulses;
   std::vector<Vec3> exerted;  // (rows) [N s] in all, in a full sub-step that is cut into parts or strikes a row
   double exerted_time = 0.0;  // [s] for which that is the sum; 0: the rows' forces tell all
-  std::vector<Vec3>
-      expected;  // (rows) [N] forces foreseen by a kick that solves laws of velocity, where Newton begins; none, or not finite: as predicted
-  std::vector<Vec3>
-      reaction;  // (rows) [N] beyond the drift's force: what they bore in kicks by laws of velocity and at contacts in the last step
+  // (rows) [N] forces foreseen by a kick that solves laws of velocity, where Newton begins; none, or not finite: as predicted
+  std::vector<Vec3> expected;
+  // (rows) [N] beyond the drift's force: what they bore in kicks by laws of velocity and at contacts in the last step
+  std::vector<Vec3> reaction;
   std::vector<double> loads;  // (rows) [N] that they bore in the last step, where some may break; none: not known
-  std::vector<Vec3>
-      symmetric_impulses;         // (rows) [N s] running mean of those of projections, see `project_symmetrically`
+  // (rows) [N s] running mean of those of projections, see `project_symmetrically`
+  std::vector<Vec3> symmetric_impulses;
   double symmetric_h = 0.0;       // [s] of the sub-steps after which they serve; 0: none
   double symmetric_energy = 0.0;  // [J] that taking them gave
   ImpulseWork symmetric_work;     // of them
@@ -216,8 +216,8 @@ struct Articulate : ArticulateState {
   std::vector<Row> rows;           // in the order of elimination
   std::vector<NodeBatch> batches;  // of the nodes
   std::vector<RowEnds> ends;       // of the batches
-  std::vector<Vec3>
-      at_ends;  // (2 rows + 1) what nodes a and b hand to row k is in 2k and 2k + 1; the last is of no row
+  // (2 rows + 1) what nodes a and b hand to row k is in 2k and 2k + 1; the last is of no row
+  std::vector<Vec3> at_ends;
   std::vector<RowBlock> row_blocks;
   std::vector<Coupling> couplings;
   std::vector<Hub> hubs;
