@@ -112,7 +112,8 @@ std::vector<Property> steps() {
 std::vector<Property> space() {
   return {
       property<None>(
-          "box", "vec?", "m", "edges of the periodic box (default none: open space)",
+          "box", "vec?", "m",
+          "edges of the periodic box, through whose sides laws reach, but not what touches (default none: open space)",
           [](const World& w, None) { return w.settings.box; },
           [](World& w, None, std::optional<Vec3> box) { set_box(w, box); }),
       property<None>(

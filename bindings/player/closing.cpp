@@ -33,6 +33,23 @@ std::optional<std::string> energy_gone_wrong(const World& world) {
   return "the energy went wrong by more than a tenth of what the scene exchanges";
 }
 
+std::optional<std::string> deep_overlap(const World& world) {
+  const DeepestOverlap& deepest = world.contacts.deepest;
+  if (deepest.part == 0.0) return {};
+  char how[100], when[40];
+  std::snprintf(how, sizeof how, "shapes overlapped by up to %.3g m, %.3g %% of the thinner: ", deepest.depth,
+                100.0 * deepest.part);
+  std::snprintf(when, sizeof when, ", at %.4g s", deepest.time);
+  return how + describe(world, deepest.pair.a) + " and " + describe(world, deepest.pair.b) + when;
+}
+
+std::optional<std::string> loosely_solved(const World& world) {
+  const std::uint64_t times = world.stats.unsolved_islands;
+  if (times == 0) return {};
+  return text("contacts of an island were solved more loosely than wanted ", times, times == 1 ? " time" : " times",
+              " in ", world.steps, " steps");
+}
+
 void print_closing(const Scene& scene, const std::string& path, double seconds) {
   const World& world = scene.world();
   char line[200];
@@ -47,6 +64,8 @@ void print_closing(const Scene& scene, const std::string& path, double seconds) 
   if (world.stats.fallback_steps > 0)
     std::cout << text("  ", world.stats.fallback_steps,
                       " fallback steps, which only lose energy, where an articulate could not be solved\n");
+  if (const auto overlap = deep_overlap(world)) std::cout << "  " << *overlap << "\n";
+  if (const auto loosely = loosely_solved(world)) std::cout << "  " << *loosely << "\n";
   if (const auto wrong = energy_gone_wrong(world))
     std::cout << "  " << *wrong << "; `pantin report " << path << "` compares steps and integrators"
               << try_accuracy(world) << suspects(world) << "\n";

@@ -23,6 +23,9 @@ Json of_run(const Study& study, const StudyRun& run) {
   json["solves"] = run.stats.solves;
   json["halved_steps"] = run.stats.halved_steps;
   json["fallback_steps"] = run.stats.fallback_steps;
+  json["worst_penetration"] = run.worst.penetration;
+  json["unsolved_islands"] = run.stats.unsolved_islands;
+  if (!run.overlap.empty()) json["deep_overlap"] = run.overlap;
   json["worst_hinge_gap"] = run.worst.hinge_gap;
   json["worst_constraint"] = run.worst.constraint;
   json["worst_energy"] = run.worst.energy;

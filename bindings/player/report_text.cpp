@@ -142,6 +142,22 @@ std::string of_touch(const Study& study) {
          "as the order says, and nothing is told by it.";
 }
 
+/// The run in which shapes overlapped most, where that was by more than is meant, and that in which islands of contacts were
+/// solved loosely most often.
+std::string loose_touch(const Study& study) {
+  const StudyRun *deepest = nullptr, *loosest = nullptr;
+  for (const StudyRun& run : study.runs) {
+    if (!run.overlap.empty() && (!deepest || run.worst.penetration > deepest->worst.penetration)) deepest = &run;
+    if (!run.loosely.empty() && (!loosest || run.stats.unsolved_islands > loosest->stats.unsolved_islands))
+      loosest = &run;
+  }
+  const auto line = [](const StudyRun& run, const std::string& told) {
+    return "at the most, with " + series_name(run) + " " +
+           (run.accuracy > 0.0 ? number("%.0e", run.accuracy) : show_step(run.step)) + ", " + told + "\n";
+  };
+  return (deepest ? line(*deepest, deepest->overlap) : "") + (loosest ? line(*loosest, loosest->loosely) : "");
+}
+
 std::string told_until(const Study& study) {
   return study.comparable > 0.0 ? format(" Errors are told until %g s.", study.comparable) : " No error is told.";
 }
@@ -257,7 +273,7 @@ std::string report_text(const Study& study, double product_ns) {
       product_ns);
   if (std::any_of(study.runs.begin(), study.runs.end(), [](const StudyRun& run) { return run.accuracy > 0.0; }))
     result += format("accuracy: that scene.accuracy with verlet and step %s\n", show_step(study.step).c_str());
-  result += table(study) + ledger_line(study) + course(study);
+  result += table(study) + loose_touch(study) + ledger_line(study) + course(study);
   return result + advice(study) + "\n";
 }
 

@@ -7,6 +7,7 @@
 
 #include "lua/scene/open.hpp"
 #include "measure/measure.hpp"
+#include "player/closing.hpp"
 #include "player/home.hpp"
 #include "player/interrupt.hpp"
 #include "player/machine.hpp"
@@ -146,6 +147,8 @@ bool perform(StudyRun& run, const Opener& opener, const std::vector<double>& tim
   run.steps = world.steps;
   run.stats = world.stats;
   run.worst = world.worst;
+  run.overlap = deep_overlap(world).value_or("");
+  run.loosely = loosely_solved(world).value_or("");
   run.touched = has_touched(world);
   run.acted_in_steps = acts_in_steps(world);
   run.random_numbers = world.random.count - drawn;

@@ -28,6 +28,7 @@ struct StudyRun {
   std::uint64_t steps = 0;
   Stats stats;
   Accuracy worst;
+  std::string overlap, loosely;      ///< what is told of deep overlaps and of islands of contacts; empty: nothing
   double right_until = 0.0;          ///< [s] until then no energy was lost or made that counts beside what moves
   bool touched = false;              ///< shapes pressed on each other
   bool acted_in_steps = false;       ///< that, events, scripts, breaks or emitters did something to it in whole steps

@@ -76,6 +76,11 @@ std::string summary(const Scene& scene, const std::string& failure) {
                      {"constraint", world.error.constraint},         {"energy", world.error.energy},
                      {"worst_penetration", world.worst.penetration}, {"worst_hinge_gap", world.worst.hinge_gap},
                      {"worst_constraint", world.worst.constraint},   {"worst_energy", world.worst.energy}};
+  if (const DeepestOverlap& deepest = world.contacts.deepest; deepest.part > 0.0)
+    result["deepest_overlap"] = {{"depth", deepest.depth},
+                                 {"part", deepest.part},
+                                 {"things", {describe(world, deepest.pair.a), describe(world, deepest.pair.b)}},
+                                 {"time", deepest.time}};
   if (world.settings.accuracy)
     result["accuracy"] = {{"wanted", property(world, "accuracy")},
                           {"per", property(world, "accuracy_per")},

@@ -15,6 +15,8 @@ struct Error : std::runtime_error {
 
 /// A number as people write it: the shortest text that reads back as the same double.
 std::string to_text(double value);
+/// With two digits, for measured values.
+std::string rounded(double value);
 
 /// A part of a text: a text, a character, a whole number, or a number as `to_text` writes it.
 class TextPart {

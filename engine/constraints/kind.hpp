@@ -39,6 +39,9 @@ struct KeptNumber {
   const char* name = nullptr;  ///< null: it has none
   const char* unit = "";
   Range range = Range::all;
+  bool allows(double value) const {
+    return std::isfinite(value) && (range == Range::all || value > 0.0 || (range == Range::not_zero && value != 0.0));
+  }
 };
 inline constexpr KeptNumber kept_length{"length", "m", KeptNumber::Range::positive}, kept_angle{"angle", "rad"};
 

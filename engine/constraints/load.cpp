@@ -53,6 +53,17 @@ void load_angular_row(Condition& condition, const Row& row, const Model& model, 
       !equal(condition.whole_turn0, condition.whole_turn1) || !same(condition.whole0, condition.whole1);
 }
 
+bool stays(double a, double b) { return a == b; }
+bool stays(Vec3 a, Vec3 b) { return same(a, b); }
+bool stays(const Quat& a, const Quat& b) { return equal(a, b); }
+bool is_zero(double rate) { return rate == 0.0; }
+bool is_zero(Vec3 rate) { return norm2(rate) == 0.0; }
+
+template <class Prescribed>
+bool moves(const Prescribed& p) {
+  return !is_zero(p.rate) || !is_zero(p.previous_rate) || !stays(p.now, p.previous);
+}
+
 }  // namespace
 
 void load(Condition& condition, const Row& row, const Model& model, double total_mass) {
@@ -60,6 +71,7 @@ void load(Condition& condition, const Row& row, const Model& model, double total
   condition.ranged = has_range(c) && !is_drawn_in(c);
   condition.held_before = condition.held;
   if (!c.coupled().empty()) return load_coupling(condition, row, model, c);
+  condition.driven = moves(c.position) || moves(c.number) || moves(c.turn);
   if (row.lever > 0.0) return load_angular_row(condition, row, model, c);
   condition.whole0 = model.plane.along(c.position.previous + c.attract.previous_away);
   condition.whole1 = model.plane.along(c.position.now + c.attract.away);

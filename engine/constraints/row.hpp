@@ -49,6 +49,8 @@ struct Condition {
   Vec3 velocity = zero3();                  // [m/s] of the anchor at the end of the step
   Mat3 kept = zero33();                     // projects on the directions in which velocities are forbidden,
   Vec3 wanted = zero3();                    // [m/s] but for this one of d1
+  Vec3 worked_at = zero3();  // [m/s] at which impulses do work: of what is driven the mean of before and after
+  bool driven = false;       // what is prescribed moves, in this step or the last one
   // the row of Newton's matrix: M (change of d1) + C df = -residual; rigid: M = 1, C = 0
   Mat3 M = zero33(), C = zero33();
   // [m] what the value of a row of one dimension is kept at, at the end of the step being solved; of a range, by how much it

@@ -112,6 +112,21 @@ struct TouchHeat {
   double last = 0.0;  ///< [J] the part of the last step
 };
 
+/// Two shapes that overlapped deeply where an edit put them.
+struct PutOverlap {
+  std::uint32_t a = 0, b = 0;  ///< slots of shapes, or things that are points
+  double depth = 0.0;          ///< [m] then
+  std::uint64_t due = 0;       ///< number of the step after which what nothing stops is out by half
+};
+
+/// The deepest overlap so far, of those that are deep for the size of the thinner.
+struct DeepestOverlap {
+  TouchPair pair;
+  double depth = 0.0;  ///< [m]
+  double part = 0.0;   ///< of the thickness of the thinner; 0: none was deep
+  double time = 0.0;   ///< [s]
+};
+
 struct Contacts {
   std::vector<Contact> list;        ///< by key
   std::vector<Contact> sensed;      ///< by key: those of sensors, which the stages do not know
@@ -125,6 +140,9 @@ struct Contacts {
   Vec3 slept_position = zero3();        ///< [kg m] sum of mass times position of those of them that nothing ties
   double slept_depth = 0.0;             ///< [m] deepest overlap of those that rest
   bool stale = true;                    ///< positions or shapes changed since they were found
+
+  DeepestOverlap deepest;
+  std::vector<PutOverlap> put;  ///< by shapes, until they are due
 
   bool watched = false;             ///< somebody wants to be told who begins and ends to touch
   std::vector<Touch> felt;          ///< where watched: in this step so far, of each stage

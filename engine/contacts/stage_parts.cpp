@@ -6,6 +6,7 @@
 #include "articulates/solve/node_batches.hpp"
 #include "articulates/solve/project.hpp"
 #include "articulates/solve/state.hpp"
+#include "articulates/solve/wanted_velocities.hpp"
 
 namespace pantin {
 
@@ -28,6 +29,7 @@ void give(Model& model, const TouchIsland& island, const std::vector<BodyLoad>& 
 ImpulseWork answer_of_ties(Articulate& a, Model& model, const TouchSettings& settings) {
   if (!settings.drifted) load(a, model, settings.gravity);
   drop_factor(a, FactorOf::projection);
+  const WantedVelocities as_now(a, settings.step, settings.at);
   begin_answers(a, 0.0);
   for (std::size_t b = 0; b < a.batches.size(); b++) read_momenta(a, b);
   const ImpulseWork work = answer(a);

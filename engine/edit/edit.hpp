@@ -137,6 +137,8 @@ ParticleId add_particle(World& world, const ParticleDef& def);
 BodyId add_body(World& world, const BodyDef& def);
 /// A shape that stands in the world.
 ShapeId add_shape(World& world, const ShapeDef& def);
+/// Several, or none where one of them cannot be.
+std::vector<ShapeId> add_shapes(World& world, std::span<const ShapeDef> defs);
 /// One more shape of a body, whose mass stays as it is.
 ShapeId add_shape(World& world, BodyId body, const ShapeDef& def);
 /// The layer of this name; it exists from now on. 0 for the empty one: none.

@@ -43,6 +43,12 @@ std::vector<Filled> filled(const std::vector<ShapeDef>& shapes) {
   return list;
 }
 
+/// Of a moment of friction.
+void require_arm(const std::string& who, const char* name, double arm) {
+  require_not_negative(who, name, arm, "m");
+  require(arm <= 1e12, who, ": ", name, " must be at most 1e12 m, got ", arm);
+}
+
 /// Says that a shape changes. What the world's touch could be anywhere.
 void change_places(World& world, BodyId of) {
   world.places_changed = true;
@@ -88,8 +94,8 @@ void check_shape(const std::string& who, const ShapeDef& def, bool of_body) {
   require_positive(who, "density", m.density, "kg/m³");
   require_friction(who, m.friction);
   require_restitution(who, m.restitution);
-  require_not_negative(who, "rolling", m.rolling, "m");
-  require_not_negative(who, "spinning", m.spinning, "m");
+  require_arm(who, "rolling", m.rolling);
+  require_arm(who, "spinning", m.spinning);
   if (def.extent) require_positive(who, "size", *def.extent, "m");
   require_finite(who, "surface_velocity", m.surface_velocity, "m/s");
 }
@@ -146,10 +152,14 @@ void erase_shapes(World& world, BodyId body, const std::string& who) {
 
 }  // namespace internal
 
-ShapeId add_shape(World& world, const ShapeDef& def) {
+ShapeId add_shape(World& world, const ShapeDef& def) { return add_shapes(world, {&def, 1})[0]; }
+
+std::vector<ShapeId> add_shapes(World& world, std::span<const ShapeDef> defs) {
   require_unlocked(world, "shape");
-  check_shape("shape", def, false);
-  return insert(world, def, {});
+  for (const ShapeDef& def : defs) check_shape("shape", def, false);
+  std::vector<ShapeId> ids;
+  for (const ShapeDef& def : defs) ids.push_back(insert(world, def, {}));
+  return ids;
 }
 
 ShapeId add_shape(World& world, BodyId body, const ShapeDef& def) {
@@ -215,12 +225,12 @@ void set_restitution(World& world, ShapeId id, double restitution) {
 }
 
 void set_rolling(World& world, ShapeId id, double rolling) {
-  require_not_negative(describe(world, id), "rolling", rolling, "m");
+  require_arm(describe(world, id), "rolling", rolling);
   written(world, id, "rolling").material.rolling = rolling;
 }
 
 void set_spinning(World& world, ShapeId id, double spinning) {
-  require_not_negative(describe(world, id), "spinning", spinning, "m");
+  require_arm(describe(world, id), "spinning", spinning);
   written(world, id, "spinning").material.spinning = spinning;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 #include "articulates/solve/sub_steps.hpp"
 
@@ -15,12 +14,6 @@
 namespace pantin {
 
 namespace {
-
-std::string rounded(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.2g", value);
-  return buffer;
-}
 
 constexpr IntegratorStage whole[] = {{1.0, 1.0}};
 

@@ -182,22 +182,25 @@ bool find_too_stiff(World& world, Forces& f) {
   for (const Candidate& c : list)
     for (std::uint32_t site : {c.a, c.b}) sums[site] += h * h * c.slope * give[site].mobility;
   std::vector<const Law*> told;
+  bool any = false;
   for (const Candidate& c : list) {
     Connection& row = world.connections[c.id];
     const double limit = give[c.a].held || give[c.b].held ? 0.01 : 2.5;
     const bool stiff = sums[c.a] + sums[c.b] > limit;
     const bool strong = h * c.damping * (give[c.a].mobility + give[c.b].mobility) > 1.0;
     if (row.too_stiff || !(stiff || strong) || !can_be_solved(world, row)) continue;
-    row.too_stiff = true;
-    if (std::find(told.begin(), told.end(), row.law.get()) != told.end()) continue;
+    row.too_stiff = any = true;
+    const bool by_itself = strong || c.slope > 0.0;  // else what is beside it is stiff, and told
+    if (!by_itself || std::find(told.begin(), told.end(), row.law.get()) != told.end()) continue;
     told.push_back(row.law.get());
+    const bool by_slope = !strong || h * h * c.slope * (give[c.a].mobility + give[c.b].mobility) > limit;
     log_line(
         world, "notice",
-        text(law_in_place(row), ": connections as ", stiff ? "stiff" : "strongly damped", " as ", describe(world, c.id),
-             " (", stiff ? c.slope : c.damping, stiff ? " N/m" : " N s/m",
+        text(law_in_place(row), ": connections as ", by_slope ? "stiff" : "strongly damped", " as ",
+             describe(world, c.id), " (", by_slope ? c.slope : c.damping, by_slope ? " N/m" : " N s/m",
              ") are solved with what they tie, since steps of ", h, " s are too long for them", try_accuracy(world)));
   }
-  return !told.empty();
+  return any;
 }
 
 }  // namespace pantin

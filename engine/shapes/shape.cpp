@@ -130,7 +130,15 @@ Vec3 turn_of(const Geometry& shape, const Pose& pose, Vec3 turn) {
   return round ? turn - pose.R[2] * dot(pose.R[2], turn) : turn;
 }
 double thickness_of(const Geometry& shape) { return std::visit(ThicknessOf{}, shape); }
-void check_shape(const Geometry& shape) { std::visit(CheckShape{}, shape); }
+void check_shape(const Geometry& shape) {
+  std::visit(CheckShape{}, shape);
+  if (!is_convex(shape)) return;
+  constexpr double thinnest = 1e-7;  // of its extent
+  const Bounds bounds = bounds_of(shape, {});
+  const double extent = largest(bounds.high - bounds.low), thickness = thickness_of(shape);
+  require(thickness >= thinnest * extent, "A shape of ", rounded(extent), " m is ", rounded(thickness),
+          " m thick; it must be 1e-7 of its extent or more, ", rounded(thinnest * extent), " m.");
+}
 double rounding_of(const Geometry& convex) { return core_of(convex).rounding; }
 Vec3 support_of_core(const Geometry& convex, Vec3 direction) { return support(core_of(convex), direction); }
 

@@ -58,7 +58,8 @@ double thickness_of(const Geometry& shape);
 /// What of a turn or spin, in the world's axes, moves its surface: none of a ball's, none about the axis of what is round.
 Vec3 turn_of(const Geometry& shape, const Pose& pose, Vec3 turn);
 
-/// Throws Error where a length is not within 1e-12 m … 1e12 m, or a shared shape is missing.
+/// Throws Error where a length is not within 1e-12 m … 1e12 m, a convex shape is thinner than 1e-7 of its extent, or a shared
+/// shape is missing.
 void check_shape(const Geometry& shape);
 
 /// A convex shape is a core widened by a radius: a point, a segment, a box, a hull or a cylinder.

@@ -2,6 +2,7 @@
 
 #include "articulates/articulate.hpp"
 #include "articulates/solve/state.hpp"
+#include "contacts/overlaps.hpp"
 #include "contacts/touching.hpp"
 #include "forces/forces.hpp"
 #include "forces/integrator.hpp"
@@ -120,6 +121,29 @@ void measure_errors(World& world, const OfLoosePoints& points) {
   world.worst.hinge_gap = std::max(world.worst.hinge_gap, now.hinge_gap);
   world.worst.constraint = std::max(world.worst.constraint, now.constraint);
   world.error = now;
+  if (now.penetration > 0.0) note_deepest(world, world.contacts, world.time);
+}
+
+/// Names, once and a few of a scene, what overlaps where it was put and cannot leave, as a lever whose hinge is within a wall.
+void tell_stuck(World& world) {
+  const std::vector<Stuck> stuck = take_stuck(world, world.contacts, world.steps);
+  if (stuck.empty()) return;
+  constexpr std::ptrdiff_t few = 5;
+  constexpr std::string_view since = " m since it was put there";
+  const std::string what =
+      text(describe(world, stuck[0].pair.a), " overlaps ", describe(world, stuck[0].pair.b), " by ");
+  const auto is_told = [&](const LogLine& line) { return line.text.starts_with(what); };
+  const auto is_such = [&](const LogLine& line) { return line.text.find(since) != std::string::npos; };
+  if (std::any_of(world.log.begin(), world.log.end(), is_told)) return;
+  if (std::count_if(world.log.begin(), world.log.end(), is_such) >= few) return;
+  const std::size_t more = stuck.size() - 1;
+  log_line(world, "warning",
+           text(what, rounded(stuck[0].depth), since, ", and nothing can push it out",
+                more == 0   ? std::string()
+                : more == 1 ? std::string("; so it is with 1 more pair")
+                            : text("; so it is with ", more, " more pairs"),
+                ". Put it elsewhere, or let it through: give the two layers and say scene:collide(\"a\", \"b\", "
+                "false); what shares a hinge passes through each other, too"));
 }
 
 void tell_touch(World& world) {
@@ -160,6 +184,7 @@ void end_step(World& world) {
   if (world.pushed) end_pushes(world);
   end_ledger(world);
   measure_errors(world, points);
+  if (!world.contacts.put.empty()) tell_stuck(world);
   if (world.contacts.watched) tell_touch(world);
   for (Probe& probe : world.probes) probe.latest = probe.read();  // one that fails leaves no row half recorded
   for (Probe& probe : world.probes) probe.values.push_back(probe.latest);

@@ -111,7 +111,7 @@ void move_position(const World& world, ConstraintId id, Constraint& c, double ti
 void move_length(const World& world, ConstraintId id, Constraint& c, double time, double h) {
   const auto target = [&](double t) {
     const double value = c.number.of_time ? c.number.of_time(t) : c.by_speed ? c.number.rate : c.number.now;
-    if (!can_keep(c, value)) require_kept(describe(world, id), c, value);
+    if (!rule_of(c).keeps.allows(value)) require_kept(describe(world, id), c, value);
     return value;
   };
   const double next = target(time);

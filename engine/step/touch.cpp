@@ -7,6 +7,7 @@
 #include "contacts/gather.hpp"
 #include "contacts/heat.hpp"
 #include "contacts/motor_bounds.hpp"
+#include "contacts/overlaps.hpp"
 #include "contacts/passed.hpp"
 #include "contacts/stages.hpp"
 #include "contacts/touching.hpp"
@@ -122,6 +123,13 @@ void forget_touch(World& world) {
   }
 }
 
+/// What touches does not do so through the sides of a periodic box.
+void tell_box(World& world) {
+  const std::string what = "scene.box: laws reach through its sides, but what touches does so within it alone";
+  const auto told = [&](const LogLine& line) { return line.text == what; };
+  if (world.settings.box && std::none_of(world.log.begin(), world.log.end(), told)) log_line(world, "warning", what);
+}
+
 bool goes_untouched(const World& world) { return nothing_touches(world) || !world.trouble.empty(); }
 
 ThingsNow things_now(const World& world, bool drifted) {
@@ -162,7 +170,13 @@ void place_contacts(World& world) {
   const bool drifted = world.stage.index > 0;
   if (!drifted)
     for (TouchHeat& one : world.contacts.heat) one.last = 0.0;
-  if (world.contacts.stale || world.places_changed) find(world, drifted);
+  if (world.contacts.stale || world.places_changed) {
+    find(world, drifted);
+    if (!drifted) {
+      note_put(world.contacts, world.steps);
+      tell_box(world);
+    }
+  }
   if (!world.trouble.empty()) return;
   TouchReport report;
   const std::vector<BodyLoad> kicks = kicks_of(world);

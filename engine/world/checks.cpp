@@ -28,15 +28,9 @@ void require_inertia(std::string_view call, const Mat3& inertia) {
           to_text(moments), " kg m²");
 }
 
-bool can_keep(const Constraint& c, double value) {
-  const KeptNumber::Range range = rule_of(c).keeps.range;
-  if (!std::isfinite(value)) return false;
-  return range == KeptNumber::Range::all || value > 0.0 || (range == KeptNumber::Range::not_zero && value != 0.0);
-}
-
 void require_kept(std::string_view call, const Constraint& c, double value) {
   const KeptNumber& kept = rule_of(c).keeps;
-  if (can_keep(c, value)) return;
+  if (kept.allows(value)) return;
   if (kept.range == KeptNumber::Range::positive) require_positive(call, kept.name, value, kept.unit);
   require_finite(call, c.by_speed ? "speed" : kept.name, value, c.by_speed ? "rad/s" : kept.unit);
   throw Error(text(call, ": ", kept.name, " must not be 0"));

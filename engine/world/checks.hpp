@@ -13,8 +13,7 @@ void require_unlocked(const World& world, std::string_view call);
 
 /// Finite, symmetric, positive semidefinite and of a real body: no principal moment above the sum of the others.
 void require_inertia(std::string_view call, const Mat3& inertia);
-/// Whether a constraint can keep this number, and an error where it cannot.
-bool can_keep(const Constraint& constraint, double value);
+/// Throws Error where a constraint cannot keep this number.
 void require_kept(std::string_view call, const Constraint& constraint, double value);
 /// The quaternion at unit length; throws Error where it has none.
 Quat unit(std::string_view call, const Quat& q);

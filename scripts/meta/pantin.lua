@@ -874,7 +874,7 @@ local Snapshot = {}
 ---@field integrator string "verlet" (2nd order), "implicit" (the same with connections of any stiffness), "suzuki4" (4th order, where nothing dissipates), "rk4" (4th order, no constraints), "euler" (1st order, semi-implicit; free particles as with "verlet") (default `"verlet"`)
 ---@field energy_return boolean give back what the velocity projection took (default `true`)
 ---@field contact string how what touches is solved: "exact" by Newton's search, however long it takes, "fast" by sweeps alone, which leave slips and loads unfinished, "auto" by the size and the motion of an island (default `"auto"`)
----@field box vec? [m] edges of the periodic box (default none: open space)
+---@field box vec? [m] edges of the periodic box, through whose sides laws reach, but not what touches (default none: open space)
 ---@field plane string? "xy", "xz" or "yz": everything stays in that plane, and forces across it do nothing; set it before things are made (default none: in space)
 ---@field tolerance number [1] points of a new hinge may be this far apart, relative to the size of their bodies (default `1e-6`)
 ---@field seed integer of math.random (default `1`)
@@ -1040,7 +1040,7 @@ function Scene:ground(options) end
 ---@param b string
 ---@param how boolean|PairOptions
 function Scene:collide(a, b, how) end
----Joins points of two or more bodies, or free particles, into one particle.
+---Joins points of two or more bodies, or free particles, into one particle. Bodies that share a hinge pass through each other, unless it says collide = true; each touches everything else: the world, and bodies further along a chain. What shall not touch those either gets a layer, and scene:collide(layer, other, false).
 ---```lua
 ---local foot = scene:body { at = leg.tail.position, mass = 1, inertia = vec(1, 1, 1), points = { heel = vec(0, 0, 0) } }
 ---scene:hinge(leg.tail, foot.heel, { name = "ankle", breaks_at = { force = 1000 } })
@@ -1079,7 +1079,7 @@ function Scene:follow(point, target, options) end
 ---@param length? number|fun(t: number): number [m]
 ---@return Rod
 function Scene:rod(a, b, length) end
----Keeps two bodies in their present relative position and orientation; it tells its load, and may break.
+---Keeps two bodies in their present relative position and orientation; it tells its load, and may break. The two pass through each other, and touch everything else.
 ---```lua
 ---local weld = scene:weld(arm, block, { breaks_at = { force = 500, torque = 100 } })
 ---```
@@ -1549,7 +1549,7 @@ function OpenedScene:restore(snapshot) end
 ---@field lifetime? number [s] after which it is cut (default `math.huge`)
 ---@field family? Family (default the first point's)
 ---@field axis? vec [1] the bodies given here turn about it only, against each other; world axes (default none: about any)
----@field collide? boolean its bodies touch each other, too (default `false`)
+---@field collide? boolean its bodies touch each other, as all else; not right at the hinge, which holds them together (default `false`)
 ---@field breaks_at? Breaking (default `{}`)
 
 ---@class ConstraintOptions: NameOptions
@@ -1757,7 +1757,7 @@ function OpenedScene:restore(snapshot) end
 
 ---What shapes are made of, and what they touch.
 ---@class MaterialOptions
----@field density? number [kg/m³] of a body whose mass is not given (default `1000`)
+---@field density? number [kg/m³] of a body whose mass is not given; of one with several shapes and a mass, in which proportion it is theirs (default `1000`)
 ---@field friction? number [1] of two that touch the root of the product counts (default `0.5`)
 ---@field restitution? number [1] 0 to 1; of two that touch the larger counts (default `0`)
 ---@field rolling? number [m] moment by normal force against rolling; of two that touch the larger counts (default `0`)
@@ -1808,9 +1808,10 @@ function OpenedScene:restore(snapshot) end
 ---@field points vec[] [m] three or more, in the scene's plane, else in that of x and y
 ---@field thickness? number [m] across that plane (default `1`)
 
+---One-sided: its front is on the left of who walks from point to point; through its back things pass.
 ---@class LineShapeOptions: ShapeOptions
----@field points vec[] [m] two or more, in the scene's plane, else in that of x and y
----@field closed? boolean the last one is joined to the first (default `false`)
+---@field points vec[] [m] two or more, in the scene's plane, else in that of x and y; from left to right the front is above
+---@field closed? boolean the last one is joined to the first; anticlockwise the front is inside (default `false`)
 ---@field thickness? number [m] across that plane; what touches it may be deeper (default `2`)
 
 ---@class PlaneShapeOptions: ShapeOptions
@@ -2353,8 +2354,9 @@ function shape.hull(points, options) end
 ---@param options? PolygonShapeOptions
 ---@return Shape
 function shape.polygon(points, thickness, options) end
----A line through points in the scene's plane, else in that of x and y, and what lies before and behind it. Its front is on the left of who walks along it. It does not move, so no body can have it.
+---A line through points in the scene's plane, else in that of x and y, and what lies before and behind it. It is one-sided: its front, on the left of who walks along it, bears things; through its back they pass. Points from left to right have their front above, as of ground; from right to left below, as of a ceiling. A closed line whose points go round anticlockwise holds things in, clockwise it keeps them out. For both sides give two lines, polygon. It does not move, so no body can have it.
 ---```lua
+----- things rest on it:   1 -> 2 -> 3   and come through from below
 ---scene:ground { shape = shape.line({ vec(-5, -9, 0), vec(0, -9.5, 0), vec(5, -9, 0) }) }
 ---```
 ---@param points vec[]|LineShapeOptions [m]
@@ -2368,7 +2370,7 @@ function shape.line(points, options) end
 ---@param options? PlaneShapeOptions
 ---@return Shape
 function shape.plane(options) end
----Triangles, whose front is where their corners run counter-clockwise. It does not move, so no body can have it.
+---Triangles, one-sided: their front is where their corners run counter-clockwise; from behind things come through. It does not move, so no body can have it.
 ---```lua
 ---scene:ground { shape = shape.mesh(structure.sheet { columns = 4, rows = 4 }) }
 ---```

@@ -106,6 +106,26 @@ TEST_CASE("report: two fine runs that agree by chance, as where an event falls i
   CHECK(first_order.uncertain < 0.5 * 0.00125 * first_order.comparable * 3.1);
 }
 
+TEST_CASE("report: the run in which shapes overlapped most, and the one solved most loosely, are told") {
+  Study study = empty_study();
+  for (const double step : {0.04, 0.02, 0.01})
+    study.runs.push_back(seen(study, "verlet", step, [](double h, double t) { return 3 * h * h * t; }));
+  compare(study);
+  CHECK_THAT(report_text(study, 1.0), !Catch::Contains("at the most, with"));
+  study.runs[0].worst.penetration = 0.1;
+  study.runs[1].worst.penetration = 0.2;
+  study.runs[0].overlap = "shapes overlapped a little";
+  study.runs[1].overlap = "shapes overlapped much";
+  study.runs[2].stats.unsolved_islands = 7;
+  study.runs[2].loosely = "loosely 7 times";
+  const std::string told = report_text(study, 1.0);
+  CHECK_THAT(told, Catch::Contains("at the most, with verlet 1/50, shapes overlapped much\n"
+                                   "at the most, with verlet 1/100, loosely 7 times\n"));
+  CHECK_THAT(told, !Catch::Contains("a little"));
+  CHECK_THAT(report_json(study, 1.0), Catch::Contains("\"deep_overlap\": \"shapes overlapped much\"") &&
+                                          Catch::Contains("\"unsolved_islands\": 7"));
+}
+
 TEST_CASE("report: two runs promise nothing") {
   Study study = empty_study();
   for (const double step : {0.04, 0.02})

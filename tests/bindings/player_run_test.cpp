@@ -33,3 +33,37 @@ scene:field(scene, force.point { force = function(p, own, t) return vec(where(t 
     CHECK(!read_file(folder / "a.csv").empty());
   }
 }
+
+TEST_CASE(
+    "program: a run's last lines and its summary tell how deep shapes overlapped, which and when, where they did") {
+  Folder folder;
+  write_file(folder / "jam.lua", R"(
+scene:ground { shape = shape.box { size = vec(0.1, 1, 0.1), name = "wall" } }
+local lever = scene:box { size = vec(0.4, 0.08, 0.08), at = vec(0.23, 0, 0), points = { pivot = vec(-0.2, 0, 0) }, name = "lever" }
+scene:nail(lever.pivot)
+)");
+  write_file(folder / "rest.lua", "scene:floor {}\nscene:box { size = 1, at = vec(0, 0.5, 0) }");
+  const auto run = [&](const std::string& scene) {
+    const Finished result = finish({{sources::program(), "run", scene + ".lua", "--until", "1", "--summary", "s.json"},
+                                    {"PANTIN_HOME=" + sources::folder(), "DISPLAY", "WAYLAND_DISPLAY"},
+                                    folder.path,
+                                    -1});
+    CHECK(result.code == 0);
+    return result;
+  };
+  const Finished jam = run("jam");
+  CHECK_THAT(jam.out, Contains("  shapes overlapped by up to 0.02 m, 25 % of the thinner: body 'lever' and ground "
+                               "'wall', at 0.004167 s\n"));
+  CHECK_THAT(jam.out, Contains("  contacts of an island were solved more loosely than wanted "));
+  CHECK_THAT(jam.err, Contains("body 'lever' overlaps ground 'wall' by 0.02 m since it was put there"));
+  const auto summary = nlohmann::json::parse(read_file(folder / "s.json"));
+  CHECK(summary["deepest_overlap"]["depth"].get<double>() == Approx(0.02).epsilon(1e-3));
+  CHECK(summary["deepest_overlap"]["things"][1] == "ground 'wall'");
+  CHECK(summary["stats"]["unsolved_islands"] > 100);
+  CHECK(summary["warnings"].size() == 1);
+
+  const Finished rest = run("rest");
+  CHECK_THAT(rest.out, !Contains("overlapped") && !Contains("loosely"));
+  CHECK(rest.err.empty());
+  CHECK_FALSE(nlohmann::json::parse(read_file(folder / "s.json")).contains("deepest_overlap"));
+}

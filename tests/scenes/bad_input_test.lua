@@ -34,3 +34,25 @@ end
 test("bad input: a condition that errors is told with its line", function()
   expect(function() open_text("scene:when(function()\n return nil + 1 end, print)"):advance(0.1) end):fails "text.lua:2: "
 end)
+
+-- Functions of time whose result a constraint cannot keep, with the line where each begins.
+local kept = {
+  ["rod: argument 3, the length: its result must be > 0 m, got 0"] = "scene:rod(a, b,\n f(1, 0))",
+  ["string: length: its result must be > 0 m, got -1"] = "scene:string({ a, b }, { length =\n f(1, -1) })",
+  ["string: length: its result must be a finite number, got NaN"] = "scene:string({ a, b }, { length =\n f(1, 0 / 0) })",
+  ["rod: length: its result must be > 0 m, got -2"] = "scene:rod(a, b).length =\n f(1, -2)",
+  ["gear: ratio: its result must not be 0"] = "scene:gear(c, d, { axis = vec(0, 0, 1), ratio =\n f(2, 0) })",
+  ["gear: ratio: its result must not be 0 "] = "scene:gear(c, d, { axis = vec(0, 0, 1), ratio = 2 }).ratio =\n f(2, 0)",
+  ["pulley: ratio: its result must be > 0"] = "scene:pulley(a, vec(0, 1, 0), vec(1, 1, 0), b, { ratio =\n f(1, -1) })",
+}
+
+for message, code in pairs(kept) do
+  test("bad input: a function's result is told with its line, " .. message, function()
+    local text = [[
+      local a, b, f = scene:particle { at = vec(0, 0, 0) }, scene:particle { at = vec(1, 0, 0) }
+      local c, d = scene:box { size = 1, at = vec(5, 0, 0) }, scene:box { size = 1, at = vec(9, 0, 0) }
+    ]] .. code:gsub("f%(([^,]*), ([^)]*)%)", "function(t) return t > 0.05 and %2 or %1 end")
+    expect(function() open_text(text):advance(0.1) end):fails("text.lua:4: " .. message)
+    expect(function() open_text((text:gsub("t > 0.05 and", "true and"))) end):fails("text.lua:4: " .. message)
+  end)
+end

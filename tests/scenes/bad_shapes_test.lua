@@ -17,6 +17,22 @@ local wrong = {
   ["scene:ball { radius = 1, friction = 1e300 }"] = "friction must be at most 1e100, got 1e+300",
   ["scene:ball { radius = 1, restitution = 2 }"] = "ball: restitution must be from 0 to 1, got 2",
   ["scene:ball { radius = 1 }.friction = 1 / 0"] = "friction must be a finite number, got infinity",
+  ["scene:ball { radius = 1, rolling = 1e300 }"] = "rolling must be at most 1e12 m, got 1e+300",
+  ["scene:floor {}.spinning = 1e300"] = "spinning must be at most 1e12 m, got 1e+300",
+  ["shape.hull(structure.cube {}:scale(vec(1, 1e-9, 1)))"] = "hull: A shape of 1 m is 1e-09 m thick; it must be 1e-7 of its extent or more, 1e-07 m.",
+  ["shape.box { size = vec(1e-9, 2, 1) }"] = "box: A shape of 2 m is 1e-09 m thick",
+  ["shape.cylinder(1, 1e-8)"] = "cylinder: A shape of 2 m is 1e-08 m thick",
+  ["shape.capsule(1e-8, 10)"] = "capsule: A shape of 10 m is 2e-08 m thick",
+  ["shape.polygon({ vec(0, 0, 0), vec(1, 0, 0), vec(0, 1, 0) }, 1e-9)"] = "polygon: A shape of 1 m is 1e-09 m thick",
+  ["scene:body { shape = shape.box(1, 1, 1), friction = 0.1 }"] = "body: there is no 'friction' here. Each of its shapes has one: shape = shape.box { size = 1, friction = 0.8 }",
+  ["scene:body { shape = shape.box(1, 1, 1), density = 10 }"] = "body: there is no 'density' here. Each of its shapes has one",
+  ["scene:body { mass = 1, sensor = true }"] = "body: there is no 'sensor' here. Each of its shapes has one",
+  ["scene:ground { shape = shape.box(1, 1, 1), restitution = 0.1 }"] = "ground: there is no 'restitution' here. Each of its shapes has one",
+  ["scene:ground { shape = shape.box(1, 1, 1), name = 'step' }"] = "ground: there is no 'name' here. Each of its shapes has one",
+  ["scene:ball { radius = 1, mass = 2, density = 500 }"] = "ball: takes mass or density, not both: with a mass of 2 kg the density of 500 kg/m³ has no effect; leave one out",
+  ["scene:body { shape = shape.box { size = 1, density = 500 }, mass = 2 }"] = "body: takes mass or density, not both",
+  ["scene:floor { at = vec(0, 1, 0) }"] = "floor: there is no 'at' here. It has no end; height [m] says how far along its normal it lies",
+  ["scene:ground { shape.box(1, 1, 1) }"] = "ground: unknown field '1'. Each value needs its name, { name = value }. Known are shape",
   ["scene:collide('a', 'b', { restitution = 2 })"] = "collide: restitution must be from 0 to 1, got 2",
   ["scene:ground { shape = shape.box(1, 1, 1), velocity = vec(1, 0, 0) }"] = "ground: there is no 'velocity' here. What stands in the world does not move",
   ["scene:ground { shape = shape.box(1, 1, 1) }.velocity = vec(1, 0, 0)"] = "collider: it has no 'velocity'. What stands in the world does not move",
@@ -28,6 +44,35 @@ for code, message in pairs(wrong) do
     expect(function() open_text("\n" .. code) end):fails(message)
   end)
 end
+
+test("bad shapes: of several one of which cannot be, none is there", function()
+  local scene = open_text [[
+    local good, bad = shape.box(1, 1, 1), shape.box(1, 1, 1, { friction = 1e300 })
+    assert(not pcall(function() scene:ground { shapes = { good, bad } } end))
+    assert(not pcall(function() scene:body { shapes = { good, bad } } end))
+    assert(not pcall(function() scene:collide("a", "b", { friction = 1, restitution = 2 }) end))
+    assert(not pcall(function() scene:on("touched", good, print) end))
+  ]]
+  expect(#scene.bodies):equal(0)
+  expect(#scene:inside(vec(0, 0, 0))):equal(0)
+end)
+
+test("bad shapes: with a mass, densities of several shapes are its proportions", function()
+  local scene = open_text [[
+    scene:body { name = "club", mass = 4, shapes = {
+      shape.box { size = 1, density = 3000 }, shape.box { size = 1, density = 1000, at = vec(4, 0, 0) } } }
+  ]]
+  expect(scene:find("club").mass):equal(4)
+  expect(scene:find("club").position):near(vec(1, 0, 0), 1e-12)
+end)
+
+test("bad shapes: what is thin for 1 m is a thing of its own at 1e-6 m", function()
+  local scene = open_text [[
+    scene:body { shape = shape.hull(structure.cube {}:scale(vec(1e-6, 2e-13, 1e-6))), mass = 1 }
+    scene:body { shape = shape.box(1, 1e-6, 1), mass = 1, at = vec(0, 5, 0) }
+  ]]
+  scene:advance(0.1)
+end)
 
 test("bad shapes: a thousand balls in one place are told with the place", function()
   local scene = open_text "for i = 1, 1000 do scene:ball { radius = 0.1, at = vec(1, 2, 3) } end"

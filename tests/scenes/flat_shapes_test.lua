@@ -119,3 +119,26 @@ test("polygons and lines that cannot be are told", function()
     expect(function() open_text(code) end):fails(message)
   end
 end)
+
+test("a line is one-sided: from left to right it bears what is above, anticlockwise it holds in", function()
+  local function speed_after(points, at, velocity, closed)
+    local scene = open_text(([[
+      scene.gravity = vec(0, 0, 0)
+      scene:ground { shape = shape.line({ %s }, { restitution = 1, closed = %s }) }
+      scene:ball { radius = 0.1, at = %s, velocity = %s, name = "ball" }
+    ]]):format(points, tostring(closed or false), at, velocity))
+    scene:advance(1)
+    return scene:find("ball").velocity.y
+  end
+  local right, left = "vec(0, 0, 0), vec(1, 0, 0)", "vec(1, 0, 0), vec(0, 0, 0)"
+  local above, below, down, up = "vec(0.5, 0.5, 0)", "vec(0.5, -0.5, 0)", "vec(0, -1, 0)", "vec(0, 1, 0)"
+  expect(speed_after(right, above, down)):near(1, 1e-9)
+  expect(speed_after(right, below, up)):near(1, 1e-9)
+  expect(speed_after(left, above, down)):near(-1, 1e-9)
+  expect(speed_after(left, below, up)):near(-1, 1e-9)
+  local round = "vec(0, 0, 0), vec(1, 0, 0), vec(1, 1, 0), vec(0, 1, 0)"
+  local back = "vec(0, 0, 0), vec(0, 1, 0), vec(1, 1, 0), vec(1, 0, 0)"
+  expect(speed_after(round, above, down, true)):near(1, 1e-9)
+  expect(speed_after(back, above, down, true)):near(-1, 1e-9)
+  expect(speed_after(back, below, up, true)):near(-1, 1e-9)
+end)

@@ -65,3 +65,22 @@ test("a box on a hanging bridge of hinged planks does not sink through it, at 60
   expect(scene:find("box").position.y):near(then_, 0.01)
   expect(scene.error.penetration):below(1e-3)
 end)
+
+for along, axis in pairs { ["to and fro"] = "vec(1, 0, 0)", ["up and down"] = "vec(0, 1, 0)" } do
+  test(("a platform that goes %s takes back what it gave to what rides on it"):format(along), function()
+    local at_rate = {}
+    for i, rate in ipairs { 60, 240 } do
+      local scene = open_text(("scene.step, axis = 1 / %d, %s\n"):format(rate, axis) .. [[
+        local deck = scene:box { size = vec(2, 0.2, 2), at = vec(0, 0.1, 0), points = { c = vec(0, 0, 0) } }
+        scene:orient(deck)
+        scene:follow(deck.c, function(t) return vec(0, 0.1, 0) + axis * (1 - math.cos(1.5 * t)) end)
+        scene:box { size = vec(0.4, 0.4, 0.3), at = vec(0.1, 0.4, 0) }
+      ]])
+      scene:advance(8 * math.pi / 3)  -- two rounds
+      expect(scene.error.worst_energy):below(1e-9)
+      at_rate[i] = math.abs(scene.ledger.hand)
+      expect(at_rate[i]):below(1e-3 * scene.energy.total)  -- 800 kg, of which up to 9 kJ went to and fro
+    end
+    expect(at_rate[2]):below(at_rate[1] / 8)  -- the second order of the step
+  end)
+end

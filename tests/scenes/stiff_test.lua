@@ -35,6 +35,20 @@ test("an explicit connection that is too stiff is solved by itself, and the log 
   expect(scene.error.worst_energy):below(1e-8)
 end)
 
+test("what is solved for its damping is told with its damping, what only stands beside it not at all", function()
+  local scene = open_text [[
+    local a, b = scene:particle { mass = 0.001 }, scene:particle { mass = 0.001, at = vec(1, 0, 0) }
+    scene:nail(a)
+    scene:connect(a, b, force.spring { stiffness = 1e5 })
+    scene:connect(a, b, force.damper { damping = 300 })
+    scene:connect(a, b, force.damper { damping = 1e-3 })
+  ]]
+  scene:advance(0.1)
+  local told = {}
+  for _, line in ipairs(scene.log) do told[#told + 1] = line.text:match "connections as .- as connection %d+ (%(.-%))" end
+  expect(table.concat(told, " ")):equal "(1e+05 N/m) (300 N s/m)"
+end)
+
 test("solved dissipatively a spring comes to rest", function()
   local scene = open_text [[
     scene.gravity, scene.step = vec(0, 0, 0), 1 / 60

@@ -411,3 +411,113 @@ for _, rate in ipairs { 60, 240 } do
     expect((scene.angular_momentum - before):length()):below(1e-11 * before:length())
   end)
 end
+
+--- Warnings of a scene after some steps.
+local function warnings(code, steps)
+  local scene = open_text(code)
+  scene:advance((steps or 2) / 240)
+  local list = {}
+  for _, line in ipairs(scene.log) do
+    if line.kind == "warning" then list[#list + 1] = line.text end
+  end
+  return table.concat(list, "\n"), #list
+end
+
+test("a lever that is nailed within a wall is named with the depth, once; with a rule of layers it is not", function()
+  local code = [[
+    scene:ground { shape = shape.box { size = vec(0.1, 1, 1), name = "wall", layer = "wall" } }
+    local lever = scene:box { size = vec(0.4, 0.08, 0.08), at = vec(0.23, 0, 0), points = { pivot = vec(-0.2, 0, 0) },
+      name = "lever", layer = "lever" }
+    scene:nail(lever.pivot)
+  ]]
+  local told, count = warnings(code, 480)
+  expect(count):equal(1)
+  expect(told:find("'lever' overlaps ground 'wall' by 0.02 m since it was put there", 1, true)):above(0)
+  expect(told:find("scene:collide", 1, true)):above(0)
+  expect(select(2, warnings(code .. "scene:collide('lever', 'wall', false)", 480))):equal(0)
+end)
+
+test("layers that nothing has are told, with their line, where another is spelt nearly so", function()
+  local function tells(code, message)
+    local told, count = warnings("scene:box { size = 1, layer = 'ghost' }\n" .. code)
+    expect(count):equal(1)
+    expect(told):equal(message)
+  end
+  tells("scene:collide('gohst', 'floor', false)",
+    "text.lua:2: collide: nothing has the layer 'gohst'. Did you mean 'ghost'?")
+  tells("scene:on('touched', 'ghsot', print)", "text.lua:2: on: nothing has the layer 'ghsot'. Did you mean 'ghost'?")
+  tells("scene:on('parted', 'ghosts', print)", "text.lua:2: on: nothing has the layer 'ghosts'. Did you mean 'ghost'?")
+  tells("for _ = 1, 3 do scene:ray { from = vec(0, 5, 0), to = vec(0, 0, 0), layers = { 'ghost', 'gost' } } end",
+    "text.lua:2: ray: nothing has the layer 'gost'. Did you mean 'ghost'?")
+  tells("scene:family('sand', { solid = true, radius = 0.1, layer = 'sand' })\nscene:collide('sand', 'sandd', false)",
+    "text.lua:3: collide: nothing has the layer 'sandd'. Did you mean 'sand'?")
+  -- What is made later may have it.
+  expect(select(2, warnings [[
+    scene:box { size = 1, layer = "ghost" }
+    scene:collide("ghost", "bullet", false)
+    scene:on("touched", "shot", print)
+  ]])):equal(0)
+end)
+
+test("an action before its filter is told", function()
+  fails("local b = scene:ball { radius = 1 } scene:on('touched', function() end, b)",
+    'text.lua:1: on: the filter comes before the function, scene:on("touched", filter, function(touch) … end)')
+  fails("scene:on('touched', 'a', print, print)", "on: the filter comes before the function")
+end)
+
+test("a filter that nothing can touch, and a periodic box with what touches, are told", function()
+  local function tells(code, message)
+    local told, count = warnings(code)
+    expect(count):equal(1)
+    expect(told):equal(message)
+  end
+  tells("local b = scene:body { mass = 1, inertia = vec(1, 1, 1), name = 'b' }\nscene:on('touched', b, print)",
+    "text.lua:2: on: body 'b' has no shape, so that nothing touches it")
+  tells("scene:on('parted', scene:family('dust', {}), print)",
+    "text.lua:1: on: family 'dust' is not solid, so that nothing touches it")
+  tells("scene:on('touched', scene:particle { name = 'p' }, print)",
+    "text.lua:1: on: particle 'p' is of no solid family, so that nothing touches it")
+  tells("scene.box = vec(9, 9, 9)\nscene:ball { radius = 1 }",
+    "scene.box: laws reach through its sides, but what touches does so within it alone")
+  expect(select(2, warnings [[
+    scene:on("touched", scene:ball { radius = 1 }, print)
+    local sand = scene:family("sand", { solid = true, radius = 0.1 })
+    scene:on("touched", sand, print)
+    scene:on("touched", scene:particle { family = sand, at = vec(5, 0, 0) }, print)
+    scene:on("touched", scene:group "later", print)
+  ]])):equal(0)
+end)
+
+test("what shares a hinge passes through each other, and touches all else: next but one, and a wall that its nail is in", function()
+  local chain = [[
+    scene.gravity = vec(0, 0, 0)
+    local function link(x, name)
+      return scene:box { size = vec(1, 0.2, 0.2), at = vec(x, 0, 0), mass = 1, name = name, layer = "link",
+        points = { head = vec(-0.4, 0, 0), tail = vec(0.4, 0, 0) } }
+    end
+    local a, b, c = link(0, "a"), link(0.8, "b"), link(1.6, "c")
+    scene:hinge(a.tail, b.head, { name = "ab" })
+    scene:hinge(b.tail, c.head)
+    scene:nail(a.head)
+    scene:box { size = 0.1, at = vec(1.1, 0, 0), name = "inside", mass = 1 }
+    scene:ground { shape = shape.box { size = 0.1, layer = "wall", name = "wall" }, at = vec(-0.5, 0, 0) }
+  ]]
+  --- Pairs that touch, by name.
+  local function touching(code)
+    local scene = open_text(code)
+    scene:step()
+    local pairs_of = {}
+    for _, name in ipairs { "a", "b", "c" } do
+      for _, contact in ipairs(scene:find(name).contacts) do pairs_of[name .. " " .. contact.with.name] = true end
+    end
+    return pairs_of
+  end
+  local usual = touching(chain)
+  expect(usual["a b"]):equal(nil)
+  expect(usual["b c"]):equal(nil)
+  expect(usual["b inside"]):is_true()
+  expect(usual["a wall"]):is_true()
+  expect(touching(chain .. "scene:find('ab').collide = true")["a b"]):is_true()
+  expect(touching(chain .. "scene:find('ab').collide = true scene:collide('link', 'link', false)")["a b"]):equal(nil)
+  expect(touching(chain .. "scene:collide('link', 'wall', false)")["a wall"]):equal(nil)
+end)

@@ -136,7 +136,7 @@ const char* const annotations_options = R"(---@class NameOptions
 ---@field lifetime? number [s] after which it is cut (default `math.huge`)
 ---@field family? Family (default the first point's)
 ---@field axis? vec [1] the bodies given here turn about it only, against each other; world axes (default none: about any)
----@field collide? boolean its bodies touch each other, too (default `false`)
+---@field collide? boolean its bodies touch each other, as all else; not right at the hinge, which holds them together (default `false`)
 ---@field breaks_at? Breaking (default `{}`)
 
 ---@class ConstraintOptions: NameOptions

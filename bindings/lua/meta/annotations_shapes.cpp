@@ -5,7 +5,7 @@ namespace pantin::lua {
 
 const char* const annotations_shapes = R"(---What shapes are made of, and what they touch.
 ---@class MaterialOptions
----@field density? number [kg/m³] of a body whose mass is not given (default `1000`)
+---@field density? number [kg/m³] of a body whose mass is not given; of one with several shapes and a mass, in which proportion it is theirs (default `1000`)
 ---@field friction? number [1] of two that touch the root of the product counts (default `0.5`)
 ---@field restitution? number [1] 0 to 1; of two that touch the larger counts (default `0`)
 ---@field rolling? number [m] moment by normal force against rolling; of two that touch the larger counts (default `0`)
@@ -56,9 +56,10 @@ const char* const annotations_shapes = R"(---What shapes are made of, and what t
 ---@field points vec[] [m] three or more, in the scene's plane, else in that of x and y
 ---@field thickness? number [m] across that plane (default `1`)
 
+---One-sided: its front is on the left of who walks from point to point; through its back things pass.
 ---@class LineShapeOptions: ShapeOptions
----@field points vec[] [m] two or more, in the scene's plane, else in that of x and y
----@field closed? boolean the last one is joined to the first (default `false`)
+---@field points vec[] [m] two or more, in the scene's plane, else in that of x and y; from left to right the front is above
+---@field closed? boolean the last one is joined to the first; anticlockwise the front is inside (default `false`)
 ---@field thickness? number [m] across that plane; what touches it may be deeper (default `2`)
 
 ---@class PlaneShapeOptions: ShapeOptions

@@ -5,6 +5,7 @@
 
 #include "choreography/hands.hpp"
 #include "contacts/touching.hpp"
+#include "lua/scene/layers.hpp"
 #include "lua/thing/fields.hpp"
 #include "lua/thing/point_constraint_options.hpp"
 #include "lua/thing/script.hpp"
@@ -190,6 +191,15 @@ int subscribe(lua_State* state, Script& script, Subscription subscription) {
 
 namespace {
 
+/// Why a thing never touches as it is; empty: it may.
+std::string why_untouched(const World& world, const AnyId& thing) {
+  const auto is_solid = [&](FamilyId family) { return family && world.families[family].solid; };
+  if (const auto* body = std::get_if<BodyId>(&thing); body && world.bodies[*body].shapes.empty()) return "has no shape";
+  if (const auto* family = std::get_if<FamilyId>(&thing); family && !is_solid(*family)) return "is not solid";
+  const auto* particle = std::get_if<ParticleId>(&thing);
+  return particle && !is_solid(world.particles[*particle].family) ? "is of no solid family" : "";
+}
+
 /// `[filter,] action`: a body, a particle, a floor or ground, a group of these, a family, or the name of a layer.
 int subscribe_touch(lua_State* state, const Self& self, const std::string& name) {
   Subscription subscription{0, name, {}};
@@ -200,6 +210,7 @@ int subscribe_touch(lua_State* state, const Self& self, const std::string& name)
     if (lua_type(state, 3) == LUA_TSTRING) {
       subscription.layer = check_text(state, 3, "on", filter);
       require(!subscription.layer.empty(), "on: ", filter, " must not be an empty layer");
+      speak_of_layer(self.script, state, "on", subscription.layer);
     } else {
       const Ref* ref = to_ref(state, 3);
       constexpr std::array kinds = {Kind::body, Kind::particle, Kind::collider, Kind::group, Kind::family};
@@ -211,8 +222,14 @@ int subscribe_touch(lua_State* state, const Self& self, const std::string& name)
       if (ref->kind == Kind::collider)
         require(!self.world.shapes[ref->id<ShapeId>()].body, "on: ", filter,
                 " is a shape of a body; bodies are told of, so name that one");
+      if (const std::string why = why_untouched(self.world, ref->thing); !why.empty())
+        log_line(
+            self.world, "warning",
+            text(where(state), ": on: ", describe(self.world, ref->thing), " ", why, ", so that nothing touches it"));
     }
   }
+  require(lua_isnoneornil(state, action + 1), "on: the filter comes before the function, scene:on(\"", name,
+          "\", filter, function(touch) … end)");
   subscription.function = check_function(state, action, "on", argument(action - 1));
   return subscribe(state, self.script, std::move(subscription));
 }

@@ -1,4 +1,5 @@
 // What is met by rays and shapes on their way, and what is where.
+#include "lua/scene/layers.hpp"
 #include "lua/scene/touch_methods.hpp"
 #include "lua/thing/script.hpp"
 #include "lua/thing/shape_type.hpp"
@@ -19,23 +20,24 @@ Script& script_at(lua_State* state, const char* call) {
   return *ref->script;
 }
 
-void add_layer(const World& world, const std::string& name, HitFilter& filter) {
-  const auto& names = world.layers.names;
+void add_layer(Script& script, const Options& o, const std::string& name, HitFilter& filter) {
+  const auto& names = script.world.layers.names;
   const auto found = std::find(names.begin(), names.end(), name);
-  if (found != names.end()) filter.layers.push_back(static_cast<std::uint32_t>(found - names.begin()) + 1);
+  if (found == names.end()) return speak_of_layer(script, o.state(), o.what(), name);
+  filter.layers.push_back(static_cast<std::uint32_t>(found - names.begin()) + 1);
 }
 
-void read_layers(const Options& o, const World& world, HitFilter& filter) {
+void read_layers(const Options& o, Script& script, HitFilter& filter) {
   lua_State* state = o.state();
   require(!o.has("layer") || !o.has("layers"), o.what(), ": takes layer, or a list layers, not both");
   filter.any_layer = !o.has("layer") && !o.has("layers");
-  if (const auto layer = o.string("layer")) add_layer(world, *layer, filter);
+  if (const auto layer = o.string("layer")) add_layer(script, o, *layer, filter);
   if (o.has("layers")) {
     const int list = o.push("layers");
     require(lua_istable(state, list), o.what(), ": layers must be a list of strings, got ", kind_of_value(state, list));
     for (lua_Unsigned i = 1; i <= lua_rawlen(state, list); i++) {
       lua_rawgeti(state, list, static_cast<lua_Integer>(i));
-      add_layer(world, check_text(state, -1, o.what(), text("layer ", i)), filter);
+      add_layer(script, o, check_text(state, -1, o.what(), text("layer ", i)), filter);
       lua_pop(state, 1);
     }
     lua_pop(state, 1);
@@ -57,10 +59,11 @@ void add_ignored(lua_State* state, int index, const std::string& what, const std
   add(add, ref.thing);
 }
 
-HitFilter read_filter(const Options& o, const World& world) {
+HitFilter read_filter(const Options& o, Script& script) {
+  const World& world = script.world;
   HitFilter filter;
   lua_State* state = o.state();
-  read_layers(o, world, filter);
+  read_layers(o, script, filter);
   filter.sensors = o.boolean("sensors").value_or(false);
   if (!o.has("ignore")) return filter;
   const int ignored = o.push("ignore");
@@ -112,7 +115,7 @@ int scene_ray(lua_State* state) {
   const auto from = o.vector("from", "m"), to = o.vector("to", "m"), direction = o.vector("direction", "");
   require(from.has_value(), "ray: needs from, a vec [m]");
   require(to.has_value() != direction.has_value(), "ray: needs to, a vec [m], or direction, a vec, and not both");
-  const HitFilter filter = read_filter(o, script.world);
+  const HitFilter filter = read_filter(o, script);
   return push_hits(state, script,
                    to ? hits_of_ray(script.world, *from, *to, filter)
                       : hits_of_endless_ray(script.world, *from, *direction, filter));
@@ -135,21 +138,21 @@ int scene_cast(lua_State* state) {
   const Tried tried = check_tried(state, "cast", 3, "argument 2, the start,");
   const Vec3 from = check_vec(state, 3, "cast", "argument 2, the start,", "m"),
              to = check_vec(state, 4, "cast", "argument 3, the end,", "m");
-  const HitFilter filter = read_filter(Options(state, 5, "cast", filter_names), script.world);
+  const HitFilter filter = read_filter(Options(state, 5, "cast", filter_names), script);
   return push_hits(state, script, hits_of_cast(script.world, tried.geometry, tried.pose, to - from, filter));
 }
 
 int scene_overlap(lua_State* state) {
   Script& script = script_at(state, "overlap");
   const Tried tried = check_tried(state, "overlap", 3, "argument 2, the position,");
-  const HitFilter filter = read_filter(Options(state, 4, "overlap", filter_names), script.world);
+  const HitFilter filter = read_filter(Options(state, 4, "overlap", filter_names), script);
   return push_hits(state, script, overlapping(script.world, tried.geometry, tried.pose, filter));
 }
 
 int scene_inside(lua_State* state) {
   Script& script = script_at(state, "inside");
   const Vec3 at = check_vec(state, 2, "inside", "argument 1, the position,", "m");
-  const HitFilter filter = read_filter(Options(state, 3, "inside", filter_names), script.world);
+  const HitFilter filter = read_filter(Options(state, 3, "inside", filter_names), script);
   return push_hits(state, script, containing(script.world, at, filter), false);
 }
 

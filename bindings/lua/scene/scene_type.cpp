@@ -158,7 +158,11 @@ std::vector<Method> making() {
 std::vector<Method> constraining() {
   std::vector<Method> methods = {
       {"hinge", guard<scene_hinge>, "a: Point|Particle, b: Point|Particle, ...: Point|Particle|HingeOptions",
-       "Particle", "Joins points of two or more bodies, or free particles, into one particle.",
+       "Particle",
+       "Joins points of two or more bodies, or free particles, into one particle. Bodies that share a hinge pass "
+       "through "
+       "each other, unless it says collide = true; each touches everything else: the world, and bodies further along a "
+       "chain. What shall not touch those either gets a layer, and scene:collide(layer, other, false).",
        "local foot = scene:body { at = leg.tail.position, mass = 1, inertia = vec(1, 1, 1), points = { heel = vec(0, "
        "0, 0) } }\n"
        "scene:hinge(leg.tail, foot.heel, { name = \"ankle\", breaks_at = { force = 1000 } })"}};

@@ -2,6 +2,7 @@
 
 #include "lua/scene/carry_tables.hpp"
 #include "lua/scene/events.hpp"
+#include "lua/scene/layers.hpp"
 #include "lua/scene/parameters.hpp"
 #include "lua/scene/snapshot.hpp"
 #include "step/step.hpp"
@@ -13,6 +14,7 @@ void step_scene(Script& script) {
   keep_start(script);
   script.drawings.clear();
   step(script.world);
+  tell_unknown_layers(script);
   restore_wanted(script);
 }
 

@@ -1,6 +1,7 @@
 #include "lua/scene/touch_methods.hpp"
 
 #include "edit/edit.hpp"
+#include "lua/scene/layers.hpp"
 #include "lua/thing/ground_options.hpp"
 #include "lua/thing/script.hpp"
 #include "lua/value/arguments.hpp"
@@ -19,7 +20,7 @@ int scene_ground(lua_State* state) {
   const Self self = check_self(state, Kind::scene, "ground");
   const std::vector<ShapeDef> defs = ground_defs(state, 2);
   luaL_checkstack(state, static_cast<int>(defs.size()) + 8, "ground: too many shapes at once");
-  for (const ShapeDef& def : defs) push_thing(state, self.script, add_shape(self.world, def));
+  for (const ShapeId shape : add_shapes(self.world, defs)) push_thing(state, self.script, shape);
   return static_cast<int>(defs.size());
 }
 
@@ -44,6 +45,7 @@ int scene_collide(lua_State* state) {
     rule.restitution = o.number("restitution", "");
   }
   set_rule(self.world, a, b, rule);
+  for (const std::string& layer : {a, b}) speak_of_layer(self.script, state, "collide", layer);
   return 0;
 }
 

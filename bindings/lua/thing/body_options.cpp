@@ -121,14 +121,26 @@ void refuse_fixed(lua_State* state, int index, const char* what) {
       "a body that scene:follow and scene:orient take along");
 }
 
+/// Fails where a density is given that a mass leaves without effect.
+void check_density(const Options& o, const BodyDef& def, const std::vector<ShapeValue>& shapes) {
+  const auto given = std::find_if(shapes.begin(), shapes.end(), [](const ShapeValue& s) { return s.density_given; });
+  if (given == shapes.end()) return;
+  const auto filled = std::count_if(shapes.begin(), shapes.end(), [](const ShapeValue& s) { return !s.def.sensor; });
+  require(def.mass == 0.0 || filled > 1, o.what(), ": takes mass or density, not both: with a mass of ", def.mass,
+          " kg the density of ", given->def.material.density, " kg/m³ has no effect; leave one out");
+}
+
 }  // namespace
 
 BodyDef body_def(lua_State* state, int index) {
   refuse_fixed(state, index, "body");
+  refuse_material(state, index, "body");
   const Options o(state, index, "body", with_names(body_options(), {"shape", "shapes", "layer"}));
   require(lua_istable(state, index), "body: needs a table, scene:body{ points = { … }, mass = 1 }");
   BodyDef def = body_of(o);
-  def.shapes = shape_options(o, def.color);
+  std::vector<ShapeValue> shapes = shape_options(o, def.color);
+  check_density(o, def, shapes);
+  for (ShapeValue& shape : shapes) def.shapes.push_back(std::move(shape.def));
   require(!def.shapes.empty() || !o.has("layer"), "body: layer is of its shapes, and it has none");
   for (std::size_t i = 0; i < def.shapes.size(); i++)
     require(is_convex(def.shapes[i].geometry), "body: shape ", i + 1,
@@ -141,7 +153,9 @@ BodyDef solid_def(Script& script, lua_State* state, int index, const char* name,
   refuse_fixed(state, index, call);
   const Options o(state, index, call, with_names(with_names(kind.sizes, material_options()), body_options()));
   BodyDef def = body_of(o);
-  def.shapes = {shape_of_sizes(script, kind, o).def};
+  const ShapeValue shape = shape_of_sizes(script, kind, o);
+  check_density(o, def, {shape});
+  def.shapes = {shape.def};
   def.shapes[0].color = def.color;
   return def;
 }

@@ -29,15 +29,19 @@ void push_breaking(lua_State* state, const Breaking& b) {
   set("length", b.length);
 }
 
-std::function<double(double)> number_of_time(Callback function, std::string what) {
-  return [function = std::move(function), what = std::move(what)](double time) {
+std::function<double(double)> number_of_time(Callback function, std::string what, const KeptNumber& kept) {
+  return [function = std::move(function), what = std::move(what), kept](double time) {
     double value = 0.0;
     function.call(
         [&](lua_State* state) {
           lua_pushnumber(state, time);
           return 1;
         },
-        [&](lua_State* state) { value = check_number(state, -1, what, "its result", ""); });
+        [&](lua_State* state) {
+          value = check_number(state, -1, what, "its result", "");
+          require(kept.allows(value), what, ": its result must ",
+                  kept.range == KeptNumber::Range::positive ? "be > 0 " : "not be 0 ", kept.unit, ", got ", value);
+        });
     return value;
   };
 }
@@ -55,10 +59,12 @@ std::function<Quat(double)> quat_of_time(Callback function, std::string what) {
   };
 }
 
-NumberOrFunction check_number_of_time(const Self& self, int index, const char* what, const char* name,
-                                      const char* unit) {
+NumberOrFunction check_number_of_time(const Self& self, int index, const char* what, const char* name, const char* unit,
+                                      ConstraintKind of) {
   if (!lua_isfunction(self.state, index)) return {check_number(self.state, index, what, name, unit), {}};
-  auto function = number_of_time(Callback(self.state, index), std::string(what) + ": " + name);
+  std::string which = name;
+  if (which.back() == ',') which.pop_back();  // "argument 3, the length,"
+  auto function = number_of_time(Callback(self.state, index), text(what, ": ", which), rule_of(of).keeps);
   const Lock lock(self.world);
   const double now = function(self.world.time);
   return {now, std::move(function)};

@@ -9,10 +9,10 @@ namespace pantin::lua {
 namespace {
 
 /// The proportion of a coupling: a number or a function of time; throws Error where there is none.
-Ratio check_ratio(const Self& self, const Options& o, const char* name, const char* unit) {
+Ratio check_ratio(const Self& self, const Options& o, const char* name, const char* unit, ConstraintKind of) {
   require(o.has(name), o.what(), ": ", name, " must be given", *unit ? text(" [", unit, "]") : std::string(),
           ", a number or a function of time [s]");
-  NumberOrFunction given = check_number_of_time(self, o.push(name), o.what().c_str(), name, unit);
+  NumberOrFunction given = check_number_of_time(self, o.push(name), o.what().c_str(), name, unit, of);
   return {given.value, std::move(given.function)};
 }
 
@@ -25,7 +25,7 @@ int scene_gear(lua_State* state) {
   const BodyId a = check_body(state, 2, "gear", argument(1)), b = check_body(state, 3, "gear", argument(2));
   const Options o(state, 4, "gear", with_common({"ratio", "axis", "axis_b", "carrier"}));
   GearDef def;
-  def.ratio = check_ratio(self, o, "ratio", "");
+  def.ratio = check_ratio(self, o, "ratio", "", ConstraintKind::gear);
   def.axis_a = axis_option(self, o);
   def.axis_b = o.vector("axis_b", "");
   def.carrier = carrier_option(self, o);
@@ -38,7 +38,7 @@ int scene_rack(lua_State* state) {
   const PointId point = check_point(state, 3, "rack", argument(2));
   const Options o(state, 4, "rack", with_common({"radius", "axis", "along", "carrier"}));
   RackDef def;
-  def.radius = check_ratio(self, o, "radius", "m");
+  def.radius = check_ratio(self, o, "radius", "m", ConstraintKind::rack);
   def.axis = axis_option(self, o);
   require(o.has("along"), "rack: along must be given, a vec in world axes");
   def.along = *o.vector("along", "");
@@ -54,7 +54,7 @@ int scene_pulley(lua_State* state) {
   const PointId b = check_point(state, 5, "pulley", argument(4));
   const Options o(state, 6, "pulley", with_common({"ratio", "length", "time_constant"}));
   PulleyDef def;
-  if (o.has("ratio")) def.ratio = check_ratio(self, o, "ratio", "");
+  if (o.has("ratio")) def.ratio = check_ratio(self, o, "ratio", "", ConstraintKind::pulley);
   def.length = o.number("length", "m");
   read_time_constant(o, def);
   return finish(self, add_pulley(self.world, a, over_a, b, over_b, def), o);
@@ -65,7 +65,7 @@ int scene_screw(lua_State* state) {
   const PointId a = check_point(state, 2, "screw", argument(1)), b = check_point(state, 3, "screw", argument(2));
   const Options o(state, 4, "screw", with_common({"lead", "axis"}));
   ScrewDef def;
-  def.lead = check_ratio(self, o, "lead", "m");
+  def.lead = check_ratio(self, o, "lead", "m", ConstraintKind::screw);
   require(o.has("axis"), "screw: axis must be given, a vec in world axes");
   def.axis = *o.vector("axis", "");
   return finish(self, add_screw(self.world, a, b, def), o);

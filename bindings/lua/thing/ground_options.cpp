@@ -5,13 +5,14 @@
 
 namespace pantin::lua {
 
-std::vector<ShapeDef> shape_options(const Options& o, const Color& color) {
-  std::vector<ShapeDef> defs;
+std::vector<ShapeValue> shape_options(const Options& o, const Color& color) {
+  std::vector<ShapeValue> values;
   const std::string layer = layer_option(o);
   const auto add = [&](const ShapeValue& value) {
-    defs.push_back(value.def);
-    if (defs.back().layer.empty()) defs.back().layer = layer;
-    defs.back().color = value.color.value_or(color);
+    values.push_back(value);
+    ShapeDef& def = values.back().def;
+    if (def.layer.empty()) def.layer = layer;
+    def.color = value.color.value_or(color);
   };
   lua_State* state = o.state();
   require(!o.has("shape") || !o.has("shapes"), o.what(), ": takes shape, or a list shapes, not both");
@@ -24,10 +25,16 @@ std::vector<ShapeDef> shape_options(const Options& o, const Color& color) {
       add(check_shape_value(state, -1, o.what(), text("shape ", i)));
       lua_pop(state, 1);
     }
-    require(!defs.empty(), o.what(), ": shapes must be a list of shapes, got none");
+    require(!values.empty(), o.what(), ": shapes must be a list of shapes, got none");
   }
-  if (!defs.empty()) lua_pop(state, 1);
-  return defs;
+  if (!values.empty()) lua_pop(state, 1);
+  return values;
+}
+
+void refuse_material(lua_State* state, int index, const std::string& what) {
+  refuse_options(state, index, what,
+                 {"density", "friction", "restitution", "rolling", "spinning", "surface_velocity", "sensor"},
+                 "Each of its shapes has one: shape = shape.box { size = 1, friction = 0.8 }");
 }
 
 const char* const stands_still =
@@ -45,6 +52,7 @@ void refuse_motion(lua_State* state, int index, const char* what) {
 
 ShapeDef floor_def(Script& script, lua_State* state, int index) {
   refuse_motion(state, index, "floor");
+  refuse_options(state, index, "floor", {"at"}, "It has no end; height [m] says how far along its normal it lies");
   const ShapeKind& kind = shape_kind("plane");
   const Options o(state, index, "floor",
                   with_names(kind.sizes, {"friction", "restitution", "rolling", "spinning", "surface_velocity", "layer",
@@ -59,9 +67,14 @@ ShapeDef floor_def(Script& script, lua_State* state, int index) {
 
 std::vector<ShapeDef> ground_defs(lua_State* state, int index) {
   refuse_motion(state, index, "ground");
+  refuse_material(state, index, "ground");
+  refuse_options(state, index, "ground", {"name"},
+                 "Each of its shapes has one: shape = shape.box { size = 1, name = \"step\" }");
   const Options o(state, index, "ground", {"shape", "shapes", "at", "orientation", "color", "layer"});
   const ShapeDef usual;
-  std::vector<ShapeDef> defs = shape_options(o, o.color("color").value_or(usual.color));
+  std::vector<ShapeDef> defs;
+  for (ShapeValue& value : shape_options(o, o.color("color").value_or(usual.color)))
+    defs.push_back(std::move(value.def));
   require(!defs.empty(), "ground: needs a shape, scene:ground { shape = shape.box(10, 1, 10) }");
   const Vec3 at = o.vector("at", "m").value_or(zero3());
   const Quat turn = normalised(o.quat("orientation").value_or(Quat{}));

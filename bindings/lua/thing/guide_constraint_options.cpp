@@ -23,7 +23,7 @@ int scene_string(lua_State* state) {
   StringDef def;
   NumberOrFunction length;
   if (o.has("length")) {
-    length = check_number_of_time(self, o.push("length"), "string", "length", "m");
+    length = check_number_of_time(self, o.push("length"), "string", "length", "m", ConstraintKind::string);
     def.length = length.value;
   }
   read_time_constant(o, def);

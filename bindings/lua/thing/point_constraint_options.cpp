@@ -109,7 +109,7 @@ int scene_rod(lua_State* state) {
   std::optional<double> length;
   NumberOrFunction given;
   if (!lua_isnoneornil(state, 4)) {
-    given = check_number_of_time(self, 4, "rod", "argument 3, the length,", "m");
+    given = check_number_of_time(self, 4, "rod", "argument 3, the length,", "m", ConstraintKind::rod);
     length = given.value;
   }
   ConstraintId rod;

@@ -56,13 +56,20 @@ struct Pushing {
   }
 };
 
+/// The number that a constraint keeps, or none.
+KeptNumber kept_by(const Self& self) {
+  if (!is_constraint(self.ref.kind)) return {};
+  return rule_of(self.world.constraints[self.ref.id<ConstraintId>()]).keeps;
+}
+
 /// The function at `index`, where the form has functions; nothing otherwise.
 fields::Value check_function_of(const Self& self, const Property& p, const char* word, int index) {
   const auto of_time = [&](auto make) -> fields::Value {
     return make(Callback(self.state, index), text(word, ": ", p.name));
   };
   switch (p.form) {
-    case Form::number_of_time: return of_time(number_of_time);
+    case Form::number_of_time:
+      return number_of_time(Callback(self.state, index), text(word, ": ", p.name), kept_by(self));
     case Form::rate_of_time: return rate_function(Callback(self.state, index));
     case Form::vec_of_time: return of_time(position_of_time);
     case Form::quat_of_time: return of_time(quat_of_time);

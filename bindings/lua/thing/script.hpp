@@ -32,6 +32,12 @@ struct Subscription {
   std::string layer = {};  ///< of "touched" and "parted": what it waits for, where that is no thing, or empty
 };
 
+/// A layer that a script spoke of in a call that gives it to nothing.
+struct SpokenLayer {
+  std::string call;  ///< "scene.lua:12: collide"
+  std::string layer;
+};
+
 /// What a snapshot copies of a script.
 struct ScriptData {
   std::string title;
@@ -73,6 +79,7 @@ struct Script : ScriptHost, ScriptData {
   std::uint64_t snapshots = 0;                   ///< that the script took
   std::size_t data_count = 0;                    ///< tables of things' data
   std::size_t data_sweep = 64;                   ///< count at which the dead ones are dropped
+  std::vector<SpokenLayer> spoken_layers;        ///< since the last step
 
   /// Addresses are keys of the Lua registry: per kind the handles given out, then their data, then scene.store.
   std::array<char, kind_count + 2> keys{};

@@ -105,16 +105,21 @@ std::vector<Method> make_all() {
        "half its thickness.",
        "local wedge = shape.polygon { points = { vec(0, 0, 0), vec(2, 0, 0), vec(0, 1, 0) }, thickness = 0.5 }"},
       {"line", guard<line>, "points: vec[]|LineShapeOptions [m], options?: LineShapeOptions", "Shape",
-       "A line through points in the scene's plane, else in that of x and y, and what lies before and behind it. Its "
-       "front "
-       "is on the left of who walks along it. It does not move, so no body can have it.",
+       "A line through points in the scene's plane, else in that of x and y, and what lies before and behind it. It is "
+       "one-sided: its front, on the left of who walks along it, bears things; through its back they pass. Points from "
+       "left to right have their front above, as of ground; from right to left below, as of a ceiling. A closed line "
+       "whose points go round anticlockwise holds things in, clockwise it keeps them out. For both sides give two "
+       "lines, "
+       "polygon. It does not move, so no body can have it.",
+       "-- things rest on it:   1 -> 2 -> 3   and come through from below\n"
        "scene:ground { shape = shape.line({ vec(-5, -9, 0), vec(0, -9.5, 0), vec(5, -9, 0) }) }"},
       {"plane", guard<plane>, "options?: PlaneShapeOptions", "Shape",
        "A plane, solid behind it. It does not move, so no body can have it.",
        "scene:ground { shape = shape.plane { normal = vec(1, 0, 0), height = -9 } }"},
       {"mesh", guard<mesh>,
        "vertices: vec[]|Structure|MeshShapeOptions [m], faces?: integer[][], options?: MeshShapeOptions", "Shape",
-       "Triangles, whose front is where their corners run counter-clockwise. It does not move, so no body can have it.",
+       "Triangles, one-sided: their front is where their corners run counter-clockwise; from behind things come "
+       "through. It does not move, so no body can have it.",
        "scene:ground { shape = shape.mesh(structure.sheet { columns = 4, rows = 4 }) }"},
       {"heights", guard<heights>, "options: HeightsShapeOptions", "Shape",
        "Heights over a grid in x and z, solid below. It does not move, so no body can have it.",

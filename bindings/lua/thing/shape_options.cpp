@@ -329,7 +329,7 @@ std::string layer_option(const Options& o) {
 }
 
 ShapeValue shape_of_sizes(Script& script, const ShapeKind& kind, const Options& o) {
-  ShapeValue value{kind.name, {}, {}};
+  ShapeValue value{kind.name, {}, {}, o.has("density")};
   kind.read(script, o, value.def);
   value.def.material = material_of(o);
   value.def.layer = layer_option(o);

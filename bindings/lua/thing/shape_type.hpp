@@ -13,6 +13,7 @@ struct ShapeValue {
   const char* kind;            ///< "box"
   ShapeDef def;                ///< in the frame of the body, or of the world
   std::optional<Color> color;  ///< if it was given one
+  bool density_given = false;
 };
 
 void push_shape(lua_State* state, Script& script, ShapeValue value);

@@ -50,7 +50,7 @@ int scene_align(lua_State* state) {
   const Options o(state, next + 1, "align", with_common({"angle", "time_constant"}));
   NumberOrFunction angle;
   if (o.has("angle")) {
-    angle = check_number_of_time(self, o.push("angle"), "align", "angle", "rad");
+    angle = check_number_of_time(self, o.push("angle"), "align", "angle", "rad", ConstraintKind::align);
     def.angle = angle.value;
   }
   read_time_constant(o, def);
@@ -71,7 +71,8 @@ int scene_motor(lua_State* state) {
   for (const char* name : {"speed", "angle"}) {
     if (!o.has(name)) continue;
     const bool of_speed = name[0] == 's';
-    NumberOrFunction given = check_number_of_time(self, o.push(name), "motor", name, of_speed ? "rad/s" : "rad");
+    NumberOrFunction given =
+        check_number_of_time(self, o.push(name), "motor", name, of_speed ? "rad/s" : "rad", ConstraintKind::motor);
     (of_speed ? def.speed : def.angle) = given.value;
     def.number = std::move(given.function);
   }
@@ -118,7 +119,9 @@ int scene_limit(lua_State* state) {
 
 const ConstraintCall weld_call = {
     {"weld", guard<scene_weld>, "a: Body, b: Body, options?: ConstraintOptions", "Weld",
-     "Keeps two bodies in their present relative position and orientation; it tells its load, and may break.",
+     "Keeps two bodies in their present relative position and orientation; it tells its load, and may break. The two "
+     "pass "
+     "through each other, and touch everything else.",
      "local weld = scene:weld(arm, block, { breaks_at = { force = 500, torque = 100 } })"},
     "two bodies, or how a body is turned"};
 

@@ -102,7 +102,10 @@ Options::Options(lua_State* state, int index, std::string what, std::vector<std:
   }
   if (wrong.empty()) return;
   const std::string& key = *std::min_element(wrong.begin(), wrong.end());
-  throw Error(text(what_, ": unknown field '", key, "'.", suggestion(key, names), " Known are ", joined(names)));
+  const bool numbered = key.find_first_not_of("0123456789") == std::string::npos;
+  throw Error(text(what_, ": unknown field '", key, "'.",
+                   numbered ? " Each value needs its name, { name = value }." : suggestion(key, names), " Known are ",
+                   joined(names)));
 }
 
 void refuse_options(lua_State* state, int index, const std::string& what, std::initializer_list<const char*> names,

@@ -41,7 +41,7 @@ Vec3 forbidden_of_coupling(const Articulate& a, std::uint32_t k) {
 }
 
 void find_kept(Articulate& a) {
-  for (Condition& c : a.conditions) c.wanted = c.velocity;
+  for (Condition& c : a.conditions) c.wanted = c.worked_at = c.velocity;
   if (a.all_rigid) return;
   for (Row& row : a.rows) {
     if (is_rigid(row)) continue;
@@ -52,6 +52,7 @@ void find_kept(Articulate& a) {
     c.held = held;
   }
   project_couplings(a);
+  for (Condition& c : a.conditions) c.worked_at = c.wanted;
 }
 
 struct Velocities {
@@ -98,10 +99,17 @@ Velocities find_velocities(Articulate& a, From from, bool reuse = false) {
   return v;
 }
 
+/// What is driven was moved by the drift as fast as its residual says, and is as it is to be after: no tie that does not give
+/// loses energy where a prescribed velocity jumps.
+void work_at_means(Articulate& a) {
+  for (Condition& c : a.conditions)
+    if (c.driven) c.worked_at += row(a, c).residual * 0.5;
+}
+
 /// Adds the work of the impulse of a row on what is prescribed.
 void add_work(ImpulseWork& work, const Articulate& a, const Condition& c, Vec3 impulse) {
   if (c.stiff) return;
-  (row(a, c).lever > 0.0 ? work.turns : work.anchors) += dot(impulse, c.wanted);
+  (row(a, c).lever > 0.0 ? work.turns : work.anchors) += dot(impulse, c.worked_at);
 }
 
 /// Energy that what is prescribed may give, if all moves as fast, or for a turn ten times as much, since a crank may turn
@@ -130,7 +138,7 @@ ImpulseWork work_of_impulses(const Articulate& a, const Velocities& v) {
   double all = 0.0;
   for (std::size_t k = 0; k < a.rows.size(); k++) all += dot(a.impulses[k], a.rows[k].residual);
   for (const Condition& c : a.conditions) {
-    all += dot(a.impulses[c.row], c.wanted);
+    all += dot(a.impulses[c.row], c.worked_at);
     anchors = anchors || (row(a, c).lever == 0.0 && norm2(c.wanted) > 0.0);
   }
   (anchors ? work.anchors : work.turns) = all;
@@ -300,6 +308,7 @@ void project_velocities(Articulate& a, const DriftSettings& settings, DriftRepor
   find_kept(a);
   const bool reuse = may_use_newton_factor(a);
   const Velocities before = find_velocities(a, From::nodes, reuse);
+  work_at_means(a);
   const double outside = report.outside();
   if (!reuse || !project_with_newton_factor(a, before, report)) {
     report.projections++;
